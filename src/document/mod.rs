@@ -1,0 +1,31 @@
+//! The JSON documents that others build on: plain data, versioned, written and read by serde.
+//!
+//! Computed values are JSON numbers in shortest round-trip form, inputs are echoed as the strings that were given,
+//! and an infinite end of a range is `null`. No document carries timings: same input, same bytes.
+
+mod atlas;
+mod classification;
+mod critical;
+
+pub use atlas::{
+    AtlasDocument, BodyDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument, RegionDocument,
+    SampleDocument, StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument, WindowDocument,
+};
+pub use classification::{ClassificationDocument, ComponentDocument, MarginDocument, Status};
+pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
+
+/// Version of every document in this module.
+pub const SCHEMA_VERSION: &str = "1";
+
+/// How much is spent on an answer, and what it is worth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Accuracy {
+    /// Coarser and more often undecided, never wrong.
+    Draft,
+    /// f64 with error bounds; undecided where they do not suffice.
+    #[default]
+    Standard,
+    /// Proved.
+    Certified,
+}

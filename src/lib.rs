@@ -1,0 +1,5 @@
+//! Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body.
+
+pub mod body;
+pub mod document;
+pub mod topology;

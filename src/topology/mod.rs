@@ -1,0 +1,5 @@
+//! Topology of the accessible region U_hl, found in two ways that share no code.
+
+mod component;
+
+pub use component::{Component, Poles, signature, sort_components};
