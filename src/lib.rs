@@ -2,4 +2,6 @@
 
 pub mod body;
 pub mod document;
+pub mod equilibria;
+pub mod numerics;
 pub mod topology;

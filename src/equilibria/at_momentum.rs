@@ -1,0 +1,62 @@
+//! All relative equilibria at one angular momentum.
+
+use super::critical_set::CriticalSet;
+use super::curve::Orbit;
+use super::point::Point;
+
+/// A relative equilibrium at the x that was asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RelativeEquilibrium {
+    /// Number of its curve.
+    pub curve: usize,
+    /// The point of the curve; its γ is this equilibrium's.
+    pub point: Point,
+    /// Morse index.
+    pub index: u8,
+    /// What it stands for.
+    pub orbit: Orbit,
+}
+
+/// What [`CriticalSet::equilibria_at`] found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EquilibriaAt {
+    /// Relative equilibria by rising h (as rounded), then γ in the frame. A symmetric pair is two entries.
+    pub list: Vec<RelativeEquilibrium>,
+    /// False when x lies within rounding of a cusp or pitchfork, so that the number is not certain.
+    pub complete: bool,
+}
+
+impl CriticalSet {
+    /// All critical points of U_l at x = l²/2 > 0, in the frame.
+    #[must_use]
+    pub fn equilibria_at(&self, x: f64) -> EquilibriaAt {
+        let (curves, near_end) = self.curves_over(x);
+        let mut list = Vec::with_capacity(curves.len() + 2);
+        for curve in curves {
+            let Some(index) = self.curves[curve].index else { continue };
+            let orbit = self.curves[curve].orbit;
+            let point = self.curves[curve].point(&self.frame, x);
+            for point in both_of_a_pair(orbit, point) {
+                list.push(RelativeEquilibrium { curve, point, index, orbit });
+            }
+        }
+        list.sort_by(|p, q| {
+            let by_gamma = (0..3).map(|k| p.point.gamma[k].total_cmp(&q.point.gamma[k]));
+            by_gamma.fold(p.point.h().total_cmp(&q.point.h()), std::cmp::Ordering::then)
+        });
+        EquilibriaAt { list, complete: !near_end }
+    }
+}
+
+/// A point, or a pair with both signs of γ_i.
+fn both_of_a_pair(orbit: Orbit, point: Point) -> impl Iterator<Item = Point> {
+    let mirrored = match orbit {
+        Orbit::Pair(axis) => {
+            let mut mirrored = point;
+            mirrored.gamma[axis] = -mirrored.gamma[axis];
+            Some(mirrored)
+        }
+        _ => None,
+    };
+    std::iter::once(point).chain(mirrored)
+}

@@ -1,0 +1,21 @@
+//! Relative equilibria in closed form: every critical curve of a body and both pole lines (MATH §2 and §3).
+//!
+//! Works in x = l²/2, in which U_l(γ) = x/J(γ) − ⟨γ, r⟩ is linear for each γ.
+
+mod arc;
+mod at_momentum;
+mod critical_set;
+mod curve;
+mod cusps;
+mod generic;
+mod index;
+mod point;
+mod symmetric;
+
+pub use arc::{Arc, Segment, Shape};
+pub use at_momentum::{EquilibriaAt, RelativeEquilibrium};
+pub use critical_set::{CriticalSet, Cusp, CuspCluster, EquilibriaError, Pitchfork};
+pub use curve::{Branch, Curve, End, Orbit, Pole};
+pub use generic::{GenericState, Mu};
+pub use point::{Gap, Point};
+pub use symmetric::{SymmetricFamily, SymmetricState};

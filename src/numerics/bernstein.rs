@@ -1,0 +1,263 @@
+//! Real roots in (0, 1) of polynomials in Bernstein form with error bounds on the coefficients.
+//!
+//! A polynomial of degree n is Σ b_k C(n,k) v^(n−k) u^k with v = 1 − u. By Descartes' rule in Bernstein form the number
+//! of roots in (0, 1) is at most the number V of sign changes of b_0 … b_n and has its parity, so V = 0 excludes and
+//! V = 1 isolates; de Casteljau subdivision (convex combinations only) splits what is left. Source: Mourrain, Rouillier,
+//! Roy, "Bernstein's basis and real root isolation" (2005). Signs smaller than their error bound count as unknown.
+
+use super::UNIT_ROUNDOFF;
+
+/// Largest degree that is needed: the cusp polynomial of three distinct moments.
+pub const MAX_DEGREE: usize = 10;
+const SIZE: usize = MAX_DEGREE + 1;
+
+/// A homogeneous polynomial Σ c_k v^(n−k) u^k whose coefficients are sums of products of non-negative numbers, hence
+/// known to a few units of roundoff; `magnitude` bounds the sum of the absolute values of what was added.
+#[derive(Clone, Copy, Debug)]
+pub struct Form {
+    degree: usize,
+    coefficients: [f64; SIZE],
+    magnitude: [f64; SIZE],
+}
+
+impl Form {
+    /// The zero form of a degree.
+    ///
+    /// # Panics
+    /// When `degree` exceeds [`MAX_DEGREE`].
+    #[must_use]
+    pub fn zero(degree: usize) -> Self {
+        assert!(degree <= MAX_DEGREE, "forms have degree at most {MAX_DEGREE}");
+        Self { degree, coefficients: [0.0; SIZE], magnitude: [0.0; SIZE] }
+    }
+
+    /// at_zero · v + at_one · u.
+    #[must_use]
+    pub fn linear(at_zero: f64, at_one: f64) -> Self {
+        let mut form = Self::zero(1);
+        form.coefficients[..2].copy_from_slice(&[at_zero, at_one]);
+        form.magnitude[..2].copy_from_slice(&[at_zero.abs(), at_one.abs()]);
+        form
+    }
+
+    /// The product of two forms.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let mut product = Self::zero(self.degree + other.degree);
+        for i in 0..=self.degree {
+            for j in 0..=other.degree {
+                product.coefficients[i + j] += self.coefficients[i] * other.coefficients[j];
+                product.magnitude[i + j] += self.magnitude[i] * other.magnitude[j];
+            }
+        }
+        product
+    }
+
+    /// Adds `factor` times another form of the same degree.
+    ///
+    /// # Panics
+    /// When the degrees differ.
+    pub fn add_scaled(&mut self, factor: f64, other: &Self) {
+        assert_eq!(self.degree, other.degree, "forms of one degree are added");
+        for k in 0..=self.degree {
+            self.coefficients[k] += factor * other.coefficients[k];
+            self.magnitude[k] += factor.abs() * other.magnitude[k];
+        }
+    }
+
+    /// Isolates the roots in 0 < u < 1.
+    #[must_use]
+    pub fn isolate_roots(&self) -> Vec<Isolation> {
+        // Degree-10 products of rounded linear forms, summed: fewer than 64 roundings on any path.
+        const ROUNDINGS: f64 = 64.0;
+        let mut binomial = 1.0;
+        let mut bernstein = Bernstein { degree: self.degree, b: [0.0; SIZE], error: [0.0; SIZE] };
+        for k in 0..=self.degree {
+            bernstein.b[k] = self.coefficients[k] / binomial;
+            bernstein.error[k] = ROUNDINGS * UNIT_ROUNDOFF * self.magnitude[k] / binomial;
+            binomial = binomial * (self.degree - k) as f64 / (k + 1) as f64;
+        }
+        let mut found = Vec::new();
+        bernstein.isolate(Cell { u: [0.0, 1.0], v: [1.0, 0.0] }, &mut found);
+        found
+    }
+}
+
+/// A part of (0, 1): u and v = 1 − u at both ends, so that neither end loses digits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// u at the left and right end.
+    pub u: [f64; 2],
+    /// 1 − u at the left and right end.
+    pub v: [f64; 2],
+}
+
+impl Cell {
+    fn split(&self, t: f64) -> (Self, Self) {
+        let at = |ends: [f64; 2]| (1.0 - t) * ends[0] + t * ends[1];
+        let (u, v) = (at(self.u), at(self.v));
+        (Self { u: [self.u[0], u], v: [self.v[0], v] }, Self { u: [u, self.u[1]], v: [v, self.v[1]] })
+    }
+
+    /// Too narrow, relative to the distance from either end of (0, 1), to be split further in `f64`.
+    fn is_exhausted(&self) -> bool {
+        let width = self.u[1] - self.u[0];
+        let near = self.u[1].min(self.v[0]);
+        width <= 8.0 * f64::EPSILON * near || near < 1e-290
+    }
+}
+
+/// A part of (0, 1) that holds roots.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Isolation {
+    /// Where.
+    pub cell: Cell,
+    /// `None`: exactly one root, simple. `Some(n)`: at most n roots (perhaps none) that rounding cannot tell apart.
+    pub cluster: Option<u32>,
+    /// For a simple root: the polynomial is positive to its right.
+    pub rising: bool,
+}
+
+#[derive(Clone, Copy)]
+struct Bernstein {
+    degree: usize,
+    b: [f64; SIZE],
+    error: [f64; SIZE],
+}
+
+impl Bernstein {
+    fn sign(&self, k: usize) -> Option<bool> {
+        (self.b[k].abs() > self.error[k]).then(|| self.b[k] > 0.0)
+    }
+
+    /// The last known sign is positive.
+    fn ends_positive(&self) -> bool {
+        (0..=self.degree).rev().find_map(|k| self.sign(k)).unwrap_or(false)
+    }
+
+    /// The smallest and the largest number of sign changes compatible with the error bounds.
+    fn sign_changes(&self) -> (u32, u32) {
+        let mut fewest = 0;
+        let mut last_known = None;
+        // Most changes so far if the current sign is taken as (negative, positive); None: impossible.
+        let mut most: [Option<u32>; 2] = [Some(0), Some(0)];
+        for k in 0..=self.degree {
+            let sign = self.sign(k);
+            if let (Some(now), Some(before)) = (sign, last_known) {
+                fewest += u32::from(now != before);
+            }
+            last_known = sign.or(last_known);
+            let reach = |to: usize| {
+                if sign.is_some_and(|positive| usize::from(positive) != to) {
+                    return None;
+                }
+                if k == 0 {
+                    return Some(0);
+                }
+                let stay = most[to];
+                let switch = most[1 - to].map(|n| n + 1);
+                stay.max(switch)
+            };
+            most = [reach(0), reach(1)];
+        }
+        (fewest, most[0].max(most[1]).unwrap_or(0))
+    }
+
+    /// De Casteljau subdivision at t.
+    fn split(&self, t: f64) -> (Self, Self) {
+        let (mut left, mut right) = (*self, *self);
+        let n = self.degree;
+        let mut row = *self;
+        for step in 0..=n {
+            left.b[step] = row.b[0];
+            left.error[step] = row.error[0];
+            right.b[n - step] = row.b[n - step];
+            right.error[n - step] = row.error[n - step];
+            for k in 0..n - step {
+                let rounding = 2.0 * UNIT_ROUNDOFF * (row.b[k].abs() + row.b[k + 1].abs());
+                row.b[k] = (1.0 - t) * row.b[k] + t * row.b[k + 1];
+                row.error[k] = (1.0 - t) * row.error[k] + t * row.error[k + 1] + rounding;
+            }
+        }
+        (left, right)
+    }
+
+    fn isolate(&self, cell: Cell, found: &mut Vec<Isolation>) {
+        let (fewest, most) = self.sign_changes();
+        if most == 0 {
+            return;
+        }
+        if fewest == 1 && most == 1 {
+            found.push(Isolation { cell, cluster: None, rising: self.ends_positive() });
+            return;
+        }
+        let all_unknown = (0..=self.degree).all(|k| self.sign(k).is_none());
+        if cell.is_exhausted() || all_unknown {
+            found.push(Isolation { cell, cluster: Some(most), rising: self.ends_positive() });
+            return;
+        }
+        // A split at a root would leave its sign unknown on both sides: move aside.
+        let splits = [0.5, 0.4375, 0.5625, 0.375];
+        let usable = splits.iter().find(|&&t| self.split(t).1.sign(0).is_some());
+        let t = usable.copied().unwrap_or(0.5);
+        let (left, right) = self.split(t);
+        let (left_cell, right_cell) = cell.split(t);
+        left.isolate(left_cell, found);
+        right.isolate(right_cell, found);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Π (u − root_k) as a form; each factor is −root v + (1 − root) u.
+    fn with_roots(roots: &[f64]) -> Form {
+        roots.iter().fold(Form { degree: 0, coefficients: one(), magnitude: one() }, |form, &root| {
+            form.times(&Form::linear(-root, 1.0 - root))
+        })
+    }
+
+    fn one() -> [f64; SIZE] {
+        let mut c = [0.0; SIZE];
+        c[0] = 1.0;
+        c
+    }
+
+    proptest! {
+        #[test]
+        fn planted_roots_are_isolated(
+            mut roots in proptest::collection::vec(-0.5..1.5f64, 1..=8),
+        ) {
+            roots.sort_by(f64::total_cmp);
+            prop_assume!(roots.windows(2).all(|pair| pair[1] - pair[0] > 1e-2));
+            prop_assume!(roots.iter().all(|r| r.abs() > 1e-2 && (r - 1.0).abs() > 1e-2));
+            let inside: Vec<f64> = roots.iter().copied().filter(|r| (0.0..1.0).contains(r)).collect();
+            let mut found = with_roots(&roots).isolate_roots();
+            found.sort_by(|a, b| a.cell.u[0].total_cmp(&b.cell.u[0]));
+            prop_assert_eq!(found.len(), inside.len());
+            for (isolation, root) in found.iter().zip(&inside) {
+                prop_assert_eq!(isolation.cluster, None);
+                prop_assert!(isolation.cell.u[0] <= *root && *root <= isolation.cell.u[1]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_double_root_is_a_cluster_not_a_guess() {
+        let found = with_roots(&[0.3, 0.3, 0.8]).isolate_roots();
+        assert_eq!(found.iter().filter(|i| i.cluster.is_none()).count(), 1);
+        let clusters: Vec<_> = found.iter().filter(|i| i.cluster.is_some()).collect();
+        assert!(!clusters.is_empty());
+        assert!(clusters.iter().all(|i| i.cell.u[0] < 0.3 + 1e-6 && i.cell.u[1] > 0.3 - 1e-6));
+    }
+
+    #[test]
+    fn roots_of_very_different_size_are_isolated() {
+        let roots = [1e-14, 1e-9, 1e-4, 0.5];
+        let found = with_roots(&roots).isolate_roots();
+        assert_eq!(found.len(), 4);
+        assert!(found.iter().zip(roots).all(|(i, root)| i.cell.u[0] <= root && root <= i.cell.u[1]));
+    }
+}
