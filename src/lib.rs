@@ -1,5 +1,6 @@
 //! Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body.
 
+pub mod arrangement;
 pub mod body;
 pub mod document;
 pub mod equilibria;

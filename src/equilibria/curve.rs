@@ -107,3 +107,17 @@ impl Curve {
         }
     }
 }
+
+impl Curve {
+    /// (−1)^index times the number of critical points; a circle counts 0, S² counts 2, a pole line 0.
+    #[must_use]
+    pub fn euler_contribution(&self) -> i32 {
+        let sign = if self.index == Some(1) { -1 } else { 1 };
+        match self.orbit {
+            Orbit::Point => sign,
+            Orbit::Pair(_) => 2 * sign,
+            Orbit::Sphere => 2,
+            Orbit::Circle(_) | Orbit::Pole(_) => 0,
+        }
+    }
+}
