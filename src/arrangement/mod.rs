@@ -6,6 +6,7 @@ mod curvature;
 mod event;
 mod faces;
 mod invariants;
+mod mirror;
 mod pair;
 
 pub use event::{Change, Event};

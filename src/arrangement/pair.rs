@@ -6,12 +6,13 @@
 //! are closed by the known limits (MATH §4), so nothing is sampled and nothing missed.
 
 use crate::body::Frame;
-use crate::equilibria::{Arc, Curve, Gap, Orbit, Point, Pole, Shape};
+use crate::equilibria::{Arc, Curve, Gap, Mu, Orbit, Point, Pole, Shape};
 use crate::numerics::UNIT_ROUNDOFF;
 use crate::numerics::interval::Interval;
 use crate::numerics::root::{Bracket, newton_bracketed};
 
 use super::curvature::curvature;
+use super::mirror::{MirrorPair, left_is_above};
 
 /// A transversal crossing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -271,40 +272,63 @@ impl ArcPair<'_> {
         gap.value.abs() + gap.error
     }
 
-    fn isolate(&mut self, left: Node, right: Node, depth: u32) {
+    /// Finds the crossings between two nodes; returns the sign of the gap just right of the left one, if proved.
+    fn isolate(&mut self, left: Node, right: Node, depth: u32) -> Option<i8> {
         let range = |k: usize| Interval::between(left.slope[k], right.slope[k]).widened(8.0);
-        let difference = {
-            // Without widening where an end is shared: there both arcs have the very same slope.
-            let (p, q) =
-                (Interval::between(left.slope[0], right.slope[0]), Interval::between(left.slope[1], right.slope[1]));
-            [p.lo - q.hi, p.hi - q.lo]
-        };
-        let monotone = difference[0] >= 0.0 || difference[1] <= 0.0;
-        let (sl, sr) = (left.gap.sign(), right.gap.sign());
-        if monotone {
-            match (sl, sr) {
-                (Some(p), Some(q)) if p * q >= 0 && (p != 0 || q != 0) => return,
-                (Some(p), Some(q)) if p * q < 0 => return self.locate(left, right),
-                (Some(0), Some(0)) => return,
-                _ => {}
+        // Without widening: where an end is shared both arcs have the very same slope there.
+        let (p, q) = (Interval::between(left.slope[0], right.slope[0]), Interval::between(left.slope[1], right.slope[1]));
+        let monotone = p.lo >= q.hi || p.hi <= q.lo;
+        if let (Some(sl), Some(sr)) = (left.gap.sign(), right.gap.sign()) {
+            let either = if sl == 0 { sr } else { sl };
+            let separate = sl * sr > 0 && self.bounded_away(&left, &right, range(0) - range(1), sl)
+                || sl * sr == 0 && either != 0 && self.curvature_separates(&left, &right);
+            if monotone && sl * sr < 0 {
+                self.locate(left, right);
+                return Some(sl);
             }
-        } else if let (Some(p), Some(q)) = (sl, sr) {
-            if p == q && p != 0 && self.bounded_away(&left, &right, range(0) - range(1), p) {
-                return;
+            if (monotone && sl * sr >= 0 || separate) && either != 0 {
+                return Some(either);
             }
-            if (p == 0 || q == 0) && self.curvature_separates(&left, &right) {
-                return;
-            }
+        }
+        if let Some(sign) = self.mirror_sign(&left, &right) {
+            return Some(sign);
         }
         let exhausted = right.x.is_finite() && right.x - left.x <= 64.0 * UNIT_ROUNDOFF * right.x;
         if exhausted || depth > 120 || self.budget == 0 || self.is_noise(&left, &right) {
             self.order.unresolved.push([left.x, right.x]);
-            return;
+            return left.gap.sign().filter(|sign| *sign != 0);
         }
         self.budget -= 1;
         let middle = self.split(&left, &right);
-        self.isolate(left, middle, depth + 1);
+        let first = self.isolate(left, middle, depth + 1);
         self.isolate(middle, right, depth + 1);
+        first
+    }
+
+    /// The sign of the gap of two branches on both sides of one moment, where it is proved to be constant.
+    fn mirror_sign(&self, left: &Node, right: &Node) -> Option<i8> {
+        let at = |arc: &Arc, x: f64| if x.is_finite() { arc.mu(self.frame, x) } else { None };
+        if left.x == 0.0 {
+            return None;
+        }
+        let (p, q) = (at(self.a, left.x)?, at(self.b, left.x)?);
+        if p.base != q.base || p.delta * q.delta >= 0.0 {
+            return None;
+        }
+        let (end_p, end_q) = (at(self.a, right.x), at(self.b, right.x));
+        let same_side = |mu: Option<Mu>, from: Mu, arc: &Arc| match mu {
+            Some(mu) => mu.base == from.base && mu.delta * from.delta > 0.0,
+            None => self.limit(arc).axis == Some(from.base),
+        };
+        if !same_side(end_p, p, self.a) || !same_side(end_q, q, self.b) {
+            return None;
+        }
+        let a_is_left = p.delta < 0.0;
+        let pair = |a: Option<Mu>, b: Option<Mu>| {
+            if a_is_left { MirrorPair { left: a, right: b } } else { MirrorPair { left: b, right: a } }
+        };
+        let ends = [pair(Some(p), Some(q)), pair(end_p, end_q)];
+        left_is_above(self.frame, p.base, [left.x, right.x], ends).then_some(if a_is_left { 1 } else { -1 })
     }
 
     /// A splitting point at which the sign of the gap is certain, if one of a few is.
