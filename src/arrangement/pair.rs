@@ -276,7 +276,8 @@ impl ArcPair<'_> {
     fn isolate(&mut self, left: Node, right: Node, depth: u32) -> Option<i8> {
         let range = |k: usize| Interval::between(left.slope[k], right.slope[k]).widened(8.0);
         // Without widening: where an end is shared both arcs have the very same slope there.
-        let (p, q) = (Interval::between(left.slope[0], right.slope[0]), Interval::between(left.slope[1], right.slope[1]));
+        let (p, q) =
+            (Interval::between(left.slope[0], right.slope[0]), Interval::between(left.slope[1], right.slope[1]));
         let monotone = p.lo >= q.hi || p.hi <= q.lo;
         if let (Some(sl), Some(sr)) = (left.gap.sign(), right.gap.sign()) {
             let either = if sl == 0 { sr } else { sl };

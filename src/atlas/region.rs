@@ -1,0 +1,175 @@
+//! Regions: faces with a sample and their topology.
+
+use super::whole_sphere;
+use crate::arrangement::Arrangement;
+use crate::equilibria::{CriticalSet, Orbit, Point, Pole};
+use crate::topology::merge::{self, CriticalPoint, Extent, MergeError};
+use crate::topology::{Component, Poles};
+
+/// A well-placed point of a region, in the frame's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// x = l²/2.
+    pub x: f64,
+    /// Energy.
+    pub h: f64,
+    /// Distance in h to the boundary, at this x.
+    pub margin: f64,
+    /// Bound on the error of `margin`.
+    pub error: f64,
+    /// The curve that is nearest.
+    pub nearest: usize,
+}
+
+/// A region of the (h, l) half-plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// Its cells: (slab, position), the cell above the curve at that position of the slab's order.
+    pub cells: Vec<(usize, usize)>,
+    /// A point inside.
+    pub sample: Sample,
+    /// The components of U_hl, or why they are not known.
+    pub components: Result<Vec<Component>, MergeError>,
+}
+
+/// A place in a cell where a region could be sampled.
+#[derive(Clone, Copy)]
+struct Candidate {
+    slab: usize,
+    position: usize,
+    sample: Sample,
+    /// Margin relative to the energy scale x/J + r.
+    quality: f64,
+}
+
+/// Samples every face and finds its topology from the merge tree there.
+pub(super) fn classify_faces(arrangement: &Arrangement) -> Vec<Region> {
+    let mut cells = vec![Vec::new(); arrangement.faces];
+    for (slab, strip) in arrangement.slabs.iter().enumerate() {
+        for (position, &face) in strip.face_above.iter().enumerate() {
+            cells[face].push((slab, position));
+        }
+    }
+    let rows: Vec<Vec<Row>> = (0..arrangement.slabs.len()).map(|slab| rows(arrangement, slab)).collect();
+    cells.into_iter().map(|cells| region(arrangement, &rows, cells)).collect()
+}
+
+/// The points of all curves of a slab at one abscissa.
+struct Row {
+    x: f64,
+    points: Vec<Point>,
+}
+
+/// Rows at a few abscissae of a slab.
+fn rows(arrangement: &Arrangement, slab: usize) -> Vec<Row> {
+    let [from, to] = arrangement.slabs[slab].x;
+    let middle = arrangement.middle(slab);
+    let abscissae = if to.is_finite() && from > 0.0 {
+        [0.5 * (from + middle), middle, 0.5 * (middle + to)]
+    } else {
+        [middle, 0.5 * middle + 0.5 * if to.is_finite() { to } else { from.max(0.5 * middle) }, 2.0 * middle]
+    };
+    let inside = |x: &f64| *x > from && *x < to;
+    let set = &arrangement.set;
+    abscissae
+        .into_iter()
+        .filter(inside)
+        .map(|x| {
+            let points = arrangement.slabs[slab].order.iter().map(|&c| set.curves[c].point(&set.frame, x)).collect();
+            Row { x, points }
+        })
+        .collect()
+}
+
+fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize)>) -> Region {
+    let mut candidates: Vec<Candidate> = cells
+        .iter()
+        .flat_map(|&(slab, position)| rows[slab].iter().map(move |row| (slab, position, row)))
+        .map(|(slab, position, row)| candidate(arrangement, slab, position, row))
+        .collect();
+    candidates.sort_by(|p, q| q.quality.total_cmp(&p.quality));
+    let best = candidates[0];
+    // Should rounding hide a join at the best place, the next ones may still show it.
+    const ATTEMPTS: usize = 4;
+    let mut components = Err(MergeError::LostPath);
+    for candidate in candidates.iter().take(ATTEMPTS) {
+        components = topology(arrangement, candidate);
+        if components.is_ok() {
+            break;
+        }
+    }
+    Region { cells, sample: best.sample, components }
+}
+
+fn candidate(arrangement: &Arrangement, slab: usize, position: usize, row: &Row) -> Candidate {
+    let order = &arrangement.slabs[slab].order;
+    let lower = &row.points[position];
+    let scale = row.x / lower.j + arrangement.set.frame.r_norm;
+    let sample = match row.points.get(position + 1) {
+        Some(upper) => {
+            let gap = crate::equilibria::Gap::between(&arrangement.set.frame, upper, lower);
+            let margin = 0.5 * gap.value;
+            Sample {
+                x: row.x,
+                h: lower.h() + margin,
+                margin,
+                error: gap.error + upper.h_error(),
+                nearest: order[position],
+            }
+        }
+        None => {
+            let margin = scale.min(lower.h().abs() + arrangement.set.frame.r_norm).max(0.5 * scale);
+            Sample { x: row.x, h: lower.h() + margin, margin, error: lower.h_error(), nearest: order[position] }
+        }
+    };
+    Candidate { slab, position, sample, quality: sample.margin / scale }
+}
+
+/// The components of U_hl at a sample.
+fn topology(arrangement: &Arrangement, candidate: &Candidate) -> Result<Vec<Component>, MergeError> {
+    let set = &arrangement.set;
+    let order = &arrangement.slabs[candidate.slab].order;
+    if candidate.position + 1 == order.len() {
+        return Ok(vec![whole_sphere(!set.frame.is_euler())]);
+    }
+    let points: Vec<(usize, Point)> = order[..=candidate.position]
+        .iter()
+        .map(|&c| (c, set.curves[c].point(&set.frame, candidate.sample.x)))
+        .collect();
+    components_below(set, candidate.sample.x, &points)
+}
+
+/// The components of the sublevel set above exactly these curves at x.
+///
+/// # Errors
+/// [`MergeError`] when rounding leaves a join open.
+pub(crate) fn components_below(
+    set: &CriticalSet,
+    x: f64,
+    below: &[(usize, Point)],
+) -> Result<Vec<Component>, MergeError> {
+    let mut critical = Vec::with_capacity(below.len() + 2);
+    let mut poles = Poles::default();
+    for (c, point) in below {
+        let curve = &set.curves[*c];
+        match curve.entering_pole() {
+            Some(Pole::Plus) => poles.plus = true,
+            Some(Pole::Minus) => poles.minus = true,
+            None => {}
+        }
+        let Some(index) = curve.index else { continue };
+        let extent = match curve.orbit {
+            Orbit::Circle(axis) => Extent::Circle(axis),
+            Orbit::Sphere => Extent::Sphere,
+            _ => Extent::Point,
+        };
+        critical.push(CriticalPoint { gamma: point.gamma, index, extent });
+        if let Orbit::Pair(axis) = curve.orbit {
+            let mut mirrored = point.gamma;
+            mirrored[axis] = -mirrored[axis];
+            critical.push(CriticalPoint { gamma: mirrored, index, extent });
+        }
+    }
+    let poles = (!set.frame.is_euler()).then_some(poles);
+    merge::components(&set.frame, x, &critical, poles).map(|tree| tree.components)
+}

@@ -1,0 +1,192 @@
+//! The type of U_hl, E_hl and P_hl at one point (h, l).
+
+use thiserror::Error;
+
+use crate::atlas::{self, Atlas, AtlasError, Location, MomentumError, Place};
+use crate::body::{Body, Number};
+use crate::document::{Accuracy, ClassificationDocument, ComponentDocument, MarginDocument, SCHEMA_VERSION, Status};
+use crate::equilibria::{CriticalSet, Point};
+use crate::topology::merge::MergeError;
+use crate::topology::{Component, Poles, signature};
+
+/// Why a point has no answer.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ClassifyError {
+    /// The body is beyond `f64`.
+    #[error(transparent)]
+    Atlas(#[from] AtlasError),
+    /// l is beyond `f64`.
+    #[error(transparent)]
+    Momentum(#[from] MomentumError),
+    /// The joins of the merge tree could not be proved.
+    #[error("the connected components at this point could not be told in f64: {0}")]
+    Merge(#[from] MergeError),
+}
+
+/// What an answer cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Points of curves that were computed.
+    pub curve_points: usize,
+    /// Events and regions of the whole plane were computed.
+    pub built_atlas: bool,
+}
+
+/// Classifies one point of a body that is not prepared: finds the critical points at this l only. No curve is traced and
+/// no event computed, unless the point is too near to a curve, when the atlas names the candidates.
+///
+/// # Errors
+/// [`ClassifyError`] when the body or l leave the range of `f64`, or a join cannot be proved.
+pub fn classify(body: &Body, h: &Number, l: &Number) -> Result<ClassificationDocument, ClassifyError> {
+    classify_with_effort(body, h, l).map(|(document, _)| document)
+}
+
+/// [`classify`], and what it cost.
+///
+/// # Errors
+/// As [`classify`].
+pub fn classify_with_effort(
+    body: &Body,
+    h: &Number,
+    l: &Number,
+) -> Result<(ClassificationDocument, Effort), ClassifyError> {
+    if l.to_f64() == 0.0 {
+        return Ok((at_rest(body, h, l), Effort::default()));
+    }
+    let set = CriticalSet::new(body.frame()).map_err(AtlasError::from)?;
+    let x = atlas::abscissa(&set.frame, l.to_f64())?;
+    let (over, near_end) = set.curves_over(x);
+    let mut points: Vec<(usize, Point)> = over.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
+    points.sort_by(|p, q| p.1.h().total_cmp(&q.1.h()));
+    let mut effort = Effort { curve_points: points.len(), built_atlas: false };
+    let energy = h.to_f64() / set.frame.energy_unit;
+    let error = |p: &Point| atlas::comparison_error(p, energy);
+    let nearest = points.iter().min_by(|p, q| (p.1.h() - energy).abs().total_cmp(&(q.1.h() - energy).abs()));
+    if let Some(&(curve, nearest)) = nearest {
+        let clear = points.iter().all(|(_, p)| (p.h() - energy).abs() > error(p));
+        if clear && !near_end {
+            let below: Vec<(usize, Point)> = points.iter().filter(|(_, p)| p.h() < energy).copied().collect();
+            let components = if below.len() == points.len() {
+                Ok(vec![atlas::whole_sphere(!set.frame.is_euler())])
+            } else if below.is_empty() {
+                Ok(Vec::new())
+            } else {
+                atlas::components_below(&set, x, &below)
+            };
+            if let Ok(components) = components {
+                let unit = set.frame.energy_unit;
+                let margin = MarginDocument {
+                    h: (nearest.h() - energy).abs() * unit,
+                    nearest: atlas::curve_name(&set, curve),
+                    error_bound: error(&nearest) * unit,
+                };
+                return Ok((decided(body, h, l, &components, margin), effort));
+            }
+        }
+    }
+    effort.built_atlas = true;
+    Ok((Atlas::new(body)?.classify(h, l)?, effort))
+}
+
+impl Atlas {
+    /// Classifies a point of a prepared body.
+    ///
+    /// # Errors
+    /// [`ClassifyError::Momentum`] when l is out of range, [`ClassifyError::Merge`] when the region's components are not
+    /// known.
+    pub fn classify(&self, h: &Number, l: &Number) -> Result<ClassificationDocument, ClassifyError> {
+        let body = self.body();
+        if l.to_f64() == 0.0 {
+            return Ok(at_rest(body, h, l));
+        }
+        let Location { place, distance, nearest, error_bound } = self.locate(h.to_f64(), l.to_f64())?;
+        let nearest = atlas::curve_name(&self.arrangement().set, nearest);
+        let margin = MarginDocument { h: distance, nearest, error_bound };
+        match place {
+            Place::Forbidden => Ok(decided(body, h, l, &[], margin)),
+            Place::Region(region) => Ok(decided(body, h, l, self.components(region)?, margin)),
+            Place::Undecided(places) => {
+                let mut candidates: Vec<Vec<ComponentDocument>> = Vec::new();
+                for place in places {
+                    let components = place.map_or(Ok([].as_slice()), |region| self.components(region))?;
+                    let class: Vec<ComponentDocument> = components.iter().map(ComponentDocument::from).collect();
+                    if !candidates.contains(&class) {
+                        candidates.push(class);
+                    }
+                }
+                let critical = atlas::on_straight_curve(body, h, l);
+                let status = if critical { Status::Critical } else { Status::Undecided };
+                Ok(open(body, h, l, status, candidates, margin))
+            }
+        }
+    }
+}
+
+fn decided(
+    body: &Body,
+    h: &Number,
+    l: &Number,
+    components: &[Component],
+    margin: MarginDocument,
+) -> ClassificationDocument {
+    let status = if components.is_empty() { Status::Forbidden } else { Status::Regular };
+    ClassificationDocument {
+        components: Some(components.iter().map(ComponentDocument::from).collect()),
+        signature: if components.is_empty() { None } else { signature(components) },
+        ..open(body, h, l, status, Vec::new(), margin)
+    }
+}
+
+fn open(
+    body: &Body,
+    h: &Number,
+    l: &Number,
+    status: Status,
+    candidates: Vec<Vec<ComponentDocument>>,
+    margin: MarginDocument,
+) -> ClassificationDocument {
+    let note = body
+        .flags()
+        .euler
+        .then(|| "r = 0: the poles ±r̂ do not exist and S vanishes identically, so P_hl is not defined".to_owned());
+    ClassificationDocument {
+        schema_version: SCHEMA_VERSION.to_owned(),
+        moments: body.moments().clone(),
+        center: body.center().clone(),
+        h: h.clone(),
+        l: l.clone(),
+        status,
+        accuracy: Accuracy::Standard,
+        margin,
+        components: None,
+        signature: None,
+        candidates,
+        note,
+    }
+}
+
+/// l = 0: U = −⟨γ, r⟩ has its minimum −r at r̂ and its maximum r at −r̂; decided exactly.
+fn at_rest(body: &Body, h: &Number, l: &Number) -> ClassificationDocument {
+    use std::cmp::Ordering::{Equal, Greater, Less};
+    let frame = body.frame();
+    let r = frame.r_norm * frame.energy_unit;
+    let energy = h.to_f64();
+    let euler = frame.is_euler();
+    let disc = Component { boundary_circles: 1, poles: Some(Poles { plus: true, minus: false }) };
+    let sphere = atlas::whole_sphere(!euler);
+    let (nearest, distance) = match (euler, energy < 0.0) {
+        (true, _) => ("l=0", energy.abs()),
+        (false, true) => ("P+", (energy + r).abs()),
+        (false, false) => ("P-", (energy - r).abs()),
+    };
+    let margin = MarginDocument { h: distance, nearest: nearest.to_owned(), error_bound: 4.0 * f64::EPSILON * r };
+    let documents = |components: &[Component]| components.iter().map(ComponentDocument::from).collect::<Vec<_>>();
+    match (atlas::compare_with_r(body, h), energy < 0.0) {
+        (Greater, true) => decided(body, h, l, &[], margin),
+        (Greater, false) => decided(body, h, l, &[sphere], margin),
+        (Less, _) => decided(body, h, l, &[disc], margin),
+        (Equal, _) if euler => open(body, h, l, Status::Critical, vec![Vec::new(), documents(&[sphere])], margin),
+        (Equal, true) => open(body, h, l, Status::Critical, vec![Vec::new(), documents(&[disc])], margin),
+        (Equal, false) => open(body, h, l, Status::Critical, vec![documents(&[disc]), documents(&[sphere])], margin),
+    }
+}
