@@ -5,19 +5,23 @@
 use bifdiag::body::Body;
 use bifdiag::topology::{Component, Poles, sort_components};
 
-/// U_hl by flood fill on a grid of `rows` × 2 `rows` points whose polar axis is r̂ (the third axis when r = 0):
-/// rows are circles of latitude and the two poles are single points; boundary circles are counted as the
-/// components of the complement that touch a component.
+/// U_hl by flood fill on a grid with the given number of rows.
 pub fn components(body: &Body, h: f64, l: f64, rows: usize) -> Vec<Component> {
     let (a, r) = (body.moments_f64(), body.center_f64());
+    fill(r, rows, |g| {
+        let j = a[0] * g[0] * g[0] + a[1] * g[1] * g[1] + a[2] * g[2] * g[2];
+        l * l / (2.0 * j) - (g[0] * r[0] + g[1] * r[1] + g[2] * r[2]) <= h
+    })
+}
+
+/// Components of the set of accessible γ on a grid of `rows` × 2 `rows` points whose polar axis is r̂ (the third axis
+/// when r = 0): rows are circles of latitude and the two poles are single points; boundary circles are counted as the
+/// components of the complement that touch a component.
+pub fn fill(r: [f64; 3], rows: usize, accessible: impl Fn([f64; 3]) -> bool) -> Vec<Component> {
     let norm = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
     let axis = if norm == 0.0 { [0.0, 0.0, 1.0] } else { r.map(|x| x / norm) };
     let (e1, e2) = complement(axis);
     let columns = 2 * rows;
-    let accessible = |g: [f64; 3]| {
-        let j = a[0] * g[0] * g[0] + a[1] * g[1] * g[1] + a[2] * g[2] * g[2];
-        l * l / (2.0 * j) - (g[0] * r[0] + g[1] * r[1] + g[2] * r[2]) <= h
-    };
     let circle: Vec<(f64, f64)> = (0..columns)
         .map(|n| {
             let psi = (n as f64 + 0.137) * std::f64::consts::PI / rows as f64;

@@ -40,7 +40,7 @@ impl SplitMix64 {
 
     /// 0, …, count − 1.
     pub fn index(&mut self, count: usize) -> usize {
-        (self.next_u64() % count as u64) as usize
+        usize::try_from(self.next_u64() % count as u64).expect("smaller than count")
     }
 
     /// +1 or −1.

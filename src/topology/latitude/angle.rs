@@ -21,6 +21,10 @@ pub(super) struct Trig {
 impl Trig {
     /// x = 2 arctan t for one t ≥ 0.
     pub fn at(t: f64) -> Self {
+        if t == 0.0 {
+            let (zero, one) = (Interval::ZERO, Interval::ONE);
+            return Self { cos: one, sin: zero, cos_double: one, sin_double: zero };
+        }
         let t = Interval::exact(t);
         let denominator = Interval::ONE + t.squared();
         Self::of((Interval::ONE - t) * (Interval::ONE + t) / denominator, t.twice() / denominator)
@@ -75,7 +79,7 @@ impl Trig {
             2 => (-self.cos, -self.sin),
             _ => (self.sin, -self.cos),
         };
-        if quadrant % 2 == 0 {
+        if quadrant.is_multiple_of(2) {
             Self { cos, sin, ..self }
         } else {
             Self { cos, sin, cos_double: -self.cos_double, sin_double: -self.sin_double }
@@ -173,8 +177,8 @@ mod tests {
         for quadrant in 0..4 {
             let trig = Longitude::new(quadrant, 0.0).trig();
             let (cos, sin) = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][usize::from(quadrant)];
-            assert!((trig.cos.lo - cos).abs() < 1e-15 && (trig.sin.lo - sin).abs() < 1e-15);
-            assert!((trig.cos_double.lo - (cos * cos - sin * sin)).abs() < 1e-15);
+            assert_eq!((trig.cos, trig.sin), (Interval::exact(cos), Interval::exact(sin)));
+            assert_eq!(trig.cos_double, Interval::exact(cos * cos - sin * sin));
         }
         assert_eq!(Longitude::new(3, 1.0), Longitude::START);
     }

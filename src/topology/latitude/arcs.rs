@@ -24,7 +24,7 @@ pub enum Arcs {
     /// The circle lies in U_hl.
     Everything,
     /// One or two arcs.
-    Some(Vec<Arc>),
+    Part(Vec<Arc>),
 }
 
 /// The circles of latitude ⟨γ,r̂⟩ = c of one body at one (h, l).
@@ -101,7 +101,7 @@ impl Latitudes {
             .into_iter()
             .zip(ends)
             .map(|(start, end)| if reflected { Arc { start: end, end: start } } else { Arc { start, end } });
-        Ok(Arcs::Some(arcs.collect()))
+        Ok(Arcs::Part(arcs.collect()))
     }
 
     /// (cos ψ', sin ψ') of an internal longitude.

@@ -154,7 +154,6 @@ impl SlabRange {
 /// `None` when a corner of a brick lies on ∂U_hl within rounding.
 pub(super) fn glue(level: &Level, near: &Circle, far: &Circle, bricks: &[Brick], gluing: &mut Gluing) -> Option<i64> {
     let mut euler = 0;
-    // Meets U: the sides of the previous brick and of the run of turning bricks.
     for (n, brick) in bricks.iter().enumerate() {
         let previous = bricks[(n + bricks.len() - 1) % bricks.len()].kind;
         match brick.kind {

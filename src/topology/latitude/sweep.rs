@@ -63,7 +63,7 @@ impl Sweep<'_> {
         let circle = Circle::new(self.level, theta, self.gluing.len(), &mut self.effort)?;
         self.register(&circle);
         if circle.arc_count > 1 {
-            self.euler -= circle.arcs().filter(|&accessible| accessible).count() as i64;
+            self.euler -= circle.arcs().map(i64::from).sum::<i64>();
         }
         Some(circle)
     }
