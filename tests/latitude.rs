@@ -421,3 +421,49 @@ fn the_holes_of_fig_projections12_lie_at_zero_and_pi() {
         assert!(arc.start[0].abs() > 0.5);
     }
 }
+
+#[test]
+fn eulers_body_changes_at_the_principal_energies_only() {
+    let body = Body::parse(&["1.5", "2", "1"], &["0", "0", "0"]).unwrap();
+    let at = |h: f64| sweep(&body, h, 2.0).map(|c| (c.iter().all(|c| c.poles.is_none()), types(&c)));
+    let (low, middle, high) = (1.0, 4.0 / 3.0, 2.0);
+    for margin in [1e-12, 1e-6, 0.1] {
+        assert_eq!(at(low - margin), Ok((true, vec![])));
+        assert_eq!(at(low + margin), Ok((true, vec![(1, 0), (1, 0)])));
+        assert_eq!(at(middle - margin), Ok((true, vec![(1, 0), (1, 0)])));
+        assert_eq!(at(middle + margin), Ok((true, vec![(2, 0)])));
+        assert_eq!(at(high - margin), Ok((true, vec![(2, 0)])));
+        assert_eq!(at(high + margin), Ok((true, vec![(0, 0)])));
+    }
+    for critical in [low, middle, high] {
+        assert!(matches!(at(critical), Err(SweepError::Undecided { .. })));
+    }
+}
+
+#[test]
+fn critical_circles_and_spheres_need_no_special_case() {
+    // A = 1, r on the third axis: the circle ⟨γ,r̂⟩ = c is accessible for l²/2 − c ≤ h.
+    let isotropic = Body::parse(&["1", "1", "1"], &["0", "0", "1"]).unwrap();
+    // Lagrange, A3 > A1: at l = 4 U = 8/(1 + 3c²) − c is 1 and 3 at the poles, minima both, and has a circle of maxima.
+    let lagrange = Body::parse(&["1", "1", "4"], &["0", "0", "1"]).unwrap();
+    let at = |body: &Body, h: f64, l: f64| sweep(body, h, l).map(|c| types(&c));
+    for margin in [1e-12, 1e-3] {
+        assert_eq!(at(&isotropic, 1.0 - margin, 2.0), Ok(vec![]));
+        assert_eq!(at(&isotropic, 1.0 + margin, 2.0), Ok(vec![(1, 1)]));
+        assert_eq!(at(&isotropic, 3.0 - margin, 2.0), Ok(vec![(1, 1)]));
+        assert_eq!(at(&isotropic, 3.0 + margin, 2.0), Ok(vec![(0, 2)]));
+        assert_eq!(at(&lagrange, 1.0 + margin, 4.0), Ok(vec![(1, 1)]));
+        assert_eq!(at(&lagrange, 3.0 - margin, 4.0), Ok(vec![(1, 1)]));
+        assert_eq!(at(&lagrange, 3.0 + margin, 4.0), Ok(vec![(1, 1), (1, 1)]));
+    }
+    // The maximum of U over c lies where 48c/(1 + 3c²)² = −1.
+    let mut c = 0.0f64;
+    for _ in 0..60 {
+        c = -(1.0 + 3.0 * c * c) * (1.0 + 3.0 * c * c) / 48.0;
+    }
+    let top = 8.0 / (1.0 + 3.0 * c * c) - c;
+    assert_eq!(at(&lagrange, top - 1e-12, 4.0), Ok(vec![(1, 1), (1, 1)]));
+    assert_eq!(at(&lagrange, top + 1e-12, 4.0), Ok(vec![(0, 2)]));
+    assert!(matches!(at(&lagrange, top, 4.0), Err(SweepError::Undecided { .. })));
+    assert_eq!(at(&Body::parse(&["1"; 3], &["0"; 3]).unwrap(), 2.0 + 1e-12, 2.0), Ok(vec![(0, 0)]));
+}

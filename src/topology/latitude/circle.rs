@@ -138,11 +138,12 @@ fn refine(
         let (left, right) = stretch.split(t)?;
         let middle = right.start().trig();
         let reach = half_angle_reach(stretch.t0, t, stretch.t1);
-        let over = level.mean_value((theta, &middle), &slopes, theta, (0.0, reach));
-        if over.is_positive().is_some() {
+        let (_, variation) = Level::variation(&slopes, theta, (0.0, reach));
+        let value = level.value(theta, &middle);
+        if value.widened(variation).is_positive().is_some() {
             return Some(());
         }
-        if let Some(accessible) = level.value(theta, &middle).is_positive() {
+        if let Some(accessible) = value.is_positive() {
             refine(level, theta, left, depth, signs, effort)?;
             signs.push((right.start(), accessible));
             return refine(level, theta, right, depth, signs, effort);

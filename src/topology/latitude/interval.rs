@@ -63,6 +63,11 @@ impl Interval {
         }
     }
 
+    /// All numbers at most `radius` away.
+    pub fn widened(self, radius: f64) -> Self {
+        Self { lo: down(self.lo - radius), hi: up(self.hi + radius) }
+    }
+
     /// Twice the interval; exact.
     pub fn twice(self) -> Self {
         Self { lo: 2.0 * self.lo, hi: 2.0 * self.hi }

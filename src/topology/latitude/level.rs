@@ -129,15 +129,72 @@ impl Level {
         }
     }
 
-    /// G over the box by the mean value theorem: its value at a point of the box, and |∂G| times the largest
-    /// distance from that point (`reach` in ϑ and in ψ).
-    pub fn mean_value(&self, center: (&Trig, &Trig), slopes: &Slopes, theta: &Trig, reach: (f64, f64)) -> Interval {
+    /// How far G may be from its value at a point of the box, by the mean value theorem: in the direction of ϑ and of
+    /// ψ, `reach` being the largest distances from that point.
+    pub fn variation(slopes: &Slopes, theta: &Trig, reach: (f64, f64)) -> (f64, f64) {
         // ∂G/∂ψ = 2 (h + ⟨γ,r⟩) ∂J/∂ψ = 4 sin ϑ (h + ⟨γ,r⟩) H.
         let parallel = (theta.sin * slopes.height * slopes.turning).twice().twice();
-        let spread = |slope: Interval, reach: f64| {
-            let bound = (slope.magnitude() * reach).next_up();
-            if bound == 0.0 { Interval::ZERO } else { Interval { lo: -bound, hi: bound } }
-        };
-        self.value(center.0, center.1) + spread(slopes.meridional, reach.0) + spread(parallel, reach.1)
+        ((slopes.meridional.magnitude() * reach.0).next_up(), (parallel.magnitude() * reach.1).next_up())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::angle::Longitude;
+    use super::*;
+    use crate::body::Body;
+
+    const BODIES: [([&str; 3], [&str; 3]); 6] = [
+        (["2", "1.1", "1"], ["0.94868", "0", "0.61623"]),
+        (["0.3", "1.7", "0.9"], ["-0.4", "2.1", "0.7"]),
+        (["1.7", "0.9", "0.3"], ["0.1", "-0.05", "3"]),
+        (["2", "2", "1"], ["1", "0.3", "-0.2"]),
+        (["1", "1.0000000003", "1.273"], ["0", "0", "-2"]),
+        (["1", "1.5", "2"], ["0", "0", "0"]),
+    ];
+
+    fn middle(x: Interval) -> f64 {
+        0.5 * (x.lo + x.hi)
+    }
+
+    #[test]
+    fn the_polynomial_in_spherical_coordinates_is_g() {
+        let (h, l) = (1.25, 1.5);
+        for (a, r) in BODIES {
+            let frame = Body::parse(&a, &r).unwrap().frame();
+            let level = Level::new(&frame, h, l);
+            for (t, quadrant, u) in [(0.0, 0, 0.0), (0.3, 0, 0.7), (1.2, 1, 0.2), (0.8, 2, 0.9), (3.0, 3, 0.4)] {
+                let (theta, psi) = (Trig::at(t), Longitude::new(quadrant, u).trig());
+                let (c, s) = (middle(theta.cos), middle(theta.sin));
+                let (x, y) = (middle(psi.cos), middle(psi.sin));
+                let gamma: [f64; 3] = std::array::from_fn(|i| {
+                    c * level.pole[i] + s * (x * level.tangent[0][i] + y * level.tangent[1][i])
+                });
+                let j: f64 = (0..3).map(|i| frame.a[i] * gamma[i] * gamma[i]).sum();
+                let height = h + (0..3).map(|i| frame.r[i] * gamma[i]).sum::<f64>();
+                let expected = 2.0 * j * height - l * l;
+                let value = level.value(&theta, &psi);
+                assert!((middle(value) - expected).abs() < 1e-13 && value.hi - value.lo < 1e-13, "{a:?} {r:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_are_the_derivatives() {
+        let step = 1e-5;
+        for (a, r) in BODIES {
+            let level = Level::new(&Body::parse(&a, &r).unwrap().frame(), 1.25, 1.5);
+            for (t, u) in [(0.3, 0.7), (0.9, 0.2), (2.0, 0.5)] {
+                let value = |t: f64, u: f64| middle(level.value(&Trig::at(t), &Longitude::new(1, u).trig()));
+                let (theta, psi) = (Trig::at(t), Longitude::new(1, u).trig());
+                let slopes = level.slopes(&theta, &psi);
+                // dx/dt = 2/(1 + t²) for x = 2 arctan t.
+                let along_meridian = (value(t + step, u) - value(t - step, u)) / (2.0 * step) * (1.0 + t * t) / 2.0;
+                let along_parallel = (value(t, u + step) - value(t, u - step)) / (2.0 * step) * (1.0 + u * u) / 2.0;
+                let parallel = 4.0 * middle(theta.sin) * middle(slopes.height) * middle(slopes.turning);
+                assert!((middle(slopes.meridional) - along_meridian).abs() < 1e-7, "{a:?} {r:?}");
+                assert!((parallel - along_parallel).abs() < 1e-7, "{a:?} {r:?}");
+            }
+        }
     }
 }

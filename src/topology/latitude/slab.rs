@@ -6,6 +6,9 @@ use super::circle::{CUTS, Circle};
 use super::level::Level;
 use super::union::Gluing;
 
+/// Share of the variation of G above which a brick is shortened rather than its slab thinned.
+const PARALLEL_SHARE: f64 = 0.7;
+
 /// What is proved of G in a brick, that is for all latitudes of the slab and all longitudes of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -91,9 +94,8 @@ pub(super) fn settle(
                 continue;
             }
             effort.spend()?;
-            let kind = slab.kind(level, stretch);
-            let width = slab.theta.sin.hi * (stretch.t1 - stretch.t0);
-            if kind == Kind::Open && width > 0.5 * (t1 - t0) {
+            let (kind, along_parallel) = slab.kind(level, stretch);
+            if kind == Kind::Open && along_parallel {
                 let t = stretch.t0 + CUTS[0] * (stretch.t1 - stretch.t0);
                 let (left, right) = stretch.split(t)?;
                 stack.push(Brick { stretch: right, kind });
@@ -121,24 +123,28 @@ struct SlabRange {
 }
 
 impl SlabRange {
-    fn kind(&self, level: &Level, stretch: Stretch) -> Kind {
+    /// What can be proved of a brick, and for an open brick whether G varies so much along its parallels that a
+    /// shorter stretch, not a thinner slab, is the next thing to try.
+    fn kind(&self, level: &Level, stretch: Stretch) -> (Kind, bool) {
         let psi = stretch.trig();
         if let Some(sign) = level.value(&self.theta, &psi).is_positive() {
-            return Kind::Sign(sign);
+            return (Kind::Sign(sign), false);
         }
         let slopes = level.slopes(&self.theta, &psi);
         if let Some(sign) = slopes.turning.is_positive() {
-            return Kind::Turning(sign);
+            return (Kind::Turning(sign), false);
         }
         if let Some(sign) = slopes.meridional.is_positive() {
-            return Kind::Sloping(sign == (self.hemisphere == Hemisphere::Plus));
+            return (Kind::Sloping(sign == (self.hemisphere == Hemisphere::Plus)), false);
         }
         let middle = 0.5 * (stretch.t0 + stretch.t1);
         let center = Longitude::new(stretch.quadrant, middle).trig();
         let reach = (self.reach, half_angle_reach(stretch.t0, middle, stretch.t1));
-        match level.mean_value((&self.center, &center), &slopes, &self.theta, reach).is_positive() {
-            Some(sign) => Kind::Sign(sign),
-            None => Kind::Open,
+        let (meridional, parallel) = Level::variation(&slopes, &self.theta, reach);
+        let value = level.value(&self.center, &center).widened(meridional).widened(parallel);
+        match value.is_positive() {
+            Some(sign) => (Kind::Sign(sign), false),
+            None => (Kind::Open, parallel > PARALLEL_SHARE * meridional),
         }
     }
 }
