@@ -1,6 +1,5 @@
-use bifdiag::arrangement::Arrangement;
-use bifdiag::body::Body;
-use bifdiag::equilibria::CriticalSet;
+use bifdiag::atlas::{Atlas, Place};
+use bifdiag::body::{Body, Number};
 struct R(u64);
 impl R {
     fn u(&mut self) -> f64 {
@@ -40,6 +39,8 @@ fn main() {
         "nearlagrange",
         "all",
     ] {
+        let (mut el, mut cl, mut lo, mut ncl, mut merr, mut lbad, mut cbad, mut cund, mut cerr, mut built) =
+            (0.0, 0.0, 0.0, 0, 0, 0, 0, 0, 0, 0);
         let mut g = R(7);
         let (mut inc, mut und, mut bad, mut maxev, mut evs, mut faces) = (0, 0, 0, 0, 0u64, 0);
         let t = std::time::Instant::now();
@@ -92,14 +93,19 @@ fn main() {
             }
             let q = |x: f64| format!("{x:.12e}");
             let b = Body::parse(&a.map(q), &r.map(|x| if x == 0.0 { "0".into() } else { q(x) })).unwrap();
-            let s = match CriticalSet::new(b.frame()) {
-                Ok(s) => s,
+            let t0 = std::time::Instant::now();
+            let at = match Atlas::new(&b) {
+                Ok(a) => a,
                 Err(e) => {
-                    println!("{e}");
+                    inc += 1;
+                    if show {
+                        println!("{kind} {a:?} {r:?} {e}");
+                    }
                     continue;
                 }
             };
-            let ar = Arrangement::new(s);
+            el += t0.elapsed().as_secs_f64();
+            let ar = at.arrangement();
             evs += ar.evaluations as u64;
             maxev = maxev.max(ar.evaluations);
             faces = faces.max(ar.faces);
@@ -109,16 +115,75 @@ fn main() {
                     println!("{kind} {a:?} {r:?} {:?}", &ar.undecided[..ar.undecided.len().min(4)]);
                 }
             }
-            if ar.slabs.is_empty() {
-                inc += 1;
-            }
             if let Err(e) = ar.check_invariants() {
                 bad += 1;
                 if show || bad < 3 {
                     println!("{kind} {a:?} {r:?} {e} und {:?}", ar.undecided);
                 }
             }
+            for (k, reg) in at.regions().iter().enumerate() {
+                match &reg.components {
+                    Err(e) => {
+                        merr += 1;
+                        if show || merr < 4 {
+                            println!("MRG {kind} {a:?} {r:?} region {k} {:?} {e}", reg.sample);
+                        }
+                    }
+                    Ok(c) => {
+                        let h = Number::from_f64(reg.sample.h * ar.set.frame.energy_unit);
+                        let l = Number::from_f64((2.0 * reg.sample.x).sqrt() * ar.set.frame.momentum_unit);
+                        let (Ok(h), Ok(l)) = (h, l) else { continue };
+                        let t1 = std::time::Instant::now();
+                        let d = bifdiag::classify::classify_with_effort(&b, &h, &l);
+                        cl += t1.elapsed().as_secs_f64();
+                        ncl += 1;
+                        let t2 = std::time::Instant::now();
+                        let loc = at.locate(h.to_f64(), l.to_f64()).unwrap();
+                        lo += t2.elapsed().as_secs_f64();
+                        if loc.place != Place::Region(k) {
+                            lbad += 1;
+                            if show || lbad < 4 {
+                                println!("LOC {kind} {a:?} {r:?} region {k} {loc:?} {:?}", reg.sample);
+                            }
+                        }
+                        match d {
+                            Ok((d, e)) => {
+                                if e.built_atlas {
+                                    built += 1
+                                }
+                                match d.components {
+                                    Some(x) => {
+                                        let y: Vec<_> =
+                                            c.iter().map(bifdiag::document::ComponentDocument::from).collect();
+                                        if x != y {
+                                            cbad += 1;
+                                            if show || cbad < 4 {
+                                                println!("CLS {kind} {a:?} {r:?} {k} {} {} {:?} {:?}", h, l, x, y);
+                                            }
+                                        }
+                                    }
+                                    None => {
+                                        cund += 1;
+                                    }
+                                }
+                            }
+                            Err(e) => {
+                                cerr += 1;
+                                if show {
+                                    println!("{e}")
+                                }
+                            }
+                        }
+                    }
+                }
+            }
         }
+        println!(
+            "  merge_err={merr} loc_bad={lbad} cls_bad={cbad} cls_und={cund} cls_err={cerr} built={built}/{ncl} cold {:.1}us locate {:.2}us atlas {:.1}us",
+            cl * 1e6 / ncl as f64,
+            lo * 1e6 / ncl as f64,
+            el * 1e6 / n as f64
+        );
         println!(
             "{kind:12} n={n} und={und} inc={inc} bad={bad} mean_ev={} max_ev={maxev} maxfaces={faces} {:.1} us",
             evs / n as u64,

@@ -80,8 +80,36 @@ impl Potential<'_> {
     /// linear in v, so their Bernstein coefficients bound them; the chord is halved until the bound holds or a point
     /// above the level shows up.
     pub fn arc_stays_below(&self, from: Vector, to: Vector, level: f64) -> bool {
-        const MAX_DEPTH: u32 = 12;
+        const MAX_DEPTH: u32 = 7;
         dot(from, to) > 0.0 && self.chord_stays_below(from, to, level, MAX_DEPTH)
+    }
+
+    /// True when d²U/dt² > 0 is proved along the great-circle arc between two points, so that U is largest at an end.
+    ///
+    /// With J(t) = α + β cos 2t + κ sin 2t the third derivative of J is at most 8√(β²+κ²), and d²U/dt² is at least
+    /// ⟨γ, r⟩ − x (d²J/dt²)/J².
+    fn arc_is_convex(&self, from: Vector, to: Vector) -> bool {
+        let cosine = dot(from, to);
+        let across = combination(1.0, to, -cosine, from);
+        let sine = dot(across, across).sqrt();
+        if sine == 0.0 {
+            return true;
+        }
+        // t ≤ tan t = sine/cosine for arcs below 90°.
+        let length = sine / cosine;
+        let tangent = across.map(|c| c / sine);
+        let (j, moment) = (dot(from, self.inertia(from)), dot(tangent, self.inertia(tangent)));
+        let mixed = dot(tangent, self.inertia(from));
+        let amplitude = (0.25 * (j - moment) * (j - moment) + mixed * mixed).sqrt();
+        let bending = 2.0 * (moment - j) + 8.0 * amplitude * length;
+        let middle_moment = dot(from, self.inertia(to));
+        let (end_moment, shortest) = (dot(to, self.inertia(to)), 0.5 * (1.0 + cosine));
+        let smallest = j.min(middle_moment).min(end_moment);
+        let largest = j.max(middle_moment).max(end_moment) / shortest;
+        let rho = dot(from, self.frame.r).min(dot(to, self.frame.r));
+        let rho = if rho >= 0.0 { rho } else { rho / shortest.sqrt() };
+        let divisor = if bending > 0.0 { smallest } else { largest };
+        smallest > 0.0 && rho - self.x * bending / (divisor * divisor) > 0.0
     }
 
     fn chord_stays_below(&self, from: Vector, to: Vector, level: f64, depth: u32) -> bool {
@@ -93,6 +121,9 @@ impl Potential<'_> {
         let shortest = (0.5 * (1.0 + cosine)).sqrt();
         let potential = if smallest_rho >= 0.0 { -smallest_rho } else { -smallest_rho / shortest };
         if smallest_moment > 0.0 && self.x / smallest_moment + potential <= level {
+            return true;
+        }
+        if self.value(from).max(self.value(to)) <= level && self.arc_is_convex(from, to) {
             return true;
         }
         let middle = normalised(combination(0.5, from, 0.5, to));

@@ -1,6 +1,7 @@
 //! Downhill paths that prove to which minimum a point belongs.
 
 use super::super::potential::{Potential, Vector, combination, dot, normalised};
+use super::slide::slide;
 
 /// A minimum of U, or a circle of minima in the plane of two axes.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +52,17 @@ pub(super) fn descend(potential: &Potential, start: Vector, minima: &[Floor]) ->
         if let Some(minimum) = nearest_joined(potential, gamma, minima, ceiling) {
             return Descent { minimum: Some(minimum), steps };
         }
-        let Some(next) = step(potential, gamma, ceiling) else {
+        // A straight step that had to be shortened much meets a curved valley: then follow the circle of latitude.
+        let straight = step(potential, gamma, ceiling);
+        let next = match straight {
+            Some(Step { end, shortened: false }) => Some(end),
+            _ => {
+                let along = slide(potential, gamma).filter(|end| potential.value(*end) < potential.value(gamma));
+                let ends = straight.map(|step| step.end).into_iter().chain(along);
+                ends.min_by(|p, q| potential.value(*p).total_cmp(&potential.value(*q)))
+            }
+        };
+        let Some(next) = next else {
             return Descent { minimum: None, steps };
         };
         gamma = next;
@@ -69,8 +80,16 @@ fn nearest_joined(potential: &Potential, gamma: Vector, minima: &[Floor], ceilin
     )
 }
 
+/// A straight step.
+#[derive(Clone, Copy)]
+struct Step {
+    end: Vector,
+    /// Shorter than an eighth of what was wanted.
+    shortened: bool,
+}
+
 /// One downhill step, or `None` when no step descends by more than rounding.
-fn step(potential: &Potential, gamma: Vector, ceiling: f64) -> Option<Vector> {
+fn step(potential: &Potential, gamma: Vector, ceiling: f64) -> Option<Step> {
     const LONGEST: f64 = 0.5;
     let basis = Potential::tangent_basis(gamma);
     let (gradient, hessian) = potential.derivatives(gamma, basis);
@@ -80,6 +99,7 @@ fn step(potential: &Potential, gamma: Vector, ceiling: f64) -> Option<Vector> {
         return None;
     }
     let mut scale = (LONGEST / norm).min(1.0);
+    let wanted = scale;
     let here = potential.value(gamma);
     let slope = gradient[0] * direction[0] + gradient[1] * direction[1];
     for _ in 0..60 {
@@ -87,7 +107,7 @@ fn step(potential: &Potential, gamma: Vector, ceiling: f64) -> Option<Vector> {
         let next = normalised(combination(1.0, gamma, 1.0, move_by));
         // Armijo's rule, and the proof that the arc does not leave the sublevel set.
         if potential.value(next) <= here + 1e-4 * scale * slope && potential.arc_stays_below(gamma, next, ceiling) {
-            return Some(next);
+            return Some(Step { end: next, shortened: scale < 0.125 * wanted });
         }
         scale *= 0.5;
     }

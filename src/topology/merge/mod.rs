@@ -1,6 +1,7 @@
 //! First method: the merge tree of the critical points (Morse theory, MATH §6).
 
 mod descent;
+mod slide;
 
 use thiserror::Error;
 
@@ -8,6 +9,7 @@ use super::component::{Component, Poles, sort_components};
 use super::potential::{Potential, Vector};
 use crate::body::Frame;
 use descent::{Floor, descend, is_nearly_critical, kick, sides_of_saddle};
+use slide::sides_of_ridge;
 
 /// What a critical point contributes to the sublevel set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,7 +94,9 @@ pub fn components(
         let home = if minima.len() == 1 {
             0
         } else if point.index == 1 && tree.count() > 1 {
-            let [p, q] = sides_of_saddle(&potential, point.gamma).ok_or(MergeError::FlatSaddle)?;
+            let [p, q] = sides_of_saddle(&potential, point.gamma)
+                .or_else(|| sides_of_ridge(&potential, point.gamma))
+                .ok_or(MergeError::FlatSaddle)?;
             let (p, q) = (tree.descend(p)?, tree.descend(q)?);
             tree.unite(p, q);
             p
