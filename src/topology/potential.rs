@@ -76,60 +76,56 @@ impl Potential<'_> {
 
     /// True when U ≤ `level` is proved along the great-circle arc between two points less than 90° apart.
     ///
-    /// On a chord p(v) = (1−v)γ_a + vγ_b with n = |p| one has U = x n²/J(p) − ⟨p, r⟩/n; n² and J are quadratic, ⟨p, r⟩
-    /// linear in v, so their Bernstein coefficients bound them; the chord is halved until the bound holds or a point
-    /// above the level shows up.
+    /// On an arc of length L a function exceeds its larger end value by at most L²/8 · max(−d²U/dt²); the arc is halved
+    /// until that bound suffices or a point above the level shows up.
     pub fn arc_stays_below(&self, from: Vector, to: Vector, level: f64) -> bool {
-        const MAX_DEPTH: u32 = 7;
-        dot(from, to) > 0.0 && self.chord_stays_below(from, to, level, MAX_DEPTH)
+        const MAX_DEPTH: u32 = 8;
+        let ends = [self.value(from), self.value(to)];
+        ends[0].max(ends[1]) <= level && dot(from, to) > 0.0 && self.stays_below([from, to], ends, level, MAX_DEPTH)
     }
 
-    /// True when d²U/dt² > 0 is proved along the great-circle arc between two points, so that U is largest at an end.
+    fn stays_below(&self, arc: [Vector; 2], ends: [f64; 2], level: f64, depth: u32) -> bool {
+        if ends[0].max(ends[1]) + self.sag(arc[0], arc[1]) <= level {
+            return true;
+        }
+        let middle = normalised(combination(0.5, arc[0], 0.5, arc[1]));
+        let value = self.value(middle);
+        depth > 0
+            && value <= level
+            && self.stays_below([arc[0], middle], [ends[0], value], level, depth - 1)
+            && self.stays_below([middle, arc[1]], [value, ends[1]], level, depth - 1)
+    }
+
+    /// Bound on how far U rises above its larger end value on a great-circle arc shorter than 90°: L²/8 times a bound on
+    /// −d²U/dt².
     ///
-    /// With J(t) = α + β cos 2t + κ sin 2t the third derivative of J is at most 8√(β²+κ²), and d²U/dt² is at least
-    /// ⟨γ, r⟩ − x (d²J/dt²)/J².
-    fn arc_is_convex(&self, from: Vector, to: Vector) -> bool {
+    /// With J(t) = α + β cos 2t + κ sin 2t the third derivative of J is at most 8√(β²+κ²), and −d²U/dt² is at most
+    /// x (d²J/dt²)/J² − ⟨γ, r⟩.
+    fn sag(&self, from: Vector, to: Vector) -> f64 {
         let cosine = dot(from, to);
         let across = combination(1.0, to, -cosine, from);
         let sine = dot(across, across).sqrt();
         if sine == 0.0 {
-            return true;
+            return 0.0;
         }
         // t ≤ tan t = sine/cosine for arcs below 90°.
         let length = sine / cosine;
         let tangent = across.map(|c| c / sine);
-        let (j, moment) = (dot(from, self.inertia(from)), dot(tangent, self.inertia(tangent)));
-        let mixed = dot(tangent, self.inertia(from));
-        let amplitude = (0.25 * (j - moment) * (j - moment) + mixed * mixed).sqrt();
-        let bending = 2.0 * (moment - j) + 8.0 * amplitude * length;
-        let middle_moment = dot(from, self.inertia(to));
-        let (end_moment, shortest) = (dot(to, self.inertia(to)), 0.5 * (1.0 + cosine));
-        let smallest = j.min(middle_moment).min(end_moment);
-        let largest = j.max(middle_moment).max(end_moment) / shortest;
+        let moment = self.inertia(from);
+        let (j, j_tangent, mixed) = (dot(from, moment), dot(tangent, self.inertia(tangent)), dot(tangent, moment));
+        let amplitude = (0.25 * (j - j_tangent) * (j - j_tangent) + mixed * mixed).sqrt();
+        let bending = 2.0 * (j_tangent - j) + 8.0 * amplitude * length;
+        // On the chord p between the ends J(p) is at least its smallest Bernstein coefficient, and |p|² ≥ (1 + cos)/2.
+        let coefficients = [j, dot(to, moment), dot(to, self.inertia(to))];
+        let shortest = 0.5 * (1.0 + cosine);
+        let smallest = coefficients.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = coefficients.iter().copied().fold(0.0, f64::max) / shortest;
+        if smallest <= 0.0 {
+            return f64::INFINITY;
+        }
         let rho = dot(from, self.frame.r).min(dot(to, self.frame.r));
         let rho = if rho >= 0.0 { rho } else { rho / shortest.sqrt() };
         let divisor = if bending > 0.0 { smallest } else { largest };
-        smallest > 0.0 && rho - self.x * bending / (divisor * divisor) > 0.0
-    }
-
-    fn chord_stays_below(&self, from: Vector, to: Vector, level: f64, depth: u32) -> bool {
-        let cosine = dot(from, to);
-        let middle_moment = dot(from, self.inertia(to));
-        let smallest_moment = dot(from, self.inertia(from)).min(middle_moment).min(dot(to, self.inertia(to)));
-        let smallest_rho = dot(from, self.frame.r).min(dot(to, self.frame.r));
-        // 1 ≥ n² ≥ (1 + cosine)/2 on the chord.
-        let shortest = (0.5 * (1.0 + cosine)).sqrt();
-        let potential = if smallest_rho >= 0.0 { -smallest_rho } else { -smallest_rho / shortest };
-        if smallest_moment > 0.0 && self.x / smallest_moment + potential <= level {
-            return true;
-        }
-        if self.value(from).max(self.value(to)) <= level && self.arc_is_convex(from, to) {
-            return true;
-        }
-        let middle = normalised(combination(0.5, from, 0.5, to));
-        if depth == 0 || self.value(middle) > level {
-            return false;
-        }
-        self.chord_stays_below(from, middle, level, depth - 1) && self.chord_stays_below(middle, to, level, depth - 1)
+        0.125 * length * length * (self.x * bending / (divisor * divisor) - rho).max(0.0)
     }
 }
