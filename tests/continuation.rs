@@ -3,9 +3,10 @@
 
 use bifdiag::body::{Body, Frame};
 use bifdiag::continuation::{
-    AtEvent, Direction, PieceEnd, Start, StopReason, TrackOptions, TrackReport, Vertex, VertexKind, track, track_piece,
+    Direction, Effort, PieceEnd, Start, StopReason, TrackOptions, TrackReport, Vertex, VertexKind, track, track_piece,
 };
-use bifdiag::stability::RelativeEquilibrium;
+use bifdiag::document::{Stability, StabilitySpan};
+use bifdiag::stability::{Linearisation, RelativeEquilibrium};
 
 /// Steele, Lea and Flood's SplitMix64.
 struct Random(u64);
@@ -43,6 +44,7 @@ fn frame(a: [f64; 3], r: [f64; 3]) -> Frame {
 }
 
 /// The generic family at μ = A_i + δ.
+#[derive(Debug)]
 struct Closed {
     gamma: [f64; 3],
     omega: f64,
@@ -107,12 +109,11 @@ fn pair_start(frame: &Frame, i: usize) -> f64 {
 /// The intervals of μ between those moments that the generic family feels, as points (i, δ), each interval in order.
 fn intervals(frame: &Frame) -> Vec<Vec<(usize, f64)>> {
     let axes: Vec<usize> = (0..3).filter(|&j| frame.r[j] != 0.0).collect();
-    let steps = 1500;
-    // From 1e-14 to 1e5, evenly in the logarithm.
-    let ratio = 10f64.powf(19.0 / f64::from(steps));
-    let mut ladder = vec![1e-14];
-    for _ in 0..steps {
-        ladder.push(ladder[ladder.len() - 1] * ratio);
+    // From far below the smallest r_j to 1e5, evenly in the logarithm.
+    let smallest = axes.iter().map(|&j| frame.r[j]).fold(1e-11, f64::min) * 1e-3;
+    let mut ladder = vec![smallest];
+    while ladder[ladder.len() - 1] < 1e5 {
+        ladder.push(ladder[ladder.len() - 1] * 1.03);
     }
     let first = axes[0];
     let mut all = vec![ladder.iter().rev().map(|&x| (first, -x)).collect::<Vec<_>>()];
@@ -171,8 +172,8 @@ fn both_ways(frame: &Frame, start: &Start, options: &TrackOptions) -> [TrackRepo
     [Direction::Falling, Direction::Rising].map(|way| track(frame, start, way, options).unwrap())
 }
 
-/// l at the cusps of an interval below `l_max`, by bisection of the closed form.
-fn cusps_of(frame: &Frame, interval: &[(usize, f64)], l_max: f64) -> Vec<f64> {
+/// The cusps of an interval as (i, δ), in its order, by bisection of the closed form.
+fn cusp_points(frame: &Frame, interval: &[(usize, f64)]) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     for ends in interval.windows(2) {
         let ((i, mut low), (k, mut high)) = (ends[0], ends[1]);
@@ -187,8 +188,15 @@ fn cusps_of(frame: &Frame, interval: &[(usize, f64)], l_max: f64) -> Vec<f64> {
             let middle = 0.5 * (low + high);
             if (closed(frame, i, middle).turning > 0.0) == sign { low = middle } else { high = middle }
         }
-        found.push(closed(frame, i, low).l);
+        found.push((i, low));
     }
+    found
+}
+
+/// l at the cusps of an interval below `l_max`, sorted.
+fn cusps_of(frame: &Frame, interval: &[(usize, f64)], l_max: f64) -> Vec<f64> {
+    let mut found: Vec<f64> =
+        cusp_points(frame, interval).iter().map(|&(i, delta)| closed(frame, i, delta).l).collect();
     found.retain(|&l| l < l_max);
     found.sort_by(f64::total_cmp);
     found
@@ -444,4 +452,121 @@ fn kovalevskaya_has_its_exact_cusp_and_pitchfork() {
     for vertex in turned {
         assert_eq!(vertex.index, Some(if vertex.l * l_unit < 2.0 { 2 } else { 1 }));
     }
+}
+
+/// The points of an interval between consecutive cusps, with the kind of end on either side.
+fn pieces_of(frame: &Frame, interval: &[(usize, f64)], l_max: f64) -> Vec<(Vec<(usize, f64)>, [PieceEnd; 2])> {
+    let mut pieces = vec![Vec::new()];
+    for ends in interval.windows(2) {
+        pieces.last_mut().unwrap().push(ends[0]);
+        let (i, k) = (ends[0].0, ends[1].0);
+        if (closed(frame, i, ends[0].1).turning > 0.0) != (closed(frame, k, ends[1].1).turning > 0.0) {
+            pieces.push(Vec::new());
+        }
+    }
+    let l_of = |&(i, delta): &(usize, f64)| closed(frame, i, delta).l;
+    let count = pieces.len();
+    let mut all = Vec::new();
+    for (number, mut points) in pieces.into_iter().enumerate() {
+        let mut ends = [number > 0, number + 1 < count].map(|cusp| cusp.then_some(PieceEnd::Cusp));
+        if points.len() > 1 && l_of(&points[0]) > l_of(&points[points.len() - 1]) {
+            points.reverse();
+            ends.reverse();
+        }
+        points.retain(|point| l_of(point) < l_max);
+        if points.len() < 2 {
+            continue;
+        }
+        // An upper cusp beyond l_max is cut off.
+        let above = ends[1].is_some()
+            && points.len() > 1
+            && cusps_of(frame, interval, f64::INFINITY).iter().any(|&l| l > l_max);
+        assert!(!above, "the tests choose l_max beyond all cusps");
+        all.push((points, [ends[0].unwrap_or(PieceEnd::Momentum(0.0)), ends[1].unwrap_or(PieceEnd::Momentum(l_max))]));
+    }
+    all
+}
+
+#[test]
+fn pieces_end_at_their_cusps_and_know_their_stability() {
+    let mut random = Random(77);
+    let (mut pieces, mut boundaries, mut worst) = (0, 0, 0.0f64);
+    let mut kinds = std::collections::BTreeMap::new();
+    for body in 0..150 {
+        let mut r = random.direction();
+        if body % 3 == 2 {
+            r[body % 2] *= 10f64.powf(random.between(-9.0, -2.0));
+        }
+        let frame = frame(random.moments(), r);
+        let l_max = 1e3;
+        for interval in intervals(&frame) {
+            for (points, ends) in pieces_of(&frame, &interval, l_max) {
+                let (i, delta) = points[points.len() / 2];
+                let point = closed(&frame, i, delta);
+                let start = Start::on(&frame, RelativeEquilibrium::new(&frame, point.gamma, point.omega));
+                let piece = track_piece(&frame, &start, ends, &wide(l_max)).unwrap();
+                pieces += 1;
+                assert!(piece.complete, "{body} {ends:?} {:?} {frame:?}", piece.stops);
+                assert!(piece.vertices.windows(2).all(|pair| pair[0].l < pair[1].l));
+                let [low, high] = [piece.vertices[0], piece.vertices[piece.vertices.len() - 1]];
+                for (end, vertex) in [(ends[0], low), (ends[1], high)] {
+                    match end {
+                        PieceEnd::Momentum(l) => assert_eq!(vertex.l, l),
+                        PieceEnd::Cusp => assert_eq!(vertex.kind, VertexKind::Cusp),
+                        PieceEnd::Pitchfork => unreachable!(),
+                    }
+                }
+                for vertex in &piece.vertices {
+                    assert!(vertex.index.is_none() || vertex.index == piece.index);
+                }
+                let spans = &piece.stability;
+                assert_eq!((spans[0].l_from, spans[spans.len() - 1].l_to), (low.l, Some(high.l)));
+                for pair in spans.windows(2) {
+                    assert_eq!(pair[0].l_to, Some(pair[1].l_from));
+                    assert_ne!(pair[0].stability, pair[1].stability);
+                    boundaries += 1;
+                }
+                for &(i, delta) in &points {
+                    let point = closed(&frame, i, delta);
+                    let equilibrium = RelativeEquilibrium::new(&frame, point.gamma, point.omega);
+                    let linearisation = Linearisation::new(&frame, &equilibrium);
+                    let stability = linearisation.stability();
+                    if stability == Stability::Degenerate {
+                        continue;
+                    }
+                    let inside = |span: &&StabilitySpan| point.l >= span.l_from && point.l <= span.l_to.unwrap();
+                    let Some(span) = spans.iter().find(inside) else { continue };
+                    if span.stability != stability {
+                        let away = (point.l - span.l_from).min(span.l_to.unwrap() - point.l);
+                        worst = worst.max(away / point.l);
+                        assert!(away < 1e-10 * point.l, "{body} {away:e} {point:?} {stability:?} {spans:?} {frame:?}");
+                    }
+                    *kinds.entry(format!("{:?} {:?}", piece.index, stability)).or_insert(0) += 1;
+                }
+            }
+        }
+    }
+    println!("{pieces} pieces, {boundaries} boundaries, {worst:e}, {kinds:?}");
+    assert!(pieces > 800 && boundaries > 100);
+}
+
+#[test]
+fn effort_on_the_papers_body() {
+    let frame = Body::parse(&["2", "1.1", "1"], &["0.94868", "0", "0.61623"]).unwrap().frame();
+    let options = TrackOptions { h_scale: 10.0, ..picture(8.0) };
+    let mut counts = Vec::new();
+    for interval in intervals(&frame) {
+        let start = start_in(&frame, &interval);
+        for report in both_ways(&frame, &start, &options) {
+            let Effort { steps, rejected, newton_iterations, corrections } = report.effort;
+            counts.push([report.vertices.len(), steps, rejected, newton_iterations, corrections]);
+            for fork in &report.pitchforks {
+                let pair = Start::leaving_pitchfork(report.vertices[fork.vertex].equilibrium, fork.axis);
+                let pair = track(&frame, &pair, Direction::Rising, &options).unwrap();
+                let Effort { steps, rejected, newton_iterations, corrections } = pair.effort;
+                counts.push([pair.vertices.len(), steps, rejected, newton_iterations, corrections]);
+            }
+        }
+    }
+    println!("{counts:?}");
 }

@@ -80,14 +80,14 @@ impl Stretches {
         } else if self.degenerate.is_some() {
             self.settle(Some(to.stability));
         } else if from.stability != to.stability {
-            self.locate_changes(segment, from.stability, to, effort);
+            self.locate_changes(segment, from, to, effort);
         }
     }
 
-    fn locate_changes(&mut self, segment: &Segment, from: Stability, to: &Vertex, effort: &mut Effort) {
+    fn locate_changes(&mut self, segment: &Segment, from: &Vertex, to: &Vertex, effort: &mut Effort) {
         let Segment { branch, base, tangent, step } = *segment;
         let mut low = 0.0;
-        let mut current = from;
+        let mut current = from.stability;
         while current != to.stability {
             let (mut high, mut next, mut l) = (step, to.stability, to.l);
             let mut inside = low;
@@ -111,6 +111,8 @@ impl Stretches {
                     }
                 }
             }
+            // A landing is known to second order only: nothing may change beyond it.
+            let l = if from.l <= to.l { l.min(to.l) } else { l.max(to.l) };
             self.close(l, Some(next));
             current = next;
             low = high;

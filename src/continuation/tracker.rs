@@ -301,7 +301,7 @@ impl<'a> Tracker<'a> {
 
     fn handle(&mut self, event: &Event, end: Point, tangent: &Tangent, signed: f64) -> Step {
         match event {
-            Event::Landing(reason) => self.land(*reason, end, signed),
+            Event::Landing(reason) => self.land(*reason, end),
             Event::Cusp => self.cusp(end, tangent, signed),
             Event::Pitchfork => self.pitchfork(end, signed),
         }
@@ -372,7 +372,7 @@ impl<'a> Tracker<'a> {
         (value * sign > 0.0).then_some(Bracket { step, value })
     }
 
-    fn land(&mut self, reason: StopReason, end: Point, signed: f64) -> Step {
+    fn land(&mut self, reason: StopReason, end: Point) -> Step {
         let condition = match (reason, self.branch.family) {
             (StopReason::MaximumReached, _) => Condition::Momentum(self.options.l_max),
             (StopReason::MinimumReached, _) => Condition::Momentum(self.options.l_min),
@@ -384,7 +384,9 @@ impl<'a> Tracker<'a> {
             return Step::Rejected { factor: 0.5 };
         };
         let kind = if reason == StopReason::Pitchfork { VertexKind::Pitchfork } else { VertexKind::Regular };
-        match self.accept(point, signed, kind) {
+        // The landing lies before the end of the step; stability between is looked for up to there.
+        let landed = self.branch.progress(&self.base, &self.tangent, &point);
+        match self.accept(point, landed, kind) {
             Step::Accepted => {
                 let exact = match reason {
                     StopReason::MaximumReached => Some(self.options.l_max),
@@ -404,7 +406,7 @@ impl<'a> Tracker<'a> {
     /// Lands on l = 0 when the step went through it and the corrector could not follow.
     fn land_ahead(&mut self, signed: f64) -> Option<Step> {
         let predicted = self.branch.predict(&self.base, &self.tangent, signed)?;
-        (predicted.omega <= 0.0 && self.options.l_min <= 0.0).then(|| self.land(StopReason::Rest, predicted, signed))
+        (predicted.omega <= 0.0 && self.options.l_min <= 0.0).then(|| self.land(StopReason::Rest, predicted))
     }
 
     /// Accepts `point` as the next vertex if the chord to it is close enough to the curve.
