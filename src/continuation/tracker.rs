@@ -78,7 +78,7 @@ struct Tracker<'a> {
     frozen_sign: [f64; 3],
     vertices: Vec<Vertex>,
     pitchforks: Vec<Pitchfork>,
-    stretches: Stretches,
+    stretches: Stretches<'a>,
     effort: Effort,
 }
 
@@ -421,7 +421,13 @@ impl<'a> Tracker<'a> {
         }
         self.effort.steps += 1;
         let from = *self.last();
-        let segment = Segment { branch: &self.branch, base: &self.base, tangent: &self.tangent, step: signed };
+        let segment = Segment {
+            branch: self.branch,
+            base: self.base,
+            tangent: self.tangent,
+            step: signed,
+            l: [from.l, vertex.l],
+        };
         self.stretches.extend(&segment, &from, &vertex, &mut self.effort);
         self.vertices.push(vertex);
         self.base = base;
