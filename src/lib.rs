@@ -2,4 +2,6 @@
 
 pub mod body;
 pub mod document;
+#[cfg(feature = "plot")]
+pub mod plot;
 pub mod topology;

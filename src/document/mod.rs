@@ -8,7 +8,7 @@ mod classification;
 mod critical;
 
 pub use atlas::{
-    AtlasDocument, BodyDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument, RegionDocument,
+    AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument, RegionDocument,
     SampleDocument, StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument, WindowDocument,
 };
 pub use classification::{ClassificationDocument, ComponentDocument, MarginDocument, Status};
