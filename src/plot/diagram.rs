@@ -5,9 +5,10 @@ use plotters::chart::ChartBuilder;
 use super::canvas::{Anchor, Canvas, Ink, Point, render, style, text_style, to_units};
 use super::font::{self, text_width};
 use super::geometry::Rect;
-use super::insets::magnifications;
+use super::insets::{LEGIBLE, Magnifications, magnifications};
 use super::labels::{Label, Name, Space, base_lines};
 use super::legend::{Legend, event_marker, sample_dot};
+use super::notation::{H, L};
 use super::palette::{FAINT_INK, INK, PAPER, branch_styles, tint};
 use super::panel::{Panel, View};
 use super::scene::Scene;
@@ -20,7 +21,7 @@ use crate::document::{AtlasDocument, RegionDocument};
 
 /// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
 const LEFT: f64 = 58.0;
-const TOP: f64 = 54.0;
+const TOP: f64 = 62.0;
 const BELOW: f64 = 46.0;
 const RIGHT: f64 = 16.0;
 /// Plot area of the main panel and of an inset.
@@ -78,12 +79,12 @@ pub fn draw(
     let width = panels.iter().map(right).fold(0.0, f64::max) + RIGHT;
     let below = panels.iter().map(bottom).fold(0.0, f64::max) + BELOW + 6.0;
     let legend = Legend::new(atlas, &styles, width - LEFT - RIGHT);
-    let notes = notes(atlas, &magnified.invisible, &unlabelled, width - LEFT - RIGHT);
+    let notes = notes(atlas, &magnified, &unlabelled, width - LEFT - RIGHT);
     let height = below + legend.height() + notes.len() as f64 * NOTE_SIZE * 1.4 + 14.0;
     let title = title(atlas);
 
     render([width, height.ceil()], &title, |canvas| {
-        canvas.text(&title, [LEFT, TOP - 30.0], TITLE_SIZE, INK, Anchor::Start)?;
+        canvas.text(&title, [LEFT, TOP - 34.0], TITLE_SIZE, INK, Anchor::Start)?;
         for (index, panel) in panels.iter().enumerate() {
             let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index).collect();
             paint_panel(canvas, &scene, panel, &strokes, &own)?;
@@ -101,9 +102,10 @@ pub fn draw(
         }
         if let [main, insets @ ..] = &panels[..] {
             for (index, inset) in insets.iter().enumerate() {
-                let View { window, rect } = inset.view;
-                let factor = main.view.h_per_pixel() / ((window.h[1] - window.h[0]) / rect.width);
-                let text = format!("({})  h ×{}", letter(index), short(factor));
+                let rect = inset.view.rect;
+                let h = main.view.h_per_pixel() / inset.view.h_per_pixel();
+                let l = main.view.l_per_pixel() / inset.view.l_per_pixel();
+                let text = format!("({})  {H} ×{}, {L} ×{}", letter(index), short(h), short(l));
                 canvas.text(&text, [rect.x + rect.width, rect.y - 8.0], AXIS_SIZE, INK, Anchor::End)?;
             }
         }
@@ -154,7 +156,11 @@ fn short(value: f64) -> String {
     let text = format!("{value:.1e}");
     match text.split_once('e').map(|(digits, exponent)| (digits, exponent.parse::<i32>())) {
         Some((_, Ok(exponent))) if (-1..4).contains(&exponent) => {
-            if value < 10.0 { format!("{value:.1}") } else { format!("{value:.0}") }
+            if value < 10.0 {
+                format!("{value:.1}")
+            } else {
+                format!("{value:.0}")
+            }
         }
         Some((digits, Ok(exponent))) => format!("{digits}·10{}", notation::superscript(exponent)),
         _ => text,
@@ -232,6 +238,10 @@ fn place_text(
             letters[frame.inset] = space.beside(&frame.rect, [text_width(&text, AXIS_SIZE), AXIS_SIZE]);
         }
     }
+    let sample = |region: usize| {
+        let sample = &scene.atlas.regions[region].sample;
+        [sample.h, sample.l]
+    };
     let mut labelled = vec![false; names.len()];
     for space in &mut spaces {
         space.label_inside(names, &mut labelled);
@@ -241,13 +251,24 @@ fn place_text(
         if labelled[region] {
             continue;
         }
-        let best = (0..spaces.len()).max_by(|&a, &b| {
-            let (a_depth, b_depth) = (spaces[a].depth(region), spaces[b].depth(region));
-            a_depth.total_cmp(&b_depth).then(b.cmp(&a))
+        // The first panel that shows it well, else the one that shows it best.
+        let depths: Vec<f64> = spaces.iter().map(|space| space.depth(region)).collect();
+        let deepest = (0..depths.len()).max_by(|&a, &b| depths[a].total_cmp(&depths[b]).then(b.cmp(&a)));
+        let best = depths.iter().position(|depth| *depth >= LEGIBLE).or(deepest);
+        let placed = best.is_some_and(|best| {
+            let sample = panels[best].view.position(sample(region));
+            spaces[best].label_beside(region, &names[region], sample)
         });
-        let placed = best.is_some_and(|best| spaces[best].label_beside(region, &names[region]));
         if !placed {
             unlabelled.push(region);
+        }
+    }
+    // What can be seen in the main panel is named there too.
+    if let (Some(space), Some(panel)) = (spaces.first_mut(), panels.first()) {
+        for region in (0..names.len()).filter(|&region| labelled[region]) {
+            if space.depth(region) >= LEGIBLE && !space.has_label(region) {
+                space.label_beside(region, &names[region], panel.view.position(sample(region)));
+            }
         }
     }
     (spaces.into_iter().map(Space::into_labels).collect(), letters, unlabelled)
@@ -322,8 +343,8 @@ fn paint_axes(canvas: &Canvas<'_>, panel: &Panel, index: usize) -> Result<(), Pl
     let spacing = if index == 0 { 70.0 } else { 58.0 };
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen at most")]
     let count = |length: f64, spacing: f64| (length / spacing).floor() as usize;
-    let h_ticks = ticks("h", window.h[0], window.h[1], count(rect.width, spacing));
-    let l_ticks = ticks("l", window.l[0], window.l[1], count(rect.height, 0.7 * spacing));
+    let h_ticks = ticks(H, window.h[0], window.h[1], count(rect.width, spacing));
+    let l_ticks = ticks(L, window.l[0], window.l[1], count(rect.height, 0.7 * spacing));
     let area = canvas.area().clone().shrink(
         (to_units(rect.x - LEFT), to_units(rect.y)),
         (to_units(rect.width + LEFT), to_units(rect.height + BELOW)),
@@ -344,37 +365,61 @@ fn paint_axes(canvas: &Canvas<'_>, panel: &Panel, index: usize) -> Result<(), Pl
         .label_style(text_style(AXIS_SIZE, INK))
         .draw()?;
     canvas.outline(&rect.corners(), Ink { color: INK, width: 0.9 })?;
+    // In full where the labels are not scaled, in the main panel.
+    let name = |quantity: &str, meaning: &str| match quantity {
+        H | L if index == 0 => format!("{meaning} {quantity}"),
+        scaled => scaled.to_owned(),
+    };
+    let (h_name, l_name) = (name(&h_ticks.quantity, "energy"), name(&l_ticks.quantity, "vertical angular momentum"));
     let h_at = [rect.x + rect.width / 2.0, rect.y + rect.height + 36.0];
-    canvas.text(&h_ticks.quantity, h_at, AXIS_SIZE + 1.0, INK, Anchor::Middle)?;
-    let l_width = text_width(&l_ticks.quantity, AXIS_SIZE + 1.0);
-    let l_at = [(rect.x - 12.0 - l_width).max(rect.x - LEFT + 8.0), rect.y - 8.0];
-    canvas.text(&l_ticks.quantity, l_at, AXIS_SIZE + 1.0, INK, Anchor::Start)
+    canvas.text(&h_name, h_at, AXIS_SIZE + 1.0, INK, Anchor::Middle)?;
+    let l_at = [(rect.x - 12.0 - text_width(&l_name, AXIS_SIZE + 1.0)).max(rect.x - LEFT + 14.0), rect.y - 12.0];
+    canvas.text(&l_name, l_at, AXIS_SIZE + 1.0, INK, Anchor::Start)
 }
 
 /// What the picture cannot show, in lines of at most `width` pixels.
-fn notes(atlas: &AtlasDocument, invisible: &[usize], unlabelled: &[usize], width: f64) -> Vec<String> {
-    let mut regions: Vec<usize> = unlabelled.to_vec();
-    regions.extend(invisible);
-    regions.sort_unstable();
-    regions.dedup();
-    if regions.is_empty() {
-        return Vec::new();
-    }
-    let mut lines = vec!["Not drawn, too small for the resolution of f64:".to_owned()];
-    for region in regions.into_iter().map(|index| &atlas.regions[index]) {
-        let mut item = format!(" {} ({}) at h = {}, l = {}", region.id, notation::region_type(region), region.sample.h, region.sample.l);
-        if let Some(h_width) = region.h_width {
-            item.push_str(&format!(", {h_width:.1e} wide"));
+fn notes(atlas: &AtlasDocument, magnified: &Magnifications, unlabelled: &[usize], width: f64) -> Vec<String> {
+    let known: Vec<usize> = magnified.invisible.iter().chain(&magnified.outside).copied().collect();
+    let crowded: Vec<usize> = unlabelled.iter().filter(|region| !known.contains(region)).copied().collect();
+    let mut lines = Vec::new();
+    for (heading, regions) in [
+        ("Too small for the resolution of f64:", &magnified.invisible),
+        ("Outside the window:", &magnified.outside),
+        ("Without room for a label:", &crowded),
+    ] {
+        if regions.is_empty() {
+            continue;
         }
-        item.push(';');
-        match lines.last_mut() {
-            Some(line) if text_width(line, NOTE_SIZE) + text_width(&item, NOTE_SIZE) <= width => line.push_str(&item),
-            _ => lines.push(item.trim_start().to_owned()),
-        }
+        let items = regions.iter().map(|&index| {
+            let region = &atlas.regions[index];
+            let kind = notation::region_type(region);
+            let wide = region.h_width.map_or_else(String::new, |wide| format!(", {wide:.1e} wide"));
+            format!("{} ({kind}) at {H} = {}, {L} = {}{wide}", region.id, region.sample.h, region.sample.l)
+        });
+        wrap(heading, items, width, &mut lines);
     }
-    if let Some(last) = lines.last_mut() {
-        last.pop();
-        last.push('.');
+    let undecided = atlas.summary.undecided.len();
+    if undecided > 0 {
+        let items =
+            atlas.summary.undecided.iter().map(|what| format!("{} near {H} = {}, {L} = {}", what.what, what.h, what.l));
+        wrap(&format!("Undecided in f64 ({undecided}):"), items, width, &mut lines);
     }
     lines
+}
+
+/// Adds a heading and items to lines of at most `width` pixels.
+fn wrap(heading: &str, items: impl Iterator<Item = String>, width: f64, lines: &mut Vec<String>) {
+    let mut line = heading.to_owned();
+    for (place, item) in items.enumerate() {
+        let separator = if place == 0 { " " } else { "; " };
+        if text_width(&line, NOTE_SIZE) + text_width(&item, NOTE_SIZE) > width - 2.0 * NOTE_SIZE {
+            line.push_str(separator.trim_end());
+            lines.push(std::mem::replace(&mut line, item));
+        } else {
+            line.push_str(separator);
+            line.push_str(&item);
+        }
+    }
+    line.push('.');
+    lines.push(line);
 }

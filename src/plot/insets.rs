@@ -11,15 +11,19 @@ use crate::document::WindowDocument;
 /// A region whose inscribed circle has at least this radius in pixels can be seen and pointed at.
 pub(super) const LEGIBLE: f64 = 4.5;
 /// A window of its own shows a region with an inscribed circle of at least this radius.
-const WANTED: f64 = 15.0;
+const WANTED: f64 = 5.5;
 /// Windows are merged while every region's inscribed circle keeps this radius.
-const KEPT: f64 = 7.0;
+const KEPT: f64 = 5.0;
+/// Insets magnified more than this against the main panel are led up to by a window between the two.
+const LEAP: f64 = 40.0;
+/// The most windows that lead up to others.
+const STEPS_MAX: usize = 3;
 /// Windows narrower than this, relative to their position, are beyond f64.
 const RESOLUTION: f64 = 1e-12;
 /// Free space around a region, as a share of its extent.
 const AROUND: f64 = 0.3;
 /// Each trial window reaches this share as far from the region's widest place as the one before.
-const SHRINK: f64 = 0.65;
+const SHRINK: f64 = 0.8;
 /// Places at which the extent of a cell is measured.
 const STATIONS: usize = 96;
 
@@ -30,6 +34,8 @@ pub(super) struct Magnifications {
     pub windows: Vec<WindowDocument>,
     /// Regions too small for f64.
     pub invisible: Vec<usize>,
+    /// Regions outside the main window.
+    pub outside: Vec<usize>,
 }
 
 /// A window and the radius of the inscribed circles of the regions that it is for.
@@ -56,10 +62,11 @@ pub(super) fn magnifications(scene: &Scene<'_>, main: &Panel, size: [f64; 2]) ->
         match own_window(scene, main, region, size)? {
             Found::Window(candidate) => candidates.push(candidate),
             Found::TooSmall => result.invisible.push(region),
-            Found::Outside => {}
+            Found::Outside => result.outside.push(region),
         }
     }
     result.windows = merge(candidates).into_iter().map(|candidate| candidate.window).collect();
+    lead_up(&mut result.windows, &main.view.window);
     let area = |window: &WindowDocument| (window.h[1] - window.h[0]) * (window.l[1] - window.l[0]);
     result.windows.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.l[0].total_cmp(&b.l[0])));
     Ok(result)
@@ -81,18 +88,21 @@ fn own_window(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) ->
     let Some(widest) = stations.iter().max_by(|a, b| extent(a).total_cmp(&extent(b))) else {
         return Ok(Found::Outside);
     };
-    let ends = [stations.iter().map(|s| s.l).fold(f64::INFINITY, f64::min), stations.iter().map(|s| s.l).fold(0.0, f64::max)];
+    let ends = [
+        stations.iter().map(|station| station.l).fold(f64::INFINITY, f64::min),
+        stations.iter().map(|station| station.l).fold(0.0, f64::max),
+    ];
     let mut best: Option<Candidate> = None;
-    let mut reach = 1.0;
+    let mut reach = (widest.l - ends[0]).max(ends[1] - widest.l);
     loop {
-        let l = [widest.l - (widest.l - ends[0]) * reach, widest.l + (ends[1] - widest.l) * reach];
+        let l = [ends[0].max(widest.l - reach), ends[1].min(widest.l + reach)];
         let inner = WindowDocument { h: [f64::NEG_INFINITY, f64::INFINITY], l };
         let Some(near) = self::stations(scene, &clipped(&inner, &visible), region, width * 1e-3)? else { break };
         let h = [
-            near.iter().map(|s| s.h[0]).fold(f64::INFINITY, f64::min),
-            near.iter().map(|s| s.h[1]).fold(f64::NEG_INFINITY, f64::max),
+            near.iter().map(|station| station.h[0]).fold(f64::INFINITY, f64::min),
+            near.iter().map(|station| station.h[1]).fold(f64::NEG_INFINITY, f64::max),
         ];
-        let window = around(h, l);
+        let window = clipped(&around(h, l), &visible);
         let resolved = |[from, to]: [f64; 2]| to - from > RESOLUTION * from.abs().max(to.abs());
         if !(resolved(window.h) && resolved(window.l)) {
             break;
@@ -119,6 +129,37 @@ fn clipped(window: &WindowDocument, outer: &WindowDocument) -> WindowDocument {
 fn around(h: [f64; 2], l: [f64; 2]) -> WindowDocument {
     let (dh, dl) = (AROUND * (h[1] - h[0]), AROUND * (l[1] - l[0]));
     WindowDocument { h: [h[0] - dh, h[1] + dh], l: [(l[0] - dl).max(0.0), l[1] + dl] }
+}
+
+/// Adds windows half-way (in scale) between the main window and those that are magnified most.
+fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument) {
+    let length = |side: [f64; 2]| side[1] - side[0];
+    let scales = |outer: &WindowDocument, inner: &WindowDocument| {
+        [length(outer.h) / length(inner.h), length(outer.l) / length(inner.l)]
+    };
+    let contains = |outer: &WindowDocument, inner: &WindowDocument| {
+        let within = |outer: [f64; 2], inner: [f64; 2]| outer[0] <= inner[0] && inner[1] <= outer[1];
+        within(outer.h, inner.h) && within(outer.l, inner.l)
+    };
+    let mut targets: Vec<WindowDocument> = windows.clone();
+    targets.sort_by(|a, b| scales(main, a)[0].total_cmp(&scales(main, b)[0]));
+    let mut added = 0;
+    for target in targets {
+        let [h, l] = scales(main, &target);
+        // One window on the way is enough, unless it is still far from the target.
+        let led = windows.iter().any(|other| {
+            *other != target && contains(other, &target) && scales(main, other)[0] * LEAP.sqrt() >= h.sqrt()
+        });
+        if h.min(l) < LEAP || led || added == STEPS_MAX {
+            continue;
+        }
+        let spread = |side: [f64; 2], scale: f64| {
+            let (middle, half) = (f64::midpoint(side[0], side[1]), length(side) / 2.0 * scale.sqrt());
+            [middle - half, middle + half]
+        };
+        windows.push(clipped(&WindowDocument { h: spread(target.h, h), l: spread(target.l, l) }, main));
+        added += 1;
+    }
 }
 
 /// The extents of a region inside a window by cells; `None` where it has none.
@@ -176,7 +217,7 @@ fn merge(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
             for j in 0..i {
                 let united = unite(&candidates[i], &candidates[j]);
                 let least = united.depths.iter().copied().fold(f64::INFINITY, f64::min);
-                if least >= KEPT.min(LEGIBLE + 1.0) && best.as_ref().is_none_or(|(.., most)| least > *most) {
+                if least >= KEPT && best.as_ref().is_none_or(|(.., most)| least > *most) {
                     best = Some((i, j, united, least));
                 }
             }

@@ -45,11 +45,7 @@ pub(super) struct Label {
 /// Size of a label.
 fn extent(name: &Name, size: f64, one_line: bool) -> [f64; 2] {
     let (kind, id) = (text_width(&name.kind, size), text_width(&name.id, size * ID_SCALE));
-    if one_line {
-        [kind + 0.4 * size + id, LINE * size]
-    } else {
-        [kind.max(id), LINE * size * (1.0 + ID_SCALE)]
-    }
+    if one_line { [kind + 0.4 * size + id, LINE * size] } else { [kind.max(id), LINE * size * (1.0 + ID_SCALE)] }
 }
 
 /// What is taken on a panel.
@@ -166,9 +162,17 @@ impl<'a> Space<'a> {
         self.panel.grid.deepest(region).map_or(0.0, |(_, depth)| depth)
     }
 
-    /// Labels a region beside it, with a line to its deepest point; false where the region or room is missing.
-    pub(super) fn label_beside(&mut self, region: usize, name: &Name) -> bool {
-        let Some((anchor, _)) = self.panel.grid.deepest(region) else { return false };
+    pub(super) fn has_label(&self, region: usize) -> bool {
+        self.labels.iter().any(|label| label.region == region)
+    }
+
+    /// Labels a region beside it, with a line to its deepest point, or to its sample point where that lies almost as
+    /// deep; false where the region or room is missing.
+    pub(super) fn label_beside(&mut self, region: usize, name: &Name, sample: Point) -> bool {
+        let grid = &self.panel.grid;
+        let Some((deepest, depth)) = grid.deepest(region) else { return false };
+        let at_sample = grid.index(sample).map_or(0.0, |index| grid.depth[index]);
+        let anchor = if at_sample >= 0.5 * depth && depth > 0.0 { sample } else { deepest };
         let size = LEADER_SIZE;
         let Some(rect) = self.free_place(extent(name, size, false), &|rect| {
             let end = rect.grown(1.0).nearest(anchor);
@@ -250,9 +254,8 @@ impl<'a> Space<'a> {
 
 /// True when two segments cross.
 fn cross(a: [Point; 2], b: [Point; 2]) -> bool {
-    let side = |s: [Point; 2], p: Point| {
-        (s[1][0] - s[0][0]) * (p[1] - s[0][1]) - (s[1][1] - s[0][1]) * (p[0] - s[0][0])
-    };
+    let side =
+        |s: [Point; 2], p: Point| (s[1][0] - s[0][0]) * (p[1] - s[0][1]) - (s[1][1] - s[0][1]) * (p[0] - s[0][0]);
     side(a, b[0]) * side(a, b[1]) < 0.0 && side(b, a[0]) * side(b, a[1]) < 0.0
 }
 

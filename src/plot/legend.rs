@@ -10,7 +10,7 @@ use super::stroke::{self, DOUBLE_WIDTH, Pattern, WIDTH};
 use crate::document::{AtlasDocument, CurveKind, EventKind};
 
 const SIZE: f64 = 11.5;
-const SAMPLE: f64 = 34.0;
+const SAMPLE: f64 = 42.0;
 const GAP: f64 = 7.0;
 const BETWEEN: f64 = 22.0;
 /// Height of a row of entries.
@@ -42,11 +42,8 @@ impl Legend {
             }
             named.push(&curve.branch);
             let double = atlas.curves.iter().any(|other| other.branch == curve.branch && other.multiplicity > 1);
-            let (thickness, name) = if double {
-                (DOUBLE_WIDTH, format!("{} (double)", style.name))
-            } else {
-                (WIDTH, style.name.clone())
-            };
+            let (thickness, name) =
+                if double { (DOUBLE_WIDTH, format!("{} (double)", style.name)) } else { (WIDTH, style.name.clone()) };
             entries.push((Symbol::Line(vec![(Some(style.color), 1.0)], thickness), name));
         }
         for (kind, name) in [(CurveKind::PolePlus, "pole +r̂ enters U"), (CurveKind::PoleMinus, "pole −r̂ enters U")]
@@ -58,7 +55,10 @@ impl Legend {
         entries.push((Symbol::Line(vec![(Some(FAINT_INK), 1.0)], WIDTH), "stable".to_owned()));
         entries.push((Symbol::Line(stroke::curve_pattern(&[FAINT_INK], false), WIDTH), "unstable".to_owned()));
         if atlas.curves.iter().any(|curve| !curve.coincides_with.is_empty()) {
-            entries.push((Symbol::Line(stroke::curve_pattern(&[FAINT_INK, POLE], true), WIDTH), "coincident curves".to_owned()));
+            entries.push((
+                Symbol::Line(stroke::curve_pattern(&[FAINT_INK, POLE], true), WIDTH),
+                "coincident curves".to_owned(),
+            ));
         }
         for (kind, name) in
             [(EventKind::Cusp, "cusp"), (EventKind::Pitchfork, "pitchfork"), (EventKind::Crossing, "crossing")]

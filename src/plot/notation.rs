@@ -2,6 +2,11 @@
 
 use crate::document::RegionDocument;
 
+/// The energy.
+pub(super) const H: &str = "h";
+/// The vertical angular momentum.
+pub(super) const L: &str = "l";
+
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
 

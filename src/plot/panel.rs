@@ -84,7 +84,9 @@ impl Panel {
         let mut outline = widened(self.traces[cell.lower].part(from, to));
         let upper = match cell.upper {
             Some(upper) => widened(self.traces[upper].part(from, to)),
-            None => vec![[window.h[1] * 2.0 - window.h[0], from - overlap], [window.h[1] * 2.0 - window.h[0], to + overlap]],
+            None => {
+                vec![[window.h[1] * 2.0 - window.h[0], from - overlap], [window.h[1] * 2.0 - window.h[0], to + overlap]]
+            }
         };
         if outline.is_empty() || upper.is_empty() {
             return Vec::new();

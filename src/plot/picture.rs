@@ -85,8 +85,7 @@ impl Picture {
     }
 
     fn tree(&self) -> Result<Tree, PlotError> {
-        let options =
-            Options { fontdb: font::database(), font_family: font::FAMILY.to_owned(), ..Options::default() };
+        let options = Options { fontdb: font::database(), font_family: font::FAMILY.to_owned(), ..Options::default() };
         Ok(Tree::from_str(&self.svg, &options)?)
     }
 }

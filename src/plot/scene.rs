@@ -31,10 +31,10 @@ impl<'a> Scene<'a> {
             atlas.curves.iter().enumerate().map(|(index, curve)| (curve.id.as_str(), index)).collect();
         let cells = atlas.regions.iter().map(|region| {
             let find = |curve: &String| {
-                curves.get(curve.as_str()).copied().ok_or_else(|| PlotError::UnknownCurve {
-                    region: region.id.clone(),
-                    curve: curve.clone(),
-                })
+                curves
+                    .get(curve.as_str())
+                    .copied()
+                    .ok_or_else(|| PlotError::UnknownCurve { region: region.id.clone(), curve: curve.clone() })
             };
             let cells = region.cells.iter().map(|cell| {
                 Ok(Cell {

@@ -63,12 +63,7 @@ pub(super) fn traces(scene: &Scene<'_>, l: [f64; 2], tolerance: f64) -> Result<V
 }
 
 /// One curve within `l`.
-pub(super) fn trace(
-    scene: &Scene<'_>,
-    curve: &CurveDocument,
-    l: [f64; 2],
-    tolerance: f64,
-) -> Result<Trace, PlotError> {
+pub(super) fn trace(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2], tolerance: f64) -> Result<Trace, PlotError> {
     let range = l_range(curve);
     let l = [l[0].max(range[0]), l[1].min(range[1])];
     if l[0] > l[1] {

@@ -6,7 +6,7 @@ use super::trace::{trace, traces};
 use crate::document::WindowDocument;
 
 /// Margin beyond the last event, as a share of its l.
-const BEYOND_EVENTS: f64 = 0.2;
+const BEYOND_EVENTS: f64 = 0.25;
 /// Margin at both ends in h, as a share of the range.
 const MARGIN: f64 = 0.05;
 /// Without events the window ends in h at most at this multiple of the median of the curves.
@@ -53,7 +53,8 @@ fn automatic(scene: &Scene<'_>) -> Result<WindowDocument, PlotError> {
         }
     }
     if let (Some(median), Some(largest)) = (at_top.get(at_top.len() / 2), at_top.last()) {
-        high = high.max(*median).max(if events.is_empty() { largest.min(MEDIAN_MULTIPLE * median.abs()) } else { high });
+        high =
+            high.max(*median).max(if events.is_empty() { largest.min(MEDIAN_MULTIPLE * median.abs()) } else { high });
     }
     let margin = MARGIN * (high - low);
     Ok(WindowDocument { h: [low - margin, high + margin], l: [0.0, l_top] })

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 
 use bifdiag::body::Body;
 use bifdiag::document::{
-    Accuracy, AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EventDocument, EventKind,
-    MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan, SummaryDocument,
-    TailDocument,
+    Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument,
+    EventKind, MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan,
+    SummaryDocument, TailDocument,
 };
 use bifdiag::plot::CurveSource;
 
@@ -117,8 +117,7 @@ pub fn paper() -> Fixture {
     // Over A2 = 1.1: l² = s(A − R/s²)², h = sA/2 − 3R/(2s).
     let r_hat = r[0] * r[0] / (1.1 - 2.0) + r[2] * r[2] / (1.1 - 1.0);
     let p_hat = (r[0] / 0.9).powi(2) + (r[2] / 0.1).powi(2);
-    let pair: Course =
-        Box::new(move |s| [0.55 * s - 1.5 * r_hat / s, s.sqrt() * (1.1 - r_hat / (s * s)).abs()]);
+    let pair: Course = Box::new(move |s| [0.55 * s - 1.5 * r_hat / s, s.sqrt() * (1.1 - r_hat / (s * s)).abs()]);
     let cusp = least(&inside(), -9.0, 9.0);
     let l_cusp = inside()(cusp)[1];
     let fork = -(9.0_f64).ln();
@@ -146,8 +145,26 @@ pub fn paper() -> Fixture {
         curve("c4", Generic, "b3", Some(1), inside(), [cusp, fork], [l_cusp, l_fork], None),
         curve("c5", Generic, "b3", Some(2), inside(), [fork, -9.0], [l_fork, free], Some((1.0, -0.61623))),
         curve("c6", Pair, "b4", Some(1), pair, [p_hat.sqrt(), 3e3], [l_fork, free], Some((1.1, 0.0))),
-        curve("P+", PolePlus, "P+", None, parabola(pole_moment, -length), [0.0, 1e3], [0.0, free], Some((pole_moment, -length))),
-        curve("P-", PoleMinus, "P-", None, parabola(pole_moment, length), [0.0, 1e3], [0.0, free], Some((pole_moment, length))),
+        curve(
+            "P+",
+            PolePlus,
+            "P+",
+            None,
+            parabola(pole_moment, -length),
+            [0.0, 1e3],
+            [0.0, free],
+            Some((pole_moment, -length)),
+        ),
+        curve(
+            "P-",
+            PoleMinus,
+            "P-",
+            None,
+            parabola(pole_moment, length),
+            [0.0, 1e3],
+            [0.0, free],
+            Some((pole_moment, length)),
+        ),
     ];
     let points = [
         ([1.8, 3.25], "S2"),
@@ -195,6 +212,24 @@ pub fn kovalevskaya() -> Fixture {
     ];
     let points = [([0.0, 1.84], "T2"), ([1.84, 1.84], "M3"), ([1.85, 1.84], "M3"), ([3.0, 1.84], "T2")];
     assemble(["2", "2", "1"], ["1", "0", "0"], curves, &points)
+}
+
+/// Regions between parabolas h = l²/2J + c for given (J, c), as for a body with r = 0: no section exists.
+pub fn parabolas(lines: &[(f64, f64)]) -> Fixture {
+    let ids = ["c1", "c2", "c3", "c4", "c5", "c6"];
+    let curve = |(place, &(moment, offset)): (usize, &(f64, f64))| Curve {
+        id: ids[place],
+        kind: CurveKind::Axis,
+        branch: ids[place],
+        index: Some(0),
+        multiplicity: 1,
+        coincides_with: Vec::new(),
+        course: parabola(moment, offset),
+        ends: [0.0, 1e3],
+        l: [0.0, f64::INFINITY],
+        tail: Some(TailDocument { moment, h_offset: offset }),
+    };
+    assemble(["3", "2", "1"], ["0", "0", "0"], lines.iter().enumerate().map(curve).collect(), &[])
 }
 
 /// Curves of one set of coincidences by height at `l`, one of each set.
@@ -247,7 +282,7 @@ fn events(curves: &[Curve], l_end: f64) -> Vec<EventDocument> {
                     let middle = low + (high - low) / 2.0;
                     if gap(low) * gap(middle) < 0.0 { high = middle } else { low = middle }
                 }
-                if !events.iter().any(|event| (event.l - low).abs() < 1e-6) {
+                if !events.iter().any(|event| (event.l - low).abs() < 1e-12) {
                     events.push(event(EventKind::Crossing, low, curves[a].h_at(low), vec![a, b], curves));
                 }
             }
@@ -267,7 +302,11 @@ fn assemble(moments: [&str; 3], r: [&str; 3], curves: Vec<Curve>, points: &[([f6
     bounds.extend(events.iter().map(|event| event.l));
     bounds.push(f64::INFINITY);
     let middle = |strip: usize| {
-        if bounds[strip + 1].is_finite() { f64::midpoint(bounds[strip], bounds[strip + 1]) } else { bounds[strip] + 1.0 }
+        if bounds[strip + 1].is_finite() {
+            f64::midpoint(bounds[strip], bounds[strip + 1])
+        } else {
+            bounds[strip] + 1.0
+        }
     };
     let orders: Vec<Vec<usize>> = (0..bounds.len() - 1).map(|strip| order(&curves, middle(strip))).collect();
     let cells_of = |strip: usize| -> Vec<Key> {
@@ -355,7 +394,14 @@ fn region(id: &str, face: &[Key], bounds: &[f64], curves: &[Curve], signature: O
             l: sample[1],
             margin: MarginDocument { h: sample[2] / 2.0, nearest: boundary[0].clone(), error_bound: 1e-15 },
         },
-        components: Vec::new(),
+        components: vec![ComponentDocument {
+            boundary_circles: 1,
+            poles: None,
+            accessible_region: "D2".to_owned(),
+            energy_surface: "S3".to_owned(),
+            section: None,
+            genus: None,
+        }],
         signature,
         bounded: last.is_finite() && h_width.is_some(),
         l_range: [Some(first), end(last)],
