@@ -110,6 +110,19 @@ fn a_region_a_million_times_smaller_than_the_picture_has_its_panel() {
 }
 
 #[test]
+fn every_scale_is_drawn() {
+    for (name, lines) in [
+        ("rod", vec![(1e-6, 1.2), (2.0, -1.0), (1.1, -0.2), (2.0, 1.0)]),
+        ("large", vec![(2.0, -1e6), (1.5, -1.2e6), (1.0, 1e6), (1.1, 0.3e6)]),
+        ("small", vec![(2.0, -1e-6), (1.5, -1.2e-6), (1.0, 1e-6), (1.1, 0.3e-6)]),
+        ("many", vec![(2.0, 1.0), (1.7, 0.69), (1.4, 0.3), (1.2, -0.1), (1.0, -0.62), (0.8, -1.42)]),
+    ] {
+        let fixture = parabolas(&lines);
+        assert_sound(&fixture, &picture(name, &fixture));
+    }
+}
+
+#[test]
 fn a_region_below_the_resolution_of_f64_is_named_in_a_note() {
     let fixture = parabolas(&[(2.0, -1.0), (2.0, 1.0), (2.0, 1.0 + 4e-15), (1.0, 1.5)]);
     let picture = picture("below-resolution", &fixture);

@@ -4,7 +4,7 @@ use plotters::chart::ChartBuilder;
 
 use super::canvas::{Anchor, Canvas, Ink, Point, render, style, text_style, to_units};
 use super::font::{self, text_width};
-use super::geometry::Rect;
+use super::geometry::{Rect, distance};
 use super::insets::{LEGIBLE, Magnifications, magnifications};
 use super::labels::{Label, Name, Space, base_lines};
 use super::legend::{Legend, event_marker, sample_dot};
@@ -17,7 +17,7 @@ use super::ticks::{Axis, ticks};
 use super::trace::CurveSource;
 use super::window::main_window;
 use super::{DiagramOptions, Picture, PlotError, notation};
-use crate::document::{AtlasDocument, RegionDocument};
+use crate::document::{AtlasDocument, EventKind, RegionDocument};
 
 /// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
 const LEFT: f64 = 58.0;
@@ -220,7 +220,7 @@ fn place_text(
     frames: &[Frame],
     names: &[Name],
 ) -> (Vec<Vec<Label>>, Vec<Option<Rect>>, Vec<usize>) {
-    let mut spaces: Vec<Space<'_>> = panels.iter().map(Space::new).collect();
+    let mut spaces: Vec<Space<'_>> = panels.iter().map(|panel| Space::new(panel, names.len())).collect();
     let mut letters = vec![None; frames.len()];
     for (index, space) in spaces.iter_mut().enumerate() {
         let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index).collect();
@@ -317,10 +317,14 @@ fn paint_panel(
             sample_dot(canvas, point)?;
         }
     }
+    // Markers of one kind on top of each other say no more than one.
+    let mut marked: Vec<(EventKind, Point)> = Vec::new();
     for event in &scene.atlas.events {
         let point = panel.view.position([event.h, event.l]);
-        if is_marked(point, panel, frames) {
+        let hidden = marked.iter().any(|(kind, other)| *kind == event.kind && distance(*other, point) < 5.0);
+        if is_marked(point, panel, frames) && !hidden {
             event_marker(canvas, event.kind, point)?;
+            marked.push((event.kind, point));
         }
     }
     Ok(())

@@ -111,27 +111,22 @@ impl Grid {
             || self.regions[at + self.width] != label
     }
 
-    /// The deepest pixel of a region and its depth; `None` where the region has no pixel.
-    pub(super) fn deepest(&self, region: usize) -> Option<(Point, f64)> {
-        let label = i32::try_from(region).ok()?;
-        let mut best: Option<(usize, f64)> = None;
-        for (at, &depth) in self.depth.iter().enumerate() {
-            if self.regions[at] == label && best.is_none_or(|(_, deepest)| depth > deepest) {
-                best = Some((at, depth));
+    /// The deepest pixel of every region of the scene and its depth; `None` for those without a pixel.
+    pub(super) fn deepest(&self, regions: usize) -> Vec<Option<(Point, f64)>> {
+        let mut best: Vec<Option<(usize, f64)>> = vec![None; regions];
+        for (at, (label, &depth)) in self.regions.iter().zip(&self.depth).enumerate() {
+            let Some(best) = usize::try_from(*label).ok().and_then(|region| best.get_mut(region)) else { continue };
+            if best.is_none_or(|(_, deepest)| depth > deepest) {
+                *best = Some((at, depth));
             }
         }
-        best.map(|(at, depth)| (self.position(at % self.width, at / self.width), depth))
+        let located = |(at, depth): (usize, f64)| (self.position(at % self.width, at / self.width), depth);
+        best.into_iter().map(|best| best.map(located)).collect()
     }
 
     /// Depth of every region of the scene, 0 for those without a pixel.
     pub(super) fn depths(&self, regions: usize) -> Vec<f64> {
-        let mut depths = vec![0.0_f64; regions];
-        for (label, depth) in self.regions.iter().zip(&self.depth) {
-            if let Some(deepest) = usize::try_from(*label).ok().and_then(|region| depths.get_mut(region)) {
-                *deepest = deepest.max(*depth);
-            }
-        }
-        depths
+        self.deepest(regions).into_iter().map(|deepest| deepest.map_or(0.0, |(_, depth)| depth)).collect()
     }
 
     /// Position on the page of a pixel's middle.

@@ -24,6 +24,8 @@ const RESOLUTION: f64 = 1e-12;
 const AROUND: f64 = 0.3;
 /// Each trial window reaches this share as far from the region's widest place as the one before.
 const SHRINK: f64 = 0.8;
+/// Pixels of a trial, in those of the panel.
+const COARSE: f64 = 2.0;
 /// Places at which the extent of a cell is measured.
 const STATIONS: usize = 96;
 
@@ -88,10 +90,9 @@ fn own_window(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) ->
     let Some(widest) = stations.iter().max_by(|a, b| extent(a).total_cmp(&extent(b))) else {
         return Ok(Found::Outside);
     };
-    let ends = [
-        stations.iter().map(|station| station.l).fold(f64::INFINITY, f64::min),
-        stations.iter().map(|station| station.l).fold(0.0, f64::max),
-    ];
+    let cells = scene.cells[region].iter().filter(|cell| cell.l[0] < visible.l[1] && cell.l[1] > visible.l[0]);
+    let ends = cells.fold([f64::INFINITY, 0.0_f64], |ends, cell| [ends[0].min(cell.l[0]), ends[1].max(cell.l[1])]);
+    let ends = [ends[0].max(visible.l[0]), ends[1].min(visible.l[1])];
     let mut best: Option<Candidate> = None;
     let mut reach = (widest.l - ends[0]).max(ends[1] - widest.l);
     loop {
@@ -191,9 +192,11 @@ fn stations(
     Ok((!stations.is_empty()).then_some(stations))
 }
 
-/// Radius in pixels of the largest circle in a region that a panel of plot size `size` would show.
+/// Radius in pixels of the largest circle in a region that a panel of plot size `size` would show; measured on pixels
+/// twice as large.
 fn depth_in(scene: &Scene<'_>, window: &WindowDocument, region: usize, size: [f64; 2]) -> Result<f64, PlotError> {
-    let view = View { window: *window, rect: Rect { x: 0.0, y: 0.0, width: size[0], height: size[1] } };
+    let rect = Rect { x: 0.0, y: 0.0, width: size[0] / COARSE, height: size[1] / COARSE };
+    let view = View { window: *window, rect };
     let tolerance = 0.1 * view.h_per_pixel();
     let mut traces: Vec<Trace> = vec![Trace::default(); scene.atlas.curves.len()];
     for cell in &scene.cells[region] {
@@ -203,7 +206,7 @@ fn depth_in(scene: &Scene<'_>, window: &WindowDocument, region: usize, size: [f6
             }
         }
     }
-    Ok(Grid::of_regions(scene, &view, &traces, &[region]).depths(scene.cells.len())[region])
+    Ok(COARSE * Grid::of_regions(scene, &view, &traces, &[region]).depths(scene.cells.len())[region])
 }
 
 /// Unites the two windows that lose least by it, as long as every region stays visible.

@@ -51,6 +51,8 @@ fn extent(name: &Name, size: f64, one_line: bool) -> [f64; 2] {
 /// What is taken on a panel.
 pub(super) struct Space<'a> {
     panel: &'a Panel,
+    /// Deepest point and depth of every region.
+    deepest: Vec<Option<(Point, f64)>>,
     taken: Vec<bool>,
     leaders: Vec<[Point; 2]>,
     labels: Vec<Label>,
@@ -85,8 +87,14 @@ impl Sums {
 }
 
 impl<'a> Space<'a> {
-    pub(super) fn new(panel: &'a Panel) -> Self {
-        Self { panel, taken: vec![false; panel.grid.regions.len()], leaders: Vec::new(), labels: Vec::new() }
+    pub(super) fn new(panel: &'a Panel, regions: usize) -> Self {
+        Self {
+            panel,
+            deepest: panel.grid.deepest(regions),
+            taken: vec![false; panel.grid.regions.len()],
+            leaders: Vec::new(),
+            labels: Vec::new(),
+        }
     }
 
     /// Keeps text away from `rect`.
@@ -112,13 +120,15 @@ impl<'a> Space<'a> {
 
     /// Labels every region that has room for its label inside; tells `labelled` which.
     pub(super) fn label_inside(&mut self, names: &[Name], labelled: &mut [bool]) {
-        let depths = self.panel.grid.depths(names.len());
         for (region, name) in names.iter().enumerate() {
-            if depths[region] < LEGIBLE {
+            if self.depth(region) < LEGIBLE {
                 continue;
             }
+            let Ok(own) = i32::try_from(region) else { continue };
+            let grid = &self.panel.grid;
+            let other = Sums::new(grid, |at| grid.regions[at] != own || self.taken[at]);
             let found = SIZES.iter().flat_map(|&size| [(size, false), (size, true)]).find_map(|(size, one_line)| {
-                let rect = self.inside(region, extent(name, size, one_line))?;
+                let rect = self.inside(own, &other, extent(name, size, one_line))?;
                 Some(Label { region, rect, size, one_line, leader: None })
             });
             if let Some(label) = found {
@@ -129,11 +139,9 @@ impl<'a> Space<'a> {
         }
     }
 
-    /// The place deepest inside a region at which a label fits.
-    fn inside(&self, region: usize, [width, height]: [f64; 2]) -> Option<Rect> {
+    /// The place deepest inside a region at which a label fits, given what is not free for it.
+    fn inside(&self, label: i32, other: &Sums, [width, height]: [f64; 2]) -> Option<Rect> {
         let grid = &self.panel.grid;
-        let label = i32::try_from(region).ok()?;
-        let other = Sums::new(grid, |at| grid.regions[at] != label || self.taken[at]);
         let mut best: Option<(f64, Rect)> = None;
         for y in (0..grid.height).step_by(2) {
             for x in (0..grid.width).step_by(2) {
@@ -159,7 +167,7 @@ impl<'a> Space<'a> {
 
     /// Depth of a region here, 0 where it has no pixel.
     pub(super) fn depth(&self, region: usize) -> f64 {
-        self.panel.grid.deepest(region).map_or(0.0, |(_, depth)| depth)
+        self.deepest[region].map_or(0.0, |(_, depth)| depth)
     }
 
     pub(super) fn has_label(&self, region: usize) -> bool {
@@ -170,15 +178,16 @@ impl<'a> Space<'a> {
     /// deep; false where the region or room is missing.
     pub(super) fn label_beside(&mut self, region: usize, name: &Name, sample: Point) -> bool {
         let grid = &self.panel.grid;
-        let Some((deepest, depth)) = grid.deepest(region) else { return false };
+        let Some((deepest, depth)) = self.deepest[region] else { return false };
         let at_sample = grid.index(sample).map_or(0.0, |index| grid.depth[index]);
         let anchor = if at_sample >= 0.5 * depth && depth > 0.0 { sample } else { deepest };
         let size = LEADER_SIZE;
-        let Some(rect) = self.free_place(extent(name, size, false), &|rect| {
-            let end = rect.grown(1.0).nearest(anchor);
-            let length = distance(anchor, end);
-            (length >= LEADER_MIN).then(|| length + self.leader_cost(anchor, end))
-        }) else {
+        let length_to = |rect: &Rect| distance(anchor, rect.grown(1.0).nearest(anchor));
+        let Some(rect) = self.free_place(
+            extent(name, size, false),
+            &|rect| Some(length_to(rect)).filter(|length| *length >= LEADER_MIN),
+            &|rect| self.leader_cost(anchor, rect.grown(1.0).nearest(anchor)),
+        ) else {
             return false;
         };
         let leader = [anchor, rect.grown(1.0).nearest(anchor)];
@@ -190,26 +199,32 @@ impl<'a> Space<'a> {
 
     /// A place for a text of the given extent that touches `frame`.
     pub(super) fn beside(&mut self, frame: &Rect, extent: [f64; 2]) -> Option<Rect> {
-        let place = self.free_place(extent, &|rect| {
+        let gap = |rect: &Rect| {
             let near = frame.grown(2.0).nearest(rect.center());
-            let gap = distance(rect.nearest(near), near);
             let overlaps = rect.x < frame.x + frame.width
                 && frame.x < rect.x + rect.width
                 && rect.y < frame.y + frame.height
                 && frame.y < rect.y + rect.height;
-            (!overlaps).then_some(3.0 * gap)
-        })?;
+            (!overlaps).then_some(3.0 * distance(rect.nearest(near), near))
+        };
+        let place = self.free_place(extent, &gap, &|_| 0.0)?;
         self.take(&place.grown(CLEARANCE));
         Some(place)
     }
 
-    /// The cheapest place for a text: `cost` (none: not there) and what it would cover.
-    fn free_place(&self, [width, height]: [f64; 2], cost: &dyn Fn(&Rect) -> Option<f64>) -> Option<Rect> {
+    /// The place for a text with the least sum of `near` (none: not there), of what it would cover, and of `far`, which
+    /// is costly to know and asked for only where it can matter.
+    fn free_place(
+        &self,
+        [width, height]: [f64; 2],
+        near: &dyn Fn(&Rect) -> Option<f64>,
+        far: &dyn Fn(&Rect) -> f64,
+    ) -> Option<Rect> {
         let grid = &self.panel.grid;
         let taken = Sums::new(grid, |at| self.taken[at]);
         let lines = Sums::new(grid, |at| grid.depth[at] == 0.0);
         let regions = Sums::new(grid, |at| grid.regions[at] != NOTHING);
-        let mut best: Option<(f64, Rect)> = None;
+        let mut places: Vec<(f64, Rect)> = Vec::new();
         for y in (0..grid.height).step_by(STEP) {
             for x in (0..grid.width).step_by(STEP) {
                 let [x, y] = grid.position(x, y);
@@ -218,17 +233,22 @@ impl<'a> Space<'a> {
                 if !self.on_panel(&needed) {
                     continue;
                 }
+                let Some(near) = near(&rect) else { continue };
                 let covered = 4.0 * taken.count(grid, &needed)
                     + 2.0 * lines.count(grid, &needed)
                     + 25.0 * regions.count(grid, &rect) / (width * height);
-                if best.is_some_and(|(least, _)| covered >= least) {
-                    continue;
-                }
-                if let Some(total) = cost(&rect).map(|cost| cost + covered) {
-                    if best.is_none_or(|(least, _)| total < least) {
-                        best = Some((total, rect));
-                    }
-                }
+                places.push((near + covered, rect));
+            }
+        }
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut best: Option<(f64, Rect)> = None;
+        for (cost, rect) in places {
+            if best.is_some_and(|(least, _)| cost >= least) {
+                break;
+            }
+            let total = cost + far(&rect);
+            if best.is_none_or(|(least, _)| total < least) {
+                best = Some((total, rect));
             }
         }
         best.map(|(_, rect)| rect)

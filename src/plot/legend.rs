@@ -7,7 +7,7 @@ use super::canvas::{Anchor, Canvas, Ink, Point};
 use super::font::text_width;
 use super::palette::{BranchStyle, FAINT_INK, INK, POLE, is_pole};
 use super::stroke::{self, DOUBLE_WIDTH, Pattern, WIDTH};
-use crate::document::{AtlasDocument, CurveKind, EventKind};
+use crate::document::{AtlasDocument, CurveDocument, CurveKind, EventKind, Stability};
 
 const SIZE: f64 = 11.5;
 const SAMPLE: f64 = 42.0;
@@ -52,8 +52,12 @@ impl Legend {
                 entries.push((Symbol::Line(stroke::pole_pattern(kind), WIDTH), name.to_owned()));
             }
         }
-        entries.push((Symbol::Line(vec![(Some(FAINT_INK), 1.0)], WIDTH), "stable".to_owned()));
-        entries.push((Symbol::Line(stroke::curve_pattern(&[FAINT_INK], false), WIDTH), "unstable".to_owned()));
+        let unstable = |curve: &CurveDocument| curve.stability.iter().any(|span| span.stability != Stability::Elliptic);
+        for (dashed, name) in [(false, "stable"), (true, "unstable")] {
+            if !dashed || atlas.curves.iter().any(unstable) {
+                entries.push((Symbol::Line(stroke::curve_pattern(&[FAINT_INK], !dashed), WIDTH), name.to_owned()));
+            }
+        }
         if atlas.curves.iter().any(|curve| !curve.coincides_with.is_empty()) {
             entries.push((
                 Symbol::Line(stroke::curve_pattern(&[FAINT_INK, POLE], true), WIDTH),
