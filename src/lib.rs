@@ -5,8 +5,11 @@ pub mod atlas;
 pub mod body;
 pub mod classify;
 pub mod continuation;
+pub mod critical;
 pub mod document;
 pub mod equilibria;
 pub mod numerics;
+#[cfg(feature = "plot")]
+pub mod plot;
 pub mod stability;
 pub mod topology;

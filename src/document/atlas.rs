@@ -141,6 +141,17 @@ pub struct NeighbourDocument {
     pub curve: String,
 }
 
+/// A piece of a region between two consecutive events: all (h, l) with l in `l_range` and h between two curves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CellDocument {
+    /// Range of l; null: to infinity.
+    pub l_range: [Option<f64>; 2],
+    /// Id of the curve below (to the left in h).
+    pub lower: String,
+    /// Id of the curve above; null: unbounded.
+    pub upper: Option<String>,
+}
+
 /// A connected face of the (h, l) half-plane l > 0, on which the topology is constant.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RegionDocument {
@@ -162,6 +173,8 @@ pub struct RegionDocument {
     pub boundary: Vec<String>,
     /// The regions next to this one.
     pub neighbours: Vec<NeighbourDocument>,
+    /// The cells that make up the region, by rising l.
+    pub cells: Vec<CellDocument>,
     /// True when a window cuts the region.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub clipped: bool,

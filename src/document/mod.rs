@@ -8,8 +8,8 @@ mod classification;
 mod critical;
 
 pub use atlas::{
-    AtlasDocument, BodyDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument, RegionDocument,
-    SampleDocument, StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument, WindowDocument,
+    AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument,
+    RegionDocument, SampleDocument, StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument, WindowDocument,
 };
 pub use classification::{ClassificationDocument, ComponentDocument, MarginDocument, Status};
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};

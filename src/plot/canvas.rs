@@ -1,0 +1,159 @@
+//! A thin layer over plotters' SVG backend with coordinates in tenths of a pixel.
+//!
+//! plotters rounds every coordinate to an integer; drawing on a canvas ten times too large and scaling it down with a
+//! `viewBox` leaves a tenth of a pixel.
+
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, IntoDrawingArea};
+use plotters::element::{Circle, PathElement, Polygon};
+use plotters::prelude::{RGBColor, SVGBackend};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, IntoFont, ShapeStyle, WHITE};
+
+use super::{Picture, PlotError, font};
+
+/// Canvas units in a pixel.
+pub(super) const UNITS: f64 = 10.0;
+
+/// A position [x, y] in pixels, y downwards.
+pub(super) type Point = [f64; 2];
+
+/// A drawing area of plotters in canvas units.
+pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// Which point of a text is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Anchor {
+    /// Left end of the base line.
+    Start,
+    /// Middle of the base line.
+    Middle,
+    /// Right end of the base line.
+    End,
+}
+
+/// Colour and width of a line, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ink {
+    pub color: RGBColor,
+    pub width: f64,
+}
+
+/// Where a picture is drawn; all positions and sizes in pixels.
+pub(super) struct Canvas<'a> {
+    area: Area<'a>,
+}
+
+/// Draws a picture of `size` pixels on a white ground.
+pub(super) fn render(
+    size: [f64; 2],
+    title: &str,
+    paint: impl FnOnce(&Canvas<'_>) -> Result<(), PlotError>,
+) -> Result<Picture, PlotError> {
+    font::register()?;
+    let mut body = String::new();
+    {
+        let units = (length_units(size[0]), length_units(size[1]));
+        let area = SVGBackend::with_string(&mut body, units).into_drawing_area();
+        area.fill(&WHITE)?;
+        let canvas = Canvas { area };
+        paint(&canvas)?;
+        canvas.area.present()?;
+    }
+    Ok(Picture::from_canvas(&body, size, title))
+}
+
+fn length_units(pixels: f64) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the range of i32")]
+    let units = (pixels * UNITS).round().clamp(0.0, f64::from(i32::MAX)) as u32;
+    units
+}
+
+/// Canvas units of a pixel coordinate.
+pub(super) fn to_units(pixels: f64) -> i32 {
+    #[expect(clippy::cast_possible_truncation, reason = "clamped; a NaN becomes 0")]
+    let units = (pixels * UNITS).round().clamp(-1e6, 1e6) as i32;
+    units
+}
+
+fn positions(points: &[Point]) -> Vec<(i32, i32)> {
+    let mut positions: Vec<(i32, i32)> = points.iter().map(|p| (to_units(p[0]), to_units(p[1]))).collect();
+    positions.dedup();
+    positions
+}
+
+impl<'a> Canvas<'a> {
+    /// The plotters area below, for axes.
+    pub(super) fn area(&self) -> &Area<'a> {
+        &self.area
+    }
+
+    /// An open polyline.
+    pub(super) fn path(&self, points: &[Point], ink: Ink) -> Result<(), PlotError> {
+        let positions = positions(points);
+        if positions.len() > 1 {
+            self.area.draw(&PathElement::new(positions, style(ink)))?;
+        }
+        Ok(())
+    }
+
+    /// A filled polygon.
+    pub(super) fn polygon(&self, points: &[Point], color: RGBColor) -> Result<(), PlotError> {
+        let positions = positions(points);
+        if positions.len() > 2 {
+            self.area.draw(&Polygon::new(positions, color.filled()))?;
+        }
+        Ok(())
+    }
+
+    /// A closed outline.
+    pub(super) fn outline(&self, points: &[Point], ink: Ink) -> Result<(), PlotError> {
+        let mut closed = points.to_vec();
+        closed.extend(points.first());
+        self.path(&closed, ink)
+    }
+
+    /// A filled disc.
+    pub(super) fn disc(&self, center: Point, radius: f64, color: RGBColor) -> Result<(), PlotError> {
+        let center = (to_units(center[0]), to_units(center[1]));
+        self.area.draw(&Circle::new(center, length_units(radius), color.filled()))?;
+        Ok(())
+    }
+
+    /// An empty circle.
+    pub(super) fn circle(&self, center: Point, radius: f64, ink: Ink) -> Result<(), PlotError> {
+        let center = (to_units(center[0]), to_units(center[1]));
+        self.area.draw(&Circle::new(center, length_units(radius), style(ink)))?;
+        Ok(())
+    }
+
+    /// A line of text with its base line at `at`.
+    pub(super) fn text(
+        &self,
+        text: &str,
+        at: Point,
+        size: f64,
+        color: RGBColor,
+        anchor: Anchor,
+    ) -> Result<(), PlotError> {
+        let horizontal = match anchor {
+            Anchor::Start => HPos::Left,
+            Anchor::Middle => HPos::Center,
+            Anchor::End => HPos::Right,
+        };
+        // The backend's only shift in units of the font size alone: the base line lies 0.76 em below "top".
+        let style = text_style(size, color).pos(Pos::new(horizontal, VPos::Top));
+        self.area.draw_text(text, &style, (to_units(at[0]), to_units(at[1] - 0.76 * size)))?;
+        Ok(())
+    }
+}
+
+/// plotters' style of text of `size` pixels.
+pub(super) fn text_style(size: f64, color: RGBColor) -> plotters::style::TextStyle<'static> {
+    (font::FAMILY, size * UNITS * font::PLOTTERS_SCALE).into_font().color(&color)
+}
+
+/// plotters' style of a line.
+pub(super) fn style(ink: Ink) -> ShapeStyle {
+    ink.color.stroke_width(length_units(ink.width))
+}

@@ -1,0 +1,93 @@
+//! Pictures of finished results: the bifurcation diagram of an atlas as SVG, PNG and PDF.
+//!
+//! What is drawn comes from [`crate::document`] alone; nothing is computed here that an atlas does not say already.
+//! The pieces, in the order in which the data flows: a `scene` resolves the ids of the document, `trace` gives each
+//! curve as a polyline fit for one window, a `grid` is the coarse picture of one panel from which sizes and label
+//! places are read, `window` and `insets` choose the panels, `labels` places the text, `diagram` draws it all on a
+//! `canvas`, and the result is a [`Picture`].
+
+mod canvas;
+mod diagram;
+mod font;
+mod geometry;
+mod grid;
+mod insets;
+mod labels;
+mod legend;
+mod notation;
+mod palette;
+mod panel;
+mod picture;
+mod scene;
+mod stroke;
+mod ticks;
+mod trace;
+mod window;
+
+pub use diagram::draw;
+pub use picture::Picture;
+pub use trace::CurveSource;
+
+use crate::document::WindowDocument;
+
+/// How a diagram is drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DiagramOptions {
+    /// The part of the (h, l) plane of the main panel; `None`: chosen so that every event and every unbounded region
+    /// is inside.
+    pub window: Option<WindowDocument>,
+}
+
+/// Why a picture could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum PlotError {
+    /// The document names a curve that it does not contain.
+    #[error("region {region} lies along curve {curve}, which the atlas does not contain")]
+    UnknownCurve {
+        /// Id of the region.
+        region: String,
+        /// Id of the missing curve.
+        curve: String,
+    },
+    /// A curve has neither a polyline nor a source of one.
+    #[error("curve {curve} has no polyline to draw")]
+    NoPolyline {
+        /// Id of the curve.
+        curve: String,
+    },
+    /// The window is empty or not finite.
+    #[error("the window h {h:?}, l {l:?} is empty or not finite: both need a lower end below the upper end")]
+    EmptyWindow {
+        /// Energies.
+        h: [f64; 2],
+        /// Vertical angular momenta.
+        l: [f64; 2],
+    },
+    /// The built-in font could not be read.
+    #[error("the built-in font could not be read")]
+    Font,
+    /// The drawing library failed.
+    #[error("the picture could not be drawn")]
+    Backend(#[from] plotters::drawing::DrawingAreaErrorKind<std::io::Error>),
+    /// The SVG could not be read back for conversion.
+    #[error("the SVG could not be read for conversion")]
+    Svg(#[from] resvg::usvg::Error),
+    /// The resolution gives a picture of no pixels, or of more than can be held.
+    #[error("a resolution of {dpi} dpi gives no usable picture size")]
+    Resolution {
+        /// Dots per inch.
+        dpi: f64,
+    },
+    /// The PNG could not be encoded.
+    #[error("the PNG could not be encoded: {message}")]
+    Png {
+        /// What the encoder said.
+        message: String,
+    },
+    /// The PDF could not be written.
+    #[error("the PDF could not be written: {message}")]
+    Pdf {
+        /// What the writer said.
+        message: String,
+    },
+}

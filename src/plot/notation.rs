@@ -1,0 +1,69 @@
+//! How mathematics is printed.
+
+use crate::document::RegionDocument;
+
+/// The energy.
+pub(super) const H: &str = "h";
+/// The vertical angular momentum.
+pub(super) const L: &str = "l";
+
+const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
+
+fn digits(text: &str, alphabet: [char; 10]) -> String {
+    let print = |c: char| match (c, c.to_digit(10)) {
+        (_, Some(digit)) => alphabet[digit as usize],
+        ('-', _) => '⁻',
+        (other, _) => other,
+    };
+    text.chars().map(print).collect()
+}
+
+/// An integer as a superscript.
+pub(super) fn superscript(exponent: i32) -> String {
+    digits(&exponent.to_string(), SUPERSCRIPTS)
+}
+
+/// A section's name as the paper prints it: `S2` is S², `T2` is T², `M3` (genus 3) is M²₃.
+fn section(name: &str) -> String {
+    match name.strip_prefix('M') {
+        Some(genus) => format!("M²{}", digits(genus, SUBSCRIPTS)),
+        None => digits(name, SUPERSCRIPTS),
+    }
+}
+
+/// A component of the accessible region: `D2` is D², `S2-3D2` is S²∖3D².
+fn accessible_region(name: &str) -> String {
+    match name.split_once('-') {
+        Some((sphere, discs)) => {
+            let count = discs.trim_end_matches("D2");
+            format!("{}∖{count}D²", digits(sphere, SUPERSCRIPTS))
+        }
+        None => digits(name, SUPERSCRIPTS),
+    }
+}
+
+/// The type printed in a region: that of its section, or of its accessible region where no section exists.
+pub(super) fn region_type(region: &RegionDocument) -> String {
+    match &region.signature {
+        Some(signature) => signature.split('+').map(section).collect::<Vec<_>>().join("+"),
+        None => {
+            let parts: Vec<String> =
+                region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
+            format!("U: {}", parts.join("+"))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_printed_as_in_the_paper() {
+        assert_eq!(section("T2"), "T²");
+        assert_eq!(section("M3"), "M²₃");
+        assert_eq!(accessible_region("S2-3D2"), "S²∖3D²");
+        assert_eq!(superscript(-12), "⁻¹²");
+    }
+}

@@ -1,0 +1,69 @@
+//! The window of the main panel.
+
+use super::PlotError;
+use super::scene::Scene;
+use super::trace::{trace, traces};
+use crate::document::WindowDocument;
+
+/// Margin beyond the last event, as a share of its l.
+const BEYOND_EVENTS: f64 = 0.25;
+/// Margin at both ends in h, as a share of the range.
+const MARGIN: f64 = 0.05;
+/// Without events the window ends in h at most at this multiple of the median of the curves.
+const MEDIAN_MULTIPLE: f64 = 4.0;
+
+/// The window that was asked for, or one that shows all events and a part of every unbounded region.
+pub(super) fn main_window(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<WindowDocument, PlotError> {
+    let window = match asked.or(scene.atlas.window) {
+        Some(window) => window,
+        None => automatic(scene)?,
+    };
+    let WindowDocument { h, l } = window;
+    let fits = |[from, to]: [f64; 2]| from < to && (to - from).is_finite();
+    if fits(h) && fits(l) { Ok(window) } else { Err(PlotError::EmptyWindow { h, l }) }
+}
+
+fn automatic(scene: &Scene<'_>) -> Result<WindowDocument, PlotError> {
+    let events = &scene.atlas.events;
+    let last_event = events.iter().map(|event| event.l).fold(0.0, f64::max);
+    let last_point =
+        scene.atlas.curves.iter().filter_map(|curve| curve.polyline.last()).map(|point| point[1]).fold(0.0, f64::max);
+    let l_top = if last_event > 0.0 { last_event * (1.0 + BEYOND_EVENTS) } else { last_point };
+    // Coarse values are enough to choose a window.
+    let coarse = scale(scene) * 1e-3;
+    let mut at_top = Vec::new();
+    let mut low = f64::INFINITY;
+    let mut high = f64::NEG_INFINITY;
+    for trace in traces(scene, [0.0, l_top], coarse)? {
+        let (Some(first), Some(last)) = (trace.points.first(), trace.points.last()) else { continue };
+        low = trace.points.iter().map(|point| point[0]).fold(low, f64::min);
+        if first[1] == 0.0 {
+            high = high.max(first[0]);
+        }
+        if last[1] >= l_top {
+            at_top.push(last[0]);
+        }
+    }
+    at_top.sort_by(f64::total_cmp);
+    high = events.iter().map(|event| event.h).fold(high, f64::max);
+    // What begins at one of the last events must be seen to open.
+    for event in events.iter().filter(|event| event.l > 0.7 * last_event) {
+        for curve in scene.atlas.curves.iter().filter(|curve| event.curves.contains(&curve.id)) {
+            high = high.max(trace(scene, curve, [0.0, l_top], coarse)?.h_at(l_top).unwrap_or(high));
+        }
+    }
+    if let (Some(median), Some(largest)) = (at_top.get(at_top.len() / 2), at_top.last()) {
+        high =
+            high.max(*median).max(if events.is_empty() { largest.min(MEDIAN_MULTIPLE * median.abs()) } else { high });
+    }
+    let margin = MARGIN * (high - low);
+    Ok(WindowDocument { h: [low - margin, high + margin], l: [0.0, l_top] })
+}
+
+/// The size of the energies in the atlas.
+fn scale(scene: &Scene<'_>) -> f64 {
+    let events = scene.atlas.events.iter().map(|event| event.h.abs());
+    let starts = scene.atlas.curves.iter().filter_map(|curve| curve.polyline.first()).map(|point| point[0].abs());
+    let scale = events.chain(starts).fold(0.0, f64::max);
+    if scale > 0.0 { scale } else { 1.0 }
+}

@@ -1,0 +1,196 @@
+//! Pictures of atlases.
+#![cfg(feature = "plot")]
+#![allow(clippy::disallowed_methods, clippy::cast_precision_loss)]
+
+mod plot_fixture;
+
+use std::sync::Arc;
+
+use bifdiag::document::WindowDocument;
+use bifdiag::plot::{DiagramOptions, Picture, PlotError, draw};
+use plot_fixture::{Fixture, kovalevskaya, paper, parabolas};
+use resvg::tiny_skia::Pixmap;
+use resvg::usvg::{Group, Node, Options, Tree, fontdb::Database};
+
+fn picture(name: &str, fixture: &Fixture) -> Picture {
+    let picture = draw(&fixture.atlas, Some(fixture), &DiagramOptions::default()).expect("the fixture can be drawn");
+    // For the eye: set PLOT_OUT to a directory.
+    if let Some(out) = std::env::var_os("PLOT_OUT").map(std::path::PathBuf::from) {
+        std::fs::write(out.join(format!("{name}.svg")), &picture.svg).unwrap();
+        std::fs::write(out.join(format!("{name}.png")), picture.to_png(144.0).unwrap()).unwrap();
+        std::fs::write(out.join(format!("{name}.pdf")), picture.to_pdf().unwrap()).unwrap();
+    }
+    picture
+}
+
+/// All texts with their boxes [left, top, right, bottom].
+fn texts(picture: &Picture) -> Vec<(String, [f32; 4])> {
+    fn collect(group: &Group, texts: &mut Vec<(String, [f32; 4])>) {
+        for node in group.children() {
+            match node {
+                Node::Group(group) => collect(group, texts),
+                Node::Text(text) => {
+                    let content: String = text.chunks().iter().map(|chunk| chunk.text().trim().to_owned()).collect();
+                    let area = text.abs_bounding_box();
+                    texts.push((content, [area.left(), area.top(), area.right(), area.bottom()]));
+                }
+                Node::Path(_) | Node::Image(_) => {}
+            }
+        }
+    }
+    let mut database = Database::new();
+    database.load_font_data(include_bytes!("../data/fonts/DejaVuSans.ttf").to_vec());
+    let options = Options { fontdb: Arc::new(database), ..Options::default() };
+    let tree = Tree::from_str(&picture.svg, &options).expect("the SVG is well-formed");
+    let mut texts = Vec::new();
+    collect(tree.root(), &mut texts);
+    texts
+}
+
+fn assert_sound(fixture: &Fixture, picture: &Picture) {
+    assert!(!picture.svg.contains("NaN") && !picture.svg.contains("inf"), "a coordinate is not a number");
+    let texts = texts(picture);
+    for region in &fixture.atlas.regions {
+        assert!(texts.iter().any(|(text, _)| *text == region.id), "region {} has no label", region.id);
+    }
+    for (i, (a, box_a)) in texts.iter().enumerate() {
+        for (b, box_b) in &texts[..i] {
+            // The boxes reach from ascender to descender; lines of one label may share that space.
+            let slack = 0.3 * (box_a[3] - box_a[1]).min(box_b[3] - box_b[1]);
+            let apart = box_a[2] <= box_b[0] + 1.0
+                || box_b[2] <= box_a[0] + 1.0
+                || box_a[3] <= box_b[1] + slack
+                || box_b[3] <= box_a[1] + slack;
+            assert!(apart, "`{a}` at {box_a:?} covers `{b}` at {box_b:?}");
+        }
+    }
+}
+
+#[test]
+fn the_papers_body_has_nine_labelled_regions() {
+    let fixture = paper();
+    assert_eq!(fixture.atlas.regions.len(), 9);
+    let picture = picture("paper", &fixture);
+    assert_sound(&fixture, &picture);
+    let texts = texts(&picture);
+    for kind in ["S²", "T²", "S²+T²", "T²+T²", "M²₃", "M²₂", "S²+S²"] {
+        assert!(texts.iter().any(|(text, _)| text == kind), "{kind} is not printed");
+    }
+}
+
+#[test]
+fn kovalevskayas_body_with_coincident_curves() {
+    let fixture = kovalevskaya();
+    let picture = picture("kovalevskaya", &fixture);
+    assert_sound(&fixture, &picture);
+    assert!(texts(&picture).iter().any(|(text, _)| text == "coincident curves"));
+}
+
+#[test]
+fn one_region_above_one_curve() {
+    let fixture = parabolas(&[(1.0, 0.0)]);
+    assert_eq!(fixture.atlas.regions.len(), 1);
+    assert_sound(&fixture, &picture("one-region", &fixture));
+}
+
+#[test]
+fn without_a_section_the_accessible_region_is_printed() {
+    let fixture = parabolas(&[(3.0, 0.0), (2.0, 0.0), (1.0, 0.0)]);
+    let picture = picture("euler", &fixture);
+    assert_sound(&fixture, &picture);
+    assert_eq!(texts(&picture).iter().filter(|(text, _)| text == "U: D²").count(), 3);
+}
+
+#[test]
+fn a_region_a_million_times_smaller_than_the_picture_has_its_panel() {
+    let fixture = parabolas(&[(2.0, 0.0), (1.5, -0.3), (1.0, -0.9 + 1e-6)]);
+    assert_eq!(fixture.atlas.events.len(), 3);
+    let picture = picture("tiny", &fixture);
+    assert_sound(&fixture, &picture);
+}
+
+#[test]
+fn every_scale_is_drawn() {
+    for (name, lines) in [
+        ("rod", vec![(1e-6, 1.2), (2.0, -1.0), (1.1, -0.2), (2.0, 1.0)]),
+        ("large", vec![(2.0, -1e6), (1.5, -1.2e6), (1.0, 1e6), (1.1, 0.3e6)]),
+        ("small", vec![(2.0, -1e-6), (1.5, -1.2e-6), (1.0, 1e-6), (1.1, 0.3e-6)]),
+        ("many", vec![(2.0, 1.0), (1.7, 0.69), (1.4, 0.3), (1.2, -0.1), (1.0, -0.62), (0.8, -1.42)]),
+    ] {
+        let fixture = parabolas(&lines);
+        assert_sound(&fixture, &picture(name, &fixture));
+    }
+}
+
+#[test]
+fn a_region_below_the_resolution_of_f64_is_named_in_a_note() {
+    let fixture = parabolas(&[(2.0, -1.0), (2.0, 1.0), (2.0, 1.0 + 4e-15), (1.0, 1.5)]);
+    let picture = picture("below-resolution", &fixture);
+    assert!(picture.svg.contains("Too small for the resolution of f64: "));
+}
+
+#[test]
+fn equal_input_gives_equal_bytes_in_every_format() {
+    let (first, second) = (picture("paper", &paper()), picture("paper", &paper()));
+    assert_eq!(first, second);
+    assert_eq!(first.to_png(96.0).unwrap(), second.to_png(96.0).unwrap());
+    assert_eq!(first.to_pdf().unwrap(), second.to_pdf().unwrap());
+}
+
+#[test]
+fn text_is_drawn_where_no_fonts_are_installed() {
+    // Nothing is read from the machine: the title must still leave ink on the page.
+    let picture = picture("kovalevskaya", &kovalevskaya());
+    let png = Pixmap::decode_png(&picture.to_png(96.0).unwrap()).unwrap();
+    let dark = |x: u32, y: u32| png.pixel(x, y).is_some_and(|pixel| pixel.red() < 100);
+    let ink = (10..34).flat_map(|y| (50..350).map(move |x| (x, y))).filter(|&(x, y)| dark(x, y)).count();
+    assert!(ink > 200, "{ink} dark pixels in the title");
+}
+
+#[test]
+fn png_follows_the_resolution_and_pdf_is_pdf() {
+    let picture = picture("kovalevskaya", &kovalevskaya());
+    let size = |dpi: f64| {
+        let png = Pixmap::decode_png(&picture.to_png(dpi).unwrap()).unwrap();
+        [png.width(), png.height()]
+    };
+    let (one, two) = (size(96.0), size(192.0));
+    assert_eq!(one.map(|side| 2 * side), two);
+    assert!(picture.svg.contains(&format!("width=\"{}\" height=\"{}\"", one[0], one[1])));
+    assert!(picture.to_pdf().unwrap().starts_with(b"%PDF-"));
+    for dpi in [0.0, -1.0, f64::NAN, 1e9] {
+        assert!(matches!(picture.to_png(dpi), Err(PlotError::Resolution { .. })), "{dpi} dpi");
+    }
+}
+
+#[test]
+fn a_window_clips_the_picture_and_lists_what_lies_outside() {
+    let fixture = paper();
+    let window = WindowDocument { h: [3.0, 6.0], l: [3.0, 3.5] };
+    let picture = draw(&fixture.atlas, Some(&fixture), &DiagramOptions { window: Some(window) }).unwrap();
+    let texts = texts(&picture);
+    assert!(texts.iter().any(|(text, _)| text.starts_with("Outside the window:")));
+    assert!(texts.iter().any(|(text, _)| text == "M²₃"));
+    assert!(!texts.iter().any(|(text, _)| text == "S²+S²"), "that region lies above l = 6.88");
+}
+
+#[test]
+fn without_a_source_the_documents_polylines_are_drawn() {
+    let fixture = paper();
+    let picture = draw(&fixture.atlas, None, &DiagramOptions::default()).unwrap();
+    assert_sound(&fixture, &picture);
+}
+
+#[test]
+fn documents_whose_parts_do_not_fit_are_refused() {
+    let mut broken = paper().atlas;
+    broken.regions[0].cells[0].lower = "c99".to_owned();
+    let error = draw(&broken, None, &DiagramOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("c99"), "{error}");
+    let mut bare = paper().atlas;
+    bare.curves[0].polyline.clear();
+    assert!(matches!(draw(&bare, None, &DiagramOptions::default()), Err(PlotError::NoPolyline { .. })));
+    let window = WindowDocument { h: [1.0, 1.0], l: [0.0, 1.0] };
+    let empty = draw(&paper().atlas, None, &DiagramOptions { window: Some(window) });
+    assert!(matches!(empty, Err(PlotError::EmptyWindow { .. })));
+}
