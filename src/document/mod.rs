@@ -6,6 +6,7 @@
 mod atlas;
 mod classification;
 mod critical;
+mod inertia;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument, RegionDocument,
@@ -13,6 +14,7 @@ pub use atlas::{
 };
 pub use classification::{ClassificationDocument, ComponentDocument, MarginDocument, Status};
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
+pub use inertia::{InertiaDocument, UnitsDocument};
 
 /// Version of every document in this module.
 pub const SCHEMA_VERSION: &str = "1";
