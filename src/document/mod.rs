@@ -7,6 +7,7 @@ mod atlas;
 mod classification;
 mod critical;
 mod inertia;
+mod listing;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument, RegionDocument,
@@ -15,6 +16,7 @@ pub use atlas::{
 pub use classification::{ClassificationDocument, ComponentDocument, MarginDocument, Status};
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
 pub use inertia::{InertiaDocument, UnitsDocument};
+pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 
 /// Version of every document in this module.
 pub const SCHEMA_VERSION: &str = "1";
