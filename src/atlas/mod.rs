@@ -4,6 +4,7 @@ mod exact;
 mod locate;
 mod names;
 mod region;
+mod standin;
 
 use thiserror::Error;
 
@@ -19,6 +20,7 @@ pub(crate) use locate::{abscissa, comparison_error};
 pub use names::{branch_name, curve_name};
 pub(crate) use region::components_below;
 pub use region::{Region, Sample};
+pub use standin::DocumentOptions;
 
 /// Everything that is constant on the regions of one body.
 #[derive(Clone, Debug)]
