@@ -88,6 +88,7 @@ mod tests {
     use dashu_ratio::RBig;
 
     use super::*;
+    use crate::body::Number;
 
     fn body(name: &str) -> Body {
         Preset::find(name).unwrap_or_else(|| panic!("no preset {name}")).body()
@@ -158,7 +159,7 @@ mod tests {
         assert_eq!(body("isotropic").frame().group, [0, 0, 0]);
         assert!(!body("ten").flags().degenerate());
         let goryachev_chaplygin = body("goryachev-chaplygin");
-        let [a1, a2, a3] = goryachev_chaplygin.moments().each_ref().map(|a| a.value());
+        let [a1, a2, a3] = goryachev_chaplygin.moments().each_ref().map(Number::value);
         assert!(a1 == a2 && *a1 == RBig::from(4) * a3);
     }
 }
