@@ -16,7 +16,7 @@ const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré
 
 const MAIN_EXAMPLES: &str = "\
 Examples:
-  bifdiag --A 2,1.1,1 --r 0.94868,0,0.61623        every region of the (h, l) plane, atlas.json and diagram.svg
+  bifdiag --A 2,1.1,1 --r 0.94868,0,0.61623        all regions of the (h, l) plane
   bifdiag --body kovalevskaya --format svg,pdf --out kovalevskaya
   bifdiag --body paper --json | jq .summary
   bifdiag classify --body paper --h 3.8 --l 3.25   the type of U, E and P at one point
@@ -104,7 +104,7 @@ pub struct Options {
 /// The commands; without one, `atlas` is meant.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Find every region of the (h, l) plane with its topology: the main job, and the default
+    /// Find every region of the (h, l) plane with its topology (the default)
     #[command(after_help = ATLAS_EXAMPLES)]
     Atlas(AtlasArguments),
     /// Tell the type of U, E and P at one point (h, l), or at many
@@ -159,7 +159,7 @@ pub struct BodyArguments {
     #[arg(long = "r", value_name = "r1,r2,r3", allow_hyphen_values = true, value_parser = values::center)]
     pub center: Option<Triple>,
     /// A named body; `bifdiag bodies` lists them
-    #[arg(long, value_name = "NAME", value_parser = values::preset_names())]
+    #[arg(long, value_name = "NAME", hide_possible_values = true, value_parser = values::preset_names())]
     pub body: Option<String>,
     /// Inertia tensor about the fixed point in kg m²: matrix entries, so that Ixy = -∫ x y dm
     #[arg(long, value_name = "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", allow_hyphen_values = true, value_parser = values::tensor)]
@@ -341,29 +341,50 @@ impl Options {
     }
 
     fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, Refusal> {
-        let matches = Self::command().try_get_matches_from(arguments)?;
-        if let Some(command) = matches.subcommand_name() {
-            // Options of the atlas in front of another command would be ignored in silence.
-            let common = ["threads", "timings", "quiet", "verbose"];
-            let stray = matches.ids().map(clap::Id::as_str).find(|id| {
-                !common.contains(id)
-                    && Self::command().get_arguments().any(|argument| argument.get_id() == id)
-                    && matches.value_source(id) == Some(ValueSource::CommandLine)
-            });
-            if let Some(id) = stray {
-                return Err(
-                    InputError::OptionBeforeCommand { option: long_name(id), command: command.to_owned() }.into()
-                );
-            }
+        let arguments: Vec<OsString> = arguments.into_iter().collect();
+        let command = Self::command();
+        check_values(&command, &arguments)?;
+        let matches = command.clone().try_get_matches_from(arguments)?;
+        if let Some(name) = matches.subcommand_name() {
+            check_no_stray_option(&command, &matches, name)?;
         }
         Ok(Self::from_arg_matches(&matches)?)
     }
 }
 
-fn long_name(id: &str) -> String {
-    let command = Options::command();
-    let long = command.get_arguments().find(|argument| argument.get_id() == id).and_then(clap::Arg::get_long);
-    format!("--{}", long.unwrap_or(id))
+/// Values may start with a hyphen, so `--A --r 1,0,0` would take `--r` for the value of `--A`.
+fn check_values(command: &clap::Command, arguments: &[OsString]) -> Result<(), InputError> {
+    let find = |text: &OsString| {
+        let long = text.to_str()?.strip_prefix("--")?;
+        let mut everywhere = command.get_subcommands().chain([command]).flat_map(clap::Command::get_arguments);
+        everywhere.find(|argument| argument.get_long() == Some(long))
+    };
+    for pair in arguments.windows(2) {
+        let [option, next] = pair else { continue };
+        let Some(argument) = find(option).filter(|argument| argument.get_action().takes_values()) else { continue };
+        if find(next).is_some() {
+            let names = argument.get_value_names().unwrap_or_default();
+            return Err(InputError::ValueMissing {
+                option: option.to_string_lossy().into_owned(),
+                next: next.to_string_lossy().into_owned(),
+                value: names.iter().map(ToString::to_string).collect(),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Options of the atlas in front of another command would be ignored in silence.
+fn check_no_stray_option(command: &clap::Command, matches: &clap::ArgMatches, name: &str) -> Result<(), InputError> {
+    let stray = command.get_arguments().find(|argument| {
+        let id = argument.get_id().as_str();
+        let there = matches.ids().any(|there| there == argument.get_id());
+        !argument.is_global_set() && there && matches.value_source(id) == Some(ValueSource::CommandLine)
+    });
+    match stray.and_then(clap::Arg::get_long) {
+        Some(long) => Err(InputError::OptionBeforeCommand { option: format!("--{long}"), command: name.to_owned() }),
+        None => Ok(()),
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use bifdiag::atlas::{Atlas, AtlasOptions, DocumentOptions};
+use bifdiag::atlas::{Atlas, DocumentOptions};
 use bifdiag::document::{AtlasDocument, ComponentDocument, RegionDocument};
 use bifdiag::plot::{DiagramOptions, Picture, draw};
 
@@ -28,10 +28,16 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
     let accuracy = arguments.accuracy.level()?;
     let subject = arguments.body.subject()?;
     let directory = directory(arguments)?;
-    let atlas = timings.stage("regions", || Atlas::new(&subject.body, &AtlasOptions::default()))?;
+    let atlas = timings.stage("regions", || Atlas::new(&subject.body))?;
     let options = DocumentOptions { window: arguments.window, accuracy, ..DocumentOptions::default() };
     let mut document = timings.stage("curves", || atlas.document(&options));
     attach_part(&mut document, &subject);
+    tracing::info!(
+        regions = document.summary.regions,
+        events = document.summary.events,
+        undecided = document.summary.undecided.len(),
+        "atlas made"
+    );
     let json = layout::text(&document)?;
 
     let mut written = Vec::new();

@@ -2,11 +2,12 @@
 
 use std::sync::{Arc, OnceLock};
 
-use bifdiag::atlas::{Atlas, AtlasOptions};
+use bifdiag::atlas::Atlas;
 use bifdiag::body::{Body, Number};
-use bifdiag::classify::classify;
+use bifdiag::classify::{ClassifyError, classify};
 use bifdiag::document::{Accuracy, ClassificationDocument, ComponentDocument, Status};
 use rayon::prelude::*;
+use thiserror::Error;
 
 use super::arguments::ClassifyArguments;
 use super::batch::{self, Query, Wanted};
@@ -42,10 +43,20 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
     let subject = arguments.body.subject()?;
     let h = h.as_ref().ok_or(InputError::NoPoint { missing: "--h", example: "the energy, such as --h 3.8" })?;
     let l = l.as_ref().ok_or(InputError::NoPoint { missing: "--l", example: "the momentum, such as --l 3.25" })?;
-    let mut document = timings.stage("classify", || classify(&subject.body, h, l, accuracy));
+    let mut document = timings.stage("classify", || classify(&subject.body, h, l))?;
+    document.accuracy = accuracy;
     document.inertia.clone_from(&subject.inertia);
     let text = if arguments.json { layout::text(&document)? } else { report(&subject, &document) };
     Ok(output::print(text.as_bytes())?)
+}
+
+/// Why a line of a batch has no answer.
+#[derive(Debug, Error)]
+enum Unanswered {
+    #[error(transparent)]
+    Classify(#[from] ClassifyError),
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
 }
 
 /// Points of the same body in a row; after the first few the body is prepared, once.
@@ -58,13 +69,14 @@ struct Preparation {
 
 impl Preparation {
     /// Answers queries in parallel, in their order.
-    fn answer(&mut self, queries: &[Query], accuracy: Accuracy) -> Vec<Result<String, serde_json::Error>> {
+    fn answer(&mut self, queries: &[Query], accuracy: Accuracy) -> Vec<Result<String, Unanswered>> {
         let jobs: Vec<_> = queries.iter().map(|query| (query, self.preparation_for(query))).collect();
         jobs.par_iter()
             .map(|(query, atlas)| {
-                let mut document = answer_one(query, atlas.as_deref(), accuracy);
+                let mut document = answer_one(query, atlas.as_deref())?;
+                document.accuracy = accuracy;
                 document.inertia.clone_from(&query.inertia);
-                serde_json::to_string(&document)
+                Ok(serde_json::to_string(&document)?)
             })
             .collect()
     }
@@ -80,20 +92,20 @@ impl Preparation {
     }
 }
 
-fn answer_one(query: &Query, atlas: Option<&OnceLock<Option<Atlas>>>, accuracy: Accuracy) -> ClassificationDocument {
+fn answer_one(query: &Query, atlas: Option<&OnceLock<Option<Atlas>>>) -> Result<ClassificationDocument, ClassifyError> {
     let energy = query.h.clone().unwrap_or_else(|| Number::from_rational(0.into()));
     let prepared = atlas.and_then(|cell| {
         // A body of which no atlas can be made is still answered point by point.
-        cell.get_or_init(|| Atlas::new(&query.body, &AtlasOptions::default()).ok()).as_ref()
+        cell.get_or_init(|| Atlas::new(&query.body).ok()).as_ref()
     });
     let Some(atlas) = prepared else {
-        return classify(&query.body, &energy, &query.l, accuracy);
+        return classify(&query.body, &energy, &query.l);
     };
-    let mut document = atlas.classify(&energy, &query.l);
+    let mut document = atlas.classify(&energy, &query.l)?;
     // The prepared body may have been written otherwise (1.1 and 11/10); what is echoed is this line's text.
     document.moments.clone_from(query.body.moments());
     document.center.clone_from(query.body.center());
-    document
+    Ok(document)
 }
 
 fn report(subject: &Subject, document: &ClassificationDocument) -> String {

@@ -1,8 +1,9 @@
 //! `bifdiag critical`: all relative equilibria at one l, or at many.
 
-use bifdiag::critical::critical;
+use bifdiag::critical::{CriticalError, critical};
 use bifdiag::document::{CriticalDocument, Multiplicity, Stability};
 use rayon::prelude::*;
+use thiserror::Error;
 
 use super::arguments::CriticalArguments;
 use super::batch::{self, Wanted};
@@ -24,9 +25,9 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
         let subject = arguments.body.optional_subject()?;
         return batch::run(path, &arguments.batch, subject.as_ref(), Wanted::Momentum, quiet, |queries| {
             let answer = |query: &batch::Query| {
-                let mut document = critical(&query.body, &query.l);
+                let mut document = critical(&query.body, &query.l)?;
                 document.inertia.clone_from(&query.inertia);
-                serde_json::to_string(&document)
+                Ok::<_, Unanswered>(serde_json::to_string(&document)?)
             };
             timings.stage("chunk", || queries.par_iter().map(answer).collect())
         });
@@ -37,10 +38,19 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
     let subject = arguments.body.subject()?;
     let missing = InputError::NoPoint { missing: "--l", example: "the momentum, such as --l 3.25" };
     let l = arguments.momentum.as_ref().ok_or(missing)?;
-    let mut document = timings.stage("critical", || critical(&subject.body, l));
+    let mut document = timings.stage("critical", || critical(&subject.body, l))?;
     document.inertia.clone_from(&subject.inertia);
     let text = if arguments.json { layout::text(&document)? } else { report(&subject, &document) };
     Ok(output::print(text.as_bytes())?)
+}
+
+/// Why a line of a batch has no answer.
+#[derive(Debug, Error)]
+enum Unanswered {
+    #[error(transparent)]
+    Critical(#[from] CriticalError),
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
 }
 
 fn report(subject: &Subject, document: &CriticalDocument) -> String {

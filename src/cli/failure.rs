@@ -5,7 +5,10 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use bifdiag::atlas::AtlasError;
+use bifdiag::atlas::MomentumError;
 use bifdiag::body::InertiaError;
+use bifdiag::classify::ClassifyError;
+use bifdiag::critical::CriticalError;
 use bifdiag::plot::PlotError;
 use thiserror::Error;
 
@@ -44,6 +47,10 @@ pub enum InputError {
     CertifiedUnavailable,
     #[error("{option} stands before the command {command}; write it after: bifdiag {command} {option} …")]
     OptionBeforeCommand { option: String, command: String },
+    #[error("--l: {0}")]
+    Momentum(MomentumError),
+    #[error("{option} has no value ({next} follows it); write it as {option} {value}, or {option}=VALUE")]
+    ValueMissing { option: String, next: String, value: String },
     #[error("--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout")]
     OutIsStdout,
 }
@@ -59,6 +66,10 @@ pub enum Failure {
     Files(#[from] FilesError),
     #[error("the atlas could not be made")]
     Atlas(#[from] AtlasError),
+    #[error("the point could not be classified")]
+    Classify(#[source] ClassifyError),
+    #[error("the relative equilibria could not be found")]
+    Critical(#[from] CriticalError),
     #[error("the picture could not be drawn")]
     Plot(#[from] PlotError),
     #[error("the answer could not be written as JSON")]
@@ -73,6 +84,15 @@ pub enum Failure {
     Page { name: String, source: io::Error },
 }
 
+impl From<ClassifyError> for Failure {
+    fn from(error: ClassifyError) -> Self {
+        match error {
+            ClassifyError::Momentum(error) => InputError::Momentum(error).into(),
+            error => Self::Classify(error),
+        }
+    }
+}
+
 impl Failure {
     /// Tells it on stderr. A reader that closed the pipe wants no more, and no message.
     pub fn print(&self) -> ExitCode {
@@ -83,7 +103,7 @@ impl Failure {
         let mut source = std::error::Error::source(self);
         while let Some(cause) = source {
             let cause_text = cause.to_string();
-            if !message.ends_with(&cause_text) {
+            if !message.contains(&cause_text) {
                 message = format!("{message}: {cause_text}");
             }
             source = cause.source();

@@ -1,6 +1,6 @@
 //! `bifdiag figures`: every figure, made by one command.
 
-use bifdiag::atlas::{Atlas, AtlasOptions, DocumentOptions};
+use bifdiag::atlas::{Atlas, DocumentOptions};
 use bifdiag::body::Preset;
 use bifdiag::plot::{DiagramOptions, draw};
 
@@ -29,7 +29,7 @@ pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failur
     let mut files = FileSet::new(&arguments.out);
     let diagrams = DIAGRAMS.iter().filter_map(|(stem, name)| Some((stem, Preset::find(name)?)));
     for (stem, preset) in diagrams {
-        let atlas = Atlas::new(&preset.body(), &AtlasOptions::default())?;
+        let atlas = Atlas::new(&preset.body())?;
         let document = atlas.document(&DocumentOptions::default());
         let picture = timings.stage(preset.name(), || draw(&document, None, &DiagramOptions::default()))?;
         add_picture(&mut files, stem, &picture, &arguments.format, timings)?;

@@ -3,6 +3,7 @@
 mod lines;
 mod query;
 
+use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, IsTerminal, Read};
 use std::path::Path;
@@ -10,6 +11,7 @@ use std::time::Duration;
 
 use bifdiag::document::BatchErrorDocument;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use rayon::prelude::*;
 
 use super::arguments::BatchArguments;
 use super::failure::{Failure, InputError, say};
@@ -24,65 +26,60 @@ const PROGRESS_AFTER: Duration = Duration::from_secs(1);
 /// Reads `path`, answers every line and writes the answers to stdout.
 ///
 /// What has arrived is answered before more is waited for, so that a program can write a line and read its answer.
-pub fn run(
+pub fn run<E: Display>(
     path: &Path,
     arguments: &BatchArguments,
     subject: Option<&Subject>,
     wanted: Wanted,
     quiet: bool,
-    mut answer: impl FnMut(&[Query]) -> Vec<Result<String, serde_json::Error>>,
+    mut answer: impl FnMut(&[Query]) -> Vec<Result<String, E>>,
 ) -> Result<(), Failure> {
     let (source, bytes) = open(path).map_err(|source| InputError::BatchFile { path: path.to_owned(), source })?;
     let mut reader = LineReader::new(source);
     let mut progress = Progress::new(bytes, quiet);
-    let (mut lines, mut bad) = (0, 0);
+    let (mut lines, mut bad, mut unphysical) = (0, 0, 0);
     loop {
         let chunk = reader.next_chunk().map_err(|source| Failure::BatchRead { path: path.to_owned(), source })?;
         if chunk.is_empty() {
             break;
         }
-        let mut errors = Vec::new();
-        let mut queries = Vec::new();
-        for line in &chunk {
+        let parsed: Vec<_> = chunk.par_iter().map(|line| Query::parse(line, wanted, subject)).collect();
+        let queries: Vec<Query> = parsed.iter().filter_map(|query| query.as_ref().ok()).cloned().collect();
+        unphysical += queries.iter().filter(|query| query.unphysical).count();
+        let mut answers = answer(&queries).into_iter();
+        let mut out = Vec::new();
+        for (line, query) in chunk.iter().zip(parsed) {
             lines += 1;
             progress.read(line.len());
-            match Query::parse(line, wanted, subject) {
-                Ok(query) => queries.push(query),
-                Err(error) => errors.push(BatchErrorDocument { error: error.to_string(), line: lines }),
+            let answered = match query {
+                Ok(_) => answers.next().transpose().map(Option::unwrap_or_default).map_err(|error| error.to_string()),
+                Err(error) => Err(error.to_string()),
+            };
+            match answered {
+                Ok(text) => out.extend_from_slice(text.as_bytes()),
+                Err(error) => {
+                    bad += 1;
+                    serde_json::to_writer(&mut out, &BatchErrorDocument { error, line: lines })?;
+                }
             }
+            out.push(b'\n');
         }
-        bad += errors.len();
-        output::print(&interleave(answer(&queries), errors, lines - chunk.len(), chunk.len())?)?;
+        output::print(&out)?;
         progress.show(lines);
     }
     progress.finish();
+    if unphysical > 0 {
+        tracing::warn!("{unphysical} of {lines} lines have A that violates the triangle inequality Ai + Aj >= Ak");
+    }
     if bad > 0 {
         if arguments.strict {
             return Err(InputError::BadLines { bad, lines }.into());
         }
-        say(&format!("{bad} of {lines} lines of the batch are wrong; see the lines with \"error\""));
+        if !quiet {
+            say(&format!("{bad} of {lines} lines of the batch are wrong; see the lines with \"error\""));
+        }
     }
     Ok(())
-}
-
-/// Answers and errors in the order of their lines, which start after line `before`.
-fn interleave(
-    answers: Vec<Result<String, serde_json::Error>>,
-    errors: Vec<BatchErrorDocument>,
-    before: usize,
-    count: usize,
-) -> Result<Vec<u8>, serde_json::Error> {
-    let mut answers = answers.into_iter();
-    let mut errors = errors.into_iter().peekable();
-    let mut out = Vec::new();
-    for line in before + 1..=before + count {
-        match errors.next_if(|error| error.line == line) {
-            Some(error) => serde_json::to_writer(&mut out, &error)?,
-            None => out.extend(answers.next().transpose()?.unwrap_or_default().into_bytes()),
-        }
-        out.push(b'\n');
-    }
-    Ok(out)
 }
 
 /// The file or stdin, and the number of its bytes if that is known.

@@ -26,6 +26,8 @@ pub struct Query {
     /// There if [`Wanted::Point`].
     pub h: Option<Number>,
     pub l: Number,
+    /// The body violates the triangle inequality.
+    pub unphysical: bool,
 }
 
 /// Why a line is wrong.
@@ -98,7 +100,9 @@ impl Query {
             Wanted::Point => Some(number(ENERGY, raw.h)?),
             Wanted::Momentum => None,
         };
-        Ok(Self { body, inertia, h, l: number(MOMENTUM, raw.l)? })
+        let l = number(MOMENTUM, raw.l)?;
+        let unphysical = inertia.as_ref().map_or_else(|| body.flags().unphysical, |inertia| inertia.unphysical);
+        Ok(Self { body, inertia, h, l, unphysical })
     }
 }
 

@@ -1,0 +1,93 @@
+//! What the terminal shows, and how the body may be given.
+
+use serde_json::json;
+
+use crate::builder::bifdiag;
+
+#[test]
+fn numbers_are_read_exactly_and_echoed_as_given() {
+    let done = bifdiag("classify --A 2,11/10,1e0 --r=-1e-3,0,+1/3 --h -1e-3 --l -13/4 --json").succeeds();
+    let document = done.json();
+    assert_eq!(document["A"], json!(["2", "11/10", "1e0"]));
+    assert_eq!(document["r"], json!(["-1e-3", "0", "+1/3"]));
+    assert_eq!((&document["h"], &document["l"]), (&json!("-1e-3"), &json!("-13/4")));
+}
+
+#[test]
+fn values_that_start_with_a_hyphen_need_no_equals_sign() {
+    bifdiag("critical --A 2,1,1 --r -1,-2,-3 --l -1").succeeds().printing("r = (-1, -2, -3)").printing("l = -1");
+}
+
+#[test]
+fn the_body_is_shown_above_the_tables() {
+    bifdiag("classify --body paper --h 3.8 --l 3.25").succeeds().printing("A = (2, 1.1, 1)").printing("h = 3.8");
+    bifdiag("critical --body paper --l 3.25").succeeds().printing("gamma").printing("stability").printing("l = 3.25");
+}
+
+#[test]
+fn a_diagonal_part_is_the_same_as_its_principal_body() {
+    let part = "--inertia 0.3,0.1,0.25,0,0,0 --com 0.05,0,-1/8 --mass 2 --g 9.81";
+    let given = bifdiag(&format!("classify {part} --h 1 --l 0.2 --json")).succeeds().json();
+    assert_eq!(given["A"], json!(["0.3", "0.1", "0.25"]));
+    assert_eq!(given["r"], json!(["0.981", "0", "-2.4525"]));
+    let inertia = &given["inertia"];
+    assert_eq!(inertia["rotation"], json!([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]));
+    assert_eq!((&inertia["exact"], &inertia["residual"]), (&json!(true), &json!(0.0)));
+    assert_eq!(inertia["com"], json!(["0.05", "0", "-1/8"]));
+    assert_eq!((&inertia["units"]["h"], &inertia["units"]["l"]), (&json!("J"), &json!("kg m^2/s")));
+    let principal = bifdiag("classify --A 0.3,0.1,0.25 --r 0.981,0,-2.4525 --h 1 --l 0.2 --json").succeeds().json();
+    for key in ["status", "components", "margin", "signature"] {
+        assert_eq!(given[key], principal[key], "{key}");
+    }
+}
+
+#[test]
+fn a_part_tells_its_axes_and_units() {
+    let part = "--inertia 0.30,0.21,0.17,0.01,0,-0.02 --com 0,0.02,0.15 --mass 2.5 --g 9.80665";
+    bifdiag(&format!("critical {part} --l 1")).succeeds().printing("r in N m").printing("principal axes");
+    let atlas = bifdiag(&format!("{part} --json")).succeeds().json();
+    assert_eq!(atlas["body"]["inertia"]["exact"], false);
+    assert!(atlas["body"]["inertia"]["residual"].as_f64().unwrap() < 1e-15);
+}
+
+#[test]
+fn strange_bodies_are_accepted_with_a_warning() {
+    let warning = "warning: A violates the triangle inequality";
+    bifdiag("critical --A 9,1,1 --r 1,0,0 --l 1").succeeds().telling(warning);
+    bifdiag("critical --A 9,1,1 --r 1,0,0 --l 1 -q").succeeds().telling_nothing();
+    bifdiag("critical --A 0.3,0.1,0.2 --r 1,0,0 --l 1").succeeds().telling_nothing();
+    let central = "--inertia 0.4,0.4,0.4,0,0,0 --com 0,0,1 --mass 1 --g 9.81";
+    bifdiag(&format!("critical {central} --l 1")).succeeds().telling("about the fixed point");
+    let flags = bifdiag("--A 9,1,1 --r 1,0,0 --json -q").succeeds().json();
+    assert_eq!(flags["body"]["unphysical"], true);
+}
+
+#[test]
+fn a_turned_plate_is_a_plate_although_its_moments_are_rounded() {
+    let part = "--inertia 0.164,0.136,0.3,0.048,0,0 --com 0.1,0,0 --mass 1e-3 --g 9.81";
+    let body = bifdiag(&format!("{part} --json")).succeeds().telling_nothing().json()["body"].clone();
+    assert_eq!((&body["plate"], &body["unphysical"]), (&json!(true), &json!(false)));
+}
+
+#[test]
+fn timings_go_to_stderr_and_change_nothing() {
+    let plain = bifdiag("--body paper --json").succeeds().telling_nothing().stdout();
+    let timed = bifdiag("--body paper --json --timings -v").succeeds().telling("timing: total").telling("info: ");
+    assert_eq!(timed.stdout(), plain);
+    bifdiag("--timings classify --body paper --h 1 --l 1").succeeds().telling("timing: classify");
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    for line in
+        ["--body paper --json", "critical --body ten --l 1.45 --json", "classify --body plate --h 1 --l 1 --json"]
+    {
+        assert_eq!(bifdiag(line).succeeds().stdout(), bifdiag(line).succeeds().stdout());
+    }
+}
+
+#[test]
+fn a_window_is_echoed() {
+    let atlas = bifdiag("--body paper --json --window -1:6,0:7/2").succeeds().json();
+    assert_eq!(atlas["window"], json!({"h": [-1.0, 6.0], "l": [0.0, 3.5]}));
+}
