@@ -91,3 +91,43 @@ fn a_window_is_echoed() {
     let atlas = bifdiag("--body paper --json --window -1:6,0:7/2").succeeds().json();
     assert_eq!(atlas["window"], json!({"h": [-1.0, 6.0], "l": [0.0, 3.5]}));
 }
+
+/// Two of the paper's nine regions, as the contract prints them.
+#[test]
+fn a_point_of_the_paper_is_classified() {
+    let document = bifdiag("classify --body paper --h 3.8 --l 3.25 --json").succeeds().telling_nothing().json();
+    assert_eq!((&document["status"], &document["signature"]), (&json!("regular"), &json!("S2+T2")));
+    let expected = |section: &str, genus: u32, poles: &[&str]| {
+        json!({"boundary_circles": 1, "poles": poles, "accessible_region": "D2", "energy_surface": "S3",
+               "section": section, "genus": genus})
+    };
+    assert_eq!(document["components"], json!([expected("S2", 0, &[]), expected("T2", 1, &["+"])]));
+    // The nearest curve is the second minimum at 3.484722441 (to 1e-9).
+    assert!((document["margin"]["h"].as_f64().unwrap() - 0.315_277_559).abs() < 1e-9);
+    bifdiag("classify --body paper --h 3.8 --l -3.25").succeeds().printing("regular").printing("D2  S3  T2  1      +");
+    bifdiag("classify --body paper --h -5 --l 1").succeeds().printing("forbidden");
+    bifdiag("classify --body euler --h 9 --l 1").succeeds().printing("note: r = 0");
+}
+
+#[test]
+fn a_point_on_a_line_is_critical_or_undecided_with_its_candidates() {
+    // Kovalevskaya's top: γ = e1 is critical with h = l²/4 − 1, an exact equality.
+    let document = bifdiag("classify --body kovalevskaya --h=-3/4 --l 1 --json").succeeds().json();
+    assert!(["critical", "undecided"].contains(&document["status"].as_str().unwrap()));
+    assert!(document["candidates"].as_array().unwrap().len() >= 2);
+    assert!(document["components"].is_null());
+    bifdiag("classify --body kovalevskaya --h=-3/4 --l 1").succeeds().printing("(1)").printing("(2)");
+}
+
+#[test]
+fn a_momentum_beyond_f64_is_refused_or_an_error_in_place() {
+    bifdiag("classify --body paper --h 1 --l 1e140").refused().telling("--l: l = 1e140 is too large");
+    let answers = bifdiag("classify --body paper --batch -")
+        .reading("{\"h\":1,\"l\":\"1e-140\"}\n{\"h\":1,\"l\":1}\n")
+        .succeeds()
+        .telling("1 of 2 lines")
+        .json_lines();
+    assert!(answers[0]["error"].as_str().unwrap().contains("is too small"));
+    assert_eq!(answers[0]["line"], 1);
+    assert_eq!(answers[1]["h"], "1");
+}

@@ -101,3 +101,15 @@ fn unphysical_bodies_are_counted_unless_quiet() {
     bifdiag("critical --batch -").reading(batch).succeeds().telling("warning: 1 of 2 lines").telling("triangle");
     bifdiag("critical -q --batch -").reading(batch).succeeds().telling_nothing();
 }
+
+/// The first points of a body are answered cold, the others by the prepared body: the classes are the same.
+#[test]
+fn the_first_and_the_later_points_of_a_body_have_the_same_answers() {
+    let point = r#"{"A":[2,1.1,1],"r":[0.94868,0,0.61623],"h":4.675,"l":3.25}"#;
+    let answers = bifdiag("classify --batch -").reading(format!("{point}\n").repeat(12)).succeeds().json_lines();
+    for answer in &answers {
+        assert_eq!(answer["status"], "regular");
+        assert_eq!((&answer["components"], &answer["signature"]), (&answers[0]["components"], &json!("M3")));
+        assert_eq!(answer["margin"]["nearest"], answers[0]["margin"]["nearest"]);
+    }
+}
