@@ -162,6 +162,7 @@ fn open(
         signature: None,
         candidates,
         note,
+        inertia: None,
     }
 }
 

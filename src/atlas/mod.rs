@@ -1,5 +1,6 @@
 //! The atlas of a body: every region of the (h, l) half-plane with its topology, ready to answer further points.
 
+mod document;
 mod exact;
 mod locate;
 mod names;
@@ -13,6 +14,7 @@ use crate::equilibria::{CriticalSet, EquilibriaError};
 use crate::topology::merge::MergeError;
 use crate::topology::{Component, Poles};
 
+pub use document::DocumentOptions;
 pub(crate) use exact::{compare_with_r, on_straight_curve};
 pub use locate::{Location, MomentumError, Place};
 pub(crate) use locate::{abscissa, comparison_error};

@@ -1,9 +1,13 @@
 //! Bodies: exact input, validation, and the frame in which the rest of the crate computes.
 
 mod frame;
+mod inertia;
 mod number;
+mod presets;
 mod rigid_body;
 
 pub use frame::Frame;
+pub use inertia::{InertiaError, MassProperties, PrincipalBody, Realizability};
 pub use number::{Number, ParseNumberError};
+pub use presets::Preset;
 pub use rigid_body::{Body, BodyError, Flags};

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Accuracy, ComponentDocument, MarginDocument, Stability};
+use super::{Accuracy, ComponentDocument, InertiaDocument, MarginDocument, Stability};
 use crate::body::{Flags, Number};
 
 /// The body of an atlas.
@@ -22,6 +22,9 @@ pub struct BodyDocument {
     pub flags: Flags,
     /// True when the generic closed form needs a special case.
     pub degenerate: bool,
+    /// The part from which A and r were computed, when a full inertia tensor was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<InertiaDocument>,
 }
 
 /// What a curve in the (h, l) plane stands for.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Accuracy;
+use super::{Accuracy, InertiaDocument};
 use crate::body::Number;
 use crate::topology::Component;
 
@@ -100,4 +100,7 @@ pub struct ClassificationDocument {
     /// Why something is null.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
+    /// The part from which A and r were computed, when a full inertia tensor was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<InertiaDocument>,
 }

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::InertiaDocument;
 use crate::body::Number;
 
 /// Spectral stability of a relative equilibrium under the linearised Euler–Poisson flow at fixed l.
@@ -115,4 +116,7 @@ pub struct CriticalDocument {
     /// What could not be decided, in words.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
+    /// The part from which A and r were computed, when a full inertia tensor was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<InertiaDocument>,
 }

@@ -6,6 +6,8 @@
 mod atlas;
 mod classification;
 mod critical;
+mod inertia;
+mod listing;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument,
@@ -13,6 +15,8 @@ pub use atlas::{
 };
 pub use classification::{ClassificationDocument, ComponentDocument, MarginDocument, Status};
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
+pub use inertia::{InertiaDocument, UnitsDocument};
+pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 
 /// Version of every document in this module.
 pub const SCHEMA_VERSION: &str = "1";

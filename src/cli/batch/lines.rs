@@ -1,0 +1,104 @@
+//! Lines of a file or a pipe, in chunks of what has arrived.
+
+use std::io::{self, BufRead, BufReader, Read};
+
+/// The most lines of a chunk.
+const CHUNK: usize = 8192;
+
+/// Longer lines are cut there (and then are wrong), so that a file without line ends does not fill the memory.
+pub const MAX_LINE: usize = 1 << 20;
+
+const BUFFER: usize = 1 << 20;
+
+/// A reader of lines.
+pub struct LineReader<R> {
+    source: BufReader<R>,
+}
+
+impl<R: Read> LineReader<R> {
+    pub fn new(source: R) -> Self {
+        Self { source: BufReader::with_capacity(BUFFER, source) }
+    }
+
+    /// The next lines without their ends: at least one, unless the end is reached, and no more than can be had
+    /// without waiting. A line longer than [`MAX_LINE`] is cut to one byte more.
+    pub fn next_chunk(&mut self) -> io::Result<Vec<Vec<u8>>> {
+        let mut lines = Vec::new();
+        while lines.len() < CHUNK && (lines.is_empty() || self.source.buffer().contains(&b'\n')) {
+            match self.next_line()? {
+                Some(line) => lines.push(line),
+                None => break,
+            }
+        }
+        Ok(lines)
+    }
+
+    fn next_line(&mut self) -> io::Result<Option<Vec<u8>>> {
+        let mut line = Vec::new();
+        let mut anything = false;
+        loop {
+            let available = match self.source.fill_buf() {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                available => available?,
+            };
+            if available.is_empty() {
+                return Ok(anything.then_some(line));
+            }
+            anything = true;
+            let end = available.iter().position(|byte| *byte == b'\n');
+            let taken = end.unwrap_or(available.len());
+            let kept = taken.min((MAX_LINE + 1).saturating_sub(line.len()));
+            line.extend_from_slice(&available[..kept]);
+            self.source.consume(taken + usize::from(end.is_some()));
+            if end.is_some() {
+                return Ok(Some(line));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines(text: &[u8]) -> Vec<Vec<u8>> {
+        let mut reader = LineReader::new(text);
+        let mut all = Vec::new();
+        loop {
+            let chunk = reader.next_chunk().unwrap();
+            if chunk.is_empty() {
+                return all;
+            }
+            all.extend(chunk);
+        }
+    }
+
+    #[test]
+    fn the_last_line_needs_no_end_and_empty_lines_count() {
+        assert_eq!(lines(b"a\n\nb"), [b"a".to_vec(), Vec::new(), b"b".to_vec()]);
+        assert_eq!(lines(b"a\n"), [b"a".to_vec()]);
+        assert!(lines(b"").is_empty());
+    }
+
+    #[test]
+    fn endless_lines_are_cut() {
+        let text = [vec![b'x'; 3 * MAX_LINE], b"\nshort\n".to_vec()].concat();
+        let found = lines(&text);
+        assert_eq!((found[0].len(), &found[1][..]), (MAX_LINE + 1, &b"short"[..]));
+    }
+
+    #[test]
+    fn no_line_is_waited_for_while_another_can_be_answered() {
+        /// Gives one line, then panics instead of waiting.
+        struct OneLine(bool);
+        impl Read for OneLine {
+            fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+                assert!(!self.0, "read again before the first line was given out");
+                self.0 = true;
+                buffer[..2].copy_from_slice(b"a\n");
+                Ok(2)
+            }
+        }
+        assert_eq!(LineReader::new(OneLine(false)).next_chunk().unwrap(), [b"a".to_vec()]);
+    }
+}

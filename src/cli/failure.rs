@@ -1,0 +1,159 @@
+//! What can go wrong, and the exit status that it means.
+
+use std::io::{self, IsTerminal, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use bifdiag::atlas::AtlasError;
+use bifdiag::atlas::MomentumError;
+use bifdiag::body::InertiaError;
+use bifdiag::classify::ClassifyError;
+use bifdiag::critical::CriticalError;
+use bifdiag::plot::PlotError;
+use thiserror::Error;
+
+use super::files::FilesError;
+use super::output::OutputError;
+
+/// The input is wrong; each message names the argument, the value and what would be right.
+#[derive(Debug, Error)]
+pub enum InputError {
+    #[error("no body is given; use --A 2,1.1,1 --r 0.94868,0,0.61623, a named body such as --body paper, or --inertia")]
+    NoBody,
+    #[error("--A is missing: --r also needs the principal moments, such as --A 2,1.1,1")]
+    NoMoments,
+    #[error("--r is missing: --A also needs the centre of mass, such as --r 0.94868,0,0.61623")]
+    NoCenter,
+    #[error("{first} and {second} both describe the body; give one of --A with --r, --body, --inertia")]
+    TwoBodies { first: &'static str, second: &'static str },
+    #[error("{missing} is missing: {given} also needs it, such as {example}")]
+    PartIncomplete { given: &'static str, missing: &'static str, example: &'static str },
+    #[error("--inertia {value}: {source}")]
+    Inertia { value: String, source: InertiaError },
+    #[error("{missing} is missing; give {example}, or --batch FILE for many points")]
+    NoPoint { missing: &'static str, example: &'static str },
+    #[error("{option} cannot be used with --batch: the lines of the batch say it; leave out {option} or --batch")]
+    PointWithBatch { option: &'static str },
+    #[error("--strict needs --batch: it says what a wrong line of a batch means; add --batch FILE or leave it out")]
+    StrictWithoutBatch,
+    #[error("--batch {path}: {source}; give a file that can be read, or - for stdin", path = path.display())]
+    BatchFile { path: PathBuf, source: io::Error },
+    #[error("--strict: {bad} of {lines} lines of the batch are wrong; see the lines with \"error\"")]
+    BadLines { bad: usize, lines: usize },
+    #[error(
+        "--accuracy certified: certified answers are not available in this version; use --accuracy standard, which \
+         says `undecided` where it cannot decide"
+    )]
+    CertifiedUnavailable,
+    #[error("{option} stands before the command {command}; write it after: bifdiag {command} {option} …")]
+    OptionBeforeCommand { option: String, command: String },
+    #[error("--l: {0}")]
+    Momentum(MomentumError),
+    #[error("{option} has no value ({next} follows it); write it as {option} {value}, or {option}=VALUE")]
+    ValueMissing { option: String, next: String, value: String },
+    #[error("--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout")]
+    OutIsStdout,
+}
+
+/// Why a run stopped.
+#[derive(Debug, Error)]
+pub enum Failure {
+    #[error(transparent)]
+    Input(#[from] InputError),
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    #[error(transparent)]
+    Files(#[from] FilesError),
+    #[error("the atlas could not be made")]
+    Atlas(#[from] AtlasError),
+    #[error("the point could not be classified")]
+    Classify(#[source] ClassifyError),
+    #[error("the relative equilibria could not be found")]
+    Critical(#[from] CriticalError),
+    #[error("the picture could not be drawn")]
+    Plot(#[from] PlotError),
+    #[error("the answer could not be written as JSON")]
+    Json(#[from] serde_json::Error),
+    #[error("--batch {path}: reading stopped", path = path.display())]
+    BatchRead { path: PathBuf, source: io::Error },
+    #[error("the threads could not be started")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    #[error("the answer to interrupts could not be set up")]
+    Interrupt(#[from] ctrlc::Error),
+    #[error("{name} cannot be made")]
+    Page { name: String, source: io::Error },
+}
+
+impl From<ClassifyError> for Failure {
+    fn from(error: ClassifyError) -> Self {
+        match error {
+            ClassifyError::Momentum(error) => InputError::Momentum(error).into(),
+            error => Self::Classify(error),
+        }
+    }
+}
+
+impl Failure {
+    /// Tells it on stderr. A reader that closed the pipe wants no more, and no message.
+    pub fn print(&self) -> ExitCode {
+        if matches!(self, Self::Output(OutputError::ClosedPipe)) {
+            return ExitCode::SUCCESS;
+        }
+        let mut message = format!("error: {self}");
+        let mut source = std::error::Error::source(self);
+        while let Some(cause) = source {
+            let cause_text = cause.to_string();
+            if !message.contains(&cause_text) {
+                message = format!("{message}: {cause_text}");
+            }
+            source = cause.source();
+        }
+        say(&message);
+        ExitCode::from(if matches!(self, Self::Input(_)) { 2 } else { 1 })
+    }
+}
+
+/// A command line that clap or we do not accept; also the answer to --help and --version.
+#[derive(Debug)]
+pub enum Refusal {
+    Clap(clap::Error),
+    Input(InputError),
+}
+
+impl From<clap::Error> for Refusal {
+    fn from(error: clap::Error) -> Self {
+        Self::Clap(error)
+    }
+}
+
+impl From<InputError> for Refusal {
+    fn from(error: InputError) -> Self {
+        Self::Input(error)
+    }
+}
+
+impl Refusal {
+    /// Prints help to stdout, errors to stderr.
+    pub fn print(self) -> ExitCode {
+        let error = match self {
+            Self::Clap(error) => error,
+            Self::Input(error) => return Failure::from(error).print(),
+        };
+        let text = error.render();
+        if error.use_stderr() {
+            let text = if io::stderr().is_terminal() { text.ansi().to_string() } else { text.to_string() };
+            say(text.trim_end());
+            return ExitCode::from(2);
+        }
+        let text = if io::stdout().is_terminal() { text.ansi().to_string() } else { text.to_string() };
+        match super::output::print(text.as_bytes()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => Failure::from(error).print(),
+        }
+    }
+}
+
+/// A line on stderr; a closed stderr is no reason to stop.
+pub fn say(message: &str) {
+    let _closed = writeln!(io::stderr(), "{message}");
+}

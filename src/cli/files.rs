@@ -1,0 +1,103 @@
+//! Files that appear whole and together, or not at all.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+use thiserror::Error;
+
+use super::interrupt::uninterrupted;
+
+/// Why files could not be written.
+#[derive(Debug, Error)]
+pub enum FilesError {
+    #[error("cannot create the directory {path}: {source}; choose another with --out", path = path.display())]
+    Directory { path: PathBuf, source: io::Error },
+    #[error("cannot write {path}: {source}; nothing was changed", path = path.display())]
+    Write { path: PathBuf, source: io::Error },
+    #[error("cannot write {path}: a directory of this name is in the way; nothing was changed", path = path.display())]
+    Occupied { path: PathBuf },
+    #[error("cannot replace {path}: {source}", path = path.display())]
+    Replace { path: PathBuf, source: io::Error },
+}
+
+/// Contents for files in one directory.
+#[derive(Debug)]
+pub struct FileSet {
+    directory: PathBuf,
+    files: Vec<(String, Vec<u8>)>,
+}
+
+impl FileSet {
+    /// Nothing yet, for this directory.
+    pub fn new(directory: &Path) -> Self {
+        Self { directory: directory.to_owned(), files: Vec::new() }
+    }
+
+    /// Adds a file; nothing is written yet.
+    pub fn add(&mut self, name: impl Into<String>, contents: impl Into<Vec<u8>>) {
+        self.files.push((name.into(), contents.into()));
+    }
+
+    /// Writes every file under a temporary name in the directory and, when all are whole and on the disk, renames
+    /// them. If one cannot be written, none is, and directories made on the way are taken away again.
+    pub fn write(self) -> Result<Vec<PathBuf>, FilesError> {
+        let _guard = uninterrupted();
+        let created = create_directories(&self.directory)?;
+        self.write_into_directory().inspect_err(|_failure| {
+            for directory in &created {
+                // Fails where something else has been put there, which must stay.
+                let _not_empty = fs::remove_dir(directory);
+            }
+        })
+    }
+
+    fn write_into_directory(self) -> Result<Vec<PathBuf>, FilesError> {
+        let mut whole = Vec::with_capacity(self.files.len());
+        for (name, contents) in &self.files {
+            let path = self.directory.join(name);
+            if path.is_dir() {
+                return Err(FilesError::Occupied { path });
+            }
+            match write_temporary(&self.directory, contents) {
+                Ok(file) => whole.push((file, path)),
+                Err(source) => return Err(FilesError::Write { path, source }),
+            }
+        }
+        let mut written = Vec::with_capacity(whole.len());
+        for (file, path) in whole {
+            file.persist(&path).map_err(|error| FilesError::Replace { path: path.clone(), source: error.error })?;
+            written.push(path);
+        }
+        Ok(written)
+    }
+}
+
+/// A whole file under a temporary name, which vanishes unless it is persisted.
+fn write_temporary(directory: &Path, contents: &[u8]) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".bifdiag-");
+    #[cfg(unix)]
+    {
+        // As for any new file, the umask decides; the default of temporary files would hide it from others.
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(directory)?;
+    file.write_all(contents)?;
+    // A full disk may show only now.
+    file.as_file().sync_all()?;
+    Ok(file)
+}
+
+/// Makes the directory; returns those that were not there before, innermost first.
+fn create_directories(directory: &Path) -> Result<Vec<PathBuf>, FilesError> {
+    let missing: Vec<PathBuf> = directory
+        .ancestors()
+        .take_while(|path| !path.as_os_str().is_empty() && !path.exists())
+        .map(Path::to_owned)
+        .collect();
+    fs::create_dir_all(directory).map_err(|source| FilesError::Directory { path: directory.to_owned(), source })?;
+    Ok(missing)
+}

@@ -1,0 +1,58 @@
+//! The command line: options, one module for each command, and what they share to print, write files and stop.
+//!
+//! Only this part of the crate prints, writes files or chooses an exit status.
+
+mod arguments;
+mod atlas;
+mod batch;
+mod bodies;
+mod classify;
+mod critical;
+mod failure;
+mod figures;
+mod files;
+mod interrupt;
+mod layout;
+mod log;
+mod output;
+mod pages;
+mod report;
+mod schema;
+mod subject;
+mod table;
+mod timings;
+mod values;
+
+use arguments::Command;
+pub use arguments::Options;
+use failure::Failure;
+use timings::Timings;
+
+/// Sets up logging, the answer to interrupts and the number of threads.
+pub fn start(options: &Options) -> Result<(), Failure> {
+    log::start(&options.common);
+    interrupt::install()?;
+    if let Some(threads) = options.common.threads {
+        rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global()?;
+    }
+    Ok(())
+}
+
+/// Runs the command that was asked for.
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let timings = Timings::new(options.common.timings);
+    let quiet = options.common.quiet;
+    let done = match &options.command {
+        None => atlas::run(&options.atlas, &timings),
+        Some(Command::Atlas(arguments)) => atlas::run(arguments, &timings),
+        Some(Command::Classify(arguments)) => classify::run(arguments, &timings, quiet),
+        Some(Command::Critical(arguments)) => critical::run(arguments, &timings, quiet),
+        Some(Command::Bodies(arguments)) => bodies::run(arguments),
+        Some(Command::Schema(arguments)) => schema::run(arguments),
+        Some(Command::Completions(arguments)) => pages::completions(arguments),
+        Some(Command::Man(arguments)) => pages::man(arguments),
+        Some(Command::Figures(arguments)) => figures::run(arguments, &timings),
+    };
+    timings.total();
+    done
+}

@@ -1,0 +1,53 @@
+//! `bifdiag schema`: the JSON Schemas of the documents.
+
+use bifdiag::document::{AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument};
+use clap::ValueEnum;
+use schemars::{Schema, schema_for};
+
+use super::arguments::SchemaArguments;
+use super::failure::Failure;
+use super::table::Table;
+use super::{layout, output};
+
+/// The documents that have a schema.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Name {
+    /// atlas.json, the answer of `bifdiag atlas --json`
+    Atlas,
+    /// The answer of `bifdiag classify --json`, and a line of its batch
+    Classify,
+    /// The answer of `bifdiag critical --json`, and a line of its batch
+    Critical,
+    /// The answer of `bifdiag bodies --json`
+    Bodies,
+    /// What stands for a wrong line of a batch
+    BatchError,
+}
+
+impl Name {
+    fn schema(self) -> Schema {
+        match self {
+            Self::Atlas => schema_for!(AtlasDocument),
+            Self::Classify => schema_for!(ClassificationDocument),
+            Self::Critical => schema_for!(CriticalDocument),
+            Self::Bodies => schema_for!(BodiesDocument),
+            Self::BatchError => schema_for!(BatchErrorDocument),
+        }
+    }
+}
+
+pub fn run(arguments: &SchemaArguments) -> Result<(), Failure> {
+    if let Some(name) = arguments.name {
+        return Ok(output::print(layout::text(&name.schema())?.as_bytes())?);
+    }
+    let mut table = Table::new(&["name", "describes"]);
+    let mut all = serde_json::Map::new();
+    for name in Name::value_variants() {
+        let Some(value) = name.to_possible_value() else { continue };
+        let description = value.get_help().map(ToString::to_string).unwrap_or_default();
+        table.row([value.get_name().to_owned(), description]);
+        all.insert(value.get_name().to_owned(), name.schema().to_value());
+    }
+    let text = if arguments.json { layout::text(&all)? } else { table.text() };
+    Ok(output::print(text.as_bytes())?)
+}

@@ -1,0 +1,111 @@
+//! Text tables and numbers for people.
+
+/// Rows of cells under a heading, columns as wide as needed; a cell may hold several lines.
+#[derive(Debug)]
+pub struct Table {
+    heading: Vec<&'static str>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// An empty table.
+    pub fn new(heading: &[&'static str]) -> Self {
+        Self { heading: heading.to_vec(), rows: Vec::new() }
+    }
+
+    /// Adds a row.
+    pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+        self.rows.push(cells.into_iter().collect());
+    }
+
+    /// The width of the widest line.
+    pub fn width(&self) -> usize {
+        self.widths().iter().map(|width| width + 2).sum::<usize>().saturating_sub(2)
+    }
+
+    fn widths(&self) -> Vec<usize> {
+        let mut widths: Vec<usize> = self.heading.iter().map(|name| name.chars().count()).collect();
+        for row in &self.rows {
+            for (width, cell) in widths.iter_mut().zip(row) {
+                let widest = cell.lines().map(|line| line.chars().count()).max().unwrap_or_default();
+                *width = (*width).max(widest);
+            }
+        }
+        widths
+    }
+
+    /// The table as text.
+    pub fn text(&self) -> String {
+        let widths = self.widths();
+        let mut out = line(&self.heading, &widths);
+        for row in &self.rows {
+            let height = row.iter().map(|cell| cell.lines().count()).max().unwrap_or_default();
+            for i in 0..height {
+                let cells: Vec<&str> = row.iter().map(|cell| cell.lines().nth(i).unwrap_or_default()).collect();
+                out.push_str(&line(&cells, &widths));
+            }
+        }
+        out
+    }
+}
+
+fn line(cells: &[&str], widths: &[usize]) -> String {
+    let mut out = String::new();
+    for (cell, width) in cells.iter().zip(widths) {
+        if !out.is_empty() {
+            out.push_str("  ");
+        }
+        out.push_str(cell);
+        out.extend(std::iter::repeat_n(' ', width.saturating_sub(cell.chars().count())));
+    }
+    let trimmed = out.trim_end().len();
+    out.truncate(trimmed);
+    out.push('\n');
+    out
+}
+
+/// A number with so many significant digits, in the shorter of the plain and the exponent form.
+pub fn significant(x: f64, digits: usize) -> String {
+    if !x.is_finite() || x == 0.0 {
+        return if x == 0.0 { "0".to_owned() } else { x.to_string() };
+    }
+    let scientific = format!("{:.*e}", digits.saturating_sub(1), x);
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or_default();
+    let places = i32::try_from(digits).unwrap_or(i32::MAX) - 1 - exponent;
+    if (-4..=6).contains(&exponent) {
+        let plain = format!("{:.*}", usize::try_from(places).unwrap_or_default(), x);
+        return trim_zeros(&plain);
+    }
+    format!("{}e{exponent}", trim_zeros(mantissa))
+}
+
+fn trim_zeros(text: &str) -> String {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_their_significant_digits() {
+        assert_eq!(significant(3.148_612, 5), "3.1486");
+        assert_eq!(significant(-0.000_123_456, 3), "-0.000123");
+        assert_eq!(significant(1.5e-9, 5), "1.5e-9");
+        assert_eq!(significant(123_456.7, 3), "123457");
+        assert_eq!(significant(1e8, 4), "1e8");
+        assert_eq!(significant(9.9999, 3), "10");
+        assert_eq!(significant(0.0, 5), "0");
+        assert_eq!(significant(f64::INFINITY, 5), "inf");
+    }
+
+    #[test]
+    fn columns_are_as_wide_as_needed_and_cells_may_have_lines() {
+        let mut table = Table::new(&["id", "U"]);
+        table.row(["R1".to_owned(), "D2\nS2-2D2".to_owned()]);
+        table.row(["R10".to_owned(), "S2".to_owned()]);
+        assert_eq!(table.text(), "id   U\nR1   D2\n     S2-2D2\nR10  S2\n");
+        assert_eq!(table.width(), 11);
+    }
+}

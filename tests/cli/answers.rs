@@ -1,0 +1,133 @@
+//! What the terminal shows, and how the body may be given.
+
+use serde_json::json;
+
+use crate::builder::bifdiag;
+
+#[test]
+fn numbers_are_read_exactly_and_echoed_as_given() {
+    let done = bifdiag("classify --A 2,11/10,1e0 --r=-1e-3,0,+1/3 --h -1e-3 --l -13/4 --json").succeeds();
+    let document = done.json();
+    assert_eq!(document["A"], json!(["2", "11/10", "1e0"]));
+    assert_eq!(document["r"], json!(["-1e-3", "0", "+1/3"]));
+    assert_eq!((&document["h"], &document["l"]), (&json!("-1e-3"), &json!("-13/4")));
+}
+
+#[test]
+fn values_that_start_with_a_hyphen_need_no_equals_sign() {
+    bifdiag("critical --A 2,1,1 --r -1,-2,-3 --l -1").succeeds().printing("r = (-1, -2, -3)").printing("l = -1");
+}
+
+#[test]
+fn the_body_is_shown_above_the_tables() {
+    bifdiag("classify --body paper --h 3.8 --l 3.25").succeeds().printing("A = (2, 1.1, 1)").printing("h = 3.8");
+    bifdiag("critical --body paper --l 3.25").succeeds().printing("gamma").printing("stability").printing("l = 3.25");
+}
+
+#[test]
+fn a_diagonal_part_is_the_same_as_its_principal_body() {
+    let part = "--inertia 0.3,0.1,0.25,0,0,0 --com 0.05,0,-1/8 --mass 2 --g 9.81";
+    let given = bifdiag(&format!("classify {part} --h 1 --l 0.2 --json")).succeeds().json();
+    assert_eq!(given["A"], json!(["0.3", "0.1", "0.25"]));
+    assert_eq!(given["r"], json!(["0.981", "0", "-2.4525"]));
+    let inertia = &given["inertia"];
+    assert_eq!(inertia["rotation"], json!([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]));
+    assert_eq!((&inertia["exact"], &inertia["residual"]), (&json!(true), &json!(0.0)));
+    assert_eq!(inertia["com"], json!(["0.05", "0", "-1/8"]));
+    assert_eq!((&inertia["units"]["h"], &inertia["units"]["l"]), (&json!("J"), &json!("kg m^2/s")));
+    let principal = bifdiag("classify --A 0.3,0.1,0.25 --r 0.981,0,-2.4525 --h 1 --l 0.2 --json").succeeds().json();
+    for key in ["status", "components", "margin", "signature"] {
+        assert_eq!(given[key], principal[key], "{key}");
+    }
+}
+
+#[test]
+fn a_part_tells_its_axes_and_units() {
+    let part = "--inertia 0.30,0.21,0.17,0.01,0,-0.02 --com 0,0.02,0.15 --mass 2.5 --g 9.80665";
+    bifdiag(&format!("critical {part} --l 1")).succeeds().printing("r in N m").printing("principal axes");
+    let atlas = bifdiag(&format!("{part} --json")).succeeds().json();
+    assert_eq!(atlas["body"]["inertia"]["exact"], false);
+    assert!(atlas["body"]["inertia"]["residual"].as_f64().unwrap() < 1e-15);
+}
+
+#[test]
+fn strange_bodies_are_accepted_with_a_warning() {
+    let warning = "warning: A violates the triangle inequality";
+    bifdiag("critical --A 9,1,1 --r 1,0,0 --l 1").succeeds().telling(warning);
+    bifdiag("critical --A 9,1,1 --r 1,0,0 --l 1 -q").succeeds().telling_nothing();
+    bifdiag("critical --A 0.3,0.1,0.2 --r 1,0,0 --l 1").succeeds().telling_nothing();
+    let central = "--inertia 0.4,0.4,0.4,0,0,0 --com 0,0,1 --mass 1 --g 9.81";
+    bifdiag(&format!("critical {central} --l 1")).succeeds().telling("about the fixed point");
+    let flags = bifdiag("--A 9,1,1 --r 1,0,0 --json -q").succeeds().json();
+    assert_eq!(flags["body"]["unphysical"], true);
+}
+
+#[test]
+fn a_turned_plate_is_a_plate_although_its_moments_are_rounded() {
+    let part = "--inertia 0.164,0.136,0.3,0.048,0,0 --com 0.1,0,0 --mass 1e-3 --g 9.81";
+    let body = bifdiag(&format!("{part} --json")).succeeds().telling_nothing().json()["body"].clone();
+    assert_eq!((&body["plate"], &body["unphysical"]), (&json!(true), &json!(false)));
+}
+
+#[test]
+fn timings_go_to_stderr_and_change_nothing() {
+    let plain = bifdiag("--body paper --json").succeeds().telling_nothing().stdout();
+    let timed = bifdiag("--body paper --json --timings -v").succeeds().telling("timing: total").telling("info: ");
+    assert_eq!(timed.stdout(), plain);
+    bifdiag("--timings classify --body paper --h 1 --l 1").succeeds().telling("timing: classify");
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    for line in
+        ["--body paper --json", "critical --body ten --l 1.45 --json", "classify --body plate --h 1 --l 1 --json"]
+    {
+        assert_eq!(bifdiag(line).succeeds().stdout(), bifdiag(line).succeeds().stdout());
+    }
+}
+
+#[test]
+fn a_window_is_echoed() {
+    let atlas = bifdiag("--body paper --json --window -1:6,0:7/2").succeeds().json();
+    assert_eq!(atlas["window"], json!({"h": [-1.0, 6.0], "l": [0.0, 3.5]}));
+}
+
+/// Two of the paper's nine regions, as the contract prints them.
+#[test]
+fn a_point_of_the_paper_is_classified() {
+    let document = bifdiag("classify --body paper --h 3.8 --l 3.25 --json").succeeds().telling_nothing().json();
+    assert_eq!((&document["status"], &document["signature"]), (&json!("regular"), &json!("S2+T2")));
+    let expected = |section: &str, genus: u32, poles: &[&str]| {
+        json!({"boundary_circles": 1, "poles": poles, "accessible_region": "D2", "energy_surface": "S3",
+               "section": section, "genus": genus})
+    };
+    assert_eq!(document["components"], json!([expected("S2", 0, &[]), expected("T2", 1, &["+"])]));
+    // The nearest curve is the second minimum at 3.484722441 (to 1e-9).
+    assert!((document["margin"]["h"].as_f64().unwrap() - 0.315_277_559).abs() < 1e-9);
+    bifdiag("classify --body paper --h 3.8 --l -3.25").succeeds().printing("regular").printing("D2  S3  T2  1      +");
+    bifdiag("classify --body paper --h -5 --l 1").succeeds().printing("forbidden");
+    bifdiag("classify --body euler --h 9 --l 1").succeeds().printing("note: r = 0");
+}
+
+#[test]
+fn a_point_on_a_line_is_critical_or_undecided_with_its_candidates() {
+    // Kovalevskaya's top: γ = e1 is critical with h = l²/4 − 1, an exact equality.
+    let document = bifdiag("classify --body kovalevskaya --h=-3/4 --l 1 --json").succeeds().json();
+    assert!(["critical", "undecided"].contains(&document["status"].as_str().unwrap()));
+    assert!(document["candidates"].as_array().unwrap().len() >= 2);
+    assert!(document["components"].is_null());
+    bifdiag("classify --body kovalevskaya --h=-3/4 --l 1").succeeds().printing("(1)").printing("(2)");
+}
+
+#[test]
+fn a_momentum_beyond_f64_is_refused_or_an_error_in_place() {
+    bifdiag("classify --body paper --h 1 --l 1e140").refused().telling("--l: l = 1e140 is too large");
+    let answers = bifdiag("classify --body paper --batch -")
+        .reading("{\"h\":1,\"l\":\"1e-140\"}\n{\"h\":1,\"l\":1}\n")
+        .succeeds()
+        .telling("1 of 2 lines")
+        .json_lines();
+    assert!(answers[0]["error"].as_str().unwrap().contains("is too small"));
+    assert_eq!(answers[0]["line"], 1);
+    assert_eq!(answers[1]["h"], "1");
+}

@@ -1,0 +1,131 @@
+//! Output files: whole or not there.
+
+use std::fs;
+use std::path::Path;
+
+use tempfile::tempdir;
+
+use crate::builder::bifdiag;
+
+fn names(directory: &Path) -> Vec<String> {
+    let entries = fs::read_dir(directory).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn the_main_job_writes_an_atlas_and_a_diagram() {
+    let place = tempdir().unwrap();
+    let done = bifdiag("--A 2,1.1,1 --r 0.94868,0,0.61623").inside(place.path()).succeeds().telling_nothing();
+    done.printing("A = (2, 1.1, 1)").printing("written: bifdiag-out/atlas.json").printing("bifdiag-out/diagram.svg");
+    assert_eq!(names(&place.path().join("bifdiag-out")), ["atlas.json", "diagram.svg"]);
+}
+
+#[test]
+fn the_default_command_is_atlas() {
+    let place = tempdir().unwrap();
+    let long = bifdiag("atlas --body paper --no-plot --out a").inside(place.path()).succeeds().stdout();
+    let short = bifdiag("--body paper --no-plot --out a").inside(place.path()).succeeds().stdout();
+    assert_eq!(long, short);
+    assert_eq!(names(&place.path().join("a")), ["atlas.json"]);
+}
+
+#[test]
+fn json_goes_to_stdout_and_to_files_only_if_asked() {
+    let place = tempdir().unwrap();
+    let done = bifdiag("--body paper --json").inside(place.path()).succeeds();
+    assert_eq!(done.json()["schema_version"], "1");
+    assert!(names(place.path()).is_empty());
+    let both = bifdiag("--body paper --json --out x/y --format svg,png,pdf").inside(place.path()).succeeds();
+    assert_eq!(both.stdout(), done.stdout());
+    assert_eq!(fs::read_to_string(place.path().join("x/y/atlas.json")).unwrap(), done.stdout());
+    assert_eq!(names(&place.path().join("x/y")), ["atlas.json", "diagram.pdf", "diagram.png", "diagram.svg"]);
+}
+
+#[test]
+fn a_directory_that_cannot_be_made_is_named_with_the_reason() {
+    let place = tempdir().unwrap();
+    fs::write(place.path().join("file"), "mine").unwrap();
+    for out in ["file", "file/below", "file/far/below"] {
+        let done = bifdiag("--body paper --out").and(out).inside(place.path()).fails().printing_nothing();
+        done.telling(&format!("error: cannot create the directory {out}: ")).telling("--out").telling("os error");
+    }
+    assert_eq!(fs::read_to_string(place.path().join("file")).unwrap(), "mine");
+    assert_eq!(names(place.path()), ["file"]);
+}
+
+#[test]
+#[cfg(unix)]
+fn a_read_only_directory_is_named_with_the_reason() {
+    use std::os::unix::fs::PermissionsExt;
+    let place = tempdir().unwrap();
+    let locked = place.path().join("locked");
+    fs::create_dir(&locked).unwrap();
+    fs::set_permissions(&locked, fs::Permissions::from_mode(0o555)).unwrap();
+    let allowed_all_the_same = fs::write(locked.join("probe"), "").is_ok();
+    let run = bifdiag("--body paper --out").and(&locked);
+    if allowed_all_the_same {
+        // The superuser writes everywhere; then the run must succeed.
+        fs::remove_file(locked.join("probe")).unwrap();
+        run.succeeds();
+    } else {
+        run.fails().telling("cannot write").telling("atlas.json").telling("Permission denied");
+        assert!(names(&locked).is_empty());
+    }
+}
+
+#[test]
+fn a_directory_in_the_way_of_a_file_changes_nothing() {
+    let place = tempdir().unwrap();
+    let out = place.path().join("out");
+    fs::create_dir_all(out.join("diagram.svg")).unwrap();
+    fs::write(out.join("atlas.json"), "old").unwrap();
+    bifdiag("--body paper --out").and(&out).fails().telling("diagram.svg: a directory of this name is in the way");
+    assert_eq!(fs::read_to_string(out.join("atlas.json")).unwrap(), "old");
+    assert_eq!(names(&out), ["atlas.json", "diagram.svg"]);
+}
+
+/// The size of a file is limited as a full disk would limit it: the write stops in the middle.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_disk_that_fills_up_in_the_middle_leaves_the_old_files() {
+    use std::process::Command;
+
+    use crate::builder::PROGRAM;
+
+    let place = tempdir().unwrap();
+    let (old, new) = (place.path().join("old"), place.path().join("new/deep"));
+    fs::create_dir(&old).unwrap();
+    fs::write(old.join("atlas.json"), "old").unwrap();
+    for out in [&old, &new] {
+        let limited = format!("trap '' XFSZ; ulimit -f 1; exec '{PROGRAM}' --body paper --out '{}'", out.display());
+        let output = Command::new("sh").args(["-c", &limited]).output().unwrap();
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{stderr}");
+        assert!(stderr.contains("cannot write") && stderr.contains("File too large"), "{stderr}");
+        assert!(output.stdout.is_empty());
+    }
+    assert_eq!(names(&old), ["atlas.json"]);
+    assert_eq!(fs::read_to_string(old.join("atlas.json")).unwrap(), "old");
+    assert_eq!(names(place.path()), ["old"], "directories made on the way are taken away again");
+}
+
+#[test]
+#[cfg(unix)]
+fn files_can_be_read_by_whom_the_umask_lets() {
+    use std::os::unix::fs::PermissionsExt;
+    let place = tempdir().unwrap();
+    fs::write(place.path().join("ordinary"), "").unwrap();
+    bifdiag("--body paper --out").and(place.path()).succeeds();
+    let mode = |name: &str| fs::metadata(place.path().join(name)).unwrap().permissions().mode();
+    assert_eq!(mode("atlas.json"), mode("ordinary"));
+}
+
+#[test]
+fn figures_are_written_together() {
+    let place = tempdir().unwrap();
+    bifdiag("figures --out figures").inside(place.path()).succeeds().printing("figures/bifurcation-nine-regions.svg");
+    assert!(names(&place.path().join("figures")).len() >= 2);
+}

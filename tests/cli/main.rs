@@ -1,0 +1,11 @@
+//! The command line, run as a process: what is accepted, what is refused and how, and what is left behind.
+
+mod answers;
+mod batches;
+mod builder;
+mod files;
+mod pages;
+mod schemas;
+mod streams;
+mod wrong_batch_lines;
+mod wrong_command_lines;

@@ -1,0 +1,118 @@
+//! The documents are what their schemas say.
+
+use serde_json::Value;
+
+use crate::builder::bifdiag;
+
+/// Complaints of a small validator: types, required keys, enums, references and alternatives.
+fn complaints(root: &Value, schema: &Value, value: &Value, path: &str) -> Vec<String> {
+    if schema == &Value::Bool(true) {
+        return Vec::new();
+    }
+    if let Some(reference) = schema.get("$ref").and_then(Value::as_str) {
+        let target = root.pointer(reference.trim_start_matches('#')).unwrap_or_else(|| panic!("no {reference}"));
+        return complaints(root, target, value, path);
+    }
+    for key in ["anyOf", "oneOf"] {
+        if let Some(alternatives) = schema.get(key).and_then(Value::as_array)
+            && alternatives.iter().all(|one| !complaints(root, one, value, path).is_empty())
+        {
+            return vec![format!("{path}: {value} is none of {key}")];
+        }
+    }
+    let mut found = Vec::new();
+    let is = |name: &str| match name {
+        "null" => value.is_null(),
+        "boolean" => value.is_boolean(),
+        "integer" => value.is_i64() || value.is_u64(),
+        "number" => value.is_number(),
+        "string" => value.is_string(),
+        "array" => value.is_array(),
+        "object" => value.is_object(),
+        other => panic!("{path}: unknown type {other}"),
+    };
+    let right = match schema.get("type") {
+        None => true,
+        Some(Value::String(name)) => is(name),
+        Some(Value::Array(names)) => names.iter().filter_map(Value::as_str).any(is),
+        Some(other) => panic!("{path}: type {other}"),
+    };
+    if !right {
+        found.push(format!("{path}: {value} is not of type {}", schema["type"]));
+    }
+    if let Some(allowed) = schema.get("enum").and_then(Value::as_array)
+        && !allowed.contains(value)
+    {
+        found.push(format!("{path}: {value} is none of {allowed:?}"));
+    }
+    if schema.get("const").is_some_and(|constant| constant != value) {
+        found.push(format!("{path}: {value} is not {}", schema["const"]));
+    }
+    if let Some(object) = value.as_object() {
+        for key in schema.get("required").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str) {
+            if !object.contains_key(key) {
+                found.push(format!("{path}: {key} is missing"));
+            }
+        }
+        let known = schema.get("properties").and_then(Value::as_object);
+        for (key, item) in object {
+            let path = format!("{path}/{key}");
+            match known.and_then(|known| known.get(key)).or_else(|| schema.get("additionalProperties")) {
+                Some(schema) => found.extend(complaints(root, schema, item, &path)),
+                None if known.is_some() => found.push(format!("{path}: not in the schema")),
+                None => {}
+            }
+        }
+    }
+    if let (Some(items), Some(schema)) = (value.as_array(), schema.get("items")) {
+        for (i, item) in items.iter().enumerate() {
+            found.extend(complaints(root, schema, item, &format!("{path}/{i}")));
+        }
+    }
+    found
+}
+
+fn schema(name: &str) -> Value {
+    bifdiag(&format!("schema {name}")).succeeds().json()
+}
+
+fn assert_fits(name: &str, document: &Value) {
+    let schema = schema(name);
+    assert_eq!(complaints(&schema, &schema, document, ""), Vec::<String>::new());
+}
+
+const PART: &str = "--inertia 0.30,0.21,0.17,0.01,0,-0.02 --com 0,0.02,0.15 --mass 2.5 --g 9.80665";
+
+#[test]
+fn documents_fit_their_schemas() {
+    for body in ["--body paper", "--body euler", "--body lagrange", "--body ten", PART] {
+        assert_fits("atlas", &bifdiag(&format!("{body} --json")).succeeds().json());
+        assert_fits("classify", &bifdiag(&format!("classify {body} --h 1.5 --l 0.5 --json")).succeeds().json());
+        assert_fits("critical", &bifdiag(&format!("critical {body} --l 1.5 --json")).succeeds().json());
+    }
+    assert_fits("atlas", &bifdiag("--body paper --json --window 0:6,0:4").succeeds().json());
+    assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
+    assert_fits("batch-error", &bifdiag("classify --batch -").reading("x").succeeds().json());
+}
+
+#[test]
+fn the_validator_sees_what_is_wrong() {
+    let schema = schema("classify");
+    let mut document = bifdiag("classify --body paper --h 1.5 --l 0.5 --json").succeeds().json();
+    document["status"] = "maybe".into();
+    assert!(!complaints(&schema, &schema, &document, "").is_empty());
+    document["status"] = "regular".into();
+    document["margin"]["h"] = "wide".into();
+    assert!(!complaints(&schema, &schema, &document, "").is_empty());
+    let empty = serde_json::json!({});
+    assert!(complaints(&schema, &schema, &empty, "").len() >= 8);
+}
+
+#[test]
+fn all_schemas_come_in_one_object() {
+    let all = bifdiag("schema --json").succeeds().json();
+    for name in ["atlas", "classify", "critical", "bodies", "batch-error"] {
+        assert_eq!(all[name], schema(name));
+        bifdiag("schema").succeeds().printing(&format!("\n{name} "));
+    }
+}

@@ -1,0 +1,124 @@
+//! Standard output and signals: full disks, readers that go, interrupts.
+#![cfg(unix)]
+
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::Duration;
+
+use crate::builder::PROGRAM;
+
+fn spawn(arguments: &[&str]) -> Child {
+    Command::new(PROGRAM)
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+fn signal(child: &Child, name: &str) {
+    let status = Command::new("kill").args([name, &child.id().to_string()]).status().unwrap();
+    assert!(status.success());
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_behind_stdout_is_told() {
+    for arguments in [&["--help"][..], &["bodies"], &["--body", "paper", "--json"], &["schema", "atlas"]] {
+        let full = File::options().write(true).open("/dev/full").unwrap();
+        let output = Command::new(PROGRAM).args(arguments).stdout(full).output().unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert!(stderr(&output).contains("cannot write to standard output: No space left on device"), "{output:?}");
+    }
+}
+
+#[test]
+fn a_reader_that_has_gone_ends_the_run_quietly() {
+    for arguments in [&["--help"][..], &["bodies"], &["--body", "paper", "--json"], &["man"]] {
+        let mut child = spawn(arguments);
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!((output.status.code(), stderr(&output)), (Some(0), String::new()), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_reader_that_takes_one_line_of_a_batch_ends_it_quietly() {
+    let mut child = spawn(&["classify", "--body", "paper", "--batch", "-"]);
+    let mut stdin = child.stdin.take().unwrap();
+    // Ends with a broken pipe of its own when the program has gone.
+    let writer = std::thread::spawn(move || while stdin.write_all(b"{\"h\":1,\"l\":1}\n").is_ok() {});
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    assert!(line.ends_with("}\n"));
+    let output = child.wait_with_output().unwrap();
+    writer.join().unwrap();
+    assert_eq!((output.status.code(), stderr(&output)), (Some(0), String::new()));
+}
+
+#[test]
+fn a_closed_stderr_is_no_reason_to_fail() {
+    let mut child = spawn(&["critical", "--A", "9,1,1", "--r", "1,0,0", "--l", "1", "--timings", "-vv"]);
+    drop(child.stderr.take());
+    assert_eq!(child.wait_with_output().unwrap().status.code(), Some(0));
+}
+
+#[test]
+fn interrupts_end_a_batch_between_lines() {
+    for name in ["-INT", "-TERM", "-HUP"] {
+        let mut child = spawn(&["classify", "--body", "paper", "--batch", "-"]);
+        let mut stdin = child.stdin.take().unwrap();
+        let mut stdout = BufReader::new(child.stdout.take().unwrap());
+        stdin.write_all(b"{\"h\":1,\"l\":1}\n{\"h\":2,\"l\":1}\n{\"h\"").unwrap();
+        let mut answers = String::new();
+        stdout.read_line(&mut answers).unwrap();
+        stdout.read_line(&mut answers).unwrap();
+        signal(&child, name);
+        stdout.read_to_string(&mut answers).unwrap();
+        let output = child.wait_with_output().unwrap();
+        drop(stdin);
+        assert_eq!(output.status.code(), Some(1), "{name}");
+        assert!(stderr(&output).contains("interrupted"), "{name}: {}", stderr(&output));
+        assert_eq!(answers.lines().count(), 2);
+        assert!(answers.ends_with("}\n"));
+    }
+}
+
+/// Names in a directory, sorted; `None` if it is not there.
+fn names(directory: &Path) -> Option<Vec<String>> {
+    let entries = fs::read_dir(directory).ok()?;
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    Some(names)
+}
+
+#[test]
+fn an_interrupted_run_leaves_all_files_or_none() {
+    let place = tempfile::tempdir().unwrap();
+    for i in 0..24 {
+        let out = place.path().join(i.to_string());
+        let path = out.to_string_lossy().into_owned();
+        let child = spawn(&["--body", "paper", "--format", "svg,png", "--out", &path]);
+        std::thread::sleep(Duration::from_micros(500 * i));
+        // Fails if the run is over already, which is the last of the moments to be tried.
+        let _over = Command::new("kill").args(["-TERM", &child.id().to_string()]).stderr(Stdio::null()).status();
+        let finished = child.wait_with_output().unwrap().status.success();
+        match names(&out) {
+            None => assert!(!finished),
+            Some(names) => {
+                assert_eq!(names, ["atlas.json", "diagram.png", "diagram.svg"]);
+                let atlas = fs::read(out.join("atlas.json")).unwrap();
+                assert!(serde_json::from_slice::<serde_json::Value>(&atlas).is_ok());
+                assert!(fs::read_to_string(out.join("diagram.svg")).unwrap().trim_end().ends_with("</svg>"));
+            }
+        }
+    }
+}
