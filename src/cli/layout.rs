@@ -120,6 +120,7 @@ fn inline(out: &mut String, value: &Value, room: usize) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
     use serde_json::json;
 
     use super::*;
@@ -138,5 +139,31 @@ mod tests {
         assert_eq!(serde_json::from_str::<Value>(&laid_out).unwrap(), value);
         assert!(laid_out.lines().filter(|line| line.contains("e-")).all(|line| line.len() <= WIDTH + 2));
         assert!(laid_out.lines().count() < 120);
+    }
+
+    fn documents() -> impl Strategy<Value = Value> {
+        let scalar = prop_oneof![
+            Just(Value::Null),
+            any::<bool>().prop_map(Value::from),
+            any::<i64>().prop_map(Value::from),
+            prop::num::f64::NORMAL.prop_map(Value::from),
+            ".{0,60}".prop_map(Value::from),
+        ];
+        scalar.prop_recursive(4, 200, 12, |inner| {
+            prop_oneof![
+                prop::collection::vec(inner.clone(), 0..12).prop_map(Value::from),
+                prop::collection::btree_map(".{0,20}", inner, 0..8)
+                    .prop_map(|map| Value::Object(map.into_iter().collect())),
+            ]
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn the_layout_changes_no_value(document in documents()) {
+            let text = text(&document).unwrap();
+            prop_assert_eq!(serde_json::from_str::<Value>(&text).unwrap(), document);
+            prop_assert!(text.ends_with('\n'));
+        }
     }
 }

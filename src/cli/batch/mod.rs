@@ -44,16 +44,20 @@ pub fn run<E: Display>(
             break;
         }
         let parsed: Vec<_> = chunk.par_iter().map(|line| Query::parse(line, wanted, subject)).collect();
-        let queries: Vec<Query> = parsed.iter().filter_map(|query| query.as_ref().ok()).cloned().collect();
+        let mut queries = Vec::with_capacity(chunk.len());
+        let mut refused = Vec::with_capacity(chunk.len());
+        for query in parsed {
+            refused.push(query.map(|query| queries.push(query)).err());
+        }
         unphysical += queries.iter().filter(|query| query.unphysical).count();
         let mut answers = answer(&queries).into_iter();
         let mut out = Vec::new();
-        for (line, query) in chunk.iter().zip(parsed) {
+        for (line, refused) in chunk.iter().zip(refused) {
             lines += 1;
             progress.read(line.len());
-            let answered = match query {
-                Ok(_) => answers.next().transpose().map(Option::unwrap_or_default).map_err(|error| error.to_string()),
-                Err(error) => Err(error.to_string()),
+            let answered = match refused {
+                None => answers.next().transpose().map(Option::unwrap_or_default).map_err(|error| error.to_string()),
+                Some(error) => Err(error.to_string()),
             };
             match answered {
                 Ok(text) => out.extend_from_slice(text.as_bytes()),

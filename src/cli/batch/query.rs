@@ -26,7 +26,7 @@ pub struct Query {
     /// There if [`Wanted::Point`].
     pub h: Option<Number>,
     pub l: Number,
-    /// The body violates the triangle inequality.
+    /// The line's own body violates the triangle inequality; of the command line's the user has been told.
     pub unphysical: bool,
 }
 
@@ -89,11 +89,13 @@ impl Query {
             return Err(QueryError::NotAnObject);
         }
         let raw: RawQuery = serde_json::from_str(text).map_err(|error| json_error(&error))?;
-        let (body, inertia) = match (raw.moments, raw.center, subject) {
-            (None, None, Some(subject)) => (subject.body.clone(), subject.inertia.clone()),
+        let (body, inertia, unphysical) = match (raw.moments, raw.center, subject) {
+            (None, None, Some(subject)) => (subject.body.clone(), subject.inertia.clone(), false),
             (moments, center, _) => {
                 let moments = list(MOMENTS, moments)?;
-                (Body::parse(&moments, &list(CENTER, center)?)?, None)
+                let body = Body::parse(&moments, &list(CENTER, center)?)?;
+                let unphysical = body.flags().unphysical;
+                (body, None, unphysical)
             }
         };
         let h = match wanted {
@@ -101,7 +103,6 @@ impl Query {
             Wanted::Momentum => None,
         };
         let l = number(MOMENTUM, raw.l)?;
-        let unphysical = inertia.as_ref().map_or_else(|| body.flags().unphysical, |inertia| inertia.unphysical);
         Ok(Self { body, inertia, h, l, unphysical })
     }
 }
@@ -148,6 +149,8 @@ fn shortened(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     fn parse(line: &str) -> Result<Query, QueryError> {
@@ -180,5 +183,36 @@ mod tests {
         let half = br#"{"A": [1, 1, 1], "l": 1}"#;
         let error = Query::parse(half, Wanted::Momentum, Some(&subject)).unwrap_err();
         assert!(matches!(error, QueryError::Missing { key: "r", .. }));
+    }
+
+    proptest! {
+        /// Whatever a line holds, it is read or refused with a message; none of it stops the program.
+        #[test]
+        fn any_bytes_are_read_or_refused(line in prop::collection::vec(any::<u8>(), 0..200)) {
+            if let Err(error) = Query::parse(&line, Wanted::Point, None) {
+                prop_assert!(!error.to_string().is_empty());
+            }
+        }
+
+        #[test]
+        fn any_values_in_place_of_numbers_are_read_or_refused(
+            a in r#"[-+0-9.eE/"\[\]{}nulxtr\\]{0,12}"#,
+            h in r#"[-+0-9.eE/"\[\]{}nulxtr\\]{0,12}"#,
+        ) {
+            let line = format!(r#"{{"A":[{a},1,1],"r":[1,0,0],"h":{h},"l":"{h}"}}"#);
+            match parse(&line) {
+                Ok(query) => prop_assert!(query.body.moments_f64().iter().all(|a| *a > 0.0)),
+                Err(error) => prop_assert!(!error.to_string().is_empty()),
+            }
+        }
+
+        /// A decimal of any length keeps its text and its value.
+        #[test]
+        fn long_decimals_are_not_rounded(digits in "[1-9][0-9]{20,60}") {
+            let query = parse(&format!(r#"{{"A":[1.{digits},1,1],"r":[1,0,0],"h":0.{digits},"l":1}}"#)).unwrap();
+            let exact: Number = format!("{digits}/1{}", "0".repeat(digits.len())).parse().unwrap();
+            prop_assert_eq!(query.h, Some(exact));
+            prop_assert_eq!(query.body.moments()[0].text(), format!("1.{digits}"));
+        }
     }
 }
