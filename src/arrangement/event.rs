@@ -69,7 +69,9 @@ pub(super) fn collect(set: &CriticalSet, pairs: &[(usize, usize, PairOrder)]) ->
         events.push(Event { change, x: point.x, x_error, h: point.h(), h_error });
     }
     for (number, pitchfork) in set.pitchforks.iter().enumerate() {
-        let (through, pair) = (pitchfork.through, pitchfork.pair);
+        // A pitchfork without a pair does not occur; it would be a change of name only.
+        let Some(pair) = pitchfork.pair else { continue };
+        let through = pitchfork.through;
         let opens = set.curves[pair].ends[0] == End::Pitchfork(number);
         let change = if opens { Change::Open { through, pair } } else { Change::Close { through, pair } };
         let point = &pitchfork.point;

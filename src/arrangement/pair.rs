@@ -127,7 +127,7 @@ impl PairOrder {
     /// Sign of h_a − h_b after `passed` crossings.
     #[must_use]
     pub fn sign_after(&self, passed: usize) -> i8 {
-        if passed % 2 == 0 { self.initial } else { -self.initial }
+        if passed.is_multiple_of(2) { self.initial } else { -self.initial }
     }
 }
 
@@ -163,20 +163,9 @@ fn structural_sign(a: &Curve, b: &Curve) -> Option<i8> {
 impl ArcPair<'_> {
     fn run(&mut self, range: [f64; 2]) {
         let (left, right) = (self.node(range[0]), self.node(range[1]));
-        let before = self.order.crossings.len();
-        self.isolate(left, right, 0);
-        let crossed = self.order.crossings.len() - before;
-        // The sign at the left end; where that is a joint or uncertain, from the right end and the crossings between.
-        self.order.initial = match (left.gap.sign(), right.gap.sign()) {
-            (Some(sign), _) if sign != 0 => sign,
-            (_, Some(sign)) if sign != 0 => {
-                if crossed % 2 == 0 {
-                    sign
-                } else {
-                    -sign
-                }
-            }
-            _ => self.sign_between(range),
+        self.order.initial = match self.isolate(left, right, 0) {
+            Some(sign) => sign,
+            None => self.sign_between(range),
         };
     }
 
@@ -295,7 +284,7 @@ impl ArcPair<'_> {
             return Some(sign);
         }
         let exhausted = right.x.is_finite() && right.x - left.x <= 64.0 * UNIT_ROUNDOFF * right.x;
-        if exhausted || depth > 120 || self.budget == 0 || self.is_noise(&left, &right) {
+        if exhausted || depth > 120 || self.budget == 0 || is_noise(&left, &right) {
             self.order.unresolved.push([left.x, right.x]);
             return left.gap.sign().filter(|sign| *sign != 0);
         }
@@ -381,16 +370,6 @@ impl ArcPair<'_> {
         matches!((p, q), (Some(p), Some(q)) if (p - q).sign().is_some_and(|sign| sign != 0))
     }
 
-    /// True when the whole gap between two nodes is below the rounding error.
-    fn is_noise(&self, left: &Node, right: &Node) -> bool {
-        let (GapAt::Value(p), GapAt::Value(q)) = (left.gap, right.gap) else { return false };
-        if p.sign().is_some() || q.sign().is_some() {
-            return false;
-        }
-        let spread = (left.slope[0] - left.slope[1]).abs().max((right.slope[0] - right.slope[1]).abs());
-        spread * (right.x - left.x) <= 4.0 * (p.error + q.error)
-    }
-
     /// The crossing between two nodes where the gap is monotone and changes sign.
     fn locate(&mut self, left: Node, right: Node) {
         let rising = right.gap.sign().unwrap_or(1) > 0;
@@ -442,4 +421,14 @@ fn between(left: f64, right: f64, t: f64) -> f64 {
     } else {
         left + t * (right - left)
     }
+}
+
+/// True when the whole gap between two nodes is below the rounding error.
+fn is_noise(left: &Node, right: &Node) -> bool {
+    let (GapAt::Value(p), GapAt::Value(q)) = (left.gap, right.gap) else { return false };
+    if p.sign().is_some() || q.sign().is_some() {
+        return false;
+    }
+    let spread = (left.slope[0] - left.slope[1]).abs().max((right.slope[0] - right.slope[1]).abs());
+    spread * (right.x - left.x) <= 4.0 * (p.error + q.error)
 }

@@ -2,7 +2,7 @@
 
 use super::whole_sphere;
 use crate::arrangement::Arrangement;
-use crate::equilibria::{CriticalSet, Orbit, Point, Pole};
+use crate::equilibria::{CriticalSet, Gap, Orbit, Point, Pole};
 use crate::topology::merge::{self, CriticalPoint, Extent, MergeError};
 use crate::topology::{Component, Poles};
 
@@ -82,6 +82,8 @@ fn rows(arrangement: &Arrangement, slab: usize) -> Vec<Row> {
 }
 
 fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize)>) -> Region {
+    // Should rounding hide a join at the best place, the next ones may still show it.
+    const ATTEMPTS: usize = 4;
     let mut candidates: Vec<Candidate> = cells
         .iter()
         .flat_map(|&(slab, position)| rows[slab].iter().map(move |row| (slab, position, row)))
@@ -89,8 +91,6 @@ fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize
         .collect();
     candidates.sort_by(|p, q| q.quality.total_cmp(&p.quality));
     let best = candidates[0];
-    // Should rounding hide a join at the best place, the next ones may still show it.
-    const ATTEMPTS: usize = 4;
     let mut components = Err(MergeError::LostPath);
     for candidate in candidates.iter().take(ATTEMPTS) {
         components = topology(arrangement, candidate);
@@ -105,23 +105,13 @@ fn candidate(arrangement: &Arrangement, slab: usize, position: usize, row: &Row)
     let order = &arrangement.slabs[slab].order;
     let lower = &row.points[position];
     let scale = row.x / lower.j + arrangement.set.frame.r_norm;
-    let sample = match row.points.get(position + 1) {
-        Some(upper) => {
-            let gap = crate::equilibria::Gap::between(&arrangement.set.frame, upper, lower);
-            let margin = 0.5 * gap.value;
-            Sample {
-                x: row.x,
-                h: lower.h() + margin,
-                margin,
-                error: gap.error + upper.h_error(),
-                nearest: order[position],
-            }
-        }
-        None => {
-            let margin = scale.min(lower.h().abs() + arrangement.set.frame.r_norm).max(0.5 * scale);
-            Sample { x: row.x, h: lower.h() + margin, margin, error: lower.h_error(), nearest: order[position] }
-        }
+    let (margin, error) = if let Some(upper) = row.points.get(position + 1) {
+        let gap = Gap::between(&arrangement.set.frame, upper, lower);
+        (0.5 * gap.value, gap.error + upper.h_error())
+    } else {
+        (scale.min(lower.h().abs() + arrangement.set.frame.r_norm).max(0.5 * scale), lower.h_error())
     };
+    let sample = Sample { x: row.x, h: lower.h() + margin, margin, error, nearest: order[position] };
     Candidate { slab, position, sample, quality: sample.margin / scale }
 }
 

@@ -92,7 +92,7 @@ impl Segment {
 }
 
 impl Arc {
-    /// A straight arc from x[0] to x[1].
+    /// A straight arc between two abscissae.
     #[must_use]
     pub fn straight(gamma: [f64; 3], j: f64, x: [f64; 2]) -> Self {
         Self { shape: Shape::Straight { gamma, j }, x, slope: [1.0 / j; 2] }

@@ -116,14 +116,13 @@ pub fn cusps(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Cusps {
     isolations.sort_by(|a, b| a.cell.u[0].total_cmp(&b.cell.u[0]));
     // On the outer interval u = 0 is μ = −∞ and u = 1 is the moment, so u rises with μ on every interval.
     for isolation in isolations {
-        match isolation.cluster {
-            None => found.at.push(polish(frame, interval, &isolation)),
-            Some(_) => {
-                let from_left = interval.left.is_some() && isolation.cell.u[0] < 0.5;
-                let (base, sign, distance) = interval.side(frame, &isolation.cell, from_left);
-                let at = if distance[0].is_finite() { 0.5 * (distance[0] + distance[1]) } else { 2.0 * distance[1] };
-                found.clusters.push(Mu { base, delta: sign * at });
-            }
+        if isolation.cluster.is_none() {
+            found.at.push(polish(frame, interval, &isolation));
+        } else {
+            let from_left = interval.left.is_some() && isolation.cell.u[0] < 0.5;
+            let (base, sign, distance) = interval.side(frame, &isolation.cell, from_left);
+            let at = if distance[0].is_finite() { 0.5 * (distance[0] + distance[1]) } else { 2.0 * distance[1] };
+            found.clusters.push(Mu { base, delta: sign * at });
         }
     }
     found

@@ -2,12 +2,12 @@
 
 use crate::body::Frame;
 
-/// μ = a[base] + δ. With δ kept apart, μ − a_base is exact however close μ comes to a moment of inertia.
+/// μ = a_base + δ. With δ kept apart, μ − a_base is exact however close μ comes to a moment of inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mu {
     /// Axis of the frame.
     pub base: usize,
-    /// δ = μ − a[base].
+    /// δ = μ − a_base.
     pub delta: f64,
 }
 

@@ -8,8 +8,10 @@ mod critical_set;
 mod curve;
 mod cusps;
 mod generic;
+mod generic_curves;
 mod index;
 mod point;
+mod special_curves;
 mod symmetric;
 
 pub use arc::{Arc, Segment, Shape};

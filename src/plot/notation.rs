@@ -45,14 +45,12 @@ fn accessible_region(name: &str) -> String {
 
 /// The type printed in a region: that of its section, or of its accessible region where no section exists.
 pub(super) fn region_type(region: &RegionDocument) -> String {
-    match &region.signature {
-        Some(signature) => signature.split('+').map(section).collect::<Vec<_>>().join("+"),
-        None => {
-            let parts: Vec<String> =
-                region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
-            format!("U: {}", parts.join("+"))
-        }
+    if let Some(signature) = &region.signature {
+        return signature.split('+').map(section).collect::<Vec<_>>().join("+");
     }
+    let parts: Vec<String> =
+        region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
+    format!("U: {}", parts.join("+"))
 }
 
 #[cfg(test)]

@@ -455,6 +455,7 @@ pub fn atlas(
             center: body.center().clone(),
             flags,
             degenerate: flags.degenerate(),
+            inertia: None,
         },
         window: None,
         summary: SummaryDocument {

@@ -54,13 +54,12 @@ pub(super) fn descend(potential: &Potential, start: Vector, minima: &[Floor]) ->
         }
         // A straight step that had to be shortened much meets a curved valley: then follow the circle of latitude.
         let straight = step(potential, gamma, ceiling);
-        let next = match straight {
-            Some(Step { end, shortened: false }) => Some(end),
-            _ => {
-                let along = slide(potential, gamma).filter(|end| potential.value(*end) < potential.value(gamma));
-                let ends = straight.map(|step| step.end).into_iter().chain(along);
-                ends.min_by(|p, q| potential.value(*p).total_cmp(&potential.value(*q)))
-            }
+        let next = if let Some(Step { end, shortened: false }) = straight {
+            Some(end)
+        } else {
+            let along = slide(potential, gamma).filter(|end| potential.value(*end) < potential.value(gamma));
+            let ends = straight.map(|step| step.end).into_iter().chain(along);
+            ends.min_by(|p, q| potential.value(*p).total_cmp(&potential.value(*q)))
         };
         let Some(next) = next else {
             return Descent { minimum: None, steps };
