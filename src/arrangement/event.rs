@@ -3,7 +3,7 @@
 use crate::equilibria::{CriticalSet, End};
 use crate::numerics::UNIT_ROUNDOFF;
 
-use super::pair::PairOrder;
+use super::order::PairOrder;
 
 /// What happens to the vertical order of the curves as x rises through an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +80,11 @@ pub(super) fn collect(set: &CriticalSet, pairs: &[(usize, usize, PairOrder)]) ->
         events.push(Event { change, x: point.x, x_error, h: point.h(), h_error });
     }
     for (a, b, order) in pairs {
-        events.extend(order.crossings.iter().map(|crossing| Event {
+        let height = |x: f64| {
+            let point = set.curves[*a].point(&set.frame, x);
+            (point.h(), point.h_error())
+        };
+        events.extend(order.crossings(height).into_iter().map(|crossing| Event {
             change: Change::Swap([*a, *b]),
             x: crossing.x,
             x_error: crossing.x_error,

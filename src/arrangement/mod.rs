@@ -7,12 +7,14 @@ mod event;
 mod faces;
 mod invariants;
 mod mirror;
+mod order;
 mod pair;
+mod transitive;
 
 pub use event::{Change, Event};
 pub use faces::{Faces, InconsistentOrder};
 pub use invariants::InvariantError;
-pub use pair::{PairCrossing, PairOrder};
+pub use order::{PairCrossing, PairOrder};
 
 use crate::equilibria::{CriticalSet, End};
 
@@ -81,12 +83,15 @@ impl Arrangement {
         let mut evaluations = 0;
         for b in 0..set.curves.len() {
             for a in 0..b {
-                if let Some(order) = PairOrder::of(&set.frame, &set.curves[a], &set.curves[b]) {
+                if let Some(order) = pair::compare(&set.frame, &set.curves[a], &set.curves[b]) {
                     evaluations += order.evaluations;
-                    undecided.extend(order.unresolved.iter().map(|&x| Undecided::Contact { curves: [a, b], x }));
                     pairs.push((a, b, order));
                 }
             }
+        }
+        transitive::resolve(&set, &mut pairs);
+        for (a, b, order) in &pairs {
+            undecided.extend(order.open_ranges().into_iter().map(|x| Undecided::Contact { curves: [*a, *b], x }));
         }
         let events = event::collect(&set, &pairs);
         undecided.extend(simultaneous(&events));
@@ -147,7 +152,8 @@ fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[(usize, usize, 
                     let below = active.iter().filter(|&&other| {
                         let key = c.min(other) * n + c.max(other);
                         let passed = crossings[key].iter().filter(|&&event| event < slab).count();
-                        let sign = order_of[key].map_or(0, |order| order.sign_after(passed));
+                        let initial = order_of[key].map_or(0, PairOrder::initial);
+                        let sign = if passed.is_multiple_of(2) { initial } else { -initial };
                         if other < c { sign < 0 } else { other > c && sign > 0 }
                     });
                     (below.count(), c)

@@ -13,32 +13,7 @@ use crate::numerics::root::{Bracket, newton_bracketed};
 
 use super::curvature::curvature;
 use super::mirror::{MirrorPair, left_is_above};
-
-/// A transversal crossing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PairCrossing {
-    /// x = l²/2.
-    pub x: f64,
-    /// Bound on the error of `x`.
-    pub x_error: f64,
-    /// h.
-    pub h: f64,
-    /// Bound on the error of `h`.
-    pub h_error: f64,
-}
-
-/// Order of two curves over their common range of x.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct PairOrder {
-    /// Sign of h_a − h_b just right of the lower end of the common range.
-    pub initial: i8,
-    /// Crossings by rising x.
-    pub crossings: Vec<PairCrossing>,
-    /// Ranges of x in which rounding hides whether the curves cross (0 or 2 times, or at a neighbouring event).
-    pub unresolved: Vec<[f64; 2]>,
-    /// Points of curves that were computed.
-    pub evaluations: u32,
-}
+use super::order::{PairCrossing, PairOrder};
 
 /// The gap h_a − h_b at one abscissa.
 #[derive(Clone, Copy)]
@@ -84,51 +59,34 @@ struct ArcPair<'a> {
 /// Splitting stops when so many points were computed for one pair of arcs.
 const BUDGET: u32 = 600;
 
-impl PairOrder {
-    /// Compares two curves; `None` when no x is common to them.
-    #[must_use]
-    pub fn of(frame: &Frame, a: &Curve, b: &Curve) -> Option<Self> {
-        let from = a.x()[0].max(b.x()[0]);
-        let to = a.x()[1].min(b.x()[1]);
-        if from >= to {
-            return None;
-        }
-        if let Some(sign) = structural_sign(a, b) {
-            return Some(Self { initial: sign, ..Self::default() });
-        }
-        let joint = a.ends.iter().zip(a.x()).find_map(|(end, x)| {
-            let shared = b.ends.iter().zip(b.x()).any(|(other, y)| end == other && x == y);
-            (shared && x > 0.0 && x.is_finite()).then_some(x)
-        });
-        let mut whole: Option<Self> = None;
-        for arc_a in &a.arcs {
-            for arc_b in &b.arcs {
-                let range = [arc_a.x[0].max(arc_b.x[0]), arc_a.x[1].min(arc_b.x[1])];
-                if range[0] >= range[1] {
-                    continue;
-                }
-                let mut pair = ArcPair { frame, a: arc_a, b: arc_b, joint, order: Self::default(), budget: BUDGET };
-                pair.run(range);
-                match &mut whole {
-                    None => whole = Some(pair.order),
-                    Some(whole) => whole.append(pair.order),
-                }
+/// Compares two curves a and b; `None` when no x is common to them.
+pub(super) fn compare(frame: &Frame, a: &Curve, b: &Curve) -> Option<PairOrder> {
+    let from = a.x()[0].max(b.x()[0]);
+    let to = a.x()[1].min(b.x()[1]);
+    if from >= to {
+        return None;
+    }
+    if let Some(sign) = structural_sign(a, b) {
+        return Some(PairOrder::constant([from, to], sign));
+    }
+    let joint = a.ends.iter().zip(a.x()).find_map(|(end, x)| {
+        let shared = b.ends.iter().zip(b.x()).any(|(other, y)| end == other && x == y);
+        (shared && x > 0.0 && x.is_finite()).then_some(x)
+    });
+    let mut whole = PairOrder::default();
+    for arc_a in &a.arcs {
+        for arc_b in &b.arcs {
+            let range = [arc_a.x[0].max(arc_b.x[0]), arc_a.x[1].min(arc_b.x[1])];
+            if range[0] < range[1] {
+                let mut pair =
+                    ArcPair { frame, a: arc_a, b: arc_b, joint, order: PairOrder::default(), budget: BUDGET };
+                let (left, right) = (pair.node(range[0]), pair.node(range[1]));
+                pair.isolate(left, right, 0);
+                whole.append(pair.order);
             }
         }
-        whole
     }
-
-    fn append(&mut self, next: Self) {
-        self.crossings.extend(next.crossings);
-        self.unresolved.extend(next.unresolved);
-        self.evaluations += next.evaluations;
-    }
-
-    /// Sign of h_a − h_b after `passed` crossings.
-    #[must_use]
-    pub fn sign_after(&self, passed: usize) -> i8 {
-        if passed.is_multiple_of(2) { self.initial } else { -self.initial }
-    }
+    Some(whole)
 }
 
 /// Orders that hold by structure, whatever the rounding (MATH §2 and §3).
@@ -161,25 +119,6 @@ fn structural_sign(a: &Curve, b: &Curve) -> Option<i8> {
 }
 
 impl ArcPair<'_> {
-    fn run(&mut self, range: [f64; 2]) {
-        let (left, right) = (self.node(range[0]), self.node(range[1]));
-        self.order.initial = match self.isolate(left, right, 0) {
-            Some(sign) => sign,
-            None => self.sign_between(range),
-        };
-    }
-
-    /// The sign somewhere between two ends that do not tell.
-    fn sign_between(&mut self, range: [f64; 2]) -> i8 {
-        let fractions = [0.5, 0.25, 0.75];
-        let signs = fractions.map(|t| self.node(between(range[0], range[1], t)).gap.sign());
-        let first = signs.iter().flatten().find(|sign| **sign != 0).copied();
-        first.unwrap_or_else(|| {
-            self.order.unresolved.push(range);
-            1
-        })
-    }
-
     fn node(&mut self, x: f64) -> Node {
         if x == 0.0 {
             return Node { x, gap: self.gap_at_origin(), slope: [self.a.slope[0], self.b.slope[0]] };
@@ -261,38 +200,36 @@ impl ArcPair<'_> {
         gap.value.abs() + gap.error
     }
 
-    /// Finds the crossings between two nodes; returns the sign of the gap just right of the left one, if proved.
-    fn isolate(&mut self, left: Node, right: Node, depth: u32) -> Option<i8> {
-        let range = |k: usize| Interval::between(left.slope[k], right.slope[k]).widened(8.0);
+    /// Finds the order between two nodes.
+    fn isolate(&mut self, left: Node, right: Node, depth: u32) {
+        let x = [left.x, right.x];
+        let range = |k: usize| Interval::between(left.slope[k], right.slope[k]);
         // Without widening: where an end is shared both arcs have the very same slope there.
-        let (p, q) =
-            (Interval::between(left.slope[0], right.slope[0]), Interval::between(left.slope[1], right.slope[1]));
+        let (p, q) = (range(0), range(1));
         let monotone = p.lo >= q.hi || p.hi <= q.lo;
         if let (Some(sl), Some(sr)) = (left.gap.sign(), right.gap.sign()) {
             let either = if sl == 0 { sr } else { sl };
-            let separate = sl * sr > 0 && self.bounded_away(&left, &right, range(0) - range(1), sl)
-                || sl * sr == 0 && either != 0 && self.curvature_separates(&left, &right);
             if monotone && sl * sr < 0 {
-                self.locate(left, right);
-                return Some(sl);
+                return self.locate(left, right, sl);
             }
-            if (monotone && sl * sr >= 0 || separate) && either != 0 {
-                return Some(either);
+            let separate = monotone && sl * sr >= 0
+                || sl * sr > 0 && self.bounded_away(&left, &right, p.widened(8.0) - q.widened(8.0), sl)
+                || sl * sr == 0 && either != 0 && self.curvature_separates(&left, &right);
+            if separate && either != 0 {
+                return self.order.push(x, Some(either));
             }
         }
         if let Some(sign) = self.mirror_sign(&left, &right) {
-            return Some(sign);
+            return self.order.push(x, Some(sign));
         }
         let exhausted = right.x.is_finite() && right.x - left.x <= 64.0 * UNIT_ROUNDOFF * right.x;
         if exhausted || depth > 120 || self.budget == 0 || is_noise(&left, &right) {
-            self.order.unresolved.push([left.x, right.x]);
-            return left.gap.sign().filter(|sign| *sign != 0);
+            return self.order.push(x, None);
         }
         self.budget -= 1;
         let middle = self.split(&left, &right);
-        let first = self.isolate(left, middle, depth + 1);
+        self.isolate(left, middle, depth + 1);
         self.isolate(middle, right, depth + 1);
-        first
     }
 
     /// The sign of the gap of two branches on both sides of one moment, where it is proved to be constant.
@@ -371,8 +308,8 @@ impl ArcPair<'_> {
     }
 
     /// The crossing between two nodes where the gap is monotone and changes sign.
-    fn locate(&mut self, left: Node, right: Node) {
-        let rising = right.gap.sign().unwrap_or(1) > 0;
+    fn locate(&mut self, left: Node, right: Node, sign: i8) {
+        let rising = sign < 0;
         let bracket = if rising {
             Bracket { negative: left.x, positive: right.x }
         } else {
@@ -397,7 +334,8 @@ impl ArcPair<'_> {
         let (gap, slope, point) = at(x);
         let x_error = (gap.error / slope.abs()).min(right.x - left.x) + 4.0 * UNIT_ROUNDOFF * x;
         let h_error = point.h_error() + x_error * point.slope();
-        self.order.crossings.push(PairCrossing { x, x_error, h: point.h(), h_error });
+        let crossing = PairCrossing { x, x_error, h: point.h(), h_error };
+        self.order.push_crossing([left.x, right.x], sign, crossing);
     }
 }
 

@@ -99,19 +99,12 @@ impl Atlas {
         h * self.arrangement.set.frame.energy_unit
     }
 
-    /// What the arrangement left undecided, in words; neighbouring ranges of one pair of curves are one entry.
+    /// What the arrangement left undecided, in words.
     fn undecided(&self) -> Vec<UndecidedDocument> {
         let set = &self.arrangement.set;
         let name = |c: usize| curve_name(set, c);
         let mut found: Vec<UndecidedDocument> = Vec::new();
-        let mut last_pair = None;
         for undecided in &self.arrangement.undecided {
-            if let Undecided::Contact { curves, .. } = undecided {
-                if last_pair == Some(*curves) {
-                    continue;
-                }
-                last_pair = Some(*curves);
-            }
             found.push(match *undecided {
                 Undecided::Contact { curves, x } => {
                     let at = if x[1].is_finite() { 0.5 * (x[0] + x[1]) } else { 2.0 * x[0] };
