@@ -80,11 +80,6 @@ impl Tangent {
         }
         sum
     }
-
-    /// How fast the step along `self` grows along `other`.
-    pub fn progress_of(&self, other: &Self) -> f64 {
-        self.dot(&Self { omega: other.omega * (other.omega_scale / self.omega_scale), ..*other })
-    }
 }
 
 impl<'a> Branch<'a> {

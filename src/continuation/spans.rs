@@ -6,10 +6,10 @@ use crate::body::Frame;
 use crate::document::Stability;
 use crate::stability::Linearisation;
 
-/// Evaluations spent on the search for a change between two vertices with the same stability.
+/// The stability is looked at this often along a branch of index 2, the only one on which it can change.
+const SPACING: f64 = 0.125;
+/// Evaluations spent on the search for a change between two samples with the same stability.
 const BUBBLE_EVALUATIONS: usize = 24;
-/// A separation of the pairs above this share of its largest value is not followed down.
-const BUBBLE_SUSPECT: f64 = 0.3;
 /// Golden section.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
@@ -33,6 +33,59 @@ impl Segment<'_> {
         let [from, to] = self.l;
         Some((self.branch.l(&point).clamp(from.min(to), from.max(to)), linearisation))
     }
+}
+
+/// A look at the linearised flow.
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    step: f64,
+    stability: Stability,
+    /// [`separation`].
+    separation: f64,
+}
+
+impl Sample {
+    /// How far the separation is on this side of zero: negative for another stability than `like`.
+    fn margin(&self, like: Stability) -> f64 {
+        if like == Stability::Complex { -self.separation } else { self.separation }
+    }
+}
+
+/// Two neighbouring samples on a segment.
+#[derive(Clone, Copy, Debug)]
+struct Gap<'f> {
+    segment: Segment<'f>,
+    from: Sample,
+    to: Sample,
+}
+
+/// How often the looks at a segment halve their distance to this end. Next to l = 0 the scale of changes may be any:
+/// a difference of moments as small as you like decides it. Next to an event the stability goes with the square root
+/// of the distance in l.
+fn halvings(end: &Vertex) -> usize {
+    if end.equilibrium.omega == 0.0 {
+        20
+    } else if end.kind == VertexKind::Regular {
+        0
+    } else {
+        8
+    }
+}
+
+/// Where to look on a segment, as shares of its step, the end last.
+fn shares(segment: &Segment, from: &Vertex, to: &Vertex) -> Vec<f64> {
+    let count = (segment.step.abs() / SPACING).ceil().clamp(1.0, 64.0);
+    let closing_in = |number| std::iter::successors(Some(0.5), |x| Some(0.5 * x)).take(number);
+    let mut shares: Vec<f64> = closing_in(halvings(from)).map(|x| x / count).collect();
+    shares.reverse();
+    let mut number = 1.0;
+    while number < count {
+        shares.push(number / count);
+        number += 1.0;
+    }
+    shares.extend(closing_in(halvings(to)).map(|x| 1.0 - x / count));
+    shares.push(1.0);
+    shares
 }
 
 /// (b² − 4c)/(b² + 4|c|): how far apart the two pairs are, negative for a quadruple.
@@ -65,8 +118,8 @@ pub(super) struct Stretches<'f> {
     stability: Option<Stability>,
     /// First and last of the degenerate vertices since the last definite one, and their number.
     degenerate: Option<(f64, f64, usize)>,
-    /// The last segment if both its ends are of index 2 and equal stability, with the separations at them.
-    last: Option<(Segment<'f>, [f64; 2])>,
+    /// The last gap between samples, if the branch goes on from there with the same stability.
+    last: Option<Gap<'f>>,
 }
 
 impl<'f> Stretches<'f> {
@@ -115,28 +168,20 @@ impl<'f> Stretches<'f> {
         } else if to.stability == Stability::Degenerate {
             let (first, _, count) = self.degenerate.unwrap_or((to.l, to.l, 0));
             self.degenerate = Some((first, to.l, count + 1));
+            self.last = None;
         } else if from.kind != VertexKind::Regular {
             self.depart(segment, from, to, effort);
         } else if self.degenerate.is_some() {
             self.settle(Some(to.stability));
-        } else if from.stability != to.stability {
-            self.locate_changes(segment, from.stability, (segment.step, to.stability), effort);
+        } else if from.index == Some(2) || from.stability != to.stability {
+            self.walk(segment, [from, to], [from.stability, to.stability], effort);
         }
-        self.look_back(segment, from, to, effort);
     }
 
-    fn arrive(&mut self, segment: &Segment, from: &Vertex, event: &Vertex, effort: &mut Effort) {
-        if from.stability != Stability::Degenerate {
-            let arriving = if from.stability == Stability::SaddleCentre {
-                Some(Stability::SaddleCentre)
-            } else {
-                beside_event(segment.branch.frame, event)
-            };
-            if let Some(arriving) = arriving
-                && arriving != from.stability
-            {
-                self.locate_changes(segment, from.stability, (segment.step, arriving), effort);
-            }
+    fn arrive(&mut self, segment: &Segment<'f>, from: &Vertex, event: &Vertex, effort: &mut Effort) {
+        if from.index == Some(2) && from.stability != Stability::Degenerate {
+            let arriving = beside_event(segment.branch.frame, event).unwrap_or(from.stability);
+            self.walk(segment, [from, event], [from.stability, arriving], effort);
         } else if self.stability.is_none()
             && self.degenerate.is_some_and(|(_, _, count)| count == 1)
             && let Some((_, middle)) = segment.at(0.5 * segment.step, effort)
@@ -146,38 +191,64 @@ impl<'f> Stretches<'f> {
             self.stability = Some(middle.stability());
             self.degenerate = None;
         }
+        self.last = None;
         self.settle(None);
         self.close(event.l, None);
         self.degenerate = Some((event.l, event.l, 1));
     }
 
-    fn depart(&mut self, segment: &Segment, event: &Vertex, to: &Vertex, effort: &mut Effort) {
-        let departing = if to.stability == Stability::SaddleCentre {
-            to.stability
+    fn depart(&mut self, segment: &Segment<'f>, event: &Vertex, to: &Vertex, effort: &mut Effort) {
+        if to.index == Some(2) {
+            let departing = beside_event(segment.branch.frame, event).unwrap_or(to.stability);
+            self.settle(Some(departing));
+            self.walk(segment, [event, to], [departing, to.stability], effort);
         } else {
-            beside_event(segment.branch.frame, event).unwrap_or(to.stability)
-        };
-        self.settle(Some(departing));
-        if departing != to.stability {
-            self.locate_changes(segment, departing, (segment.step, to.stability), effort);
+            self.settle(Some(to.stability));
         }
     }
 
-    /// Finds the changes from the stability `current` at the base to `end` = (step, stability) by bisection.
-    fn locate_changes(&mut self, segment: &Segment, current: Stability, end: (f64, Stability), effort: &mut Effort) {
-        self.locate_changes_from(segment, (0.0, current), end, effort);
+    /// Looks at the stability in small steps from one end of a segment to the other.
+    fn walk(&mut self, segment: &Segment<'f>, ends: [&Vertex; 2], [first, last]: [Stability; 2], effort: &mut Effort) {
+        // At the ends the stability is known from the vertices, or from the event there.
+        let look = |step: f64, known: Option<Stability>, effort: &mut Effort| {
+            let (_, linearisation) = segment.at(step, effort)?;
+            let stability = known.unwrap_or_else(|| linearisation.stability());
+            Some(Sample { step, stability, separation: separation(&linearisation) })
+        };
+        let Some(mut from) = look(0.0, Some(first), effort) else { return };
+        for share in shares(segment, ends[0], ends[1]) {
+            let sample = look(segment.step * share, (share == 1.0).then_some(last), effort);
+            let Some(to) = sample.filter(|to| to.stability != Stability::Degenerate) else { continue };
+            self.pass(Gap { segment: *segment, from, to }, effort);
+            from = to;
+        }
     }
 
-    fn locate_changes_from(
-        &mut self,
-        segment: &Segment,
-        (mut low, mut current): (f64, Stability),
-        (end, last): (f64, Stability),
-        effort: &mut Effort,
-    ) {
-        while current != last {
-            let (mut inside, mut outside, mut next) = (low, end, last);
-            let mut l = segment.at(end, effort).map_or(segment.l[1], |(l, _)| l);
+    /// Goes from one sample to the next.
+    fn pass(&mut self, gap: Gap<'f>, effort: &mut Effort) {
+        let Gap { segment, from, to } = gap;
+        let last = self.last.take();
+        if from.stability != to.stability {
+            self.locate_changes(&segment, from, to, effort);
+            return;
+        }
+        // Two changes between neighbouring samples leave no trace at them but a dip of the margin.
+        if let Some(last) = last
+            && from.margin(from.stability) <= last.from.margin(from.stability)
+            && from.margin(from.stability) <= to.margin(from.stability)
+        {
+            self.search_bubble(&last, effort);
+            self.search_bubble(&gap, effort);
+        }
+        self.last = Some(gap);
+    }
+
+    /// Finds the changes of stability between two samples by bisection.
+    fn locate_changes(&mut self, segment: &Segment, from: Sample, to: Sample, effort: &mut Effort) {
+        let (mut low, mut current) = (from.step, from.stability);
+        while current != to.stability {
+            let (mut inside, mut outside, mut next) = (low, to.step, to.stability);
+            let mut l = segment.at(to.step, effort).map_or(segment.l[1], |(l, _)| l);
             while (outside - inside).abs() > 1e-14 * segment.step.abs() {
                 let middle = 0.5 * (inside + outside);
                 if middle == inside || middle == outside {
@@ -201,58 +272,35 @@ impl<'f> Stretches<'f> {
         }
     }
 
-    /// Two changes between neighbouring vertices leave no trace at the vertices but a dip of the separation of
-    /// the pairs. Looks for them in the last segment and this one if the vertex between them is lower than its neighbours.
-    fn look_back(&mut self, segment: &Segment<'f>, from: &Vertex, to: &Vertex, effort: &mut Effort) {
-        let last = self.last.take();
-        let plain = |vertex: &Vertex| vertex.kind == VertexKind::Regular && vertex.index == Some(2);
-        if !(plain(from) && plain(to) && from.stability == to.stability && to.stability != Stability::Degenerate) {
-            return;
-        }
-        let at = |vertex: &Vertex| separation(&Linearisation::new(segment.branch.frame, &vertex.equilibrium)).abs();
-        let ends = [last.as_ref().map_or_else(|| at(from), |(_, ends)| ends[1]), at(to)];
-        if let Some((before, [first, middle])) = &last
-            && middle < first
-            && *middle <= ends[1]
-            && *middle < BUBBLE_SUSPECT
-        {
-            self.search_bubble(before, from.stability, effort);
-            self.search_bubble(segment, from.stability, effort);
-        }
-        self.last = Some((*segment, ends));
-    }
-
-    /// Follows the separation of the pairs down to its minimum inside the segment; if another stability lies there,
+    /// Follows the margin down to its minimum inside the gap; if another stability lies there,
     /// inserts it with both its borders.
-    fn search_bubble(&mut self, segment: &Segment, outside: Stability, effort: &mut Effort) {
+    fn search_bubble(&mut self, gap: &Gap, effort: &mut Effort) {
+        let Gap { segment, from, to } = gap;
         let probe = |step: f64, effort: &mut Effort| {
-            segment.at(step, effort).map(|(_, linearisation)| (linearisation.stability(), separation(&linearisation)))
+            let (_, linearisation) = segment.at(step, effort)?;
+            Some(Sample { step, stability: linearisation.stability(), separation: separation(&linearisation) })
         };
-        let (mut low, mut high) = (0.0, segment.step);
-        let mut left = low + GOLDEN * (high - low);
-        let mut right = high - GOLDEN * (high - low);
-        let (Some(mut at_left), Some(mut at_right)) = (probe(left, effort), probe(right, effort)) else { return };
+        let (mut low, mut high) = (from.step, to.step);
+        let Some(mut left) = probe(low + GOLDEN * (high - low), effort) else { return };
+        let Some(mut right) = probe(high - GOLDEN * (high - low), effort) else { return };
         for _ in 0..BUBBLE_EVALUATIONS {
-            for (step, (stability, _)) in [(left, at_left), (right, at_right)] {
-                if stability != outside && stability != Stability::Degenerate {
-                    self.locate_changes_from(segment, (0.0, outside), (step, stability), effort);
-                    self.locate_changes_from(segment, (step, stability), (segment.step, outside), effort);
+            for sample in [left, right] {
+                if sample.stability != from.stability && sample.stability != Stability::Degenerate {
+                    self.locate_changes(segment, *from, sample, effort);
+                    self.locate_changes(segment, sample, *to, effort);
                     return;
                 }
             }
-            // A quadruple away from its borders has a large |separation|: the sign matters.
-            if at_left.1 < at_right.1 {
-                high = right;
-                (right, at_right) = (left, at_left);
-                left = low + GOLDEN * (high - low);
-                let Some(found) = probe(left, effort) else { return };
-                at_left = found;
+            if left.margin(from.stability) < right.margin(from.stability) {
+                high = right.step;
+                right = left;
+                let Some(found) = probe(low + GOLDEN * (high - low), effort) else { return };
+                left = found;
             } else {
-                low = left;
-                (left, at_left) = (right, at_right);
-                right = high - GOLDEN * (high - low);
-                let Some(found) = probe(right, effort) else { return };
-                at_right = found;
+                low = left.step;
+                left = right;
+                let Some(found) = probe(high - GOLDEN * (high - low), effort) else { return };
+                right = found;
             }
         }
     }

@@ -17,6 +17,14 @@ const SMALLEST_STEP: f64 = 1e-11;
 const EVENT_STEP: f64 = 1e-7;
 /// Cosine of the largest angle between successive tangents.
 const LARGEST_TURN: f64 = 0.8;
+/// dl/(J Ω) along the tangent below which a step may hide a pair of cusps.
+const FOLD_SUSPECT: f64 = 0.2;
+/// Where the slope at the end of a step is felt, as a share of it.
+const FOLD_PROBE: f64 = 1.0 / 32.0;
+/// Evaluations spent on following a dip down: it is located to a thousandth of the step.
+const FOLD_EVALUATIONS: usize = 14;
+/// Golden section.
+const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// Share of the chord tolerance that is accepted. The estimate was not seen to fall short on fine samples.
 const LIMIT: f64 = 0.98;
 /// Share of the chord tolerance that is aimed at.
@@ -216,7 +224,7 @@ impl<'a> Tracker<'a> {
             return self.land_ahead(signed).unwrap_or(Step::Rejected { factor: 0.5 });
         };
         let tangent = self.branch.tangent(&end);
-        if tangent.dot(&self.tangent) < LARGEST_TURN || self.hides_a_fold(&end, &tangent) {
+        if tangent.dot(&self.tangent) < LARGEST_TURN || self.hides_a_fold(&end, &tangent, signed) {
             return Step::Rejected { factor: 0.5 };
         }
         let mut events = self.events(&end, &tangent);
@@ -247,31 +255,52 @@ impl<'a> Tracker<'a> {
         }
     }
 
-    /// Whether l(σ) between both ends looks as if dl had two zeros inside: the quadratic with the values of dl at the
-    /// ends and the right integral comes close to zero in between.
-    fn hides_a_fold(&self, end: &Point, tangent: &Tangent) -> bool {
+    /// Whether two cusps hide between the base and `end`. [`Branch::turning`] has the same sign at both then, and dips
+    /// in between; the dip shows at the end where the value is smaller, and is followed down by golden section.
+    fn hides_a_fold(&mut self, end: &Point, tangent: &Tangent, signed: f64) -> bool {
         if matches!(self.branch.family, Family::Pair { .. }) {
             return false;
         }
-        // Both derivatives with respect to the step along the base's tangent.
-        let (from, to) = (self.tangent.l * self.way, self.way * tangent.l / self.tangent.progress_of(tangent));
-        if from * to <= 0.0 {
+        let from = self.branch.turning(&self.base, &self.tangent) * self.turning_sign;
+        let to = self.branch.turning(end, tangent) * self.turning_sign;
+        let small = from.min(to);
+        if small > FOLD_SUSPECT || to <= 0.0 {
             return false;
         }
-        let l = self.branch.l(end);
-        let mean = (l - self.last().l) / self.step;
-        let excess = mean - 0.5 * (from + to);
-        if excess.abs() * self.step <= 8.0 * f64::EPSILON * l {
-            return false;
+        let [near, far] = if from < to { [0.0, signed] } else { [signed, 0.0] };
+        // None where the corrector fails: nothing to be seen there.
+        let mut turning = |share: f64| {
+            let point =
+                self.branch.advance(&self.base, &self.tangent, near + share * (far - near), &mut self.effort)?;
+            Some(self.branch.turning(&point, &self.branch.tangent(&point)) * self.turning_sign)
+        };
+        let Some(probe) = turning(FOLD_PROBE) else { return false };
+        if probe <= 0.0 || probe >= small {
+            // Rising from here: the smaller end is the minimum. At a cusp itself the value is noise.
+            return probe <= 0.0 && small > 0.0;
         }
-        // q(t) = from (1−t) + to t + curve t(1−t).
-        let curve = 6.0 * excess;
-        let t = 0.5 + 0.5 * (to - from) / curve;
-        if !(t > 0.0 && t < 1.0) {
-            return false;
+        let (mut low, mut high) = (0.0, 1.0);
+        let (mut left, mut right) = (GOLDEN, 1.0 - GOLDEN);
+        let (Some(mut at_left), Some(mut at_right)) = (turning(left), turning(right)) else { return false };
+        for _ in 0..FOLD_EVALUATIONS {
+            if at_left <= 0.0 || at_right <= 0.0 {
+                return true;
+            }
+            if at_left < at_right {
+                high = right;
+                (right, at_right) = (left, at_left);
+                left = low + GOLDEN * (high - low);
+                let Some(value) = turning(left) else { return false };
+                at_left = value;
+            } else {
+                low = left;
+                (left, at_left) = (right, at_right);
+                right = high - GOLDEN * (high - low);
+                let Some(value) = turning(right) else { return false };
+                at_right = value;
+            }
         }
-        let inside = from * (1.0 - t) + to * t + curve * t * (1.0 - t);
-        inside * sign(from) < 0.25 * from.abs().min(to.abs())
+        false
     }
 
     /// Everything between the base point and `end`; the one to handle first comes last.
@@ -301,7 +330,7 @@ impl<'a> Tracker<'a> {
 
     fn handle(&mut self, event: &Event, end: Point, tangent: &Tangent, signed: f64) -> Step {
         match event {
-            Event::Landing(reason) => self.land(*reason, end),
+            Event::Landing(reason) => self.land(*reason, end, signed),
             Event::Cusp => self.cusp(end, tangent, signed),
             Event::Pitchfork => self.pitchfork(end, signed),
         }
@@ -372,7 +401,7 @@ impl<'a> Tracker<'a> {
         (value * sign > 0.0).then_some(Bracket { step, value })
     }
 
-    fn land(&mut self, reason: StopReason, end: Point) -> Step {
+    fn land(&mut self, reason: StopReason, end: Point, signed: f64) -> Step {
         let condition = match (reason, self.branch.family) {
             (StopReason::MaximumReached, _) => Condition::Momentum(self.options.l_max),
             (StopReason::MinimumReached, _) => Condition::Momentum(self.options.l_min),
@@ -384,8 +413,9 @@ impl<'a> Tracker<'a> {
             return Step::Rejected { factor: 0.5 };
         };
         let kind = if reason == StopReason::Pitchfork { VertexKind::Pitchfork } else { VertexKind::Regular };
-        // The landing lies before the end of the step; stability between is looked for up to there.
-        let landed = self.branch.progress(&self.base, &self.tangent, &point);
+        // Only where the stability can change does it matter where in the step the landing lies.
+        let landed =
+            if self.last().index == Some(2) { self.landed_step(condition, &point, &end, signed) } else { signed };
         match self.accept(point, landed, kind) {
             Step::Accepted => {
                 let exact = match reason {
@@ -403,10 +433,24 @@ impl<'a> Tracker<'a> {
         }
     }
 
+    /// The step at which the landing lies, for the search for changes of stability before it.
+    fn landed_step(&mut self, condition: Condition, point: &Point, end: &Point, signed: f64) -> f64 {
+        let branch = self.branch;
+        let beyond = |point: &Point| match condition {
+            Condition::Momentum(l) => branch.l(point) - l,
+            Condition::Symmetric(axis) => point.gamma[axis],
+            Condition::Rest | Condition::Plane(_) => point.omega,
+        };
+        let ends = [Bracket { step: 0.0, value: beyond(&self.base) }, Bracket { step: signed, value: beyond(end) }];
+        branch
+            .locate(&self.base, &self.tangent, ends, *end, beyond, &mut self.effort)
+            .map_or_else(|| branch.progress(&self.base, &self.tangent, point), |(step, _)| step)
+    }
+
     /// Lands on l = 0 when the step went through it and the corrector could not follow.
     fn land_ahead(&mut self, signed: f64) -> Option<Step> {
         let predicted = self.branch.predict(&self.base, &self.tangent, signed)?;
-        (predicted.omega <= 0.0 && self.options.l_min <= 0.0).then(|| self.land(StopReason::Rest, predicted))
+        (predicted.omega <= 0.0 && self.options.l_min <= 0.0).then(|| self.land(StopReason::Rest, predicted, signed))
     }
 
     /// Accepts `point` as the next vertex if the chord to it is close enough to the curve.
