@@ -21,10 +21,12 @@
 mod branch;
 mod chord;
 mod corrector;
+mod events;
 mod location;
 mod options;
 mod piece;
 mod report;
+mod samples;
 mod spans;
 mod tracker;
 
