@@ -23,7 +23,7 @@ pub(super) enum Event {
 }
 
 impl Tracker<'_> {
-    /// Whether two cusps hide between the base and `end`. [`Branch::turning`] has the same sign at both then, and dips
+    /// Whether two cusps hide between the base and `end`. The turning function has the same sign at both then, and dips
     /// in between; the dip shows at the end where the value is smaller, and is followed down by golden section.
     pub(super) fn hides_a_fold(&mut self, end: &Point, tangent: &Tangent, signed: f64) -> bool {
         if matches!(self.branch.family, Family::Pair { .. }) {

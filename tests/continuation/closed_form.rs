@@ -135,15 +135,16 @@ pub fn intervals(frame: &Frame) -> Vec<Vec<(usize, f64)>> {
 /// The same points, and one between each two cusps that fall between neighbours: there the turning dips through zero.
 fn with_dips(frame: &Frame, points: &[(usize, f64)]) -> Vec<(usize, f64)> {
     let turning = |(i, delta): (usize, f64)| closed(frame, i, delta).turning;
+    let values: Vec<f64> = points.iter().map(|&point| turning(point)).collect();
     let mut refined = points.to_vec();
-    for three in points.windows(3) {
-        let [first, middle, last] = [three[0], three[1], three[2]];
-        let sign = turning(middle).signum();
-        let height = |point| sign * turning(point);
-        let dips = height(middle) <= height(first) && height(middle) <= height(last) && height(first) > 0.0;
+    for (three, values) in points.windows(3).zip(values.windows(3)) {
+        let [first, last] = [three[0], three[2]];
+        let sign = values[1].signum();
+        let dips = sign * values[1] <= sign * values[0] && sign * values[1] <= sign * values[2];
         if first.0 != last.0 || !dips {
             continue;
         }
+        let height = |point| sign * turning(point);
         let (mut low, mut high) = (first.1, last.1);
         for _ in 0..60 {
             let (left, right) = (low + 0.4 * (high - low), high - 0.4 * (high - low));
