@@ -22,6 +22,12 @@ pub(super) struct Segment<'f> {
 }
 
 impl Segment<'_> {
+    /// The sample at a step.
+    pub fn look(&self, step: f64, effort: &mut Effort) -> Option<Sample> {
+        let (_, linearisation) = self.at(step, effort)?;
+        Some(Sample { step, stability: linearisation.stability(), separation: separation(&linearisation) })
+    }
+
     pub fn at(&self, step: f64, effort: &mut Effort) -> Option<(f64, Linearisation)> {
         let point = self.branch.advance(&self.base, &self.tangent, step, effort)?;
         let linearisation = Linearisation::new(self.branch.frame, &self.branch.equilibrium(&point));
@@ -53,6 +59,8 @@ pub(super) struct Gap<'f> {
     pub segment: Segment<'f>,
     pub from: Sample,
     pub to: Sample,
+    /// Whether it is part of a larger gap in which the stability changes.
+    pub fine: bool,
 }
 
 /// How often the looks at a segment halve their distance to this end. Next to l = 0 the scale of changes may be any:
@@ -85,7 +93,7 @@ pub(super) fn shares(segment: &Segment, from: &Vertex, to: &Vertex) -> Vec<f64> 
 }
 
 /// (b² − 4c)/(b² + 4|c|): how far apart the two pairs are, negative for a quadruple.
-pub(super) fn separation(linearisation: &Linearisation) -> f64 {
+fn separation(linearisation: &Linearisation) -> f64 {
     linearisation.discriminant() / (linearisation.b * linearisation.b + 4.0 * linearisation.c.abs())
 }
 

@@ -2,7 +2,7 @@
 
 use super::location::GOLDEN;
 use super::report::{Effort, StabilityStretch, Vertex, VertexKind};
-use super::samples::{Gap, Sample, Segment, beside_event, separation, shares};
+use super::samples::{Gap, Sample, Segment, beside_event, shares};
 use crate::document::Stability;
 
 /// Evaluations spent on the search for a change between two samples with the same stability.
@@ -114,36 +114,58 @@ impl<'f> Stretches<'f> {
     fn walk(&mut self, segment: &Segment<'f>, ends: [&Vertex; 2], [first, last]: [Stability; 2], effort: &mut Effort) {
         // At the ends the stability is known from the vertices, or from the event there.
         let look = |step: f64, known: Option<Stability>, effort: &mut Effort| {
-            let (_, linearisation) = segment.at(step, effort)?;
-            let stability = known.unwrap_or_else(|| linearisation.stability());
-            Some(Sample { step, stability, separation: separation(&linearisation) })
+            let sample = segment.look(step, effort)?;
+            Some(Sample { stability: known.unwrap_or(sample.stability), ..sample })
         };
         let Some(mut from) = look(0.0, Some(first), effort) else { return };
         for share in shares(segment, ends[0], ends[1]) {
             let sample = look(segment.step * share, (share == 1.0).then_some(last), effort);
             let Some(to) = sample.filter(|to| to.stability != Stability::Degenerate) else { continue };
-            self.pass(&Gap { segment: *segment, from, to }, effort);
+            self.pass(&Gap { segment: *segment, from, to, fine: false }, effort);
             from = to;
         }
     }
 
     /// Goes from one sample to the next.
+    ///
+    /// Two changes between neighbouring samples leave no trace at them but a dip of the margin, which shows at a sample
+    /// that is lower than its neighbours, or next to a change.
     fn pass(&mut self, gap: &Gap<'f>, effort: &mut Effort) {
-        let Gap { segment, from, to } = *gap;
-        let last = self.last.take();
-        if from.stability != to.stability {
-            self.locate_changes(&segment, from, to, effort);
+        let Gap { segment, from, to, fine } = *gap;
+        if from.stability != to.stability && !fine {
+            self.refine(gap, effort);
             return;
         }
-        // Two changes between neighbouring samples leave no trace at them but a dip of the margin.
-        if let Some(last) = last
-            && from.margin(from.stability) <= last.from.margin(from.stability)
-            && from.margin(from.stability) <= to.margin(from.stability)
-        {
-            self.search_bubble(&last, effort);
-            self.search_bubble(gap, effort);
+        let last = self.last.take();
+        let like = from.stability;
+        let falls = last.as_ref().is_none_or(|last| from.margin(like) <= last.from.margin(like));
+        let changes = from.stability != to.stability;
+        let rises = changes || from.margin(like) <= to.margin(like);
+        if falls && rises {
+            if let Some(last) = last {
+                self.search_bubble(&last, effort);
+            }
+            if !changes {
+                self.search_bubble(gap, effort);
+            }
         }
-        self.last = Some(*gap);
+        if changes {
+            self.locate_changes(&segment, from, to, effort);
+        } else {
+            self.last = Some(*gap);
+        }
+    }
+
+    /// Goes through a gap in which the stability changes in smaller steps: there may be more changes than one.
+    fn refine(&mut self, gap: &Gap<'f>, effort: &mut Effort) {
+        let Gap { segment, mut from, to, .. } = *gap;
+        let start = from.step;
+        for share in [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0] {
+            let next = if share == 1.0 { Some(to) } else { segment.look(start + share * (to.step - start), effort) };
+            let Some(next) = next.filter(|next| next.stability != Stability::Degenerate) else { continue };
+            self.pass(&Gap { segment, from, to: next, fine: true }, effort);
+            from = next;
+        }
     }
 
     /// Finds the changes of stability between two samples by bisection.
@@ -178,11 +200,8 @@ impl<'f> Stretches<'f> {
     /// Follows the margin down to its minimum inside the gap; if another stability lies there,
     /// inserts it with both its borders.
     fn search_bubble(&mut self, gap: &Gap, effort: &mut Effort) {
-        let Gap { segment, from, to } = gap;
-        let probe = |step: f64, effort: &mut Effort| {
-            let (_, linearisation) = segment.at(step, effort)?;
-            Some(Sample { step, stability: linearisation.stability(), separation: separation(&linearisation) })
-        };
+        let Gap { segment, from, to, .. } = gap;
+        let probe = |step: f64, effort: &mut Effort| segment.look(step, effort);
         let (mut low, mut high) = (from.step, to.step);
         let Some(mut left) = probe(low + GOLDEN * (high - low), effort) else { return };
         let Some(mut right) = probe(high - GOLDEN * (high - low), effort) else { return };
