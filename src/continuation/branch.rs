@@ -80,11 +80,6 @@ impl Tangent {
         }
         sum
     }
-
-    /// How fast the step along `self` grows along `other`.
-    pub fn progress_of(&self, other: &Self) -> f64 {
-        self.dot(&Self { omega: other.omega * (other.omega_scale / self.omega_scale), ..*other })
-    }
 }
 
 impl<'a> Branch<'a> {
@@ -198,8 +193,6 @@ impl<'a> Branch<'a> {
     pub fn tangent(&self, point: &Point) -> Tangent {
         let omega_scale = self.omega_scale(point);
         let linear = self.linear(point, omega_scale);
-        // Orientation: in the generic family n1 and n2 are continuous but for the sign of B_i/Π B_j, which is constant
-        // on a branch for a given anchor; `orientation` makes it the same for every anchor.
         let orientation = self.orientation(point);
         let mut x = -linear.n[2] * orientation;
         let mut omega = linear.n[1] * orientation;
@@ -230,10 +223,11 @@ impl<'a> Branch<'a> {
         step
     }
 
+    /// The sign that makes (−n2, n1) point the same way all along a branch, whatever the anchor.
     fn orientation(&self, point: &Point) -> f64 {
         match self.family {
             Family::Pair { .. } => 1.0,
-            // n1 = −B_i Σ γ_j²/B_j: the sign of B_i is that of γ_i.
+            // n1 = −B_i Σ γ_j²/B_j, and the sign of B_i is that of γ_i.
             Family::Generic => -self.sign[point.anchor],
         }
     }

@@ -128,3 +128,56 @@ impl Branch<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::Body;
+    use crate::continuation::Start;
+    use crate::stability::RelativeEquilibrium;
+
+    /// γ = r_j/(s(μ − A_j)) of the frame at a μ below all moments.
+    fn start(frame: &crate::body::Frame, below: f64) -> Start {
+        let w: [f64; 3] = std::array::from_fn(|j| frame.r[j] / (-below + frame.diff[0][j]));
+        let s = (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]).sqrt();
+        Start::on(frame, RelativeEquilibrium::new(frame, w.map(|x| x / s), s.sqrt()))
+    }
+
+    #[test]
+    fn the_tangent_is_the_derivative_along_the_branch() {
+        let frame = Body::parse(&["2", "1.1", "1"], &["0.9", "0.3", "0.6"]).unwrap().frame();
+        let mut effort = Effort::default();
+        for below in [0.01, 0.1, 0.5, 3.0] {
+            let start = start(&frame, below);
+            let branch = Branch::new(&frame, &start);
+            let base = branch.reanchored(branch.point(&start));
+            let tangent = branch.tangent(&base);
+            let step = 1e-4;
+            let [back, ahead] = [-step, step].map(|step| branch.advance(&base, &tangent, step, &mut effort).unwrap());
+            let slope = |from: f64, to: f64| (to - from) / (2.0 * step);
+            // Central differences: an error of the order of the squared step.
+            let close = |x: f64, y: f64| (x - y).abs() < 1e-6 * (1.0 + y.abs());
+            assert!(close(slope(branch.l(&back), branch.l(&ahead)), tangent.l));
+            assert!(close(slope(branch.h(&back), branch.h(&ahead)), base.omega * tangent.l));
+            assert!(close(slope(back.omega, ahead.omega), tangent.omega * tangent.omega_scale));
+            let [gaps_back, gaps_ahead] = [branch.gaps(&back), branch.gaps(&ahead)];
+            for j in 0..3 {
+                assert!(close(slope(back.gamma[j], ahead.gamma[j]), tangent.gamma[j]));
+                assert!(close(slope(gaps_back[j], gaps_ahead[j]) / branch.gaps(&base)[j], tangent.gap[j]));
+            }
+        }
+    }
+
+    #[test]
+    fn newtons_method_contracts_quadratically() {
+        let frame = Body::parse(&["2", "1.1", "1"], &["0.9", "0.3", "0.6"]).unwrap().frame();
+        let start = start(&frame, 0.4);
+        let branch = Branch::new(&frame, &start);
+        let base = branch.point(&start);
+        let tangent = branch.tangent(&base);
+        let mut effort = Effort::default();
+        branch.advance(&base, &tangent, 0.1, &mut effort).unwrap();
+        // 1e-2, 1e-4, 1e-8, and one more to see that it has converged.
+        assert!(effort.newton_iterations <= 4, "{effort:?}");
+    }
+}

@@ -3,6 +3,9 @@
 use super::branch::{Branch, Point, Tangent};
 use super::report::Effort;
 
+/// Share of the golden section.
+pub(super) const GOLDEN: f64 = 0.381_966_011_250_105_1;
+
 /// An end of a bracket: a step, and the function there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bracket {

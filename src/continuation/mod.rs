@@ -21,14 +21,16 @@
 mod branch;
 mod chord;
 mod corrector;
+mod events;
 mod location;
 mod options;
 mod piece;
 mod report;
+mod samples;
 mod spans;
 mod tracker;
 
 pub use options::{AtEvent, Direction, Start, TrackOptions};
-pub use piece::{PieceEnd, PieceTrack, track_piece};
+pub use piece::{AGREEMENT, PieceEnd, PieceTrack, track_piece};
 pub use report::{Effort, Pitchfork, StabilityStretch, StopReason, TrackError, TrackReport, Vertex, VertexKind};
 pub use tracker::track;

@@ -3,7 +3,7 @@
 use crate::body::Frame;
 use crate::stability::RelativeEquilibrium;
 
-/// Which way to leave the start.
+/// Which way to leave the start. At a cusp both ways fall or both rise, and either may be taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Towards larger l.

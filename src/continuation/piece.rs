@@ -1,21 +1,29 @@
 //! One curve piece of an atlas: between two events, l monotone.
 
 use super::options::{AtEvent, Direction, Start, TrackOptions};
-use super::report::{Effort, StabilityStretch, StopReason, TrackError, TrackReport, Vertex};
+use super::report::{Effort, StabilityStretch, StopReason, TrackError, TrackReport, Vertex, VertexKind};
 use super::tracker::track;
 use crate::body::Frame;
 use crate::document::{Stability, StabilitySpan};
+use crate::stability::Linearisation;
 
-/// How a piece ends on one side.
+/// How a piece ends on one side, and at which l.
+///
+/// Cusps and pitchforks are located by the tracker itself; the l that is given here only says which one is meant, and
+/// the piece is complete if both agree to [`AGREEMENT`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PieceEnd {
-    /// At a cusp, which the tracker finds itself.
-    Cusp,
-    /// At a pitchfork, which the tracker finds itself.
-    Pitchfork,
+    /// At a cusp.
+    Cusp(f64),
+    /// At a pitchfork.
+    Pitchfork(f64),
     /// At this l: 0, or where a curve that goes on to infinity is cut.
     Momentum(f64),
 }
+
+/// Relative difference in l between the event that was meant and the one that was found, beyond which they are not
+/// the same.
+pub const AGREEMENT: f64 = 1e-9;
 
 /// A curve piece by rising l.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +37,7 @@ pub struct PieceTrack {
     pub index: Option<u8>,
     /// Why the track stopped at the lower and at the upper end.
     pub stops: [StopReason; 2],
-    /// True when both ends are what was asked for.
+    /// True when both ends are what was asked for. An incomplete piece is drawn as far as it goes.
     pub complete: bool,
     /// What it has cost.
     pub effort: Effort,
@@ -43,10 +51,12 @@ impl PieceTrack {
     }
 }
 
-fn is_end(stop: StopReason, end: PieceEnd) -> bool {
+/// Whether the track that stopped for this reason at `vertex` has come to `end`.
+fn is_end(stop: StopReason, vertex: &Vertex, end: PieceEnd) -> bool {
+    let agrees = |l: f64| (vertex.l - l).abs() <= AGREEMENT * l;
     match end {
-        PieceEnd::Cusp => stop == StopReason::Cusp,
-        PieceEnd::Pitchfork => stop == StopReason::Pitchfork,
+        PieceEnd::Cusp(l) => stop == StopReason::Cusp && agrees(l),
+        PieceEnd::Pitchfork(l) => stop == StopReason::Pitchfork && agrees(l),
         PieceEnd::Momentum(_) => {
             matches!(stop, StopReason::Rest | StopReason::MinimumReached | StopReason::MaximumReached)
         }
@@ -66,10 +76,14 @@ pub fn track_piece(
     ends: [PieceEnd; 2],
     options: &TrackOptions,
 ) -> Result<PieceTrack, TrackError> {
-    let limit = |end, otherwise| if let PieceEnd::Momentum(l) = end { l } else { otherwise };
+    // A little beyond an event, so that it lies inside; a track that misses it ends there.
+    let limit = |end, beyond| match end {
+        PieceEnd::Momentum(l) => l,
+        PieceEnd::Cusp(l) | PieceEnd::Pitchfork(l) => l * beyond,
+    };
     let options = TrackOptions {
-        l_min: limit(ends[0], 0.0),
-        l_max: limit(ends[1], f64::INFINITY),
+        l_min: limit(ends[0], 0.999),
+        l_max: limit(ends[1], 1.001),
         at_cusp: AtEvent::Stop,
         at_pitchfork: AtEvent::Stop,
         ..*options
@@ -79,18 +93,27 @@ pub fn track_piece(
     let stops = [falling.stop, rising.stop];
     let mut vertices: Vec<Vertex> = falling.vertices.iter().rev().copied().collect();
     vertices.extend(&rising.vertices[1..]);
+    let outermost = [&vertices[0], &vertices[vertices.len() - 1]];
+    let complete = (0..2).all(|side| is_end(stops[side], outermost[side], ends[side]));
     Ok(PieceTrack {
-        index: index_of(&vertices),
+        index: index_of(frame, &vertices),
         stability: joined(&falling, &rising),
-        complete: is_end(stops[0], ends[0]) && is_end(stops[1], ends[1]),
+        complete,
         stops,
         effort: falling.effort.plus(rising.effort),
         vertices,
     })
 }
 
-fn index_of(vertices: &[Vertex]) -> Option<u8> {
-    vertices.iter().find_map(|vertex| vertex.index)
+/// The index of the first vertex that has one; where the Hessian is singular all along (a circle of relative
+/// equilibria) the sign of its other eigenvalue, which is its trace.
+fn index_of(frame: &Frame, vertices: &[Vertex]) -> Option<u8> {
+    vertices.iter().find_map(|vertex| vertex.index).or_else(|| {
+        let regular = |vertex: &&Vertex| vertex.kind == VertexKind::Regular && vertex.equilibrium.omega > 0.0;
+        let Linearisation { hessian_trace, hessian_trace_error, .. } =
+            Linearisation::new(frame, &vertices.iter().find(regular)?.equilibrium);
+        (hessian_trace.abs() > hessian_trace_error).then_some(u8::from(hessian_trace < 0.0))
+    })
 }
 
 /// The stretches of both halves by rising l, joined where the stability at the start is the same.

@@ -1,56 +1,12 @@
 //! Stretches of equal stability along a branch.
 
-use super::branch::{Branch, Point, Tangent};
+use super::location::GOLDEN;
 use super::report::{Effort, StabilityStretch, Vertex, VertexKind};
-use crate::body::Frame;
+use super::samples::{Gap, Sample, Segment, beside_event, shares};
 use crate::document::Stability;
-use crate::stability::Linearisation;
 
-/// Evaluations spent on the search for a change between two vertices with the same stability.
+/// Evaluations spent on the search for a change between two samples with the same stability.
 const BUBBLE_EVALUATIONS: usize = 24;
-/// A separation of the pairs above this share of its largest value is not followed down.
-const BUBBLE_SUSPECT: f64 = 0.3;
-/// Golden section.
-const GOLDEN: f64 = 0.381_966_011_250_105_1;
-
-/// The part of the branch between two vertices.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Segment<'f> {
-    pub branch: Branch<'f>,
-    pub base: Point,
-    pub tangent: Tangent,
-    /// Length of the step along the tangent, with its sign.
-    pub step: f64,
-    /// l at both ends.
-    pub l: [f64; 2],
-}
-
-impl Segment<'_> {
-    fn at(&self, step: f64, effort: &mut Effort) -> Option<(f64, Linearisation)> {
-        let point = self.branch.advance(&self.base, &self.tangent, step, effort)?;
-        let linearisation = Linearisation::new(self.branch.frame, &self.branch.equilibrium(&point));
-        // The length of a step to a landing is known to second order only; nothing lies beyond its end.
-        let [from, to] = self.l;
-        Some((self.branch.l(&point).clamp(from.min(to), from.max(to)), linearisation))
-    }
-}
-
-/// (b² − 4c)/(b² + 4|c|): how far apart the two pairs are, negative for a quadruple.
-fn separation(linearisation: &Linearisation) -> f64 {
-    linearisation.discriminant() / (linearisation.b * linearisation.b + 4.0 * linearisation.c.abs())
-}
-
-/// The stability next to an event on the side of even index: c → 0 leaves λ² = −b beside a pair near zero.
-fn beside_event(frame: &Frame, event: &Vertex) -> Option<Stability> {
-    let Linearisation { b, b_error, .. } = Linearisation::new(frame, &event.equilibrium);
-    if b > b_error {
-        Some(Stability::Elliptic)
-    } else if b < -b_error {
-        Some(Stability::Saddle)
-    } else {
-        None
-    }
-}
 
 /// Collects stretches vertex by vertex.
 ///
@@ -65,8 +21,8 @@ pub(super) struct Stretches<'f> {
     stability: Option<Stability>,
     /// First and last of the degenerate vertices since the last definite one, and their number.
     degenerate: Option<(f64, f64, usize)>,
-    /// The last segment if both its ends are of index 2 and equal stability, with the separations at them.
-    last: Option<(Segment<'f>, [f64; 2])>,
+    /// The last gap between samples, if the branch goes on from there with the same stability.
+    last: Option<Gap<'f>>,
 }
 
 impl<'f> Stretches<'f> {
@@ -115,28 +71,20 @@ impl<'f> Stretches<'f> {
         } else if to.stability == Stability::Degenerate {
             let (first, _, count) = self.degenerate.unwrap_or((to.l, to.l, 0));
             self.degenerate = Some((first, to.l, count + 1));
+            self.last = None;
         } else if from.kind != VertexKind::Regular {
             self.depart(segment, from, to, effort);
         } else if self.degenerate.is_some() {
             self.settle(Some(to.stability));
-        } else if from.stability != to.stability {
-            self.locate_changes(segment, from.stability, (segment.step, to.stability), effort);
+        } else if from.index == Some(2) || from.stability != to.stability {
+            self.walk(segment, [from, to], [from.stability, to.stability], effort);
         }
-        self.look_back(segment, from, to, effort);
     }
 
-    fn arrive(&mut self, segment: &Segment, from: &Vertex, event: &Vertex, effort: &mut Effort) {
-        if from.stability != Stability::Degenerate {
-            let arriving = if from.stability == Stability::SaddleCentre {
-                Some(Stability::SaddleCentre)
-            } else {
-                beside_event(segment.branch.frame, event)
-            };
-            if let Some(arriving) = arriving
-                && arriving != from.stability
-            {
-                self.locate_changes(segment, from.stability, (segment.step, arriving), effort);
-            }
+    fn arrive(&mut self, segment: &Segment<'f>, from: &Vertex, event: &Vertex, effort: &mut Effort) {
+        if from.index == Some(2) && from.stability != Stability::Degenerate {
+            let arriving = beside_event(segment.branch.frame, event).unwrap_or(from.stability);
+            self.walk(segment, [from, event], [from.stability, arriving], effort);
         } else if self.stability.is_none()
             && self.degenerate.is_some_and(|(_, _, count)| count == 1)
             && let Some((_, middle)) = segment.at(0.5 * segment.step, effort)
@@ -146,38 +94,86 @@ impl<'f> Stretches<'f> {
             self.stability = Some(middle.stability());
             self.degenerate = None;
         }
+        self.last = None;
         self.settle(None);
         self.close(event.l, None);
         self.degenerate = Some((event.l, event.l, 1));
     }
 
-    fn depart(&mut self, segment: &Segment, event: &Vertex, to: &Vertex, effort: &mut Effort) {
-        let departing = if to.stability == Stability::SaddleCentre {
-            to.stability
+    fn depart(&mut self, segment: &Segment<'f>, event: &Vertex, to: &Vertex, effort: &mut Effort) {
+        if to.index == Some(2) {
+            let departing = beside_event(segment.branch.frame, event).unwrap_or(to.stability);
+            self.settle(Some(departing));
+            self.walk(segment, [event, to], [departing, to.stability], effort);
         } else {
-            beside_event(segment.branch.frame, event).unwrap_or(to.stability)
-        };
-        self.settle(Some(departing));
-        if departing != to.stability {
-            self.locate_changes(segment, departing, (segment.step, to.stability), effort);
+            self.settle(Some(to.stability));
         }
     }
 
-    /// Finds the changes from the stability `current` at the base to `end` = (step, stability) by bisection.
-    fn locate_changes(&mut self, segment: &Segment, current: Stability, end: (f64, Stability), effort: &mut Effort) {
-        self.locate_changes_from(segment, (0.0, current), end, effort);
+    /// Looks at the stability in small steps from one end of a segment to the other.
+    fn walk(&mut self, segment: &Segment<'f>, ends: [&Vertex; 2], [first, last]: [Stability; 2], effort: &mut Effort) {
+        // At the ends the stability is known from the vertices, or from the event there.
+        let look = |step: f64, known: Option<Stability>, effort: &mut Effort| {
+            let sample = segment.look(step, effort)?;
+            Some(Sample { stability: known.unwrap_or(sample.stability), ..sample })
+        };
+        let Some(mut from) = look(0.0, Some(first), effort) else { return };
+        for share in shares(segment, ends[0], ends[1]) {
+            let sample = look(segment.step * share, (share == 1.0).then_some(last), effort);
+            let Some(to) = sample.filter(|to| to.stability != Stability::Degenerate) else { continue };
+            self.pass(&Gap { segment: *segment, from, to, fine: false }, effort);
+            from = to;
+        }
     }
 
-    fn locate_changes_from(
-        &mut self,
-        segment: &Segment,
-        (mut low, mut current): (f64, Stability),
-        (end, last): (f64, Stability),
-        effort: &mut Effort,
-    ) {
-        while current != last {
-            let (mut inside, mut outside, mut next) = (low, end, last);
-            let mut l = segment.at(end, effort).map_or(segment.l[1], |(l, _)| l);
+    /// Goes from one sample to the next.
+    ///
+    /// Two changes between neighbouring samples leave no trace at them but a dip of the margin, which shows at a sample
+    /// that is lower than its neighbours, or next to a change.
+    fn pass(&mut self, gap: &Gap<'f>, effort: &mut Effort) {
+        let Gap { segment, from, to, fine } = *gap;
+        if from.stability != to.stability && !fine {
+            self.refine(gap, effort);
+            return;
+        }
+        let last = self.last.take();
+        let like = from.stability;
+        let falls = last.as_ref().is_none_or(|last| from.margin(like) <= last.from.margin(like));
+        let changes = from.stability != to.stability;
+        let rises = changes || from.margin(like) <= to.margin(like);
+        if falls && rises {
+            if let Some(last) = last {
+                self.search_bubble(&last, effort);
+            }
+            if !changes {
+                self.search_bubble(gap, effort);
+            }
+        }
+        if changes {
+            self.locate_changes(&segment, from, to, effort);
+        } else {
+            self.last = Some(*gap);
+        }
+    }
+
+    /// Goes through a gap in which the stability changes in smaller steps: there may be more changes than one.
+    fn refine(&mut self, gap: &Gap<'f>, effort: &mut Effort) {
+        let Gap { segment, mut from, to, .. } = *gap;
+        let start = from.step;
+        for share in [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0] {
+            let next = if share == 1.0 { Some(to) } else { segment.look(start + share * (to.step - start), effort) };
+            let Some(next) = next.filter(|next| next.stability != Stability::Degenerate) else { continue };
+            self.pass(&Gap { segment, from, to: next, fine: true }, effort);
+            from = next;
+        }
+    }
+
+    /// Finds the changes of stability between two samples by bisection.
+    fn locate_changes(&mut self, segment: &Segment, from: Sample, to: Sample, effort: &mut Effort) {
+        let (mut low, mut current) = (from.step, from.stability);
+        while current != to.stability {
+            let (mut inside, mut outside, mut next) = (low, to.step, to.stability);
+            let mut l = segment.at(to.step, effort).map_or(segment.l[1], |(l, _)| l);
             while (outside - inside).abs() > 1e-14 * segment.step.abs() {
                 let middle = 0.5 * (inside + outside);
                 if middle == inside || middle == outside {
@@ -201,58 +197,32 @@ impl<'f> Stretches<'f> {
         }
     }
 
-    /// Two changes between neighbouring vertices leave no trace at the vertices but a dip of the separation of
-    /// the pairs. Looks for them in the last segment and this one if the vertex between them is lower than its neighbours.
-    fn look_back(&mut self, segment: &Segment<'f>, from: &Vertex, to: &Vertex, effort: &mut Effort) {
-        let last = self.last.take();
-        let plain = |vertex: &Vertex| vertex.kind == VertexKind::Regular && vertex.index == Some(2);
-        if !(plain(from) && plain(to) && from.stability == to.stability && to.stability != Stability::Degenerate) {
-            return;
-        }
-        let at = |vertex: &Vertex| separation(&Linearisation::new(segment.branch.frame, &vertex.equilibrium)).abs();
-        let ends = [last.as_ref().map_or_else(|| at(from), |(_, ends)| ends[1]), at(to)];
-        if let Some((before, [first, middle])) = &last
-            && middle < first
-            && *middle <= ends[1]
-            && *middle < BUBBLE_SUSPECT
-        {
-            self.search_bubble(before, from.stability, effort);
-            self.search_bubble(segment, from.stability, effort);
-        }
-        self.last = Some((*segment, ends));
-    }
-
-    /// Follows the separation of the pairs down to its minimum inside the segment; if another stability lies there,
+    /// Follows the margin down to its minimum inside the gap; if another stability lies there,
     /// inserts it with both its borders.
-    fn search_bubble(&mut self, segment: &Segment, outside: Stability, effort: &mut Effort) {
-        let probe = |step: f64, effort: &mut Effort| {
-            segment.at(step, effort).map(|(_, linearisation)| (linearisation.stability(), separation(&linearisation)))
-        };
-        let (mut low, mut high) = (0.0, segment.step);
-        let mut left = low + GOLDEN * (high - low);
-        let mut right = high - GOLDEN * (high - low);
-        let (Some(mut at_left), Some(mut at_right)) = (probe(left, effort), probe(right, effort)) else { return };
+    fn search_bubble(&mut self, gap: &Gap, effort: &mut Effort) {
+        let Gap { segment, from, to, .. } = gap;
+        let probe = |step: f64, effort: &mut Effort| segment.look(step, effort);
+        let (mut low, mut high) = (from.step, to.step);
+        let Some(mut left) = probe(low + GOLDEN * (high - low), effort) else { return };
+        let Some(mut right) = probe(high - GOLDEN * (high - low), effort) else { return };
         for _ in 0..BUBBLE_EVALUATIONS {
-            for (step, (stability, _)) in [(left, at_left), (right, at_right)] {
-                if stability != outside && stability != Stability::Degenerate {
-                    self.locate_changes_from(segment, (0.0, outside), (step, stability), effort);
-                    self.locate_changes_from(segment, (step, stability), (segment.step, outside), effort);
+            for sample in [left, right] {
+                if sample.stability != from.stability && sample.stability != Stability::Degenerate {
+                    self.locate_changes(segment, *from, sample, effort);
+                    self.locate_changes(segment, sample, *to, effort);
                     return;
                 }
             }
-            // A quadruple away from its borders has a large |separation|: the sign matters.
-            if at_left.1 < at_right.1 {
-                high = right;
-                (right, at_right) = (left, at_left);
-                left = low + GOLDEN * (high - low);
-                let Some(found) = probe(left, effort) else { return };
-                at_left = found;
+            if left.margin(from.stability) < right.margin(from.stability) {
+                high = right.step;
+                right = left;
+                let Some(found) = probe(low + GOLDEN * (high - low), effort) else { return };
+                left = found;
             } else {
-                low = left;
-                (left, at_left) = (right, at_right);
-                right = high - GOLDEN * (high - low);
-                let Some(found) = probe(right, effort) else { return };
-                at_right = found;
+                low = left.step;
+                left = right;
+                let Some(found) = probe(high - GOLDEN * (high - low), effort) else { return };
+                right = found;
             }
         }
     }

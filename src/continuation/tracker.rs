@@ -3,10 +3,10 @@
 use super::branch::{Branch, Family, Point, Tangent};
 use super::chord::{ChordEnd, chord_distance};
 use super::corrector::Condition;
-use super::location::Bracket;
-use super::options::{AtEvent, Direction, Start, TrackOptions};
+use super::options::{Direction, Start, TrackOptions};
 use super::report::{Effort, Pitchfork, StopReason, TrackError, TrackReport, Vertex, VertexKind};
-use super::spans::{Segment, Stretches};
+use super::samples::Segment;
+use super::spans::Stretches;
 use crate::body::Frame;
 use crate::document::Stability;
 use crate::stability::Linearisation;
@@ -50,36 +50,30 @@ pub fn track(
     Ok(tracker.finish(stop))
 }
 
-enum Step {
+/// What came of one attempt of a step.
+pub(super) enum Step {
     Accepted,
     Rejected { factor: f64 },
     Stopped(StopReason),
 }
 
-/// What lies between the base point and the end of a step.
-enum Event {
-    Cusp,
-    Pitchfork,
-    /// The branch ends or leaves the range of l: land on it.
-    Landing(StopReason),
-}
-
-struct Tracker<'a> {
-    branch: Branch<'a>,
-    options: &'a TrackOptions,
+/// The state of a track.
+pub(super) struct Tracker<'a> {
+    pub(super) branch: Branch<'a>,
+    pub(super) options: &'a TrackOptions,
     /// +1 along the orientation of the branch, −1 against it.
-    way: f64,
-    base: Point,
-    tangent: Tangent,
-    step: f64,
+    pub(super) way: f64,
+    pub(super) base: Point,
+    pub(super) tangent: Tangent,
+    pub(super) step: f64,
     /// Sign of [`Branch::turning`] since the last cusp.
-    turning_sign: f64,
+    pub(super) turning_sign: f64,
     /// Signs of the gaps of frozen axes since the last pitchfork; 0 where not yet known.
-    frozen_sign: [f64; 3],
-    vertices: Vec<Vertex>,
-    pitchforks: Vec<Pitchfork>,
-    stretches: Stretches<'a>,
-    effort: Effort,
+    pub(super) frozen_sign: [f64; 3],
+    pub(super) vertices: Vec<Vertex>,
+    pub(super) pitchforks: Vec<Pitchfork>,
+    pub(super) stretches: Stretches<'a>,
+    pub(super) effort: Effort,
 }
 
 fn sign(x: f64) -> f64 {
@@ -180,7 +174,7 @@ impl<'a> Tracker<'a> {
         }
     }
 
-    fn last(&self) -> &Vertex {
+    pub(super) fn last(&self) -> &Vertex {
         &self.vertices[self.vertices.len() - 1]
     }
 
@@ -216,7 +210,7 @@ impl<'a> Tracker<'a> {
             return self.land_ahead(signed).unwrap_or(Step::Rejected { factor: 0.5 });
         };
         let tangent = self.branch.tangent(&end);
-        if tangent.dot(&self.tangent) < LARGEST_TURN || self.hides_a_fold(&end, &tangent) {
+        if tangent.dot(&self.tangent) < LARGEST_TURN || self.hides_a_fold(&end, &tangent, signed) {
             return Step::Rejected { factor: 0.5 };
         }
         let mut events = self.events(&end, &tangent);
@@ -247,170 +241,8 @@ impl<'a> Tracker<'a> {
         }
     }
 
-    /// Whether l(σ) between both ends looks as if dl had two zeros inside: the quadratic with the values of dl at the
-    /// ends and the right integral comes close to zero in between.
-    fn hides_a_fold(&self, end: &Point, tangent: &Tangent) -> bool {
-        if matches!(self.branch.family, Family::Pair { .. }) {
-            return false;
-        }
-        // Both derivatives with respect to the step along the base's tangent.
-        let (from, to) = (self.tangent.l * self.way, self.way * tangent.l / self.tangent.progress_of(tangent));
-        if from * to <= 0.0 {
-            return false;
-        }
-        let l = self.branch.l(end);
-        let mean = (l - self.last().l) / self.step;
-        let excess = mean - 0.5 * (from + to);
-        if excess.abs() * self.step <= 8.0 * f64::EPSILON * l {
-            return false;
-        }
-        // q(t) = from (1−t) + to t + curve t(1−t).
-        let curve = 6.0 * excess;
-        let t = 0.5 + 0.5 * (to - from) / curve;
-        if !(t > 0.0 && t < 1.0) {
-            return false;
-        }
-        let inside = from * (1.0 - t) + to * t + curve * t * (1.0 - t);
-        inside * sign(from) < 0.25 * from.abs().min(to.abs())
-    }
-
-    /// Everything between the base point and `end`; the one to handle first comes last.
-    fn events(&self, end: &Point, tangent: &Tangent) -> Vec<Event> {
-        let mut events = Vec::new();
-        let l = self.branch.l(end);
-        if let Family::Pair { axis } = self.branch.family
-            && end.gamma[axis] <= 0.0
-        {
-            events.push(Event::Landing(StopReason::Pitchfork));
-        } else if end.omega <= 0.0 && self.options.l_min <= 0.0 {
-            events.push(Event::Landing(StopReason::Rest));
-        } else if l >= self.options.l_max && l > self.last().l {
-            events.push(Event::Landing(StopReason::MaximumReached));
-        } else if l <= self.options.l_min && l < self.last().l {
-            events.push(Event::Landing(StopReason::MinimumReached));
-        }
-        let gaps = self.branch.gaps(end);
-        if (0..3).any(|j| self.branch.frozen[j] && gaps[j] * self.frozen_sign[j] < 0.0) {
-            events.push(Event::Pitchfork);
-        }
-        if self.branch.turning(end, tangent) * self.turning_sign < 0.0 {
-            events.push(Event::Cusp);
-        }
-        events
-    }
-
-    fn handle(&mut self, event: &Event, end: Point, tangent: &Tangent, signed: f64) -> Step {
-        match event {
-            Event::Landing(reason) => self.land(*reason, end),
-            Event::Cusp => self.cusp(end, tangent, signed),
-            Event::Pitchfork => self.pitchfork(end, signed),
-        }
-    }
-
-    fn cusp(&mut self, end: Point, tangent: &Tangent, signed: f64) -> Step {
-        let branch = self.branch;
-        let far = branch.turning(&end, tangent);
-        let turning = |point: &Point| branch.turning(point, &branch.tangent(point));
-        let Some(near) = self.near_end(turning, self.turning_sign, VertexKind::Cusp, signed) else {
-            return Step::Rejected { factor: 0.5 };
-        };
-        let ends = [near, Bracket { step: signed, value: far }];
-        let Some((step, point)) = branch.locate(&self.base, &self.tangent, ends, end, turning, &mut self.effort) else {
-            return Step::Rejected { factor: 0.5 };
-        };
-        let outcome = self.accept(point, step, VertexKind::Cusp);
-        if matches!(outcome, Step::Accepted) {
-            self.turning_sign = -self.turning_sign;
-            if self.options.at_cusp == AtEvent::Stop {
-                return Step::Stopped(StopReason::Cusp);
-            }
-        }
-        outcome
-    }
-
-    fn pitchfork(&mut self, end: Point, signed: f64) -> Step {
-        let branch = self.branch;
-        let (near, far) = (branch.gaps(&self.base), branch.gaps(&end));
-        let frozen_sign = self.frozen_sign;
-        let crossed = |j: &usize| branch.frozen[*j] && far[*j] * frozen_sign[*j] < 0.0;
-        // The first one on the way; others at the same point (equal moments) go with it.
-        let share = |j: usize| near[j] / (near[j] - far[j]);
-        let Some(axis) = (0..3).filter(crossed).min_by(|&i, &j| share(i).total_cmp(&share(j))) else {
-            return Step::Rejected { factor: 0.5 };
-        };
-        let gap = |point: &Point| branch.gaps(point)[axis];
-        let Some(near) = self.near_end(gap, self.frozen_sign[axis], VertexKind::Pitchfork, signed) else {
-            return Step::Rejected { factor: 0.5 };
-        };
-        let ends = [near, Bracket { step: signed, value: far[axis] }];
-        let Some((step, point)) = branch.locate(&self.base, &self.tangent, ends, end, gap, &mut self.effort) else {
-            return Step::Rejected { factor: 0.5 };
-        };
-        let meeting: Vec<usize> = (0..3).filter(crossed).filter(|&j| branch.frame.diff[axis][j] == 0.0).collect();
-        let outcome = self.accept(point, step, VertexKind::Pitchfork);
-        if matches!(outcome, Step::Accepted) {
-            for axis in meeting {
-                self.frozen_sign[axis] = -self.frozen_sign[axis];
-                self.pitchforks.push(Pitchfork { vertex: self.vertices.len() - 1, axis });
-            }
-            if self.options.at_pitchfork == AtEvent::Stop {
-                return Step::Stopped(StopReason::Pitchfork);
-            }
-        }
-        outcome
-    }
-
-    /// The near end of a bracket for a function that has had this `sign` since its last zero. Where the base is that
-    /// zero its value there is noise, and a small part of the step away it has to be definite.
-    fn near_end(&mut self, value: impl Fn(&Point) -> f64, sign: f64, kind: VertexKind, signed: f64) -> Option<Bracket> {
-        let (mut step, mut point) = (0.0, self.base);
-        if self.last().kind == kind {
-            step = signed / 1024.0;
-            point = self.branch.advance(&self.base, &self.tangent, step, &mut self.effort)?;
-        }
-        let value = value(&point);
-        (value * sign > 0.0).then_some(Bracket { step, value })
-    }
-
-    fn land(&mut self, reason: StopReason, end: Point) -> Step {
-        let condition = match (reason, self.branch.family) {
-            (StopReason::MaximumReached, _) => Condition::Momentum(self.options.l_max),
-            (StopReason::MinimumReached, _) => Condition::Momentum(self.options.l_min),
-            (StopReason::Pitchfork, Family::Pair { axis }) => Condition::Symmetric(axis),
-            _ => Condition::Rest,
-        };
-        let scale = self.tangent.omega_scale;
-        let Some(point) = self.branch.correct(end, condition, scale, 2.0 * self.step, &mut self.effort) else {
-            return Step::Rejected { factor: 0.5 };
-        };
-        let kind = if reason == StopReason::Pitchfork { VertexKind::Pitchfork } else { VertexKind::Regular };
-        // The landing lies before the end of the step; stability between is looked for up to there.
-        let landed = self.branch.progress(&self.base, &self.tangent, &point);
-        match self.accept(point, landed, kind) {
-            Step::Accepted => {
-                let exact = match reason {
-                    StopReason::MaximumReached => Some(self.options.l_max),
-                    StopReason::MinimumReached => Some(self.options.l_min),
-                    _ => None,
-                };
-                // The condition l = l_max holds to rounding; the vertex carries the very number.
-                if let (Some(l), Some(vertex)) = (exact, self.vertices.last_mut()) {
-                    vertex.l = l;
-                }
-                Step::Stopped(reason)
-            }
-            other => other,
-        }
-    }
-
-    /// Lands on l = 0 when the step went through it and the corrector could not follow.
-    fn land_ahead(&mut self, signed: f64) -> Option<Step> {
-        let predicted = self.branch.predict(&self.base, &self.tangent, signed)?;
-        (predicted.omega <= 0.0 && self.options.l_min <= 0.0).then(|| self.land(StopReason::Rest, predicted))
-    }
-
     /// Accepts `point` as the next vertex if the chord to it is close enough to the curve.
-    fn accept(&mut self, point: Point, signed: f64, kind: VertexKind) -> Step {
+    pub(super) fn accept(&mut self, point: Point, signed: f64, kind: VertexKind) -> Step {
         let vertex = self.vertex(&point, kind);
         let base = self.branch.reanchored(point);
         let tangent = self.branch.tangent(&base);
