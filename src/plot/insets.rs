@@ -12,7 +12,7 @@ use crate::document::WindowDocument;
 pub(super) const LEGIBLE: f64 = 4.5;
 /// The widest window tried for a region shows it with an inscribed circle of at least this radius, the closest with
 /// at least that.
-const WIDE: f64 = 5.5;
+const WIDE: f64 = 4.6;
 const CLOSE: f64 = 14.0;
 /// In the window that stands for it, a region's inscribed circle has at least this radius.
 const KEPT: f64 = 5.0;

@@ -45,13 +45,27 @@ fn accessible_region(name: &str) -> String {
 
 /// The type printed in a region: that of its section, or of its accessible region where no section exists.
 pub(super) fn region_type(region: &RegionDocument) -> String {
-    match &region.signature {
-        Some(signature) => signature.split('+').map(section).collect::<Vec<_>>().join("+"),
-        None => {
-            let parts: Vec<String> =
-                region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
-            format!("U: {}", parts.join("+"))
+    if let Some(signature) = &region.signature {
+        return signature.split('+').map(section).collect::<Vec<_>>().join("+");
+    }
+    let parts: Vec<String> =
+        region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
+    format!("U: {}", parts.join("+"))
+}
+
+/// A positive number with two significant digits.
+pub(super) fn short(value: f64) -> String {
+    let text = format!("{value:.1e}");
+    match text.split_once('e').map(|(digits, exponent)| (digits, exponent.parse::<i32>())) {
+        Some((_, Ok(exponent))) if (-1..4).contains(&exponent) => {
+            if value < 10.0 {
+                format!("{value:.1}")
+            } else {
+                format!("{value:.0}")
+            }
         }
+        Some((digits, Ok(exponent))) => format!("{digits}·10{}", superscript(exponent)),
+        _ => text,
     }
 }
 
@@ -65,5 +79,6 @@ mod tests {
         assert_eq!(section("M3"), "M²₃");
         assert_eq!(accessible_region("S2-3D2"), "S²∖3D²");
         assert_eq!(superscript(-12), "⁻¹²");
+        assert_eq!([2.34, 142.4, 4.7e5].map(short), ["2.3", "142", "4.7·10⁵"]);
     }
 }
