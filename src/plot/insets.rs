@@ -23,9 +23,9 @@ const STEPS_MAX: usize = 3;
 /// Windows narrower than this, relative to their position, are beyond f64.
 const RESOLUTION: f64 = 1e-12;
 /// Free space around a region, as a share of its extent.
-const AROUND: f64 = 0.3;
+const AROUND: f64 = 0.16;
 /// Each trial window reaches this share as far from the region's widest place as the one before.
-const SHRINK: f64 = 0.8;
+const SHRINK: f64 = 0.9;
 /// Pixels of a trial, in those of the panel.
 const COARSE: f64 = 2.0;
 /// Places at which the extent of a cell is measured.
