@@ -128,6 +128,11 @@ fn own_windows(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -
     let Some(widest) = stations.iter().max_by(|a, b| extent(a).total_cmp(&extent(b))) else {
         return Ok(Found::Outside);
     };
+    // A strip that never ends is widest far out; the atlas' sample lies where it has something to show.
+    let (sample, extent_max) = (document.sample.l, extent(widest));
+    let near_sample = stations.iter().min_by(|a, b| (a.l - sample).abs().total_cmp(&(b.l - sample).abs()));
+    let endless = scene.cells[region].iter().any(|cell| cell.l[1].is_infinite());
+    let widest = near_sample.filter(|station| endless && extent(station) >= 0.3 * extent_max).unwrap_or(widest);
     let cells = scene.cells[region].iter().filter(|cell| cell.l[0] < visible.l[1] && cell.l[1] > visible.l[0]);
     let ends = cells.fold([f64::INFINITY, 0.0_f64], |ends, cell| [ends[0].min(cell.l[0]), ends[1].max(cell.l[1])]);
     let ends = [ends[0].max(visible.l[0]), ends[1].min(visible.l[1])];
