@@ -1,45 +1,28 @@
 //! The bifurcation diagram of an atlas.
 
-use plotters::chart::ChartBuilder;
-
-use super::canvas::{Anchor, Canvas, Ink, Point, render, style, text_style, to_units};
+use super::canvas::{Anchor, Canvas, Ink, Point, render};
 use super::font::{self, text_width};
 use super::geometry::{Rect, distance};
-use super::insets::{LEGIBLE, Magnifications, magnifications};
+use super::insets::{LEGIBLE, magnifications};
 use super::labels::{Label, Name, Space, base_lines};
+use super::layout::{BELOW, Frame, INSET, LEFT, MAIN, RIGHT, TOP, frames, inset_place, letter};
 use super::legend::{Legend, event_marker, sample_dot};
 use super::notation::{H, L};
+use super::notes::{NOTE_SIZE, notes, title};
 use super::palette::{FAINT_INK, INK, PAPER, branch_styles, tint};
 use super::panel::{Panel, View};
 use super::scene::Scene;
 use super::stroke::{self, Stroke};
-use super::ticks::{Axis, ticks};
 use super::trace::CurveSource;
 use super::window::main_window;
-use super::{DiagramOptions, Picture, PlotError, notation};
+use super::{DiagramOptions, Picture, PlotError, axes, notation};
 use crate::document::{AtlasDocument, EventKind, RegionDocument};
 
-/// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
-const LEFT: f64 = 58.0;
-const TOP: f64 = 62.0;
-const BELOW: f64 = 46.0;
-const RIGHT: f64 = 16.0;
-/// Plot area of the main panel and of an inset.
-const MAIN: [f64; 2] = [600.0, 536.0];
-const INSET: [f64; 2] = [290.0, 231.0];
-/// Space above an inset for its letter, and its part of the page.
-const INSET_TOP: f64 = 28.0;
-const INSET_PITCH: [f64; 2] = [INSET[0] + LEFT, INSET[1] + INSET_TOP + BELOW];
-/// Insets beside the main panel; further ones stand below in rows of three.
-const BESIDE: usize = 2;
-const IN_A_ROW: usize = 3;
-/// Frames of insets are drawn at least this large.
-const FRAME_MIN: f64 = 9.0;
 /// Inside frames smaller than this, markers are left to the inset.
 const CROWDED: f64 = 30.0;
 const TITLE_SIZE: f64 = 14.0;
+/// Font size of the insets' letters and scales.
 const AXIS_SIZE: f64 = 11.0;
-const NOTE_SIZE: f64 = 11.0;
 
 /// Draws the bifurcation diagram: h to the right, l upwards, each region tinted and labelled with the type of its
 /// section, and magnified insets for what the main panel is too coarse for.
@@ -98,14 +81,14 @@ pub fn draw(
             for label in &labels[index] {
                 paint_label(canvas, label, &names[label.region])?;
             }
-            paint_axes(canvas, panel, index)?;
+            axes::draw(canvas, panel, index)?;
         }
         if let [main, insets @ ..] = &panels[..] {
             for (index, inset) in insets.iter().enumerate() {
                 let rect = inset.view.rect;
                 let h = main.view.h_per_pixel() / inset.view.h_per_pixel();
                 let l = main.view.l_per_pixel() / inset.view.l_per_pixel();
-                let text = format!("({})  {H} ×{}, {L} ×{}", letter(index), short(h), short(l));
+                let text = format!("({})  {H} ×{}, {L} ×{}", letter(index), notation::short(h), notation::short(l));
                 canvas.text(&text, [rect.x + rect.width, rect.y - 8.0], AXIS_SIZE, INK, Anchor::End)?;
             }
         }
@@ -116,101 +99,6 @@ pub fn draw(
         }
         Ok(())
     })
-}
-
-/// The body in a line.
-fn title(atlas: &AtlasDocument) -> String {
-    let list = |numbers: &[crate::body::Number; 3]| {
-        numbers.iter().map(|number| number.text().replace('-', "−")).collect::<Vec<_>>().join(", ")
-    };
-    let mut title = format!("A = ({}),  r = ({})", list(&atlas.body.moments), list(&atlas.body.center));
-    if atlas.body.flags.unphysical {
-        title.push_str("   (unphysical: the triangle inequality is violated)");
-    }
-    title
-}
-
-/// Top left corner of the plot area of an inset.
-fn inset_place(index: usize) -> Point {
-    if index < BESIDE {
-        let x = LEFT + MAIN[0] + LEFT + 8.0;
-        // The two together are as high as the main panel.
-        return [x, TOP + index as f64 * (MAIN[1] - INSET[1])];
-    }
-    let (row, column) = ((index - BESIDE) / IN_A_ROW, (index - BESIDE) % IN_A_ROW);
-    let top = TOP + MAIN[1] + BELOW + INSET_TOP;
-    [LEFT + column as f64 * INSET_PITCH[0], top + row as f64 * INSET_PITCH[1]]
-}
-
-/// The letter of an inset: a … z, then aa, ab, …
-fn letter(index: usize) -> String {
-    let own = char::from(b'a' + u8::try_from(index % 26).unwrap_or(0));
-    match index / 26 {
-        0 => own.to_string(),
-        round => format!("{}{own}", letter(round - 1)),
-    }
-}
-
-/// A positive number with two significant digits.
-fn short(value: f64) -> String {
-    let text = format!("{value:.1e}");
-    match text.split_once('e').map(|(digits, exponent)| (digits, exponent.parse::<i32>())) {
-        Some((_, Ok(exponent))) if (-1..4).contains(&exponent) => {
-            if value < 10.0 {
-                format!("{value:.1}")
-            } else {
-                format!("{value:.0}")
-            }
-        }
-        Some((digits, Ok(exponent))) => format!("{digits}·10{}", notation::superscript(exponent)),
-        _ => text,
-    }
-}
-
-/// Where the window of an inset is shown.
-struct Frame {
-    /// Index of the inset.
-    inset: usize,
-    /// Index of the panel that shows it.
-    parent: usize,
-    rect: Rect,
-}
-
-/// The frame of every inset in the smallest panel that contains it.
-fn frames(panels: &[Panel]) -> Vec<Frame> {
-    let area = |panel: &Panel| {
-        let window = &panel.view.window;
-        (window.h[1] - window.h[0]) * (window.l[1] - window.l[0])
-    };
-    (1..panels.len())
-        .map(|index| {
-            let window = &panels[index].view.window;
-            let contains = |outer: &Panel| {
-                let within = |inner: [f64; 2], outer: [f64; 2]| inner[0] >= outer[0] && inner[1] <= outer[1];
-                within(window.h, outer.view.window.h) && within(window.l, outer.view.window.l)
-            };
-            let parent = (1..index)
-                .filter(|&outer| contains(&panels[outer]))
-                .min_by(|&a, &b| area(&panels[a]).total_cmp(&area(&panels[b])))
-                .unwrap_or(0);
-            let exact = panels[parent].view.frame(window);
-            let (dx, dy) = ((FRAME_MIN - exact.width).max(0.0), (FRAME_MIN - exact.height).max(0.0));
-            let wide = Rect {
-                x: exact.x - dx / 2.0,
-                y: exact.y - dy / 2.0,
-                width: exact.width + dx,
-                height: exact.height + dy,
-            };
-            Frame { inset: index - 1, parent, rect: within(&wide, &panels[parent].view.rect) }
-        })
-        .collect()
-}
-
-/// The part of a rectangle inside another.
-fn within(rect: &Rect, outer: &Rect) -> Rect {
-    let [x, y] = outer.nearest([rect.x, rect.y]);
-    let [right, bottom] = outer.nearest([rect.x + rect.width, rect.y + rect.height]);
-    Rect { x, y, width: right - x, height: bottom - y }
 }
 
 /// Labels of every panel, places of the insets' letters, and the regions that found no place.
@@ -340,90 +228,4 @@ fn paint_label(canvas: &Canvas<'_>, label: &Label, name: &Name) -> Result<(), Pl
     let [(kind_at, kind_size), (id_at, id_size)] = base_lines(label, name);
     canvas.text(&name.kind, kind_at, kind_size, INK, Anchor::Middle)?;
     canvas.text(&name.id, id_at, id_size, FAINT_INK, Anchor::Middle)
-}
-
-fn paint_axes(canvas: &Canvas<'_>, panel: &Panel, index: usize) -> Result<(), PlotError> {
-    let View { window, rect } = panel.view;
-    let spacing = if index == 0 { 70.0 } else { 58.0 };
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen at most")]
-    let count = |length: f64, spacing: f64| (length / spacing).floor() as usize;
-    let h_ticks = ticks(H, window.h[0], window.h[1], count(rect.width, spacing));
-    let l_ticks = ticks(L, window.l[0], window.l[1], count(rect.height, 0.7 * spacing));
-    let area = canvas.area().clone().shrink(
-        (to_units(rect.x - LEFT), to_units(rect.y)),
-        (to_units(rect.width + LEFT), to_units(rect.height + BELOW)),
-    );
-    let frame = style(Ink { color: INK, width: 0.9 });
-    let mut chart = ChartBuilder::on(&area)
-        .x_label_area_size(to_units(BELOW))
-        .y_label_area_size(to_units(LEFT))
-        .build_cartesian_2d(
-            Axis { range: window.h, ticks: h_ticks.clone() },
-            Axis { range: window.l, ticks: l_ticks.clone() },
-        )?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .axis_style(frame)
-        .set_all_tick_mark_size(to_units(4.0))
-        .label_style(text_style(AXIS_SIZE, INK))
-        .draw()?;
-    canvas.outline(&rect.corners(), Ink { color: INK, width: 0.9 })?;
-    // In full where the labels are not scaled, in the main panel.
-    let name = |quantity: &str, meaning: &str| match quantity {
-        H | L if index == 0 => format!("{meaning} {quantity}"),
-        scaled => scaled.to_owned(),
-    };
-    let (h_name, l_name) = (name(&h_ticks.quantity, "energy"), name(&l_ticks.quantity, "vertical angular momentum"));
-    let h_at = [rect.x + rect.width / 2.0, rect.y + rect.height + 36.0];
-    canvas.text(&h_name, h_at, AXIS_SIZE + 1.0, INK, Anchor::Middle)?;
-    let l_at = [(rect.x - 12.0 - text_width(&l_name, AXIS_SIZE + 1.0)).max(rect.x - LEFT + 14.0), rect.y - 12.0];
-    canvas.text(&l_name, l_at, AXIS_SIZE + 1.0, INK, Anchor::Start)
-}
-
-/// What the picture cannot show, in lines of at most `width` pixels.
-fn notes(atlas: &AtlasDocument, magnified: &Magnifications, unlabelled: &[usize], width: f64) -> Vec<String> {
-    let known: Vec<usize> = magnified.invisible.iter().chain(&magnified.outside).copied().collect();
-    let crowded: Vec<usize> = unlabelled.iter().filter(|region| !known.contains(region)).copied().collect();
-    let mut lines = Vec::new();
-    for (heading, regions) in [
-        ("Too small for the resolution of f64:", &magnified.invisible),
-        ("Outside the window:", &magnified.outside),
-        ("Without room for a label:", &crowded),
-    ] {
-        if regions.is_empty() {
-            continue;
-        }
-        let items = regions.iter().map(|&index| {
-            let region = &atlas.regions[index];
-            let kind = notation::region_type(region);
-            let wide = region.h_width.map_or_else(String::new, |wide| format!(", {wide:.1e} wide"));
-            format!("{} ({kind}) at {H} = {}, {L} = {}{wide}", region.id, region.sample.h, region.sample.l)
-        });
-        wrap(heading, items, width, &mut lines);
-    }
-    let undecided = atlas.summary.undecided.len();
-    if undecided > 0 {
-        let items =
-            atlas.summary.undecided.iter().map(|what| format!("{} near {H} = {}, {L} = {}", what.what, what.h, what.l));
-        wrap(&format!("Undecided in f64 ({undecided}):"), items, width, &mut lines);
-    }
-    lines
-}
-
-/// Adds a heading and items to lines of at most `width` pixels.
-fn wrap(heading: &str, items: impl Iterator<Item = String>, width: f64, lines: &mut Vec<String>) {
-    let mut line = heading.to_owned();
-    for (place, item) in items.enumerate() {
-        let separator = if place == 0 { " " } else { "; " };
-        if text_width(&line, NOTE_SIZE) + text_width(&item, NOTE_SIZE) > width - 2.0 * NOTE_SIZE {
-            line.push_str(separator.trim_end());
-            lines.push(std::mem::replace(&mut line, item));
-        } else {
-            line.push_str(separator);
-            line.push_str(&item);
-        }
-    }
-    line.push('.');
-    lines.push(line);
 }

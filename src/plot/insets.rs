@@ -1,4 +1,4 @@
-//! Which parts are magnified: a window for each region too small to see, merged where one window shows several.
+//! Which parts are magnified: few windows that together show every region too small to see.
 
 use super::PlotError;
 use super::geometry::Rect;
@@ -10,9 +10,11 @@ use crate::document::WindowDocument;
 
 /// A region whose inscribed circle has at least this radius in pixels can be seen and pointed at.
 pub(super) const LEGIBLE: f64 = 4.5;
-/// A window of its own shows a region with an inscribed circle of at least this radius.
-const WANTED: f64 = 5.5;
-/// Windows are merged while every region's inscribed circle keeps this radius.
+/// The widest window tried for a region shows it with an inscribed circle of at least this radius, the closest with
+/// at least that.
+const WIDE: f64 = 4.6;
+const CLOSE: f64 = 14.0;
+/// In the window that stands for it, a region's inscribed circle has at least this radius.
 const KEPT: f64 = 5.0;
 /// Insets magnified more than this against the main panel are led up to by a window between the two.
 const LEAP: f64 = 40.0;
@@ -21,9 +23,9 @@ const STEPS_MAX: usize = 3;
 /// Windows narrower than this, relative to their position, are beyond f64.
 const RESOLUTION: f64 = 1e-12;
 /// Free space around a region, as a share of its extent.
-const AROUND: f64 = 0.3;
+const AROUND: f64 = 0.16;
 /// Each trial window reaches this share as far from the region's widest place as the one before.
-const SHRINK: f64 = 0.8;
+const SHRINK: f64 = 0.9;
 /// Pixels of a trial, in those of the panel.
 const COARSE: f64 = 2.0;
 /// Places at which the extent of a cell is measured.
@@ -56,32 +58,68 @@ struct Station {
 /// Chooses the windows of the insets of plot size `size` for what the main panel does not show.
 pub(super) fn magnifications(scene: &Scene<'_>, main: &Panel, size: [f64; 2]) -> Result<Magnifications, PlotError> {
     let mut result = Magnifications::default();
-    let mut candidates: Vec<Candidate> = Vec::new();
+    let mut windows: Vec<WindowDocument> = Vec::new();
+    let mut close: Vec<Candidate> = Vec::new();
+    let mut hidden: Vec<usize> = Vec::new();
     for (region, depth) in main.grid.depths(scene.cells.len()).into_iter().enumerate() {
         if depth >= LEGIBLE {
             continue;
         }
-        match own_window(scene, main, region, size)? {
-            Found::Window(candidate) => candidates.push(candidate),
+        match own_windows(scene, main, region, size)? {
+            Found::Windows { wide, closest } => {
+                hidden.push(region);
+                windows.push(wide);
+                windows.push(closest.window);
+                close.push(closest);
+            }
             Found::TooSmall => result.invisible.push(region),
             Found::Outside => result.outside.push(region),
         }
     }
-    result.windows = merge(candidates).into_iter().map(|candidate| candidate.window).collect();
+    windows.extend(unions(close));
+    result.windows = cover(scene, &windows, hidden, size)?;
     lead_up(&mut result.windows, &main.view.window);
-    let area = |window: &WindowDocument| (window.h[1] - window.h[0]) * (window.l[1] - window.l[0]);
     result.windows.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.l[0].total_cmp(&b.l[0])));
     Ok(result)
 }
 
+fn area(window: &WindowDocument) -> f64 {
+    (window.h[1] - window.h[0]) * (window.l[1] - window.l[0])
+}
+
+/// Windows that together show all of `hidden`: again and again the one that shows most of those left, the larger of
+/// two that show as many.
+fn cover(
+    scene: &Scene<'_>,
+    windows: &[WindowDocument],
+    mut hidden: Vec<usize>,
+    size: [f64; 2],
+) -> Result<Vec<WindowDocument>, PlotError> {
+    let mut shown: Vec<(WindowDocument, Vec<usize>)> = Vec::with_capacity(windows.len());
+    for window in windows {
+        let depths = depths_in(scene, window, &hidden, size)?;
+        shown.push((*window, hidden.iter().copied().filter(|&region| depths[region] >= LEGIBLE).collect()));
+    }
+    let mut chosen = Vec::new();
+    while !hidden.is_empty() {
+        let gain = |regions: &[usize]| regions.iter().filter(|region| hidden.contains(region)).count();
+        let best =
+            shown.iter().max_by(|(a, of_a), (b, of_b)| gain(of_a).cmp(&gain(of_b)).then(area(a).total_cmp(&area(b))));
+        let Some((window, regions)) = best.filter(|(_, regions)| gain(regions) > 0) else { break };
+        chosen.push(*window);
+        hidden.retain(|region| !regions.contains(region));
+    }
+    Ok(chosen)
+}
+
 enum Found {
-    Window(Candidate),
+    Windows { wide: WindowDocument, closest: Candidate },
     TooSmall,
     Outside,
 }
 
-/// The largest window around the widest place of a region in which it is easily seen.
-fn own_window(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -> Result<Found, PlotError> {
+/// Windows around the widest place of a region: the largest in which it can be seen, and one in which it is seen easily.
+fn own_windows(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -> Result<Found, PlotError> {
     let visible = main.view.window;
     let document = &scene.atlas.regions[region];
     let width = document.h_width.unwrap_or(f64::INFINITY).min(main.view.h_per_pixel());
@@ -90,9 +128,15 @@ fn own_window(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) ->
     let Some(widest) = stations.iter().max_by(|a, b| extent(a).total_cmp(&extent(b))) else {
         return Ok(Found::Outside);
     };
+    // A strip that never ends is widest far out; the atlas' sample lies where it has something to show.
+    let (sample, extent_max) = (document.sample.l, extent(widest));
+    let near_sample = stations.iter().min_by(|a, b| (a.l - sample).abs().total_cmp(&(b.l - sample).abs()));
+    let endless = scene.cells[region].iter().any(|cell| cell.l[1].is_infinite());
+    let widest = near_sample.filter(|station| endless && extent(station) >= 0.3 * extent_max).unwrap_or(widest);
     let cells = scene.cells[region].iter().filter(|cell| cell.l[0] < visible.l[1] && cell.l[1] > visible.l[0]);
     let ends = cells.fold([f64::INFINITY, 0.0_f64], |ends, cell| [ends[0].min(cell.l[0]), ends[1].max(cell.l[1])]);
     let ends = [ends[0].max(visible.l[0]), ends[1].min(visible.l[1])];
+    let mut wide: Option<WindowDocument> = None;
     let mut best: Option<Candidate> = None;
     let mut reach = (widest.l - ends[0]).max(ends[1] - widest.l);
     loop {
@@ -108,16 +152,22 @@ fn own_window(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) ->
         if !(resolved(window.h) && resolved(window.l)) {
             break;
         }
-        let depth = depth_in(scene, &window, region, size)?;
+        let depth = depths_in(scene, &window, &[region], size)?[region];
+        if depth >= WIDE && wide.is_none() {
+            wide = Some(window);
+        }
         if best.as_ref().is_none_or(|best| depth > best.depths[0]) {
             best = Some(Candidate { window, depths: vec![depth] });
         }
-        if depth >= WANTED {
+        if depth >= CLOSE {
             break;
         }
         reach *= SHRINK;
     }
-    Ok(best.filter(|best| best.depths[0] >= LEGIBLE).map_or(Found::TooSmall, Found::Window))
+    Ok(match best.filter(|best| best.depths[0] >= LEGIBLE) {
+        Some(closest) => Found::Windows { wide: wide.unwrap_or(closest.window), closest },
+        None => Found::TooSmall,
+    })
 }
 
 /// `window` with its infinite sides replaced by those of `outer`.
@@ -192,28 +242,35 @@ fn stations(
     Ok((!stations.is_empty()).then_some(stations))
 }
 
-/// Radius in pixels of the largest circle in a region that a panel of plot size `size` would show; measured on pixels
-/// twice as large.
-fn depth_in(scene: &Scene<'_>, window: &WindowDocument, region: usize, size: [f64; 2]) -> Result<f64, PlotError> {
+/// Radii in pixels of the largest circles in some regions that a panel of plot size `size` would show, 0 for all
+/// others; measured on pixels twice as large.
+fn depths_in(
+    scene: &Scene<'_>,
+    window: &WindowDocument,
+    regions: &[usize],
+    size: [f64; 2],
+) -> Result<Vec<f64>, PlotError> {
     let rect = Rect { x: 0.0, y: 0.0, width: size[0] / COARSE, height: size[1] / COARSE };
     let view = View { window: *window, rect };
     let tolerance = 0.1 * view.h_per_pixel();
     let mut traces: Vec<Trace> = vec![Trace::default(); scene.atlas.curves.len()];
-    for cell in &scene.cells[region] {
+    for cell in regions.iter().flat_map(|&region| &scene.cells[region]) {
         for curve in std::iter::once(cell.lower).chain(cell.upper) {
             if traces[curve].points.is_empty() {
                 traces[curve] = trace(scene, &scene.atlas.curves[curve], window.l, tolerance)?;
             }
         }
     }
-    Ok(COARSE * Grid::of_regions(scene, &view, &traces, &[region]).depths(scene.cells.len())[region])
+    let depths = Grid::of_regions(scene, &view, &traces, regions).depths(scene.cells.len());
+    Ok(depths.into_iter().map(|depth| COARSE * depth).collect())
 }
 
-/// Unites the two windows that lose least by it, as long as every region stays visible.
+/// All windows met while the two that lose least by it are united, as long as every region stays visible.
 ///
 /// A region's inscribed circle shrinks at most by the larger of the two changes of scale, so no window has to be
 /// drawn to be judged.
-fn merge(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
+fn unions(mut candidates: Vec<Candidate>) -> Vec<WindowDocument> {
+    let mut met = Vec::new();
     loop {
         let mut best: Option<(usize, usize, Candidate, f64)> = None;
         for i in 0..candidates.len() {
@@ -225,7 +282,8 @@ fn merge(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
                 }
             }
         }
-        let Some((i, j, united, _)) = best else { return candidates };
+        let Some((i, j, united, _)) = best else { return met };
+        met.push(united.window);
         candidates.swap_remove(i);
         candidates[j] = united;
     }

@@ -192,6 +192,7 @@ impl<'a> Space<'a> {
         };
         let leader = [anchor, rect.grown(1.0).nearest(anchor)];
         self.take(&rect.grown(CLEARANCE));
+        self.take(&Rect { x: anchor[0], y: anchor[1], width: 0.0, height: 0.0 }.grown(CLEARANCE));
         self.leaders.push(leader);
         self.labels.push(Label { region, rect, size, one_line: false, leader: Some(leader) });
         true

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use super::PlotError;
 use super::canvas::{Anchor, Canvas, Ink, Point};
 use super::font::text_width;
-use super::palette::{BranchStyle, FAINT_INK, INK, POLE, is_pole};
-use super::stroke::{self, DOUBLE_WIDTH, Pattern, WIDTH};
-use crate::document::{AtlasDocument, CurveDocument, CurveKind, EventKind, Stability};
+use super::palette::{BranchStyle, FAINT_INK, INK, POLE};
+use super::stroke::{self, DOUBLE_WIDTH, Pattern, Verdict, WIDTH};
+use crate::document::{AtlasDocument, CurveKind, EventKind};
 
 const SIZE: f64 = 11.5;
 const SAMPLE: f64 = 42.0;
@@ -34,14 +34,10 @@ impl Legend {
     /// What the diagram of `atlas` needs explained, in rows of `width` pixels.
     pub(super) fn new(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>, width: f64) -> Self {
         let mut entries = Vec::new();
-        let mut named: Vec<&str> = Vec::new();
-        for curve in atlas.curves.iter().filter(|curve| !is_pole(curve)) {
-            let Some(style) = styles.get(curve.branch.as_str()) else { continue };
-            if named.contains(&curve.branch.as_str()) {
-                continue;
-            }
-            named.push(&curve.branch);
-            let double = atlas.curves.iter().any(|other| other.branch == curve.branch && other.multiplicity > 1);
+        let mut branches: Vec<(&&str, &BranchStyle)> = styles.iter().collect();
+        branches.sort_by_key(|(_, style)| style.rank);
+        for (branch, style) in branches {
+            let double = atlas.curves.iter().any(|curve| curve.branch == **branch && curve.multiplicity > 1);
             let (thickness, name) =
                 if double { (DOUBLE_WIDTH, format!("{} (double)", style.name)) } else { (WIDTH, style.name.clone()) };
             entries.push((Symbol::Line(vec![(Some(style.color), 1.0)], thickness), name));
@@ -52,15 +48,17 @@ impl Legend {
                 entries.push((Symbol::Line(stroke::pole_pattern(kind), WIDTH), name.to_owned()));
             }
         }
-        let unstable = |curve: &CurveDocument| curve.stability.iter().any(|span| span.stability != Stability::Elliptic);
-        for (dashed, name) in [(false, "stable"), (true, "unstable")] {
-            if !dashed || atlas.curves.iter().any(unstable) {
-                entries.push((Symbol::Line(stroke::curve_pattern(&[FAINT_INK], !dashed), WIDTH), name.to_owned()));
+        for (verdict, name) in
+            [(Verdict::Stable, "stable"), (Verdict::Unstable, "unstable"), (Verdict::Open, "spectrum degenerate")]
+        {
+            let mut spans = atlas.curves.iter().flat_map(|curve| &curve.stability);
+            if spans.any(|span| stroke::verdict(span) == verdict) {
+                entries.push((Symbol::Line(stroke::curve_pattern(&[FAINT_INK], verdict), WIDTH), name.to_owned()));
             }
         }
         if atlas.curves.iter().any(|curve| !curve.coincides_with.is_empty()) {
             entries.push((
-                Symbol::Line(stroke::curve_pattern(&[FAINT_INK, POLE], true), WIDTH),
+                Symbol::Line(stroke::curve_pattern(&[FAINT_INK, POLE], Verdict::Stable), WIDTH),
                 "coincident curves".to_owned(),
             ));
         }

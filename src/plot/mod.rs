@@ -3,9 +3,10 @@
 //! What is drawn comes from [`crate::document`] alone; nothing is computed here that an atlas does not say already.
 //! The pieces, in the order in which the data flows: a `scene` resolves the ids of the document, `trace` gives each
 //! curve as a polyline fit for one window, a `grid` is the coarse picture of one panel from which sizes and label
-//! places are read, `window` and `insets` choose the panels, `labels` places the text, `diagram` draws it all on a
-//! `canvas`, and the result is a [`Picture`].
+//! places are read, `window` and `insets` choose the panels, `layout` puts them on the page, `labels` places the text,
+//! `diagram` draws it all on a `canvas`, and the result is a [`Picture`].
 
+mod axes;
 mod canvas;
 mod diagram;
 mod font;
@@ -13,8 +14,10 @@ mod geometry;
 mod grid;
 mod insets;
 mod labels;
+mod layout;
 mod legend;
 mod notation;
+mod notes;
 mod palette;
 mod panel;
 mod picture;
@@ -79,15 +82,17 @@ pub enum PlotError {
         dpi: f64,
     },
     /// The PNG could not be encoded.
-    #[error("the PNG could not be encoded: {message}")]
-    Png {
-        /// What the encoder said.
-        message: String,
+    #[error("the PNG could not be encoded")]
+    Png(#[source] Box<dyn std::error::Error + Send + Sync>),
+    /// The picture's size is none that a PDF page can have.
+    #[error("a page of {width} × {height} points cannot be made")]
+    Page {
+        /// Width in points.
+        width: f32,
+        /// Height in points.
+        height: f32,
     },
     /// The PDF could not be written.
-    #[error("the PDF could not be written: {message}")]
-    Pdf {
-        /// What the writer said.
-        message: String,
-    },
+    #[error("the PDF could not be written")]
+    Pdf(#[from] krilla::error::KrillaError),
 }

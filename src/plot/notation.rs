@@ -53,6 +53,22 @@ pub(super) fn region_type(region: &RegionDocument) -> String {
     format!("U: {}", parts.join("+"))
 }
 
+/// A positive number with two significant digits.
+pub(super) fn short(value: f64) -> String {
+    let text = format!("{value:.1e}");
+    match text.split_once('e').map(|(digits, exponent)| (digits, exponent.parse::<i32>())) {
+        Some((_, Ok(exponent))) if (-1..4).contains(&exponent) => {
+            if value < 10.0 {
+                format!("{value:.1}")
+            } else {
+                format!("{value:.0}")
+            }
+        }
+        Some((digits, Ok(exponent))) => format!("{digits}·10{}", superscript(exponent)),
+        _ => text,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -63,5 +79,6 @@ mod tests {
         assert_eq!(section("M3"), "M²₃");
         assert_eq!(accessible_region("S2-3D2"), "S²∖3D²");
         assert_eq!(superscript(-12), "⁻¹²");
+        assert_eq!([2.34, 142.4, 4.7e5].map(short), ["2.3", "142", "4.7·10⁵"]);
     }
 }

@@ -69,6 +69,8 @@ pub(super) fn is_pole(curve: &CurveDocument) -> bool {
 pub(super) struct BranchStyle {
     pub color: RGBColor,
     pub name: String,
+    /// Place in the legend.
+    pub rank: usize,
 }
 
 /// A style for each branch of critical curves: red for the global minimum from l = 0, blue from −r̂, green for the
@@ -81,10 +83,13 @@ pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle
     let highest = critical.iter().filter(at_start).max_by(|a, b| start(a).total_cmp(&start(b)));
     let mut styles = BTreeMap::new();
     if let (Some(lowest), false) = (lowest, atlas.body.flags.euler) {
-        styles.insert(lowest.branch.as_str(), BranchStyle { color: RED, name: "from +r̂ (global minimum)".to_owned() });
+        styles.insert(
+            lowest.branch.as_str(),
+            BranchStyle { color: RED, name: "from +r̂ (global minimum)".to_owned(), rank: 0 },
+        );
         if let Some(highest) = highest.filter(|curve| curve.branch != lowest.branch) {
             let name = "from −r̂".to_owned();
-            styles.insert(highest.branch.as_str(), BranchStyle { color: BLUE, name });
+            styles.insert(highest.branch.as_str(), BranchStyle { color: BLUE, name, rank: 1 });
         }
     }
     let is_pair = |curve: &CurveDocument| matches!(curve.kind, CurveKind::Pair | CurveKind::Circle);
@@ -106,7 +111,8 @@ pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle
                 CurveKind::Sphere => format!("sphere {}", curve.branch),
                 _ => format!("branch {}", curve.branch),
             };
-            styles.insert(curve.branch.as_str(), BranchStyle { color, name });
+            let rank = styles.len() + 2;
+            styles.insert(curve.branch.as_str(), BranchStyle { color, name, rank });
         }
     }
     styles

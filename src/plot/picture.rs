@@ -60,7 +60,7 @@ impl Picture {
         #[expect(clippy::cast_possible_truncation, reason = "a scale needs no more digits")]
         let transform = Transform::from_scale(scale as f32, scale as f32);
         resvg::render(&tree, transform, &mut pixels.as_mut());
-        pixels.encode_png().map_err(|error| PlotError::Png { message: error.to_string() })
+        pixels.encode_png().map_err(|error| PlotError::Png(Box::new(error)))
     }
 
     /// The picture as a PDF of one page, text as text.
@@ -70,18 +70,16 @@ impl Picture {
     pub fn to_pdf(&self) -> Result<Vec<u8>, PlotError> {
         let tree = self.tree()?;
         let [width, height] = [tree.size().width(), tree.size().height()].map(|side| side * POINTS_PER_PIXEL);
-        let failed = |what: &str| PlotError::Pdf { message: what.to_owned() };
-        let page_settings = PageSettings::from_wh(width, height).ok_or_else(|| failed("the page has no size"))?;
-        let page_size = Size::from_wh(width, height).ok_or_else(|| failed("the page has no size"))?;
+        let no_page = || PlotError::Page { width, height };
+        let page_settings = PageSettings::from_wh(width, height).ok_or_else(no_page)?;
+        let page_size = Size::from_wh(width, height).ok_or_else(no_page)?;
         let mut document = krilla::Document::new();
         let mut page = document.start_page_with(page_settings);
         let mut surface = page.surface();
-        surface
-            .draw_svg(&tree, page_size, SvgSettings::default())
-            .ok_or_else(|| failed("the picture could not be placed"))?;
+        surface.draw_svg(&tree, page_size, SvgSettings::default()).ok_or_else(no_page)?;
         surface.finish();
         page.finish();
-        document.finish().map_err(|error| PlotError::Pdf { message: format!("{error:?}") })
+        Ok(document.finish()?)
     }
 
     fn tree(&self) -> Result<Tree, PlotError> {

@@ -1,4 +1,5 @@
-//! Line styles: solid where stable, dashed where not, both colours where curves coincide.
+//! Line styles: solid where stable, dashed where not, dotted where the spectrum does not tell, both colours where curves
+//! coincide.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +11,7 @@ use super::geometry::{between, clip_polyline, distance};
 use super::palette::{BranchStyle, FAINT_INK, POLE, is_pole};
 use super::panel::Panel;
 use super::trace::l_range;
-use crate::document::{AtlasDocument, CurveDocument, CurveKind, Stability};
+use crate::document::{AtlasDocument, CurveDocument, CurveKind, Stability, StabilitySpan};
 
 /// Width of a simple curve in pixels.
 pub(super) const WIDTH: f64 = 1.5;
@@ -31,12 +32,40 @@ pub(super) struct Stroke {
     pub width: f64,
 }
 
+/// What the spectrum says of the stability of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Verdict {
+    /// Elliptic.
+    Stable,
+    /// An eigenvalue zero or a double pair within rounding, or nothing known.
+    Open,
+    /// A real or complex eigenvalue.
+    Unstable,
+}
+
+/// The verdict at `l`.
+fn verdict_at(curve: &CurveDocument, l: f64) -> Verdict {
+    let span = curve.stability.iter().find(|span| l >= span.l_from && span.l_to.is_none_or(|to| l <= to));
+    span.map_or(Verdict::Open, verdict)
+}
+
+/// The verdict of a stretch.
+pub(super) fn verdict(span: &StabilitySpan) -> Verdict {
+    match span.stability {
+        Stability::Elliptic => Verdict::Stable,
+        Stability::Degenerate => Verdict::Open,
+        Stability::SaddleCentre | Stability::Saddle | Stability::Complex => Verdict::Unstable,
+    }
+}
+
 /// The pattern of a curve in `colors` that coincide.
-pub(super) fn curve_pattern(colors: &[RGBColor], stable: bool) -> Pattern {
-    match (colors, stable) {
-        ([color], true) => vec![(Some(*color), 1.0)],
-        (_, true) => colors.iter().map(|color| (Some(*color), 9.0)).collect(),
-        (_, false) => colors.iter().flat_map(|color| [(Some(*color), 5.0), (None, 3.0)]).collect(),
+pub(super) fn curve_pattern(colors: &[RGBColor], verdict: Verdict) -> Pattern {
+    let gapped = |on: f64, off: f64| colors.iter().flat_map(|color| [(Some(*color), on), (None, off)]).collect();
+    match (colors, verdict) {
+        ([color], Verdict::Stable) => vec![(Some(*color), 1.0)],
+        (_, Verdict::Stable) => colors.iter().map(|color| (Some(*color), 9.0)).collect(),
+        (_, Verdict::Open) => gapped(1.6, 2.4),
+        (_, Verdict::Unstable) => gapped(5.0, 3.0),
     }
 }
 
@@ -63,12 +92,6 @@ pub(super) fn coincidences(atlas: &AtlasDocument) -> Vec<Vec<usize>> {
         sets.entry(set).or_default().push(index);
     }
     sets.into_values().collect()
-}
-
-/// True where the spectrum at `l` is elliptic, or not known.
-fn is_stable(curve: &CurveDocument, l: f64) -> bool {
-    let span = curve.stability.iter().find(|span| l >= span.l_from && span.l_to.is_none_or(|to| l <= to));
-    span.is_none_or(|span| span.stability == Stability::Elliptic)
 }
 
 /// How every curve of the atlas is drawn, pole lines last.
@@ -110,7 +133,8 @@ pub(super) fn strokes(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle
             let pattern = if critical.is_empty() {
                 pole_pattern(first.kind)
             } else {
-                curve_pattern(&colors, critical.iter().all(|curve| is_stable(curve, middle)))
+                let verdicts = critical.iter().map(|curve| verdict_at(curve, middle));
+                curve_pattern(&colors, verdicts.max().unwrap_or(Verdict::Open))
             };
             let double = active.iter().any(|(_, curve)| curve.multiplicity > 1);
             let width = if double { DOUBLE_WIDTH } else { WIDTH };

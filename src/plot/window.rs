@@ -2,11 +2,13 @@
 
 use super::PlotError;
 use super::scene::Scene;
-use super::trace::{trace, traces};
+use super::trace::{Trace, trace, traces};
 use crate::document::WindowDocument;
 
 /// Margin beyond the last event, as a share of its l.
 const BEYOND_EVENTS: f64 = 0.25;
+/// Curves that start at the top of the energies at l = 0 are followed by at least this share of their range.
+const BEYOND_START: f64 = 0.5;
 /// Margin at both ends in h, as a share of the range.
 const MARGIN: f64 = 0.05;
 /// Without events the window ends in h at most at this multiple of the median of the curves.
@@ -28,9 +30,13 @@ fn automatic(scene: &Scene<'_>) -> Result<WindowDocument, PlotError> {
     let last_event = events.iter().map(|event| event.l).fold(0.0, f64::max);
     let last_point =
         scene.atlas.curves.iter().filter_map(|curve| curve.polyline.last()).map(|point| point[1]).fold(0.0, f64::max);
-    let l_top = if last_event > 0.0 { last_event * (1.0 + BEYOND_EVENTS) } else { last_point };
     // Coarse values are enough to choose a window.
     let coarse = scale(scene) * 1e-3;
+    let l_top = if last_event > 0.0 {
+        last_event.max(start_of_positive_energies(scene, last_point, coarse)?) * (1.0 + BEYOND_EVENTS)
+    } else {
+        last_point
+    };
     let mut at_top = Vec::new();
     let mut low = f64::INFINITY;
     let mut high = f64::NEG_INFINITY;
@@ -43,6 +49,9 @@ fn automatic(scene: &Scene<'_>) -> Result<WindowDocument, PlotError> {
         if last[1] >= l_top {
             at_top.push(last[0]);
         }
+    }
+    if high.is_finite() {
+        high += BEYOND_START * (high - low).max(0.0);
     }
     at_top.sort_by(f64::total_cmp);
     high = events.iter().map(|event| event.h).fold(high, f64::max);
@@ -58,6 +67,21 @@ fn automatic(scene: &Scene<'_>) -> Result<WindowDocument, PlotError> {
     }
     let margin = MARGIN * (high - low);
     Ok(WindowDocument { h: [low - margin, high + margin], l: [0.0, l_top] })
+}
+
+/// The l at which the lowest curve from l = 0 reaches h = 0; 0 where it starts there.
+fn start_of_positive_energies(scene: &Scene<'_>, l_top: f64, coarse: f64) -> Result<f64, PlotError> {
+    let mut lowest: Option<Trace> = None;
+    for trace in traces(scene, [0.0, l_top], coarse)? {
+        let start = |trace: &Trace| trace.points.first().map_or(f64::INFINITY, |point| point[0]);
+        if trace.points.first().is_some_and(|point| point[1] == 0.0)
+            && lowest.as_ref().is_none_or(|lowest| start(&trace) < start(lowest))
+        {
+            lowest = Some(trace);
+        }
+    }
+    let positive = lowest.and_then(|trace| trace.points.into_iter().find(|point| point[0] >= 0.0));
+    Ok(positive.map_or(0.0, |point| point[1]))
 }
 
 /// The size of the energies in the atlas.

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use bifdiag::body::Body;
+use bifdiag::document::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
 use bifdiag::document::{
     Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument,
     EventKind, MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan,
@@ -34,6 +35,9 @@ impl Curve {
         let [mut low, mut high] = self.ends;
         for _ in 0..200 {
             let middle = low + (high - low) / 2.0;
+            if middle == low || middle == high {
+                break;
+            }
             if (self.course)(middle)[1] < l {
                 low = middle;
             } else {
@@ -57,7 +61,7 @@ impl Curve {
     fn refine(&self, a: [f64; 2], b: [f64; 2], tolerance: f64, level: u32, points: &mut Vec<[f64; 2]>) {
         let l = a[1] + (b[1] - a[1]) / 2.0;
         let h = self.h_at(l);
-        if level < 12 && (level < 4 || (h - (a[0] + b[0]) / 2.0).abs() > tolerance) {
+        if level < 12 && (level < 4 || (h - f64::midpoint(a[0], b[0])).abs() > tolerance) {
             self.refine(a, [h, l], tolerance, level + 1, points);
             self.refine([h, l], b, tolerance, level + 1, points);
         } else {
@@ -135,7 +139,6 @@ pub fn paper() -> Fixture {
         l,
         tail: tail.map(|(moment, h_offset)| TailDocument { moment, h_offset }),
     };
-    use CurveKind::{Generic, Pair, PoleMinus, PolePlus};
     let minimum = generic(moments, r, |u: f64| 2.0 + u.exp());
     let maximum = generic(moments, r, |u: f64| 1.0 - u.exp());
     let curves = vec![
@@ -197,7 +200,6 @@ pub fn kovalevskaya() -> Fixture {
         l,
         tail: tail.map(|(moment, h_offset)| TailDocument { moment, h_offset }),
     };
-    use CurveKind::{Axis, Pair, PoleMinus, PolePlus};
     let free = f64::INFINITY;
     let low = Some((2.0, -1.0));
     let high = Some((2.0, 1.0));
@@ -236,7 +238,7 @@ pub fn parabolas(lines: &[(f64, f64)]) -> Fixture {
 fn order(curves: &[Curve], l: f64) -> Vec<usize> {
     let mut order: Vec<usize> = (0..curves.len())
         .filter(|&i| curves[i].reaches(l))
-        .filter(|&i| !(curves[i].id.starts_with('P') && !curves[i].coincides_with.is_empty()))
+        .filter(|&i| !curves[i].id.starts_with('P') || curves[i].coincides_with.is_empty())
         .collect();
     order.sort_by(|&a, &b| curves[a].h_at(l).total_cmp(&curves[b].h_at(l)));
     order
