@@ -55,41 +55,53 @@ pub fn classify_with_effort(
     }
     let set = CriticalSet::new(body.frame()).map_err(AtlasError::from)?;
     let x = atlas::abscissa(&set.frame, l.to_f64())?;
-    let (over, near_end) = set.curves_over(x);
-    let mut points: Vec<(usize, Point)> = over.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
-    points.sort_by(|p, q| p.1.h().total_cmp(&q.1.h()));
-    let mut effort = Effort { curve_points: points.len(), built_atlas: false };
-    let energy = h.to_f64() / set.frame.energy_unit;
-    let error = |p: &Point| atlas::comparison_error(p, energy);
-    let nearest = points.iter().min_by(|p, q| (p.1.h() - energy).abs().total_cmp(&(q.1.h() - energy).abs()));
-    if let Some(&(curve, nearest)) = nearest {
-        let clear = points.iter().all(|(_, p)| (p.h() - energy).abs() > error(p));
-        if clear && !near_end {
-            let below: Vec<(usize, Point)> = points.iter().filter(|(_, p)| p.h() < energy).copied().collect();
-            let components = if below.len() == points.len() {
-                Ok(vec![atlas::whole_sphere(!set.frame.is_euler())])
-            } else if below.is_empty() {
-                Ok(Vec::new())
-            } else {
-                atlas::components_below(&set, x, &below)
-            };
-            if let Ok(components) = components {
-                let unit = set.frame.energy_unit;
-                let margin = MarginDocument {
-                    h: (nearest.h() - energy).abs() * unit,
-                    nearest: atlas::curve_name(&set, curve),
-                    error_bound: error(&nearest) * unit,
-                };
-                return Ok((decided(body, h, l, &components, margin), effort));
-            }
-        }
+    let (found, curve_points) = at_one_momentum(&set, h, x);
+    let mut effort = Effort { curve_points, built_atlas: false };
+    if let Some((components, margin)) = found {
+        return Ok((decided(body, h, l, &components, margin), effort));
     }
     effort.built_atlas = true;
     Ok((Atlas::new(body)?.classify(h, l)?, effort))
 }
 
+/// The components of U_hl from the critical points at x alone, and the number of points computed; `None` when h is too
+/// near to a curve, x to a cusp, or a join is not proved.
+fn at_one_momentum(set: &CriticalSet, h: &Number, x: f64) -> (Option<(Vec<Component>, MarginDocument)>, usize) {
+    let (over, near_end) = set.curves_over(x);
+    let mut points: Vec<(usize, Point)> = over.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
+    points.sort_by(|p, q| p.1.h().total_cmp(&q.1.h()));
+    let count = points.len();
+    let energy = h.to_f64() / set.frame.energy_unit;
+    let error = |p: &Point| atlas::comparison_error(p, energy);
+    let distance = |p: &Point| (p.h() - energy).abs();
+    let clear = points.iter().all(|(_, p)| distance(p) > error(p));
+    let nearest = points.iter().min_by(|p, q| distance(&p.1).total_cmp(&distance(&q.1)));
+    let Some(&(curve, nearest)) = nearest.filter(|_| clear && !near_end) else {
+        return (None, count);
+    };
+    let below: Vec<(usize, Point)> = points.iter().filter(|(_, p)| p.h() < energy).copied().collect();
+    let components = if below.is_empty() {
+        Vec::new()
+    } else if below.len() == count {
+        vec![atlas::whole_sphere(!set.frame.is_euler())]
+    } else {
+        match atlas::components_below(set, x, &below) {
+            Ok(components) => components,
+            Err(_open_join) => return (None, count),
+        }
+    };
+    let unit = set.frame.energy_unit;
+    let margin = MarginDocument {
+        h: distance(&nearest) * unit,
+        nearest: atlas::curve_name(set, curve),
+        error_bound: error(&nearest) * unit,
+    };
+    (Some((components, margin)), count)
+}
+
 impl Atlas {
-    /// Classifies a point of a prepared body.
+    /// Classifies a point of a prepared body. Where the atlas left something undecided, the critical points at this l
+    /// are asked first.
     ///
     /// # Errors
     /// [`ClassifyError::Momentum`] when l is out of range, [`ClassifyError::Merge`] when the region's components are not
@@ -98,6 +110,13 @@ impl Atlas {
         let body = self.body();
         if l.to_f64() == 0.0 {
             return Ok(at_rest(body, h, l));
+        }
+        if !self.arrangement().undecided.is_empty() {
+            let set = &self.arrangement().set;
+            let x = atlas::abscissa(&set.frame, l.to_f64())?;
+            if let (Some((components, margin)), _) = at_one_momentum(set, h, x) {
+                return Ok(decided(body, h, l, &components, margin));
+            }
         }
         let Location { place, distance, nearest, error_bound } = self.locate(h.to_f64(), l.to_f64())?;
         let nearest = atlas::curve_name(&self.arrangement().set, nearest);

@@ -95,3 +95,45 @@ pub(super) fn collect(set: &CriticalSet, pairs: &[(usize, usize, PairOrder)]) ->
     events.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.h.total_cmp(&q.h)));
     events
 }
+
+/// Brings crossings of one curve with two others that are closer than their errors into the order that the proved order
+/// of those two demands: a rising curve meets the lower one first.
+pub(super) fn settle(events: &mut [Event], order: impl Fn(usize, usize, [f64; 2]) -> Option<i8>) {
+    // Neighbours only, and as often as it takes for the longest run of such crossings.
+    for _ in 0..events.len() {
+        let mut changed = false;
+        for k in 1..events.len() {
+            if must_swap(&events[k - 1], &events[k], &order) {
+                events.swap(k - 1, k);
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+}
+
+/// The two events are crossings of one curve with two others, and stand in the wrong order.
+fn must_swap(first: &Event, second: &Event, order: &impl Fn(usize, usize, [f64; 2]) -> Option<i8>) -> bool {
+    let Some((moving, p, q)) = common_curve(first, second) else { return false };
+    let range = [first.x.min(second.x) - first.x_error, first.x.max(second.x) + second.x_error];
+    if second.x - first.x > first.x_error + second.x_error {
+        return false;
+    }
+    let below = [range[0] - 4.0 * first.x_error, range[0]];
+    match (order(p, q, range), order(moving, p, below)) {
+        // Below both: the lower of p and q comes first. Above both: the upper one.
+        (Some(p_minus_q), Some(moving_minus_p)) => p_minus_q * moving_minus_p < 0,
+        _ => false,
+    }
+}
+
+/// The curve that two crossings share, and the other curve of each.
+pub(super) fn common_curve(first: &Event, second: &Event) -> Option<(usize, usize, usize)> {
+    let (Change::Swap([a, b]), Change::Swap([c, d])) = (first.change, second.change) else { return None };
+    [(a, b, c, d), (a, b, d, c), (b, a, c, d), (b, a, d, c)]
+        .into_iter()
+        .find(|(shared, other, same, rest)| shared == same && other != rest)
+        .map(|(shared, other, _, rest)| (shared, other, rest))
+}

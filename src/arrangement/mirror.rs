@@ -52,12 +52,14 @@ impl<'a> Family<'a> {
 
     /// The solution cannot leave a box on which x is monotone in v, while ε runs from one end to the other.
     fn is_monotone_around(&self, x: [f64; 2], left: [f64; 2], right: [f64; 2]) -> bool {
-        // Room for the solution to move while ε changes sign; a wider box is harder to prove monotone.
-        const ROOMS: [f64; 3] = [1.02, 1.2, 2.0];
+        // Room for the solution to move while ε changes sign: a few times its shift, or more; a wider box is harder to
+        // prove monotone.
+        let shift = (0..2).map(|k| (left[k] - right[k]).abs() / left[k].min(right[k])).fold(0.0, f64::max);
+        let rooms = [1.0 + 1e-12 + 8.0 * shift, 1.02, 1.2, 2.0];
         let all = [left, right].concat();
         let smallest = all.iter().copied().fold(f64::INFINITY, f64::min);
         let largest = all.iter().copied().fold(0.0, f64::max);
-        ROOMS.iter().any(|room| {
+        rooms.iter().filter(|room| **room <= 2.0).any(|room| {
             let v = Interval::between(smallest / room, largest * room);
             let Some(sign) = self.slope_sign(v) else { return false };
             let (at_small, at_large) = (self.x(Interval::point(v.lo)), self.x(Interval::point(v.hi)));

@@ -93,8 +93,10 @@ impl Arrangement {
         for (a, b, order) in &pairs {
             undecided.extend(order.open_ranges().into_iter().map(|x| Undecided::Contact { curves: [*a, *b], x }));
         }
-        let events = event::collect(&set, &pairs);
-        undecided.extend(simultaneous(&events));
+        let order = |p: usize, q: usize, range: [f64; 2]| transitive::proved(&pairs, p, q, range);
+        let mut events = event::collect(&set, &pairs);
+        event::settle(&mut events, order);
+        undecided.extend(simultaneous(&events, order));
         let orders = vertical_orders(&set, &events, &pairs);
         let changes: Vec<Change> = events.iter().map(|event| event.change).collect();
         let (slabs, faces) = match Faces::glue(&orders, &changes) {
@@ -108,8 +110,8 @@ impl Arrangement {
     }
 }
 
-/// Pairs of events on a common curve that lie within their errors of each other.
-fn simultaneous(events: &[Event]) -> Vec<Undecided> {
+/// Pairs of events on a common curve that lie within their errors of each other and that nothing else orders.
+fn simultaneous(events: &[Event], order: impl Fn(usize, usize, [f64; 2]) -> Option<i8>) -> Vec<Undecided> {
     let mut found = Vec::new();
     for (first, event) in events.iter().enumerate() {
         for (second, other) in events.iter().enumerate().skip(first + 1) {
@@ -121,7 +123,9 @@ fn simultaneous(events: &[Event]) -> Vec<Undecided> {
             }
             let shared = event.change.curves().iter().any(|c| other.change.curves().contains(c));
             let near = (event.h - other.h).abs() <= 4.0 * (event.h_error + other.h_error);
-            if shared && near {
+            let span = [event.x.min(other.x) - event.x_error, event.x.max(other.x) + other.x_error];
+            let ordered = event::common_curve(event, other).is_some_and(|(_, p, q)| order(p, q, span).is_some());
+            if shared && near && !ordered {
                 found.push(Undecided::Simultaneous { events: [first, second] });
             }
         }

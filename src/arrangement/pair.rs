@@ -43,6 +43,14 @@ struct Node {
     x: f64,
     gap: GapAt,
     slope: [f64; 2],
+    /// The sign of the gap as proved on the left of this node, where its value may be below rounding.
+    proved: Option<i8>,
+}
+
+impl Node {
+    fn sign(&self) -> Option<i8> {
+        self.gap.sign().or(self.proved)
+    }
 }
 
 /// Two arcs over a common range of x.
@@ -74,6 +82,7 @@ pub(super) fn compare(frame: &Frame, a: &Curve, b: &Curve) -> Option<PairOrder> 
         (shared && x > 0.0 && x.is_finite()).then_some(x)
     });
     let mut whole = PairOrder::default();
+    let mut proved = None;
     for arc_a in &a.arcs {
         for arc_b in &b.arcs {
             let range = [arc_a.x[0].max(arc_b.x[0]), arc_a.x[1].min(arc_b.x[1])];
@@ -81,7 +90,7 @@ pub(super) fn compare(frame: &Frame, a: &Curve, b: &Curve) -> Option<PairOrder> 
                 let mut pair =
                     ArcPair { frame, a: arc_a, b: arc_b, joint, order: PairOrder::default(), budget: BUDGET };
                 let (left, right) = (pair.node(range[0]), pair.node(range[1]));
-                pair.isolate(left, right, 0);
+                proved = pair.isolate(Node { proved, ..left }, right, 0);
                 whole.append(pair.order);
             }
         }
@@ -121,10 +130,10 @@ fn structural_sign(a: &Curve, b: &Curve) -> Option<i8> {
 impl ArcPair<'_> {
     fn node(&mut self, x: f64) -> Node {
         if x == 0.0 {
-            return Node { x, gap: self.gap_at_origin(), slope: [self.a.slope[0], self.b.slope[0]] };
+            return Node { x, gap: self.gap_at_origin(), slope: [self.a.slope[0], self.b.slope[0]], proved: None };
         }
         if x.is_infinite() {
-            return Node { x, gap: self.gap_at_infinity(), slope: [self.a.slope[1], self.b.slope[1]] };
+            return Node { x, gap: self.gap_at_infinity(), slope: [self.a.slope[1], self.b.slope[1]], proved: None };
         }
         self.order.evaluations += 2;
         let (p, q) = (self.a.point(self.frame, x), self.b.point(self.frame, x));
@@ -139,7 +148,7 @@ impl ArcPair<'_> {
             }
         };
         let gap = if self.joint == Some(x) { GapAt::Joined } else { GapAt::Value(Gap::between(self.frame, &p, &q)) };
-        Node { x, gap, slope: [end_slope(self.a, &p), end_slope(self.b, &q)] }
+        Node { x, gap, slope: [end_slope(self.a, &p), end_slope(self.b, &q)], proved: None }
     }
 
     /// At l = 0 a curve starts at h = −⟨γ, r⟩ with γ = ±r̂, or at 0 when r = 0.
@@ -200,36 +209,66 @@ impl ArcPair<'_> {
         gap.value.abs() + gap.error
     }
 
-    /// Finds the order between two nodes.
-    fn isolate(&mut self, left: Node, right: Node, depth: u32) {
+    /// Finds the order between two nodes; returns the sign of the gap at the right one, if proved.
+    fn isolate(&mut self, left: Node, right: Node, depth: u32) -> Option<i8> {
         let x = [left.x, right.x];
-        let range = |k: usize| Interval::between(left.slope[k], right.slope[k]);
-        // Without widening: where an end is shared both arcs have the very same slope there.
-        let (p, q) = (range(0), range(1));
-        let monotone = p.lo >= q.hi || p.hi <= q.lo;
-        if let (Some(sl), Some(sr)) = (left.gap.sign(), right.gap.sign()) {
-            let either = if sl == 0 { sr } else { sl };
-            if monotone && sl * sr < 0 {
-                return self.locate(left, right, sl);
-            }
-            let separate = monotone && sl * sr >= 0
-                || sl * sr > 0 && self.bounded_away(&left, &right, p.widened(8.0) - q.widened(8.0), sl)
-                || sl * sr == 0 && either != 0 && self.curvature_separates(&left, &right);
-            if separate && either != 0 {
-                return self.order.push(x, Some(either));
+        if let (Some(sl), Some(sr)) = (left.sign(), right.sign()) {
+            if sl * sr < 0 && self.slope_order(&left, &right).is_some() {
+                self.locate(left, right, sl);
+                return Some(sr);
             }
         }
-        if let Some(sign) = self.mirror_sign(&left, &right) {
-            return self.order.push(x, Some(sign));
+        if let Some(sign) = self.constant_sign(&left, &right) {
+            self.order.push(x, Some(sign));
+            return (right.gap.sign() != Some(0)).then_some(sign);
         }
         let exhausted = right.x.is_finite() && right.x - left.x <= 64.0 * UNIT_ROUNDOFF * right.x;
         if exhausted || depth > 120 || self.budget == 0 || is_noise(&left, &right) {
-            return self.order.push(x, None);
+            self.order.push(x, None);
+            return right.gap.sign().filter(|sign| *sign != 0);
         }
         self.budget -= 1;
         let middle = self.split(&left, &right);
-        self.isolate(left, middle, depth + 1);
-        self.isolate(middle, right, depth + 1);
+        let proved = self.isolate(left, middle, depth + 1);
+        self.isolate(Node { proved, ..middle }, right, depth + 1)
+    }
+
+    /// 1 when the gap cannot fall between two nodes, −1 when it cannot rise.
+    fn slope_order(&self, left: &Node, right: &Node) -> Option<i8> {
+        // Without widening: where an end is shared both arcs have the very same slope there.
+        let range = |k: usize| Interval::between(left.slope[k], right.slope[k]);
+        let (p, q) = (range(0), range(1));
+        if p.lo >= q.hi {
+            Some(1)
+        } else if p.hi <= q.lo {
+            Some(-1)
+        } else {
+            None
+        }
+    }
+
+    /// The sign of the gap between two nodes, if it is proved to be the same all along.
+    fn constant_sign(&self, left: &Node, right: &Node) -> Option<i8> {
+        let (sl, sr) = (left.sign(), right.sign());
+        if let Some(direction) = self.slope_order(left, right) {
+            // A gap that only moves one way stays on its side of zero, from one end or from the other.
+            if sl.is_some_and(|sign| sign * direction >= 0) {
+                return Some(direction);
+            }
+            if sr.is_some_and(|sign| sign * direction <= 0) {
+                return Some(-direction);
+            }
+        }
+        if let (Some(sl), Some(sr)) = (sl, sr) {
+            let range = |k: usize| Interval::between(left.slope[k], right.slope[k]).widened(8.0);
+            let either = if sl == 0 { sr } else { sl };
+            let separate = sl * sr > 0 && self.bounded_away(left, right, range(0) - range(1), sl)
+                || sl * sr == 0 && either != 0 && self.curvature_separates(left, right);
+            if separate {
+                return Some(either);
+            }
+        }
+        self.mirror_sign(left, right)
     }
 
     /// The sign of the gap of two branches on both sides of one moment, where it is proved to be constant.

@@ -21,11 +21,7 @@ fn sign_through_others(
     [a, b]: [usize; 2],
     range: [f64; 2],
 ) -> Option<i8> {
-    let sign = |p: usize, q: usize| {
-        let (low, high, flip) = if p < q { (p, q, 1) } else { (q, p, -1) };
-        let (_, _, order) = pairs.iter().find(|(i, j, _)| (*i, *j) == (low, high))?;
-        order.sign_on(range).map(|sign| flip * sign)
-    };
+    let sign = |p: usize, q: usize| proved(pairs, p, q, range);
     (0..set.curves.len()).filter(|&c| c != a && c != b).find_map(|c| {
         let [from, to] = set.curves[c].x();
         if from > range[0] || to < range[1] {
@@ -34,4 +30,11 @@ fn sign_through_others(
         let first = sign(a, c)?;
         (sign(c, b) == Some(first)).then_some(first)
     })
+}
+
+/// Sign of h_p − h_q all along a range, if proved.
+pub(super) fn proved(pairs: &[(usize, usize, PairOrder)], p: usize, q: usize, range: [f64; 2]) -> Option<i8> {
+    let (low, high, flip) = if p < q { (p, q, 1) } else { (q, p, -1) };
+    let (_, _, order) = pairs.iter().find(|(i, j, _)| (*i, *j) == (low, high))?;
+    order.sign_on(range).map(|sign| flip * sign)
 }

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::Atlas;
+use super::region::is_ordered;
 use crate::body::Frame;
 use crate::equilibria::Point;
 use crate::numerics::UNIT_ROUNDOFF;
@@ -104,7 +105,7 @@ impl Atlas {
         let (distance, nearest) =
             if under.0 <= over.0 { (under.0, order[low - 1]) } else { (over.0, order[low.min(order.len() - 1)]) };
         let error_bound = under.1.max(over.1);
-        let place = if distance <= error_bound {
+        let place = if distance <= error_bound || !self.order_is_certain(number, x) {
             Place::Undecided(self.candidates(h, x, number))
         } else if low == 0 {
             Place::Forbidden
@@ -112,6 +113,17 @@ impl Atlas {
             Place::Region(slabs[number].face_above[low - 1])
         };
         Location { place, distance, nearest, error_bound }
+    }
+
+    /// False when something is undecided and the heights at x contradict the order of the slab.
+    fn order_is_certain(&self, number: usize, x: f64) -> bool {
+        let set = &self.arrangement.set;
+        if self.arrangement.undecided.is_empty() {
+            return true;
+        }
+        let order = &self.arrangement.slabs[number].order;
+        let points: Vec<Point> = order.iter().map(|&c| set.curves[c].point(&set.frame, x)).collect();
+        is_ordered(points.iter())
     }
 
     /// Every region that meets the box of rounding around a point: in its slab, and in the neighbouring slabs when an

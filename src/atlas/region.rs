@@ -122,11 +122,24 @@ fn topology(arrangement: &Arrangement, candidate: &Candidate) -> Result<Vec<Comp
     if candidate.position + 1 == order.len() {
         return Ok(vec![whole_sphere(!set.frame.is_euler())]);
     }
-    let points: Vec<(usize, Point)> = order[..=candidate.position]
-        .iter()
-        .map(|&c| (c, set.curves[c].point(&set.frame, candidate.sample.x)))
-        .collect();
-    components_below(set, candidate.sample.x, &points)
+    let points: Vec<(usize, Point)> =
+        order.iter().map(|&c| (c, set.curves[c].point(&set.frame, candidate.sample.x))).collect();
+    if !is_ordered(points.iter().map(|(_, point)| point)) {
+        return Err(MergeError::UnknownOrder);
+    }
+    components_below(set, candidate.sample.x, &points[..=candidate.position])
+}
+
+/// True when no two heights contradict the order in which the points are given.
+pub(super) fn is_ordered<'a>(points: impl Iterator<Item = &'a Point>) -> bool {
+    let mut highest = f64::NEG_INFINITY;
+    for point in points {
+        if point.h() + point.h_error() < highest {
+            return false;
+        }
+        highest = highest.max(point.h() - point.h_error());
+    }
+    true
 }
 
 /// The components of the sublevel set above exactly these curves at x.

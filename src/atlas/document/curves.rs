@@ -149,12 +149,13 @@ fn tracked(
     let point = curve.point(frame, x);
     let start = Start::on(frame, RelativeEquilibrium::new(frame, point.gamma, (2.0 * x).sqrt() / point.j));
     let end = |end: End, limit: f64| match end {
-        End::Cusp(_) => PieceEnd::Cusp,
-        End::Pitchfork(_) => PieceEnd::Pitchfork,
+        End::Cusp(_) => PieceEnd::Cusp(limit),
+        End::Pitchfork(_) => PieceEnd::Pitchfork(limit),
         End::Origin | End::Infinity => PieceEnd::Momentum(limit),
     };
+    let [l_from, l_to] = curve.x().map(|x| (2.0 * x).sqrt());
     let cut = l_end.max(1.25 * (2.0 * from).sqrt());
-    let ends = [end(curve.ends[0], 0.0), end(curve.ends[1], cut)];
+    let ends = [end(curve.ends[0], l_from), end(curve.ends[1], l_to.min(cut))];
     let track_options = TrackOptions {
         chord_tolerance: options.chord_tolerance,
         h_scale: extent.h_scale,
