@@ -7,9 +7,9 @@
 //!   `cargo run --release --` are run; they may end in `> FILE`. Those that start with a prefix of [`NOT_RUN`] are for
 //!   people. Nothing else is allowed.
 //! - ```` ```text ```` after it: what the commands of the last `sh` block print to stdout, exactly. With the word `stderr`
-//!   behind `text`: what they print to stderr, which otherwise must stay empty. With `status=2`: the exit status of
+//!   behind `text`: what they print to stderr, which otherwise must stay empty. With `status:2`: the exit status of
 //!   the last command, otherwise 0. A line `…` stands for any number of lines.
-//! - ```` ```jsonl file=NAME ```` (or any language): the block is written to the file NAME.
+//! - ```` ```json file:NAME ```` (or any language): the block is written to the file NAME.
 //! - ```` ```rust ```` : a doctest, run with those of the library (`src/lib.rs` includes the pages).
 //!
 //! With `UPDATE_DOCS=1` in the environment, blocks without `…` are rewritten with what the program prints now.
@@ -45,7 +45,7 @@ impl Block {
     }
 
     fn value(&self, key: &str) -> Option<&str> {
-        self.info.split_whitespace().find_map(|word| word.strip_prefix(key)?.strip_prefix('='))
+        self.info.split_whitespace().find_map(|word| word.strip_prefix(key)?.strip_prefix(':'))
     }
 }
 
@@ -195,8 +195,7 @@ fn work_through(path: &Path) -> usize {
         if ran == 0 {
             continue;
         }
-        let said: Vec<&Block> =
-            blocks[number + 1..].iter().take_while(|next| next.language() != "sh").collect();
+        let said: Vec<&Block> = blocks[number + 1..].iter().take_while(|next| next.language() != "sh").collect();
         let answers: Vec<&&Block> = said.iter().filter(|block| block.language() == "text").collect();
         let status = answers.iter().find_map(|answer| answer.value("status")).unwrap_or("0");
         let at = format!("{name}, line {}", block.lines.start + 1);
