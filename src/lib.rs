@@ -13,3 +13,12 @@ pub mod numerics;
 pub mod plot;
 pub mod stability;
 pub mod topology;
+
+/// The Rust examples of the documentation are tests.
+#[cfg(all(doctest, feature = "plot"))]
+mod documentation {
+    #[doc = include_str!("../README.md")]
+    mod readme {}
+    #[doc = include_str!("../docs/library.md")]
+    mod library {}
+}
