@@ -65,13 +65,14 @@ pub fn classify_with_effort(
     if let Some(&(curve, nearest)) = nearest {
         let clear = points.iter().all(|(_, p)| (p.h() - energy).abs() > error(p));
         if clear && !near_end {
-            let below: Vec<(usize, Point)> = points.iter().filter(|(_, p)| p.h() < energy).copied().collect();
+            // The points are in the order of h.
+            let below = &points[..points.partition_point(|(_, p)| p.h() < energy)];
             let components = if below.len() == points.len() {
                 Ok(vec![atlas::whole_sphere(!set.frame.is_euler())])
             } else if below.is_empty() {
                 Ok(Vec::new())
             } else {
-                atlas::components_below(&set, x, &below)
+                atlas::components_below(&set, x, below.iter().map(|(curve, point)| (*curve, point)))
             };
             if let Ok(components) = components {
                 let unit = set.frame.energy_unit;

@@ -34,9 +34,10 @@ pub struct Region {
 
 /// A place in a cell where a region could be sampled.
 #[derive(Clone, Copy)]
-struct Candidate {
+struct Candidate<'a> {
     slab: usize,
     position: usize,
+    row: &'a Row,
     sample: Sample,
     /// Margin relative to the energy scale x/J + r.
     quality: f64,
@@ -82,7 +83,7 @@ fn rows(arrangement: &Arrangement, slab: usize) -> Vec<Row> {
 }
 
 fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize)>) -> Region {
-    let mut candidates: Vec<Candidate> = cells
+    let mut candidates: Vec<Candidate<'_>> = cells
         .iter()
         .flat_map(|&(slab, position)| rows[slab].iter().map(move |row| (slab, position, row)))
         .map(|(slab, position, row)| candidate(arrangement, slab, position, row))
@@ -101,7 +102,7 @@ fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize
     Region { cells, sample: best.sample, components }
 }
 
-fn candidate(arrangement: &Arrangement, slab: usize, position: usize, row: &Row) -> Candidate {
+fn candidate<'a>(arrangement: &Arrangement, slab: usize, position: usize, row: &'a Row) -> Candidate<'a> {
     let order = &arrangement.slabs[slab].order;
     let lower = &row.points[position];
     let scale = row.x / lower.j + arrangement.set.frame.r_norm;
@@ -122,36 +123,33 @@ fn candidate(arrangement: &Arrangement, slab: usize, position: usize, row: &Row)
             Sample { x: row.x, h: lower.h() + margin, margin, error: lower.h_error(), nearest: order[position] }
         }
     };
-    Candidate { slab, position, sample, quality: sample.margin / scale }
+    Candidate { slab, position, row, sample, quality: sample.margin / scale }
 }
 
 /// The components of U_hl at a sample.
-fn topology(arrangement: &Arrangement, candidate: &Candidate) -> Result<Vec<Component>, MergeError> {
+fn topology(arrangement: &Arrangement, candidate: &Candidate<'_>) -> Result<Vec<Component>, MergeError> {
     let set = &arrangement.set;
     let order = &arrangement.slabs[candidate.slab].order;
     if candidate.position + 1 == order.len() {
         return Ok(vec![whole_sphere(!set.frame.is_euler())]);
     }
-    let points: Vec<(usize, Point)> = order[..=candidate.position]
-        .iter()
-        .map(|&c| (c, set.curves[c].point(&set.frame, candidate.sample.x)))
-        .collect();
-    components_below(set, candidate.sample.x, &points)
+    let below = order[..=candidate.position].iter().zip(&candidate.row.points);
+    components_below(set, candidate.row.x, below.map(|(&c, point)| (c, point)))
 }
 
 /// The components of the sublevel set above exactly these curves at x.
 ///
 /// # Errors
 /// [`MergeError`] when rounding leaves a join open.
-pub(crate) fn components_below(
+pub(crate) fn components_below<'a>(
     set: &CriticalSet,
     x: f64,
-    below: &[(usize, Point)],
+    below: impl ExactSizeIterator<Item = (usize, &'a Point)>,
 ) -> Result<Vec<Component>, MergeError> {
     let mut critical = Vec::with_capacity(below.len() + 2);
     let mut poles = Poles::default();
     for (c, point) in below {
-        let curve = &set.curves[*c];
+        let curve = &set.curves[c];
         match curve.entering_pole() {
             Some(Pole::Plus) => poles.plus = true,
             Some(Pole::Minus) => poles.minus = true,
