@@ -4,6 +4,7 @@
 //! in turn, so that its time is that of one body on average.
 
 use std::hint::black_box;
+use std::time::Duration;
 
 use bifdiag::atlas::{Atlas, DocumentOptions};
 use bifdiag::body::{Body, Number};
@@ -104,5 +105,9 @@ fn second_method(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, bodies, atlases, points, second_method);
+criterion_group! {
+    name = benches;
+    config = Criterion::default().warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
+    targets = bodies, atlases, points, second_method
+}
 criterion_main!(benches);

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use std::process::ExitCode;
 
 use bifdiag::atlas::{Atlas, DocumentOptions};
-use bifdiag::body::Body;
+use bifdiag::body::{Body, Number};
 use bifdiag::classify::classify;
 use bifdiag::critical::critical;
 use bifdiag::equilibria::CriticalSet;
@@ -32,9 +32,17 @@ fn prepared(cases: &[Case]) -> Vec<Atlas> {
     cases.iter().map(|case| Atlas::new(&case.body).expect("an atlas of the workload")).collect()
 }
 
+fn exact() -> Vec<(Body, Number, Number)> {
+    let exact = |case: &Case| {
+        let (h, l) = case.exact();
+        (case.body.clone(), h, l)
+    };
+    workload::generic().iter().map(exact).collect()
+}
+
 const PATHS: [(&str, fn() -> Job); 14] = [
     ("parse", || {
-        let text = |x: &bifdiag::body::Number| x.text().to_owned();
+        let text = |x: &Number| x.text().to_owned();
         let texts = workload::generic()
             .iter()
             .map(|case| (case.body.moments().each_ref().map(text), case.body.center().each_ref().map(text)))
@@ -49,24 +57,14 @@ const PATHS: [(&str, fn() -> Job); 14] = [
     ("atlas-plane", || atlas(workload::plane())),
     ("atlas-near-axis", || atlas(workload::near_axis())),
     ("atlas-rods", || atlas(workload::rods())),
-    ("polylines", || {
-        in_turn(prepared(&workload::generic()), |atlas| atlas.document(&DocumentOptions::default()))
-    }),
-    ("classify", || {
-        in_turn(workload::generic(), |case| {
-            let (h, l) = case.exact();
-            classify(&case.body, &h, &l)
-        })
-    }),
-    ("critical", || in_turn(workload::generic(), |case| critical(&case.body, &case.exact().1))),
+    ("polylines", || in_turn(prepared(&workload::generic()), |atlas| atlas.document(&DocumentOptions::default()))),
+    ("classify", || in_turn(exact(), |(body, h, l)| classify(body, h, l))),
+    ("critical", || in_turn(exact(), |(body, _, l)| critical(body, l))),
     ("locate", || {
         let cases = workload::generic();
         let atlases = prepared(&cases);
-        let points: Vec<_> = cases
-            .iter()
-            .zip(atlases)
-            .map(|(case, atlas)| (atlas, workload::points(&case.body, 1)[0]))
-            .collect();
+        let points: Vec<_> =
+            cases.iter().zip(atlases).map(|(case, atlas)| (atlas, workload::points(&case.body, 1)[0])).collect();
         in_turn(points, |(atlas, (h, l))| atlas.locate(*h, *l))
     }),
     ("latitude-sweep", || {
