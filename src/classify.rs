@@ -79,13 +79,14 @@ fn at_one_momentum(set: &CriticalSet, h: &Number, x: f64) -> (Option<(Vec<Compon
     let Some(&(curve, nearest)) = nearest.filter(|_| clear && !near_end) else {
         return (None, count);
     };
-    let below: Vec<(usize, Point)> = points.iter().filter(|(_, p)| p.h() < energy).copied().collect();
+    // The points are in the order of h.
+    let below = &points[..points.partition_point(|(_, p)| p.h() < energy)];
     let components = if below.is_empty() {
         Vec::new()
     } else if below.len() == count {
         vec![atlas::whole_sphere(!set.frame.is_euler())]
     } else {
-        match atlas::components_below(set, x, &below) {
+        match atlas::components_below(set, x, below.iter().map(|(curve, point)| (*curve, point))) {
             Ok(components) => components,
             Err(_open_join) => return (None, count),
         }

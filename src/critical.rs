@@ -3,11 +3,11 @@
 use thiserror::Error;
 
 use crate::atlas::{MomentumError, abscissa, curve_name};
-use crate::body::{Body, Frame, Number};
+use crate::body::{Body, Number};
 use crate::document::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, SCHEMA_VERSION, Stability};
-use crate::equilibria::{CriticalSet, EquilibriaError, Orbit, Point};
+use crate::equilibria::{CriticalSet, EquilibriaError, Orbit};
 use crate::numerics::UNIT_ROUNDOFF;
-use crate::stability::{Linearisation, RelativeEquilibrium};
+use crate::stability::stability_of;
 
 /// Why there is no answer.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -55,18 +55,12 @@ pub fn critical(body: &Body, l: &Number) -> Result<CriticalDocument, CriticalErr
                 omega: sign * (2.0 * x).sqrt() / point.j * frame.frequency_unit,
                 index: equilibrium.index,
                 multiplicity,
-                stability: stability(frame, point),
+                stability: stability_of(frame, point.gamma, (2.0 * x).sqrt() / point.j),
                 branch: curve_name(&set, equilibrium.curve),
             }
         })
         .collect();
     Ok(document(body, l, list, error_bound, found.complete))
-}
-
-/// Spectral stability at a point of a critical curve.
-pub(crate) fn stability(frame: &Frame, point: &Point) -> Stability {
-    let omega = (2.0 * point.x).sqrt() / point.j;
-    Linearisation::new(frame, &RelativeEquilibrium::new(frame, point.gamma, omega)).stability()
 }
 
 /// l = 0: the body hangs (γ = r̂) or stands (γ = −r̂) at rest; for r = 0 every γ is an equilibrium.
@@ -98,7 +92,7 @@ fn at_rest(set: &CriticalSet) -> Vec<RelativeEquilibriumDocument> {
                 omega: 0.0,
                 index,
                 multiplicity: Multiplicity::Points(1),
-                stability: Linearisation::new(frame, &RelativeEquilibrium::new(frame, gamma, 0.0)).stability(),
+                stability: stability_of(frame, gamma, 0.0),
                 branch,
             }
         })

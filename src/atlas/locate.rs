@@ -1,5 +1,7 @@
 //! Point location: the region of a point on a prepared body, without tracing anything.
 
+use std::ops::Range;
+
 use thiserror::Error;
 
 use super::Atlas;
@@ -84,8 +86,35 @@ impl Atlas {
     fn locate_scaled(&self, h: f64, x: f64) -> Location {
         let slabs = &self.arrangement.slabs;
         let number = slabs.partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1);
-        let point = |c: usize| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, x);
+        let near = self.slabs_near(number, x);
+        let Bracket { low, under, over } = self.bracket(number, h, x);
         let order = &slabs[number].order;
+        let (distance, nearest) =
+            if under.0 <= over.0 { (under.0, order[low - 1]) } else { (over.0, order[low.min(order.len() - 1)]) };
+        let error_bound = under.1.max(over.1);
+        let decided = |distance: f64| {
+            if distance <= error_bound || !self.order_is_certain(number, x) {
+                Place::Undecided(self.candidates(h, x, near.clone()))
+            } else if low == 0 {
+                Place::Forbidden
+            } else {
+                Place::Region(slabs[number].face_above[low - 1])
+            }
+        };
+        if near.len() == 1 {
+            return Location { place: decided(distance), distance, nearest, error_bound };
+        }
+        // Within rounding of an event the curves that are born or vanish there count, on whichever side x is.
+        let places = self.candidates(h, x, near.clone());
+        let (distance, nearest) = self.nearest_in(h, x, near.clone()).unwrap_or((distance, nearest));
+        let place = if places.len() > 1 { Place::Undecided(places) } else { decided(distance) };
+        Location { place, distance, nearest, error_bound }
+    }
+
+    /// Binary search for h among the curves of a slab.
+    fn bracket(&self, slab: usize, h: f64, x: f64) -> Bracket {
+        let order = &self.arrangement.slabs[slab].order;
+        let point = |c: usize| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, x);
         // Curves order[..low] lie below h, order[high..] above.
         let (mut low, mut high) = (0, order.len());
         let (mut below, mut above): (Option<Point>, Option<Point>) = (None, None);
@@ -101,18 +130,41 @@ impl Atlas {
             }
         }
         let side = |p: &Option<Point>| p.map_or((f64::INFINITY, 0.0), |p| ((h - p.h()).abs(), comparison_error(&p, h)));
-        let (under, over) = (side(&below), side(&above));
-        let (distance, nearest) =
-            if under.0 <= over.0 { (under.0, order[low - 1]) } else { (over.0, order[low.min(order.len() - 1)]) };
-        let error_bound = under.1.max(over.1);
-        let place = if distance <= error_bound || !self.order_is_certain(number, x) {
-            Place::Undecided(self.candidates(h, x, number))
-        } else if low == 0 {
-            Place::Forbidden
-        } else {
-            Place::Region(slabs[number].face_above[low - 1])
+        Bracket { low, under: side(&below), over: side(&above) }
+    }
+
+    /// The slab of x, and those beyond events within rounding of x.
+    fn slabs_near(&self, number: usize, x: f64) -> Range<usize> {
+        let near = |event: usize| {
+            let event = &self.arrangement.events[event];
+            (event.x - x).abs() <= 4.0 * event.x_error + 4.0 * X_ROUNDINGS * UNIT_ROUNDOFF * x
         };
-        Location { place, distance, nearest, error_bound }
+        let mut range = number..number + 1;
+        while range.start > 0 && near(range.start - 1) {
+            range.start -= 1;
+        }
+        while range.end < self.arrangement.slabs.len() && near(range.end - 1) {
+            range.end += 1;
+        }
+        range
+    }
+
+    /// The points of the curves of a slab at x, or at its end where x lies just outside.
+    fn points_in(&self, slab: usize, x: f64) -> Vec<Point> {
+        let slab = &self.arrangement.slabs[slab];
+        let at = x.clamp(slab.x[0].max(f64::MIN_POSITIVE), slab.x[1]);
+        slab.order.iter().map(|&c| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, at)).collect()
+    }
+
+    /// Distance and number of the nearest curve in any of several slabs.
+    fn nearest_in(&self, h: f64, x: f64, slabs: Range<usize>) -> Option<(f64, usize)> {
+        slabs
+            .flat_map(|slab| {
+                let order = &self.arrangement.slabs[slab].order;
+                let distances = self.points_in(slab, x).into_iter().map(|point| (point.h() - h).abs());
+                distances.zip(order.iter().copied()).collect::<Vec<_>>()
+            })
+            .min_by(|p, q| p.0.total_cmp(&q.0))
     }
 
     /// False when something is undecided and the heights at x contradict the order of the slab.
@@ -123,33 +175,14 @@ impl Atlas {
         }
         let order = &self.arrangement.slabs[number].order;
         let points: Vec<Point> = order.iter().map(|&c| set.curves[c].point(&set.frame, x)).collect();
-        is_ordered(points.iter())
+        is_ordered(&points)
     }
 
-    /// Every region that meets the box of rounding around a point: in its slab, and in the neighbouring slabs when an
-    /// event is that near.
-    fn candidates(&self, h: f64, x: f64, number: usize) -> Vec<Option<usize>> {
-        let slabs = &self.arrangement.slabs;
+    /// Every region that meets the box of rounding around a point in these slabs.
+    fn candidates(&self, h: f64, x: f64, slabs: Range<usize>) -> Vec<Option<usize>> {
         let mut found = Vec::new();
-        let near = |event: usize| {
-            let event = &self.arrangement.events[event];
-            (event.x - x).abs() <= 4.0 * event.x_error + 4.0 * X_ROUNDINGS * UNIT_ROUNDOFF * x
-        };
-        let mut first = number;
-        while first > 0 && near(first - 1) {
-            first -= 1;
-        }
-        let mut last = number;
-        while last + 1 < slabs.len() && near(last) {
-            last += 1;
-        }
-        for slab in &slabs[first..=last] {
-            let at = x.clamp(slab.x[0].max(f64::MIN_POSITIVE), slab.x[1]);
-            let points: Vec<Point> = slab
-                .order
-                .iter()
-                .map(|&c| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, at))
-                .collect();
+        for number in slabs {
+            let points = self.points_in(number, x);
             let reaches = |p: &Point| {
                 let error = 2.0 * comparison_error(p, h);
                 (p.h() - error <= h, p.h() + error >= h)
@@ -157,7 +190,7 @@ impl Atlas {
             for gap in 0..=points.len() {
                 let above_lower = gap == 0 || reaches(&points[gap - 1]).0;
                 let below_upper = gap == points.len() || reaches(&points[gap]).1;
-                let face = gap.checked_sub(1).map(|position| slab.face_above[position]);
+                let face = gap.checked_sub(1).map(|position| self.arrangement.slabs[number].face_above[position]);
                 if above_lower && below_upper && !found.contains(&face) {
                     found.push(face);
                 }
@@ -165,4 +198,14 @@ impl Atlas {
         }
         found
     }
+}
+
+/// Where h stands among the curves of a slab.
+struct Bracket {
+    /// So many curves lie below h.
+    low: usize,
+    /// Distance to the curve below and the error bound of that distance.
+    under: (f64, f64),
+    /// Distance to the curve above and the error bound of that distance.
+    over: (f64, f64),
 }

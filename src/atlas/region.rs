@@ -34,9 +34,10 @@ pub struct Region {
 
 /// A place in a cell where a region could be sampled.
 #[derive(Clone, Copy)]
-struct Candidate {
+struct Candidate<'a> {
     slab: usize,
     position: usize,
+    row: &'a Row,
     sample: Sample,
     /// Margin relative to the energy scale x/J + r.
     quality: f64,
@@ -64,10 +65,11 @@ struct Row {
 fn rows(arrangement: &Arrangement, slab: usize) -> Vec<Row> {
     let [from, to] = arrangement.slabs[slab].x;
     let middle = arrangement.middle(slab);
-    let abscissae = if to.is_finite() && from > 0.0 {
-        [0.5 * (from + middle), middle, 0.5 * (middle + to)]
-    } else {
-        [middle, 0.5 * middle + 0.5 * if to.is_finite() { to } else { from.max(0.5 * middle) }, 2.0 * middle]
+    // In the last slab near its lower end: there the sample is still inside the default picture.
+    let abscissae = match (from > 0.0, to.is_finite()) {
+        (_, true) => [0.5 * (from + middle), middle, 0.5 * (middle + to)],
+        (true, false) => [1.2 * from, 1.35 * from, 1.5 * from],
+        (false, false) => [0.5 * middle, middle, 2.0 * middle],
     };
     let inside = |x: &f64| *x > from && *x < to;
     let set = &arrangement.set;
@@ -84,7 +86,7 @@ fn rows(arrangement: &Arrangement, slab: usize) -> Vec<Row> {
 fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize)>) -> Region {
     // Should rounding hide a join at the best place, the next ones may still show it.
     const ATTEMPTS: usize = 4;
-    let mut candidates: Vec<Candidate> = cells
+    let mut candidates: Vec<Candidate<'_>> = cells
         .iter()
         .flat_map(|&(slab, position)| rows[slab].iter().map(move |row| (slab, position, row)))
         .map(|(slab, position, row)| candidate(arrangement, slab, position, row))
@@ -101,7 +103,7 @@ fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize
     Region { cells, sample: best.sample, components }
 }
 
-fn candidate(arrangement: &Arrangement, slab: usize, position: usize, row: &Row) -> Candidate {
+fn candidate<'a>(arrangement: &Arrangement, slab: usize, position: usize, row: &'a Row) -> Candidate<'a> {
     let order = &arrangement.slabs[slab].order;
     let lower = &row.points[position];
     let scale = row.x / lower.j + arrangement.set.frame.r_norm;
@@ -112,26 +114,25 @@ fn candidate(arrangement: &Arrangement, slab: usize, position: usize, row: &Row)
         (scale.min(lower.h().abs() + arrangement.set.frame.r_norm).max(0.5 * scale), lower.h_error())
     };
     let sample = Sample { x: row.x, h: lower.h() + margin, margin, error, nearest: order[position] };
-    Candidate { slab, position, sample, quality: sample.margin / scale }
+    Candidate { slab, position, row, sample, quality: sample.margin / scale }
 }
 
 /// The components of U_hl at a sample.
-fn topology(arrangement: &Arrangement, candidate: &Candidate) -> Result<Vec<Component>, MergeError> {
+fn topology(arrangement: &Arrangement, candidate: &Candidate<'_>) -> Result<Vec<Component>, MergeError> {
     let set = &arrangement.set;
     let order = &arrangement.slabs[candidate.slab].order;
     if candidate.position + 1 == order.len() {
         return Ok(vec![whole_sphere(!set.frame.is_euler())]);
     }
-    let points: Vec<(usize, Point)> =
-        order.iter().map(|&c| (c, set.curves[c].point(&set.frame, candidate.sample.x))).collect();
-    if !is_ordered(points.iter().map(|(_, point)| point)) {
+    if !is_ordered(&candidate.row.points) {
         return Err(MergeError::UnknownOrder);
     }
-    components_below(set, candidate.sample.x, &points[..=candidate.position])
+    let below = order[..=candidate.position].iter().zip(&candidate.row.points);
+    components_below(set, candidate.row.x, below.map(|(&c, point)| (c, point)))
 }
 
 /// True when no two heights contradict the order in which the points are given.
-pub(super) fn is_ordered<'a>(points: impl Iterator<Item = &'a Point>) -> bool {
+pub(super) fn is_ordered(points: &[Point]) -> bool {
     let mut highest = f64::NEG_INFINITY;
     for point in points {
         if point.h() + point.h_error() < highest {
@@ -146,15 +147,15 @@ pub(super) fn is_ordered<'a>(points: impl Iterator<Item = &'a Point>) -> bool {
 ///
 /// # Errors
 /// [`MergeError`] when rounding leaves a join open.
-pub(crate) fn components_below(
+pub(crate) fn components_below<'a>(
     set: &CriticalSet,
     x: f64,
-    below: &[(usize, Point)],
+    below: impl ExactSizeIterator<Item = (usize, &'a Point)>,
 ) -> Result<Vec<Component>, MergeError> {
     let mut critical = Vec::with_capacity(below.len() + 2);
     let mut poles = Poles::default();
     for (c, point) in below {
-        let curve = &set.curves[*c];
+        let curve = &set.curves[c];
         match curve.entering_pole() {
             Some(Pole::Plus) => poles.plus = true,
             Some(Pole::Minus) => poles.minus = true,

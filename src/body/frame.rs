@@ -1,7 +1,7 @@
 //! The body in the frame in which everything is computed: sorted, rotated and scaled.
 
 use dashu_int::{IBig, UBig};
-use dashu_ratio::RBig;
+use dashu_ratio::{RBig, Relaxed};
 
 use super::number::Number;
 use super::rigid_body::Body;
@@ -55,16 +55,17 @@ fn power_of_two(e: i32) -> f64 {
     f64::from_bits(u64::from((1023 + e).unsigned_abs()) << 52)
 }
 
-/// x · 4^(−k), exactly.
-fn scaled(x: &RBig, k: i32) -> RBig {
+/// x · 4^(−k), exactly. From here on fractions are not reduced: that costs more than it saves.
+fn scaled(x: &RBig, k: i32) -> Relaxed {
+    let x = x.clone().relax();
     if k == 0 {
-        return x.clone();
+        return x;
     }
     let factor = IBig::from(UBig::ONE << (2 * k.unsigned_abs() as usize));
-    if k > 0 { x / RBig::from(factor) } else { x * RBig::from(factor) }
+    if k > 0 { x / Relaxed::from(factor) } else { x * Relaxed::from(factor) }
 }
 
-fn nearest(x: &RBig) -> f64 {
+fn nearest(x: &Relaxed) -> f64 {
     x.to_f64().value()
 }
 
@@ -90,7 +91,7 @@ impl Frame {
         let (j_r, offset) = if norm_squared.is_zero() {
             (f64::NAN, [f64::NAN; 3])
         } else {
-            let j_r = (0..3).fold(RBig::ZERO, |sum, i| sum + &r_squared[i] * &a[i]) / &norm_squared;
+            let j_r = (0..3).fold(Relaxed::ZERO, |sum, i| sum + &r_squared[i] * &a[i]) / &norm_squared;
             (nearest(&j_r), order.map(|i| nearest(&(&a[i] - &j_r))))
         };
         Self {
@@ -128,13 +129,18 @@ impl Frame {
 }
 
 /// r in the frame, and the matrix whose columns are the frame's axes.
-fn rotate(order: &[usize; 3], group: &[usize; 3], r: &[RBig; 3], r_squared: &[RBig; 3]) -> ([f64; 3], [[f64; 3]; 3]) {
+fn rotate(
+    order: &[usize; 3],
+    group: &[usize; 3],
+    r: &[Relaxed; 3],
+    r_squared: &[Relaxed; 3],
+) -> ([f64; 3], [[f64; 3]; 3]) {
     let mut r_frame = [0.0; 3];
     let mut to_body = [[0.0; 3]; 3];
     let mut first = 0;
     while first < 3 {
         let axes: Vec<usize> = (first..3).filter(|&k| group[k] == group[first]).map(|k| order[k]).collect();
-        let squared = axes.iter().fold(RBig::ZERO, |sum, &i| sum + &r_squared[i]);
+        let squared = axes.iter().fold(Relaxed::ZERO, |sum, &i| sum + &r_squared[i]);
         let basis = eigenspace_basis(&axes, r);
         let single = axes.iter().filter(|&&i| !r[i].is_zero()).count() <= 1;
         r_frame[first] = if single {
@@ -153,7 +159,7 @@ fn rotate(order: &[usize; 3], group: &[usize; 3], r: &[RBig; 3], r_squared: &[RB
 }
 
 /// An orthonormal basis of the span of `axes` whose first vector points along the projection of r.
-fn eigenspace_basis(axes: &[usize], r: &[RBig; 3]) -> Vec<[f64; 3]> {
+fn eigenspace_basis(axes: &[usize], r: &[Relaxed; 3]) -> Vec<[f64; 3]> {
     let mut lead = [0.0; 3];
     for &i in axes {
         lead[i] = nearest(&r[i]);

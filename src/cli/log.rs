@@ -20,6 +20,7 @@ pub fn start(common: &CommonArguments) {
     };
     tracing_subscriber::fmt()
         .with_writer(io::stderr)
+        .with_ansi(io::IsTerminal::is_terminal(&io::stderr()))
         .with_max_level(level)
         .log_internal_errors(false)
         .event_format(LevelAndMessage)

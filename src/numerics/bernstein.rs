@@ -198,9 +198,9 @@ impl Bernstein {
         }
         // A split at a root would leave its sign unknown on both sides: move aside.
         let splits = [0.5, 0.4375, 0.5625, 0.375];
-        let usable = splits.iter().find(|&&t| self.split(t).1.sign(0).is_some());
-        let t = usable.copied().unwrap_or(0.5);
-        let (left, right) = self.split(t);
+        let halves = |t: &f64| (*t, self.split(*t));
+        let usable = splits.iter().map(halves).find(|(_, (_, right))| right.sign(0).is_some());
+        let (t, (left, right)) = usable.unwrap_or_else(|| halves(&0.5));
         let (left_cell, right_cell) = cell.split(t);
         left.isolate(left_cell, found);
         right.isolate(right_cell, found);

@@ -83,10 +83,7 @@ pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle
     let highest = critical.iter().filter(at_start).max_by(|a, b| start(a).total_cmp(&start(b)));
     let mut styles = BTreeMap::new();
     if let (Some(lowest), false) = (lowest, atlas.body.flags.euler) {
-        styles.insert(
-            lowest.branch.as_str(),
-            BranchStyle { color: RED, name: "from +r̂ (global minimum)".to_owned(), rank: 0 },
-        );
+        styles.insert(lowest.branch.as_str(), BranchStyle { color: RED, name: "from +r̂".to_owned(), rank: 0 });
         if let Some(highest) = highest.filter(|curve| curve.branch != lowest.branch) {
             let name = "from −r̂".to_owned();
             styles.insert(highest.branch.as_str(), BranchStyle { color: BLUE, name, rank: 1 });

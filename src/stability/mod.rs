@@ -11,3 +11,12 @@ mod spectrum;
 pub use equilibrium::RelativeEquilibrium;
 pub use linearisation::Linearisation;
 pub use spectrum::{SpectrumError, whole_matrix, whole_spectrum};
+
+use crate::body::Frame;
+use crate::document::Stability;
+
+/// Spectral stability of the relative equilibrium γ at angular velocity Ω ≥ 0, in the frame.
+#[must_use]
+pub fn stability_of(frame: &Frame, gamma: [f64; 3], omega: f64) -> Stability {
+    Linearisation::new(frame, &RelativeEquilibrium::new(frame, gamma, omega)).stability()
+}

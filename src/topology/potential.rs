@@ -76,8 +76,9 @@ impl Potential<'_> {
 
     /// True when U ≤ `level` is proved along the great-circle arc between two points less than 90° apart.
     ///
-    /// On an arc of length L a function exceeds its larger end value by at most L²/8 · max(−d²U/dt²); the arc is halved
-    /// until that bound suffices or a point above the level shows up.
+    /// With S = L²/8 · max(−d²U/dt²) on an arc of length L, U lies below its chord plus 4S u(1 − u), 0 ≤ u ≤ 1; where the
+    /// end values differ by D that exceeds the larger one by at most (4S − D)²/(16S), and not at all when D ≥ 4S. The
+    /// arc is halved until that bound suffices or a point above the level shows up.
     pub fn arc_stays_below(&self, from: Vector, to: Vector, level: f64) -> bool {
         const MAX_DEPTH: u32 = 8;
         let ends = [self.value(from), self.value(to)];
@@ -85,7 +86,10 @@ impl Potential<'_> {
     }
 
     fn stays_below(&self, arc: [Vector; 2], ends: [f64; 2], level: f64, depth: u32) -> bool {
-        if ends[0].max(ends[1]) + self.sag(arc[0], arc[1]) <= level {
+        let sag = self.sag(arc[0], arc[1]);
+        let excess = (4.0 * sag - (ends[0] - ends[1]).abs()).max(0.0);
+        let rise = if excess > 0.0 { excess * excess / (16.0 * sag) } else { 0.0 };
+        if ends[0].max(ends[1]) + rise <= level {
             return true;
         }
         let middle = normalised(combination(0.5, arc[0], 0.5, arc[1]));
@@ -96,8 +100,7 @@ impl Potential<'_> {
             && self.stays_below([middle, arc[1]], [value, ends[1]], level, depth - 1)
     }
 
-    /// Bound on how far U rises above its larger end value on a great-circle arc shorter than 90°: L²/8 times a bound on
-    /// −d²U/dt².
+    /// Bound on how far U rises above its chord on a great-circle arc shorter than 90°: L²/8 times a bound on −d²U/dt².
     ///
     /// With J(t) = α + β cos 2t + κ sin 2t the third derivative of J is at most 8√(β²+κ²), and −d²U/dt² is at most
     /// x (d²J/dt²)/J² − ⟨γ, r⟩.

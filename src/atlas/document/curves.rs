@@ -4,10 +4,9 @@ use super::super::Atlas;
 use super::super::names::{branch_name, curve_name};
 use super::DocumentOptions;
 use crate::continuation::{PieceEnd, Start, TrackOptions, track_piece};
-use crate::critical::stability;
 use crate::document::{Accuracy, CurveDocument, CurveKind, Stability, StabilitySpan, TailDocument, UndecidedDocument};
 use crate::equilibria::{Branch, Curve, End, Orbit, Pole, Shape};
-use crate::stability::RelativeEquilibrium;
+use crate::stability::{RelativeEquilibrium, stability_of};
 
 /// Ranges of the picture for which the polylines are made, in the frame's units.
 struct Extent {
@@ -170,17 +169,49 @@ fn tracked(
         .iter()
         .map(|span| StabilitySpan { l_from: span.l_from * momentum, l_to: span.l_to.map(|l| l * momentum), ..*span })
         .collect();
+    fill_gaps(atlas, curve, [l_from, l_to.min(cut)], &mut spans);
     if to.is_infinite() {
         continue_stability(atlas, curve, cut, &mut spans);
     }
     Some((polyline, spans))
 }
 
+/// Stability by the closed form at l in the frame's units.
+fn stability_at(atlas: &Atlas, curve: &Curve, l: f64) -> Stability {
+    let frame = &atlas.arrangement.set.frame;
+    let point = curve.point(frame, 0.5 * l * l);
+    stability_of(frame, point.gamma, l / point.j)
+}
+
+/// Stretches that the tracker left open, because the type is degenerate all along them, are filled by the closed form.
+fn fill_gaps(atlas: &Atlas, curve: &Curve, l_range: [f64; 2], spans: &mut Vec<StabilitySpan>) {
+    let unit = atlas.arrangement.set.frame.momentum_unit;
+    let mut filled: Vec<StabilitySpan> = Vec::new();
+    let mut reached = l_range[0] * unit;
+    let end = StabilitySpan { l_from: l_range[1] * unit, l_to: None, stability: Stability::Degenerate };
+    for span in spans.drain(..).chain(std::iter::once(end)) {
+        if span.l_from > reached * (1.0 + 1e-9) {
+            let stability = stability_at(atlas, curve, 0.5 * (reached + span.l_from) / unit);
+            filled.push(StabilitySpan { l_from: reached, l_to: Some(span.l_from), stability });
+        }
+        reached = span.l_to.unwrap_or(f64::INFINITY);
+        filled.push(span);
+    }
+    // The sentinel.
+    filled.pop();
+    for span in filled {
+        match spans.last_mut() {
+            Some(last) if last.stability == span.stability => last.l_to = span.l_to,
+            _ => spans.push(span),
+        }
+    }
+}
+
 /// Stability beyond the cut: looked up at growing l by the closed form, changes found by bisection.
 fn continue_stability(atlas: &Atlas, curve: &Curve, cut: f64, spans: &mut Vec<StabilitySpan>) {
     const DOUBLINGS: u32 = 12;
-    let frame = &atlas.arrangement.set.frame;
-    let at = |l: f64| stability(frame, &curve.point(frame, 0.5 * l * l));
+    let unit = atlas.arrangement.set.frame.momentum_unit;
+    let at = |l: f64| stability_at(atlas, curve, l);
     let mut l = cut;
     let mut last = spans.last().map_or(Stability::Degenerate, |span| span.stability);
     for _ in 0..DOUBLINGS {
@@ -194,7 +225,7 @@ fn continue_stability(atlas: &Atlas, curve: &Curve, cut: f64, spans: &mut Vec<St
                 }
                 if at(middle) == last { low = middle } else { high = middle }
             }
-            let l_from = high * frame.momentum_unit;
+            let l_from = high * unit;
             if let Some(span) = spans.last_mut() {
                 span.l_to = Some(l_from);
             }

@@ -202,6 +202,7 @@ fn cell_width(cost: &Narrowness, x: [f64; 2]) -> Option<f64> {
     let bracket = (sorted[best.saturating_sub(1)], sorted[(best + 1).min(sorted.len() - 1)]);
     let refined = Executor::new(Narrowness { ..*cost }, BrentOpt::new(bracket.0, bracket.1))
         .configure(|state| state.max_iters(40))
+        .timer(false)
         .run()
         .map_or(gaps[best], |result| -result.state().get_best_cost());
     Some(refined.max(gaps[best]).max(limit))
