@@ -2,4 +2,7 @@
 
 pub mod body;
 pub mod document;
+pub mod dynamics;
+pub mod integrator;
+pub mod section;
 pub mod topology;

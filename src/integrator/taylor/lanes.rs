@@ -1,0 +1,172 @@
+//! Orbits side by side, one in each SIMD lane, each with its own time and step.
+
+use pulp::Simd;
+
+use super::series::{Constants, Series, Vector, lane_values, lane_values_mut};
+use super::step_size::{StepRule, order_for};
+use crate::dynamics::{HeavyTop, State};
+use crate::integrator::Instant;
+
+/// As many orbits as a register has lanes.
+///
+/// Call [`expand`](Self::expand), look at the series and the state at the step's end, then
+/// [`commit`](Self::commit). States are kept as sums of two doubles (compensated summation).
+#[repr(C, align(64))]
+pub(crate) struct Lanes<S: Simd> {
+    pub series: Series<S>,
+    /// γ and l at the step's end.
+    pub next: [Vector<S>; 2],
+    /// Length of the step.
+    pub step: [S::f64s; 1],
+    /// What the rows 0 leave out.
+    low: [Vector<S>; 2],
+    next_low: [Vector<S>; 2],
+    /// 1/scale of l.
+    momentum_weight: [S::f64s; 1],
+    pub constants: Constants<S>,
+    time: [Instant; 16],
+    order: usize,
+    rule: StepRule,
+}
+
+impl<S: Simd> Lanes<S> {
+    /// Lanes at rest; [`load`](Self::load) orbits into them.
+    #[inline(always)]
+    pub fn new(simd: S, top: &HeavyTop, tolerance: f64) -> Self {
+        const { assert!(S::F64_LANES <= 16) };
+        let zero = simd.splat_f64s(0.0);
+        let order = order_for(tolerance);
+        let largest = top.moments().iter().fold(0.0, |m: f64, &a| m.max(a));
+        // Only equilibria have no scale of their own; for them, two radians of the fastest pendulum.
+        let longest = 2.0 * (largest / top.center_norm()).sqrt();
+        Self {
+            series: Series::new(simd),
+            next: [[zero; 3]; 2],
+            step: [zero],
+            low: [[zero; 3]; 2],
+            next_low: [[zero; 3]; 2],
+            momentum_weight: [zero],
+            constants: Constants::new(simd, top),
+            time: [Instant::default(); 16],
+            order,
+            rule: StepRule::new(tolerance, order, longest),
+        }
+    }
+
+    /// Puts an orbit into a lane at time 0. `momentum_scale` is the unit of |l| for the tolerance.
+    #[inline(always)]
+    pub fn load(&mut self, lane: usize, state: &State, momentum_scale: f64) {
+        for i in 0..3 {
+            lane_values_mut::<S>(&mut self.series.gamma[0][i..=i])[lane] = state.gamma[i];
+            lane_values_mut::<S>(&mut self.series.l[0][i..=i])[lane] = state.l[i];
+            for part in &mut self.low {
+                lane_values_mut::<S>(&mut part[i..=i])[lane] = 0.0;
+            }
+        }
+        lane_values_mut::<S>(&mut self.momentum_weight)[lane] = 1.0 / momentum_scale;
+        self.time[lane] = Instant::default();
+    }
+
+    /// Order of the series.
+    #[inline(always)]
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Time at the step's start.
+    #[inline(always)]
+    pub fn time(&self, lane: usize) -> Instant {
+        self.time[lane]
+    }
+
+    /// Length of a lane's step.
+    #[inline(always)]
+    pub fn step_of(&self, lane: usize) -> f64 {
+        lane_values::<S>(&self.step)[lane]
+    }
+
+    /// Computes the series, the steps and the states at the steps' ends.
+    #[inline(always)]
+    pub fn expand(&mut self, simd: S) {
+        self.series.expand(simd, &self.constants, self.order);
+        let last = [self.coefficient_norm(simd, self.order)];
+        let before_last = [self.coefficient_norm(simd, self.order - 1)];
+        let (last, before_last) = (lane_values::<S>(&last), lane_values::<S>(&before_last));
+        for (lane, step) in lane_values_mut::<S>(&mut self.step).iter_mut().enumerate() {
+            *step = self.rule.step(last[lane], before_last[lane]);
+        }
+        self.sum_series(simd);
+    }
+
+    /// max(|γ_k|_∞, |l_k|_∞ / scale).
+    #[inline(always)]
+    fn coefficient_norm(&self, simd: S, k: usize) -> S::f64s {
+        let largest = |v: Vector<S>| {
+            let two = simd.max_f64s(simd.abs_f64s(v[0]), simd.abs_f64s(v[1]));
+            simd.max_f64s(two, simd.abs_f64s(v[2]))
+        };
+        let l = simd.mul_f64s(largest(self.series.l[k]), self.momentum_weight[0]);
+        simd.max_f64s(largest(self.series.gamma[k]), l)
+    }
+
+    /// x(t + step) = x₀ + Σ_{k≥1} x_k stepᵏ, with the rounding error of the sum carried along.
+    #[inline(always)]
+    fn sum_series(&mut self, simd: S) {
+        let t = self.step[0];
+        let mut gamma = self.series.gamma[self.order];
+        let mut l = self.series.l[self.order];
+        for k in (1..self.order).rev() {
+            for i in 0..3 {
+                gamma[i] = simd.mul_add_f64s(gamma[i], t, self.series.gamma[k][i]);
+                l[i] = simd.mul_add_f64s(l[i], t, self.series.l[k][i]);
+            }
+        }
+        for (part, slope) in [gamma, l].into_iter().enumerate() {
+            for i in 0..3 {
+                let start = [self.series.gamma[0][i], self.series.l[0][i]][part];
+                // start + (slope·t + low), TwoSum and then a fast one to normalise.
+                let increment = simd.mul_add_f64s(slope[i], t, self.low[part][i]);
+                let sum = simd.add_f64s(start, increment);
+                let increment_part = simd.sub_f64s(sum, start);
+                let start_part = simd.sub_f64s(sum, increment_part);
+                let error = simd.add_f64s(simd.sub_f64s(start, start_part), simd.sub_f64s(increment, increment_part));
+                self.next[part][i] = sum;
+                self.next_low[part][i] = error;
+            }
+        }
+    }
+
+    /// Moves every lane to its step's end.
+    #[inline(always)]
+    pub fn commit(&mut self) {
+        self.series.gamma[0] = self.next[0];
+        self.series.l[0] = self.next[1];
+        self.low = self.next_low;
+        for lane in 0..S::F64_LANES {
+            self.time[lane] = self.time[lane].after(self.step_of(lane));
+        }
+    }
+
+    /// The state of one lane at `offset` after the step's start.
+    #[inline(always)]
+    pub fn state_at(&self, lane: usize, offset: f64) -> State {
+        let gamma = lane_values::<S>(self.series.gamma.as_flattened());
+        let l = lane_values::<S>(self.series.l.as_flattened());
+        let at = |values: &[f64], k: usize, i: usize| values[(3 * k + i) * S::F64_LANES + lane];
+        let mut state = State::default();
+        for k in (1..=self.order).rev() {
+            for i in 0..3 {
+                state.gamma[i] = state.gamma[i].mul_add(offset, at(gamma, k, i));
+                state.l[i] = state.l[i].mul_add(offset, at(l, k, i));
+            }
+        }
+        let low = lane_values::<S>(self.low.as_flattened());
+        for i in 0..3 {
+            let gamma_low = low[i * S::F64_LANES + lane];
+            let l_low = low[(3 + i) * S::F64_LANES + lane];
+            state.gamma[i] = at(gamma, 0, i) + state.gamma[i].mul_add(offset, gamma_low);
+            state.l[i] = at(l, 0, i) + state.l[i].mul_add(offset, l_low);
+        }
+        state
+    }
+}

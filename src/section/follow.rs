@@ -1,0 +1,206 @@
+//! One orbit's way through the steps: which of them cross the section, where, and when to stop.
+
+use pulp::Simd;
+
+use super::roots::{all_roots, monotone_root};
+use super::scan::{Scan, Verdict};
+use super::starts::Start;
+use super::sweep::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
+use super::torus::PpTorus;
+use crate::dynamics::{Integrals, State};
+use crate::integrator::Instant;
+use crate::integrator::taylor::{Lanes, ROWS};
+
+/// |S| below this part of its scale over a whole step is rounding.
+const FLAT: f64 = 1.0 / (1u64 << 42) as f64;
+/// So many flat steps in a row: S ≡ 0.
+const FLAT_STEPS: u32 = 64;
+
+/// An orbit in a lane.
+pub(super) struct Follower {
+    pub start: State,
+    /// Unit of |l| for the tolerance.
+    pub momentum_scale: f64,
+    pub end: Option<End>,
+    orbit: usize,
+    /// Sign of S at the step's start; None before the first step of an orbit that starts with S = 0.
+    positive: Option<bool>,
+    flat: f64,
+    flat_steps: u32,
+    integrals: Integrals,
+    points: Vec<SectionPoint>,
+    crossings: u32,
+    steps: u64,
+    time: Instant,
+    tangencies: u32,
+    drift: Integrals,
+    residual: f64,
+    roots: Vec<f64>,
+}
+
+impl Follower {
+    pub fn new(torus: &PpTorus, options: &SweepOptions, orbit: usize, start: &Start) -> Self {
+        let top = torus.top();
+        let integrals = Integrals::of(top, &start.state);
+        let value = options.condition.value(top, &start.state);
+        let mut follower = Self {
+            start: start.state,
+            momentum_scale: top.momentum_scale(integrals.energy).max(f64::MIN_POSITIVE.sqrt()),
+            end: (options.crossings == 0).then_some(End::Crossings),
+            orbit,
+            positive: (!start.on_section).then_some(value >= 0.0),
+            flat: FLAT * options.condition.scale(top, integrals.energy),
+            flat_steps: 0,
+            integrals,
+            // Room for what was asked for, unless that is a way of saying "many".
+            points: Vec::with_capacity(options.crossings.min(1 << 16) + 1),
+            crossings: 0,
+            steps: 0,
+            time: Instant::default(),
+            tangencies: 0,
+            drift: Integrals::default(),
+            residual: 0.0,
+            roots: Vec::new(),
+        };
+        if start.on_section {
+            follower.record(torus, options, Instant::default(), &start.state);
+        }
+        follower
+    }
+
+    /// Looks for crossings in the lane's step.
+    #[inline(always)]
+    pub fn step<S: Simd>(
+        &mut self,
+        torus: &PpTorus,
+        options: &SweepOptions,
+        lanes: &Lanes<S>,
+        scan: &Scan<S>,
+        lane: usize,
+    ) {
+        if self.end.is_some() {
+            return;
+        }
+        self.steps += 1;
+        let verdict = scan.verdict(lane);
+        let end_positive = verdict.end >= 0.0;
+        let crosses = self.positive != Some(end_positive);
+        if verdict.size <= self.flat {
+            self.flat_steps += 1;
+        } else {
+            self.flat_steps = 0;
+            if crosses || !(verdict.rootless || verdict.monotone) {
+                self.search(torus, options, lanes, scan, lane, &verdict);
+            }
+            self.positive = Some(end_positive);
+        }
+        self.time = lanes.time(lane).after(lanes.step_of(lane));
+        if self.end.is_none() {
+            self.end = self.stop(options, &verdict);
+        }
+    }
+
+    /// Records the crossings of a step that may have some.
+    #[inline(always)]
+    fn search<S: Simd>(
+        &mut self,
+        torus: &PpTorus,
+        options: &SweepOptions,
+        lanes: &Lanes<S>,
+        scan: &Scan<S>,
+        lane: usize,
+        verdict: &Verdict,
+    ) {
+        let (start, step) = (lanes.time(lane), lanes.step_of(lane));
+        let mut room = [0.0; ROWS];
+        let c = scan.coefficients(lane, &mut room);
+        let end_positive = verdict.end >= 0.0;
+        if self.positive.is_some() && verdict.monotone {
+            let offset = step * monotone_root(c, verdict.end, end_positive);
+            self.cross(torus, options, start.after(offset), &lanes.state_at(lane, offset));
+            return;
+        }
+        let mut roots = std::mem::take(&mut self.roots);
+        self.tangencies += self.general_roots(c, end_positive, &mut roots);
+        for &x in &roots {
+            let offset = step * x;
+            if self.end.is_none() {
+                self.cross(torus, options, start.after(offset), &lanes.state_at(lane, offset));
+            }
+        }
+        roots.clear();
+        self.roots = roots;
+    }
+
+    /// The rare steps: the first one, and those with extrema of S.
+    #[inline(never)]
+    fn general_roots(&self, c: &[f64], end_positive: bool, roots: &mut Vec<f64>) -> u32 {
+        if let Some(start_positive) = self.positive {
+            return all_roots(c, start_positive, end_positive, roots);
+        }
+        // S(0) = 0: the start itself, with the multiplicity that its leading coefficients show, is not a crossing.
+        let multiplicity = 1 + c[1..].iter().take_while(|x| x.abs() <= self.flat).count();
+        match c.get(multiplicity..) {
+            Some(rest) if rest.len() > 1 => all_roots(rest, rest[0] >= 0.0, end_positive, roots),
+            _ => 0,
+        }
+    }
+
+    fn cross(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State) {
+        if time.seconds() > options.max_time {
+            self.end = Some(End::Time);
+            return;
+        }
+        self.crossings += 1;
+        self.record(torus, options, time, state);
+        if self.crossings as usize >= options.crossings {
+            self.end = Some(End::Crossings);
+        }
+    }
+
+    fn record(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State) {
+        let top = torus.top();
+        let point = torus.point(state);
+        self.drift = self.drift.max(&Integrals::of(top, state).distance(&self.integrals));
+        self.residual = self.residual.max(options.condition.value(top, state).abs());
+        self.points.push(SectionPoint {
+            orbit: self.orbit as u32,
+            index: self.crossings,
+            time: time.seconds(),
+            time_low: time.remainder(),
+            gamma: state.gamma,
+            l: state.l,
+            sheet: point.sheet,
+            s_dot: options.condition.rate(top, state),
+            theta: point.theta,
+            psi: point.psi,
+        });
+    }
+
+    #[inline(always)]
+    fn stop(&self, options: &SweepOptions, verdict: &Verdict) -> Option<End> {
+        if self.flat_steps >= FLAT_STEPS {
+            return Some(End::StaysOnSection);
+        }
+        if self.time.seconds() >= options.max_time {
+            return Some(End::Time);
+        }
+        (!verdict.size.is_finite() || !verdict.end.is_finite()).then_some(End::NotFinite)
+    }
+
+    /// The orbit's crossings and its report.
+    pub fn finish(self) -> OrbitSection {
+        OrbitSection {
+            points: self.points,
+            report: OrbitReport {
+                end: self.end.unwrap_or(End::Interrupted),
+                steps: self.steps,
+                time: self.time.seconds(),
+                tangencies: self.tangencies,
+                drift: self.drift,
+                residual: self.residual,
+            },
+            orbit: self.orbit,
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! Poincaré sections: crossings of S = Ẇ = 0 and their 1:1 image on the PP-torus.
+
+mod condition;
+mod error;
+mod follow;
+mod roots;
+mod scan;
+mod starts;
+mod sweep;
+mod torus;
+
+pub use condition::SectionCondition;
+pub use error::SectionError;
+pub use starts::{Start, StartOptions, spread_starts};
+pub use sweep::{End, Monitor, OrbitReport, OrbitSection, SectionPoint, SweepOptions, sweep};
+pub use torus::{PpTorus, TorusPoint};

@@ -1,0 +1,235 @@
+//! Many orbits, each followed to its next crossings.
+
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+
+use pulp::{Simd, WithSimd};
+
+use super::condition::SectionCondition;
+use super::error::SectionError;
+use super::follow::Follower;
+use super::scan::Scan;
+use super::starts::Start;
+use super::torus::PpTorus;
+use crate::dynamics::Integrals;
+use crate::integrator::taylor::{InstructionSet, Lanes};
+
+/// What to compute of each orbit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweepOptions {
+    /// Crossings of each orbit, the start not counted.
+    pub crossings: usize,
+    /// Stop an orbit at this time even if it has fewer.
+    pub max_time: f64,
+    /// Truncation error of a step, relative to the size of the energy surface.
+    pub tolerance: f64,
+    /// The section.
+    pub condition: SectionCondition,
+    /// SIMD instructions; they do not change the results.
+    pub instructions: InstructionSet,
+}
+
+impl Default for SweepOptions {
+    fn default() -> Self {
+        Self {
+            crossings: 1000,
+            max_time: f64::INFINITY,
+            tolerance: 1e-15,
+            condition: SectionCondition::Height,
+            instructions: InstructionSet::Best,
+        }
+    }
+}
+
+/// A crossing of the section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionPoint {
+    /// Number of the orbit.
+    pub orbit: u32,
+    /// 0 is the start if it lies on the section; the crossings count from 1.
+    pub index: u32,
+    /// Time since the start.
+    pub time: f64,
+    /// What `time` leaves out: the time is `time` + `time_low`.
+    pub time_low: f64,
+    /// The vertical.
+    pub gamma: [f64; 3],
+    /// Angular momentum.
+    pub l: [f64; 3],
+    /// Sign of Δ.
+    pub sheet: i8,
+    /// Ṡ.
+    pub s_dot: f64,
+    /// ϑ'.
+    pub theta: f64,
+    /// ψ'.
+    pub psi: f64,
+}
+
+/// Why an orbit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// It has the crossings that were asked for.
+    Crossings,
+    /// Its time is up.
+    Time,
+    /// S ≡ 0 along it, within rounding: a relative equilibrium or a regular precession of Lagrange's top.
+    StaysOnSection,
+    /// The state or the step is no longer a number: the start was not finite or far out of scale.
+    NotFinite,
+    /// The run was stopped.
+    Interrupted,
+}
+
+/// What an orbit was like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrbitReport {
+    /// Why it ended.
+    pub end: End,
+    /// Steps of the integrator.
+    pub steps: u64,
+    /// Time at the last step's end.
+    pub time: f64,
+    /// Extrema of S whose sign is within rounding: a pair of crossings may be missing or spurious there.
+    pub tangencies: u32,
+    /// The largest |deviation| of each first integral from its value at the start, over the crossings.
+    pub drift: Integrals,
+    /// The largest |S| at a crossing.
+    pub residual: f64,
+}
+
+/// One orbit's crossings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OrbitSection {
+    /// Crossings in the order of time.
+    pub points: Vec<SectionPoint>,
+    /// What the orbit was like.
+    pub report: OrbitReport,
+    /// Number of the orbit.
+    pub orbit: usize,
+}
+
+/// Watches a run from outside, and stops it.
+#[derive(Debug, Default)]
+pub struct Monitor {
+    /// Set it, and every orbit ends as [`End::Interrupted`]; orbits not yet begun are left out.
+    pub stop: AtomicBool,
+    /// Crossings of finished orbits.
+    pub crossings: AtomicU64,
+    /// Finished orbits.
+    pub orbits: AtomicU64,
+}
+
+/// Follows every start to its crossings; orbit k is `starts[k]`.
+///
+/// The result does not depend on the number of threads, nor on the instructions. With the feature `parallel`
+/// the orbits are shared among the threads of the current rayon pool.
+///
+/// # Errors
+/// [`SectionError::Parameter`] for options out of range, [`SectionError::InstructionSet`] if this processor
+/// lacks it.
+pub fn sweep(
+    torus: &PpTorus,
+    starts: &[Start],
+    options: &SweepOptions,
+    monitor: &Monitor,
+) -> Result<Vec<OrbitSection>, SectionError> {
+    if !(1e-18..=1e-2).contains(&options.tolerance) {
+        return Err(SectionError::Parameter {
+            name: "tol",
+            value: options.tolerance,
+            expected: "1e-18 to 1e-2 is possible",
+        });
+    }
+    if options.max_time.is_nan() || options.max_time <= 0.0 {
+        return Err(SectionError::Parameter {
+            name: "max_time",
+            value: options.max_time,
+            expected: "a positive time is needed",
+        });
+    }
+    let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
+    let queue = Queue { torus, starts, options, monitor, next: AtomicUsize::new(0) };
+    let mut orbits = run_workers(|| arch.dispatch(&queue));
+    orbits.sort_by_key(|orbit| orbit.orbit);
+    Ok(orbits)
+}
+
+#[cfg(feature = "parallel")]
+fn run_workers(worker: impl Fn() -> Vec<OrbitSection> + Sync) -> Vec<OrbitSection> {
+    rayon::broadcast(|_| worker()).concat()
+}
+
+#[cfg(not(feature = "parallel"))]
+fn run_workers(worker: impl Fn() -> Vec<OrbitSection> + Sync) -> Vec<OrbitSection> {
+    worker()
+}
+
+/// The orbits still to be done, shared by the workers.
+struct Queue<'a> {
+    torus: &'a PpTorus,
+    starts: &'a [Start],
+    options: &'a SweepOptions,
+    monitor: &'a Monitor,
+    next: AtomicUsize,
+}
+
+impl Queue<'_> {
+    /// The next orbit that is worth a lane.
+    fn pop(&self) -> Option<Follower> {
+        if self.monitor.stop.load(Ordering::Relaxed) {
+            return None;
+        }
+        let orbit = self.next.fetch_add(1, Ordering::Relaxed);
+        let start = self.starts.get(orbit)?;
+        Some(Follower::new(self.torus, self.options, orbit, start))
+    }
+
+    fn close(&self, follower: Follower, done: &mut Vec<OrbitSection>) {
+        let section = follower.finish();
+        self.monitor.crossings.fetch_add(section.points.len() as u64, Ordering::Relaxed);
+        self.monitor.orbits.fetch_add(1, Ordering::Relaxed);
+        done.push(section);
+    }
+}
+
+/// One worker: fills its lanes from the queue until it is empty.
+impl WithSimd for &Queue<'_> {
+    type Output = Vec<OrbitSection>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
+        let mut done = Vec::new();
+        let mut lanes = Lanes::<S>::new(simd, self.torus.top(), self.options.tolerance);
+        let mut scan = Scan::<S>::new(simd);
+        let mut followers: Vec<Option<Follower>> = Vec::new();
+        for lane in 0..S::F64_LANES {
+            let follower = self.pop();
+            if let Some(follower) = &follower {
+                lanes.load(lane, &follower.start, follower.momentum_scale);
+            }
+            followers.push(follower);
+        }
+        while followers.iter().any(Option::is_some) {
+            lanes.expand(simd);
+            scan.read(simd, &lanes, self.options.condition);
+            for (lane, follower) in followers.iter_mut().enumerate() {
+                if let Some(follower) = follower {
+                    follower.step(self.torus, self.options, &lanes, &scan, lane);
+                }
+            }
+            lanes.commit();
+            let stopped = self.monitor.stop.load(Ordering::Relaxed);
+            for (lane, slot) in followers.iter_mut().enumerate() {
+                if let Some(mut follower) = slot.take_if(|follower| stopped || follower.end.is_some()) {
+                    follower.end.get_or_insert(End::Interrupted);
+                    self.close(follower, &mut done);
+                    *slot = self.pop();
+                    if let Some(follower) = slot {
+                        lanes.load(lane, &follower.start, follower.momentum_scale);
+                    }
+                }
+            }
+        }
+        done
+    }
+}
