@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use super::roots::{all_roots, monotone_root};
+use super::roots::{all_roots, single_root};
 use super::scan::{Scan, Verdict};
 use super::starts::Start;
 use super::sweep::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
@@ -23,15 +23,18 @@ pub(super) struct Follower {
     pub momentum_scale: f64,
     pub end: Option<End>,
     orbit: usize,
-    /// Sign of S at the step's start; None before the first step of an orbit that starts with S = 0.
-    positive: Option<bool>,
-    flat: f64,
+    /// S at the start; NaN if the start lies on the section.
+    pub start_value: f64,
+    /// Σ|c_k| of S below this is rounding.
+    pub flat: f64,
+    /// Flat steps in a row, and the last of them.
     flat_steps: u32,
+    last_flat: u64,
     integrals: Integrals,
     points: Vec<SectionPoint>,
     crossings: u32,
     steps: u64,
-    time: Instant,
+    time: f64,
     tangencies: u32,
     drift: Integrals,
     residual: f64,
@@ -48,15 +51,16 @@ impl Follower {
             momentum_scale: top.momentum_scale(integrals.energy).max(f64::MIN_POSITIVE.sqrt()),
             end: (options.crossings == 0).then_some(End::Crossings),
             orbit,
-            positive: (!start.on_section).then_some(value >= 0.0),
+            start_value: if start.on_section { f64::NAN } else { value },
             flat: FLAT * options.condition.scale(top, integrals.energy),
             flat_steps: 0,
+            last_flat: 0,
             integrals,
             // Room for what was asked for, unless that is a way of saying "many".
             points: Vec::with_capacity(options.crossings.min(1 << 16) + 1),
             crossings: 0,
             steps: 0,
-            time: Instant::default(),
+            time: 0.0,
             tangencies: 0,
             drift: Integrals::default(),
             residual: 0.0,
@@ -68,9 +72,25 @@ impl Follower {
         follower
     }
 
+    /// Counts a step that ends at `time`.
+    #[inline(always)]
+    pub fn count_step(&mut self, time: f64) {
+        self.steps += 1;
+        self.time = time;
+    }
+
+    /// Is there nothing more to do?
+    #[inline(always)]
+    pub fn is_over(&mut self, options: &SweepOptions) -> bool {
+        if self.end.is_none() && self.time >= options.max_time {
+            self.end = Some(End::Time);
+        }
+        self.end.is_some()
+    }
+
     /// Looks for crossings in the lane's step.
     #[inline(always)]
-    pub fn step<S: Simd>(
+    pub fn look<S: Simd>(
         &mut self,
         torus: &PpTorus,
         options: &SweepOptions,
@@ -78,25 +98,18 @@ impl Follower {
         scan: &Scan<S>,
         lane: usize,
     ) {
-        if self.end.is_some() {
-            return;
-        }
-        self.steps += 1;
         let verdict = scan.verdict(lane);
-        let end_positive = verdict.end >= 0.0;
-        let crosses = self.positive != Some(end_positive);
-        if verdict.size <= self.flat {
-            self.flat_steps += 1;
-        } else {
-            self.flat_steps = 0;
-            if crosses || !(verdict.rootless || verdict.monotone) {
-                self.search(torus, options, lanes, scan, lane, &verdict);
+        if verdict.flat {
+            self.flat_steps = if self.last_flat + 1 == self.steps { self.flat_steps + 1 } else { 1 };
+            self.last_flat = self.steps;
+            if self.flat_steps >= FLAT_STEPS {
+                self.end = Some(End::StaysOnSection);
             }
-            self.positive = Some(end_positive);
+        } else if self.end.is_none() {
+            self.search(torus, options, lanes, scan, lane, &verdict);
         }
-        self.time = lanes.time(lane).after(lanes.step_of(lane));
-        if self.end.is_none() {
-            self.end = self.stop(options, &verdict);
+        if !verdict.end.is_finite() {
+            self.end = Some(End::NotFinite);
         }
     }
 
@@ -114,14 +127,14 @@ impl Follower {
         let (start, step) = (lanes.time(lane), lanes.step_of(lane));
         let mut room = [0.0; ROWS];
         let c = scan.coefficients(lane, &mut room);
-        let end_positive = verdict.end >= 0.0;
-        if self.positive.is_some() && verdict.monotone {
-            let offset = step * monotone_root(c, verdict.end, end_positive);
+        let (start_positive, end_positive) = (verdict.start >= 0.0, verdict.end >= 0.0);
+        if start_positive != end_positive && verdict.unimodal && !verdict.start.is_nan() {
+            let offset = step * single_root(c, verdict.end, end_positive);
             self.cross(torus, options, start.after(offset), &lanes.state_at(lane, offset));
             return;
         }
         let mut roots = std::mem::take(&mut self.roots);
-        self.tangencies += self.general_roots(c, end_positive, &mut roots);
+        self.tangencies += self.general_roots(c, verdict, &mut roots);
         for &x in &roots {
             let offset = step * x;
             if self.end.is_none() {
@@ -134,9 +147,10 @@ impl Follower {
 
     /// The rare steps: the first one, and those with extrema of S.
     #[inline(never)]
-    fn general_roots(&self, c: &[f64], end_positive: bool, roots: &mut Vec<f64>) -> u32 {
-        if let Some(start_positive) = self.positive {
-            return all_roots(c, start_positive, end_positive, roots);
+    fn general_roots(&self, c: &[f64], verdict: &Verdict, roots: &mut Vec<f64>) -> u32 {
+        let end_positive = verdict.end >= 0.0;
+        if !verdict.start.is_nan() {
+            return all_roots(c, verdict.start >= 0.0, end_positive, roots);
         }
         // S(0) = 0: the start itself, with the multiplicity that its leading coefficients show, is not a crossing.
         let multiplicity = 1 + c[1..].iter().take_while(|x| x.abs() <= self.flat).count();
@@ -177,17 +191,6 @@ impl Follower {
         });
     }
 
-    #[inline(always)]
-    fn stop(&self, options: &SweepOptions, verdict: &Verdict) -> Option<End> {
-        if self.flat_steps >= FLAT_STEPS {
-            return Some(End::StaysOnSection);
-        }
-        if self.time.seconds() >= options.max_time {
-            return Some(End::Time);
-        }
-        (!verdict.size.is_finite() || !verdict.end.is_finite()).then_some(End::NotFinite)
-    }
-
     /// The orbit's crossings and its report.
     pub fn finish(self) -> OrbitSection {
         OrbitSection {
@@ -195,7 +198,7 @@ impl Follower {
             report: OrbitReport {
                 end: self.end.unwrap_or(End::Interrupted),
                 steps: self.steps,
-                time: self.time.seconds(),
+                time: self.time,
                 tangencies: self.tangencies,
                 drift: self.drift,
                 residual: self.residual,

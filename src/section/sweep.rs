@@ -156,7 +156,7 @@ pub fn sweep(
 
 #[cfg(feature = "parallel")]
 fn run_workers(worker: impl Fn() -> Vec<OrbitSection> + Sync) -> Vec<OrbitSection> {
-    rayon::broadcast(|_| worker()).concat()
+    rayon::broadcast(|_| worker()).into_iter().flatten().collect()
 }
 
 #[cfg(not(feature = "parallel"))]
@@ -203,33 +203,46 @@ impl WithSimd for &Queue<'_> {
         let mut scan = Scan::<S>::new(simd);
         let mut followers: Vec<Option<Follower>> = Vec::new();
         for lane in 0..S::F64_LANES {
-            let follower = self.pop();
-            if let Some(follower) = &follower {
-                lanes.load(lane, &follower.start, follower.momentum_scale);
-            }
-            followers.push(follower);
+            followers.push(self.pop());
+            load(&mut lanes, &mut scan, lane, followers[lane].as_ref());
         }
         while followers.iter().any(Option::is_some) {
             lanes.expand(simd);
             scan.read(simd, &lanes, self.options.condition);
             for (lane, follower) in followers.iter_mut().enumerate() {
                 if let Some(follower) = follower {
-                    follower.step(self.torus, self.options, &lanes, &scan, lane);
+                    follower.count_step(lanes.end_of(lane));
                 }
             }
-            lanes.commit();
+            let mut news = scan.lanes_with_news();
+            while news != 0 {
+                let lane = news.trailing_zeros() as usize;
+                news &= news - 1;
+                if let Some(follower) = &mut followers[lane] {
+                    follower.look(self.torus, self.options, &lanes, &scan, lane);
+                }
+            }
+            lanes.commit(simd);
+            scan.commit();
             let stopped = self.monitor.stop.load(Ordering::Relaxed);
             for (lane, slot) in followers.iter_mut().enumerate() {
-                if let Some(mut follower) = slot.take_if(|follower| stopped || follower.end.is_some()) {
+                if let Some(mut follower) = slot.take_if(|follower| follower.is_over(self.options) || stopped) {
                     follower.end.get_or_insert(End::Interrupted);
                     self.close(follower, &mut done);
                     *slot = self.pop();
-                    if let Some(follower) = slot {
-                        lanes.load(lane, &follower.start, follower.momentum_scale);
-                    }
+                    load(&mut lanes, &mut scan, lane, slot.as_ref());
                 }
             }
         }
         done
+    }
+}
+
+/// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
+#[inline(always)]
+fn load<S: Simd>(lanes: &mut Lanes<S>, scan: &mut Scan<S>, lane: usize, follower: Option<&Follower>) {
+    if let Some(follower) = follower {
+        lanes.load(lane, &follower.start, follower.momentum_scale);
+        scan.load(lane, follower.start_value, follower.flat);
     }
 }

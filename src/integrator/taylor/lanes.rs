@@ -24,7 +24,9 @@ pub(crate) struct Lanes<S: Simd> {
     /// 1/scale of l.
     momentum_weight: [S::f64s; 1],
     pub constants: Constants<S>,
-    time: [Instant; 16],
+    /// Time at the step's start, in two parts.
+    time: [S::f64s; 1],
+    time_low: [S::f64s; 1],
     order: usize,
     rule: StepRule,
 }
@@ -33,7 +35,6 @@ impl<S: Simd> Lanes<S> {
     /// Lanes at rest; [`load`](Self::load) orbits into them.
     #[inline(always)]
     pub fn new(simd: S, top: &HeavyTop, tolerance: f64) -> Self {
-        const { assert!(S::F64_LANES <= 16) };
         let zero = simd.splat_f64s(0.0);
         let order = order_for(tolerance);
         let largest = top.moments().iter().fold(0.0, |m: f64, &a| m.max(a));
@@ -47,7 +48,8 @@ impl<S: Simd> Lanes<S> {
             next_low: [[zero; 3]; 2],
             momentum_weight: [zero],
             constants: Constants::new(simd, top),
-            time: [Instant::default(); 16],
+            time: [zero],
+            time_low: [zero],
             order,
             rule: StepRule::new(tolerance, order, longest),
         }
@@ -64,7 +66,8 @@ impl<S: Simd> Lanes<S> {
             }
         }
         lane_values_mut::<S>(&mut self.momentum_weight)[lane] = 1.0 / momentum_scale;
-        self.time[lane] = Instant::default();
+        lane_values_mut::<S>(&mut self.time)[lane] = 0.0;
+        lane_values_mut::<S>(&mut self.time_low)[lane] = 0.0;
     }
 
     /// Order of the series.
@@ -76,13 +79,19 @@ impl<S: Simd> Lanes<S> {
     /// Time at the step's start.
     #[inline(always)]
     pub fn time(&self, lane: usize) -> Instant {
-        self.time[lane]
+        Instant::new(lane_values::<S>(&self.time)[lane], lane_values::<S>(&self.time_low)[lane])
     }
 
     /// Length of a lane's step.
     #[inline(always)]
     pub fn step_of(&self, lane: usize) -> f64 {
         lane_values::<S>(&self.step)[lane]
+    }
+
+    /// Time at a lane's step's end, rounded.
+    #[inline(always)]
+    pub fn end_of(&self, lane: usize) -> f64 {
+        lane_values::<S>(&self.time)[lane] + self.step_of(lane)
     }
 
     /// Computes the series, the steps and the states at the steps' ends.
@@ -101,12 +110,8 @@ impl<S: Simd> Lanes<S> {
     /// max(|γ_k|_∞, |l_k|_∞ / scale).
     #[inline(always)]
     fn coefficient_norm(&self, simd: S, k: usize) -> S::f64s {
-        let largest = |v: Vector<S>| {
-            let two = simd.max_f64s(simd.abs_f64s(v[0]), simd.abs_f64s(v[1]));
-            simd.max_f64s(two, simd.abs_f64s(v[2]))
-        };
-        let l = simd.mul_f64s(largest(self.series.l[k]), self.momentum_weight[0]);
-        simd.max_f64s(largest(self.series.gamma[k]), l)
+        let l = simd.mul_f64s(largest(simd, self.series.l[k]), self.momentum_weight[0]);
+        simd.max_f64s(largest(simd, self.series.gamma[k]), l)
     }
 
     /// x(t + step) = x₀ + Σ_{k≥1} x_k stepᵏ, with the rounding error of the sum carried along.
@@ -124,27 +129,20 @@ impl<S: Simd> Lanes<S> {
         for (part, slope) in [gamma, l].into_iter().enumerate() {
             for i in 0..3 {
                 let start = [self.series.gamma[0][i], self.series.l[0][i]][part];
-                // start + (slope·t + low), TwoSum and then a fast one to normalise.
                 let increment = simd.mul_add_f64s(slope[i], t, self.low[part][i]);
-                let sum = simd.add_f64s(start, increment);
-                let increment_part = simd.sub_f64s(sum, start);
-                let start_part = simd.sub_f64s(sum, increment_part);
-                let error = simd.add_f64s(simd.sub_f64s(start, start_part), simd.sub_f64s(increment, increment_part));
-                self.next[part][i] = sum;
-                self.next_low[part][i] = error;
+                (self.next[part][i], self.next_low[part][i]) = two_sum(simd, start, increment);
             }
         }
     }
 
     /// Moves every lane to its step's end.
     #[inline(always)]
-    pub fn commit(&mut self) {
+    pub fn commit(&mut self, simd: S) {
         self.series.gamma[0] = self.next[0];
         self.series.l[0] = self.next[1];
         self.low = self.next_low;
-        for lane in 0..S::F64_LANES {
-            self.time[lane] = self.time[lane].after(self.step_of(lane));
-        }
+        let (sum, error) = two_sum(simd, self.time[0], simd.add_f64s(self.step[0], self.time_low[0]));
+        (self.time[0], self.time_low[0]) = (sum, error);
     }
 
     /// The state of one lane at `offset` after the step's start.
@@ -152,21 +150,38 @@ impl<S: Simd> Lanes<S> {
     pub fn state_at(&self, lane: usize, offset: f64) -> State {
         let gamma = lane_values::<S>(self.series.gamma.as_flattened());
         let l = lane_values::<S>(self.series.l.as_flattened());
-        let at = |values: &[f64], k: usize, i: usize| values[(3 * k + i) * S::F64_LANES + lane];
         let mut state = State::default();
         for k in (1..=self.order).rev() {
             for i in 0..3 {
-                state.gamma[i] = state.gamma[i].mul_add(offset, at(gamma, k, i));
-                state.l[i] = state.l[i].mul_add(offset, at(l, k, i));
+                let at = (3 * k + i) * S::F64_LANES + lane;
+                state.gamma[i] = state.gamma[i].mul_add(offset, gamma[at]);
+                state.l[i] = state.l[i].mul_add(offset, l[at]);
             }
         }
         let low = lane_values::<S>(self.low.as_flattened());
         for i in 0..3 {
-            let gamma_low = low[i * S::F64_LANES + lane];
-            let l_low = low[(3 + i) * S::F64_LANES + lane];
-            state.gamma[i] = at(gamma, 0, i) + state.gamma[i].mul_add(offset, gamma_low);
-            state.l[i] = at(l, 0, i) + state.l[i].mul_add(offset, l_low);
+            let at = i * S::F64_LANES + lane;
+            let (gamma_low, l_low) = (low[at], low[3 * S::F64_LANES + at]);
+            state.gamma[i] = gamma[at] + state.gamma[i].mul_add(offset, gamma_low);
+            state.l[i] = l[at] + state.l[i].mul_add(offset, l_low);
         }
         state
     }
+}
+
+/// The largest |component|. (A function: closures are not always inlined, and a call of a SIMD instruction
+/// outside the functions compiled for it costs more than the instruction.)
+#[inline(always)]
+fn largest<S: Simd>(simd: S, v: Vector<S>) -> S::f64s {
+    let two = simd.max_f64s(simd.abs_f64s(v[0]), simd.abs_f64s(v[1]));
+    simd.max_f64s(two, simd.abs_f64s(v[2]))
+}
+
+/// s + e = a + b exactly, s the rounded sum (Knuth's TwoSum).
+#[inline(always)]
+fn two_sum<S: Simd>(simd: S, a: S::f64s, b: S::f64s) -> (S::f64s, S::f64s) {
+    let sum = simd.add_f64s(a, b);
+    let b_part = simd.sub_f64s(sum, a);
+    let a_part = simd.sub_f64s(sum, b_part);
+    (sum, simd.add_f64s(simd.sub_f64s(a, a_part), simd.sub_f64s(b, b_part)))
 }

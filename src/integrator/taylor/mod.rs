@@ -17,7 +17,7 @@ mod series;
 mod step_size;
 
 pub(crate) use lanes::Lanes;
-pub(crate) use series::{ROWS, lane_values};
+pub(crate) use series::{ROWS, Vector, lane_values, lane_values_mut};
 pub use step_size::{MAX_ORDER, order_for};
 
 use pulp::Arch;
