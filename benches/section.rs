@@ -8,21 +8,21 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use bifdiag::body::Body;
-use bifdiag::dynamics::HeavyTop;
+use bifdiag::dynamics::{HeavyTop, State};
 use bifdiag::integrator::taylor::{InstructionSet, order_for};
-use bifdiag::section::{Monitor, PpTorus, Start, StartOptions, SweepOptions, spread_starts, sweep};
+use bifdiag::section::{Monitor, PpTorus, StartOptions, SweepOptions, spread_starts, sweep};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use pulp::{Arch, Simd, WithSimd};
 
 const ORBITS: usize = 64;
 const CROSSINGS: usize = 1000;
 
-fn work() -> (PpTorus, Vec<Start>) {
+fn work() -> (PpTorus, Vec<State>) {
     let body = Body::from_f64([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]).expect("the paper's body is valid");
     let torus = PpTorus::new(&HeavyTop::new(&body)).expect("r is not 0");
     let options = StartOptions { count: ORBITS, ..StartOptions::default() };
     let points = spread_starts(&torus, 4.45, 3.25, &options).expect("the region is accessible");
-    let start = |p| Start { state: torus.state(p, 4.45, 3.25).expect("starts are accessible"), on_section: true };
+    let start = |p| torus.state(p, 4.45, 3.25).expect("starts are accessible");
     let starts = points.into_iter().map(start).collect();
     (torus, starts)
 }
@@ -63,7 +63,7 @@ fn crossings(c: &mut Criterion) {
         let run = || pool.install(|| sweep(&torus, &starts, &options, &Monitor::default()).expect("options are valid"));
         let begin = Instant::now();
         let steps: u64 = run().iter().map(|orbit| orbit.report.steps).sum();
-        let order = order_for(options.tolerance) as u64;
+        let order = order_for(1e-15) as u64;
         let products = (steps * 9 * order * (order + 1) / 2) as f64;
         eprintln!(
             "{instructions:?}: order {order}, {:.3} steps a crossing, Cauchy products {:.1} % of the widest peak",

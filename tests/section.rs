@@ -3,9 +3,10 @@
 use bifdiag::body::Body;
 use bifdiag::dynamics::{HeavyTop, Integrals, State, dot, kovalevskaya};
 use bifdiag::integrator::taylor::InstructionSet;
+use bifdiag::integrator::{Method, MethodError};
 use bifdiag::section::{
-    End, Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, Start, StartOptions,
-    SweepOptions, TorusPoint, spread_starts, sweep,
+    End, Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, StartOptions, SweepOptions,
+    TorusPoint, spread_starts, sweep,
 };
 
 fn torus(moments: [f64; 3], center: [f64; 3]) -> PpTorus {
@@ -16,12 +17,12 @@ fn paper() -> PpTorus {
     torus([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623])
 }
 
-fn starts(torus: &PpTorus, h: f64, l: f64, count: usize) -> Vec<Start> {
+fn starts(torus: &PpTorus, h: f64, l: f64, count: usize) -> Vec<State> {
     let points = spread_starts(torus, h, l, &StartOptions { count, ..StartOptions::default() }).unwrap();
-    points.iter().map(|&p| Start { state: torus.state(p, h, l).unwrap(), on_section: true }).collect()
+    points.iter().map(|&p| torus.state(p, h, l).unwrap()).collect()
 }
 
-fn run(torus: &PpTorus, starts: &[Start], crossings: usize) -> Vec<OrbitSection> {
+fn run(torus: &PpTorus, starts: &[State], crossings: usize) -> Vec<OrbitSection> {
     let options = SweepOptions { crossings, ..SweepOptions::default() };
     sweep(torus, starts, &options, &Monitor::default()).unwrap()
 }
@@ -136,8 +137,7 @@ fn time_reversal_leads_back() {
     // Regular motion, so that rounding does not grow fast.
     let torus = paper();
     let there = run(&torus, &starts(&torus, 2.6, 3.25, 16), 60);
-    let ends: Vec<Start> =
-        there.iter().map(|o| Start { state: reversed(state_of(&o.points[60])), on_section: true }).collect();
+    let ends: Vec<State> = there.iter().map(|o| reversed(state_of(&o.points[60]))).collect();
     for (out, back) in there.iter().zip(run(&torus, &ends, 60)) {
         for (p, q) in out.points.iter().zip(back.points.iter().rev()) {
             let error = distance(&state_of(p), &reversed(state_of(q)));
@@ -187,7 +187,7 @@ fn crossings_agree_with_heyoka() {
         let torus = torus(moments, center);
         let rows: Vec<&Row> = rows.iter().filter(|row| row.case == name).collect();
         let first = rows.iter().filter(|row| row.index == 0);
-        let starts: Vec<Start> = first.map(|row| Start { state: row.state, on_section: true }).collect();
+        let starts: Vec<State> = first.map(|row| row.state).collect();
         let orbits = run(&torus, &starts, 200);
         for row in rows {
             let point = &orbits[row.orbit].points[row.index];
@@ -213,8 +213,7 @@ fn random_orbits_of_random_bodies_all_return() {
         let (h, l) = (6.0 * weyl(0.123_1), 2.0 * weyl(0.358_9));
         let options = StartOptions { count: 100, seed: u64::from(k), ..StartOptions::default() };
         let Ok(points) = spread_starts(&torus, h, l, &options) else { continue };
-        let starts: Vec<Start> =
-            points.iter().map(|&p| Start { state: torus.state(p, h, l).unwrap(), on_section: true }).collect();
+        let starts: Vec<State> = points.iter().map(|&p| torus.state(p, h, l).unwrap()).collect();
         for orbit in run(&torus, &starts, 4) {
             assert_eq!(orbit.report.end, End::Crossings, "body {k} orbit {}", orbit.orbit);
             returned += 1;
@@ -231,7 +230,7 @@ fn regular_precession_stays_on_the_section() {
     let precession = (l3 + (l3 * l3 + 4.0 * cos).sqrt()) / (2.0 * cos);
     let state = State { gamma: [sin, 0.0, cos], l: [precession * sin, 0.0, l3] };
     assert!(SectionCondition::Height.rate(torus.top(), &state).abs() < 1e-14);
-    let orbits = run(&torus, &[Start { state, on_section: true }], 10);
+    let orbits = run(&torus, &[state], 10);
     assert_eq!(orbits[0].report.end, End::StaysOnSection);
     assert_eq!(orbits[0].points.len(), 1);
 }
@@ -241,7 +240,7 @@ fn relative_equilibria_stay_on_the_section() {
     // Kovalevskaya's top upright: γ = e₁, l = l e₁.
     let torus = torus([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]);
     let state = State { gamma: [1.0, 0.0, 0.0], l: [1.3, 0.0, 0.0] };
-    let orbits = run(&torus, &[Start { state, on_section: true }], 10);
+    let orbits = run(&torus, &[state], 10);
     assert_eq!(orbits[0].report.end, End::StaysOnSection);
 }
 
@@ -268,11 +267,80 @@ fn time_ends_an_orbit() {
 #[test]
 fn unusable_input_is_named() {
     let torus = paper();
-    let options = SweepOptions { tolerance: f64::NAN, ..SweepOptions::default() };
+    let options = SweepOptions { method: Method::Taylor { tolerance: f64::NAN }, ..SweepOptions::default() };
     let error = sweep(&torus, &[], &options, &Monitor::default());
-    assert!(matches!(error, Err(SectionError::Parameter { name: "tol", .. })));
+    assert!(matches!(error, Err(SectionError::Method(MethodError { name: "tol", .. }))));
     let outside = TorusPoint { theta: 3.0, psi: 0.0, sheet: 1 };
     assert!(matches!(torus.state(outside, 2.0, 3.25), Err(SectionError::SeedInaccessible { .. })));
     let weightless = HeavyTop::new(&Body::from_f64([2.0, 1.0, 1.0], [0.0; 3]).unwrap());
     assert_eq!(PpTorus::new(&weightless), Err(SectionError::WeightlessBody));
+}
+
+#[test]
+fn other_integrators_find_the_same_crossings() {
+    // Regular motion; RK4 and the splitting are of order 4: (0.01)⁴ over 20 crossings.
+    let torus = paper();
+    let starts = starts(&torus, 2.6, 3.25, 6);
+    let methods = [
+        (Method::Taylor { tolerance: 1e-12 }, 1e-10),
+        (Method::Dop853 { tolerance: 1e-14 }, 1e-9),
+        (Method::RungeKutta4 { step: 0.005 }, 1e-6),
+        (Method::Splitting { step: 0.005 }, 1e-6),
+    ];
+    let expected = run(&torus, &starts, 200);
+    for (method, tolerance) in methods {
+        for condition in [SectionCondition::Height, SectionCondition::AngularMomentum] {
+            let crossings = if tolerance < 1e-8 { 200 } else { 20 };
+            let options = SweepOptions { crossings, method, condition, ..SweepOptions::default() };
+            let found = sweep(&torus, &starts, &options, &Monitor::default()).unwrap();
+            let expected = if condition == SectionCondition::Height {
+                expected.clone()
+            } else {
+                let options = SweepOptions { condition, ..SweepOptions::default() };
+                sweep(&torus, &starts, &options, &Monitor::default()).unwrap()
+            };
+            for (a, b) in found.iter().zip(&expected) {
+                assert_eq!(a.report.end, End::Crossings, "{method:?}");
+                assert!(a.report.residual < 1e-14, "{method:?} {:?}", a.report);
+                for (p, q) in a.points.iter().zip(&b.points) {
+                    let error = distance(&state_of(p), &state_of(q)).max((p.time - q.time).abs());
+                    assert!(error < tolerance, "{method:?} {condition:?} crossing {}: {error:e}", p.index);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_splitting_keeps_the_casimirs_to_rounding() {
+    let torus = paper();
+    let method = Method::Splitting { step: 0.02 };
+    let options = SweepOptions { crossings: 500, method, ..SweepOptions::default() };
+    for orbit in sweep(&torus, &starts(&torus, 4.45, 3.25, 4), &options, &Monitor::default()).unwrap() {
+        let drift = orbit.report.drift;
+        // A random walk of the roundings of 25 rotations a step, of γ (1) and of l (5), and six of its deviations.
+        let walk = 6.0 * f64::EPSILON * (25.0 * orbit.report.steps as f64).sqrt();
+        assert!(drift.gamma_squared < walk && drift.vertical_momentum < 5.0 * walk, "{drift:?} {walk:e}");
+        assert!(drift.energy < 1e-4, "{drift:?}");
+    }
+}
+
+#[test]
+fn one_orbit_by_the_stepper_is_the_orbit_of_the_sweep() {
+    let torus = paper();
+    let start = starts(&torus, 4.45, 3.25, 1)[0];
+    let options = SweepOptions { max_time: 40.0, crossings: usize::MAX, ..SweepOptions::default() };
+    let orbit = &sweep(&torus, &[start], &options, &Monitor::default()).unwrap()[0];
+    let mut stepper = Method::default().stepper(torus.top(), &start).unwrap();
+    let mut points = orbit.points.iter().skip(1);
+    let mut next = points.next();
+    for _ in 0..orbit.report.steps {
+        let step = stepper.step().unwrap();
+        while let Some(point) = next.filter(|point| point.time < step.end().seconds()) {
+            let x = ((point.time - step.start().seconds()) + point.time_low) / step.length();
+            assert!(distance(&step.state(x), &state_of(point)) < 1e-14 * 10.0);
+            next = points.next();
+        }
+    }
+    assert!(next.is_none());
 }

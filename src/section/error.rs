@@ -2,6 +2,9 @@
 
 use thiserror::Error;
 
+use crate::integrator::MethodError;
+use crate::integrator::taylor::InstructionSet;
+
 /// Why a section cannot be computed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum SectionError {
@@ -18,6 +21,9 @@ pub enum SectionError {
         /// What would be right.
         expected: &'static str,
     },
+    /// The integrator's tolerance or step is out of range.
+    #[error(transparent)]
+    Method(#[from] MethodError),
     /// No accessible point was found.
     #[error("no accessible point: U_l > h = {h} in all of {tried} places; the lowest U_l seen is {lowest}")]
     Inaccessible {
@@ -42,5 +48,5 @@ pub enum SectionError {
     },
     /// This processor lacks the instructions that were asked for.
     #[error("this processor does not have the {0:?} instructions")]
-    InstructionSet(crate::integrator::taylor::InstructionSet),
+    InstructionSet(InstructionSet),
 }

@@ -4,15 +4,16 @@ use pulp::Simd;
 
 use super::roots::{all_roots, single_root};
 use super::scan::{Scan, Verdict};
-use super::starts::Start;
 use super::sweep::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::torus::PpTorus;
-use crate::dynamics::{Integrals, State};
-use crate::integrator::Instant;
+use crate::dynamics::{Integrals, State, add, scale};
 use crate::integrator::taylor::{Lanes, ROWS};
+use crate::integrator::{Instant, Step, StepError};
 
 /// |S| below this part of its scale over a whole step is rounding.
 const FLAT: f64 = 1.0 / (1u64 << 42) as f64;
+/// |S| below this part of its scale is rounding.
+const ROUNDING: f64 = 1.0 / (1u64 << 50) as f64;
 /// So many flat steps in a row: S ≡ 0.
 const FLAT_STEPS: u32 = 64;
 
@@ -27,6 +28,8 @@ pub(super) struct Follower {
     pub start_value: f64,
     /// Σ|c_k| of S below this is rounding.
     pub flat: f64,
+    /// |S| of a state that is on the section.
+    rounding: f64,
     /// Flat steps in a row, and the last of them.
     flat_steps: u32,
     last_flat: u64,
@@ -42,17 +45,20 @@ pub(super) struct Follower {
 }
 
 impl Follower {
-    pub fn new(torus: &PpTorus, options: &SweepOptions, orbit: usize, start: &Start) -> Self {
+    pub fn new(torus: &PpTorus, options: &SweepOptions, orbit: usize, start: &State) -> Self {
         let top = torus.top();
-        let integrals = Integrals::of(top, &start.state);
-        let value = options.condition.value(top, &start.state);
+        let integrals = Integrals::of(top, start);
+        let value = options.condition.value(top, start);
+        let scale = options.condition.scale(top, integrals.energy);
+        let on_section = value.abs() <= FLAT * scale;
         let mut follower = Self {
-            start: start.state,
+            start: *start,
             momentum_scale: top.momentum_scale(integrals.energy).max(f64::MIN_POSITIVE.sqrt()),
             end: (options.crossings == 0).then_some(End::Crossings),
             orbit,
-            start_value: if start.on_section { f64::NAN } else { value },
-            flat: FLAT * options.condition.scale(top, integrals.energy),
+            start_value: if on_section { f64::NAN } else { value },
+            flat: FLAT * scale,
+            rounding: ROUNDING * scale,
             flat_steps: 0,
             last_flat: 0,
             integrals,
@@ -66,8 +72,8 @@ impl Follower {
             residual: 0.0,
             roots: Vec::new(),
         };
-        if start.on_section {
-            follower.record(torus, options, Instant::default(), &start.state);
+        if on_section {
+            follower.record(torus, options, Instant::default(), start);
         }
         follower
     }
@@ -100,16 +106,12 @@ impl Follower {
     ) {
         let verdict = scan.verdict(lane);
         if verdict.flat {
-            self.flat_steps = if self.last_flat + 1 == self.steps { self.flat_steps + 1 } else { 1 };
-            self.last_flat = self.steps;
-            if self.flat_steps >= FLAT_STEPS {
-                self.end = Some(End::StaysOnSection);
-            }
-        } else if self.end.is_none() {
+            self.count_flat_step();
+        } else {
             self.search(torus, options, lanes, scan, lane, &verdict);
         }
         if !verdict.end.is_finite() {
-            self.end = Some(End::NotFinite);
+            self.end = Some(End::Failed(StepError::NotFinite { time: lanes.time(lane).seconds() }));
         }
     }
 
@@ -134,7 +136,7 @@ impl Follower {
             return;
         }
         let mut roots = std::mem::take(&mut self.roots);
-        self.tangencies += self.general_roots(c, verdict, &mut roots);
+        self.tangencies += self.general_roots(c, verdict.start, verdict.end >= 0.0, &mut roots);
         for &x in &roots {
             let offset = step * x;
             if self.end.is_none() {
@@ -145,12 +147,20 @@ impl Follower {
         self.roots = roots;
     }
 
-    /// The rare steps: the first one, and those with extrema of S.
     #[inline(never)]
-    fn general_roots(&self, c: &[f64], verdict: &Verdict, roots: &mut Vec<f64>) -> u32 {
-        let end_positive = verdict.end >= 0.0;
-        if !verdict.start.is_nan() {
-            return all_roots(c, verdict.start >= 0.0, end_positive, roots);
+    fn count_flat_step(&mut self) {
+        self.flat_steps = if self.last_flat + 1 == self.steps { self.flat_steps + 1 } else { 1 };
+        self.last_flat = self.steps;
+        if self.flat_steps >= FLAT_STEPS {
+            self.end = Some(End::StaysOnSection);
+        }
+    }
+
+    /// All roots of S = Σ c_k xᵏ, x ∈ (0, 1), where `start` is S at 0 as the step before saw it (NaN: exactly 0).
+    #[inline(never)]
+    fn general_roots(&self, c: &[f64], start: f64, end_positive: bool, roots: &mut Vec<f64>) -> u32 {
+        if !start.is_nan() {
+            return all_roots(c, start >= 0.0, end_positive, roots);
         }
         // S(0) = 0: the start itself, with the multiplicity that its leading coefficients show, is not a crossing.
         let multiplicity = 1 + c[1..].iter().take_while(|x| x.abs() <= self.flat).count();
@@ -160,13 +170,38 @@ impl Follower {
         }
     }
 
+    /// Looks for crossings in a step of a [`Stepper`](crate::integrator::Stepper); `start` is S at the step's start
+    /// (NaN: exactly 0). Returns S at its end.
+    pub fn take(&mut self, torus: &PpTorus, options: &SweepOptions, step: &Step, start: f64) -> f64 {
+        self.count_step(step.end().seconds());
+        let end = options.condition.value(torus.top(), step.end_state());
+        let c = options.condition.polynomial(torus.top(), step);
+        if c.iter().fold(0.0, |sum, x| sum + x.abs()) <= self.flat {
+            self.count_flat_step();
+            return end;
+        }
+        let mut roots = Vec::new();
+        self.tangencies += self.general_roots(&c, start, end >= 0.0, &mut roots);
+        for x in roots {
+            if self.end.is_none() {
+                self.cross(torus, options, step.start().after(step.length() * x), &step.state(x));
+            }
+        }
+        end
+    }
+
+    /// A crossing close to this time and state.
     fn cross(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State) {
+        let value = options.condition.value(torus.top(), state);
+        let (offset, state) =
+            if value.abs() <= self.rounding { (0.0, *state) } else { polished(torus, options, state, value) };
+        let time = time.after(offset);
         if time.seconds() > options.max_time {
             self.end = Some(End::Time);
             return;
         }
         self.crossings += 1;
-        self.record(torus, options, time, state);
+        self.record(torus, options, time, &state);
         if self.crossings as usize >= options.crossings {
             self.end = Some(End::Crossings);
         }
@@ -206,4 +241,32 @@ impl Follower {
             orbit: self.orbit,
         }
     }
+}
+
+/// Moves a state that is close to the section, where S = `residual`, onto it along the flow; also the time that
+/// this takes.
+///
+/// The polynomial's root is as good as the step's tolerance; Newton's method in time with the flow's own series
+/// brings |S| down to rounding. Near a tangency it stops where it no longer improves.
+#[inline(never)]
+fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual: f64) -> (f64, State) {
+    let top = torus.top();
+    let (mut offset, mut best) = (0.0, *state);
+    for _ in 0..4 {
+        let t = -residual / options.condition.rate(top, &best);
+        if t.is_nan() {
+            break;
+        }
+        let mut next = State::default();
+        for x in top.taylor_coefficients(&best, 4).iter().rev() {
+            next.gamma = add(scale(t, next.gamma), x.gamma);
+            next.l = add(scale(t, next.l), x.l);
+        }
+        let value = options.condition.value(top, &next);
+        if value.is_nan() || value.abs() >= residual.abs() {
+            break;
+        }
+        (offset, best, residual) = (offset + t, next, value);
+    }
+    (offset, best)
 }

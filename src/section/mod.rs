@@ -11,6 +11,6 @@ mod torus;
 
 pub use condition::SectionCondition;
 pub use error::SectionError;
-pub use starts::{Start, StartOptions, spread_starts};
+pub use starts::{StartOptions, spread_starts};
 pub use sweep::{End, Monitor, OrbitReport, OrbitSection, SectionPoint, SweepOptions, sweep};
 pub use torus::{PpTorus, TorusPoint};

@@ -6,7 +6,7 @@
 use crate::integrator::taylor::MAX_ORDER;
 
 /// Most coefficients that a polynomial may have.
-const SIZE: usize = MAX_ORDER + 2;
+pub(super) const MAX_TERMS: usize = MAX_ORDER + 2;
 /// Halvings after which an interval is called a point.
 const DEPTH: u32 = 52;
 /// Newton steps below this leave |p| ≤ 2⁻⁶⁰|p″|.
@@ -91,9 +91,9 @@ struct Search<'a> {
 /// seen to have no root, to be monotone, or to have exactly one extremum, at which it is then split. A nearly
 /// double root is therefore resolved as far as the sign of one value is.
 pub(super) fn all_roots(c: &[f64], start_positive: bool, end_positive: bool, roots: &mut Vec<f64>) -> u32 {
-    debug_assert!(c.len() <= SIZE);
+    debug_assert!(c.len() <= MAX_TERMS);
     let size = c.iter().fold(0.0, |sum, x| sum + x.abs());
-    let mut bernstein = [0.0; SIZE];
+    let mut bernstein = [0.0; MAX_TERMS];
     to_bernstein(c, &mut bernstein);
     let mut search = Search { c, noise: size * f64::EPSILON * 16.0, roots, tangencies: 0 };
     search.interval(&bernstein[..c.len()], (0.0, 1.0), (start_positive, end_positive), 0);
@@ -101,7 +101,7 @@ pub(super) fn all_roots(c: &[f64], start_positive: bool, end_positive: bool, roo
 }
 
 /// b_i = Σ_k C(i,k)/C(n,k) c_k.
-fn to_bernstein(c: &[f64], b: &mut [f64; SIZE]) {
+fn to_bernstein(c: &[f64], b: &mut [f64; MAX_TERMS]) {
     let n = c.len() - 1;
     let mut binomial = 1.0;
     for (k, &coefficient) in c.iter().enumerate() {
@@ -152,7 +152,7 @@ impl Search<'_> {
         }
         let middle = f64::midpoint(low, high);
         let positive = value_and_slope(self.c, middle).0 >= 0.0;
-        let (mut left, mut right) = ([0.0; SIZE], [0.0; SIZE]);
+        let (mut left, mut right) = ([0.0; MAX_TERMS], [0.0; MAX_TERMS]);
         halve(b, &mut left, &mut right);
         self.interval(&left[..b.len()], (low, middle), (low_positive, positive), depth + 1);
         self.interval(&right[..b.len()], (middle, high), (positive, high_positive), depth + 1);
@@ -167,9 +167,9 @@ impl Search<'_> {
 }
 
 /// De Casteljau's algorithm at the middle.
-fn halve(b: &[f64], left: &mut [f64; SIZE], right: &mut [f64; SIZE]) {
+fn halve(b: &[f64], left: &mut [f64; MAX_TERMS], right: &mut [f64; MAX_TERMS]) {
     let n = b.len() - 1;
-    let mut row = [0.0; SIZE];
+    let mut row = [0.0; MAX_TERMS];
     row[..=n].copy_from_slice(b);
     for level in 0..=n {
         left[level] = row[0];

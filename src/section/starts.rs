@@ -2,16 +2,6 @@
 
 use super::error::SectionError;
 use super::torus::{PpTorus, TorusPoint};
-use crate::dynamics::State;
-
-/// Where an orbit starts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Start {
-    /// The state.
-    pub state: State,
-    /// True when it lies on the section: it is then the orbit's point of index 0.
-    pub on_section: bool,
-}
 
 /// How starting points are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]

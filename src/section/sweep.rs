@@ -8,10 +8,10 @@ use super::condition::SectionCondition;
 use super::error::SectionError;
 use super::follow::Follower;
 use super::scan::Scan;
-use super::starts::Start;
 use super::torus::PpTorus;
-use crate::dynamics::Integrals;
+use crate::dynamics::{Integrals, State};
 use crate::integrator::taylor::{InstructionSet, Lanes};
+use crate::integrator::{Method, StepError, Stepper};
 
 /// What to compute of each orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,11 +20,11 @@ pub struct SweepOptions {
     pub crossings: usize,
     /// Stop an orbit at this time even if it has fewer.
     pub max_time: f64,
-    /// Truncation error of a step, relative to the size of the energy surface.
-    pub tolerance: f64,
+    /// The integrator.
+    pub method: Method,
     /// The section.
     pub condition: SectionCondition,
-    /// SIMD instructions; they do not change the results.
+    /// SIMD instructions of the Taylor integrator; they do not change the results.
     pub instructions: InstructionSet,
 }
 
@@ -33,7 +33,7 @@ impl Default for SweepOptions {
         Self {
             crossings: 1000,
             max_time: f64::INFINITY,
-            tolerance: 1e-15,
+            method: Method::default(),
             condition: SectionCondition::Height,
             instructions: InstructionSet::Best,
         }
@@ -66,7 +66,7 @@ pub struct SectionPoint {
 }
 
 /// Why an orbit ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
     /// It has the crossings that were asked for.
     Crossings,
@@ -74,8 +74,8 @@ pub enum End {
     Time,
     /// S ≡ 0 along it, within rounding: a relative equilibrium or a regular precession of Lagrange's top.
     StaysOnSection,
-    /// The state or the step is no longer a number: the start was not finite or far out of scale.
-    NotFinite,
+    /// The integrator could not go on.
+    Failed(StepError),
     /// The run was stopped.
     Interrupted,
 }
@@ -119,27 +119,22 @@ pub struct Monitor {
     pub orbits: AtomicU64,
 }
 
-/// Follows every start to its crossings; orbit k is `starts[k]`.
+/// Follows every start to its crossings; orbit k is `starts[k]`. A start on the section, within rounding, is the
+/// orbit's point of index 0.
 ///
 /// The result does not depend on the number of threads, nor on the instructions. With the feature `parallel`
 /// the orbits are shared among the threads of the current rayon pool.
 ///
 /// # Errors
-/// [`SectionError::Parameter`] for options out of range, [`SectionError::InstructionSet`] if this processor
+/// [`SectionError::Parameter`] and [`SectionError::Method`] for options out of range, [`SectionError::InstructionSet`] if this processor
 /// lacks it.
 pub fn sweep(
     torus: &PpTorus,
-    starts: &[Start],
+    starts: &[State],
     options: &SweepOptions,
     monitor: &Monitor,
 ) -> Result<Vec<OrbitSection>, SectionError> {
-    if !(1e-18..=1e-2).contains(&options.tolerance) {
-        return Err(SectionError::Parameter {
-            name: "tol",
-            value: options.tolerance,
-            expected: "1e-18 to 1e-2 is possible",
-        });
-    }
+    options.method.check()?;
     if options.max_time.is_nan() || options.max_time <= 0.0 {
         return Err(SectionError::Parameter {
             name: "max_time",
@@ -149,7 +144,10 @@ pub fn sweep(
     }
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
     let queue = Queue { torus, starts, options, monitor, next: AtomicUsize::new(0) };
-    let mut orbits = run_workers(|| arch.dispatch(&queue));
+    let mut orbits = match options.method {
+        Method::Taylor { tolerance } => run_workers(|| arch.dispatch(TaylorWorker { queue: &queue, tolerance })),
+        _ => run_workers(|| queue.work_stepwise()),
+    };
     orbits.sort_by_key(|orbit| orbit.orbit);
     Ok(orbits)
 }
@@ -167,21 +165,48 @@ fn run_workers(worker: impl Fn() -> Vec<OrbitSection> + Sync) -> Vec<OrbitSectio
 /// The orbits still to be done, shared by the workers.
 struct Queue<'a> {
     torus: &'a PpTorus,
-    starts: &'a [Start],
+    starts: &'a [State],
     options: &'a SweepOptions,
     monitor: &'a Monitor,
     next: AtomicUsize,
 }
 
 impl Queue<'_> {
-    /// The next orbit that is worth a lane.
+    /// The next orbit.
     fn pop(&self) -> Option<Follower> {
-        if self.monitor.stop.load(Ordering::Relaxed) {
+        if self.stopped() {
             return None;
         }
         let orbit = self.next.fetch_add(1, Ordering::Relaxed);
         let start = self.starts.get(orbit)?;
         Some(Follower::new(self.torus, self.options, orbit, start))
+    }
+
+    fn stopped(&self) -> bool {
+        self.monitor.stop.load(Ordering::Relaxed)
+    }
+
+    /// One worker of the methods that follow one orbit at a time.
+    fn work_stepwise(&self) -> Vec<OrbitSection> {
+        let mut done = Vec::new();
+        while let Some(mut follower) = self.pop() {
+            match self.options.method.stepper(self.torus.top(), &follower.start) {
+                Ok(mut stepper) => self.follow(&mut follower, stepper.as_mut()),
+                Err(_) => unreachable!("sweep() has checked the method"),
+            }
+            self.close(follower, &mut done);
+        }
+        done
+    }
+
+    fn follow(&self, follower: &mut Follower, stepper: &mut dyn Stepper) {
+        let mut value = follower.start_value;
+        while !follower.is_over(self.options) && !self.stopped() {
+            match stepper.step() {
+                Ok(step) => value = follower.take(self.torus, self.options, &step, value),
+                Err(error) => follower.end = Some(End::Failed(error)),
+            }
+        }
     }
 
     fn close(&self, follower: Follower, done: &mut Vec<OrbitSection>) {
@@ -192,23 +217,29 @@ impl Queue<'_> {
     }
 }
 
-/// One worker: fills its lanes from the queue until it is empty.
-impl WithSimd for &Queue<'_> {
+/// One worker of the Taylor integrator: fills its lanes from the queue until it is empty.
+struct TaylorWorker<'a> {
+    queue: &'a Queue<'a>,
+    tolerance: f64,
+}
+
+impl WithSimd for TaylorWorker<'_> {
     type Output = Vec<OrbitSection>;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
+        let queue = self.queue;
         let mut done = Vec::new();
-        let mut lanes = Lanes::<S>::new(simd, self.torus.top(), self.options.tolerance);
+        let mut lanes = Lanes::<S>::new(simd, queue.torus.top(), self.tolerance);
         let mut scan = Scan::<S>::new(simd);
         let mut followers: Vec<Option<Follower>> = Vec::new();
         for lane in 0..S::F64_LANES {
-            followers.push(self.pop());
+            followers.push(queue.pop());
             load(&mut lanes, &mut scan, lane, followers[lane].as_ref());
         }
         while followers.iter().any(Option::is_some) {
             lanes.expand(simd);
-            scan.read(simd, &lanes, self.options.condition);
+            scan.read(simd, &lanes, queue.options.condition);
             for (lane, follower) in followers.iter_mut().enumerate() {
                 if let Some(follower) = follower {
                     follower.count_step(lanes.end_of(lane));
@@ -219,17 +250,17 @@ impl WithSimd for &Queue<'_> {
                 let lane = news.trailing_zeros() as usize;
                 news &= news - 1;
                 if let Some(follower) = &mut followers[lane] {
-                    follower.look(self.torus, self.options, &lanes, &scan, lane);
+                    follower.look(queue.torus, queue.options, &lanes, &scan, lane);
                 }
             }
             lanes.commit(simd);
             scan.commit();
-            let stopped = self.monitor.stop.load(Ordering::Relaxed);
+            let stopped = queue.stopped();
             for (lane, slot) in followers.iter_mut().enumerate() {
-                if let Some(mut follower) = slot.take_if(|follower| follower.is_over(self.options) || stopped) {
+                if let Some(mut follower) = slot.take_if(|follower| follower.is_over(queue.options) || stopped) {
                     follower.end.get_or_insert(End::Interrupted);
-                    self.close(follower, &mut done);
-                    *slot = self.pop();
+                    queue.close(follower, &mut done);
+                    *slot = queue.pop();
                     load(&mut lanes, &mut scan, lane, slot.as_ref());
                 }
             }

@@ -15,10 +15,12 @@
 mod lanes;
 mod series;
 mod step_size;
+mod stepper;
 
 pub(crate) use lanes::Lanes;
 pub(crate) use series::{ROWS, Vector, lane_values, lane_values_mut};
 pub use step_size::{MAX_ORDER, order_for};
+pub use stepper::Taylor;
 
 use pulp::Arch;
 
