@@ -70,6 +70,26 @@ fn integrals_hold_to_1e13_over_a_thousand_crossings() {
 }
 
 #[test]
+fn drift_over_a_long_time_is_a_random_walk() {
+    // 1.2 million steps of roundings of about 2e-16 in the energy: a random walk of 2e-13 (three deviations: 6e-13),
+    // where a linear drift would show 1e-16 a step as 1e-10 and 1e-18 a step as 1e-12.
+    let torus = paper();
+    let options = SweepOptions {
+        crossings: usize::MAX,
+        max_time: 2e5,
+        method: Method::Taylor { tolerance: 1e-18 },
+        ..SweepOptions::default()
+    };
+    for (h, count) in [(2.6, 3), (4.45, 3)] {
+        for orbit in sweep(&torus, &starts(&torus, h, 3.25, count), &options, &Monitor::default()).unwrap() {
+            assert_eq!(orbit.report.end, End::Time);
+            assert!(orbit.report.steps > 500_000);
+            assert!(orbit.report.drift.largest() < 6e-13, "{:?}", orbit.report);
+        }
+    }
+}
+
+#[test]
 fn crossings_alternate_between_incoming_and_outgoing() {
     let torus = paper();
     for orbit in run(&torus, &starts(&torus, 5.3, 3.25, 40), 500) {

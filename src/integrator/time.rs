@@ -1,7 +1,7 @@
 //! Times that do not lose digits late in a run.
 
 /// s + e = a + b exactly, s the rounded sum (Knuth's TwoSum).
-#[inline(always)]
+#[inline]
 pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_part = sum - a;
@@ -19,7 +19,7 @@ pub struct Instant {
 impl Instant {
     /// high + low, normalised.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn new(high: f64, low: f64) -> Self {
         let (high, low) = two_sum(high, low);
         Self { high, low }
@@ -27,7 +27,7 @@ impl Instant {
 
     /// This time plus an offset.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn after(self, offset: f64) -> Self {
         let (sum, error) = two_sum(self.high, offset);
         Self::new(sum, error + self.low)
@@ -35,14 +35,14 @@ impl Instant {
 
     /// The nearest double.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn seconds(self) -> f64 {
         self.high
     }
 
     /// What [`seconds`](Self::seconds) leaves out.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn remainder(self) -> f64 {
         self.low
     }

@@ -23,7 +23,7 @@ pub(super) struct Follower {
     /// Unit of |l| for the tolerance.
     pub momentum_scale: f64,
     pub end: Option<End>,
-    orbit: usize,
+    orbit: u32,
     /// S at the start; NaN if the start lies on the section.
     pub start_value: f64,
     /// Σ|c_k| of S below this is rounding.
@@ -45,7 +45,7 @@ pub(super) struct Follower {
 }
 
 impl Follower {
-    pub fn new(torus: &PpTorus, options: &SweepOptions, orbit: usize, start: &State) -> Self {
+    pub fn new(torus: &PpTorus, options: &SweepOptions, orbit: u32, start: &State) -> Self {
         let top = torus.top();
         let integrals = Integrals::of(top, start);
         let value = options.condition.value(top, start);
@@ -213,7 +213,7 @@ impl Follower {
         self.drift = self.drift.max(&Integrals::of(top, state).distance(&self.integrals));
         self.residual = self.residual.max(options.condition.value(top, state).abs());
         self.points.push(SectionPoint {
-            orbit: self.orbit as u32,
+            orbit: self.orbit,
             index: self.crossings,
             time: time.seconds(),
             time_low: time.remainder(),

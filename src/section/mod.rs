@@ -1,5 +1,7 @@
 //! Poincaré sections: crossings of S = Ẇ = 0 and their 1:1 image on the PP-torus.
 
+#![expect(clippy::inline_always, reason = "lanes must be inlined into the function compiled for their instructions")]
+
 mod condition;
 mod error;
 mod follow;

@@ -116,7 +116,7 @@ fn to_bernstein(c: &[f64], b: &mut [f64; MAX_TERMS]) {
 }
 
 /// Do all consecutive differences have one sign?
-fn is_monotone(b: impl Iterator<Item = f64> + Clone) -> bool {
+fn is_monotone(b: &(impl Iterator<Item = f64> + Clone)) -> bool {
     let pairs = || b.clone().zip(b.clone().skip(1));
     pairs().all(|(x, y)| x <= y) || pairs().all(|(x, y)| x >= y)
 }
@@ -134,12 +134,12 @@ impl Search<'_> {
         {
             return;
         }
-        if depth == DEPTH || is_monotone(b.iter().copied()) {
+        if depth == DEPTH || is_monotone(&b.iter().copied()) {
             self.monotone((low, high), (low_positive, high_positive));
             return;
         }
         let differences = b.iter().zip(&b[1..]).map(|(x, y)| y - x);
-        if is_monotone(differences) {
+        if is_monotone(&differences) {
             let rising_slope = b[b.len() - 1] - b[b.len() - 2] > 0.0;
             let c = self.c;
             let extremum = bracketed_zero(|x| slope_and_curvature(c, x), low, high, rising_slope, f64::NAN);

@@ -190,6 +190,7 @@ impl<S: Simd> Scan<S> {
 
     /// The lanes, as bits, whose step is not simply free of crossings. Without branches: which lanes cross is
     /// not to be predicted.
+    #[expect(clippy::needless_bitwise_bool, reason = "without branches")]
     #[inline(always)]
     pub fn lanes_with_news(&self) -> u32 {
         let of = lane_values::<S>;

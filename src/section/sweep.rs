@@ -1,6 +1,6 @@
 //! Many orbits, each followed to its next crossings.
 
-use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 
 use pulp::{Simd, WithSimd};
 
@@ -105,7 +105,7 @@ pub struct OrbitSection {
     /// What the orbit was like.
     pub report: OrbitReport,
     /// Number of the orbit.
-    pub orbit: usize,
+    pub orbit: u32,
 }
 
 /// Watches a run from outside, and stops it.
@@ -135,6 +135,13 @@ pub fn sweep(
     monitor: &Monitor,
 ) -> Result<Vec<OrbitSection>, SectionError> {
     options.method.check()?;
+    if u32::try_from(starts.len()).is_err() {
+        return Err(SectionError::Parameter {
+            name: "orbits",
+            value: starts.len() as f64,
+            expected: "fewer than 2^32 are possible",
+        });
+    }
     if options.max_time.is_nan() || options.max_time <= 0.0 {
         return Err(SectionError::Parameter {
             name: "max_time",
@@ -143,7 +150,7 @@ pub fn sweep(
         });
     }
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
-    let queue = Queue { torus, starts, options, monitor, next: AtomicUsize::new(0) };
+    let queue = Queue { torus, starts, options, monitor, next: AtomicU32::new(0) };
     let mut orbits = match options.method {
         Method::Taylor { tolerance } => run_workers(|| arch.dispatch(TaylorWorker { queue: &queue, tolerance })),
         _ => run_workers(|| queue.work_stepwise()),
@@ -168,7 +175,7 @@ struct Queue<'a> {
     starts: &'a [State],
     options: &'a SweepOptions,
     monitor: &'a Monitor,
-    next: AtomicUsize,
+    next: AtomicU32,
 }
 
 impl Queue<'_> {
@@ -178,7 +185,7 @@ impl Queue<'_> {
             return None;
         }
         let orbit = self.next.fetch_add(1, Ordering::Relaxed);
-        let start = self.starts.get(orbit)?;
+        let start = self.starts.get(orbit as usize)?;
         Some(Follower::new(self.torus, self.options, orbit, start))
     }
 

@@ -7,6 +7,10 @@ use crate::dynamics::HeavyTop;
 /// Rows of coefficients held: orders 0 to ROWS − 1.
 pub(crate) const ROWS: usize = 34;
 
+/// Below this order the rounding of 1/k would show as a linear drift of the first integrals (of 2·10⁻¹⁸ a time
+/// unit at the paper's body); above, the terms are too small.
+const EXACT_BELOW: usize = 10;
+
 /// A vector of ℝ³ in every lane.
 pub(crate) type Vector<S> = [<S as Simd>::f64s; 3];
 
@@ -33,8 +37,9 @@ pub(crate) struct Constants<S: Simd> {
     difference_low: Vector<S>,
     /// r.
     pub center: Vector<S>,
-    /// 1/k.
+    /// 1/k in two parts, the second for the orders below `EXACT_BELOW`.
     reciprocal: [f64; ROWS],
+    reciprocal_low: [f64; EXACT_BELOW],
 }
 
 /// 1/b as the unevaluated sum of two doubles.
@@ -61,12 +66,17 @@ impl<S: Simd> Constants<S> {
         for (k, entry) in reciprocal.iter_mut().enumerate().skip(1) {
             *entry = 1.0 / k as f64;
         }
+        let mut reciprocal_low = [0.0; EXACT_BELOW];
+        for (k, entry) in reciprocal_low.iter_mut().enumerate().skip(1) {
+            *entry = reciprocal_in_two_parts(k as f64).1;
+        }
         Self {
             inverse: splat(b),
             difference: splat(difference),
             difference_low: splat(low),
             center: splat(top.center()),
             reciprocal,
+            reciprocal_low,
         }
     }
 
@@ -180,15 +190,24 @@ impl<S: Simd> Series<S> {
     fn set_row(&mut self, simd: S, top: &Constants<S>, k: usize, products: Products<S>) {
         let reciprocal = simd.splat_f64s(top.reciprocal[k]);
         let gamma = self.gamma[k - 1];
-        let mut l = gamma;
+        let (mut sums, mut l) = (gamma, gamma);
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
             self.gamma[k][i] = simd.mul_f64s(products.gamma_omega[i], reciprocal);
-            // −(γ×r)_i
-            let torque = simd.negate_mul_add_f64s(gamma[p], top.center[q], simd.mul_f64s(gamma[q], top.center[p]));
-            let low = simd.mul_add_f64s(products.omega_omega[i], top.difference_low[i], torque);
-            let sum = simd.mul_add_f64s(products.omega_omega[i], top.difference[i], low);
-            l[i] = simd.mul_f64s(sum, reciprocal);
+            // ω_pω_q D − (γ×r)_i. D's low part goes in first: added to a rounded sum it would always be lost.
+            let low = simd.mul_f64s(products.omega_omega[i], top.difference_low[i]);
+            let torque = simd.mul_add_f64s(gamma[q], top.center[p], low);
+            let torque = simd.negate_mul_add_f64s(gamma[p], top.center[q], torque);
+            sums[i] = simd.mul_add_f64s(products.omega_omega[i], top.difference[i], torque);
+            l[i] = simd.mul_f64s(sums[i], reciprocal);
+        }
+        if k < EXACT_BELOW {
+            let low = simd.splat_f64s(top.reciprocal_low[k]);
+            for i in 0..3 {
+                let rest = simd.mul_f64s(products.gamma_omega[i], low);
+                self.gamma[k][i] = simd.mul_add_f64s(products.gamma_omega[i], reciprocal, rest);
+                l[i] = simd.mul_add_f64s(sums[i], reciprocal, simd.mul_f64s(sums[i], low));
+            }
         }
         self.l[k] = l;
         self.omega[k] = top.angular_velocity(simd, l);

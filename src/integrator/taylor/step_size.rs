@@ -11,9 +11,12 @@ pub const MAX_ORDER: usize = ROWS - 2;
 #[must_use]
 pub fn order_for(tolerance: f64) -> usize {
     let tolerance = tolerance.max(f64::EPSILON / 256.0);
-    let order = 1.0 - 0.5 * libm::log(tolerance);
-    let even = 2 * (0.5 * order - 0.05).ceil().max(4.0) as usize;
-    even.min(MAX_ORDER)
+    let wanted = 1.0 - 0.5 * libm::log(tolerance);
+    let mut order = 8;
+    while order < MAX_ORDER && (order as f64) + 0.1 < wanted {
+        order += 2;
+    }
+    order
 }
 
 /// log₂ with the mantissa taken as linear: at most 0.087 too small; −1023 for 0.
@@ -22,12 +25,14 @@ fn log2_estimate(x: f64) -> f64 {
     (x.to_bits() >> 20) as f64 / f64::from(1u32 << 31) / 2.0 - 1023.0
 }
 
-/// 2^y to 0.3 %, for −1000 < y < 1000.
+/// 2^y to 0.3 %, for |y| ≤ 1000.
 #[inline(always)]
 fn exp2_estimate(y: f64) -> f64 {
+    // In [2⁵², 2⁵³) doubles are integers: the last bits of the sum are ⌊y⌋ + 1023, the exponent field of 2^⌊y⌋.
+    const SHIFT: f64 = (1u64 << 52) as f64 + 1023.0;
     let whole = y.floor();
     let f = y - whole;
-    let power = f64::from_bits(((whole as i64 + 1023) as u64) << 52);
+    let power = f64::from_bits((whole + SHIFT).to_bits() << 52);
     power * (0.34_f64.mul_add(f, 0.66) * f + 1.0)
 }
 
