@@ -2,12 +2,12 @@
 
 use pulp::Simd;
 
-use super::roots::{all_roots, single_root};
-use super::scan::{Scan, Verdict};
+use super::roots::all_roots;
+use super::scan::Scan;
 use super::sweep::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::torus::PpTorus;
 use crate::dynamics::{Integrals, State, add, scale};
-use crate::integrator::taylor::{Lanes, ROWS};
+use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, state_of};
 use crate::integrator::{Instant, Step, StepError};
 
 /// |S| below this part of its scale over a whole step is rounding.
@@ -16,6 +16,23 @@ const FLAT: f64 = 1.0 / (1u64 << 42) as f64;
 const ROUNDING: f64 = 1.0 / (1u64 << 50) as f64;
 /// So many flat steps in a row: S ≡ 0.
 const FLAT_STEPS: u32 = 64;
+
+/// What the current step holds for the lanes that may cross the section in it.
+pub(super) struct News<'a, S: Simd> {
+    lanes: &'a Lanes<S>,
+    scan: &'a Scan<S>,
+    /// Roots of the lanes that have exactly one, as times after the step's start, and the states there.
+    offsets: [S::f64s; 1],
+    states: [Vector<S>; 2],
+}
+
+impl<'a, S: Simd> News<'a, S> {
+    #[inline(always)]
+    pub fn read(simd: S, lanes: &'a Lanes<S>, scan: &'a Scan<S>) -> Self {
+        let offset = scan.single_roots(simd, lanes);
+        Self { lanes, scan, offsets: [offset], states: lanes.states_at(simd, offset) }
+    }
+}
 
 /// An orbit in a lane.
 pub(super) struct Follower {
@@ -73,7 +90,7 @@ impl Follower {
             roots: Vec::new(),
         };
         if on_section {
-            follower.record(torus, options, Instant::default(), start);
+            follower.record(torus, options, Instant::default(), start, value);
         }
         follower
     }
@@ -94,57 +111,35 @@ impl Follower {
         self.end.is_some()
     }
 
-    /// Looks for crossings in the lane's step.
+    /// Looks for crossings in the lane's step, which may have some.
     #[inline(always)]
-    pub fn look<S: Simd>(
-        &mut self,
-        torus: &PpTorus,
-        options: &SweepOptions,
-        lanes: &Lanes<S>,
-        scan: &Scan<S>,
-        lane: usize,
-    ) {
+    pub fn look<S: Simd>(&mut self, simd: S, torus: &PpTorus, options: &SweepOptions, news: &News<S>, lane: usize) {
+        let (lanes, scan) = (news.lanes, news.scan);
         let verdict = scan.verdict(lane);
+        let start = lanes.time(lane);
         if verdict.flat {
             self.count_flat_step();
+        } else if verdict.single {
+            let offset = lane_values::<S>(&news.offsets)[lane];
+            self.cross(torus, options, start.after(offset), &state_of::<S>(&news.states, lane));
         } else {
-            self.search(torus, options, lanes, scan, lane, &verdict);
+            let mut room = [0.0; ROWS];
+            let c = scan.coefficients(lane, &mut room);
+            let mut roots = std::mem::take(&mut self.roots);
+            self.tangencies += self.general_roots(c, verdict.start, verdict.end >= 0.0, &mut roots);
+            for &x in &roots {
+                let offset = lanes.step_of(lane) * x;
+                if self.end.is_none() {
+                    let states = lanes.states_at(simd, simd.splat_f64s(offset));
+                    self.cross(torus, options, start.after(offset), &state_of::<S>(&states, lane));
+                }
+            }
+            roots.clear();
+            self.roots = roots;
         }
         if !verdict.end.is_finite() {
-            self.end = Some(End::Failed(StepError::NotFinite { time: lanes.time(lane).seconds() }));
+            self.end = Some(End::Failed(StepError::NotFinite { time: start.seconds() }));
         }
-    }
-
-    /// Records the crossings of a step that may have some.
-    #[inline(always)]
-    fn search<S: Simd>(
-        &mut self,
-        torus: &PpTorus,
-        options: &SweepOptions,
-        lanes: &Lanes<S>,
-        scan: &Scan<S>,
-        lane: usize,
-        verdict: &Verdict,
-    ) {
-        let (start, step) = (lanes.time(lane), lanes.step_of(lane));
-        let mut room = [0.0; ROWS];
-        let c = scan.coefficients(lane, &mut room);
-        let (start_positive, end_positive) = (verdict.start >= 0.0, verdict.end >= 0.0);
-        if start_positive != end_positive && verdict.unimodal && !verdict.start.is_nan() {
-            let offset = step * single_root(c, verdict.end, end_positive);
-            self.cross(torus, options, start.after(offset), &lanes.state_at(lane, offset));
-            return;
-        }
-        let mut roots = std::mem::take(&mut self.roots);
-        self.tangencies += self.general_roots(c, verdict.start, verdict.end >= 0.0, &mut roots);
-        for &x in &roots {
-            let offset = step * x;
-            if self.end.is_none() {
-                self.cross(torus, options, start.after(offset), &lanes.state_at(lane, offset));
-            }
-        }
-        roots.clear();
-        self.roots = roots;
     }
 
     #[inline(never)]
@@ -193,25 +188,25 @@ impl Follower {
     /// A crossing close to this time and state.
     fn cross(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State) {
         let value = options.condition.value(torus.top(), state);
-        let (offset, state) =
-            if value.abs() <= self.rounding { (0.0, *state) } else { polished(torus, options, state, value) };
+        let (offset, state, value) =
+            if value.abs() <= self.rounding { (0.0, *state, value) } else { polished(torus, options, state, value) };
         let time = time.after(offset);
         if time.seconds() > options.max_time {
             self.end = Some(End::Time);
             return;
         }
         self.crossings += 1;
-        self.record(torus, options, time, &state);
+        self.record(torus, options, time, &state, value);
         if self.crossings as usize >= options.crossings {
             self.end = Some(End::Crossings);
         }
     }
 
-    fn record(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State) {
+    fn record(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, value: f64) {
         let top = torus.top();
         let point = torus.point(state);
         self.drift = self.drift.max(&Integrals::of(top, state).distance(&self.integrals));
-        self.residual = self.residual.max(options.condition.value(top, state).abs());
+        self.residual = self.residual.max(value.abs());
         self.points.push(SectionPoint {
             orbit: self.orbit,
             index: self.crossings,
@@ -243,13 +238,13 @@ impl Follower {
     }
 }
 
-/// Moves a state that is close to the section, where S = `residual`, onto it along the flow; also the time that
-/// this takes.
+/// Moves a state that is close to the section, where S = `residual`, onto it along the flow: the time that this
+/// takes, the state and S there.
 ///
 /// The polynomial's root is as good as the step's tolerance; Newton's method in time with the flow's own series
 /// brings |S| down to rounding. Near a tangency it stops where it no longer improves.
 #[inline(never)]
-fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual: f64) -> (f64, State) {
+fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual: f64) -> (f64, State, f64) {
     let top = torus.top();
     let (mut offset, mut best) = (0.0, *state);
     for _ in 0..4 {
@@ -268,5 +263,5 @@ fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual
         }
         (offset, best, residual) = (offset + t, next, value);
     }
-    (offset, best)
+    (offset, best, residual)
 }

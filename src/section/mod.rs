@@ -5,6 +5,7 @@
 mod condition;
 mod error;
 mod follow;
+mod newton;
 mod roots;
 mod scan;
 mod starts;

@@ -8,26 +8,18 @@ use crate::integrator::taylor::MAX_ORDER;
 /// Most coefficients that a polynomial may have.
 pub(super) const MAX_TERMS: usize = MAX_ORDER + 2;
 /// Halvings after which an interval is called a point.
-const DEPTH: u32 = 52;
+pub(super) const DEPTH: u32 = 52;
 /// Newton steps below this leave |p| ≤ 2⁻⁶⁰|p″|.
-const CONVERGED: f64 = 1.0 / (1u64 << 30) as f64;
+pub(super) const CONVERGED: f64 = 1.0 / (1u64 << 30) as f64;
 
 /// p(x) and p′(x).
-///
-/// Horner's rule for the even and the odd part, p = e(x²) + x·o(x²): half the latency of one long chain.
-#[inline(always)]
 fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
-    let square = x * x;
-    let (mut even, mut even_slope, mut odd, mut odd_slope) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
-    for pair in c.chunks(2).rev() {
-        even_slope = even_slope.mul_add(square, even);
-        even = even.mul_add(square, pair[0]);
-        odd_slope = odd_slope.mul_add(square, odd);
-        odd = odd.mul_add(square, pair.get(1).copied().unwrap_or(0.0));
+    let (mut value, mut slope) = (0.0_f64, 0.0_f64);
+    for &coefficient in c.iter().rev() {
+        slope = slope.mul_add(x, value);
+        value = value.mul_add(x, coefficient);
     }
-    // p′ = 2x e′ + o + 2x² o′
-    let slope = (2.0 * x).mul_add(x.mul_add(odd_slope, even_slope), odd);
-    (x.mul_add(odd, even), slope)
+    (value, slope)
 }
 
 /// p′(x) and p″(x).
@@ -43,9 +35,8 @@ fn slope_and_curvature(c: &[f64], x: f64) -> (f64, f64) {
 /// The zero between `low` and `high` of a function that has only one there and is positive at `high` iff `rising`.
 ///
 /// Newton's method, kept inside the bracket by bisection.
-#[inline(always)]
-fn bracketed_zero(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, rising: bool, guess: f64) -> f64 {
-    let mut x = if guess > low && guess < high { guess } else { f64::midpoint(low, high) };
+fn bracketed_zero(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, rising: bool) -> f64 {
+    let mut x = f64::midpoint(low, high);
     for _ in 0..2 * DEPTH {
         let (value, slope) = f(x);
         if (value >= 0.0) == rising {
@@ -63,16 +54,6 @@ fn bracketed_zero(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, ri
         }
     }
     x
-}
-
-/// The root in [0, 1] of a polynomial that has only one there; `end` is its value at 1, positive iff `rising`.
-#[inline(always)]
-pub(super) fn single_root(c: &[f64], end: f64, rising: bool) -> f64 {
-    // The parabola through both ends with the slope at 0; Muller's form has no cancellation.
-    let curvature = end - c[0] - c[1];
-    let discriminant = (c[1] * c[1] - 4.0 * curvature * c[0]).max(0.0).sqrt();
-    let guess = -2.0 * c[0] / (c[1] + if c[1] < 0.0 { -discriminant } else { discriminant });
-    bracketed_zero(|x| value_and_slope(c, x), 0.0, 1.0, rising, guess)
 }
 
 /// The search for all roots of one polynomial.
@@ -142,7 +123,7 @@ impl Search<'_> {
         if is_monotone(&differences) {
             let rising_slope = b[b.len() - 1] - b[b.len() - 2] > 0.0;
             let c = self.c;
-            let extremum = bracketed_zero(|x| slope_and_curvature(c, x), low, high, rising_slope, f64::NAN);
+            let extremum = bracketed_zero(|x| slope_and_curvature(c, x), low, high, rising_slope);
             let (value, _) = value_and_slope(c, extremum);
             self.tangencies += u32::from(value.abs() <= self.noise);
             let positive = value >= 0.0;
@@ -161,7 +142,7 @@ impl Search<'_> {
     fn monotone(&mut self, (low, high): (f64, f64), (low_positive, high_positive): (bool, bool)) {
         if low_positive != high_positive {
             let c = self.c;
-            self.roots.push(bracketed_zero(|x| value_and_slope(c, x), low, high, high_positive, f64::NAN));
+            self.roots.push(bracketed_zero(|x| value_and_slope(c, x), low, high, high_positive));
         }
     }
 }
@@ -259,14 +240,6 @@ mod tests {
         roots.clear();
         all_roots(&c, false, false, &mut roots);
         assert!(roots.is_empty());
-    }
-
-    #[test]
-    fn monotone_and_general_search_agree() {
-        let c = [-0.3, 0.9, 0.05, -0.02, 0.01];
-        let (roots, _) = found(&c);
-        let fast = single_root(&c, c.iter().sum(), true);
-        assert!((roots[0] - fast).abs() < 1e-15);
     }
 
     proptest::proptest! {

@@ -3,7 +3,8 @@
 use pulp::Simd;
 
 use super::condition::SectionCondition;
-use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, lane_values_mut};
+use super::newton::single_roots;
+use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, lane_values_mut, magnitude};
 
 /// Terms whose Bernstein coefficients are taken; the others are so small that the sum of their sizes will do.
 const LEADING: usize = 7;
@@ -45,8 +46,8 @@ pub(super) struct Verdict {
     pub start: f64,
     /// S at the step's end.
     pub end: f64,
-    /// S has at most one extremum, or none: exactly one root if the signs at the ends differ.
-    pub unimodal: bool,
+    /// S has exactly one root: the signs at the ends differ, and it has at most one extremum.
+    pub single: bool,
     /// Σ |c_k| is at rounding level.
     pub flat: bool,
 }
@@ -132,13 +133,13 @@ impl<S: Simd> Scan<S> {
         const DEGREE: usize = LEADING - 1;
         let step = lanes.step[0];
         let mut power = simd.splat_f64s(1.0);
-        let mut size = simd.abs_f64s(self.c[0]);
+        let mut size = magnitude(simd, self.c[0]);
         let zero = simd.splat_f64s(0.0);
         let (mut rest, mut rest_slope, mut rest_bend) = (zero, zero, zero);
         for k in 1..self.terms {
             power = simd.mul_f64s(power, step);
             self.c[k] = simd.mul_f64s(self.c[k], power);
-            let term = simd.abs_f64s(self.c[k]);
+            let term = magnitude(simd, self.c[k]);
             size = simd.add_f64s(size, term);
             if k >= LEADING {
                 rest = simd.add_f64s(rest, term);
@@ -210,13 +211,29 @@ impl<S: Simd> Scan<S> {
     #[inline(always)]
     pub fn verdict(&self, lane: usize) -> Verdict {
         let of = lane_values::<S>;
+        let (start, end) = (of(&self.start)[lane], of(&self.end)[lane]);
         let monotone = of(&self.least_slope)[lane] > 0.0 || of(&self.greatest_slope)[lane] < 0.0;
+        let unimodal = monotone || of(&self.least_bend)[lane] > 0.0 || of(&self.greatest_bend)[lane] < 0.0;
         Verdict {
-            start: of(&self.start)[lane],
-            end: of(&self.end)[lane],
-            unimodal: monotone || of(&self.least_bend)[lane] > 0.0 || of(&self.greatest_bend)[lane] < 0.0,
+            start,
+            end,
+            single: unimodal && (start >= 0.0) != (end >= 0.0) && !start.is_nan(),
             flat: of(&self.size)[lane] <= of(&self.flat)[lane],
         }
+    }
+
+    /// The roots of the lanes whose verdict is `single`, as times after the step's start.
+    #[inline(always)]
+    pub fn single_roots(&self, simd: S, lanes: &Lanes<S>) -> S::f64s {
+        let zero = simd.splat_f64s(0.0);
+        let up =
+            simd.and_m64s(simd.less_than_f64s(self.start[0], zero), simd.less_than_or_equal_f64s(zero, self.end[0]));
+        let down =
+            simd.and_m64s(simd.less_than_or_equal_f64s(zero, self.start[0]), simd.less_than_f64s(self.end[0], zero));
+        let sloped = one_sign(simd, self.least_slope[0], self.greatest_slope[0]);
+        let bent = one_sign(simd, self.least_bend[0], self.greatest_bend[0]);
+        let wanted = simd.and_m64s(simd.or_m64s(up, down), simd.or_m64s(sloped, bent));
+        simd.mul_f64s(single_roots(simd, &self.c[..self.terms], self.end[0], wanted), lanes.step[0])
     }
 
     /// The coefficients of a lane.
@@ -267,4 +284,11 @@ fn range<S: Simd>(simd: S, b: &[S::f64s]) -> (S::f64s, S::f64s) {
         greatest = simd.max_f64s(greatest, x);
     }
     (least, greatest)
+}
+
+/// Is 0 outside [least, greatest]?
+#[inline(always)]
+fn one_sign<S: Simd>(simd: S, least: S::f64s, greatest: S::f64s) -> S::m64s {
+    let zero = simd.splat_f64s(0.0);
+    simd.or_m64s(simd.less_than_f64s(zero, least), simd.less_than_f64s(greatest, zero))
 }

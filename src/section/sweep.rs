@@ -6,7 +6,7 @@ use pulp::{Simd, WithSimd};
 
 use super::condition::SectionCondition;
 use super::error::SectionError;
-use super::follow::Follower;
+use super::follow::{Follower, News};
 use super::scan::Scan;
 use super::torus::PpTorus;
 use crate::dynamics::{Integrals, State};
@@ -252,12 +252,15 @@ impl WithSimd for TaylorWorker<'_> {
                     follower.count_step(lanes.end_of(lane));
                 }
             }
-            let mut news = scan.lanes_with_news();
-            while news != 0 {
-                let lane = news.trailing_zeros() as usize;
-                news &= news - 1;
-                if let Some(follower) = &mut followers[lane] {
-                    follower.look(queue.torus, queue.options, &lanes, &scan, lane);
+            let mut remaining = scan.lanes_with_news();
+            if remaining != 0 {
+                let news = News::read(simd, &lanes, &scan);
+                while remaining != 0 {
+                    let lane = remaining.trailing_zeros() as usize;
+                    remaining &= remaining - 1;
+                    if let Some(follower) = &mut followers[lane] {
+                        follower.look(simd, queue.torus, queue.options, &news, lane);
+                    }
                 }
             }
             lanes.commit(simd);

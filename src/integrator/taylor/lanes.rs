@@ -145,36 +145,47 @@ impl<S: Simd> Lanes<S> {
         (self.time[0], self.time_low[0]) = (sum, error);
     }
 
-    /// The state of one lane at `offset` after the step's start.
+    /// The states of all lanes, each `offset` after its step's start.
     #[inline(always)]
-    pub fn state_at(&self, lane: usize, offset: f64) -> State {
-        let gamma = lane_values::<S>(self.series.gamma.as_flattened());
-        let l = lane_values::<S>(self.series.l.as_flattened());
-        let mut state = State::default();
-        for k in (1..=self.order).rev() {
+    pub fn states_at(&self, simd: S, offset: S::f64s) -> [Vector<S>; 2] {
+        let mut gamma = self.series.gamma[self.order];
+        let mut l = self.series.l[self.order];
+        for k in (1..self.order).rev() {
             for i in 0..3 {
-                let at = (3 * k + i) * S::F64_LANES + lane;
-                state.gamma[i] = state.gamma[i].mul_add(offset, gamma[at]);
-                state.l[i] = state.l[i].mul_add(offset, l[at]);
+                gamma[i] = simd.mul_add_f64s(gamma[i], offset, self.series.gamma[k][i]);
+                l[i] = simd.mul_add_f64s(l[i], offset, self.series.l[k][i]);
             }
         }
-        let low = lane_values::<S>(self.low.as_flattened());
         for i in 0..3 {
-            let at = i * S::F64_LANES + lane;
-            let (gamma_low, l_low) = (low[at], low[3 * S::F64_LANES + at]);
-            state.gamma[i] = gamma[at] + state.gamma[i].mul_add(offset, gamma_low);
-            state.l[i] = l[at] + state.l[i].mul_add(offset, l_low);
+            let increment = simd.mul_add_f64s(gamma[i], offset, self.low[0][i]);
+            gamma[i] = simd.add_f64s(self.series.gamma[0][i], increment);
+            let increment = simd.mul_add_f64s(l[i], offset, self.low[1][i]);
+            l[i] = simd.add_f64s(self.series.l[0][i], increment);
         }
-        state
+        [gamma, l]
     }
+}
+
+/// One lane of vectors γ and l.
+#[inline(always)]
+pub(crate) fn state_of<S: Simd>(vectors: &[Vector<S>; 2], lane: usize) -> State {
+    let values = lane_values::<S>(vectors.as_flattened());
+    let at = |i: usize| values[i * S::F64_LANES + lane];
+    State { gamma: [at(0), at(1), at(2)], l: [at(3), at(4), at(5)] }
 }
 
 /// The largest |component|. (A function: closures are not always inlined, and a call of a SIMD instruction
 /// outside the functions compiled for it costs more than the instruction.)
 #[inline(always)]
 fn largest<S: Simd>(simd: S, v: Vector<S>) -> S::f64s {
-    let two = simd.max_f64s(simd.abs_f64s(v[0]), simd.abs_f64s(v[1]));
-    simd.max_f64s(two, simd.abs_f64s(v[2]))
+    let two = simd.max_f64s(magnitude(simd, v[0]), magnitude(simd, v[1]));
+    simd.max_f64s(two, magnitude(simd, v[2]))
+}
+
+/// |x|.
+#[inline(always)]
+pub(crate) fn magnitude<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
+    simd.max_f64s(x, simd.sub_f64s(simd.splat_f64s(0.0), x))
 }
 
 /// s + e = a + b exactly, s the rounded sum (Knuth's TwoSum).

@@ -19,7 +19,7 @@ mod series;
 mod step_size;
 mod stepper;
 
-pub(crate) use lanes::Lanes;
+pub(crate) use lanes::{Lanes, magnitude, state_of};
 pub(crate) use series::{ROWS, Vector, lane_values, lane_values_mut};
 pub use step_size::{MAX_ORDER, order_for};
 pub use stepper::Taylor;
