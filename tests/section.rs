@@ -55,8 +55,12 @@ fn drift_of(orbits: &[OrbitSection], integral: impl Fn(&State) -> f64) -> f64 {
 #[test]
 fn integrals_hold_to_1e13_over_a_thousand_crossings() {
     let torus = paper();
-    let orbits = run(&torus, &starts(&torus, 4.45, 3.25, 64), 1000);
+    let options = SweepOptions { crossings: 1000, ..SweepOptions::default() };
+    let monitor = Monitor::default();
+    let orbits = sweep(&torus, &starts(&torus, 4.45, 3.25, 64), &options, &monitor).unwrap();
     assert_eq!(orbits.len(), 64);
+    assert_eq!(monitor.orbits.into_inner(), 64);
+    assert_eq!(monitor.crossings.into_inner(), 64_000);
     for orbit in &orbits {
         assert_eq!((orbit.report.end, orbit.points.len()), (End::Crossings, 1001));
         assert!(orbit.report.drift.largest() <= 1e-13, "{:?}", orbit.report);

@@ -53,6 +53,8 @@ pub(super) struct Follower {
     integrals: Integrals,
     points: Vec<SectionPoint>,
     crossings: u32,
+    /// Crossings that the monitor knows of.
+    told: u32,
     steps: u64,
     time: f64,
     tangencies: u32,
@@ -82,6 +84,7 @@ impl Follower {
             // Room for what was asked for, unless that is a way of saying "many".
             points: Vec::with_capacity(options.crossings.min(1 << 16) + 1),
             crossings: 0,
+            told: 0,
             steps: 0,
             time: 0.0,
             tangencies: 0,
@@ -100,6 +103,13 @@ impl Follower {
     pub fn count_step(&mut self, time: f64) {
         self.steps += 1;
         self.time = time;
+    }
+
+    /// Crossings since the last call.
+    pub fn untold(&mut self) -> u64 {
+        let new = self.crossings - self.told;
+        self.told = self.crossings;
+        u64::from(new)
     }
 
     /// Is there nothing more to do?

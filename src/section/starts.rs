@@ -28,6 +28,24 @@ impl Default for StartOptions {
 /// # Errors
 /// [`SectionError::Inaccessible`] when the places run out before `count` points were found.
 pub fn spread_starts(torus: &PpTorus, h: f64, l: f64, options: &StartOptions) -> Result<Vec<TorusPoint>, SectionError> {
+    spread_starts_over(torus, h, l, options, 1, &|_| Some(0))
+}
+
+/// Likewise, with an equal share for each of `components` parts of the accessible region, however small.
+///
+/// `component_of` tells in which part γ lies (below `components`); points for which it says None are passed over.
+/// The parts take turns in the result as far as the sequence allows; the first parts get the odd ones.
+///
+/// # Errors
+/// [`SectionError::Inaccessible`] when the places run out before every part has its share.
+pub fn spread_starts_over(
+    torus: &PpTorus,
+    h: f64,
+    l: f64,
+    options: &StartOptions,
+    components: usize,
+    component_of: &dyn Fn([f64; 3]) -> Option<usize>,
+) -> Result<Vec<TorusPoint>, SectionError> {
     // 1/p and 1/p² with p³ = p + 1.
     const STEP: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_3];
     for (name, value) in [("h", h), ("l", l)] {
@@ -35,12 +53,14 @@ pub fn spread_starts(torus: &PpTorus, h: f64, l: f64, options: &StartOptions) ->
             return Err(SectionError::Parameter { name, value, expected: "a finite number is needed" });
         }
     }
+    let share = |part: usize| options.count / components + usize::from(part < options.count % components);
+    let mut taken = vec![0_usize; components];
     let limit = options.tries_per_start.saturating_mul(options.count.max(1) as u64);
     let mut position = shift(options.seed);
     let mut starts = Vec::with_capacity(options.count);
     let mut lowest = f64::INFINITY;
     let mut tried = 0;
-    while starts.len() < options.count {
+    while components > 0 && starts.len() < options.count {
         if tried == limit {
             return Err(SectionError::Inaccessible { h, lowest, tried });
         }
@@ -52,10 +72,15 @@ pub fn spread_starts(torus: &PpTorus, h: f64, l: f64, options: &StartOptions) ->
         let cos = 1.0 - 2.0 * position[0];
         let theta = libm::atan2((1.0 - cos * cos).sqrt(), cos);
         let psi = std::f64::consts::TAU * position[1];
-        let potential = torus.top().effective_potential(torus.gamma(theta, psi), l);
+        let gamma = torus.gamma(theta, psi);
+        let potential = torus.top().effective_potential(gamma, l);
         lowest = lowest.min(potential);
-        if potential <= h {
-            let sheet = if starts.len() % 2 == 0 { 1 } else { -1 };
+        if potential > h {
+            continue;
+        }
+        if let Some(part) = component_of(gamma).filter(|&part| part < components && taken[part] < share(part)) {
+            let sheet = if taken[part].is_multiple_of(2) { 1 } else { -1 };
+            taken[part] += 1;
             starts.push(TorusPoint { theta, psi, sheet });
         }
     }
@@ -92,6 +117,17 @@ mod tests {
         assert_ne!(starts, spread_starts(&torus(), 4.45, 3.25, &StartOptions { seed: 8, ..options }).unwrap());
         assert!(starts.iter().all(|p| torus().state(*p, 4.45, 3.25).is_ok()));
         assert_eq!(starts.iter().map(|p| i32::from(p.sheet)).sum::<i32>(), 0);
+    }
+
+    #[test]
+    fn small_components_get_their_share() {
+        // U = S² at h = 6.5; as parts, a cap round −e₁ and the rest.
+        let torus = torus();
+        let part = |gamma: [f64; 3]| Some(usize::from(gamma[0] < -0.5));
+        let options = StartOptions { count: 21, ..StartOptions::default() };
+        let starts = spread_starts_over(&torus, 6.5, 3.25, &options, 2, &part).unwrap();
+        let small = starts.iter().filter(|p| part(torus.gamma(p.theta, p.psi)) == Some(1)).count();
+        assert_eq!((starts.len(), small), (21, 10));
     }
 
     #[test]

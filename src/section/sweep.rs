@@ -13,6 +13,9 @@ use crate::dynamics::{Integrals, State};
 use crate::integrator::taylor::{InstructionSet, Lanes};
 use crate::integrator::{Method, StepError, Stepper};
 
+/// Steps after which the monitor is told.
+const STEPS_BETWEEN_NEWS: u32 = 256;
+
 /// What to compute of each orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SweepOptions {
@@ -113,7 +116,7 @@ pub struct OrbitSection {
 pub struct Monitor {
     /// Set it, and every orbit ends as [`End::Interrupted`]; orbits not yet begun are left out.
     pub stop: AtomicBool,
-    /// Crossings of finished orbits.
+    /// Crossings so far, brought up to date every few hundred steps.
     pub crossings: AtomicU64,
     /// Finished orbits.
     pub orbits: AtomicU64,
@@ -208,7 +211,12 @@ impl Queue<'_> {
 
     fn follow(&self, follower: &mut Follower, stepper: &mut dyn Stepper) {
         let mut value = follower.start_value;
+        let mut steps = 0_u32;
         while !follower.is_over(self.options) && !self.stopped() {
+            steps = steps.wrapping_add(1);
+            if steps.is_multiple_of(STEPS_BETWEEN_NEWS) {
+                self.tell(follower);
+            }
             match stepper.step() {
                 Ok(step) => value = follower.take(self.torus, self.options, &step, value),
                 Err(error) => follower.end = Some(End::Failed(error)),
@@ -216,11 +224,14 @@ impl Queue<'_> {
         }
     }
 
-    fn close(&self, follower: Follower, done: &mut Vec<OrbitSection>) {
-        let section = follower.finish();
-        self.monitor.crossings.fetch_add(section.points.len() as u64, Ordering::Relaxed);
+    fn close(&self, mut follower: Follower, done: &mut Vec<OrbitSection>) {
+        self.tell(&mut follower);
         self.monitor.orbits.fetch_add(1, Ordering::Relaxed);
-        done.push(section);
+        done.push(follower.finish());
+    }
+
+    fn tell(&self, follower: &mut Follower) {
+        self.monitor.crossings.fetch_add(follower.untold(), Ordering::Relaxed);
     }
 }
 
@@ -244,7 +255,12 @@ impl WithSimd for TaylorWorker<'_> {
             followers.push(queue.pop());
             load(&mut lanes, &mut scan, lane, followers[lane].as_ref());
         }
+        let mut steps = 0_u32;
         while followers.iter().any(Option::is_some) {
+            steps = steps.wrapping_add(1);
+            if steps.is_multiple_of(STEPS_BETWEEN_NEWS) {
+                followers.iter_mut().flatten().for_each(|follower| queue.tell(follower));
+            }
             lanes.expand(simd);
             scan.read(simd, &lanes, queue.options.condition);
             for (lane, follower) in followers.iter_mut().enumerate() {

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Section crossings by heyoka.py (batch of one, tol 1e-18, high_accuracy), as the oracle of tests/section_oracle.rs.
+"""Section crossings by heyoka.py (batch of one, tol 1e-18, high_accuracy), as the oracle of tests/section.rs.
 
     python3 -m venv v && v/bin/pip install heyoka numpy && v/bin/python generate.py
 
-Writes, beside this file:
- starts.csv     64 starts at the paper's body, (h, l) = (4.45, 3.25): gamma and l, on S = 0, as they were drawn
- crossings.csv  case,index,time,gamma,l: the first 200 crossings of regular orbits
+Writes crossings.csv beside this file: case,orbit,index,time,gamma,l for some of the first 200 crossings of regular
+orbits; index 0 is the start, on S = 0.
 
 Doubles are written in shortest round-trip form. Crossings are the roots of heyoka's own event polynomial.
 """
@@ -91,17 +90,6 @@ CASES = [
 
 def main():
     rng = np.random.default_rng(SEED)
-    A, r = np.array(CASES[0][1]), np.array(CASES[0][2])
-    starts = []
-    while len(starts) < 64:
-        state = state_on_section(A, r, 4.45, 3.25, *draw(rng))
-        if state is not None:
-            starts.append(state)
-    with open(os.path.join(HERE, "starts.csv"), "w", newline="") as f:
-        out = csv.writer(f, lineterminator="\n")
-        out.writerow("gamma1 gamma2 gamma3 l1 l2 l3".split())
-        out.writerows([repr(float(x)) for x in s] for s in starts)
-
     with open(os.path.join(HERE, "crossings.csv"), "w", newline="") as f:
         out = csv.writer(f, lineterminator="\n")
         out.writerow("case orbit index time gamma1 gamma2 gamma3 l1 l2 l3".split())
