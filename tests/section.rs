@@ -368,3 +368,44 @@ fn one_orbit_by_the_stepper_is_the_orbit_of_the_sweep() {
     }
     assert!(next.is_none());
 }
+
+#[test]
+fn no_crossing_is_missed() {
+    // S sampled densely along the steps: between two samples of different sign lies an odd number of the crossings
+    // found, between two of the same sign an even number (pairs closer than the samples: rare, but there).
+    let torus = paper();
+    let (mut brackets, mut pairs) = (0, 0);
+    for h in [4.45, 6.5] {
+        let options = SweepOptions { max_time: 400.0, crossings: usize::MAX, ..SweepOptions::default() };
+        let starts = starts(&torus, h, 3.25, 12);
+        for (orbit, start) in sweep(&torus, &starts, &options, &Monitor::default()).unwrap().iter().zip(&starts) {
+            let mut stepper = Method::default().stepper(torus.top(), start).unwrap();
+            let mut crossings = orbit.points.iter().skip(1).map(|p| p.time).peekable();
+            // Just after the start, S has the sign of Ṡ.
+            let mut positive = orbit.points[0].s_dot > 0.0;
+            let mut last_time = 0.0;
+            while last_time < 399.0 {
+                let step = stepper.step().unwrap();
+                for k in 1..=100 {
+                    let x = f64::from(k) / 100.0;
+                    let time = step.start().after(x * step.length()).seconds();
+                    let value = SectionCondition::Height.value(torus.top(), &step.state(x));
+                    if value.abs() < 1e-12 {
+                        continue;
+                    }
+                    let mut found = 0;
+                    while crossings.next_if(|&t| t < time).is_some() {
+                        found += 1;
+                    }
+                    assert_eq!(found % 2 == 1, positive != (value > 0.0), "orbit {} near {time}", orbit.orbit);
+                    brackets += usize::from(found == 1);
+                    pairs += usize::from(found == 2);
+                    positive = value > 0.0;
+                    last_time = time;
+                }
+            }
+        }
+    }
+    println!("{brackets} crossings, {pairs} pairs between samples");
+    assert!(brackets > 8000 && pairs < 20);
+}
