@@ -7,10 +7,13 @@ pub mod classify;
 pub mod continuation;
 pub mod critical;
 pub mod document;
+pub mod dynamics;
 pub mod equilibria;
+pub mod integrator;
 pub mod numerics;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod section;
 pub mod stability;
 pub mod topology;
 

@@ -1,0 +1,9 @@
+//! The Euler–Poisson equations in the body's own principal coordinates: γ̇ = γ×ω, l̇ = l×ω − γ×r, ω = A⁻¹l.
+
+mod integrals;
+mod top;
+mod vector;
+
+pub use integrals::{Integrals, kovalevskaya};
+pub use top::{HeavyTop, State};
+pub use vector::{add, cross, dot, norm, scale, sub};

@@ -1,0 +1,52 @@
+//! Why a section cannot be computed.
+
+use thiserror::Error;
+
+use crate::integrator::MethodError;
+use crate::integrator::taylor::InstructionSet;
+
+/// Why a section cannot be computed.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum SectionError {
+    /// r = 0.
+    #[error("r = 0: S = ⟨ω, r×γ⟩ vanishes identically, so that this section does not exist")]
+    WeightlessBody,
+    /// A parameter is NaN or infinite, or out of its range.
+    #[error("{name} = {value} is not usable; {expected}")]
+    Parameter {
+        /// Its name.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What would be right.
+        expected: &'static str,
+    },
+    /// The integrator's tolerance or step is out of range.
+    #[error(transparent)]
+    Method(#[from] MethodError),
+    /// No accessible point was found.
+    #[error("no accessible point: U_l > h = {h} in all of {tried} places; the lowest U_l seen is {lowest}")]
+    Inaccessible {
+        /// Energy.
+        h: f64,
+        /// Lowest value of the effective potential seen.
+        lowest: f64,
+        /// How many places were tried.
+        tried: u64,
+    },
+    /// A seed lies outside the accessible region.
+    #[error("(ϑ', ψ') = ({theta}, {psi}) is not accessible: U_l = {potential} > h = {h}")]
+    SeedInaccessible {
+        /// ϑ'.
+        theta: f64,
+        /// ψ'.
+        psi: f64,
+        /// U_l there.
+        potential: f64,
+        /// Energy.
+        h: f64,
+    },
+    /// This processor lacks the instructions that were asked for.
+    #[error("this processor does not have the {0:?} instructions")]
+    InstructionSet(InstructionSet),
+}
