@@ -1,4 +1,5 @@
-//! What an atlas, a further point and a cold answer cost, on one core.
+//! What an atlas, a further point and a cold answer cost, on one core: CPU time of the thread (wall time where there is
+//! no Unix clock).
 //!
 //! `cargo bench`; `benches/criterion_table.py` then collects the estimates. A benchmark over several bodies takes them
 //! in turn, so that its time is that of one body on average.
@@ -16,12 +17,20 @@ use criterion::{Criterion, criterion_group, criterion_main};
 
 #[path = "../tests/common/mod.rs"]
 mod common;
+#[cfg(unix)]
+#[path = "workload/cpu_time.rs"]
+mod cpu_time;
 mod workload;
 
 use workload::Case;
 
+#[cfg(unix)]
+use cpu_time::CpuTime as Clock;
+#[cfg(not(unix))]
+use criterion::measurement::WallTime as Clock;
+
 /// Measures a job on the items in turn.
-fn in_turn<T, R>(criterion: &mut Criterion, name: &str, items: &[T], mut job: impl FnMut(&T) -> R) {
+fn in_turn<T, R>(criterion: &mut Criterion<Clock>, name: &str, items: &[T], mut job: impl FnMut(&T) -> R) {
     let mut items = items.iter().cycle();
     criterion.bench_function(name, |bencher| {
         bencher.iter(|| {
@@ -31,7 +40,7 @@ fn in_turn<T, R>(criterion: &mut Criterion, name: &str, items: &[T], mut job: im
     });
 }
 
-fn bodies(criterion: &mut Criterion) {
+fn bodies(criterion: &mut Criterion<Clock>) {
     let texts: Vec<([String; 3], [String; 3])> = workload::generic()
         .iter()
         .map(|case| {
@@ -42,7 +51,7 @@ fn bodies(criterion: &mut Criterion) {
     in_turn(criterion, "body/frame", &workload::generic(), |case| case.body.frame());
 }
 
-fn atlases(criterion: &mut Criterion) {
+fn atlases(criterion: &mut Criterion<Clock>) {
     let sets = [
         ("generic", workload::generic()),
         ("paper", workload::preset("paper")),
@@ -68,7 +77,7 @@ fn prepared(cases: &[Case]) -> Vec<Atlas> {
     cases.iter().map(|case| Atlas::new(&case.body).expect("an atlas of the workload")).collect()
 }
 
-fn points(criterion: &mut Criterion) {
+fn points(criterion: &mut Criterion<Clock>) {
     let cases = workload::generic();
     let exact: Vec<(&Body, Number, Number)> = cases
         .iter()
@@ -98,7 +107,7 @@ fn points(criterion: &mut Criterion) {
     in_turn(criterion, "prepared/locate_one_body", &own, |&(h, l)| one.locate(h, l));
 }
 
-fn second_method(criterion: &mut Criterion) {
+fn second_method(criterion: &mut Criterion<Clock>) {
     let frames: Vec<_> = workload::generic().iter().map(|case| (case.body.frame(), case.h, case.l)).collect();
     in_turn(criterion, "latitude_sweep/generic", &frames, |(frame, h, l)| {
         latitude::components(frame, h / frame.energy_unit, l / frame.momentum_unit)
@@ -107,7 +116,7 @@ fn second_method(criterion: &mut Criterion) {
 
 criterion_group! {
     name = benches;
-    config = Criterion::default().warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
+    config = Criterion::default().with_measurement(Clock).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
     targets = bodies, atlases, points, second_method
 }
 criterion_main!(benches);

@@ -40,7 +40,10 @@ fn exact() -> Vec<(Body, Number, Number)> {
     workload::generic().iter().map(exact).collect()
 }
 
-const PATHS: [(&str, fn() -> Job); 14] = [
+/// Prepares the work of a path.
+type Prepare = fn() -> Job;
+
+const PATHS: [(&str, Prepare); 14] = [
     ("parse", || {
         let text = |x: &Number| x.text().to_owned();
         let texts = workload::generic()
