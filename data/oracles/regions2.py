@@ -6,9 +6,8 @@ Method, independent of the crate: cusps are the certified roots of the degree-10
 closed form; pitchforks are known; so all births and deaths of critical points are known exactly. Between two of them *all*
 critical points at any rational x = l^2/2 come from the certified roots of l^4 p^3 D^2 = q^4 and of the pair's quartic
 (exact.py), so each curve is followed by its rank in mu. In x the curves have slope dh/dx = 1/J. On an interval of x the
-mean slope of a curve lies between those at its ends when J has no extremum between (otherwise the interval is
-halved); two curves are then proved not to cross, or to cross once, by their values and slopes at the ends. Crossings are
-narrowed by bisection. Crossings with the pole lines are counted a second time by the roots of the polynomial
+slope of a curve lies between those at its ends and at the extrema of J between them; two curves are then proved not to cross, or to cross once, by their values and slopes at the ends. Crossings are
+then narrowed by the Illinois method. Crossings with the pole lines are counted a second time by the roots of the polynomial
 ((Q/2-R)P - Q^2/(2 J_r))^2 = r^2 P^3, and both counts must agree.
 The range of x that is swept reaches from 1e-9 of the first to 1e9 times the last cusp, pitchfork or polynomial crossing, and from
 1e-9 to 1e9 of the body's own scale at least.
@@ -26,7 +25,7 @@ from flint import arb, ctx, fmpq, fmpq_poly, fmpz
 
 from exact import Body, digits, real_roots
 
-ctx.dps = 70
+ctx.dps = 55
 rng = random.Random(1894)
 
 
@@ -92,12 +91,12 @@ class Sweep:
         return found
 
     def slopes(self, name, p, q):
-        """Enclosing pair of slopes of a curve between two of its points, or None when J has an extremum between."""
+        """Enclosing pair of slopes of a curve between two of its points: those at the ends and at extrema of J between."""
+        slopes = [p[1], q[1]]
         if name[0] == "G" and not self.straight:
             low, high = (p[2], q[2]) if p[2] < q[2] else (q[2], p[2])
-            if any(not (m < low or m > high) for m in self.j_extrema):
-                return None
-        return (p[1], q[1]) if p[1] < q[1] else (q[1], p[1])
+            slopes += [1 / self.body.generic(m)[3] for m in self.j_extrema if not (m < low or m > high)]
+        return min(slopes, key=float), max(slopes, key=float)
 
     def crossings(self, x1, x2, depth=0, names=None):
         """(x, name, name) of all crossings in (x1, x2)."""
@@ -113,20 +112,18 @@ class Sweep:
             sa, sb = self.slopes(a, f[a], g[a]), self.slopes(b, f[b], g[b])
             assert (d1 > 0 or d1 < 0) and (d2 > 0 or d2 < 0)
             same = (d1 > 0) == (d2 > 0)
-            if sa is not None and sb is not None:
-                low, high = sa[0] - sb[1], sa[1] - sb[0]
-                if same:
-                    if not (d1 > 0):
-                        d1, d2, low, high = -d1, -d2, -high, -low
-                    # d >= max(d1 + low t, d2 - high (w - t)); positive everywhere iff it is at their meeting point.
-                    if low >= 0 or high <= 0:
-                        continue
-                    if d1 + low * ((d2 - d1 - high * width) / (low - high)) > 0:
-                        continue
-                elif low > 0 or high < 0:
-                    if x2 - x1 < x1 * fmpq(1, 10**25):
-                        found.append(((x1 + x2) / 2, a, b))
-                        continue
+            low, high = sa[0] - sb[1], sa[1] - sb[0]
+            if same:
+                if not (d1 > 0):
+                    d1, d2, low, high = -d1, -d2, -high, -low
+                # d >= max(d1 + low t, d2 - high (w - t)): positive everywhere iff it is where these lines meet.
+                if low >= 0 or high <= 0 or d1 + low * width > 0 or d2 - high * width > 0:
+                    continue
+                if d1 + low * ((d2 - d1 - high * width) / (low - high)) > 0:
+                    continue
+            elif low > 0 or high < 0:
+                found.append((self.refine(x1, x2, d1, d2, a, b), a, b))
+                continue
             if depth > 160:
                 raise ArithmeticError(f"undecided {a} {b}")
             open_pairs.append((a, b))
@@ -138,8 +135,30 @@ class Sweep:
             middle = (x1 + x2) / 2
         return found + self.crossings(x1, middle, depth + 1, open_pairs) + self.crossings(middle, x2, depth + 1, open_pairs)
 
+    def refine(self, x1, x2, d1, d2, a, b):
+        """The only zero of h_a - h_b in (x1, x2), by the Illinois method; brackets it at every step."""
+        side = 0
+        for _ in range(60):
+            x = to_rational(arb(x1) + arb(x2 - x1) * d1 / (d1 - d2))
+            if not x1 < x < x2 or x2 - x1 < x1 * fmpq(1, 10**18):
+                break
+            here = self.at(x)
+            d = here[a][0] - here[b][0]
+            if abs(float(d)) < 1e-22 * (abs(float(here[a][0])) + float(self.r)):
+                return x
+            if (d > 0) == (d1 > 0):
+                x1, d1 = x, d
+                d2 = d2 / 2 if side == 1 else d2
+                side = 1
+            else:
+                x2, d2 = x, d
+                d1 = d1 / 2 if side == 2 else d1
+                side = 2
+        assert x2 - x1 < x1 * fmpq(1, 10**15)
+        return (x1 + x2) / 2
+
     def pole_polynomial_roots(self):
-        """(x, sign) of crossings of the generic family with the pole lines, by a polynomial."""
+        """x of all crossings of the generic family with the pole lines, by a polynomial."""
         b = self.body
         if self.straight:
             return []
@@ -155,15 +174,12 @@ class Sweep:
         big_r = big_r * b.d  # R D^2
         left = (b.q / 2 - big_r) * b.p - b.q * b.q / (2 * self.j_r)  # times D^4
         polynomial = left * left - b.p**3 * d2 * b.r2  # times D^8
-        out = []
-        for root in real_roots(polynomial):
-            out.append((b.generic(root)[0] / 2, -1 if left(root) > 0 else 1))
-        return out
+        return [b.generic(root)[0] / 2 for root in real_roots(polynomial)]
 
     def events(self):
         known = self.pole_polynomial_roots()
         scale = self.r * arb(max(map(float, self.body.a))) / 2
-        marks = [t[0] for t in self.stations] + [t[0] for t in known] + [scale]
+        marks = [t[0] for t in self.stations] + known + [scale]
         low, high = min(marks, key=float) / 10**9, max(marks, key=float) * 10**9
         small = arb(10) ** -13
         edges = [low]
