@@ -99,7 +99,7 @@ impl Atlas {
         if l.to_f64() == 0.0 {
             return Ok(at_rest(body, h, l));
         }
-        let Location { place, distance, nearest, error_bound } = self.locate(h.to_f64(), l.to_f64())?;
+        let Location { place, distance, nearest, error_bound, .. } = self.locate(h.to_f64(), l.to_f64())?;
         let nearest = atlas::curve_name(&self.arrangement().set, nearest);
         let margin = MarginDocument { h: distance, nearest, error_bound };
         match place {

@@ -43,9 +43,8 @@ fn conditioning(a: [f64; 3], r: [f64; 3], gamma: [f64; 3], l: f64, circle: bool)
     let s = (l / j) * (l / j);
     let normal = s * j + dot(gamma, r);
     let smallest = (0..3).min_by(|&p, &q| gamma[p].abs().total_cmp(&gamma[q].abs())).unwrap();
-    let cross = |u: [f64; 3], v: [f64; 3]| {
-        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    };
+    let cross =
+        |u: [f64; 3], v: [f64; 3]| [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     let axis: [f64; 3] = std::array::from_fn(|k| if k == smallest { 1.0 } else { 0.0 });
     let e = cross(gamma, axis);
     let norm = dot(e, e).sqrt();
@@ -68,6 +67,7 @@ const CUSP_DISTANCE: f64 = 1e-12;
 #[test]
 fn equilibria_of_extreme_bodies_are_complete_and_accurate() {
     let (mut cases, mut open, mut worst_h, mut worst_gamma) = (0, 0, 0.0_f64, 0.0_f64);
+    let mut farthest_open = 0.0_f64;
     let mut failures = Vec::new();
     for line in include_str!("../data/oracles/extremes2.jsonl").lines() {
         let case: Extreme = serde_json::from_str(line).unwrap();
@@ -79,13 +79,19 @@ fn equilibria_of_extreme_bodies_are_complete_and_accurate() {
         let found = set.equilibria_at(0.5 * scaled * scaled);
         if !found.complete {
             open += 1;
+            farthest_open = farthest_open.max(case.cusp_distance.map_or(f64::INFINITY, f64::abs));
             if !case.cusp_distance.is_some_and(|distance| distance.abs() < CUSP_DISTANCE) {
                 failures.push(format!("incomplete at {:?}: {head}", case.cusp_distance));
             }
             continue;
         }
         if found.list.len() != case.critical.len() {
-            failures.push(format!("{} of {} at {:?}: {head}", found.list.len(), case.critical.len(), case.cusp_distance));
+            failures.push(format!(
+                "{} of {} at {:?}: {head}",
+                found.list.len(),
+                case.critical.len(),
+                case.cusp_distance
+            ));
             continue;
         }
         let (a, r) = (body.moments_f64(), body.center_f64());
@@ -140,9 +146,11 @@ fn equilibria_of_extreme_bodies_are_complete_and_accurate() {
             }
         }
     }
-    println!("{cases} cases, {open} open, worst h {worst_h:e}, worst gamma {worst_gamma:e} of the bound");
+    println!(
+        "{cases} cases, {open} open within {farthest_open:e} of a cusp, worst h {worst_h:e}, worst gamma {worst_gamma:e} of the bound"
+    );
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
-    assert!(cases >= 250 && open * 20 < cases);
+    assert!(cases >= 300 && open > 0);
 }
 
 #[derive(Deserialize)]
@@ -194,7 +202,8 @@ fn regions_and_events_are_those_of_the_independent_sweep() {
             });
         if found.faces != case.regions || !same {
             let expected: Vec<(&str, f64)> = case.events.iter().map(|e| (e.kind.as_str(), e.l.to_f64())).collect();
-            failures.push(format!("{} for {} regions: {head}\n  {events:?}\n  {expected:?}", found.faces, case.regions));
+            failures
+                .push(format!("{} for {} regions: {head}\n  {events:?}\n  {expected:?}", found.faces, case.regions));
         }
     }
     println!("{cases} bodies");
@@ -223,8 +232,9 @@ fn swept(body: &Body, h: &Number, l: &Number) -> Option<Vec<ComponentDocument>> 
     Some(found.iter().map(ComponentDocument::from).collect())
 }
 
-/// Everything at this relative distance or more from all curves is decided on generic bodies of order one.
-const DECIDED: f64 = 1e-11;
+/// Everything at this relative distance or more from all curves is decided, on generic bodies and on all others here
+/// (1e-11 is asked for; some 25 units of roundoff are measured).
+const DECIDED: f64 = 1e-14;
 
 #[test]
 fn points_beside_curves_are_classified_right_or_left_open() {
@@ -250,7 +260,7 @@ fn points_beside_curves_are_classified_right_or_left_open() {
                     }
                     let worst = largest_open.entry(case.kind.clone()).or_default();
                     *worst = worst.max(case.relative);
-                    if case.kind == "generic" && case.relative >= DECIDED {
+                    if case.relative >= DECIDED {
                         failures.push(format!("{name} undecided: {head}"));
                     }
                     if truth.as_ref().is_some_and(|truth| !found.candidates.contains(truth)) {

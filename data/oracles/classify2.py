@@ -65,7 +65,7 @@ def main():
             curves.append((l2 / 2 / arb(j_r) + sign * norm, l2 / 2 / arb(j_r) + norm, "P+" if sign < 0 else "P-"))
         curves.sort(key=lambda c: float(c[0]))
         h_c, scale, what = rng.choice(curves)
-        eps = rng.choice([-1, 1]) * arb(10) ** (-(n // len(kinds)) % 14 - 2) * rng.choice([1, 2, 3])
+        eps = rng.choice([-1, 1]) * arb(10) ** -(2 + n // len(kinds) % 14) * rng.choice([1, 2, 3])
         h_text = (h_c + eps * scale).str(28, radius=False)
         h = arb(rational(h_text))
         under = [c for c in curves if c[0] < h]

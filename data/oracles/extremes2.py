@@ -156,7 +156,7 @@ def main():
             record(kind, a, r, l)
     # Delicate: l beside a cusp or pitchfork.
     for kind in ["generic", "plane", "near_lagrange", "near_equal", "tiny_r", "rod", "scale", "all", "symmetric", "axis", "lagrange", "equatorial", "plane_near_equal"]:
-        for n in range(10):
+        for n in range(13):
             while True:
                 a, r = body_of(kind)
                 ctx.dps = 90
@@ -167,7 +167,7 @@ def main():
                 if candidates:
                     break
             l = rng.choice(candidates).sqrt()
-            exponent = [3, 4, 5, 6, 7, 8, 9, 10, 12, 14][n]
+            exponent = [3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 15, 16, 17][n]
             sign = rng.choice([-1, 1])
             l = l * (1 + arb(sign) * rng.choice([1, 2, 5]) / arb(10) ** exponent)
             record(kind + "_beside_cusp", a, r, arb(l.str(50, radius=False)).str(28, radius=False))

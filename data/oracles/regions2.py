@@ -20,6 +20,7 @@ Coincident curves (double curves, a pole line on a critical line) are one curve.
 import json
 import random
 import sys
+from functools import reduce
 
 from flint import arb, ctx, fmpq, fmpq_poly, fmpz
 
@@ -96,7 +97,7 @@ class Sweep:
         if name[0] == "G" and not self.straight:
             low, high = (p[2], q[2]) if p[2] < q[2] else (q[2], p[2])
             slopes += [1 / self.body.generic(m)[3] for m in self.j_extrema if not (m < low or m > high)]
-        return min(slopes, key=float), max(slopes, key=float)
+        return reduce(arb.min, slopes), reduce(arb.max, slopes)
 
     def crossings(self, x1, x2, depth=0, names=None):
         """(x, name, name) of all crossings in (x1, x2)."""

@@ -18,6 +18,8 @@ pub struct Location {
     pub nearest: usize,
     /// Bound on the error of `distance`, the rounding of h and l included.
     pub error_bound: f64,
+    /// Points of curves that were computed.
+    pub curve_points: usize,
 }
 
 /// What a location says.
@@ -88,9 +90,11 @@ impl Atlas {
         // Curves order[..low] lie below h, order[high..] above.
         let (mut low, mut high) = (0, order.len());
         let (mut below, mut above): (Option<Point>, Option<Point>) = (None, None);
+        let mut curve_points = 0;
         while low < high {
             let middle = usize::midpoint(low, high);
             let candidate = point(order[middle]);
+            curve_points += 1;
             if candidate.h() <= h {
                 low = middle + 1;
                 below = Some(candidate);
@@ -111,7 +115,7 @@ impl Atlas {
         } else {
             Place::Region(slabs[number].face_above[low - 1])
         };
-        Location { place, distance, nearest, error_bound }
+        Location { place, distance, nearest, error_bound, curve_points }
     }
 
     /// Every region that meets the box of rounding around a point: in its slab, and in the neighbouring slabs when an
