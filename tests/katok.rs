@@ -8,15 +8,21 @@ use bifdiag::body::{Body, Preset};
 type Fingerprint = (Vec<String>, Vec<&'static str>);
 
 fn fingerprint(body: &Body) -> Fingerprint {
-    let atlas = Atlas::new(body).unwrap();
+    let (found, decided) = fingerprint_and_certainty(body).unwrap();
+    assert!(decided);
+    found
+}
+
+/// The fingerprint and whether all of it is decided: beside a border events are closer than f64 tells apart.
+fn fingerprint_and_certainty(body: &Body) -> Option<(Fingerprint, bool)> {
+    let atlas = Atlas::new(body).ok()?;
     atlas.arrangement().check_invariants().unwrap();
-    assert!(atlas.arrangement().undecided.is_empty(), "{:?}", atlas.arrangement().undecided);
     let mut regions: Vec<String> =
         atlas.regions().iter().map(|region| format!("{:?}", region.components.as_ref().unwrap())).collect();
     regions.sort();
     let mut events: Vec<&str> = atlas.arrangement().events.iter().map(|event| kind(event.change)).collect();
     events.sort_unstable();
-    (regions, events)
+    Some(((regions, events), atlas.arrangement().undecided.is_empty()))
 }
 
 fn kind(change: Change) -> &'static str {
@@ -64,16 +70,16 @@ fn presets_lie_in_the_seven_classes() {
     }
 }
 
-/// Every body of a class has the same atlas: only the fingerprint changes are the borders.
+/// Where the fingerprint changes, by bisection from bodies on both sides that are decided.
 fn border(mut inside: f64, mut outside: f64, body: impl Fn(f64) -> Body) -> f64 {
     let start = fingerprint(&body(inside));
     assert_ne!(start, fingerprint(&body(outside)));
     while (outside - inside).abs() > 1e-9 {
         let middle = 0.5 * (inside + outside);
-        if fingerprint(&body(middle)) == start {
-            inside = middle;
-        } else {
-            outside = middle;
+        match fingerprint_and_certainty(&body(middle)) {
+            None => return middle,
+            Some((found, _)) if found == start => inside = middle,
+            Some(_) => outside = middle,
         }
     }
     0.5 * (inside + outside)

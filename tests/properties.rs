@@ -339,6 +339,8 @@ fn a_cold_point_costs_one_point_per_curve_and_a_prepared_one_a_binary_search() {
         let bound = usize::BITS - slab.order.len().leading_zeros();
         assert!(location.curve_points <= bound as usize, "{} points, bound {bound}", location.curve_points);
         atlas.classify(&number(h), &number(l)).unwrap();
-        assert_eq!(atlas.arrangement(), before.arrangement(), "a prepared body is not touched");
+        // As text, since r = 0 has no J_r: NaN differs from itself.
+        let text = |atlas: &Atlas| format!("{:?}", atlas.arrangement());
+        assert_eq!(text(&atlas), text(&before), "a prepared body is not touched");
     }
 }
