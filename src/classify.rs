@@ -119,7 +119,7 @@ impl Atlas {
                 return Ok(decided(body, h, l, &components, margin));
             }
         }
-        let Location { place, distance, nearest, error_bound } = self.locate(h.to_f64(), l.to_f64())?;
+        let Location { place, distance, nearest, error_bound, .. } = self.locate(h.to_f64(), l.to_f64())?;
         let nearest = atlas::curve_name(&self.arrangement().set, nearest);
         let margin = MarginDocument { h: distance, nearest, error_bound };
         match place {

@@ -2,6 +2,7 @@
 //!
 //! Coordinates enter in `pair` (isolated crossings) and `event` (their order in x); `faces` works on vertical orders alone.
 
+mod axis;
 mod curvature;
 mod event;
 mod faces;

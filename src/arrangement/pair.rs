@@ -11,6 +11,7 @@ use crate::numerics::UNIT_ROUNDOFF;
 use crate::numerics::interval::Interval;
 use crate::numerics::root::{Bracket, newton_bracketed};
 
+use super::axis::line_and_pair;
 use super::curvature::curvature;
 use super::mirror::{MirrorPair, left_is_above};
 use super::order::{PairCrossing, PairOrder};
@@ -77,6 +78,10 @@ pub(super) fn compare(frame: &Frame, a: &Curve, b: &Curve) -> Option<PairOrder> 
     if let Some(sign) = structural_sign(a, b) {
         return Some(PairOrder::constant([from, to], sign));
     }
+    // Lines come before pairs in the list of curves.
+    if let Some(order) = line_and_pair(frame, a, b, [from, to]) {
+        return Some(order);
+    }
     let joint = a.ends.iter().zip(a.x()).find_map(|(end, x)| {
         let shared = b.ends.iter().zip(b.x()).any(|(other, y)| end == other && x == y);
         (shared && x > 0.0 && x.is_finite()).then_some(x)
@@ -103,6 +108,8 @@ pub(super) fn compare(frame: &Frame, a: &Curve, b: &Curve) -> Option<PairOrder> 
 /// - The piece that reaches +r̂ at l = 0 (μ above every moment) is the global minimum throughout.
 /// - The piece of the leftmost interval that starts at −r̂ has slope above 1/J_r and starts on P−: it stays above P−.
 /// - P− lies 2r above P+.
+/// - A symmetric pair has a cusp only when R̂ < 0; then J = a_i − R̂/s² falls with s, and of the two arms that start at
+///   the cusp the one that goes to s = ∞ has the larger slope 1/J: it lies above.
 fn structural_sign(a: &Curve, b: &Curve) -> Option<i8> {
     use crate::equilibria::{Branch, End};
     let is_minimum =
@@ -117,6 +124,17 @@ fn structural_sign(a: &Curve, b: &Curve) -> Option<i8> {
     }
     if is_minimum(b) {
         return Some(1);
+    }
+    // The arms of a symmetric pair's cusp share the family on which J falls towards infinity.
+    if let (Branch::Symmetric(i), Branch::Symmetric(j)) = (a.branch, b.branch) {
+        let born_together = matches!(a.ends[0], End::Cusp(_)) && a.ends[0] == b.ends[0];
+        if i == j && born_together {
+            return match (a.ends[1], b.ends[1]) {
+                (End::Infinity, _) => Some(1),
+                (_, End::Infinity) => Some(-1),
+                _ => None,
+            };
+        }
     }
     match (line(a), line(b)) {
         (Some(Pole::Plus), Some(Pole::Minus)) => Some(-1),

@@ -21,6 +21,8 @@ pub struct Location {
     pub nearest: usize,
     /// Bound on the error of `distance`, the rounding of h and l included.
     pub error_bound: f64,
+    /// Points of curves that were computed.
+    pub curve_points: usize,
 }
 
 /// What a location says.
@@ -87,7 +89,7 @@ impl Atlas {
         let slabs = &self.arrangement.slabs;
         let number = slabs.partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1);
         let near = self.slabs_near(number, x);
-        let Bracket { low, under, over } = self.bracket(number, h, x);
+        let Bracket { low, under, over, curve_points } = self.bracket(number, h, x);
         let order = &slabs[number].order;
         let (distance, nearest) =
             if under.0 <= over.0 { (under.0, order[low - 1]) } else { (over.0, order[low.min(order.len() - 1)]) };
@@ -102,13 +104,13 @@ impl Atlas {
             }
         };
         if near.len() == 1 {
-            return Location { place: decided(distance), distance, nearest, error_bound };
+            return Location { place: decided(distance), distance, nearest, error_bound, curve_points };
         }
         // Within rounding of an event the curves that are born or vanish there count, on whichever side x is.
         let places = self.candidates(h, x, near.clone());
         let (distance, nearest) = self.nearest_in(h, x, near.clone()).unwrap_or((distance, nearest));
         let place = if places.len() > 1 { Place::Undecided(places) } else { decided(distance) };
-        Location { place, distance, nearest, error_bound }
+        Location { place, distance, nearest, error_bound, curve_points }
     }
 
     /// Binary search for h among the curves of a slab.
@@ -118,9 +120,11 @@ impl Atlas {
         // Curves order[..low] lie below h, order[high..] above.
         let (mut low, mut high) = (0, order.len());
         let (mut below, mut above): (Option<Point>, Option<Point>) = (None, None);
+        let mut curve_points = 0;
         while low < high {
             let middle = usize::midpoint(low, high);
             let candidate = point(order[middle]);
+            curve_points += 1;
             if candidate.h() <= h {
                 low = middle + 1;
                 below = Some(candidate);
@@ -130,7 +134,7 @@ impl Atlas {
             }
         }
         let side = |p: &Option<Point>| p.map_or((f64::INFINITY, 0.0), |p| ((h - p.h()).abs(), comparison_error(&p, h)));
-        Bracket { low, under: side(&below), over: side(&above) }
+        Bracket { low, under: side(&below), over: side(&above), curve_points }
     }
 
     /// The slab of x, and those beyond events within rounding of x.
@@ -208,4 +212,6 @@ struct Bracket {
     under: (f64, f64),
     /// Distance to the curve above and the error bound of that distance.
     over: (f64, f64),
+    /// Points of curves that were computed.
+    curve_points: usize,
 }
