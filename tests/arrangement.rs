@@ -39,3 +39,12 @@ fn regions_and_events_of_generic_bodies_match_the_oracle() {
         );
     }
 }
+
+/// |A2 − A1| = |A3 − A1|: both pitchforks lie at the same l, on different lines.
+#[test]
+fn events_at_exactly_the_same_momentum_commute() {
+    let found = arrangement(["1", "0.79", "1.21"], ["1", "0", "0"]);
+    found.check_invariants().unwrap();
+    assert!(found.undecided.is_empty(), "{:?}", found.undecided);
+    assert_eq!((found.events.len(), found.faces), (2, 4));
+}

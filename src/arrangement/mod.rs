@@ -17,7 +17,7 @@ pub use faces::{Faces, InconsistentOrder};
 pub use invariants::InvariantError;
 pub use order::{PairCrossing, PairOrder};
 
-use crate::equilibria::{CriticalSet, End};
+use crate::equilibria::{CriticalSet, Curve, End, Gap};
 
 /// A strip between two events in which the vertical order of the curves is constant.
 #[derive(Clone, Debug, PartialEq)]
@@ -157,7 +157,7 @@ fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[(usize, usize, 
                     let below = active.iter().filter(|&&other| {
                         let key = c.min(other) * n + c.max(other);
                         let passed = crossings[key].iter().filter(|&&event| event < slab).count();
-                        let initial = order_of[key].map_or(0, PairOrder::initial);
+                        let initial = order_of[key].map_or_else(|| touching_sign(set, c, other), PairOrder::initial);
                         let sign = if passed.is_multiple_of(2) { initial } else { -initial };
                         if other < c { sign < 0 } else { other > c && sign > 0 }
                     });
@@ -168,6 +168,17 @@ fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[(usize, usize, 
             ranked.into_iter().map(|(_, c)| c).collect()
         })
         .collect()
+}
+
+/// Sign of h_a − h_b, a < b, of two curves of which one ends where the other begins: between events at the same x both
+/// stand in a slab of no width. 0 when rounding hides it.
+fn touching_sign(set: &CriticalSet, p: usize, q: usize) -> i8 {
+    let (a, b) = (&set.curves[p.min(q)], &set.curves[p.max(q)]);
+    let at = |curve: &Curve| {
+        let x = a.x()[0].max(b.x()[0]).clamp(curve.x()[0], curve.x()[1]);
+        curve.point(&set.frame, x)
+    };
+    Gap::between(&set.frame, &at(a), &at(b)).sign().unwrap_or(0)
 }
 
 /// The slabs in which each curve lives.
