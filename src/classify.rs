@@ -61,7 +61,55 @@ pub fn classify_with_effort(
         return Ok((decided(body, h, l, &components, margin), effort));
     }
     effort.built_atlas = true;
-    Ok((Atlas::new(body)?.classify(h, l)?, effort))
+    let document = match Atlas::new(body) {
+        Ok(atlas) => atlas.classify(h, l)?,
+        // Without an atlas the classes on both sides of the near curves are those at this l.
+        Err(AtlasError::Unresolved { .. }) => open_at_one_momentum(body, &set, h, l, x)?,
+        Err(error) => return Err(error.into()),
+    };
+    Ok((document, effort))
+}
+
+/// The candidates at a point too near to curves, from the critical points at x alone: one class for each cut among the
+/// curves within their error bounds.
+fn open_at_one_momentum(
+    body: &Body,
+    set: &CriticalSet,
+    h: &Number,
+    l: &Number,
+    x: f64,
+) -> Result<ClassificationDocument, ClassifyError> {
+    let energy = h.to_f64() / set.frame.energy_unit;
+    let mut points: Vec<(usize, Point)> =
+        set.curves_over(x).0.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
+    points.sort_by(|p, q| p.1.h().total_cmp(&q.1.h()));
+    let error = |p: &Point| atlas::comparison_error(p, energy);
+    let first = points.partition_point(|(_, p)| p.h() + error(p) < energy);
+    let last = points.partition_point(|(_, p)| p.h() - error(p) <= energy);
+    let mut candidates: Vec<Vec<ComponentDocument>> = Vec::new();
+    for cut in first..=last {
+        let below = points[..cut].iter().map(|(curve, point)| (*curve, point));
+        let components = match cut {
+            0 => Vec::new(),
+            n if n == points.len() => vec![atlas::whole_sphere(!set.frame.is_euler())],
+            _ => atlas::components_below(set, x, below)?,
+        };
+        let class: Vec<ComponentDocument> = components.iter().map(ComponentDocument::from).collect();
+        if !candidates.contains(&class) {
+            candidates.push(class);
+        }
+    }
+    let distance = |p: &Point| (p.h() - energy).abs();
+    let nearest = points.iter().min_by(|p, q| distance(&p.1).total_cmp(&distance(&q.1)));
+    let unit = set.frame.energy_unit;
+    let margin = MarginDocument {
+        h: nearest.map_or(0.0, |(_, p)| distance(p) * unit),
+        nearest: nearest.map_or_else(String::new, |(c, _)| atlas::curve_name(set, *c)),
+        error_bound: nearest.map_or(0.0, |(_, p)| error(p) * unit),
+    };
+    let critical = atlas::on_straight_curve(body, h, l);
+    let status = if critical { Status::Critical } else { Status::Undecided };
+    Ok(open(body, h, l, status, candidates, margin))
 }
 
 /// The components of U_hl from the critical points at x alone, and the number of points computed; `None` when h is too

@@ -252,13 +252,26 @@ impl ArcPair<'_> {
     }
 
     /// 1 when the gap cannot fall between two nodes, −1 when it cannot rise.
+    ///
+    /// Slopes are compared with room for their rounding, except at an end that both arcs share: there they are the very
+    /// same number.
     fn slope_order(&self, left: &Node, right: &Node) -> Option<i8> {
-        // Without widening: where an end is shared both arcs have the very same slope there.
-        let range = |k: usize| Interval::between(left.slope[k], right.slope[k]);
-        let (p, q) = (range(0), range(1));
-        if p.lo >= q.hi {
+        let shared = |node: &Node| {
+            let joined = matches!(node.gap, GapAt::Joined) || node.x.is_infinite();
+            joined && node.slope[0] == node.slope[1]
+        };
+        let nodes = [left, right];
+        let steeper = |p: usize, q: usize| {
+            nodes.iter().all(|m| {
+                nodes.iter().all(|n| {
+                    let room = if shared(m) || shared(n) { 1.0 } else { 1.0 + 16.0 * UNIT_ROUNDOFF };
+                    m.slope[p] >= n.slope[q] * room
+                })
+            })
+        };
+        if steeper(0, 1) {
             Some(1)
-        } else if p.hi <= q.lo {
+        } else if steeper(1, 0) {
             Some(-1)
         } else {
             None
@@ -269,12 +282,15 @@ impl ArcPair<'_> {
     fn constant_sign(&self, left: &Node, right: &Node) -> Option<i8> {
         let (sl, sr) = (left.sign(), right.sign());
         if let Some(direction) = self.slope_order(left, right) {
-            // A gap that only moves one way stays on its side of zero, from one end or from the other.
-            if sl.is_some_and(|sign| sign * direction >= 0) {
-                return Some(direction);
-            }
-            if sr.is_some_and(|sign| sign * direction <= 0) {
-                return Some(-direction);
+            // A gap that only moves one way stays on its side of zero, from one end or from the other. Towards infinity
+            // the slopes differ by less than their rounding: there both ends must agree.
+            let from_left = sl.filter(|sign| sign * direction >= 0).map(|_| direction);
+            let from_right = sr.filter(|sign| sign * direction <= 0).map(|_| -direction);
+            let agreed = from_left.or(from_right).filter(|sign| {
+                right.x.is_finite() || [sl, sr].iter().all(|end| end.is_some_and(|end| end * sign >= 0))
+            });
+            if agreed.is_some() {
+                return agreed;
             }
         }
         if let (Some(sl), Some(sr)) = (sl, sr) {

@@ -8,7 +8,7 @@ mod region;
 
 use thiserror::Error;
 
-use crate::arrangement::Arrangement;
+use crate::arrangement::{Arrangement, Undecided};
 use crate::body::Body;
 use crate::equilibria::{CriticalSet, EquilibriaError};
 use crate::topology::merge::MergeError;
@@ -31,18 +31,18 @@ pub struct Atlas {
 }
 
 /// Why there is no atlas.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Error)]
 pub enum AtlasError {
     /// The critical points cannot be computed.
     #[error(transparent)]
     Equilibria(#[from] EquilibriaError),
     /// The regions could not be put together: events of this body are closer than `f64` resolves.
     #[error(
-        "the regions of this body cannot be told apart in f64: the order of the curves near l = {l} is not decided"
+        "the regions of this body cannot be told apart in f64: the order of the curves near l = {l:e} is not decided"
     )]
     Unresolved {
         /// Near this l, in the body's units.
-        l: String,
+        l: f64,
     },
 }
 
@@ -55,9 +55,12 @@ impl Atlas {
     pub fn new(body: &Body) -> Result<Self, AtlasError> {
         let arrangement = Arrangement::new(CriticalSet::new(body.frame())?);
         if arrangement.slabs.is_empty() {
-            let x = arrangement.events.first().map_or(0.0, |event| event.x);
-            let l = (2.0 * x).sqrt() * arrangement.set.frame.momentum_unit;
-            return Err(AtlasError::Unresolved { l: format!("{l:.6}") });
+            let at = arrangement.undecided.iter().find_map(|undecided| match undecided {
+                Undecided::Order { event } => Some(arrangement.events[*event].x),
+                _ => None,
+            });
+            let x = at.unwrap_or(0.0);
+            return Err(AtlasError::Unresolved { l: (2.0 * x).sqrt() * arrangement.set.frame.momentum_unit });
         }
         let regions = region::classify_faces(&arrangement);
         Ok(Self { body: body.clone(), arrangement, regions })

@@ -39,7 +39,7 @@ struct Candidate<'a> {
     position: usize,
     row: &'a Row,
     sample: Sample,
-    /// Margin relative to the energy scale x/J + r.
+    /// Margin less its error bound, relative to the energy scale x/J + r.
     quality: f64,
 }
 
@@ -114,7 +114,7 @@ fn candidate<'a>(arrangement: &Arrangement, slab: usize, position: usize, row: &
         (scale.min(lower.h().abs() + arrangement.set.frame.r_norm).max(0.5 * scale), lower.h_error())
     };
     let sample = Sample { x: row.x, h: lower.h() + margin, margin, error, nearest: order[position] };
-    Candidate { slab, position, row, sample, quality: sample.margin / scale }
+    Candidate { slab, position, row, sample, quality: (margin - error) / scale }
 }
 
 /// The components of U_hl at a sample.
@@ -124,7 +124,7 @@ fn topology(arrangement: &Arrangement, candidate: &Candidate<'_>) -> Result<Vec<
     if candidate.position + 1 == order.len() {
         return Ok(vec![whole_sphere(!set.frame.is_euler())]);
     }
-    if !is_ordered(&candidate.row.points) {
+    if candidate.quality <= 0.0 || !is_ordered(&candidate.row.points) {
         return Err(MergeError::UnknownOrder);
     }
     let below = order[..=candidate.position].iter().zip(&candidate.row.points);

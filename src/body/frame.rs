@@ -31,6 +31,9 @@ pub struct Frame {
     pub j_r: f64,
     /// a_k − J_r (NaN when r = 0).
     pub offset: [f64; 3],
+    /// Where r vanishes on the eigenspace of a_i: R̂ = Σ r_j²/(a_i − a_j) and the excess −3R̂ − a_i P̂ with
+    /// P̂ = Σ r_j²/(a_i − a_j)² (positive: the pair over a_i has a cusp beyond its pitchfork). 0 elsewhere.
+    pub symmetric_sums: [SymmetricSums; 3],
     /// Columns are the frame's axes in the body's coordinates: γ_body = `to_body` · γ_frame.
     pub to_body: [[f64; 3]; 3],
     /// h = `energy_unit` · h'. A power of four.
@@ -39,6 +42,15 @@ pub struct Frame {
     pub momentum_unit: f64,
     /// ω = `frequency_unit` · ω'. A power of two.
     pub frequency_unit: f64,
+}
+
+/// Sums over the axes that carry r, seen from an axis that does not.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SymmetricSums {
+    /// R̂.
+    pub r_sum: f64,
+    /// −3R̂ − a_i P̂.
+    pub cusp_excess: f64,
 }
 
 /// The exponent k with |x| in [4^k, 4^(k+1)); 0 for x = 0.
@@ -102,6 +114,7 @@ impl Frame {
             r_norm: nearest(&norm_squared).sqrt(),
             j_r,
             offset,
+            symmetric_sums: symmetric_sums(&order, &group, &a, &r_squared),
             to_body,
             energy_unit: power_of_two(2 * r_exponent),
             momentum_unit: power_of_two(a_exponent + r_exponent),
@@ -126,6 +139,31 @@ impl Frame {
     pub fn is_euler(&self) -> bool {
         self.r_norm == 0.0
     }
+}
+
+/// R̂ and −3R̂ − a_i P̂ for each axis on whose eigenspace r vanishes.
+fn symmetric_sums(
+    order: &[usize; 3],
+    group: &[usize; 3],
+    a: &[Relaxed; 3],
+    r_squared: &[Relaxed; 3],
+) -> [SymmetricSums; 3] {
+    std::array::from_fn(|k| {
+        let (eigenspace, others): (Vec<usize>, Vec<usize>) = (0..3).partition(|&m| group[m] == group[k]);
+        if eigenspace.iter().any(|&m| !r_squared[order[m]].is_zero()) {
+            return SymmetricSums::default();
+        }
+        let moment = &a[order[k]];
+        let (mut r_sum, mut p_sum) = (Relaxed::ZERO, Relaxed::ZERO);
+        for m in others {
+            let gap = moment - &a[order[m]];
+            let term = &r_squared[order[m]] / &gap;
+            p_sum += &term / gap;
+            r_sum += term;
+        }
+        let cusp_excess = nearest(&(&r_sum * Relaxed::from(-3) - moment * p_sum));
+        SymmetricSums { r_sum: nearest(&r_sum), cusp_excess }
+    })
 }
 
 /// r in the frame, and the matrix whose columns are the frame's axes.

@@ -6,7 +6,7 @@ mod number;
 mod presets;
 mod rigid_body;
 
-pub use frame::Frame;
+pub use frame::{Frame, SymmetricSums};
 pub use inertia::{InertiaError, MassProperties, PrincipalBody, Realizability};
 pub use number::{Number, ParseNumberError};
 pub use presets::Preset;

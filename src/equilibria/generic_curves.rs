@@ -91,7 +91,6 @@ impl CriticalSet {
         let mut arcs: Vec<Arc> = Vec::new();
         let mut piece = 0;
         let mut start = self.end_of(&stations[0], None);
-        // The curve on the other side of the last cut, if that cut was a cusp or pitchfork.
         for (k, window) in nodes.windows(2).enumerate() {
             arcs.push(self.arc(interval, &window[0], &window[1], middle.as_ref()));
             if matches!(stations[k + 1], Station::Inflection(_)) {
@@ -100,7 +99,7 @@ impl CriticalSet {
             piece += 1;
             let this = self.curves.len();
             let end = self.end_of(&stations[k + 1], Some((this, &nodes[k + 1])));
-            let rising = arcs[0].x[0] < arcs[arcs.len() - 1].x[1] && nodes_rise(&nodes, k, arcs.len());
+            let rising = nodes_rise(&nodes, k, arcs.len());
             let mut done = std::mem::take(&mut arcs);
             let ends = if rising { [start, end] } else { [end, start] };
             if !rising {
@@ -181,8 +180,9 @@ impl CriticalSet {
         let straddles = matches!((side(from), side(to)), (Some(p), Some(q)) if p != q);
         let mut segments = match middle.filter(|_| straddles) {
             Some(middle) => {
-                let on_right = self.seen_from_right(interval, middle);
-                vec![segment(interval, from, middle), segment(interval, &on_right, to)]
+                let on_right = segment(interval, &self.seen_from_right(interval, middle), to);
+                // A station in the very middle (a passive moment half-way) begins the right half.
+                if from.mu == middle.mu { vec![on_right] } else { vec![segment(interval, from, middle), on_right] }
             }
             None => vec![segment(interval, from, to)],
         };

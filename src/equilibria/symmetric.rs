@@ -31,15 +31,14 @@ impl SymmetricFamily {
     /// The family over an axis on whose eigenspace r vanishes.
     #[must_use]
     pub fn over(frame: &Frame, axis: usize) -> Self {
-        let (mut r_sum, mut p_sum) = (0.0, 0.0);
+        let mut p_sum = 0.0;
         for k in 0..3 {
             if frame.r[k] > 0.0 {
                 let ratio = frame.r[k] / frame.diff[axis][k];
-                r_sum += frame.r[k] * ratio;
                 p_sum += ratio * ratio;
             }
         }
-        Self { axis, r_sum, s_pitchfork: p_sum.sqrt() }
+        Self { axis, r_sum: frame.symmetric_sums[axis].r_sum, s_pitchfork: p_sum.sqrt() }
     }
 
     /// The equilibrium at s = ŝ + t, t ≥ 0 (t > 0 when r = 0).
@@ -56,17 +55,20 @@ impl SymmetricFamily {
         gamma[self.axis] = (t * (2.0 * self.s_pitchfork + t)).sqrt() / s;
         let a = frame.a[self.axis];
         let shift = self.r_sum / (s * s);
-        let j = a - shift;
+        // a_i − R̂/s², as a sum of positive terms.
+        let j = (0..3).map(|k| gamma[k] * gamma[k] * frame.a[k]).sum::<f64>();
         SymmetricState { gamma, j, x: 0.5 * s * j * j, x_slope: 0.5 * j * (a + 3.0 * shift) }
     }
 
-    /// t at the cusp, s² = −3R̂/a_i, if that lies beyond the pitchfork.
+    /// t at the cusp, s² = −3R̂/a_i, if that lies beyond the pitchfork: decided exactly by the sign of −3R̂ − a_i P̂, which
+    /// is a_i (s² − ŝ²) and gives t without cancellation.
     #[must_use]
     pub fn cusp(&self, frame: &Frame) -> Option<f64> {
-        if self.r_sum >= 0.0 {
+        let excess = frame.symmetric_sums[self.axis].cusp_excess;
+        if excess <= 0.0 {
             return None;
         }
-        let t = (-3.0 * self.r_sum / frame.a[self.axis]).sqrt() - self.s_pitchfork;
-        (t > 0.0).then_some(t)
+        let a = frame.a[self.axis];
+        Some(excess / (a * ((-3.0 * self.r_sum / a).sqrt() + self.s_pitchfork)))
     }
 }

@@ -107,7 +107,7 @@ impl Atlas {
         for undecided in &self.arrangement.undecided {
             found.push(match *undecided {
                 Undecided::Contact { curves, x } => {
-                    let at = if x[1].is_finite() { 0.5 * (x[0] + x[1]) } else { 2.0 * x[0] };
+                    let at = if x[1].is_finite() { 0.5 * (x[0] + x[1]) } else { x[0] };
                     let h = set.curves[curves[0]].point(&set.frame, at).h();
                     UndecidedDocument {
                         what: "whether two curves cross, closer than f64 resolves".to_owned(),

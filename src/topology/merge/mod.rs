@@ -43,8 +43,8 @@ pub enum MergeError {
     /// No downhill path could be proved.
     #[error("no downhill path from a point to a minimum could be proved in f64")]
     LostPath,
-    /// The critical values stand in an order that contradicts the one that was proved elsewhere.
-    #[error("the order of the critical values at this l is not decided in f64")]
+    /// The critical values are closer than rounding, or stand in an order that contradicts the one proved elsewhere.
+    #[error("the critical values here are closer than f64 resolves")]
     UnknownOrder,
     /// The indices found do not describe a surface.
     #[error("the critical points below the level do not describe a surface: a component would have χ = {euler}")]

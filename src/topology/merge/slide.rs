@@ -4,6 +4,8 @@
 //! polynomial of degree 2. Such arcs follow ring-shaped valleys (bodies close to Lagrange's) in which straight steps
 //! would be tiny.
 
+use crate::numerics::UNIT_ROUNDOFF;
+
 use super::super::potential::{Potential, Vector, combination, cross, dot, normalised};
 
 /// A circle of latitude through a point, and J' on it as a quartic in w = tan(ψ/2).
@@ -66,7 +68,12 @@ impl Latitude {
             *coefficient *= power;
             power *= w;
         }
-        WEIGHTS.iter().all(|row| row.iter().zip(&scaled).map(|(weight, c)| weight * c).sum::<f64>() >= 0.0)
+        // The first coefficient is J' at the start itself; the others are sums of rounded terms.
+        scaled[0] >= 0.0
+            && WEIGHTS[1..].iter().all(|row| {
+                let terms = row.iter().zip(&scaled).map(|(weight, c)| weight * c);
+                terms.clone().sum::<f64>() >= 16.0 * UNIT_ROUNDOFF * terms.map(f64::abs).sum::<f64>()
+            })
     }
 
     /// The farthest of the points w = 1, ½, ¼, … up to which J rises.
