@@ -10,6 +10,7 @@ mod invariants;
 mod mirror;
 mod order;
 mod pair;
+mod pole;
 mod transitive;
 
 pub use event::{Change, Event};

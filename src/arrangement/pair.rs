@@ -15,6 +15,7 @@ use super::axis::line_and_pair;
 use super::curvature::curvature;
 use super::mirror::{MirrorPair, left_is_above};
 use super::order::{PairCrossing, PairOrder};
+use super::pole;
 
 /// The gap h_a − h_b at one abscissa.
 #[derive(Clone, Copy)]
@@ -44,6 +45,8 @@ struct Node {
     x: f64,
     gap: GapAt,
     slope: [f64; 2],
+    /// The difference of the slopes to relative accuracy, for a pole line near a critical curve.
+    slope_gap: Option<Gap>,
     /// The sign of the gap as proved on the left of this node, where its value may be below rounding.
     proved: Option<i8>,
 }
@@ -148,10 +151,17 @@ fn structural_sign(a: &Curve, b: &Curve) -> Option<i8> {
 impl ArcPair<'_> {
     fn node(&mut self, x: f64) -> Node {
         if x == 0.0 {
-            return Node { x, gap: self.gap_at_origin(), slope: [self.a.slope[0], self.b.slope[0]], proved: None };
+            return Node {
+                x,
+                gap: self.gap_at_origin(),
+                slope: [self.a.slope[0], self.b.slope[0]],
+                slope_gap: None,
+                proved: None,
+            };
         }
         if x.is_infinite() {
-            return Node { x, gap: self.gap_at_infinity(), slope: [self.a.slope[1], self.b.slope[1]], proved: None };
+            let slope = [self.a.slope[1], self.b.slope[1]];
+            return Node { x, gap: self.gap_at_infinity(), slope, slope_gap: self.final_slope_gap(), proved: None };
         }
         self.order.evaluations += 2;
         let (p, q) = (self.a.point(self.frame, x), self.b.point(self.frame, x));
@@ -165,8 +175,15 @@ impl ArcPair<'_> {
                 point.slope()
             }
         };
-        let gap = if self.joint == Some(x) { GapAt::Joined } else { GapAt::Value(Gap::between(self.frame, &p, &q)) };
-        Node { x, gap, slope: [end_slope(self.a, &p), end_slope(self.b, &q)], proved: None }
+        let refined = pole_gaps(self.frame, [self.a, self.b], &p, &q);
+        let plain = Gap::between(self.frame, &p, &q);
+        let gap = match refined {
+            _ if self.joint == Some(x) => GapAt::Joined,
+            Some([gap, _]) if gap.error < plain.error => GapAt::Value(gap),
+            _ => GapAt::Value(plain),
+        };
+        let slope = [end_slope(self.a, &p), end_slope(self.b, &q)];
+        Node { x, gap, slope, slope_gap: refined.map(|[_, slope]| slope), proved: None }
     }
 
     /// At l = 0 a curve starts at h = −⟨γ, r⟩ with γ = ±r̂, or at 0 when r = 0.
@@ -198,6 +215,18 @@ impl ArcPair<'_> {
         }
         let error = 8.0 * UNIT_ROUNDOFF * (p.rho.abs() + q.rho.abs());
         GapAt::Limit { gap: Gap { value: q.rho - p.rho, error } }
+    }
+
+    /// The limit of the difference of slopes of a pole line and a curve: 1/J_r − 1/a = (a − J_r)/(a J_r).
+    fn final_slope_gap(&self) -> Option<Gap> {
+        let frame = self.frame;
+        let (axis, sign) = match (self.limit(self.a).axis, self.limit(self.b).axis) {
+            (None, Some(axis)) => (axis, 1.0),
+            (Some(axis), None) => (axis, -1.0),
+            _ => return None,
+        };
+        let value = sign * frame.offset[axis] / (frame.a[axis] * frame.j_r);
+        Some(Gap { value, error: 8.0 * UNIT_ROUNDOFF * value.abs() })
     }
 
     fn limit(&self, arc: &Arc) -> Limit {
@@ -256,6 +285,12 @@ impl ArcPair<'_> {
     /// Slopes are compared with room for their rounding, except at an end that both arcs share: there they are the very
     /// same number.
     fn slope_order(&self, left: &Node, right: &Node) -> Option<i8> {
+        // Beside a straight line the difference of slopes is monotone itself.
+        if let (Some(p), Some(q)) = (left.slope_gap, right.slope_gap) {
+            if let (Some(p), Some(q)) = (p.sign(), q.sign()) {
+                return (p == q).then_some(p);
+            }
+        }
         let shared = |node: &Node| {
             let joined = matches!(node.gap, GapAt::Joined) || node.x.is_infinite();
             joined && node.slope[0] == node.slope[1]
@@ -296,7 +331,14 @@ impl ArcPair<'_> {
         if let (Some(sl), Some(sr)) = (sl, sr) {
             let range = |k: usize| Interval::between(left.slope[k], right.slope[k]).widened(8.0);
             let either = if sl == 0 { sr } else { sl };
-            let separate = sl * sr > 0 && self.bounded_away(left, right, range(0) - range(1), sl)
+            let difference = match (left.slope_gap, right.slope_gap) {
+                (Some(p), Some(q)) => Interval {
+                    lo: (p.value - p.error).min(q.value - q.error),
+                    hi: (p.value + p.error).max(q.value + q.error),
+                },
+                _ => range(0) - range(1),
+            };
+            let separate = sl * sr > 0 && self.bounded_away(left, right, difference, sl)
                 || sl * sr == 0 && either != 0 && self.curvature_separates(left, right);
             if separate {
                 return Some(either);
@@ -391,7 +433,12 @@ impl ArcPair<'_> {
         let (frame, a, b) = (self.frame, self.a, self.b);
         let at = |x: f64| {
             let (p, q) = (a.point(frame, x), b.point(frame, x));
-            (Gap::between(frame, &p, &q), p.slope() - q.slope(), p)
+            let plain = (Gap::between(frame, &p, &q), p.slope() - q.slope());
+            let (gap, slope) = match pole_gaps(frame, [a, b], &p, &q) {
+                Some([gap, slope]) if gap.error < plain.0.error => (gap, slope.value),
+                _ => plain,
+            };
+            (gap, slope, p)
         };
         let guess = match (left.gap, right.gap) {
             (GapAt::Value(p), GapAt::Value(q)) => left.x + (right.x - left.x) * p.value / (p.value - q.value),
@@ -442,4 +489,17 @@ fn is_noise(left: &Node, right: &Node) -> bool {
     }
     let spread = (left.slope[0] - left.slope[1]).abs().max((right.slope[0] - right.slope[1]).abs());
     spread * (right.x - left.x) <= 4.0 * (p.error + q.error)
+}
+
+/// Gap and difference of slopes of two arcs of which one is a pole line and the other a critical curve near it.
+fn pole_gaps(frame: &Frame, [a, b]: [&Arc; 2], p: &Point, q: &Point) -> Option<[Gap; 2]> {
+    let is_line = |arc: &Arc| matches!(arc.shape, Shape::Straight { .. });
+    match (is_line(a), is_line(b)) {
+        (true, false) => pole::gaps(frame, p, q, b.mu(frame, p.x)?),
+        (false, true) => {
+            let gaps = pole::gaps(frame, q, p, a.mu(frame, p.x)?)?;
+            Some(gaps.map(|gap| Gap { value: -gap.value, ..gap }))
+        }
+        _ => None,
+    }
 }

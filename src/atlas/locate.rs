@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use super::Atlas;
 use super::region::is_ordered;
+use crate::arrangement::Change;
 use crate::body::Frame;
 use crate::equilibria::Point;
 use crate::numerics::UNIT_ROUNDOFF;
@@ -88,7 +89,8 @@ impl Atlas {
     fn locate_scaled(&self, h: f64, x: f64) -> Location {
         let slabs = &self.arrangement.slabs;
         let number = slabs.partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1);
-        let near = self.slabs_near(number, x);
+        let near = self.slabs_near(number, x, false);
+        let around = self.slabs_near(number, x, true);
         let Bracket { low, under, over, curve_points } = self.bracket(number, h, x);
         let order = &slabs[number].order;
         let (distance, nearest) =
@@ -96,7 +98,7 @@ impl Atlas {
         let error_bound = under.1.max(over.1);
         let decided = |distance: f64| {
             if distance <= error_bound || !self.order_is_certain(number, x) {
-                Place::Undecided(self.candidates(h, x, near.clone()))
+                Place::Undecided(self.candidates(h, x, around.clone()))
             } else if low == 0 {
                 Place::Forbidden
             } else {
@@ -107,7 +109,7 @@ impl Atlas {
             return Location { place: decided(distance), distance, nearest, error_bound, curve_points };
         }
         // Within rounding of an event the curves that are born or vanish there count, on whichever side x is.
-        let places = self.candidates(h, x, near.clone());
+        let places = self.candidates(h, x, around.clone());
         let (distance, nearest) = self.nearest_in(h, x, near.clone()).unwrap_or((distance, nearest));
         let place = if places.len() > 1 { Place::Undecided(places) } else { decided(distance) };
         Location { place, distance, nearest, error_bound, curve_points }
@@ -137,11 +139,13 @@ impl Atlas {
         Bracket { low, under: side(&below), over: side(&above), curve_points }
     }
 
-    /// The slab of x, and those beyond events within rounding of x.
-    fn slabs_near(&self, number: usize, x: f64) -> Range<usize> {
+    /// The slab of x, and those beyond events within rounding of x: all events, or only those at which curves begin or
+    /// end. (Curves that cross within rounding of x are both seen from either side.)
+    fn slabs_near(&self, number: usize, x: f64, crossings: bool) -> Range<usize> {
         let near = |event: usize| {
             let event = &self.arrangement.events[event];
-            (event.x - x).abs() <= 4.0 * event.x_error + 4.0 * X_ROUNDINGS * UNIT_ROUNDOFF * x
+            let counts = crossings || !matches!(event.change, Change::Swap(_));
+            counts && (event.x - x).abs() <= 4.0 * event.x_error + 4.0 * X_ROUNDINGS * UNIT_ROUNDOFF * x
         };
         let mut range = number..number + 1;
         while range.start > 0 && near(range.start - 1) {
