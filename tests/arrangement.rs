@@ -1,6 +1,6 @@
 //! Arrangements: known bodies, oracles, and invariants on many random bodies.
 
-use bifdiag::arrangement::Arrangement;
+use bifdiag::arrangement::{Arrangement, Change};
 use bifdiag::body::Body;
 use bifdiag::equilibria::CriticalSet;
 use serde_json::Value;
@@ -37,5 +37,31 @@ fn regions_and_events_of_generic_bodies_match_the_oracle() {
             (case["regions"].as_u64().unwrap(), case["events"].as_u64().unwrap()),
             "{line}"
         );
+    }
+}
+
+/// Moments at equal distances, r on the middle axis: both pitchforks lie at exactly the same l.
+#[test]
+fn two_pitchforks_at_the_same_l_on_different_curves_commute() {
+    for (a, faces) in [(["2", "1", "3"], 5), (["2", "3", "1"], 5), (["1", "79/100", "121/100"], 4)] {
+        let found = arrangement(a, ["1", "0", "0"]);
+        found.check_invariants().unwrap();
+        assert!(found.undecided.is_empty(), "{:?}", found.undecided);
+        assert_eq!(
+            found.events.iter().filter(|e| matches!(e.change, Change::Open { .. } | Change::Close { .. })).count(),
+            2
+        );
+        assert_eq!(found.faces, faces, "{a:?}");
+    }
+}
+
+/// A1 = 1, r = (1, 0, 0), A2 just below 3/4: cusp, crossing and pitchfork of the pair within 1e-11 of each other in l.
+#[test]
+fn a_pair_whose_cusp_has_just_left_its_pitchfork() {
+    for a in ["0.749", "0.74999", "0.749997", "0.749999"] {
+        let found = arrangement(["1", a, "0.86"], ["1", "0", "0"]);
+        found.check_invariants().unwrap();
+        assert!(found.undecided.is_empty(), "{:?}", found.undecided);
+        assert_eq!((found.events.len(), found.faces), (4, 5));
     }
 }

@@ -86,11 +86,16 @@ struct ArcPair<'a> {
 const BUDGET: u32 = 600;
 
 impl PairOrder {
-    /// Compares two curves; `None` when no x is common to them.
+    /// Compares two curves; `None` when no x is common to them, or one x only at which they meet.
     #[must_use]
     pub fn of(frame: &Frame, a: &Curve, b: &Curve) -> Option<Self> {
         let from = a.x()[0].max(b.x()[0]);
         let to = a.x()[1].min(b.x()[1]);
+        if from == to && from > 0.0 {
+            // One ends where the other begins: both live in the empty slab between two events at exactly the same x.
+            let gap = Gap::between(frame, &a.point(frame, from), &b.point(frame, from));
+            return gap.sign().map(|initial| Self { initial, ..Self::default() });
+        }
         if from >= to {
             return None;
         }
