@@ -65,3 +65,19 @@ fn a_pair_whose_cusp_has_just_left_its_pitchfork() {
         assert_eq!((found.events.len(), found.faces), (4, 5));
     }
 }
+
+/// A2 in the middle of A1 and A3, r2 = 0: the pitchfork lies where the two halves of the branch's parameter meet. The
+/// numbers are those of the sweep in `data/oracles/regions2.py`.
+#[test]
+fn a_pitchfork_in_the_middle_between_two_moments() {
+    for (a, r, events, faces) in [
+        (["1", "2", "3"], ["1", "0", "1"], 4, 8),
+        (["1", "2", "3"], ["2", "0", "1"], 5, 9),
+        (["2", "3", "4"], ["2", "0", "1"], 5, 9),
+    ] {
+        let found = arrangement(a, r);
+        found.check_invariants().unwrap();
+        assert!(found.undecided.is_empty(), "{:?}", found.undecided);
+        assert_eq!((found.events.len(), found.faces), (events, faces), "{a:?} {r:?}");
+    }
+}

@@ -62,7 +62,7 @@ fn conditioning(a: [f64; 3], r: [f64; 3], gamma: [f64; 3], l: f64, circle: bool)
 }
 
 /// l within this relative distance of a cusp or pitchfork may be left open.
-const CUSP_DISTANCE: f64 = 1e-12;
+const CUSP_DISTANCE: f64 = 1e-14;
 
 #[test]
 fn equilibria_of_extreme_bodies_are_complete_and_accurate() {
@@ -129,7 +129,7 @@ fn equilibria_of_extreme_bodies_are_complete_and_accurate() {
             }
             let omega = (2.0 * equilibrium.point.x).sqrt() / equilibrium.point.j * set.frame.frequency_unit;
             let condition = conditioning(a, r, gamma, case.l.to_f64(), circle);
-            // 64 roundings; the square covers the curvature of the branch next to a cusp.
+            // 64 roundings of U's gradient, l's own included.
             let allowed = 64.0 * ROUNDOFF * condition;
             if (omega - truth.omega.to_f64()).abs() > (allowed + 1e-14) * 1e2 * truth.omega.to_f64() {
                 failures.push(format!("omega {omega}: {head}"));
