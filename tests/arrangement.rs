@@ -1,6 +1,6 @@
 //! Arrangements: known bodies, oracles, and invariants on many random bodies.
 
-use bifdiag::arrangement::Arrangement;
+use bifdiag::arrangement::{Arrangement, Change};
 use bifdiag::body::Body;
 use bifdiag::equilibria::CriticalSet;
 use serde_json::Value;
@@ -40,11 +40,44 @@ fn regions_and_events_of_generic_bodies_match_the_oracle() {
     }
 }
 
-/// |A2 − A1| = |A3 − A1|: both pitchforks lie at the same l, on different lines.
+/// Moments at equal distances, r on the middle axis: both pitchforks lie at exactly the same l.
 #[test]
-fn events_at_exactly_the_same_momentum_commute() {
-    let found = arrangement(["1", "0.79", "1.21"], ["1", "0", "0"]);
-    found.check_invariants().unwrap();
-    assert!(found.undecided.is_empty(), "{:?}", found.undecided);
-    assert_eq!((found.events.len(), found.faces), (2, 4));
+fn two_pitchforks_at_the_same_l_on_different_curves_commute() {
+    for (a, faces) in [(["2", "1", "3"], 5), (["2", "3", "1"], 5), (["1", "79/100", "121/100"], 4)] {
+        let found = arrangement(a, ["1", "0", "0"]);
+        found.check_invariants().unwrap();
+        assert!(found.undecided.is_empty(), "{:?}", found.undecided);
+        assert_eq!(
+            found.events.iter().filter(|e| matches!(e.change, Change::Open { .. } | Change::Close { .. })).count(),
+            2
+        );
+        assert_eq!(found.faces, faces, "{a:?}");
+    }
+}
+
+/// A1 = 1, r = (1, 0, 0), A2 just below 3/4: cusp, crossing and pitchfork of the pair within 1e-11 of each other in l.
+#[test]
+fn a_pair_whose_cusp_has_just_left_its_pitchfork() {
+    for a in ["0.749", "0.74999", "0.749997", "0.749999"] {
+        let found = arrangement(["1", a, "0.86"], ["1", "0", "0"]);
+        found.check_invariants().unwrap();
+        assert!(found.undecided.is_empty(), "{:?}", found.undecided);
+        assert_eq!((found.events.len(), found.faces), (4, 5));
+    }
+}
+
+/// A2 in the middle of A1 and A3, r2 = 0: the pitchfork lies where the two halves of the branch's parameter meet. The
+/// numbers are those of the sweep in `data/oracles/regions2.py`.
+#[test]
+fn a_pitchfork_in_the_middle_between_two_moments() {
+    for (a, r, events, faces) in [
+        (["1", "2", "3"], ["1", "0", "1"], 4, 8),
+        (["1", "2", "3"], ["2", "0", "1"], 5, 9),
+        (["2", "3", "4"], ["2", "0", "1"], 5, 9),
+    ] {
+        let found = arrangement(a, r);
+        found.check_invariants().unwrap();
+        assert!(found.undecided.is_empty(), "{:?}", found.undecided);
+        assert_eq!((found.events.len(), found.faces), (events, faces), "{a:?} {r:?}");
+    }
 }

@@ -8,8 +8,8 @@ use bifdiag::body::{Body, Preset};
 type Fingerprint = (Vec<String>, Vec<&'static str>);
 
 fn fingerprint(body: &Body) -> Fingerprint {
-    let (found, decided) = fingerprint_and_certainty(body).unwrap();
-    assert!(decided);
+    let (found, decided) = fingerprint_and_certainty(body).unwrap_or_else(|| panic!("no atlas of {body:?}"));
+    assert!(decided, "{body:?}");
     found
 }
 

@@ -43,6 +43,8 @@ struct Tally {
     bodies: u32,
     /// Bodies with something undecided.
     open: u32,
+    /// The largest of their smallest r_i/|r| > 0.
+    open_below: f64,
     regions: u32,
     thin: u32,
     swept: u32,
@@ -55,7 +57,7 @@ fn merge_tree_latitude_sweep_and_point_location_agree_on_all_regions() {
     let mut rng = SplitMix64::new(1888);
     let mut tally: BTreeMap<Stratum, Tally> = BTreeMap::new();
     let mut failures = Vec::new();
-    for n in 0..STRATA.len() * 300 {
+    for n in 0..STRATA.len() * 275 {
         let stratum = STRATA[n % STRATA.len()];
         let body = random_body(&mut rng, stratum);
         let head = format!("{stratum:?} A={:?} r={:?}", body.moments_f64(), body.center_f64());
@@ -69,7 +71,12 @@ fn merge_tree_latitude_sweep_and_point_location_agree_on_all_regions() {
             }
         };
         let arrangement = atlas.arrangement();
-        counts.open += u32::from(!arrangement.undecided.is_empty());
+        if !arrangement.undecided.is_empty() {
+            counts.open += 1;
+            let r = arrangement.set.frame.r.map(|r| r / arrangement.set.frame.r_norm);
+            let smallest = r.into_iter().filter(|r| *r > 0.0).fold(1.0, f64::min);
+            counts.open_below = counts.open_below.max(smallest);
+        }
         if arrangement.undecided.iter().any(|u| matches!(u, Undecided::Order { .. })) {
             failures.push(format!("order: {head}"));
         }
@@ -121,7 +128,9 @@ fn merge_tree_latitude_sweep_and_point_location_agree_on_all_regions() {
     let all = |count: fn(&Tally) -> u32| tally.values().map(count).sum::<u32>();
     assert!(all(|t| t.bodies) >= 3_000);
     assert!(all(|t| t.unswept) * 50 < all(|t| t.swept), "too many regions are beyond the sweep");
-    assert!(all(|t| t.open) * 50 < all(|t| t.bodies), "too many bodies are left open");
+    // With r_i/|r| below 1e-7 (1.4e-8 is the largest seen) the mirrored branches beside a former pitchfork are closer
+    // than f64 resolves; the atlas says so.
+    assert!(tally.values().all(|t| t.open_below < 1e-7), "bodies are left open that need not be");
 }
 
 #[test]
@@ -332,7 +341,8 @@ fn a_cold_point_costs_one_point_per_curve_and_a_prepared_one_a_binary_search() {
         let before = atlas.clone();
         let location = atlas.locate(h, l).unwrap();
         // One critical value or pole line each: curves over this l, no more.
-        let x = 0.5 * (l / atlas.arrangement().set.frame.momentum_unit).powi(2);
+        let scaled = l / atlas.arrangement().set.frame.momentum_unit;
+        let x = 0.5 * scaled * scaled;
         let slab = atlas.arrangement().slabs.iter().find(|slab| x <= slab.x[1]).unwrap();
         assert_eq!(effort.curve_points, slab.order.len(), "{stratum:?} {:?} {l}", body.moments_f64());
         assert!(!effort.built_atlas || document.components.is_none() || stratum == Stratum::NearEqual);
@@ -343,4 +353,46 @@ fn a_cold_point_costs_one_point_per_curve_and_a_prepared_one_a_binary_search() {
         let text = |atlas: &Atlas| format!("{:?}", atlas.arrangement());
         assert_eq!(text(&atlas), text(&before), "a prepared body is not touched");
     }
+}
+
+/// Whole numbers make what random numbers never do: events at exactly the same l, coincident curves, plates.
+#[test]
+fn bodies_of_small_whole_numbers_have_complete_atlases() {
+    let mut failures = Vec::new();
+    let (mut bodies, mut open, mut regions) = (0, 0, 0);
+    for n in 0..64 * 27 {
+        let a: [u32; 3] = [1 + n % 4, 1 + n / 4 % 4, 1 + n / 16 % 4];
+        let r: [u32; 3] = [n / 64 % 3, n / 192 % 3, n / 576 % 3];
+        if !a.is_sorted() {
+            continue;
+        }
+        let body = Body::parse(&a.map(|x| x.to_string()), &r.map(|x| x.to_string())).unwrap();
+        bodies += 1;
+        let atlas = match Atlas::new(&body) {
+            Ok(atlas) => atlas,
+            Err(error) => {
+                failures.push(format!("{error}: A={a:?} r={r:?}"));
+                continue;
+            }
+        };
+        let arrangement = atlas.arrangement();
+        if let Err(error) = arrangement.check_invariants() {
+            failures.push(format!("{error}: A={a:?} r={r:?}"));
+        }
+        if !arrangement.undecided.is_empty() {
+            open += 1;
+            failures.push(format!("{:?}: A={a:?} r={r:?}", arrangement.undecided));
+        }
+        for (k, h, l, _) in samples(&atlas) {
+            regions += 1;
+            let own = atlas.regions()[k].components.as_ref();
+            let frame = &arrangement.set.frame;
+            let swept = latitude::components(frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit);
+            if own.is_err() || swept.as_ref().is_ok_and(|swept| Ok(swept) != own) {
+                failures.push(format!("region {k} (h={h}, l={l}) {own:?} sweep {swept:?}: A={a:?} r={r:?}"));
+            }
+        }
+    }
+    println!("{bodies} bodies, {open} open, {regions} regions");
+    assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
 }

@@ -16,11 +16,10 @@ pub(super) fn curvature(frame: &Frame, arc: &Arc, x: [f64; 2]) -> Option<Interva
         Shape::Straight { .. } => Interval::point(0.0),
         Shape::Generic(_) => {
             let (from, to) = (arc.mu(frame, x[0])?, arc.mu(frame, x[1])?);
-            if from.base != to.base {
-                return None;
-            }
-            let delta = Interval::between(from.delta, to.delta).widened(SLACK);
-            generic(frame, from.base, delta)
+            // Ends measured from different moments lie on both sides of the middle between these: there the change of
+            // base costs one rounding of the larger distance.
+            let first = if from.base == to.base { from.delta } else { from.delta + frame.diff[from.base][to.base] };
+            generic(frame, to.base, Interval::between(first, to.delta).widened(SLACK))
         }
         Shape::Symmetric { family, .. } => {
             let s = |x: f64| {

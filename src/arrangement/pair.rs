@@ -259,11 +259,12 @@ impl ArcPair<'_> {
     /// Finds the order between two nodes; returns the sign of the gap at the right one, if proved.
     fn isolate(&mut self, left: Node, right: Node, depth: u32) -> Option<i8> {
         let x = [left.x, right.x];
-        if let (Some(sl), Some(sr)) = (left.sign(), right.sign()) {
-            if sl * sr < 0 && self.slope_order(&left, &right).is_some() {
-                self.locate(left, right, sl);
-                return Some(sr);
-            }
+        if let (Some(sl), Some(sr)) = (left.sign(), right.sign())
+            && sl * sr < 0
+            && slope_order(&left, &right).is_some()
+        {
+            self.locate(left, right, sl);
+            return Some(sr);
         }
         if let Some(sign) = self.constant_sign(&left, &right) {
             self.order.push(x, Some(sign));
@@ -280,43 +281,10 @@ impl ArcPair<'_> {
         self.isolate(Node { proved, ..middle }, right, depth + 1)
     }
 
-    /// 1 when the gap cannot fall between two nodes, −1 when it cannot rise.
-    ///
-    /// Slopes are compared with room for their rounding, except at an end that both arcs share: there they are the very
-    /// same number.
-    fn slope_order(&self, left: &Node, right: &Node) -> Option<i8> {
-        // Beside a straight line the difference of slopes is monotone itself.
-        if let (Some(p), Some(q)) = (left.slope_gap, right.slope_gap) {
-            if let (Some(p), Some(q)) = (p.sign(), q.sign()) {
-                return (p == q).then_some(p);
-            }
-        }
-        let shared = |node: &Node| {
-            let joined = matches!(node.gap, GapAt::Joined) || node.x.is_infinite();
-            joined && node.slope[0] == node.slope[1]
-        };
-        let nodes = [left, right];
-        let steeper = |p: usize, q: usize| {
-            nodes.iter().all(|m| {
-                nodes.iter().all(|n| {
-                    let room = if shared(m) || shared(n) { 1.0 } else { 1.0 + 16.0 * UNIT_ROUNDOFF };
-                    m.slope[p] >= n.slope[q] * room
-                })
-            })
-        };
-        if steeper(0, 1) {
-            Some(1)
-        } else if steeper(1, 0) {
-            Some(-1)
-        } else {
-            None
-        }
-    }
-
     /// The sign of the gap between two nodes, if it is proved to be the same all along.
     fn constant_sign(&self, left: &Node, right: &Node) -> Option<i8> {
         let (sl, sr) = (left.sign(), right.sign());
-        if let Some(direction) = self.slope_order(left, right) {
+        if let Some(direction) = slope_order(left, right) {
             // A gap that only moves one way stays on its side of zero, from one end or from the other. Towards infinity
             // the slopes differ by less than their rounding: there both ends must agree.
             let from_left = sl.filter(|sign| sign * direction >= 0).map(|_| direction);
@@ -501,5 +469,37 @@ fn pole_gaps(frame: &Frame, [a, b]: [&Arc; 2], p: &Point, q: &Point) -> Option<[
             Some(gaps.map(|gap| Gap { value: -gap.value, ..gap }))
         }
         _ => None,
+    }
+}
+
+/// 1 when the gap cannot fall between two nodes, −1 when it cannot rise.
+///
+/// Slopes are compared with room for their rounding, except at an end that both arcs share: there they are the very
+/// same number.
+fn slope_order(left: &Node, right: &Node) -> Option<i8> {
+    // Beside a straight line the difference of slopes is monotone itself.
+    let sign = |node: &Node| node.slope_gap.as_ref().and_then(Gap::sign);
+    if let (Some(p), Some(q)) = (sign(left), sign(right)) {
+        return (p == q).then_some(p);
+    }
+    let shared = |node: &Node| {
+        let joined = matches!(node.gap, GapAt::Joined) || node.x.is_infinite();
+        joined && node.slope[0] == node.slope[1]
+    };
+    let nodes = [left, right];
+    let steeper = |p: usize, q: usize| {
+        nodes.iter().all(|m| {
+            nodes.iter().all(|n| {
+                let room = if shared(m) || shared(n) { 1.0 } else { 1.0 + 16.0 * UNIT_ROUNDOFF };
+                m.slope[p] >= n.slope[q] * room
+            })
+        })
+    };
+    if steeper(0, 1) {
+        Some(1)
+    } else if steeper(1, 0) {
+        Some(-1)
+    } else {
+        None
     }
 }

@@ -157,7 +157,7 @@ mod tests {
         for k in 0..200 {
             let point = TorusPoint {
                 theta: 0.01 + 3.12 * f64::from(k) / 200.0,
-                psi: f64::from(k * 37 % 200) / 200.0 * 6.28,
+                psi: f64::from(k * 37 % 200) / 200.0 * 6.2,
                 sheet: if k % 2 == 0 { 1 } else { -1 },
             };
             let state = torus.state(point, h, l).unwrap();
