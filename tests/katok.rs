@@ -17,12 +17,13 @@ fn fingerprint(body: &Body) -> Fingerprint {
 fn fingerprint_and_certainty(body: &Body) -> Option<(Fingerprint, bool)> {
     let atlas = Atlas::new(body).ok()?;
     atlas.arrangement().check_invariants().unwrap();
-    let mut regions: Vec<String> =
-        atlas.regions().iter().map(|region| format!("{:?}", region.components.as_ref().unwrap())).collect();
+    let mut regions: Vec<String> = atlas.regions().iter().map(|region| format!("{:?}", region.components)).collect();
     regions.sort();
     let mut events: Vec<&str> = atlas.arrangement().events.iter().map(|event| kind(event.change)).collect();
     events.sort_unstable();
-    Some(((regions, events), atlas.arrangement().undecided.is_empty()))
+    let decided =
+        atlas.arrangement().undecided.is_empty() && atlas.regions().iter().all(|region| region.components.is_ok());
+    Some(((regions, events), decided))
 }
 
 fn kind(change: Change) -> &'static str {

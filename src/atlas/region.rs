@@ -124,11 +124,23 @@ fn topology(arrangement: &Arrangement, candidate: &Candidate<'_>) -> Result<Vec<
     if candidate.position + 1 == order.len() {
         return Ok(vec![whole_sphere(!set.frame.is_euler())]);
     }
-    if candidate.quality <= 0.0 || !is_ordered(&candidate.row.points) {
+    // In a region thinner than rounding no downhill path can be trusted; with one minimum none is needed.
+    let too_thin = candidate.quality <= 0.0 && minima(set, &order[..=candidate.position]) > 1;
+    if too_thin || !is_ordered(&candidate.row.points) {
         return Err(MergeError::UnknownOrder);
     }
     let below = order[..=candidate.position].iter().zip(&candidate.row.points);
     components_below(set, candidate.row.x, below.map(|(&c, point)| (c, point)))
+}
+
+/// Number of minima on these curves.
+fn minima(set: &CriticalSet, curves: &[usize]) -> usize {
+    let count = |c: &usize| match (set.curves[*c].index, set.curves[*c].orbit) {
+        (Some(0), Orbit::Pair(_)) => 2,
+        (Some(0), _) => 1,
+        _ => 0,
+    };
+    curves.iter().map(count).sum()
 }
 
 /// True when no two heights contradict the order in which the points are given.

@@ -79,7 +79,7 @@ Examples:
 const FIGURES_EXAMPLES: &str = "\
 Examples:
   bifdiag figures
-  bifdiag figures --out /tmp/figures --format svg,png,pdf";
+  bifdiag figures --out my-figures --format svg,png,pdf";
 
 /// The whole command line.
 #[derive(Debug, Parser)]
