@@ -164,7 +164,8 @@ impl ArcPair<'_> {
             return Node { x, gap: self.gap_at_infinity(), slope, slope_gap: self.final_slope_gap(), proved: None };
         }
         self.order.evaluations += 2;
-        let (p, q) = (self.a.point(self.frame, x), self.b.point(self.frame, x));
+        let at = [self.a, self.b].map(|arc| arc.point_and_mu(self.frame, x));
+        let [(p, _), (q, _)] = at;
         let end_slope = |arc: &Arc, point: &Point| {
             // At a common end both arcs take the slope of the end itself.
             if x == arc.x[0] {
@@ -175,7 +176,7 @@ impl ArcPair<'_> {
                 point.slope()
             }
         };
-        let refined = pole_gaps(self.frame, [self.a, self.b], &p, &q);
+        let refined = pole_gaps(self.frame, [self.a, self.b], &at);
         let plain = Gap::between(self.frame, &p, &q);
         let gap = match refined {
             _ if self.joint == Some(x) => GapAt::Joined,
@@ -400,9 +401,10 @@ impl ArcPair<'_> {
         };
         let (frame, a, b) = (self.frame, self.a, self.b);
         let at = |x: f64| {
-            let (p, q) = (a.point(frame, x), b.point(frame, x));
+            let at = [a, b].map(|arc| arc.point_and_mu(frame, x));
+            let [(p, _), (q, _)] = at;
             let plain = (Gap::between(frame, &p, &q), p.slope() - q.slope());
-            let (gap, slope) = match pole_gaps(frame, [a, b], &p, &q) {
+            let (gap, slope) = match pole_gaps(frame, [a, b], &at) {
                 Some([gap, slope]) if gap.error < plain.0.error => (gap, slope.value),
                 _ => plain,
             };
@@ -460,12 +462,12 @@ fn is_noise(left: &Node, right: &Node) -> bool {
 }
 
 /// Gap and difference of slopes of two arcs of which one is a pole line and the other a critical curve near it.
-fn pole_gaps(frame: &Frame, [a, b]: [&Arc; 2], p: &Point, q: &Point) -> Option<[Gap; 2]> {
+fn pole_gaps(frame: &Frame, [a, b]: [&Arc; 2], [(p, p_mu), (q, q_mu)]: &[(Point, Option<Mu>); 2]) -> Option<[Gap; 2]> {
     let is_line = |arc: &Arc| matches!(arc.shape, Shape::Straight { .. });
     match (is_line(a), is_line(b)) {
-        (true, false) => pole::gaps(frame, p, q, b.mu(frame, p.x)?),
+        (true, false) => pole::gaps(frame, p, q, (*q_mu)?),
         (false, true) => {
-            let gaps = pole::gaps(frame, q, p, a.mu(frame, p.x)?)?;
+            let gaps = pole::gaps(frame, q, p, (*p_mu)?)?;
             Some(gaps.map(|gap| Gap { value: -gap.value, ..gap }))
         }
         _ => None,

@@ -101,15 +101,22 @@ impl Arc {
     /// The point at x. Precondition: x lies between the arc's ends, which themselves are allowed when finite and > 0.
     #[must_use]
     pub fn point(&self, frame: &Frame, x: f64) -> Point {
+        self.point_and_mu(frame, x).0
+    }
+
+    /// The point at x and its multiplier μ (`None` for a straight arc off the families), from one solution for μ.
+    #[must_use]
+    pub fn point_and_mu(&self, frame: &Frame, x: f64) -> (Point, Option<Mu>) {
         match &self.shape {
-            Shape::Straight { gamma, j } => Point::over(frame, x, *gamma, *j),
+            Shape::Straight { gamma, j } => (Point::over(frame, x, *gamma, *j), None),
             Shape::Generic(segments) => {
-                let state = GenericState::at(frame, generic_mu(segments, frame, x));
-                Point::over(frame, x, state.gamma, state.j)
+                let mu = generic_mu(segments, frame, x);
+                let state = GenericState::at(frame, mu);
+                (Point::over(frame, x, state.gamma, state.j), Some(mu))
             }
             Shape::Symmetric { family, t } => {
                 let state = family.at(frame, solve_symmetric(family, frame, *t, x));
-                Point::over(frame, x, state.gamma, state.j)
+                (Point::over(frame, x, state.gamma, state.j), Some(Mu { base: family.axis, delta: 0.0 }))
             }
         }
     }
