@@ -1,5 +1,6 @@
 //! Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body.
 
+pub mod accessible;
 pub mod arrangement;
 pub mod atlas;
 pub mod body;
@@ -13,6 +14,7 @@ pub mod integrator;
 pub mod numerics;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod poincare;
 pub mod section;
 pub mod stability;
 pub mod topology;

@@ -10,6 +10,7 @@ use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use super::failure::{InputError, Refusal};
+use super::section::{self, SectionArguments};
 use super::values::{self, Tensor, Triple};
 
 const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body";
@@ -113,6 +114,9 @@ pub enum Command {
     /// List all relative equilibria at one l, or at many
     #[command(after_help = CRITICAL_EXAMPLES)]
     Critical(CriticalArguments),
+    /// Compute a Poincaré section on the PP-torus
+    #[command(after_help = section::EXAMPLES)]
+    Section(SectionArguments),
     /// List the named bodies
     #[command(after_help = BODIES_EXAMPLES)]
     Bodies(BodiesArguments),

@@ -8,9 +8,11 @@ mod batch;
 mod bodies;
 mod classify;
 mod critical;
+mod data;
 mod failure;
 mod figures;
 mod files;
+mod integration;
 mod interrupt;
 mod layout;
 mod log;
@@ -18,6 +20,7 @@ mod output;
 mod pages;
 mod report;
 mod schema;
+mod section;
 mod subject;
 mod table;
 mod timings;
@@ -27,6 +30,9 @@ use arguments::Command;
 pub use arguments::Options;
 use failure::Failure;
 use timings::Timings;
+
+/// Where the files go if nothing else is said.
+const DEFAULT_DIRECTORY: &str = "bifdiag-out";
 
 /// Sets up logging, the answer to interrupts and the number of threads.
 pub fn start(options: &Options) -> Result<(), Failure> {
@@ -47,6 +53,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Some(Command::Atlas(arguments)) => atlas::run(arguments, &timings),
         Some(Command::Classify(arguments)) => classify::run(arguments, &timings, quiet),
         Some(Command::Critical(arguments)) => critical::run(arguments, &timings, quiet),
+        Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
         Some(Command::Bodies(arguments)) => bodies::run(arguments),
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments),

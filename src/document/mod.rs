@@ -8,6 +8,7 @@ mod classification;
 mod critical;
 mod inertia;
 mod listing;
+mod section;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument,
@@ -17,6 +18,10 @@ pub use classification::{ClassificationDocument, ComponentDocument, MarginDocume
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
 pub use inertia::{InertiaDocument, UnitsDocument};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
+pub use section::{
+    ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, OrbitDocument, SectionDocument,
+    SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument,
+};
 
 /// Version of every document in this module.
 pub const SCHEMA_VERSION: &str = "1";

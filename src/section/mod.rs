@@ -14,6 +14,6 @@ mod torus;
 
 pub use condition::SectionCondition;
 pub use error::SectionError;
-pub use starts::{StartOptions, spread_starts, spread_starts_over};
+pub use starts::{StartOptions, spread_starts, spread_starts_over, spread_starts_round};
 pub use sweep::{End, Monitor, OrbitReport, OrbitSection, SectionPoint, SweepOptions, sweep};
 pub use torus::{PpTorus, TorusPoint};
