@@ -11,6 +11,7 @@ pub mod document;
 pub mod dynamics;
 pub mod equilibria;
 pub mod integrator;
+pub mod motion;
 pub mod numerics;
 #[cfg(feature = "plot")]
 pub mod plot;

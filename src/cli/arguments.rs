@@ -10,6 +10,7 @@ use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use super::failure::{InputError, Refusal};
+use super::orbit::{self, OrbitArguments};
 use super::section::{self, SectionArguments};
 use super::values::{self, Tensor, Triple};
 
@@ -117,6 +118,9 @@ pub enum Command {
     /// Compute a Poincaré section on the PP-torus
     #[command(after_help = section::EXAMPLES)]
     Section(SectionArguments),
+    /// Follow the body's motion in space: attitude, Euler's angles, angular velocity
+    #[command(after_help = orbit::EXAMPLES)]
+    Orbit(OrbitArguments),
     /// List the named bodies
     #[command(after_help = BODIES_EXAMPLES)]
     Bodies(BodiesArguments),

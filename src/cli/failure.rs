@@ -9,12 +9,14 @@ use bifdiag::atlas::MomentumError;
 use bifdiag::body::InertiaError;
 use bifdiag::classify::ClassifyError;
 use bifdiag::critical::CriticalError;
-use bifdiag::integrator::MethodError;
+use bifdiag::integrator::{MethodError, StepError};
+use bifdiag::motion::MotionError;
 use bifdiag::plot::PlotError;
 use bifdiag::poincare::PoincareError;
 use thiserror::Error;
 
 use super::files::FilesError;
+use super::orbit::OrbitInputError;
 use super::output::OutputError;
 use super::section::SectionInputError;
 
@@ -62,6 +64,8 @@ pub enum InputError {
     WrongFineness { option: &'static str, owners: &'static str, integrator: String, instead: &'static str },
     #[error(transparent)]
     Section(#[from] SectionInputError),
+    #[error(transparent)]
+    Orbit(#[from] OrbitInputError),
 }
 
 /// Why a run stopped.
@@ -95,8 +99,16 @@ pub enum Failure {
     Poincare(#[source] PoincareError),
     #[error("the archive of arrays could not be made")]
     Archive(#[from] zip::result::ZipError),
-    #[error("interrupted: {finished} of {wanted} orbits are complete; what was finished is kept and marked as incomplete")]
+    #[error(
+        "interrupted: {finished} of {wanted} orbits are complete; what was finished is kept and marked as incomplete"
+    )]
     Interrupted { finished: usize, wanted: usize },
+    #[error("the motion could not be computed")]
+    Follow(#[from] MotionError),
+    #[error("{done} of {wanted} samples were computed")]
+    Motion { done: usize, wanted: usize, source: StepError },
+    #[error("interrupted: {done} of {wanted} samples were computed; they are kept and marked as incomplete")]
+    MotionInterrupted { done: usize, wanted: usize },
 }
 
 impl From<PoincareError> for Failure {
@@ -109,6 +121,12 @@ impl From<PoincareError> for Failure {
             | PoincareError::Undecided { .. } => SectionInputError::NoSection(error).into(),
             error => Self::Poincare(error),
         }
+    }
+}
+
+impl From<OrbitInputError> for Failure {
+    fn from(error: OrbitInputError) -> Self {
+        Self::Input(error.into())
     }
 }
 

@@ -1,7 +1,7 @@
-//! Files that appear whole and together, or not at all.
+//! Files that appear whole and together, or not at all; and files that are read.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
@@ -20,6 +20,16 @@ pub enum FilesError {
     Occupied { path: PathBuf },
     #[error("cannot replace {path}: {source}", path = path.display())]
     Replace { path: PathBuf, source: io::Error },
+}
+
+/// The text of a whole file, or of stdin.
+pub fn read(path: &Path) -> io::Result<String> {
+    if path == Path::new("-") {
+        let mut text = String::new();
+        io::stdin().read_to_string(&mut text)?;
+        return Ok(text);
+    }
+    fs::read_to_string(path)
 }
 
 /// Contents for files, most of them in one directory.

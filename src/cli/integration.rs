@@ -45,7 +45,9 @@ impl IntegratorArguments {
     /// The method for the motion of a top with energy h.
     pub fn method(&self, top: &HeavyTop, h: f64) -> Result<Method, InputError> {
         let misplaced = match self.integrator {
-            Integrator::Taylor | Integrator::Dop853 => self.step.map(|_| ("--step", "rk4 and splitting", "--tol 1e-12")),
+            Integrator::Taylor | Integrator::Dop853 => {
+                self.step.map(|_| ("--step", "rk4 and splitting", "--tol 1e-12"))
+            }
             Integrator::Rk4 | Integrator::Splitting => self.tol.map(|_| ("--tol", "taylor and dop853", "--step 0.01")),
         };
         if let Some((option, owners, instead)) = misplaced {

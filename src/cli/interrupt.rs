@@ -33,13 +33,6 @@ pub fn stoppable(stop: impl Fn() + Send + 'static) -> Stoppable {
     Stoppable(())
 }
 
-impl Stoppable {
-    /// Has an interrupt come?
-    pub fn stopped(&self) -> bool {
-        matches!(*WORK.lock().unwrap_or_else(PoisonError::into_inner), Work::Stopped)
-    }
-}
-
 impl Drop for Stoppable {
     fn drop(&mut self) {
         *WORK.lock().unwrap_or_else(PoisonError::into_inner) = Work::None;

@@ -16,6 +16,7 @@ mod integration;
 mod interrupt;
 mod layout;
 mod log;
+mod orbit;
 mod output;
 mod pages;
 mod report;
@@ -54,6 +55,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Some(Command::Classify(arguments)) => classify::run(arguments, &timings, quiet),
         Some(Command::Critical(arguments)) => critical::run(arguments, &timings, quiet),
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
+        Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
         Some(Command::Bodies(arguments)) => bodies::run(arguments),
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments),

@@ -1,8 +1,8 @@
 //! `bifdiag schema`: the JSON Schemas of the documents.
 
 use bifdiag::document::{
-    AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument, SectionDocument,
-    SectionsDocument,
+    AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument, MotionDocument,
+    SectionDocument, SectionsDocument,
 };
 use clap::ValueEnum;
 use schemars::{Schema, schema_for};
@@ -25,6 +25,8 @@ pub enum Name {
     Section,
     /// The answer of `bifdiag section --atlas … --json`
     Sections,
+    /// The answer of `bifdiag orbit --json`, and the `meta` of its data
+    Orbit,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// What stands for a wrong line of a batch
@@ -39,6 +41,7 @@ impl Name {
             Self::Critical => schema_for!(CriticalDocument),
             Self::Section => schema_for!(SectionDocument),
             Self::Sections => schema_for!(SectionsDocument),
+            Self::Orbit => schema_for!(MotionDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
         }

@@ -20,6 +20,10 @@ pub struct Triple(pub [Number; 3]);
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tensor(pub [Number; 6]);
 
+/// Three numbers of which only the nearest doubles are needed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vector(pub [f64; 3]);
+
 /// Why a value is refused.
 #[derive(Debug, PartialEq, Error)]
 pub enum ValueError {
@@ -55,6 +59,10 @@ pub enum ValueError {
     Count(&'static str, u32),
     #[error("a seed is a whole number from 0 to {max}", max = u64::MAX)]
     Seed,
+    #[error("{count} numbers given; write three with commas between them, such as 0.6,0,0.8")]
+    VectorCount { count: usize },
+    #[error("the zero vector has no direction; write one that is not 0, such as 0.6,0,0.8")]
+    NoDirection,
     #[error("a sheet is + (or 1) or - (or -1), by the sign of Delta")]
     Sheet,
     #[error("a time must be greater than zero, such as 1e4")]
@@ -150,6 +158,23 @@ pub fn float(text: &str) -> Result<f64, ValueError> {
 pub fn duration(text: &str) -> Result<f64, ValueError> {
     let time = float(text)?;
     if time > 0.0 { Ok(time) } else { Err(ValueError::Duration) }
+}
+
+pub fn vector(text: &str) -> Result<Vector, ValueError> {
+    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::VectorCount { count })?;
+    Ok(Vector(numbers.map(|number| number.to_f64())))
+}
+
+/// A vector brought to length 1.
+pub fn direction(text: &str) -> Result<Vector, ValueError> {
+    let Vector(v) = vector(text)?;
+    let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    if largest == 0.0 {
+        return Err(ValueError::NoDirection);
+    }
+    let v = v.map(|x| x / largest);
+    let norm = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+    Ok(Vector(v.map(|x| x / norm)))
 }
 
 pub fn orbits(text: &str) -> Result<NonZeroU32, ValueError> {

@@ -8,6 +8,7 @@ mod classification;
 mod critical;
 mod inertia;
 mod listing;
+mod motion;
 mod section;
 
 pub use atlas::{
@@ -18,6 +19,7 @@ pub use classification::{ClassificationDocument, ComponentDocument, MarginDocume
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
 pub use inertia::{InertiaDocument, UnitsDocument};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
+pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 pub use section::{
     ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, OrbitDocument, SectionDocument,
     SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument,

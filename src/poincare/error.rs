@@ -12,7 +12,8 @@ use crate::topology::merge::MergeError;
 pub enum PoincareError {
     /// r = 0.
     #[error(
-        "r = 0: S = ⟨ω, r×γ⟩ vanishes identically, so that this section does not exist for a body without weight;          give a body with r ≠ 0"
+        "r = 0: S = ⟨ω, r×γ⟩ vanishes identically, so that this section does not exist for a body without weight; \
+         give a body with r ≠ 0"
     )]
     WeightlessBody,
     /// h is below the minimum of the effective potential.
@@ -31,7 +32,8 @@ pub enum PoincareError {
     },
     /// (h, l) lies on a curve of the bifurcation diagram, where the section is no surface or its image changes.
     #[error(
-        "(h, l) = ({h}, {l}) lies on the curve {curve} of the bifurcation diagram, where the topology changes;          choose h above or below"
+        "(h, l) = ({h}, {l}) lies on the curve {curve} of the bifurcation diagram, where the topology changes; \
+         choose h above or below"
     )]
     OnCurve {
         /// h as given.
@@ -43,7 +45,8 @@ pub enum PoincareError {
     },
     /// (h, l) is too near to a curve for `f64` to tell on which side it lies.
     #[error(
-        "(h, l) = ({h}, {l}) is too near to the curve {curve} of the bifurcation diagram to tell on which side it lies          (distance {distance:.1e} in h, error bound {error_bound:.1e}); choose h farther from it"
+        "(h, l) = ({h}, {l}) is too near to the curve {curve} of the bifurcation diagram to tell on which side it lies \
+         (distance {distance:.1e} in h, error bound {error_bound:.1e}); choose h farther from it"
     )]
     Undecided {
         /// h as given.

@@ -52,7 +52,8 @@ fn notes(complete: bool, summary: &SectionSummaryDocument, orbits: &[OrbitDocume
     }
     if summary.stay_on_section > 0 {
         notes.push(format!(
-            "{}: S = 0 at all times (a relative equilibrium, or a regular precession of Lagrange's top); only the              start is recorded",
+            "{}: S = 0 at all times (a relative equilibrium, or a regular precession of Lagrange's top); only the \
+            start is recorded",
             numbers(EndName::StaysOnSection)
         ));
     }

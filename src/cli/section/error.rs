@@ -12,7 +12,9 @@ pub enum SectionInputError {
     NoSection(PoincareError),
     #[error("{missing} is missing; give {example}, or --atlas FILE for the samples of an atlas")]
     NoPoint { missing: &'static str, example: &'static str },
-    #[error("--atlas and {option} both say what to integrate; leave out {option}, or give body, --h and --l without --atlas")]
+    #[error(
+        "--atlas and {option} both say what to integrate; leave out {option}, or give body, --h and --l without --atlas"
+    )]
     AtlasAnd { option: &'static str },
     #[error("--region needs --atlas: it names a region of an atlas; add --atlas FILE, or give --h and --l instead")]
     RegionWithoutAtlas,

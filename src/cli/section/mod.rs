@@ -132,11 +132,7 @@ fn section_at(
 }
 
 /// The seeds, if all of them are accessible.
-fn checked(
-    arguments: &SectionArguments,
-    setting: &Setting,
-    seeds: &[Seed],
-) -> Result<Vec<TorusPoint>, Failure> {
+fn checked(arguments: &SectionArguments, setting: &Setting, seeds: &[Seed]) -> Result<Vec<TorusPoint>, Failure> {
     let mut points = Vec::with_capacity(seeds.len());
     for seed in seeds {
         match setting.state(seed.point) {

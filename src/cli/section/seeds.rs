@@ -6,7 +6,7 @@ use std::path::Path;
 use bifdiag::section::TorusPoint;
 
 use super::error::{SectionInputError, SeedProblem};
-use super::sites::read;
+use crate::cli::files::read;
 use crate::cli::values;
 
 /// A starting point and the line of the file on which it stands, from 1.
@@ -21,8 +21,8 @@ const HEADING: [&str; 3] = ["theta", "psi", "sheet"];
 /// The seeds of a file.
 pub fn load(path: &Path) -> Result<Vec<Seed>, SectionInputError> {
     let text = read(path).map_err(|source| SectionInputError::SeedsFile { path: path.to_owned(), source })?;
-    let seeds = parse(&text)
-        .map_err(|(line, problem)| SectionInputError::SeedLine { path: path.to_owned(), line, problem })?;
+    let seeds =
+        parse(&text).map_err(|(line, problem)| SectionInputError::SeedLine { path: path.to_owned(), line, problem })?;
     if seeds.is_empty() {
         return Err(SectionInputError::NoSeeds { path: path.to_owned() });
     }
@@ -41,7 +41,9 @@ fn parse(text: &str) -> Result<Vec<Seed>, (usize, SeedProblem)> {
         let found = names.iter().position(|found| *found == name);
         *place = found.ok_or_else(|| (number, SeedProblem::Heading(heading.to_owned(), name)))?;
     }
-    lines.map(|(line, text)| Ok(Seed { point: seed(text, names.len(), places).map_err(|p| (line, p))?, line })).collect()
+    lines
+        .map(|(line, text)| Ok(Seed { point: seed(text, names.len(), places).map_err(|p| (line, p))?, line }))
+        .collect()
 }
 
 fn seed(text: &str, wanted: usize, places: [usize; 3]) -> Result<TorusPoint, SeedProblem> {

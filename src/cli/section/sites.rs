@@ -1,7 +1,5 @@
 //! Where sections are wanted: one point of a body, or the samples of an atlas.
 
-use std::fs;
-use std::io::{self, Read};
 use std::path::Path;
 
 use bifdiag::body::{Body, Number};
@@ -10,6 +8,7 @@ use bifdiag::document::AtlasDocument;
 use super::arguments::SectionArguments;
 use super::error::SectionInputError;
 use crate::cli::failure::InputError;
+use crate::cli::files::read;
 use crate::cli::subject::Subject;
 
 /// A point at which a section is wanted.
@@ -28,16 +27,6 @@ pub struct Sites {
     pub list: Vec<Site>,
     /// All regions were asked for: those without a section are passed over.
     pub all: bool,
-}
-
-/// A whole file, or stdin.
-pub fn read(path: &Path) -> io::Result<String> {
-    if path == Path::new("-") {
-        let mut text = String::new();
-        io::stdin().read_to_string(&mut text)?;
-        return Ok(text);
-    }
-    fs::read_to_string(path)
 }
 
 impl Sites {

@@ -11,7 +11,8 @@ pub fn of(document: &SectionDocument, orbits: &[OrbitSection]) -> Result<DataTab
     let floats = |value: fn(&SectionPoint) -> f64| Values::Float(points.iter().map(|p| value(p)).collect());
     let vectors = |value: fn(&SectionPoint) -> [f64; 3]| Values::Vector(points.iter().map(|p| value(p)).collect());
     // The options allow no more than fit.
-    let counts = |value: fn(&SectionPoint) -> u32| Values::Int32(points.iter().map(|p| value(p).cast_signed()).collect());
+    let counts =
+        |value: fn(&SectionPoint) -> u32| Values::Int32(points.iter().map(|p| value(p).cast_signed()).collect());
     let columns = [
         ("orbit", counts(|p| p.orbit)),
         ("index", counts(|p| p.index)),
