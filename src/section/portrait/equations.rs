@@ -100,8 +100,7 @@ impl Equations {
         match zero {
             Zero::Sheets => {
                 let turned = add(cross(d_omega, gamma), cross(omega, d.gamma));
-                dot(turned, self.weighted(cross(gamma, r)))
-                    + dot(cross(omega, gamma), self.weighted(cross(d.gamma, r)))
+                dot(turned, self.weighted(cross(gamma, r))) + dot(cross(omega, gamma), self.weighted(cross(d.gamma, r)))
             }
             Zero::Tangency => {
                 let field = self.top.vector_field(state);

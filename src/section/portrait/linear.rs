@@ -64,9 +64,8 @@ pub(super) fn null_vector(rows: &[Vector; N - 1]) -> Option<Vector> {
     }
     for step in 0..N - 1 {
         let places = (step..N - 1).flat_map(|row| (step..N).map(move |column| (row, column)));
-        let (row, column) = places.max_by(|&(i, j), &(k, m)| {
-            rows[i][columns[j]].abs().total_cmp(&rows[k][columns[m]].abs())
-        })?;
+        let (row, column) =
+            places.max_by(|&(i, j), &(k, m)| rows[i][columns[j]].abs().total_cmp(&rows[k][columns[m]].abs()))?;
         rows.swap(step, row);
         columns.swap(step, column);
         let pivot = rows[step][columns[step]];

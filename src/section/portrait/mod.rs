@@ -300,8 +300,7 @@ impl Portrait {
         let own = self.tangency(sheet).iter();
         let along_boundary = self.boundary_pieces.iter().filter(|(_, incoming)| *incoming).map(|(line, _)| line);
         let lines = own.chain(along_boundary).flat_map(|line| self.in_chart(chart, line)).collect();
-        let incoming =
-            |x: f64| self.rates(chart, [x, PI]).is_some_and(|rates| rates[usize::from(sheet > 0)] < 0.0);
+        let incoming = |x: f64| self.rates(chart, [x, PI]).is_some_and(|rates| rates[usize::from(sheet > 0)] < 0.0);
         Area::new(lines, &self.bottom(&incoming))
     }
 
