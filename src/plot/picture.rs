@@ -26,20 +26,19 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Puts the size in pixels, a title and the font's stand-ins on what plotters drew.
-    pub(super) fn from_canvas(body: &str, size: [f64; 2], title: &str) -> Self {
-        let inner = body.split_once('>').map_or("", |(_, inner)| inner);
+    /// Puts the size in pixels, a title and the font's stand-ins on the elements of a canvas.
+    pub(super) fn from_canvas(elements: &str, size: [f64; 2], title: &str) -> Self {
         let [width, height] = size;
         let [units_wide, units_high] = size.map(|side| (side * UNITS).round());
         let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         // Viewers without the font fall back to Verdana, whose widths DejaVu Sans shares.
-        let inner = inner.replace(
+        let elements = elements.replace(
             &format!("font-family=\"{}\"", font::FAMILY),
             &format!("font-family=\"{}, Verdana, sans-serif\"", font::FAMILY),
         );
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {units_wide} {units_high}\" stroke-linejoin=\"round\">\n<title>{title}</title>{inner}"
+             viewBox=\"0 0 {units_wide} {units_high}\" stroke-linejoin=\"round\">\n<title>{title}</title>\n{elements}</svg>\n"
         );
         Self { svg }
     }
