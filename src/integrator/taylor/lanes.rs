@@ -76,12 +76,6 @@ impl<S: Simd> Lanes<S> {
         self.order
     }
 
-    /// 1/scale of l in every lane.
-    #[inline(always)]
-    pub(super) fn momentum_weight(&self) -> S::f64s {
-        self.momentum_weight[0]
-    }
-
     /// Time at the step's start.
     #[inline(always)]
     pub fn time(&self, lane: usize) -> Instant {

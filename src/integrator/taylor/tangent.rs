@@ -19,6 +19,8 @@ pub(crate) struct Tangent<S: Simd> {
     gamma: [Vector<S>; ROWS],
     l: [Vector<S>; ROWS],
     omega: [Vector<S>; ROWS],
+    /// 1/scale of δl.
+    momentum_weight: [S::f64s; 1],
     /// |δγ|² + |δl|²/scale² at the step's end.
     length_squared: [S::f64s; 1],
 }
@@ -39,12 +41,13 @@ impl<S: Simd> Tangent<S> {
     pub fn new(simd: S) -> Self {
         let zero = simd.splat_f64s(0.0);
         let rows = [[zero; 3]; ROWS];
-        Self { gamma: rows, l: rows, omega: rows, length_squared: [zero] }
+        Self { gamma: rows, l: rows, omega: rows, momentum_weight: [zero], length_squared: [zero] }
     }
 
-    /// Puts a tangent vector (δγ, δl) into a lane.
+    /// Puts a tangent vector (δγ, δl) into a lane. `momentum_scale` is the unit of δl for its length.
     #[inline(always)]
-    pub fn load(&mut self, lane: usize, vector: &State) {
+    pub fn load(&mut self, lane: usize, vector: &State, momentum_scale: f64) {
+        lane_values_mut::<S>(&mut self.momentum_weight)[lane] = 1.0 / momentum_scale;
         for i in 0..3 {
             lane_values_mut::<S>(&mut self.gamma[0][i..=i])[lane] = vector.gamma[i];
             lane_values_mut::<S>(&mut self.l[0][i..=i])[lane] = vector.l[i];
@@ -62,7 +65,7 @@ impl<S: Simd> Tangent<S> {
         self.sum_series(simd, lanes);
     }
 
-    /// |δγ|² + |δl|²/scale² of a lane, scale being the unit of |l| of the lanes' tolerance.
+    /// |δγ|² + |δl|²/scale² of a lane.
     #[inline(always)]
     pub fn length_squared(&self, lane: usize) -> f64 {
         lane_values::<S>(&self.length_squared)[lane]
@@ -140,7 +143,7 @@ impl<S: Simd> Tangent<S> {
         (self.gamma[0], self.l[0]) = (gamma, l);
         let mut squared = simd.splat_f64s(0.0);
         for i in 0..3 {
-            let momentum = simd.mul_f64s(l[i], lanes.momentum_weight());
+            let momentum = simd.mul_f64s(l[i], self.momentum_weight[0]);
             squared = simd.mul_add_f64s(gamma[i], gamma[i], squared);
             squared = simd.mul_add_f64s(momentum, momentum, squared);
         }

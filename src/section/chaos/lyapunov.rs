@@ -17,7 +17,7 @@ use crate::section::sweep::{Monitor, run_workers};
 ///
 /// A tangent vector δ = (δγ, δl) is taken along by the variational equations. It starts tangent to the energy surface
 /// and to ⟨γ,γ⟩ = 1, ⟨γ,l⟩ = l and so remains. The flow on that surface has the exponents λ, 0, −λ, so that one vector
-/// tells all of them. Lengths are |δ|² = |δγ|² + |δl|²/(2 A_max (h + |r|)), without units.
+/// tells all of them. Lengths are |δ|² = |δγ|² + |δl|²/(2 A_max (h + 2|r|)), without units.
 ///
 /// Regular orbits shear: |δ| grows like t, and `exponent` falls like ln(T)/T, `mean_rate` like 2/T. An exponent that
 /// does not exceed a few times that is not chaos that this time can show.
@@ -103,7 +103,8 @@ impl Worker<'_> {
         let start = &self.starts[orbit as usize].0;
         let momentum_scale = self.top.momentum_scale(self.top.energy(start)).max(f64::MIN_POSITIVE.sqrt());
         lanes.load(lane, start, momentum_scale);
-        tangent.load(lane, &tangent_vector(self.top, start, momentum_scale));
+        let unit = momentum_unit(self.top, start);
+        tangent.load(lane, &tangent_vector(self.top, start, unit), unit);
     }
 }
 
@@ -228,19 +229,24 @@ impl WeightedRate {
     }
 }
 
-/// A vector of length 1 tangent to the surface of constant H, ⟨γ,γ⟩ and ⟨γ,l⟩, with l in units of `momentum_scale`.
+/// √(2 A_max (h + 2|r|)): the unit of δl. (Unlike the largest |l| it does not vanish where the top is at rest.)
+fn momentum_unit(top: &HeavyTop, state: &State) -> f64 {
+    top.momentum_scale(top.energy(state) + top.center_norm()).max(f64::MIN_POSITIVE.sqrt())
+}
+
+/// A vector of length 1 tangent to the surface of constant H, ⟨γ,γ⟩ and ⟨γ,l⟩, with l in units of `momentum_unit`.
 ///
 /// It is the projection of one fixed vector, chosen with no symmetry, so that it has a share of every direction.
-fn tangent_vector(top: &HeavyTop, state: &State, momentum_scale: f64) -> State {
+fn tangent_vector(top: &HeavyTop, state: &State, momentum_unit: f64) -> State {
     const DIRECTION: [f64; 6] = [0.57, -0.31, 0.43, 0.37, 0.29, -0.41];
     let State { gamma, l } = *state;
     let omega = top.angular_velocity(l);
     let r = top.center();
-    // The gradients in (γ, l/scale).
+    // The gradients in (γ, l/unit).
     let mut normals: [[f64; 6]; 3] = [[0.0; 6]; 3];
     for i in 0..3 {
         (normals[0][i], normals[1][i], normals[2][i]) = (gamma[i], l[i], -r[i]);
-        (normals[1][i + 3], normals[2][i + 3]) = (momentum_scale * gamma[i], momentum_scale * omega[i]);
+        (normals[1][i + 3], normals[2][i + 3]) = (momentum_unit * gamma[i], momentum_unit * omega[i]);
     }
     let mut vector = DIRECTION;
     for k in 0..3 {
@@ -258,7 +264,7 @@ fn tangent_vector(top: &HeavyTop, state: &State, momentum_scale: f64) -> State {
         vector = without(vector, normal);
     }
     let [a, b, c, d, e, f] = vector.map(|x| x / length(&vector));
-    State { gamma: [a, b, c], l: [d, e, f].map(|x| x * momentum_scale) }
+    State { gamma: [a, b, c], l: [d, e, f].map(|x| x * momentum_unit) }
 }
 
 /// v − n⟨n,v⟩.
@@ -296,5 +302,34 @@ mod tests {
             let energy = dot(top.angular_velocity(state.l), vector.l) - dot(top.center(), vector.gamma);
             assert!(energy.abs() < 1e-13 * scale * scale, "{energy:e}");
         }
+    }
+
+    #[test]
+    fn the_growth_is_that_of_a_difference_of_orbits() {
+        // (x(t; x₀ + εδ) − x(t; x₀ − εδ))/2ε → δ(t) with an error of ε² times the curvature of the flow.
+        let top = HeavyTop::from_f64([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]);
+        let start = State { gamma: [0.36, -0.48, -0.8], l: [0.9, -2.1, 1.7] };
+        let scale_of_l = momentum_unit(&top, &start);
+        let delta = tangent_vector(&top, &start, scale_of_l);
+        let found = lyapunov_exponents(&top, &[(start, 30.0)], &ChaosOptions::default(), &Monitor::default());
+        let found = found.unwrap()[0].unwrap();
+        let epsilon = 1e-6;
+        let end = |sign: f64| {
+            let moved = |x: [f64; 3], d: [f64; 3]| std::array::from_fn(|i| x[i] + sign * epsilon * d[i]);
+            let state = State { gamma: moved(start.gamma, delta.gamma), l: moved(start.l, delta.l) };
+            let mut stepper = Method::default().stepper(&top, &state).unwrap();
+            loop {
+                let step = stepper.step().unwrap();
+                if step.end().seconds() >= found.time {
+                    return step.state((found.time - step.start().seconds()) / step.length());
+                }
+            }
+        };
+        let (plus, minus) = (end(1.0), end(-1.0));
+        let squared = |x: [f64; 3], y: [f64; 3]| (0..3).map(|i| (x[i] - y[i]) * (x[i] - y[i])).sum::<f64>();
+        let size = squared(plus.gamma, minus.gamma) + squared(plus.l, minus.l) / (scale_of_l * scale_of_l);
+        let growth = size.sqrt() / (2.0 * epsilon);
+        assert!((libm::log(growth) - found.exponent * found.time).abs() < 1e-6, "{growth} {found:?}");
+        assert!(growth > 5.0);
     }
 }

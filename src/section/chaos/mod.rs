@@ -1,6 +1,7 @@
 //! How regular an orbit is: a finite-time Lyapunov exponent and a rotation number, each with its convergence.
 
 mod average;
+mod curve;
 mod lyapunov;
 mod plane;
 mod rotation;

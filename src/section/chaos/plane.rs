@@ -2,13 +2,13 @@
 
 use crate::section::sweep::SectionPoint;
 
-type Vector6 = [f64; 6];
+pub(super) type Vector6 = [f64; 6];
 
 /// Rounds of Jacobi's method; the convergence is quadratic after the first few.
 const ROUNDS: usize = 12;
 
-/// The coordinates of the crossings' (γ, l/|l|_max) along the two largest principal axes, about their mean.
-pub(super) fn principal_coordinates(points: &[&SectionPoint]) -> Vec<[f64; 2]> {
+/// The crossings' (γ, l/|l|_max) about their mean.
+pub(super) fn centred(points: &[&SectionPoint]) -> Vec<Vector6> {
     let largest = points.iter().flat_map(|point| point.l).fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
     let mut cloud: Vec<Vector6> = points
         .iter()
@@ -24,8 +24,13 @@ pub(super) fn principal_coordinates(points: &[&SectionPoint]) -> Vec<[f64; 2]> {
             x[axis] -= mean;
         }
     }
+    cloud
+}
+
+/// The coordinates of a centred cloud along its two largest principal axes.
+pub(super) fn principal_coordinates(cloud: &[Vector6]) -> Vec<[f64; 2]> {
     let mut covariance = [[0.0; 6]; 6];
-    for x in &cloud {
+    for x in cloud {
         for i in 0..6 {
             for j in 0..6 {
                 covariance[i][j] += x[i] * x[j];

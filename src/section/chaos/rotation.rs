@@ -3,7 +3,8 @@
 use thiserror::Error;
 
 use super::average::weighted_mean;
-use super::plane::principal_coordinates;
+use super::curve::rotation_along_curve;
+use super::plane::{centred, principal_coordinates};
 use crate::section::sweep::SectionPoint;
 
 /// Fewest returns from which a rotation number is computed.
@@ -37,7 +38,9 @@ pub enum RotationAngle {
     Axis,
     /// The angle about the mean of the crossings, in the plane of the two largest principal axes of their (γ, l).
     Mean,
-    /// Neither of them runs round a circle, but the crossings visit this many places in turn, in the same cyclic order
+    /// Neither of them runs round a circle, but the crossings follow a closed curve of some shape: its own parameter.
+    Curve,
+    /// There is no such curve, but the crossings visit this many places in turn, in the same cyclic order
     /// for ever: a chain of islands or a periodic orbit. The rotation number is that of the chain, p over this number,
     /// exactly.
     Islands(u32),
@@ -52,9 +55,9 @@ pub enum RotationUndefined {
         /// Returns to the incoming half.
         returns: usize,
     },
-    /// The return map does not keep the cyclic order of the crossings: they do not encircle the centre once (a curve
-    /// seen from outside, several curves), or do not lie on a curve (chaos).
-    #[error("the crossings do not turn round a circle in order")]
+    /// The return map does not keep the cyclic order of the crossings: they lie on several curves that are not
+    /// visited in turn, or on no curve (chaos).
+    #[error("the crossings do not follow a closed curve in order")]
     NoCircle,
 }
 
@@ -69,7 +72,8 @@ pub fn rotation_number(points: &[SectionPoint]) -> Result<Rotation, RotationUnde
         return Err(RotationUndefined::TooFewReturns { returns });
     }
     let axis: Vec<f64> = incoming.iter().map(|point| point.psi / std::f64::consts::TAU).collect();
-    let mean: Vec<f64> = principal_coordinates(&incoming).into_iter().map(turns).collect();
+    let cloud = centred(&incoming);
+    let mean: Vec<f64> = principal_coordinates(&cloud).into_iter().map(turns).collect();
     let candidates = [(RotationAngle::Axis, axis), (RotationAngle::Mean, mean)];
     for (angle, turns) in &candidates {
         if keeps_cyclic_order(turns) {
@@ -78,6 +82,9 @@ pub fn rotation_number(points: &[SectionPoint]) -> Result<Rotation, RotationUnde
             let error = (weighted_mean(first) - weighted_mean(second)).abs();
             return Ok(Rotation { number: folded(weighted_mean(&advances)), error, angle: *angle, returns });
         }
+    }
+    if let Some((number, error)) = rotation_along_curve(&cloud) {
+        return Ok(Rotation { number: folded(number), error, angle: RotationAngle::Curve, returns });
     }
     let chain = candidates.iter().find_map(|(_, turns)| island_chain(turns));
     let (steps, islands) = chain.ok_or(RotationUndefined::NoCircle)?;
@@ -161,7 +168,7 @@ mod tests {
 
     #[test]
     fn a_circle_map_keeps_its_order_and_its_number() {
-        for rho in [0.018_4, 0.381_966_011_25, 0.71, 0.993] {
+        for rho in [0.018_4, 0.381_966_011_25, 0.710_678_118, 0.973_1] {
             let turns = distorted(rho, 500);
             assert!(keeps_cyclic_order(&turns), "{rho}");
             let advances: Vec<f64> = turns.windows(2).map(|pair| advance(pair[0], pair[1])).collect();
