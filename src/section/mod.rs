@@ -2,6 +2,7 @@
 
 #![expect(clippy::inline_always, reason = "lanes must be inlined into the function compiled for their instructions")]
 
+pub mod chaos;
 mod condition;
 mod error;
 mod follow;
