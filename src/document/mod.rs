@@ -21,8 +21,9 @@ pub use inertia::{InertiaDocument, UnitsDocument};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 pub use section::{
-    ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, OrbitDocument, SectionDocument,
-    SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument,
+    ChaosDocument, ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, LyapunovDocument,
+    OrbitDocument, RotationAngleName, RotationDocument, SectionDocument, SectionSummaryDocument, SectionsDocument,
+    SkippedDocument, StartsDocument,
 };
 
 /// Version of every document in this module.

@@ -80,6 +80,63 @@ pub enum EndName {
     Interrupted,
 }
 
+/// The largest Lyapunov exponent of an orbit over a finite time T, per unit of time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LyapunovDocument {
+    /// λ(T) = ln(|δ(T)|/|δ(0)|)/T; of regular orbits it falls like ln(T)/T.
+    pub exponent: f64,
+    /// λ(T/2): what it still changes.
+    pub exponent_half: f64,
+    /// The weighted mean of d ln|δ|/dt, which converges faster for regular orbits.
+    pub mean_rate: f64,
+    /// The same over [0, T/2].
+    pub mean_rate_half: f64,
+    /// T.
+    pub time: f64,
+}
+
+/// The rotation number of an orbit's return map.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RotationDocument {
+    /// Turns per return, in [0, 1/2].
+    pub number: f64,
+    /// How far the two halves of the returns disagree; 0 for a chain of islands.
+    pub error: f64,
+    /// The angle that was averaged: ψ′, the angle about the mean, the curve's own parameter, or none for islands.
+    pub angle: RotationAngleName,
+    /// Length of the chain of islands (or of the periodic orbit).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub islands: Option<u32>,
+    /// Number of returns.
+    pub returns: usize,
+}
+
+/// Which angle turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RotationAngleName {
+    /// ψ′, about the axis r̂.
+    Axis,
+    /// The angle about the mean of the crossings.
+    Mean,
+    /// The parameter of the curve that the crossings follow.
+    Curve,
+    /// None: the crossings visit islands in turn.
+    Islands,
+}
+
+/// How regular an orbit is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ChaosDocument {
+    /// Null for an orbit of no duration or one that was not finished.
+    pub lyapunov: Option<LyapunovDocument>,
+    /// Null if there is none.
+    pub rotation: Option<RotationDocument>,
+    /// Why there is no rotation number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub no_rotation: Option<String>,
+}
+
 /// One orbit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct OrbitDocument {
@@ -110,6 +167,9 @@ pub struct OrbitDocument {
     pub drift: DriftDocument,
     /// The largest |S| at a crossing.
     pub residual: f64,
+    /// How regular it is, if that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub chaos: Option<ChaosDocument>,
 }
 
 /// Totals.

@@ -2,6 +2,7 @@
 //! start, how did they go.
 
 mod error;
+mod regularity;
 mod report;
 mod starts;
 

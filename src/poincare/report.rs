@@ -145,6 +145,7 @@ impl OrbitDocument {
             tangencies: report.tangencies,
             drift: report.drift.into(),
             residual: report.residual,
+            chaos: None,
         }
     }
 }

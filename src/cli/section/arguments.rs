@@ -4,6 +4,7 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::PathBuf;
 
 use bifdiag::body::Number;
+use bifdiag::plot::Projection;
 use bifdiag::section::SectionCondition;
 use clap::{Args, ValueEnum};
 
@@ -18,7 +19,8 @@ Examples:
   bifdiag section --body paper --h 4.45 --l 3.25 --orbits 64 --crossings 2000 --data chaos.npz
   bifdiag section --body kovalevskaya --h 3.4 --l 2.87 --json --no-plot | jq .summary
   bifdiag section --body paper --h 2.6 --l 3.25 --integrator splitting --step 0.01 --data casimirs.csv
-  bifdiag section --body paper --h 2.6 --l 3.25 --condition angular-momentum
+  bifdiag section --body paper --h 2.6 --l 3.25 --condition angular-momentum --projection sphere
+  bifdiag section --body paper --h 4.45 --l 3.25 --color lyapunov --format png
   bifdiag section --atlas bifdiag-out/atlas.json --region R4
 
 --seeds FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line; --data writes for each
@@ -41,6 +43,38 @@ impl From<ConditionArgument> for SectionCondition {
             ConditionArgument::AngularMomentum => Self::AngularMomentum,
         }
     }
+}
+
+/// On what the picture shows the section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ProjectionArgument {
+    /// T- and T+, the halves of the PP-torus: one to one
+    Torus,
+    /// S- and S+, two copies of the Poisson sphere
+    Sphere,
+    /// The sphere above the torus
+    Both,
+}
+
+impl From<ProjectionArgument> for Projection {
+    fn from(argument: ProjectionArgument) -> Self {
+        match argument {
+            ProjectionArgument::Torus => Self::Torus,
+            ProjectionArgument::Sphere => Self::Sphere,
+            ProjectionArgument::Both => Self::Both,
+        }
+    }
+}
+
+/// What the colour of a point tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ColorArgument {
+    /// Its orbit
+    Orbit,
+    /// The Lyapunov exponent of its orbit
+    Lyapunov,
+    /// The rotation number of its orbit
+    Rotation,
 }
 
 /// `bifdiag section`.
@@ -88,9 +122,15 @@ pub struct SectionArguments {
     /// Write the points to FILE.npz, FILE.csv or FILE.jsonl (-: CSV to stdout); with several regions, a file for each
     #[arg(long, value_name = "FILE", value_parser = values::data_target, help_heading = "Output")]
     pub data: Option<DataTarget>,
-    /// Write picture and points to DIR (default: bifdiag-out; with --json or --data: nowhere)
+    /// Write picture, points and summary to DIR (default: bifdiag-out; with --json or --data -: nowhere)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
+    /// Where the picture shows the section
+    #[arg(long, value_enum, default_value = "torus", help_heading = "Output")]
+    pub projection: ProjectionArgument,
+    /// What the colours tell; lyapunov and rotation are computed for each orbit and go into the data, too
+    #[arg(long, value_enum, default_value = "orbit", help_heading = "Output")]
+    pub color: ColorArgument,
     /// Formats of the picture
     #[arg(long, value_enum, value_delimiter = ',', default_value = "svg", help_heading = "Output")]
     pub format: Vec<Format>,

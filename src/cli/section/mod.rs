@@ -3,6 +3,7 @@
 mod arguments;
 mod error;
 mod outputs;
+mod picture;
 mod progress;
 mod report;
 mod seeds;
@@ -16,12 +17,15 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use bifdiag::document::SkippedDocument;
+use bifdiag::integrator::Method;
 use bifdiag::poincare::{PoincareError, PoincareSection, Setting};
+use bifdiag::section::chaos::ChaosOptions;
 use bifdiag::section::{Monitor, SectionError, SweepOptions, TorusPoint};
 
 use super::failure::Failure;
 use super::interrupt;
 use super::timings::Timings;
+use arguments::ColorArgument;
 use error::SeedProblem;
 use outputs::Outputs;
 use seeds::Seed;
@@ -126,6 +130,13 @@ fn section_at(
         ..SweepOptions::default()
     };
     let mut section = setting.run(&starts, rng_seed, &options, monitor)?;
+    if arguments.color != ColorArgument::Orbit {
+        let mut chaos = ChaosOptions::default();
+        if let Method::Taylor { tolerance } = options.method {
+            chaos.tolerance = tolerance;
+        }
+        setting.measure(&mut section, &chaos, monitor).map_err(PoincareError::from)?;
+    }
     section.document.region.clone_from(&site.region);
     section.document.inertia.clone_from(&sites.subject.inertia);
     Ok(section)

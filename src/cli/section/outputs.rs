@@ -8,7 +8,8 @@ use bifdiag::poincare::PoincareSection;
 use super::arguments::SectionArguments;
 use super::error::SectionInputError;
 use super::sites::Sites;
-use super::{Sections, report, table};
+use super::{Sections, picture, report, table};
+use crate::cli::atlas::add_picture;
 use crate::cli::data::{DataFormat, DataTarget};
 use crate::cli::failure::{Failure, InputError};
 use crate::cli::files::FileSet;
@@ -37,7 +38,8 @@ impl<'a> Outputs<'a> {
         let directory = match &arguments.out {
             Some(directory) if directory == Path::new("-") => return Err(InputError::OutIsStdout),
             Some(directory) => Some(directory.as_path()),
-            None if arguments.json || arguments.data.is_some() => None,
+            None if arguments.json || arguments.data == Some(DataTarget::Stdout) => None,
+            None if arguments.data.is_some() && arguments.no_plot => None,
             None => Some(Path::new(DEFAULT_DIRECTORY)),
         };
         Ok(Self { arguments, directory })
@@ -65,6 +67,11 @@ impl<'a> Outputs<'a> {
                 files.add(format!("{stem}.json"), layout::text(document)?);
                 if self.arguments.data.is_none() {
                     files.add(format!("{stem}.npz"), bytes(section, DataFormat::Npz)?);
+                }
+                if !self.arguments.no_plot {
+                    let picture =
+                        timings.stage("picture", || picture::draw(self.arguments, &sites.subject, section))?;
+                    add_picture(&mut files, &stem, &picture, &self.arguments.format, timings)?;
                 }
             }
         }

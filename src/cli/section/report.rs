@@ -1,7 +1,8 @@
 //! What the terminal shows of a section.
 
-use bifdiag::document::{EndName, SectionDocument};
+use bifdiag::document::{ChaosDocument, EndName, SectionDocument};
 
+use super::table as data;
 use crate::cli::report::Report;
 use crate::cli::table::{Table, significant};
 
@@ -18,10 +19,15 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
     report.line(format!("U = {}", names(&|component| component.accessible_region.clone())));
     report.line(format!("P = {}", names(&|component| component.section.clone().unwrap_or_default())));
     report.line("");
-    let mut table = Table::new(&["orbit", "component", "theta", "psi", "sheet", "crossings", "end", "time", "drift"]);
+    let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
+    let mut heading = vec!["orbit", "component", "theta", "psi", "sheet", "crossings", "end", "time", "drift"];
+    if measured {
+        heading.extend(["Lyapunov", "rotation"]);
+    }
+    let mut table = Table::new(&heading);
     for orbit in document.orbits.iter().take(LISTED) {
         let drift = orbit.drift.h.max(orbit.drift.l).max(orbit.drift.gamma);
-        table.row([
+        let mut row = vec![
             orbit.orbit.to_string(),
             orbit.component.map_or_else(|| "?".to_owned(), |component| component.to_string()),
             format!("{:.5}", orbit.theta),
@@ -31,7 +37,14 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
             end_name(orbit.end).to_owned(),
             significant(orbit.time, 6),
             significant(drift, 2),
-        ]);
+        ];
+        if measured {
+            let cell = |value: fn(&ChaosDocument) -> Option<f64>| {
+                orbit.chaos.as_ref().and_then(value).map_or_else(|| "-".to_owned(), |value| significant(value, 4))
+            };
+            row.extend([cell(data::lyapunov), cell(data::rotation)]);
+        }
+        table.row(row);
     }
     report.line(table.text());
     if document.orbits.len() > LISTED {
