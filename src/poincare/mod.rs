@@ -126,7 +126,8 @@ impl Setting {
             states.push(self.state(*start)?);
         }
         let orbits = sweep(&self.torus, &states, options, monitor)?;
-        let components = self.components_of(&states);
+        let gammas: Vec<[f64; 3]> = states.iter().map(|state| state.gamma).collect();
+        let components = self.components_at(&gammas);
         let documents = orbits.iter().map(|orbit| {
             let number = orbit.orbit as usize;
             OrbitDocument::new(orbit, starts[number], components[number])
@@ -136,14 +137,16 @@ impl Setting {
         Ok(PoincareSection { document, orbits })
     }
 
-    /// The number of the component in which each state lies.
-    fn components_of(&self, states: &[State]) -> Vec<Option<usize>> {
+    /// The number of the component in which each accessible γ (in the body's axes) lies; None where that could not be
+    /// proved.
+    #[must_use]
+    pub fn components_at(&self, gammas: &[[f64; 3]]) -> Vec<Option<usize>> {
         if self.component_count() == 1 {
-            return vec![Some(0); states.len()];
+            return vec![Some(0); gammas.len()];
         }
         match self.region.partition() {
-            Ok(Some(partition)) => states.iter().map(|state| component_of(&partition, state.gamma)).collect(),
-            _ => vec![None; states.len()],
+            Ok(Some(partition)) => gammas.iter().map(|gamma| component_of(&partition, *gamma)).collect(),
+            _ => vec![None; gammas.len()],
         }
     }
 

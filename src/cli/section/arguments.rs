@@ -18,8 +18,8 @@ Examples:
   bifdiag section --A 2,1.1,1 --r 0.94868,0,0.61623 --h 4.45 --l 3.25
   bifdiag section --body paper --h 4.45 --l 3.25 --orbits 64 --crossings 2000 --data chaos.npz
   bifdiag section --body kovalevskaya --h 3.4 --l 2.87 --json --no-plot | jq .summary
-  bifdiag section --body paper --h 2.6 --l 3.25 --integrator splitting --step 0.01 --data casimirs.csv
-  bifdiag section --body paper --h 2.6 --l 3.25 --condition angular-momentum --projection sphere
+  bifdiag section --body paper --h 2.6 --l 3.25 --integrator splitting --step 0.01 --json
+  bifdiag section --body paper --h 5.3 --l 3.25 --condition angular-momentum --projection sphere
   bifdiag section --body paper --h 4.45 --l 3.25 --color lyapunov --format png
   bifdiag section --atlas bifdiag-out/atlas.json --region R4
 
