@@ -43,7 +43,7 @@ pub enum RotationAngle {
     /// There is no such curve, but the crossings visit this many places in turn, in the same cyclic order
     /// for ever: a chain of islands or a periodic orbit. The rotation number is that of the chain, p over this number,
     /// exactly.
-    Islands(u32),
+    Islands(usize),
 }
 
 /// Why an orbit has no rotation number.
@@ -88,7 +88,7 @@ pub fn rotation_number(points: &[SectionPoint]) -> Result<Rotation, RotationUnde
     }
     let chain = candidates.iter().find_map(|(_, turns)| island_chain(turns));
     let (steps, islands) = chain.ok_or(RotationUndefined::NoCircle)?;
-    let (number, angle) = (folded(steps as f64 / islands as f64), RotationAngle::Islands(islands as u32));
+    let (number, angle) = (folded(steps as f64 / islands as f64), RotationAngle::Islands(islands));
     Ok(Rotation { number, error: 0.0, angle, returns })
 }
 
