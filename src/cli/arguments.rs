@@ -23,6 +23,8 @@ Examples:
   bifdiag --body paper --json | jq .summary
   bifdiag classify --body paper --h 3.8 --l 3.25   the type of U, E and P at one point
   bifdiag critical --body paper --l 3.25           all relative equilibria at one l
+  bifdiag section --body paper --h 4.45 --l 3.25   a Poincaré section: regular or chaotic
+  bifdiag orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1   the motion in space
   bifdiag bodies                                   the named bodies
 
 Numbers are decimals, decimals with exponent or rationals (1.1, 11e-1, 11/10) and are read exactly.
@@ -141,7 +143,7 @@ pub enum Command {
 /// Options of every command.
 #[derive(Debug, Args)]
 pub struct CommonArguments {
-    /// Use N threads (batches only; default: one for each core)
+    /// Use N threads for batches and sections (default: one for each core)
     #[arg(long, value_name = "N", global = true, allow_hyphen_values = true, value_parser = values::threads)]
     #[arg(help_heading = "General")]
     pub threads: Option<NonZeroUsize>,

@@ -106,7 +106,7 @@ pub struct RotationDocument {
     pub angle: RotationAngleName,
     /// Length of the chain of islands (or of the periodic orbit).
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub islands: Option<u32>,
+    pub islands: Option<usize>,
     /// Number of returns.
     pub returns: usize,
 }
