@@ -165,9 +165,12 @@ pub fn vector(text: &str) -> Result<Vector, ValueError> {
     Ok(Vector(numbers.map(|number| number.to_f64())))
 }
 
-/// A vector brought to length 1.
+/// A vector brought to length 1; one of this length, within rounding, stays as it is.
 pub fn direction(text: &str) -> Result<Vector, ValueError> {
     let Vector(v) = vector(text)?;
+    if (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - 1.0).abs() <= 2.0 * f64::EPSILON {
+        return Ok(Vector(v));
+    }
     let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     if largest == 0.0 {
         return Err(ValueError::NoDirection);

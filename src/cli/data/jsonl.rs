@@ -13,7 +13,7 @@ pub fn text(table: &DataTable) -> String {
             }
             let entries: Vec<String> = (0..column.values.width()).map(|k| number(column.values.text(row, k))).collect();
             let value = if entries.len() == 1 { entries.concat() } else { format!("[{}]", entries.join(", ")) };
-            out.push_str(&format!("\"{}\": {value}", column.name));
+            out.extend(["\"", column.name, "\": ", &value]);
         }
         out.push_str("}\n");
     }
