@@ -10,6 +10,7 @@ use bifdiag::body::InertiaError;
 use bifdiag::classify::ClassifyError;
 use bifdiag::critical::CriticalError;
 use bifdiag::plot::PlotError;
+use bifdiag::section::SectionError;
 use thiserror::Error;
 
 use super::files::FilesError;
@@ -70,6 +71,8 @@ pub enum Failure {
     Classify(#[source] ClassifyError),
     #[error("the relative equilibria could not be found")]
     Critical(#[from] CriticalError),
+    #[error("the sections of a figure could not be computed")]
+    FigureSection(#[from] SectionError),
     #[error("the picture could not be drawn")]
     Plot(#[from] PlotError),
     #[error("the answer could not be written as JSON")]
