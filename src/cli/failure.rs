@@ -13,6 +13,7 @@ use bifdiag::integrator::{MethodError, StepError};
 use bifdiag::motion::MotionError;
 use bifdiag::plot::PlotError;
 use bifdiag::poincare::PoincareError;
+use bifdiag::section::SectionError;
 use thiserror::Error;
 
 use super::files::FilesError;
@@ -83,6 +84,8 @@ pub enum Failure {
     Classify(#[source] ClassifyError),
     #[error("the relative equilibria could not be found")]
     Critical(#[from] CriticalError),
+    #[error("the sections of a figure could not be computed")]
+    FigureSection(#[from] SectionError),
     #[error("the picture could not be drawn")]
     Plot(#[from] PlotError),
     #[error("the answer could not be written as JSON")]

@@ -23,6 +23,7 @@ mod palette;
 mod panel;
 mod picture;
 mod scene;
+mod schematic;
 mod section;
 mod stroke;
 mod ticks;
@@ -31,6 +32,7 @@ mod window;
 
 pub use diagram::draw;
 pub use picture::Picture;
+pub use schematic::{Scheme, draw_scheme};
 pub use section::{OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows};
 pub use trace::CurveSource;
 

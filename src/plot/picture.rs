@@ -59,7 +59,7 @@ impl Picture {
         #[expect(clippy::cast_possible_truncation, reason = "a scale needs no more digits")]
         let transform = Transform::from_scale(scale as f32, scale as f32);
         resvg::render(&tree, transform, &mut pixels.as_mut());
-        pixels.encode_png().map_err(|error| PlotError::Png(Box::new(error)))
+        encoded(&pixels).map_err(|error| PlotError::Png(Box::new(error)))
     }
 
     /// The picture as a PDF of one page, text as text.
@@ -85,4 +85,18 @@ impl Picture {
         let options = Options { fontdb: font::database(), font_family: font::FAMILY.to_owned(), ..Options::default() };
         Ok(Tree::from_str(&self.svg, &options)?)
     }
+}
+
+/// The pixels as PNG. A page is opaque, so that there is no alpha to be stored.
+fn encoded(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+    let colors: Vec<u8> = pixels.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&colors)?;
+    writer.finish()?;
+    Ok(bytes)
 }

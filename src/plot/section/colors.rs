@@ -139,12 +139,10 @@ impl Bar {
 }
 
 fn paint_scale(canvas: &Canvas<'_>, rect: &Rect) -> Result<(), PlotError> {
-    let height = rect.height / LEVELS as f64;
     for level in 0..LEVELS {
-        let y = rect.y + rect.height - (level + 1) as f64 * height;
-        // A little beyond its end, so that no seam shows.
-        let stripe = Rect { x: rect.x, y, width: rect.width, height: height + if level > 0 { 0.3 } else { 0.0 } };
-        canvas.polygon(&stripe.corners(), level_color(level))?;
+        // Each reaches to the upper end, and the next lies over it, so that no seam shows.
+        let height = rect.height * (1.0 - level as f64 / LEVELS as f64);
+        canvas.polygon(&Rect { height, ..*rect }.corners(), level_color(level))?;
     }
     Ok(())
 }

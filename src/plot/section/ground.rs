@@ -1,8 +1,8 @@
 //! What a portrait says: the shaded areas, ∂U, the line of tangency and the poles.
 
 use super::super::PlotError;
-use super::super::canvas::{Ink, Page, UNITS};
-use super::super::palette::INK;
+use super::super::canvas::{Canvas, Ink, Page, Point, UNITS};
+use super::super::palette::{INK, PAPER};
 use super::layout::SheetPanel;
 use super::path::Path;
 use crate::section::{Area, Chart, Portrait};
@@ -83,13 +83,16 @@ pub(super) fn outline(page: &mut Page, portrait: &Portrait, panel: &SheetPanel) 
             for sign in poles {
                 let gamma = r_hat.map(|x| f64::from(sign) * x);
                 let at = panel.position(portrait.position(Chart::Sphere, gamma));
-                canvas.disc(at, 4.0, super::super::palette::PAPER)?;
-                canvas.circle(at, 4.0, Ink { color: INK, width: 1.0 })?;
-                if sign > 0 {
-                    canvas.disc(at, 1.2, INK)?;
-                }
+                pole_marker(canvas, sign, at)?;
             }
             Ok(())
         }),
     }
+}
+
+/// The mark of +r̂ (`sign` > 0) or −r̂ on a sphere.
+pub(super) fn pole_marker(canvas: &Canvas<'_>, sign: i8, at: Point) -> Result<(), PlotError> {
+    canvas.disc(at, 4.0, PAPER)?;
+    canvas.circle(at, 4.0, Ink { color: INK, width: 1.0 })?;
+    if sign > 0 { canvas.disc(at, 1.2, INK) } else { Ok(()) }
 }

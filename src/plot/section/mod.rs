@@ -14,7 +14,7 @@ mod raster;
 
 use super::canvas::{Anchor, Page};
 use super::palette::INK;
-use super::{Picture, PlotError};
+use super::{Picture, PlotError, font};
 use crate::section::{OrbitSection, Portrait, SectionCondition};
 use colors::Coloring;
 use layout::Layout;
@@ -100,9 +100,10 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
             return Err(PlotError::Values { label, values: values.values.len(), orbits });
         }
     }
+    font::register()?;
     let coloring = Coloring::new(scenes);
     let layout = Layout::new(scenes, options.projection, coloring.bar().is_some());
-    let legend = Legend::new(scenes, layout.width());
+    let legend = Legend::new(scenes, options.projection, layout.width());
     let title = options.title.clone().unwrap_or_else(|| body_line(scenes[0].portrait));
     let mut page = Page::new([layout.width(), (layout.bottom() + legend.height()).ceil()]);
     page.element("<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>");
