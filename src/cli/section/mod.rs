@@ -44,6 +44,9 @@ pub struct Sections {
 
 pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let sites = Sites::new(arguments)?;
+    if sites.subject.body.flags().euler {
+        return Err(PoincareError::WeightlessBody.into());
+    }
     let outputs = Outputs::new(arguments, sites.list.len())?;
     let seeds = load_seeds(arguments)?;
     let monitor = Arc::new(Monitor::default());
