@@ -203,6 +203,12 @@ fn an_atlas_gives_body_and_samples() {
 }
 
 #[test]
+fn an_atlas_without_weight_has_no_sections() {
+    let atlas = bifdiag("--body euler --json").succeeds().stdout();
+    bifdiag("section --atlas - --json").reading(atlas).refused().telling("r = 0").printing_nothing();
+}
+
+#[test]
 fn a_regular_precession_is_recognised() {
     let place = tempfile::tempdir().unwrap();
     // Lagrange's top A = (1, 1, 0.6), r = e3, with cos ϑ = 0.8, l3 = 1: Ω = (1 + √4.2)/1.6, h and l to the last digit.

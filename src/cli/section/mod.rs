@@ -44,6 +44,9 @@ pub struct Sections {
 
 pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let sites = Sites::new(arguments)?;
+    if sites.subject.body.flags().euler {
+        return Err(PoincareError::WeightlessBody.into());
+    }
     let outputs = Outputs::new(arguments, sites.list.len())?;
     let seeds = load_seeds(arguments)?;
     let monitor = Arc::new(Monitor::default());
@@ -51,7 +54,7 @@ pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Resu
     let work = interrupt::stoppable(move || stop.stop.store(true, Ordering::Relaxed));
     let orbits = seeds.as_ref().map_or(orbit_count(arguments), Vec::len);
     let expected = (sites.list.len() * orbits) as u64 * arguments.crossings.get() as u64;
-    let sections = progress::shown(&monitor, expected, "", quiet, || {
+    let sections = progress::shown(&monitor, expected, quiet, || {
         timings.stage("orbits", || compute(arguments, &sites, seeds.as_deref(), &monitor))
     })?;
     outputs.write(&sites, &sections, timings)?;

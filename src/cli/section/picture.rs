@@ -1,6 +1,6 @@
 //! The picture of a section.
 
-use bifdiag::document::SectionDocument;
+use bifdiag::document::{ConditionName, SectionDocument};
 use bifdiag::plot::{OrbitValues, Picture, SectionOptions, SectionScene, draw_section};
 use bifdiag::poincare::{PoincareError, PoincareSection};
 use bifdiag::section::{Portrait, PortraitOptions};
@@ -32,7 +32,9 @@ pub fn draw(arguments: &SectionArguments, subject: &Subject, section: &PoincareS
 
 /// What stands beside (h, l): the region, the type, and whether orbits are missing.
 fn caption(document: &SectionDocument) -> String {
-    let signature = document.signature.as_ref().map(|signature| signature.replace('+', " + "));
+    // The type is that of the paper's section.
+    let own = document.condition == ConditionName::Height;
+    let signature = document.signature.as_ref().filter(|_| own).map(|signature| signature.replace('+', " + "));
     let parts = [document.region.clone(), signature, (!document.complete).then(|| "incomplete".to_owned())];
     parts.into_iter().flatten().collect::<Vec<_>>().join(",  ")
 }

@@ -1,29 +1,29 @@
 //! A progress bar with rate while orbits are followed.
 
+use std::fmt::Write;
 use std::io::{self, IsTerminal};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use bifdiag::section::Monitor;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 /// Runs shorter than this are over before a bar could be read.
 const SHOWN_AFTER: Duration = Duration::from_secs(1);
 /// Time between two looks at the monitor.
 const PERIOD: Duration = Duration::from_millis(100);
 
-const TEMPLATE: &str = "{prefix}{bar:40} {percent}% {human_pos} crossings, {per_sec}, {eta} left";
+const TEMPLATE: &str = "{bar:40} {percent}% {human_pos} crossings, {rate}/s, {eta} left";
 
 /// Does the work while a bar on stderr, if that is a terminal, shows what the monitor counts.
-pub fn shown<T>(monitor: &Monitor, expected: u64, label: &str, quiet: bool, work: impl FnOnce() -> T) -> T {
+pub fn shown<T>(monitor: &Monitor, expected: u64, quiet: bool, work: impl FnOnce() -> T) -> T {
     if quiet || !io::stderr().is_terminal() {
         return work();
     }
     let bar = ProgressBar::with_draw_target(Some(expected), ProgressDrawTarget::hidden());
     if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
-        bar.set_style(style);
+        bar.set_style(style.with_key("rate", rate));
     }
-    bar.set_prefix(label.to_owned());
     let over = AtomicBool::new(false);
     let result = std::thread::scope(|scope| {
         let watcher = scope.spawn(|| {
@@ -42,4 +42,9 @@ pub fn shown<T>(monitor: &Monitor, expected: u64, label: &str, quiet: bool, work
     });
     bar.finish_and_clear();
     result
+}
+
+/// Crossings a second.
+fn rate(state: &ProgressState, out: &mut dyn Write) {
+    let _never_fails = write!(out, "{:.0}", state.per_sec());
 }

@@ -1,6 +1,6 @@
 //! What the terminal shows of a section.
 
-use bifdiag::document::{ChaosDocument, EndName, SectionDocument};
+use bifdiag::document::{ChaosDocument, ConditionName, EndName, SectionDocument};
 
 use super::table as data;
 use crate::cli::report::Report;
@@ -17,6 +17,9 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
         document.components.iter().map(name).collect::<Vec<_>>().join(" + ")
     };
     report.line(format!("U = {}", names(&|component| component.accessible_region.clone())));
+    if document.condition == ConditionName::AngularMomentum {
+        report.line("section S = <l, gamma x r> = 0");
+    }
     report.line(format!("P = {}", names(&|component| component.section.clone().unwrap_or_default())));
     report.line("");
     let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
