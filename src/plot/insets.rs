@@ -22,10 +22,15 @@ const LEAP: f64 = 40.0;
 const STEPS_MAX: usize = 3;
 /// Windows narrower than this, relative to their position, are beyond f64.
 const RESOLUTION: f64 = 1e-12;
+/// Regions narrower than this share of the energies in view are not looked for: curves that resolve them over the whole
+/// view would have too many points.
+const NARROWEST: f64 = 2e-9;
 /// Free space around a region, as a share of its extent.
 const AROUND: f64 = 0.16;
 /// Each trial window reaches this share as far from the region's widest place as the one before.
 const SHRINK: f64 = 0.9;
+/// Where a region shows less than this, the next trial window may be much smaller.
+const FAR_FROM_VISIBLE: f64 = 0.3 * WIDE;
 /// Pixels of a trial, in those of the panel.
 const COARSE: f64 = 2.0;
 /// Places at which the extent of a cell is measured.
@@ -126,6 +131,9 @@ fn own_windows(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -
     let visible = main.view.window;
     let document = &scene.atlas.regions[region];
     let width = document.h_width.unwrap_or(f64::INFINITY).min(main.view.h_per_pixel());
+    if width < NARROWEST * (visible.h[1] - visible.h[0]) {
+        return Ok(Found::TooSmall);
+    }
     let Some(stations) = stations(scene, &visible, region, width * 1e-3)? else { return Ok(Found::Outside) };
     let extent = |station: &Station| station.h[1] - station.h[0];
     let Some(widest) = stations.iter().max_by(|a, b| extent(a).total_cmp(&extent(b))) else {
@@ -165,7 +173,7 @@ fn own_windows(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -
         if depth >= CLOSE {
             break;
         }
-        reach *= SHRINK;
+        reach *= if depth < FAR_FROM_VISIBLE { 0.5 } else { SHRINK };
     }
     Ok(match best.filter(|best| best.depths[0] >= LEGIBLE) {
         Some(closest) => Found::Windows { wide: wide.unwrap_or(closest.window), closest },

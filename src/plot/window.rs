@@ -59,7 +59,8 @@ fn automatic(scene: &Scene<'_>, limit: f64) -> Result<WindowDocument, PlotError>
     // Coarse values are enough to choose a window.
     let coarse = scale(scene, &events) * 1e-3;
     let l_top = if last_event > 0.0 {
-        last_event.max(start_of_positive_energies(scene, last_point, coarse)?) * (1.0 + BEYOND_EVENTS)
+        last_event.max(start_of_positive_energies(scene, last_point.min(FAR * last_event), coarse)?)
+            * (1.0 + BEYOND_EVENTS)
     } else {
         last_point
     };
