@@ -98,16 +98,16 @@ impl Arrangement {
         let order = |p: usize, q: usize, range: [f64; 2]| transitive::proved(&pairs, p, q, range);
         let mut events = event::collect(&set, &pairs);
         event::settle(&mut events, order);
-        undecided.extend(simultaneous(&events, order));
-        let orders = vertical_orders(&set, &events, &pairs);
-        let changes: Vec<Change> = events.iter().map(|event| event.change).collect();
-        let (slabs, faces) = match Faces::glue(&orders, &changes) {
+        let orders = |events: &[Event]| vertical_orders(&set, events, &pairs);
+        let (orders, glued) = event::settle_by_gluing(&mut events, orders);
+        let (slabs, faces) = match glued {
             Ok(faces) => (slabs(orders, &events, &faces), faces.count),
             Err(InconsistentOrder { event }) => {
                 undecided.push(Undecided::Order { event });
                 (Vec::new(), 0)
             }
         };
+        undecided.extend(simultaneous(&events, order));
         Self { set, events, slabs, faces, undecided, evaluations }
     }
 }
@@ -155,12 +155,12 @@ fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[(usize, usize, 
             let mut ranked: Vec<(usize, usize)> = active
                 .iter()
                 .map(|&c| {
-                    let below = active.iter().filter(|&&other| {
+                    let below = active.iter().filter(|&&other| other != c).filter(|&&other| {
                         let key = c.min(other) * n + c.max(other);
                         let passed = crossings[key].iter().filter(|&&event| event < slab).count();
                         let initial = order_of[key].map_or_else(|| touching_sign(set, c, other), PairOrder::initial);
                         let sign = if passed.is_multiple_of(2) { initial } else { -initial };
-                        if other < c { sign < 0 } else { other > c && sign > 0 }
+                        if other < c { sign < 0 } else { sign > 0 }
                     });
                     (below.count(), c)
                 })

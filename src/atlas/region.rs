@@ -92,7 +92,10 @@ fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize
         .map(|(slab, position, row)| candidate(arrangement, slab, position, row))
         .collect();
     candidates.sort_by(|p, q| q.quality.total_cmp(&p.quality));
-    let best = candidates[0];
+    let Some(&best) = candidates.first() else {
+        // A face that only lives between events at the same x has no inside that f64 can name.
+        return Region { sample: corner(arrangement, cells[0]), cells, components: Err(MergeError::UnknownOrder) };
+    };
     let mut components = Err(MergeError::LostPath);
     for candidate in candidates.iter().take(ATTEMPTS) {
         components = topology(arrangement, candidate);
@@ -101,6 +104,14 @@ fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize
         }
     }
     Region { cells, sample: best.sample, components }
+}
+
+/// The lower left corner of a cell, with no margin.
+fn corner(arrangement: &Arrangement, (slab, position): (usize, usize)) -> Sample {
+    let strip = &arrangement.slabs[slab];
+    let curve = strip.order[position];
+    let point = arrangement.set.curves[curve].point(&arrangement.set.frame, strip.x[0]);
+    Sample { x: point.x, h: point.h(), margin: 0.0, error: point.h_error(), nearest: curve }
 }
 
 fn candidate<'a>(arrangement: &Arrangement, slab: usize, position: usize, row: &'a Row) -> Candidate<'a> {
@@ -164,6 +175,18 @@ pub(crate) fn components_below<'a>(
     x: f64,
     below: impl ExactSizeIterator<Item = (usize, &'a Point)>,
 ) -> Result<Vec<Component>, MergeError> {
+    partition_below(set, x, below).map(merge::Partition::into_components)
+}
+
+/// [`components_below`], and the means to tell in which of them a point lies.
+///
+/// # Errors
+/// As [`components_below`].
+pub(crate) fn partition_below<'a, 's>(
+    set: &'s CriticalSet,
+    x: f64,
+    below: impl ExactSizeIterator<Item = (usize, &'a Point)>,
+) -> Result<merge::Partition<'s>, MergeError> {
     let mut critical = Vec::with_capacity(below.len() + 2);
     let mut poles = Poles::default();
     for (c, point) in below {
@@ -187,5 +210,5 @@ pub(crate) fn components_below<'a>(
         }
     }
     let poles = (!set.frame.is_euler()).then_some(poles);
-    merge::components(&set.frame, x, &critical, poles).map(|tree| tree.components)
+    merge::partition(&set.frame, x, &critical, poles)
 }

@@ -2,6 +2,7 @@
 
 #![expect(clippy::inline_always, reason = "lanes must be inlined into the function compiled for their instructions")]
 
+pub mod chaos;
 mod condition;
 mod error;
 mod follow;
@@ -16,6 +17,6 @@ mod torus;
 pub use condition::SectionCondition;
 pub use error::SectionError;
 pub use portrait::{Area, Chart, Line, Portrait, PortraitOptions, PortraitReport};
-pub use starts::{StartOptions, spread_starts, spread_starts_over};
+pub use starts::{StartOptions, spread_starts, spread_starts_over, spread_starts_round};
 pub use sweep::{End, Monitor, OrbitReport, OrbitSection, SectionPoint, SweepOptions, sweep};
 pub use torus::{PpTorus, TorusPoint};

@@ -17,10 +17,13 @@ use super::timings::Timings;
 /// Dots per inch of PNG: enough for a screen, and small enough for the repository.
 const PNG_RESOLUTION: f64 = 144.0;
 
+/// How a figure is drawn.
+type Draw = Box<dyn Fn(&Timings) -> Result<Picture, Failure>>;
+
 /// A figure: the name of its files and how it is drawn.
 struct Figure {
     stem: &'static str,
-    draw: Box<dyn Fn(&Timings) -> Result<Picture, Failure>>,
+    draw: Draw,
 }
 
 /// Every figure, in the order of the gallery.
