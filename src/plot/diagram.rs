@@ -14,7 +14,7 @@ use super::panel::{Panel, View};
 use super::scene::Scene;
 use super::stroke::{self, Stroke};
 use super::trace::CurveSource;
-use super::window::windows;
+use super::window::{Windows, windows};
 use super::{DiagramOptions, Picture, PlotError, axes, notation};
 use crate::document::{AtlasDocument, EventKind, RegionDocument};
 
@@ -47,19 +47,12 @@ pub fn draw(
         .map(|region| Name { kind: notation::region_type(region), id: label_id(atlas, region) })
         .collect();
     let view = |window, x, y, size: [f64; 2]| View { window, rect: Rect { x, y, width: size[0], height: size[1] } };
-    let windows = windows(&scene, options.window)?;
-    let main = Panel::new(&scene, view(windows.main, LEFT, TOP, MAIN))?;
-    let every: Vec<usize> = (0..names.len()).collect();
-    let mut magnified = magnifications(&scene, &main, INSET, &every)?;
-    if let Some(overview) = windows.overview {
-        // It takes the first place, and what lies outside of the main panel is magnified from there.
-        let [x, y] = inset_place(0);
-        let panel = Panel::new(&scene, view(overview, x, y, INSET))?;
-        let far = magnifications(&scene, &panel, INSET, &magnified.outside)?;
-        magnified.windows.splice(0..0, [overview]);
-        magnified.windows.extend(far.windows);
-        magnified.invisible.extend(far.invisible);
-        magnified.outside = far.outside;
+    let Windows { main, everything } = windows(&scene, options.window)?;
+    let main = Panel::new(&scene, view(main, LEFT, TOP, MAIN))?;
+    let mut magnified = magnifications(&scene, &main, &everything, INSET)?;
+    if everything != main.view.window {
+        // It takes the first place, so that what lies far out is seen in its frame.
+        magnified.windows.insert(0, everything);
     }
     let mut panels = vec![main];
     for (index, window) in magnified.windows.iter().enumerate() {

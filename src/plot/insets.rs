@@ -60,20 +60,28 @@ struct Station {
     h: [f64; 2],
 }
 
-/// Chooses the windows of the insets of plot size `size` for what the main panel does not show of some regions.
+/// Chooses the windows of the insets of plot size `size` for what the main panel does not show.
+/// What lies outside the main window is looked for in `everything`.
 pub(super) fn magnifications(
     scene: &Scene<'_>,
     main: &Panel,
+    everything: &WindowDocument,
     size: [f64; 2],
-    regions: &[usize],
 ) -> Result<Magnifications, PlotError> {
     let mut result = Magnifications::default();
     let mut windows: Vec<WindowDocument> = Vec::new();
     let mut close: Vec<Candidate> = Vec::new();
     let mut hidden: Vec<usize> = Vec::new();
-    let depths = main.grid.depths(scene.cells.len());
-    for &region in regions.iter().filter(|&&region| depths[region] < LEGIBLE) {
-        match own_windows(scene, main, region, size)? {
+    for (region, depth) in main.grid.depths(scene.cells.len()).into_iter().enumerate() {
+        if depth >= LEGIBLE {
+            continue;
+        }
+        let mut found = own_windows(scene, &main.view.window, region, size)?;
+        let goes_on = scene.cells[region].iter().any(|cell| cell.l[1] > main.view.window.l[1]);
+        if !matches!(found, Found::Windows { .. }) && goes_on && *everything != main.view.window {
+            found = own_windows(scene, everything, region, size)?;
+        }
+        match found {
             Found::Windows { wide, closest } => {
                 hidden.push(region);
                 windows.push(wide);
@@ -127,14 +135,13 @@ enum Found {
 }
 
 /// Windows around the widest place of a region: the largest in which it can be seen, and one in which it is seen easily.
-fn own_windows(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -> Result<Found, PlotError> {
-    let visible = main.view.window;
+fn own_windows(scene: &Scene<'_>, visible: &WindowDocument, region: usize, size: [f64; 2]) -> Result<Found, PlotError> {
     let document = &scene.atlas.regions[region];
-    let width = document.h_width.unwrap_or(f64::INFINITY).min(main.view.h_per_pixel());
+    let width = document.h_width.unwrap_or(f64::INFINITY).min((visible.h[1] - visible.h[0]) / size[0]);
     if width < NARROWEST * (visible.h[1] - visible.h[0]) {
         return Ok(Found::TooSmall);
     }
-    let Some(stations) = stations(scene, &visible, region, width * 1e-3)? else { return Ok(Found::Outside) };
+    let Some(stations) = stations(scene, visible, region, width * 1e-3)? else { return Ok(Found::Outside) };
     let extent = |station: &Station| station.h[1] - station.h[0];
     let Some(widest) = stations.iter().max_by(|a, b| extent(a).total_cmp(&extent(b))) else {
         return Ok(Found::Outside);
@@ -153,12 +160,12 @@ fn own_windows(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -
     loop {
         let l = [ends[0].max(widest.l - reach), ends[1].min(widest.l + reach)];
         let inner = WindowDocument { h: [f64::NEG_INFINITY, f64::INFINITY], l };
-        let Some(near) = self::stations(scene, &clipped(&inner, &visible), region, width * 1e-3)? else { break };
+        let Some(near) = self::stations(scene, &clipped(&inner, visible), region, width * 1e-3)? else { break };
         let h = [
             near.iter().map(|station| station.h[0]).fold(f64::INFINITY, f64::min),
             near.iter().map(|station| station.h[1]).fold(f64::NEG_INFINITY, f64::max),
         ];
-        let window = clipped(&around(h, l), &visible);
+        let window = clipped(&around(h, l), visible);
         let resolved = |[from, to]: [f64; 2]| to - from > RESOLUTION * from.abs().max(to.abs());
         if !(resolved(window.h) && resolved(window.l)) {
             break;
@@ -212,7 +219,7 @@ fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument) {
         let led = windows.iter().any(|other| {
             *other != target && contains(other, &target) && scales(main, other)[0] * LEAP.sqrt() >= h.sqrt()
         });
-        if h.min(l) < LEAP || led || added == STEPS_MAX {
+        if h.min(l) < LEAP || led || added == STEPS_MAX || !contains(main, &target) {
             continue;
         }
         let spread = |side: [f64; 2], scale: f64| {

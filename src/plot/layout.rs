@@ -51,7 +51,8 @@ pub(super) struct Frame {
     pub rect: Rect,
 }
 
-/// The frame of every inset in the smallest panel that contains it; an overview, which is in none, has no frame.
+/// The frame of every inset in the smallest panel that contains it. What no panel contains, such as an overview, has no
+/// frame.
 pub(super) fn frames(panels: &[Panel]) -> Vec<Frame> {
     let area = |panel: &Panel| {
         let window = &panel.view.window;
@@ -64,11 +65,7 @@ pub(super) fn frames(panels: &[Panel]) -> Vec<Frame> {
     };
     (1..panels.len())
         .filter_map(|index| {
-            let parent = match parent_of(index) {
-                Some(parent) => parent,
-                None if contains(&panels[index], &panels[0]) => return None,
-                None => 0,
-            };
+            let parent = parent_of(index)?;
             Some(Frame { inset: index - 1, parent, rect: frame(&panels[index], &panels[parent]) })
         })
         .collect()

@@ -55,6 +55,9 @@ pub(super) fn region_type(region: &RegionDocument) -> String {
     if let Some(signature) = &region.signature {
         return signature.split('+').map(section).collect::<Vec<_>>().join("+");
     }
+    if region.components.is_empty() {
+        return "undecided".to_owned();
+    }
     format!("U: {}", accessible_regions(region))
 }
 

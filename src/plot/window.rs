@@ -1,9 +1,9 @@
-//! The window of the main panel.
+//! The windows that the panels may show.
 
 use super::PlotError;
 use super::scene::Scene;
 use super::trace::{Trace, trace, traces};
-use crate::document::{EventDocument, WindowDocument};
+use crate::document::WindowDocument;
 
 /// Margin beyond the last event, as a share of its l.
 const BEYOND_EVENTS: f64 = 0.25;
@@ -11,55 +11,46 @@ const BEYOND_EVENTS: f64 = 0.25;
 const BEYOND_START: f64 = 0.5;
 /// Margin at both ends in h, as a share of the range.
 const MARGIN: f64 = 0.05;
+/// An event at more than so many times the l of the one before would leave the others no room.
+const FAR_BEYOND: f64 = 12.0;
 /// Without events the window ends in h at most at this multiple of the median of the curves.
 const MEDIAN_MULTIPLE: f64 = 4.0;
 
-/// Events so many times farther out in l than the ones before are left to an overview.
-const FAR: f64 = 20.0;
-
-/// The windows of the largest panels.
+/// The part of the plane that the main panel shows, and the part that insets may show.
 pub(super) struct Windows {
+    /// The window that was asked for, or one that shows all events but those that lie far beyond all others.
     pub main: WindowDocument,
-    /// Everything, where some events lie so far out that a window with them would show nothing of the others.
-    pub overview: Option<WindowDocument>,
+    /// The window that was asked for, or one that shows all events and a part of every unbounded region.
+    pub everything: WindowDocument,
 }
 
-/// The window that was asked for, or one that shows all events (but a few far out) and a part of every unbounded region.
 pub(super) fn windows(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<Windows, PlotError> {
-    let windows = match asked.or(scene.atlas.window) {
-        Some(window) => Windows { main: window, overview: None },
-        None => match last_near_event(scene) {
-            Some(limit) => Windows { main: automatic(scene, limit)?, overview: Some(automatic(scene, f64::INFINITY)?) },
-            None => Windows { main: automatic(scene, f64::INFINITY)?, overview: None },
-        },
+    let windows = if let Some(window) = asked.or(scene.atlas.window) {
+        Windows { main: window, everything: window }
+    } else {
+        let mut l: Vec<f64> = scene.atlas.events.iter().map(|event| event.l).collect();
+        l.sort_by(f64::total_cmp);
+        let last = l.last().copied().unwrap_or(0.0);
+        // The events up to the first leap; those beyond it are for insets.
+        let before_leap = l.windows(2).find(|pair| pair[1] > FAR_BEYOND * pair[0]).map_or(last, |pair| pair[0]);
+        let everything = automatic(scene, last)?;
+        let main = if before_leap < last { automatic(scene, before_leap)? } else { everything };
+        Windows { main, everything }
     };
-    for WindowDocument { h, l } in [windows.main].into_iter().chain(windows.overview) {
-        let fits = |[from, to]: [f64; 2]| from < to && (to - from).is_finite();
-        if !(fits(h) && fits(l)) {
-            return Err(PlotError::EmptyWindow { h, l });
-        }
-    }
-    Ok(windows)
+    let WindowDocument { h, l } = windows.main;
+    let fits = |[from, to]: [f64; 2]| from < to && (to - from).is_finite();
+    if fits(h) && fits(l) { Ok(windows) } else { Err(PlotError::EmptyWindow { h, l }) }
 }
 
-/// The l of the last event before those far out, if there are such and they are fewer than the others.
-fn last_near_event(scene: &Scene<'_>) -> Option<f64> {
-    let mut places: Vec<f64> = scene.atlas.events.iter().map(|event| event.l).collect();
-    places.sort_by(f64::total_cmp);
-    let gap = (1..places.len()).rev().find(|&k| places[k] > FAR * places[k - 1])?;
-    (2 * gap > places.len()).then(|| places[gap - 1])
-}
-
-/// A window that shows the events up to l = `limit`.
-fn automatic(scene: &Scene<'_>, limit: f64) -> Result<WindowDocument, PlotError> {
-    let events: Vec<&EventDocument> = scene.atlas.events.iter().filter(|event| event.l <= limit).collect();
-    let last_event = events.iter().map(|event| event.l).fold(0.0, f64::max);
+/// A window for the events up to `last_event` in l.
+fn automatic(scene: &Scene<'_>, last_event: f64) -> Result<WindowDocument, PlotError> {
+    let events: Vec<_> = scene.atlas.events.iter().filter(|event| event.l <= last_event).collect();
     let last_point =
         scene.atlas.curves.iter().filter_map(|curve| curve.polyline.last()).map(|point| point[1]).fold(0.0, f64::max);
     // Coarse values are enough to choose a window.
-    let coarse = scale(scene, &events) * 1e-3;
+    let coarse = scale(scene, last_event) * 1e-3;
     let l_top = if last_event > 0.0 {
-        last_event.max(start_of_positive_energies(scene, last_point.min(FAR * last_event), coarse)?)
+        last_event.max(start_of_positive_energies(scene, last_point.min(FAR_BEYOND * last_event), coarse)?)
             * (1.0 + BEYOND_EVENTS)
     } else {
         last_point
@@ -111,9 +102,9 @@ fn start_of_positive_energies(scene: &Scene<'_>, l_top: f64, coarse: f64) -> Res
     Ok(positive.map_or(0.0, |point| point[1]))
 }
 
-/// The size of the energies of some events and at the curves' beginnings.
-fn scale(scene: &Scene<'_>, events: &[&EventDocument]) -> f64 {
-    let events = events.iter().map(|event| event.h.abs());
+/// The size of the energies up to an event.
+fn scale(scene: &Scene<'_>, last_event: f64) -> f64 {
+    let events = scene.atlas.events.iter().filter(|event| event.l <= last_event).map(|event| event.h.abs());
     let starts = scene.atlas.curves.iter().filter_map(|curve| curve.polyline.first()).map(|point| point[0].abs());
     let scale = events.chain(starts).fold(0.0, f64::max);
     if scale > 0.0 { scale } else { 1.0 }
