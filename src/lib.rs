@@ -3,6 +3,7 @@
 pub mod arrangement;
 pub mod atlas;
 pub mod body;
+pub mod border;
 pub mod class;
 pub mod classify;
 pub mod continuation;
@@ -14,6 +15,7 @@ pub mod integrator;
 pub mod numerics;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod scan;
 pub mod section;
 pub mod stability;
 pub mod topology;

@@ -10,6 +10,7 @@ use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use super::failure::{InputError, Refusal};
+use super::scan::{SCAN_EXAMPLES, ScanArguments};
 use super::values::{self, Tensor, Triple};
 
 const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body";
@@ -113,6 +114,9 @@ pub enum Command {
     /// List all relative equilibria at one l, or at many
     #[command(after_help = CRITICAL_EXAMPLES)]
     Critical(CriticalArguments),
+    /// Look at many bodies: which classes of diagrams they have
+    #[command(after_help = SCAN_EXAMPLES)]
+    Scan(Box<ScanArguments>),
     /// List the named bodies
     #[command(after_help = BODIES_EXAMPLES)]
     Bodies(BodiesArguments),

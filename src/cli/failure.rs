@@ -14,6 +14,7 @@ use thiserror::Error;
 
 use super::files::FilesError;
 use super::output::OutputError;
+use super::scan::{ScanFailure, ScanInput};
 
 /// The input is wrong; each message names the argument, the value and what would be right.
 #[derive(Debug, Error)]
@@ -53,6 +54,8 @@ pub enum InputError {
     ValueMissing { option: String, next: String, value: String },
     #[error("--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout")]
     OutIsStdout,
+    #[error(transparent)]
+    Scan(#[from] ScanInput),
 }
 
 /// Why a run stopped.
@@ -80,8 +83,16 @@ pub enum Failure {
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("the answer to interrupts could not be set up")]
     Interrupt(#[from] ctrlc::Error),
+    #[error(transparent)]
+    Scan(#[from] ScanFailure),
     #[error("{name} cannot be made")]
     Page { name: String, source: io::Error },
+}
+
+impl From<ScanInput> for Failure {
+    fn from(error: ScanInput) -> Self {
+        InputError::from(error).into()
+    }
 }
 
 impl From<ClassifyError> for Failure {

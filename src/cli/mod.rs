@@ -17,6 +17,7 @@ mod log;
 mod output;
 mod pages;
 mod report;
+mod scan;
 mod schema;
 mod subject;
 mod table;
@@ -51,6 +52,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments),
         Some(Command::Man(arguments)) => pages::man(arguments),
+        Some(Command::Scan(arguments)) => scan::run(arguments, &timings, quiet),
         Some(Command::Figures(arguments)) => figures::run(arguments, &timings),
     };
     timings.total();
