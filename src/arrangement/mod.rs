@@ -155,12 +155,12 @@ fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[(usize, usize, 
             let mut ranked: Vec<(usize, usize)> = active
                 .iter()
                 .map(|&c| {
-                    let below = active.iter().filter(|&&other| {
+                    let below = active.iter().filter(|&&other| other != c).filter(|&&other| {
                         let key = c.min(other) * n + c.max(other);
                         let passed = crossings[key].iter().filter(|&&event| event < slab).count();
                         let initial = order_of[key].map_or_else(|| touching_sign(set, c, other), PairOrder::initial);
                         let sign = if passed.is_multiple_of(2) { initial } else { -initial };
-                        if other < c { sign < 0 } else { other > c && sign > 0 }
+                        if other < c { sign < 0 } else { sign > 0 }
                     });
                     (below.count(), c)
                 })
