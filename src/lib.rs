@@ -16,6 +16,7 @@ pub mod numerics;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod scan;
+pub mod search;
 pub mod section;
 pub mod stability;
 pub mod topology;

@@ -3,9 +3,14 @@
 use thiserror::Error;
 
 use super::event::{self, BorderEvent};
+use super::refine::{self, Root};
 use super::segment::Segment;
 use crate::atlas::Atlas;
+use crate::body::Flags;
 use crate::class::Class;
+
+/// Where an interval is cut: not in the middle, where special bodies lie.
+const GOLDEN: f64 = 0.381_966_011_250_105_2;
 
 /// How a border is sought.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,10 +31,14 @@ impl Default for BorderOptions {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Border {
     /// The class at the first end is that of `classes[0]`, at the second another one. Nothing is known between.
-    pub t: [f64; 2],
+    pub enclosure: [f64; 2],
+    /// Where between them it changes.
+    pub t: f64,
+    /// Estimate of the error of `t`.
+    pub error: f64,
     /// The classes at the two ends.
     pub classes: [Class; 2],
-    /// True when the two ends are as close as was wanted.
+    /// True when the error is as small as was wanted.
     pub reached: bool,
     /// What happens there.
     pub event: BorderEvent,
@@ -82,12 +91,14 @@ pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, Border
     }
     let wanted = options.tolerance / segment.length().max(f64::MIN_POSITIVE);
     let mut atlases = 2;
+    // Bodies that are more special than those around them lie on a border, and belong to neither side.
+    let ordinary = Flags { plate: false, unphysical: false, ..segment.body(GOLDEN).flags() };
     // A zone where nothing is decided, once one was met.
     let mut zone: Option<[f64; 2]> = None;
     while high.0 - low.0 > wanted && atlases < options.atlases_max {
         let zone_now = zone.unwrap_or([high.0, low.0]);
         let t = match zone {
-            None => 0.5 * (low.0 + high.0),
+            None => low.0 + GOLDEN * (high.0 - low.0),
             // The wider of the two gaps beside the zone.
             Some([from, to]) if from - low.0 >= high.0 - to => 0.5 * (low.0 + from),
             Some([_, to]) => 0.5 * (to + high.0),
@@ -100,7 +111,9 @@ pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, Border
             break;
         }
         atlases += 1;
+        let is_special = |t: f64| Flags { plate: false, unphysical: false, ..segment.body(t).flags() } != ordinary;
         match look(segment, t) {
+            Ok(_) if is_special(t) => zone = Some([zone_now[0].min(t), zone_now[1].max(t)]),
             Ok(seen) if seen.class == low.1.class => low = (t, seen),
             Ok(seen) => high = (t, seen),
             Err(_undecided) => zone = Some([zone_now[0].min(t), zone_now[1].max(t)]),
@@ -108,7 +121,11 @@ pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, Border
         // Decided bodies beyond the zone make it pointless.
         zone = zone.filter(|[from, to]| *from > low.0 && *to < high.0);
     }
-    let event = event::between(&low.1, &high.1);
-    let reached = high.0 - low.0 <= wanted;
-    Ok(Border { t: [low.0, high.0], classes: [low.1.class, high.1.class], reached, event, atlases })
+    let (event, witness) = event::between(&low.1, &high.1);
+    let enclosure = [low.0, high.0];
+    let by_class = Root { t: 0.5 * (low.0 + high.0), error: 0.5 * (high.0 - low.0) };
+    let inside = |root: &Root| enclosure[0] <= root.t && root.t <= enclosure[1];
+    let Root { t, error } = refine::root(segment, &witness, enclosure).filter(inside).unwrap_or(by_class);
+    let reached = error <= wanted;
+    Ok(Border { enclosure, t, error, classes: [low.1.class, high.1.class], reached, event, atlases })
 }

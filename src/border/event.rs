@@ -6,8 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::bisection::Seen;
+use super::refine::{Place, Witness};
 use crate::arrangement::{Arrangement, Change, Event};
-use crate::atlas::{branch_name, curve_name};
+use crate::atlas::{Atlas, branch_name, curve_name};
 use crate::equilibria::{Branch, CriticalSet};
 
 /// Kinds of borders, all of codimension one.
@@ -30,6 +31,8 @@ pub enum BorderEventKind {
     PitchforkAtInfinity,
     /// A symmetry is lost: where some r_i leaves 0, pitchforks open into cusps.
     SymmetryBroken,
+    /// J_r passes the middle moment of inertia: crossings of the pole lines go to infinity and come back.
+    PoleLinesAtInfinity,
     /// A crossing comes from, or goes to, l = 0 or infinity.
     CrossingAtTheEdge,
     /// Several of these at once, or something else; the lists tell.
@@ -82,6 +85,15 @@ fn label(set: &CriticalSet, change: &Change) -> String {
     format!("{} of {}", kind_name(change), branches(set, change).join(" and "))
 }
 
+/// All events of an atlas by name, such as `crossing of L- and S3`, with their momenta in the body's units.
+#[must_use]
+pub fn named_events(atlas: &Atlas) -> Vec<(String, f64)> {
+    let arrangement = atlas.arrangement();
+    let unit = arrangement.set.frame.momentum_unit;
+    let named = |event: &Event| (label(&arrangement.set, &event.change), (2.0 * event.x).sqrt() * unit);
+    arrangement.events.iter().map(named).collect()
+}
+
 /// The events of each label.
 fn by_label(arrangement: &Arrangement) -> BTreeMap<String, Vec<Event>> {
     let mut found: BTreeMap<String, Vec<Event>> = BTreeMap::new();
@@ -116,17 +128,22 @@ fn distance(p: &Event, q: &Event) -> f64 {
 }
 
 /// What tells the two sides apart.
-pub(super) fn between(low: &Seen, high: &Seen) -> BorderEvent {
+pub(super) fn between(low: &Seen, high: &Seen) -> (BorderEvent, Witness) {
     let (below, above) = (low.atlas.arrangement(), high.atlas.arrangement());
     let (labels_below, labels_above) = (by_label(below), by_label(above));
     let vanish = surplus(&labels_below, &labels_above);
     let appear = surplus(&labels_above, &labels_below);
-    let (kind, text, group) = if vanish.is_empty() && appear.is_empty() {
+    let offsets = [below, above].map(|side| side.set.frame.offset[1]);
+    let (kind, text, group, witness) = if vanish.is_empty() && appear.is_empty() {
         exchange(below)
+    } else if offsets[0] * offsets[1] < 0.0 && vanish.len() == appear.len() && labels_cross(&vanish, &appear) {
+        let axis = branch_axis(&below.set, 1);
+        let text = format!("J_r passes A{axis}: crossings of the pole lines go to infinity and come back");
+        (BorderEventKind::PoleLinesAtInfinity, text, None, Witness::MiddleMoment)
     } else {
         let (richer, more, fewer) =
             if vanish.len() > appear.len() { (below, &vanish, &appear) } else { (above, &appear, &vanish) };
-        creation(richer, more, fewer)
+        creation(richer, more, fewer, std::ptr::eq(richer, above))
     };
     let (curves, h, l) = match &group {
         None => (Vec::new(), None, None),
@@ -142,10 +159,27 @@ pub(super) fn between(low: &Seen, high: &Seen) -> BorderEvent {
             (names, Some(h * set.frame.energy_unit), Some((2.0 * x).sqrt() * set.frame.momentum_unit))
         }
     };
-    BorderEvent { kind, text, curves, h, l, vanish, appear }
+    (BorderEvent { kind, text, curves, h, l, vanish, appear }, witness)
 }
 
-type Named<'a> = (BorderEventKind, String, Option<Group<'a>>);
+/// Only crossings with pole lines differ.
+fn labels_cross(vanish: &[String], appear: &[String]) -> bool {
+    vanish.iter().chain(appear).all(|label| label.starts_with("crossing") && label.contains(" P"))
+}
+
+/// The axis of the body, from 1, along which an axis of the frame lies.
+fn branch_axis(set: &CriticalSet, axis: usize) -> usize {
+    let rows = &set.frame.to_body;
+    1 + (0..3).max_by(|&i, &j| rows[i][axis].abs().total_cmp(&rows[j][axis].abs())).unwrap_or_default()
+}
+
+type Named<'a> = (BorderEventKind, String, Option<Group<'a>>, Witness);
+
+impl Group<'_> {
+    fn place(&self) -> Option<Place> {
+        self.events.first().map(|event| Place::of(&self.side.set.frame, event.x, event.h))
+    }
+}
 
 /// Both sides have the same events in another order: those that are nearest to each other change places.
 fn exchange(side: &Arrangement) -> Named<'_> {
@@ -161,7 +195,8 @@ fn exchange(side: &Arrangement) -> Named<'_> {
         }
     }
     let Some((apart, k, m)) = best else {
-        return (BorderEventKind::Other, "the regions differ, and no events are near each other".to_owned(), None);
+        let text = "the regions differ, and no events are near each other".to_owned();
+        return (BorderEventKind::Other, text, None, Witness::Nothing);
     };
     let near: Vec<Event> = side
         .events
@@ -187,11 +222,46 @@ fn exchange(side: &Arrangement) -> Named<'_> {
         }
         (None, None) => (BorderEventKind::TriplePoint, format!("the curves {} meet in one point", names.join(", "))),
     };
-    (kind, text, Some(Group { side, events: near }))
+    let witness = exchanged(side, &near).unwrap_or(Witness::Nothing);
+    (kind, text, Some(Group { side, events: near }), witness)
+}
+
+/// What vanishes where events change places: the height of a third curve over one of them.
+fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Witness> {
+    let branch = |c: usize| side.set.curves[c].branch;
+    let place = |event: &Event| Place::of(&side.set.frame, event.x, event.h);
+    let crossing = near.iter().find_map(|event| match event.change {
+        Change::Swap(curves) => Some((event, curves.map(branch))),
+        _ => None,
+    })?;
+    for event in near {
+        let (own, make): (Vec<Branch>, fn(Place, Branch, &Arrangement, &Event) -> Option<Witness>) = match event.change {
+            Change::Open { through, pair } | Change::Close { through, pair } => {
+                (vec![branch(through[0]), branch(pair)], |_, curve, side, event| {
+                    let (Change::Open { pair, .. } | Change::Close { pair, .. }) = event.change else { return None };
+                    let Branch::Symmetric(axis) = side.set.curves[pair].branch else { return None };
+                    Some(Witness::PitchforkOnCurve { axis, curve })
+                })
+            }
+            Change::Birth([one, _]) | Change::Death([one, _]) => (vec![branch(one)], |near, curve, side, event| {
+                let cusp = side.set.curves[event.change.curves()[0]].branch;
+                Some(Witness::CuspOnCurve { cusp, curve, near })
+            }),
+            Change::Swap(_) => continue,
+        };
+        let other = crossing.1.into_iter().find(|branch| !own.contains(branch))?;
+        return make(place(event), other, side, event);
+    }
+    let curve = near
+        .iter()
+        .flat_map(|event| event.change.curves())
+        .map(branch)
+        .find(|branch| !crossing.1.contains(branch))?;
+    Some(Witness::CurveOnCrossing { crossing: crossing.1, curve, near: place(crossing.0) })
 }
 
 /// One side has events that the other has not.
-fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String]) -> Named<'a> {
+fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above: bool) -> Named<'a> {
     let of_kind = |labels: &[String], kind: &str| -> Vec<String> {
         labels.iter().filter(|label| label.starts_with(kind)).cloned().collect()
     };
@@ -225,9 +295,10 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String]) -> Nam
                 fewer.iter().find(|label| label.starts_with("pitchfork")).cloned().unwrap_or_default(),
                 more.iter().find(|label| label.starts_with("pitchfork")).cloned().unwrap_or_default(),
             );
-            (BorderEventKind::PitchforkAtInfinity, text, None)
+            (BorderEventKind::PitchforkAtInfinity, text, None, Witness::Nothing)
         } else {
-            (BorderEventKind::SymmetryBroken, "a symmetry is lost: pitchforks open into cusps".to_owned(), None)
+            let text = "a symmetry is lost: pitchforks open into cusps".to_owned();
+            (BorderEventKind::SymmetryBroken, text, None, Witness::Nothing)
         };
     }
     let fewer_none = lost_cusps + lost_crossings == 0;
@@ -235,18 +306,21 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String]) -> Nam
         let labels = of_kind(more, "cusp");
         let pair = nearest(&events_of(&labels));
         let text = format!("a swallowtail is born on branch {}", subject(&labels));
-        return (BorderEventKind::Swallowtail, text, group(side, pair));
+        let group = group(side, pair);
+        let branch = group.as_ref().map(|group| side.set.curves[group.events[0].change.curves()[0]].branch);
+        let witness = match (branch, group.as_ref().and_then(Group::place)) {
+            (Some(branch), Some(near)) => Witness::TwoCusps { branch, near, above },
+            _ => Witness::Nothing,
+        };
+        return (BorderEventKind::Swallowtail, text, group, witness);
     }
     if cusps == 1 && fewer_none {
         let labels = of_kind(more, "cusp");
-        let on_pair = side.events.iter().any(|event| {
-            matches!(event.change, Change::Birth(_) | Change::Death(_))
-                && labels.contains(&label(&side.set, &event.change))
-                && event.change.curves().iter().any(|&c| matches!(side.set.curves[c].branch, Branch::Symmetric(_)))
-        });
-        if on_pair {
+        let events = events_of(&labels);
+        let branch = events.first().map(|event| side.set.curves[event.change.curves()[0]].branch);
+        if let Some(Branch::Symmetric(axis)) = branch {
             let text = format!("the cusp of the pair {} reaches its pitchfork", subject(&labels));
-            return (BorderEventKind::CuspAtPitchfork, text, group(side, events_of(&labels)));
+            return (BorderEventKind::CuspAtPitchfork, text, group(side, events), Witness::Excess(axis));
         }
     }
     if cusps == 0 && crossings == 2 && fewer_none {
@@ -266,11 +340,18 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String]) -> Nam
                     let through = shared.map_or_else(String::new, |&c| branch_name(&side.set.frame, side.set.curves[c].branch));
                     let text =
                         format!("the {} passes through {through}", label(&side.set, &cusp.change));
-                    (BorderEventKind::CuspOnCurve, text, group(side, vec![p, q, *cusp]))
+                    let branch = |c: usize| side.set.curves[c].branch;
+                    let near = Place::of(&side.set.frame, cusp.x, cusp.h);
+                    let witness = shared.map_or(Witness::Nothing, |&curve| Witness::CuspOnCurve {
+                        cusp: branch(cusp.change.curves()[0]),
+                        curve: branch(curve),
+                        near,
+                    });
+                    (BorderEventKind::CuspOnCurve, text, group(side, vec![*cusp, p, q]), witness)
                 }
                 _ => {
                     let text = format!("the curves {} touch", subject(&labels));
-                    (BorderEventKind::Tangency, text, group(side, pair))
+                    (BorderEventKind::Tangency, text, group(side, pair), Witness::Nothing)
                 }
             };
         }
@@ -278,10 +359,10 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String]) -> Nam
     if cusps == 0 && crossings == 1 && fewer_none {
         let labels = of_kind(more, "crossing");
         let text = format!("the {} comes from l = 0 or infinity", labels.join(", "));
-        return (BorderEventKind::CrossingAtTheEdge, text, None);
+        return (BorderEventKind::CrossingAtTheEdge, text, None, Witness::Nothing);
     }
     let text = "several events appear and vanish together".to_owned();
-    (BorderEventKind::Other, text, None)
+    (BorderEventKind::Other, text, None, Witness::Nothing)
 }
 
 fn group(side: &Arrangement, events: Vec<Event>) -> Option<Group<'_>> {

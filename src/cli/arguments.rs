@@ -10,6 +10,7 @@ use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use super::failure::{InputError, Refusal};
+use super::find::{FIND_EXAMPLES, FindArguments};
 use super::scan::{SCAN_EXAMPLES, ScanArguments};
 use super::values::{self, Tensor, Triple};
 
@@ -117,6 +118,9 @@ pub enum Command {
     /// Look at many bodies: which classes of diagrams they have
     #[command(after_help = SCAN_EXAMPLES)]
     Scan(Box<ScanArguments>),
+    /// Search for a body and a point that show a wanted type
+    #[command(after_help = FIND_EXAMPLES)]
+    Find(FindArguments),
     /// List the named bodies
     #[command(after_help = BODIES_EXAMPLES)]
     Bodies(BodiesArguments),

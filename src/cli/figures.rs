@@ -35,6 +35,7 @@ pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failur
             timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &DiagramOptions::default()))?;
         add_picture(&mut files, stem, &picture, &arguments.format, timings)?;
     }
+    super::scan::figures::add(&mut files, &arguments.format, timings)?;
     Ok(output::print(Report::of_paths(&files.write()?).text().as_bytes())?)
 }
 

@@ -11,6 +11,7 @@ mod critical;
 mod failure;
 mod figures;
 mod files;
+mod find;
 mod interrupt;
 mod layout;
 mod log;
@@ -52,6 +53,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments),
         Some(Command::Man(arguments)) => pages::man(arguments),
+        Some(Command::Find(arguments)) => find::run(arguments, quiet),
         Some(Command::Scan(arguments)) => scan::run(arguments, &timings, quiet),
         Some(Command::Figures(arguments)) => figures::run(arguments, &timings),
     };

@@ -16,6 +16,7 @@ mod insets;
 mod labels;
 mod layout;
 mod legend;
+mod map;
 mod notation;
 mod notes;
 mod palette;
@@ -28,6 +29,7 @@ mod trace;
 mod window;
 
 pub use diagram::draw;
+pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
 pub use picture::Picture;
 pub use trace::CurveSource;
 

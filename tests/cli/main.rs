@@ -5,6 +5,7 @@ mod batches;
 mod builder;
 mod files;
 mod pages;
+mod scan;
 mod schemas;
 mod streams;
 mod wrong_batch_lines;

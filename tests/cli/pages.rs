@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::builder::bifdiag;
 
-const COMMANDS: [&str; 8] = ["atlas", "classify", "critical", "bodies", "schema", "completions", "man", "figures"];
+const COMMANDS: [&str; 10] = ["atlas", "classify", "critical", "bodies", "schema", "completions", "man", "figures", "scan", "find"];
 
 #[test]
 fn every_help_page_has_examples_and_fits_100_columns() {

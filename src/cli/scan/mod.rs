@@ -3,6 +3,7 @@
 mod arguments;
 mod border;
 mod error;
+pub mod figures;
 mod hashing;
 mod journal;
 mod map;
@@ -16,6 +17,7 @@ mod table;
 
 pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand};
 pub use error::{ScanFailure, ScanInput};
+pub use progress::Progress;
 
 use super::failure::Failure;
 use super::timings::Timings;

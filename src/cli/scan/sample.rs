@@ -17,7 +17,7 @@ use crate::cli::output as terminal;
 use crate::cli::{failure::InputError, layout};
 
 /// Bodies between two entries of the journal: what a killed scan loses at most.
-const BLOCK: u64 = 512;
+const BLOCK: u64 = 256;
 
 pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
     let accuracy = arguments.accuracy.level()?;

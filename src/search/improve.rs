@@ -1,0 +1,54 @@
+//! Local optimisation.
+
+use argmin::core::{CostFunction, Executor, State};
+use argmin::solver::neldermead::NelderMead;
+
+use super::chart::Chart;
+use super::score::look;
+use super::target::Target;
+
+/// First steps of the simplex in logarithms.
+const STEP: f64 = 0.08;
+
+struct Problem<'a> {
+    chart: Chart,
+    target: &'a Target,
+    physical: bool,
+}
+
+impl CostFunction for Problem<'_> {
+    type Param = Vec<f64>;
+    type Output = f64;
+
+    fn cost(&self, coordinates: &Vec<f64>) -> Result<f64, argmin::core::Error> {
+        Ok(-look(self.chart.values(coordinates), self.target, self.physical).score.value())
+    }
+}
+
+/// Makes what a body shows more visible, or brings the body nearer to showing it: the simplex method over the ratios of
+/// its moments and of the components of r that are not 0. Gives A and r, rounded to six digits, never worse than the
+/// start so rounded.
+#[must_use]
+pub fn improve(start: [[f64; 3]; 2], target: &Target, physical: bool, steps: u64) -> [[f64; 3]; 2] {
+    let chart = Chart::around(start);
+    let dimensions = chart.dimensions();
+    let origin = vec![0.0; dimensions];
+    if dimensions == 0 {
+        return chart.values(&origin);
+    }
+    let simplex = (0..=dimensions)
+        .map(|corner| {
+            let mut at = origin.clone();
+            if let Some(coordinate) = corner.checked_sub(1).and_then(|axis| at.get_mut(axis)) {
+                *coordinate = STEP;
+            }
+            at
+        })
+        .collect();
+    let problem = Problem { chart: chart.clone(), target, physical };
+    let done = NelderMead::new(simplex)
+        .with_sd_tolerance(1e-7)
+        .and_then(|solver| Executor::new(problem, solver).configure(|state| state.max_iters(steps)).run());
+    let best = done.ok().and_then(|done| done.state().get_best_param().cloned());
+    chart.values(best.as_ref().unwrap_or(&origin))
+}
