@@ -46,7 +46,7 @@ pub struct BorderEvent {
     pub kind: BorderEventKind,
     /// In words.
     pub text: String,
-    /// The curves that take part, by their names on the side named in `side`.
+    /// The curves that take part, by their names on the side that has more of them.
     pub curves: Vec<String>,
     /// Energy of the place where it happens, if it is a place.
     pub h: Option<f64>,
@@ -290,15 +290,15 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above:
     if forks + lost_forks > 0 {
         let moments_pass = forks == lost_forks;
         return if moments_pass {
-            let text = format!(
-                "the {} goes to infinity and comes back as the {}: two moments of inertia pass each other",
-                fewer.iter().find(|label| label.starts_with("pitchfork")).cloned().unwrap_or_default(),
-                more.iter().find(|label| label.starts_with("pitchfork")).cloned().unwrap_or_default(),
-            );
-            (BorderEventKind::PitchforkAtInfinity, text, None, Witness::Nothing)
+            let names = |labels: &[String]| {
+                let label = labels.iter().find(|label| label.starts_with("pitchfork")).cloned().unwrap_or_default();
+                label.trim_start_matches("pitchfork of ").to_owned()
+            };
+            let text = format!("the pitchfork of {} goes through infinity to {}", names(fewer), names(more));
+            (BorderEventKind::PitchforkAtInfinity, text, None, Witness::SpecialBody)
         } else {
-            let text = "a symmetry is lost: pitchforks open into cusps".to_owned();
-            (BorderEventKind::SymmetryBroken, text, None, Witness::Nothing)
+            let text = "the symmetry of a pair is broken: its pitchfork opens into a cusp".to_owned();
+            (BorderEventKind::SymmetryBroken, text, None, Witness::SpecialBody)
         };
     }
     let fewer_none = lost_cusps + lost_crossings == 0;
@@ -358,11 +358,37 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above:
     }
     if cusps == 0 && crossings == 1 && fewer_none {
         let labels = of_kind(more, "crossing");
+        if let Some(found) = at_pitchfork(side, &events_of(&labels)) {
+            return found;
+        }
         let text = format!("the {} comes from l = 0 or infinity", labels.join(", "));
         return (BorderEventKind::CrossingAtTheEdge, text, None, Witness::Nothing);
     }
     let text = "several events appear and vanish together".to_owned();
     (BorderEventKind::Other, text, None, Witness::Nothing)
+}
+
+/// A new crossing of a pair beside the pitchfork of this pair: the pitchfork has passed through the other curve.
+fn at_pitchfork<'a>(side: &'a Arrangement, new: &[Event]) -> Option<Named<'a>> {
+    let branch = |c: usize| side.set.curves[c].branch;
+    let mut best: Option<(f64, Event, Event, usize)> = None;
+    for crossing in new {
+        for event in &side.events {
+            let (Change::Open { pair, .. } | Change::Close { pair, .. }) = event.change else { continue };
+            let apart = distance(crossing, event);
+            let shares = crossing.change.curves().iter().any(|&c| branch(c) == branch(pair));
+            if shares && best.is_none_or(|(least, _, _, _)| apart < least) {
+                best = Some((apart, *crossing, *event, pair));
+            }
+        }
+    }
+    let (_, crossing, pitchfork, pair) = best.filter(|(apart, _, _, _)| *apart < 1e-3)?;
+    let Branch::Symmetric(axis) = branch(pair) else { return None };
+    let curve = crossing.change.curves().into_iter().map(branch).find(|other| *other != branch(pair))?;
+    let text =
+        format!("the {} passes through {}", label(&side.set, &pitchfork.change), branch_name(&side.set.frame, curve));
+    let witness = Witness::PitchforkOnCurve { axis, curve };
+    Some((BorderEventKind::PitchforkOnCurve, text, group(side, vec![pitchfork, crossing]), witness))
 }
 
 fn group(side: &Arrangement, events: Vec<Event>) -> Option<Group<'_>> {

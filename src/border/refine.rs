@@ -4,6 +4,8 @@
 //! happens there is known by then, and with it a function of the parameter that passes through 0 with a slope: a difference
 //! of heights, an exact excess. Its zero is found without any atlas.
 
+use dashu_ratio::RBig;
+
 use super::segment::Segment;
 use crate::arrangement::{Arrangement, Change};
 use crate::body::Frame;
@@ -24,6 +26,8 @@ pub(super) enum Witness {
     CurveOnCrossing { crossing: [Branch; 2], curve: Branch, near: Place },
     /// The squared difference of J at two cusps of one branch, which exist on one side only.
     TwoCusps { branch: Branch, near: Place, above: bool },
+    /// A difference of two moments, or a component of r, which are linear in the parameter.
+    SpecialBody,
     /// Nothing that is known.
     Nothing,
 }
@@ -57,9 +61,26 @@ pub(super) struct Root {
 pub(super) fn root(segment: &Segment, witness: &Witness, t: [f64; 2]) -> Option<Root> {
     match witness {
         Witness::Nothing => None,
+        Witness::SpecialBody => special(segment, t),
         Witness::TwoCusps { branch, near, above } => extrapolated(segment, *branch, near, *above, t),
         _ => bisected(|t| value(segment, witness, t), t),
     }
+}
+
+/// Where two moments are equal or a component of r vanishes, exactly.
+fn special(segment: &Segment, t: [f64; 2]) -> Option<Root> {
+    let at = |place: usize, t: f64| segment.coordinate(place, t);
+    let vanishing = |of: &dyn Fn(f64) -> RBig| {
+        let (from, to) = (of(0.0), of(1.0));
+        if from == to {
+            return None;
+        }
+        let root = (&from / (&from - to)).to_f64().value();
+        (t[0] <= root && root <= t[1]).then_some(Root { t: root, error: f64::EPSILON * root.abs() })
+    };
+    let moments = [(0, 1), (1, 2), (0, 2)];
+    let equal = moments.into_iter().find_map(|(i, j)| vanishing(&|t| at(i, t) - at(j, t)));
+    equal.or_else(|| (3..6).find_map(|place| vanishing(&|t| at(place, t))))
 }
 
 fn value(segment: &Segment, witness: &Witness, t: f64) -> Option<Gap> {

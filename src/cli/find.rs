@@ -1,7 +1,7 @@
 //! `bifdiag find`: a body and a point that show a wanted thing.
 
 use bifdiag::document::SCHEMA_VERSION;
-use bifdiag::search::{FindDocument, NearestDocument, Score, Seen, Target, Witness, improve, look, sample, witness};
+use bifdiag::search::{Domain, FindDocument, NearestDocument, Score, Seen, Target, Witness, improve, look, sample, witness};
 use clap::Args;
 use rayon::prelude::*;
 
@@ -54,6 +54,9 @@ pub struct FindArguments {
     /// Only bodies that exist: A_i + A_j >= A_k
     #[arg(long, help_heading = "Work")]
     pub physical: bool,
+    /// Only bodies whose largest moment is at most R times the smallest
+    #[arg(long, value_name = "R", default_value_t = 10.0, help_heading = "Work", value_parser = moment_ratio)]
+    pub moment_ratio: f64,
     /// The most bodies that are tried
     #[arg(long, value_name = "N", default_value_t = 20_000, help_heading = "Work")]
     #[arg(value_parser = clap::value_parser!(u64).range(1..1 << 53))]
@@ -70,6 +73,11 @@ pub struct FindArguments {
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,
+}
+
+fn moment_ratio(text: &str) -> Result<f64, String> {
+    let ratio = text.parse::<f64>().ok().filter(|ratio| *ratio >= 1.0 && ratio.is_finite());
+    ratio.ok_or_else(|| "a ratio is a number from 1 on, such as 10".to_owned())
 }
 
 /// A body and what was seen of it.
@@ -105,6 +113,7 @@ fn target(arguments: &FindArguments) -> Result<Target, InputError> {
 /// Sampling, then improvement of the best; the same for any number of threads.
 fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocument {
     let mut progress = Progress::new(0, arguments.samples, quiet);
+    let domain = Domain { physical: arguments.physical, moment_ratio: arguments.moment_ratio };
     let mut best: Vec<Candidate> = Vec::new();
     let (mut tried, mut showing) = (0, 0);
     while tried < arguments.samples {
@@ -113,7 +122,7 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
             .into_par_iter()
             .map(|n| {
                 let values = sample(n, arguments.seed, arguments.physical);
-                (values, look(values, target, arguments.physical))
+                (values, look(values, target, &domain))
             })
             .collect();
         showing += found.iter().filter(|(_, seen)| matches!(seen.score, Score::Shown(_))).count() as u64;
@@ -131,8 +140,8 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
     let mut improved: Vec<Candidate> = best
         .par_iter()
         .map(|(values, _)| {
-            let values = improve(*values, target, arguments.physical, STEPS);
-            (values, look(values, target, arguments.physical))
+            let values = improve(*values, target, &domain, STEPS);
+            (values, look(values, target, &domain))
         })
         .collect();
     improved.extend(best);

@@ -1,6 +1,9 @@
 //! `bifdiag schema`: the JSON Schemas of the documents.
 
+use bifdiag::border::BorderDocument;
 use bifdiag::document::{AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument};
+use bifdiag::scan::{Row, SummaryDocument};
+use bifdiag::search::FindDocument;
 use clap::ValueEnum;
 use schemars::{Schema, schema_for};
 
@@ -22,6 +25,14 @@ pub enum Name {
     Bodies,
     /// What stands for a wrong line of a batch
     BatchError,
+    /// A line of `bifdiag scan --format jsonl`
+    ScanRow,
+    /// FILE.summary.json of `bifdiag scan`
+    ScanSummary,
+    /// The answer of `bifdiag scan border --json`
+    ScanBorder,
+    /// The answer of `bifdiag find --json`
+    Find,
 }
 
 impl Name {
@@ -32,6 +43,10 @@ impl Name {
             Self::Critical => schema_for!(CriticalDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
+            Self::ScanRow => schema_for!(Row),
+            Self::ScanSummary => schema_for!(SummaryDocument),
+            Self::ScanBorder => schema_for!(BorderDocument),
+            Self::Find => schema_for!(FindDocument),
         }
     }
 }

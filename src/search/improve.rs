@@ -4,7 +4,7 @@ use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
 
 use super::chart::Chart;
-use super::score::look;
+use super::score::{Domain, look};
 use super::target::Target;
 
 /// First steps of the simplex in logarithms.
@@ -13,7 +13,7 @@ const STEP: f64 = 0.08;
 struct Problem<'a> {
     chart: Chart,
     target: &'a Target,
-    physical: bool,
+    domain: Domain,
 }
 
 impl CostFunction for Problem<'_> {
@@ -21,7 +21,7 @@ impl CostFunction for Problem<'_> {
     type Output = f64;
 
     fn cost(&self, coordinates: &Vec<f64>) -> Result<f64, argmin::core::Error> {
-        Ok(-look(self.chart.values(coordinates), self.target, self.physical).score.value())
+        Ok(-look(self.chart.values(coordinates), self.target, &self.domain).score.value())
     }
 }
 
@@ -29,7 +29,7 @@ impl CostFunction for Problem<'_> {
 /// its moments and of the components of r that are not 0. Gives A and r, rounded to six digits, never worse than the
 /// start so rounded.
 #[must_use]
-pub fn improve(start: [[f64; 3]; 2], target: &Target, physical: bool, steps: u64) -> [[f64; 3]; 2] {
+pub fn improve(start: [[f64; 3]; 2], target: &Target, domain: &Domain, steps: u64) -> [[f64; 3]; 2] {
     let chart = Chart::around(start);
     let dimensions = chart.dimensions();
     let origin = vec![0.0; dimensions];
@@ -45,7 +45,7 @@ pub fn improve(start: [[f64; 3]; 2], target: &Target, physical: bool, steps: u64
             at
         })
         .collect();
-    let problem = Problem { chart: chart.clone(), target, physical };
+    let problem = Problem { chart: chart.clone(), target, domain: *domain };
     let done = NelderMead::new(simplex)
         .with_sd_tolerance(1e-7)
         .and_then(|solver| Executor::new(problem, solver).configure(|state| state.max_iters(steps)).run());

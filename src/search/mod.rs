@@ -14,6 +14,6 @@ mod witness;
 
 pub use improve::improve;
 pub use sample::sample;
-pub use score::{Score, Seen, look};
+pub use score::{Domain, Score, Seen, look};
 pub use target::{ParseTargetError, Target};
 pub use witness::{FindDocument, NearestDocument, Witness, WitnessError, witness};

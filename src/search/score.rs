@@ -55,11 +55,27 @@ impl Seen {
     }
 }
 
-/// Looks at a body. What is undecided counts as not shown.
+/// Which bodies are looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain {
+    /// Only bodies that exist: A_i + A_j ≥ A_k.
+    pub physical: bool,
+    /// The largest moment is at most so many times the smallest.
+    pub moment_ratio: f64,
+}
+
+impl Default for Domain {
+    fn default() -> Self {
+        Self { physical: false, moment_ratio: 10.0 }
+    }
+}
+
+/// Looks at a body. What is undecided, or outside of the domain, counts as not shown.
 #[must_use]
-pub fn look(values: [[f64; 3]; 2], target: &Target, physical: bool) -> Seen {
+pub fn look(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> Seen {
     let Ok(body) = Body::from_f64(values[0], values[1]) else { return Seen::NOTHING };
-    if physical && body.flags().unphysical {
+    let [smallest, largest] = [f64::min, f64::max].map(|of| values[0].into_iter().fold(values[0][0], of));
+    if largest > domain.moment_ratio * smallest || domain.physical && body.flags().unphysical {
         return Seen::NOTHING;
     }
     let Ok(atlas) = Atlas::new(&body) else { return Seen::NOTHING };

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::chart::rounded;
-use super::score::{Score, look};
+use super::score::{Domain, Score, look};
 use super::target::Target;
 use crate::body::{Body, BodyError, Number};
 use crate::classify::{ClassifyError, classify};
@@ -109,7 +109,8 @@ pub enum WitnessError {
 /// # Errors
 /// [`WitnessError`].
 pub fn witness(values: [[f64; 3]; 2], target: &Target) -> Result<Witness, WitnessError> {
-    let seen = look(values, target, false);
+    let everything = Domain { physical: false, moment_ratio: f64::INFINITY };
+    let seen = look(values, target, &everything);
     let (Score::Shown(_), Some(at)) = (seen.score, seen.at) else { return Err(WitnessError::NotShown) };
     let body = Body::from_f64(values[0], values[1])?;
     let [h, l] = at.map(rounded);

@@ -231,14 +231,14 @@ fn katoks_borders_come_out_exactly() {
     let k2: f64 = 1.0 - 0.7;
     let cases = [
         ("--body katok:2 --vary A3=0.7:0.8", "A3", 0.75, "cusp-at-pitchfork", "the cusp of the pair S3 reaches its pitchfork"),
-        ("--body katok:4 --vary A2=0.93:1.07", "A2", 1.0, "pitchfork-at-infinity", "two moments of inertia"),
-        ("--body katok:1 --vary A3=0.9:1.2", "A3", 1.0, "pitchfork-at-infinity", "two moments of inertia"),
+        ("--body katok:4 --vary A2=0.93:1.07", "A2", 1.0, "pitchfork-at-infinity", "goes through infinity to"),
+        ("--body katok:1 --vary A3=0.9:1.2", "A3", 1.0, "pitchfork-at-infinity", "goes through infinity to"),
         (
             "--A 1,0.7,0.6 --r 1,0,0 --vary A3=0.62:0.698",
             "A3",
             1.0 - 0.25 / (1.0 / k2.sqrt() - 1.0),
             "pitchfork-on-curve",
-            "the pitchfork of L- and S3 meets S2",
+            "the pitchfork of L- and S3 passes through S2",
         ),
         ("--A 2,1.1,1 --r 1,0,0 --vary A2=1.3:1.9", "A2", 1.5, "cusp-at-pitchfork", "S2"),
     ];

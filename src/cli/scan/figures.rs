@@ -159,7 +159,6 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
         }
     }
     // Borders between neighbouring classes.
-    let mut level = L_MAX - 0.25;
     for pair in found.windows(2) {
         if pair[0].class.is_none() || pair[1].class.is_none() || pair[0].class == pair[1].class {
             continue;
@@ -172,10 +171,9 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
         map.lines.push(MapLine {
             points: dense(&[[eta, 0.0], [eta, L_MAX]]),
             dashed: true,
-            text: "border between classes".to_owned(),
+            text: format!("η = {eta:.4}: {}", border.event.text),
         });
-        map.notes.push(MapNote { at: [eta, level], text: format!("η = {eta:.4}: {}", border.event.text) });
-        level -= 0.3;
+        map.notes.push(MapNote { at: [eta, L_MAX - 0.2], text: format!("{eta:.4}") });
     }
     Ok(map)
 }

@@ -173,7 +173,9 @@ fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
     for note in &map.notes {
         let at = view.at(note.at);
         let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
-        let at = [at[0].clamp(view.rect.x + half, view.rect.x + view.rect.width - half), at[1]];
+        // Inside of the map, as far as the text fits.
+        let (first, last) = (view.rect.x + half, view.rect.x + view.rect.width - half);
+        let at = [at[0].min(last).max(first), at[1]];
         let box_of = |dy: f64| [at[1] - 0.5 * SMALL - dy, at[1] + 0.5 * SMALL + dy];
         let [top, bottom] = box_of(2.0);
         canvas.polygon(
