@@ -47,6 +47,7 @@ pub fn critical(body: &Body, l: &Number) -> Result<CriticalDocument, CriticalErr
             let multiplicity = match equilibrium.orbit {
                 Orbit::Circle(_) => Multiplicity::Circle,
                 Orbit::Sphere => Multiplicity::Sphere,
+                _ if equilibrium.degenerate => Multiplicity::Points(2),
                 _ => Multiplicity::Points(1),
             };
             RelativeEquilibriumDocument {
@@ -55,7 +56,11 @@ pub fn critical(body: &Body, l: &Number) -> Result<CriticalDocument, CriticalErr
                 omega: sign * (2.0 * x).sqrt() / point.j * frame.frequency_unit,
                 index: equilibrium.index,
                 multiplicity,
-                stability: stability_of(frame, point.gamma, (2.0 * x).sqrt() / point.j),
+                stability: if equilibrium.degenerate {
+                    Stability::Degenerate
+                } else {
+                    stability_of(frame, point.gamma, (2.0 * x).sqrt() / point.j)
+                },
                 branch: curve_name(&set, equilibrium.curve),
             }
         })

@@ -81,3 +81,20 @@ fn a_pitchfork_in_the_middle_between_two_moments() {
         assert_eq!((found.events.len(), found.faces), (events, faces), "{a:?} {r:?}");
     }
 }
+
+/// r so close to the axis of A₁ that |r| and r₁ are the same number: P+, h = x/J_r − r, still meets the branch with
+/// h = x/A₁ + r + O(1/x), at x = 2r A₁J_r/(A₁ − J_r) with A₁ − J_r = ε²(A₁ − A₃)/(1 + ε²) for r = (1, 0, ε).
+#[test]
+fn next_to_an_axis_the_far_crossing_is_found_to_relative_accuracy() {
+    for (text, epsilon) in [("1e-4", 1e-4), ("1e-8", 1e-8), ("1e-12", 1e-12), ("1e-13", 1e-13_f64)] {
+        let found = arrangement(["2", "1.1", "1"], ["1", "0", text]);
+        assert!(found.undecided.is_empty(), "{text}: {:?}", found.undecided);
+        assert_eq!((found.faces, found.events.len()), (17, 16), "{text}");
+        let last = found.events[15];
+        let x = last.x * found.set.frame.momentum_unit.powi(2);
+        let expected = 8.0 / (epsilon * epsilon);
+        assert!((x / expected - 1.0).abs() < 4.0 * epsilon * epsilon + 1e-13, "{text}: {x:e} {expected:e}");
+        assert!(last.x_error < 1e-13 * last.x, "{text}: {last:?}");
+        found.check_invariants().unwrap();
+    }
+}

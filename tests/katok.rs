@@ -3,6 +3,8 @@
 use bifdiag::arrangement::Change;
 use bifdiag::atlas::Atlas;
 use bifdiag::body::{Body, Preset};
+use bifdiag::critical::critical;
+use bifdiag::document::{Multiplicity, Stability};
 
 /// What tells a class: the regions' components with their poles, and the kinds of events by rising l.
 type Fingerprint = (Vec<String>, Vec<&'static str>);
@@ -134,4 +136,17 @@ fn kovalevskayas_cusp_crossing_and_pitchfork() {
         assert_eq!(found.0, expected.0);
         assert!((found.1 - expected.1).abs() < 1e-12 && (found.2 - expected.2).abs() < 1e-12, "{found:?} {expected:?}");
     }
+}
+
+/// At exactly l = 2 Kovalevskaya's pitchfork: the point that the pair leaves is told once, as degenerate.
+#[test]
+fn the_degenerate_point_of_a_pitchfork_is_listed() {
+    let body = Body::parse(&["2", "2", "1"], &["1", "0", "0"]).unwrap();
+    let found = critical(&body, &"2".parse().unwrap()).unwrap();
+    assert!(!found.complete);
+    let degenerate: Vec<_> =
+        found.critical.iter().filter(|point| point.multiplicity == Multiplicity::Points(2)).collect();
+    assert_eq!(degenerate.len(), 1);
+    assert_eq!((degenerate[0].h, degenerate[0].gamma, degenerate[0].omega), (2.0, [-1.0, 0.0, 0.0], 1.0));
+    assert_eq!(degenerate[0].stability, Stability::Degenerate);
 }

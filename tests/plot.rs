@@ -126,7 +126,7 @@ fn every_scale_is_drawn() {
 fn a_region_below_the_resolution_of_f64_is_named_in_a_note() {
     let fixture = parabolas(&[(2.0, -1.0), (2.0, 1.0), (2.0, 1.0 + 4e-15), (1.0, 1.5)]);
     let picture = picture("below-resolution", &fixture);
-    assert!(picture.svg.contains("Too small for the resolution of f64: "));
+    assert!(picture.svg.contains("Too narrow to be drawn: "));
 }
 
 #[test]

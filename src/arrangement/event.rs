@@ -3,6 +3,7 @@
 use crate::equilibria::{CriticalSet, End};
 use crate::numerics::UNIT_ROUNDOFF;
 
+use super::faces::{Faces, InconsistentOrder};
 use super::order::PairOrder;
 
 /// What happens to the vertical order of the curves as x rises through an event.
@@ -112,6 +113,56 @@ pub(super) fn settle(events: &mut [Event], order: impl Fn(usize, usize, [f64; 2]
             break;
         }
     }
+}
+
+/// Glues the faces; where orders and events contradict each other, tries those orders of the events that their errors
+/// allow. An order of events that cannot be glued is wrong; one that can is taken, and events that then still stand
+/// within their errors of each other are found and told by the caller.
+pub(super) fn settle_by_gluing(
+    events: &mut [Event],
+    orders: impl Fn(&[Event]) -> Vec<Vec<usize>>,
+) -> (Vec<Vec<usize>>, Result<Faces, InconsistentOrder>) {
+    /// Exchanges that are tried; each costs a gluing.
+    const TRIES: usize = 256;
+    let glue = |events: &[Event]| {
+        let orders = orders(events);
+        let changes: Vec<Change> = events.iter().map(|event| event.change).collect();
+        let faces = Faces::glue(&orders, &changes);
+        (orders, faces)
+    };
+    let mut best = glue(events);
+    let mut tries = 0;
+    while let Err(InconsistentOrder { event: stuck }) = best.1 {
+        // Earlier places first: the contradiction shows where the wrong order ends, not where it begins.
+        let exchange = (0..events.len()).flat_map(|k| (0..k).map(move |j| (j, k))).filter(|&(j, k)| {
+            let reach = |event: &Event| 4.0 * event.x_error;
+            j <= stuck + 1 && k + 4 >= stuck && events[k].x - events[j].x <= reach(&events[j]) + reach(&events[k])
+        });
+        let better = exchange.collect::<Vec<_>>().into_iter().find_map(|(j, k)| {
+            tries += 1;
+            if tries > TRIES {
+                return None;
+            }
+            let mut moved = events.to_vec();
+            moved[j..=k].rotate_right(1);
+            let found = glue(&moved);
+            let further = found.1.as_ref().map_or_else(|error| error.event > stuck, |_| true);
+            further.then_some((moved, found))
+        });
+        let Some((moved, found)) = better else { break };
+        events.copy_from_slice(&moved);
+        best = found;
+    }
+    if tries > 0 {
+        // Slabs are searched by x: it must not fall.
+        for k in 1..events.len() {
+            if events[k].x < events[k - 1].x {
+                events[k].x_error += events[k - 1].x - events[k].x;
+                events[k].x = events[k - 1].x;
+            }
+        }
+    }
+    best
 }
 
 /// The two events are crossings of one curve with two others, and stand in the wrong order.

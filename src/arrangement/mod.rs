@@ -98,16 +98,16 @@ impl Arrangement {
         let order = |p: usize, q: usize, range: [f64; 2]| transitive::proved(&pairs, p, q, range);
         let mut events = event::collect(&set, &pairs);
         event::settle(&mut events, order);
-        undecided.extend(simultaneous(&events, order));
-        let orders = vertical_orders(&set, &events, &pairs);
-        let changes: Vec<Change> = events.iter().map(|event| event.change).collect();
-        let (slabs, faces) = match Faces::glue(&orders, &changes) {
+        let orders = |events: &[Event]| vertical_orders(&set, events, &pairs);
+        let (orders, glued) = event::settle_by_gluing(&mut events, orders);
+        let (slabs, faces) = match glued {
             Ok(faces) => (slabs(orders, &events, &faces), faces.count),
             Err(InconsistentOrder { event }) => {
                 undecided.push(Undecided::Order { event });
                 (Vec::new(), 0)
             }
         };
+        undecided.extend(simultaneous(&events, order));
         Self { set, events, slabs, faces, undecided, evaluations }
     }
 }

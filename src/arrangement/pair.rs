@@ -6,7 +6,7 @@
 //! are closed by the known limits (MATH §4), so nothing is sampled and nothing missed.
 
 use crate::body::Frame;
-use crate::equilibria::{Arc, Curve, Gap, Mu, Orbit, Point, Pole, Shape};
+use crate::equilibria::{Arc, Asymptote, Curve, Gap, Mu, Orbit, Point, Pole, Shape};
 use crate::numerics::UNIT_ROUNDOFF;
 use crate::numerics::interval::Interval;
 use crate::numerics::root::{Bracket, newton_bracketed};
@@ -205,12 +205,7 @@ impl ArcPair<'_> {
     /// As l → ∞, h = x/J∞ − ρ∞ + O(1/x) (MATH §4).
     fn gap_at_infinity(&self) -> GapAt {
         let (p, q) = (self.limit(self.a), self.limit(self.b));
-        let moment_gap = match (p.axis, q.axis) {
-            (Some(i), Some(j)) => self.frame.diff[j][i],
-            (None, Some(j)) => self.frame.offset[j],
-            (Some(i), None) => -self.frame.offset[i],
-            (None, None) => 0.0,
-        };
+        let moment_gap = p.moment_gap(self.frame, &q);
         if moment_gap != 0.0 {
             return GapAt::Infinite(if moment_gap > 0.0 { 1 } else { -1 });
         }
@@ -230,19 +225,8 @@ impl ArcPair<'_> {
         Some(Gap { value, error: 8.0 * UNIT_ROUNDOFF * value.abs() })
     }
 
-    fn limit(&self, arc: &Arc) -> Limit {
-        let frame = self.frame;
-        match &arc.shape {
-            Shape::Straight { gamma, .. } => {
-                let axis = (0..3).find(|&k| gamma[k].abs() == 1.0);
-                Limit { axis, rho: (0..3).map(|k| gamma[k] * frame.r[k]).sum() }
-            }
-            Shape::Generic(segments) => {
-                let last = segments[segments.len() - 1];
-                Limit { axis: Some(last.base), rho: last.sign * frame.r[last.base] }
-            }
-            Shape::Symmetric { family, .. } => Limit { axis: Some(family.axis), rho: 0.0 },
-        }
+    fn limit(&self, arc: &Arc) -> Asymptote {
+        arc.asymptote(self.frame)
     }
 
     /// How far h − x/J∞ is from its limit −ρ∞; it approaches monotonically.
@@ -405,8 +389,8 @@ impl ArcPair<'_> {
             let [(p, _), (q, _)] = at;
             let plain = (Gap::between(frame, &p, &q), p.slope() - q.slope());
             let (gap, slope) = match pole_gaps(frame, [a, b], &at) {
-                Some([gap, slope]) if gap.error < plain.0.error => (gap, slope.value),
-                _ => plain,
+                Some([gap, slope]) => (if gap.error < plain.0.error { gap } else { plain.0 }, slope.value),
+                None => plain,
             };
             (gap, slope, p)
         };
@@ -427,12 +411,6 @@ impl ArcPair<'_> {
         let crossing = PairCrossing { x, x_error, h: point.h(), h_error };
         self.order.push_crossing([left.x, right.x], sign, crossing);
     }
-}
-
-#[derive(Clone, Copy)]
-struct Limit {
-    axis: Option<usize>,
-    rho: f64,
 }
 
 /// A point between two abscissae of which the left may be 0 and the right ∞; geometric when they differ much.

@@ -92,7 +92,10 @@ fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize
         .map(|(slab, position, row)| candidate(arrangement, slab, position, row))
         .collect();
     candidates.sort_by(|p, q| q.quality.total_cmp(&p.quality));
-    let best = candidates[0];
+    let Some(&best) = candidates.first() else {
+        // A face that only lives between events at the same x has no inside that f64 can name.
+        return Region { sample: corner(arrangement, cells[0]), cells, components: Err(MergeError::UnknownOrder) };
+    };
     let mut components = Err(MergeError::LostPath);
     for candidate in candidates.iter().take(ATTEMPTS) {
         components = topology(arrangement, candidate);
@@ -101,6 +104,14 @@ fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize
         }
     }
     Region { cells, sample: best.sample, components }
+}
+
+/// The lower left corner of a cell, with no margin.
+fn corner(arrangement: &Arrangement, (slab, position): (usize, usize)) -> Sample {
+    let strip = &arrangement.slabs[slab];
+    let curve = strip.order[position];
+    let point = arrangement.set.curves[curve].point(&arrangement.set.frame, strip.x[0]);
+    Sample { x: point.x, h: point.h(), margin: 0.0, error: point.h_error(), nearest: curve }
 }
 
 fn candidate<'a>(arrangement: &Arrangement, slab: usize, position: usize, row: &'a Row) -> Candidate<'a> {

@@ -2,7 +2,7 @@
 
 use std::ffi::OsString;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use bifdiag::body::Number;
 use bifdiag::document::{Accuracy, WindowDocument};
@@ -250,6 +250,19 @@ pub struct BatchArguments {
     /// Exit with status 2 if a line of the batch is wrong
     #[arg(long)]
     pub strict: bool,
+}
+
+impl BatchArguments {
+    /// The file of the batch, if one is asked for and none of the options that its lines replace is given.
+    pub fn path(&self, replaced: &[(&'static str, bool)]) -> Result<Option<&Path>, InputError> {
+        let Some(path) = &self.batch else {
+            return if self.strict { Err(InputError::StrictWithoutBatch) } else { Ok(None) };
+        };
+        match replaced.iter().find(|(_, given)| *given) {
+            Some((option, _)) => Err(InputError::PointWithBatch { option }),
+            None => Ok(Some(path)),
+        }
+    }
 }
 
 /// `bifdiag classify`.

@@ -25,20 +25,12 @@ const COLD_POINTS: usize = 4;
 pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let accuracy = arguments.accuracy.level()?;
     let (h, l) = (&arguments.energy, &arguments.momentum);
-    if let Some(path) = &arguments.batch.batch {
-        for (option, given) in [("--h", h.is_some()), ("--l", l.is_some())] {
-            if given {
-                return Err(InputError::PointWithBatch { option }.into());
-            }
-        }
+    if let Some(path) = arguments.batch.path(&[("--h", h.is_some()), ("--l", l.is_some())])? {
         let subject = arguments.body.optional_subject()?;
         let mut preparation = Preparation::default();
         return batch::run(path, &arguments.batch, subject.as_ref(), Wanted::Point, quiet, |queries| {
             timings.stage("chunk", || preparation.answer(queries, accuracy))
         });
-    }
-    if arguments.batch.strict {
-        return Err(InputError::StrictWithoutBatch.into());
     }
     let subject = arguments.body.subject()?;
     let h = h.as_ref().ok_or(InputError::NoPoint { missing: "--h", example: "the energy, such as --h 3.8" })?;

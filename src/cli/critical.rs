@@ -10,7 +10,7 @@ use super::batch::{self, Wanted};
 use super::failure::{Failure, InputError};
 use super::report::Report;
 use super::subject::Subject;
-use super::table::{Table, significant};
+use super::table::{Table, fixed, significant};
 use super::timings::Timings;
 use super::{layout, output};
 
@@ -18,10 +18,7 @@ use super::{layout, output};
 const DIGITS: usize = 10;
 
 pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
-    if let Some(path) = &arguments.batch.batch {
-        if arguments.momentum.is_some() {
-            return Err(InputError::PointWithBatch { option: "--l" }.into());
-        }
+    if let Some(path) = arguments.batch.path(&[("--l", arguments.momentum.is_some())])? {
         let subject = arguments.body.optional_subject()?;
         return batch::run(path, &arguments.batch, subject.as_ref(), Wanted::Momentum, quiet, |queries| {
             let answer = |query: &batch::Query| {
@@ -31,9 +28,6 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
             };
             timings.stage("chunk", || queries.par_iter().map(answer).collect())
         });
-    }
-    if arguments.batch.strict {
-        return Err(InputError::StrictWithoutBatch.into());
     }
     let subject = arguments.body.subject()?;
     let missing = InputError::NoPoint { missing: "--l", example: "the momentum, such as --l 3.25" };
@@ -56,7 +50,7 @@ enum Unanswered {
 fn report(subject: &Subject, document: &CriticalDocument) -> String {
     let mut table = Table::new(&["h", "gamma", "omega", "index", "mult", "stability", "branch"]);
     for point in &document.critical {
-        let [x, y, z] = point.gamma.map(|x| format!("{x:.6}"));
+        let [x, y, z] = point.gamma.map(|x| fixed(x, 6));
         table.row([
             significant(point.h, DIGITS),
             format!("({x:>9}, {y:>9}, {z:>9})"),

@@ -64,6 +64,15 @@ fn line(cells: &[&str], widths: &[usize]) -> String {
     out
 }
 
+/// A number with so many decimal places; one that rounds to zero has no sign.
+pub fn fixed(x: f64, places: usize) -> String {
+    let text = format!("{x:.places$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| c == '0' || c == '.') => rest.to_owned(),
+        _ => text,
+    }
+}
+
 /// A number with so many significant digits, in the shorter of the plain and the exponent form.
 pub fn significant(x: f64, digits: usize) -> String {
     if !x.is_finite() || x == 0.0 {

@@ -1,6 +1,6 @@
 //! All relative equilibria at one angular momentum.
 
-use super::critical_set::CriticalSet;
+use super::critical_set::{CriticalSet, end_tolerance};
 use super::curve::Orbit;
 use super::point::Point;
 
@@ -15,6 +15,9 @@ pub struct RelativeEquilibrium {
     pub index: u8,
     /// What it stands for.
     pub orbit: Orbit,
+    /// x is within rounding of a cusp or pitchfork at which this point is degenerate, and the curves that meet there
+    /// do not reach x.
+    pub degenerate: bool,
 }
 
 /// What [`CriticalSet::equilibria_at`] found.
@@ -32,12 +35,15 @@ impl CriticalSet {
     pub fn equilibria_at(&self, x: f64) -> EquilibriaAt {
         let (curves, near_end) = self.curves_over(x);
         let mut list = Vec::with_capacity(curves.len() + 2);
+        if near_end {
+            list.extend(self.merged_at(x, &curves));
+        }
         for curve in curves {
             let Some(index) = self.curves[curve].index else { continue };
             let orbit = self.curves[curve].orbit;
             let point = self.curves[curve].point(&self.frame, x);
             for point in both_of_a_pair(orbit, point) {
-                list.push(RelativeEquilibrium { curve, point, index, orbit });
+                list.push(RelativeEquilibrium { curve, point, index, orbit, degenerate: false });
             }
         }
         list.sort_by(|p, q| {
@@ -45,6 +51,29 @@ impl CriticalSet {
             by_gamma.fold(p.point.h().total_cmp(&q.point.h()), std::cmp::Ordering::then)
         });
         EquilibriaAt { list, complete: !near_end }
+    }
+
+    /// The degenerate points within rounding of x whose curves are not among those over x.
+    fn merged_at(&self, x: f64, over: &[usize]) -> Vec<RelativeEquilibrium> {
+        let cusps = self.cusps.iter().map(|cusp| (&cusp.point, cusp.curves));
+        let pitchforks = self.pitchforks.iter().map(|pitchfork| (&pitchfork.point, pitchfork.through));
+        cusps
+            .chain(pitchforks)
+            .filter(|(point, curves)| {
+                (point.x - x).abs() <= end_tolerance(x) && !curves.iter().any(|curve| over.contains(curve))
+            })
+            .filter_map(|(point, curves)| {
+                let curve = curves.into_iter().min_by_key(|&curve| self.curves[curve].index)?;
+                let index = self.curves[curve].index?;
+                Some(RelativeEquilibrium {
+                    curve,
+                    point: Point { x, ..*point },
+                    index,
+                    orbit: self.curves[curve].orbit,
+                    degenerate: true,
+                })
+            })
+            .collect()
     }
 }
 

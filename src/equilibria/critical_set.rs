@@ -98,7 +98,7 @@ impl CriticalSet {
     /// Numbers of the curves over x, and whether an end lies within rounding of x.
     #[must_use]
     pub fn curves_over(&self, x: f64) -> (Vec<usize>, bool) {
-        let tolerance = 64.0 * UNIT_ROUNDOFF * x;
+        let tolerance = end_tolerance(x);
         let over = (0..self.curves.len()).filter(|&c| {
             let [from, to] = self.curves[c].x();
             from < x && x < to
@@ -107,6 +107,11 @@ impl CriticalSet {
             || self.clusters.iter().any(|cluster| (cluster.point.x - x).abs() <= 1e-6 * x);
         (over.collect(), near)
     }
+}
+
+/// Distance in x up to which rounding does not tell on which side of the end of a curve x lies.
+pub(super) fn end_tolerance(x: f64) -> f64 {
+    64.0 * UNIT_ROUNDOFF * x
 }
 
 fn check_range(frame: &Frame) -> Result<(), EquilibriaError> {

@@ -3,6 +3,7 @@
 //! Works in x = l²/2, in which U_l(γ) = x/J(γ) − ⟨γ, r⟩ is linear for each γ.
 
 mod arc;
+mod asymptote;
 mod at_momentum;
 mod critical_set;
 mod curve;
@@ -15,6 +16,7 @@ mod special_curves;
 mod symmetric;
 
 pub use arc::{Arc, Segment, Shape};
+pub use asymptote::Asymptote;
 pub use at_momentum::{EquilibriaAt, RelativeEquilibrium};
 pub use critical_set::{CriticalSet, Cusp, CuspCluster, EquilibriaError, Pitchfork};
 pub use curve::{Branch, Curve, End, Orbit, Pole};

@@ -14,7 +14,7 @@ use super::panel::{Panel, View};
 use super::scene::Scene;
 use super::stroke::{self, Stroke};
 use super::trace::CurveSource;
-use super::window::main_window;
+use super::window::{Windows, windows};
 use super::{DiagramOptions, Picture, PlotError, axes, notation};
 use crate::document::{AtlasDocument, EventKind, RegionDocument};
 
@@ -47,8 +47,9 @@ pub fn draw(
         .map(|region| Name { kind: notation::region_type(region), id: region.id.clone() })
         .collect();
     let view = |window, x, y, size: [f64; 2]| View { window, rect: Rect { x, y, width: size[0], height: size[1] } };
-    let main = Panel::new(&scene, view(main_window(&scene, options.window)?, LEFT, TOP, MAIN))?;
-    let magnified = magnifications(&scene, &main, INSET)?;
+    let Windows { main, everything } = windows(&scene, options.window)?;
+    let main = Panel::new(&scene, view(main, LEFT, TOP, MAIN))?;
+    let magnified = magnifications(&scene, &main, &everything, INSET)?;
     let mut panels = vec![main];
     for (index, window) in magnified.windows.iter().enumerate() {
         let [x, y] = inset_place(index);
@@ -69,7 +70,7 @@ pub fn draw(
     render([width, height.ceil()], &title, |canvas| {
         canvas.text(&title, [LEFT, TOP - 34.0], TITLE_SIZE, INK, Anchor::Start)?;
         for (index, panel) in panels.iter().enumerate() {
-            let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index).collect();
+            let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index && frame.shown).collect();
             paint_panel(canvas, &scene, panel, &strokes, &own)?;
             for frame in own {
                 canvas.outline(&frame.rect.corners(), Ink { color: INK, width: 0.9 })?;
@@ -111,7 +112,7 @@ fn place_text(
     let mut spaces: Vec<Space<'_>> = panels.iter().map(|panel| Space::new(panel, names.len())).collect();
     let mut letters = vec![None; frames.len()];
     for (index, space) in spaces.iter_mut().enumerate() {
-        let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index).collect();
+        let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index && frame.shown).collect();
         for point in marked_points(scene, &panels[index], &own) {
             space.take(&Rect { x: point[0], y: point[1], width: 0.0, height: 0.0 }.grown(4.5));
         }

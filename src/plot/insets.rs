@@ -22,10 +22,15 @@ const LEAP: f64 = 40.0;
 const STEPS_MAX: usize = 3;
 /// Windows narrower than this, relative to their position, are beyond f64.
 const RESOLUTION: f64 = 1e-12;
+/// Regions narrower than this share of the energies in view are not looked for: curves that resolve them over the whole
+/// view would have too many points.
+const NARROWEST: f64 = 2e-9;
 /// Free space around a region, as a share of its extent.
 const AROUND: f64 = 0.16;
 /// Each trial window reaches this share as far from the region's widest place as the one before.
 const SHRINK: f64 = 0.9;
+/// Where a region shows less than this, the next trial window may be much smaller.
+const FAR_FROM_VISIBLE: f64 = 0.3 * WIDE;
 /// Pixels of a trial, in those of the panel.
 const COARSE: f64 = 2.0;
 /// Places at which the extent of a cell is measured.
@@ -56,7 +61,13 @@ struct Station {
 }
 
 /// Chooses the windows of the insets of plot size `size` for what the main panel does not show.
-pub(super) fn magnifications(scene: &Scene<'_>, main: &Panel, size: [f64; 2]) -> Result<Magnifications, PlotError> {
+/// What lies outside the main window is looked for in `everything`.
+pub(super) fn magnifications(
+    scene: &Scene<'_>,
+    main: &Panel,
+    everything: &WindowDocument,
+    size: [f64; 2],
+) -> Result<Magnifications, PlotError> {
     let mut result = Magnifications::default();
     let mut windows: Vec<WindowDocument> = Vec::new();
     let mut close: Vec<Candidate> = Vec::new();
@@ -65,7 +76,12 @@ pub(super) fn magnifications(scene: &Scene<'_>, main: &Panel, size: [f64; 2]) ->
         if depth >= LEGIBLE {
             continue;
         }
-        match own_windows(scene, main, region, size)? {
+        let mut found = own_windows(scene, &main.view.window, region, size)?;
+        let goes_on = scene.cells[region].iter().any(|cell| cell.l[1] > main.view.window.l[1]);
+        if !matches!(found, Found::Windows { .. }) && goes_on && *everything != main.view.window {
+            found = own_windows(scene, everything, region, size)?;
+        }
+        match found {
             Found::Windows { wide, closest } => {
                 hidden.push(region);
                 windows.push(wide);
@@ -119,11 +135,13 @@ enum Found {
 }
 
 /// Windows around the widest place of a region: the largest in which it can be seen, and one in which it is seen easily.
-fn own_windows(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -> Result<Found, PlotError> {
-    let visible = main.view.window;
+fn own_windows(scene: &Scene<'_>, visible: &WindowDocument, region: usize, size: [f64; 2]) -> Result<Found, PlotError> {
     let document = &scene.atlas.regions[region];
-    let width = document.h_width.unwrap_or(f64::INFINITY).min(main.view.h_per_pixel());
-    let Some(stations) = stations(scene, &visible, region, width * 1e-3)? else { return Ok(Found::Outside) };
+    let width = document.h_width.unwrap_or(f64::INFINITY).min((visible.h[1] - visible.h[0]) / size[0]);
+    if width < NARROWEST * (visible.h[1] - visible.h[0]) {
+        return Ok(Found::TooSmall);
+    }
+    let Some(stations) = stations(scene, visible, region, width * 1e-3)? else { return Ok(Found::Outside) };
     let extent = |station: &Station| station.h[1] - station.h[0];
     let Some(widest) = stations.iter().max_by(|a, b| extent(a).total_cmp(&extent(b))) else {
         return Ok(Found::Outside);
@@ -142,12 +160,12 @@ fn own_windows(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -
     loop {
         let l = [ends[0].max(widest.l - reach), ends[1].min(widest.l + reach)];
         let inner = WindowDocument { h: [f64::NEG_INFINITY, f64::INFINITY], l };
-        let Some(near) = self::stations(scene, &clipped(&inner, &visible), region, width * 1e-3)? else { break };
+        let Some(near) = self::stations(scene, &clipped(&inner, visible), region, width * 1e-3)? else { break };
         let h = [
             near.iter().map(|station| station.h[0]).fold(f64::INFINITY, f64::min),
             near.iter().map(|station| station.h[1]).fold(f64::NEG_INFINITY, f64::max),
         ];
-        let window = clipped(&around(h, l), &visible);
+        let window = clipped(&around(h, l), visible);
         let resolved = |[from, to]: [f64; 2]| to - from > RESOLUTION * from.abs().max(to.abs());
         if !(resolved(window.h) && resolved(window.l)) {
             break;
@@ -162,7 +180,7 @@ fn own_windows(scene: &Scene<'_>, main: &Panel, region: usize, size: [f64; 2]) -
         if depth >= CLOSE {
             break;
         }
-        reach *= SHRINK;
+        reach *= if depth < FAR_FROM_VISIBLE { 0.5 } else { SHRINK };
     }
     Ok(match best.filter(|best| best.depths[0] >= LEGIBLE) {
         Some(closest) => Found::Windows { wide: wide.unwrap_or(closest.window), closest },
@@ -201,7 +219,7 @@ fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument) {
         let led = windows.iter().any(|other| {
             *other != target && contains(other, &target) && scales(main, other)[0] * LEAP.sqrt() >= h.sqrt()
         });
-        if h.min(l) < LEAP || led || added == STEPS_MAX {
+        if h.min(l) < LEAP || led || added == STEPS_MAX || !contains(main, &target) {
             continue;
         }
         let spread = |side: [f64; 2], scale: f64| {

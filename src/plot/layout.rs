@@ -48,6 +48,8 @@ pub(super) struct Frame {
     pub inset: usize,
     /// Index of the panel that shows it.
     pub parent: usize,
+    /// False when the inset lies outside the main window, so that no panel shows its frame.
+    pub shown: bool,
     pub rect: Rect,
 }
 
@@ -76,7 +78,8 @@ pub(super) fn frames(panels: &[Panel]) -> Vec<Frame> {
                 width: exact.width + dx,
                 height: exact.height + dy,
             };
-            Frame { inset: index - 1, parent, rect: within(&wide, &panels[parent].view.rect) }
+            let shown = contains(&panels[parent]);
+            Frame { inset: index - 1, parent, shown, rect: within(&wide, &panels[parent].view.rect) }
         })
         .collect()
 }

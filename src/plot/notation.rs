@@ -48,6 +48,9 @@ pub(super) fn region_type(region: &RegionDocument) -> String {
     if let Some(signature) = &region.signature {
         return signature.split('+').map(section).collect::<Vec<_>>().join("+");
     }
+    if region.components.is_empty() {
+        return "undecided".to_owned();
+    }
     let parts: Vec<String> =
         region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
     format!("U: {}", parts.join("+"))

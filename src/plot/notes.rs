@@ -31,7 +31,7 @@ pub(super) fn notes(
     let crowded: Vec<usize> = unlabelled.iter().filter(|region| !known.contains(region)).copied().collect();
     let mut lines = Vec::new();
     for (heading, regions) in [
-        ("Too small for the resolution of f64:", &magnified.invisible),
+        ("Too narrow to be drawn:", &magnified.invisible),
         ("Outside the window:", &magnified.outside),
         ("Without room for a label:", &crowded),
     ] {

@@ -1,4 +1,4 @@
-//! The window of the main panel.
+//! The windows that the panels may show.
 
 use super::PlotError;
 use super::scene::Scene;
@@ -11,29 +11,47 @@ const BEYOND_EVENTS: f64 = 0.25;
 const BEYOND_START: f64 = 0.5;
 /// Margin at both ends in h, as a share of the range.
 const MARGIN: f64 = 0.05;
+/// An event at more than so many times the l of the one before would leave the others no room.
+const FAR_BEYOND: f64 = 12.0;
 /// Without events the window ends in h at most at this multiple of the median of the curves.
 const MEDIAN_MULTIPLE: f64 = 4.0;
 
-/// The window that was asked for, or one that shows all events and a part of every unbounded region.
-pub(super) fn main_window(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<WindowDocument, PlotError> {
-    let window = match asked.or(scene.atlas.window) {
-        Some(window) => window,
-        None => automatic(scene)?,
-    };
-    let WindowDocument { h, l } = window;
-    let fits = |[from, to]: [f64; 2]| from < to && (to - from).is_finite();
-    if fits(h) && fits(l) { Ok(window) } else { Err(PlotError::EmptyWindow { h, l }) }
+/// The part of the plane that the main panel shows, and the part that insets may show.
+pub(super) struct Windows {
+    /// The window that was asked for, or one that shows all events but those that lie far beyond all others.
+    pub main: WindowDocument,
+    /// The window that was asked for, or one that shows all events and a part of every unbounded region.
+    pub everything: WindowDocument,
 }
 
-fn automatic(scene: &Scene<'_>) -> Result<WindowDocument, PlotError> {
-    let events = &scene.atlas.events;
-    let last_event = events.iter().map(|event| event.l).fold(0.0, f64::max);
+pub(super) fn windows(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<Windows, PlotError> {
+    let windows = if let Some(window) = asked.or(scene.atlas.window) {
+        Windows { main: window, everything: window }
+    } else {
+        let mut l: Vec<f64> = scene.atlas.events.iter().map(|event| event.l).collect();
+        l.sort_by(f64::total_cmp);
+        let last = l.last().copied().unwrap_or(0.0);
+        // The events up to the first leap; those beyond it are for insets.
+        let before_leap = l.windows(2).find(|pair| pair[1] > FAR_BEYOND * pair[0]).map_or(last, |pair| pair[0]);
+        let everything = automatic(scene, last)?;
+        let main = if before_leap < last { automatic(scene, before_leap)? } else { everything };
+        Windows { main, everything }
+    };
+    let WindowDocument { h, l } = windows.main;
+    let fits = |[from, to]: [f64; 2]| from < to && (to - from).is_finite();
+    if fits(h) && fits(l) { Ok(windows) } else { Err(PlotError::EmptyWindow { h, l }) }
+}
+
+/// A window for the events up to `last_event` in l.
+fn automatic(scene: &Scene<'_>, last_event: f64) -> Result<WindowDocument, PlotError> {
+    let events: Vec<_> = scene.atlas.events.iter().filter(|event| event.l <= last_event).collect();
     let last_point =
         scene.atlas.curves.iter().filter_map(|curve| curve.polyline.last()).map(|point| point[1]).fold(0.0, f64::max);
     // Coarse values are enough to choose a window.
-    let coarse = scale(scene) * 1e-3;
+    let coarse = scale(scene, last_event) * 1e-3;
     let l_top = if last_event > 0.0 {
-        last_event.max(start_of_positive_energies(scene, last_point, coarse)?) * (1.0 + BEYOND_EVENTS)
+        last_event.max(start_of_positive_energies(scene, last_point.min(FAR_BEYOND * last_event), coarse)?)
+            * (1.0 + BEYOND_EVENTS)
     } else {
         last_point
     };
@@ -84,9 +102,9 @@ fn start_of_positive_energies(scene: &Scene<'_>, l_top: f64, coarse: f64) -> Res
     Ok(positive.map_or(0.0, |point| point[1]))
 }
 
-/// The size of the energies in the atlas.
-fn scale(scene: &Scene<'_>) -> f64 {
-    let events = scene.atlas.events.iter().map(|event| event.h.abs());
+/// The size of the energies up to an event.
+fn scale(scene: &Scene<'_>, last_event: f64) -> f64 {
+    let events = scene.atlas.events.iter().filter(|event| event.l <= last_event).map(|event| event.h.abs());
     let starts = scene.atlas.curves.iter().filter_map(|curve| curve.polyline.first()).map(|point| point[0].abs());
     let scale = events.chain(starts).fold(0.0, f64::max);
     if scale > 0.0 { scale } else { 1.0 }

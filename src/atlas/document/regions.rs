@@ -33,6 +33,13 @@ pub(super) fn documents(
             }
         }
     }
+    if window.is_some() {
+        // Neighbours outside the window are not listed, so nothing may point to them.
+        let listed: Vec<String> = documents.iter().map(|document| document.id.clone()).collect();
+        for document in &mut documents {
+            document.neighbours.retain(|neighbour| neighbour.region.as_ref().is_none_or(|id| listed.contains(id)));
+        }
+    }
     (documents, clipped)
 }
 
@@ -177,8 +184,8 @@ fn cell_width(cost: &Narrowness, x: [f64; 2]) -> Option<f64> {
     let mut limit = 0.0_f64;
     let mut high = x[1];
     if high.is_infinite() {
-        let final_slope = |c: usize| set.curves[c].arcs[set.curves[c].arcs.len() - 1].slope[1];
-        if final_slope(cost.lower) != final_slope(cost.upper) {
+        let asymptote = |c: usize| set.curves[c].arcs[set.curves[c].arcs.len() - 1].asymptote(&set.frame);
+        if asymptote(cost.lower).moment_gap(&set.frame, &asymptote(cost.upper)) != 0.0 {
             return None;
         }
         high = FAR * x[0].max(1.0);

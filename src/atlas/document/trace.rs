@@ -3,6 +3,7 @@
 use super::super::Atlas;
 use super::super::names::curve_name;
 use crate::equilibria::Curve;
+use crate::numerics::UNIT_ROUNDOFF;
 
 impl Atlas {
     /// Points [h, l] of a curve by rising l over the common part of its range and `l`, such that the straight line
@@ -30,8 +31,12 @@ impl Atlas {
     /// The polyline of a curve over a range of l inside its own.
     pub(super) fn sampled(&self, curve: &Curve, l: [f64; 2], tolerance: f64) -> Vec<[f64; 2]> {
         const MAX_DEPTH: u32 = 24;
+        /// A chord is not asked to be closer than so many units of roundoff of h, which no more points would mend.
+        const ROUNDINGS: f64 = 64.0;
         let mut points = vec![[self.h_at(curve, l[0]), l[0]]];
         let last = [self.h_at(curve, l[1]), l[1]];
+        let noise = ROUNDINGS * UNIT_ROUNDOFF * points[0][0].abs().max(last[0].abs());
+        let tolerance = tolerance.max(noise);
         self.refine(curve, points[0], last, tolerance, MAX_DEPTH, &mut points);
         points
     }

@@ -13,20 +13,26 @@ const BUFFER: usize = 1 << 20;
 /// A reader of lines.
 pub struct LineReader<R> {
     source: BufReader<R>,
+    /// Empty lines that have been read and that count if anything follows them.
+    empty: usize,
 }
 
 impl<R: Read> LineReader<R> {
     pub fn new(source: R) -> Self {
-        Self { source: BufReader::with_capacity(BUFFER, source) }
+        Self { source: BufReader::with_capacity(BUFFER, source), empty: 0 }
     }
 
     /// The next lines without their ends: at least one, unless the end is reached, and no more than can be had
-    /// without waiting. A line longer than [`MAX_LINE`] is cut to one byte more.
+    /// without waiting. Empty lines at the end do not count. A line longer than [`MAX_LINE`] is cut to one byte more.
     pub fn next_chunk(&mut self) -> io::Result<Vec<Vec<u8>>> {
         let mut lines = Vec::new();
         while lines.len() < CHUNK && (lines.is_empty() || self.source.buffer().contains(&b'\n')) {
             match self.next_line()? {
-                Some(line) => lines.push(line),
+                Some(line) if line.len() <= MAX_LINE && line.trim_ascii().is_empty() => self.empty += 1,
+                Some(line) => {
+                    lines.extend(std::iter::repeat_n(Vec::new(), std::mem::take(&mut self.empty)));
+                    lines.push(line);
+                }
                 None => break,
             }
         }
@@ -78,6 +84,7 @@ mod tests {
         assert_eq!(lines(b"a\n\nb"), [b"a".to_vec(), Vec::new(), b"b".to_vec()]);
         assert_eq!(lines(b"a\n"), [b"a".to_vec()]);
         assert!(lines(b"").is_empty());
+        assert_eq!(lines(b"\na\n\n \r\n"), [Vec::new(), b"a".to_vec()]);
     }
 
     #[test]
