@@ -58,6 +58,8 @@ pub struct MapNote {
     pub at: [f64; 2],
     /// What.
     pub text: String,
+    /// Whether the place itself is marked by a ring; then the text stands beside it, else upon it.
+    pub ring: bool,
 }
 
 /// Everything that a map shows.

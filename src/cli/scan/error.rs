@@ -26,6 +26,8 @@ pub enum ScanInput {
     NoOut,
     #[error("--out {path}: the ending says no format; use .parquet, .csv or .jsonl, or say it with --format", path = path.display())]
     NoFormat { path: PathBuf },
+    #[error("{path}: the ending is none of .parquet, .csv and .jsonl; name a file with the rows of a scan", path = path.display())]
+    NoRows { path: PathBuf },
     #[error("--out -: Parquet cannot be written to stdout; use --format csv or --format jsonl")]
     ParquetToStdout,
     #[error("--json and --out - both want stdout; write the rows to a file, or leave out --json")]
@@ -66,6 +68,10 @@ pub enum ScanInput {
     Missing { from: u64, to: u64, count: u64, place: String },
     #[error("{path}: the output is one of the shards; choose another --out", path = path.display())]
     OutIsShard { path: PathBuf },
+    #[error("{path}: no bodies are in it; name a file with the rows of a scan", path = path.display())]
+    Empty { path: PathBuf },
+    #[error("--out {path}: {source}; choose a file in a folder that is there", path = path.display())]
+    Out { path: PathBuf, source: io::Error },
     #[error("{option} {name}: {reason}")]
     Axis { option: &'static str, name: String, reason: String },
     #[error("{0}")]

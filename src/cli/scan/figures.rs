@@ -121,7 +121,7 @@ fn reorder(map: &mut Map, order: &[usize]) {
 /// A = (2, η, 1), r = (1, 0, 0): the classes over η, the momenta of all events, and what happens at the borders.
 fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
     const ETA: [f64; 2] = [0.8, 2.2];
-    const L_MAX: f64 = 6.0;
+    const L: [f64; 2] = [1.3, 3.3];
     const COLUMNS: u32 = 280;
     let family = body_family(["2", "1", "1"], ["1", "0", "0"])?;
     let vary = ["A2=0.8025:2.1975:280"];
@@ -131,14 +131,14 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
         .iter()
         .flat_map(|row| {
             let seen = Seen::new(row, [Parameter::A2, Parameter::A3], Shown::Class);
-            [0.0, L_MAX].map(|l| Seen { at: [seen.at[0], l], ..seen.clone() })
+            L.map(|l| Seen { at: [seen.at[0], l], ..seen.clone() })
         })
         .collect();
     let mut map = map(&seen, [Parameter::A2, Parameter::A3], Shown::Class);
     map.title = "From Lagrange (η = 1) to Kovalevskaya (η = 2)".to_owned();
     map.subtitle = "A = (2, η, 1), r = (1, 0, 0); colours: class; lines: the momenta l of all events".to_owned();
     map.x = MapAxis { name: "η".to_owned(), range: ETA };
-    map.y = MapAxis { name: "l".to_owned(), range: [0.0, L_MAX] };
+    map.y = MapAxis { name: "l".to_owned(), range: L };
     // Events, one polyline for each name.
     let mut lines: BTreeMap<String, Vec<[f64; 2]>> = BTreeMap::new();
     for n in 0..=4 * COLUMNS {
@@ -149,12 +149,14 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
             lines.entry(name).or_default().push([eta, l]);
         }
     }
+    let mut boxes: Vec<[f64; 4]> = Vec::new();
     for (name, points) in &lines {
         for run in points.chunk_by(|p, q| q[0] - p[0] < 0.006) {
             map.lines.push(MapLine { points: run.to_vec(), dashed: false, text: String::new() });
-            let inside: Vec<&[f64; 2]> = run.iter().filter(|point| point[1] < L_MAX - 0.3).collect();
-            if let (Some(at), true) = (inside.get(inside.len() / 2), inside.len() > 60) {
-                map.notes.push(MapNote { at: **at, text: name.clone() });
+            let inside = |at: &&[f64; 2]| at[1] > L[0] + 0.05 && at[1] < L[1] - 0.2;
+            let inside: Vec<&[f64; 2]> = run.iter().filter(inside).collect();
+            if let Some(at) = free_place(&inside, name, ETA, L, &mut boxes) {
+                map.notes.push(MapNote { at, text: name.clone(), ring: false });
             }
         }
     }
@@ -169,24 +171,56 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
         let Ok(border) = border::find(&segment, &BorderOptions::default()) else { continue };
         let eta = segment.coordinate(1, border.t).to_f64().value();
         map.lines.push(MapLine {
-            points: dense(&[[eta, 0.0], [eta, L_MAX]]),
+            points: dense(&[[eta, L[0]], [eta, L[1]]]),
             dashed: true,
             text: format!("η = {eta:.4}: {}", border.event.text),
         });
-        map.notes.push(MapNote { at: [eta, L_MAX - 0.2], text: format!("{eta:.4}") });
+        map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), ring: false });
     }
     Ok(map)
+}
+
+/// A point of a line at which its name covers no other name.
+fn free_place(
+    line: &[&[f64; 2]],
+    name: &str,
+    x: [f64; 2],
+    y: [f64; 2],
+    boxes: &mut Vec<[f64; 4]>,
+) -> Option<[f64; 2]> {
+    // Shares of the map's sides that a letter and a line of text take.
+    const LETTER: f64 = 0.0058;
+    const LINE: f64 = 0.013;
+    const TRIES: usize = 40;
+    let half = LETTER * name.chars().count() as f64;
+    (0..TRIES).find_map(|n| {
+        // From the middle outwards.
+        let step = n.div_ceil(2) * line.len() / (TRIES + 2);
+        let place = if n % 2 == 0 { line.len() / 2 + step } else { (line.len() / 2).checked_sub(step)? };
+        let at = **line.get(place)?;
+        let share = |value: f64, range: [f64; 2]| (value - range[0]) / (range[1] - range[0]);
+        let (u, v) = (share(at[0], x).clamp(half, 1.0 - half), share(at[1], y));
+        let mine = [u - half, u + half, v - LINE, v + LINE];
+        let apart = |other: &[f64; 4]| {
+            mine[1] < other[0] || mine[0] > other[1] || mine[3] < other[2] || mine[2] > other[3]
+        };
+        if !boxes.iter().all(apart) {
+            return None;
+        }
+        boxes.push(mine);
+        Some(at)
+    })
 }
 
 /// The paper's body, r2 and r3 varied.
 fn paper_off_the_axis() -> Result<Map, Failure> {
     let family = body_family(["2", "1.1", "1"], ["0.94868", "0", "0"])?;
-    let vary = ["r2=0.005:0.995:100", "r3=0.005:0.995:100"];
+    let vary = ["r2=0.00075:0.14925:100", "r3=0.0035:0.6965:100"];
     let mut map = classes_of(family, &vary, [Parameter::R2, Parameter::R3])?;
     map.title = "Around the paper's body: the centre of mass leaves the axis".to_owned();
     map.subtitle = "A = (2, 1.1, 1), r = (0.94868, r2, r3); the paper's body has r2 = 0, r3 = 0.61623".to_owned();
-    (map.x.range, map.y.range) = ([0.0, 1.0], [0.0, 1.0]);
-    map.notes.push(MapNote { at: [0.0, 0.61623], text: "the paper's body".to_owned() });
+    (map.x.range, map.y.range) = ([0.0, 0.15], [0.0, 0.7]);
+    map.notes.push(MapNote { at: [0.0, 0.61623], text: "the paper's body".to_owned(), ring: true });
     Ok(map)
 }
 
@@ -200,6 +234,6 @@ fn paper_in_the_plane() -> Result<Map, Failure> {
     map.title = "Around the paper's body: the plane r2 = 0".to_owned();
     map.subtitle = "A = (2, A2, 1), r = (0.94868, 0, r3); the paper's body has A2 = 1.1, r3 = 0.61623".to_owned();
     map.y.range = [0.0, 1.0];
-    map.notes.push(MapNote { at: [1.1, 0.61623], text: "the paper's body".to_owned() });
+    map.notes.push(MapNote { at: [1.1, 0.61623], text: "the paper's body".to_owned(), ring: true });
     Ok(map)
 }

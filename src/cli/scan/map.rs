@@ -19,17 +19,20 @@ use crate::cli::report::Report;
 use crate::cli::timings::Timings;
 
 pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
+    if arguments.x == arguments.y {
+        let reason = format!("both axes show it; choose two of {}", names());
+        return Err(ScanInput::Axis { option: "--y", name: arguments.y.to_string(), reason }.into());
+    }
     let file = &arguments.file;
-    let format = output::format_of(file, None)?;
+    let format = output::format_of_input(file)?;
     let table = |source| ScanInput::Table { path: file.clone(), source };
     let mut bodies = Vec::new();
     for row in format.rows(file).map_err(table)? {
         bodies.push(Seen::of(&row.map_err(table)?, arguments));
     }
     let axes = [("--x", arguments.x), ("--y", arguments.y)];
-    if arguments.x == arguments.y {
-        let reason = format!("both axes show it; choose two of {}", names());
-        return Err(ScanInput::Axis { option: "--y", name: arguments.y.to_string(), reason }.into());
+    if bodies.is_empty() {
+        return Err(ScanInput::Empty { path: file.clone() }.into());
     }
     for (place, (option, parameter)) in axes.into_iter().enumerate() {
         if bodies.iter().all(|body| body.at[place] == bodies[0].at[place]) {
@@ -108,7 +111,10 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
         order.sort_by(|p, q| q.1.cmp(&p.1).then_with(|| p.0.cmp(q.0)));
     }
     let known = if show == Shown::Class { known_classes() } else { BTreeMap::new() };
-    let share = |n: usize| format!("{:.1}%", 100.0 * n as f64 / bodies.len() as f64);
+    let share = |n: usize| match 100.0 * n as f64 / bodies.len() as f64 {
+        percent if percent < 0.05 => "below 0.1%".to_owned(),
+        percent => format!("{percent:.1}%"),
+    };
     let entries = order
         .iter()
         .enumerate()

@@ -52,7 +52,10 @@ fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
         }
         let summary = output::read_summary(path)?;
         let known = [Format::Parquet, Format::Csv, Format::Jsonl].into_iter().find(|f| f.name() == summary.format);
-        let format = output::format_of(path, known)?;
+        let format = match known {
+            Some(format) if format.is_available() => format,
+            _ => output::format_of_input(path)?,
+        };
         let digest = hashing::of_file(path).map_err(|source| ScanInput::Shard { path: path.clone(), source })?;
         if digest != summary.sha256 {
             return Err(ScanInput::Altered { path: path.clone() });

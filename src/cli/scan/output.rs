@@ -32,7 +32,15 @@ pub fn format_of(out: &Path, format: Option<Format>) -> Result<Format, ScanInput
         Some(format) => format,
         None => return Err(ScanInput::NoFormat { path: out.to_owned() }),
     };
+    let folder = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+    fs::metadata(folder).map_err(|source| ScanInput::Out { path: out.to_owned(), source })?;
     if format.is_available() { Ok(format) } else { Err(ScanInput::NoParquet { path: out.to_owned() }) }
+}
+
+/// The format of a file with rows that is to be read.
+pub fn format_of_input(path: &Path) -> Result<Format, ScanInput> {
+    let format = Format::of(path).ok_or_else(|| ScanInput::NoRows { path: path.to_owned() })?;
+    if format.is_available() { Ok(format) } else { Err(ScanInput::NoParquet { path: path.to_owned() }) }
 }
 
 /// Writes rows and summary under other names and renames both when they are whole.

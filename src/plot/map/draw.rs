@@ -4,7 +4,7 @@ use plotters::chart::ChartBuilder;
 
 use super::colors::{UNKNOWN, color};
 use super::places::widest;
-use super::{Map, MapBodies, MapLine};
+use super::{Map, MapBodies, MapLine, MapNote};
 use crate::plot::canvas::{Anchor, Canvas, Ink, Point, render, style, text_style, to_units};
 use crate::plot::font::{self, text_width};
 use crate::plot::geometry::Rect;
@@ -171,18 +171,30 @@ fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
         }
     }
     for note in &map.notes {
-        let at = view.at(note.at);
-        let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
-        // Inside of the map, as far as the text fits.
-        let (first, last) = (view.rect.x + half, view.rect.x + view.rect.width - half);
-        let at = [at[0].min(last).max(first), at[1]];
-        let box_of = |dy: f64| [at[1] - 0.5 * SMALL - dy, at[1] + 0.5 * SMALL + dy];
-        let [top, bottom] = box_of(2.0);
-        canvas.polygon(
-            &[[at[0] - half, top], [at[0] + half, top], [at[0] + half, bottom], [at[0] - half, bottom]],
-            PAPER,
-        )?;
-        canvas.text(&note.text, [at[0], at[1] + 0.36 * SMALL], SMALL, INK, Anchor::Middle)?;
+        draw_note(canvas, note, view)?;
+    }
+    Ok(())
+}
+
+fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) -> Result<(), PlotError> {
+    const RING: f64 = 4.5;
+    let place = view.at(note.at);
+    let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
+    let [left, right] = [view.rect.x, view.rect.x + view.rect.width];
+    let wanted = match note.ring {
+        false => place[0],
+        true if place[0] + 2.0 * RING + 2.0 * half <= right => place[0] + 2.0 * RING + half,
+        true => place[0] - 2.0 * RING - half,
+    };
+    // Inside of the map, as far as the text fits.
+    let at = [wanted.min(right - half).max(left + half), place[1]];
+    let (top, bottom) = (at[1] - 0.5 * SMALL - 2.0, at[1] + 0.5 * SMALL + 2.0);
+    let box_of_text = [[at[0] - half, top], [at[0] + half, top], [at[0] + half, bottom], [at[0] - half, bottom]];
+    canvas.polygon(&box_of_text, PAPER)?;
+    canvas.text(&note.text, [at[0], at[1] + 0.36 * SMALL], SMALL, INK, Anchor::Middle)?;
+    if note.ring {
+        canvas.disc(place, RING, PAPER)?;
+        canvas.circle(place, RING, Ink { color: INK, width: 1.4 })?;
     }
     Ok(())
 }
