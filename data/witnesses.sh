@@ -3,9 +3,9 @@
 # signature of several components, a body and a point that show it well, as `bifdiag find` gives them. What is not found
 # is told on stderr and left out.
 #
-#   data/witnesses.sh > data/witnesses.json
+#   data/witnesses.sh S2+S2 S2+T2 T2+T2 M2+S2 M2+T2 S2+S2+T2 S2+T2+T2 > data/witnesses.json
 #
-# BIFDIAG names the program; jq is needed.
+# The signatures are those that the scans of docs/survey.md met. BIFDIAG names the program; jq is needed.
 set -eu
 program=${BIFDIAG:-bifdiag}
 one() {
@@ -24,6 +24,8 @@ one() {
         one --type $type
     done
     for signature in "$@"; do
-        one --signature "$signature" --physical
+        # Of bodies that exist, if one is found.
+        found=$(one --signature "$signature" --physical)
+        if [ -n "$found" ]; then echo "$found"; else one --signature "$signature"; fi
     done
 } | jq -s 'map(.)' | sed 's/^  {/{/'

@@ -126,13 +126,7 @@ fn katoks_seven_classes_are_seven() {
 
 #[test]
 fn an_undecided_diagram_has_no_class() {
-    // Between the two orders of three curves that meet.
-    let body = Body::parse(&["1", "0.74999999999", "0.5"], &["1", "0", "0"]).unwrap();
-    match Atlas::new(&body) {
-        Ok(atlas) if atlas.arrangement().undecided.is_empty() => {
-            panic!("this body is decided now; choose one that is not")
-        }
-        Ok(atlas) => assert!(matches!(Class::of(&atlas), Err(Unclassified::Undecided { count }) if count > 0)),
-        Err(error) => panic!("{error}"),
-    }
+    // A region between a cusp, a crossing and a pitchfork that are all but one: its type is not told in f64.
+    let body = Body::parse(&["1", "1.4", "0.74998"], &["1", "0", "0"]).unwrap();
+    assert!(matches!(class(&body), Err(Unclassified::Region { .. } | Unclassified::Undecided { .. })));
 }

@@ -50,7 +50,7 @@ pub struct Range {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Design {
     /// The bodies.
-    #[serde(flatten)]
+    #[serde(rename = "bodies")]
     pub family: Family,
     /// What varies; on a grid the last one varies fastest.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
