@@ -6,14 +6,18 @@
 //! beside it, that the nine Cauchy products alone use: 9·order(order+1)/2 multiply-adds a lane and step.
 
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use bifdiag::body::Body;
 use bifdiag::dynamics::{HeavyTop, State};
 use bifdiag::integrator::taylor::{InstructionSet, order_for};
 use bifdiag::section::{Monitor, OrbitSection, PpTorus, StartOptions, SweepOptions, spread_starts, sweep};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use pulp::{Arch, Simd, WithSimd};
+
+#[path = "workload/section.rs"]
+mod workload;
+
+use workload::{multiply_add_peak, products_per_step, timed};
 
 const ORBITS: usize = 64;
 const CROSSINGS: usize = 1000;
@@ -26,45 +30,6 @@ fn work() -> (PpTorus, Vec<State>) {
     let start = |p| torus.state(p, 4.45, 3.25).expect("starts are accessible");
     let starts = points.into_iter().map(start).collect();
     (torus, starts)
-}
-
-/// Processor time of this thread, in nanoseconds since it began.
-fn thread_time() -> Option<u64> {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    text.split_whitespace().next()?.parse().ok()
-}
-
-/// How long something takes.
-fn timed<T>(work: impl FnOnce() -> T) -> (Duration, T) {
-    let (cpu, wall) = (thread_time(), Instant::now());
-    let result = work();
-    let wall = wall.elapsed();
-    let cpu = cpu.zip(thread_time()).map(|(begin, end)| Duration::from_nanos(end - begin));
-    (cpu.unwrap_or(wall), result)
-}
-
-/// Lane-wise multiply-adds a second of one core.
-struct Peak;
-
-impl WithSimd for Peak {
-    type Output = f64;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> f64 {
-        const ROUNDS: u32 = 20_000_000;
-        let mut sums = [simd.splat_f64s(1e-9); 10];
-        let (factor, term) = (simd.splat_f64s(black_box(0.999_999)), simd.splat_f64s(black_box(1e-7)));
-        let (begin, wall) = (thread_time(), Instant::now());
-        for _ in 0..ROUNDS {
-            for sum in &mut sums {
-                *sum = simd.mul_add_f64s(*sum, factor, term);
-            }
-        }
-        black_box(sums);
-        let wall = wall.elapsed().as_secs_f64();
-        let seconds = begin.zip(thread_time()).map_or(wall, |(begin, end)| (end - begin) as f64 * 1e-9);
-        f64::from(ROUNDS) * (sums.len() * S::F64_LANES) as f64 / seconds
-    }
 }
 
 fn crossings(c: &mut Criterion) {
@@ -80,12 +45,12 @@ fn crossings(c: &mut Criterion) {
         }
         let options = SweepOptions { crossings: CROSSINGS, instructions, ..SweepOptions::default() };
         let run = || sweep(&torus, &starts, &options, &Monitor::default()).expect("options are valid");
-        let peak = Arch::new().dispatch(Peak);
+        let peak = multiply_add_peak();
         let runs: Vec<(Duration, Vec<OrbitSection>)> = (0..5).map(|_| pool.install(|| timed(run))).collect();
         let best = runs.iter().map(|run| run.0).min().unwrap_or_default().as_secs_f64();
         let steps: u64 = runs[0].1.iter().map(|orbit| orbit.report.steps).sum();
-        let order = order_for(1e-15) as u64;
-        let products = (steps * 9 * order * (order + 1) / 2) as f64;
+        let order = order_for(1e-15);
+        let products = steps as f64 * products_per_step(order);
         eprintln!(
             "{instructions:?}: order {order}, {:.3} steps a crossing, best {:.0} crossings/s, \
              {:.1} % of the peak of {:.1} G multiply-adds/s",

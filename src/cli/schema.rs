@@ -1,7 +1,10 @@
 //! `bifdiag schema`: the JSON Schemas of the documents.
 
 use bifdiag::border::BorderDocument;
-use bifdiag::document::{AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument};
+use bifdiag::document::{
+    AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument, MotionDocument,
+    SectionDocument, SectionsDocument,
+};
 use bifdiag::scan::{Row, SummaryDocument};
 use bifdiag::search::FindDocument;
 use clap::ValueEnum;
@@ -21,6 +24,12 @@ pub enum Name {
     Classify,
     /// The answer of `bifdiag critical --json`, and a line of its batch
     Critical,
+    /// The answer of `bifdiag section --json`, and the `meta` of its data
+    Section,
+    /// The answer of `bifdiag section --atlas … --json`
+    Sections,
+    /// The answer of `bifdiag orbit --json`, and the `meta` of its data
+    Orbit,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// What stands for a wrong line of a batch
@@ -41,6 +50,9 @@ impl Name {
             Self::Atlas => schema_for!(AtlasDocument),
             Self::Classify => schema_for!(ClassificationDocument),
             Self::Critical => schema_for!(CriticalDocument),
+            Self::Section => schema_for!(SectionDocument),
+            Self::Sections => schema_for!(SectionsDocument),
+            Self::Orbit => schema_for!(MotionDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
             Self::ScanRow => schema_for!(Row),

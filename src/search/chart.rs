@@ -9,7 +9,7 @@ pub(super) struct Chart {
 }
 
 /// Significant digits of the numbers of a body.
-const DIGITS: usize = 6;
+pub(super) const DIGITS: usize = 6;
 
 impl Chart {
     /// All ratios vary but those of the largest moment and of the largest component of r.
@@ -33,11 +33,11 @@ impl Chart {
         for (place, coordinate) in self.free.iter().zip(coordinates) {
             values[place / 3][place % 3] *= libm::exp(*coordinate);
         }
-        values.map(|triple| triple.map(rounded))
+        values.map(|triple| triple.map(|x| rounded(x, DIGITS)))
     }
 }
 
 /// The nearest number with a few significant digits.
-pub(super) fn rounded(x: f64) -> f64 {
-    format!("{x:.*e}", DIGITS - 1).parse().unwrap_or(x)
+pub(super) fn rounded(x: f64, digits: usize) -> f64 {
+    format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x)
 }

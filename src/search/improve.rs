@@ -3,8 +3,8 @@
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
 
-use super::chart::Chart;
-use super::score::{Domain, look};
+use super::chart::{Chart, DIGITS, rounded};
+use super::score::{Domain, Score, look};
 use super::target::Target;
 
 /// First steps of the simplex in logarithms.
@@ -26,8 +26,8 @@ impl CostFunction for Problem<'_> {
 }
 
 /// Makes what a body shows more visible, or brings the body nearer to showing it: the simplex method over the ratios of
-/// its moments and of the components of r that are not 0. Gives A and r, rounded to six digits, never worse than the
-/// start so rounded.
+/// its moments and of the components of r that are not 0. Gives A and r, rounded to six digits, or to fewer where that
+/// costs little.
 #[must_use]
 pub fn improve(start: [[f64; 3]; 2], target: &Target, domain: &Domain, steps: u64) -> [[f64; 3]; 2] {
     let chart = Chart::around(start);
@@ -50,5 +50,19 @@ pub fn improve(start: [[f64; 3]; 2], target: &Target, domain: &Domain, steps: u6
         .with_sd_tolerance(1e-7)
         .and_then(|solver| Executor::new(problem, solver).configure(|state| state.max_iters(steps)).run());
     let best = done.ok().and_then(|done| done.state().get_best_param().cloned());
-    chart.values(best.as_ref().unwrap_or(&origin))
+    tidied(chart.values(best.as_ref().unwrap_or(&origin)), target, domain)
+}
+
+/// The body with as few digits as leave most of what it shows.
+fn tidied(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> [[f64; 3]; 2] {
+    const KEPT: f64 = 0.8;
+    let Score::Shown(best) = look(values, target, domain).score else { return values };
+    // r in units of its largest component.
+    let [a, r] = values;
+    let largest = r.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+    let values = [a, r.map(|c| c / largest)];
+    (1..DIGITS)
+        .map(|digits| values.map(|triple| triple.map(|x| rounded(x, digits))))
+        .find(|rough| matches!(look(*rough, target, domain).score, Score::Shown(seen) if seen >= KEPT * best))
+        .unwrap_or(values)
 }

@@ -16,8 +16,8 @@ pub enum Score {
     /// It does not; this much is missing. For a component with the right number of circles: the distance in h by which
     /// a pole would have to enter or leave, divided by |r|. For relative equilibria: how many are missing.
     Near(f64),
-    /// It does: the distance in h from the boundary of the region, divided by |r| + l²/(2 J_r). For relative equilibria:
-    /// half the relative width in l² of the range that shows them.
+    /// It does: the distance in h from the boundary of the region, divided by |r| (1 + l²/(2 J_r |r|))², so that large
+    /// momenta count for little. For relative equilibria: half the relative width in l² of the range that shows them.
     Shown(f64),
 }
 
@@ -95,7 +95,8 @@ fn regions(atlas: &Atlas, target: &Target) -> Seen {
         let Ok(components) = &region.components else { continue };
         let sample = &region.sample;
         let at = [sample.h * frame.energy_unit, (2.0 * sample.x).sqrt() * frame.momentum_unit];
-        let visibility = (sample.margin - sample.error) / (frame.r_norm + sample.x / frame.j_r);
+        let rotation = 1.0 + sample.x / (frame.j_r * frame.r_norm);
+        let visibility = (sample.margin - sample.error) / (frame.r_norm * rotation * rotation);
         let score = if target.accepts_region(components) && visibility > 0.0 {
             Score::Shown(visibility)
         } else {

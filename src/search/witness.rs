@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::chart::rounded;
+use super::chart::{DIGITS, rounded};
 use super::score::{Domain, Score, look};
 use super::target::Target;
 use crate::body::{Body, BodyError, Number};
@@ -113,10 +113,22 @@ pub fn witness(values: [[f64; 3]; 2], target: &Target) -> Result<Witness, Witnes
     let seen = look(values, target, &everything);
     let (Score::Shown(_), Some(at)) = (seen.score, seen.at) else { return Err(WitnessError::NotShown) };
     let body = Body::from_f64(values[0], values[1])?;
-    let [h, l] = at.map(rounded);
     let number = |x: f64| Number::from_f64(x).map_err(|_out_of_range| WitnessError::NotShown);
-    let (h, l) = (number(h)?, number(l)?);
-    let answer = classify(&body, &h, &l)?;
+    let point = |digits: usize| {
+        let [h, l] = at.map(|x| rounded(x, digits));
+        let (h, l) = (number(h)?, number(l)?);
+        let answer = classify(&body, &h, &l)?;
+        Ok::<_, WitnessError>((h, l, answer))
+    };
+    // As few digits as leave most of the margin.
+    let (mut h, mut l, mut answer) = point(DIGITS)?;
+    for digits in 2..DIGITS {
+        let rough = point(digits)?;
+        if rough.2.components == answer.components && rough.2.margin.h >= 0.8 * answer.margin.h {
+            (h, l, answer) = rough;
+            break;
+        }
+    }
     let Some(components) = answer.components else { return Err(WitnessError::NotShown) };
     let frame = body.frame();
     let swept = latitude::components(&frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit)?;

@@ -2,10 +2,12 @@
 
 #![expect(clippy::inline_always, reason = "lanes must be inlined into the function compiled for their instructions")]
 
+pub mod chaos;
 mod condition;
 mod error;
 mod follow;
 mod newton;
+mod portrait;
 mod roots;
 mod scan;
 mod starts;
@@ -14,6 +16,7 @@ mod torus;
 
 pub use condition::SectionCondition;
 pub use error::SectionError;
-pub use starts::{StartOptions, spread_starts, spread_starts_over};
+pub use portrait::{Area, Chart, Line, Portrait, PortraitOptions, PortraitReport};
+pub use starts::{StartOptions, spread_starts, spread_starts_over, spread_starts_round};
 pub use sweep::{End, Monitor, OrbitReport, OrbitSection, SectionPoint, SweepOptions, sweep};
 pub use torus::{PpTorus, TorusPoint};

@@ -163,12 +163,12 @@ pub fn sweep(
 }
 
 #[cfg(feature = "parallel")]
-fn run_workers(worker: impl Fn() -> Vec<OrbitSection> + Sync) -> Vec<OrbitSection> {
+pub(super) fn run_workers<T: Send>(worker: impl Fn() -> Vec<T> + Sync) -> Vec<T> {
     rayon::broadcast(|_| worker()).into_iter().flatten().collect()
 }
 
 #[cfg(not(feature = "parallel"))]
-fn run_workers(worker: impl Fn() -> Vec<OrbitSection> + Sync) -> Vec<OrbitSection> {
+pub(super) fn run_workers<T: Send>(worker: impl Fn() -> Vec<T> + Sync) -> Vec<T> {
     worker()
 }
 

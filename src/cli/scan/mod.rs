@@ -3,10 +3,9 @@
 mod arguments;
 mod border;
 mod error;
-pub mod figures;
 mod hashing;
 mod journal;
-mod map;
+pub mod map;
 mod merge;
 mod output;
 mod progress;
@@ -15,7 +14,7 @@ mod sample;
 mod shard;
 mod table;
 
-pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand};
+pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand, Shown};
 pub use error::{ScanFailure, ScanInput};
 pub use progress::Progress;
 

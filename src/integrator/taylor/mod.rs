@@ -18,11 +18,13 @@ mod lanes;
 mod series;
 mod step_size;
 mod stepper;
+mod tangent;
 
 pub(crate) use lanes::{Lanes, magnitude, state_of};
 pub(crate) use series::{ROWS, Vector, lane_values, lane_values_mut};
 pub use step_size::{MAX_ORDER, order_for};
 pub use stepper::Taylor;
+pub(crate) use tangent::Tangent;
 
 use pulp::Arch;
 

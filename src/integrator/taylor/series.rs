@@ -80,6 +80,18 @@ impl<S: Simd> Constants<S> {
         }
     }
 
+    /// 1/k, rounded.
+    #[inline(always)]
+    pub(super) fn reciprocal(&self, k: usize) -> f64 {
+        self.reciprocal[k]
+    }
+
+    /// A_p − A_q of l×ω = ((A_p − A_q) ω_pω_q)_i, rounded.
+    #[inline(always)]
+    pub(super) fn difference(&self, i: usize) -> S::f64s {
+        self.difference[i]
+    }
+
     /// ω = A⁻¹ l.
     #[inline(always)]
     pub fn angular_velocity(&self, simd: S, l: Vector<S>) -> Vector<S> {
@@ -98,7 +110,7 @@ impl<S: Simd> Constants<S> {
 pub(crate) struct Series<S: Simd> {
     pub gamma: [Vector<S>; ROWS],
     pub l: [Vector<S>; ROWS],
-    omega: [Vector<S>; ROWS],
+    pub(super) omega: [Vector<S>; ROWS],
 }
 
 /// Sums of Cauchy products of one order: those of γ×ω, and ω_jω_k of l×ω.

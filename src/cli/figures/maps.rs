@@ -1,4 +1,4 @@
-//! The maps among the figures.
+//! The maps of classes.
 
 use std::collections::BTreeMap;
 
@@ -9,28 +9,22 @@ use bifdiag::plot::{Map, MapAxis, MapBodies, MapLine, MapNote, draw_map};
 use bifdiag::scan::{Design, Family, Parameter, Row};
 use rayon::prelude::*;
 
-use super::arguments::Shown;
-use super::error::ScanInput;
-use super::map::{Seen, known_classes, map};
-use crate::cli::arguments::Format;
-use crate::cli::atlas::add_picture;
-use crate::cli::failure::Failure;
-use crate::cli::files::FileSet;
-use crate::cli::timings::Timings;
+use super::super::failure::Failure;
+use super::super::scan::map::{Seen, known_classes, map};
+use super::super::scan::{ScanInput, Shown};
+use super::Figure;
 
-/// Adds every map.
-pub fn add(files: &mut FileSet, formats: &[Format], timings: &Timings) -> Result<(), Failure> {
+pub fn figures() -> impl Iterator<Item = Figure> {
     let maps = [
         ("map-katok", katok as fn() -> Result<Map, Failure>),
         ("map-lagrange-kovalevskaya", lagrange_to_kovalevskaya),
         ("map-paper-r2-r3", paper_off_the_axis),
         ("map-paper-a2-r3", paper_in_the_plane),
     ];
-    for (stem, make) in maps {
-        let picture = timings.stage(stem, || draw_map(&make()?).map_err(Failure::from))?;
-        add_picture(files, stem, &picture, formats, timings)?;
-    }
-    Ok(())
+    maps.into_iter().map(|(stem, make)| Figure {
+        stem,
+        draw: Box::new(move |timings| timings.stage(stem, || Ok(draw_map(&make()?)?))),
+    })
 }
 
 /// The rows of a grid.
