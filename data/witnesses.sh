@@ -9,7 +9,7 @@
 set -eu
 program=${BIFDIAG:-bifdiag}
 one() {
-    answer=$("$program" find "$@" --samples 100000 --quiet --json)
+    answer=$("$program" find "$@" --samples 40000 --quiet --json)
     if [ "$(printf '%s' "$answer" | jq .found)" = true ]; then
         printf '%s' "$answer" | jq -c '{type, A, r, h, l, components, margin}'
     else

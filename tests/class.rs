@@ -18,9 +18,8 @@ fn class(body: &Body) -> Result<Class, Unclassified> {
 /// A with other units and axes in another order, r likewise and with other signs.
 fn disguised(body: &Body, order: [usize; 3], signs: [i32; 3], units: [RBig; 2]) -> Body {
     let moments = order.map(|i| Number::from_rational(body.moments()[i].value() * &units[0]));
-    let center = [0, 1, 2].map(|k| {
-        Number::from_rational(body.center()[order[k]].value() * RBig::from(signs[k]) * &units[1])
-    });
+    let center =
+        [0, 1, 2].map(|k| Number::from_rational(body.center()[order[k]].value() * RBig::from(signs[k]) * &units[1]));
     Body::new(moments, center).unwrap()
 }
 

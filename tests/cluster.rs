@@ -14,7 +14,8 @@ fn example(name: &str) -> std::path::PathBuf {
 /// True when the command runs; otherwise tells that the test is skipped.
 fn is_there(program: &str, arguments: &[&str], wanted: &str) -> bool {
     let output = Command::new(program).args(arguments).stderr(Stdio::null()).output();
-    let there = output.is_ok_and(|output| output.status.success() && String::from_utf8_lossy(&output.stdout).contains(wanted));
+    let there =
+        output.is_ok_and(|output| output.status.success() && String::from_utf8_lossy(&output.stdout).contains(wanted));
     if !there {
         eprintln!("skipped: `{program} {}` does not answer with `{wanted}`", arguments.join(" "));
     }
@@ -27,7 +28,8 @@ fn python() -> String {
 }
 
 fn assert_as_in_one_piece(place: &Path, merged: &str) {
-    let done = Command::new(PROGRAM).arg("scan").args(SCAN).args(["--out", "whole.csv"]).current_dir(place).output().unwrap();
+    let done =
+        Command::new(PROGRAM).arg("scan").args(SCAN).args(["--out", "whole.csv"]).current_dir(place).output().unwrap();
     assert!(done.status.success());
     for ending in ["", ".summary.json"] {
         let read = |name: &str| std::fs::read(place.join(format!("{name}{ending}"))).unwrap();

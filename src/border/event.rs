@@ -75,8 +75,7 @@ fn branches(set: &CriticalSet, change: &Change) -> Vec<String> {
     if let Change::Birth([one, _]) | Change::Death([one, _]) = change {
         curves = vec![*one];
     }
-    let mut names: Vec<String> =
-        curves.into_iter().map(|c| branch_name(&set.frame, set.curves[c].branch)).collect();
+    let mut names: Vec<String> = curves.into_iter().map(|c| branch_name(&set.frame, set.curves[c].branch)).collect();
     names.sort();
     names
 }
@@ -235,7 +234,8 @@ fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Witness> {
         _ => None,
     })?;
     for event in near {
-        let (own, make): (Vec<Branch>, fn(Place, Branch, &Arrangement, &Event) -> Option<Witness>) = match event.change {
+        let (own, make): (Vec<Branch>, fn(Place, Branch, &Arrangement, &Event) -> Option<Witness>) = match event.change
+        {
             Change::Open { through, pair } | Change::Close { through, pair } => {
                 (vec![branch(through[0]), branch(pair)], |_, curve, side, event| {
                     let (Change::Open { pair, .. } | Change::Close { pair, .. }) = event.change else { return None };
@@ -252,11 +252,8 @@ fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Witness> {
         let other = crossing.1.into_iter().find(|branch| !own.contains(branch))?;
         return make(place(event), other, side, event);
     }
-    let curve = near
-        .iter()
-        .flat_map(|event| event.change.curves())
-        .map(branch)
-        .find(|branch| !crossing.1.contains(branch))?;
+    let curve =
+        near.iter().flat_map(|event| event.change.curves()).map(branch).find(|branch| !crossing.1.contains(branch))?;
     Some(Witness::CurveOnCrossing { crossing: crossing.1, curve, near: place(crossing.0) })
 }
 
@@ -329,7 +326,8 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above:
         if let [p, q] = pair[..] {
             let (one, two) = (p.change.curves(), q.change.curves());
             let same = one.iter().all(|curve| two.contains(curve));
-            let own: Vec<usize> = one.iter().chain(&two).filter(|c| !(one.contains(c) && two.contains(c))).copied().collect();
+            let own: Vec<usize> =
+                one.iter().chain(&two).filter(|c| !(one.contains(c) && two.contains(c))).copied().collect();
             let cusp = side.events.iter().find(|event| {
                 matches!(event.change, Change::Birth(_) | Change::Death(_))
                     && own.iter().all(|curve| event.change.curves().contains(curve))
@@ -337,9 +335,9 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above:
             return match cusp {
                 Some(cusp) if !same => {
                     let shared = one.iter().find(|curve| two.contains(curve));
-                    let through = shared.map_or_else(String::new, |&c| branch_name(&side.set.frame, side.set.curves[c].branch));
-                    let text =
-                        format!("the {} passes through {through}", label(&side.set, &cusp.change));
+                    let through =
+                        shared.map_or_else(String::new, |&c| branch_name(&side.set.frame, side.set.curves[c].branch));
+                    let text = format!("the {} passes through {through}", label(&side.set, &cusp.change));
                     let branch = |c: usize| side.set.curves[c].branch;
                     let near = Place::of(&side.set.frame, cusp.x, cusp.h);
                     let witness = shared.map_or(Witness::Nothing, |&curve| Witness::CuspOnCurve {

@@ -94,11 +94,8 @@ fn value(segment: &Segment, witness: &Witness, t: f64) -> Option<Gap> {
     let set = CriticalSet::new(frame).ok()?;
     match witness {
         Witness::CuspOnCurve { cusp, curve, near } => {
-            let found = set
-                .cusps
-                .iter()
-                .filter(|found| set.curves[found.curves[0]].branch == *cusp)
-                .min_by(|p, q| {
+            let found =
+                set.cusps.iter().filter(|found| set.curves[found.curves[0]].branch == *cusp).min_by(|p, q| {
                     let far = |point: &Point| near.distance(&set.frame, point.x, point.h());
                     far(&p.point).total_cmp(&far(&q.point))
                 })?;
@@ -116,9 +113,7 @@ fn value(segment: &Segment, witness: &Witness, t: f64) -> Option<Gap> {
                 .events
                 .iter()
                 .filter(|event| match event.change {
-                    Change::Swap([a, b]) => {
-                        [branch(a), branch(b)] == *crossing || [branch(b), branch(a)] == *crossing
-                    }
+                    Change::Swap([a, b]) => [branch(a), branch(b)] == *crossing || [branch(b), branch(a)] == *crossing,
                     _ => false,
                 })
                 .min_by(|p, q| {

@@ -136,6 +136,10 @@ mod tests {
     fn the_class_of_the_papers_body() {
         let class = class(&Preset::find("paper").unwrap().body());
         assert_eq!((class.id(), class.text().lines().count()), ("4b99dc25201f", 2 + 9), "{}", class.text());
-        assert!(class.text().contains("R6 S2-2D2+: 14 maximum R2 Y 21 saddle-pair R4 x 15 P- R7 x\n"), "{}", class.text());
+        assert!(
+            class.text().contains("R6 S2-2D2+: 14 maximum R2 Y 21 saddle-pair R4 x 15 P- R7 x\n"),
+            "{}",
+            class.text()
+        );
     }
 }

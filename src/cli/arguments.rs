@@ -11,8 +11,8 @@ use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, 
 
 use super::failure::{InputError, Refusal};
 use super::find::{FIND_EXAMPLES, FindArguments};
-use super::scan::{SCAN_EXAMPLES, ScanArguments};
 use super::orbit::{self, OrbitArguments};
+use super::scan::{SCAN_EXAMPLES, ScanArguments};
 use super::section::{self, SectionArguments};
 use super::values::{self, Tensor, Triple};
 

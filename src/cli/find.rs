@@ -1,7 +1,9 @@
 //! `bifdiag find`: a body and a point that show a wanted thing.
 
 use bifdiag::document::SCHEMA_VERSION;
-use bifdiag::search::{Domain, FindDocument, NearestDocument, Score, Seen, Target, Witness, improve, look, sample, witness};
+use bifdiag::search::{
+    Domain, FindDocument, NearestDocument, Score, Seen, Target, Witness, improve, look, sample, witness,
+};
 use clap::Args;
 use rayon::prelude::*;
 
@@ -155,7 +157,11 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
         schema_version: SCHEMA_VERSION.to_owned(),
         found: found.is_some(),
         sought: target.to_string(),
-        verified_by: if found.is_some() { vec!["merge tree".to_owned(), "latitude sweep".to_owned()] } else { Vec::new() },
+        verified_by: if found.is_some() {
+            vec!["merge tree".to_owned(), "latitude sweep".to_owned()]
+        } else {
+            Vec::new()
+        },
         witness: found,
         tried,
         showing,

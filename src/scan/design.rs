@@ -295,7 +295,10 @@ mod tests {
         assert_eq!(katok(&["A2=1:2:3", "A3=1:2"], None), DesignError::HalfGrid { parameter: Parameter::A3 });
         assert_eq!(katok(&["A2=1:2:3"], Some(5)), DesignError::GridAndSamples);
         assert_eq!(katok(&["A2=1:2"], None), DesignError::NoSamples);
-        assert_eq!(katok(&["A2=0:2:9"], None), DesignError::NotPositive { parameter: Parameter::A2, value: "0".into() });
+        assert_eq!(
+            katok(&["A2=0:2:9"], None),
+            DesignError::NotPositive { parameter: Parameter::A2, value: "0".into() }
+        );
         let general = Design::new(Family::General, vec![range("A2=1:2:3")], None, 0);
         assert_eq!(general.unwrap_err(), DesignError::NothingToVary);
         assert!("A2=2:1".parse::<Range>().is_err() && "A4=1:2".parse::<Range>().is_err());

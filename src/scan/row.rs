@@ -168,8 +168,7 @@ impl Row {
             }
             Err(error) => {
                 // A map that is none is a defect, and no question of accuracy.
-                self.status =
-                    if matches!(error, Unclassified::Map(_)) { Status::Failed } else { Status::Undecided };
+                self.status = if matches!(error, Unclassified::Map(_)) { Status::Failed } else { Status::Undecided };
                 self.error = Some(error.to_string());
             }
         }

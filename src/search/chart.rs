@@ -14,9 +14,8 @@ pub(super) const DIGITS: usize = 6;
 impl Chart {
     /// All ratios vary but those of the largest moment and of the largest component of r.
     pub(super) fn around(base: [[f64; 3]; 2]) -> Self {
-        let largest = |values: &[f64; 3]| {
-            (0..3).max_by(|&i, &j| values[i].abs().total_cmp(&values[j].abs())).unwrap_or_default()
-        };
+        let largest =
+            |values: &[f64; 3]| (0..3).max_by(|&i, &j| values[i].abs().total_cmp(&values[j].abs())).unwrap_or_default();
         let fixed = [largest(&base[0]), 3 + largest(&base[1])];
         let free = (0..6).filter(|place| !fixed.contains(place) && base[place / 3][place % 3] != 0.0).collect();
         Self { base, free }

@@ -5,7 +5,18 @@ use std::fs;
 use crate::builder::bifdiag;
 
 const COMMANDS: [&str; 12] = [
-    "atlas", "classify", "critical", "section", "orbit", "scan", "find", "bodies", "schema", "completions", "man", "figures",
+    "atlas",
+    "classify",
+    "critical",
+    "section",
+    "orbit",
+    "scan",
+    "find",
+    "bodies",
+    "schema",
+    "completions",
+    "man",
+    "figures",
 ];
 
 #[test]

@@ -26,7 +26,11 @@ fn a_scan_writes_rows_and_a_summary_and_the_same_again() {
     let place = tempdir().unwrap();
     for format in ["csv", "jsonl", "parquet"] {
         let out = format!("a.{format}");
-        bifdiag(&format!("{GENERAL} --out {out}")).inside(place.path()).succeeds().telling_nothing().printing("300 bodies");
+        bifdiag(&format!("{GENERAL} --out {out}"))
+            .inside(place.path())
+            .succeeds()
+            .telling_nothing()
+            .printing("300 bodies");
         let first = [&out, &format!("{out}.summary.json")].map(|name| read(&place.path().join(name)));
         bifdiag(&format!("{GENERAL} --out {out} --threads 1")).inside(place.path()).succeeds();
         let second = [&out, &format!("{out}.summary.json")].map(|name| read(&place.path().join(name)));
@@ -64,7 +68,9 @@ fn katok_bodies_of_a_grid_have_seven_classes() {
     let summary = bifdiag(grid).inside(place.path()).succeeds().json();
     assert_eq!((summary["rows"].as_u64(), summary["classes"].as_array().unwrap().len()), (Some(900), 7));
     assert_eq!(summary["undecided"], 0);
-    bifdiag("scan map katok.parquet --x A2 --y A3 --out maps/katok --format svg,png,pdf").inside(place.path()).succeeds();
+    bifdiag("scan map katok.parquet --x A2 --y A3 --out maps/katok --format svg,png,pdf")
+        .inside(place.path())
+        .succeeds();
     let svg = fs::read_to_string(place.path().join("maps/katok.svg")).unwrap();
     assert!(svg.contains("7 classes") && svg.contains("katok:5"));
     for show in ["regions", "critical-points"] {
@@ -113,7 +119,8 @@ fn merged_shards_are_the_scan_in_one_piece() {
         bifdiag(&format!("{GENERAL} --out {whole}")).inside(place.path()).succeeds();
         merge(place.path(), &parts, &format!("merged.{ending}")).succeeds();
         for end in ["", ".summary.json"] {
-            let [one, other] = ["whole", "merged"].map(|name| read(&place.path().join(format!("{name}.{ending}{end}"))));
+            let [one, other] =
+                ["whole", "merged"].map(|name| read(&place.path().join(format!("{name}.{ending}{end}"))));
             assert!(one == other, "{ending}{end}");
         }
         // A shard of another format is no obstacle.
@@ -137,7 +144,9 @@ fn overlapping_missing_foreign_truncated_and_altered_shards_are_refused_by_name(
     run(&[PathBuf::from("half.csv"), parts[1].clone(), parts[2].clone()])
         .refused()
         .telling("shard-2.csv overlaps half.csv: both hold body 100");
-    bifdiag("scan --family general --samples 300 --seed 5 --shard 3/3 --out foreign.csv").inside(place.path()).succeeds();
+    bifdiag("scan --family general --samples 300 --seed 5 --shard 3/3 --out foreign.csv")
+        .inside(place.path())
+        .succeeds();
     run(&[parts[0].clone(), parts[1].clone(), PathBuf::from("foreign.csv")])
         .refused()
         .telling("foreign.csv belongs to another scan than shard-1.csv")
@@ -192,7 +201,8 @@ fn a_scan_killed_twenty_times_ends_with_the_same_bytes() {
         }
         bifdiag(&line("broken")).inside(place.path()).succeeds();
         for end in ["", ".summary.json"] {
-            let [one, other] = ["whole", "broken"].map(|name| read(&place.path().join(format!("{name}.{ending}{end}"))));
+            let [one, other] =
+                ["whole", "broken"].map(|name| read(&place.path().join(format!("{name}.{ending}{end}"))));
             assert!(one == other, "{ending}{end}");
         }
         assert!(!place.path().join(format!("broken.{ending}.partial")).exists());
@@ -213,7 +223,10 @@ fn the_beginning_of_another_scan_is_not_taken_up() {
     while fs::metadata(&journal).map_or(0, |journal| journal.len()) < 1000 {
         sleep(Duration::from_millis(5));
     }
-    bifdiag("scan --family general --samples 1000000 --out a.csv").inside(place.path()).refused().telling("another process");
+    bifdiag("scan --family general --samples 1000000 --out a.csv")
+        .inside(place.path())
+        .refused()
+        .telling("another process");
     child.kill().unwrap();
     child.wait().unwrap();
     let other = "scan --family general --samples 20 --out a.csv";
@@ -230,7 +243,13 @@ fn the_beginning_of_another_scan_is_not_taken_up() {
 fn katoks_borders_come_out_exactly() {
     let k2: f64 = 1.0 - 0.7;
     let cases = [
-        ("--body katok:2 --vary A3=0.7:0.8", "A3", 0.75, "cusp-at-pitchfork", "the cusp of the pair S3 reaches its pitchfork"),
+        (
+            "--body katok:2 --vary A3=0.7:0.8",
+            "A3",
+            0.75,
+            "cusp-at-pitchfork",
+            "the cusp of the pair S3 reaches its pitchfork",
+        ),
         ("--body katok:4 --vary A2=0.93:1.07", "A2", 1.0, "pitchfork-at-infinity", "goes through infinity to"),
         ("--body katok:1 --vary A3=0.9:1.2", "A3", 1.0, "pitchfork-at-infinity", "goes through infinity to"),
         (

@@ -133,8 +133,18 @@ fn the_validator_sees_what_is_wrong() {
 fn all_schemas_come_in_one_object() {
     let all = bifdiag("schema --json").succeeds().json();
     let names = [
-        "atlas", "classify", "critical", "section", "sections", "orbit", "bodies", "batch-error", "scan-row", "scan-summary",
-        "scan-border", "find",
+        "atlas",
+        "classify",
+        "critical",
+        "section",
+        "sections",
+        "orbit",
+        "bodies",
+        "batch-error",
+        "scan-row",
+        "scan-summary",
+        "scan-border",
+        "find",
     ];
     for name in names {
         assert_eq!(all[name], schema(name));

@@ -33,8 +33,8 @@ fn rows(family: Family, vary: &[&str]) -> Result<Vec<Row>, Failure> {
     for text in vary {
         ranges.push(text.parse().map_err(|error| ScanInput::Find(format!("{text}: {error}")))?);
     }
-    let design = Design::new(family, ranges, None, 0)
-        .map_err(|source| ScanInput::Design { option: "--vary", source })?;
+    let design =
+        Design::new(family, ranges, None, 0).map_err(|source| ScanInput::Design { option: "--vary", source })?;
     Ok((0..design.count()).into_par_iter().map(|n| Row::of(n, design.values(n))).collect())
 }
 
@@ -54,7 +54,9 @@ fn katok() -> Result<Map, Failure> {
     let mut map = classes_of(Family::Katok, &vary, [Parameter::A2, Parameter::A3])?;
     let known = known_classes();
     for entry in &mut map.entries {
-        if let Some((number, preset)) = known.get(&entry.name).and_then(|name| Some((name.strip_prefix("katok:")?, name))) {
+        if let Some((number, preset)) =
+            known.get(&entry.name).and_then(|name| Some((name.strip_prefix("katok:")?, name)))
+        {
             entry.mark = number.to_owned();
             entry.note = entry.note.split(';').next().unwrap_or_default().to_owned();
             entry.name = format!("{preset}  {}", entry.name);
@@ -175,13 +177,7 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
 }
 
 /// A point of a line at which its name covers no other name.
-fn free_place(
-    line: &[&[f64; 2]],
-    name: &str,
-    x: [f64; 2],
-    y: [f64; 2],
-    boxes: &mut Vec<[f64; 4]>,
-) -> Option<[f64; 2]> {
+fn free_place(line: &[&[f64; 2]], name: &str, x: [f64; 2], y: [f64; 2], boxes: &mut Vec<[f64; 4]>) -> Option<[f64; 2]> {
     // Shares of the map's sides that a letter and a line of text take.
     const LETTER: f64 = 0.0058;
     const LINE: f64 = 0.013;
@@ -195,9 +191,8 @@ fn free_place(
         let share = |value: f64, range: [f64; 2]| (value - range[0]) / (range[1] - range[0]);
         let (u, v) = (share(at[0], x).clamp(half, 1.0 - half), share(at[1], y));
         let mine = [u - half, u + half, v - LINE, v + LINE];
-        let apart = |other: &[f64; 4]| {
-            mine[1] < other[0] || mine[0] > other[1] || mine[3] < other[2] || mine[2] > other[3]
-        };
+        let apart =
+            |other: &[f64; 4]| mine[1] < other[0] || mine[0] > other[1] || mine[3] < other[2] || mine[2] > other[3];
         if !boxes.iter().all(apart) {
             return None;
         }

@@ -16,12 +16,16 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
     let wrong = |text: String| ScanInput::Border(text);
     if arguments.vary.is_empty() {
-        return Err(wrong("--vary is missing; give a parameter and two values, such as --vary A3=0.7:0.8".to_owned()).into());
+        return Err(
+            wrong("--vary is missing; give a parameter and two values, such as --vary A3=0.7:0.8".to_owned()).into()
+        );
     }
     for (place, range) in arguments.vary.iter().enumerate() {
         let parameter = range.parameter;
         if range.steps.is_some() {
-            return Err(wrong(format!("--vary: a border is sought between two values; write {parameter}=from:to")).into());
+            return Err(
+                wrong(format!("--vary: a border is sought between two values; write {parameter}=from:to")).into()
+            );
         }
         if arguments.vary[..place].iter().any(|other| other.parameter == parameter) {
             return Err(wrong(format!("--vary: {parameter} is given twice")).into());
@@ -36,7 +40,8 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
         Body::parse(&texts[..3], &texts[3..]).map_err(|error| wrong(format!("--vary: {error}")))
     };
     let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
-    let border = border::find(&segment, &BorderOptions::default()).map_err(|error| wrong(format!("--vary: {error}")))?;
+    let border =
+        border::find(&segment, &BorderOptions::default()).map_err(|error| wrong(format!("--vary: {error}")))?;
     let document = BorderDocument::new(&border, &segment, &arguments.vary);
     let text = if arguments.json { layout::text(&document)? } else { report(&document) };
     Ok(terminal::print(text.as_bytes())?)

@@ -18,7 +18,9 @@ pub enum ScanInput {
     NoFamily,
     #[error("--family and {option} both describe the bodies; give one of them")]
     FamilyAndBody { option: &'static str },
-    #[error("--samples is missing; give --samples 100000, or ranges with numbers of grid values such as --vary A2=0.5:2:200")]
+    #[error(
+        "--samples is missing; give --samples 100000, or ranges with numbers of grid values such as --vary A2=0.5:2:200"
+    )]
     NoSamples,
     #[error("{option}: {source}")]
     Design { option: &'static str, source: DesignError },

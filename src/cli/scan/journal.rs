@@ -74,7 +74,8 @@ impl Journal {
     pub fn open(out: &Path, identity: &Identity, restart: bool) -> Result<Self, Failure> {
         let path = Self::path_for(out);
         let failed = |source: io::Error| ScanFailure::Write { path: path.clone(), source };
-        let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
+        let file =
+            OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
         match file.try_lock() {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => return Err(ScanInput::Busy { journal: path }.into()),
@@ -117,9 +118,7 @@ impl Journal {
                 return Err(ScanInput::OtherJournal { journal: self.path.clone(), difference }.into());
             }
             Err(_other_content) => {
-                return Err(
-                    ScanInput::OtherJournal { journal: self.path.clone(), difference: "its first line" }.into()
-                );
+                return Err(ScanInput::OtherJournal { journal: self.path.clone(), difference: "its first line" }.into());
             }
         }
         let mut end = place;
@@ -159,9 +158,7 @@ impl Journal {
         let seal = Seal { rows: rows.len() as u64, sha256: hexadecimal(digest) };
         serde_json::to_writer(&mut block, &seal)?;
         block.push(b'\n');
-        self.file
-            .write_all(&block)
-            .map_err(|source| ScanFailure::Write { path: self.path.clone(), source })?;
+        self.file.write_all(&block).map_err(|source| ScanFailure::Write { path: self.path.clone(), source })?;
         self.rows += rows.len() as u64;
         Ok(())
     }
@@ -188,8 +185,7 @@ impl Journal {
 
     /// The scan is done: the journal goes.
     pub fn remove(self) -> Result<(), Failure> {
-        std::fs::remove_file(&self.path)
-            .map_err(|source| ScanFailure::Write { path: self.path.clone(), source }.into())
+        std::fs::remove_file(&self.path).map_err(|source| ScanFailure::Write { path: self.path.clone(), source }.into())
     }
 }
 

@@ -43,7 +43,8 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
 fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
     let mut parts = Vec::with_capacity(shards.len());
     for path in shards {
-        let same = |a: &Path, b: &Path| a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
+        let same =
+            |a: &Path, b: &Path| a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
         if same(path, out) {
             return Err(ScanInput::OutIsShard { path: path.clone() });
         }
@@ -64,11 +65,8 @@ fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
     }
     if let Some((first, others)) = parts.split_first() {
         for part in others {
-            let foreign = |difference| ScanInput::Foreign {
-                path: part.path.clone(),
-                first: first.path.clone(),
-                difference,
-            };
+            let foreign =
+                |difference| ScanInput::Foreign { path: part.path.clone(), first: first.path.clone(), difference };
             if part.summary.design != first.summary.design {
                 return Err(foreign("which bodies it looks at"));
             }
@@ -108,10 +106,7 @@ fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
 }
 
 /// Passes the rows of a shard on, each in its place.
-fn pass_rows(
-    part: &Part,
-    take: &mut dyn FnMut(bifdiag::scan::Row) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+fn pass_rows(part: &Part, take: &mut dyn FnMut(bifdiag::scan::Row) -> Result<(), Failure>) -> Result<(), Failure> {
     let [from, to] = part.summary.range;
     let table = |source| ScanInput::Table { path: part.path.clone(), source };
     let mut found = 0;

@@ -40,8 +40,8 @@ impl Progress {
         if io::stderr().is_terminal() {
             if self.bar.is_none() && self.started.elapsed() > BAR_AFTER {
                 let template = "{bar:40} {percent}% {pos}/{len} bodies, {msg}";
-                let style = ProgressStyle::with_template(template)
-                    .unwrap_or_else(|_unknown_key| ProgressStyle::default_bar());
+                let style =
+                    ProgressStyle::with_template(template).unwrap_or_else(|_unknown_key| ProgressStyle::default_bar());
                 self.bar = Some(ProgressBar::new(self.total).with_style(style));
             }
             if let Some(bar) = &self.bar {

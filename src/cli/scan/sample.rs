@@ -105,10 +105,9 @@ pub fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
         (Some(FamilyArgument::General), None) => Family::General,
         (Some(FamilyArgument::Positive), None) => Family::Positive,
         (Some(FamilyArgument::Katok), None) => Family::Katok,
-        (None, Some(subject)) => Family::Body {
-            moments: subject.body.moments().clone(),
-            center: subject.body.center().clone(),
-        },
+        (None, Some(subject)) => {
+            Family::Body { moments: subject.body.moments().clone(), center: subject.body.center().clone() }
+        }
         (None, None) => return Err(ScanInput::NoFamily.into()),
     };
     let design = Design::new(family, arguments.vary.clone(), arguments.samples, arguments.seed);

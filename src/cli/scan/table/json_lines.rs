@@ -31,7 +31,7 @@ impl<W: Write> RowSink for Sink<W> {
 
 /// The rows of a file.
 pub fn rows(file: impl BufRead) -> impl Iterator<Item = Result<Row, TableError>> {
-    file.lines().zip(1..).map(|(line, number)| {
-        serde_json::from_str(&line?).map_err(|source| TableError::Json { line: number, source })
-    })
+    file.lines()
+        .zip(1..)
+        .map(|(line, number)| serde_json::from_str(&line?).map_err(|source| TableError::Json { line: number, source }))
 }

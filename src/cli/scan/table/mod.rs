@@ -45,7 +45,9 @@ pub enum TableError {
     #[error("column {column} of the Parquet file cannot be written")]
     Column { column: &'static str },
     #[cfg(not(feature = "parquet"))]
-    #[error("this bifdiag was built without the feature `parquet`; use .csv or .jsonl, or build it with --features parquet")]
+    #[error(
+        "this bifdiag was built without the feature `parquet`; use .csv or .jsonl, or build it with --features parquet"
+    )]
     NoParquet,
 }
 
