@@ -1,5 +1,6 @@
 //! Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body.
 
+pub mod accessible;
 pub mod arrangement;
 pub mod atlas;
 pub mod body;
@@ -10,9 +11,11 @@ pub mod document;
 pub mod dynamics;
 pub mod equilibria;
 pub mod integrator;
+pub mod motion;
 pub mod numerics;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod poincare;
 pub mod section;
 pub mod stability;
 pub mod topology;

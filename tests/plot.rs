@@ -2,15 +2,14 @@
 #![cfg(feature = "plot")]
 #![allow(clippy::disallowed_methods, clippy::cast_precision_loss)]
 
+mod picture_texts;
 mod plot_fixture;
-
-use std::sync::Arc;
 
 use bifdiag::document::WindowDocument;
 use bifdiag::plot::{DiagramOptions, Picture, PlotError, draw};
+use picture_texts::{assert_texts_are_apart, texts};
 use plot_fixture::{Fixture, kovalevskaya, paper, parabolas};
 use resvg::tiny_skia::Pixmap;
-use resvg::usvg::{Group, Node, Options, Tree, fontdb::Database};
 
 fn picture(name: &str, fixture: &Fixture) -> Picture {
     let picture = draw(&fixture.atlas, Some(fixture), &DiagramOptions::default()).expect("the fixture can be drawn");
@@ -23,47 +22,15 @@ fn picture(name: &str, fixture: &Fixture) -> Picture {
     picture
 }
 
-/// All texts with their boxes [left, top, right, bottom].
-fn texts(picture: &Picture) -> Vec<(String, [f32; 4])> {
-    fn collect(group: &Group, texts: &mut Vec<(String, [f32; 4])>) {
-        for node in group.children() {
-            match node {
-                Node::Group(group) => collect(group, texts),
-                Node::Text(text) => {
-                    let content: String = text.chunks().iter().map(|chunk| chunk.text().trim().to_owned()).collect();
-                    let area = text.abs_bounding_box();
-                    texts.push((content, [area.left(), area.top(), area.right(), area.bottom()]));
-                }
-                Node::Path(_) | Node::Image(_) => {}
-            }
-        }
-    }
-    let mut database = Database::new();
-    database.load_font_data(include_bytes!("../data/fonts/DejaVuSans.ttf").to_vec());
-    let options = Options { fontdb: Arc::new(database), ..Options::default() };
-    let tree = Tree::from_str(&picture.svg, &options).expect("the SVG is well-formed");
-    let mut texts = Vec::new();
-    collect(tree.root(), &mut texts);
-    texts
-}
-
 fn assert_sound(fixture: &Fixture, picture: &Picture) {
     assert!(!picture.svg.contains("NaN") && !picture.svg.contains("inf"), "a coordinate is not a number");
     let texts = texts(picture);
     for region in &fixture.atlas.regions {
-        assert!(texts.iter().any(|(text, _)| *text == region.id), "region {} has no label", region.id);
+        let with_region = format!("{}, U = ", region.id);
+        let label = |text: &str| text == region.id || text.starts_with(&with_region);
+        assert!(texts.iter().any(|(text, _)| label(text)), "region {} has no label", region.id);
     }
-    for (i, (a, box_a)) in texts.iter().enumerate() {
-        for (b, box_b) in &texts[..i] {
-            // The boxes reach from ascender to descender; lines of one label may share that space.
-            let slack = 0.3 * (box_a[3] - box_a[1]).min(box_b[3] - box_b[1]);
-            let apart = box_a[2] <= box_b[0] + 1.0
-                || box_b[2] <= box_a[0] + 1.0
-                || box_a[3] <= box_b[1] + slack
-                || box_b[3] <= box_a[1] + slack;
-            assert!(apart, "`{a}` at {box_a:?} covers `{b}` at {box_b:?}");
-        }
-    }
+    assert_texts_are_apart(&texts);
 }
 
 #[test]
@@ -193,4 +160,32 @@ fn documents_whose_parts_do_not_fit_are_refused() {
     let window = WindowDocument { h: [1.0, 1.0], l: [0.0, 1.0] };
     let empty = draw(&paper().atlas, None, &DiagramOptions { window: Some(window) });
     assert!(matches!(empty, Err(PlotError::EmptyWindow { .. })));
+}
+
+#[test]
+fn an_event_far_out_gets_an_overview_and_does_not_hide_the_others() {
+    // Five crossings at l < 0.4; the first and the last curve, nearly parallel, cross at l = 9.5.
+    let fixture = parabolas(&[(1.0, 0.0), (0.8, -0.01), (0.6, -0.04), (0.999_8, -0.009)]);
+    let [near, far] = [true, false].map(|least| {
+        let places = fixture.atlas.events.iter().map(|event| event.l);
+        if least { places.fold(f64::INFINITY, f64::min) } else { places.fold(0.0, f64::max) }
+    });
+    assert!(far > 20.0 * near, "the fixture has no event far out: {near}, {far}");
+    let picture = picture("far-out", &fixture);
+    assert_sound(&fixture, &picture);
+    assert!(texts(&picture).iter().any(|(text, _)| text.contains("overview with the frame of the main panel")));
+}
+
+#[test]
+fn sections_of_one_type_over_different_regions_are_told_apart() {
+    let mut fixture = paper();
+    let tori = fixture.atlas.regions.iter_mut().filter(|region| region.signature.as_deref() == Some("T2"));
+    let largest = tori.last().expect("the paper's body has sections T²");
+    largest.components[0].accessible_region = "S2".to_owned();
+    let picture = picture("over-different-regions", &fixture);
+    assert_sound(&fixture, &picture);
+    let texts = texts(&picture);
+    for wanted in [", U = D²", ", U = S²"] {
+        assert!(texts.iter().any(|(text, _)| text.ends_with(wanted)), "{wanted} is not printed");
+    }
 }

@@ -19,8 +19,8 @@ pub(crate) use exact::{compare_with_r, on_straight_curve};
 pub use locate::{Location, MomentumError, Place};
 pub(crate) use locate::{abscissa, comparison_error};
 pub use names::{branch_name, curve_name};
-pub(crate) use region::components_below;
 pub use region::{Region, Sample};
+pub(crate) use region::{components_below, partition_below};
 
 /// Everything that is constant on the regions of one body.
 #[derive(Clone, Debug)]

@@ -164,6 +164,18 @@ pub(crate) fn components_below<'a>(
     x: f64,
     below: impl ExactSizeIterator<Item = (usize, &'a Point)>,
 ) -> Result<Vec<Component>, MergeError> {
+    partition_below(set, x, below).map(merge::Partition::into_components)
+}
+
+/// [`components_below`], and the means to tell in which of them a point lies.
+///
+/// # Errors
+/// As [`components_below`].
+pub(crate) fn partition_below<'a, 's>(
+    set: &'s CriticalSet,
+    x: f64,
+    below: impl ExactSizeIterator<Item = (usize, &'a Point)>,
+) -> Result<merge::Partition<'s>, MergeError> {
     let mut critical = Vec::with_capacity(below.len() + 2);
     let mut poles = Poles::default();
     for (c, point) in below {
@@ -187,5 +199,5 @@ pub(crate) fn components_below<'a>(
         }
     }
     let poles = (!set.frame.is_euler()).then_some(poles);
-    merge::components(&set.frame, x, &critical, poles).map(|tree| tree.components)
+    merge::partition(&set.frame, x, &critical, poles)
 }

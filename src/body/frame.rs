@@ -128,6 +128,13 @@ impl Frame {
         self.to_body.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
     }
 
+    /// A vector of the coordinates in which the body was given, in this frame.
+    #[must_use]
+    pub fn vector_from_body(&self, v: [f64; 3]) -> [f64; 3] {
+        let rows = &self.to_body;
+        std::array::from_fn(|k| rows[0][k] * v[0] + rows[1][k] * v[1] + rows[2][k] * v[2])
+    }
+
     /// r̂ in this frame (NaN when r = 0).
     #[must_use]
     pub fn r_hat(&self) -> [f64; 3] {
@@ -267,6 +274,8 @@ mod tests {
         assert_eq!(f.group, [0, 1, 1]);
         assert_eq!(f.r.map(|x| x * f.energy_unit), [0.5, 5.0, 0.0]);
         let back = f.vector_to_body(f.r);
+        let there = f.vector_from_body(back);
+        assert!((0..3).all(|i| (there[i] - f.r[i]).abs() < 1e-15 * 5.0));
         for (x, y) in back.iter().zip([3.0, 0.5, -4.0]) {
             assert!((x * f.energy_unit - y).abs() < 1e-15 * 5.0);
         }

@@ -10,6 +10,8 @@ use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use super::failure::{InputError, Refusal};
+use super::orbit::{self, OrbitArguments};
+use super::section::{self, SectionArguments};
 use super::values::{self, Tensor, Triple};
 
 const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body";
@@ -21,6 +23,8 @@ Examples:
   bifdiag --body paper --json | jq .summary
   bifdiag classify --body paper --h 3.8 --l 3.25   the type of U, E and P at one point
   bifdiag critical --body paper --l 3.25           all relative equilibria at one l
+  bifdiag section --body paper --h 4.45 --l 3.25   a Poincaré section: regular or chaotic
+  bifdiag orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1   the motion in space
   bifdiag bodies                                   the named bodies
 
 Numbers are decimals, decimals with exponent or rationals (1.1, 11e-1, 11/10) and are read exactly.
@@ -113,6 +117,12 @@ pub enum Command {
     /// List all relative equilibria at one l, or at many
     #[command(after_help = CRITICAL_EXAMPLES)]
     Critical(CriticalArguments),
+    /// Compute a Poincaré section on the PP-torus
+    #[command(after_help = section::EXAMPLES)]
+    Section(SectionArguments),
+    /// Follow the body's motion in space: attitude, Euler's angles, angular velocity
+    #[command(after_help = orbit::EXAMPLES)]
+    Orbit(OrbitArguments),
     /// List the named bodies
     #[command(after_help = BODIES_EXAMPLES)]
     Bodies(BodiesArguments),
@@ -133,7 +143,7 @@ pub enum Command {
 /// Options of every command.
 #[derive(Debug, Args)]
 pub struct CommonArguments {
-    /// Use N threads (batches only; default: one for each core)
+    /// Use N threads for batches and sections (default: one for each core)
     #[arg(long, value_name = "N", global = true, allow_hyphen_values = true, value_parser = values::threads)]
     #[arg(help_heading = "General")]
     pub threads: Option<NonZeroUsize>,

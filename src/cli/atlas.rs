@@ -13,10 +13,7 @@ use super::report::Report;
 use super::subject::Subject;
 use super::table::{Table, significant};
 use super::timings::Timings;
-use super::{layout, output};
-
-/// Where the files go if nothing else is said.
-const DEFAULT_DIRECTORY: &str = "bifdiag-out";
+use super::{DEFAULT_DIRECTORY, layout, output};
 
 /// The table of regions fits a terminal of this width.
 const TABLE_WIDTH: usize = 100;

@@ -9,11 +9,17 @@ use bifdiag::atlas::MomentumError;
 use bifdiag::body::InertiaError;
 use bifdiag::classify::ClassifyError;
 use bifdiag::critical::CriticalError;
+use bifdiag::integrator::{MethodError, StepError};
+use bifdiag::motion::MotionError;
 use bifdiag::plot::PlotError;
+use bifdiag::poincare::PoincareError;
+use bifdiag::section::SectionError;
 use thiserror::Error;
 
 use super::files::FilesError;
+use super::orbit::OrbitInputError;
 use super::output::OutputError;
+use super::section::SectionInputError;
 
 /// The input is wrong; each message names the argument, the value and what would be right.
 #[derive(Debug, Error)]
@@ -53,6 +59,14 @@ pub enum InputError {
     ValueMissing { option: String, next: String, value: String },
     #[error("--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout")]
     OutIsStdout,
+    #[error("--{name} {value} is not usable; {expected}", name = .0.name, value = .0.value, expected = .0.expected)]
+    Fineness(MethodError),
+    #[error("{option} is for {owners}; {integrator} takes {instead}")]
+    WrongFineness { option: &'static str, owners: &'static str, integrator: String, instead: &'static str },
+    #[error(transparent)]
+    Section(#[from] SectionInputError),
+    #[error(transparent)]
+    Orbit(#[from] OrbitInputError),
 }
 
 /// Why a run stopped.
@@ -70,6 +84,8 @@ pub enum Failure {
     Classify(#[source] ClassifyError),
     #[error("the relative equilibria could not be found")]
     Critical(#[from] CriticalError),
+    #[error("the sections of a figure could not be computed")]
+    FigureSection(#[from] SectionError),
     #[error("the picture could not be drawn")]
     Plot(#[from] PlotError),
     #[error("the answer could not be written as JSON")]
@@ -82,6 +98,45 @@ pub enum Failure {
     Interrupt(#[from] ctrlc::Error),
     #[error("{name} cannot be made")]
     Page { name: String, source: io::Error },
+    #[error("the section could not be computed")]
+    Poincare(#[source] PoincareError),
+    #[error("the archive of arrays could not be made")]
+    Archive(#[from] zip::result::ZipError),
+    #[error(
+        "interrupted: {finished} of {wanted} orbits are complete; what was finished is kept and marked as incomplete"
+    )]
+    Interrupted { finished: usize, wanted: usize },
+    #[error("the motion could not be computed")]
+    Follow(#[from] MotionError),
+    #[error("{done} of {wanted} samples were computed")]
+    Motion { done: usize, wanted: usize, source: StepError },
+    #[error("interrupted: {done} of {wanted} samples were computed; they are kept and marked as incomplete")]
+    MotionInterrupted { done: usize, wanted: usize },
+}
+
+impl From<PoincareError> for Failure {
+    fn from(error: PoincareError) -> Self {
+        match error {
+            PoincareError::Classify(ClassifyError::Momentum(error)) => InputError::Momentum(error).into(),
+            PoincareError::WeightlessBody
+            | PoincareError::Forbidden { .. }
+            | PoincareError::OnCurve { .. }
+            | PoincareError::Undecided { .. } => SectionInputError::NoSection(error).into(),
+            error => Self::Poincare(error),
+        }
+    }
+}
+
+impl From<OrbitInputError> for Failure {
+    fn from(error: OrbitInputError) -> Self {
+        Self::Input(error.into())
+    }
+}
+
+impl From<SectionInputError> for Failure {
+    fn from(error: SectionInputError) -> Self {
+        Self::Input(error.into())
+    }
 }
 
 impl From<ClassifyError> for Failure {

@@ -1,7 +1,7 @@
-//! Files that appear whole and together, or not at all.
+//! Files that appear whole and together, or not at all; and files that are read.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
@@ -22,11 +22,21 @@ pub enum FilesError {
     Replace { path: PathBuf, source: io::Error },
 }
 
-/// Contents for files in one directory.
+/// The text of a whole file, or of stdin.
+pub fn read(path: &Path) -> io::Result<String> {
+    if path == Path::new("-") {
+        let mut text = String::new();
+        io::stdin().read_to_string(&mut text)?;
+        return Ok(text);
+    }
+    fs::read_to_string(path)
+}
+
+/// Contents for files, most of them in one directory.
 #[derive(Debug)]
 pub struct FileSet {
     directory: PathBuf,
-    files: Vec<(String, Vec<u8>)>,
+    files: Vec<(PathBuf, Vec<u8>)>,
 }
 
 impl FileSet {
@@ -35,17 +45,22 @@ impl FileSet {
         Self { directory: directory.to_owned(), files: Vec::new() }
     }
 
-    /// Adds a file; nothing is written yet.
-    pub fn add(&mut self, name: impl Into<String>, contents: impl Into<Vec<u8>>) {
-        self.files.push((name.into(), contents.into()));
+    /// Adds a file of the directory; nothing is written yet.
+    pub fn add(&mut self, name: impl AsRef<Path>, contents: impl Into<Vec<u8>>) {
+        self.files.push((self.directory.join(name), contents.into()));
     }
 
-    /// Writes every file under a temporary name in the directory and, when all are whole and on the disk, renames
+    /// Adds a file at a place of its own.
+    pub fn add_at(&mut self, path: &Path, contents: impl Into<Vec<u8>>) {
+        self.files.push((path.to_owned(), contents.into()));
+    }
+
+    /// Writes every file under a temporary name in its directory and, when all are whole and on the disk, renames
     /// them. If one cannot be written, none is, and directories made on the way are taken away again.
     pub fn write(self) -> Result<Vec<PathBuf>, FilesError> {
         let _guard = uninterrupted();
-        let created = create_directories(&self.directory)?;
-        self.write_into_directory().inspect_err(|_failure| {
+        let mut created = Vec::new();
+        self.write_whole(&mut created).inspect_err(|_failure| {
             for directory in &created {
                 // Fails where something else has been put there, which must stay.
                 let _not_empty = fs::remove_dir(directory);
@@ -53,14 +68,19 @@ impl FileSet {
         })
     }
 
-    fn write_into_directory(self) -> Result<Vec<PathBuf>, FilesError> {
+    /// `created`: directories that were made, each before those that it lies in.
+    fn write_whole(self, created: &mut Vec<PathBuf>) -> Result<Vec<PathBuf>, FilesError> {
         let mut whole = Vec::with_capacity(self.files.len());
-        for (name, contents) in &self.files {
-            let path = self.directory.join(name);
+        for (path, contents) in self.files {
+            let directory = match path.parent() {
+                Some(parent) if !parent.as_os_str().is_empty() => parent,
+                _ => Path::new("."),
+            };
+            created.splice(0..0, create_directories(directory)?);
             if path.is_dir() {
                 return Err(FilesError::Occupied { path });
             }
-            match write_temporary(&self.directory, contents) {
+            match write_temporary(directory, &contents) {
                 Ok(file) => whole.push((file, path)),
                 Err(source) => return Err(FilesError::Write { path, source }),
             }

@@ -8,16 +8,20 @@ mod batch;
 mod bodies;
 mod classify;
 mod critical;
+mod data;
 mod failure;
 mod figures;
 mod files;
+mod integration;
 mod interrupt;
 mod layout;
 mod log;
+mod orbit;
 mod output;
 mod pages;
 mod report;
 mod schema;
+mod section;
 mod subject;
 mod table;
 mod timings;
@@ -27,6 +31,9 @@ use arguments::Command;
 pub use arguments::Options;
 use failure::Failure;
 use timings::Timings;
+
+/// Where the files go if nothing else is said.
+const DEFAULT_DIRECTORY: &str = "bifdiag-out";
 
 /// Sets up logging, the answer to interrupts and the number of threads.
 pub fn start(options: &Options) -> Result<(), Failure> {
@@ -47,6 +54,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Some(Command::Atlas(arguments)) => atlas::run(arguments, &timings),
         Some(Command::Classify(arguments)) => classify::run(arguments, &timings, quiet),
         Some(Command::Critical(arguments)) => critical::run(arguments, &timings, quiet),
+        Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
+        Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
         Some(Command::Bodies(arguments)) => bodies::run(arguments),
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments),

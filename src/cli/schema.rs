@@ -1,6 +1,9 @@
 //! `bifdiag schema`: the JSON Schemas of the documents.
 
-use bifdiag::document::{AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument};
+use bifdiag::document::{
+    AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument, MotionDocument,
+    SectionDocument, SectionsDocument,
+};
 use clap::ValueEnum;
 use schemars::{Schema, schema_for};
 
@@ -18,6 +21,12 @@ pub enum Name {
     Classify,
     /// The answer of `bifdiag critical --json`, and a line of its batch
     Critical,
+    /// The answer of `bifdiag section --json`, and the `meta` of its data
+    Section,
+    /// The answer of `bifdiag section --atlas … --json`
+    Sections,
+    /// The answer of `bifdiag orbit --json`, and the `meta` of its data
+    Orbit,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// What stands for a wrong line of a batch
@@ -30,6 +39,9 @@ impl Name {
             Self::Atlas => schema_for!(AtlasDocument),
             Self::Classify => schema_for!(ClassificationDocument),
             Self::Critical => schema_for!(CriticalDocument),
+            Self::Section => schema_for!(SectionDocument),
+            Self::Sections => schema_for!(SectionsDocument),
+            Self::Orbit => schema_for!(MotionDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
         }

@@ -1,11 +1,13 @@
 //! Values of options, read exactly and refused with what would be right.
 
-use std::num::NonZeroUsize;
+use std::num::{NonZeroU32, NonZeroUsize};
 
 use bifdiag::body::{Body, BodyError, Number, ParseNumberError, Preset};
 use bifdiag::document::WindowDocument;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use thiserror::Error;
+
+use super::data::{DataTarget, UnknownFormat};
 
 /// The most threads that can be asked for.
 const MAX_THREADS: usize = 1024;
@@ -17,6 +19,10 @@ pub struct Triple(pub [Number; 3]);
 /// I_xx, I_yy, I_zz, I_xy, I_xz, I_yz.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tensor(pub [Number; 6]);
+
+/// Three numbers of which only the nearest doubles are needed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vector(pub [f64; 3]);
 
 /// Why a value is refused.
 #[derive(Debug, PartialEq, Error)]
@@ -47,6 +53,20 @@ pub enum ValueError {
     WindowNegative(String),
     #[error("the number of threads is a whole number from 1 to {MAX_THREADS}")]
     Threads,
+    #[error("{0}")]
+    DataTarget(#[from] UnknownFormat),
+    #[error("the number of {0} is a whole number from 1 to {1}")]
+    Count(&'static str, u32),
+    #[error("a seed is a whole number from 0 to {max}", max = u64::MAX)]
+    Seed,
+    #[error("{count} numbers given; write three with commas between them, such as 0.6,0,0.8")]
+    VectorCount { count: usize },
+    #[error("the zero vector has no direction; write one that is not 0, such as 0.6,0,0.8")]
+    NoDirection,
+    #[error("a sheet is + (or 1) or - (or -1), by the sign of Delta")]
+    Sheet,
+    #[error("a time must be greater than zero, such as 1e4")]
+    Duration,
 }
 
 fn parts(text: &str) -> Vec<&str> {
@@ -128,6 +148,83 @@ fn interval(text: &str, low: &'static str, high: &'static str) -> Result<([f64; 
 pub fn threads(text: &str) -> Result<NonZeroUsize, ValueError> {
     let count = text.parse::<NonZeroUsize>().map_err(|_not_a_count| ValueError::Threads)?;
     if count.get() <= MAX_THREADS { Ok(count) } else { Err(ValueError::Threads) }
+}
+
+/// A number of which only the nearest double is needed.
+pub fn float(text: &str) -> Result<f64, ValueError> {
+    Ok(number(text)?.to_f64())
+}
+
+pub fn duration(text: &str) -> Result<f64, ValueError> {
+    let time = float(text)?;
+    if time > 0.0 { Ok(time) } else { Err(ValueError::Duration) }
+}
+
+pub fn vector(text: &str) -> Result<Vector, ValueError> {
+    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::VectorCount { count })?;
+    Ok(Vector(numbers.map(|number| number.to_f64())))
+}
+
+/// A vector brought to length 1; one of this length, within rounding, stays as it is.
+pub fn direction(text: &str) -> Result<Vector, ValueError> {
+    let Vector(v) = vector(text)?;
+    if (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - 1.0).abs() <= 2.0 * f64::EPSILON {
+        return Ok(Vector(v));
+    }
+    let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    if largest == 0.0 {
+        return Err(ValueError::NoDirection);
+    }
+    let v = v.map(|x| x / largest);
+    let norm = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+    Ok(Vector(v.map(|x| x / norm)))
+}
+
+pub fn orbits(text: &str) -> Result<NonZeroU32, ValueError> {
+    /// The memory of many more would be the limit.
+    const MOST: u32 = 1_000_000;
+    let wrong = ValueError::Count("orbits", MOST);
+    text.parse::<NonZeroU32>().ok().filter(|count| count.get() <= MOST).ok_or(wrong)
+}
+
+pub fn crossings(text: &str) -> Result<NonZeroUsize, ValueError> {
+    /// Crossings are numbered by 32-bit integers in the data.
+    const MOST: u32 = i32::MAX.unsigned_abs();
+    let wrong = ValueError::Count("crossings", MOST);
+    let count = text.parse::<NonZeroU32>().ok().filter(|count| count.get() <= MOST).ok_or(wrong)?;
+    NonZeroUsize::try_from(count).map_err(|_too_large| ValueError::Count("crossings", MOST))
+}
+
+pub fn seed(text: &str) -> Result<u64, ValueError> {
+    text.parse().map_err(|_not_a_seed| ValueError::Seed)
+}
+
+pub fn data_target(text: &str) -> Result<DataTarget, ValueError> {
+    Ok(DataTarget::parse(text)?)
+}
+
+/// An angle: a number of radians, or a multiple of pi such as pi/2, -pi, 3pi/4.
+pub fn angle(text: &str) -> Result<f64, ValueError> {
+    use std::f64::consts::PI;
+    let Some((factor, divisor)) = text.split_once("pi") else { return float(text) };
+    let factor = match factor.trim().trim_end_matches('*') {
+        "" | "+" => 1.0,
+        "-" => -1.0,
+        factor => float(factor)?,
+    };
+    match divisor.trim() {
+        "" => Ok(factor * PI),
+        divisor => Ok(factor * PI / float(divisor.strip_prefix('/').unwrap_or("?"))?),
+    }
+}
+
+/// A sheet of the PP-torus: 1, + or T+; -1, - or T-.
+pub fn sheet(text: &str) -> Result<i8, ValueError> {
+    match text {
+        "1" | "+1" | "+" | "T+" => Ok(1),
+        "-1" | "-" | "T-" => Ok(-1),
+        _ => Err(ValueError::Sheet),
+    }
 }
 
 pub fn preset_names() -> PossibleValuesParser {

@@ -8,6 +8,8 @@ mod classification;
 mod critical;
 mod inertia;
 mod listing;
+mod motion;
+mod section;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument,
@@ -17,6 +19,12 @@ pub use classification::{ClassificationDocument, ComponentDocument, MarginDocume
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
 pub use inertia::{InertiaDocument, UnitsDocument};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
+pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
+pub use section::{
+    ChaosDocument, ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, LyapunovDocument,
+    OrbitDocument, RotationAngleName, RotationDocument, SectionDocument, SectionSummaryDocument, SectionsDocument,
+    SkippedDocument, StartsDocument,
+};
 
 /// Version of every document in this module.
 pub const SCHEMA_VERSION: &str = "1";

@@ -50,17 +50,52 @@ pub(super) fn render(
     title: &str,
     paint: impl FnOnce(&Canvas<'_>) -> Result<(), PlotError>,
 ) -> Result<Picture, PlotError> {
-    font::register()?;
-    let mut body = String::new();
-    {
-        let units = (length_units(size[0]), length_units(size[1]));
-        let area = SVGBackend::with_string(&mut body, units).into_drawing_area();
-        area.fill(&WHITE)?;
-        let canvas = Canvas { area };
-        paint(&canvas)?;
-        canvas.area.present()?;
+    let mut page = Page::new(size);
+    page.paint(|canvas| {
+        canvas.area.fill(&WHITE)?;
+        paint(canvas)
+    })?;
+    Ok(page.finish(title))
+}
+
+/// A picture in the making: layers of what plotters draws and of plain SVG, the lowest first.
+pub(super) struct Page {
+    size: [f64; 2],
+    layers: String,
+}
+
+impl Page {
+    /// An empty page of `size` pixels.
+    pub(super) fn new(size: [f64; 2]) -> Self {
+        Self { size, layers: String::new() }
     }
-    Ok(Picture::from_canvas(&body, size, title))
+
+    /// Adds a layer.
+    pub(super) fn paint(&mut self, paint: impl FnOnce(&Canvas<'_>) -> Result<(), PlotError>) -> Result<(), PlotError> {
+        font::register()?;
+        let mut body = String::new();
+        {
+            let units = (length_units(self.size[0]), length_units(self.size[1]));
+            let area = SVGBackend::with_string(&mut body, units).into_drawing_area();
+            let canvas = Canvas { area };
+            paint(&canvas)?;
+            canvas.area.present()?;
+        }
+        let inner = body.split_once('>').map_or("", |(_, inner)| inner);
+        self.layers.push_str(inner.trim_start().strip_suffix("</svg>\n").unwrap_or(inner));
+        Ok(())
+    }
+
+    /// Adds an SVG element whose lengths are in canvas units.
+    pub(super) fn element(&mut self, element: &str) {
+        self.layers.push_str(element);
+        self.layers.push('\n');
+    }
+
+    /// The picture.
+    pub(super) fn finish(self, title: &str) -> Picture {
+        Picture::from_canvas(&self.layers, self.size, title)
+    }
 }
 
 fn length_units(pixels: f64) -> u32 {

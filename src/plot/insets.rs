@@ -55,16 +55,19 @@ struct Station {
     h: [f64; 2],
 }
 
-/// Chooses the windows of the insets of plot size `size` for what the main panel does not show.
-pub(super) fn magnifications(scene: &Scene<'_>, main: &Panel, size: [f64; 2]) -> Result<Magnifications, PlotError> {
+/// Chooses the windows of the insets of plot size `size` for what the main panel does not show of some regions.
+pub(super) fn magnifications(
+    scene: &Scene<'_>,
+    main: &Panel,
+    size: [f64; 2],
+    regions: &[usize],
+) -> Result<Magnifications, PlotError> {
     let mut result = Magnifications::default();
     let mut windows: Vec<WindowDocument> = Vec::new();
     let mut close: Vec<Candidate> = Vec::new();
     let mut hidden: Vec<usize> = Vec::new();
-    for (region, depth) in main.grid.depths(scene.cells.len()).into_iter().enumerate() {
-        if depth >= LEGIBLE {
-            continue;
-        }
+    let depths = main.grid.depths(scene.cells.len());
+    for &region in regions.iter().filter(|&&region| depths[region] < LEGIBLE) {
         match own_windows(scene, main, region, size)? {
             Found::Windows { wide, closest } => {
                 hidden.push(region);

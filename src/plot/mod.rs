@@ -1,10 +1,11 @@
-//! Pictures of finished results: the bifurcation diagram of an atlas as SVG, PNG and PDF.
+//! Pictures of finished results: the bifurcation diagram of an atlas and Poincaré sections, as SVG, PNG and PDF.
 //!
-//! What is drawn comes from [`crate::document`] alone; nothing is computed here that an atlas does not say already.
+//! What is drawn of an atlas comes from [`crate::document`] alone; nothing is computed here that an atlas does not say already.
 //! The pieces, in the order in which the data flows: a `scene` resolves the ids of the document, `trace` gives each
 //! curve as a polyline fit for one window, a `grid` is the coarse picture of one panel from which sizes and label
 //! places are read, `window` and `insets` choose the panels, `layout` puts them on the page, `labels` places the text,
-//! `diagram` draws it all on a `canvas`, and the result is a [`Picture`].
+//! `diagram` draws it all on a `canvas`, and the result is a [`Picture`]. Sections have their own folder, and share the
+//! canvas, the font and the colours of text.
 
 mod axes;
 mod canvas;
@@ -22,6 +23,8 @@ mod palette;
 mod panel;
 mod picture;
 mod scene;
+mod schematic;
+mod section;
 mod stroke;
 mod ticks;
 mod trace;
@@ -29,6 +32,8 @@ mod window;
 
 pub use diagram::draw;
 pub use picture::Picture;
+pub use schematic::{Scheme, draw_scheme};
+pub use section::{OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows};
 pub use trace::CurveSource;
 
 use crate::document::WindowDocument;
@@ -80,6 +85,24 @@ pub enum PlotError {
     Resolution {
         /// Dots per inch.
         dpi: f64,
+    },
+    /// There is nothing to draw, or more than a page can hold.
+    #[error("a picture needs between 1 and {most} sections, not {given}")]
+    Scenes {
+        /// How many there are.
+        given: usize,
+        /// The most.
+        most: usize,
+    },
+    /// There is not one value for each orbit.
+    #[error("{values} values of {label} for {orbits} orbits: one for each orbit is needed")]
+    Values {
+        /// What the values are.
+        label: String,
+        /// Values given.
+        values: usize,
+        /// Orbits of the scene.
+        orbits: usize,
     },
     /// The PNG could not be encoded.
     #[error("the PNG could not be encoded")]

@@ -43,14 +43,19 @@ fn accessible_region(name: &str) -> String {
     }
 }
 
+/// The accessible region of a region of the diagram.
+pub(super) fn accessible_regions(region: &RegionDocument) -> String {
+    let parts: Vec<String> =
+        region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
+    parts.join("+")
+}
+
 /// The type printed in a region: that of its section, or of its accessible region where no section exists.
 pub(super) fn region_type(region: &RegionDocument) -> String {
     if let Some(signature) = &region.signature {
         return signature.split('+').map(section).collect::<Vec<_>>().join("+");
     }
-    let parts: Vec<String> =
-        region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
-    format!("U: {}", parts.join("+"))
+    format!("U: {}", accessible_regions(region))
 }
 
 /// A positive number with two significant digits.

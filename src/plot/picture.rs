@@ -26,20 +26,19 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Puts the size in pixels, a title and the font's stand-ins on what plotters drew.
-    pub(super) fn from_canvas(body: &str, size: [f64; 2], title: &str) -> Self {
-        let inner = body.split_once('>').map_or("", |(_, inner)| inner);
+    /// Puts the size in pixels, a title and the font's stand-ins on the elements of a canvas.
+    pub(super) fn from_canvas(elements: &str, size: [f64; 2], title: &str) -> Self {
         let [width, height] = size;
         let [units_wide, units_high] = size.map(|side| (side * UNITS).round());
         let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         // Viewers without the font fall back to Verdana, whose widths DejaVu Sans shares.
-        let inner = inner.replace(
+        let elements = elements.replace(
             &format!("font-family=\"{}\"", font::FAMILY),
             &format!("font-family=\"{}, Verdana, sans-serif\"", font::FAMILY),
         );
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {units_wide} {units_high}\" stroke-linejoin=\"round\">\n<title>{title}</title>{inner}"
+             viewBox=\"0 0 {units_wide} {units_high}\" stroke-linejoin=\"round\">\n<title>{title}</title>\n{elements}</svg>\n"
         );
         Self { svg }
     }
@@ -60,7 +59,7 @@ impl Picture {
         #[expect(clippy::cast_possible_truncation, reason = "a scale needs no more digits")]
         let transform = Transform::from_scale(scale as f32, scale as f32);
         resvg::render(&tree, transform, &mut pixels.as_mut());
-        pixels.encode_png().map_err(|error| PlotError::Png(Box::new(error)))
+        encoded(&pixels).map_err(|error| PlotError::Png(Box::new(error)))
     }
 
     /// The picture as a PDF of one page, text as text.
@@ -86,4 +85,18 @@ impl Picture {
         let options = Options { fontdb: font::database(), font_family: font::FAMILY.to_owned(), ..Options::default() };
         Ok(Tree::from_str(&self.svg, &options)?)
     }
+}
+
+/// The pixels as PNG. A page is opaque, so that there is no alpha to be stored.
+fn encoded(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+    let colors: Vec<u8> = pixels.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&colors)?;
+    writer.finish()?;
+    Ok(bytes)
 }

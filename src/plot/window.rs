@@ -3,7 +3,7 @@
 use super::PlotError;
 use super::scene::Scene;
 use super::trace::{Trace, trace, traces};
-use crate::document::WindowDocument;
+use crate::document::{EventDocument, WindowDocument};
 
 /// Margin beyond the last event, as a share of its l.
 const BEYOND_EVENTS: f64 = 0.25;
@@ -14,24 +14,50 @@ const MARGIN: f64 = 0.05;
 /// Without events the window ends in h at most at this multiple of the median of the curves.
 const MEDIAN_MULTIPLE: f64 = 4.0;
 
-/// The window that was asked for, or one that shows all events and a part of every unbounded region.
-pub(super) fn main_window(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<WindowDocument, PlotError> {
-    let window = match asked.or(scene.atlas.window) {
-        Some(window) => window,
-        None => automatic(scene)?,
-    };
-    let WindowDocument { h, l } = window;
-    let fits = |[from, to]: [f64; 2]| from < to && (to - from).is_finite();
-    if fits(h) && fits(l) { Ok(window) } else { Err(PlotError::EmptyWindow { h, l }) }
+/// Events so many times farther out in l than the ones before are left to an overview.
+const FAR: f64 = 20.0;
+
+/// The windows of the largest panels.
+pub(super) struct Windows {
+    pub main: WindowDocument,
+    /// Everything, where some events lie so far out that a window with them would show nothing of the others.
+    pub overview: Option<WindowDocument>,
 }
 
-fn automatic(scene: &Scene<'_>) -> Result<WindowDocument, PlotError> {
-    let events = &scene.atlas.events;
+/// The window that was asked for, or one that shows all events (but a few far out) and a part of every unbounded region.
+pub(super) fn windows(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<Windows, PlotError> {
+    let windows = match asked.or(scene.atlas.window) {
+        Some(window) => Windows { main: window, overview: None },
+        None => match last_near_event(scene) {
+            Some(limit) => Windows { main: automatic(scene, limit)?, overview: Some(automatic(scene, f64::INFINITY)?) },
+            None => Windows { main: automatic(scene, f64::INFINITY)?, overview: None },
+        },
+    };
+    for WindowDocument { h, l } in [windows.main].into_iter().chain(windows.overview) {
+        let fits = |[from, to]: [f64; 2]| from < to && (to - from).is_finite();
+        if !(fits(h) && fits(l)) {
+            return Err(PlotError::EmptyWindow { h, l });
+        }
+    }
+    Ok(windows)
+}
+
+/// The l of the last event before those far out, if there are such and they are fewer than the others.
+fn last_near_event(scene: &Scene<'_>) -> Option<f64> {
+    let mut places: Vec<f64> = scene.atlas.events.iter().map(|event| event.l).collect();
+    places.sort_by(f64::total_cmp);
+    let gap = (1..places.len()).rev().find(|&k| places[k] > FAR * places[k - 1])?;
+    (2 * gap > places.len()).then(|| places[gap - 1])
+}
+
+/// A window that shows the events up to l = `limit`.
+fn automatic(scene: &Scene<'_>, limit: f64) -> Result<WindowDocument, PlotError> {
+    let events: Vec<&EventDocument> = scene.atlas.events.iter().filter(|event| event.l <= limit).collect();
     let last_event = events.iter().map(|event| event.l).fold(0.0, f64::max);
     let last_point =
         scene.atlas.curves.iter().filter_map(|curve| curve.polyline.last()).map(|point| point[1]).fold(0.0, f64::max);
     // Coarse values are enough to choose a window.
-    let coarse = scale(scene) * 1e-3;
+    let coarse = scale(scene, &events) * 1e-3;
     let l_top = if last_event > 0.0 {
         last_event.max(start_of_positive_energies(scene, last_point, coarse)?) * (1.0 + BEYOND_EVENTS)
     } else {
@@ -84,9 +110,9 @@ fn start_of_positive_energies(scene: &Scene<'_>, l_top: f64, coarse: f64) -> Res
     Ok(positive.map_or(0.0, |point| point[1]))
 }
 
-/// The size of the energies in the atlas.
-fn scale(scene: &Scene<'_>) -> f64 {
-    let events = scene.atlas.events.iter().map(|event| event.h.abs());
+/// The size of the energies of some events and at the curves' beginnings.
+fn scale(scene: &Scene<'_>, events: &[&EventDocument]) -> f64 {
+    let events = events.iter().map(|event| event.h.abs());
     let starts = scene.atlas.curves.iter().filter_map(|curve| curve.polyline.first()).map(|point| point[0].abs());
     let scale = events.chain(starts).fold(0.0, f64::max);
     if scale > 0.0 { scale } else { 1.0 }

@@ -8,6 +8,7 @@ mod condition;
 mod error;
 mod follow;
 mod newton;
+mod portrait;
 mod readings;
 mod roots;
 mod scan;
@@ -17,6 +18,7 @@ mod torus;
 
 pub use condition::SectionCondition;
 pub use error::SectionError;
-pub use starts::{StartOptions, spread_starts, spread_starts_over};
+pub use portrait::{Area, Chart, Line, Portrait, PortraitOptions, PortraitReport};
+pub use starts::{StartOptions, spread_starts, spread_starts_over, spread_starts_round};
 pub use sweep::{End, Monitor, OrbitReport, OrbitSection, SectionPoint, SweepOptions, sweep};
 pub use torus::{PpTorus, TorusPoint};

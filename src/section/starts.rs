@@ -1,7 +1,10 @@
 //! Starting points on the section, spread evenly and reproducibly.
 
+use std::f64::consts::TAU;
+
 use super::error::SectionError;
 use super::torus::{PpTorus, TorusPoint};
+use crate::dynamics::{add, cross, norm, scale};
 
 /// How starting points are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,8 +49,6 @@ pub fn spread_starts_over(
     components: usize,
     component_of: &dyn Fn([f64; 3]) -> Option<usize>,
 ) -> Result<Vec<TorusPoint>, SectionError> {
-    // 1/p and 1/p² with p³ = p + 1.
-    const STEP: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_3];
     for (name, value) in [("h", h), ("l", l)] {
         if !value.is_finite() {
             return Err(SectionError::Parameter { name, value, expected: "a finite number is needed" });
@@ -65,13 +66,10 @@ pub fn spread_starts_over(
             return Err(SectionError::Inaccessible { h, lowest, tried });
         }
         tried += 1;
-        for (x, step) in position.iter_mut().zip(STEP) {
-            *x += step;
-            *x -= x.floor();
-        }
+        advance(&mut position);
         let cos = 1.0 - 2.0 * position[0];
         let theta = libm::atan2((1.0 - cos * cos).sqrt(), cos);
-        let psi = std::f64::consts::TAU * position[1];
+        let psi = TAU * position[1];
         let gamma = torus.gamma(theta, psi);
         let potential = torus.top().effective_potential(gamma, l);
         lowest = lowest.min(potential);
@@ -85,6 +83,63 @@ pub fn spread_starts_over(
         }
     }
     Ok(starts)
+}
+
+/// Likewise for one small part of the accessible region round γ = `center`, for which `wanted` is true: from caps that
+/// shrink until a part of their points serves.
+///
+/// # Errors
+/// [`SectionError::Inaccessible`] when no cap that is wider than rounding has enough points.
+pub fn spread_starts_round(
+    torus: &PpTorus,
+    h: f64,
+    l: f64,
+    options: &StartOptions,
+    center: [f64; 3],
+    wanted: &dyn Fn([f64; 3]) -> bool,
+) -> Result<Vec<TorusPoint>, SectionError> {
+    /// So many places of a cap for each point wanted.
+    const TRIES: u64 = 64;
+    let smallest = (0..3).min_by(|&i, &j| center[i].abs().total_cmp(&center[j].abs())).unwrap_or(0);
+    let first = cross(center, std::array::from_fn(|i| if i == smallest { 1.0 } else { 0.0 }));
+    let first = scale(1.0 / norm(first), first);
+    let second = cross(center, first);
+    let (mut lowest, mut tried) = (f64::INFINITY, 0);
+    let mut radius = 1.0;
+    while radius > f64::EPSILON {
+        let mut position = shift(options.seed);
+        let mut starts = Vec::with_capacity(options.count);
+        for _ in 0..TRIES * options.count as u64 {
+            if starts.len() == options.count {
+                return Ok(starts);
+            }
+            tried += 1;
+            advance(&mut position);
+            let distance = radius * position[0].sqrt();
+            let (sin, cos) = libm::sincos(TAU * position[1]);
+            let gamma = add(center, add(scale(distance * cos, first), scale(distance * sin, second)));
+            let gamma = scale(1.0 / norm(gamma), gamma);
+            let potential = torus.top().effective_potential(gamma, l);
+            lowest = lowest.min(potential);
+            let (theta, psi) = torus.angles(gamma);
+            // The angles round; what counts is the point that they denote.
+            if potential <= h && torus.top().effective_potential(torus.gamma(theta, psi), l) <= h && wanted(gamma) {
+                starts.push(TorusPoint { theta, psi, sheet: if starts.len().is_multiple_of(2) { 1 } else { -1 } });
+            }
+        }
+        radius *= 0.5;
+    }
+    Err(SectionError::Inaccessible { h, lowest, tried })
+}
+
+/// The next place of the Kronecker sequence.
+fn advance(position: &mut [f64; 2]) {
+    // 1/p and 1/p² with p³ = p + 1.
+    const STEP: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_3];
+    for (x, step) in position.iter_mut().zip(STEP) {
+        *x += step;
+        *x -= x.floor();
+    }
 }
 
 /// Two numbers in [0, 1) from a seed (SplitMix64).

@@ -81,6 +81,11 @@ pub fn sort_components(components: &mut [Component]) {
     components.sort_by_key(Component::key);
 }
 
+/// The same for components that carry something with them.
+pub(super) fn sort_by_component<T>(components: &mut [(T, Component)]) {
+    components.sort_by_key(|(_, component)| component.key());
+}
+
 /// The sections' names joined by "+" in canonical order, such as `S2+T2`; `None` when r = 0.
 #[must_use]
 pub fn signature(components: &[Component]) -> Option<String> {

@@ -4,7 +4,8 @@ use std::fs;
 
 use crate::builder::bifdiag;
 
-const COMMANDS: [&str; 8] = ["atlas", "classify", "critical", "bodies", "schema", "completions", "man", "figures"];
+const COMMANDS: [&str; 10] =
+    ["atlas", "classify", "critical", "section", "orbit", "bodies", "schema", "completions", "man", "figures"];
 
 #[test]
 fn every_help_page_has_examples_and_fits_100_columns() {
@@ -21,6 +22,8 @@ fn every_help_page_has_examples_and_fits_100_columns() {
 #[test]
 fn the_examples_of_the_help_pages_work() {
     let place = tempfile::tempdir().unwrap();
+    // What an example reads that another has written.
+    bifdiag("--body paper --no-plot").inside(place.path()).succeeds();
     let mut tried = 0;
     for command in COMMANDS.iter().chain(&[""]) {
         let help = bifdiag(&format!("{command} --help")).succeeds().stdout();

@@ -91,6 +91,19 @@ fn documents_fit_their_schemas() {
         assert_fits("critical", &bifdiag(&format!("critical {body} --l 1.5 --json")).succeeds().json());
     }
     assert_fits("atlas", &bifdiag("--body paper --json --window 0:6,0:4").succeeds().json());
+    let section = "section --body paper --h 4.45 --l 3.25 --orbits 3 --crossings 40 --json";
+    for more in ["", "--color lyapunov", "--integrator rk4 --max-time 5", "--condition angular-momentum"] {
+        assert_fits("section", &bifdiag(&format!("{section} {more}")).succeeds().json());
+    }
+    let part = format!("section {PART} --h 0.65 --l 0.464 --orbits 2 --crossings 5 --json");
+    assert_fits("section", &bifdiag(&part).succeeds().json());
+    let atlas = bifdiag("--body paper --json").succeeds().stdout();
+    let sections = bifdiag("section --atlas - --orbits 1 --crossings 2 --json").reading(atlas);
+    assert_fits("sections", &sections.succeeds().json());
+    for more in ["--body paper", "--body euler", PART] {
+        let orbit = format!("orbit {more} --gamma 0.6,0,0.8 --omega 1,0.3,1 --json");
+        assert_fits("orbit", &bifdiag(&orbit).succeeds().json());
+    }
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
     assert_fits("batch-error", &bifdiag("classify --batch -").reading("x").succeeds().json());
 }
@@ -111,7 +124,7 @@ fn the_validator_sees_what_is_wrong() {
 #[test]
 fn all_schemas_come_in_one_object() {
     let all = bifdiag("schema --json").succeeds().json();
-    for name in ["atlas", "classify", "critical", "bodies", "batch-error"] {
+    for name in ["atlas", "classify", "critical", "section", "sections", "orbit", "bodies", "batch-error"] {
         assert_eq!(all[name], schema(name));
         bifdiag("schema").succeeds().printing(&format!("\n{name} "));
     }

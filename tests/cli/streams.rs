@@ -91,6 +91,53 @@ fn interrupts_end_a_batch_between_lines() {
     }
 }
 
+#[test]
+fn an_interrupted_section_keeps_what_is_finished_and_says_so() {
+    let place = tempfile::tempdir().unwrap();
+    let (data, out) = (place.path().join("data/points.npz"), place.path().join("out"));
+    let (data_path, out_path) = (data.to_string_lossy().into_owned(), out.to_string_lossy().into_owned());
+    // The first orbits are short enough to be finished, the others are not.
+    let child = spawn(&[
+        "section",
+        "--body",
+        "paper",
+        "--h",
+        "4.45",
+        "--l",
+        "3.25",
+        "--orbits",
+        "64",
+        "--crossings",
+        "2000000",
+        "--threads",
+        "1",
+        "--json",
+        "--no-plot",
+        "--data",
+        &data_path,
+        "--out",
+        &out_path,
+    ]);
+    std::thread::sleep(Duration::from_millis(700));
+    signal(&child, "-INT");
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    assert!(stderr(&output).contains("interrupted: "), "{}", stderr(&output));
+    assert!(stderr(&output).contains("of 64 orbits are complete; what was finished is kept"), "{}", stderr(&output));
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(document["complete"], false);
+    assert!(document["notes"][0].as_str().unwrap().contains("interrupted"));
+    assert!(document["summary"]["crossings"].as_u64().unwrap() > 1000);
+    assert_eq!(crate::sections::meta(&data), document);
+    let rows = crate::sections::integers(&data, "orbit").len() as u64;
+    assert_eq!(
+        rows,
+        document["summary"]["crossings"].as_u64().unwrap() + document["orbits"].as_array().unwrap().len() as u64
+    );
+    assert_eq!(names(&out), Some(vec!["section.json".to_owned()]));
+    assert_eq!(names(data.parent().unwrap()), Some(vec!["points.npz".to_owned()]));
+}
+
 /// Names in a directory, sorted; `None` if it is not there.
 fn names(directory: &Path) -> Option<Vec<String>> {
     let entries = fs::read_dir(directory).ok()?;

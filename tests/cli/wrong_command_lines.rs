@@ -104,6 +104,71 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--body paper --threads -3", &["'-3' for '--threads <N>'", "whole number"]),
     ("--body paper --threads 1.5", &["'1.5' for '--threads <N>'"]),
     ("--body paper -q -v", &["'--quiet' cannot be used with '--verbose...'"]),
+    // Sections.
+    ("section --h 1 --l 1", &["no body is given"]),
+    ("section --body paper --l 3.25", &["--h is missing", "--h 4.45", "--atlas FILE"]),
+    ("section --body paper --h 4.45", &["--l is missing", "--l 3.25"]),
+    (
+        "section --body paper --h 1.5 --l 3.25",
+        &["(h, l) = (1.5, 3.25) is forbidden", "the lowest energy at l = 3.25 is 1.63969940", "G2.1", "choose h above"],
+    ),
+    ("section --body paper --h -2 --l 0", &["forbidden", "the lowest energy at l = 0 is -1.13125"]),
+    ("section --body kovalevskaya --h 2 --l 2", &["(2, 2) lies on the curve", "topology changes", "choose h"]),
+    ("section --body paper --h 1.6396994084479426 --l 3.25", &["too near to the curve", "error bound"]),
+    ("section --body euler --h 2 --l 1", &["r = 0", "this section does not exist", "r ≠ 0"]),
+    ("section --body paper --h 4 --l 1e60", &["--l"]),
+    ("section --body paper --h 4 --l 3 --orbits 0", &["'0' for '--orbits <N>'", "whole number from 1"]),
+    ("section --body paper --h 4 --l 3 --crossings -5", &["'-5' for '--crossings <M>'", "whole number"]),
+    ("section --body paper --h 4 --l 3 --rng-seed x", &["'x' for '--rng-seed <K>'", "whole number"]),
+    ("section --body paper --h 4 --l 3 --max-time 0", &["'0' for '--max-time <T>'", "greater than zero"]),
+    ("section --body paper --h 4 --l 3 --integrator euler", &["'euler' for '--integrator", "taylor, dop853, rk4"]),
+    ("section --body paper --h 4.45 --l 3.25 --tol 1e-30", &["--tol 0.", "1e-18 to 1e-2"]),
+    ("section --body paper --h 4.45 --l 3.25 --integrator rk4 --step 0", &["--step 0", "between 1e-9 and 1e9"]),
+    (
+        "section --body paper --h 4.45 --l 3.25 --integrator rk4 --tol 1e-9",
+        &["--tol is for taylor", "rk4 takes --step"],
+    ),
+    ("section --body paper --h 4.45 --l 3.25 --step 0.1", &["--step is for rk4", "taylor takes --tol"]),
+    ("section --body paper --h 4 --l 3 --condition height2", &["'height2' for '--condition", "angular-momentum"]),
+    ("section --body paper --h 4 --l 3 --projection plane", &["'plane' for '--projection", "torus, sphere, both"]),
+    ("section --body paper --h 4 --l 3 --color red", &["'red' for '--color", "orbit, lyapunov, rotation"]),
+    ("section --body paper --h 4 --l 3 --data points.txt", &["'points.txt' for '--data <FILE>'", "FILE.npz, FILE.csv"]),
+    ("section --body paper --h 4 --l 3 --data points", &["'points' for '--data", "extension"]),
+    ("section --body paper --h 4.45 --l 3.25 --data - --json", &["--data - and --json both want stdout"]),
+    ("section --body paper --h 4.45 --l 3.25 --out -", &["--out -", "a directory is needed"]),
+    ("section --body paper --h 4 --l 3 --region R1", &["--region needs --atlas"]),
+    ("section --atlas no/such --region R1", &["--atlas no/such", "No such file", "atlas.json"]),
+    ("section --atlas - --body paper", &["--atlas and --body both say", "leave out --body"]),
+    ("section --atlas - --h 3", &["--atlas and --h both say"]),
+    ("section --atlas -", &["--atlas - is not an atlas", "bifdiag atlas --json"]),
+    ("section --body paper --h 4.45 --l 3.25 --seeds no/such.csv", &["--seeds no/such.csv", "No such file"]),
+    ("section --body paper --h 4.45 --l 3.25 --seeds -", &["--seeds - holds no seed", "theta,psi,sheet"]),
+    ("section --body paper --h 4.45 --l 3.25 --seeds - --orbits 3", &["--orbits cannot be used with --seeds"]),
+    // Orbits.
+    ("orbit --gamma 1,0,0 --omega 1,1,1", &["no body is given"]),
+    ("orbit --body paper", &["no start is given", "--gamma 0.6,0,0.8", "--theta 1.2"]),
+    ("orbit --body paper --gamma 1,0,0", &["--omega or --l-vector is missing", "--omega 1,0.3,1"]),
+    ("orbit --body paper --omega 1,0,0", &["--gamma is missing", "--omega also needs it"]),
+    ("orbit --body paper --gamma 1,0,0 --omega 1,0,0 --l-vector 1,0,0", &["--l-vector and --omega both describe"]),
+    ("orbit --body paper --gamma 1,0,0 --h 3", &["--gamma and --h both describe the start"]),
+    ("orbit --body paper --gamma 0,0,0 --omega 1,0,0", &["'0,0,0' for '--gamma", "zero vector has no direction"]),
+    ("orbit --body paper --gamma 1,0 --omega 1,0,0", &["'1,0' for '--gamma", "2 numbers given"]),
+    ("orbit --body paper --h 4.45 --l 3.25 --theta 1", &["--psi is missing", "such as --psi pi/2"]),
+    ("orbit --body paper --h 4.45 --l 3.25 --theta 4 --psi 0", &["--theta 4", "from 0 to pi"]),
+    ("orbit --body paper --h 4.45 --l 3.25 --theta x --psi 0", &["'x' for '--theta <ANGLE>'"]),
+    ("orbit --body paper --h 4.45 --l 3.25 --theta 1 --psi 0 --sheet 2", &["'2' for '--sheet", "+ (or 1)"]),
+    ("orbit --body paper --h 1 --l 3.25 --theta 1 --psi 0", &["not accessible", "U = 4.66", "--h 1"]),
+    ("orbit --body euler --h 1 --l 1 --theta 1 --psi 0", &["need r ≠ 0", "--gamma"]),
+    ("orbit --body paper --gamma 1,0,0 --omega 1,1,1 --times 0:1", &["'0:1' for '--times", "t0:t1:n"]),
+    ("orbit --body paper --gamma 1,0,0 --omega 1,1,1 --times 1:0:5", &["t0 = 1 is above t1 = 0"]),
+    ("orbit --body paper --gamma 1,0,0 --omega 1,1,1 --times 0:1:x", &["n = `x` is not a whole number"]),
+    (
+        "orbit --body paper --gamma 1,0,0 --omega 1,1,1 --times no/such",
+        &["--times no/such", "No such file", "0:10:101"],
+    ),
+    ("orbit --body paper --gamma 1,0,0 --omega 1,1,1 --data x.dat", &["'x.dat' for '--data", "extension"]),
+    ("orbit --body paper --gamma 1,0,0 --omega 1,1,1 --json --data -", &["--data - and --json both want stdout"]),
+    ("orbit --body paper --gamma 1,0,0 --omega 1,1,1 --integrator splitting --tol 1", &["splitting takes --step"]),
     // Commands.
     ("frobnicate", &["unrecognized subcommand 'frobnicate'"]),
     ("clasify --body paper", &["unrecognized subcommand 'clasify'", "classify"]),
@@ -132,4 +197,31 @@ fn each_is_refused_with_its_message_and_nothing_on_stdout() {
 fn blanks_around_numbers_are_accepted_but_not_instead_of_commas() {
     bifdiag("critical --l 1 --A").and(" 2, 1.1 ,1 ").and("--r").and("1, 0, 0").succeeds();
     bifdiag("critical --l 1 --r 1,0,0 --A").and("2 1.1 1").refused().telling("1 given").telling("commas");
+}
+
+#[test]
+fn wrong_lines_of_seeds_are_numbered() {
+    let line = "section --body paper --h 4.45 --l 3.25 --seeds -";
+    for (seeds, message) in [
+        ("theta,psi\n1,2\n", "line 1: the heading `theta,psi` lacks sheet"),
+        ("theta,psi,sheet\n1.2,1.5,1\n1,2\n", "line 3: 2 values, but the heading has 3"),
+        ("theta,psi,sheet\none,2,1\n", "line 2: theta = `one` is not a number"),
+        ("theta,psi,sheet\n4,2,1\n", "line 2: theta = 4 is not between 0 and pi"),
+        ("theta,psi,sheet\n1,2,0\n", "line 2: sheet = `0` is neither 1 (T+) nor -1 (T-)"),
+        ("theta,psi,sheet\n0.9,1.5,1\n\n1.9,pi,1\n", "line 4: the point is not accessible: U = "),
+    ] {
+        bifdiag(line).reading(seeds).refused().printing_nothing().telling(message);
+    }
+}
+
+#[test]
+fn unknown_regions_are_told_with_those_that_are_there() {
+    let atlas = bifdiag("--body kovalevskaya --json").succeeds().stdout();
+    let done = bifdiag("section --atlas - --region R99").reading(atlas.clone()).refused();
+    done.telling("--region R99: the atlas has no such region; it has R1, R2").telling("or give all");
+    bifdiag("section --atlas - --data -").reading(atlas).refused().telling("several sections do not fit one table");
+    bifdiag("section --atlas -")
+        .reading("{\"schema_version\": \"1\"}")
+        .refused()
+        .telling("is not an atlas: missing field");
 }

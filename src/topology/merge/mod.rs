@@ -1,11 +1,14 @@
 //! First method: the merge tree of the critical points (Morse theory, MATH §6).
 
 mod descent;
+mod partition;
 mod slide;
 
 use thiserror::Error;
 
-use super::component::{Component, Poles, sort_components};
+pub use partition::Partition;
+
+use super::component::{Component, Poles};
 use super::potential::{Potential, Vector};
 use crate::body::Frame;
 use descent::{Floor, descend, is_nearly_critical, kick, sides_of_saddle};
@@ -79,6 +82,20 @@ pub fn components(
     below: &[CriticalPoint],
     poles: Option<Poles>,
 ) -> Result<MergeTree, MergeError> {
+    let partition = partition(frame, x, below, poles)?;
+    Ok(MergeTree { steps: partition.steps(), components: partition.into_components() })
+}
+
+/// [`components`], and the means to tell in which of them a point lies.
+///
+/// # Errors
+/// As [`components`].
+pub fn partition<'a>(
+    frame: &'a Frame,
+    x: f64,
+    below: &[CriticalPoint],
+    poles: Option<Poles>,
+) -> Result<Partition<'a>, MergeError> {
     let potential = Potential { frame, x };
     let is_floor = |p: &CriticalPoint| p.index == 0;
     let floors: Vec<&CriticalPoint> = below.iter().filter(|p| is_floor(p)).collect();
@@ -86,15 +103,16 @@ pub fn components(
         .iter()
         .map(|p| Floor { gamma: p.gamma, circle: if let Extent::Circle(axis) = p.extent { Some(axis) } else { None } })
         .collect();
-    let mut tree = Tree { potential, minima: &minima, parent: (0..minima.len()).collect(), steps: 0 };
-    let mut euler = vec![0_i32; minima.len()];
+    let mut tree = Tree { potential, parent: (0..minima.len()).collect(), minima, steps: 0 };
+    let count = tree.minima.len();
+    let mut euler = vec![0_i32; count];
     for (m, floor) in floors.iter().enumerate() {
         euler[m] += contribution(floor);
     }
     let higher: Vec<&CriticalPoint> = below.iter().filter(|p| !is_floor(p)).collect();
     let mut homes = Vec::with_capacity(higher.len());
     for point in &higher {
-        let home = if minima.len() == 1 {
+        let home = if count == 1 {
             0
         } else if point.index == 1 && tree.count() > 1 {
             let [p, q] = sides_of_saddle(&potential, point.gamma)
@@ -108,7 +126,7 @@ pub fn components(
         };
         homes.push(home);
     }
-    let mut inside = vec![Poles::default(); minima.len()];
+    let mut inside = vec![Poles::default(); count];
     if let Some(poles) = poles {
         for (present, sign) in [(poles.plus, 1.0), (poles.minus, -1.0)] {
             if present {
@@ -122,8 +140,8 @@ pub fn components(
     for (point, home) in higher.iter().zip(homes) {
         euler[home] += contribution(point);
     }
-    let mut total = vec![0_i32; minima.len()];
-    for m in 0..minima.len() {
+    let mut total = vec![0_i32; count];
+    for m in 0..count {
         let root = tree.find(m);
         total[root] += euler[m];
         if root != m {
@@ -132,14 +150,13 @@ pub fn components(
         }
     }
     let mut found = Vec::new();
-    for m in 0..minima.len() {
+    for m in 0..count {
         if tree.find(m) == m {
             let boundary_circles = u32::try_from(2 - total[m]).map_err(|_| MergeError::Euler { euler: total[m] })?;
-            found.push(Component { boundary_circles, poles: poles.map(|_| inside[m]) });
+            found.push((m, Component { boundary_circles, poles: poles.map(|_| inside[m]) }));
         }
     }
-    sort_components(&mut found);
-    Ok(MergeTree { components: found, steps: tree.steps })
+    Ok(Partition::new(tree, found))
 }
 
 /// Contribution to the Euler characteristic.
@@ -154,7 +171,7 @@ fn contribution(point: &CriticalPoint) -> i32 {
 
 struct Tree<'a> {
     potential: Potential<'a>,
-    minima: &'a [Floor],
+    minima: Vec<Floor>,
     parent: Vec<usize>,
     steps: u32,
 }
@@ -182,17 +199,18 @@ impl Tree<'_> {
         if self.count() == 1 {
             return Ok(0);
         }
-        let start = if is_nearly_critical(&self.potential, gamma) {
-            kick(&self.potential, gamma).ok_or(MergeError::LostPath)?
-        } else {
-            gamma
-        };
+        let start = off_critical(&self.potential, gamma).ok_or(MergeError::LostPath)?;
         self.descend(start)
     }
 
     fn descend(&mut self, gamma: Vector) -> Result<usize, MergeError> {
-        let descent = descend(&self.potential, gamma, self.minima);
+        let descent = descend(&self.potential, gamma, &self.minima);
         self.steps += descent.steps;
         descent.minimum.ok_or(MergeError::LostPath)
     }
+}
+
+/// A point from which a descent can start: γ, or one below it where γ is all but critical.
+fn off_critical(potential: &Potential, gamma: Vector) -> Option<Vector> {
+    if is_nearly_critical(potential, gamma) { kick(potential, gamma) } else { Some(gamma) }
 }

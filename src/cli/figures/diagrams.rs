@@ -1,0 +1,46 @@
+//! The bifurcation diagrams.
+
+use bifdiag::atlas::{Atlas, DocumentOptions};
+use bifdiag::body::Preset;
+use bifdiag::plot::{DiagramOptions, Picture, draw};
+
+use super::super::atlas::Curves;
+use super::super::failure::Failure;
+use super::super::timings::Timings;
+use super::Figure;
+
+/// Name of the file, name of the body.
+const DIAGRAMS: [(&str, &str); 9] = [
+    ("bifurcation-kovalevskaya", "kovalevskaya"),
+    ("bifurcation-nine-regions", "paper"),
+    ("bifurcation-katok-1", "katok:1"),
+    ("bifurcation-katok-2", "katok:2"),
+    ("bifurcation-katok-3", "katok:3"),
+    ("bifurcation-katok-4", "katok:4"),
+    ("bifurcation-katok-5", "katok:5"),
+    ("bifurcation-katok-6", "katok:6"),
+    ("bifurcation-katok-7", "katok:7"),
+];
+
+pub fn figures() -> impl Iterator<Item = Figure> {
+    let diagrams = DIAGRAMS.iter().filter_map(|(stem, name)| Some((*stem, Preset::find(name)?)));
+    diagrams.map(|(stem, preset)| Figure { stem, draw: Box::new(move |timings| diagram(preset, timings)) })
+}
+
+fn diagram(preset: &Preset, timings: &Timings) -> Result<Picture, Failure> {
+    let atlas = Atlas::new(&preset.body())?;
+    let document = atlas.document(&DocumentOptions::default());
+    Ok(timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &DiagramOptions::default()))?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_diagram_is_of_a_named_body() {
+        for (stem, name) in DIAGRAMS {
+            assert!(Preset::find(name).is_some(), "{stem} is to show {name}, which does not exist");
+        }
+    }
+}

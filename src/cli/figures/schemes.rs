@@ -1,0 +1,16 @@
+//! The schematic figures of the paper.
+
+use bifdiag::plot::{Scheme, draw_scheme};
+
+use super::Figure;
+
+/// Name of the file and what is drawn.
+const SCHEMES: [(&str, Scheme); 3] = [
+    ("scheme-sheets", Scheme::Sheets),
+    ("scheme-both-sheets-needed", Scheme::BothSheetsNeeded),
+    ("scheme-cylinder", Scheme::Cylinder),
+];
+
+pub fn figures() -> impl Iterator<Item = Figure> {
+    SCHEMES.into_iter().map(|(stem, scheme)| Figure { stem, draw: Box::new(move |_| Ok(draw_scheme(scheme)?)) })
+}

@@ -1,0 +1,76 @@
+//! Options of `bifdiag orbit`.
+
+use bifdiag::body::Number;
+use clap::Args;
+
+use super::times::Times;
+use crate::cli::arguments::BodyArguments;
+use crate::cli::data::DataTarget;
+use crate::cli::integration::IntegratorArguments;
+use crate::cli::values::{self, Vector};
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1
+  bifdiag orbit --body paper --h 4.45 --l 3.25 --theta 1.2 --psi pi/2 --times 0:20:2001 --data m.csv
+  bifdiag orbit --A 1,1,0.6 --r 0,0,1 --gamma 0,0,1 --l-vector 0.01,0,3 --times -5:5:11 --json
+  bifdiag orbit --body kovalevskaya --gamma 1,0,0 --omega 1.5,0,0.1 --times 0:99:991 --data m.npz
+
+The start, at time 0, is gamma with the angular momentum l or the angular velocity omega = l/A, in the body's axes; or a
+point of the section: (h, l), theta, psi and sheet of its PP-torus, as `bifdiag section` writes them. The attitude is a
+unit quaternion w,x,y,z that takes vectors of the body to space; theta, psi, phi are Euler's angles of the third axis.";
+
+/// `bifdiag orbit`.
+#[derive(Debug, Args)]
+pub struct OrbitArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// The vertical, in the body's axes; its length does not matter
+    #[arg(long, value_name = "g1,g2,g3", allow_hyphen_values = true, value_parser = values::direction)]
+    #[arg(help_heading = "Start: a state")]
+    pub gamma: Option<Vector>,
+    /// Angular momentum, in the body's axes, such as 1,0.3,2
+    #[arg(long, value_name = "l1,l2,l3", allow_hyphen_values = true, value_parser = values::vector)]
+    #[arg(help_heading = "Start: a state")]
+    pub l_vector: Option<Vector>,
+    /// Angular velocity, in the body's axes, instead of --l-vector
+    #[arg(long, value_name = "w1,w2,w3", allow_hyphen_values = true, value_parser = values::vector)]
+    #[arg(help_heading = "Start: a state")]
+    pub omega: Option<Vector>,
+    /// Energy
+    #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number)]
+    #[arg(help_heading = "Start: a point of the section")]
+    pub energy: Option<Number>,
+    /// Vertical angular momentum
+    #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number)]
+    #[arg(help_heading = "Start: a point of the section")]
+    pub momentum: Option<Number>,
+    /// Angle of the PP-torus between gamma and r, in radians or as pi/2
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, value_parser = values::angle)]
+    #[arg(help_heading = "Start: a point of the section")]
+    pub theta: Option<f64>,
+    /// Angle of the PP-torus about r
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, value_parser = values::angle)]
+    #[arg(help_heading = "Start: a point of the section")]
+    pub psi: Option<f64>,
+    /// Sheet of the PP-torus: + (the default) or -
+    #[arg(long, value_name = "+|-", allow_hyphen_values = true, value_parser = values::sheet)]
+    #[arg(help_heading = "Start: a point of the section")]
+    pub sheet: Option<i8>,
+    /// Euler's angle phi at the start
+    #[arg(long, value_name = "ANGLE", default_value = "0", allow_hyphen_values = true, value_parser = values::angle)]
+    #[arg(help_heading = "Motion")]
+    pub phi: f64,
+    /// Times: n of them from t0 to t1, or a FILE (-: stdin) with one on each line; negative ones are in the past
+    #[arg(long, value_name = "t0:t1:n|FILE", default_value = "0:10:21", allow_hyphen_values = true)]
+    #[arg(value_parser = Times::parse, help_heading = "Motion")]
+    pub times: Times,
+    #[command(flatten)]
+    pub integrator: IntegratorArguments,
+    /// Write the samples to FILE.csv, FILE.npz or FILE.jsonl (-: CSV to stdout)
+    #[arg(long, value_name = "FILE", value_parser = values::data_target, help_heading = "Output")]
+    pub data: Option<DataTarget>,
+    /// Print the answer as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}

@@ -1,0 +1,26 @@
+//! The samples of a motion as columns.
+
+use bifdiag::document::MotionDocument;
+use bifdiag::motion::MotionSample;
+
+use crate::cli::data::{Column, DataTable, Values};
+
+/// One row for each sample; `meta` is the document on one line.
+pub fn of(document: &MotionDocument, samples: &[MotionSample]) -> Result<DataTable, serde_json::Error> {
+    let floats = |value: fn(&MotionSample) -> f64| Values::Float(samples.iter().map(value).collect());
+    let vectors = |value: fn(&MotionSample) -> [f64; 3]| Values::Vector(samples.iter().map(value).collect());
+    let columns = [
+        ("time", floats(|s| s.time)),
+        ("gamma", vectors(|s| s.gamma)),
+        ("l", vectors(|s| s.l)),
+        ("omega", vectors(|s| s.omega)),
+        ("theta", floats(|s| s.theta)),
+        ("psi", floats(|s| s.psi)),
+        ("phi", floats(|s| s.phi)),
+        ("attitude", Values::Quaternion(samples.iter().map(|s| s.attitude.components()).collect())),
+    ];
+    Ok(DataTable {
+        columns: columns.into_iter().map(|(name, values)| Column { name, values }).collect(),
+        meta: serde_json::to_string(document)?,
+    })
+}

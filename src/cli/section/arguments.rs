@@ -1,0 +1,143 @@
+//! Options of `bifdiag section`.
+
+use std::num::{NonZeroU32, NonZeroUsize};
+use std::path::PathBuf;
+
+use bifdiag::body::Number;
+use bifdiag::plot::Projection;
+use bifdiag::section::SectionCondition;
+use clap::{Args, ValueEnum};
+
+use crate::cli::arguments::{BodyArguments, Format};
+use crate::cli::data::DataTarget;
+use crate::cli::integration::IntegratorArguments;
+use crate::cli::values;
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag section --A 2,1.1,1 --r 0.94868,0,0.61623 --h 4.45 --l 3.25
+  bifdiag section --body paper --h 4.45 --l 3.25 --orbits 64 --crossings 2000 --data chaos.npz
+  bifdiag section --body kovalevskaya --h 3.4 --l 2.87 --json --no-plot | jq .summary
+  bifdiag section --body paper --h 2.6 --l 3.25 --integrator splitting --step 0.01 --json
+  bifdiag section --body paper --h 5.3 --l 3.25 --condition angular-momentum --projection sphere
+  bifdiag section --body paper --h 4.45 --l 3.25 --color lyapunov --format png
+  bifdiag section --atlas bifdiag-out/atlas.json --region R4
+
+--seeds FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line; --data writes for each
+crossing orbit, index, time, gamma, l, sheet, s_dot, theta, psi (index 0 is the seed). At the first Ctrl-C the run
+ends, what was finished is written and marked as incomplete, and the exit status is 1.";
+
+/// Which function vanishes on the section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ConditionArgument {
+    /// S = d/dt <gamma,r>: the height of the centre of mass is extremal (the paper's)
+    Height,
+    /// S = <l, gamma x r>: |l| is extremal (Gashenenko and Richter)
+    AngularMomentum,
+}
+
+impl From<ConditionArgument> for SectionCondition {
+    fn from(argument: ConditionArgument) -> Self {
+        match argument {
+            ConditionArgument::Height => Self::Height,
+            ConditionArgument::AngularMomentum => Self::AngularMomentum,
+        }
+    }
+}
+
+/// On what the picture shows the section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ProjectionArgument {
+    /// T- and T+, the halves of the PP-torus: one to one
+    Torus,
+    /// S- and S+, two copies of the Poisson sphere
+    Sphere,
+    /// The sphere above the torus
+    Both,
+}
+
+impl From<ProjectionArgument> for Projection {
+    fn from(argument: ProjectionArgument) -> Self {
+        match argument {
+            ProjectionArgument::Torus => Self::Torus,
+            ProjectionArgument::Sphere => Self::Sphere,
+            ProjectionArgument::Both => Self::Both,
+        }
+    }
+}
+
+/// What the colour of a point tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ColorArgument {
+    /// Its orbit
+    Orbit,
+    /// The Lyapunov exponent of its orbit
+    Lyapunov,
+    /// The rotation number of its orbit
+    Rotation,
+}
+
+/// `bifdiag section`.
+#[derive(Debug, Args)]
+pub struct SectionArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// Energy
+    #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number)]
+    #[arg(help_heading = "Point")]
+    pub energy: Option<Number>,
+    /// Vertical angular momentum
+    #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number)]
+    #[arg(help_heading = "Point")]
+    pub momentum: Option<Number>,
+    /// Take the body and the points from an atlas.json (-: stdin), instead of body, --h and --l
+    #[arg(long, value_name = "FILE", help_heading = "Point")]
+    pub atlas: Option<PathBuf>,
+    /// Regions of the atlas at whose samples sections are made: an id such as R4, or all (the default)
+    #[arg(long, value_name = "ID|all", help_heading = "Point")]
+    pub region: Option<String>,
+    /// Number of orbits, spread evenly over all components of the section (default: 24)
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = values::orbits)]
+    #[arg(help_heading = "Orbits")]
+    pub orbits: Option<NonZeroU32>,
+    /// Another choice of the starting points, equally spread (default: 0)
+    #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = values::seed, help_heading = "Orbits")]
+    pub rng_seed: Option<u64>,
+    /// Start at the points of FILE (-: stdin) instead: CSV with the heading theta,psi,sheet
+    #[arg(long, value_name = "FILE.csv", help_heading = "Orbits")]
+    pub seeds: Option<PathBuf>,
+    /// Crossings of each orbit
+    #[arg(long, value_name = "M", default_value = "500", allow_hyphen_values = true)]
+    #[arg(value_parser = values::crossings, help_heading = "Orbits")]
+    pub crossings: NonZeroUsize,
+    /// Stop each orbit at time T even if it has fewer crossings, such as 1e4
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = values::duration)]
+    #[arg(help_heading = "Orbits")]
+    pub max_time: Option<f64>,
+    /// The section condition S = 0
+    #[arg(long, value_enum, default_value = "height", help_heading = "Orbits")]
+    pub condition: ConditionArgument,
+    #[command(flatten)]
+    pub integrator: IntegratorArguments,
+    /// Write the points to FILE.npz, FILE.csv or FILE.jsonl (-: CSV to stdout); with several regions, a file for each
+    #[arg(long, value_name = "FILE", value_parser = values::data_target, help_heading = "Output")]
+    pub data: Option<DataTarget>,
+    /// Write picture, points and summary to DIR (default: bifdiag-out; with --json or --data -: nowhere)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    /// Where the picture shows the section
+    #[arg(long, value_enum, default_value = "torus", help_heading = "Output")]
+    pub projection: ProjectionArgument,
+    /// What the colours tell; lyapunov and rotation are computed for each orbit and go into the data, too
+    #[arg(long, value_enum, default_value = "orbit", help_heading = "Output")]
+    pub color: ColorArgument,
+    /// Formats of the picture
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    pub format: Vec<Format>,
+    /// Draw nothing
+    #[arg(long, help_heading = "Output")]
+    pub no_plot: bool,
+    /// Print what was computed, and how well each orbit went, as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}

@@ -1,0 +1,58 @@
+//! Wrong input of `section`: each message names the argument, the value and what would be right.
+
+use std::io;
+use std::path::PathBuf;
+
+use bifdiag::poincare::PoincareError;
+use thiserror::Error;
+
+#[derive(Debug, Error)]
+pub enum SectionInputError {
+    #[error("{0}")]
+    NoSection(PoincareError),
+    #[error("{missing} is missing; give {example}, or --atlas FILE for the samples of an atlas")]
+    NoPoint { missing: &'static str, example: &'static str },
+    #[error(
+        "--atlas and {option} both say what to integrate; leave out {option}, or give body, --h and --l without --atlas"
+    )]
+    AtlasAnd { option: &'static str },
+    #[error("--region needs --atlas: it names a region of an atlas; add --atlas FILE, or give --h and --l instead")]
+    RegionWithoutAtlas,
+    #[error("--atlas {path}: {source}; give an atlas.json that can be read, or - for stdin", path = path.display())]
+    AtlasFile { path: PathBuf, source: io::Error },
+    #[error("--atlas {path} is not an atlas: {source}; bifdiag atlas --json writes one", path = path.display())]
+    NotAnAtlas { path: PathBuf, source: serde_json::Error },
+    #[error("--atlas {path}: its body is not one: {source}", path = path.display())]
+    AtlasBody { path: PathBuf, source: bifdiag::body::BodyError },
+    #[error("--region {region}: the atlas has no such region; it has {known}, or give all", known = known.join(", "))]
+    UnknownRegion { region: String, known: Vec<String> },
+    #[error("--{given} cannot be used with --seeds: the file says where the orbits start; leave out one of them")]
+    SpreadWithSeeds { given: &'static str },
+    #[error("--seeds {path}: {source}; give a file that can be read, or - for stdin", path = path.display())]
+    SeedsFile { path: PathBuf, source: io::Error },
+    #[error("--seeds {path}, line {line}: {problem}", path = path.display())]
+    SeedLine { path: PathBuf, line: usize, problem: SeedProblem },
+    #[error("--seeds {path} holds no seed; write the heading theta,psi,sheet and one seed on each line", path = path.display())]
+    NoSeeds { path: PathBuf },
+    #[error("--data - and --json both want stdout; give --data FILE.npz")]
+    TwoOnStdout,
+    #[error("--data -: several sections do not fit one table; give --data FILE.npz, or one --region")]
+    ManyOnStdout,
+}
+
+/// What is wrong with a line of a file of seeds.
+#[derive(Debug, Error)]
+pub enum SeedProblem {
+    #[error("the heading `{0}` lacks {1}; write theta,psi,sheet")]
+    Heading(String, &'static str),
+    #[error("{found} values, but the heading has {wanted}")]
+    Count { found: usize, wanted: usize },
+    #[error("{name} = `{value}` is not a number; give an angle in radians, such as 1.57 or pi/2")]
+    NotAnAngle { name: &'static str, value: String },
+    #[error("theta = {value} is not between 0 and pi; it is the angle between gamma and r")]
+    Theta { value: String },
+    #[error("sheet = `{value}` is neither 1 (T+) nor -1 (T-)")]
+    Sheet { value: String },
+    #[error("the point is not accessible: U = {potential} there, above h = {h}")]
+    Inaccessible { potential: f64, h: f64 },
+}

@@ -1,0 +1,51 @@
+//! The picture of a section.
+
+use bifdiag::document::{ConditionName, SectionDocument};
+use bifdiag::plot::{OrbitValues, Picture, SectionOptions, SectionScene, draw_section};
+use bifdiag::poincare::{PoincareError, PoincareSection};
+use bifdiag::section::{Portrait, PortraitOptions};
+
+use super::arguments::{ColorArgument, SectionArguments};
+use super::table;
+use crate::cli::failure::Failure;
+use crate::cli::subject::Subject;
+
+/// Draws a section with its orbits.
+pub fn draw(arguments: &SectionArguments, subject: &Subject, section: &PoincareSection) -> Result<Picture, Failure> {
+    let document = &section.document;
+    let options = PortraitOptions { condition: arguments.condition.into(), ..PortraitOptions::default() };
+    let portrait = Portrait::new(&subject.body, document.h.to_f64(), document.l.to_f64(), &options)
+        .map_err(PoincareError::from)?;
+    if !portrait.report().is_complete() {
+        tracing::warn!("the boundary or the line of tangency of this section may be incomplete in the picture");
+    }
+    let values = values(arguments.color, document);
+    let scene = SectionScene {
+        portrait: &portrait,
+        orbits: &section.orbits,
+        values: values.as_ref().map(|(label, values)| OrbitValues { label, values }),
+        caption: &caption(document),
+    };
+    let options = SectionOptions { projection: arguments.projection.into(), ..SectionOptions::default() };
+    Ok(draw_section(&scene, &options)?)
+}
+
+/// What stands beside (h, l): the region, the type, and whether orbits are missing.
+fn caption(document: &SectionDocument) -> String {
+    // The type is that of the paper's section.
+    let own = document.condition == ConditionName::Height;
+    let signature = document.signature.as_ref().filter(|_| own).map(|signature| signature.replace('+', " + "));
+    let parts = [document.region.clone(), signature, (!document.complete).then(|| "incomplete".to_owned())];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(",  ")
+}
+
+/// The numbers that colour the orbits, and what they are.
+fn values(color: ColorArgument, document: &SectionDocument) -> Option<(&'static str, Vec<f64>)> {
+    let (label, value): (_, fn(&_) -> Option<f64>) = match color {
+        ColorArgument::Orbit => return None,
+        ColorArgument::Lyapunov => ("Lyapunov exponent", table::lyapunov),
+        ColorArgument::Rotation => ("rotation number", table::rotation),
+    };
+    let of = |orbit: &bifdiag::document::OrbitDocument| orbit.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
+    Some((label, document.orbits.iter().map(of).collect()))
+}

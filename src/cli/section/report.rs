@@ -1,0 +1,79 @@
+//! What the terminal shows of a section.
+
+use bifdiag::document::{ChaosDocument, ConditionName, EndName, SectionDocument};
+
+use super::table as data;
+use crate::cli::report::Report;
+use crate::cli::table::{Table, significant};
+
+/// Orbits that are listed; the others are in the data.
+const LISTED: usize = 48;
+
+pub fn add(report: &mut Report, document: &SectionDocument) {
+    report.line("");
+    let region = document.region.as_ref().map_or_else(String::new, |region| format!("{region}: "));
+    report.line(format!("{region}h = {}, l = {}", document.h, document.l));
+    let names = |name: &dyn Fn(&bifdiag::document::ComponentDocument) -> String| {
+        document.components.iter().map(name).collect::<Vec<_>>().join(" + ")
+    };
+    report.line(format!("U = {}", names(&|component| component.accessible_region.clone())));
+    if document.condition == ConditionName::AngularMomentum {
+        report.line("section S = <l, gamma x r> = 0");
+    }
+    report.line(format!("P = {}", names(&|component| component.section.clone().unwrap_or_default())));
+    report.line("");
+    let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
+    let mut heading = vec!["orbit", "component", "theta", "psi", "sheet", "crossings", "end", "time", "drift"];
+    if measured {
+        heading.extend(["Lyapunov", "rotation"]);
+    }
+    let mut table = Table::new(&heading);
+    for orbit in document.orbits.iter().take(LISTED) {
+        let drift = orbit.drift.h.max(orbit.drift.l).max(orbit.drift.gamma);
+        let mut row = vec![
+            orbit.orbit.to_string(),
+            orbit.component.map_or_else(|| "?".to_owned(), |component| component.to_string()),
+            format!("{:.5}", orbit.theta),
+            format!("{:.5}", orbit.psi),
+            if orbit.sheet > 0 { "+" } else { "-" }.to_owned(),
+            orbit.crossings.to_string(),
+            end_name(orbit.end).to_owned(),
+            significant(orbit.time, 6),
+            significant(drift, 2),
+        ];
+        if measured {
+            let cell = |value: fn(&ChaosDocument) -> Option<f64>| {
+                orbit.chaos.as_ref().and_then(value).map_or_else(|| "-".to_owned(), |value| significant(value, 4))
+            };
+            row.extend([cell(data::lyapunov), cell(data::rotation)]);
+        }
+        table.row(row);
+    }
+    report.line(table.text());
+    if document.orbits.len() > LISTED {
+        report.line(format!("… and {} more", document.orbits.len() - LISTED));
+    }
+    report.line("");
+    let summary = &document.summary;
+    report.line(format!("{} crossings of {} orbits", summary.crossings, summary.orbits));
+    report.line(format!(
+        "largest deviations: {} of H, {} of <gamma,l>, {} of <gamma,gamma>; |S| <= {}",
+        significant(summary.drift.h, 2),
+        significant(summary.drift.l, 2),
+        significant(summary.drift.gamma, 2),
+        significant(summary.residual, 2),
+    ));
+    for note in &document.notes {
+        report.line(format!("note: {note}"));
+    }
+}
+
+fn end_name(end: EndName) -> &'static str {
+    match end {
+        EndName::Crossings => "crossings",
+        EndName::Time => "time",
+        EndName::StaysOnSection => "stays on S = 0",
+        EndName::Failed => "failed",
+        EndName::Interrupted => "interrupted",
+    }
+}

@@ -1,0 +1,57 @@
+//! The points of a section as columns.
+
+use bifdiag::document::{ChaosDocument, SectionDocument};
+use bifdiag::section::{OrbitSection, SectionPoint};
+
+use crate::cli::data::{Column, DataTable, Values};
+
+/// One row for each point; `meta` is the document on one line.
+pub fn of(document: &SectionDocument, orbits: &[OrbitSection]) -> Result<DataTable, serde_json::Error> {
+    let points: Vec<&SectionPoint> = orbits.iter().flat_map(|orbit| &orbit.points).collect();
+    let floats = |value: fn(&SectionPoint) -> f64| Values::Float(points.iter().map(|p| value(p)).collect());
+    let vectors = |value: fn(&SectionPoint) -> [f64; 3]| Values::Vector(points.iter().map(|p| value(p)).collect());
+    // The options allow no more than fit.
+    let counts =
+        |value: fn(&SectionPoint) -> u32| Values::Int32(points.iter().map(|p| value(p).cast_signed()).collect());
+    let columns = [
+        ("orbit", counts(|p| p.orbit)),
+        ("index", counts(|p| p.index)),
+        ("time", floats(|p| p.time)),
+        ("gamma", vectors(|p| p.gamma)),
+        ("l", vectors(|p| p.l)),
+        ("sheet", Values::Int8(points.iter().map(|p| p.sheet).collect())),
+        ("s_dot", floats(|p| p.s_dot)),
+        ("theta", floats(|p| p.theta)),
+        ("psi", floats(|p| p.psi)),
+    ];
+    let measures = measures(document, orbits).into_iter();
+    Ok(DataTable {
+        columns: columns.into_iter().chain(measures).map(|(name, values)| Column { name, values }).collect(),
+        meta: serde_json::to_string(document)?,
+    })
+}
+
+/// The measures of a point's orbit, where they were asked for; NaN where there is none.
+fn measures(document: &SectionDocument, orbits: &[OrbitSection]) -> Vec<(&'static str, Values)> {
+    if document.orbits.iter().all(|orbit| orbit.chaos.is_none()) {
+        return Vec::new();
+    }
+    let spread = |value: fn(&ChaosDocument) -> Option<f64>| {
+        let rows = document.orbits.iter().zip(orbits).flat_map(|(summary, orbit)| {
+            let value = summary.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
+            std::iter::repeat_n(value, orbit.points.len())
+        });
+        Values::Float(rows.collect())
+    };
+    vec![("lyapunov", spread(lyapunov)), ("rotation", spread(rotation))]
+}
+
+/// λ(T).
+pub fn lyapunov(chaos: &ChaosDocument) -> Option<f64> {
+    chaos.lyapunov.map(|lyapunov| lyapunov.exponent)
+}
+
+/// The rotation number.
+pub fn rotation(chaos: &ChaosDocument) -> Option<f64> {
+    chaos.rotation.map(|rotation| rotation.number)
+}

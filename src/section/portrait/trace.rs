@@ -1,0 +1,122 @@
+//! Curves on P_hl by prediction along the tangent and correction by Newton's method.
+
+use super::equations::{Equations, Zero};
+use super::linear::{Vector, along, inner, length};
+
+/// The largest change of γ in a step, in radians.
+const STEP: f64 = 0.02;
+/// Neighbouring tangents differ by at most this angle's cosine (a quarter of a radian).
+const TURN: f64 = 0.97;
+/// A step that must be shorter than this ends the curve.
+const SHORTEST: f64 = 1e-9;
+/// Vertices of one curve.
+const VERTICES: usize = 100_000;
+
+/// A traced curve.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Traced {
+    pub points: Vec<Vector>,
+    pub tangents: Vec<Vector>,
+    /// It came back to its first point; else it ends where it could not be followed any further.
+    pub closed: bool,
+}
+
+/// Steps are shorter near the poles of the charts, whose angles change fast there.
+pub(super) trait Spacing {
+    /// The part of [`STEP`] that a step from γ may take.
+    fn at(&self, gamma: [f64; 3]) -> f64;
+}
+
+/// Follows the curve through `start` until it closes, or from one end to the other.
+pub(super) fn trace(equations: &Equations, zero: Zero, start: Vector, spacing: &dyn Spacing) -> Option<Traced> {
+    let tangent = equations.tangent(zero, &start)?;
+    let forward = follow(equations, zero, start, tangent, spacing);
+    if forward.closed {
+        return Some(forward);
+    }
+    let backward = follow(equations, zero, start, tangent.map(|t| -t), spacing);
+    let join = |back: Vec<Vector>, on: Vec<Vector>, sign: f64| -> Vec<Vector> {
+        back.into_iter().skip(1).rev().map(|x| x.map(|entry| sign * entry)).chain(on).collect()
+    };
+    Some(Traced {
+        points: join(backward.points, forward.points, 1.0),
+        tangents: join(backward.tangents, forward.tangents, -1.0),
+        closed: false,
+    })
+}
+
+fn follow(equations: &Equations, zero: Zero, start: Vector, tangent: Vector, spacing: &dyn Spacing) -> Traced {
+    let mut line = Traced { points: vec![start], tangents: vec![tangent], closed: false };
+    let (mut x, mut t) = (start, tangent);
+    let mut step = 0.25 * longest(&x, &t, spacing);
+    let mut travelled = 0.0;
+    while line.points.len() < VERTICES {
+        step = step.min(longest(&x, &t, spacing));
+        let next = equations.correct(zero, &along(&x, step, &t), &t).and_then(|next| {
+            let tangent = equations.tangent(zero, &next)?;
+            let cosine = inner(&tangent, &t);
+            (cosine.abs() > TURN).then(|| (next, tangent.map(|entry| entry * cosine.signum())))
+        });
+        let Some((next, tangent)) = next else {
+            step *= 0.5;
+            if step < SHORTEST {
+                break;
+            }
+            continue;
+        };
+        if travelled > 2.0 * step && passes(&x, &next, &t, &start, &line.tangents[0]) {
+            line.closed = true;
+            break;
+        }
+        travelled += length(&along(&next, -1.0, &x));
+        (x, t) = (next, tangent);
+        line.points.push(x);
+        line.tangents.push(t);
+        step *= 1.5;
+    }
+    line
+}
+
+/// The longest step from x, in the metric of phase space.
+fn longest(x: &Vector, t: &Vector, spacing: &dyn Spacing) -> f64 {
+    let gamma = [x[0], x[1], x[2]];
+    let speed = (t[0] * t[0] + t[1] * t[1] + t[2] * t[2]).sqrt();
+    STEP * spacing.at(gamma) / speed.max(0.2)
+}
+
+/// Does the step from x to `next` along `t` come past `target`, where the curve has the direction `there`?
+fn passes(x: &Vector, next: &Vector, t: &Vector, target: &Vector, there: &Vector) -> bool {
+    let (step, offset) = (length(&along(next, -1.0, x)), along(target, -1.0, x));
+    let advance = inner(&offset, t);
+    let aside = length(&along(&offset, -advance, t));
+    (0.0..=step).contains(&advance) && inner(t, there) > 0.5 && aside <= bulge(t, there, step)
+}
+
+/// How far a curve can lie beside a step with these tangents.
+fn bulge(t: &Vector, there: &Vector, step: f64) -> f64 {
+    let turn = (2.0 - 2.0 * inner(t, there)).max(0.0).sqrt();
+    step * (turn + 0.01)
+}
+
+impl Traced {
+    /// Indices of the vertices of each step.
+    pub fn steps(&self) -> impl Iterator<Item = (usize, usize)> {
+        let count = self.points.len();
+        (0..count - usize::from(!self.closed)).map(move |k| (k, (k + 1) % count))
+    }
+
+    /// Does the curve, within its chords' error, come through a point at which its direction is `direction`, up to
+    /// its sign?
+    pub fn covers(&self, x: &Vector, direction: &Vector) -> bool {
+        self.steps().any(|(i, j)| {
+            let chord = along(&self.points[j], -1.0, &self.points[i]);
+            let step = length(&chord);
+            let offset = along(x, -1.0, &self.points[i]);
+            let share = (inner(&offset, &chord) / (step * step)).clamp(0.0, 1.0);
+            let aside = length(&along(&offset, -share, &chord));
+            aside <= 0.3 * step
+                && inner(&self.tangents[i], direction).abs() > 0.5
+                && aside <= 0.5 * bulge(&self.tangents[i], &self.tangents[j], step)
+        })
+    }
+}

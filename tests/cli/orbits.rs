@@ -1,0 +1,91 @@
+//! `bifdiag orbit`: starts, times and formats.
+
+use std::fs;
+
+use serde_json::{Value, json};
+
+use crate::builder::bifdiag;
+use crate::sections::{array, floats, meta};
+
+#[test]
+fn angular_velocity_and_momentum_give_the_same_start() {
+    let line = "orbit --body paper --gamma 0.6,0,0.8 --json";
+    let by_velocity = bifdiag(&format!("{line} --omega 1,0.5,1")).succeeds().json();
+    let by_momentum = bifdiag(&format!("{line} --l-vector 2,0.55,1")).succeeds().json();
+    assert_eq!(by_velocity["start"]["l"][0], by_momentum["start"]["l"][0]);
+    assert_eq!(by_velocity["samples"].as_array().unwrap().len(), 21);
+    assert!(by_velocity["summary"]["attitude_difference"].as_f64().unwrap() < 1e-13);
+    // The length of gamma does not matter.
+    let longer = bifdiag("orbit --body paper --gamma 3,0,4 --omega 1,0.5,1 --json").succeeds().json();
+    assert_eq!(longer["h"], by_velocity["h"]);
+}
+
+#[test]
+fn a_point_of_the_section_is_a_start() {
+    let line = "orbit --body paper --h 4.45 --l 3.25 --theta 1.2 --psi pi/2 --json";
+    let document = bifdiag(line).succeeds().json();
+    let near = |key: &str, value: f64| (document[key].as_f64().unwrap() - value).abs() < 1e-14;
+    assert!(near("h", 4.45) && near("l", 3.25), "{document}");
+    let other = bifdiag(&format!("{line} --sheet -")).succeeds().json();
+    assert_eq!(document["start"]["gamma"], other["start"]["gamma"]);
+    assert_ne!(document["start"]["l"], other["start"]["l"]);
+}
+
+#[test]
+fn data_are_written_in_every_format() {
+    let place = tempfile::tempdir().unwrap();
+    let line = "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times -1:1:5";
+    let csv = bifdiag(&format!("{line} --data -")).succeeds().telling_nothing().stdout();
+    let heading = "time,gamma1,gamma2,gamma3,l1,l2,l3,omega1,omega2,omega3,theta,psi,phi,\
+                   attitude_w,attitude_x,attitude_y,attitude_z";
+    assert_eq!((csv.lines().next(), csv.lines().count()), (Some(heading), 6));
+    let times: Vec<&str> = csv.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
+    assert_eq!(times, ["-1.0", "-0.5", "0.0", "0.5", "1.0"]);
+    for name in ["m.npz", "m.csv", "m.jsonl"] {
+        bifdiag(&format!("{line} --data {name}")).inside(place.path()).succeeds().printing(&format!("written: {name}"));
+    }
+    assert_eq!(fs::read_to_string(place.path().join("m.csv")).unwrap(), csv);
+    let archive = place.path().join("m.npz");
+    assert!(array(&archive, "attitude").0.contains("(5, 4)"));
+    assert_eq!(floats(&archive, "time"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+    assert_eq!((&meta(&archive)["complete"], meta(&archive).get("samples")), (&json!(true), None));
+    let lines = fs::read_to_string(place.path().join("m.jsonl")).unwrap();
+    let last: Value = serde_json::from_str(lines.lines().last().unwrap()).unwrap();
+    assert_eq!((last["attitude"].as_array().unwrap().len(), &last["time"]), (4, &json!(1.0)));
+}
+
+#[test]
+fn times_may_stand_in_a_file() {
+    let place = tempfile::tempdir().unwrap();
+    fs::write(place.path().join("times.csv"), "time,weight\n-0.5,1\n\n0,1\n# later\n2.25,3\n").unwrap();
+    let line = "orbit --body paper --gamma 1,0,0 --omega 1,0.3,1 --json --times";
+    let document = bifdiag(line).and("times.csv").inside(place.path()).succeeds().json();
+    let times: Vec<f64> =
+        document["samples"].as_array().unwrap().iter().map(|sample| sample["time"].as_f64().unwrap()).collect();
+    assert_eq!(times, [-0.5, 0.0, 2.25]);
+    for (text, message) in [
+        ("0\nx\n", "line 2: `x` is not a number"),
+        ("1\n0.5\n", "line 2: 0.5 is below 1 on the line before"),
+        ("# nothing\n", "holds no time"),
+    ] {
+        fs::write(place.path().join("times.csv"), text).unwrap();
+        bifdiag(line).and("times.csv").inside(place.path()).refused().telling(message);
+    }
+}
+
+#[test]
+fn a_weightless_body_moves_too() {
+    let line = "orbit --body euler --gamma 0,0,1 --omega 0.1,2,0.3 --json";
+    let document = bifdiag(line).succeeds().json();
+    assert!(document["summary"]["drift"]["h"].as_f64().unwrap() < 1e-13);
+}
+
+#[test]
+fn passing_the_pole_is_told() {
+    // A pendulum about the first axis that goes over the top.
+    let line = "orbit --A 2,1.5,1 --r 0,0,1 --gamma 0,0.6,0.8 --l-vector 7,0,0 --times 0:20:41";
+    bifdiag(line).succeeds().printing("note: gamma passes e3 or -e3 within rounding");
+    let document = bifdiag(&format!("{line} --json")).succeeds().json();
+    assert!(document["summary"]["at_pole"].as_u64().unwrap() > 0);
+    assert!(document["summary"]["attitude_difference"].as_f64().unwrap() < 1e-11);
+}
