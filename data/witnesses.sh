@@ -28,4 +28,9 @@ one() {
         found=$(one --signature "$signature" --physical)
         if [ -n "$found" ]; then echo "$found"; else one --signature "$signature"; fi
     done
-} | jq -s 'map(.)' | sed 's/^  {/{/'
+} | {
+    # One witness a line.
+    echo '['
+    sed '$!s/$/,/'
+    echo ']'
+}
