@@ -17,6 +17,7 @@ mod insets;
 mod labels;
 mod layout;
 mod legend;
+mod map;
 mod notation;
 mod notes;
 mod palette;
@@ -31,6 +32,7 @@ mod trace;
 mod window;
 
 pub use diagram::draw;
+pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
 pub use picture::Picture;
 pub use schematic::{Scheme, draw_scheme};
 pub use section::{OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows};

@@ -1,6 +1,7 @@
 //! `bifdiag figures`: every figure, made by one command.
 
 mod diagrams;
+mod maps;
 mod schemes;
 mod sections;
 mod typical;
@@ -28,7 +29,7 @@ struct Figure {
 
 /// Every figure, in the order of the gallery.
 fn figures() -> Vec<Figure> {
-    diagrams::figures().chain(schemes::figures()).chain(sections::figures()).collect()
+    diagrams::figures().chain(schemes::figures()).chain(sections::figures()).chain(maps::figures()).collect()
 }
 
 pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failure> {
