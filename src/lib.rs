@@ -4,6 +4,8 @@ pub mod accessible;
 pub mod arrangement;
 pub mod atlas;
 pub mod body;
+pub mod border;
+pub mod class;
 pub mod classify;
 pub mod continuation;
 pub mod critical;
@@ -16,6 +18,8 @@ pub mod numerics;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod poincare;
+pub mod scan;
+pub mod search;
 pub mod section;
 pub mod stability;
 pub mod topology;

@@ -10,7 +10,9 @@ use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use super::failure::{InputError, Refusal};
+use super::find::{FIND_EXAMPLES, FindArguments};
 use super::orbit::{self, OrbitArguments};
+use super::scan::{SCAN_EXAMPLES, ScanArguments};
 use super::section::{self, SectionArguments};
 use super::values::{self, Tensor, Triple};
 
@@ -117,6 +119,12 @@ pub enum Command {
     /// List all relative equilibria at one l, or at many
     #[command(after_help = CRITICAL_EXAMPLES)]
     Critical(CriticalArguments),
+    /// Look at many bodies: which classes of diagrams they have
+    #[command(after_help = SCAN_EXAMPLES)]
+    Scan(Box<ScanArguments>),
+    /// Search for a body and a point that show a wanted type
+    #[command(after_help = FIND_EXAMPLES)]
+    Find(FindArguments),
     /// Compute a Poincaré section on the PP-torus
     #[command(after_help = section::EXAMPLES)]
     Section(SectionArguments),

@@ -19,6 +19,7 @@ use thiserror::Error;
 use super::files::FilesError;
 use super::orbit::OrbitInputError;
 use super::output::OutputError;
+use super::scan::{ScanFailure, ScanInput};
 use super::section::SectionInputError;
 
 /// The input is wrong; each message names the argument, the value and what would be right.
@@ -59,6 +60,8 @@ pub enum InputError {
     ValueMissing { option: String, next: String, value: String },
     #[error("--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout")]
     OutIsStdout,
+    #[error(transparent)]
+    Scan(#[from] ScanInput),
     #[error("--{name} {value} is not usable; {expected}", name = .0.name, value = .0.value, expected = .0.expected)]
     Fineness(MethodError),
     #[error("{option} is for {owners}; {integrator} takes {instead}")]
@@ -96,6 +99,8 @@ pub enum Failure {
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("the answer to interrupts could not be set up")]
     Interrupt(#[from] ctrlc::Error),
+    #[error(transparent)]
+    Scan(#[from] ScanFailure),
     #[error("{name} cannot be made")]
     Page { name: String, source: io::Error },
     #[error("the section could not be computed")]
@@ -136,6 +141,12 @@ impl From<OrbitInputError> for Failure {
 impl From<SectionInputError> for Failure {
     fn from(error: SectionInputError) -> Self {
         Self::Input(error.into())
+    }
+}
+
+impl From<ScanInput> for Failure {
+    fn from(error: ScanInput) -> Self {
+        InputError::from(error).into()
     }
 }
 

@@ -12,6 +12,7 @@ mod data;
 mod failure;
 mod figures;
 mod files;
+mod find;
 mod integration;
 mod interrupt;
 mod layout;
@@ -20,6 +21,7 @@ mod orbit;
 mod output;
 mod pages;
 mod report;
+mod scan;
 mod schema;
 mod section;
 mod subject;
@@ -60,6 +62,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments),
         Some(Command::Man(arguments)) => pages::man(arguments),
+        Some(Command::Find(arguments)) => find::run(arguments, quiet),
+        Some(Command::Scan(arguments)) => scan::run(arguments, &timings, quiet),
         Some(Command::Figures(arguments)) => figures::run(arguments, &timings),
     };
     timings.total();

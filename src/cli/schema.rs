@@ -1,9 +1,12 @@
 //! `bifdiag schema`: the JSON Schemas of the documents.
 
+use bifdiag::border::BorderDocument;
 use bifdiag::document::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument, MotionDocument,
     SectionDocument, SectionsDocument,
 };
+use bifdiag::scan::{Row, SummaryDocument};
+use bifdiag::search::FindDocument;
 use clap::ValueEnum;
 use schemars::{Schema, schema_for};
 
@@ -31,6 +34,14 @@ pub enum Name {
     Bodies,
     /// What stands for a wrong line of a batch
     BatchError,
+    /// A line of `bifdiag scan --format jsonl`
+    ScanRow,
+    /// FILE.summary.json of `bifdiag scan`
+    ScanSummary,
+    /// The answer of `bifdiag scan border --json`
+    ScanBorder,
+    /// The answer of `bifdiag find --json`
+    Find,
 }
 
 impl Name {
@@ -44,6 +55,10 @@ impl Name {
             Self::Orbit => schema_for!(MotionDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
+            Self::ScanRow => schema_for!(Row),
+            Self::ScanSummary => schema_for!(SummaryDocument),
+            Self::ScanBorder => schema_for!(BorderDocument),
+            Self::Find => schema_for!(FindDocument),
         }
     }
 }

@@ -6,6 +6,7 @@ mod builder;
 mod files;
 mod orbits;
 mod pages;
+mod scan;
 mod schemas;
 mod sections;
 mod streams;

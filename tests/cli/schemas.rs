@@ -105,6 +105,16 @@ fn documents_fit_their_schemas() {
         assert_fits("orbit", &bifdiag(&orbit).succeeds().json());
     }
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
+    assert_fits("find", &bifdiag("find --type M3 --json").succeeds().json());
+    assert_fits("find", &bifdiag("find --type k3n0 --samples 50 --json").succeeds().json());
+    assert_fits("scan-border", &bifdiag("scan border --body katok:2 --vary A3=0.7:0.8 --json").succeeds().json());
+    let scan = "scan --body paper --vary r2=0:0.5:3,r3=0:0.5:3 --format jsonl --out -";
+    for row in bifdiag(scan).succeeds().json_lines() {
+        assert_fits("scan-row", &row);
+    }
+    let place = tempfile::tempdir().unwrap();
+    let scan = "scan --family general --samples 20 --out a.csv --json";
+    assert_fits("scan-summary", &bifdiag(scan).inside(place.path()).succeeds().json());
     assert_fits("batch-error", &bifdiag("classify --batch -").reading("x").succeeds().json());
 }
 
@@ -124,7 +134,21 @@ fn the_validator_sees_what_is_wrong() {
 #[test]
 fn all_schemas_come_in_one_object() {
     let all = bifdiag("schema --json").succeeds().json();
-    for name in ["atlas", "classify", "critical", "section", "sections", "orbit", "bodies", "batch-error"] {
+    let names = [
+        "atlas",
+        "classify",
+        "critical",
+        "section",
+        "sections",
+        "orbit",
+        "bodies",
+        "batch-error",
+        "scan-row",
+        "scan-summary",
+        "scan-border",
+        "find",
+    ];
+    for name in names {
         assert_eq!(all[name], schema(name));
         bifdiag("schema").succeeds().printing(&format!("\n{name} "));
     }

@@ -1,0 +1,228 @@
+//! The maps of classes.
+
+use std::collections::BTreeMap;
+
+use bifdiag::atlas::Atlas;
+use bifdiag::body::{Body, Preset};
+use bifdiag::border::{self, BorderOptions, Segment};
+use bifdiag::plot::{Map, MapAxis, MapBodies, MapLine, MapNote, draw_map};
+use bifdiag::scan::{Design, Family, Parameter, Row};
+use rayon::prelude::*;
+
+use super::super::failure::Failure;
+use super::super::scan::map::{Seen, known_classes, map};
+use super::super::scan::{ScanInput, Shown};
+use super::Figure;
+
+pub fn figures() -> impl Iterator<Item = Figure> {
+    let maps = [
+        ("map-katok", katok as fn() -> Result<Map, Failure>),
+        ("map-lagrange-kovalevskaya", lagrange_to_kovalevskaya),
+        ("map-paper-r2-r3", paper_off_the_axis),
+        ("map-paper-a2-r3", paper_in_the_plane),
+    ];
+    maps.into_iter().map(|(stem, make)| Figure {
+        stem,
+        draw: Box::new(move |timings| timings.stage(stem, || Ok(draw_map(&make()?)?))),
+    })
+}
+
+/// The rows of a grid.
+fn rows(family: Family, vary: &[&str]) -> Result<Vec<Row>, Failure> {
+    let mut ranges = Vec::with_capacity(vary.len());
+    for text in vary {
+        ranges.push(text.parse().map_err(|error| ScanInput::Find(format!("{text}: {error}")))?);
+    }
+    let design =
+        Design::new(family, ranges, None, 0).map_err(|source| ScanInput::Design { option: "--vary", source })?;
+    Ok((0..design.count()).into_par_iter().map(|n| Row::of(n, design.values(n))).collect())
+}
+
+fn classes_of(family: Family, vary: &[&str], axes: [Parameter; 2]) -> Result<Map, Failure> {
+    let seen: Vec<Seen> = rows(family, vary)?.iter().map(|row| Seen::new(row, axes, Shown::Class)).collect();
+    Ok(map(&seen, axes, Shown::Class))
+}
+
+fn body_family(moments: [&str; 3], center: [&str; 3]) -> Result<Family, Failure> {
+    let body = Body::parse(&moments, &center).map_err(|error| ScanInput::Find(error.to_string()))?;
+    Ok(Family::Body { moments: body.moments().clone(), center: body.center().clone() })
+}
+
+/// The Katok plane. The grid avoids the lines on which bodies are special: A_j = 1, A2 = A3.
+fn katok() -> Result<Map, Failure> {
+    let vary = ["A2=0.3025:1.6925:140", "A3=0.3075:1.6975:140"];
+    let mut map = classes_of(Family::Katok, &vary, [Parameter::A2, Parameter::A3])?;
+    let known = known_classes();
+    for entry in &mut map.entries {
+        if let Some((number, preset)) =
+            known.get(&entry.name).and_then(|name| Some((name.strip_prefix("katok:")?, name)))
+        {
+            entry.mark = number.to_owned();
+            entry.note = entry.note.split(';').next().unwrap_or_default().to_owned();
+            entry.name = format!("{preset}  {}", entry.name);
+        }
+    }
+    let renamed: Vec<usize> = {
+        let mut order: Vec<usize> = (0..map.entries.len()).collect();
+        order.sort_by(|&p, &q| map.entries[p].name.cmp(&map.entries[q].name));
+        order
+    };
+    reorder(&mut map, &renamed);
+    map.title = "Tops with the centre of mass on a principal axis: Katok's seven classes".to_owned();
+    map.subtitle = "A = (A1, A2, A3), r = (1, 0, 0); colours: class computed for each of 19600 bodies".to_owned();
+    map.x = MapAxis { name: "A2/A1".to_owned(), range: [0.3, 1.695] };
+    map.y = MapAxis { name: "A3/A1".to_owned(), range: [0.305, 1.7] };
+    let exact = "exact borders: Aj = A1, Aj = ¾ A1, 4(1/√k2 − 1) = 1/k3";
+    for value in [0.75, 1.0] {
+        for points in [vec![[value, 0.3], [value, 1.7]], vec![[0.3, value], [1.7, value]]] {
+            map.lines.push(MapLine { points: dense(&points), dashed: false, text: exact.to_owned() });
+        }
+    }
+    let curve: Vec<[f64; 2]> = (0..=400)
+        .map(|n| 0.25 + 0.5 * f64::from(n) / 400.0)
+        .map(|a2| [a2, 1.0 - 0.25 / (1.0 / (1.0 - a2).sqrt() - 1.0)])
+        .filter(|[a2, a3]| a3 < a2)
+        .collect();
+    let mirrored = curve.iter().map(|[p, q]| [*q, *p]).collect();
+    for points in [curve, mirrored] {
+        map.lines.push(MapLine { points, dashed: false, text: exact.to_owned() });
+    }
+    let physical = "bodies exist between these lines: |A2 − A3| ≤ A1 ≤ A2 + A3";
+    for points in [vec![[0.3, 0.7], [0.7, 0.3]], vec![[0.3, 1.3], [0.7, 1.7]], vec![[1.3, 0.3], [1.7, 0.7]]] {
+        map.lines.push(MapLine { points: dense(&points), dashed: true, text: physical.to_owned() });
+    }
+    Ok(map)
+}
+
+/// A straight line as many points, so that its part inside of the map is drawn.
+fn dense(ends: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let (Some(from), Some(to)) = (ends.first(), ends.last()) else { return Vec::new() };
+    (0..=500)
+        .map(|n| f64::from(n) / 500.0)
+        .map(|t| [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t])
+        .collect()
+}
+
+/// Puts the entries into another order.
+fn reorder(map: &mut Map, order: &[usize]) {
+    map.entries = order.iter().map(|&entry| map.entries[entry].clone()).collect();
+    let place: BTreeMap<usize, usize> = order.iter().enumerate().map(|(new, old)| (*old, new)).collect();
+    if let MapBodies::Grid { entries, .. } = &mut map.bodies {
+        for entry in entries.iter_mut().flatten() {
+            *entry = place.get(entry).copied().unwrap_or(*entry);
+        }
+    }
+}
+
+/// A = (2, η, 1), r = (1, 0, 0): the classes over η, the momenta of all events, and what happens at the borders.
+fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
+    const ETA: [f64; 2] = [0.8, 2.2];
+    const L: [f64; 2] = [1.3, 3.3];
+    const COLUMNS: u32 = 280;
+    let family = body_family(["2", "1", "1"], ["1", "0", "0"])?;
+    let vary = ["A2=0.8025:2.1975:280"];
+    let found = rows(family, &vary)?;
+    // One row of cells from l = 0 upwards: the second parameter is not one of the body.
+    let seen: Vec<Seen> = found
+        .iter()
+        .flat_map(|row| {
+            let seen = Seen::new(row, [Parameter::A2, Parameter::A3], Shown::Class);
+            L.map(|l| Seen { at: [seen.at[0], l], ..seen.clone() })
+        })
+        .collect();
+    let mut map = map(&seen, [Parameter::A2, Parameter::A3], Shown::Class);
+    map.title = "From Lagrange (η = 1) to Kovalevskaya (η = 2)".to_owned();
+    map.subtitle = "A = (2, η, 1), r = (1, 0, 0); colours: class; lines: the momenta l of all events".to_owned();
+    map.x = MapAxis { name: "η".to_owned(), range: ETA };
+    map.y = MapAxis { name: "l".to_owned(), range: L };
+    // Events, one polyline for each name.
+    let mut lines: BTreeMap<String, Vec<[f64; 2]>> = BTreeMap::new();
+    for n in 0..=4 * COLUMNS {
+        let eta = ETA[0] + (ETA[1] - ETA[0]) * (f64::from(n) + 0.37) / f64::from(4 * COLUMNS + 1);
+        let Ok(body) = Body::from_f64([2.0, eta, 1.0], [1.0, 0.0, 0.0]) else { continue };
+        let Ok(atlas) = Atlas::new(&body) else { continue };
+        for (name, l) in border::named_events(&atlas) {
+            lines.entry(name).or_default().push([eta, l]);
+        }
+    }
+    let mut boxes: Vec<[f64; 4]> = Vec::new();
+    for (name, points) in &lines {
+        for run in points.chunk_by(|p, q| q[0] - p[0] < 0.006) {
+            map.lines.push(MapLine { points: run.to_vec(), dashed: false, text: String::new() });
+            let inside = |at: &&[f64; 2]| at[1] > L[0] + 0.05 && at[1] < L[1] - 0.2;
+            let inside: Vec<&[f64; 2]> = run.iter().filter(inside).collect();
+            if let Some(at) = free_place(&inside, name, ETA, L, &mut boxes) {
+                map.notes.push(MapNote { at, text: name.clone(), ring: false });
+            }
+        }
+    }
+    // Borders between neighbouring classes.
+    for pair in found.windows(2) {
+        if pair[0].class.is_none() || pair[1].class.is_none() || pair[0].class == pair[1].class {
+            continue;
+        }
+        let body = |row: &Row| Body::from_f64(row.values()[0], row.values()[1]).ok();
+        let (Some(from), Some(to)) = (body(&pair[0]), body(&pair[1])) else { continue };
+        let segment = Segment::new(from, to);
+        let Ok(border) = border::find(&segment, &BorderOptions::default()) else { continue };
+        let eta = segment.coordinate(1, border.t).to_f64().value();
+        map.lines.push(MapLine {
+            points: dense(&[[eta, L[0]], [eta, L[1]]]),
+            dashed: true,
+            text: format!("η = {eta:.4}: {}", border.event.text),
+        });
+        map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), ring: false });
+    }
+    Ok(map)
+}
+
+/// A point of a line at which its name covers no other name.
+fn free_place(line: &[&[f64; 2]], name: &str, x: [f64; 2], y: [f64; 2], boxes: &mut Vec<[f64; 4]>) -> Option<[f64; 2]> {
+    // Shares of the map's sides that a letter and a line of text take.
+    const LETTER: f64 = 0.0058;
+    const LINE: f64 = 0.013;
+    const TRIES: usize = 40;
+    let half = LETTER * name.chars().count() as f64;
+    (0..TRIES).find_map(|n| {
+        // From the middle outwards.
+        let step = n.div_ceil(2) * line.len() / (TRIES + 2);
+        let place = if n % 2 == 0 { line.len() / 2 + step } else { (line.len() / 2).checked_sub(step)? };
+        let at = **line.get(place)?;
+        let share = |value: f64, range: [f64; 2]| (value - range[0]) / (range[1] - range[0]);
+        let (u, v) = (share(at[0], x).clamp(half, 1.0 - half), share(at[1], y));
+        let mine = [u - half, u + half, v - LINE, v + LINE];
+        let apart =
+            |other: &[f64; 4]| mine[1] < other[0] || mine[0] > other[1] || mine[3] < other[2] || mine[2] > other[3];
+        if !boxes.iter().all(apart) {
+            return None;
+        }
+        boxes.push(mine);
+        Some(at)
+    })
+}
+
+/// The paper's body, r2 and r3 varied.
+fn paper_off_the_axis() -> Result<Map, Failure> {
+    let family = body_family(["2", "1.1", "1"], ["0.94868", "0", "0"])?;
+    let vary = ["r2=0.00075:0.14925:100", "r3=0.0035:0.6965:100"];
+    let mut map = classes_of(family, &vary, [Parameter::R2, Parameter::R3])?;
+    map.title = "Around the paper's body: the centre of mass leaves the axis".to_owned();
+    map.subtitle = "A = (2, 1.1, 1), r = (0.94868, r2, r3); the paper's body has r2 = 0, r3 = 0.61623".to_owned();
+    (map.x.range, map.y.range) = ([0.0, 0.15], [0.0, 0.7]);
+    map.notes.push(MapNote { at: [0.0, 0.61623], text: "the paper's body".to_owned(), ring: true });
+    Ok(map)
+}
+
+/// The paper's plane r2 = 0, A2 and r3 varied.
+fn paper_in_the_plane() -> Result<Map, Failure> {
+    let paper = Preset::find("paper").map(Preset::body);
+    let center = paper.map(|body| body.center()[0].text().to_owned()).unwrap_or_default();
+    let family = body_family(["2", "1.1", "1"], [&center, "0", "0"])?;
+    let vary = ["A2=0.505:2.495:100", "r3=0.005:0.995:100"];
+    let mut map = classes_of(family, &vary, [Parameter::A2, Parameter::R3])?;
+    map.title = "Around the paper's body: the plane r2 = 0".to_owned();
+    map.subtitle = "A = (2, A2, 1), r = (0.94868, 0, r3); the paper's body has A2 = 1.1, r3 = 0.61623".to_owned();
+    map.y.range = [0.0, 1.0];
+    map.notes.push(MapNote { at: [1.1, 0.61623], text: "the paper's body".to_owned(), ring: true });
+    Ok(map)
+}

@@ -1,0 +1,181 @@
+//! The options of `bifdiag scan` and its commands.
+
+use std::path::PathBuf;
+
+use bifdiag::scan::{Parameter, Range};
+use clap::{Args, Subcommand, ValueEnum};
+
+use super::shard::Shard;
+use super::table::Format;
+use crate::cli::arguments::{AccuracyArgument, BodyArguments};
+
+pub const SCAN_EXAMPLES: &str = "\
+Examples:
+  bifdiag scan --family general --samples 200 --out general.parquet
+  bifdiag scan --family katok --vary A2=0.3:1.7:15,A3=0.3:1.7:15 --out katok.csv
+  bifdiag scan --body paper --vary r2=0:0.5:9 --vary r3=0:0.5:9 --out paper.jsonl
+  bifdiag scan --family general --samples 200 --shard 3/16 --out shard-3.parquet
+  bifdiag scan --family katok --samples 5 --format csv --out -
+  bifdiag scan merge shard-*.parquet --out general.parquet
+  bifdiag scan map katok.csv --x A2 --y A3 --out katok
+  bifdiag scan border --body katok:2 --vary A3=0.7:0.8
+
+One row for each body: A, r, the class of its diagram, numbers of regions, events and relative equilibria, types found.
+FILE.summary.json tells what all have in common. A scan that was stopped goes on where it was when it is started again,
+and its files are byte for byte those of an unbroken one.";
+
+const MERGE_EXAMPLES: &str = "\
+Examples:
+  bifdiag scan merge shard-1.parquet shard-2.parquet shard-3.parquet --out all.parquet
+  bifdiag scan merge shard-*.csv --out all.csv
+
+A shard is its file with rows and its FILE.summary.json. The result is byte for byte that of the scan in one piece.";
+
+const MAP_EXAMPLES: &str = "\
+Examples:
+  bifdiag scan map katok.parquet --x A2 --y A3 --out katok
+  bifdiag scan map general.csv --x A1 --y r3 --format svg,png --out general";
+
+const BORDER_EXAMPLES: &str = "\
+Examples:
+  bifdiag scan border --body katok:2 --vary A3=0.7:0.8
+  bifdiag scan border --A 2,1.1,1 --r 0.94868,0,0.61623 --vary r2=0.1:0.4 --json";
+
+/// `bifdiag scan`.
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub struct ScanArguments {
+    #[command(subcommand)]
+    pub command: Option<ScanCommand>,
+    #[command(flatten)]
+    pub sample: SampleArguments,
+}
+
+/// What else can be done with scans.
+#[derive(Debug, Subcommand)]
+pub enum ScanCommand {
+    /// Join the shards of a scan
+    #[command(after_help = MERGE_EXAMPLES)]
+    Merge(MergeArguments),
+    /// Draw the class of each body over two parameters
+    #[command(after_help = MAP_EXAMPLES)]
+    Map(MapArguments),
+    /// Find where the class changes between two bodies, and what happens there
+    #[command(after_help = BORDER_EXAMPLES)]
+    Border(BorderArguments),
+}
+
+/// Families of bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FamilyArgument {
+    /// Every body that exists: A_i = 1 - m_i, the second moments m uniform on a simplex, r/|r| uniform on an octant
+    General,
+    /// As general, but A uniform on a simplex, whether or not bodies with these moments exist
+    Positive,
+    /// A = (1, A2, A3), r = (1, 0, 0)
+    Katok,
+}
+
+/// The scan itself.
+#[derive(Debug, Args)]
+pub struct SampleArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// The bodies to choose from; without it, the body of --A and --r with --vary
+    #[arg(long, value_enum, help_heading = "Bodies")]
+    pub family: Option<FamilyArgument>,
+    /// A parameter (A1, A2, A3, r1, r2, r3) and its range; with N: a grid of N values
+    #[arg(long, value_name = "A2=FROM:TO[:N]", value_delimiter = ',', help_heading = "Bodies")]
+    pub vary: Vec<Range>,
+    /// Number of bodies of a low-discrepancy sequence
+    #[arg(long, value_name = "N", help_heading = "Bodies", value_parser = clap::value_parser!(u64).range(1..1 << 53))]
+    pub samples: Option<u64>,
+    /// Where the sequence starts; 0: in the middle
+    #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Bodies")]
+    pub seed: u64,
+    /// Only part i of n of the bodies
+    #[arg(long, value_name = "i/n", help_heading = "Work")]
+    pub shard: Option<Shard>,
+    /// What the answers must be worth
+    #[arg(long, value_enum, default_value = "standard", help_heading = "Work")]
+    pub accuracy: AccuracyArgument,
+    /// Begin anew, although FILE.partial holds the beginning of a scan
+    #[arg(long, help_heading = "Work")]
+    pub restart: bool,
+    /// Write the rows to FILE (.parquet, .csv, .jsonl; -: stdout) and the summary to FILE.summary.json
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    /// Format of the rows (default: by the ending of FILE, JSON Lines on stdout)
+    #[arg(long, value_enum, help_heading = "Output")]
+    pub format: Option<Format>,
+    /// Print the summary as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
+
+/// `bifdiag scan merge`.
+#[derive(Debug, Args)]
+pub struct MergeArguments {
+    /// The files of the shards, in any order
+    #[arg(value_name = "SHARD")]
+    pub shards: Vec<PathBuf>,
+    /// Write the rows to FILE (.parquet, .csv, .jsonl) and the summary to FILE.summary.json
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    /// Format of the rows (default: by the ending of FILE)
+    #[arg(long, value_enum, help_heading = "Output")]
+    pub format: Option<Format>,
+    /// Print the summary as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
+
+/// What a map shows by its colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Shown {
+    /// The class of the diagram
+    Class,
+    /// The number of regions
+    Regions,
+    /// The largest number of relative equilibria at one l
+    CriticalPoints,
+}
+
+/// `bifdiag scan map`.
+#[derive(Debug, Args)]
+pub struct MapArguments {
+    /// The rows of a scan
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Parameter to the right
+    #[arg(long, value_name = "PARAMETER", help_heading = "Map")]
+    pub x: Parameter,
+    /// Parameter upwards
+    #[arg(long, value_name = "PARAMETER", help_heading = "Map")]
+    pub y: Parameter,
+    /// What the colours show
+    #[arg(long, value_enum, default_value = "class", help_heading = "Map")]
+    pub show: Shown,
+    /// Write the map to FILE.svg, FILE.png, FILE.pdf
+    #[arg(long, value_name = "FILE", default_value = "scan-map", help_heading = "Output")]
+    pub out: PathBuf,
+    /// Formats of the map
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    pub format: Vec<crate::cli::arguments::Format>,
+}
+
+/// `bifdiag scan border`.
+#[derive(Debug, Args)]
+pub struct BorderArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// A parameter and the two values between which the class changes; several are varied together
+    #[arg(long, value_name = "A2=FROM:TO", value_delimiter = ',', help_heading = "Border")]
+    pub vary: Vec<Range>,
+    /// What the answers must be worth
+    #[arg(long, value_enum, default_value = "standard", help_heading = "Work")]
+    pub accuracy: AccuracyArgument,
+    /// Print the answer as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}

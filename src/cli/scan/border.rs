@@ -1,0 +1,72 @@
+//! `bifdiag scan border`: where the class changes between two bodies.
+
+use bifdiag::body::{Body, Number};
+use bifdiag::border::{self, BorderDocument, BorderOptions, Segment};
+use bifdiag::scan::Range;
+
+use super::arguments::BorderArguments;
+use super::error::ScanInput;
+use crate::cli::failure::Failure;
+use crate::cli::layout;
+use crate::cli::output as terminal;
+use crate::cli::report::Report;
+
+pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
+    let _level = arguments.accuracy.level()?;
+    let subject = arguments.body.subject()?;
+    let wrong = |text: String| ScanInput::Border(text);
+    if arguments.vary.is_empty() {
+        return Err(
+            wrong("--vary is missing; give a parameter and two values, such as --vary A3=0.7:0.8".to_owned()).into()
+        );
+    }
+    for (place, range) in arguments.vary.iter().enumerate() {
+        let parameter = range.parameter;
+        if range.steps.is_some() {
+            return Err(
+                wrong(format!("--vary: a border is sought between two values; write {parameter}=from:to")).into()
+            );
+        }
+        if arguments.vary[..place].iter().any(|other| other.parameter == parameter) {
+            return Err(wrong(format!("--vary: {parameter} is given twice")).into());
+        }
+    }
+    let end = |value: fn(&Range) -> &Number| {
+        let mut values: Vec<Number> = subject.body.moments().iter().chain(subject.body.center()).cloned().collect();
+        for range in &arguments.vary {
+            values[range.parameter.place()] = value(range).clone();
+        }
+        let texts: Vec<&str> = values.iter().map(Number::text).collect();
+        Body::parse(&texts[..3], &texts[3..]).map_err(|error| wrong(format!("--vary: {error}")))
+    };
+    let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
+    let border =
+        border::find(&segment, &BorderOptions::default()).map_err(|error| wrong(format!("--vary: {error}")))?;
+    let document = BorderDocument::new(&border, &segment, &arguments.vary);
+    let text = if arguments.json { layout::text(&document)? } else { report(&document) };
+    Ok(terminal::print(text.as_bytes())?)
+}
+
+fn report(document: &BorderDocument) -> String {
+    let mut report = Report::default();
+    for value in &document.border {
+        let [from, to] = value.enclosure;
+        report.line(format!("{} = {} ± {:.0e}", value.parameter, value.value, value.error));
+        report.line(format!("  bodies with the one class up to {from}, with the other from {to} on"));
+    }
+    if !document.reached {
+        report.line("the border is not known to 1e-10: the bodies between these two are undecided at this accuracy");
+    }
+    let [below, above] = &document.classes;
+    report.line(format!("class {below} below, {above} above"));
+    report.line(format!("event: {}", document.event.text));
+    if let (Some(h), Some(l)) = (document.event.h, document.event.l) {
+        report.line(format!("  at h = {h}, l = {l}, of the curves {}", document.event.curves.join(", ")));
+    }
+    for (word, labels) in [("gone above", &document.event.vanish), ("new above", &document.event.appear)] {
+        if !labels.is_empty() {
+            report.line(format!("  {word}: {}", labels.join("; ")));
+        }
+    }
+    report.text()
+}

@@ -1,0 +1,200 @@
+//! `bifdiag scan map`: the class of each body over two parameters.
+
+use std::collections::BTreeMap;
+
+use bifdiag::atlas::Atlas;
+use bifdiag::body::Preset;
+use bifdiag::class::Class;
+use bifdiag::plot::{Map, MapAxis, MapBodies, MapEntry, draw_map};
+use bifdiag::scan::{Parameter, Row};
+
+use super::arguments::{MapArguments, Shown};
+use super::error::ScanInput;
+use super::output;
+use crate::cli::atlas::add_picture;
+use crate::cli::failure::Failure;
+use crate::cli::files::FileSet;
+use crate::cli::output as terminal;
+use crate::cli::report::Report;
+use crate::cli::timings::Timings;
+
+pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
+    if arguments.x == arguments.y {
+        let reason = format!("both axes show it; choose two of {}", names());
+        return Err(ScanInput::Axis { option: "--y", name: arguments.y.to_string(), reason }.into());
+    }
+    let file = &arguments.file;
+    let format = output::format_of_input(file)?;
+    let table = |source| ScanInput::Table { path: file.clone(), source };
+    let mut bodies = Vec::new();
+    for row in format.rows(file).map_err(table)? {
+        bodies.push(Seen::of(&row.map_err(table)?, arguments));
+    }
+    let axes = [("--x", arguments.x), ("--y", arguments.y)];
+    if bodies.is_empty() {
+        return Err(ScanInput::Empty { path: file.clone() }.into());
+    }
+    for (place, (option, parameter)) in axes.into_iter().enumerate() {
+        if bodies.iter().all(|body| body.at[place] == bodies[0].at[place]) {
+            let reason = format!("it is the same for all {} bodies of {}", bodies.len(), file.display());
+            return Err(ScanInput::Axis { option, name: parameter.to_string(), reason }.into());
+        }
+    }
+    let map = map(&bodies, [arguments.x, arguments.y], arguments.show);
+    let picture = timings.stage("map", || draw_map(&map))?;
+    let (directory, stem) = place(arguments)?;
+    let mut files = FileSet::new(&directory);
+    add_picture(&mut files, &stem, &picture, &arguments.format, timings)?;
+    Ok(terminal::print(Report::of_paths(&files.write()?).text().as_bytes())?)
+}
+
+fn names() -> String {
+    Parameter::ALL.map(Parameter::name).join(", ")
+}
+
+/// Directory and name without ending.
+fn place(arguments: &MapArguments) -> Result<(std::path::PathBuf, String), Failure> {
+    let out = &arguments.out;
+    let ending = out.extension().and_then(|ending| ending.to_str());
+    let stem = if ending.is_some_and(|ending| matches!(ending, "svg" | "png" | "pdf")) {
+        out.file_stem()
+    } else {
+        out.file_name()
+    };
+    let Some(stem) = stem.and_then(|stem| stem.to_str()) else {
+        let reason = "a file name is needed, such as --out map".to_owned();
+        return Err(ScanInput::Axis { option: "--out", name: out.display().to_string(), reason }.into());
+    };
+    let directory = out.parent().filter(|parent| !parent.as_os_str().is_empty());
+    Ok((directory.unwrap_or_else(|| std::path::Path::new(".")).to_owned(), stem.to_owned()))
+}
+
+/// What the map needs of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// The two parameters.
+    pub at: [f64; 2],
+    /// What the body shows.
+    pub shows: Option<String>,
+    /// Number of regions.
+    pub regions: u32,
+}
+
+impl Seen {
+    fn of(row: &Row, arguments: &MapArguments) -> Self {
+        Self::new(row, [arguments.x, arguments.y], arguments.show)
+    }
+
+    /// What a row shows.
+    pub fn new(row: &Row, axes: [Parameter; 2], show: Shown) -> Self {
+        let values = row.values();
+        let at = axes.map(|parameter| values[parameter.place() / 3][parameter.place() % 3]);
+        let shows = row.class.clone().and_then(|class| match show {
+            Shown::Class => Some(class),
+            Shown::Regions => row.regions.map(|n| format!("{n:3}")),
+            Shown::CriticalPoints => row.critical_points.map(|n| format!("{n:3}")),
+        });
+        Self { at, shows, regions: row.regions.unwrap_or_default() }
+    }
+}
+
+/// The map of some bodies, the most frequent class first.
+pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
+    let mut counts: BTreeMap<&str, (usize, u32)> = BTreeMap::new();
+    for body in bodies {
+        if let Some(shown) = &body.shows {
+            counts.entry(shown).or_insert((0, body.regions)).0 += 1;
+        }
+    }
+    let mut order: Vec<(&str, usize, u32)> = counts.iter().map(|(name, (n, regions))| (*name, *n, *regions)).collect();
+    if show == Shown::Class {
+        order.sort_by(|p, q| q.1.cmp(&p.1).then_with(|| p.0.cmp(q.0)));
+    }
+    let known = if show == Shown::Class { known_classes() } else { BTreeMap::new() };
+    let share = |n: usize| match 100.0 * n as f64 / bodies.len() as f64 {
+        percent if percent < 0.05 => "below 0.1%".to_owned(),
+        percent => format!("{percent:.1}%"),
+    };
+    let entries = order
+        .iter()
+        .enumerate()
+        .map(|(number, (name, bodies, regions))| match show {
+            Shown::Class => MapEntry {
+                name: (*name).to_owned(),
+                note: match known.get(*name) {
+                    Some(preset) => format!("{regions} regions, {}; {preset}", share(*bodies)),
+                    None => format!("{regions} regions, {}", share(*bodies)),
+                },
+                mark: (number + 1).to_string(),
+            },
+            Shown::Regions | Shown::CriticalPoints => {
+                MapEntry { name: name.trim().to_owned(), note: share(*bodies), mark: name.trim().to_owned() }
+            }
+        })
+        .collect();
+    let number: BTreeMap<&str, usize> = order.iter().enumerate().map(|(k, (name, _, _))| (*name, k)).collect();
+    let entry = |body: &Seen| body.shows.as_deref().and_then(|shown| number.get(shown).copied());
+    let (bodies_drawn, ranges) = placed(bodies, entry);
+    let what = match show {
+        Shown::Class => format!("{} classes", order.len()),
+        Shown::Regions => "number of regions".to_owned(),
+        Shown::CriticalPoints => "relative equilibria at one l, at most".to_owned(),
+    };
+    let [x, y] = axes.map(|parameter| parameter.name().to_owned());
+    Map {
+        title: format!("Classes of bifurcation diagrams over {x} and {y}"),
+        subtitle: format!("{} bodies, {what}", bodies.len()),
+        x: MapAxis { name: x, range: ranges[0] },
+        y: MapAxis { name: y, range: ranges[1] },
+        entries,
+        unknown: "undecided or failed".to_owned(),
+        bodies: bodies_drawn,
+        lines: Vec::new(),
+        notes: Vec::new(),
+    }
+}
+
+/// The named bodies' classes; of several names the first.
+pub fn known_classes() -> BTreeMap<String, &'static str> {
+    let mut known = BTreeMap::new();
+    for preset in Preset::all() {
+        let class = Atlas::new(&preset.body()).ok().and_then(|atlas| Class::of(&atlas).ok());
+        if let Some(class) = class {
+            known.entry(class.id().to_owned()).or_insert(preset.name());
+        }
+    }
+    known
+}
+
+/// Bodies as a grid if they are one with even steps, and the ranges that hold them all.
+fn placed(bodies: &[Seen], entry: impl Fn(&Seen) -> Option<usize>) -> (MapBodies, [[f64; 2]; 2]) {
+    let values = |place: usize| {
+        let mut values: Vec<f64> = bodies.iter().map(|body| body.at[place]).collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values
+    };
+    let axes = [values(0), values(1)];
+    let step = |values: &[f64]| (values[values.len() - 1] - values[0]) / (values.len().max(2) - 1) as f64;
+    let even = |values: &[f64]| {
+        values.len() > 1 && values.windows(2).all(|pair| ((pair[1] - pair[0]) / step(values) - 1.0).abs() < 1e-6)
+    };
+    let ends = |values: &[f64], more: f64| [values[0] - more, values[values.len() - 1] + more];
+    if axes.iter().all(|values| even(values)) && axes[0].len() * axes[1].len() == bodies.len() {
+        let columns = axes[0].len();
+        let mut cells: Vec<Option<Option<usize>>> = vec![None; bodies.len()];
+        for body in bodies {
+            let place = |axis: usize| axes[axis].partition_point(|value| *value < body.at[axis]);
+            cells[place(1) * columns + place(0)] = Some(entry(body));
+        }
+        // A body twice leaves a hole elsewhere: no grid.
+        if cells.iter().all(Option::is_some) {
+            let entries = cells.into_iter().map(Option::flatten).collect();
+            let ranges = [0, 1].map(|axis| ends(&axes[axis], 0.5 * step(&axes[axis])));
+            return (MapBodies::Grid { columns, entries }, ranges);
+        }
+    }
+    let points = bodies.iter().map(|body| (body.at, entry(body))).collect();
+    let margin = |values: &[f64]| 0.02 * (values[values.len() - 1] - values[0]);
+    (MapBodies::Points(points), [0, 1].map(|axis| ends(&axes[axis], margin(&axes[axis]))))
+}

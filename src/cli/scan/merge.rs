@@ -1,0 +1,128 @@
+//! `bifdiag scan merge`: the shards of a scan in one file.
+
+use std::path::{Path, PathBuf};
+
+use bifdiag::document::Accuracy;
+use bifdiag::scan::SummaryDocument;
+
+use super::arguments::MergeArguments;
+use super::error::ScanInput;
+use super::journal::Identity;
+use super::table::Format;
+use super::{hashing, output, report};
+use crate::cli::failure::Failure;
+use crate::cli::layout;
+use crate::cli::output as terminal;
+
+/// A shard that is what its summary says.
+struct Part {
+    path: PathBuf,
+    format: Format,
+    summary: SummaryDocument,
+}
+
+pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
+    let out = arguments.out.as_deref().ok_or(ScanInput::NoOut)?;
+    let format = output::format_of(out, arguments.format)?;
+    let parts = parts(&arguments.shards, out)?;
+    let Some(first) = parts.first() else { return Err(ScanInput::NoShards.into()) };
+    let design = first.summary.design.clone();
+    let range = [0, design.count()];
+    let identity = Identity::new(design, range, Accuracy::Standard);
+    let document = output::write(out, format, &identity, |take| {
+        for part in &parts {
+            pass_rows(part, take)?;
+        }
+        Ok(())
+    })?;
+    let text = if arguments.json { layout::text(&document)? } else { report::text(&document, out) };
+    Ok(terminal::print(text.as_bytes())?)
+}
+
+/// The shards in the order of their bodies, once they are known to be whole, of one scan, and to leave nothing out.
+fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
+    let mut parts = Vec::with_capacity(shards.len());
+    for path in shards {
+        let same =
+            |a: &Path, b: &Path| a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
+        if same(path, out) {
+            return Err(ScanInput::OutIsShard { path: path.clone() });
+        }
+        if let Err(source) = std::fs::metadata(path) {
+            return Err(ScanInput::Shard { path: path.clone(), source });
+        }
+        let summary = output::read_summary(path)?;
+        let known = [Format::Parquet, Format::Csv, Format::Jsonl].into_iter().find(|f| f.name() == summary.format);
+        let format = match known {
+            Some(format) if format.is_available() => format,
+            _ => output::format_of_input(path)?,
+        };
+        let digest = hashing::of_file(path).map_err(|source| ScanInput::Shard { path: path.clone(), source })?;
+        if digest != summary.sha256 {
+            return Err(ScanInput::Altered { path: path.clone() });
+        }
+        parts.push(Part { path: path.clone(), format, summary });
+    }
+    if let Some((first, others)) = parts.split_first() {
+        for part in others {
+            let foreign =
+                |difference| ScanInput::Foreign { path: part.path.clone(), first: first.path.clone(), difference };
+            if part.summary.design != first.summary.design {
+                return Err(foreign("which bodies it looks at"));
+            }
+            if part.summary.program != first.summary.program {
+                return Err(foreign("the version of the program"));
+            }
+        }
+    }
+    parts.sort_by_key(|part| part.summary.range);
+    // A shard of no bodies stands between its neighbours and covers nothing.
+    parts.retain(|part| part.summary.range[0] < part.summary.range[1] || part.summary.design.count() == 0);
+    let Some(first) = parts.first() else { return Ok(parts) };
+    let count = first.summary.design.count();
+    let mut next = 0;
+    let mut before: Option<&Part> = None;
+    for part in &parts {
+        let [from, to] = part.summary.range;
+        if from < next {
+            let first = before.map_or_else(PathBuf::new, |before| before.path.clone());
+            return Err(ScanInput::Overlap { first, second: part.path.clone(), body: from });
+        }
+        if from > next {
+            let place = match before {
+                Some(before) => format!("between {} and {}", before.path.display(), part.path.display()),
+                None => format!("before {}", part.path.display()),
+            };
+            return Err(ScanInput::Missing { from: next, to: from, count, place });
+        }
+        next = to;
+        before = Some(part);
+    }
+    if next < count {
+        let place = before.map_or_else(String::new, |before| format!("after {}", before.path.display()));
+        return Err(ScanInput::Missing { from: next, to: count, count, place });
+    }
+    Ok(parts)
+}
+
+/// Passes the rows of a shard on, each in its place.
+fn pass_rows(part: &Part, take: &mut dyn FnMut(bifdiag::scan::Row) -> Result<(), Failure>) -> Result<(), Failure> {
+    let [from, to] = part.summary.range;
+    let table = |source| ScanInput::Table { path: part.path.clone(), source };
+    let mut found = 0;
+    for row in part.format.rows(&part.path).map_err(table)? {
+        let row = row.map_err(table)?;
+        let wanted = from + found;
+        found += 1;
+        if row.index != wanted || wanted >= to {
+            let wrong = ScanInput::WrongRow { path: part.path.clone(), row: found, found: row.index, wanted };
+            return Err(wrong.into());
+        }
+        take(row)?;
+    }
+    if found == to - from {
+        Ok(())
+    } else {
+        Err(ScanInput::WrongCount { path: part.path.clone(), found, wanted: to - from }.into())
+    }
+}

@@ -1,0 +1,31 @@
+//! `bifdiag scan`: many bodies, their shards, maps and the borders between their classes.
+
+mod arguments;
+mod border;
+mod error;
+mod hashing;
+mod journal;
+pub mod map;
+mod merge;
+mod output;
+mod progress;
+mod report;
+mod sample;
+mod shard;
+mod table;
+
+pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand, Shown};
+pub use error::{ScanFailure, ScanInput};
+pub use progress::Progress;
+
+use super::failure::Failure;
+use super::timings::Timings;
+
+pub fn run(arguments: &ScanArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
+    match &arguments.command {
+        None => sample::run(&arguments.sample, quiet),
+        Some(ScanCommand::Merge(arguments)) => merge::run(arguments),
+        Some(ScanCommand::Map(arguments)) => map::run(arguments, timings),
+        Some(ScanCommand::Border(arguments)) => border::run(arguments),
+    }
+}

@@ -1,0 +1,95 @@
+//! The two files of a scan or of a shard: the rows and the summary.
+
+use std::fs::{self, File};
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use bifdiag::document::SCHEMA_VERSION;
+use bifdiag::scan::{Row, Summary, SummaryDocument};
+
+use super::error::{ScanFailure, ScanInput};
+use super::hashing::HashingWriter;
+use super::journal::Identity;
+use super::table::{Format, TableError};
+use crate::cli::failure::Failure;
+use crate::cli::interrupt::uninterrupted;
+use crate::cli::layout;
+
+/// Where the summary of a file with rows lies.
+pub fn summary_path(rows: &Path) -> PathBuf {
+    with_ending(rows, ".summary.json")
+}
+
+fn with_ending(path: &Path, ending: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(ending);
+    PathBuf::from(name)
+}
+
+/// The format of an output file.
+pub fn format_of(out: &Path, format: Option<Format>) -> Result<Format, ScanInput> {
+    let format = match format.or_else(|| Format::of(out)) {
+        Some(format) => format,
+        None => return Err(ScanInput::NoFormat { path: out.to_owned() }),
+    };
+    let folder = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+    fs::metadata(folder).map_err(|source| ScanInput::Out { path: out.to_owned(), source })?;
+    if format.is_available() { Ok(format) } else { Err(ScanInput::NoParquet { path: out.to_owned() }) }
+}
+
+/// The format of a file with rows that is to be read.
+pub fn format_of_input(path: &Path) -> Result<Format, ScanInput> {
+    let format = Format::of(path).ok_or_else(|| ScanInput::NoRows { path: path.to_owned() })?;
+    if format.is_available() { Ok(format) } else { Err(ScanInput::NoParquet { path: path.to_owned() }) }
+}
+
+/// Writes rows and summary under other names and renames both when they are whole.
+pub fn write(
+    out: &Path,
+    format: Format,
+    identity: &Identity,
+    rows: impl FnOnce(&mut dyn FnMut(Row) -> Result<(), Failure>) -> Result<(), Failure>,
+) -> Result<SummaryDocument, Failure> {
+    let fresh = with_ending(out, ".partial.new");
+    let failed = |path: &Path| {
+        let path = path.to_owned();
+        move |source| Failure::from(ScanFailure::Write { path, source })
+    };
+    let table_failed = |source: TableError| Failure::from(ScanFailure::Table { path: out.to_owned(), source });
+    let file = File::create(&fresh).map_err(failed(&fresh))?;
+    let mut writer = HashingWriter::new(BufWriter::with_capacity(1 << 18, file));
+    let mut summary = Summary::default();
+    {
+        let mut sink = format.sink(&mut writer).map_err(table_failed)?;
+        rows(&mut |row| {
+            summary.add(&row);
+            sink.write(&row).map_err(table_failed)
+        })?;
+        sink.finish().map_err(table_failed)?;
+    }
+    let (mut writer, sha256) = writer.finish();
+    writer.flush().and_then(|()| writer.get_ref().sync_all()).map_err(failed(&fresh))?;
+    drop(writer);
+    let document = summary.document(&identity.design, identity.range, format.name(), sha256);
+    let text = layout::text(&document)?;
+    let summary_out = summary_path(out);
+    let fresh_summary = with_ending(out, ".summary.new");
+    fs::write(&fresh_summary, text).map_err(failed(&fresh_summary))?;
+    let _guard = uninterrupted();
+    fs::rename(&fresh, out).map_err(failed(out))?;
+    fs::rename(&fresh_summary, &summary_out).map_err(failed(&summary_out))?;
+    Ok(document)
+}
+
+/// The summary beside a file with rows.
+pub fn read_summary(rows: &Path) -> Result<SummaryDocument, ScanInput> {
+    let summary = summary_path(rows);
+    let unreadable = |reason: String| ScanInput::NoSummary { path: rows.to_owned(), summary: summary.clone(), reason };
+    let text = fs::read_to_string(&summary).map_err(|error| unreadable(error.to_string()))?;
+    let document: SummaryDocument = serde_json::from_str(&text).map_err(|error| unreadable(error.to_string()))?;
+    if document.schema_version == SCHEMA_VERSION {
+        Ok(document)
+    } else {
+        Err(unreadable(format!("schema_version {} is not {SCHEMA_VERSION}", document.schema_version)))
+    }
+}

@@ -1,0 +1,125 @@
+//! The scan itself.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+use bifdiag::scan::{Design, DesignError, Family, Row};
+use rayon::prelude::*;
+
+use super::arguments::{FamilyArgument, SampleArguments};
+use super::error::ScanInput;
+use super::journal::{Identity, Journal};
+use super::progress::Progress;
+use super::table::Format;
+use super::{output, report};
+use crate::cli::failure::{Failure, say};
+use crate::cli::output as terminal;
+use crate::cli::{failure::InputError, layout};
+
+/// Bodies between two entries of the journal: what a killed scan loses at most.
+const BLOCK: u64 = 256;
+
+pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
+    let accuracy = arguments.accuracy.level()?;
+    let design = design(arguments)?;
+    let range = arguments.shard.map_or([0, design.count()], |shard| shard.range(design.count()));
+    let identity = Identity::new(design, range, accuracy);
+    let out = arguments.out.as_deref().ok_or(ScanInput::NoOut)?;
+    if out == Path::new("-") {
+        return to_stdout(arguments, &identity, quiet);
+    }
+    let format = output::format_of(out, arguments.format)?;
+    let mut journal = Journal::open(out, &identity, arguments.restart)?;
+    if journal.rows() > 0 && !quiet {
+        say(&format!("going on after {} bodies that were done before", journal.rows()));
+    }
+    let mut progress = Progress::new(journal.rows(), range[1] - range[0], quiet);
+    while range[0] + journal.rows() < range[1] {
+        let rows = block(&identity, range[0] + journal.rows());
+        journal.append(&rows)?;
+        progress.add(rows.len() as u64);
+    }
+    progress.finish();
+    let document = output::write(out, format, &identity, |take| journal.for_each(take))?;
+    journal.remove()?;
+    let text = if arguments.json { layout::text(&document)? } else { report::text(&document, out) };
+    Ok(terminal::print(text.as_bytes())?)
+}
+
+/// The rows of the next bodies.
+fn block(identity: &Identity, from: u64) -> Vec<Row> {
+    let to = identity.range[1].min(from + BLOCK);
+    (from..to).into_par_iter().map(|n| row(&identity.design, n)).collect()
+}
+
+/// One row; not even a defect of this program ends the scan.
+fn row(design: &Design, n: u64) -> Row {
+    let values = design.values(n);
+    catch_unwind(AssertUnwindSafe(|| Row::of(n, values)))
+        .unwrap_or_else(|_panic| Row::lost(n, values, "a defect of this program: the computation panicked"))
+}
+
+/// Rows to stdout as they come, without journal and summary.
+fn to_stdout(arguments: &SampleArguments, identity: &Identity, quiet: bool) -> Result<(), Failure> {
+    let format = arguments.format.unwrap_or(Format::Jsonl);
+    if format == Format::Parquet {
+        return Err(ScanInput::ParquetToStdout.into());
+    }
+    if arguments.json {
+        return Err(ScanInput::TwoToStdout.into());
+    }
+    let [from, to] = identity.range;
+    let mut progress = Progress::new(0, to - from, quiet);
+    let mut next = from;
+    while next < to {
+        let rows = block(identity, next);
+        let mut text = Vec::new();
+        let mut sink = format.sink(&mut text).map_err(table_error)?;
+        for row in &rows {
+            sink.write(row).map_err(table_error)?;
+        }
+        sink.finish().map_err(table_error)?;
+        drop(sink);
+        // One heading is enough.
+        let heading = if format == Format::Csv && next > from { text.iter().position(|b| *b == b'\n') } else { None };
+        terminal::print(&text[heading.map_or(0, |end| end + 1)..])?;
+        next += rows.len() as u64;
+        progress.add(rows.len() as u64);
+    }
+    progress.finish();
+    Ok(())
+}
+
+fn table_error(source: super::table::TableError) -> Failure {
+    super::error::ScanFailure::Table { path: Path::new("-").to_owned(), source }.into()
+}
+
+/// What the options describe.
+pub fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
+    let subject = arguments.body.optional_subject()?;
+    let family = match (arguments.family, subject) {
+        (Some(_), Some(_)) => {
+            let option = if arguments.body.body.is_some() { "--body" } else { "--A, --r or --inertia" };
+            return Err(ScanInput::FamilyAndBody { option }.into());
+        }
+        (Some(FamilyArgument::General), None) => Family::General,
+        (Some(FamilyArgument::Positive), None) => Family::Positive,
+        (Some(FamilyArgument::Katok), None) => Family::Katok,
+        (None, Some(subject)) => {
+            Family::Body { moments: subject.body.moments().clone(), center: subject.body.center().clone() }
+        }
+        (None, None) => return Err(ScanInput::NoFamily.into()),
+    };
+    let design = Design::new(family, arguments.vary.clone(), arguments.samples, arguments.seed);
+    Ok(design.map_err(|error| refusal(error))?)
+}
+
+/// The design's objections in terms of the options.
+fn refusal(error: DesignError) -> InputError {
+    let option = match error {
+        DesignError::NoSamples => return ScanInput::NoSamples.into(),
+        DesignError::GridAndSamples => "--samples",
+        _ => "--vary",
+    };
+    ScanInput::Design { option, source: error }.into()
+}

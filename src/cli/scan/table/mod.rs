@@ -1,0 +1,152 @@
+//! Files with one row for each body: CSV, JSON Lines and, with the feature `parquet`, Parquet.
+
+mod csv;
+mod json_lines;
+#[cfg(feature = "parquet")]
+mod parquet;
+
+use std::fs::File;
+use std::io::{self, BufReader, Write};
+use std::path::Path;
+
+use bifdiag::scan::Row;
+use clap::ValueEnum;
+use thiserror::Error;
+
+/// Formats of the rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Apache Parquet, for pandas, Polars, DuckDB, Spark
+    Parquet,
+    /// Comma-separated values with a heading
+    Csv,
+    /// One JSON object a line
+    Jsonl,
+}
+
+/// Why rows cannot be read or written.
+#[derive(Debug, Error)]
+pub enum TableError {
+    #[error("{0}")]
+    Io(#[from] io::Error),
+    #[error("line {line} is no row of a scan: {source}")]
+    Json { line: u64, source: serde_json::Error },
+    #[error("a row cannot be written as JSON: {0}")]
+    JsonWrite(serde_json::Error),
+    #[error("this is no CSV file of a scan: {0}")]
+    Csv(#[from] ::csv::Error),
+    #[cfg(feature = "parquet")]
+    #[error("this is no Parquet file of a scan: {0}")]
+    Parquet(#[from] ::parquet::errors::ParquetError),
+    #[cfg(feature = "parquet")]
+    #[error("row {row} of the Parquet file is no row of a scan: {source}")]
+    ParquetRow { row: u64, source: serde_json::Error },
+    #[cfg(feature = "parquet")]
+    #[error("column {column} of the Parquet file cannot be written")]
+    Column { column: &'static str },
+    #[cfg(not(feature = "parquet"))]
+    #[error(
+        "this bifdiag was built without the feature `parquet`; use .csv or .jsonl, or build it with --features parquet"
+    )]
+    NoParquet,
+}
+
+/// Takes the rows one by one.
+pub trait RowSink {
+    /// Adds a row.
+    fn write(&mut self, row: &Row) -> Result<(), TableError>;
+    /// Writes what is still held back. Nothing may follow.
+    fn finish(&mut self) -> Result<(), TableError>;
+}
+
+/// The rows of a file, one by one.
+pub type Rows = Box<dyn Iterator<Item = Result<Row, TableError>>>;
+
+impl Format {
+    /// The format that the ending of a file's name says.
+    pub fn of(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "parquet" | "pq" => Some(Self::Parquet),
+            "csv" => Some(Self::Csv),
+            "jsonl" | "ndjson" => Some(Self::Jsonl),
+            _ => None,
+        }
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Parquet => "parquet",
+            Self::Csv => "csv",
+            Self::Jsonl => "jsonl",
+        }
+    }
+
+    /// True if this program can read and write it.
+    pub fn is_available(self) -> bool {
+        self != Self::Parquet || cfg!(feature = "parquet")
+    }
+
+    /// A writer of rows.
+    pub fn sink<'a, W: Write + Send + 'a>(self, out: W) -> Result<Box<dyn RowSink + 'a>, TableError> {
+        Ok(match self {
+            Self::Csv => Box::new(csv::Sink::new(out)),
+            Self::Jsonl => Box::new(json_lines::Sink::new(out)),
+            #[cfg(feature = "parquet")]
+            Self::Parquet => Box::new(parquet::Sink::new(out)?),
+            #[cfg(not(feature = "parquet"))]
+            Self::Parquet => return Err(TableError::NoParquet),
+        })
+    }
+
+    /// The rows of a file.
+    pub fn rows(self, path: &Path) -> Result<Rows, TableError> {
+        let file = File::open(path)?;
+        Ok(match self {
+            Self::Csv => Box::new(csv::rows(BufReader::new(file))),
+            Self::Jsonl => Box::new(json_lines::rows(BufReader::new(file))),
+            #[cfg(feature = "parquet")]
+            Self::Parquet => Box::new(parquet::rows(file)?),
+            #[cfg(not(feature = "parquet"))]
+            Self::Parquet => return Err(TableError::NoParquet),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_come_back_from_every_format_as_they_went() {
+        let directory = tempfile::tempdir().unwrap();
+        let mut rows = vec![
+            Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]]),
+            Row::of(1, [[2.0, -1.0, 1.0 / 3.0], [1e-300, 0.0, 6e150]]),
+            Row::of(2, [[2.0, 1.5, 1.0], [0.0; 3]]),
+        ];
+        rows[1].error = Some("a \"text\", with commas;\nand a line".to_owned());
+        for format in [Format::Csv, Format::Jsonl, Format::Parquet] {
+            let path = directory.path().join(format.name());
+            if !format.is_available() {
+                assert!(format.sink(Vec::new()).is_err());
+                continue;
+            }
+            let bytes = || {
+                let mut out = Vec::new();
+                let mut sink = format.sink(&mut out).unwrap();
+                for row in &rows {
+                    sink.write(row).unwrap();
+                }
+                sink.finish().unwrap();
+                drop(sink);
+                out
+            };
+            let first = bytes();
+            assert_eq!(first, bytes(), "{format:?}");
+            std::fs::write(&path, first).unwrap();
+            let read: Vec<Row> = format.rows(&path).unwrap().map(Result::unwrap).collect();
+            assert_eq!(read, rows, "{format:?}");
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! Scans: the same bytes whole, in shards, broken off and taken up again; and what is refused.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+use serde_json::Value;
+use tempfile::tempdir;
+
+use crate::builder::{PROGRAM, bifdiag};
+
+const GENERAL: &str = "scan --family general --samples 300 --seed 4";
+
+fn read(path: &Path) -> Vec<u8> {
+    fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_slice(&read(path)).unwrap()
+}
+
+#[test]
+fn a_scan_writes_rows_and_a_summary_and_the_same_again() {
+    let place = tempdir().unwrap();
+    for format in ["csv", "jsonl", "parquet"] {
+        let out = format!("a.{format}");
+        bifdiag(&format!("{GENERAL} --out {out}"))
+            .inside(place.path())
+            .succeeds()
+            .telling_nothing()
+            .printing("300 bodies");
+        let first = [&out, &format!("{out}.summary.json")].map(|name| read(&place.path().join(name)));
+        bifdiag(&format!("{GENERAL} --out {out} --threads 1")).inside(place.path()).succeeds();
+        let second = [&out, &format!("{out}.summary.json")].map(|name| read(&place.path().join(name)));
+        assert!(first == second, "{format}");
+    }
+    let summary = json(&place.path().join("a.csv.summary.json"));
+    assert_eq!((&summary["rows"], &summary["classified"]), (&Value::from(300), &Value::from(300)));
+    let counted: u64 = summary["classes"].as_array().unwrap().iter().map(|c| c["bodies"].as_u64().unwrap()).sum();
+    assert_eq!(counted, 300);
+    let parquet = json(&place.path().join("a.parquet.summary.json"));
+    assert_eq!(parquet["classes"], summary["classes"]);
+    let mut left: Vec<String> = fs::read_dir(place.path())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+        .filter(|name| name.contains("partial") || name.contains("new"))
+        .collect();
+    left.sort();
+    assert!(left.is_empty(), "{left:?}");
+}
+
+#[test]
+fn rows_on_stdout_are_those_of_the_file() {
+    let place = tempdir().unwrap();
+    for format in ["csv", "jsonl"] {
+        bifdiag(&format!("{GENERAL} --out a.{format}")).inside(place.path()).succeeds();
+        let printed = bifdiag(&format!("{GENERAL} --format {format} --out -")).succeeds().stdout();
+        assert_eq!(printed.into_bytes(), read(&place.path().join(format!("a.{format}"))), "{format}");
+    }
+}
+
+#[test]
+fn katok_bodies_of_a_grid_have_seven_classes() {
+    let place = tempdir().unwrap();
+    let grid = "scan --family katok --vary A2=0.3025:1.6925:30,A3=0.3075:1.6975:30 --out katok.parquet --json";
+    let summary = bifdiag(grid).inside(place.path()).succeeds().json();
+    assert_eq!((summary["rows"].as_u64(), summary["classes"].as_array().unwrap().len()), (Some(900), 7));
+    assert_eq!(summary["undecided"], 0);
+    bifdiag("scan map katok.parquet --x A2 --y A3 --out maps/katok --format svg,png,pdf")
+        .inside(place.path())
+        .succeeds();
+    let svg = fs::read_to_string(place.path().join("maps/katok.svg")).unwrap();
+    assert!(svg.contains("7 classes") && svg.contains("katok:5"));
+    for show in ["regions", "critical-points"] {
+        bifdiag(&format!("scan map katok.parquet --x A2 --y A3 --show {show}")).inside(place.path()).succeeds();
+    }
+}
+
+#[test]
+fn a_body_that_fails_is_a_row_with_its_error() {
+    let place = tempdir().unwrap();
+    // A3 = 1e-80 leaves the range of f64.
+    let line = "scan --A 1,1,1 --r 1,0,0 --vary A3=1e-80:1:3 --out a.jsonl --json";
+    let summary = bifdiag(line).inside(place.path()).succeeds().json();
+    assert_eq!((&summary["failed"], &summary["classified"]), (&Value::from(1), &Value::from(2)));
+    let text = fs::read_to_string(place.path().join("a.jsonl")).unwrap();
+    let first: Value = serde_json::from_str(text.lines().next().unwrap()).unwrap();
+    assert_eq!(first["status"], "failed");
+    assert!(first["error"].as_str().unwrap().contains("10^25") && first["class"].is_null());
+}
+
+fn shards(place: &Path, count: usize, ending: &str) -> Vec<PathBuf> {
+    (1..=count)
+        .map(|i| {
+            let name = format!("shard-{i}.{ending}");
+            bifdiag(&format!("{GENERAL} --shard {i}/{count} --out {name}")).inside(place).succeeds();
+            PathBuf::from(name)
+        })
+        .collect()
+}
+
+fn merge(place: &Path, shards: &[PathBuf], out: &str) -> crate::builder::Run {
+    let mut run = bifdiag(&format!("scan merge --out {out}")).inside(place);
+    for shard in shards {
+        run = run.and(shard);
+    }
+    run
+}
+
+#[test]
+fn merged_shards_are_the_scan_in_one_piece() {
+    for ending in ["csv", "parquet"] {
+        let place = tempdir().unwrap();
+        let mut parts = shards(place.path(), 7, ending);
+        parts.reverse();
+        let whole = format!("whole.{ending}");
+        bifdiag(&format!("{GENERAL} --out {whole}")).inside(place.path()).succeeds();
+        merge(place.path(), &parts, &format!("merged.{ending}")).succeeds();
+        for end in ["", ".summary.json"] {
+            let [one, other] =
+                ["whole", "merged"].map(|name| read(&place.path().join(format!("{name}.{ending}{end}"))));
+            assert!(one == other, "{ending}{end}");
+        }
+        // A shard of another format is no obstacle.
+        merge(place.path(), &parts, "merged.jsonl").succeeds();
+    }
+}
+
+#[test]
+fn overlapping_missing_foreign_truncated_and_altered_shards_are_refused_by_name() {
+    let place = tempdir().unwrap();
+    let parts = shards(place.path(), 3, "csv");
+    let run = |shards: &[PathBuf]| merge(place.path(), shards, "out.csv");
+    run(&[]).refused().telling("merge needs shards");
+    run(&parts[..2]).refused().telling("bodies 200 to 299 of 300 are missing (after shard-2.csv)");
+    run(&parts[1..]).refused().telling("bodies 0 to 99 of 300 are missing (before shard-2.csv)");
+    let gap = [parts[0].clone(), parts[2].clone()];
+    run(&gap).refused().telling("bodies 100 to 199").telling("between shard-1.csv and shard-3.csv");
+    let twice = [parts[0].clone(), parts[1].clone(), parts[1].clone(), parts[2].clone()];
+    run(&twice).refused().telling("shard-2.csv overlaps shard-2.csv");
+    bifdiag(&format!("{GENERAL} --shard 1/2 --out half.csv")).inside(place.path()).succeeds();
+    run(&[PathBuf::from("half.csv"), parts[1].clone(), parts[2].clone()])
+        .refused()
+        .telling("shard-2.csv overlaps half.csv: both hold body 100");
+    bifdiag("scan --family general --samples 300 --seed 5 --shard 3/3 --out foreign.csv")
+        .inside(place.path())
+        .succeeds();
+    run(&[parts[0].clone(), parts[1].clone(), PathBuf::from("foreign.csv")])
+        .refused()
+        .telling("foreign.csv belongs to another scan than shard-1.csv")
+        .telling("which bodies it looks at");
+    run(&[parts[0].clone(), PathBuf::from("nowhere.csv")]).refused().telling("nowhere.csv");
+    merge(place.path(), &parts, "shard-1.csv").refused().telling("the output is one of the shards");
+    let good = read(&place.path().join("shard-2.csv"));
+    fs::write(place.path().join("shard-2.csv"), &good[..good.len() - 200]).unwrap();
+    run(&parts).refused().telling("shard-2.csv is not what its summary describes").telling("truncated or altered");
+    let mut altered = good.clone();
+    let digit = altered.iter().rposition(|byte| *byte == b'1').unwrap();
+    altered[digit] = b'2';
+    fs::write(place.path().join("shard-2.csv"), &altered).unwrap();
+    run(&parts).refused().telling("shard-2.csv is not what its summary describes");
+    fs::write(place.path().join("shard-2.csv"), &good).unwrap();
+    fs::remove_file(place.path().join("shard-2.csv.summary.json")).unwrap();
+    run(&parts).refused().telling("shard-2.csv: its summary shard-2.csv.summary.json cannot be read");
+    assert!(!place.path().join("out.csv").exists());
+}
+
+/// Twenty kills at moments that depend on nothing but a generator of numbers; the result is that of an unbroken scan.
+#[test]
+fn a_scan_killed_twenty_times_ends_with_the_same_bytes() {
+    for ending in ["csv", "parquet"] {
+        let place = tempdir().unwrap();
+        let line = |name: &str| format!("scan --family general --samples 3000 --out {name}.{ending}");
+        bifdiag(&line("whole")).inside(place.path()).succeeds();
+        let mut state = 88_172_645_463_325_252_u64;
+        let mut kills = 0;
+        while kills < 20 {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            let mut child = Command::new(PROGRAM)
+                .args(line("broken").split_whitespace())
+                .current_dir(place.path())
+                .stdout(Stdio::null())
+                .stderr(Stdio::null())
+                .spawn()
+                .unwrap();
+            sleep(Duration::from_millis(5 + state % 90));
+            if child.try_wait().unwrap().is_some() {
+                // It was done before: begin anew.
+                for end in ["", ".summary.json"] {
+                    fs::remove_file(place.path().join(format!("broken.{ending}{end}"))).unwrap();
+                }
+                continue;
+            }
+            child.kill().unwrap();
+            child.wait().unwrap();
+            kills += 1;
+        }
+        bifdiag(&line("broken")).inside(place.path()).succeeds();
+        for end in ["", ".summary.json"] {
+            let [one, other] =
+                ["whole", "broken"].map(|name| read(&place.path().join(format!("{name}.{ending}{end}"))));
+            assert!(one == other, "{ending}{end}");
+        }
+        assert!(!place.path().join(format!("broken.{ending}.partial")).exists());
+    }
+}
+
+#[test]
+fn the_beginning_of_another_scan_is_not_taken_up() {
+    let place = tempdir().unwrap();
+    let mut child = Command::new(PROGRAM)
+        .args("scan --family general --samples 1000000 --out a.csv".split_whitespace())
+        .current_dir(place.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let journal = place.path().join("a.csv.partial");
+    while fs::metadata(&journal).map_or(0, |journal| journal.len()) < 1000 {
+        sleep(Duration::from_millis(5));
+    }
+    bifdiag("scan --family general --samples 1000000 --out a.csv")
+        .inside(place.path())
+        .refused()
+        .telling("another process");
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let other = "scan --family general --samples 20 --out a.csv";
+    bifdiag(other)
+        .inside(place.path())
+        .refused()
+        .telling("a.csv.partial holds the beginning of another scan")
+        .telling("--restart");
+    bifdiag(&format!("{other} --restart")).inside(place.path()).succeeds().printing("20 bodies");
+    assert!(!journal.exists());
+}
+
+#[test]
+fn katoks_borders_come_out_exactly() {
+    let k2: f64 = 1.0 - 0.7;
+    let cases = [
+        (
+            "--body katok:2 --vary A3=0.7:0.8",
+            "A3",
+            0.75,
+            "cusp-at-pitchfork",
+            "the cusp of the pair S3 reaches its pitchfork",
+        ),
+        ("--body katok:4 --vary A2=0.93:1.07", "A2", 1.0, "pitchfork-at-infinity", "goes through infinity to"),
+        ("--body katok:1 --vary A3=0.9:1.2", "A3", 1.0, "pitchfork-at-infinity", "goes through infinity to"),
+        (
+            "--A 1,0.7,0.6 --r 1,0,0 --vary A3=0.62:0.698",
+            "A3",
+            1.0 - 0.25 / (1.0 / k2.sqrt() - 1.0),
+            "pitchfork-on-curve",
+            "the pitchfork of L- and S3 passes through S2",
+        ),
+        ("--A 2,1.1,1 --r 1,0,0 --vary A2=1.3:1.9", "A2", 1.5, "cusp-at-pitchfork", "S2"),
+    ];
+    for (line, parameter, expected, kind, text) in cases {
+        let found = bifdiag(&format!("scan border {line} --json")).succeeds().json();
+        let border = &found["border"][0];
+        assert_eq!(border["parameter"], parameter, "{line}");
+        let value = border["value"].as_f64().unwrap();
+        assert!((value - expected).abs() < 1e-10, "{line}: {value} for {expected}");
+        assert_eq!((&found["reached"], &found["event"]["kind"]), (&Value::Bool(true), &Value::from(kind)), "{line}");
+        assert!(found["event"]["text"].as_str().unwrap().contains(text), "{line}: {}", found["event"]["text"]);
+    }
+}
+
+#[test]
+fn found_witnesses_are_what_they_say() {
+    for (line, section) in [("--type M4", "M4"), ("--circles 2 --poles 1 --physical", "M2")] {
+        let found = bifdiag(&format!("find {line} --json")).succeeds().json();
+        assert_eq!(found["found"], true, "{line}");
+        let list = |key: &str| {
+            let numbers: Vec<&str> = found[key].as_array().unwrap().iter().map(|x| x.as_str().unwrap()).collect();
+            numbers.join(",")
+        };
+        let (h, l) = (found["h"].as_str().unwrap(), found["l"].as_str().unwrap());
+        let again = format!("classify --A {} --r {} --h {h} --l {l} --json", list("A"), list("r"));
+        let point = bifdiag(&again).succeeds().json();
+        assert_eq!(point["components"], found["components"], "{line}");
+        let sections: Vec<&str> =
+            found["components"].as_array().unwrap().iter().map(|c| c["section"].as_str().unwrap()).collect();
+        assert!(sections.contains(&section), "{line}: {sections:?}");
+    }
+    let nothing = bifdiag("find --type k3n0 --samples 2000 --json").succeeds().json();
+    assert_eq!((&nothing["found"], &nothing["tried"]), (&Value::Bool(false), &Value::from(2000)));
+    assert!(nothing["nearest"]["missing"].as_f64().unwrap() > 0.0);
+    bifdiag("find --critical-points 8").succeeds().printing("8 relative equilibria is shown by");
+}
+
+#[test]
+#[cfg(not(feature = "parquet"))]
+fn without_parquet_the_feature_is_named() {
+    bifdiag(&format!("{GENERAL} --out a.parquet")).refused().telling("feature `parquet`").telling(".csv");
+}

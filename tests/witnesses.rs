@@ -1,0 +1,46 @@
+//! Every witness in `data/witnesses.json` shows what it says, by both topological methods, and with room.
+
+use bifdiag::body::{Body, Number};
+use bifdiag::classify::classify;
+use bifdiag::document::ComponentDocument;
+use bifdiag::search::{Target, Witness};
+use bifdiag::topology::{Component, Poles, latitude};
+
+fn witnesses() -> Vec<Witness> {
+    serde_json::from_str(include_str!("../data/witnesses.json")).unwrap()
+}
+
+fn component(document: &ComponentDocument) -> Component {
+    let signs = document.poles.as_ref().unwrap();
+    let has = |sign: &str| signs.iter().any(|pole| pole == sign);
+    Component { boundary_circles: document.boundary_circles, poles: Some(Poles { plus: has("+"), minus: has("-") }) }
+}
+
+#[test]
+fn both_methods_confirm_every_witness() {
+    for witness in witnesses() {
+        let target = Target::of_type(&witness.kind).or_else(|_| Target::of_signature(&witness.kind)).unwrap();
+        let components: Vec<Component> = witness.components.iter().map(component).collect();
+        assert!(target.accepts_region(&components), "{}", witness.kind);
+        let texts = |numbers: &[Number; 3]| numbers.each_ref().map(|number| number.text().to_owned());
+        let body = Body::parse(&texts(&witness.moments), &texts(&witness.center)).unwrap();
+        let answer = classify(&body, &witness.h, &witness.l).unwrap();
+        assert_eq!(answer.components.as_ref(), Some(&witness.components), "{}", witness.kind);
+        assert_eq!(answer.margin, witness.margin, "{}", witness.kind);
+        let frame = body.frame();
+        let (h, l) = (witness.h.to_f64() / frame.energy_unit, witness.l.to_f64() / frame.momentum_unit);
+        assert_eq!(latitude::components(&frame, h, l).unwrap(), components, "{}", witness.kind);
+        // Well visible: by far not a matter of rounding.
+        let r = body.center_f64().iter().map(|c| c * c).sum::<f64>().sqrt();
+        assert!(witness.margin.h > 1e-3 * r, "{}: {:?}", witness.kind, witness.margin);
+    }
+}
+
+#[test]
+fn all_of_table_1_but_the_tenth_entry_is_there() {
+    let kinds: Vec<String> = witnesses().into_iter().map(|witness| witness.kind).collect();
+    for kind in ["k1n0", "k2n0", "k1n1", "k2n1", "k3n1", "k0n2", "k1n2", "k2n2", "k3n2"] {
+        assert!(kinds.iter().any(|known| known == kind), "{kind}");
+    }
+    assert!(kinds.iter().any(|kind| kind.contains('+')));
+}
