@@ -3,6 +3,7 @@
 pub mod arrangement;
 pub mod atlas;
 pub mod body;
+pub mod certified;
 pub mod classify;
 pub mod continuation;
 pub mod critical;
