@@ -4,5 +4,6 @@ mod enclosure;
 mod estimate;
 mod family;
 mod model;
+mod point;
 mod polynomial;
 mod wide;
