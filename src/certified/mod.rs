@@ -4,6 +4,7 @@ mod enclosure;
 mod estimate;
 mod family;
 mod model;
+mod pair;
 mod point;
 mod polynomial;
 mod wide;

@@ -41,6 +41,22 @@ impl<E: Enclosure> Point<E> {
         self.x.clone() / self.at.j.clone() - self.at.rho.clone() + self.correction.clone()
     }
 
+    /// The point where a curve ends.
+    pub fn at_end(half: Half, y: E, state: State<E>, c: &Constants<E>) -> Self {
+        let (x, correction) = (state.x.clone(), c.small(0));
+        Self { x, place: Some((half, y)), over: state.clone(), at: state, correction, critical: true }
+    }
+
+    /// h − x/a of a moment.
+    pub fn h_above(&self, c: &Constants<E>, group: usize, a: &E) -> E {
+        let n = self.at.gamma.len();
+        // a − J about the moment itself.
+        let excess = (0..n).filter(|&k| k != group).fold(c.small(0), |sum, k| {
+            sum + self.at.gamma[k].square() * c.diff[group][k].clone()
+        });
+        self.x.clone() * excess / (self.at.j.clone() * a.clone()) - self.at.rho.clone() + self.correction.clone()
+    }
+
     pub fn slope(&self, c: &Constants<E>) -> E {
         c.small(1) / self.over.j.clone()
     }
