@@ -1,4 +1,5 @@
 //! Certified mathematics.
+mod arrange;
 mod curves;
 mod enclosure;
 mod estimate;
@@ -6,5 +7,6 @@ mod family;
 mod model;
 mod pair;
 mod point;
+mod polar;
 mod polynomial;
 mod wide;

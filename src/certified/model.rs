@@ -160,7 +160,7 @@ impl Model {
     }
 
     /// In v = s² over a passive group: E = (a v − R̂)²/J_r − a v² + 3R̂ v and E² − 4r² v³, whose roots beyond P̂ are the
-    /// meetings with a pole line, P− where E > 0 and P+ where E < 0 (MATH §2).
+    /// meetings with a pole line, P+ where E > 0 and P− where E < 0 (from h = s a/2 − 3R̂/(2s) = x/J_r ∓ r).
     pub fn pole_polynomials_over(&self, group: usize) -> [Polynomial; 2] {
         let (r_sum, _) = self.sums_over(group);
         let a = self.a(group).clone();

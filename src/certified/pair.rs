@@ -7,9 +7,7 @@
 //! the half-line are closed by limits: a common cusp by the monotony of J through it, a common pitchfork by curvature,
 //! x → ∞ by the limits of slope and of h − x/a.
 
-use dashu_ratio::RBig;
-
-use super::curves::{Bound, End, Place, Shape};
+use super::curves::{End, Place, Shape};
 use super::enclosure::Enclosure;
 use super::family::Half;
 use super::point::{Evaluator, Point};
@@ -231,12 +229,19 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let opposite = self.point(curves[other], &end.x)?;
         let at = if ending == 0 { [end, opposite] } else { [opposite, end] };
         let x = at[ending].x.clone();
-        Some(Some(Side::Node(Box::new(self.node_of(x, Mark::End, at)))))
+        let node = self.node_of(x, Mark::End, at);
+        let meet = self.meet_at(curves[ending], side, curves[other]);
+        Some(Some(Side::Node(Box::new(if meet { self.meeting(node) } else { node }))))
     }
 
     fn node_of(&self, x: E, mark: Mark, at: [Point<E>; 2]) -> Node<E> {
         let gap = self.gap(&at[0], &at[1]);
         Node { x, mark, sign: gap.sign(), gap, at }
+    }
+
+    /// A node at which the curves are known to meet.
+    fn meeting(&self, node: Node<E>) -> Node<E> {
+        Node { sign: Some(0), gap: self.c.small(0), ..node }
     }
 
     fn node(&self, curves: [usize; 2], x: f64) -> Option<Node<E>> {
@@ -434,6 +439,11 @@ impl<E: Enclosure> Evaluator<'_, E> {
                         push(p, Proof::Constant(Reason::Monotone));
                         return Ok(());
                     }
+                    // They meet at one end, which is proved elsewhere.
+                    (Some(0), Some(q)) | (Some(q), Some(0)) if q != 0 => {
+                        push(q, Proof::Constant(Reason::Monotone));
+                        return Ok(());
+                    }
                     (Some(p), Some(q)) if p * q < 0 => {
                         let at = self.crossing(curves, from, to, p).ok_or(open)?;
                         push(p, Proof::Crossing(at));
@@ -555,9 +565,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let phi = |which: usize| {
             let limit = limits[which]?;
             let point = &node.at[which];
-            let range = self.moments(curves[which], point, None)?;
             // J is monotone towards a: no inflection ahead, so that h − x/a is monotone.
-            let settled = range.hull(&point.over.j).magnitude() <= point.over.j.hull(&self.c.a[limit.group]).magnitude();
             let a = self.c.a[limit.group].clone();
             let now = point.h_above(&self.c, limit.group, &a);
             let root = self.c.root_q[limit.group].clone();
@@ -566,7 +574,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
                 -1 => root,
                 _ => self.c.small(0),
             };
-            (settled && self.straight(curves[which], point)).then(|| now.hull(&end))
+            self.straight(curves[which], point).then(|| now.hull(&end))
         };
         let (p, q) = (phi(0)?, phi(1)?);
         strict(&(p - q)).filter(|sign| *sign == gap).map(|sign| (sign, Reason::FarSameAxis))
@@ -596,21 +604,6 @@ fn position<E: Enclosure>(side: &Side<E>) -> Option<E> {
     }
 }
 
-/// True when a bound is a limit that no evaluation reaches.
-#[allow(dead_code)]
-fn is_limit(bound: &Bound) -> bool {
-    matches!(bound, Bound::Zero | Bound::Infinity)
-}
-
-/// The exact value of a mark.
-#[allow(dead_code)]
-pub(super) fn exact(mark: Mark) -> Option<RBig> {
-    match mark {
-        Mark::End => None,
-        Mark::At(x) => RBig::try_from(x).ok(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::curves::Curves;
@@ -624,7 +617,7 @@ mod tests {
     fn crossings(body: &Body) -> usize {
         let model = Model::new(body, &body.frame());
         let curves = Curves::new(&model, 160).unwrap();
-        let evaluator = Evaluator::<Narrow>::new(&model, &curves, ());
+        let evaluator = Evaluator::<Narrow>::new(&model, &curves, &[], ());
         let arrangement = Arrangement::new(CriticalSet::new(body.frame()).unwrap());
         let mut found = Vec::new();
         for b in 0..curves.list.len() {

@@ -17,6 +17,8 @@ pub(super) struct Evaluator<'a, E: Enclosure> {
     estimate: Constants<Estimate>,
     /// x at the ends of each curve's segments, as estimates.
     ends: Vec<Vec<[f64; 2]>>,
+    /// (curve, side, other): the other curve passes exactly through this end of the curve.
+    meetings: Vec<(usize, usize, usize)>,
 }
 
 /// A point of a curve over x.
@@ -63,7 +65,12 @@ impl<E: Enclosure> Point<E> {
 }
 
 impl<'a, E: Enclosure> Evaluator<'a, E> {
-    pub fn new(model: &'a Model, curves: &'a Curves, precision: E::Precision) -> Self {
+    pub fn new(
+        model: &'a Model,
+        curves: &'a Curves,
+        meetings: &[(usize, usize, usize)],
+        precision: E::Precision,
+    ) -> Self {
         let c = Constants::new(model, precision);
         let estimate = Constants::new(model, ());
         let ends = curves
@@ -76,7 +83,12 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                 _ => Vec::new(),
             })
             .collect();
-        Self { model, curves, c, estimate, ends }
+        Self { model, curves, c, estimate, ends, meetings: meetings.to_vec() }
+    }
+
+    /// It is proved that a curve passes through this end of another.
+    pub fn meet_at(&self, curve: usize, side: usize, other: usize) -> bool {
+        self.meetings.contains(&(curve, side, other))
     }
 
     pub fn state(&self, half: Half, y: &E) -> State<E> {
@@ -337,7 +349,7 @@ mod tests {
             let model = Model::new(&body, &frame);
             let curves = Curves::new(&model, 200).unwrap();
             let set = CriticalSet::new(frame).unwrap();
-            let evaluator = Evaluator::<E>::new(&model, &curves, precision);
+            let evaluator = Evaluator::<E>::new(&model, &curves, &[], precision);
             for x in [0.2, 0.7, 1.7, 3.1, 5.3, 8.8, 40.0, 1e7] {
                 let x_set = E::double(x, precision);
                 let mut points: Vec<(Point<E>, f64)> = Vec::new();
