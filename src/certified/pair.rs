@@ -244,6 +244,14 @@ impl<E: Enclosure> Evaluator<'_, E> {
         Node { sign: Some(0), gap: self.c.small(0), ..node }
     }
 
+    /// The node at x, or at a number with few bits next to it.
+    fn node_near(&self, curves: [usize; 2], x: f64, between: [f64; 2]) -> Option<Node<E>> {
+        const DROPPED: u32 = 30;
+        let short = f64::from_bits((x.to_bits() >> DROPPED) << DROPPED);
+        let inside = between[0] < short && short < between[1];
+        self.node(curves, if inside { short } else { x })
+    }
+
     fn node(&self, curves: [usize; 2], x: f64) -> Option<Node<E>> {
         let set = E::double(x, self.c.precision);
         let at = [self.point(curves[0], &set)?, self.point(curves[1], &set)?];
@@ -267,7 +275,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
                 let open = Open { x: [from, from + step] };
                 for _ in 0..DEPTH {
                     let found = self
-                        .node(curves, from + step)
+                        .node_near(curves, from + step, [from, to])
                         .and_then(|node| self.sign_beside(curves, lower, &node, 0).map(|sign| (sign, node)));
                     if let Some(((sign, reason), node)) = found {
                         let proof = Proof::Constant(reason);
@@ -298,7 +306,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let mut step = 0.5 * (to - from);
         for _ in 0..DEPTH {
             let found = self
-                .node(curves, to - step)
+                .node_near(curves, to - step, [from, to])
                 .and_then(|node| self.sign_beside(curves, upper, &node, 1).map(|sign| (sign, node)));
             if let Some(((sign, reason), node)) = found {
                 stretches.push(Stretch { x: [node.mark, Mark::End], sign, proof: Proof::Constant(reason) });
@@ -464,7 +472,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
             .into_iter()
             .map(|t| if high > 4.0 * low && low > 0.0 { low.sqrt() * high.sqrt() * (0.9 + 0.2 * t) } else { low + t * (high - low) })
             .filter(|x| *x > low && *x < high)
-            .find_map(|x| self.node(curves, x).filter(|node| node.sign.is_some_and(|sign| sign != 0)))
+            .find_map(|x| self.node_near(curves, x, [low, high]).filter(|node| node.sign.is_some_and(|sign| sign != 0)))
             .ok_or(open)?;
         self.between(curves, from, &middle, depth, stretches)?;
         self.between(curves, &middle, to, depth, stretches)
@@ -540,7 +548,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
             let next = [8.0, 7.0, 10.0]
                 .into_iter()
                 .find_map(|factor| {
-                    self.node(curves, factor * from).filter(|node| node.sign.is_some_and(|sign| sign != 0))
+                    self.node_near(curves, factor * from, [2.0 * from, f64::INFINITY]).filter(|node| node.sign.is_some_and(|sign| sign != 0))
                 })
                 .ok_or(Open { x: [from, f64::INFINITY] })?;
             self.between(curves, &node, &next, DEPTH, stretches)?;
