@@ -17,7 +17,10 @@
 //! `equilibria` and `arrangement` but their vocabulary ([`crate::equilibria::Branch`] and its like).
 
 mod arrange;
+mod certificate;
 mod curves;
+mod decimal;
+mod document;
 mod enclosure;
 mod estimate;
 mod family;
@@ -32,10 +35,13 @@ mod wide;
 use thiserror::Error;
 
 use crate::body::{Body, Frame};
+use crate::equilibria::EquilibriaError;
 use crate::topology::Component;
 use arrange::{Arrangement, Undecided};
 use model::Model;
 use region::Region;
+
+pub use certificate::checksum;
 
 /// A proved atlas.
 #[derive(Clone, Debug)]
@@ -85,6 +91,20 @@ pub enum Obstacle {
 pub struct NotProved {
     /// Each of them.
     pub obstacles: Vec<Obstacle>,
+}
+
+/// Why a proved atlas cannot be written as a document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum NotWritten {
+    /// The curves cannot be drawn.
+    #[error(transparent)]
+    Equilibria(EquilibriaError),
+    /// In `f64` other curves are found than those that are proved.
+    #[error("the curves as drawn in f64 are not those that are proved: their cusps cannot be told apart in f64")]
+    Curves,
+    /// JSON.
+    #[error("the atlas cannot be written as JSON")]
+    Json,
 }
 
 impl CertifiedAtlas {
