@@ -17,6 +17,7 @@ pub mod plot;
 pub mod section;
 pub mod stability;
 pub mod topology;
+pub mod verify;
 
 /// The Rust examples of the documentation are tests.
 #[cfg(all(doctest, feature = "plot"))]

@@ -86,14 +86,18 @@ impl Polynomial {
 
     /// −1, 0 or 1 at p/q.
     pub fn sign_at(&self, at: &RBig) -> i8 {
-        let (p, q) = (at.numerator(), IBig::from(at.denominator().clone()));
+        sign(&self.homogeneous(at.numerator(), &IBig::from(at.denominator().clone())))
+    }
+
+    /// qⁿ p(p/q).
+    fn homogeneous(&self, p: &IBig, q: &IBig) -> IBig {
         let mut power = IBig::ONE;
         let mut value = IBig::ZERO;
         for c in self.c.iter().rev() {
             value = value * p + c * &power;
-            power *= &q;
+            power *= q;
         }
-        sign(&value)
+        value
     }
 
     pub fn derivative(&self) -> Self {
@@ -402,20 +406,21 @@ impl Root {
     fn fence(&self) -> Option<(RBig, RBig)> {
         let width = &self.hi - &self.lo;
         let middle = (&self.hi + &self.lo) / RBig::from(2);
-        let derivative = self.polynomial.derivative();
-        let slope = derivative.value(&middle);
-        if slope.is_zero() {
+        // f/f' at p/q without fractions: f = N/qⁿ, f' = M/qⁿ⁻¹, so that the guess is (p M − N)/(q M).
+        let (p, q) = (middle.numerator(), IBig::from(middle.denominator().clone()));
+        let (n, m) = (self.polynomial.homogeneous(p, &q), self.polynomial.derivative().homogeneous(p, &q));
+        if m == IBig::ZERO {
             return None;
         }
-        let guess = &middle - self.polynomial.value(&middle) / slope;
         let relative = (&width / &self.hi).to_f64().value();
         // Newton squares the relative width; half of the gain is taken, so that the fence holds the root.
         let bits = i64::from(exponent(relative)).abs();
         let gain = usize::try_from(bits + bits / 2 + 2).ok()?;
-        let half = &self.hi / RBig::from(IBig::ONE << gain.min(4000));
-        let grid = RBig::from(IBig::ONE << (2 * gain + 8).min(8000));
-        let round = |x: RBig| RBig::from((x * &grid).round()) / &grid;
-        let (low, high) = (round(&guess - &half), round(&guess + &half));
+        let bits = (2 * gain + 8).min(8000);
+        let grid = RBig::from(IBig::ONE << bits);
+        let guess = ((p * &m - n) << bits) / (&q * &m);
+        let reach = (&self.hi * &grid / RBig::from(IBig::ONE << gain.min(4000))).ceil();
+        let (low, high) = (RBig::from(&guess - &reach) / &grid, RBig::from(guess + reach) / grid);
         (self.lo < low && high < self.hi).then_some((low, high))
     }
 
@@ -444,9 +449,6 @@ impl Polynomial {
         self.composed(lo, &(hi - lo))
     }
 
-    fn value(&self, at: &RBig) -> RBig {
-        self.c.iter().rev().fold(RBig::ZERO, |sum, c| sum * at + RBig::from(c.clone()))
-    }
 }
 
 /// Sum, product and difference of polynomials with rational coefficients, to build the integer ones from.

@@ -23,7 +23,7 @@ use super::{layout, output};
 const COLD_POINTS: usize = 4;
 
 pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
-    let accuracy = arguments.accuracy.level()?;
+    let accuracy = arguments.accuracy.level();
     let (h, l) = (&arguments.energy, &arguments.momentum);
     if let Some(path) = &arguments.batch.batch {
         for (option, given) in [("--h", h.is_some()), ("--l", l.is_some())] {

@@ -22,6 +22,7 @@ mod subject;
 mod table;
 mod timings;
 mod values;
+mod verify;
 
 use arguments::Command;
 pub use arguments::Options;
@@ -47,6 +48,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Some(Command::Atlas(arguments)) => atlas::run(arguments, &timings),
         Some(Command::Classify(arguments)) => classify::run(arguments, &timings, quiet),
         Some(Command::Critical(arguments)) => critical::run(arguments, &timings, quiet),
+        Some(Command::Verify(arguments)) => verify::run(arguments, &timings),
         Some(Command::Bodies(arguments)) => bodies::run(arguments),
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments),
