@@ -314,8 +314,12 @@ fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<(usize, usize, usize
 }
 
 fn crossing_event(evaluator: &Evaluator<'_, Wide>, pair: [usize; 2], x: [f64; 2]) -> Event {
-    let set = evaluator.c.small(0) + Wide::double(x[0], evaluator.c.precision).hull(&Wide::double(x[1], evaluator.c.precision));
-    let h = evaluator.point(pair[0], &set).map_or([f64::NEG_INFINITY, f64::INFINITY], |point| point.h().bounds());
+    // h rises with x.
+    let height = |x: f64| {
+        let point = evaluator.point(pair[0], &Wide::double(x, evaluator.c.precision));
+        point.map_or([f64::NEG_INFINITY, f64::INFINITY], |point| point.h().bounds())
+    };
+    let h = [height(x[0])[0], height(x[1])[1]];
     let exact = x.map(|x| RBig::try_from(x).unwrap_or(RBig::ZERO));
     Event { sources: vec![Source::Crossing(pair)], curves: pair.to_vec(), x: exact, h }
 }

@@ -168,7 +168,8 @@ impl CertifiedAtlas {
         };
         let end = wide.end_point(curves[ending], side)?;
         let opposite = wide.point(curves[1 - ending], &end.x)?;
-        let (p, q) = (document(&end.place?, ROOT_DIGITS)?, document(&opposite.place?, ROOT_DIGITS)?);
+        // The place opposite must hold x of the whole range in which the end is isolated.
+        let (p, q) = (document(&end.place?, ROOT_DIGITS)?, document(&opposite.place?, NODE_DIGITS)?);
         Some(if ending == 0 { [p, q] } else { [q, p] })
     }
 }

@@ -18,6 +18,7 @@
 
 mod arrange;
 mod certificate;
+mod classify;
 mod curves;
 mod decimal;
 mod document;

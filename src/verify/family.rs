@@ -189,7 +189,14 @@ impl Spaces {
         // t_k = δ/(δ + d_k): each depends on δ once, so that its range is sharp.
         let mut t = Vec::with_capacity(n);
         for k in 0..n {
-            t.push(if k == base { one.clone() } else { one.over(&(&one + &(&difference(k) * &u)))? });
+            t.push(if k == base {
+                one.clone()
+            } else if self.active.contains(&k) {
+                one.over(&(&one + &(&difference(k) * &u)))?
+            } else {
+                // Without r the space does not enter; μ may pass its moment.
+                zero.clone()
+            });
         }
         let weights: Vec<Fixed> = (0..n).map(|k| &self.list[k].q_set * &t[k].square()).collect();
         let total = weights.iter().fold(zero.clone(), |sum, g| &sum + g);

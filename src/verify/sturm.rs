@@ -28,7 +28,26 @@ pub(super) fn plus(p: &[RBig], q: &[RBig], factor: &RBig) -> Coefficients {
 /// A polynomial with its Sturm sequence.
 #[derive(Clone, Debug)]
 pub(super) struct Sturm {
+    polynomial: Vec<IBig>,
+    /// Of the squarefree part, so that multiple roots at the ends of an interval do no harm.
     sequence: Vec<Vec<IBig>>,
+}
+
+/// p/d for a d that divides p, up to a positive factor.
+fn quotient(p: &[IBig], d: &[IBig]) -> Vec<IBig> {
+    let mut rest: Vec<RBig> = p.iter().map(|c| RBig::from(c.clone())).collect();
+    let lead = RBig::from(d[d.len() - 1].clone());
+    let mut result = vec![RBig::ZERO; (p.len() + 1).saturating_sub(d.len())];
+    while rest.len() >= d.len() {
+        let factor = &rest[rest.len() - 1] / &lead;
+        let offset = rest.len() - d.len();
+        for (k, c) in d.iter().enumerate() {
+            rest[offset + k] -= RBig::from(c.clone()) * &factor;
+        }
+        result[offset] = factor;
+        rest.pop();
+    }
+    integers(&result)
 }
 
 /// Integer multiples by a positive factor, without common divisor.
@@ -92,7 +111,11 @@ impl Sturm {
             sequence.push(next);
             next = after;
         }
-        Self { sequence }
+        let polynomial = sequence[0].clone();
+        if let Some(shared) = sequence.last().filter(|last| last.len() > 1).cloned() {
+            sequence = sequence.iter().map(|p| quotient(p, &shared)).collect();
+        }
+        Self { polynomial, sequence }
     }
 
     fn variations(&self, value: impl Fn(&[IBig]) -> i8) -> i64 {
@@ -131,7 +154,7 @@ impl Sturm {
     }
 
     pub fn sign_at(&self, x: &RBig) -> i8 {
-        sign_at(&self.sequence[0], x)
+        sign_at(&self.polynomial, x)
     }
 
     /// The greatest common divisor of two polynomials has a root in [lo, hi].
@@ -183,6 +206,9 @@ mod tests {
         assert_eq!(sturm.inside(Some(&RBig::from(1)), Some(&RBig::from(3))), 1);
         assert_eq!(sturm.closed(&RBig::from(1), &RBig::from(3)), 3);
         assert_eq!(sturm.inside(None, Some(&RBig::ZERO)), 1);
+        // Double roots at both ends.
+        let sturm = Sturm::new(&with_roots(&[0, 0, 1, 2, 2]));
+        assert_eq!(sturm.inside(Some(&RBig::ZERO), Some(&RBig::from(2))), 1);
         let none = Sturm::new(&plus(&with_roots(&[0, 0]), &[RBig::ONE], &RBig::ONE));
         assert_eq!(none.roots(None, None), 0);
     }
