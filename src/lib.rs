@@ -4,6 +4,7 @@ pub mod accessible;
 pub mod arrangement;
 pub mod atlas;
 pub mod body;
+pub mod certified;
 pub mod classify;
 pub mod continuation;
 pub mod critical;
@@ -19,6 +20,7 @@ pub mod poincare;
 pub mod section;
 pub mod stability;
 pub mod topology;
+pub mod verify;
 
 /// The Rust examples of the documentation are tests.
 #[cfg(all(doctest, feature = "plot"))]

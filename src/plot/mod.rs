@@ -9,6 +9,7 @@
 
 mod axes;
 mod canvas;
+mod chart;
 mod diagram;
 mod font;
 mod geometry;
@@ -30,6 +31,7 @@ mod ticks;
 mod trace;
 mod window;
 
+pub use chart::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
 pub use diagram::draw;
 pub use picture::Picture;
 pub use schematic::{Scheme, draw_scheme};

@@ -3,6 +3,7 @@
 mod diagrams;
 mod schemes;
 mod sections;
+mod tradeoff;
 mod typical;
 
 use bifdiag::plot::Picture;
@@ -25,7 +26,7 @@ struct Figure {
 
 /// Every figure, in the order of the gallery.
 fn figures() -> Vec<Figure> {
-    diagrams::figures().chain(schemes::figures()).chain(sections::figures()).collect()
+    diagrams::figures().chain(schemes::figures()).chain(sections::figures()).chain(tradeoff::figures()).collect()
 }
 
 pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failure> {
