@@ -191,7 +191,7 @@ impl Atlas {
     }
 }
 
-fn decided(
+pub(crate) fn decided(
     body: &Body,
     h: &Number,
     l: &Number,
@@ -206,7 +206,7 @@ fn decided(
     }
 }
 
-fn open(
+pub(crate) fn open(
     body: &Body,
     h: &Number,
     l: &Number,
@@ -236,7 +236,7 @@ fn open(
 }
 
 /// l = 0: U = −⟨γ, r⟩ has its minimum −r at r̂ and its maximum r at −r̂; decided exactly.
-fn at_rest(body: &Body, h: &Number, l: &Number) -> ClassificationDocument {
+pub(crate) fn at_rest(body: &Body, h: &Number, l: &Number) -> ClassificationDocument {
     use std::cmp::Ordering::{Equal, Greater, Less};
     let frame = body.frame();
     let r = frame.r_norm * frame.energy_unit;

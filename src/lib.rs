@@ -6,6 +6,7 @@ pub mod atlas;
 pub mod body;
 pub mod border;
 pub mod class;
+pub mod certified;
 pub mod classify;
 pub mod continuation;
 pub mod critical;
@@ -23,6 +24,7 @@ pub mod search;
 pub mod section;
 pub mod stability;
 pub mod topology;
+pub mod verify;
 
 /// The Rust examples of the documentation are tests.
 #[cfg(all(doctest, feature = "plot"))]

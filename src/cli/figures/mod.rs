@@ -4,6 +4,7 @@ mod diagrams;
 mod maps;
 mod schemes;
 mod sections;
+mod tradeoff;
 mod typical;
 
 use bifdiag::plot::Picture;
@@ -29,7 +30,12 @@ struct Figure {
 
 /// Every figure, in the order of the gallery.
 fn figures() -> Vec<Figure> {
-    diagrams::figures().chain(schemes::figures()).chain(sections::figures()).chain(maps::figures()).collect()
+    diagrams::figures()
+        .chain(schemes::figures())
+        .chain(sections::figures())
+        .chain(maps::figures())
+        .chain(tradeoff::figures())
+        .collect()
 }
 
 pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failure> {
