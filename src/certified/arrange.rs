@@ -9,7 +9,6 @@ use super::pair::{Open, PairProof, Proof};
 use super::point::{Evaluator, Point};
 use super::polar::{self, Meeting};
 use super::wide::Wide;
-use crate::equilibria::Pole;
 
 /// Bits of the second and third stage.
 pub(super) const STAGES: [usize; 2] = [128, 384];
@@ -462,11 +461,6 @@ impl Arrangement {
         }
         self.faces = faces;
         Ok(())
-    }
-
-    /// The pole line's curves over one abscissa carry this name.
-    pub fn pole_of(&self, curve: usize) -> Option<Pole> {
-        self.curves.list[curve].pole
     }
 }
 

@@ -1,5 +1,6 @@
 //! The certificate of a proved atlas.
 
+use dashu_int::IBig;
 use dashu_ratio::RBig;
 use sha2::{Digest, Sha256};
 
@@ -98,7 +99,7 @@ impl CertifiedAtlas {
                         })
                         .collect(),
                     curves: names(&event.curves),
-                    x: decimal::outward(&event.x, NODE_DIGITS),
+                    x: decimal::outward(&widened(&event.x), NODE_DIGITS),
                     h: decimal::outward(&event.h.map(super::region::exact), NODE_DIGITS),
                 })
                 .collect(),
@@ -172,6 +173,12 @@ impl CertifiedAtlas {
         let (p, q) = (document(&end.place?, ROOT_DIGITS)?, document(&opposite.place?, NODE_DIGITS)?);
         Some(if ending == 0 { [p, q] } else { [q, p] })
     }
+}
+
+/// A little room, so that a second arithmetic with roundings of its own can confirm the enclosure.
+fn widened([lo, hi]: &[RBig; 2]) -> [RBig; 2] {
+    let room = hi / RBig::from(IBig::ONE << 80);
+    [lo - &room, hi + room]
 }
 
 /// Where a curve of a family stands over x.

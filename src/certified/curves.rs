@@ -89,8 +89,6 @@ pub(super) struct Cusp {
     pub curves: [usize; 2],
     /// The curves lie at larger x.
     pub opens: bool,
-    /// Certificate: the family and its polynomial, see [`Curves`].
-    pub interval: Option<usize>,
 }
 
 /// A pair (or circle) over a group leaves a curve.
@@ -114,8 +112,6 @@ pub(super) struct Curves {
     pub pitchforks: Vec<Pitchfork>,
     /// The one place where dJ/dμ = 0 on the generic family.
     pub inflection: Option<(usize, Place)>,
-    /// Roots of the cusp polynomial on each interval of μ (those with a change of sign).
-    pub cusp_counts: Vec<usize>,
     /// Degenerate points that are no cusp (roots of even multiplicity) or that coincide with a pitchfork.
     pub degenerate: Vec<Place>,
 }
@@ -244,7 +240,6 @@ impl Curves {
             cusps: Vec::new(),
             pitchforks: Vec::new(),
             inflection: None,
-            cusp_counts: Vec::new(),
             degenerate: Vec::new(),
         };
         match model.active.len() {
@@ -328,7 +323,6 @@ impl Curves {
                     self.degenerate.push(place);
                 }
             }
-            self.cusp_counts.push(stations.len());
             for &group in &model.passive {
                 if let Some(place) = passive_place(model, number, group) {
                     stations.push(Station::Pitchfork(place, group));
@@ -433,7 +427,6 @@ impl Curves {
                         place: place.clone(),
                         curves: [this; 2],
                         opens: !rising,
-                        interval: Some(number),
                     });
                     rising = !rising;
                 }
@@ -489,7 +482,7 @@ impl Curves {
                 let cusp = End::Cusp(self.cusps.len());
                 self.list.push(curve(1, [at(), Bound::Zero], [cusp, End::Pitchfork(number)], None));
                 self.list.push(curve(2, [at(), Bound::Infinity], [cusp, End::Infinity], limit));
-                self.cusps.push(Cusp { place, curves: [first, first + 1], opens: true, interval: None });
+                self.cusps.push(Cusp { place, curves: [first, first + 1], opens: true });
                 self.pitchforks[number].opens = false;
             } else {
                 let marks = [End::Pitchfork(number), End::Infinity];
@@ -592,5 +585,44 @@ mod tests {
         ] {
             compare(&Body::parse(&a, &r).unwrap());
         }
+    }
+
+    #[derive(serde::Deserialize)]
+    struct Oracle {
+        #[serde(rename = "A")]
+        a: [String; 3],
+        r: [String; 3],
+        cusps: Vec<String>,
+        poles: Vec<String>,
+    }
+
+    /// The roots that FLINT isolates (data/oracles/roots.py): as many, in the same places.
+    #[test]
+    fn roots_are_those_of_flint() {
+        let value = |text: &str| text.parse::<crate::body::Number>().unwrap().value().clone();
+        let mut compared = 0;
+        for line in include_str!("../../data/oracles/roots.jsonl").lines() {
+            let oracle: Oracle = serde_json::from_str(line).unwrap();
+            let body = Body::parse(&oracle.a, &oracle.r).unwrap();
+            let frame = body.frame();
+            let model = Model::new(&body, &frame);
+            let unit = RBig::try_from(frame.momentum_unit * frame.momentum_unit / frame.energy_unit).unwrap();
+            let [_, pole] = model.pole_polynomials();
+            for (polynomial, expected) in [(model.cusp_polynomial(), &oracle.cusps), (pole, &oracle.poles)] {
+                let mut found: Vec<[RBig; 2]> = Vec::new();
+                for number in 0..=model.active.len() {
+                    let roots = roots_in_interval(&model, &polynomial, number, 110).unwrap();
+                    found.extend(roots.into_iter().filter(|(_, odd)| *odd).map(|(place, _)| place.mu(&model)));
+                }
+                assert_eq!(found.len(), expected.len(), "{line}");
+                for ([lo, hi], text) in found.into_iter().zip(expected) {
+                    let (at, slack) = (value(text), RBig::from_parts(1.into(), 10u8.into()).pow(25));
+                    let (lo, hi) = (lo * &unit, hi * &unit);
+                    assert!(&lo - &slack <= at && at <= &hi + &slack, "{text} {line}");
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 250, "{compared}");
     }
 }

@@ -64,11 +64,6 @@ pub(super) trait Enclosure:
     fn small(value: i32, precision: Self::Precision) -> Self {
         Self::double(f64::from(value), precision)
     }
-
-    fn magnitude(&self) -> f64 {
-        let [low, high] = self.bounds();
-        high.max(-low)
-    }
 }
 
 /// Ends in `f64`, moved outward by one unit in the last place after each operation.

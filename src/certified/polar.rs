@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use dashu_ratio::RBig;
 
-use super::curves::{Bound, Curves, End, NotIsolated, Place, Shape, order, roots_in_interval};
+use super::curves::{Curves, End, NotIsolated, Place, Shape, order, roots_in_interval};
 use super::family::Half;
 use super::model::Model;
 use super::polynomial::Polynomial;
@@ -130,14 +130,6 @@ fn same_point(place: &Place, station: &Place) -> bool {
     match &station.root {
         Some(other) => root.is_root_of(other.polynomial()),
         None => root.polynomial().sign_at(&(&station.lo / scale)) == 0,
-    }
-}
-
-/// The place of a bound, if it is one.
-pub(super) fn place_of(bound: &Bound) -> Option<&Place> {
-    match bound {
-        Bound::At(place) => Some(place),
-        Bound::Zero | Bound::Infinity => None,
     }
 }
 

@@ -55,7 +55,6 @@ pub(super) fn events(
         let mut curves: Vec<usize> = Vec::new();
         let mut points: Vec<Point> = Vec::new();
         let mut ends: Vec<End> = Vec::new();
-        let mut own: Vec<usize> = Vec::new();
         for source in &event.sources {
             let (kind, index) = source.split_once(':').unwrap_or((source, "0"));
             let index: usize = index.parse().map_err(|_not_a_number| refuse(at, "its source cannot be read"))?;
@@ -109,7 +108,6 @@ pub(super) fn events(
                 }
                 _ => return Err(refuse(at, "its source does not exist")),
             }
-            own.push(index);
         }
         let several = event.sources.len() > 1;
         let strange = event.sources.iter().any(|s| s == "crossing") || ends.len() != 1;

@@ -211,7 +211,18 @@ impl Spaces {
         for k in 0..n {
             gamma.push(sign((&self.list[k].root_q * &t[k]).over(&root)?));
         }
-        let j = w.iter().zip(&self.list).fold(zero.clone(), |sum, (w, space)| &sum + &(w * &space.a_set));
+        // Σ w a with Σ w = 1, measured from each moment: the narrowest.
+        let mut j: Option<Fixed> = None;
+        for from in 0..n {
+            let sum = (0..n).filter(|&k| k != from).fold(self.list[from].a_set.clone(), |sum, k| {
+                &sum + &(&w[k] * &Fixed::of(&(&self.list[k].a - &self.list[from].a)))
+            });
+            j = Some(match j {
+                Some(best) => best.meet(&sum)?,
+                None => sum,
+            });
+        }
+        let j = j?;
         let rho = gamma.iter().zip(&self.list).fold(zero.clone(), |sum, (g, space)| &sum + &(g * &space.root_q));
         let x = half(&(&s * &j.square()));
         let mean = w.iter().zip(&t).fold(zero.clone(), |sum, (w, t)| &sum + &(w * t));

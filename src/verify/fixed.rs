@@ -109,14 +109,6 @@ impl Fixed {
         Self { lo: middle.clone(), hi: middle }
     }
 
-    pub fn lower(&self) -> Self {
-        Self { lo: self.lo.clone(), hi: self.lo.clone() }
-    }
-
-    pub fn upper(&self) -> Self {
-        Self { lo: self.hi.clone(), hi: self.hi.clone() }
-    }
-
     /// Every number here is below every number there.
     pub fn below(&self, other: &Self) -> bool {
         self.hi < other.lo

@@ -242,7 +242,7 @@ fn certified(document: &AtlasDocument, certificate: &CertificateDocument, body: 
     let pairs = pairs(certificate, &orders)?;
     let slabs = faces::slabs(certificate, &orders, &events, &pairs)?;
     let cells = faces::regions(document, certificate, &pieces, &slabs)?;
-    let open = topology::check(document, certificate, &orders, &slabs, body, &cells)?;
+    let open = topology::check(document, certificate, &orders, &slabs, &cells)?;
     Ok(Report {
         proof: true,
         regions: document.regions.len() - open.len(),

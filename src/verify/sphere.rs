@@ -60,7 +60,7 @@ impl Region {
         let middle = |x: Interval| Interval::point(0.5 * (x.lo + x.hi));
         let centre = value(middle(u), middle(w));
         let v = cell.vector(u, w);
-        let (square, length, weight, drop) = self.parts(&v);
+        let (_, length, weight, drop) = self.parts(&v);
         let height = near(self.h) * length + drop;
         let axes = cell.axes();
         let slope = |axis: usize| {
@@ -68,7 +68,6 @@ impl Region {
             let first = near(2.0 * self.a[axis]) * v[axis] * height;
             let second = weight * (near(self.h) * v[axis] * inverse + near(self.r[axis]));
             let third = near(3.0 * self.x) * v[axis] * length;
-            let _ = square;
             first + second - third
         };
         let reach = Interval::between(-0.5, 0.5) * (u.hi - u.lo);
@@ -329,4 +328,41 @@ fn decide(
     }
     sort_components(&mut found);
     Some(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Euler's body below its saddle: two discs about ±e₁, with the complement an annulus.
+    #[test]
+    fn two_discs_of_a_free_body() {
+        let region = Region { a: [2.0, 1.5, 1.0], r: [0.0; 3], h: 0.289_062_5, x: 0.5 };
+        let minima = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]];
+        let maxima = [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+        let found = components(&region, &minima, &maxima, None).unwrap();
+        assert_eq!(found, [Component { boundary_circles: 1, poles: None }; 2]);
+    }
+
+    #[test]
+    fn cells_lie_beside_their_neighbours() {
+        let kinds = (0..6)
+            .flat_map(|face| (0..8).flat_map(move |i| (0..8).map(move |j| Cell { face, level: START, i, j })))
+            .map(|cell| (cell, Kind::Open))
+            .collect();
+        let leaves = Leaves { kinds, deepest: START };
+        let centre = |cell: Cell| {
+            let (u, w) = cell.ranges();
+            let v = cell.vector(Interval::point(0.5 * (u.lo + u.hi)), Interval::point(0.5 * (w.lo + w.hi)));
+            let n = v.iter().map(|c| c.lo * c.lo).sum::<f64>().sqrt();
+            v.map(|c| c.lo / n)
+        };
+        for &cell in leaves.kinds.keys() {
+            for v in cell.beyond() {
+                let (p, q) = (centre(cell), centre(leaves.at(v).unwrap()));
+                let distance = (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>().sqrt();
+                assert!(distance > 1e-3 && distance < 0.3, "{cell:?} {:?} {distance}", leaves.at(v));
+            }
+        }
+    }
 }

@@ -8,7 +8,6 @@ use super::fixed::Fixed;
 use super::order::Orders;
 use super::pieces::Family;
 use super::{Refused, number, sphere, words};
-use crate::body::Body;
 use crate::document::{AtlasDocument, CertificateDocument, ComponentDocument};
 use crate::topology::{Component, Poles};
 
@@ -24,7 +23,6 @@ pub(super) fn check(
     certificate: &CertificateDocument,
     orders: &Orders,
     slabs: &[Slab],
-    body: &Body,
     cells: &[Vec<(usize, usize)>],
 ) -> Result<Vec<String>, Refused> {
     let spaces = orders.spaces;
@@ -46,7 +44,7 @@ pub(super) fn check(
         if !cells[face].contains(&(sample.slab, position)) {
             return Err(refuse("its sample lies in another region"));
         }
-        let found = components(spaces, orders, slab, position, &h, body);
+        let found = components(spaces, orders, slab, position, &h);
         let Some(found) = found? else {
             open.push(region.id.clone());
             continue;
@@ -66,7 +64,6 @@ fn components(
     slab: &Slab,
     position: usize,
     h: &RBig,
-    body: &Body,
 ) -> Result<Option<Vec<Component>>, Refused> {
     let has_poles = !spaces.active.is_empty();
     if position + 1 == slab.stands.len() {
@@ -97,7 +94,6 @@ fn components(
     }
     let r = spaces.r.each_ref().map(double);
     let region = sphere::Region { a, r, h: double(h), x: slab.x.to_f64() };
-    let _ = body;
     Ok(sphere::components(&region, &minima, &maxima, has_poles.then_some(r)))
 }
 
@@ -109,14 +105,12 @@ fn components(
 fn extremum(spaces: &Spaces, family: Family, point: &Point) -> Option<Option<Extremum>> {
     let tau_of = point.tau.as_ref()?;
     let (mut a, mut tau, mut gamma) = (Vec::new(), Vec::new(), Vec::new());
-    let mut axes = Vec::new();
     for (k, space) in spaces.list.iter().enumerate() {
-        for (n, &axis) in space.axes.iter().enumerate() {
+        for n in 0..space.axes.len() {
             a.push(space.a_set.clone());
             tau.push(tau_of[k].clone());
             // Along the first direction of each space, which is that of r where there is r.
             gamma.push(if n == 0 { point.gamma[k].clone() } else { Fixed::whole(0) });
-            axes.push((k, n, axis));
         }
     }
     let w: Vec<Fixed> = gamma.iter().map(Fixed::square).collect();
@@ -146,7 +140,7 @@ fn extremum(spaces: &Spaces, family: Family, point: &Point) -> Option<Option<Ext
                 Family::Over(base) | Family::Rotation(base) if base == k && flip => -along,
                 _ => along,
             };
-            let norm = space.root_q.to_f64();
+            let norm = if space.q.is_zero() { 0.0 } else { space.root_q.to_f64() };
             for (n, &axis) in space.axes.iter().enumerate() {
                 let unit = if norm > 0.0 { spaces.r[axis].to_f64().value() / norm } else { f64::from(u8::from(n == 0)) };
                 v[axis] = along * unit;
@@ -156,6 +150,5 @@ fn extremum(spaces: &Spaces, family: Family, point: &Point) -> Option<Option<Ext
     };
     let paired = matches!(family, Family::Over(_) | Family::Rotation(_)) && !circle;
     let gamma = if paired { vec![direction(false), direction(true)] } else { vec![direction(false)] };
-    let _ = axes;
     Some(Some(Extremum { minimum, gamma }))
 }
