@@ -54,7 +54,9 @@ fn kovalevskayas_body_has_its_types_at_the_known_heights() {
     let atlas = CertifiedAtlas::new(&preset("kovalevskaya")).unwrap();
     let at = |h: &str| atlas.classify(&h.parse().unwrap(), &"1.84".parse().unwrap());
     assert_eq!(at("-0.154").status, Status::Forbidden);
-    for (h, region) in [("-0.153", "D2"), ("1.8320", "D2"), ("1.8323", "S2-3D2"), ("1.8466", "S2-2D2"), ("1.8594", "S2")] {
+    for (h, region) in
+        [("-0.153", "D2"), ("1.8320", "D2"), ("1.8323", "S2-3D2"), ("1.8466", "S2-2D2"), ("1.8594", "S2")]
+    {
         let components = at(h).components.unwrap();
         assert_eq!(components.iter().map(|c| c.accessible_region.as_str()).collect::<Vec<_>>(), [region], "{h}");
     }

@@ -274,8 +274,7 @@ impl Curves {
     fn add_lines(&mut self, model: &Model) {
         let axis = model.active[0];
         for (side, pole) in [(0, Pole::Minus), (1, Pole::Plus)] {
-            let mut cuts: Vec<usize> =
-                model.passive.iter().copied().filter(|&k| (k > axis) == (side == 1)).collect();
+            let mut cuts: Vec<usize> = model.passive.iter().copied().filter(|&k| (k > axis) == (side == 1)).collect();
             // x falls with |a_k − a|.
             cuts.sort_by_key(|&k| std::cmp::Reverse(k.abs_diff(axis)));
             let first = self.list.len();
@@ -308,8 +307,7 @@ impl Curves {
         let last = model.active.len();
         for number in 0..=last {
             // On the last interval the family is the global minimum: no cusp there.
-            let roots =
-                if number == last { Vec::new() } else { roots_in_interval(model, &polynomial, number, bits)? };
+            let roots = if number == last { Vec::new() } else { roots_in_interval(model, &polynomial, number, bits)? };
             if let (Some(bend), true) = (&bend, number > 0 && number < last) {
                 if let Some((place, _)) = roots_in_interval(model, bend, number, bits)?.into_iter().next() {
                     self.inflection = Some((number, place));
@@ -398,10 +396,12 @@ impl Curves {
                 ends.reverse();
             }
             let limit = (ends[1] == End::Infinity)
-                .then(|| done.last().and_then(|segment| match segment.half {
-                    Half::Generic { base, sign } => Some(Limit { group: base, side: sign }),
-                    Half::Over { .. } => None,
-                }))
+                .then(|| {
+                    done.last().and_then(|segment| match segment.half {
+                        Half::Generic { base, sign } => Some(Limit { group: base, side: sign }),
+                        Half::Over { .. } => None,
+                    })
+                })
                 .flatten();
             let above_all = match model.passive.iter().max() {
                 Some(&top) if number == last && top > model.active[last - 1] => {
@@ -423,11 +423,7 @@ impl Curves {
             });
             match station {
                 Some(Station::Cusp(place)) => {
-                    self.cusps.push(Cusp {
-                        place: place.clone(),
-                        curves: [this; 2],
-                        opens: !rising,
-                    });
+                    self.cusps.push(Cusp { place: place.clone(), curves: [this; 2], opens: !rising });
                     rising = !rising;
                 }
                 Some(Station::Pitchfork(place, group)) => {
@@ -547,8 +543,10 @@ mod tests {
         let model = Model::new(body, &frame);
         let curves = Curves::new(&model, 80).unwrap();
         let set = CriticalSet::new(frame).unwrap();
-        let mut names: Vec<_> = curves.list.iter().map(|c| format!("{:?} {} {:?}", c.branch, c.piece, c.orbit)).collect();
-        let mut expected: Vec<_> = set.curves.iter().map(|c| format!("{:?} {} {:?}", c.branch, c.piece, c.orbit)).collect();
+        let mut names: Vec<_> =
+            curves.list.iter().map(|c| format!("{:?} {} {:?}", c.branch, c.piece, c.orbit)).collect();
+        let mut expected: Vec<_> =
+            set.curves.iter().map(|c| format!("{:?} {} {:?}", c.branch, c.piece, c.orbit)).collect();
         names.sort();
         expected.sort();
         assert_eq!(names, expected);

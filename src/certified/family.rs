@@ -48,9 +48,8 @@ impl<E: Enclosure> State<E> {
         let zero = c.small(0);
         let delta = if sign > 0 { y.clone() } else { -y.clone() };
         let n = model.groups.len();
-        let tau: Vec<E> = (0..n)
-            .map(|k| if k == base { delta.clone() } else { delta.clone() + c.diff[base][k].clone() })
-            .collect();
+        let tau: Vec<E> =
+            (0..n).map(|k| if k == base { delta.clone() } else { delta.clone() + c.diff[base][k].clone() }).collect();
         // Scaled by τ_base², which alone may be small: weights q_k (τ_base/τ_k)².
         let lead = tau[base].clone();
         let ratio: Vec<Option<E>> = (0..n)
@@ -59,15 +58,13 @@ impl<E: Enclosure> State<E> {
                 carries.then(|| if k == base { c.small(1) } else { lead.clone() / tau[k].clone() })
             })
             .collect();
-        let weight: Vec<Option<E>> =
-            (0..n).map(|k| ratio[k].as_ref().map(|t| c.q[k].clone() * t.square())).collect();
+        let weight: Vec<Option<E>> = (0..n).map(|k| ratio[k].as_ref().map(|t| c.q[k].clone() * t.square())).collect();
         let total = sum(weight.iter().flatten().cloned(), &zero);
         // s = √P = √total / |τ_base|.
         let root = total.sqrt();
         let distance = y.clone();
         let s = root.clone() / distance.clone();
-        let w: Vec<E> =
-            weight.iter().map(|g| g.as_ref().map_or(zero.clone(), |g| g.clone() / total.clone())).collect();
+        let w: Vec<E> = weight.iter().map(|g| g.as_ref().map_or(zero.clone(), |g| g.clone() / total.clone())).collect();
         let oriented = |e: E| if sign > 0 { e } else { -e };
         let gamma: Vec<E> = (0..n)
             .map(|k| {
@@ -148,9 +145,9 @@ fn sum<E: Enclosure>(terms: impl Iterator<Item = E>, zero: &E) -> E {
 /// Σ w a with Σ w = 1: the narrowest over all choices of a moment to measure from.
 fn mean<E: Enclosure>(w: &[E], c: &Constants<E>) -> E {
     let about = |base: usize| {
-        (0..w.len()).filter(|&k| k != base).fold(c.a[base].clone(), |total, k| {
-            total + w[k].clone() * c.diff[k][base].clone()
-        })
+        (0..w.len())
+            .filter(|&k| k != base)
+            .fold(c.a[base].clone(), |total, k| total + w[k].clone() * c.diff[k][base].clone())
     };
     (1..w.len()).fold(about(0), |best, base| best.meet(&about(base)))
 }
@@ -184,8 +181,7 @@ mod tests {
             for &base in &model.active {
                 for sign in [-1i8, 1] {
                     for y in [1e-9, 0.03, 0.2] {
-                        let state =
-                            State::at(&model, &c, Half::Generic { base, sign }, &E::double(y, precision));
+                        let state = State::at(&model, &c, Half::Generic { base, sign }, &E::double(y, precision));
                         let mu = Mu { base: model.axis[base], delta: f64::from(sign) * y };
                         let expected = GenericState::at(&frame, mu);
                         near(&state.j, expected.j, 1e-12);
@@ -205,7 +201,11 @@ mod tests {
                     let state = State::at(&model, &c, Half::Over { group }, &E::double(y, precision));
                     let expected = family.at(&frame, t);
                     near(&state.x, expected.x, 1e-12);
-                    near(&(state.x.clone() * state.log_slope.clone() * c.small(2) * state.s.clone()), expected.x_slope, 1e-12);
+                    near(
+                        &(state.x.clone() * state.log_slope.clone() * c.small(2) * state.s.clone()),
+                        expected.x_slope,
+                        1e-12,
+                    );
                     near(&state.gamma[group], expected.gamma[group], 1e-12);
                 }
             }

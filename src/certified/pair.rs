@@ -119,7 +119,9 @@ impl<E: Enclosure> Evaluator<'_, E> {
             }
             if !low.is_below(&high) {
                 // The range may be empty: one curve ends where the other begins.
-                return self.touching(curves).map_or_else(|| Err(Open { x: [low.bounds()[0], high.bounds()[1]] }), |()| Ok(None));
+                return self
+                    .touching(curves)
+                    .map_or_else(|| Err(Open { x: [low.bounds()[0], high.bounds()[1]] }), |()| Ok(None));
             }
         }
         let mut stretches = Vec::new();
@@ -470,7 +472,13 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let (low, high) = (from.x.bounds()[1], to.x.bounds()[0]);
         let middle = [0.5, 0.4, 0.61]
             .into_iter()
-            .map(|t| if high > 4.0 * low && low > 0.0 { low.sqrt() * high.sqrt() * (0.9 + 0.2 * t) } else { low + t * (high - low) })
+            .map(|t| {
+                if high > 4.0 * low && low > 0.0 {
+                    low.sqrt() * high.sqrt() * (0.9 + 0.2 * t)
+                } else {
+                    low + t * (high - low)
+                }
+            })
             .filter(|x| *x > low && *x < high)
             .find_map(|x| self.node_near(curves, x, [low, high]).filter(|node| node.sign.is_some_and(|sign| sign != 0)))
             .ok_or(open)?;
@@ -523,8 +531,10 @@ impl<E: Enclosure> Evaluator<'_, E> {
                         let sure = |at: f64, wanted: i8| {
                             at > low && at < high && self.node(curves, at).is_some_and(|node| node.sign == Some(wanted))
                         };
-                        let below = (x - reach <= low).then_some(low).or_else(|| sure(x - reach, sign).then_some(x - reach));
-                        let above = (x + reach >= high).then_some(high).or_else(|| sure(x + reach, -sign).then_some(x + reach));
+                        let below =
+                            (x - reach <= low).then_some(low).or_else(|| sure(x - reach, sign).then_some(x - reach));
+                        let above =
+                            (x + reach >= high).then_some(high).or_else(|| sure(x + reach, -sign).then_some(x + reach));
                         if let (Some(p), Some(q)) = (below, above) {
                             return Some([p, q]);
                         }
@@ -548,7 +558,8 @@ impl<E: Enclosure> Evaluator<'_, E> {
             let next = [8.0, 7.0, 10.0]
                 .into_iter()
                 .find_map(|factor| {
-                    self.node_near(curves, factor * from, [2.0 * from, f64::INFINITY]).filter(|node| node.sign.is_some_and(|sign| sign != 0))
+                    self.node_near(curves, factor * from, [2.0 * from, f64::INFINITY])
+                        .filter(|node| node.sign.is_some_and(|sign| sign != 0))
                 })
                 .ok_or(Open { x: [from, f64::INFINITY] })?;
             self.between(curves, &node, &next, DEPTH, stretches)?;

@@ -332,7 +332,8 @@ impl Root {
             let other = if lower { self.hi.clone() } else { self.lo.clone() };
             let mut at = (&end + &other) / RBig::from(2);
             loop {
-                let here = Self { lo: at.clone().min(other.clone()), hi: at.clone().max(other.clone()), ..self.clone() };
+                let here =
+                    Self { lo: at.clone().min(other.clone()), hi: at.clone().max(other.clone()), ..self.clone() };
                 let inner = polynomial.on(&here.lo, &here.hi);
                 if polynomial.sign_at(&at) == 0 {
                     return Self { lo: at.clone(), hi: at, ..self };
@@ -374,8 +375,7 @@ impl Root {
 
     /// A rational root.
     pub fn exact(polynomial: &Polynomial, at: RBig) -> Self {
-        let mut root =
-            Self { polynomial: Rc::new(polynomial.squarefree()), lo: at.clone(), hi: at, odd: true };
+        let mut root = Self { polynomial: Rc::new(polynomial.squarefree()), lo: at.clone(), hi: at, odd: true };
         root.odd = polynomial.changes_sign_at(&root);
         root
     }
@@ -448,7 +448,6 @@ impl Polynomial {
     fn on(&self, lo: &RBig, hi: &RBig) -> Self {
         self.composed(lo, &(hi - lo))
     }
-
 }
 
 /// Sum, product and difference of polynomials with rational coefficients, to build the integer ones from.

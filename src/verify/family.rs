@@ -286,9 +286,11 @@ impl Spaces {
             [axis] => {
                 // μ = a ± r/s with s = 2x/J².
                 let shift = sign((&self.norm * &j.square()).over(&(&Fixed::whole(2) * x))?);
-                Some((0..self.list.len()).map(|k| {
-                    &Fixed::of(&(&self.list[axis].a - &self.list[k].a)) + &shift
-                }).collect())
+                Some(
+                    (0..self.list.len())
+                        .map(|k| &Fixed::of(&(&self.list[axis].a - &self.list[k].a)) + &shift)
+                        .collect(),
+                )
             }
             _ => None,
         };
@@ -326,8 +328,7 @@ impl Spaces {
     fn identity(&self, a: &Point, b: &Point, moment: &Fixed) -> Option<Fixed> {
         let (p, q) = (a.tau.as_ref()?, b.tau.as_ref()?);
         let mu = &q[0] - &p[0];
-        let distance =
-            a.gamma.iter().zip(&b.gamma).fold(Fixed::whole(0), |sum, (p, q)| &sum + &(p - q).square());
+        let distance = a.gamma.iter().zip(&b.gamma).fold(Fixed::whole(0), |sum, (p, q)| &sum + &(p - q).square());
         let cube = (moment * &moment.square()).over(&(&a.j * &b.j))?;
         (&(&mu * &distance) - &cube).over(&(&a.j.square() + &b.j.square()))
     }

@@ -154,8 +154,7 @@ impl Neg for &Fixed {
 impl Mul for &Fixed {
     type Output = Fixed;
     fn mul(self, other: Self) -> Fixed {
-        let products =
-            [&self.lo * &other.lo, &self.lo * &other.hi, &self.hi * &other.lo, &self.hi * &other.hi];
+        let products = [&self.lo * &other.lo, &self.lo * &other.hi, &self.hi * &other.lo, &self.hi * &other.hi];
         let (mut least, mut greatest) = (products[0].clone(), products[0].clone());
         for product in &products[1..] {
             if *product < least {

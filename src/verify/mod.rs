@@ -318,16 +318,14 @@ fn cusps(certificate: &CertificateDocument, spaces: &Spaces) -> Result<Vec<Place
         Side::Over => spaces.active.contains(&place.base),
         _ => {
             let range = place.range(spaces);
-            spaces.active.len() < 2 || !(0..=spaces.active.len()).any(|branch| lies_in(&range, interval(spaces, branch)))
+            spaces.active.len() < 2
+                || !(0..=spaces.active.len()).any(|branch| lies_in(&range, interval(spaces, branch)))
         }
     });
     strays.map_or(Ok(places), |number| Err(Refused::BadPlace { what: "cusp", number }))
 }
 
-fn inflection(
-    certificate: &CertificateDocument,
-    spaces: &Spaces,
-) -> Result<Option<(usize, family::Point)>, Refused> {
+fn inflection(certificate: &CertificateDocument, spaces: &Spaces) -> Result<Option<(usize, family::Point)>, Refused> {
     if spaces.active.len() < 3 {
         return Ok(None);
     }
@@ -425,7 +423,8 @@ fn meetings(certificate: &CertificateDocument, spaces: &Spaces, pieces: &Pieces)
             if claim.pole != if plus { "+" } else { "-" } {
                 return Err(refuse("it lies on the other pole line"));
             }
-            let (curves, end) = on_curves(spaces, pieces, family, &range, &polynomial).ok_or_else(|| refuse("its curve is not certain"))?;
+            let (curves, end) = on_curves(spaces, pieces, family, &range, &polynomial)
+                .ok_or_else(|| refuse("its curve is not certain"))?;
             let ids: Vec<&str> = curves.iter().map(|&c| pieces.list[c].id.as_str()).collect();
             if ids != claim.curves {
                 return Err(refuse("it lies on another curve"));
@@ -461,9 +460,10 @@ fn on_curves(
     mine.windows(2).find_map(|pair| {
         let station = pieces.list[pair[0]].range[1].as_ref()?;
         let overlap = station[0] <= range[1] && range[0] <= station[1];
-        let end = pieces.list[pair[0]].ends.into_iter().find(|end| {
-            matches!(end, End::Cusp(_) | End::Pitchfork(_)) && pieces.list[pair[1]].ends.contains(end)
-        })?;
+        let end = pieces.list[pair[0]]
+            .ends
+            .into_iter()
+            .find(|end| matches!(end, End::Cusp(_) | End::Pitchfork(_)) && pieces.list[pair[1]].ends.contains(end))?;
         let (lo, hi) = (range[0].clone().max(station[0].clone()), range[1].clone().min(station[1].clone()));
         let same = overlap
             && if station[0] == station[1] {
@@ -518,9 +518,9 @@ fn pairs(certificate: &CertificateDocument, orders: &Orders) -> Result<Vec<([usi
 /// Components in words.
 fn words(components: &[Component]) -> String {
     let word = |c: &Component| {
-        let poles = c.poles.map_or(String::new(), |p| {
-            [(p.plus, "+"), (p.minus, "-")].iter().filter(|p| p.0).map(|p| p.1).collect()
-        });
+        let poles = c
+            .poles
+            .map_or(String::new(), |p| [(p.plus, "+"), (p.minus, "-")].iter().filter(|p| p.0).map(|p| p.1).collect());
         format!("{}({poles})", c.accessible_region())
     };
     components.iter().map(word).collect::<Vec<_>>().join(" + ")

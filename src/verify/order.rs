@@ -163,8 +163,10 @@ impl Orders<'_> {
         let mut sign_before: Option<i8> = None;
         for (number, stretch) in pair.stretches.iter().enumerate() {
             let joined = number == 0 || pair.stretches[number - 1].to == stretch.from;
-            let ends_inside = (number > 0 && stretch.from.x.is_none()) || (number + 1 < count && stretch.to.x.is_none());
-            let ends_early = (number == 0 && stretch.from.x.is_some()) || (number + 1 == count && stretch.to.x.is_some());
+            let ends_inside =
+                (number > 0 && stretch.from.x.is_none()) || (number + 1 < count && stretch.to.x.is_none());
+            let ends_early =
+                (number == 0 && stretch.from.x.is_some()) || (number + 1 == count && stretch.to.x.is_some());
             if !joined || ends_inside || ends_early {
                 return Err(refuse("its stretches leave a gap"));
             }
@@ -237,7 +239,8 @@ impl Orders<'_> {
             [None, Some(_)] => 1,
             _ => return Err(refuse("two ends are not told apart")),
         };
-        let point = self.pieces.end_point(self.spaces, curves[ending], side).ok_or_else(|| refuse("an end is missing"))?;
+        let point =
+            self.pieces.end_point(self.spaces, curves[ending], side).ok_or_else(|| refuse("an end is missing"))?;
         let y = self.coordinate(curves[ending], &point);
         let end = Stand { y, point };
         let other = self.stand(curves[1 - ending], node.places.as_ref().map(|p| &p[1 - ending]), &x)?;
@@ -286,7 +289,8 @@ impl Orders<'_> {
             None => &self.spaces.list[piece.limit?.0].a_set - &self.spaces.list[0].a_set,
         };
         let turn = bend.tau.as_ref()?[0].clone();
-        let (first, same) = (mu(from)?, |a: &Fixed, b: &Fixed| (a.below(&turn) && b.below(&turn)) || (turn.below(a) && turn.below(b)));
+        let (first, same) =
+            (mu(from)?, |a: &Fixed, b: &Fixed| (a.below(&turn) && b.below(&turn)) || (turn.below(a) && turn.below(b)));
         Some(if same(&first, &last) { range } else { range.hull(&bend.j) })
     }
 
@@ -354,7 +358,8 @@ impl Orders<'_> {
                 let straight = match (self.pieces.list[curves[0]].family, &self.inflection) {
                     (Family::Generic(number), Some((at, bend))) if *at == number => {
                         let mu = |which: usize| node.stands[which].point.tau.as_ref().map(|tau| tau[0].clone());
-                        let (Some(p), Some(q), Some(turn)) = (mu(0), mu(1), bend.tau.as_ref().map(|tau| &tau[0])) else {
+                        let (Some(p), Some(q), Some(turn)) = (mu(0), mu(1), bend.tau.as_ref().map(|tau| &tau[0]))
+                        else {
                             return false;
                         };
                         (p.below(turn) && q.below(turn)) || (turn.below(&p) && turn.below(&q))

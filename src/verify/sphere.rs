@@ -251,12 +251,7 @@ fn grouped(numbers: &[usize], strict: &mut Classes, wide: &mut Classes) -> Optio
     Some(groups)
 }
 
-fn decide(
-    leaves: &Leaves,
-    minima: &[[f64; 3]],
-    maxima: &[[f64; 3]],
-    pole: Option<[f64; 3]>,
-) -> Option<Vec<Component>> {
+fn decide(leaves: &Leaves, minima: &[[f64; 3]], maxima: &[[f64; 3]], pole: Option<[f64; 3]>) -> Option<Vec<Component>> {
     let cells: Vec<(Cell, Kind)> = leaves.kinds.iter().map(|(cell, kind)| (*cell, *kind)).collect();
     let number = |cell: Cell| cells.binary_search_by(|probe| probe.0.cmp(&cell)).ok();
     let place = |v: &[f64; 3], kind: Kind| {

@@ -19,9 +19,7 @@ pub(super) fn times(p: &[RBig], q: &[RBig]) -> Coefficients {
 
 pub(super) fn plus(p: &[RBig], q: &[RBig], factor: &RBig) -> Coefficients {
     (0..p.len().max(q.len()))
-        .map(|k| {
-            p.get(k).cloned().unwrap_or(RBig::ZERO) + q.get(k).map_or(RBig::ZERO, |c| c * factor)
-        })
+        .map(|k| p.get(k).cloned().unwrap_or(RBig::ZERO) + q.get(k).map_or(RBig::ZERO, |c| c * factor))
         .collect()
 }
 
