@@ -471,7 +471,7 @@ fn continuation(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Optio
         // For each gap now: the gaps of the beginning that continue into it.
         let mut origins: Vec<Vec<usize>> = (0..=before.len()).map(|gap| vec![gap]).collect();
         for &number in &sequence {
-            (order, origins) = across(&order, origins, after, blocks[number])?;
+            (order, origins) = across(&order, &origins, after, blocks[number])?;
         }
         (order == after).then(|| {
             let pairs = origins.into_iter().enumerate();
@@ -484,7 +484,7 @@ fn continuation(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Optio
 #[allow(clippy::type_complexity)]
 fn across(
     order: &[usize],
-    origins: Vec<Vec<usize>>,
+    origins: &[Vec<usize>],
     after: &[usize],
     block: &[usize],
 ) -> Option<(Vec<usize>, Vec<Vec<usize>>)> {

@@ -23,8 +23,6 @@ pub(super) struct State<E: Enclosure> {
     pub j: E,
     /// ⟨γ, r⟩.
     pub rho: E,
-    /// s = Ω².
-    pub s: E,
     /// x = l²/2 = s J²/2.
     pub x: E,
     /// μ − a_k.
@@ -92,7 +90,7 @@ impl<E: Enclosure> State<E> {
         let bracket = mean_ratio + c.small(4) * spread.clone() / j.clone();
         let log_slope = -(bracket / distance.clone());
         let j_slope = -(c.small(2) * spread / distance);
-        Self { gamma, j, rho, s, x, tau, log_slope, j_slope }
+        Self { gamma, j, rho, x, tau, log_slope, j_slope }
     }
 
     fn over(model: &Model, c: &Constants<E>, group: usize, y: &E) -> Self {
@@ -120,7 +118,7 @@ impl<E: Enclosure> State<E> {
         // x = √v J²/2: d ln x/dv = (1/2 + 2(R̂/v)/J)/v, dJ/dv = (R̂/v)/v.
         let log_slope = (half::<E>(c) + c.small(2) * shift.clone() / j.clone()) / v.clone();
         let j_slope = shift / v;
-        Self { gamma, j, rho, s, x, tau, log_slope, j_slope }
+        Self { gamma, j, rho, x, tau, log_slope, j_slope }
     }
 
     /// h = x/J − ρ.
@@ -202,7 +200,10 @@ mod tests {
                     let expected = family.at(&frame, t);
                     near(&state.x, expected.x, 1e-12);
                     near(
-                        &(state.x.clone() * state.log_slope.clone() * c.small(2) * state.s.clone()),
+                        &(state.x.clone()
+                            * state.log_slope.clone()
+                            * c.small(2)
+                            * E::double(family.s_pitchfork + t, precision)),
                         expected.x_slope,
                         1e-12,
                     );

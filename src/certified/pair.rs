@@ -397,13 +397,11 @@ impl<E: Enclosure> Evaluator<'_, E> {
         if matches!(start.0, Half::Over { .. }) {
             return Some(range);
         }
-        let other = match to {
-            Some(point) => self.beyond(point.place.as_ref()?, place),
-            None => {
-                let limit = list.limit?;
-                let half = Half::Generic { base: limit.group, sign: limit.side };
-                self.beyond(&(half, self.c.small(0)), place)
-            }
+        let other = if let Some(point) = to {
+            self.beyond(point.place.as_ref()?, place)
+        } else {
+            let limit = list.limit?;
+            self.beyond(&(Half::Generic { base: limit.group, sign: limit.side }, self.c.small(0)), place)
         };
         // The inflection lies on another interval of the family, or beside the range: J is monotone there.
         match (self.beyond(start, place), other) {
@@ -571,10 +569,8 @@ impl<E: Enclosure> Evaluator<'_, E> {
     /// The sign all the way to infinity.
     fn far_sign(&self, curves: [usize; 2], node: &Node<E>) -> Option<(i8, Reason)> {
         let gap = node.sign.filter(|sign| *sign != 0)?;
-        if let Some(slopes) = self.slopes(curves, node, None) {
-            if strict(&slopes) == Some(gap) {
-                return Some((gap, Reason::Far));
-            }
+        if self.slopes(curves, node, None).and_then(|slopes| strict(&slopes)) == Some(gap) {
+            return Some((gap, Reason::Far));
         }
         let limits = curves.map(|c| self.curves.list[c].limit);
         let [Some(p), Some(q)] = limits else { return None };

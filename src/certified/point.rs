@@ -135,7 +135,6 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
             gamma,
             j,
             rho: sign(c.r.clone()),
-            s,
             x: x.clone(),
             tau,
             log_slope: zero.clone(),
@@ -152,7 +151,6 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let j = c.a[group].clone();
         let state = State {
             gamma: (0..n).map(|k| c.small(i32::from(k == group))).collect(),
-            s: c.small(2) * x.clone() / j.square(),
             j,
             rho: zero.clone(),
             x: x.clone(),

@@ -61,11 +61,6 @@ impl Polynomial {
         self.c.len().saturating_sub(1)
     }
 
-    #[cfg(test)]
-    pub fn coefficients(&self) -> &[IBig] {
-        &self.c
-    }
-
     /// Divided by the greatest common divisor of the coefficients.
     fn primitive(self) -> Self {
         let content = self.c.iter().fold(UBig::ZERO, |content, c| {
@@ -365,7 +360,7 @@ impl Root {
     fn cut(&mut self, at: RBig) {
         match self.polynomial.sign_at(&at) {
             0 => {
-                self.lo = at.clone();
+                self.lo.clone_from(&at);
                 self.hi = at;
             }
             s if s == self.polynomial.sign_at(&self.hi) => self.hi = at,

@@ -39,6 +39,7 @@ fn refuse(number: usize, why: &'static str) -> Refused {
 
 /// Reads the events: each cusp, pitchfork and meeting once, with all its curves and a right enclosure; transitions in
 /// order. Crossings are compared later, by [`slabs`].
+#[allow(clippy::too_many_lines)]
 pub(super) fn events(
     certificate: &CertificateDocument,
     orders: &Orders,

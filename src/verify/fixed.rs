@@ -158,10 +158,10 @@ impl Mul for &Fixed {
         let (mut least, mut greatest) = (products[0].clone(), products[0].clone());
         for product in &products[1..] {
             if *product < least {
-                least = product.clone();
+                least.clone_from(product);
             }
             if *product > greatest {
-                greatest = product.clone();
+                greatest.clone_from(product);
             }
         }
         Fixed { lo: floor_shift(least), hi: ceil_shift(greatest) }

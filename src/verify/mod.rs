@@ -316,7 +316,7 @@ fn cusps(certificate: &CertificateDocument, spaces: &Spaces) -> Result<Vec<Place
     // Those over spaces without r are checked when the pieces are made.
     let strays = places.iter().position(|place| match place.side {
         Side::Over => spaces.active.contains(&place.base),
-        _ => {
+        Side::Plus | Side::Minus => {
             let range = place.range(spaces);
             spaces.active.len() < 2
                 || !(0..=spaces.active.len()).any(|branch| lies_in(&range, interval(spaces, branch)))
@@ -367,7 +367,7 @@ fn meetings(certificate: &CertificateDocument, spaces: &Spaces, pieces: &Pieces)
     if spaces.active.len() > 1 {
         let polynomials = spaces.pole_polynomials();
         for branch in 0..=spaces.active.len() {
-            let ends = interval(spaces, branch).map(|end| end.cloned());
+            let ends = interval(spaces, branch).map(Option::<&RBig>::cloned);
             families.push((Family::Generic(branch), polynomials.clone(), ends));
         }
     }
@@ -377,7 +377,7 @@ fn meetings(certificate: &CertificateDocument, spaces: &Spaces, pieces: &Pieces)
             let shift = spaces.sums(base).1;
             let moved = spaces.pole_polynomials_over(base).map(|p| {
                 p.iter().rev().fold(Vec::new(), |sum: Coefficients, c| {
-                    sturm::plus(&sturm::times(&sum, &[shift.clone(), RBig::ONE]), &[c.clone()], &RBig::ONE)
+                    sturm::plus(&sturm::times(&sum, &[shift.clone(), RBig::ONE]), std::slice::from_ref(c), &RBig::ONE)
                 })
             });
             families.push((Family::Over(base), moved, [Some(RBig::ZERO), None]));
@@ -475,8 +475,11 @@ fn on_curves(
     })
 }
 
+/// Two curves and the box in x of their crossing.
+type Crossing = ([usize; 2], [Fixed; 2]);
+
 /// Every pair of critical curves that no structure orders, and the boxes of its crossings.
-fn pairs(certificate: &CertificateDocument, orders: &Orders) -> Result<Vec<([usize; 2], [Fixed; 2])>, Refused> {
+fn pairs(certificate: &CertificateDocument, orders: &Orders) -> Result<Vec<Crossing>, Refused> {
     let pieces = orders.pieces;
     let compared = |c: usize| {
         let piece = &pieces.list[c];

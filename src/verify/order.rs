@@ -136,10 +136,10 @@ impl Orders<'_> {
             upper == lower && matches!(upper, End::Cusp(_) | End::Pitchfork(_))
         };
         for (upper, lower, a, b) in [(&p[1], &q[0], curves[0], curves[1]), (&q[1], &p[0], curves[1], curves[0])] {
-            if let (Some(upper), Some(lower)) = (upper, lower) {
-                if upper.at_most(lower) || touching(a, b) {
-                    return Ok(None);
-                }
+            if let (Some(upper), Some(lower)) = (upper, lower)
+                && (upper.at_most(lower) || touching(a, b))
+            {
+                return Ok(None);
             }
         }
         let later = |a: &Option<Fixed>, b: &Option<Fixed>| match (a, b) {
@@ -185,14 +185,15 @@ impl Orders<'_> {
         let at = from.as_ref().or(to.as_ref()).map_or_else(|| Fixed::whole(0), |node| node.x.clone());
         let refuse = |why| self.pair_refused(curves, &at, why);
         let sign = stretch.sign;
-        if let (Some(p), Some(q)) = (&from, &to) {
-            if !p.x.below(&q.x) {
-                return Err(refuse("a stretch runs backwards"));
-            }
+        if let (Some(p), Some(q)) = (&from, &to)
+            && !p.x.below(&q.x)
+        {
+            return Err(refuse("a stretch runs backwards"));
         }
         if let Some(boxed) = &stretch.crossing {
             let (Some(from), Some(to)) = (&from, &to) else { return Err(refuse("a crossing has no box")) };
-            let inner = [self.read(curves, &boxed[0], 0)?, self.read(curves, &boxed[1], 1)?];
+            let [first, last] = boxed;
+            let inner = [self.read(curves, first, 0)?, self.read(curves, last, 1)?];
             let [Some(low), Some(high)] = inner else { return Err(refuse("a crossing has no box")) };
             let ordered = from.x.at_most(&low.x) && low.x.below(&high.x) && high.x.at_most(&to.x);
             let signs = strict(&low.gap) == Some(sign) && strict(&high.gap) == Some(-sign);

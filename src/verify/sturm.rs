@@ -131,7 +131,7 @@ impl Sturm {
         let far = |negative: bool| {
             move |p: &[IBig]| {
                 let sign = p.last().map_or(0, sign);
-                if negative && p.len() % 2 == 0 { -sign } else { sign }
+                if negative && p.len().is_multiple_of(2) { -sign } else { sign }
             }
         };
         let at = |x: Option<&RBig>, negative: bool| match x {
