@@ -69,7 +69,11 @@ fn main() {
                 let whole = proved.len() == certified.region_count() && all.len() == standard.regions().len();
                 if !same_count || (whole && proved != all) {
                     different += 1;
-                    eprintln!("{name}: {text}: different: {} and {}", certified.region_count(), standard.regions().len());
+                    eprintln!(
+                        "{name}: {text}: different: {} and {}",
+                        certified.region_count(),
+                        standard.regions().len()
+                    );
                 }
             }
         }

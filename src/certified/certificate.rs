@@ -20,6 +20,8 @@ use crate::document::{
 };
 use crate::equilibria::{Branch, Pole};
 
+/// Digits of a checksum.
+const HEXADECIMAL: &[u8; 16] = b"0123456789abcdef";
 /// Digits of isolating ranges.
 const ROOT_DIGITS: usize = 40;
 /// Digits of the places of nodes.
@@ -215,5 +217,7 @@ pub fn checksum(document: &AtlasDocument) -> Result<String, serde_json::Error> {
         certificate.checksum.clear();
     }
     let bytes = serde_json::to_vec(&bare)?;
-    Ok(Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect())
+    let digest = Sha256::digest(&bytes);
+    let nibbles = digest.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+    Ok(nibbles.map(|nibble| char::from(HEXADECIMAL[usize::from(nibble)])).collect())
 }

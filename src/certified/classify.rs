@@ -58,7 +58,8 @@ impl CertifiedAtlas {
             nearest: nearest.map_or_else(String::new, |level| self.name(a.slabs[passed].order[level.first])),
             error_bound: nearest.map_or(0.0, |level| (level.distance[1] - level.distance[0]) * unit),
         };
-        let unknown: Vec<&Level> = levels.iter().filter(|level| level.sign.is_none() || level.sign == Some(0)).collect();
+        let unknown: Vec<&Level> =
+            levels.iter().filter(|level| level.sign.is_none() || level.sign == Some(0)).collect();
         let below = levels.iter().filter(|level| level.sign == Some(1)).map(|level| level.first + level.count).max();
         let below = below.unwrap_or(0);
         if unknown.is_empty() {
@@ -84,7 +85,9 @@ impl CertifiedAtlas {
             let class = match face {
                 None => Vec::new(),
                 Some(face) => match &self.regions[face] {
-                    Region { components: Ok(components), .. } => components.iter().map(ComponentDocument::from).collect(),
+                    Region { components: Ok(components), .. } => {
+                        components.iter().map(ComponentDocument::from).collect()
+                    }
                     Region { .. } => continue,
                 },
             };
@@ -102,7 +105,14 @@ impl CertifiedAtlas {
         gap.checked_sub(1).map(|position| self.arrangement.slabs[slab].face_above[position])
     }
 
-    fn settled(&self, h: &Number, l: &Number, slab: usize, below: usize, margin: MarginDocument) -> ClassificationDocument {
+    fn settled(
+        &self,
+        h: &Number,
+        l: &Number,
+        slab: usize,
+        below: usize,
+        margin: MarginDocument,
+    ) -> ClassificationDocument {
         let Some(face) = self.face(slab, below) else { return decided(&self.body, h, l, &[], margin) };
         match &self.regions[face].components {
             Ok(components) => decided(&self.body, h, l, components, margin),
@@ -123,9 +133,8 @@ impl CertifiedAtlas {
         let mut position = 0;
         while position < order.len() {
             let event = near.iter().find(|&&e| a.events[e].curves.contains(&order[position]));
-            let count = event.map_or(1, |&e| {
-                order[position..].iter().take_while(|c| a.events[e].curves.contains(c)).count()
-            });
+            let count =
+                event.map_or(1, |&e| order[position..].iter().take_while(|c| a.events[e].curves.contains(c)).count());
             let mut level = Level { first: position, count, sign: None, distance: [0.0, f64::INFINITY] };
             for evaluator in &evaluators {
                 let bits = evaluator.c.precision;

@@ -274,8 +274,7 @@ impl Curves {
     fn add_lines(&mut self, model: &Model) {
         let axis = model.active[0];
         for (side, pole) in [(0, Pole::Minus), (1, Pole::Plus)] {
-            let mut cuts: Vec<usize> =
-                model.passive.iter().copied().filter(|&k| (k > axis) == (side == 1)).collect();
+            let mut cuts: Vec<usize> = model.passive.iter().copied().filter(|&k| (k > axis) == (side == 1)).collect();
             // x falls with |a_k − a|.
             cuts.sort_by_key(|&k| std::cmp::Reverse(k.abs_diff(axis)));
             let first = self.list.len();
@@ -307,13 +306,11 @@ impl Curves {
         let bend = model.inflection_polynomial();
         let last = model.active.len();
         for number in 0..=last {
-            // On the last interval the family is the global minimum: no cusp there.
-            let roots =
-                if number == last { Vec::new() } else { roots_in_interval(model, &polynomial, number, bits)? };
-            if let (Some(bend), true) = (&bend, number > 0 && number < last) {
-                if let Some((place, _)) = roots_in_interval(model, bend, number, bits)?.into_iter().next() {
-                    self.inflection = Some((number, place));
-                }
+            let roots = roots_in_interval(model, &polynomial, number, bits)?;
+            if let Some(bend) = bend.as_ref().filter(|_| number > 0 && number < last)
+                && let Some((place, _)) = roots_in_interval(model, bend, number, bits)?.into_iter().next()
+            {
+                self.inflection = Some((number, place));
             }
             let mut stations: Vec<Station> = Vec::new();
             for (place, odd) in roots {
@@ -328,25 +325,23 @@ impl Curves {
                     stations.push(Station::Pitchfork(place, group));
                 }
             }
-            if let [left, right] = &charts(model, number)[..] {
-                if let (Some(l), Some(r)) = (&left.limit, &right.limit) {
-                    let places = [Place::exact(left.half, l.clone()), Place::exact(right.half, r.clone())];
-                    stations.push(Station::Middle(places));
-                }
+            if let [left, right] = &charts(model, number)[..]
+                && let (Some(l), Some(r)) = (&left.limit, &right.limit)
+            {
+                let places = [Place::exact(left.half, l.clone()), Place::exact(right.half, r.clone())];
+                stations.push(Station::Middle(places));
             }
             let mut overlap = None;
             stations.sort_by(|p, q| {
                 order(model, p.place(), q.place()).unwrap_or_else(|| {
-                    overlap = Some(p.place().clone());
+                    if rank(p).max(rank(q)) < MIDDLE {
+                        overlap = Some(p.place().clone());
+                    }
                     // A station in the very middle comes first and begins the right half.
                     rank(p).cmp(&rank(q))
                 })
             });
-            if let Some(place) = overlap {
-                if stations.iter().filter(|s| !matches!(s, Station::Middle(_))).count() > 1 {
-                    self.degenerate.push(place);
-                }
-            }
+            self.degenerate.extend(overlap);
             self.cut(model, number, &stations);
         }
         Ok(())
@@ -398,10 +393,12 @@ impl Curves {
                 ends.reverse();
             }
             let limit = (ends[1] == End::Infinity)
-                .then(|| done.last().and_then(|segment| match segment.half {
-                    Half::Generic { base, sign } => Some(Limit { group: base, side: sign }),
-                    Half::Over { .. } => None,
-                }))
+                .then(|| {
+                    done.last().and_then(|segment| match segment.half {
+                        Half::Generic { base, sign } => Some(Limit { group: base, side: sign }),
+                        Half::Over { .. } => None,
+                    })
+                })
                 .flatten();
             let above_all = match model.passive.iter().max() {
                 Some(&top) if number == last && top > model.active[last - 1] => {
@@ -423,11 +420,7 @@ impl Curves {
             });
             match station {
                 Some(Station::Cusp(place)) => {
-                    self.cusps.push(Cusp {
-                        place: place.clone(),
-                        curves: [this; 2],
-                        opens: !rising,
-                    });
+                    self.cusps.push(Cusp { place: place.clone(), curves: [this; 2], opens: !rising });
                     rising = !rising;
                 }
                 Some(Station::Pitchfork(place, group)) => {
@@ -508,11 +501,14 @@ impl Curves {
     }
 }
 
+/// The rank of [`Station::Middle`].
+const MIDDLE: u8 = 2;
+
 fn rank(station: &Station) -> u8 {
     match station {
         Station::Cusp(_) => 0,
         Station::Pitchfork(..) => 1,
-        Station::Middle(_) => 2,
+        Station::Middle(_) => MIDDLE,
     }
 }
 
@@ -547,8 +543,10 @@ mod tests {
         let model = Model::new(body, &frame);
         let curves = Curves::new(&model, 80).unwrap();
         let set = CriticalSet::new(frame).unwrap();
-        let mut names: Vec<_> = curves.list.iter().map(|c| format!("{:?} {} {:?}", c.branch, c.piece, c.orbit)).collect();
-        let mut expected: Vec<_> = set.curves.iter().map(|c| format!("{:?} {} {:?}", c.branch, c.piece, c.orbit)).collect();
+        let mut names: Vec<_> =
+            curves.list.iter().map(|c| format!("{:?} {} {:?}", c.branch, c.piece, c.orbit)).collect();
+        let mut expected: Vec<_> =
+            set.curves.iter().map(|c| format!("{:?} {} {:?}", c.branch, c.piece, c.orbit)).collect();
         names.sort();
         expected.sort();
         assert_eq!(names, expected);

@@ -67,7 +67,13 @@ impl CertifiedAtlas {
                 || {
                     let strip = &proved.slabs[slab];
                     let h = strip.heights[position][1];
-                    atlas::Sample { x: double(&strip.x), h, margin: 0.0, error: 0.0, nearest: map[strip.order[position]] }
+                    atlas::Sample {
+                        x: double(&strip.x),
+                        h,
+                        margin: 0.0,
+                        error: 0.0,
+                        nearest: map[strip.order[position]],
+                    }
                 },
                 |sample| {
                     let strip = &proved.slabs[sample.slab];

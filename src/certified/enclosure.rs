@@ -10,13 +10,7 @@ use dashu_ratio::RBig;
 ///
 /// A quotient by an enclosure that holds 0, or any overflow, is the whole line: a sign is then unknown, never wrong.
 pub(super) trait Enclosure:
-    Clone
-    + Debug
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Clone + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// How many bits the ends carry.
     type Precision: Copy + Debug;

@@ -23,8 +23,6 @@ pub(super) struct State<E: Enclosure> {
     pub j: E,
     /// ⟨γ, r⟩.
     pub rho: E,
-    /// s = Ω².
-    pub s: E,
     /// x = l²/2 = s J²/2.
     pub x: E,
     /// μ − a_k.
@@ -48,9 +46,8 @@ impl<E: Enclosure> State<E> {
         let zero = c.small(0);
         let delta = if sign > 0 { y.clone() } else { -y.clone() };
         let n = model.groups.len();
-        let tau: Vec<E> = (0..n)
-            .map(|k| if k == base { delta.clone() } else { delta.clone() + c.diff[base][k].clone() })
-            .collect();
+        let tau: Vec<E> =
+            (0..n).map(|k| if k == base { delta.clone() } else { delta.clone() + c.diff[base][k].clone() }).collect();
         // Scaled by τ_base², which alone may be small: weights q_k (τ_base/τ_k)².
         let lead = tau[base].clone();
         let ratio: Vec<Option<E>> = (0..n)
@@ -59,15 +56,13 @@ impl<E: Enclosure> State<E> {
                 carries.then(|| if k == base { c.small(1) } else { lead.clone() / tau[k].clone() })
             })
             .collect();
-        let weight: Vec<Option<E>> =
-            (0..n).map(|k| ratio[k].as_ref().map(|t| c.q[k].clone() * t.square())).collect();
+        let weight: Vec<Option<E>> = (0..n).map(|k| ratio[k].as_ref().map(|t| c.q[k].clone() * t.square())).collect();
         let total = sum(weight.iter().flatten().cloned(), &zero);
         // s = √P = √total / |τ_base|.
         let root = total.sqrt();
         let distance = y.clone();
         let s = root.clone() / distance.clone();
-        let w: Vec<E> =
-            weight.iter().map(|g| g.as_ref().map_or(zero.clone(), |g| g.clone() / total.clone())).collect();
+        let w: Vec<E> = weight.iter().map(|g| g.as_ref().map_or(zero.clone(), |g| g.clone() / total.clone())).collect();
         let oriented = |e: E| if sign > 0 { e } else { -e };
         let gamma: Vec<E> = (0..n)
             .map(|k| {
@@ -95,7 +90,7 @@ impl<E: Enclosure> State<E> {
         let bracket = mean_ratio + c.small(4) * spread.clone() / j.clone();
         let log_slope = -(bracket / distance.clone());
         let j_slope = -(c.small(2) * spread / distance);
-        Self { gamma, j, rho, s, x, tau, log_slope, j_slope }
+        Self { gamma, j, rho, x, tau, log_slope, j_slope }
     }
 
     fn over(model: &Model, c: &Constants<E>, group: usize, y: &E) -> Self {
@@ -123,7 +118,7 @@ impl<E: Enclosure> State<E> {
         // x = √v J²/2: d ln x/dv = (1/2 + 2(R̂/v)/J)/v, dJ/dv = (R̂/v)/v.
         let log_slope = (half::<E>(c) + c.small(2) * shift.clone() / j.clone()) / v.clone();
         let j_slope = shift / v;
-        Self { gamma, j, rho, s, x, tau, log_slope, j_slope }
+        Self { gamma, j, rho, x, tau, log_slope, j_slope }
     }
 
     /// h = x/J − ρ.
@@ -148,9 +143,9 @@ fn sum<E: Enclosure>(terms: impl Iterator<Item = E>, zero: &E) -> E {
 /// Σ w a with Σ w = 1: the narrowest over all choices of a moment to measure from.
 fn mean<E: Enclosure>(w: &[E], c: &Constants<E>) -> E {
     let about = |base: usize| {
-        (0..w.len()).filter(|&k| k != base).fold(c.a[base].clone(), |total, k| {
-            total + w[k].clone() * c.diff[k][base].clone()
-        })
+        (0..w.len())
+            .filter(|&k| k != base)
+            .fold(c.a[base].clone(), |total, k| total + w[k].clone() * c.diff[k][base].clone())
     };
     (1..w.len()).fold(about(0), |best, base| best.meet(&about(base)))
 }
@@ -184,8 +179,7 @@ mod tests {
             for &base in &model.active {
                 for sign in [-1i8, 1] {
                     for y in [1e-9, 0.03, 0.2] {
-                        let state =
-                            State::at(&model, &c, Half::Generic { base, sign }, &E::double(y, precision));
+                        let state = State::at(&model, &c, Half::Generic { base, sign }, &E::double(y, precision));
                         let mu = Mu { base: model.axis[base], delta: f64::from(sign) * y };
                         let expected = GenericState::at(&frame, mu);
                         near(&state.j, expected.j, 1e-12);
@@ -205,7 +199,14 @@ mod tests {
                     let state = State::at(&model, &c, Half::Over { group }, &E::double(y, precision));
                     let expected = family.at(&frame, t);
                     near(&state.x, expected.x, 1e-12);
-                    near(&(state.x.clone() * state.log_slope.clone() * c.small(2) * state.s.clone()), expected.x_slope, 1e-12);
+                    near(
+                        &(state.x.clone()
+                            * state.log_slope.clone()
+                            * c.small(2)
+                            * E::double(family.s_pitchfork + t, precision)),
+                        expected.x_slope,
+                        1e-12,
+                    );
                     near(&state.gamma[group], expected.gamma[group], 1e-12);
                 }
             }

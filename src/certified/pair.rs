@@ -119,7 +119,9 @@ impl<E: Enclosure> Evaluator<'_, E> {
             }
             if !low.is_below(&high) {
                 // The range may be empty: one curve ends where the other begins.
-                return self.touching(curves).map_or_else(|| Err(Open { x: [low.bounds()[0], high.bounds()[1]] }), |()| Ok(None));
+                return self
+                    .touching(curves)
+                    .map_or_else(|| Err(Open { x: [low.bounds()[0], high.bounds()[1]] }), |()| Ok(None));
             }
         }
         let mut stretches = Vec::new();
@@ -395,13 +397,11 @@ impl<E: Enclosure> Evaluator<'_, E> {
         if matches!(start.0, Half::Over { .. }) {
             return Some(range);
         }
-        let other = match to {
-            Some(point) => self.beyond(point.place.as_ref()?, place),
-            None => {
-                let limit = list.limit?;
-                let half = Half::Generic { base: limit.group, sign: limit.side };
-                self.beyond(&(half, self.c.small(0)), place)
-            }
+        let other = if let Some(point) = to {
+            self.beyond(point.place.as_ref()?, place)
+        } else {
+            let limit = list.limit?;
+            self.beyond(&(Half::Generic { base: limit.group, sign: limit.side }, self.c.small(0)), place)
         };
         // The inflection lies on another interval of the family, or beside the range: J is monotone there.
         match (self.beyond(start, place), other) {
@@ -470,7 +470,13 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let (low, high) = (from.x.bounds()[1], to.x.bounds()[0]);
         let middle = [0.5, 0.4, 0.61]
             .into_iter()
-            .map(|t| if high > 4.0 * low && low > 0.0 { low.sqrt() * high.sqrt() * (0.9 + 0.2 * t) } else { low + t * (high - low) })
+            .map(|t| {
+                if high > 4.0 * low && low > 0.0 {
+                    low.sqrt() * high.sqrt() * (0.9 + 0.2 * t)
+                } else {
+                    low + t * (high - low)
+                }
+            })
             .filter(|x| *x > low && *x < high)
             .find_map(|x| self.node_near(curves, x, [low, high]).filter(|node| node.sign.is_some_and(|sign| sign != 0)))
             .ok_or(open)?;
@@ -523,8 +529,10 @@ impl<E: Enclosure> Evaluator<'_, E> {
                         let sure = |at: f64, wanted: i8| {
                             at > low && at < high && self.node(curves, at).is_some_and(|node| node.sign == Some(wanted))
                         };
-                        let below = (x - reach <= low).then_some(low).or_else(|| sure(x - reach, sign).then_some(x - reach));
-                        let above = (x + reach >= high).then_some(high).or_else(|| sure(x + reach, -sign).then_some(x + reach));
+                        let below =
+                            (x - reach <= low).then_some(low).or_else(|| sure(x - reach, sign).then_some(x - reach));
+                        let above =
+                            (x + reach >= high).then_some(high).or_else(|| sure(x + reach, -sign).then_some(x + reach));
                         if let (Some(p), Some(q)) = (below, above) {
                             return Some([p, q]);
                         }
@@ -548,7 +556,8 @@ impl<E: Enclosure> Evaluator<'_, E> {
             let next = [8.0, 7.0, 10.0]
                 .into_iter()
                 .find_map(|factor| {
-                    self.node_near(curves, factor * from, [2.0 * from, f64::INFINITY]).filter(|node| node.sign.is_some_and(|sign| sign != 0))
+                    self.node_near(curves, factor * from, [2.0 * from, f64::INFINITY])
+                        .filter(|node| node.sign.is_some_and(|sign| sign != 0))
                 })
                 .ok_or(Open { x: [from, f64::INFINITY] })?;
             self.between(curves, &node, &next, DEPTH, stretches)?;
@@ -560,10 +569,8 @@ impl<E: Enclosure> Evaluator<'_, E> {
     /// The sign all the way to infinity.
     fn far_sign(&self, curves: [usize; 2], node: &Node<E>) -> Option<(i8, Reason)> {
         let gap = node.sign.filter(|sign| *sign != 0)?;
-        if let Some(slopes) = self.slopes(curves, node, None) {
-            if strict(&slopes) == Some(gap) {
-                return Some((gap, Reason::Far));
-            }
+        if self.slopes(curves, node, None).and_then(|slopes| strict(&slopes)) == Some(gap) {
+            return Some((gap, Reason::Far));
         }
         let limits = curves.map(|c| self.curves.list[c].limit);
         let [Some(p), Some(q)] = limits else { return None };

@@ -53,9 +53,9 @@ impl<E: Enclosure> Point<E> {
     pub fn h_above(&self, c: &Constants<E>, group: usize, a: &E) -> E {
         let n = self.at.gamma.len();
         // a − J about the moment itself.
-        let excess = (0..n).filter(|&k| k != group).fold(c.small(0), |sum, k| {
-            sum + self.at.gamma[k].square() * c.diff[group][k].clone()
-        });
+        let excess = (0..n)
+            .filter(|&k| k != group)
+            .fold(c.small(0), |sum, k| sum + self.at.gamma[k].square() * c.diff[group][k].clone());
         self.x.clone() * excess / (self.at.j.clone() * a.clone()) - self.at.rho.clone() + self.correction.clone()
     }
 
@@ -135,7 +135,6 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
             gamma,
             j,
             rho: sign(c.r.clone()),
-            s,
             x: x.clone(),
             tau,
             log_slope: zero.clone(),
@@ -152,7 +151,6 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let j = c.a[group].clone();
         let state = State {
             gamma: (0..n).map(|k| c.small(i32::from(k == group))).collect(),
-            s: c.small(2) * x.clone() / j.square(),
             j,
             rho: zero.clone(),
             x: x.clone(),
@@ -206,7 +204,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                     continue;
                 }
                 let upward = (side == 1) == rising;
-                let candidate = if upward { (y.clone() + reach.clone()).upper() } else { (y.clone() - reach.clone()).lower() };
+                let candidate =
+                    if upward { (y.clone() + reach.clone()).upper() } else { (y.clone() - reach.clone()).lower() };
                 let beyond = outer[side].as_ref().filter(|bound| {
                     let inside = if upward { candidate.is_below(bound) } else { bound.is_below(&candidate) };
                     !inside
@@ -276,9 +275,9 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
             .map(|k| (p.gamma[k].clone() - q.gamma[k].clone()) * (p.gamma[k].clone() + q.gamma[k].clone()))
             .collect();
         let about = |base: usize| {
-            (0..n).filter(|&k| k != base).fold(self.c.small(0), |sum, k| {
-                sum + squares[k].clone() * self.c.diff[k][base].clone()
-            })
+            (0..n)
+                .filter(|&k| k != base)
+                .fold(self.c.small(0), |sum, k| sum + squares[k].clone() * self.c.diff[k][base].clone())
         };
         let plain = p.j.clone() - q.j.clone();
         (0..n).fold(plain, |best, base| best.meet(&about(base)))
@@ -300,9 +299,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     /// sphere, taken in both directions.
     fn exact_gap(&self, x: &E, a: &State<E>, b: &State<E>) -> E {
         let n = self.model.groups.len();
-        let mu = (1..n).fold(b.tau[0].clone() - a.tau[0].clone(), |best, k| {
-            best.meet(&(b.tau[k].clone() - a.tau[k].clone()))
-        });
+        let mu = (1..n)
+            .fold(b.tau[0].clone() - a.tau[0].clone(), |best, k| best.meet(&(b.tau[k].clone() - a.tau[k].clone())));
         let distance = (0..n).fold(self.c.small(0), |sum, k| sum + (a.gamma[k].clone() - b.gamma[k].clone()).square());
         let moment = self.moment_difference(a, b);
         let cube = moment.clone() * moment.square() / (a.j.clone() * b.j.clone());
@@ -362,7 +360,11 @@ mod tests {
                     let [lo, hi] = point.h().bounds();
                     let expected = other.point(&set.frame, x);
                     let slack = expected.h_error();
-                    assert!(lo - slack <= expected.h() && expected.h() <= hi + slack, "{x} {curve:?} [{lo}, {hi}] {}", expected.h());
+                    assert!(
+                        lo - slack <= expected.h() && expected.h() <= hi + slack,
+                        "{x} {curve:?} [{lo}, {hi}] {}",
+                        expected.h()
+                    );
                     assert!(hi - lo <= width * (1.0 + x), "{}", hi - lo);
                     points.push((point, expected.h()));
                     compared += 1;

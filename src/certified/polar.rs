@@ -108,9 +108,10 @@ fn on_branch(
 
 /// The cusp or pitchfork between two successive pieces of a branch.
 fn station_between(curves: &Curves, p: usize, q: usize) -> Option<(End, Place)> {
-    let common = curves.list[p].ends.into_iter().find(|end| {
-        matches!(end, End::Cusp(_) | End::Pitchfork(_)) && curves.list[q].ends.contains(end)
-    })?;
+    let common = curves.list[p]
+        .ends
+        .into_iter()
+        .find(|end| matches!(end, End::Cusp(_) | End::Pitchfork(_)) && curves.list[q].ends.contains(end))?;
     let place = match common {
         End::Cusp(number) => curves.cusps[number].place.clone(),
         End::Pitchfork(number) => curves.pitchforks[number].place.clone()?,

@@ -61,11 +61,6 @@ impl Polynomial {
         self.c.len().saturating_sub(1)
     }
 
-    #[cfg(test)]
-    pub fn coefficients(&self) -> &[IBig] {
-        &self.c
-    }
-
     /// Divided by the greatest common divisor of the coefficients.
     fn primitive(self) -> Self {
         let content = self.c.iter().fold(UBig::ZERO, |content, c| {
@@ -332,7 +327,8 @@ impl Root {
             let other = if lower { self.hi.clone() } else { self.lo.clone() };
             let mut at = (&end + &other) / RBig::from(2);
             loop {
-                let here = Self { lo: at.clone().min(other.clone()), hi: at.clone().max(other.clone()), ..self.clone() };
+                let here =
+                    Self { lo: at.clone().min(other.clone()), hi: at.clone().max(other.clone()), ..self.clone() };
                 let inner = polynomial.on(&here.lo, &here.hi);
                 if polynomial.sign_at(&at) == 0 {
                     return Self { lo: at.clone(), hi: at, ..self };
@@ -364,7 +360,7 @@ impl Root {
     fn cut(&mut self, at: RBig) {
         match self.polynomial.sign_at(&at) {
             0 => {
-                self.lo = at.clone();
+                self.lo.clone_from(&at);
                 self.hi = at;
             }
             s if s == self.polynomial.sign_at(&self.hi) => self.hi = at,
@@ -374,8 +370,7 @@ impl Root {
 
     /// A rational root.
     pub fn exact(polynomial: &Polynomial, at: RBig) -> Self {
-        let mut root =
-            Self { polynomial: Rc::new(polynomial.squarefree()), lo: at.clone(), hi: at, odd: true };
+        let mut root = Self { polynomial: Rc::new(polynomial.squarefree()), lo: at.clone(), hi: at, odd: true };
         root.odd = polynomial.changes_sign_at(&root);
         root
     }
@@ -448,7 +443,6 @@ impl Polynomial {
     fn on(&self, lo: &RBig, hi: &RBig) -> Self {
         self.composed(lo, &(hi - lo))
     }
-
 }
 
 /// Sum, product and difference of polynomials with rational coefficients, to build the integer ones from.

@@ -75,9 +75,7 @@ impl Add for Wide {
     fn add(self, other: Self) -> Self {
         let bits = self.bits;
         match (self.ends, other.ends) {
-            (Some((a, b)), Some((c, d))) => {
-                Self::of(lower(down(bits).add(&a, &c)), upper(up(bits).add(&b, &d)), bits)
-            }
+            (Some((a, b)), Some((c, d))) => Self::of(lower(down(bits).add(&a, &c)), upper(up(bits).add(&b, &d)), bits),
             _ => Self::line(bits),
         }
     }
@@ -88,9 +86,7 @@ impl Sub for Wide {
     fn sub(self, other: Self) -> Self {
         let bits = self.bits;
         match (self.ends, other.ends) {
-            (Some((a, b)), Some((c, d))) => {
-                Self::of(lower(down(bits).sub(&a, &d)), upper(up(bits).sub(&b, &c)), bits)
-            }
+            (Some((a, b)), Some((c, d))) => Self::of(lower(down(bits).sub(&a, &d)), upper(up(bits).sub(&b, &c)), bits),
             _ => Self::line(bits),
         }
     }
@@ -208,18 +204,14 @@ impl Enclosure for Wide {
 
     fn hull(&self, other: &Self) -> Self {
         match (&self.ends, &other.ends) {
-            (Some((a, b)), Some((c, d))) => {
-                Self { ends: Some((a.min(c).clone(), b.max(d).clone())), bits: self.bits }
-            }
+            (Some((a, b)), Some((c, d))) => Self { ends: Some((a.min(c).clone(), b.max(d).clone())), bits: self.bits },
             _ => Self::line(self.bits),
         }
     }
 
     fn meet(&self, other: &Self) -> Self {
         match (&self.ends, &other.ends) {
-            (Some((a, b)), Some((c, d))) => {
-                Self { ends: Some((a.max(c).clone(), b.min(d).clone())), bits: self.bits }
-            }
+            (Some((a, b)), Some((c, d))) => Self { ends: Some((a.max(c).clone(), b.min(d).clone())), bits: self.bits },
             (Some(_), None) => self.clone(),
             _ => other.clone(),
         }

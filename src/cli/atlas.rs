@@ -29,8 +29,7 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
     let (atlas, document) = if accuracy == Accuracy::Certified {
         let proof = timings.stage("proof", || CertifiedAtlas::new(&subject.body))?;
         let drawn = proof.drawn()?;
-        let mut document =
-            timings.stage("certificate", || proof.document(&drawn, &DocumentOptions::default()))?;
+        let mut document = timings.stage("certificate", || proof.document(&drawn, &DocumentOptions::default()))?;
         if subject.inertia.is_some() {
             attach_part(&mut document, &subject);
             proof.seal(&mut document)?;

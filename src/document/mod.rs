@@ -14,12 +14,12 @@ mod section;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EnclosureDocument, EventDocument, EventKind,
-    NeighbourDocument,
-    RegionDocument, SampleDocument, StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument, WindowDocument,
+    NeighbourDocument, RegionDocument, SampleDocument, StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument,
+    WindowDocument,
 };
 pub use certificate::{
-    CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting, CertifiedNode,
-    CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
+    CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
+    CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
 pub use classification::{ClassificationDocument, ComponentDocument, MarginDocument, Status};
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};

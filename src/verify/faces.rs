@@ -39,6 +39,7 @@ fn refuse(number: usize, why: &'static str) -> Refused {
 
 /// Reads the events: each cusp, pitchfork and meeting once, with all its curves and a right enclosure; transitions in
 /// order. Crossings are compared later, by [`slabs`].
+#[allow(clippy::too_many_lines)]
 pub(super) fn events(
     certificate: &CertificateDocument,
     orders: &Orders,
@@ -46,7 +47,8 @@ pub(super) fn events(
 ) -> Result<Events, Refused> {
     let (pieces, spaces) = (orders.pieces, orders.spaces);
     let mut seen: Vec<String> = Vec::new();
-    let mut found = Events { x: Vec::new(), curves: Vec::new(), meetings: Vec::new(), crossings: Vec::new(), ends: Vec::new() };
+    let mut found =
+        Events { x: Vec::new(), curves: Vec::new(), meetings: Vec::new(), crossings: Vec::new(), ends: Vec::new() };
     for (at, event) in certificate.events.iter().enumerate() {
         let read = |text: &String| number(text).ok_or_else(|| Refused::Number { text: text.clone() });
         let x = [read(&event.x[0])?, read(&event.x[1])?];
@@ -116,8 +118,8 @@ pub(super) fn events(
         }
         for point in &points {
             let height = point.x.over(&point.j).map(|h| &h - &point.rho);
-            let right = point.x.inside(&claimed)
-                && height.is_some_and(|height| height.inside(&Fixed::between(&h[0], &h[1])));
+            let right =
+                point.x.inside(&claimed) && height.is_some_and(|height| height.inside(&Fixed::between(&h[0], &h[1])));
             if !right {
                 return Err(refuse(at, "its enclosure does not hold the point"));
             }
@@ -271,9 +273,9 @@ fn compare_crossings(events: &Events, crossings: &[([usize; 2], [Fixed; 2])]) ->
     let mut open: Vec<&([usize; 2], [Fixed; 2])> = crossings.iter().collect();
     for (at, pair) in &events.crossings {
         let claimed = Fixed::between(&events.x[*at][0], &events.x[*at][1]);
-        let place = open.iter().position(|(curves, [low, high])| {
-            curves == pair && low.inside(&claimed) && high.inside(&claimed)
-        });
+        let place = open
+            .iter()
+            .position(|(curves, [low, high])| curves == pair && low.inside(&claimed) && high.inside(&claimed));
         match place {
             Some(place) => {
                 open.remove(place);
@@ -319,7 +321,12 @@ fn glue(certificate: &CertificateDocument, events: &Events, slabs: &[Slab]) -> R
             let known = names.iter().find(|(c, n)| *c == class || *n == name);
             match known {
                 Some((c, n)) if *c == class && *n == name => {}
-                Some(_) => return Err(Refused::Slab { number: slab, why: "a cell is given to another region than it belongs to" }),
+                Some(_) => {
+                    return Err(Refused::Slab {
+                        number: slab,
+                        why: "a cell is given to another region than it belongs to",
+                    });
+                }
                 None => names.push((class, name)),
             }
         }
@@ -345,8 +352,7 @@ fn join(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Option<Vec<(u
         let mut sources: Vec<Vec<usize>> = (0..=before.len()).map(|k| vec![k]).collect();
         for number in sequence {
             let block = blocks[number];
-            let later: Vec<usize> =
-                after.iter().copied().filter(|c| now.contains(c) || block.contains(c)).collect();
+            let later: Vec<usize> = after.iter().copied().filter(|c| now.contains(c) || block.contains(c)).collect();
             let mine = |list: &[usize]| -> Option<[usize; 2]> {
                 let first = list.iter().position(|c| block.contains(c))?;
                 let size = list[first..].iter().take_while(|c| block.contains(c)).count();

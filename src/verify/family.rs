@@ -286,9 +286,11 @@ impl Spaces {
             [axis] => {
                 // μ = a ± r/s with s = 2x/J².
                 let shift = sign((&self.norm * &j.square()).over(&(&Fixed::whole(2) * x))?);
-                Some((0..self.list.len()).map(|k| {
-                    &Fixed::of(&(&self.list[axis].a - &self.list[k].a)) + &shift
-                }).collect())
+                Some(
+                    (0..self.list.len())
+                        .map(|k| &Fixed::of(&(&self.list[axis].a - &self.list[k].a)) + &shift)
+                        .collect(),
+                )
             }
             _ => None,
         };
@@ -314,22 +316,13 @@ impl Spaces {
         let product = &a.j * &b.j;
         let moment = self.moment_difference(a, b);
         let plain = &-&(x * &moment).over(&product)? - &(&a.rho - &b.rho);
-        let Some(exact) = self.identity(a, b, &moment) else { return Some(plain) };
+        let Some(exact) = identity(a, b, &moment) else { return Some(plain) };
         plain.meet(&(x * &exact))
     }
 
     /// The gap over x, over ranges of equilibria.
     pub fn range_gap(&self, a: &Point, b: &Point) -> Option<Fixed> {
-        self.identity(a, b, &self.moment_difference(a, b))
-    }
-
-    fn identity(&self, a: &Point, b: &Point, moment: &Fixed) -> Option<Fixed> {
-        let (p, q) = (a.tau.as_ref()?, b.tau.as_ref()?);
-        let mu = &q[0] - &p[0];
-        let distance =
-            a.gamma.iter().zip(&b.gamma).fold(Fixed::whole(0), |sum, (p, q)| &sum + &(p - q).square());
-        let cube = (moment * &moment.square()).over(&(&a.j * &b.j))?;
-        (&(&mu * &distance) - &cube).over(&(&a.j.square() + &b.j.square()))
+        identity(a, b, &self.moment_difference(a, b))
     }
 
     /// J_a − J_b = Σ (γ_a − γ_b)(γ_a + γ_b)(a − a_base).
@@ -344,6 +337,15 @@ impl Spaces {
             best.meet(&sum).unwrap_or(best)
         })
     }
+}
+
+/// The gap over x from the identity, for two equilibria.
+fn identity(a: &Point, b: &Point, moment: &Fixed) -> Option<Fixed> {
+    let (p, q) = (a.tau.as_ref()?, b.tau.as_ref()?);
+    let mu = &q[0] - &p[0];
+    let distance = a.gamma.iter().zip(&b.gamma).fold(Fixed::whole(0), |sum, (p, q)| &sum + &(p - q).square());
+    let cube = (moment * &moment.square()).over(&(&a.j * &b.j))?;
+    (&(&mu * &distance) - &cube).over(&(&a.j.square() + &b.j.square()))
 }
 
 fn half(x: &Fixed) -> Fixed {

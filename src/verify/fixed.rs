@@ -154,15 +154,14 @@ impl Neg for &Fixed {
 impl Mul for &Fixed {
     type Output = Fixed;
     fn mul(self, other: Self) -> Fixed {
-        let products =
-            [&self.lo * &other.lo, &self.lo * &other.hi, &self.hi * &other.lo, &self.hi * &other.hi];
+        let products = [&self.lo * &other.lo, &self.lo * &other.hi, &self.hi * &other.lo, &self.hi * &other.hi];
         let (mut least, mut greatest) = (products[0].clone(), products[0].clone());
         for product in &products[1..] {
             if *product < least {
-                least = product.clone();
+                least.clone_from(product);
             }
             if *product > greatest {
-                greatest = product.clone();
+                greatest.clone_from(product);
             }
         }
         Fixed { lo: floor_shift(least), hi: ceil_shift(greatest) }

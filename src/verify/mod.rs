@@ -316,18 +316,16 @@ fn cusps(certificate: &CertificateDocument, spaces: &Spaces) -> Result<Vec<Place
     // Those over spaces without r are checked when the pieces are made.
     let strays = places.iter().position(|place| match place.side {
         Side::Over => spaces.active.contains(&place.base),
-        _ => {
+        Side::Plus | Side::Minus => {
             let range = place.range(spaces);
-            spaces.active.len() < 2 || !(0..=spaces.active.len()).any(|branch| lies_in(&range, interval(spaces, branch)))
+            spaces.active.len() < 2
+                || !(0..=spaces.active.len()).any(|branch| lies_in(&range, interval(spaces, branch)))
         }
     });
     strays.map_or(Ok(places), |number| Err(Refused::BadPlace { what: "cusp", number }))
 }
 
-fn inflection(
-    certificate: &CertificateDocument,
-    spaces: &Spaces,
-) -> Result<Option<(usize, family::Point)>, Refused> {
+fn inflection(certificate: &CertificateDocument, spaces: &Spaces) -> Result<Option<(usize, family::Point)>, Refused> {
     if spaces.active.len() < 3 {
         return Ok(None);
     }
@@ -369,7 +367,7 @@ fn meetings(certificate: &CertificateDocument, spaces: &Spaces, pieces: &Pieces)
     if spaces.active.len() > 1 {
         let polynomials = spaces.pole_polynomials();
         for branch in 0..=spaces.active.len() {
-            let ends = interval(spaces, branch).map(|end| end.cloned());
+            let ends = interval(spaces, branch).map(Option::<&RBig>::cloned);
             families.push((Family::Generic(branch), polynomials.clone(), ends));
         }
     }
@@ -379,7 +377,7 @@ fn meetings(certificate: &CertificateDocument, spaces: &Spaces, pieces: &Pieces)
             let shift = spaces.sums(base).1;
             let moved = spaces.pole_polynomials_over(base).map(|p| {
                 p.iter().rev().fold(Vec::new(), |sum: Coefficients, c| {
-                    sturm::plus(&sturm::times(&sum, &[shift.clone(), RBig::ONE]), &[c.clone()], &RBig::ONE)
+                    sturm::plus(&sturm::times(&sum, &[shift.clone(), RBig::ONE]), std::slice::from_ref(c), &RBig::ONE)
                 })
             });
             families.push((Family::Over(base), moved, [Some(RBig::ZERO), None]));
@@ -425,7 +423,8 @@ fn meetings(certificate: &CertificateDocument, spaces: &Spaces, pieces: &Pieces)
             if claim.pole != if plus { "+" } else { "-" } {
                 return Err(refuse("it lies on the other pole line"));
             }
-            let (curves, end) = on_curves(spaces, pieces, family, &range, &polynomial).ok_or_else(|| refuse("its curve is not certain"))?;
+            let (curves, end) = on_curves(spaces, pieces, family, &range, &polynomial)
+                .ok_or_else(|| refuse("its curve is not certain"))?;
             let ids: Vec<&str> = curves.iter().map(|&c| pieces.list[c].id.as_str()).collect();
             if ids != claim.curves {
                 return Err(refuse("it lies on another curve"));
@@ -461,9 +460,10 @@ fn on_curves(
     mine.windows(2).find_map(|pair| {
         let station = pieces.list[pair[0]].range[1].as_ref()?;
         let overlap = station[0] <= range[1] && range[0] <= station[1];
-        let end = pieces.list[pair[0]].ends.into_iter().find(|end| {
-            matches!(end, End::Cusp(_) | End::Pitchfork(_)) && pieces.list[pair[1]].ends.contains(end)
-        })?;
+        let end = pieces.list[pair[0]]
+            .ends
+            .into_iter()
+            .find(|end| matches!(end, End::Cusp(_) | End::Pitchfork(_)) && pieces.list[pair[1]].ends.contains(end))?;
         let (lo, hi) = (range[0].clone().max(station[0].clone()), range[1].clone().min(station[1].clone()));
         let same = overlap
             && if station[0] == station[1] {
@@ -475,8 +475,11 @@ fn on_curves(
     })
 }
 
+/// Two curves and the box in x of their crossing.
+type Crossing = ([usize; 2], [Fixed; 2]);
+
 /// Every pair of critical curves that no structure orders, and the boxes of its crossings.
-fn pairs(certificate: &CertificateDocument, orders: &Orders) -> Result<Vec<([usize; 2], [Fixed; 2])>, Refused> {
+fn pairs(certificate: &CertificateDocument, orders: &Orders) -> Result<Vec<Crossing>, Refused> {
     let pieces = orders.pieces;
     let compared = |c: usize| {
         let piece = &pieces.list[c];
@@ -518,9 +521,9 @@ fn pairs(certificate: &CertificateDocument, orders: &Orders) -> Result<Vec<([usi
 /// Components in words.
 fn words(components: &[Component]) -> String {
     let word = |c: &Component| {
-        let poles = c.poles.map_or(String::new(), |p| {
-            [(p.plus, "+"), (p.minus, "-")].iter().filter(|p| p.0).map(|p| p.1).collect()
-        });
+        let poles = c
+            .poles
+            .map_or(String::new(), |p| [(p.plus, "+"), (p.minus, "-")].iter().filter(|p| p.0).map(|p| p.1).collect());
         format!("{}({poles})", c.accessible_region())
     };
     components.iter().map(word).collect::<Vec<_>>().join(" + ")

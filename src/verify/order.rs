@@ -136,10 +136,10 @@ impl Orders<'_> {
             upper == lower && matches!(upper, End::Cusp(_) | End::Pitchfork(_))
         };
         for (upper, lower, a, b) in [(&p[1], &q[0], curves[0], curves[1]), (&q[1], &p[0], curves[1], curves[0])] {
-            if let (Some(upper), Some(lower)) = (upper, lower) {
-                if upper.at_most(lower) || touching(a, b) {
-                    return Ok(None);
-                }
+            if let (Some(upper), Some(lower)) = (upper, lower)
+                && (upper.at_most(lower) || touching(a, b))
+            {
+                return Ok(None);
             }
         }
         let later = |a: &Option<Fixed>, b: &Option<Fixed>| match (a, b) {
@@ -163,8 +163,10 @@ impl Orders<'_> {
         let mut sign_before: Option<i8> = None;
         for (number, stretch) in pair.stretches.iter().enumerate() {
             let joined = number == 0 || pair.stretches[number - 1].to == stretch.from;
-            let ends_inside = (number > 0 && stretch.from.x.is_none()) || (number + 1 < count && stretch.to.x.is_none());
-            let ends_early = (number == 0 && stretch.from.x.is_some()) || (number + 1 == count && stretch.to.x.is_some());
+            let ends_inside =
+                (number > 0 && stretch.from.x.is_none()) || (number + 1 < count && stretch.to.x.is_none());
+            let ends_early =
+                (number == 0 && stretch.from.x.is_some()) || (number + 1 == count && stretch.to.x.is_some());
             if !joined || ends_inside || ends_early {
                 return Err(refuse("its stretches leave a gap"));
             }
@@ -183,14 +185,15 @@ impl Orders<'_> {
         let at = from.as_ref().or(to.as_ref()).map_or_else(|| Fixed::whole(0), |node| node.x.clone());
         let refuse = |why| self.pair_refused(curves, &at, why);
         let sign = stretch.sign;
-        if let (Some(p), Some(q)) = (&from, &to) {
-            if !p.x.below(&q.x) {
-                return Err(refuse("a stretch runs backwards"));
-            }
+        if let (Some(p), Some(q)) = (&from, &to)
+            && !p.x.below(&q.x)
+        {
+            return Err(refuse("a stretch runs backwards"));
         }
         if let Some(boxed) = &stretch.crossing {
             let (Some(from), Some(to)) = (&from, &to) else { return Err(refuse("a crossing has no box")) };
-            let inner = [self.read(curves, &boxed[0], 0)?, self.read(curves, &boxed[1], 1)?];
+            let [first, last] = boxed;
+            let inner = [self.read(curves, first, 0)?, self.read(curves, last, 1)?];
             let [Some(low), Some(high)] = inner else { return Err(refuse("a crossing has no box")) };
             let ordered = from.x.at_most(&low.x) && low.x.below(&high.x) && high.x.at_most(&to.x);
             let signs = strict(&low.gap) == Some(sign) && strict(&high.gap) == Some(-sign);
@@ -237,7 +240,8 @@ impl Orders<'_> {
             [None, Some(_)] => 1,
             _ => return Err(refuse("two ends are not told apart")),
         };
-        let point = self.pieces.end_point(self.spaces, curves[ending], side).ok_or_else(|| refuse("an end is missing"))?;
+        let point =
+            self.pieces.end_point(self.spaces, curves[ending], side).ok_or_else(|| refuse("an end is missing"))?;
         let y = self.coordinate(curves[ending], &point);
         let end = Stand { y, point };
         let other = self.stand(curves[1 - ending], node.places.as_ref().map(|p| &p[1 - ending]), &x)?;
@@ -286,7 +290,8 @@ impl Orders<'_> {
             None => &self.spaces.list[piece.limit?.0].a_set - &self.spaces.list[0].a_set,
         };
         let turn = bend.tau.as_ref()?[0].clone();
-        let (first, same) = (mu(from)?, |a: &Fixed, b: &Fixed| (a.below(&turn) && b.below(&turn)) || (turn.below(a) && turn.below(b)));
+        let (first, same) =
+            (mu(from)?, |a: &Fixed, b: &Fixed| (a.below(&turn) && b.below(&turn)) || (turn.below(a) && turn.below(b)));
         Some(if same(&first, &last) { range } else { range.hull(&bend.j) })
     }
 
@@ -354,7 +359,8 @@ impl Orders<'_> {
                 let straight = match (self.pieces.list[curves[0]].family, &self.inflection) {
                     (Family::Generic(number), Some((at, bend))) if *at == number => {
                         let mu = |which: usize| node.stands[which].point.tau.as_ref().map(|tau| tau[0].clone());
-                        let (Some(p), Some(q), Some(turn)) = (mu(0), mu(1), bend.tau.as_ref().map(|tau| &tau[0])) else {
+                        let (Some(p), Some(q), Some(turn)) = (mu(0), mu(1), bend.tau.as_ref().map(|tau| &tau[0]))
+                        else {
                             return false;
                         };
                         (p.below(turn) && q.below(turn)) || (turn.below(&p) && turn.below(&q))

@@ -112,8 +112,7 @@ impl Pieces {
     fn lines(&mut self, spaces: &Spaces) {
         let axis = spaces.active[0];
         for plus in [false, true] {
-            let mut forks: Vec<usize> =
-                spaces.passive().into_iter().filter(|&k| (k > axis) == plus).collect();
+            let mut forks: Vec<usize> = spaces.passive().into_iter().filter(|&k| (k > axis) == plus).collect();
             forks.sort_by_key(|&k| std::cmp::Reverse(k.abs_diff(axis)));
             let mut from = End::Origin;
             for number in 0..=forks.len() {

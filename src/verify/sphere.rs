@@ -14,7 +14,7 @@ use crate::topology::{Component, Poles, sort_components};
 /// Levels to which boxes are halved.
 const LEVELS: u8 = 14;
 /// Boxes that may be undecided at once.
-const LIMIT: usize = 60_000;
+const LIMIT: usize = 20_000;
 /// The level at which the cube starts.
 const START: u8 = 3;
 
@@ -120,7 +120,7 @@ impl Cell {
 
     fn halves(self) -> [Self; 4] {
         let (i, j, level) = (2 * self.i, 2 * self.j, self.level + 1);
-        [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| Self { i, j, level, ..self })
+        [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| Self { level, i, j, ..self })
     }
 
     /// Directions just beyond the middles of the four edges.
@@ -251,12 +251,7 @@ fn grouped(numbers: &[usize], strict: &mut Classes, wide: &mut Classes) -> Optio
     Some(groups)
 }
 
-fn decide(
-    leaves: &Leaves,
-    minima: &[[f64; 3]],
-    maxima: &[[f64; 3]],
-    pole: Option<[f64; 3]>,
-) -> Option<Vec<Component>> {
+fn decide(leaves: &Leaves, minima: &[[f64; 3]], maxima: &[[f64; 3]], pole: Option<[f64; 3]>) -> Option<Vec<Component>> {
     let cells: Vec<(Cell, Kind)> = leaves.kinds.iter().map(|(cell, kind)| (*cell, *kind)).collect();
     let number = |cell: Cell| cells.binary_search_by(|probe| probe.0.cmp(&cell)).ok();
     let place = |v: &[f64; 3], kind: Kind| {

@@ -19,9 +19,7 @@ pub(super) fn times(p: &[RBig], q: &[RBig]) -> Coefficients {
 
 pub(super) fn plus(p: &[RBig], q: &[RBig], factor: &RBig) -> Coefficients {
     (0..p.len().max(q.len()))
-        .map(|k| {
-            p.get(k).cloned().unwrap_or(RBig::ZERO) + q.get(k).map_or(RBig::ZERO, |c| c * factor)
-        })
+        .map(|k| p.get(k).cloned().unwrap_or(RBig::ZERO) + q.get(k).map_or(RBig::ZERO, |c| c * factor))
         .collect()
 }
 
@@ -133,7 +131,7 @@ impl Sturm {
         let far = |negative: bool| {
             move |p: &[IBig]| {
                 let sign = p.last().map_or(0, sign);
-                if negative && p.len() % 2 == 0 { -sign } else { sign }
+                if negative && p.len().is_multiple_of(2) { -sign } else { sign }
             }
         };
         let at = |x: Option<&RBig>, negative: bool| match x {

@@ -142,7 +142,8 @@ fn extremum(spaces: &Spaces, family: Family, point: &Point) -> Option<Option<Ext
             };
             let norm = if space.q.is_zero() { 0.0 } else { space.root_q.to_f64() };
             for (n, &axis) in space.axes.iter().enumerate() {
-                let unit = if norm > 0.0 { spaces.r[axis].to_f64().value() / norm } else { f64::from(u8::from(n == 0)) };
+                let unit =
+                    if norm > 0.0 { spaces.r[axis].to_f64().value() / norm } else { f64::from(u8::from(n == 0)) };
                 v[axis] = along * unit;
             }
         }
