@@ -86,7 +86,7 @@ fn moment_ratio(text: &str) -> Result<f64, String> {
 type Candidate = ([[f64; 3]; 2], Seen);
 
 pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
-    let _level = arguments.accuracy.level()?;
+    arguments.accuracy.unproved("find")?;
     let target = target(arguments)?;
     let document = search(arguments, &target, quiet);
     let text = if arguments.json { layout::text(&document)? } else { report(&document) };

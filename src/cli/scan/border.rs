@@ -12,7 +12,7 @@ use crate::cli::output as terminal;
 use crate::cli::report::Report;
 
 pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
-    let _level = arguments.accuracy.level()?;
+    arguments.accuracy.unproved("scan border")?;
     let subject = arguments.body.subject()?;
     let wrong = |text: String| ScanInput::Border(text);
     if arguments.vary.is_empty() {

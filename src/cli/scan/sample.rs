@@ -20,7 +20,7 @@ use crate::cli::{failure::InputError, layout};
 const BLOCK: u64 = 256;
 
 pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
-    let accuracy = arguments.accuracy.level()?;
+    let accuracy = arguments.accuracy.unproved("scan")?;
     let design = design(arguments)?;
     let range = arguments.shard.map_or([0, design.count()], |shard| shard.range(design.count()));
     let identity = Identity::new(design, range, accuracy);
