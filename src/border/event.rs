@@ -225,6 +225,9 @@ fn exchange(side: &Arrangement) -> Named<'_> {
     (kind, text, Some(Group { side, events: near }), witness)
 }
 
+/// What passes through zero, made from the place of an event, the other curve, and the event.
+type WitnessOf = fn(Place, Branch, &Arrangement, &Event) -> Option<Witness>;
+
 /// What vanishes where events change places: the height of a third curve over one of them.
 fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Witness> {
     let branch = |c: usize| side.set.curves[c].branch;
@@ -234,8 +237,7 @@ fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Witness> {
         _ => None,
     })?;
     for event in near {
-        let (own, make): (Vec<Branch>, fn(Place, Branch, &Arrangement, &Event) -> Option<Witness>) = match event.change
-        {
+        let (own, make): (Vec<Branch>, WitnessOf) = match event.change {
             Change::Open { through, pair } | Change::Close { through, pair } => {
                 (vec![branch(through[0]), branch(pair)], |_, curve, side, event| {
                     let (Change::Open { pair, .. } | Change::Close { pair, .. }) = event.change else { return None };
@@ -258,6 +260,7 @@ fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Witness> {
 }
 
 /// One side has events that the other has not.
+#[expect(clippy::too_many_lines, reason = "one case for each kind of event, in a row")]
 fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above: bool) -> Named<'a> {
     let of_kind = |labels: &[String], kind: &str| -> Vec<String> {
         labels.iter().filter(|label| label.starts_with(kind)).cloned().collect()

@@ -101,9 +101,8 @@ impl Class {
 
 fn name_of(text: &str) -> String {
     let digest = Sha256::digest(text.as_bytes());
-    let mut name: String = digest.iter().take(DIGITS.div_ceil(2)).map(|byte| format!("{byte:02x}")).collect();
-    name.truncate(DIGITS);
-    name
+    let nibbles = digest.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+    nibbles.take(DIGITS).filter_map(|nibble| char::from_digit(u32::from(nibble), 16)).collect()
 }
 
 #[cfg(test)]
