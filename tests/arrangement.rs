@@ -91,7 +91,7 @@ fn next_to_an_axis_the_far_crossing_is_found_to_relative_accuracy() {
         assert!(found.undecided.is_empty(), "{text}: {:?}", found.undecided);
         assert_eq!((found.faces, found.events.len()), (17, 16), "{text}");
         let last = found.events[15];
-        let x = last.x * found.set.frame.momentum_unit.powi(2);
+        let x = last.x * found.set.frame.momentum_unit * found.set.frame.momentum_unit;
         let expected = 8.0 / (epsilon * epsilon);
         assert!((x / expected - 1.0).abs() < 4.0 * epsilon * epsilon + 1e-13, "{text}: {x:e} {expected:e}");
         assert!(last.x_error < 1e-13 * last.x, "{text}: {last:?}");

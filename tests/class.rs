@@ -16,7 +16,7 @@ fn class(body: &Body) -> Result<Class, Unclassified> {
 }
 
 /// A with other units and axes in another order, r likewise and with other signs.
-fn disguised(body: &Body, order: [usize; 3], signs: [i32; 3], units: [RBig; 2]) -> Body {
+fn disguised(body: &Body, order: [usize; 3], signs: [i32; 3], units: &[RBig; 2]) -> Body {
     let moments = order.map(|i| Number::from_rational(body.moments()[i].value() * &units[0]));
     let center =
         [0, 1, 2].map(|k| Number::from_rational(body.center()[order[k]].value() * RBig::from(signs[k]) * &units[1]));
@@ -47,7 +47,7 @@ fn axes_signs_and_units_do_not_matter() {
             let order = [[1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]][round % 5];
             let signs = [[1, -1, 1], [-1, -1, -1], [1, 1, -1]][round % 3];
             let units = [RBig::from_parts(3.into(), 7_u8.into()), RBig::from_parts(1000.into(), 11_u8.into())];
-            match class(&disguised(&body, order, signs, units)) {
+            match class(&disguised(&body, order, signs, &units)) {
                 Ok(found) => assert_eq!(found, expected, "{body:?}"),
                 Err(_) => open += 1,
             }
