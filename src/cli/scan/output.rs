@@ -28,9 +28,8 @@ fn with_ending(path: &Path, ending: &str) -> PathBuf {
 
 /// The format of an output file.
 pub fn format_of(out: &Path, format: Option<Format>) -> Result<Format, ScanInput> {
-    let format = match format.or_else(|| Format::of(out)) {
-        Some(format) => format,
-        None => return Err(ScanInput::NoFormat { path: out.to_owned() }),
+    let Some(format) = format.or_else(|| Format::of(out)) else {
+        return Err(ScanInput::NoFormat { path: out.to_owned() });
     };
     let folder = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
     fs::metadata(folder).map_err(|source| ScanInput::Out { path: out.to_owned(), source })?;

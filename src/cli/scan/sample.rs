@@ -111,7 +111,7 @@ pub fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
         (None, None) => return Err(ScanInput::NoFamily.into()),
     };
     let design = Design::new(family, arguments.vary.clone(), arguments.samples, arguments.seed);
-    Ok(design.map_err(|error| refusal(error))?)
+    Ok(design.map_err(refusal)?)
 }
 
 /// The design's objections in terms of the options.
