@@ -75,7 +75,7 @@ fn random_bodies_of_every_stratum_agree_and_verify() {
     let mut confirmed = 0;
     for stratum in STRATA {
         let mut rng = SplitMix64::new(4);
-        for _ in 0..2 {
+        for _ in 0..1 {
             let body = random_body(&mut rng, stratum);
             let certified = CertifiedAtlas::new(&body).unwrap_or_else(|error| panic!("{body:?}: {error}"));
             let standard = Atlas::new(&body).unwrap();
@@ -87,7 +87,7 @@ fn random_bodies_of_every_stratum_agree_and_verify() {
             confirmed += report.regions;
         }
     }
-    assert!(confirmed > 100, "{confirmed}");
+    assert!(confirmed > 50, "{confirmed}");
 }
 
 #[test]

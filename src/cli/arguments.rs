@@ -207,7 +207,7 @@ pub struct BodyArguments {
 /// How accurate the answer must be, as it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AccuracyArgument {
-    /// Regions as in standard; curves from the closed form, without stability
+    /// Regions as in standard; coarser curves from the closed form, without stability
     Draft,
     /// f64 with error bounds; undecided where they do not suffice
     Standard,

@@ -16,6 +16,9 @@ use super::table::{Table, significant};
 use super::timings::Timings;
 use super::{DEFAULT_DIRECTORY, layout, output};
 
+/// How much farther than usual a draft's polylines may lie from their curves.
+const DRAFT_COARSENING: f64 = 8.0;
+
 /// The table of regions fits a terminal of this width.
 const TABLE_WIDTH: usize = 100;
 
@@ -37,7 +40,10 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         (drawn, document)
     } else {
         let atlas = timings.stage("regions", || Atlas::new(&subject.body))?;
-        let options = DocumentOptions { window: arguments.window, accuracy, ..DocumentOptions::default() };
+        let mut options = DocumentOptions { window: arguments.window, accuracy, ..DocumentOptions::default() };
+        if accuracy == Accuracy::Draft {
+            options.chord_tolerance *= DRAFT_COARSENING;
+        }
         let mut document = timings.stage("curves", || atlas.document(&options));
         attach_part(&mut document, &subject);
         (atlas, document)

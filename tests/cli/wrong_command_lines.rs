@@ -92,7 +92,6 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--body paper --window 0:6,-1:4", &["lmin = -1 is negative", "lmin ≥ 0"]),
     ("--body paper --window 0:inf,0:4", &["hmax: `inf` is not finite"]),
     ("verify no-such-atlas.json", &["no-such-atlas.json", "give an atlas.json that can be read"]),
-    ("verify Cargo.toml", &["Cargo.toml is no atlas", "give an atlas.json that bifdiag has written"]),
     ("verify", &["<ATLAS.json>"]),
     ("--body paper --accuracy high", &["'high' for '--accuracy <ACCURACY>'", "draft, standard, certified"]),
     ("--body paper --format gif", &["'gif' for '--format <FORMAT>'", "svg, png, pdf"]),
