@@ -1,19 +1,25 @@
-//! How accurate orbits are: `orbit_accuracy tolerances` and `orbit_accuracy growth [DECADES]` write the tables of
-//! `data/accuracy/` as CSV to stdout.
+//! How accurate orbits are: `orbit_accuracy tolerances`, `orbit_accuracy tradeoff` and `orbit_accuracy growth [DECADES]`
+//! write the tables of `data/accuracy/` and `data/tradeoff/orbits.csv` as CSV to stdout.
 //!
 //! `tolerances`: for each integrator and tolerance or step, the steps per crossing, the largest drift of the three first
 //! integrals over 64 orbits of 1000 crossings at the paper's (4.45, 3.25), and how far crossing 200 of 16 regular orbits
 //! at (2.6, 3.25) is from that of the finest Taylor run.
 //!
+//! `tradeoff`: error against CPU time for `data/tradeoff/`. Crossing 100 of the four regular and four chaotic orbits of
+//! `data/oracles/orbit_reference.csv` (30 digits) against that of each integrator; the largest error of γ and l, and of the
+//! time; the largest drifts over these crossings; the steps and the CPU time of the process for a crossing.
+//!
 //! `growth`: the largest drift of each first integral up to the times 10², 10³, … (10⁶ by default), four orbits each at
 //! (2.6, 3.25) and (4.45, 3.25); root mean square over the orbits. Needs 1 GB of memory for 10⁶.
 
-use bifdiag::body::Body;
+use bifdiag::body::{Body, Number};
 use bifdiag::dynamics::{HeavyTop, Integrals, State};
 use bifdiag::integrator::Method;
 use bifdiag::section::{
     Monitor, OrbitSection, PpTorus, SectionError, SectionPoint, StartOptions, SweepOptions, spread_starts, sweep,
 };
+use dashu_ratio::RBig;
+use rustix::time::{ClockId, clock_gettime};
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -31,6 +37,15 @@ fn distance(p: &SectionPoint, q: &SectionPoint) -> f64 {
     both.map(|(a, b)| (a - b).abs()).fold((p.time - q.time).abs(), f64::max)
 }
 
+fn describe(method: Method) -> (&'static str, f64) {
+    match method {
+        Method::Taylor { tolerance } => ("taylor", tolerance),
+        Method::Dop853 { tolerance } => ("dop853", tolerance),
+        Method::RungeKutta4 { step } => ("rk4", step),
+        Method::Splitting { step } => ("splitting", step),
+    }
+}
+
 fn tolerances(torus: &PpTorus) -> Result<(), Failure> {
     let (chaotic, regular) = (starts(torus, 4.45, 64)?, starts(torus, 2.6, 16)?);
     let run = |starts: &[State], method, crossings| {
@@ -44,12 +59,7 @@ fn tolerances(torus: &PpTorus) -> Result<(), Failure> {
     let splitting = [0.002, 0.01, 0.05].map(|step| Method::Splitting { step });
     println!("method,parameter,steps_per_crossing,drift_energy,drift_vertical_momentum,drift_gamma_squared,error_200");
     for method in [&taylor[..], &dop853, &runge_kutta, &splitting].concat() {
-        let (name, parameter) = match method {
-            Method::Taylor { tolerance } => ("taylor", tolerance),
-            Method::Dop853 { tolerance } => ("dop853", tolerance),
-            Method::RungeKutta4 { step } => ("rk4", step),
-            Method::Splitting { step } => ("splitting", step),
-        };
+        let (name, parameter) = describe(method);
         let orbits = run(&chaotic, method, 1000)?;
         let (steps, crossings) =
             orbits.iter().fold((0, 0), |(s, c), orbit| (s + orbit.report.steps, c + orbit.points.len() - 1));
@@ -65,6 +75,105 @@ fn tolerances(torus: &PpTorus) -> Result<(), Failure> {
             drift.vertical_momentum,
             drift.gamma_squared
         );
+    }
+    Ok(())
+}
+
+/// An orbit whose crossing 100 is known to 30 digits.
+struct Reference {
+    h: f64,
+    start: State,
+    time: RBig,
+    /// γ, then l.
+    state: [RBig; 6],
+}
+
+fn references() -> Result<Vec<Reference>, Failure> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/data/oracles/orbit_reference.csv");
+    let text = std::fs::read_to_string(path)?;
+    let exact = |text: &str| text.parse::<Number>().map(|number| number.value().clone());
+    text.lines()
+        .skip(1)
+        .map(|line| {
+            let columns: Vec<&str> = line.split(',').collect();
+            let numbers = columns.iter().map(|text| exact(text)).collect::<Result<Vec<RBig>, _>>()?;
+            let double = |k: usize| columns[k].parse::<f64>();
+            let start = State { gamma: [double(1)?, double(2)?, double(3)?], l: [double(4)?, double(5)?, double(6)?] };
+            let state = std::array::from_fn(|k| numbers[8 + k].clone());
+            Ok(Reference { h: double(0)?, start, time: numbers[7].clone(), state })
+        })
+        .collect()
+}
+
+/// Errors of the state and of the time.
+fn errors(reference: &Reference, found: &SectionPoint) -> Result<[f64; 2], Failure> {
+    let exact = |x: f64| RBig::try_from(x).map_err(|_| "a crossing is not finite");
+    let off = |x: f64, y: &RBig| Ok::<f64, Failure>((exact(x)? - y).to_f64().value().abs());
+    let mut largest = 0.0_f64;
+    for (x, y) in found.gamma.iter().chain(&found.l).zip(&reference.state) {
+        largest = largest.max(off(*x, y)?);
+    }
+    let time = exact(found.time)? + exact(found.time_low)? - &reference.time;
+    Ok([largest, time.to_f64().value().abs()])
+}
+
+/// CPU time of this process in microseconds.
+fn cpu_time() -> f64 {
+    let time = clock_gettime(ClockId::ProcessCPUTime);
+    time.tv_sec as f64 * 1e6 + time.tv_nsec as f64 * 1e-3
+}
+
+fn tradeoff(torus: &PpTorus) -> Result<(), Failure> {
+    const CROSSINGS: usize = 100;
+    /// Copies of each start, so that the Taylor integrator's registers are full.
+    const COPIES: usize = 8;
+    let references = references()?;
+    let taylor = [1e-18, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4]
+        .map(|tolerance| Method::Taylor { tolerance });
+    let dop853 = [1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5]
+        .map(|tolerance| Method::Dop853 { tolerance });
+    let steps = [0.0005, 0.001, 0.002, 0.004, 0.008, 0.016, 0.032, 0.064];
+    let runge_kutta = steps.map(|step| Method::RungeKutta4 { step });
+    let splitting = steps.map(|step| Method::Splitting { step });
+    println!(
+        "method,parameter,h,steps_per_crossing,cpu_us_per_crossing,drift_energy,drift_vertical_momentum,\
+         drift_gamma_squared,error_100,time_error_100"
+    );
+    for method in [&taylor[..], &dop853, &runge_kutta, &splitting].concat() {
+        let copies = if matches!(method, Method::Taylor { .. }) { COPIES } else { 1 };
+        for h in [2.6, 4.45] {
+            let chosen: Vec<&Reference> = references.iter().filter(|reference| reference.h == h).collect();
+            let starts: Vec<State> =
+                chosen.iter().flat_map(|reference| std::iter::repeat_n(reference.start, copies)).collect();
+            let options = SweepOptions { crossings: CROSSINGS, method, ..SweepOptions::default() };
+            let run = || {
+                let before = cpu_time();
+                let orbits = sweep(torus, &starts, &options, &Monitor::default());
+                orbits.map(|orbits| (orbits, cpu_time() - before))
+            };
+            let (orbits, first) = run()?;
+            let time = first.min(run()?.1).min(run()?.1);
+            let steps: u64 = orbits.iter().map(|orbit| orbit.report.steps).sum();
+            let crossings = (orbits.len() * CROSSINGS) as f64;
+            let mut worst = [0.0_f64; 2];
+            for (reference, orbit) in chosen.iter().zip(orbits.iter().step_by(copies)) {
+                let last = orbit.points.iter().find(|point| point.index as usize == CROSSINGS);
+                let found = last.map_or(Ok([f64::INFINITY; 2]), |point| errors(reference, point))?;
+                worst = [worst[0].max(found[0]), worst[1].max(found[1])];
+            }
+            let drift = largest_drift(&orbits);
+            let (name, parameter) = describe(method);
+            println!(
+                "{name},{parameter:e},{h},{:.2},{:.3},{:.1e},{:.1e},{:.1e},{:.1e},{:.1e}",
+                steps as f64 / crossings,
+                time / crossings,
+                drift.energy,
+                drift.vertical_momentum,
+                drift.gamma_squared,
+                worst[0],
+                worst[1]
+            );
+        }
     }
     Ok(())
 }
@@ -104,8 +213,9 @@ fn main() -> Result<(), Failure> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["tolerances"] => tolerances(&torus),
+        ["tradeoff"] => tradeoff(&torus),
         ["growth"] => growth(&torus, 6),
         ["growth", decades] => growth(&torus, decades.parse()?),
-        _ => Err("orbit_accuracy tolerances, or orbit_accuracy growth [DECADES]".into()),
+        _ => Err("orbit_accuracy tolerances, orbit_accuracy tradeoff, or orbit_accuracy growth [DECADES]".into()),
     }
 }

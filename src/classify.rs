@@ -149,8 +149,8 @@ fn at_one_momentum(set: &CriticalSet, h: &Number, x: f64) -> (Option<(Vec<Compon
 }
 
 impl Atlas {
-    /// Classifies a point of a prepared body. Where the atlas left something undecided, the critical points at this l
-    /// are asked first.
+    /// Classifies a point of a prepared body. Where the atlas left something undecided, or does not know the components
+    /// of a region, the critical points at this l are asked first.
     ///
     /// # Errors
     /// [`ClassifyError::Momentum`] when l is out of range, [`ClassifyError::Merge`] when the region's components are not
@@ -160,14 +160,15 @@ impl Atlas {
         if l.to_f64() == 0.0 {
             return Ok(at_rest(body, h, l));
         }
-        if !self.arrangement().undecided.is_empty() {
+        let unknown = |place: &Place| matches!(place, Place::Region(region) if self.components(*region).is_err());
+        let Location { place, distance, nearest, error_bound, .. } = self.locate(h.to_f64(), l.to_f64())?;
+        if !self.arrangement().undecided.is_empty() || unknown(&place) {
             let set = &self.arrangement().set;
             let x = atlas::abscissa(&set.frame, l.to_f64())?;
             if let (Some((components, margin)), _) = at_one_momentum(set, h, x) {
                 return Ok(decided(body, h, l, &components, margin));
             }
         }
-        let Location { place, distance, nearest, error_bound, .. } = self.locate(h.to_f64(), l.to_f64())?;
         let nearest = atlas::curve_name(&self.arrangement().set, nearest);
         let margin = MarginDocument { h: distance, nearest, error_bound };
         match place {
@@ -190,7 +191,7 @@ impl Atlas {
     }
 }
 
-fn decided(
+pub(crate) fn decided(
     body: &Body,
     h: &Number,
     l: &Number,
@@ -205,7 +206,7 @@ fn decided(
     }
 }
 
-fn open(
+pub(crate) fn open(
     body: &Body,
     h: &Number,
     l: &Number,
@@ -235,7 +236,7 @@ fn open(
 }
 
 /// l = 0: U = −⟨γ, r⟩ has its minimum −r at r̂ and its maximum r at −r̂; decided exactly.
-fn at_rest(body: &Body, h: &Number, l: &Number) -> ClassificationDocument {
+pub(crate) fn at_rest(body: &Body, h: &Number, l: &Number) -> ClassificationDocument {
     use std::cmp::Ordering::{Equal, Greater, Less};
     let frame = body.frame();
     let r = frame.r_norm * frame.energy_unit;

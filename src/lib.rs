@@ -5,6 +5,7 @@ pub mod arrangement;
 pub mod atlas;
 pub mod body;
 pub mod border;
+pub mod certified;
 pub mod class;
 pub mod classify;
 pub mod continuation;
@@ -23,6 +24,7 @@ pub mod search;
 pub mod section;
 pub mod stability;
 pub mod topology;
+pub mod verify;
 
 /// The Rust examples of the documentation are tests.
 #[cfg(all(doctest, feature = "plot"))]

@@ -63,7 +63,7 @@ fn exponents_of_integrable_tops_vanish_like_the_inverse_of_time() {
         for time in [1e3, 1e4] {
             for found in exponents(top, &starts, time) {
                 let room = 6.0;
-                assert!(found.exponent.abs() * time < time.ln() + room, "{name} {found:?}");
+                assert!(found.exponent.abs() * time < libm::log(time) + room, "{name} {found:?}");
                 assert!(found.mean_rate.abs() * time < 4.0, "{name} {found:?}");
                 assert!(found.time >= time && found.time < time + 10.0);
             }
@@ -74,18 +74,25 @@ fn exponents_of_integrable_tops_vanish_like_the_inverse_of_time() {
 #[test]
 fn chaotic_orbits_at_the_south_pole_have_one_positive_exponent() {
     // The paper: for (4.45, 3.25) the component round −r̂ "is dominated by chaotic motion". Orbits of one chaotic
-    // region share its exponent; how soon they show it, is a matter of how long they stick to the islands' shores.
+    // region share its exponent, but may stick to the islands' shores for long; so the mean over points of one orbit.
     let torus = paper();
-    let seeds = [(2.864, 5.205, 1), (2.577, 6.222, 1), (2.3, 4.995, 1), (2.354, 0.467, 1), (2.7, 0.1, 1)];
-    let start = |(theta, psi, sheet)| torus.state(TorusPoint { theta, psi, sheet }, 4.45, 3.25).unwrap();
-    let starts: Vec<State> = seeds.into_iter().map(start).collect();
-    let found = exponents(torus.top(), &starts, 1e5);
-    println!("{found:#?}");
-    for one in &found {
-        assert!(one.exponent > 0.04 && one.error() < 0.2 * one.exponent, "{one:?}");
-        assert!((one.mean_rate - one.exponent).abs() < 0.3 * one.exponent, "{one:?}");
-        assert!((one.exponent - found[0].exponent).abs() < 0.25 * found[0].exponent, "{one:?}");
-    }
+    let start = torus.state(TorusPoint { theta: 2.864, psi: 5.205, sheet: 1 }, 4.45, 3.25).unwrap();
+    let options = SweepOptions { crossings: 6400, ..SweepOptions::default() };
+    let orbit = &sweep(&torus, &[start], &options, &Monitor::default()).unwrap()[0];
+    let of_region: Vec<State> =
+        orbit.points.iter().step_by(100).map(|point| State { gamma: point.gamma, l: point.l }).collect();
+    let found = exponents(torus.top(), &of_region, 4000.0);
+    let mean = |part: fn(&Lyapunov) -> f64| found.iter().map(part).sum::<f64>() / found.len() as f64;
+    let (whole, half, weighted) = (mean(|x| x.exponent), mean(|x| x.exponent_half), mean(|x| x.mean_rate));
+    // A regular orbit shows ln(T)/T = 0.002.
+    let chaotic = found.iter().filter(|one| one.exponent > 0.02).count();
+    println!(
+        "{chaotic} of {} chaotic; mean exponent {whole}, at half the time {half}, weighted {weighted}",
+        found.len()
+    );
+    assert!(chaotic > 55);
+    assert!((0.045..0.075).contains(&whole));
+    assert!((whole - half).abs() < 0.15 * whole && (whole - weighted).abs() < 0.15 * whole);
 }
 
 #[test]
@@ -93,7 +100,7 @@ fn two_nearby_orbits_part_at_the_same_rate() {
     // Benettin's method: a second orbit at a distance of 1e-8 is put back to that distance after every unit of time.
     let torus = paper();
     let start = torus.state(TorusPoint { theta: 2.864, psi: 5.205, sheet: 1 }, 4.45, 3.25).unwrap();
-    let (time, distance, unit) = (20_000_u32, 1e-8, torus.top().momentum_scale(4.45));
+    let (time, distance, unit) = (300_u32, 1e-8, torus.top().momentum_scale(4.45));
     let mut one = start;
     let mut other = start;
     other.gamma[1] += distance;
@@ -115,16 +122,17 @@ fn two_nearby_orbits_part_at_the_same_rate() {
         let before = size(&one, &other);
         (one, other) = (after_one(&one), after_one(&other));
         let now = size(&one, &other);
-        growth += (now / before).ln();
+        growth += libm::log(now / before);
         let back = |x: [f64; 3], y: [f64; 3]| std::array::from_fn(|i| x[i] + (y[i] - x[i]) * distance / now);
         other = State { gamma: back(one.gamma, other.gamma), l: back(one.l, other.l) };
     }
     let nearby = growth / f64::from(time);
     let variational = exponents(torus.top(), &[start], f64::from(time))[0];
     println!("two orbits {nearby}, variational {variational:?}");
-    // The orbits of the two computations part after a time of about 400; both are then averages over the same region,
-    // which vary by a tenth at this time. (The unit test beside the code compares the two to 1e-6 before that.)
-    assert!((nearby - variational.exponent).abs() < 0.25 * nearby);
+    // So long both computations follow the same orbit; how much of each first vector lies in the growing direction is
+    // worth a factor of a few. (The unit test beside the code compares equal vectors to 1e-6.)
+    assert!(variational.exponent > 0.03);
+    assert!((nearby - variational.exponent).abs() < 2.5 / f64::from(time));
 }
 
 #[test]
@@ -170,7 +178,7 @@ fn lagrange_turns(a1: f64, a3: f64, h: f64, l: f64, l3: f64, inside: f64) -> f64
     let sum: f64 = (0..nodes)
         .map(|k| {
             let s = PI * (f64::from(k) + 0.5) / f64::from(nodes);
-            let u = f64::midpoint(u1, u2) + 0.5 * (u2 - u1) * s.cos();
+            let u = f64::midpoint(u1, u2) + 0.5 * (u2 - u1) * libm::cos(s);
             rate(u) * a1 / (2.0 * a1 * (u - u3)).sqrt()
         })
         .sum();

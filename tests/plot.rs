@@ -26,7 +26,9 @@ fn assert_sound(fixture: &Fixture, picture: &Picture) {
     assert!(!picture.svg.contains("NaN") && !picture.svg.contains("inf"), "a coordinate is not a number");
     let texts = texts(picture);
     for region in &fixture.atlas.regions {
-        assert!(texts.iter().any(|(text, _)| *text == region.id), "region {} has no label", region.id);
+        let with_region = format!("{}, U = ", region.id);
+        let label = |text: &str| text == region.id || text.starts_with(&with_region);
+        assert!(texts.iter().any(|(text, _)| label(text)), "region {} has no label", region.id);
     }
     assert_texts_are_apart(&texts);
 }
@@ -158,4 +160,32 @@ fn documents_whose_parts_do_not_fit_are_refused() {
     let window = WindowDocument { h: [1.0, 1.0], l: [0.0, 1.0] };
     let empty = draw(&paper().atlas, None, &DiagramOptions { window: Some(window) });
     assert!(matches!(empty, Err(PlotError::EmptyWindow { .. })));
+}
+
+#[test]
+fn an_event_far_out_gets_an_overview_and_does_not_hide_the_others() {
+    // Five crossings at l < 0.4; the first and the last curve, nearly parallel, cross at l = 9.5.
+    let fixture = parabolas(&[(1.0, 0.0), (0.8, -0.01), (0.6, -0.04), (0.999_8, -0.009)]);
+    let [near, far] = [true, false].map(|least| {
+        let places = fixture.atlas.events.iter().map(|event| event.l);
+        if least { places.fold(f64::INFINITY, f64::min) } else { places.fold(0.0, f64::max) }
+    });
+    assert!(far > 20.0 * near, "the fixture has no event far out: {near}, {far}");
+    let picture = picture("far-out", &fixture);
+    assert_sound(&fixture, &picture);
+    assert!(texts(&picture).iter().any(|(text, _)| text.contains("overview with the frame of the main panel")));
+}
+
+#[test]
+fn sections_of_one_type_over_different_regions_are_told_apart() {
+    let mut fixture = paper();
+    let tori = fixture.atlas.regions.iter_mut().filter(|region| region.signature.as_deref() == Some("T2"));
+    let largest = tori.last().expect("the paper's body has sections T²");
+    largest.components[0].accessible_region = "S2".to_owned();
+    let picture = picture("over-different-regions", &fixture);
+    assert_sound(&fixture, &picture);
+    let texts = texts(&picture);
+    for wanted in [", U = D²", ", U = S²"] {
+        assert!(texts.iter().any(|(text, _)| text.ends_with(wanted)), "{wanted} is not printed");
+    }
 }

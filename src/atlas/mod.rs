@@ -66,6 +66,11 @@ impl Atlas {
         Ok(Self { body: body.clone(), arrangement, regions })
     }
 
+    /// An atlas of parts that were found otherwise, to write its document.
+    pub(crate) fn of_parts(body: Body, arrangement: Arrangement, regions: Vec<Region>) -> Self {
+        Self { body, arrangement, regions }
+    }
+
     /// The body.
     #[must_use]
     pub fn body(&self) -> &Body {

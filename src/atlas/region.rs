@@ -84,8 +84,8 @@ fn rows(arrangement: &Arrangement, slab: usize) -> Vec<Row> {
 }
 
 fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize)>) -> Region {
-    // Should rounding hide a join at the best place, the next ones may still show it.
-    const ATTEMPTS: usize = 4;
+    // Should rounding hide a join at the best place, as next to a pitchfork, the next ones may still show it.
+    const ATTEMPTS: usize = 32;
     let mut candidates: Vec<Candidate<'_>> = cells
         .iter()
         .flat_map(|&(slab, position)| rows[slab].iter().map(move |row| (slab, position, row)))
@@ -96,13 +96,16 @@ fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize
         // A face that only lives between events at the same x has no inside that f64 can name.
         return Region { sample: corner(arrangement, cells[0]), cells, components: Err(MergeError::UnknownOrder) };
     };
-    let mut components = Err(MergeError::LostPath);
-    for candidate in candidates.iter().take(ATTEMPTS) {
-        components = topology(arrangement, candidate);
-        if components.is_ok() {
-            break;
+    let tried = candidates.iter().take(ATTEMPTS).map(|candidate| (candidate.sample, topology(arrangement, candidate)));
+    // The sample is a point at which the topology was found, if there is one.
+    let mut refused = None;
+    for (sample, components) in tried {
+        match components {
+            Ok(components) => return Region { cells, sample, components: Ok(components) },
+            Err(error) => refused = refused.or(Some(error)),
         }
     }
+    let components = Err(refused.unwrap_or(MergeError::LostPath));
     Region { cells, sample: best.sample, components }
 }
 

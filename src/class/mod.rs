@@ -18,6 +18,8 @@ mod kinds;
 mod planar_map;
 mod text;
 
+use std::fmt::Write;
+
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
@@ -101,7 +103,11 @@ impl Class {
 
 fn name_of(text: &str) -> String {
     let digest = Sha256::digest(text.as_bytes());
-    let mut name: String = digest.iter().take(DIGITS.div_ceil(2)).map(|byte| format!("{byte:02x}")).collect();
+    let mut name = String::with_capacity(2 * digest.len());
+    for byte in digest {
+        // Writing to a String cannot fail.
+        let _always = write!(name, "{byte:02x}");
+    }
     name.truncate(DIGITS);
     name
 }

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use bifdiag::atlas::{Atlas, DocumentOptions};
-use bifdiag::document::{AtlasDocument, ComponentDocument, RegionDocument};
+use bifdiag::certified::CertifiedAtlas;
+use bifdiag::document::{Accuracy, AtlasDocument, ComponentDocument, RegionDocument};
 use bifdiag::plot::{CurveSource, DiagramOptions, Picture, draw};
 
 use super::arguments::{AtlasArguments, Format};
@@ -22,13 +23,25 @@ const TABLE_WIDTH: usize = 100;
 const PNG_RESOLUTION: f64 = 192.0;
 
 pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure> {
-    let accuracy = arguments.accuracy.level()?;
+    let accuracy = arguments.accuracy.level();
     let subject = arguments.body.subject()?;
     let directory = directory(arguments)?;
-    let atlas = timings.stage("regions", || Atlas::new(&subject.body))?;
-    let options = DocumentOptions { window: arguments.window, accuracy, ..DocumentOptions::default() };
-    let mut document = timings.stage("curves", || atlas.document(&options));
-    attach_part(&mut document, &subject);
+    let (atlas, document) = if accuracy == Accuracy::Certified {
+        let proof = timings.stage("proof", || CertifiedAtlas::new(&subject.body))?;
+        let drawn = proof.drawn()?;
+        let mut document = timings.stage("certificate", || proof.document(&drawn, &DocumentOptions::default()))?;
+        if subject.inertia.is_some() {
+            attach_part(&mut document, &subject);
+            proof.seal(&mut document)?;
+        }
+        (drawn, document)
+    } else {
+        let atlas = timings.stage("regions", || Atlas::new(&subject.body))?;
+        let options = DocumentOptions { window: arguments.window, accuracy, ..DocumentOptions::default() };
+        let mut document = timings.stage("curves", || atlas.document(&options));
+        attach_part(&mut document, &subject);
+        (atlas, document)
+    };
     tracing::info!(
         regions = document.summary.regions,
         events = document.summary.events,
@@ -117,6 +130,13 @@ fn report(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) -> S
         (true, _) => {}
         (false, Some(_)) => report.line("the window was searched, not the whole half-plane l > 0"),
         (false, None) => report.line("the half-plane l > 0 is not covered completely"),
+    }
+    if let Some(certificate) = &document.certificate {
+        let topology = if summary.undecided.is_empty() { " and the topology of each" } else { "" };
+        report.line(format!(
+            "proved: the number of regions{topology} ({} bits sufficed); check with bifdiag verify",
+            certificate.bits
+        ));
     }
     if summary.undecided.is_empty() {
         report.line("nothing was left undecided");

@@ -4,6 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use bifdiag::atlas::Atlas;
 use bifdiag::body::{Body, Number};
+use bifdiag::certified::{CertifiedAtlas, NotProved};
 use bifdiag::classify::{ClassifyError, classify};
 use bifdiag::document::{Accuracy, ClassificationDocument, ComponentDocument, Status};
 use rayon::prelude::*;
@@ -23,7 +24,7 @@ use super::{layout, output};
 const COLD_POINTS: usize = 4;
 
 pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
-    let accuracy = arguments.accuracy.level()?;
+    let accuracy = arguments.accuracy.level();
     let (h, l) = (&arguments.energy, &arguments.momentum);
     if let Some(path) = arguments.batch.path(&[("--h", h.is_some()), ("--l", l.is_some())])? {
         let subject = arguments.body.optional_subject()?;
@@ -35,7 +36,11 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
     let subject = arguments.body.subject()?;
     let h = h.as_ref().ok_or(InputError::NoPoint { missing: "--h", example: "the energy, such as --h 3.8" })?;
     let l = l.as_ref().ok_or(InputError::NoPoint { missing: "--l", example: "the momentum, such as --l 3.25" })?;
-    let mut document = timings.stage("classify", || classify(&subject.body, h, l))?;
+    let mut document = if accuracy == Accuracy::Certified {
+        timings.stage("classify", || CertifiedAtlas::new(&subject.body))?.classify(h, l)
+    } else {
+        timings.stage("classify", || classify(&subject.body, h, l))?
+    };
     document.accuracy = accuracy;
     document.inertia.clone_from(&subject.inertia);
     let text = if arguments.json { layout::text(&document)? } else { report(&subject, &document) };
@@ -45,6 +50,8 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
 /// Why a line of a batch has no answer.
 #[derive(Debug, Error)]
 enum Unanswered {
+    #[error(transparent)]
+    NotProved(#[from] NotProved),
     #[error(transparent)]
     Classify(#[from] ClassifyError),
     #[error(transparent)]
@@ -65,6 +72,13 @@ impl Preparation {
         let jobs: Vec<_> = queries.iter().map(|query| (query, self.preparation_for(query))).collect();
         jobs.par_iter()
             .map(|(query, atlas)| {
+                if accuracy == Accuracy::Certified {
+                    let energy = query.h.clone().unwrap_or_else(|| Number::from_rational(0.into()));
+                    // Each line is proved for itself: the body before it may be another.
+                    let mut document = CertifiedAtlas::new(&query.body)?.classify(&energy, &query.l);
+                    document.inertia.clone_from(&query.inertia);
+                    return Ok(serde_json::to_string(&document)?);
+                }
                 let mut document = answer_one(query, atlas.as_deref())?;
                 document.accuracy = accuracy;
                 document.inertia.clone_from(&query.inertia);

@@ -47,11 +47,10 @@ pub enum InputError {
     BatchFile { path: PathBuf, source: io::Error },
     #[error("--strict: {bad} of {lines} lines of the batch are wrong; see the lines with \"error\"")]
     BadLines { bad: usize, lines: usize },
-    #[error(
-        "--accuracy certified: certified answers are not available in this version; use --accuracy standard, which \
-         says `undecided` where it cannot decide"
-    )]
-    CertifiedUnavailable,
+    #[error("{path}: {source}; give an atlas.json that can be read, or - for stdin", path = path.display())]
+    AtlasFile { path: PathBuf, source: io::Error },
+    #[error("{path} is no atlas: {source}; give an atlas.json that bifdiag has written", path = path.display())]
+    NoAtlas { path: PathBuf, source: serde_json::Error },
     #[error("{option} stands before the command {command}; write it after: bifdiag {command} {option} …")]
     OptionBeforeCommand { option: String, command: String },
     #[error("--l: {0}")]
@@ -83,6 +82,14 @@ pub enum Failure {
     Files(#[from] FilesError),
     #[error("the atlas could not be made")]
     Atlas(#[from] AtlasError),
+    #[error("the atlas could not be proved")]
+    NotProved(#[from] bifdiag::certified::NotProved),
+    #[error("the proved atlas could not be written")]
+    NotWritten(#[from] bifdiag::certified::NotWritten),
+    #[error("{path} is refused: its bytes are not those that bifdiag writes for a certified atlas", path = path.display())]
+    Damaged { path: PathBuf },
+    #[error("the atlas is refused")]
+    Refused(#[from] bifdiag::verify::Refused),
     #[error("the point could not be classified")]
     Classify(#[source] ClassifyError),
     #[error("the relative equilibria could not be found")]

@@ -28,6 +28,7 @@ mod subject;
 mod table;
 mod timings;
 mod values;
+mod verify;
 
 use arguments::Command;
 pub use arguments::Options;
@@ -58,6 +59,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Some(Command::Critical(arguments)) => critical::run(arguments, &timings, quiet),
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
         Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
+        Some(Command::Verify(arguments)) => verify::run(arguments, &timings),
         Some(Command::Bodies(arguments)) => bodies::run(arguments),
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Accuracy, ComponentDocument, InertiaDocument, MarginDocument, Stability};
+use super::{Accuracy, CertificateDocument, ComponentDocument, InertiaDocument, MarginDocument, Stability};
 use crate::body::{Flags, Number};
 
 /// The body of an atlas.
@@ -107,6 +107,15 @@ pub enum EventKind {
     Crossing,
 }
 
+/// Proved bounds of a point, as decimals.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct EnclosureDocument {
+    /// l lies between these.
+    pub l: [String; 2],
+    /// h lies between these.
+    pub h: [String; 2],
+}
+
 /// A point where curves meet.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct EventDocument {
@@ -122,6 +131,9 @@ pub struct EventDocument {
     pub l_error: f64,
     /// Bound on the error of `h`.
     pub h_error: f64,
+    /// Proved bounds (certified only).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub enclosure: Option<EnclosureDocument>,
 }
 
 /// A point in a region, as far from its boundary in h as the region allows.
@@ -242,4 +254,7 @@ pub struct AtlasDocument {
     pub regions: Vec<RegionDocument>,
     /// Totals.
     pub summary: SummaryDocument,
+    /// What is needed to check the atlas (certified only).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<CertificateDocument>,
 }

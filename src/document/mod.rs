@@ -4,6 +4,7 @@
 //! and an infinite end of a range is `null`. No document carries timings: same input, same bytes.
 
 mod atlas;
+mod certificate;
 mod classification;
 mod critical;
 mod inertia;
@@ -12,8 +13,13 @@ mod motion;
 mod section;
 
 pub use atlas::{
-    AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EventDocument, EventKind, NeighbourDocument,
-    RegionDocument, SampleDocument, StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument, WindowDocument,
+    AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EnclosureDocument, EventDocument, EventKind,
+    NeighbourDocument, RegionDocument, SampleDocument, StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument,
+    WindowDocument,
+};
+pub use certificate::{
+    CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
+    CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
 pub use classification::{ClassificationDocument, ComponentDocument, MarginDocument, Status};
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};

@@ -38,7 +38,7 @@ impl HeavyTop {
         self.moments
     }
 
-    /// 1/A1, 1/A2, 1/A3, rounded: the constants with which every integrator computes ω.
+    /// 1/A1, 1/A2, 1/A3, rounded. (The Taylor integrator also takes along what the rounding leaves out.)
     #[must_use]
     pub fn inverse_moments(&self) -> [f64; 3] {
         self.inverse

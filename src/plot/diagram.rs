@@ -5,7 +5,7 @@ use super::font::{self, text_width};
 use super::geometry::{Rect, distance};
 use super::insets::{LEGIBLE, magnifications};
 use super::labels::{Label, Name, Space, base_lines};
-use super::layout::{BELOW, Frame, INSET, LEFT, MAIN, RIGHT, TOP, frames, inset_place, letter};
+use super::layout::{BELOW, Frame, INSET, LEFT, MAIN, RIGHT, TOP, contains, frame, frames, inset_place, letter};
 use super::legend::{Legend, event_marker, sample_dot};
 use super::notation::{H, L};
 use super::notes::{NOTE_SIZE, notes, title};
@@ -44,12 +44,16 @@ pub fn draw(
     let names: Vec<Name> = atlas
         .regions
         .iter()
-        .map(|region| Name { kind: notation::region_type(region), id: region.id.clone() })
+        .map(|region| Name { kind: notation::region_type(region), id: label_id(atlas, region) })
         .collect();
     let view = |window, x, y, size: [f64; 2]| View { window, rect: Rect { x, y, width: size[0], height: size[1] } };
     let Windows { main, everything } = windows(&scene, options.window)?;
     let main = Panel::new(&scene, view(main, LEFT, TOP, MAIN))?;
-    let magnified = magnifications(&scene, &main, &everything, INSET)?;
+    let mut magnified = magnifications(&scene, &main, &everything, INSET)?;
+    if everything != main.view.window {
+        // It takes the first place, so that what lies far out is seen in its frame.
+        magnified.windows.insert(0, everything);
+    }
     let mut panels = vec![main];
     for (index, window) in magnified.windows.iter().enumerate() {
         let [x, y] = inset_place(index);
@@ -70,7 +74,7 @@ pub fn draw(
     render([width, height.ceil()], &title, |canvas| {
         canvas.text(&title, [LEFT, TOP - 34.0], TITLE_SIZE, INK, Anchor::Start)?;
         for (index, panel) in panels.iter().enumerate() {
-            let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index && frame.shown).collect();
+            let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index).collect();
             paint_panel(canvas, &scene, panel, &strokes, &own)?;
             for frame in own {
                 canvas.outline(&frame.rect.corners(), Ink { color: INK, width: 0.9 })?;
@@ -79,17 +83,30 @@ pub fn draw(
                     canvas.text(&letter(frame.inset), base, AXIS_SIZE, INK, Anchor::Middle)?;
                 }
             }
+            if index > 0 && contains(panel, &panels[0]) {
+                canvas.outline(&frame(&panels[0], panel).corners(), Ink { color: INK, width: 0.9 })?;
+            }
             for label in &labels[index] {
                 paint_label(canvas, label, &names[label.region])?;
             }
             axes::draw(canvas, panel, index)?;
         }
         if let [main, insets @ ..] = &panels[..] {
+            let overview = insets.first().filter(|inset| contains(inset, main));
             for (index, inset) in insets.iter().enumerate() {
                 let rect = inset.view.rect;
-                let h = main.view.h_per_pixel() / inset.view.h_per_pixel();
-                let l = main.view.l_per_pixel() / inset.view.l_per_pixel();
-                let text = format!("({})  {H} ×{}, {L} ×{}", letter(index), notation::short(h), notation::short(l));
+                let (reference, of) = match overview {
+                    Some(overview) if !contains(main, inset) => (overview, " of (a)"),
+                    _ => (main, ""),
+                };
+                let h = reference.view.h_per_pixel() / inset.view.h_per_pixel();
+                let l = reference.view.l_per_pixel() / inset.view.l_per_pixel();
+                let scales = format!("{H} ×{}, {L} ×{}", notation::short(h), notation::short(l));
+                let text = if contains(inset, main) {
+                    format!("({})  overview with the frame of the main panel", letter(index))
+                } else {
+                    format!("({}){of}  {scales}", letter(index))
+                };
                 canvas.text(&text, [rect.x + rect.width, rect.y - 8.0], AXIS_SIZE, INK, Anchor::End)?;
             }
         }
@@ -110,9 +127,9 @@ fn place_text(
     names: &[Name],
 ) -> (Vec<Vec<Label>>, Vec<Option<Rect>>, Vec<usize>) {
     let mut spaces: Vec<Space<'_>> = panels.iter().map(|panel| Space::new(panel, names.len())).collect();
-    let mut letters = vec![None; frames.len()];
+    let mut letters = vec![None; panels.len()];
     for (index, space) in spaces.iter_mut().enumerate() {
-        let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index && frame.shown).collect();
+        let own: Vec<&Frame> = frames.iter().filter(|frame| frame.parent == index).collect();
         for point in marked_points(scene, &panels[index], &own) {
             space.take(&Rect { x: point[0], y: point[1], width: 0.0, height: 0.0 }.grown(4.5));
         }
@@ -152,8 +169,8 @@ fn place_text(
             unlabelled.push(region);
         }
     }
-    // What can be seen in the main panel is named there too.
-    if let (Some(space), Some(panel)) = (spaces.first_mut(), panels.first()) {
+    // What can be seen in a panel is named there too.
+    for (space, panel) in spaces.iter_mut().zip(panels) {
         for region in (0..names.len()).filter(|&region| labelled[region]) {
             if space.depth(region) >= LEGIBLE && !space.has_label(region) {
                 space.label_beside(region, &names[region], panel.view.position(sample(region)));
@@ -176,6 +193,16 @@ fn is_marked(point: Point, panel: &Panel, frames: &[&Frame]) -> bool {
     panel.view.rect.contains(point) && !frames.iter().filter(crowded).any(|frame| frame.rect.contains(point))
 }
 
+/// The id of a region as it is printed: with U where another region has a section of the same type over another U.
+fn label_id(atlas: &AtlasDocument, region: &RegionDocument) -> String {
+    let own = notation::accessible_regions(region);
+    let ambiguous = region.signature.is_some()
+        && atlas.regions.iter().any(|other| {
+            notation::region_type(other) == notation::region_type(region) && notation::accessible_regions(other) != own
+        });
+    if ambiguous { format!("{}, U = {own}", region.id) } else { region.id.clone() }
+}
+
 /// The type that decides a region's tint.
 fn tint_key(region: &RegionDocument) -> String {
     region.signature.clone().unwrap_or_else(|| {
@@ -192,7 +219,8 @@ fn paint_panel(
     frames: &[&Frame],
 ) -> Result<(), PlotError> {
     for (region, cells) in scene.atlas.regions.iter().zip(&scene.cells) {
-        let color = tint(&tint_key(region));
+        let circles = region.components.iter().map(|part| part.boundary_circles).sum();
+        let color = tint(&tint_key(region), circles);
         for cell in cells {
             canvas.polygon(&panel.cell_polygon(cell), color)?;
         }

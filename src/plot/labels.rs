@@ -264,7 +264,7 @@ impl<'a> Space<'a> {
         while walked < length {
             let at = [from[0] + (to[0] - from[0]) * walked / length, from[1] + (to[1] - from[1]) * walked / length];
             if let Some(index) = grid.index(at) {
-                cost += if self.taken[index] { 6.0 } else { 0.0 };
+                cost += if self.taken[index] { 16.0 } else { 0.0 };
                 cost += if grid.depth[index] == 0.0 { 4.0 } else { 0.0 };
             }
             walked += 1.0;

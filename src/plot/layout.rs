@@ -48,40 +48,43 @@ pub(super) struct Frame {
     pub inset: usize,
     /// Index of the panel that shows it.
     pub parent: usize,
-    /// False when the inset lies outside the main window, so that no panel shows its frame.
-    pub shown: bool,
     pub rect: Rect,
 }
 
-/// The frame of every inset in the smallest panel that contains it.
+/// The frame of every inset in the smallest panel that contains it. What no panel contains, such as an overview, has no
+/// frame.
 pub(super) fn frames(panels: &[Panel]) -> Vec<Frame> {
     let area = |panel: &Panel| {
         let window = &panel.view.window;
         (window.h[1] - window.h[0]) * (window.l[1] - window.l[0])
     };
+    let parent_of = |index: usize| {
+        let larger = (0..panels.len())
+            .filter(|&outer| area(&panels[outer]) > area(&panels[index]) && contains(&panels[outer], &panels[index]));
+        larger.min_by(|&a, &b| area(&panels[a]).total_cmp(&area(&panels[b])))
+    };
     (1..panels.len())
-        .map(|index| {
-            let window = &panels[index].view.window;
-            let contains = |outer: &Panel| {
-                let within = |inner: [f64; 2], outer: [f64; 2]| inner[0] >= outer[0] && inner[1] <= outer[1];
-                within(window.h, outer.view.window.h) && within(window.l, outer.view.window.l)
-            };
-            let parent = (1..index)
-                .filter(|&outer| contains(&panels[outer]))
-                .min_by(|&a, &b| area(&panels[a]).total_cmp(&area(&panels[b])))
-                .unwrap_or(0);
-            let exact = panels[parent].view.frame(window);
-            let (dx, dy) = ((FRAME_MIN - exact.width).max(0.0), (FRAME_MIN - exact.height).max(0.0));
-            let wide = Rect {
-                x: exact.x - dx / 2.0,
-                y: exact.y - dy / 2.0,
-                width: exact.width + dx,
-                height: exact.height + dy,
-            };
-            let shown = contains(&panels[parent]);
-            Frame { inset: index - 1, parent, shown, rect: within(&wide, &panels[parent].view.rect) }
+        .filter_map(|index| {
+            let parent = parent_of(index)?;
+            Some(Frame { inset: index - 1, parent, rect: frame(&panels[index], &panels[parent]) })
         })
         .collect()
+}
+
+/// Does one panel's window hold the other's?
+pub(super) fn contains(outer: &Panel, inner: &Panel) -> bool {
+    let within = |inner: [f64; 2], outer: [f64; 2]| inner[0] >= outer[0] && inner[1] <= outer[1];
+    let (outer, inner) = (&outer.view.window, &inner.view.window);
+    within(inner.h, outer.h) && within(inner.l, outer.l)
+}
+
+/// Where a panel's window lies in another panel, drawn large enough to be seen.
+pub(super) fn frame(panel: &Panel, parent: &Panel) -> Rect {
+    let exact = parent.view.frame(&panel.view.window);
+    let (dx, dy) = ((FRAME_MIN - exact.width).max(0.0), (FRAME_MIN - exact.height).max(0.0));
+    let wide =
+        Rect { x: exact.x - dx / 2.0, y: exact.y - dy / 2.0, width: exact.width + dx, height: exact.height + dy };
+    within(&wide, &parent.view.rect)
 }
 
 /// The part of a rectangle inside another.

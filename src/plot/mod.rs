@@ -9,6 +9,7 @@
 
 mod axes;
 mod canvas;
+mod chart;
 mod diagram;
 mod font;
 mod geometry;
@@ -31,6 +32,7 @@ mod ticks;
 mod trace;
 mod window;
 
+pub use chart::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
 pub use diagram::draw;
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
 pub use picture::Picture;

@@ -43,6 +43,13 @@ fn accessible_region(name: &str) -> String {
     }
 }
 
+/// The accessible region of a region of the diagram.
+pub(super) fn accessible_regions(region: &RegionDocument) -> String {
+    let parts: Vec<String> =
+        region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
+    parts.join("+")
+}
+
 /// The type printed in a region: that of its section, or of its accessible region where no section exists.
 pub(super) fn region_type(region: &RegionDocument) -> String {
     if let Some(signature) = &region.signature {
@@ -51,9 +58,7 @@ pub(super) fn region_type(region: &RegionDocument) -> String {
     if region.components.is_empty() {
         return "undecided".to_owned();
     }
-    let parts: Vec<String> =
-        region.components.iter().map(|component| accessible_region(&component.accessible_region)).collect();
-    format!("U: {}", parts.join("+"))
+    format!("U: {}", accessible_regions(region))
 }
 
 /// A positive number with two significant digits.

@@ -47,16 +47,19 @@ const TINTS: [(&str, RGBColor); 12] = [
     ("S2+S2+T2", RGBColor(0xe3, 0xe3, 0xe3)),
 ];
 
-/// The ground of a region whose printed type is `signature` (a signature, or components of U joined by `+`).
-pub(super) fn tint(signature: &str) -> RGBColor {
+/// The ground of a region whose printed type is `signature` (a signature, or components of U joined by `+`), with
+/// `circles` boundary circles of U: regions with sections of one type and different U differ a little.
+pub(super) fn tint(signature: &str, circles: u32) -> RGBColor {
     let mut parts: Vec<&str> = signature.split('+').collect();
     parts.sort_unstable();
     let name = parts.join("+");
-    if let Some((_, color)) = TINTS.iter().find(|(known, _)| *known == name) {
-        return *color;
-    }
     let sum: usize = name.bytes().enumerate().map(|(place, byte)| (place + 1) * usize::from(byte)).sum();
-    TINTS[sum % TINTS.len()].1
+    let known = TINTS.iter().find(|(known, _)| *known == name);
+    let RGBColor(red, green, blue) = known.unwrap_or(&TINTS[sum % TINTS.len()]).1;
+    // In parts of 32, so that bytes suffice.
+    let shade = [32, 30, 31][(circles % 3) as usize];
+    let darker = |byte: u8| u8::try_from(u16::from(byte) * shade / 32).unwrap_or(byte);
+    RGBColor(darker(red), darker(green), darker(blue))
 }
 
 /// True for a line where a pole enters U_hl.

@@ -12,6 +12,7 @@ use crate::body::{Body, BodyError, Number};
 /// The bodies among which a scan chooses.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "family", rename_all = "lowercase")]
+#[expect(clippy::large_enum_variant, reason = "there is one design in a scan")]
 pub enum Family {
     /// Every body that exists, up to its symmetries and units: A_i = 1 − m_i, where the second moments of mass m are
     /// uniform on the simplex m1 + m2 + m3 = 1, and r̂ uniform on the positive octant of the sphere, |r| = 1. Four
@@ -203,21 +204,18 @@ impl Design {
             place @ 0..3 => a[place] = value,
             place => r[place - 3] = value,
         };
-        match self.samples {
-            Some(_) => {
-                let u = point(n, self.vary.len(), self.seed);
-                for (range, u) in self.vary.iter().zip(u) {
-                    let (from, to) = (range.from.to_f64(), range.to.to_f64());
-                    set(range.parameter, from + (to - from) * u);
-                }
+        if self.samples.is_some() {
+            let u = point(n, self.vary.len(), self.seed);
+            for (range, u) in self.vary.iter().zip(u) {
+                let (from, to) = (range.from.to_f64(), range.to.to_f64());
+                set(range.parameter, from + (to - from) * u);
             }
-            None => {
-                let mut rest = n;
-                for range in self.vary.iter().rev() {
-                    let steps = u64::from(range.steps.unwrap_or(1).max(1));
-                    set(range.parameter, range.grid_value(rest % steps, steps));
-                    rest /= steps;
-                }
+        } else {
+            let mut rest = n;
+            for range in self.vary.iter().rev() {
+                let steps = u64::from(range.steps.unwrap_or(1).max(1));
+                set(range.parameter, range.grid_value(rest % steps, steps));
+                rest /= steps;
             }
         }
         [a, r]

@@ -2,6 +2,7 @@
 
 use pulp::Simd;
 
+use super::readings::{Gauge, Reading, Readings};
 use super::roots::all_roots;
 use super::scan::Scan;
 use super::sweep::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
@@ -24,13 +25,15 @@ pub(super) struct News<'a, S: Simd> {
     /// Roots of the lanes that have exactly one, as times after the step's start, and the states there.
     offsets: [S::f64s; 1],
     states: [Vector<S>; 2],
+    readings: Readings<S>,
 }
 
 impl<'a, S: Simd> News<'a, S> {
     #[inline(always)]
-    pub fn read(simd: S, lanes: &'a Lanes<S>, scan: &'a Scan<S>) -> Self {
+    pub fn read(simd: S, lanes: &'a Lanes<S>, scan: &'a Scan<S>, gauge: &Gauge<S>) -> Self {
         let offset = scan.single_roots(simd, lanes);
-        Self { lanes, scan, offsets: [offset], states: lanes.states_at(simd, offset) }
+        let states = lanes.states_at(simd, offset);
+        Self { lanes, scan, offsets: [offset], states, readings: gauge.read(simd, states) }
     }
 }
 
@@ -93,7 +96,7 @@ impl Follower {
             roots: Vec::new(),
         };
         if on_section {
-            follower.record(torus, options, Instant::default(), start, value);
+            follower.record(torus, Instant::default(), start, &Reading::new(torus, options.condition, start));
         }
         follower
     }
@@ -131,7 +134,8 @@ impl Follower {
             self.count_flat_step();
         } else if verdict.single {
             let offset = lane_values::<S>(&news.offsets)[lane];
-            self.cross(torus, options, start.after(offset), &state_of::<S>(&news.states, lane));
+            let state = state_of::<S>(&news.states, lane);
+            self.cross(torus, options, start.after(offset), &state, &news.readings.of(lane));
         } else {
             let mut room = [0.0; ROWS];
             let c = scan.coefficients(lane, &mut room);
@@ -141,7 +145,9 @@ impl Follower {
                 let offset = lanes.step_of(lane) * x;
                 if self.end.is_none() {
                     let states = lanes.states_at(simd, simd.splat_f64s(offset));
-                    self.cross(torus, options, start.after(offset), &state_of::<S>(&states, lane));
+                    let state = state_of::<S>(&states, lane);
+                    let reading = Reading::new(torus, options.condition, &state);
+                    self.cross(torus, options, start.after(offset), &state, &reading);
                 }
             }
             roots.clear();
@@ -189,34 +195,50 @@ impl Follower {
         self.tangencies += self.general_roots(&c, start, end >= 0.0, &mut roots);
         for x in roots {
             if self.end.is_none() {
-                self.cross(torus, options, step.start().after(step.length() * x), &step.state(x));
+                let state = step.state(x);
+                let reading = Reading::new(torus, options.condition, &state);
+                self.cross(torus, options, step.start().after(step.length() * x), &state, &reading);
             }
         }
         end
     }
 
     /// A crossing close to this time and state.
-    fn cross(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State) {
-        let value = options.condition.value(torus.top(), state);
-        let (offset, state, value) =
-            if value.abs() <= self.rounding { (0.0, *state, value) } else { polished(torus, options, state, value) };
-        let time = time.after(offset);
+    #[inline(always)]
+    fn cross(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, reading: &Reading) {
+        if reading.value.abs() <= self.rounding {
+            self.cross_at(torus, options, time, state, reading);
+        } else {
+            self.cross_nearby(torus, options, time, state, reading.value);
+        }
+    }
+
+    /// A crossing near this state, where S = `value`.
+    #[inline(never)]
+    fn cross_nearby(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, value: f64) {
+        let (offset, state) = polished(torus, options, state, value);
+        let reading = Reading::new(torus, options.condition, &state);
+        self.cross_at(torus, options, time.after(offset), &state, &reading);
+    }
+
+    #[inline(always)]
+    fn cross_at(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, reading: &Reading) {
         if time.seconds() > options.max_time {
             self.end = Some(End::Time);
             return;
         }
         self.crossings += 1;
-        self.record(torus, options, time, &state, value);
+        self.record(torus, time, state, reading);
         if self.crossings as usize >= options.crossings {
             self.end = Some(End::Crossings);
         }
     }
 
-    fn record(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, value: f64) {
-        let top = torus.top();
-        let point = torus.point(state);
-        self.drift = self.drift.max(&Integrals::of(top, state).distance(&self.integrals));
-        self.residual = self.residual.max(value.abs());
+    #[inline(always)]
+    fn record(&mut self, torus: &PpTorus, time: Instant, state: &State, reading: &Reading) {
+        let point = torus.place(state, reading);
+        self.drift = self.drift.max(&reading.integrals.distance(&self.integrals));
+        self.residual = self.residual.max(reading.value.abs());
         self.points.push(SectionPoint {
             orbit: self.orbit,
             index: self.crossings,
@@ -225,7 +247,7 @@ impl Follower {
             gamma: state.gamma,
             l: state.l,
             sheet: point.sheet,
-            s_dot: options.condition.rate(top, state),
+            s_dot: reading.rate,
             theta: point.theta,
             psi: point.psi,
         });
@@ -249,12 +271,12 @@ impl Follower {
 }
 
 /// Moves a state that is close to the section, where S = `residual`, onto it along the flow: the time that this
-/// takes, the state and S there.
+/// takes and the state there.
 ///
 /// The polynomial's root is as good as the step's tolerance; Newton's method in time with the flow's own series
 /// brings |S| down to rounding. Near a tangency it stops where it no longer improves.
 #[inline(never)]
-fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual: f64) -> (f64, State, f64) {
+fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual: f64) -> (f64, State) {
     let top = torus.top();
     let (mut offset, mut best) = (0.0, *state);
     for _ in 0..4 {
@@ -273,5 +295,5 @@ fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual
         }
         (offset, best, residual) = (offset + t, next, value);
     }
-    (offset, best, residual)
+    (offset, best)
 }

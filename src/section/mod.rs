@@ -2,12 +2,14 @@
 
 #![expect(clippy::inline_always, reason = "lanes must be inlined into the function compiled for their instructions")]
 
+mod angle;
 pub mod chaos;
 mod condition;
 mod error;
 mod follow;
 mod newton;
 mod portrait;
+mod readings;
 mod roots;
 mod scan;
 mod starts;

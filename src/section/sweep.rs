@@ -7,6 +7,7 @@ use pulp::{Simd, WithSimd};
 use super::condition::SectionCondition;
 use super::error::SectionError;
 use super::follow::{Follower, News};
+use super::readings::Gauge;
 use super::scan::Scan;
 use super::torus::PpTorus;
 use crate::dynamics::{Integrals, State};
@@ -250,6 +251,7 @@ impl WithSimd for TaylorWorker<'_> {
         let mut done = Vec::new();
         let mut lanes = Lanes::<S>::new(simd, queue.torus.top(), self.tolerance);
         let mut scan = Scan::<S>::new(simd);
+        let gauge = Gauge::<S>::new(simd, queue.torus, queue.options.condition);
         let mut followers: Vec<Option<Follower>> = Vec::new();
         for lane in 0..S::F64_LANES {
             followers.push(queue.pop());
@@ -270,7 +272,7 @@ impl WithSimd for TaylorWorker<'_> {
             }
             let mut remaining = scan.lanes_with_news();
             if remaining != 0 {
-                let news = News::read(simd, &lanes, &scan);
+                let news = News::read(simd, &lanes, &scan, &gauge);
                 while remaining != 0 {
                     let lane = remaining.trailing_zeros() as usize;
                     remaining &= remaining - 1;

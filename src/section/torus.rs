@@ -1,6 +1,10 @@
 //! The PP-torus: (ϑ', ψ') with r̂ as polar axis, two sheets T⁺ and T⁻ by the sign of Δ, and the map γ → l.
 
+use pulp::Scalar;
+
+use super::angle::angle;
 use super::error::SectionError;
+use super::readings::Reading;
 use crate::dynamics::{HeavyTop, State, add, cross, dot, norm, scale, sub};
 
 /// A point of the PP-torus.
@@ -67,15 +71,25 @@ impl PpTorus {
     #[must_use]
     pub fn angles(&self, gamma: [f64; 3]) -> (f64, f64) {
         let (x, y) = (dot(gamma, self.e_x), dot(gamma, self.e_y));
-        let theta = libm::atan2((x * x + y * y).sqrt(), dot(gamma, self.r_hat));
-        (theta, positive_angle(libm::atan2(x, y)))
+        let theta = angle(Scalar::new(), (x * x + y * y).sqrt(), dot(gamma, self.r_hat));
+        (theta, positive_angle(angle(Scalar::new(), x, y)))
     }
 
     /// The point of a state on the section. On a polar circle, where Δ = 0, it is the one on T⁺.
     #[must_use]
     pub fn point(&self, state: &State) -> TorusPoint {
         let (theta, psi) = self.angles(state.gamma);
-        let delta = self.delta(state);
+        self.on_sheet(state, self.delta(state), theta, psi)
+    }
+
+    /// The same with what has been read off the state.
+    #[inline(always)]
+    pub(super) fn place(&self, state: &State, reading: &Reading) -> TorusPoint {
+        self.on_sheet(state, reading.delta, reading.theta, positive_angle(reading.psi))
+    }
+
+    #[inline(always)]
+    fn on_sheet(&self, state: &State, delta: f64, theta: f64, psi: f64) -> TorusPoint {
         if delta != 0.0 || cross(state.gamma, self.r_hat) != [0.0; 3] {
             return TorusPoint { theta, psi, sheet: if delta < 0.0 { -1 } else { 1 } };
         }
@@ -100,7 +114,7 @@ impl PpTorus {
         let turned = cross(gamma, v);
         let u = sub(turned, scale(dot(gamma, self.top.inertia(turned)) / j, gamma));
         let tau = cross(self.top.inertia(u), self.r_hat);
-        positive_angle(libm::atan2(dot(tau, self.e_x), dot(tau, self.e_y)))
+        positive_angle(angle(Scalar::new(), dot(tau, self.e_x), dot(tau, self.e_y)))
     }
 
     /// The state over a point of the torus at (h, l), Eq. lofgamma: l = l Aγ/J ± v √(2(h−U)/⟨v,A⁻¹v⟩), + on T⁺.

@@ -95,6 +95,8 @@ fn documents_fit_their_schemas() {
     for more in ["", "--color lyapunov", "--integrator rk4 --max-time 5", "--condition angular-momentum"] {
         assert_fits("section", &bifdiag(&format!("{section} {more}")).succeeds().json());
     }
+    let part = format!("section {PART} --h 0.65 --l 0.464 --orbits 2 --crossings 5 --json");
+    assert_fits("section", &bifdiag(&part).succeeds().json());
     let atlas = bifdiag("--body paper --json").succeeds().stdout();
     let sections = bifdiag("section --atlas - --orbits 1 --crossings 2 --json").reading(atlas);
     assert_fits("sections", &sections.succeeds().json());

@@ -2,5 +2,6 @@
 #![allow(dead_code)]
 
 pub mod bodies;
+pub mod extremes;
 pub mod flood_fill;
 pub mod random;

@@ -253,6 +253,7 @@ fn events(curves: &[Curve], l_end: f64) -> Vec<EventDocument> {
         curves: curves.into_iter().map(|i| all[i].id.to_owned()).collect(),
         l_error: 1e-12,
         h_error: 1e-12,
+        enclosure: None,
     };
     let begin = |l: f64| (0..curves.len()).filter(|&i| curves[i].l[0] == l).collect::<Vec<_>>();
     for l in curves.iter().map(|curve| curve.l[0]).filter(|&l| l > 0.0) {
@@ -471,5 +472,6 @@ pub fn atlas(
         curves,
         events,
         regions,
+        certificate: None,
     }
 }

@@ -24,6 +24,7 @@ pub(super) fn documents(atlas: &Atlas, window: Option<&WindowDocument>) -> Vec<E
             // dl = dx/l.
             l_error: event.x_error * unit * unit / l,
             h_error: atlas.energy(event.h_error),
+            enclosure: None,
         }
     });
     events.filter(|event| window.is_none_or(|window| window::contains(window, event.h, event.l))).collect()

@@ -75,6 +75,7 @@ impl Atlas {
             events,
             regions,
             summary,
+            certificate: None,
         }
     }
 

@@ -24,7 +24,7 @@ const DIAGRAMS: [(&str, &str); 9] = [
 
 pub fn figures() -> impl Iterator<Item = Figure> {
     let diagrams = DIAGRAMS.iter().filter_map(|(stem, name)| Some((*stem, Preset::find(name)?)));
-    diagrams.map(|(stem, preset)| Figure { stem, draw: Box::new(move |timings| diagram(&preset, timings)) })
+    diagrams.map(|(stem, preset)| Figure { stem, draw: Box::new(move |timings| diagram(preset, timings)) })
 }
 
 fn diagram(preset: &Preset, timings: &Timings) -> Result<Picture, Failure> {

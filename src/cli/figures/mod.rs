@@ -4,6 +4,7 @@ mod diagrams;
 mod maps;
 mod schemes;
 mod sections;
+mod tradeoff;
 mod typical;
 
 use bifdiag::plot::Picture;
@@ -18,15 +19,23 @@ use super::timings::Timings;
 /// Dots per inch of PNG: enough for a screen, and small enough for the repository.
 const PNG_RESOLUTION: f64 = 144.0;
 
+/// How a figure is drawn.
+type Draw = dyn Fn(&Timings) -> Result<Picture, Failure>;
+
 /// A figure: the name of its files and how it is drawn.
 struct Figure {
     stem: &'static str,
-    draw: Box<dyn Fn(&Timings) -> Result<Picture, Failure>>,
+    draw: Box<Draw>,
 }
 
 /// Every figure, in the order of the gallery.
 fn figures() -> Vec<Figure> {
-    diagrams::figures().chain(schemes::figures()).chain(sections::figures()).chain(maps::figures()).collect()
+    diagrams::figures()
+        .chain(schemes::figures())
+        .chain(sections::figures())
+        .chain(maps::figures())
+        .chain(tradeoff::figures())
+        .collect()
 }
 
 pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failure> {

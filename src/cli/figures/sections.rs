@@ -101,7 +101,7 @@ fn body(name: &str) -> Option<Body> {
     match name {
         // Fig. Projections12.
         "projections" => Body::parse(&["2", "1.5", "1"], &["1", "0", "0"]).ok(),
-        name => Preset::find(name).map(|preset| preset.body()),
+        name => Preset::find(name).map(Preset::body),
     }
 }
 

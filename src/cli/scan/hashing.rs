@@ -1,5 +1,6 @@
 //! SHA-256 of what is written and of files.
 
+use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -50,5 +51,10 @@ pub fn of_file(path: &Path) -> io::Result<String> {
 
 /// A digest as text.
 pub fn hexadecimal(digest: Sha256) -> String {
-    digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    let mut text = String::with_capacity(64);
+    for byte in digest.finalize() {
+        // Writing to a String cannot fail.
+        let _always = write!(text, "{byte:02x}");
+    }
+    text
 }

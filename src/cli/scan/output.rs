@@ -28,9 +28,8 @@ fn with_ending(path: &Path, ending: &str) -> PathBuf {
 
 /// The format of an output file.
 pub fn format_of(out: &Path, format: Option<Format>) -> Result<Format, ScanInput> {
-    let format = match format.or_else(|| Format::of(out)) {
-        Some(format) => format,
-        None => return Err(ScanInput::NoFormat { path: out.to_owned() }),
+    let Some(format) = format.or_else(|| Format::of(out)) else {
+        return Err(ScanInput::NoFormat { path: out.to_owned() });
     };
     let folder = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
     fs::metadata(folder).map_err(|source| ScanInput::Out { path: out.to_owned(), source })?;
@@ -70,7 +69,7 @@ pub fn write(
     let (mut writer, sha256) = writer.finish();
     writer.flush().and_then(|()| writer.get_ref().sync_all()).map_err(failed(&fresh))?;
     drop(writer);
-    let document = summary.document(&identity.design, identity.range, format.name(), sha256);
+    let document = summary.document(&identity.design, identity.range, identity.accuracy, format.name(), sha256);
     let text = layout::text(&document)?;
     let summary_out = summary_path(out);
     let fresh_summary = with_ending(out, ".summary.new");

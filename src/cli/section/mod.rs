@@ -62,12 +62,8 @@ pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Resu
     if sections.complete {
         return Ok(());
     }
-    let finished = monitor.orbits.load(Ordering::Relaxed);
-    let cut = sections.done.iter().map(|section| section.document.orbits.len() - section.document.whole_orbits());
-    Err(Failure::Interrupted {
-        finished: usize::try_from(finished).unwrap_or(usize::MAX) - cut.sum::<usize>(),
-        wanted: sites.list.len() * orbits,
-    })
+    let finished = sections.done.iter().map(|section| section.document.whole_orbits()).sum();
+    Err(Failure::Interrupted { finished, wanted: sites.list.len() * orbits })
 }
 
 fn orbit_count(arguments: &SectionArguments) -> usize {
@@ -92,7 +88,7 @@ fn compute(
 ) -> Result<Sections, Failure> {
     let mut sections = Sections { done: Vec::new(), skipped: Vec::new(), complete: true };
     for site in &sites.list {
-        if monitor.stop.load(Ordering::Relaxed) {
+        if !sections.done.is_empty() && monitor.stop.load(Ordering::Relaxed) {
             sections.complete = false;
             break;
         }

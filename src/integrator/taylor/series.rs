@@ -29,10 +29,11 @@ pub(crate) fn lane_values_mut<S: Simd>(registers: &mut [S::f64s]) -> &mut [f64] 
 /// The top's constants in every lane.
 #[repr(C, align(64))]
 pub(crate) struct Constants<S: Simd> {
-    /// 1/A_i, rounded: the kernel integrates the top whose inverse moments are exactly these.
+    /// 1/A_i in two parts. A rounding error of a constant would be the same in every step and let the energy drift
+    /// linearly; fused into a product that has to be rounded anyway, the second part is lost in no direction.
     inverse: Vector<S>,
-    /// 1/B_j − 1/B_k with B the rounded inverse moments, in two parts: a rounding error of a constant would be
-    /// the same in every step and let the energy drift linearly.
+    inverse_low: Vector<S>,
+    /// A_j − A_k in two parts; the second is 0 unless the moments are of different size.
     difference: Vector<S>,
     difference_low: Vector<S>,
     /// r.
@@ -51,15 +52,13 @@ fn reciprocal_in_two_parts(b: f64) -> (f64, f64) {
 impl<S: Simd> Constants<S> {
     #[inline(always)]
     pub fn new(simd: S, top: &HeavyTop) -> Self {
-        let b = top.inverse_moments();
-        let a = b.map(reciprocal_in_two_parts);
+        let a = top.moments();
+        let b = a.map(reciprocal_in_two_parts);
         let mut difference = [0.0; 3];
         let mut low = [0.0; 3];
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-            let (high, error) = super::super::time::two_sum(a[p].0, -a[q].0);
-            difference[i] = high;
-            low[i] = error + (a[p].1 - a[q].1);
+            (difference[i], low[i]) = super::super::time::two_sum(a[p], -a[q]);
         }
         let splat = |v: [f64; 3]| [simd.splat_f64s(v[0]), simd.splat_f64s(v[1]), simd.splat_f64s(v[2])];
         let mut reciprocal = [0.0; ROWS];
@@ -71,7 +70,8 @@ impl<S: Simd> Constants<S> {
             *entry = reciprocal_in_two_parts(k as f64).1;
         }
         Self {
-            inverse: splat(b),
+            inverse: splat(b.map(|b| b.0)),
+            inverse_low: splat(b.map(|b| b.1)),
             difference: splat(difference),
             difference_low: splat(low),
             center: splat(top.center()),
@@ -90,6 +90,17 @@ impl<S: Simd> Constants<S> {
     #[inline(always)]
     pub(super) fn difference(&self, i: usize) -> S::f64s {
         self.difference[i]
+    }
+
+    /// ω = A⁻¹ l with the second part of A⁻¹.
+    #[inline(always)]
+    fn exact_angular_velocity(&self, simd: S, l: Vector<S>) -> Vector<S> {
+        let mut omega = l;
+        for i in 0..3 {
+            let low = simd.mul_f64s(l[i], self.inverse_low[i]);
+            omega[i] = simd.mul_add_f64s(l[i], self.inverse[i], low);
+        }
+        omega
     }
 
     /// ω = A⁻¹ l.
@@ -156,7 +167,7 @@ impl<S: Simd> Series<S> {
     #[inline(always)]
     pub fn expand(&mut self, simd: S, top: &Constants<S>, order: usize) {
         debug_assert!(order.is_multiple_of(2) && order < ROWS);
-        self.omega[0] = top.angular_velocity(simd, self.l[0]);
+        self.omega[0] = top.exact_angular_velocity(simd, self.l[0]);
         let mut first = Products::zero(simd);
         first.add(simd, self.gamma[0], self.omega[0], self.omega[0]);
         self.set_row(simd, top, 1, first);
@@ -206,7 +217,7 @@ impl<S: Simd> Series<S> {
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
             self.gamma[k][i] = simd.mul_f64s(products.gamma_omega[i], reciprocal);
-            // ω_pω_q D − (γ×r)_i. D's low part goes in first: added to a rounded sum it would always be lost.
+            // ω_pω_q D − (γ×r)_i. D's low part goes in first: added to the rounded sum it would always be lost.
             let low = simd.mul_f64s(products.omega_omega[i], top.difference_low[i]);
             let torque = simd.mul_add_f64s(gamma[q], top.center[p], low);
             let torque = simd.negate_mul_add_f64s(gamma[p], top.center[q], torque);
@@ -222,6 +233,7 @@ impl<S: Simd> Series<S> {
             }
         }
         self.l[k] = l;
-        self.omega[k] = top.angular_velocity(simd, l);
+        self.omega[k] =
+            if k < EXACT_BELOW { top.exact_angular_velocity(simd, l) } else { top.angular_velocity(simd, l) };
     }
 }

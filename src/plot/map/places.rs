@@ -2,7 +2,7 @@
 
 /// For each entry the middle of the largest square of cells that show it, and half its side: (column, row, half).
 pub(super) fn widest(columns: usize, entries: &[Option<usize>], count: usize) -> Vec<Option<(f64, f64, f64)>> {
-    let rows = if columns == 0 { 0 } else { entries.len() / columns };
+    let rows = entries.len().checked_div(columns).unwrap_or(0);
     // side[cell]: the largest square with its upper right corner in the cell.
     let mut side = vec![0_usize; entries.len()];
     let mut best: Vec<Option<(usize, usize, usize)>> = vec![None; count];

@@ -24,6 +24,9 @@ const BELOW: f64 = 36.0;
 const CAPTION_SIZE: f64 = 12.0;
 const TICK_SIZE: f64 = 11.0;
 
+/// Base line of the title.
+pub(super) const TITLE_AT: Point = [LEFT, TITLE - 8.0];
+
 /// One sheet of one chart of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SheetPanel {
@@ -96,11 +99,6 @@ impl Layout {
     /// Lower end of the panels with their labels.
     pub fn bottom(&self) -> f64 {
         self.bottom
-    }
-
-    /// Base line of the title.
-    pub fn title(&self) -> Point {
-        [LEFT, TITLE - 8.0]
     }
 
     /// Where the colour bar stands.

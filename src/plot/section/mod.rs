@@ -114,7 +114,7 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
         points::draw(&mut page, scene, panel, &coloring, &style)?;
         ground::outline(&mut page, scene.portrait, panel)?;
     }
-    page.paint(|canvas| canvas.text(&title, layout.title(), TITLE_SIZE, INK, Anchor::Start))?;
+    page.paint(|canvas| canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start))?;
     layout.draw_captions(&mut page, scenes)?;
     if let Some(bar) = coloring.bar() {
         bar.draw(&mut page, layout.bar())?;

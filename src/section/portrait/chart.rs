@@ -5,6 +5,9 @@ use std::f64::consts::{PI, TAU};
 use super::super::torus::PpTorus;
 use crate::dynamics::dot;
 
+/// Places on the edge of a chart at which its kind is looked up.
+const EDGE_PLACES: usize = 720;
+
 /// Which angles (x, y) = (ψ, ϑ) of γ are drawn, x in [0, 2π) and y in [0, π].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Chart {
@@ -112,6 +115,30 @@ impl Area {
         }
         inside
     }
+}
+
+/// The parts of an edge y = const of a chart where something holds of x.
+pub(super) fn edge_parts(holds: &dyn Fn(f64) -> bool) -> Vec<[f64; 2]> {
+    let place = |k: usize| (k as f64 + 0.5) * TAU / EDGE_PLACES as f64;
+    let mut parts = Vec::new();
+    let mut open = holds(place(0)).then_some(0.0);
+    for k in 1..EDGE_PLACES {
+        let here = holds(place(k));
+        if here == open.is_some() {
+            continue;
+        }
+        let (mut low, mut high) = (place(k - 1), place(k));
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            if holds(middle) == here { high = middle } else { low = middle }
+        }
+        match open.take() {
+            Some(from) => parts.push([from, high]),
+            None => open = Some(high),
+        }
+    }
+    parts.extend(open.map(|from| [from, TAU]));
+    parts
 }
 
 #[cfg(test)]

@@ -116,18 +116,17 @@ impl Field<'_> {
             return;
         }
         // The accessible part of the edge, from a place where Ṡ is known.
-        let (known, other, span) = match (from, to) {
-            (Some(known), Some(other)) => (known, other, [0.0, 1.0]),
-            _ => {
-                let change = bisect(|t| self.states(at(t)).is_some() == to.is_some());
-                let (inside, near) = if from.is_some() { (0.0, change - 1e-12) } else { (1.0, change + 1e-12) };
-                let Some(states) = self.states(at(near)) else { return };
-                if let Some(x) = self.equations.polish(Zero::Sheets, &self.equations.vector(&states[0])) {
-                    seeds.boundary.push(x);
-                }
-                let Some(known) = from.or(to) else { return };
-                (known, states.map(|state| self.equations.rate(&state) < 0.0), [inside, near])
+        let (known, other, span) = if let (Some(known), Some(other)) = (from, to) {
+            (known, other, [0.0, 1.0])
+        } else {
+            let change = bisect(|t| self.states(at(t)).is_some() == to.is_some());
+            let (inside, near) = if from.is_some() { (0.0, change - 1e-12) } else { (1.0, change + 1e-12) };
+            let Some(states) = self.states(at(near)) else { return };
+            if let Some(x) = self.equations.polish(Zero::Sheets, &self.equations.vector(&states[0])) {
+                seeds.boundary.push(x);
             }
+            let Some(known) = from.or(to) else { return };
+            (known, states.map(|state| self.equations.rate(&state) < 0.0), [inside, near])
         };
         for sheet in 0..2 {
             if known[sheet] == other[sheet] {

@@ -1,5 +1,9 @@
+use std::f64::consts::PI;
+
 use super::*;
+use crate::body::Body;
 use crate::dynamics::{dot, norm};
+use crate::section::SectionError;
 
 /// Nodes of a grid that the areas of a portrait take for something else than they are; those within a thousandth of
 /// a line are left out.
@@ -128,4 +132,34 @@ fn forbidden_and_senseless_parameters_are_told() {
     assert_eq!(error, SectionError::WeightlessBody);
     let error = Portrait::new(&paper(), f64::NAN, 1.0, &PortraitOptions::default()).unwrap_err();
     assert!(matches!(error, SectionError::Parameter { name: "h", .. }));
+}
+
+#[test]
+fn random_bodies_are_mapped_completely() {
+    let mut state = 1_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut drawn = 0;
+    for case in 0..60 {
+        let moments = [(); 3].map(|()| 0.4 + 1.6 * next());
+        let center = [(); 3].map(|()| 2.0 * next() - 1.0);
+        let (h, l) = (-0.5 + 4.0 * next(), 3.0 * next());
+        let body = Body::from_f64(moments, center).unwrap();
+        let portrait = match Portrait::new(&body, h, l, &PortraitOptions::default()) {
+            Ok(portrait) => portrait,
+            Err(SectionError::Inaccessible { .. }) => continue,
+            Err(error) => panic!("{error}"),
+        };
+        drawn += 1;
+        assert!(
+            portrait.report().is_complete(),
+            "case {case}: {moments:?} {center:?} ({h}, {l}): {:?}",
+            portrait.report()
+        );
+        let wrong = misplaced(&portrait, Chart::Torus, 24);
+        assert!(wrong.is_empty(), "case {case}: {moments:?} {center:?} ({h}, {l}): {wrong:?}");
+    }
+    assert!(drawn > 30, "{drawn}");
 }

@@ -1,5 +1,6 @@
 //! Parquet, with the writer for single columns: no Arrow.
 
+use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Write;
 use std::sync::Arc;
@@ -79,7 +80,8 @@ fn schema() -> Result<TypePtr, TableError> {
             Column::Text(_) => "BYTE_ARRAY",
         };
         let annotation = if matches!(column, Column::Text(_)) { " (UTF8)" } else { "" };
-        text.push_str(&format!("{repetition} {kind} {name}{annotation};\n"));
+        // Writing to a String cannot fail.
+        let _always = writeln!(text, "{repetition} {kind} {name}{annotation};");
     }
     text.push('}');
     Ok(Arc::new(parse_message_type(&text)?))
@@ -113,11 +115,11 @@ impl<W: Write + Send> Sink<W> {
                 Column::Whole(of) => {
                     let values: Vec<i64> =
                         rows.iter().filter_map(of).map(|n| i64::try_from(n).unwrap_or(i64::MAX)).collect();
-                    write_column::<Int64Type>(&mut group, name, &values, levels(&|row| of(row).is_none()))?;
+                    write_column::<Int64Type>(&mut group, name, &values, levels(&|row| of(row).is_none()).as_deref())?;
                 }
                 Column::Real(of) => {
                     let values: Vec<f64> = rows.iter().filter_map(of).collect();
-                    write_column::<DoubleType>(&mut group, name, &values, levels(&|row| of(row).is_none()))?;
+                    write_column::<DoubleType>(&mut group, name, &values, levels(&|row| of(row).is_none()).as_deref())?;
                 }
                 Column::Truth(of) => {
                     let values: Vec<bool> = rows.iter().map(of).collect();
@@ -125,7 +127,12 @@ impl<W: Write + Send> Sink<W> {
                 }
                 Column::Text(of) => {
                     let values: Vec<ByteArray> = rows.iter().filter_map(of).map(ByteArray::from).collect();
-                    write_column::<ByteArrayType>(&mut group, name, &values, levels(&|row| of(row).is_none()))?;
+                    write_column::<ByteArrayType>(
+                        &mut group,
+                        name,
+                        &values,
+                        levels(&|row| of(row).is_none()).as_deref(),
+                    )?;
                 }
             }
         }
@@ -139,10 +146,10 @@ fn write_column<T: DataType>(
     group: &mut SerializedRowGroupWriter<'_, impl Write + Send>,
     name: &'static str,
     values: &[T::T],
-    levels: Option<Vec<i16>>,
+    levels: Option<&[i16]>,
 ) -> Result<(), TableError> {
     let mut column = group.next_column()?.ok_or(TableError::Column { column: name })?;
-    column.typed::<T>().write_batch(values, levels.as_deref(), None)?;
+    column.typed::<T>().write_batch(values, levels, None)?;
     Ok(column.close()?)
 }
 

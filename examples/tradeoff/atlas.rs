@@ -1,0 +1,184 @@
+//! Whole bodies: time of an atlas, and whether it holds the regions that are proved.
+
+use bifdiag::atlas::{Atlas, DocumentOptions};
+use bifdiag::body::Body;
+use bifdiag::certified::CertifiedAtlas;
+use bifdiag::document::Accuracy;
+use bifdiag::equilibria::Branch;
+use bifdiag::topology::Component;
+use rayon::prelude::*;
+
+use super::clock::{quantiles, timed};
+use super::common::flood_fill;
+use super::companion;
+use super::points::Point;
+
+/// Bodies of each stratum, and those on which the flood fill is tried.
+const BODIES: usize = 60;
+const FLOODED: usize = 4;
+
+/// Points of the (h, l) plane in each direction, and rows of the flood fill at each.
+const GRIDS: [(usize, usize); 3] = [(12, 32), (24, 48), (40, 64)];
+
+/// The classes of all regions, sorted.
+type Classes = Vec<Vec<Component>>;
+
+#[derive(Default)]
+struct Tally {
+    times: Vec<f64>,
+    right: usize,
+    wrong: usize,
+    undecided: usize,
+    failed: usize,
+    untold: usize,
+}
+
+impl Tally {
+    /// `found`: the answer, if there is one; `whole`: nothing in it is undecided.
+    fn add<T: PartialEq>(&mut self, time: f64, found: Option<&T>, whole: bool, truth: Option<&T>) {
+        self.times.push(time);
+        match (found, truth) {
+            (None, _) => self.failed += 1,
+            (Some(_), _) if !whole => self.undecided += 1,
+            (Some(_), None) => self.untold += 1,
+            (Some(found), Some(truth)) if found == truth => self.right += 1,
+            (Some(_), Some(_)) => self.wrong += 1,
+        }
+    }
+
+    fn print(mut self, stratum: &str, method: &str) {
+        let count = self.times.len();
+        let [median, high] = quantiles(&mut self.times);
+        println!(
+            "{stratum},{method},{count},{},{},{},{},{},{median:.1},{high:.1},{:.1}",
+            self.right,
+            self.wrong,
+            self.undecided,
+            self.failed,
+            self.untold,
+            self.times[count - 1]
+        );
+    }
+}
+
+pub fn run(points: &[Point]) {
+    println!("stratum,method,bodies,right,wrong,undecided,failed,untold,cpu_us_median,cpu_us_99,cpu_us_largest");
+    for stratum in ["generic", "near axis", "near symmetric", "rod"] {
+        let mut bodies = points.iter().filter(|p| p.stratum == stratum && p.distance.is_none()).map(|p| &p.body);
+        let bodies: Vec<&Body> = bodies.by_ref().take(BODIES).collect();
+        let proofs: Vec<(Option<Classes>, f64)> = bodies
+            .par_iter()
+            .map(|body| {
+                let (atlas, time) = timed(|| CertifiedAtlas::new(body));
+                (atlas.ok().and_then(|atlas| proved(&atlas)), time)
+            })
+            .collect();
+        let mut certified = Tally::default();
+        for (classes, time) in &proofs {
+            certified.add(*time, Some(classes), classes.is_some(), Some(classes));
+        }
+        let truths: Vec<Option<Classes>> = proofs.into_iter().map(|(classes, _)| classes).collect();
+        let mut bare = Tally::default();
+        for (body, truth) in bodies.iter().zip(&truths) {
+            let (atlas, time) = timed(|| Atlas::new(body));
+            let whole = atlas.as_ref().is_ok_and(|atlas| atlas.arrangement().undecided.is_empty());
+            bare.add(time, atlas.ok().map(|atlas| classes(&atlas)).as_ref(), whole, truth.as_ref());
+        }
+        bare.print(stratum, "regions alone");
+        for (name, options) in [
+            ("draft", DocumentOptions { accuracy: Accuracy::Draft, ..DocumentOptions::default() }),
+            ("standard", DocumentOptions::default()),
+        ] {
+            let mut tally = Tally::default();
+            for (body, truth) in bodies.iter().zip(&truths) {
+                let (found, time) = timed(|| {
+                    let atlas = Atlas::new(body).ok()?;
+                    let document = atlas.document(&options);
+                    Some((atlas, document.summary.undecided.is_empty()))
+                });
+                let whole = found.as_ref().is_some_and(|(_, whole)| *whole);
+                let classes = found.map(|(atlas, _)| classes(&atlas));
+                tally.add(time, classes.as_ref(), whole, truth.as_ref());
+            }
+            tally.print(stratum, name);
+        }
+        certified.print(stratum, "certified");
+        for (points, rows) in GRIDS {
+            let mut tally = Tally::default();
+            let flooded: Vec<(Classes, f64)> =
+                bodies.par_iter().take(FLOODED).map(|body| timed(|| flooded(body, points, rows))).collect();
+            for ((found, time), truth) in flooded.into_iter().zip(&truths) {
+                // A grid cannot tell two regions of one class apart.
+                let kinds = truth.clone().map(|mut all| {
+                    all.dedup();
+                    all
+                });
+                tally.add(time, Some(&found), true, kinds.as_ref());
+            }
+            tally.print(stratum, &format!("flood fill {points}x{points} points of {rows}x{}", 2 * rows));
+        }
+        for (name, real) in [("companion matrix: cusps alone", 1e-8), ("companion matrix 1e-4: cusps alone", 1e-4)] {
+            let mut tally = Tally::default();
+            for body in &bodies {
+                let (found, time) = timed(|| companion::cusps(body, real));
+                let truth = Atlas::new(body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty());
+                tally.add(time, found.as_ref(), true, truth.map(|atlas| cusps(&atlas)).as_ref());
+            }
+            tally.print(stratum, name);
+        }
+    }
+}
+
+fn key(components: &[Component]) -> String {
+    format!("{components:?}")
+}
+
+fn sorted(mut classes: Classes) -> Classes {
+    classes.sort_by_key(|components| key(components));
+    classes
+}
+
+fn proved(atlas: &CertifiedAtlas) -> Option<Classes> {
+    let classes: Option<Classes> =
+        (0..atlas.region_count()).map(|region| atlas.components(region).map(<[Component]>::to_vec)).collect();
+    classes.map(sorted)
+}
+
+fn classes(atlas: &Atlas) -> Classes {
+    let all = (0..atlas.regions().len()).filter_map(|region| atlas.components(region).ok().map(<[Component]>::to_vec));
+    sorted(all.collect())
+}
+
+/// The classes that a grid over the part of the plane with all events shows, each once.
+fn flooded(body: &Body, points: usize, rows: usize) -> Classes {
+    let (a, r) = (body.moments_f64(), body.center_f64());
+    let norm = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
+    let [least, most] = [a.iter().copied().fold(f64::INFINITY, f64::min), a.iter().copied().fold(0.0, f64::max)];
+    // Events of bodies of order one lie below a few times the natural momentum.
+    let l_max = 4.0 * (norm * most).sqrt();
+    let mut found = Classes::new();
+    for row in 1..=points {
+        let l = l_max * row as f64 / points as f64;
+        let [low, high] = [0.5 * l * l / most - norm, 0.5 * l * l / least + norm];
+        for column in 0..points {
+            let h = low + (high - low) * (column as f64 + 0.5) / points as f64;
+            let components = flood_fill::components(body, h, l, rows);
+            if !components.is_empty() && !found.contains(&components) {
+                found.push(components);
+            }
+        }
+    }
+    sorted(found)
+}
+
+/// Cusps of the generic family in each interval of μ.
+fn cusps(atlas: &Atlas) -> [usize; 4] {
+    let set = &atlas.arrangement().set;
+    let mut counts = [0; 4];
+    for cusp in &set.cusps {
+        if let Branch::Generic(interval) = set.curves[cusp.curves[0]].branch {
+            counts[interval] += 1;
+        }
+    }
+    counts
+}
