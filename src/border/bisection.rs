@@ -8,6 +8,8 @@ use super::segment::Segment;
 use crate::atlas::Atlas;
 use crate::body::Flags;
 use crate::class::Class;
+use crate::document::Accuracy;
+use crate::scan::atlas_of;
 
 /// Where an interval is cut: not in the middle, where special bodies lie.
 const GOLDEN: f64 = 0.381_966_011_250_105_2;
@@ -19,11 +21,13 @@ pub struct BorderOptions {
     pub tolerance: f64,
     /// The most atlases that are made.
     pub atlases_max: u32,
+    /// What the classes must be worth.
+    pub accuracy: Accuracy,
 }
 
 impl Default for BorderOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-10, atlases_max: 600 }
+        Self { tolerance: 1e-10, atlases_max: 600, accuracy: Accuracy::Standard }
     }
 }
 
@@ -71,8 +75,8 @@ pub(super) struct Seen {
     pub class: Class,
 }
 
-fn look(segment: &Segment, t: f64) -> Result<Seen, String> {
-    let atlas = Atlas::new(&segment.body(t)).map_err(|error| error.to_string())?;
+fn look(segment: &Segment, t: f64, accuracy: Accuracy) -> Result<Seen, String> {
+    let atlas = atlas_of(&segment.body(t), accuracy).map_err(|(_, error)| error)?;
     let class = Class::of(&atlas).map_err(|error| error.to_string())?;
     Ok(Seen { atlas, class })
 }
@@ -84,7 +88,9 @@ fn look(segment: &Segment, t: f64) -> Result<Seen, String> {
 /// # Errors
 /// [`BorderError`].
 pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, BorderError> {
-    let end = |t: f64, end: &'static str| look(segment, t).map_err(|reason| BorderError::NoClass { end, reason });
+    let end = |t: f64, end: &'static str| {
+        look(segment, t, options.accuracy).map_err(|reason| BorderError::NoClass { end, reason })
+    };
     let (mut low, mut high) = ((0.0, end(0.0, "lower")?), (1.0, end(1.0, "upper")?));
     if low.1.class == high.1.class {
         return Err(BorderError::SameClass { class: low.1.class.id().to_owned() });
@@ -112,7 +118,7 @@ pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, Border
         }
         atlases += 1;
         let is_special = |t: f64| Flags { plate: false, unphysical: false, ..segment.body(t).flags() } != ordinary;
-        match look(segment, t) {
+        match look(segment, t, options.accuracy) {
             Ok(_) if is_special(t) => zone = Some([zone_now[0].min(t), zone_now[1].max(t)]),
             Ok(seen) if seen.class == low.1.class => low = (t, seen),
             Ok(seen) => high = (t, seen),

@@ -225,42 +225,34 @@ fn exchange(side: &Arrangement) -> Named<'_> {
     (kind, text, Some(Group { side, events: near }), witness)
 }
 
-/// What passes through zero, made from the place of an event, the other curve, and the event.
-type WitnessOf = fn(Place, Branch, &Arrangement, &Event) -> Option<Witness>;
-
 /// What vanishes where events change places: the height of a third curve over one of them.
 fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Witness> {
     let branch = |c: usize| side.set.curves[c].branch;
     let place = |event: &Event| Place::of(&side.set.frame, event.x, event.h);
-    let crossing = near.iter().find_map(|event| match event.change {
+    let (crossing, pair) = near.iter().find_map(|event| match event.change {
         Change::Swap(curves) => Some((event, curves.map(branch))),
         _ => None,
     })?;
+    let beside = |own: &[Branch]| pair.into_iter().find(|branch| !own.contains(branch));
     for event in near {
-        let (own, make): (Vec<Branch>, WitnessOf) = match event.change {
+        match event.change {
             Change::Open { through, pair } | Change::Close { through, pair } => {
-                (vec![branch(through[0]), branch(pair)], |_, curve, side, event| {
-                    let (Change::Open { pair, .. } | Change::Close { pair, .. }) = event.change else { return None };
-                    let Branch::Symmetric(axis) = side.set.curves[pair].branch else { return None };
-                    Some(Witness::PitchforkOnCurve { axis, curve })
-                })
+                let Branch::Symmetric(axis) = branch(pair) else { return None };
+                let curve = beside(&[branch(through[0]), branch(pair)])?;
+                return Some(Witness::PitchforkOnCurve { axis, curve });
             }
-            Change::Birth([one, _]) | Change::Death([one, _]) => (vec![branch(one)], |near, curve, side, event| {
-                let cusp = side.set.curves[event.change.curves()[0]].branch;
-                Some(Witness::CuspOnCurve { cusp, curve, near })
-            }),
-            Change::Swap(_) => continue,
-        };
-        let other = crossing.1.into_iter().find(|branch| !own.contains(branch))?;
-        return make(place(event), other, side, event);
+            Change::Birth([one, _]) | Change::Death([one, _]) => {
+                let (cusp, near) = (branch(one), place(event));
+                return Some(Witness::CuspOnCurve { cusp, curve: beside(&[cusp])?, near });
+            }
+            Change::Swap(_) => {}
+        }
     }
-    let curve =
-        near.iter().flat_map(|event| event.change.curves()).map(branch).find(|branch| !crossing.1.contains(branch))?;
-    Some(Witness::CurveOnCrossing { crossing: crossing.1, curve, near: place(crossing.0) })
+    let curve = near.iter().flat_map(|event| event.change.curves()).map(branch).find(|other| !pair.contains(other))?;
+    Some(Witness::CurveOnCrossing { crossing: pair, curve, near: place(crossing) })
 }
 
 /// One side has events that the other has not.
-#[expect(clippy::too_many_lines, reason = "one case for each kind of event, in a row")]
 fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above: bool) -> Named<'a> {
     let of_kind = |labels: &[String], kind: &str| -> Vec<String> {
         labels.iter().filter(|label| label.starts_with(kind)).cloned().collect()
@@ -275,17 +267,6 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above:
         let mut names: Vec<&str> = labels.iter().filter_map(|label| label.split_once(" of ").map(|(_, n)| n)).collect();
         names.dedup();
         names.join(", ")
-    };
-    let nearest = |candidates: &[Event]| -> Vec<Event> {
-        let mut best: Option<(f64, [Event; 2])> = None;
-        for (k, p) in candidates.iter().enumerate() {
-            for q in &candidates[k + 1..] {
-                if best.is_none_or(|(least, _)| distance(p, q) < least) {
-                    best = Some((distance(p, q), [*p, *q]));
-                }
-            }
-        }
-        best.map(|(_, pair)| pair.to_vec()).unwrap_or_default()
     };
     if forks + lost_forks > 0 {
         let moments_pass = forks == lost_forks;
@@ -323,39 +304,12 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above:
             return (BorderEventKind::CuspAtPitchfork, text, group(side, events), Witness::Excess(axis));
         }
     }
-    if cusps == 0 && crossings == 2 && fewer_none {
-        let labels = of_kind(more, "crossing");
-        let pair = nearest(&events_of(&labels));
-        if let [p, q] = pair[..] {
-            let (one, two) = (p.change.curves(), q.change.curves());
-            let same = one.iter().all(|curve| two.contains(curve));
-            let own: Vec<usize> =
-                one.iter().chain(&two).filter(|c| !(one.contains(c) && two.contains(c))).copied().collect();
-            let cusp = side.events.iter().find(|event| {
-                matches!(event.change, Change::Birth(_) | Change::Death(_))
-                    && own.iter().all(|curve| event.change.curves().contains(curve))
-            });
-            return match cusp {
-                Some(cusp) if !same => {
-                    let shared = one.iter().find(|curve| two.contains(curve));
-                    let through =
-                        shared.map_or_else(String::new, |&c| branch_name(&side.set.frame, side.set.curves[c].branch));
-                    let text = format!("the {} passes through {through}", label(&side.set, &cusp.change));
-                    let branch = |c: usize| side.set.curves[c].branch;
-                    let near = Place::of(&side.set.frame, cusp.x, cusp.h);
-                    let witness = shared.map_or(Witness::Nothing, |&curve| Witness::CuspOnCurve {
-                        cusp: branch(cusp.change.curves()[0]),
-                        curve: branch(curve),
-                        near,
-                    });
-                    (BorderEventKind::CuspOnCurve, text, group(side, vec![*cusp, p, q]), witness)
-                }
-                _ => {
-                    let text = format!("the curves {} touch", subject(&labels));
-                    (BorderEventKind::Tangency, text, group(side, pair), Witness::Nothing)
-                }
-            };
-        }
+    if cusps == 0
+        && crossings == 2
+        && fewer_none
+        && let Some(found) = two_crossings(side, nearest(&events_of(&of_kind(more, "crossing"))))
+    {
+        return found;
     }
     if cusps == 0 && crossings == 1 && fewer_none {
         let labels = of_kind(more, "crossing");
@@ -367,6 +321,41 @@ fn creation<'a>(side: &'a Arrangement, more: &[String], fewer: &[String], above:
     }
     let text = "several events appear and vanish together".to_owned();
     (BorderEventKind::Other, text, None, Witness::Nothing)
+}
+
+/// The two of these events that are nearest to each other.
+fn nearest(candidates: &[Event]) -> Vec<Event> {
+    let mut best: Option<(f64, [Event; 2])> = None;
+    for (k, p) in candidates.iter().enumerate() {
+        for q in &candidates[k + 1..] {
+            if best.is_none_or(|(least, _)| distance(p, q) < least) {
+                best = Some((distance(p, q), [*p, *q]));
+            }
+        }
+    }
+    best.map(|(_, pair)| pair.to_vec()).unwrap_or_default()
+}
+
+/// Two new crossings: a cusp has passed through a curve, or two curves touch.
+fn two_crossings(side: &Arrangement, pair: Vec<Event>) -> Option<Named<'_>> {
+    let [p, q] = pair[..] else { return None };
+    let branch = |c: usize| side.set.curves[c].branch;
+    let name = |c: usize| branch_name(&side.set.frame, branch(c));
+    let (one, two) = (p.change.curves(), q.change.curves());
+    let shared = one.iter().find(|curve| two.contains(curve)).copied();
+    let own: Vec<usize> = one.iter().chain(&two).filter(|c| !(one.contains(c) && two.contains(c))).copied().collect();
+    let cusp = side.events.iter().find(|event| {
+        matches!(event.change, Change::Birth(_) | Change::Death(_))
+            && own.iter().all(|curve| event.change.curves().contains(curve))
+    });
+    if let (Some(cusp), Some(through), false) = (cusp, shared, own.is_empty()) {
+        let text = format!("the {} passes through {}", label(&side.set, &cusp.change), name(through));
+        let near = Place::of(&side.set.frame, cusp.x, cusp.h);
+        let witness = Witness::CuspOnCurve { cusp: branch(cusp.change.curves()[0]), curve: branch(through), near };
+        return Some((BorderEventKind::CuspOnCurve, text, group(side, vec![*cusp, p, q]), witness));
+    }
+    let text = format!("the curves {} touch", branches(&side.set, &p.change).join(" and "));
+    Some((BorderEventKind::Tangency, text, group(side, pair), Witness::Nothing))
 }
 
 /// A new crossing of a pair beside the pitchfork of this pair: the pitchfork has passed through the other curve.

@@ -18,6 +18,8 @@ mod kinds;
 mod planar_map;
 mod text;
 
+use std::fmt::Write;
+
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
@@ -101,8 +103,13 @@ impl Class {
 
 fn name_of(text: &str) -> String {
     let digest = Sha256::digest(text.as_bytes());
-    let nibbles = digest.iter().flat_map(|byte| [byte >> 4, byte & 15]);
-    nibbles.take(DIGITS).filter_map(|nibble| char::from_digit(u32::from(nibble), 16)).collect()
+    let mut name = String::with_capacity(2 * digest.len());
+    for byte in digest {
+        // Writing to a String cannot fail.
+        let _always = write!(name, "{byte:02x}");
+    }
+    name.truncate(DIGITS);
+    name
 }
 
 #[cfg(test)]

@@ -37,6 +37,9 @@ pub enum MapError {
     /// There are no slabs or no curves.
     #[error("the arrangement is empty")]
     Empty,
+    /// Several events are proved to lie at one l, so that the orders between them are not told one by one.
+    #[error("several events lie exactly at one l")]
+    Coincident,
     /// A curve begins or ends in the middle of the plane without an event.
     #[error("curve {curve} begins or ends where no event is")]
     LooseEnd {
@@ -143,6 +146,9 @@ impl<'a> Builder<'a> {
     fn build(mut self, faces: Vec<FaceKind>) -> Result<PlanarMap, MapError> {
         let slabs = &self.arrangement.slabs;
         let (Some(first), Some(last)) = (slabs.first(), slabs.last()) else { return Err(MapError::Empty) };
+        if slabs.len() != self.arrangement.events.len() + 1 {
+            return Err(MapError::Coincident);
+        }
         if first.order.is_empty() || last.order.is_empty() {
             return Err(MapError::Empty);
         }

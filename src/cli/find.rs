@@ -1,6 +1,6 @@
 //! `bifdiag find`: a body and a point that show a wanted thing.
 
-use bifdiag::document::SCHEMA_VERSION;
+use bifdiag::document::{Accuracy, SCHEMA_VERSION};
 use bifdiag::search::{
     Domain, FindDocument, NearestDocument, Score, Seen, Target, Witness, improve, look, sample, witness,
 };
@@ -86,7 +86,6 @@ fn moment_ratio(text: &str) -> Result<f64, String> {
 type Candidate = ([[f64; 3]; 2], Seen);
 
 pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
-    arguments.accuracy.unproved("find")?;
     let target = target(arguments)?;
     let document = search(arguments, &target, quiet);
     let text = if arguments.json { layout::text(&document)? } else { report(&document) };
@@ -148,7 +147,12 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
         .collect();
     improved.extend(best);
     improved.sort_by(|p, q| q.1.score.compare(p.1.score));
-    let found = improved.iter().find_map(|(values, _)| confirmed(*values, target));
+    let accuracy = arguments.accuracy.level();
+    let found = improved.iter().find_map(|(values, _)| confirmed(*values, target, accuracy));
+    let mut methods = vec!["merge tree".to_owned(), "latitude sweep".to_owned()];
+    if accuracy == Accuracy::Certified {
+        methods.push("certified atlas".to_owned());
+    }
     let nearest = match (&found, improved.first()) {
         (None, Some((values, seen))) => Some(nearest(*values, seen)),
         _ => None,
@@ -157,11 +161,7 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
         schema_version: SCHEMA_VERSION.to_owned(),
         found: found.is_some(),
         sought: target.to_string(),
-        verified_by: if found.is_some() {
-            vec!["merge tree".to_owned(), "latitude sweep".to_owned()]
-        } else {
-            Vec::new()
-        },
+        verified_by: if found.is_some() { methods } else { Vec::new() },
         witness: found,
         tried,
         showing,
@@ -170,8 +170,8 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
 }
 
 /// A witness, or a warning why a candidate is none.
-fn confirmed(values: [[f64; 3]; 2], target: &Target) -> Option<Witness> {
-    match witness(values, target) {
+fn confirmed(values: [[f64; 3]; 2], target: &Target, accuracy: Accuracy) -> Option<Witness> {
+    match witness(values, target, accuracy) {
         Ok(witness) => Some(witness),
         Err(error) => {
             tracing::debug!("the body {values:?} is no witness: {error}");

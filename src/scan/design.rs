@@ -12,7 +12,7 @@ use crate::body::{Body, BodyError, Number};
 /// The bodies among which a scan chooses.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "family", rename_all = "lowercase")]
-#[expect(clippy::large_enum_variant, reason = "one value for a scan of many bodies")]
+#[expect(clippy::large_enum_variant, reason = "there is one design in a scan")]
 pub enum Family {
     /// Every body that exists, up to its symmetries and units: A_i = 1 − m_i, where the second moments of mass m are
     /// uniform on the simplex m1 + m2 + m3 = 1, and r̂ uniform on the positive octant of the sphere, |r| = 1. Four

@@ -11,6 +11,7 @@ mod summary;
 
 pub use design::{Design, DesignError, Family, Range};
 pub use parameter::{Parameter, ParseParameterError, ParseRangeError};
+pub(crate) use row::atlas_of;
 pub use row::{Row, Status};
 pub use sequence::point;
 pub use summary::{BodyRecord, ClassRecord, Record, Summary, SummaryDocument};

@@ -8,7 +8,9 @@ use serde::{Deserialize, Serialize};
 use crate::arrangement::Change;
 use crate::atlas::Atlas;
 use crate::body::Body;
-use crate::class::{Class, Unclassified};
+use crate::certified::CertifiedAtlas;
+use crate::class::{Class, MapError, Unclassified};
+use crate::document::Accuracy;
 use crate::topology::{Component, signature};
 
 /// How far a body was understood.
@@ -96,11 +98,11 @@ fn count(n: usize) -> u32 {
 impl Row {
     /// Looks at one body. Whatever is wrong with it is part of the row.
     #[must_use]
-    pub fn of(index: u64, values: [[f64; 3]; 2]) -> Self {
+    pub fn of(index: u64, values: [[f64; 3]; 2], accuracy: Accuracy) -> Self {
         let [[a1, a2, a3], [r1, r2, r3]] = values;
         let mut row = Self { index, a1, a2, a3, r1, r2, r3, ..Self::failed() };
         match Body::from_f64(values[0], values[1]) {
-            Ok(body) => row.look_at(&body),
+            Ok(body) => row.look_at(&body, accuracy),
             Err(error) => row.error = Some(error.to_string()),
         }
         row
@@ -146,7 +148,7 @@ impl Row {
         }
     }
 
-    fn look_at(&mut self, body: &Body) {
+    fn look_at(&mut self, body: &Body, accuracy: Accuracy) {
         let flags = body.flags();
         self.unphysical = flags.unphysical;
         self.plate = flags.plate;
@@ -154,9 +156,12 @@ impl Row {
         self.plane = flags.plane;
         self.axis = flags.axis;
         self.euler = flags.euler;
-        match Atlas::new(body) {
+        match atlas_of(body, accuracy) {
             Ok(atlas) => self.note(&atlas),
-            Err(error) => self.error = Some(error.to_string()),
+            Err((status, error)) => {
+                self.status = status;
+                self.error = Some(error);
+            }
         }
     }
 
@@ -168,7 +173,11 @@ impl Row {
             }
             Err(error) => {
                 // A map that is none is a defect, and no question of accuracy.
-                self.status = if matches!(error, Unclassified::Map(_)) { Status::Failed } else { Status::Undecided };
+                self.status = if matches!(&error, Unclassified::Map(defect) if *defect != MapError::Coincident) {
+                    Status::Failed
+                } else {
+                    Status::Undecided
+                };
                 self.error = Some(error.to_string());
             }
         }
@@ -222,6 +231,20 @@ impl Row {
     }
 }
 
+/// The atlas of a body at a level of accuracy, or how far it is understood without one and why.
+///
+/// # Errors
+/// [`Status::Failed`] when there is no atlas, [`Status::Undecided`] when it is not proved, with the reason.
+pub(crate) fn atlas_of(body: &Body, accuracy: Accuracy) -> Result<Atlas, (Status, String)> {
+    if accuracy == Accuracy::Certified {
+        let undecided = |error: &dyn std::fmt::Display| (Status::Undecided, error.to_string());
+        let proof = CertifiedAtlas::new(body).map_err(|error| undecided(&error))?;
+        proof.drawn().map_err(|error| undecided(&error))
+    } else {
+        Atlas::new(body).map_err(|error| (Status::Failed, error.to_string()))
+    }
+}
+
 /// A region's signature, or the components of U where there is no section.
 pub(crate) fn region_name(components: &[Component]) -> String {
     signature(components)
@@ -252,7 +275,7 @@ mod tests {
 
     #[test]
     fn the_papers_body_has_its_nine_regions() {
-        let row = Row::of(7, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]]);
+        let row = Row::of(7, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Standard);
         assert_eq!((row.index, row.status, row.regions, row.cusps), (7, Status::Classified, Some(9), Some(1)));
         assert_eq!((row.pitchforks, row.crossings, row.critical_points), (Some(1), Some(3), Some(6)));
         assert_eq!(row.types.as_deref(), Some("k0n2:1 k1n0:3 k1n1:4 k1n2:1 k2n1:1 k2n2:1"));
@@ -262,10 +285,10 @@ mod tests {
 
     #[test]
     fn a_body_that_fails_is_a_row_with_its_error() {
-        let row = Row::of(0, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]]);
+        let row = Row::of(0, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], Accuracy::Standard);
         assert_eq!((row.status, row.class.as_deref()), (Status::Failed, None));
         assert!(row.error.unwrap().contains("A2 = -1.0 is not positive"));
-        let row = Row::of(0, [[2.0, 1.0, 1e-80], [1.0, 0.0, 0.0]]);
+        let row = Row::of(0, [[2.0, 1.0, 1e-80], [1.0, 0.0, 0.0]], Accuracy::Standard);
         assert_eq!(row.status, Status::Failed);
     }
 }

@@ -6,11 +6,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::design::Design;
-use super::row::{Row, Status, read_counts};
-use crate::atlas::Atlas;
+use super::row::{Row, Status, atlas_of, read_counts};
 use crate::body::Body;
 use crate::class::Class;
-use crate::document::SCHEMA_VERSION;
+use crate::document::{Accuracy, SCHEMA_VERSION};
 
 /// A body that shows something, with its number in the scan.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -80,6 +79,9 @@ pub struct SummaryDocument {
     pub schema_version: String,
     /// Version of the program.
     pub program: String,
+    /// What the answers are worth.
+    #[serde(default)]
+    pub accuracy: Accuracy,
     /// Which bodies the scan looks at.
     pub design: Design,
     /// The numbers of the bodies: from this one on, up to but without that one.
@@ -150,12 +152,19 @@ impl Summary {
 
     /// The document. The texts of the classes are made again from the first body of each.
     #[must_use]
-    pub fn document(self, design: &Design, range: [u64; 2], format: &str, sha256: String) -> SummaryDocument {
+    pub fn document(
+        self,
+        design: &Design,
+        range: [u64; 2],
+        accuracy: Accuracy,
+        format: &str,
+        sha256: String,
+    ) -> SummaryDocument {
         let mut classes: Vec<ClassRecord> = self
             .classes
             .into_iter()
             .map(|(class, count)| {
-                let text = text_of(&count.first);
+                let text = text_of(&count.first, accuracy);
                 let ClassCount { bodies, regions, events, first } = count;
                 ClassRecord { class, bodies, regions, events, first, text }
             })
@@ -164,6 +173,7 @@ impl Summary {
         SummaryDocument {
             schema_version: SCHEMA_VERSION.to_owned(),
             program: concat!("bifdiag ", env!("CARGO_PKG_VERSION")).to_owned(),
+            accuracy,
             design: design.clone(),
             range,
             rows: self.rows,
@@ -186,10 +196,10 @@ fn note<K: Ord>(records: &mut BTreeMap<K, Record>, key: K, body: &BodyRecord) {
     records.entry(key).or_insert_with(|| Record { bodies: 0, first: body.clone() }).bodies += 1;
 }
 
-fn text_of(body: &BodyRecord) -> Vec<String> {
+fn text_of(body: &BodyRecord, accuracy: Accuracy) -> Vec<String> {
     let class = Body::from_f64(body.moments, body.center)
         .ok()
-        .and_then(|body| Atlas::new(&body).ok())
+        .and_then(|body| atlas_of(&body, accuracy).ok())
         .and_then(|atlas| Class::of(&atlas).ok());
     class.map(|class| class.text().lines().map(str::to_owned).collect()).unwrap_or_default()
 }

@@ -56,13 +56,20 @@ pub fn improve(start: [[f64; 3]; 2], target: &Target, domain: &Domain, steps: u6
 /// The body with as few digits as leave most of what it shows.
 fn tidied(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> [[f64; 3]; 2] {
     const KEPT: f64 = 0.8;
+    const SMALL: f64 = 0.01;
     let Score::Shown(best) = look(values, target, domain).score else { return values };
     // r in units of its largest component.
     let [a, r] = values;
     let largest = r.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-    let values = [a, r.map(|c| c / largest)];
+    let mut values = [a, r.map(|c| c / largest)];
+    let shows = |values| matches!(look(values, target, domain).score, Score::Shown(seen) if seen >= KEPT * best);
+    // What is small may as well be 0.
+    let plain = [a, values[1].map(|c| if c < SMALL { 0.0 } else { c })];
+    if shows(plain) {
+        values = plain;
+    }
     (1..DIGITS)
         .map(|digits| values.map(|triple| triple.map(|x| rounded(x, digits))))
-        .find(|rough| matches!(look(*rough, target, domain).score, Score::Shown(seen) if seen >= KEPT * best))
+        .find(|rough| shows(*rough))
         .unwrap_or(values)
 }

@@ -8,9 +8,10 @@ use super::chart::{DIGITS, rounded};
 use super::score::{Domain, Score, look};
 use super::target::Target;
 use crate::body::{Body, BodyError, Number};
+use crate::certified::{CertifiedAtlas, NotProved};
 use crate::classify::{ClassifyError, classify};
 use crate::critical::{CriticalError, critical};
-use crate::document::{ComponentDocument, MarginDocument};
+use crate::document::{Accuracy, ComponentDocument, MarginDocument};
 use crate::topology::latitude::{self, SweepError};
 
 /// A body and a point that show what was sought.
@@ -95,20 +96,23 @@ pub enum WitnessError {
     /// The relative equilibria cannot be found.
     #[error(transparent)]
     Critical(#[from] CriticalError),
+    /// The components are not proved.
+    #[error(transparent)]
+    NotProved(#[from] NotProved),
     /// The second method has no answer.
     #[error(transparent)]
     Sweep(#[from] SweepError),
-    /// The two methods disagree: a defect of this program.
-    #[error("the merge tree and the latitude sweep disagree")]
+    /// Two methods disagree: a defect of this program.
+    #[error("two methods disagree")]
     Disagreement,
 }
 
 /// Makes a witness of a body: h and l are rounded to a few digits, the merge tree and the latitude sweep must both
-/// confirm the components there, and the margin must exceed its error bound.
+/// confirm the components there, and the margin must exceed its error bound; at [`Accuracy::Certified`] they are proved too.
 ///
 /// # Errors
 /// [`WitnessError`].
-pub fn witness(values: [[f64; 3]; 2], target: &Target) -> Result<Witness, WitnessError> {
+pub fn witness(values: [[f64; 3]; 2], target: &Target, accuracy: Accuracy) -> Result<Witness, WitnessError> {
     let everything = Domain { physical: false, moment_ratio: f64::INFINITY };
     let seen = look(values, target, &everything);
     let (Score::Shown(_), Some(at)) = (seen.score, seen.at) else { return Err(WitnessError::NotShown) };
@@ -133,6 +137,11 @@ pub fn witness(values: [[f64; 3]; 2], target: &Target) -> Result<Witness, Witnes
     let frame = body.frame();
     let swept = latitude::components(&frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit)?;
     if swept.iter().map(ComponentDocument::from).ne(components.iter().cloned()) {
+        return Err(WitnessError::Disagreement);
+    }
+    if accuracy == Accuracy::Certified
+        && CertifiedAtlas::new(&body)?.classify(&h, &l).components.as_ref() != Some(&components)
+    {
         return Err(WitnessError::Disagreement);
     }
     let critical_points = match target {

@@ -273,6 +273,22 @@ fn katoks_borders_come_out_exactly() {
 }
 
 #[test]
+fn certified_classes_are_those_of_standard() {
+    let scan = |options: &str| bifdiag(&format!("scan {options} --out -")).succeeds().json_lines();
+    for bodies in ["--family katok --samples 6", "--family general --samples 4"] {
+        let (standard, certified) = (scan(bodies), scan(&format!("{bodies} --accuracy certified")));
+        for (one, other) in standard.iter().zip(&certified) {
+            assert_eq!(one["class"], other["class"], "{other}");
+        }
+        assert!(!standard[0]["class"].is_null());
+    }
+    let found = bifdiag("find --type k2n1 --physical --accuracy certified --json").succeeds().json();
+    assert_eq!(found["verified_by"][2], "certified atlas");
+    let border = bifdiag("scan border --body katok:2 --vary A3=0.7:0.8 --accuracy certified --json").succeeds().json();
+    assert!((border["border"][0]["value"].as_f64().unwrap() - 0.75).abs() < 1e-12);
+}
+
+#[test]
 fn found_witnesses_are_what_they_say() {
     for (line, section) in [("--type M4", "M4"), ("--circles 2 --poles 1 --physical", "M2")] {
         let found = bifdiag(&format!("find {line} --json")).succeeds().json();

@@ -137,7 +137,6 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("scan --body paper --vary A2=0:2:3 --out a.csv", &["A2 = 0 is no moment of inertia"]),
     ("scan --body paper --vary A2 --out a.csv", &["'A2' for '--vary", "a range is written A2=0.5:2"]),
     ("scan --body paper --vary A2=1:2:3,A2=1:2:3 --out a.csv", &["--vary: A2 is given twice"]),
-    ("scan --family general --samples 5 --out a.csv --accuracy certified", &["--accuracy certified"]),
     ("scan merge --out a.csv", &["merge needs shards", "shard-*.parquet"]),
     ("scan merge nothing.csv --out a.csv", &["nothing.csv", "No such file", "name the shards"]),
     ("scan merge nothing.csv", &["--out is missing"]),
@@ -157,7 +156,6 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("find --type M4 --circles 3", &["'--type <TYPE>' cannot be used with '--circles <K>'"]),
     ("find --poles 3", &["3 is not in 0..=2"]),
     ("find --type M4 --moment-ratio 0.5", &["'0.5' for '--moment-ratio <R>'", "a number from 1 on"]),
-    ("find --type M4 --accuracy certified", &["--accuracy certified"]),
     // Sections.
     ("section --h 1 --l 1", &["no body is given"]),
     ("section --body paper --l 3.25", &["--h is missing", "--h 4.45", "--atlas FILE"]),

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use bifdiag::atlas::Atlas;
 use bifdiag::body::{Body, Preset};
 use bifdiag::border::{self, BorderOptions, Segment};
+use bifdiag::document::Accuracy;
 use bifdiag::plot::{Map, MapAxis, MapBodies, MapLine, MapNote, draw_map};
 use bifdiag::scan::{Design, Family, Parameter, Row};
 use rayon::prelude::*;
@@ -35,7 +36,7 @@ fn rows(family: Family, vary: &[&str]) -> Result<Vec<Row>, Failure> {
     }
     let design =
         Design::new(family, ranges, None, 0).map_err(|source| ScanInput::Design { option: "--vary", source })?;
-    Ok((0..design.count()).into_par_iter().map(|n| Row::of(n, design.values(n))).collect())
+    Ok((0..design.count()).into_par_iter().map(|n| Row::of(n, design.values(n), Accuracy::Standard)).collect())
 }
 
 fn classes_of(family: Family, vary: &[&str], axes: [Parameter; 2]) -> Result<Map, Failure> {
@@ -68,8 +69,8 @@ fn katok() -> Result<Map, Failure> {
         order
     };
     reorder(&mut map, &renamed);
-    "Tops with the centre of mass on a principal axis: Katok's seven classes".clone_into(&mut map.title);
-    "A = (A1, A2, A3), r = (1, 0, 0); colours: class computed for each of 19600 bodies".clone_into(&mut map.subtitle);
+    map.title = String::from("Tops with the centre of mass on a principal axis: Katok's seven classes");
+    map.subtitle = String::from("A = (A1, A2, A3), r = (1, 0, 0); colours: class computed for each of 19600 bodies");
     map.x = MapAxis { name: "A2/A1".to_owned(), range: [0.3, 1.695] };
     map.y = MapAxis { name: "A3/A1".to_owned(), range: [0.305, 1.7] };
     let exact = "exact borders: Aj = A1, Aj = ¾ A1, 4(1/√k2 − 1) = 1/k3";
@@ -131,8 +132,8 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
         })
         .collect();
     let mut map = map(&seen, [Parameter::A2, Parameter::A3], Shown::Class);
-    "From Lagrange (η = 1) to Kovalevskaya (η = 2)".clone_into(&mut map.title);
-    "A = (2, η, 1), r = (1, 0, 0); colours: class; lines: the momenta l of all events".clone_into(&mut map.subtitle);
+    map.title = String::from("From Lagrange (η = 1) to Kovalevskaya (η = 2)");
+    map.subtitle = String::from("A = (2, η, 1), r = (1, 0, 0); colours: class; lines: the momenta l of all events");
     map.x = MapAxis { name: "η".to_owned(), range: ETA };
     map.y = MapAxis { name: "l".to_owned(), range: L };
     // Events, one polyline for each name.
@@ -206,8 +207,8 @@ fn paper_off_the_axis() -> Result<Map, Failure> {
     let family = body_family(["2", "1.1", "1"], ["0.94868", "0", "0"])?;
     let vary = ["r2=0.00075:0.14925:100", "r3=0.0035:0.6965:100"];
     let mut map = classes_of(family, &vary, [Parameter::R2, Parameter::R3])?;
-    "Around the paper's body: the centre of mass leaves the axis".clone_into(&mut map.title);
-    "A = (2, 1.1, 1), r = (0.94868, r2, r3); the paper's body has r2 = 0, r3 = 0.61623".clone_into(&mut map.subtitle);
+    map.title = String::from("Around the paper's body: the centre of mass leaves the axis");
+    map.subtitle = String::from("A = (2, 1.1, 1), r = (0.94868, r2, r3); the paper's body has r2 = 0, r3 = 0.61623");
     (map.x.range, map.y.range) = ([0.0, 0.15], [0.0, 0.7]);
     map.notes.push(MapNote { at: [0.0, 0.61623], text: "the paper's body".to_owned(), ring: true });
     Ok(map)
@@ -220,8 +221,8 @@ fn paper_in_the_plane() -> Result<Map, Failure> {
     let family = body_family(["2", "1.1", "1"], [&center, "0", "0"])?;
     let vary = ["A2=0.505:2.495:100", "r3=0.005:0.995:100"];
     let mut map = classes_of(family, &vary, [Parameter::A2, Parameter::R3])?;
-    "Around the paper's body: the plane r2 = 0".clone_into(&mut map.title);
-    "A = (2, A2, 1), r = (0.94868, 0, r3); the paper's body has A2 = 1.1, r3 = 0.61623".clone_into(&mut map.subtitle);
+    map.title = String::from("Around the paper's body: the plane r2 = 0");
+    map.subtitle = String::from("A = (2, A2, 1), r = (0.94868, 0, r3); the paper's body has A2 = 1.1, r3 = 0.61623");
     map.y.range = [0.0, 1.0];
     map.notes.push(MapNote { at: [1.1, 0.61623], text: "the paper's body".to_owned(), ring: true });
     Ok(map)

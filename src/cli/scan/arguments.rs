@@ -63,7 +63,7 @@ pub enum ScanCommand {
     Map(MapArguments),
     /// Find where the class changes between two bodies, and what happens there
     #[command(after_help = BORDER_EXAMPLES)]
-    Border(BorderArguments),
+    Border(Box<BorderArguments>),
 }
 
 /// Families of bodies.

@@ -12,7 +12,6 @@ use crate::cli::output as terminal;
 use crate::cli::report::Report;
 
 pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
-    arguments.accuracy.unproved("scan border")?;
     let subject = arguments.body.subject()?;
     let wrong = |text: String| ScanInput::Border(text);
     if arguments.vary.is_empty() {
@@ -39,9 +38,9 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
         let texts: Vec<&str> = values.iter().map(Number::text).collect();
         Body::parse(&texts[..3], &texts[3..]).map_err(|error| wrong(format!("--vary: {error}")))
     };
+    let options = BorderOptions { accuracy: arguments.accuracy.level(), ..BorderOptions::default() };
     let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
-    let border =
-        border::find(&segment, &BorderOptions::default()).map_err(|error| wrong(format!("--vary: {error}")))?;
+    let border = border::find(&segment, &options).map_err(|error| wrong(format!("--vary: {error}")))?;
     let document = BorderDocument::new(&border, &segment, &arguments.vary);
     let text = if arguments.json { layout::text(&document)? } else { report(&document) };
     Ok(terminal::print(text.as_bytes())?)

@@ -1,5 +1,6 @@
 //! SHA-256 of what is written and of files.
 
+use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -50,7 +51,10 @@ pub fn of_file(path: &Path) -> io::Result<String> {
 
 /// A digest as text.
 pub fn hexadecimal(digest: Sha256) -> String {
-    let digest = digest.finalize();
-    let nibbles = digest.iter().flat_map(|byte| [byte >> 4, byte & 15]);
-    nibbles.filter_map(|nibble| char::from_digit(u32::from(nibble), 16)).collect()
+    let mut text = String::with_capacity(64);
+    for byte in digest.finalize() {
+        // Writing to a String cannot fail.
+        let _always = write!(text, "{byte:02x}");
+    }
+    text
 }

@@ -208,7 +208,7 @@ mod tests {
     }
 
     fn rows(range: std::ops::Range<u64>) -> Vec<Row> {
-        range.map(|n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]])).collect()
+        range.map(|n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], Accuracy::Standard)).collect()
     }
 
     #[test]

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use bifdiag::document::Accuracy;
 use bifdiag::scan::SummaryDocument;
 
 use super::arguments::MergeArguments;
@@ -28,7 +27,7 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
     let Some(first) = parts.first() else { return Err(ScanInput::NoShards.into()) };
     let design = first.summary.design.clone();
     let range = [0, design.count()];
-    let identity = Identity::new(design, range, Accuracy::Standard);
+    let identity = Identity::new(design, range, first.summary.accuracy);
     let document = output::write(out, format, &identity, |take| {
         for part in &parts {
             pass_rows(part, take)?;
@@ -69,6 +68,9 @@ fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
                 |difference| ScanInput::Foreign { path: part.path.clone(), first: first.path.clone(), difference };
             if part.summary.design != first.summary.design {
                 return Err(foreign("which bodies it looks at"));
+            }
+            if part.summary.accuracy != first.summary.accuracy {
+                return Err(foreign("the accuracy"));
             }
             if part.summary.program != first.summary.program {
                 return Err(foreign("the version of the program"));

@@ -69,7 +69,7 @@ pub fn write(
     let (mut writer, sha256) = writer.finish();
     writer.flush().and_then(|()| writer.get_ref().sync_all()).map_err(failed(&fresh))?;
     drop(writer);
-    let document = summary.document(&identity.design, identity.range, format.name(), sha256);
+    let document = summary.document(&identity.design, identity.range, identity.accuracy, format.name(), sha256);
     let text = layout::text(&document)?;
     let summary_out = summary_path(out);
     let fresh_summary = with_ending(out, ".summary.new");

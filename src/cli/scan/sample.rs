@@ -20,7 +20,7 @@ use crate::cli::{failure::InputError, layout};
 const BLOCK: u64 = 256;
 
 pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
-    let accuracy = arguments.accuracy.unproved("scan")?;
+    let accuracy = arguments.accuracy.level();
     let design = design(arguments)?;
     let range = arguments.shard.map_or([0, design.count()], |shard| shard.range(design.count()));
     let identity = Identity::new(design, range, accuracy);
@@ -49,13 +49,13 @@ pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
 /// The rows of the next bodies.
 fn block(identity: &Identity, from: u64) -> Vec<Row> {
     let to = identity.range[1].min(from + BLOCK);
-    (from..to).into_par_iter().map(|n| row(&identity.design, n)).collect()
+    (from..to).into_par_iter().map(|n| row(identity, n)).collect()
 }
 
 /// One row; not even a defect of this program ends the scan.
-fn row(design: &Design, n: u64) -> Row {
-    let values = design.values(n);
-    catch_unwind(AssertUnwindSafe(|| Row::of(n, values)))
+fn row(identity: &Identity, n: u64) -> Row {
+    let values = identity.design.values(n);
+    catch_unwind(AssertUnwindSafe(|| Row::of(n, values, identity.accuracy)))
         .unwrap_or_else(|_panic| Row::lost(n, values, "a defect of this program: the computation panicked"))
 }
 

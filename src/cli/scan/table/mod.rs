@@ -115,15 +115,17 @@ impl Format {
 
 #[cfg(test)]
 mod tests {
+    use bifdiag::document::Accuracy;
+
     use super::*;
 
     #[test]
     fn rows_come_back_from_every_format_as_they_went() {
         let directory = tempfile::tempdir().unwrap();
         let mut rows = vec![
-            Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]]),
-            Row::of(1, [[2.0, -1.0, 1.0 / 3.0], [1e-300, 0.0, 6e150]]),
-            Row::of(2, [[2.0, 1.5, 1.0], [0.0; 3]]),
+            Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Standard),
+            Row::of(1, [[2.0, -1.0, 1.0 / 3.0], [1e-300, 0.0, 6e150]], Accuracy::Standard),
+            Row::of(2, [[2.0, 1.5, 1.0], [0.0; 3]], Accuracy::Standard),
         ];
         rows[1].error = Some("a \"text\", with commas;\nand a line".to_owned());
         for format in [Format::Csv, Format::Jsonl, Format::Parquet] {

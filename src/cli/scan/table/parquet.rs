@@ -1,5 +1,6 @@
 //! Parquet, with the writer for single columns: no Arrow.
 
+use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Write;
 use std::sync::Arc;
@@ -79,7 +80,8 @@ fn schema() -> Result<TypePtr, TableError> {
             Column::Text(_) => "BYTE_ARRAY",
         };
         let annotation = if matches!(column, Column::Text(_)) { " (UTF8)" } else { "" };
-        text.extend([&*format!("{repetition} {kind} {name}{annotation}"), ";\n"]);
+        // Writing to a String cannot fail.
+        let _always = writeln!(text, "{repetition} {kind} {name}{annotation};");
     }
     text.push('}');
     Ok(Arc::new(parse_message_type(&text)?))
