@@ -224,14 +224,6 @@ impl AccuracyArgument {
             Self::Certified => Accuracy::Certified,
         }
     }
-
-    /// The level, for commands that prove nothing.
-    pub fn unproved(self, command: &'static str) -> Result<Accuracy, InputError> {
-        match self.level() {
-            Accuracy::Certified => Err(InputError::NotProved { command }),
-            level => Ok(level),
-        }
-    }
 }
 
 /// Formats of pictures.

@@ -41,11 +41,6 @@ pub enum InputError {
     NoPoint { missing: &'static str, example: &'static str },
     #[error("{option} cannot be used with --batch: the lines of the batch say it; leave out {option} or --batch")]
     PointWithBatch { option: &'static str },
-    #[error(
-        "--accuracy certified is not available for `{command}`; leave it out, and prove single bodies with `bifdiag --accuracy \
-         certified`"
-    )]
-    NotProved { command: &'static str },
     #[error("--strict needs --batch: it says what a wrong line of a batch means; add --batch FILE or leave it out")]
     StrictWithoutBatch,
     #[error("--batch {path}: {source}; give a file that can be read, or - for stdin", path = path.display())]

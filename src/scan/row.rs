@@ -278,7 +278,7 @@ mod tests {
         let row = Row::of(7, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Standard);
         assert_eq!((row.index, row.status, row.regions, row.cusps), (7, Status::Classified, Some(9), Some(1)));
         assert_eq!((row.pitchforks, row.crossings, row.critical_points), (Some(1), Some(3), Some(6)));
-        assert_eq!(row.types.as_deref(), Some("k0n2:1 k1n0:3 k1n1:4 k1n2:1 k2n1:1 k2n2:1"));
+        assert_eq!(row.types.as_deref(), Some("k0n2:1 k1n0:3 k1n1:3 k1n2:1 k2n1:1 k2n2:1"));
         assert!(row.plane && !row.axis && !row.unphysical && row.error.is_none());
         assert!(row.smallest_margin.unwrap() < 0.1 && row.largest_margin.unwrap() > 0.1);
     }

@@ -53,7 +53,6 @@ pub struct ScanArguments {
 
 /// What else can be done with scans.
 #[derive(Debug, Subcommand)]
-#[expect(clippy::large_enum_variant, reason = "one value for a run of the program")]
 pub enum ScanCommand {
     /// Join the shards of a scan
     #[command(after_help = MERGE_EXAMPLES)]
