@@ -10,6 +10,7 @@ pub mod class;
 pub mod classify;
 pub mod continuation;
 pub mod critical;
+pub mod digest;
 pub mod document;
 pub mod dynamics;
 pub mod equilibria;

@@ -7,6 +7,7 @@
 use thiserror::Error;
 
 use super::event::Change;
+use crate::numerics::partition::Partition;
 
 /// The faces: for each slab, the face of each gap but the lowest.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,11 +47,11 @@ impl Faces {
             })
             .collect();
         let cells = offsets.last().map_or(0, |first| first + orders[orders.len() - 1].len() + 1);
-        let mut parent: Vec<usize> = (0..cells).collect();
+        let mut joined = Partition::new(cells);
         for (event, change) in changes.iter().enumerate() {
             let gluing = glue_event(&orders[event], &orders[event + 1], change).ok_or(InconsistentOrder { event })?;
             for (before, after) in gluing.continued {
-                unite(&mut parent, offsets[event] + before, offsets[event + 1] + after);
+                joined.unite(offsets[event] + before, offsets[event + 1] + after);
             }
         }
         let mut number: Vec<Option<usize>> = vec![None; cells];
@@ -59,7 +60,7 @@ impl Faces {
         for (slab, order) in orders.iter().enumerate() {
             let mut faces = Vec::with_capacity(order.len());
             for gap in 1..=order.len() {
-                let root = find(&mut parent, offsets[slab] + gap);
+                let root = joined.find(offsets[slab] + gap);
                 let face = *number[root].get_or_insert_with(|| {
                     count += 1;
                     count - 1
@@ -70,20 +71,6 @@ impl Faces {
         }
         Ok(Self { of_gap, count })
     }
-}
-
-fn find(parent: &mut [usize], mut cell: usize) -> usize {
-    while parent[cell] != cell {
-        parent[cell] = parent[parent[cell]];
-        cell = parent[cell];
-    }
-    cell
-}
-
-fn unite(parent: &mut [usize], a: usize, b: usize) {
-    let (a, b) = (find(parent, a), find(parent, b));
-    // The smaller number stays the root, so that faces are numbered by their first cell.
-    parent[a.max(b)] = a.min(b);
 }
 
 /// The gluing of the gaps across one event, or `None` when the orders do not fit the event.

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::{Arrangement, Change};
+use crate::numerics::partition::Partition;
 
 /// A broken invariant.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -72,17 +73,10 @@ impl Arrangement {
         for curve in &self.set.curves {
             ends += usize::from(curve.x()[0] == 0.0) + usize::from(curve.x()[1].is_infinite());
         }
-        let mut parent: Vec<usize> = (0..=curves).collect();
-        let root = |parent: &mut Vec<usize>, mut c: usize| {
-            while parent[c] != c {
-                c = parent[c];
-            }
-            c
-        };
+        let mut joined = Partition::new(curves + 1);
         for (c, curve) in self.set.curves.iter().enumerate() {
             if curve.x()[0] == 0.0 || curve.x()[1].is_infinite() {
-                let (p, q) = (root(&mut parent, c), root(&mut parent, curves));
-                parent[p] = q;
+                joined.unite(c, curves);
             }
         }
         for event in &self.events {
@@ -91,11 +85,10 @@ impl Arrangement {
             }
             let meeting = event.change.curves();
             for pair in meeting.windows(2) {
-                let (p, q) = (root(&mut parent, pair[0]), root(&mut parent, pair[1]));
-                parent[p] = q;
+                joined.unite(pair[0], pair[1]);
             }
         }
-        let components = (0..=curves).filter(|&c| parent[c] == c).count();
+        let components = joined.count();
         let (vertices, edges, faces) = (self.events.len() + ends, pieces + ends, self.faces + 1);
         if vertices + faces == edges + components {
             Ok(())

@@ -2,13 +2,15 @@
 
 use dashu_ratio::RBig;
 
-use super::curves::{Curves, End, NotIsolated, Shape};
+use super::curves::{Curves, NotIsolated, Shape};
 use super::enclosure::{Enclosure, Narrow};
 use super::model::Model;
 use super::pair::{Open, PairProof, Proof};
 use super::point::{Evaluator, Point};
 use super::polar::{self, Meeting};
 use super::wide::Wide;
+use crate::equilibria::End;
+use crate::numerics::partition::Partition;
 
 /// Bits of the second and third stage.
 pub(super) const STAGES: [usize; 2] = [128, 384];
@@ -435,14 +437,14 @@ impl Arrangement {
             })
             .collect();
         let cells = self.slabs.iter().map(|slab| slab.order.len() + 1).sum();
-        let mut parent: Vec<usize> = (0..cells).collect();
+        let mut joined = Partition::new(cells);
         for (number, group) in self.transitions.iter().enumerate() {
             let blocks: Vec<&[usize]> = group.iter().map(|&event| self.events[event].curves.as_slice()).collect();
             let (before, after) = (&self.slabs[number].order, &self.slabs[number + 1].order);
             let continued = continuation(before, after, &blocks)
                 .ok_or_else(|| vec![Undecided::Gluing { x: self.events[group[0]].x[0].to_f64().value() }])?;
             for (p, q) in continued {
-                unite(&mut parent, offsets[number] + p, offsets[number + 1] + q);
+                joined.unite(offsets[number] + p, offsets[number + 1] + q);
             }
         }
         let mut numbers: Vec<Option<usize>> = vec![None; cells];
@@ -450,7 +452,7 @@ impl Arrangement {
         for (slab, offset) in self.slabs.iter_mut().zip(offsets) {
             slab.face_above = (1..=slab.order.len())
                 .map(|gap| {
-                    let root = find(&mut parent, offset + gap);
+                    let root = joined.find(offset + gap);
                     *numbers[root].get_or_insert_with(|| {
                         faces += 1;
                         faces - 1
@@ -547,19 +549,6 @@ fn permutations(n: usize) -> Vec<Vec<usize>> {
             .collect();
     }
     all
-}
-
-fn find(parent: &mut [usize], mut cell: usize) -> usize {
-    while parent[cell] != cell {
-        parent[cell] = parent[parent[cell]];
-        cell = parent[cell];
-    }
-    cell
-}
-
-fn unite(parent: &mut [usize], a: usize, b: usize) {
-    let (a, b) = (find(parent, a), find(parent, b));
-    parent[a.max(b)] = a.min(b);
 }
 
 #[cfg(test)]

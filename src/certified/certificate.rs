@@ -2,11 +2,10 @@
 
 use dashu_int::IBig;
 use dashu_ratio::RBig;
-use sha2::{Digest, Sha256};
 
 use super::CertifiedAtlas;
 use super::arrange::{STAGES, Source};
-use super::curves::{End, Place, Shape};
+use super::curves::{Place, Shape};
 use super::decimal;
 use super::enclosure::{Enclosure, Narrow};
 use super::family::Half;
@@ -14,14 +13,13 @@ use super::pair::{Mark, Proof};
 use super::point::Evaluator;
 use super::wide::Wide;
 use crate::atlas::branch_name;
+use crate::digest::sha256;
 use crate::document::{
     AtlasDocument, CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight,
     CertifiedMeeting, CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
-use crate::equilibria::{Branch, Pole};
+use crate::equilibria::{Branch, End, Pole};
 
-/// Digits of a checksum.
-const HEXADECIMAL: &[u8; 16] = b"0123456789abcdef";
 /// Digits of isolating ranges.
 const ROOT_DIGITS: usize = 40;
 /// Digits of the places of nodes.
@@ -216,8 +214,5 @@ pub fn checksum(document: &AtlasDocument) -> Result<String, serde_json::Error> {
     if let Some(certificate) = &mut bare.certificate {
         certificate.checksum.clear();
     }
-    let bytes = serde_json::to_vec(&bare)?;
-    let digest = Sha256::digest(&bytes);
-    let nibbles = digest.iter().flat_map(|byte| [byte >> 4, byte & 15]);
-    Ok(nibbles.map(|nibble| char::from(HEXADECIMAL[usize::from(nibble)])).collect())
+    Ok(sha256(&serde_json::to_vec(&bare)?))
 }

@@ -1,13 +1,13 @@
 //! Every critical curve and pole line, cut at cusps and pitchforks, from exactly isolated roots.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use dashu_ratio::RBig;
 
 use super::family::Half;
 use super::model::Model;
 use super::polynomial::{Polynomial, Root};
-use crate::equilibria::{Branch, Orbit, Pole};
+use crate::equilibria::{Branch, End, Orbit, Pole};
 
 /// A place on a half of a family.
 #[derive(Clone, Debug)]
@@ -17,7 +17,7 @@ pub(super) struct Place {
     pub lo: RBig,
     pub hi: RBig,
     /// The root, if it is one.
-    pub root: Option<Rc<Root>>,
+    pub root: Option<Arc<Root>>,
 }
 
 /// Where a segment ends.
@@ -37,15 +37,6 @@ pub(super) struct Segment {
     pub half: Half,
     /// Ends by rising x.
     pub ends: [Bound; 2],
-}
-
-/// Where a curve ends, by rising x.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
-    Origin,
-    Infinity,
-    Cusp(usize),
-    Pitchfork(usize),
 }
 
 /// A curve over which x is a coordinate.
@@ -169,7 +160,7 @@ pub(super) fn roots_in_interval(
                 root.refine(bits);
                 let odd = root.odd;
                 let (lo, hi) = (&root.lo * &scale, &root.hi * &scale);
-                (Place { half: chart.half, lo, hi, root: Some(Rc::new(root)) }, odd)
+                (Place { half: chart.half, lo, hi, root: Some(Arc::new(root)) }, odd)
             })
             .collect();
         if sign < 0 {

@@ -1,7 +1,7 @@
 //! Where pole lines meet critical curves: every root of an exactly isolated polynomial.
 
 use std::cmp::Ordering;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use dashu_ratio::RBig;
 
@@ -47,7 +47,7 @@ pub(super) fn meetings(model: &Model, curves: &Curves, bits: usize) -> Result<Ve
             root.refine(bits);
             let odd = root.odd;
             let half = Half::Over { group };
-            let place = Place { half, lo: root.lo.clone(), hi: root.hi.clone(), root: Some(Rc::new(root)) };
+            let place = Place { half, lo: root.lo.clone(), hi: root.hi.clone(), root: Some(Arc::new(root)) };
             // E = 2 r s³ on P+ and −2 r s³ on P−: the other way round than N.
             let pole = match sign_on(&side, &place.lo, &place.hi)? {
                 Pole::Plus => Pole::Minus,

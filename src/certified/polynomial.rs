@@ -5,7 +5,7 @@
 //! [`SPLITS`] levels is a multiple root (or nearly one), and the squarefree part by gcd is isolated instead. No crate
 //! of pure Rust isolates roots of integer polynomials with certainty; the tests compare with python-flint.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use dashu_base::{Gcd, Signed};
 use dashu_int::{IBig, UBig};
@@ -26,7 +26,7 @@ pub(super) struct Polynomial {
 #[derive(Clone, Debug)]
 pub(super) struct Root {
     /// Squarefree at this root: it changes sign there.
-    polynomial: Rc<Polynomial>,
+    polynomial: Arc<Polynomial>,
     /// lo ≤ root ≤ hi; equal when the root is this rational, else neither end is a root.
     pub lo: RBig,
     pub hi: RBig,
@@ -211,10 +211,10 @@ impl Polynomial {
         if self.is_zero() || self.degree() == 0 {
             return Some(Vec::new());
         }
-        if let Some(found) = isolate(&Rc::new(self.clone()), SPLITS) {
+        if let Some(found) = isolate(&Arc::new(self.clone()), SPLITS) {
             return Some(found);
         }
-        let squarefree = Rc::new(self.squarefree());
+        let squarefree = Arc::new(self.squarefree());
         let mut found = isolate(&squarefree, MAX_SPLITS)?;
         for root in &mut found {
             root.odd = self.changes_sign_at(root);
@@ -226,7 +226,7 @@ impl Polynomial {
     pub fn positive_roots(&self) -> Option<Vec<Root>> {
         let mut found = self.roots_in_unit()?;
         if self.sign_at(&RBig::ONE) == 0 && !self.is_zero() {
-            let mut root = Root { polynomial: Rc::new(self.squarefree()), lo: RBig::ONE, hi: RBig::ONE, odd: true };
+            let mut root = Root { polynomial: Arc::new(self.squarefree()), lo: RBig::ONE, hi: RBig::ONE, odd: true };
             root.odd = self.changes_sign_at(&root);
             found.push(root);
         }
@@ -234,7 +234,7 @@ impl Polynomial {
         for root in far.into_iter().rev() {
             // 1/t of a root at 0 does not occur: the interval is open, but its lower end may be 0.
             let root = root.away_from_zero();
-            let polynomial = Rc::new(root.polynomial.reversed());
+            let polynomial = Arc::new(root.polynomial.reversed());
             found.push(Root { polynomial, lo: RBig::ONE / root.hi, hi: RBig::ONE / root.lo, odd: root.odd });
         }
         Some(found)
@@ -276,7 +276,7 @@ fn sign(x: &IBig) -> i8 {
 }
 
 /// Isolates the roots in (0, 1) as long as at most `splits` halvings do.
-fn isolate(polynomial: &Rc<Polynomial>, splits: usize) -> Option<Vec<Root>> {
+fn isolate(polynomial: &Arc<Polynomial>, splits: usize) -> Option<Vec<Root>> {
     let mut found = Vec::new();
     // (p on the interval mapped to (0, 1), number of the interval, level)
     let mut open = vec![(polynomial.as_ref().clone(), IBig::ZERO, 0usize)];
@@ -286,7 +286,7 @@ fn isolate(polynomial: &Rc<Polynomial>, splits: usize) -> Option<Vec<Root>> {
             0 => {}
             1 => {
                 let (lo, hi) = (end(&number), end(&(&number + IBig::ONE)));
-                found.push(Root { polynomial: Rc::clone(polynomial), lo, hi, odd: true }.with_clean_ends());
+                found.push(Root { polynomial: Arc::clone(polynomial), lo, hi, odd: true }.with_clean_ends());
             }
             _ if level == splits => return None,
             _ => {
@@ -301,7 +301,7 @@ fn isolate(polynomial: &Rc<Polynomial>, splits: usize) -> Option<Vec<Root>> {
                     if !simple {
                         return None;
                     }
-                    let polynomial = Rc::clone(polynomial);
+                    let polynomial = Arc::clone(polynomial);
                     found.push(Root { polynomial, lo: at.clone(), hi: at, odd: true });
                 }
                 open.push((left, first, level + 1));
@@ -316,7 +316,7 @@ impl Root {
     /// An end of the isolating interval may be a root of its own (a neighbour's, or at 0): moves the ends inward until
     /// they are not.
     fn with_clean_ends(mut self) -> Self {
-        let polynomial = Rc::clone(&self.polynomial);
+        let polynomial = Arc::clone(&self.polynomial);
         for lower in [true, false] {
             let end = if lower { self.lo.clone() } else { self.hi.clone() };
             if polynomial.sign_at(&end) != 0 {
@@ -370,7 +370,7 @@ impl Root {
 
     /// A rational root.
     pub fn exact(polynomial: &Polynomial, at: RBig) -> Self {
-        let mut root = Self { polynomial: Rc::new(polynomial.squarefree()), lo: at.clone(), hi: at, odd: true };
+        let mut root = Self { polynomial: Arc::new(polynomial.squarefree()), lo: at.clone(), hi: at, odd: true };
         root.odd = polynomial.changes_sign_at(&root);
         root
     }

@@ -18,12 +18,10 @@ mod kinds;
 mod planar_map;
 mod text;
 
-use std::fmt::Write;
-
-use sha2::{Digest, Sha256};
 use thiserror::Error;
 
 use crate::atlas::Atlas;
+use crate::digest::sha256;
 use crate::topology::merge::MergeError;
 
 pub use kinds::{EdgeKind, FaceKind, VertexKind};
@@ -102,12 +100,7 @@ impl Class {
 }
 
 fn name_of(text: &str) -> String {
-    let digest = Sha256::digest(text.as_bytes());
-    let mut name = String::with_capacity(2 * digest.len());
-    for byte in digest {
-        // Writing to a String cannot fail.
-        let _always = write!(name, "{byte:02x}");
-    }
+    let mut name = sha256(text.as_bytes());
     name.truncate(DIGITS);
     name
 }

@@ -1,7 +1,8 @@
-//! Root finding and interval arithmetic; knows nothing of rigid bodies.
+//! Root finding, interval arithmetic, partitions; knows nothing of rigid bodies.
 
 pub mod bernstein;
 pub mod interval;
+pub mod partition;
 pub mod root;
 
 /// Unit roundoff of `f64`: half the distance from 1 to the next double.
