@@ -7,10 +7,11 @@
 //! the half-line are closed by limits: a common cusp by the monotony of J through it, a common pitchfork by curvature,
 //! x → ∞ by the limits of slope and of h − x/a.
 
-use super::curves::{End, Place, Shape};
+use super::curves::{Place, Shape};
 use super::enclosure::Enclosure;
 use super::family::Half;
 use super::point::{Evaluator, Point};
+use crate::equilibria::End;
 
 /// How deep a stretch is halved.
 const DEPTH: u32 = 48;

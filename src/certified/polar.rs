@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use dashu_ratio::RBig;
 
-use super::curves::{Curves, End, NotIsolated, Place, Shape, order, roots_in_interval};
+use super::curves::{Curves, NotIsolated, Place, Shape, order, roots_in_interval};
 use super::family::Half;
 use super::model::Model;
 use super::polynomial::Polynomial;
-use crate::equilibria::{Branch, Pole};
+use crate::equilibria::{Branch, End, Pole};
 
 /// A meeting of a pole line with a critical curve off the line.
 #[derive(Clone, Debug)]
