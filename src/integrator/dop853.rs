@@ -5,7 +5,8 @@ use std::collections::VecDeque;
 use ode_solvers::dop_shared::IntegrationError;
 use ode_solvers::{OutputType, System, Vector6};
 
-use super::{Instant, Step, StepError, Stepper};
+use super::step::{Step, StepError, Stepper};
+use super::time::Instant;
 use crate::dynamics::{HeavyTop, State};
 
 /// Derivatives that the interpolation takes at each end: its error is then below that of the steps.

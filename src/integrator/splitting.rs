@@ -3,7 +3,8 @@
 //! H = l₁²/2A₁ + l₂²/2A₂ + l₃²/2A₃ − ⟨γ,r⟩. The flow of lᵢ²/2Aᵢ turns γ and l about axis i by −(lᵢ/Aᵢ)t, that of
 //! −⟨γ,r⟩ adds −t γ×r to l. All of them keep ⟨γ,γ⟩ and ⟨γ,l⟩, so that their composition does, to rounding.
 
-use super::{Instant, Step, StepError, Stepper};
+use super::step::{Step, StepError, Stepper};
+use super::time::Instant;
 use crate::dynamics::{HeavyTop, State, cross, scale, sub};
 
 /// Suzuki's composition of five symmetric steps, of order 4: p, p, 1 − 4p, p, p with p = 1/(4 − 4^{1/3}).

@@ -1,7 +1,49 @@
 //! A step: its ends, and the motion between them as a polynomial.
 
-use super::{Instant, StepError};
+use thiserror::Error;
+
+use super::time::Instant;
 use crate::dynamics::{HeavyTop, State, scale};
+
+/// Why a step could not be made.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum StepError {
+    /// The state or the step is no longer a number.
+    #[error("the motion is no longer finite after time {time}")]
+    NotFinite {
+        /// Time of the last finite state.
+        time: f64,
+    },
+    /// The step became too small to move on.
+    #[error("the step size underflows at time {time}")]
+    Underflow {
+        /// Time at which it does.
+        time: f64,
+    },
+    /// DOP853's own limit.
+    #[error("more than {steps} steps would be needed at time {time}")]
+    TooManySteps {
+        /// Time that was reached.
+        time: f64,
+        /// The limit.
+        steps: u32,
+    },
+    /// DOP853's stiffness test.
+    #[error("the motion seems to become stiff at time {time}")]
+    Stiff {
+        /// Time at which it does.
+        time: f64,
+    },
+}
+
+/// An integrator under way.
+pub trait Stepper {
+    /// Makes one step.
+    ///
+    /// # Errors
+    /// [`StepError`]; the stepper is of no use afterwards.
+    fn step(&mut self) -> Result<Step, StepError>;
+}
 
 /// One step of an integrator.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,10 +2,10 @@
 
 use pulp::Simd;
 
+use super::orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::readings::{Gauge, Reading, Readings};
 use super::roots::all_roots;
 use super::scan::Scan;
-use super::sweep::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::torus::PpTorus;
 use crate::dynamics::{Integrals, State, add, scale};
 use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, state_of};
@@ -236,7 +236,7 @@ impl Follower {
 
     #[inline(always)]
     fn record(&mut self, torus: &PpTorus, time: Instant, state: &State, reading: &Reading) {
-        let point = torus.place(state, reading);
+        let point = reading.place(torus, state);
         self.drift = self.drift.max(&reading.integrals.distance(&self.integrals));
         self.residual = self.residual.max(reading.value.abs());
         self.points.push(SectionPoint {

@@ -4,7 +4,6 @@ use pulp::Scalar;
 
 use super::angle::angle;
 use super::error::SectionError;
-use super::readings::Reading;
 use crate::dynamics::{HeavyTop, State, add, cross, dot, norm, scale, sub};
 
 /// A point of the PP-torus.
@@ -82,14 +81,9 @@ impl PpTorus {
         self.on_sheet(state, self.delta(state), theta, psi)
     }
 
-    /// The same with what has been read off the state.
+    /// Likewise with Δ and the angles of γ.
     #[inline(always)]
-    pub(super) fn place(&self, state: &State, reading: &Reading) -> TorusPoint {
-        self.on_sheet(state, reading.delta, reading.theta, positive_angle(reading.psi))
-    }
-
-    #[inline(always)]
-    fn on_sheet(&self, state: &State, delta: f64, theta: f64, psi: f64) -> TorusPoint {
+    pub(super) fn on_sheet(&self, state: &State, delta: f64, theta: f64, psi: f64) -> TorusPoint {
         if delta != 0.0 || cross(state.gamma, self.r_hat) != [0.0; 3] {
             return TorusPoint { theta, psi, sheet: if delta < 0.0 { -1 } else { 1 } };
         }
@@ -146,7 +140,7 @@ impl PpTorus {
 }
 
 /// An angle of atan2 brought to [0, 2π).
-fn positive_angle(angle: f64) -> f64 {
+pub(super) fn positive_angle(angle: f64) -> f64 {
     if angle >= 0.0 {
         return angle;
     }

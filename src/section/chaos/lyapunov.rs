@@ -1,17 +1,31 @@
 //! The largest Lyapunov exponent of finite-time orbits, from the variational equations.
 
 use std::f64::consts::LN_2;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::Ordering;
 
 use pulp::{Simd, WithSimd};
 
-use super::ChaosOptions;
 use super::average::bump;
 use crate::dynamics::{HeavyTop, State, dot};
 use crate::integrator::Method;
-use crate::integrator::taylor::{Lanes, Tangent};
+use crate::integrator::taylor::{InstructionSet, Lanes, Tangent};
 use crate::section::error::SectionError;
-use crate::section::sweep::{Monitor, run_workers};
+use crate::section::workers::{Monitor, Turns, run_workers};
+
+/// How the variational equations are integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChaosOptions {
+    /// Truncation error of a step of the orbit, as of [`Method::Taylor`](crate::integrator::Method::Taylor).
+    pub tolerance: f64,
+    /// SIMD instructions; they do not change the results.
+    pub instructions: InstructionSet,
+}
+
+impl Default for ChaosOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-15, instructions: InstructionSet::Best }
+    }
+}
 
 /// The largest Lyapunov exponent of an orbit over a finite time, per unit of time.
 ///
@@ -65,9 +79,9 @@ pub fn lyapunov_exponents(
         return Err(SectionError::Parameter { name: "orbits", value, expected });
     }
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
-    let next = AtomicU32::new(0);
+    let turns = Turns::new(monitor);
     let tolerance = options.tolerance;
-    let found = run_workers(|| arch.dispatch(Worker { top, starts, monitor, next: &next, tolerance }));
+    let found = run_workers(|| arch.dispatch(Worker { top, starts, turns: &turns, tolerance }));
     let mut exponents = vec![None; starts.len()];
     for (orbit, exponent) in found {
         exponents[orbit as usize] = exponent;
@@ -79,22 +93,14 @@ pub fn lyapunov_exponents(
 struct Worker<'a> {
     top: &'a HeavyTop,
     starts: &'a [(State, f64)],
-    monitor: &'a Monitor,
-    next: &'a AtomicU32,
+    turns: &'a Turns<'a>,
     tolerance: f64,
 }
 
 impl Worker<'_> {
     fn pop(&self) -> Option<Stretching> {
-        if self.stopped() {
-            return None;
-        }
-        let orbit = self.next.fetch_add(1, Ordering::Relaxed);
-        self.starts.get(orbit as usize).map(|(_, time)| Stretching::new(orbit, *time))
-    }
-
-    fn stopped(&self) -> bool {
-        self.monitor.stop.load(Ordering::Relaxed)
+        let (orbit, (_, time)) = self.turns.next(self.starts)?;
+        Some(Stretching::new(orbit, *time))
     }
 
     /// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
@@ -132,11 +138,11 @@ impl WithSimd for Worker<'_> {
                 }
             }
             lanes.commit(simd);
-            let stopped = self.stopped();
+            let stopped = self.turns.monitor.is_stopped();
             for (lane, slot) in orbits.iter_mut().enumerate() {
                 if let Some(orbit) = slot.take_if(|orbit| orbit.is_over() || stopped) {
                     done.push((orbit.orbit, orbit.result()));
-                    self.monitor.orbits.fetch_add(1, Ordering::Relaxed);
+                    self.turns.monitor.orbits.fetch_add(1, Ordering::Relaxed);
                     *slot = self.pop();
                     if let Some(orbit) = slot {
                         self.load(&mut lanes, &mut tangent, lane, orbit.orbit);

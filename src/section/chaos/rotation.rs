@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::average::weighted_mean;
 use super::curve::rotation_along_curve;
 use super::plane::{centred, principal_coordinates};
-use crate::section::sweep::SectionPoint;
+use crate::section::orbit::SectionPoint;
 
 /// Fewest returns from which a rotation number is computed.
 const FEWEST_RETURNS: usize = 24;

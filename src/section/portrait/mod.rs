@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 pub use chart::{Area, Chart};
 
 use super::condition::SectionCondition;
-use super::sweep::SectionPoint;
+use super::orbit::SectionPoint;
 use super::torus::PpTorus;
 use crate::dynamics::State;
 use chart::{Axes, edge_parts};
