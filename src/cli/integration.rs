@@ -61,7 +61,7 @@ impl IntegratorArguments {
             Integrator::Rk4 => Method::RungeKutta4 { step: step() },
             Integrator::Splitting => Method::Splitting { step: step() },
         };
-        method.check().map_err(InputError::Fineness)?;
+        method.check(top).map_err(InputError::Fineness)?;
         Ok(method)
     }
 }

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::time::Instant;
-use crate::dynamics::{HeavyTop, State, scale};
+use crate::dynamics::{Dimension, HeavyTop, State, Units, scale};
 
 /// Why a step could not be made.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -34,6 +34,20 @@ pub enum StepError {
         /// Time at which it does.
         time: f64,
     },
+}
+
+impl StepError {
+    /// That of a reduced top as that of the top as given.
+    #[must_use]
+    pub fn restored(self, units: Units) -> Self {
+        let given = |time| units.restore(time, Dimension::TIME);
+        match self {
+            Self::NotFinite { time } => Self::NotFinite { time: given(time) },
+            Self::Underflow { time } => Self::Underflow { time: given(time) },
+            Self::TooManySteps { time, steps } => Self::TooManySteps { time: given(time), steps },
+            Self::Stiff { time } => Self::Stiff { time: given(time) },
+        }
+    }
 }
 
 /// An integrator under way.
@@ -106,6 +120,18 @@ impl Step {
             }
         }
         Self::new(start, length, *ends[1], coefficients)
+    }
+
+    /// That of a reduced top as that of the top as given.
+    #[must_use]
+    pub(super) fn restored(mut self, units: Units) -> Self {
+        self.start = self.start.restored(units);
+        self.length = units.restore(self.length, Dimension::TIME);
+        self.end_state = self.end_state.restored(units);
+        for coefficient in &mut self.coefficients {
+            *coefficient = coefficient.restored(units);
+        }
+        self
     }
 
     /// Time at the start.

@@ -21,7 +21,7 @@ impl Setting {
         let mut found: Vec<std::vec::IntoIter<TorusPoint>> = Vec::with_capacity(parts);
         for part in 0..parts {
             let share = count / parts + usize::from(part < count % parts);
-            let options = StartOptions { count: share, seed, tries_per_start: TRIES };
+            let options = StartOptions { count: share, seed, tries_per_start: TRIES, ..StartOptions::default() };
             let here = |gamma: [f64; 3]| partition.as_ref().map_or(Some(0), |p| component_of(p, gamma)) == Some(part);
             let spread = if parts == 1 {
                 spread_starts(&self.torus, self.h, self.l, &options)

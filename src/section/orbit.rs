@@ -1,7 +1,7 @@
 //! An orbit on the section: what is asked of it, and what was found.
 
 use super::condition::SectionCondition;
-use crate::dynamics::Integrals;
+use crate::dynamics::{Dimension, Integrals, Units};
 use crate::integrator::taylor::InstructionSet;
 use crate::integrator::{Method, StepError};
 
@@ -98,4 +98,34 @@ pub struct OrbitSection {
     pub report: OrbitReport,
     /// Number of the orbit.
     pub orbit: u32,
+}
+
+impl SweepOptions {
+    /// The same for a top in other units.
+    pub(super) fn reduced(&self, units: Units) -> Self {
+        let max_time = units.reduce(self.max_time, Dimension::TIME);
+        Self { max_time, method: self.method.reduced(units), ..*self }
+    }
+}
+
+impl OrbitSection {
+    /// That of a reduced top as that of the top as given.
+    pub(super) fn restored(mut self, units: Units, condition: SectionCondition) -> Self {
+        let value = condition.dimension();
+        let given = |x: &mut f64, dimension| *x = units.restore(*x, dimension);
+        for point in &mut self.points {
+            given(&mut point.time, Dimension::TIME);
+            given(&mut point.time_low, Dimension::TIME);
+            given(&mut point.s_dot, value.rate());
+            point.l.iter_mut().for_each(|x| given(x, Dimension::MOMENTUM));
+        }
+        let report = &mut self.report;
+        if let End::Failed(error) = &mut report.end {
+            *error = error.restored(units);
+        }
+        given(&mut report.time, Dimension::TIME);
+        given(&mut report.residual, value);
+        report.drift = report.drift.restored(units);
+        self
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::Ordering;
 
-use pulp::{Simd, WithSimd};
+use pulp::{Arch, Simd, WithSimd};
 
 use super::error::SectionError;
 use super::follow::{Follower, News};
@@ -33,7 +33,7 @@ pub fn sweep(
     options: &SweepOptions,
     monitor: &Monitor,
 ) -> Result<Vec<OrbitSection>, SectionError> {
-    options.method.check()?;
+    options.method.check(torus.top())?;
     if u32::try_from(starts.len()).is_err() {
         return Err(SectionError::Parameter {
             name: "orbits",
@@ -49,13 +49,30 @@ pub fn sweep(
         });
     }
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
+    let units = torus.top().units();
+    if units.are_one() {
+        return Ok(followed(arch, torus, starts, options, monitor));
+    }
+    let starts: Vec<State> = starts.iter().map(|state| state.reduced(units)).collect();
+    let orbits = followed(arch, &torus.reduced(), &starts, &options.reduced(units), monitor);
+    Ok(orbits.into_iter().map(|orbit| orbit.restored(units, options.condition)).collect())
+}
+
+/// The orbits of a top in its own units.
+fn followed(
+    arch: Arch,
+    torus: &PpTorus,
+    starts: &[State],
+    options: &SweepOptions,
+    monitor: &Monitor,
+) -> Vec<OrbitSection> {
     let queue = Queue { torus, starts, options, turns: Turns::new(monitor) };
     let mut orbits = match options.method {
         Method::Taylor { tolerance } => run_workers(|| arch.dispatch(TaylorWorker { queue: &queue, tolerance })),
         _ => run_workers(|| queue.work_stepwise()),
     };
     orbits.sort_by_key(|orbit| orbit.orbit);
-    Ok(orbits)
+    orbits
 }
 
 /// The orbits still to be done, shared by the workers.

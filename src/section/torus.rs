@@ -4,7 +4,7 @@ use pulp::Scalar;
 
 use super::angle::angle;
 use super::error::SectionError;
-use crate::dynamics::{HeavyTop, State, add, cross, dot, norm, scale, sub};
+use crate::dynamics::{Dimension, HeavyTop, State, add, cross, dot, norm, scale, sub, unit};
 
 /// A point of the PP-torus.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,8 +35,7 @@ impl PpTorus {
         let r_hat = top.r_hat().ok_or(SectionError::WeightlessBody)?;
         let axis = if r_hat[0] == 0.0 && r_hat[1] == 0.0 { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] };
         // r̂×(e×r̂) = e − r̂⟨e,r̂⟩ without its cancellation.
-        let e_y = cross(r_hat, cross(axis, r_hat));
-        let e_y = scale(1.0 / norm(e_y), e_y);
+        let e_y = unit(cross(r_hat, cross(axis, r_hat)));
         Ok(Self { top: *top, r_hat, e_x: cross(e_y, r_hat), e_y })
     }
 
@@ -44,6 +43,11 @@ impl PpTorus {
     #[must_use]
     pub fn top(&self) -> &HeavyTop {
         &self.top
+    }
+
+    /// The torus of the same top in its own units.
+    pub(super) fn reduced(&self) -> Self {
+        Self { top: self.top.reduced(), ..*self }
     }
 
     /// (e_x', e_y', r̂), right-handed.
@@ -78,7 +82,8 @@ impl PpTorus {
     #[must_use]
     pub fn point(&self, state: &State) -> TorusPoint {
         let (theta, psi) = self.angles(state.gamma);
-        self.on_sheet(state, self.delta(state), theta, psi)
+        let (torus, state) = (self.reduced(), state.reduced(self.top.units()));
+        torus.on_sheet(&state, torus.delta(&state), theta, psi)
     }
 
     /// Likewise with Δ and the angles of γ.
@@ -124,18 +129,22 @@ impl PpTorus {
                 return Err(SectionError::Parameter { name, value, expected: "an angle in radians is needed" });
             }
         }
+        let units = self.top.units();
+        let (top, h, l) =
+            (self.top.reduced(), units.reduce(h, Dimension::ENERGY), units.reduce(l, Dimension::MOMENTUM));
         let gamma = self.gamma(point.theta, point.psi);
-        let potential = self.top.effective_potential(gamma, l);
+        let potential = top.effective_potential(gamma, l);
         if potential.is_nan() || potential > h {
+            let [potential, h] = [potential, h].map(|x| units.restore(x, Dimension::ENERGY));
             return Err(SectionError::SeedInaccessible { theta: point.theta, psi: point.psi, potential, h });
         }
-        let inertia_gamma = self.top.inertia(gamma);
-        let u = self.top.inverse_inertia(cross(self.r_hat, self.equator(point.psi)));
+        let inertia_gamma = top.inertia(gamma);
+        let u = top.inverse_inertia(cross(self.r_hat, self.equator(point.psi)));
         let v = cross(u, gamma);
-        let length = (2.0 * (h - potential) / dot(v, self.top.inverse_inertia(v))).sqrt();
+        let length = (2.0 * (h - potential) / dot(v, top.inverse_inertia(v))).sqrt();
         let signed = if point.sheet < 0 { -length } else { length };
         let momentum = add(scale(l / dot(gamma, inertia_gamma), inertia_gamma), scale(signed, v));
-        Ok(State { gamma, l: momentum })
+        Ok(State { gamma, l: momentum }.restored(units))
     }
 }
 

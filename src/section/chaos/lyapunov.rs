@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 use pulp::{Simd, WithSimd};
 
 use super::average::bump;
-use crate::dynamics::{HeavyTop, State, dot};
+use crate::dynamics::{Dimension, HeavyTop, State, Units, dot};
 use crate::integrator::Method;
 use crate::integrator::taylor::{InstructionSet, Lanes, Tangent};
 use crate::section::error::SectionError;
@@ -56,6 +56,18 @@ impl Lyapunov {
     pub fn error(&self) -> f64 {
         (self.exponent - self.exponent_half).abs()
     }
+
+    /// That of a reduced top as that of the top as given.
+    fn restored(self, units: Units) -> Self {
+        let rate = |x| units.restore(x, Dimension::FREQUENCY);
+        Self {
+            exponent: rate(self.exponent),
+            exponent_half: rate(self.exponent_half),
+            mean_rate: rate(self.mean_rate),
+            mean_rate_half: rate(self.mean_rate_half),
+            time: units.restore(self.time, Dimension::TIME),
+        }
+    }
 }
 
 /// The exponents of the orbits that begin at these states, each over its own time; None where the time is not a
@@ -73,18 +85,21 @@ pub fn lyapunov_exponents(
     options: &ChaosOptions,
     monitor: &Monitor,
 ) -> Result<Vec<Option<Lyapunov>>, SectionError> {
-    Method::Taylor { tolerance: options.tolerance }.check()?;
+    Method::Taylor { tolerance: options.tolerance }.check(top)?;
     if u32::try_from(starts.len()).is_err() {
         let (value, expected) = (starts.len() as f64, "fewer than 2^32 are possible");
         return Err(SectionError::Parameter { name: "orbits", value, expected });
     }
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
+    let units = top.units();
+    let reduced = |(state, time): &(State, f64)| (state.reduced(units), units.reduce(*time, Dimension::TIME));
+    let (top, starts) = (&top.reduced(), &starts.iter().map(reduced).collect::<Vec<_>>()[..]);
     let turns = Turns::new(monitor);
     let tolerance = options.tolerance;
     let found = run_workers(|| arch.dispatch(Worker { top, starts, turns: &turns, tolerance }));
     let mut exponents = vec![None; starts.len()];
     for (orbit, exponent) in found {
-        exponents[orbit as usize] = exponent;
+        exponents[orbit as usize] = exponent.map(|exponent: Lyapunov| exponent.restored(units));
     }
     Ok(exponents)
 }

@@ -24,7 +24,7 @@ pub struct ChaosMeasure {
 /// The orbits are integrated once more, with the Taylor integrator whatever the sweep's method was, from the first
 /// point of each over the time that the sweep took it. This takes about three times as long as the sweep.
 ///
-/// `monitor` counts orbits and can stop the work; what was not finished then has no exponent.
+/// `monitor` counts orbits and can stop the work; what was not finished then has no exponent and no rotation number.
 ///
 /// # Errors
 /// Those of [`lyapunov_exponents`].
@@ -43,7 +43,11 @@ pub fn chaos_measures(
     let measure = |(orbit, lyapunov): (&OrbitSection, Option<Lyapunov>)| ChaosMeasure {
         orbit: orbit.orbit,
         lyapunov,
-        rotation: rotation_number(&orbit.points),
+        rotation: if monitor.is_stopped() {
+            Err(RotationUndefined::Interrupted)
+        } else {
+            rotation_number(&orbit.points)
+        },
     };
     Ok(orbits.iter().zip(exponents).map(measure).collect())
 }

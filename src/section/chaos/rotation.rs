@@ -59,6 +59,9 @@ pub enum RotationUndefined {
     /// visited in turn, or on no curve (chaos).
     #[error("the crossings do not follow a closed curve in order")]
     NoCircle,
+    /// The work was stopped before.
+    #[error("interrupted")]
+    Interrupted,
 }
 
 /// The rotation number of an orbit from its crossings in the order of time.
