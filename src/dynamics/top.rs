@@ -16,12 +16,14 @@ pub struct State {
 impl State {
     /// The state in other units.
     #[must_use]
+    #[inline]
     pub fn reduced(&self, units: Units) -> Self {
         Self { gamma: self.gamma, l: self.l.map(|x| units.reduce(x, Dimension::MOMENTUM)) }
     }
 
     /// A [`reduced`](Self::reduced) state as it was given.
     #[must_use]
+    #[inline]
     pub fn restored(&self, units: Units) -> Self {
         Self { gamma: self.gamma, l: self.l.map(|x| units.restore(x, Dimension::MOMENTUM)) }
     }
@@ -56,6 +58,7 @@ impl HeavyTop {
 
     /// The same top in its own units.
     #[must_use]
+    #[inline]
     pub fn reduced(&self) -> Self {
         if self.units.are_one() {
             return *self;
@@ -150,12 +153,20 @@ impl HeavyTop {
 
     /// U_l(γ) = l²/(2⟨γ,Aγ⟩) − ⟨γ,r⟩.
     #[must_use]
+    #[inline]
     pub fn effective_potential(&self, gamma: [f64; 3], l: f64) -> f64 {
-        if !self.units.are_one() {
-            let reduced = self.reduced().effective_potential(gamma, self.units.reduce(l, Dimension::MOMENTUM));
-            return self.units.restore(reduced, Dimension::ENERGY);
-        }
+        if self.units.are_one() { self.plain_potential(gamma, l) } else { self.extreme_potential(gamma, l) }
+    }
+
+    #[inline]
+    fn plain_potential(&self, gamma: [f64; 3], l: f64) -> f64 {
         0.5 * l * l / dot(gamma, self.inertia(gamma)) - dot(gamma, self.center)
+    }
+
+    #[cold]
+    fn extreme_potential(&self, gamma: [f64; 3], l: f64) -> f64 {
+        let potential = self.reduced().plain_potential(gamma, self.units.reduce(l, Dimension::MOMENTUM));
+        self.units.restore(potential, Dimension::ENERGY)
     }
 
     /// max |l| on the energy surface H = h: √(2 A_max (h + |r|)).

@@ -74,14 +74,16 @@ impl Units {
 
     /// A given number in these units.
     #[must_use]
+    #[inline]
     pub fn reduce(self, x: f64, dimension: Dimension) -> f64 {
-        libm::scalbn(x, -self.exponent(dimension))
+        if self.are_one() { x } else { libm::scalbn(x, -self.exponent(dimension)) }
     }
 
     /// A number in these units as it would be given.
     #[must_use]
+    #[inline]
     pub fn restore(self, x: f64, dimension: Dimension) -> f64 {
-        libm::scalbn(x, self.exponent(dimension))
+        if self.are_one() { x } else { libm::scalbn(x, self.exponent(dimension)) }
     }
 
     fn exponent(self, dimension: Dimension) -> i32 {

@@ -129,22 +129,37 @@ impl PpTorus {
                 return Err(SectionError::Parameter { name, value, expected: "an angle in radians is needed" });
             }
         }
+        if self.top.units().are_one() { self.plain_state(point, h, l) } else { self.extreme_state(point, h, l) }
+    }
+
+    #[cold]
+    fn extreme_state(&self, point: TorusPoint, h: f64, l: f64) -> Result<State, SectionError> {
         let units = self.top.units();
-        let (top, h, l) =
-            (self.top.reduced(), units.reduce(h, Dimension::ENERGY), units.reduce(l, Dimension::MOMENTUM));
+        let (reduced_h, reduced_l) = (units.reduce(h, Dimension::ENERGY), units.reduce(l, Dimension::MOMENTUM));
+        match self.reduced().plain_state(point, reduced_h, reduced_l) {
+            Ok(state) => Ok(state.restored(units)),
+            Err(SectionError::SeedInaccessible { theta, psi, potential, .. }) => {
+                let potential = units.restore(potential, Dimension::ENERGY);
+                Err(SectionError::SeedInaccessible { theta, psi, potential, h })
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    #[inline]
+    fn plain_state(&self, point: TorusPoint, h: f64, l: f64) -> Result<State, SectionError> {
         let gamma = self.gamma(point.theta, point.psi);
-        let potential = top.effective_potential(gamma, l);
+        let potential = self.top.effective_potential(gamma, l);
         if potential.is_nan() || potential > h {
-            let [potential, h] = [potential, h].map(|x| units.restore(x, Dimension::ENERGY));
             return Err(SectionError::SeedInaccessible { theta: point.theta, psi: point.psi, potential, h });
         }
-        let inertia_gamma = top.inertia(gamma);
-        let u = top.inverse_inertia(cross(self.r_hat, self.equator(point.psi)));
+        let inertia_gamma = self.top.inertia(gamma);
+        let u = self.top.inverse_inertia(cross(self.r_hat, self.equator(point.psi)));
         let v = cross(u, gamma);
-        let length = (2.0 * (h - potential) / dot(v, top.inverse_inertia(v))).sqrt();
+        let length = (2.0 * (h - potential) / dot(v, self.top.inverse_inertia(v))).sqrt();
         let signed = if point.sheet < 0 { -length } else { length };
         let momentum = add(scale(l / dot(gamma, inertia_gamma), inertia_gamma), scale(signed, v));
-        Ok(State { gamma, l: momentum }.restored(units))
+        Ok(State { gamma, l: momentum })
     }
 }
 

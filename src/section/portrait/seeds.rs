@@ -47,8 +47,11 @@ impl Field<'_> {
             [(column as f64 + 0.25) * TAU / columns as f64, (row as f64 + 0.5) * PI / rows as f64]
         };
         let look = |place: [f64; 2]| self.incoming(torus.angles(axes.gamma(place)));
-        let nodes: Vec<Vec<Option<[bool; 2]>>> =
-            (0..rows).map(|row| (0..=columns).map(|column| look(place(row, column))).collect()).collect();
+        let mut nodes: Vec<Vec<Option<[bool; 2]>>> = Vec::with_capacity(rows);
+        for row in 0..rows {
+            check_stop(stop)?;
+            nodes.push((0..=columns).map(|column| look(place(row, column))).collect());
+        }
         let mut seeds = GridSeeds { boundary: Vec::new(), tangency: Vec::new() };
         for row in 0..rows {
             check_stop(stop)?;
