@@ -4,12 +4,12 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Number, Preset};
-use bifdiag::class::{Class, PlanarMap, Unclassified};
 use common::bodies::{Stratum, random_body};
 use common::random::SplitMix64;
 use dashu_ratio::RBig;
+use top::atlas::Atlas;
+use top::body::{Body, Number, Preset};
+use top::class::{Class, PlanarMap, Unclassified};
 
 fn class(body: &Body) -> Result<Class, Unclassified> {
     Class::of(&Atlas::new(body).unwrap())

@@ -2,13 +2,13 @@
 
 use std::sync::{Arc, OnceLock};
 
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Number};
-use bifdiag::certified::{CertifiedAtlas, NotProved};
-use bifdiag::classify::{ClassifyError, classify};
-use bifdiag::document::{Accuracy, ClassificationDocument, ComponentDocument, Status};
+use proof::{CertifiedAtlas, NotProved};
 use rayon::prelude::*;
+use schema::{Accuracy, ClassificationDocument, ComponentDocument, Status};
 use thiserror::Error;
+use top::atlas::Atlas;
+use top::body::{Body, Number};
+use top::classify::{Classification, ClassifyError, classify};
 
 use super::arguments::ClassifyArguments;
 use super::batch::{self, Query, Wanted};
@@ -36,12 +36,12 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
     let subject = arguments.body.subject()?;
     let h = h.as_ref().ok_or(InputError::NoPoint { missing: "--h", example: "the energy, such as --h 3.8" })?;
     let l = l.as_ref().ok_or(InputError::NoPoint { missing: "--l", example: "the momentum, such as --l 3.25" })?;
-    let mut document = if accuracy == Accuracy::Certified {
+    let answer = if accuracy == Accuracy::Certified {
         timings.stage("classify", || CertifiedAtlas::new(&subject.body))?.classify(h, l)
     } else {
         timings.stage("classify", || classify(&subject.body, h, l))?
     };
-    document.accuracy = accuracy;
+    let mut document = documents::classification(&subject.body, h, l, &answer, accuracy);
     document.inertia.clone_from(&subject.inertia);
     let text = if arguments.json { layout::text(&document)? } else { report(&subject, &document) };
     Ok(output::print(text.as_bytes())?)
@@ -58,60 +58,66 @@ enum Unanswered {
     Json(#[from] serde_json::Error),
 }
 
-/// Points of the same body in a row; after the first few the body is prepared, once.
+/// Points of the same body in a row; after the first few the body is prepared, once. A proof is made once in any case.
 #[derive(Debug, Default)]
 struct Preparation {
     body: Option<Body>,
     length: usize,
-    atlas: Arc<OnceLock<Option<Atlas>>>,
+    prepared: Arc<Prepared>,
+}
+
+/// What answers further points of a body, made when first asked for.
+#[derive(Debug, Default)]
+struct Prepared {
+    atlas: OnceLock<Option<Atlas>>,
+    proof: OnceLock<Result<CertifiedAtlas, NotProved>>,
+}
+
+/// A query and what is, or will be, prepared of its body.
+struct Job<'a> {
+    query: &'a Query,
+    prepared: Arc<Prepared>,
+    /// To be answered without an atlas.
+    cold: bool,
 }
 
 impl Preparation {
     /// Answers queries in parallel, in their order.
     fn answer(&mut self, queries: &[Query], accuracy: Accuracy) -> Vec<Result<String, Unanswered>> {
-        let jobs: Vec<_> = queries.iter().map(|query| (query, self.preparation_for(query))).collect();
+        let jobs: Vec<_> = queries.iter().map(|query| self.job(query)).collect();
         jobs.par_iter()
-            .map(|(query, atlas)| {
-                if accuracy == Accuracy::Certified {
-                    let energy = query.h.clone().unwrap_or_else(|| Number::from_rational(0.into()));
-                    // Each line is proved for itself: the body before it may be another.
-                    let mut document = CertifiedAtlas::new(&query.body)?.classify(&energy, &query.l);
-                    document.inertia.clone_from(&query.inertia);
-                    return Ok(serde_json::to_string(&document)?);
-                }
-                let mut document = answer_one(query, atlas.as_deref())?;
-                document.accuracy = accuracy;
-                document.inertia.clone_from(&query.inertia);
+            .map(|job| {
+                let Query { body, l, .. } = job.query;
+                let h = job.query.h.clone().unwrap_or_else(|| Number::from_rational(0.into()));
+                let answer = job.answer(&h, accuracy)?;
+                let mut document = documents::classification(body, &h, l, &answer, accuracy);
+                document.inertia.clone_from(&job.query.inertia);
                 Ok(serde_json::to_string(&document)?)
             })
             .collect()
     }
 
-    /// Where the prepared body of this query is, or will be; `None`: to be answered cold.
-    fn preparation_for(&mut self, query: &Query) -> Option<Arc<OnceLock<Option<Atlas>>>> {
+    fn job<'a>(&mut self, query: &'a Query) -> Job<'a> {
         if self.body.as_ref() == Some(&query.body) {
             self.length += 1;
         } else {
-            *self = Self { body: Some(query.body.clone()), length: 1, atlas: Arc::default() };
+            *self = Self { body: Some(query.body.clone()), length: 1, prepared: Arc::default() };
         }
-        (self.length > COLD_POINTS).then(|| Arc::clone(&self.atlas))
+        Job { query, prepared: Arc::clone(&self.prepared), cold: self.length <= COLD_POINTS }
     }
 }
 
-fn answer_one(query: &Query, atlas: Option<&OnceLock<Option<Atlas>>>) -> Result<ClassificationDocument, ClassifyError> {
-    let energy = query.h.clone().unwrap_or_else(|| Number::from_rational(0.into()));
-    let prepared = atlas.and_then(|cell| {
+impl Job<'_> {
+    fn answer(&self, h: &Number, accuracy: Accuracy) -> Result<Classification, Unanswered> {
+        let Query { body, l, .. } = self.query;
+        if accuracy == Accuracy::Certified {
+            let proof = self.prepared.proof.get_or_init(|| CertifiedAtlas::new(body));
+            return Ok(proof.as_ref().map_err(Clone::clone)?.classify(h, l));
+        }
         // A body of which no atlas can be made is still answered point by point.
-        cell.get_or_init(|| Atlas::new(&query.body).ok()).as_ref()
-    });
-    let Some(atlas) = prepared else {
-        return classify(&query.body, &energy, &query.l);
-    };
-    let mut document = atlas.classify(&energy, &query.l)?;
-    // The prepared body may have been written otherwise (1.1 and 11/10); what is echoed is this line's text.
-    document.moments.clone_from(query.body.moments());
-    document.center.clone_from(query.body.center());
-    Ok(document)
+        let atlas = if self.cold { None } else { self.prepared.atlas.get_or_init(|| Atlas::new(body).ok()).as_ref() };
+        Ok(atlas.map_or_else(|| classify(body, h, l), |atlas| atlas.classify(h, l))?)
+    }
 }
 
 fn report(subject: &Subject, document: &ClassificationDocument) -> String {

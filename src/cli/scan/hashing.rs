@@ -1,11 +1,15 @@
 //! SHA-256 of what is written and of files.
 
-use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
 use sha2::{Digest, Sha256};
+
+/// A finished digest in 64 hexadecimal digits.
+pub fn hexadecimal(digest: Sha256) -> String {
+    base16ct::lower::encode_string(&digest.finalize())
+}
 
 /// Passes everything on and keeps its digest.
 pub struct HashingWriter<W> {
@@ -47,14 +51,4 @@ pub fn of_file(path: &Path) -> io::Result<String> {
             count => digest.update(&buffer[..count]),
         }
     }
-}
-
-/// A digest as text.
-pub fn hexadecimal(digest: Sha256) -> String {
-    let mut text = String::with_capacity(64);
-    for byte in digest.finalize() {
-        // Writing to a String cannot fail.
-        let _always = write!(text, "{byte:02x}");
-    }
-    text
 }

@@ -1,8 +1,0 @@
-//! Root finding and interval arithmetic; knows nothing of rigid bodies.
-
-pub mod bernstein;
-pub mod interval;
-pub mod root;
-
-/// Unit roundoff of `f64`: half the distance from 1 to the next double.
-pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
