@@ -7,7 +7,7 @@ use plot::CurveSource;
 use schema::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
 use schema::{
     Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument,
-    EventKind, MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan,
+    EventKind, Flags, MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan,
     SummaryDocument, TailDocument,
 };
 use top::body::Body;
@@ -449,13 +449,14 @@ pub fn atlas(
     events: Vec<EventDocument>,
     regions: Vec<RegionDocument>,
 ) -> AtlasDocument {
-    let flags = body.flags();
+    let top::body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
+    let flags = Flags { unphysical, plate, symmetric, plane, axis, euler };
     AtlasDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
         accuracy: Accuracy::Standard,
         body: BodyDocument {
-            moments: body.moments().clone(),
-            center: body.center().clone(),
+            moments: body.moments().each_ref().map(ToString::to_string),
+            center: body.center().each_ref().map(ToString::to_string),
             flags,
             degenerate: flags.degenerate(),
             inertia: None,

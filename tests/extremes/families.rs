@@ -2,10 +2,9 @@
 
 use dashu_ratio::RBig;
 use proof::CertifiedAtlas;
-use schema::ComponentDocument;
 use top::atlas::Atlas;
 use top::body::{Body, Number, Preset};
-use top::classify::classify;
+use top::classify::{Components, classify};
 use top::topology::Component;
 
 /// What is asked.
@@ -31,8 +30,6 @@ pub enum Answer {
 /// A family with a parameter ε = 10⁻ᵏ.
 pub struct Extreme {
     pub name: &'static str,
-    /// The family in words.
-    pub family: &'static str,
     pub exponents: std::ops::RangeInclusive<isize>,
     question: fn(&RBig) -> Question,
 }
@@ -46,7 +43,7 @@ impl Extreme {
 pub const EXTREMES: [Extreme; 10] = [
     Extreme {
         name: "l→0",
-        family: "A = (2, 1.1, 1), r = (0.2, 0.3, 0.6), l = ε, half-way between the minimum and P+, which are O(l⁴) apart",
+        // A = (2, 1.1, 1), r = (0.2, 0.3, 0.6), l = ε, half-way between the minimum and P+, which are O(l⁴) apart
         exponents: 0..=12,
         question: |e| {
             let (a, r) = (triple(["2", "1.1", "1"]), triple(["0.2", "0.3", "0.6"]));
@@ -62,7 +59,7 @@ pub const EXTREMES: [Extreme; 10] = [
     },
     Extreme {
         name: "l→∞",
-        family: "A = (2, 1.1, 1), r = (0.2, 0.3, 0.6), l = 1/ε, h = l²/4: half-way between the two lowest curves",
+        // A = (2, 1.1, 1), r = (0.2, 0.3, 0.6), l = 1/ε, h = l²/4: half-way between the two lowest curves
         exponents: 0..=14,
         question: |e| {
             let body = Body::new(triple(["2", "1.1", "1"]), triple(["0.2", "0.3", "0.6"])).unwrap();
@@ -72,19 +69,19 @@ pub const EXTREMES: [Extreme; 10] = [
     },
     Extreme {
         name: "r→axis",
-        family: "A = (2, 1.1, 1), r = (1, ε, 2ε): all regions",
+        // A = (2, 1.1, 1), r = (1, ε, 2ε): all regions
         exponents: 1..=18,
         question: |e| regions([exact("2"), exact("1.1"), exact("1")], [RBig::ONE, e.clone(), RBig::from(2) * e]),
     },
     Extreme {
         name: "A1→A2",
-        family: "A = (1, 1 + ε, 1.3), r = (0.3, 0.5, 0.7): all regions",
+        // A = (1, 1 + ε, 1.3), r = (0.3, 0.5, 0.7): all regions
         exponents: 1..=18,
         question: |e| regions([RBig::ONE, RBig::ONE + e, exact("1.3")], [exact("0.3"), exact("0.5"), exact("0.7")]),
     },
     Extreme {
         name: "rod",
-        family: "A = (ε, 1, 1 + ε/2), r = (1, 0.3, 0.2): all regions",
+        // A = (ε, 1, 1 + ε/2), r = (1, 0.3, 0.2): all regions
         exponents: 1..=14,
         question: |e| {
             let a = [e.clone(), RBig::ONE, RBig::ONE + e / RBig::from(2)];
@@ -93,7 +90,7 @@ pub const EXTREMES: [Extreme; 10] = [
     },
     Extreme {
         name: "plate",
-        family: "A = (0.5, 0.7, 1.2 − ε), r = (0.3, 0.5, 0.7): all regions",
+        // A = (0.5, 0.7, 1.2 − ε), r = (0.3, 0.5, 0.7): all regions
         exponents: 1..=18,
         question: |e| {
             regions([exact("0.5"), exact("0.7"), exact("1.2") - e], [exact("0.3"), exact("0.5"), exact("0.7")])
@@ -101,7 +98,7 @@ pub const EXTREMES: [Extreme; 10] = [
     },
     Extreme {
         name: "|r| scaling",
-        family: "A = (2, 1.1, 1), r = ε¹⁰(0.3, 0.5, 0.7): all regions",
+        // A = (2, 1.1, 1), r = ε¹⁰(0.3, 0.5, 0.7): all regions
         exponents: 0..=12,
         question: |e| {
             let scale = e.pow(10);
@@ -111,7 +108,7 @@ pub const EXTREMES: [Extreme; 10] = [
     },
     Extreme {
         name: "near-cusp",
-        family: "Kovalevskaya's cusp: l = l_c(1 + ε) and h on the tangent, between the two curves, which are O(ε^{3/2}) apart",
+        // Kovalevskaya's cusp: l = l_c(1 + ε) and h on the tangent, between the two curves, which are O(ε^{3/2}) apart
         exponents: 2..=18,
         question: |e| {
             // l_c = (4/3) 3^{1/4}, h_c = √3, dh/dl = 3^{1/4}.
@@ -123,7 +120,7 @@ pub const EXTREMES: [Extreme; 10] = [
     },
     Extreme {
         name: "near-triple-crossing",
-        family: "A = (1, 5/9, 1/2 + ε), r = (1, 0, 0): two pairs and the upper line meet at l² = 2 for ε = 0; all regions",
+        // A = (1, 5/9, 1/2 + ε), r = (1, 0, 0): two pairs and the upper line meet at l² = 2 for ε = 0; all regions
         exponents: 1..=30,
         question: |e| {
             let a = [RBig::ONE, RBig::from(5) / RBig::from(9), exact("0.5") + e];
@@ -132,8 +129,8 @@ pub const EXTREMES: [Extreme; 10] = [
     },
     Extreme {
         name: "near-pitchfork",
-        family: "Kovalevskaya's pitchfork: l = (t⁴ + 1)/t³ with t = 1 + ε, half-way between the line l²/4 + 1 and the pair, \
-                 which are O(ε²) apart",
+        // Kovalevskaya's pitchfork: l = (t⁴ + 1)/t³ with t = 1 + ε, half-way between the line l²/4 + 1 and the pair,
+        // which are O(ε²) apart
         exponents: 1..=18,
         question: |e| {
             let t = RBig::ONE + e;
@@ -194,11 +191,12 @@ pub fn answers(question: &Question) -> [Answer; 2] {
             [standard, certified]
         }
         Question::Point { body, h, l } => {
-            let proved: Option<Vec<ComponentDocument>> =
-                CertifiedAtlas::new(body).ok().and_then(|atlas| atlas.classify(h, l).components);
+            let proved: Option<Components> = CertifiedAtlas::new(body)
+                .ok()
+                .and_then(|atlas| atlas.classify(h, l).components().map(<[Component]>::to_vec));
             let certified = if proved.is_some() { Answer::Right } else { Answer::Undecided };
-            let standard = classify(body, h, l).map_or(Answer::Refused, |found| match (&found.components, &proved) {
-                (None, Some(proved)) if !found.candidates.contains(proved) => Answer::Wrong,
+            let standard = classify(body, h, l).map_or(Answer::Refused, |found| match (found.components(), &proved) {
+                (None, Some(proved)) if !found.candidates().contains(proved) => Answer::Wrong,
                 (None, _) => Answer::Undecided,
                 (Some(_), None) => Answer::Untold,
                 (Some(components), Some(proved)) => {

@@ -1,5 +1,4 @@
 //! Pictures of sections.
-#![cfg(feature = "plot")]
 #![allow(
     clippy::disallowed_methods,
     clippy::cast_possible_truncation,

@@ -25,7 +25,7 @@ fn the_papers_body_has_five_events_and_nine_faces() {
 /// `data/cases/regions.jsonl`: number of regions and events by an independent sweep over l.
 #[test]
 fn regions_and_events_of_generic_bodies_match_the_oracle() {
-    for line in include_str!("../data/cases/regions.jsonl").lines() {
+    for line in support::data("cases/regions.jsonl").lines() {
         let case: Value = serde_json::from_str(line).unwrap();
         let triple = |key: &str| -> [f64; 3] { serde_json::from_value(case[key].clone()).unwrap() };
         let body = Body::from_f64(triple("A"), triple("r")).unwrap();

@@ -1,8 +1,10 @@
-//! Sections from the question to the document: whether there is one, where the orbits start, and in which component.
+//! Sections from the question to the answer: whether there is one, where the orbits start, and in which component.
 
 use dynamics::poincare::{PoincareError, Setting};
-use dynamics::section::{Monitor, SweepOptions};
+use dynamics::section::{Monitor, OrbitSection, SweepOptions};
+use top::atlas::Atlas;
 use top::body::{Body, Number, Preset};
+use top::topology::signature;
 
 fn number(x: f64) -> Number {
     Number::from_f64(x).unwrap()
@@ -10,6 +12,11 @@ fn number(x: f64) -> Number {
 
 fn setting(body: &Body, h: f64, l: f64) -> Result<Setting, PoincareError> {
     Setting::new(body, &number(h), &number(l))
+}
+
+/// Without the start itself, which has index 0.
+fn crossings(orbit: &OrbitSection) -> usize {
+    orbit.points.iter().filter(|point| point.index > 0).count()
 }
 
 fn preset(name: &str) -> Body {
@@ -24,12 +31,14 @@ fn orbits_stay_in_their_component_and_return_to_it() {
         let starts = setting.spread(10, 3).unwrap();
         let options = SweepOptions { crossings: 60, ..SweepOptions::default() };
         let section = setting.run(&starts, Some(3), &options, &Monitor::default()).unwrap();
-        for (orbit, document) in section.orbits.iter().zip(&section.document.orbits) {
+        for orbit in &section.orbits {
+            let start = section.component_of_start[orbit.orbit as usize];
             let points: Vec<[f64; 3]> = orbit.points.iter().map(|point| point.gamma).collect();
             let found = setting.components_at(&points);
-            assert!(found.iter().all(|part| *part == document.component && part.is_some()), "{h}: {document:?}");
+            assert!(found.iter().all(|part| *part == start && part.is_some()), "{h}: {:?}", orbit.report);
         }
-        let first: Vec<_> = section.document.orbits.iter().map(|orbit| orbit.component).collect();
+        let first: Vec<_> =
+            section.orbits.iter().map(|orbit| section.component_of_start[orbit.orbit as usize]).collect();
         assert_eq!(first[..4], [Some(0), Some(1), Some(0), Some(1)]);
     }
 }
@@ -39,7 +48,6 @@ fn components_too_small_for_a_spread_are_filled_from_their_minimum() {
     // Just above the second minimum 3.484722441 of l = 3.25, its disc has a radius of about 1e-4, …
     for above in [1e-8, 1e-11] {
         let setting = setting(&preset("paper"), 3.484_722_441 + above, 3.25).unwrap();
-        assert_eq!(setting.classification().signature.as_deref(), Some("S2+T2"));
         let starts = setting.spread(6, 0).unwrap();
         let gammas: Vec<[f64; 3]> = starts.iter().map(|p| setting.torus().gamma(p.theta, p.psi)).collect();
         let parts = setting.components_at(&gammas);
@@ -47,32 +55,33 @@ fn components_too_small_for_a_spread_are_filled_from_their_minimum() {
         assert_eq!(starts.iter().filter(|p| p.sheet > 0).count(), 4, "each part begins on T⁺");
         let options = SweepOptions { crossings: 20, ..SweepOptions::default() };
         let section = setting.run(&starts, Some(0), &options, &Monitor::default()).unwrap();
-        assert!(section.document.orbits.iter().all(|orbit| orbit.crossings == 20), "{:?}", section.document.orbits);
+        assert_eq!(signature(&section.components).as_deref(), Some("S2+T2"));
+        assert!(section.orbits.iter().all(|orbit| crossings(orbit) == 20), "{:?}", section.orbits);
     }
 }
 
 #[test]
 fn every_region_of_every_named_body_has_starts() {
-    use documents::DocumentOptions;
-    use top::atlas::Atlas;
     let mut regions = 0;
     for preset in Preset::all() {
         let body = preset.body();
         if body.flags().euler {
             continue;
         }
-        let document = Atlas::new(&body).unwrap().document(&DocumentOptions::default());
-        for region in document.regions {
-            let setting = match setting(&body, region.sample.h, region.sample.l) {
+        let atlas = Atlas::new(&body).unwrap();
+        for region in 0..atlas.regions().len() {
+            let components = atlas.components(region).unwrap().len();
+            let sample = atlas.sample(region);
+            let setting = match setting(&body, sample.h, sample.l) {
                 Err(PoincareError::Undecided { .. }) => continue,
                 setting => setting.unwrap(),
             };
-            let starts = setting.spread(2 * region.components.len() + 1, 1).unwrap();
+            let starts = setting.spread(2 * components + 1, 1).unwrap();
             let gammas: Vec<[f64; 3]> = starts.iter().map(|p| setting.torus().gamma(p.theta, p.psi)).collect();
             let parts = setting.components_at(&gammas);
-            for part in 0..region.components.len() {
+            for part in 0..components {
                 let count = parts.iter().filter(|found| **found == Some(part)).count();
-                assert!(count >= 2, "{} {}: {parts:?}", preset.name(), region.id);
+                assert!(count >= 2, "{} R{}: {parts:?}", preset.name(), region + 1);
             }
             regions += 1;
         }
@@ -98,6 +107,5 @@ fn a_stopped_run_is_not_complete() {
     let monitor = Monitor::default();
     monitor.stop.store(true, std::sync::atomic::Ordering::Relaxed);
     let section = setting.run(&starts, Some(0), &SweepOptions::default(), &monitor).unwrap();
-    assert!(!section.document.complete && section.document.orbits.is_empty());
-    assert!(section.document.notes[0].contains("interrupted"));
+    assert!(!section.complete() && section.orbits.is_empty());
 }

@@ -1,13 +1,11 @@
 //! The sweep over latitudes against the oracle file, the paper, exact values and a flood fill.
 
-mod common;
-
 use std::collections::BTreeMap;
 
-use common::bodies::{STRATA, Stratum, random_body, random_point};
-use common::flood_fill;
-use common::random::SplitMix64;
 use serde::Deserialize;
+use support::bodies::{STRATA, Stratum, random_body, random_point};
+use support::flood_fill;
+use support::random::SplitMix64;
 use top::body::{Body, Number};
 use top::topology::latitude::{self, Arcs, Latitudes, Obstacle, SweepError};
 use top::topology::{Component, Poles, signature};
@@ -42,7 +40,7 @@ struct CaseComponent {
 
 #[test]
 fn every_case_of_the_oracle_file() {
-    let text = include_str!("../data/cases/classify.jsonl");
+    let text = support::data("cases/classify.jsonl");
     let mut count = 0;
     for line in text.lines() {
         let case: Case = serde_json::from_str(line).unwrap();
@@ -159,7 +157,7 @@ fn euler_characteristic(components: &[Component]) -> i64 {
 #[test]
 fn certified_critical_values_of_extreme_bodies_are_the_only_changes() {
     let mut counts = [0; 3];
-    for line in include_str!("../data/cases/extremes.jsonl").lines() {
+    for line in support::data("cases/extremes.jsonl").lines() {
         let case: CriticalCase = serde_json::from_str(line).unwrap();
         let body = Body::new(case.moments, case.r).unwrap();
         let l = case.l.to_f64();

@@ -206,7 +206,7 @@ fn oracle() -> Vec<Row> {
             state: State { gamma: [x(4), x(5), x(6)], l: [x(7), x(8), x(9)] },
         }
     };
-    include_str!("../data/oracles/heyoka/crossings.csv").lines().skip(1).map(row).collect()
+    support::data("oracles/heyoka/crossings.csv").lines().skip(1).map(row).collect()
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! On the way into each extreme of docs/accuracy.md standard is right or says that it does not know.
 
-mod common;
+mod families;
 
-use common::extremes::{Answer, EXTREMES, answers};
+use families::{Answer, EXTREMES, answers};
 
 #[test]
 fn standard_is_never_wrong_in_the_extremes_and_right_where_they_begin() {

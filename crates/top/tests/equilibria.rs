@@ -15,7 +15,7 @@ fn number(value: &Value) -> f64 {
 /// `data/cases/extremes.jsonl`: critical points complete, h right to 1e-13 of l²/2J + r and within its own bound.
 #[test]
 fn extremes_are_complete_and_accurate() {
-    let text = include_str!("../data/cases/extremes.jsonl");
+    let text = support::data("cases/extremes.jsonl");
     let mut worst: f64 = 0.0;
     for line in text.lines() {
         let case: Value = serde_json::from_str(line).unwrap();

@@ -1,12 +1,10 @@
 //! Classes of diagrams: what they tell apart and what they do not see.
 
-mod common;
-
 use std::collections::BTreeMap;
 
-use common::bodies::{Stratum, random_body};
-use common::random::SplitMix64;
 use dashu_ratio::RBig;
+use support::bodies::{Stratum, random_body};
+use support::random::SplitMix64;
 use top::atlas::Atlas;
 use top::body::{Body, Number, Preset};
 use top::class::{Class, PlanarMap, Unclassified};

@@ -1,5 +1,4 @@
 //! Pictures of atlases.
-#![cfg(feature = "plot")]
 #![allow(clippy::disallowed_methods, clippy::cast_precision_loss)]
 
 mod picture_texts;

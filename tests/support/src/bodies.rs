@@ -7,6 +7,7 @@ use super::random::SplitMix64;
 /// A family of bodies, special in the way its name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stratum {
+    /// Nothing special.
     Generic,
     /// One r_i = 0.
     Plane,
@@ -30,6 +31,7 @@ pub enum Stratum {
     Isotropic,
 }
 
+/// All of them.
 pub const STRATA: [Stratum; 11] = [
     Stratum::Generic,
     Stratum::Plane,

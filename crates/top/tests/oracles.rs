@@ -1,10 +1,9 @@
 //! The library against `data/oracles/`: certified answers in exact arithmetic, made by the scripts beside them.
 
-use schema::{ComponentDocument, Status};
 use serde::Deserialize;
 use top::atlas::Atlas;
 use top::body::{Body, Number};
-use top::classify::classify;
+use top::classify::{Answer, classify};
 use top::curves::{CriticalSet, Orbit, RelativeEquilibrium};
 use top::diagram::{Arrangement, Change};
 use top::topology::{Component, latitude};
@@ -69,7 +68,7 @@ fn equilibria_of_extreme_bodies_are_complete_and_accurate() {
     let (mut cases, mut open, mut worst_h, mut worst_gamma) = (0, 0, 0.0_f64, 0.0_f64);
     let mut farthest_open = 0.0_f64;
     let mut failures = Vec::new();
-    for line in include_str!("../data/oracles/extremes2.jsonl").lines() {
+    for line in support::data("oracles/extremes2.jsonl").lines() {
         let case: Extreme = serde_json::from_str(line).unwrap();
         cases += 1;
         let head = format!("{} A={:?} r={:?} l={}", case.kind, case.moments, case.r, case.l);
@@ -174,7 +173,7 @@ struct RegionEvent {
 fn regions_and_events_are_those_of_the_independent_sweep() {
     let mut failures = Vec::new();
     let mut cases = 0;
-    for line in include_str!("../data/oracles/regions2.jsonl").lines() {
+    for line in support::data("oracles/regions2.jsonl").lines() {
         let case: Regions = serde_json::from_str(line).unwrap();
         cases += 1;
         let head = format!("{} A={:?} r={:?}", case.kind, case.moments, case.r);
@@ -225,11 +224,9 @@ struct Beside {
 }
 
 /// The class by the latitude sweep, which knows no critical points.
-fn swept(body: &Body, h: &Number, l: &Number) -> Option<Vec<ComponentDocument>> {
+fn swept(body: &Body, h: &Number, l: &Number) -> Option<Vec<Component>> {
     let frame = body.frame();
-    let found: Vec<Component> =
-        latitude::components(&frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit).ok()?;
-    Some(found.iter().map(ComponentDocument::from).collect())
+    latitude::components(&frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit).ok()
 }
 
 /// Everything at this relative distance or more from all curves is decided, on generic bodies and on all others here
@@ -241,21 +238,22 @@ fn points_beside_curves_are_classified_right_or_left_open() {
     let (mut cases, mut compared) = (0, 0);
     let mut failures = Vec::new();
     let mut largest_open = std::collections::BTreeMap::<String, f64>::new();
-    for line in include_str!("../data/oracles/classify2.jsonl").lines() {
+    for line in support::data("oracles/classify2.jsonl").lines() {
         let case: Beside = serde_json::from_str(line).unwrap();
         cases += 1;
         let head = format!("{} {:e}: {line}", case.kind, case.relative);
         let body = Body::new(case.moments, case.r).unwrap();
         let cold = classify(&body, &case.h, &case.l).unwrap();
         let prepared = Atlas::new(&body).unwrap().classify(&case.h, &case.l).unwrap();
-        if cold.components.is_some() && prepared.components.is_some() && cold.components != prepared.components {
-            failures.push(format!("cold {:?}, prepared {:?}: {head}", cold.signature, prepared.signature));
+        if cold.components().is_some() && prepared.components().is_some() && cold.components() != prepared.components()
+        {
+            failures.push(format!("cold {:?}, prepared {:?}: {head}", cold.answer, prepared.answer));
         }
         let truth = swept(&body, &case.middle, &case.l);
         for (name, found) in [("cold", &cold), ("prepared", &prepared)] {
-            match found.status {
-                Status::Undecided | Status::Critical => {
-                    if found.status == Status::Critical {
+            match &found.answer {
+                Answer::Undecided(candidates) | Answer::Critical(candidates) => {
+                    if matches!(found.answer, Answer::Critical(_)) {
                         failures.push(format!("{name} critical: {head}"));
                     }
                     let worst = largest_open.entry(case.kind.clone()).or_default();
@@ -263,20 +261,20 @@ fn points_beside_curves_are_classified_right_or_left_open() {
                     if case.relative >= DECIDED {
                         failures.push(format!("{name} undecided: {head}"));
                     }
-                    if truth.as_ref().is_some_and(|truth| !found.candidates.contains(truth)) {
+                    if truth.as_ref().is_some_and(|truth| !candidates.contains(truth)) {
                         failures.push(format!("{name} candidates miss {truth:?}: {head}"));
                     }
                 }
-                Status::Forbidden if case.below.is_none() => compared += 1,
-                Status::Forbidden => failures.push(format!("{name} forbidden: {head}")),
-                Status::Regular => {
+                Answer::Forbidden if case.below.is_none() => compared += 1,
+                Answer::Forbidden => failures.push(format!("{name} forbidden: {head}")),
+                Answer::Regular(components) => {
                     if case.below.is_none() {
                         failures.push(format!("{name} not forbidden: {head}"));
                     }
                     if let Some(truth) = &truth {
                         compared += 1;
-                        if found.components.as_ref() != Some(truth) {
-                            failures.push(format!("{name} {:?} for {truth:?}: {head}", found.components));
+                        if components != truth {
+                            failures.push(format!("{name} {components:?} for {truth:?}: {head}"));
                         }
                     }
                 }
