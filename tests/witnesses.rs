@@ -1,11 +1,11 @@
 //! Every witness in `data/witnesses.json` shows what it says, by both topological methods, and with room.
 
-use bifdiag::body::{Body, Number};
-use bifdiag::certified::CertifiedAtlas;
-use bifdiag::classify::classify;
-use bifdiag::document::ComponentDocument;
-use bifdiag::search::{Target, Witness};
-use bifdiag::topology::{Component, Poles, latitude};
+use schema::ComponentDocument;
+use survey::search::{Target, Witness};
+use top::body::{Body, Number};
+use top::classify::classify;
+use top::topology::{Component, Poles, latitude};
+use proof::CertifiedAtlas;
 
 fn witnesses() -> Vec<Witness> {
     serde_json::from_str(include_str!("../data/witnesses.json")).unwrap()
