@@ -137,6 +137,11 @@ impl Fixed {
         other.lo <= self.lo && self.hi <= other.hi
     }
 
+    /// The ends differ by less than 2⁻⁵⁰, as a double near 1 from the number that it stands for.
+    pub fn is_narrow(&self) -> bool {
+        ((&self.hi - &self.lo) >> (BITS - 50)).is_zero()
+    }
+
     /// The double next to the middle: for messages and directions, not for bounds.
     pub fn to_f64(&self) -> f64 {
         let sum = RBig::from(&self.lo + &self.hi) / RBig::from(IBig::ONE << (BITS + 1));
@@ -276,5 +281,12 @@ mod tests {
         assert_eq!(one.meet(&two), None);
         assert_eq!(Fixed::between(&RBig::from(2), &RBig::ONE), None);
         assert_eq!(Fixed::whole(0).root().unwrap().lo, IBig::ZERO);
+    }
+
+    #[test]
+    fn narrow_sets_have_ends_that_doubles_hardly_tell_apart() {
+        let step = |bits: usize| RBig::from_parts(IBig::ONE, dashu_int::UBig::ONE << bits);
+        assert!(Fixed::between(&-step(52), &step(52)).unwrap().is_narrow());
+        assert!(!Fixed::between(&RBig::ZERO, &step(50)).unwrap().is_narrow());
     }
 }

@@ -31,6 +31,10 @@ pub(super) fn nature(spaces: &Spaces, family: Family, point: &Point) -> Option<N
         (false, Some(1)) | (true, _) => trace.strict_sign()? > 0,
         _ => return None,
     };
+    // Its direction must be known as well as doubles can tell.
+    if !point.gamma.iter().all(Fixed::is_narrow) {
+        return None;
+    }
     let gamma = match space {
         Some(_) if !circle => vec![direction(spaces, point, None), direction(spaces, point, space)],
         _ => vec![direction(spaces, point, None)],
@@ -70,9 +74,7 @@ fn direction(spaces: &Spaces, point: &Point, flipped: Option<usize>) -> [f64; 3]
     for (k, space) in spaces.list.iter().enumerate() {
         let along = point.gamma[k].to_f64();
         let along = if flipped == Some(k) { -along } else { along };
-        let norm = if space.q.is_zero() { 0.0 } else { space.root_q.to_f64() };
-        for (n, &axis) in space.axes.iter().enumerate() {
-            let unit = if norm > 0.0 { spaces.r[axis].to_f64().value() / norm } else { f64::from(u8::from(n == 0)) };
+        for (unit, &axis) in space.direction.iter().zip(&space.axes) {
             v[axis] = along * unit;
         }
     }

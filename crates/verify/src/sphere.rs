@@ -12,7 +12,7 @@ use dashu_ratio::RBig;
 
 use super::classes::Classes;
 use super::component::Component;
-use super::cube::{Cell, Kind, Leaves, Numbered};
+use super::cube::{Cell, Kind, Leaves};
 use super::interval::Interval;
 use super::spaces::Spaces;
 
@@ -100,14 +100,13 @@ impl Function {
 pub(super) fn components(function: &Function, extrema: &Extrema) -> Option<Vec<Component>> {
     let mut leaves = Leaves::new(|cell| function.kind(cell));
     loop {
-        if let Some(found) = decide(&leaves.numbered(), extrema) {
+        if let Some(found) = decide(&leaves, extrema) {
             return Some(found);
         }
-        let open = leaves.open();
-        if open.len() > LIMIT || leaves.deepest() == LEVELS {
+        if leaves.of_kind(Kind::Open).count() > LIMIT || leaves.deepest() == LEVELS {
             return None;
         }
-        leaves.refine(&open, |cell| function.kind(cell));
+        leaves.refine(|cell| function.kind(cell));
     }
 }
 
@@ -118,15 +117,14 @@ struct Unions {
 }
 
 impl Unions {
-    fn new(leaves: &Numbered, neighbours: &[[usize; 2]], decided: Kind) -> Self {
-        let n = leaves.cells.len();
-        let mut unions = Self { strict: Classes::new(n), wide: Classes::new(n) };
-        for &[p, q] in neighbours {
-            let kinds = [leaves.cells[p].1, leaves.cells[q].1];
-            if kinds.iter().all(|kind| [decided, Kind::Open].contains(kind)) {
+    fn new(leaves: &Leaves, decided: Kind) -> Self {
+        let mut unions = Self { strict: Classes::new(leaves.count()), wide: Classes::new(leaves.count()) };
+        for [p, q] in leaves.neighbours() {
+            let [Some(first), Some(second)] = [p, q].map(|number| leaves.kind(number)) else { continue };
+            if [first, second].iter().all(|kind| [decided, Kind::Open].contains(kind)) {
                 unions.wide.join(p, q);
             }
-            if kinds == [decided; 2] {
+            if [first, second] == [decided; 2] {
                 unions.strict.join(p, q);
             }
         }
@@ -148,18 +146,18 @@ impl Unions {
 }
 
 /// The components, if these boxes tell them.
-fn decide(leaves: &Numbered, extrema: &Extrema) -> Option<Vec<Component>> {
-    let place = |v: &[f64; 3], kind: Kind| leaves.at(*v).filter(|&number| leaves.cells[number].1 == kind);
+fn decide(leaves: &Leaves, extrema: &Extrema) -> Option<Vec<Component>> {
+    let place =
+        |v: &[f64; 3], kind: Kind| decided(leaves, *v).filter(|(_, found)| *found == kind).map(|(box_of, _)| box_of);
     let minima: Vec<usize> = extrema.minima.iter().map(|v| place(v, Kind::Inside)).collect::<Option<_>>()?;
     let maxima: Vec<usize> = extrema.maxima.iter().map(|v| place(v, Kind::Outside)).collect::<Option<_>>()?;
     let poles = poles(leaves, extrema.pole)?;
-    let neighbours = leaves.neighbours()?;
-    let mut inner = Unions::new(leaves, &neighbours, Kind::Inside);
-    let mut outer = Unions::new(leaves, &neighbours, Kind::Outside);
+    let mut inner = Unions::new(leaves, Kind::Inside);
+    let mut outer = Unions::new(leaves, Kind::Outside);
     let inside = inner.components(&minima)?;
     let outside = outer.components(&maxima)?;
     let mut borders: BTreeSet<(usize, usize)> = BTreeSet::new();
-    for number in (0..leaves.cells.len()).filter(|&n| leaves.cells[n].1 == Kind::Open) {
+    for number in leaves.of_kind(Kind::Open) {
         let border = (inner.wide.root(number), outer.wide.root(number));
         if inside.contains_key(&border.0) && outside.contains_key(&border.1) {
             borders.insert(border);
@@ -181,17 +179,21 @@ fn decide(leaves: &Numbered, extrema: &Extrema) -> Option<Vec<Component>> {
     (placed == poles.iter().flatten().count()).then_some(found)
 }
 
+/// A box in a rounded direction and its kind, if all boxes that the exact direction may lie in are of one decided kind.
+/// They are neighbours, so that they lie in one union.
+fn decided(leaves: &Leaves, v: [f64; 3]) -> Option<(usize, Kind)> {
+    let around = leaves.around(v);
+    let kind = leaves.kind(around[0]).filter(|kind| *kind != Kind::Open)?;
+    around.iter().all(|&number| leaves.kind(number) == Some(kind)).then_some((around[0], kind))
+}
+
 /// The boxes of r̂ and −r̂ that lie inside U; `None` when that of one is undecided.
-fn poles(leaves: &Numbered, pole: Option<[f64; 3]>) -> Option<[Option<usize>; 2]> {
+fn poles(leaves: &Leaves, pole: Option<[f64; 3]>) -> Option<[Option<usize>; 2]> {
     let Some(r) = pole else { return Some([None, None]) };
     let mut found = [None, None];
     for (which, v) in [r, r.map(|c| -c)].into_iter().enumerate() {
-        let number = leaves.at(v)?;
-        match leaves.cells[number].1 {
-            Kind::Inside => found[which] = Some(number),
-            Kind::Outside => {}
-            Kind::Open => return None,
-        }
+        let (number, kind) = decided(leaves, v)?;
+        found[which] = (kind == Kind::Inside).then_some(number);
     }
     Some(found)
 }
