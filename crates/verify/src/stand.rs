@@ -10,8 +10,8 @@ use super::pieces::{Family, Pieces, coordinates, distance};
 use super::place::{Place, Side};
 use super::spaces::Spaces;
 
-/// Newton steps that sharpen a place: each doubles its digits.
-const STEPS: usize = 4;
+/// Newton steps that sharpen a place at most: each doubles its digits, and they end where it gains nothing.
+const STEPS: usize = 12;
 
 /// A curve over one x.
 #[derive(Clone, Debug)]
