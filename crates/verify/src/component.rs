@@ -1,4 +1,5 @@
-//! Table 1 of Schmidt, Dullin and Richter (2008): what lies over a component of U.
+//! Table 1 of Schmidt, Dullin and Richter (2008): what lies over a component of U (Proposition 9.1, Theorem 10.6,
+//! Proposition 10.7).
 
 use schema::ComponentDocument;
 

@@ -1,4 +1,4 @@
-//! The relative equilibria of a body over ranges of their places, enclosed in [`Fixed`].
+//! The relative equilibria of a body over ranges of their places (Theorems 3.2 and 3.3), enclosed in [`Fixed`].
 
 use super::fixed::Fixed;
 use super::place::Side;
@@ -20,7 +20,7 @@ pub(super) struct Point {
     pub slopes: Option<[Fixed; 2]>,
 }
 
-/// What the formulas of the generic family share, with μ = a_base + δ.
+/// What the formulas of the generic family share (Theorem 3.2, Lemma 3.5), with μ = a_base + δ.
 struct Generic<'a> {
     spaces: &'a Spaces,
     base: usize,

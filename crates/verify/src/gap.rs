@@ -31,7 +31,7 @@ impl Spaces {
     }
 }
 
-/// Two equilibria over the same x: (h_a − h_b)/x = [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
+/// Corollary 3.10, for two equilibria over the same x: (h_a − h_b)/x = [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
 fn identity(a: &Point, b: &Point, moment: &Fixed) -> Option<Fixed> {
     let (p, q) = (a.tau.as_ref()?, b.tau.as_ref()?);
     let mu = &q[0] - &p[0];

@@ -1,4 +1,4 @@
-//! Faces: cells of neighbouring slabs that continue each other.
+//! Faces: cells of neighbouring slabs that continue each other (Proposition 8.3).
 
 use super::Refused;
 use super::classes::Classes;

@@ -7,7 +7,8 @@
 //! - Topology comes from boxes on a cube and from the minima and maxima of the certificate (`sphere`), not from the
 //!   sweep over latitudes.
 //!
-//! Nothing is shared with the program that writes but the types of the documents.
+//! Nothing is shared with the program that writes but the types of the documents. Propositions, lemmas and theorems are
+//! those of docs/mathematics.md.
 //!
 //! ```text
 //! number  body → spaces → place → equilibria → gap                exact body, equilibria over ranges

@@ -42,7 +42,7 @@ pub(super) fn nature(spaces: &Spaces, family: Family, point: &Point) -> Option<N
     Some(Nature::Extremum(Extremum { minimum, gamma }))
 }
 
-/// Trace and determinant of the second variation on γ⊥, which is that of (μ−A) + (4/J)Aγ(Aγ)ᵀ (derived). On a circle of
+/// Trace and determinant of the second variation on γ⊥, which is that of (μ−A) + (4/J)Aγ(Aγ)ᵀ (Propositions 4.1, 4.2). On a circle of
 /// equilibria the determinant is 0, and the trace tells alone.
 fn second_variation(spaces: &Spaces, point: &Point) -> Option<[Fixed; 2]> {
     let tau_of = point.tau.as_ref()?;

@@ -38,7 +38,7 @@ impl Orders<'_> {
 
 /// Checks every pair of critical curves that no structure orders; the boxes of their crossings.
 ///
-/// The global minimum lies below every other curve, and straight lines meet only at pitchforks.
+/// The global minimum lies below every other curve (Proposition 4.3), and straight lines meet only at pitchforks.
 pub(super) fn pairs(certificate: &CertificateDocument, orders: &Orders) -> Result<Vec<Crossing>, Refused> {
     let list = &orders.pieces.list;
     let compared = |&c: &usize| matches!(list[c].family, Family::Generic(_) | Family::Over(_)) && !list[c].lowest;

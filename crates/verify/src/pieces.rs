@@ -48,7 +48,7 @@ pub(super) struct Piece {
     /// x rises with the parameter.
     pub rising: bool,
     pub ends: [End; 2],
-    /// μ ≥ the largest moment: the global minimum.
+    /// μ ≥ the largest moment: the global minimum (Proposition 4.3).
     pub lowest: bool,
     /// The space at whose axis it ends for x → ∞, and 1 at +e, −1 at −e, 0 without r.
     pub limit: Option<(usize, i8)>,
@@ -247,7 +247,7 @@ impl Pieces {
         Ok(())
     }
 
-    /// The cusp of the pair over a space without r, at y = −3R̂/a − P̂ if that is positive: listed exactly then, and once.
+    /// Proposition 4.7: the cusp of the pair over a space without r, at y = −3R̂/a − P̂ if that is positive: listed exactly then, and once.
     fn turn(&self, spaces: &Spaces, base: usize) -> Result<Option<(usize, RBig)>, Refused> {
         let (r_sum, p_sum) = spaces.sums(base);
         let turn = r_sum * RBig::from(-3) / &spaces.list[base].a - p_sum;

@@ -1,8 +1,9 @@
 //! The rules by which the order of two curves follows from what is known at the ends of a stretch of x.
 //!
 //! Throughout, g is h of the first curve minus h of the second over the same x = l²/2, and `sign` the sign that is claimed
-//! of it. Along a curve of critical values dh/dx = 1/J, so that dg/dx = 1/J₁ − 1/J₂; and J is strictly monotone along a
-//! curve, but for one curve of the generic family on which it turns once, at the inflection (derived).
+//! of it. Along a curve of critical values dh/dx = 1/J, so that dg/dx = 1/J₁ − 1/J₂ (Proposition 3.6); and J is strictly
+//! monotone along a curve, but for one curve of the generic family on which it turns once, at the inflection (Proposition
+//! 3.8).
 
 use super::equilibria::Point;
 use super::fixed::Fixed;
@@ -19,14 +20,14 @@ pub(super) fn keeps_order(orders: &Orders, curves: [usize; 2], nodes: [&Node; 2]
         || stays_apart(orders, curves, nodes, sign)
 }
 
-/// Mean value theorem: g at a distance d from a node lies in g(node) ± d·dg/dx with dg/dx from all of the stretch. When
+/// Lemma 7.2: g at a distance d from a node lies in g(node) ± d·dg/dx with dg/dx from all of the stretch. When
 /// this set has the sign for every d up to the other node, so has g.
 fn stays_by_drift([from, to]: [&Node; 2], slopes: &Fixed, sign: i8) -> bool {
     let drift = slopes * &(&to.x - &from.x).hull(&Fixed::whole(0));
     (&from.gap + &drift).strict_sign() == Some(sign) || (&to.gap - &drift).strict_sign() == Some(sign)
 }
 
-/// Where dg/dx is never 0, g lies strictly between its values at the nodes: it has the sign if both have it, or one has it
+/// Lemma 7.1: where dg/dx is never 0, g lies strictly between its values at the nodes: it has the sign if both have it, or one has it
 /// and the other is 0.
 fn stays_by_monotony([from, to]: [&Node; 2], slopes: &Fixed, sign: i8) -> bool {
     let settled = |node: &Node| node.gap.strict_sign() == Some(sign);
@@ -36,7 +37,7 @@ fn stays_by_monotony([from, to]: [&Node; 2], slopes: &Fixed, sign: i8) -> bool {
         && !(from.meet && to.meet)
 }
 
-/// The gap of every equilibrium that the first curve takes between the nodes to every one that the second takes.
+/// Corollary 3.10: the gap of every equilibrium that the first curve takes between the nodes to every one that the second takes.
 fn stays_apart(orders: &Orders, curves: [usize; 2], [from, to]: [&Node; 2], sign: i8) -> bool {
     let range = |which: usize| {
         let y = from.stands[which].y.as_ref()?.hull(to.stands[which].y.as_ref()?);
@@ -46,7 +47,7 @@ fn stays_apart(orders: &Orders, curves: [usize; 2], [from, to]: [&Node; 2], sign
     gap.and_then(|gap| gap.strict_sign()) == Some(sign)
 }
 
-/// g has the sign before a box and the other behind it, and dg/dx has the other sign throughout: g has one zero, and it
+/// Lemma 7.1: g has the sign before a box and the other behind it, and dg/dx has the other sign throughout: g has one zero, and it
 /// lies in the box.
 pub(super) fn crosses_once(orders: &Orders, curves: [usize; 2], [from, low, high, to]: [&Node; 4], sign: i8) -> bool {
     let ordered = from.x.at_most(&low.x) && low.x.below(&high.x) && high.x.at_most(&to.x);
@@ -55,7 +56,7 @@ pub(super) fn crosses_once(orders: &Orders, curves: [usize; 2], [from, low, high
     ordered && signs && slopes.and_then(|slopes| slopes.strict_sign()) == Some(-sign)
 }
 
-/// From a common cusp: there g = 0, and J is strictly monotone from one curve through the cusp to the other unless it turns
+/// Lemma 7.4, from a common cusp: there g = 0, and J is strictly monotone from one curve through the cusp to the other unless it turns
 /// between the nodes, so that dg/dx has one sign up to the node, which is its sign there.
 pub(super) fn leaves_cusp(orders: &Orders, curves: [usize; 2], node: &Node, side: usize, sign: i8) -> bool {
     let straight = match turn(orders, curves[0]) {
@@ -72,7 +73,7 @@ pub(super) fn leaves_cusp(orders: &Orders, curves: [usize; 2], node: &Node, side
     straight && slopes == Some(if side == 0 { sign } else { -sign })
 }
 
-/// From a common pitchfork: there g = 0 and dg/dx = 0, since the curves share the equilibrium; so g has the sign of
+/// Lemma 7.3, from a common pitchfork: there g = 0 and dg/dx = 0, since the curves share the equilibrium; so g has the sign of
 /// d²g/dx² if that is the same everywhere up to the node. d(1/J)/dx = −J′/(J² x (ln x)′) with derivatives by y.
 pub(super) fn leaves_pitchfork(orders: &Orders, curves: [usize; 2], node: &Node, side: usize, sign: i8) -> bool {
     let curvature = |which: usize| {
@@ -86,13 +87,13 @@ pub(super) fn leaves_pitchfork(orders: &Orders, curves: [usize; 2], node: &Node,
     difference.and_then(|d| d.strict_sign()) == Some(sign)
 }
 
-/// g has the sign at the node, and dg/dx has it from there to infinity.
+/// Lemma 7.1: g has the sign at the node, and dg/dx has it from there to infinity.
 pub(super) fn parts_for_ever(orders: &Orders, curves: [usize; 2], node: &Node, sign: i8) -> bool {
     let slopes = slopes(orders, curves, node, None);
     node.gap.strict_sign() == Some(sign) && slopes.and_then(|slopes| slopes.strict_sign()) == Some(sign)
 }
 
-/// Both curves tend to the axis of the same space, h − x/a to ∓√q. Where J stays on one side of a, h − x/a is monotone and
+/// Proposition 6.2: both curves tend to the axis of the same space, h − x/a to ∓√q. Where J stays on one side of a, h − x/a is monotone and
 /// so lies between its value at the node and its limit: g has the sign if all of one range lies on that side of the other.
 pub(super) fn tends_to_one_axis(orders: &Orders, curves: [usize; 2], node: &Node, sign: i8) -> bool {
     let [Some(p), Some(q)] = curves.map(|c| orders.pieces.list[c].limit) else { return false };

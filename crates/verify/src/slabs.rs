@@ -121,7 +121,7 @@ fn slab(number: usize, claim: &CertifiedSlab, orders: &Orders, transitions: &Tra
         return Err(refuse("a curve is missing"));
     }
     for pair in levels.windows(2) {
-        // The global minimum lies below every other curve.
+        // The global minimum lies below every other curve (Proposition 4.3).
         let structural = pieces.list[pair[0].curve].lowest;
         let above = || orders.spaces.gap(&x_set, &pair[1].point, &pair[0].point).is_some_and(|gap| gap.is_positive());
         if !structural && !above() {

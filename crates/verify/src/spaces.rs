@@ -103,7 +103,7 @@ impl Spaces {
         self.list.iter().fold(RBig::ZERO, |sum, s| sum + &s.a * &s.q) / &self.r2
     }
 
-    /// R̂ and P̂ over a space without r.
+    /// R̂ and P̂ over a space without r (Theorem 3.3).
     pub fn sums(&self, base: usize) -> (RBig, RBig) {
         self.active.iter().fold((RBig::ZERO, RBig::ZERO), |(r, p), &k| {
             let d = &self.list[base].a - &self.list[k].a;
@@ -124,7 +124,7 @@ impl Spaces {
     }
 
     /// D (Σ t_k)(Σ u_k a_k) + 4 Σ_{i<k} u_i u_k (a_i−a_k)² D/((μ−a_i)(μ−a_k)) with u_k = q_k Π_{j≠k}(μ−a_j)² and
-    /// D t_k = q_k Π_{j≠k}(μ−a_j)³: the numerator of T J + 4V, whose zeros are the cusps.
+    /// D t_k = q_k Π_{j≠k}(μ−a_j)³: the numerator of T J + 4V, whose zeros are the cusps (Lemma 4.5).
     pub fn cusp_polynomial(&self) -> Coefficients {
         let one = RBig::ONE;
         let u = |k: usize| times(&self.product(&[k], 2), &[self.list[k].q.clone()]);
@@ -141,7 +141,7 @@ impl Spaces {
         plus(&times(&t, &j), &plus(&[], &v, &RBig::from(4)), &one)
     }
 
-    /// N and F of the meetings with pole lines (MATH §3).
+    /// N and F of the meetings with pole lines (Proposition 5.3).
     pub fn pole_polynomials(&self) -> [Coefficients; 2] {
         let (mut p, mut q, mut r) = (Vec::new(), Vec::new(), Vec::new());
         for &k in &self.active {
@@ -160,7 +160,7 @@ impl Spaces {
         [n, f]
     }
 
-    /// E and E² − 4r²v³ over a space without r, in y = v − P̂.
+    /// E and E² − 4r²v³ over a space without r, in y = v − P̂ (Proposition 5.4).
     pub fn pole_polynomials_over(&self, base: usize) -> [Coefficients; 2] {
         let (r_sum, p_sum) = self.sums(base);
         let a = &self.list[base].a;
@@ -176,7 +176,7 @@ impl Spaces {
         })
     }
 
-    /// The cubic whose one root is the place where dJ/dμ = 0.
+    /// The cubic whose one root is the place where dJ/dμ = 0 (Proposition 3.8).
     pub fn inflection_polynomial(&self) -> Coefficients {
         let [i, j, k] = self.active[..] else { return Vec::new() };
         [(i, j, k), (j, k, i), (k, i, j)].into_iter().fold(Vec::new(), |sum, (i, j, k)| {

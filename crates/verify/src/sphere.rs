@@ -1,10 +1,10 @@
 //! The topology of U by boxes on a cube around the sphere, and Morse theory at exactly known equilibria.
 //!
-//! Every component of U_hl holds a minimum of U_l, every component of its complement a maximum; all of them are known.
+//! Every component of U_hl holds a minimum of U_l, every component of its complement a maximum (Propositions 9.2, 9.5); all of them are known.
 //! Boxes are proved to lie inside or outside U, or are undecided. Minima joined by inside boxes lie in one component,
 //! minima that outside boxes keep apart lie in two; likewise maxima. On a sphere the components of U and of the
 //! complement, joined where they border each other, form a tree; so when the possible borders are as many as its edges,
-//! they are the borders. No sweep, no arcs, no paths.
+//! they are the borders (Proposition 9.5). No sweep, no arcs, no paths.
 
 use std::collections::{BTreeMap, BTreeSet};
 
