@@ -15,7 +15,6 @@ mod files;
 mod find;
 mod integration;
 mod interrupt;
-mod layout;
 mod log;
 mod orbit;
 mod output;
@@ -31,6 +30,8 @@ mod values;
 mod verify;
 
 use std::ffi::OsString;
+
+use documents::layout;
 
 use arguments::{Command, Options};
 use failure::Failure;

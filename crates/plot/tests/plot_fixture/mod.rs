@@ -458,7 +458,7 @@ pub fn atlas(
             moments: body.moments().each_ref().map(ToString::to_string),
             center: body.center().each_ref().map(ToString::to_string),
             flags,
-            degenerate: flags.degenerate(),
+            degenerate: body.flags().degenerate(),
             inertia: None,
         },
         window: None,

@@ -7,6 +7,9 @@ use serde_json::Value;
 const WIDTH: usize = 110;
 
 /// The JSON text of a document, ending with a newline.
+///
+/// # Errors
+/// When a value of the document cannot be written as JSON.
 pub fn text(document: &impl Serialize) -> Result<String, serde_json::Error> {
     let value = serde_json::to_value(document)?;
     let mut out = String::new();
