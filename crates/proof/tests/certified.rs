@@ -4,7 +4,7 @@ use proof::CertifiedAtlas;
 use top::atlas::Atlas;
 use top::body::{Body, Number, Preset};
 use top::classify::Answer;
-use top::topology::signature;
+use top::topology::{Component, signature};
 
 use support::bodies::{STRATA, random_body};
 use support::random::SplitMix64;
@@ -48,7 +48,7 @@ fn kovalevskayas_body_has_its_types_at_the_known_heights() {
     {
         let found = at(h);
         let components = found.components().unwrap();
-        assert_eq!(components.iter().map(|c| c.accessible_region()).collect::<Vec<_>>(), [region], "{h}");
+        assert_eq!(components.iter().map(Component::accessible_region).collect::<Vec<_>>(), [region], "{h}");
     }
 }
 

@@ -4,7 +4,7 @@ use serde_json::Value;
 use top::atlas::Atlas;
 use top::body::{Body, Number};
 use top::classify::{Answer, Classification, classify};
-use top::topology::{Poles, signature as join};
+use top::topology::{Component, Poles, signature as join};
 
 fn number(value: &Value) -> Number {
     serde_json::from_value(value.clone()).unwrap()
@@ -83,7 +83,7 @@ fn kovalevskayas_five_types() {
         .iter()
         .map(|h| {
             let found = classify(&body, &h.parse().unwrap(), &"1.84".parse().unwrap()).unwrap();
-            found.components().unwrap().iter().map(|c| c.accessible_region()).collect::<Vec<_>>().join("+")
+            found.components().unwrap().iter().map(Component::accessible_region).collect::<Vec<_>>().join("+")
         })
         .collect();
     assert_eq!(regions, ["", "D2", "S2-3D2", "S2-2D2", "S2"]);

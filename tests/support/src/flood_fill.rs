@@ -6,6 +6,7 @@ use top::body::Body;
 use top::topology::{Component, Poles, sort_components};
 
 /// U_hl by flood fill on a grid with the given number of rows.
+#[must_use]
 pub fn components(body: &Body, h: f64, l: f64, rows: usize) -> Vec<Component> {
     let (a, r) = (body.moments_f64(), body.center_f64());
     fill(r, rows, |g| {
