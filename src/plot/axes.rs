@@ -1,55 +1,76 @@
 //! Axes with ticks at round numbers.
 
-use plotters::chart::ChartBuilder;
+use std::ops::Range;
 
-use super::PlotError;
-use super::canvas::{Anchor, Canvas, Ink, style, text_style, to_units};
-use super::font::text_width;
-use super::layout::{BELOW, LEFT};
-use super::notation::{H, L};
-use super::palette::INK;
-use super::panel::{Panel, View};
-use super::ticks::{Axis, ticks};
+use plotters::chart::ChartBuilder;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+
+use super::canvas::{Canvas, style, text_style};
+use super::error::PlotError;
+use super::geometry::Rect;
+use super::ink::{INK, Ink};
+use super::ticks::Ticks;
+use super::units::to_units;
 
 /// Font size of tick labels.
-const SIZE: f64 = 11.0;
+pub(super) const SIZE: f64 = 11.0;
 
-/// Draws the axes of a panel and its frame; those of the main panel (index 0) tell what h and l are.
-pub(super) fn draw(canvas: &Canvas<'_>, panel: &Panel, index: usize) -> Result<(), PlotError> {
-    let View { window, rect } = panel.view;
-    let spacing = if index == 0 { 70.0 } else { 58.0 };
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen at most")]
-    let count = |length: f64, spacing: f64| (length / spacing).floor() as usize;
-    let h_ticks = ticks(H, window.h[0], window.h[1], count(rect.width, spacing));
-    let l_ticks = ticks(L, window.l[0], window.l[1], count(rect.height, 0.7 * spacing));
+/// A linear axis of plotters with given ticks.
+pub(super) struct Axis<'a> {
+    pub range: [f64; 2],
+    pub ticks: &'a Ticks,
+}
+
+impl Ranged for Axis<'_> {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        let share = (value - self.range[0]) / (self.range[1] - self.range[0]);
+        #[expect(clippy::cast_possible_truncation, reason = "ticks lie within the range")]
+        let offset = (share * f64::from(limit.1 - limit.0)).round() as i32;
+        limit.0 + offset
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        // plotters asks a second time for the lines of a finer mesh, which is not drawn.
+        if hint.weight().allow_light_points() { Vec::new() } else { self.ticks.values.clone() }
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.range[0]..self.range[1]
+    }
+}
+
+impl ValueFormatter<f64> for Axis<'_> {
+    fn format_ext(&self, value: &f64) -> String {
+        let at = self.ticks.values.iter().position(|tick| tick == value);
+        at.map_or_else(String::new, |at| self.ticks.labels[at].clone())
+    }
+}
+
+/// Draws axes below and on the left of `rect`, where their labels may take so many pixels, and a frame round it.
+pub(super) fn draw(
+    canvas: &Canvas<'_>,
+    rect: &Rect,
+    [below, left]: [f64; 2],
+    [x, y]: [Axis<'_>; 2],
+) -> Result<(), PlotError> {
     let area = canvas.area().clone().shrink(
-        (to_units(rect.x - LEFT), to_units(rect.y)),
-        (to_units(rect.width + LEFT), to_units(rect.height + BELOW)),
+        (to_units(rect.x - left), to_units(rect.y)),
+        (to_units(rect.width + left), to_units(rect.height + below)),
     );
-    let frame = style(Ink { color: INK, width: 0.9 });
+    let frame = Ink { color: INK, width: 0.9 };
     let mut chart = ChartBuilder::on(&area)
-        .x_label_area_size(to_units(BELOW))
-        .y_label_area_size(to_units(LEFT))
-        .build_cartesian_2d(
-            Axis { range: window.h, ticks: h_ticks.clone() },
-            Axis { range: window.l, ticks: l_ticks.clone() },
-        )?;
+        .x_label_area_size(to_units(below))
+        .y_label_area_size(to_units(left))
+        .build_cartesian_2d(x, y)?;
     chart
         .configure_mesh()
         .disable_mesh()
-        .axis_style(frame)
+        .axis_style(style(frame))
         .set_all_tick_mark_size(to_units(4.0))
         .label_style(text_style(SIZE, INK))
         .draw()?;
-    canvas.outline(&rect.corners(), Ink { color: INK, width: 0.9 })?;
-    // In full where the labels are not scaled, in the main panel.
-    let name = |quantity: &str, meaning: &str| match quantity {
-        H | L if index == 0 => format!("{meaning} {quantity}"),
-        scaled => scaled.to_owned(),
-    };
-    let (h_name, l_name) = (name(&h_ticks.quantity, "energy"), name(&l_ticks.quantity, "vertical angular momentum"));
-    let h_at = [rect.x + rect.width / 2.0, rect.y + rect.height + 36.0];
-    canvas.text(&h_name, h_at, SIZE + 1.0, INK, Anchor::Middle)?;
-    let l_at = [(rect.x - 12.0 - text_width(&l_name, SIZE + 1.0)).max(rect.x - LEFT + 14.0), rect.y - 12.0];
-    canvas.text(&l_name, l_at, SIZE + 1.0, INK, Anchor::Start)
+    canvas.outline(&rect.corners(), frame)
 }

@@ -8,15 +8,13 @@ use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{Circle, PathElement, Polygon};
 use plotters::prelude::{RGBColor, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, IntoFont, ShapeStyle, WHITE};
+use plotters::style::{Color, IntoFont, ShapeStyle};
 
-use super::{Picture, PlotError, font};
-
-/// Canvas units in a pixel.
-pub(super) const UNITS: f64 = 10.0;
-
-/// A position [x, y] in pixels, y downwards.
-pub(super) type Point = [f64; 2];
+use super::error::PlotError;
+use super::font;
+use super::ink::{Ink, PAPER};
+use super::picture::Picture;
+use super::units::{Point, UNITS, length_units, to_units};
 
 /// A drawing area of plotters in canvas units.
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -32,13 +30,6 @@ pub(super) enum Anchor {
     End,
 }
 
-/// Colour and width of a line, in pixels.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ink {
-    pub color: RGBColor,
-    pub width: f64,
-}
-
 /// Where a picture is drawn; all positions and sizes in pixels.
 pub(super) struct Canvas<'a> {
     area: Area<'a>,
@@ -52,7 +43,7 @@ pub(super) fn render(
 ) -> Result<Picture, PlotError> {
     let mut page = Page::new(size);
     page.paint(|canvas| {
-        canvas.area.fill(&WHITE)?;
+        canvas.area.fill(&PAPER)?;
         paint(canvas)
     })?;
     Ok(page.finish(title))
@@ -96,19 +87,6 @@ impl Page {
     pub(super) fn finish(self, title: &str) -> Picture {
         Picture::from_canvas(&self.layers, self.size, title)
     }
-}
-
-fn length_units(pixels: f64) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the range of i32")]
-    let units = (pixels * UNITS).round().clamp(0.0, f64::from(i32::MAX)) as u32;
-    units
-}
-
-/// Canvas units of a pixel coordinate.
-pub(super) fn to_units(pixels: f64) -> i32 {
-    #[expect(clippy::cast_possible_truncation, reason = "clamped; a NaN becomes 0")]
-    let units = (pixels * UNITS).round().clamp(-1e6, 1e6) as i32;
-    units
 }
 
 fn positions(points: &[Point]) -> Vec<(i32, i32)> {
@@ -155,8 +133,9 @@ impl<'a> Canvas<'a> {
         Ok(())
     }
 
-    /// An empty circle.
-    pub(super) fn circle(&self, center: Point, radius: f64, ink: Ink) -> Result<(), PlotError> {
+    /// A circle, empty in the colour of the page.
+    pub(super) fn ring(&self, center: Point, radius: f64, ink: Ink) -> Result<(), PlotError> {
+        self.disc(center, radius, PAPER)?;
         let center = (to_units(center[0]), to_units(center[1]));
         self.area.draw(&Circle::new(center, length_units(radius), style(ink)))?;
         Ok(())

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use plotters::style::{FontStyle, IntoFont, register_font};
 use resvg::usvg::fontdb::Database;
 
-use super::PlotError;
+use super::error::PlotError;
 
 /// Family name of the built-in font.
 pub(super) const FAMILY: &str = "DejaVu Sans";

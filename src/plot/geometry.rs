@@ -1,6 +1,6 @@
 //! Rectangles in pixels, and what lies in them.
 
-use super::canvas::Point;
+use super::units::Point;
 
 /// A rectangle in pixels, y downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,8 +12,21 @@ pub(super) struct Rect {
 }
 
 impl Rect {
+    /// The square of side 2·`half` around a point.
+    pub(super) fn around(center: Point, half: f64) -> Self {
+        Self { x: center[0] - half, y: center[1] - half, width: 2.0 * half, height: 2.0 * half }
+    }
+
+    pub(super) fn right(&self) -> f64 {
+        self.x + self.width
+    }
+
+    pub(super) fn bottom(&self) -> f64 {
+        self.y + self.height
+    }
+
     pub(super) fn corners(&self) -> [Point; 4] {
-        let (right, bottom) = (self.x + self.width, self.y + self.height);
+        let (right, bottom) = (self.right(), self.bottom());
         [[self.x, self.y], [right, self.y], [right, bottom], [self.x, bottom]]
     }
 
@@ -28,7 +41,7 @@ impl Rect {
 
     /// The point of the rectangle nearest to `point`.
     pub(super) fn nearest(&self, point: Point) -> Point {
-        [point[0].clamp(self.x, self.x + self.width), point[1].clamp(self.y, self.y + self.height)]
+        [point[0].clamp(self.x, self.right()), point[1].clamp(self.y, self.bottom())]
     }
 
     pub(super) fn grown(&self, by: f64) -> Self {
@@ -37,7 +50,7 @@ impl Rect {
 
     /// The signed distance of `point` inside of each side.
     fn depths(&self, point: Point) -> [f64; 4] {
-        [point[0] - self.x, self.x + self.width - point[0], point[1] - self.y, self.y + self.height - point[1]]
+        [point[0] - self.x, self.right() - point[0], point[1] - self.y, self.bottom() - point[1]]
     }
 }
 

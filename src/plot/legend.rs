@@ -2,11 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use super::PlotError;
-use super::canvas::{Anchor, Canvas, Ink, Point};
+use super::canvas::{Anchor, Canvas};
+use super::error::PlotError;
 use super::font::text_width;
-use super::palette::{BranchStyle, FAINT_INK, INK, POLE};
-use super::stroke::{self, DOUBLE_WIDTH, Pattern, Verdict, WIDTH};
+use super::ink::{FAINT_INK, INK, POLE};
+use super::markers::{MARKER, event_marker, sample_dot};
+use super::palette::BranchStyle;
+use super::pattern::{self, Pattern};
+use super::rows::{height, rows};
+use super::stroke::{self, DOUBLE_WIDTH, Verdict, WIDTH};
+use super::units::Point;
 use crate::document::{AtlasDocument, CurveKind, EventKind};
 
 const SIZE: f64 = 11.5;
@@ -14,20 +19,17 @@ const SAMPLE: f64 = 42.0;
 const GAP: f64 = 7.0;
 const BETWEEN: f64 = 22.0;
 /// Height of a row of entries.
-pub(super) const ROW: f64 = 20.0;
-/// Half the size of a marker.
-const MARKER: f64 = 4.0;
-
+const ROW: f64 = 20.0;
 enum Symbol {
     Line(Pattern, f64),
     Event(EventKind),
     Sample,
 }
 
-/// The entries of a legend and the row of each.
+/// The entries of a legend and the top left corner of each.
 pub(super) struct Legend {
     entries: Vec<(Symbol, String)>,
-    width: f64,
+    corners: Vec<Point>,
 }
 
 impl Legend {
@@ -70,35 +72,22 @@ impl Legend {
             }
         }
         entries.push((Symbol::Sample, "sample point of a region".to_owned()));
-        Self { entries, width }
-    }
-
-    /// Place of every entry relative to the legend's top left corner.
-    fn places(&self) -> Vec<Point> {
-        let [mut x, mut y] = [0.0, 0.0];
-        let mut places = Vec::with_capacity(self.entries.len());
-        for (symbol, name) in &self.entries {
-            let width = symbol_width(symbol) + GAP + text_width(name, SIZE);
-            if x > 0.0 && x + width > self.width {
-                (x, y) = (0.0, y + ROW);
-            }
-            places.push([x, y]);
-            x += width + BETWEEN;
-        }
-        places
+        let widths = entries.iter().map(|(symbol, name)| symbol_width(symbol) + GAP + text_width(name, SIZE));
+        let corners = rows(widths, BETWEEN, width, ROW);
+        Self { entries, corners }
     }
 
     pub(super) fn height(&self) -> f64 {
-        self.places().last().map_or(0.0, |place| place[1] + ROW)
+        height(&self.corners, ROW)
     }
 
     pub(super) fn draw(&self, canvas: &Canvas<'_>, at: Point) -> Result<(), PlotError> {
-        for ((symbol, name), place) in self.entries.iter().zip(self.places()) {
+        for ((symbol, name), place) in self.entries.iter().zip(&self.corners) {
             let (x, middle) = (at[0] + place[0], at[1] + place[1] + ROW / 2.0);
             let width = symbol_width(symbol);
             match symbol {
                 Symbol::Line(pattern, thickness) => {
-                    stroke::line(canvas, &[[x, middle], [x + width, middle]], pattern, *thickness)?;
+                    pattern::draw(canvas, &[[x, middle], [x + width, middle]], pattern, *thickness)?;
                 }
                 Symbol::Event(kind) => event_marker(canvas, *kind, [x + width / 2.0, middle])?,
                 Symbol::Sample => sample_dot(canvas, [x + width / 2.0, middle])?,
@@ -114,27 +103,4 @@ fn symbol_width(symbol: &Symbol) -> f64 {
         Symbol::Line(..) => SAMPLE,
         Symbol::Event(_) | Symbol::Sample => 3.0 * MARKER,
     }
-}
-
-/// Marks an event: a filled diamond at a cusp, a filled triangle at a pitchfork, a ring at a crossing.
-pub(super) fn event_marker(canvas: &Canvas<'_>, kind: EventKind, at: Point) -> Result<(), PlotError> {
-    let [x, y] = at;
-    let ring = Ink { color: super::palette::PAPER, width: 0.8 };
-    let shape = match kind {
-        EventKind::Crossing => {
-            canvas.disc(at, MARKER - 1.0, super::palette::PAPER)?;
-            return canvas.circle(at, MARKER - 1.0, Ink { color: INK, width: 1.1 });
-        }
-        EventKind::Cusp => vec![[x, y - MARKER], [x + MARKER, y], [x, y + MARKER], [x - MARKER, y]],
-        EventKind::Pitchfork => {
-            vec![[x, y - MARKER], [x + 0.95 * MARKER, y + 0.7 * MARKER], [x - 0.95 * MARKER, y + 0.7 * MARKER]]
-        }
-    };
-    canvas.polygon(&shape, INK)?;
-    canvas.outline(&shape, ring)
-}
-
-/// Marks the sample point of a region.
-pub(super) fn sample_dot(canvas: &Canvas<'_>, at: Point) -> Result<(), PlotError> {
-    canvas.disc(at, 2.0, INK)
 }

@@ -1,5 +1,7 @@
 //! How mathematics is printed.
 
+use std::fmt::Display;
+
 use crate::document::RegionDocument;
 
 /// The energy.
@@ -59,6 +61,18 @@ pub(super) fn region_type(region: &RegionDocument) -> String {
         return "undecided".to_owned();
     }
     format!("U: {}", accessible_regions(region))
+}
+
+/// A number as its `Display` gives it, with a true minus sign.
+pub(super) fn number(x: impl Display) -> String {
+    x.to_string().replace('-', "−")
+}
+
+/// A body by its principal moments and its centre of mass.
+pub(super) fn body(moments: &[impl Display; 3], center: &[impl Display; 3]) -> String {
+    let [a1, a2, a3] = moments.each_ref().map(number);
+    let [r1, r2, r3] = center.each_ref().map(number);
+    format!("A = ({a1}, {a2}, {a3}),  r = ({r1}, {r2}, {r3})")
 }
 
 /// A positive number with two significant digits.

@@ -10,10 +10,7 @@ pub(super) const NOTE_SIZE: f64 = 11.0;
 
 /// The body in a line.
 pub(super) fn title(atlas: &AtlasDocument) -> String {
-    let list = |numbers: &[crate::body::Number; 3]| {
-        numbers.iter().map(|number| number.text().replace('-', "−")).collect::<Vec<_>>().join(", ")
-    };
-    let mut title = format!("A = ({}),  r = ({})", list(&atlas.body.moments), list(&atlas.body.center));
+    let mut title = notation::body(&atlas.body.moments, &atlas.body.center);
     if atlas.body.flags.unphysical {
         title.push_str("   (unphysical: the triangle inequality is violated)");
     }

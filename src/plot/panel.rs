@@ -1,55 +1,16 @@
-//! One panel: a window of the (h, l) plane and where it lies on the page.
+//! One panel: a view with its curves and the regions of its pixels.
 
-use super::canvas::Point;
-use super::geometry::Rect;
+use super::error::PlotError;
+use super::geometry::clip_polygon;
 use super::grid::Grid;
-use super::scene::Scene;
+use super::ranges::common;
+use super::scene::{Cell, Scene};
 use super::trace::{Trace, traces};
-use super::{PlotError, geometry};
-use crate::document::WindowDocument;
+use super::units::Point;
+use super::view::View;
 
 /// Curves are off by at most this many pixels.
 const CHORD_PIXELS: f64 = 0.05;
-
-/// A window on the page, h to the right and l upwards.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct View {
-    pub window: WindowDocument,
-    pub rect: Rect,
-}
-
-impl View {
-    /// Position on the page of [h, l].
-    pub(super) fn position(&self, point: [f64; 2]) -> Point {
-        let [h, l] = point;
-        let WindowDocument { h: [h0, h1], l: [l0, l1] } = self.window;
-        [
-            self.rect.x + (h - h0) / (h1 - h0) * self.rect.width,
-            self.rect.y + self.rect.height - (l - l0) / (l1 - l0) * self.rect.height,
-        ]
-    }
-
-    pub(super) fn positions(&self, points: &[[f64; 2]]) -> Vec<Point> {
-        points.iter().map(|point| self.position(*point)).collect()
-    }
-
-    /// Where another window lies in this one.
-    pub(super) fn frame(&self, window: &WindowDocument) -> Rect {
-        let [x, bottom] = self.position([window.h[0], window.l[0]]);
-        let [right, y] = self.position([window.h[1], window.l[1]]);
-        Rect { x, y, width: right - x, height: bottom - y }
-    }
-
-    /// Energies in a pixel.
-    pub(super) fn h_per_pixel(&self) -> f64 {
-        (self.window.h[1] - self.window.h[0]) / self.rect.width
-    }
-
-    /// Vertical angular momenta in a pixel.
-    pub(super) fn l_per_pixel(&self) -> f64 {
-        (self.window.l[1] - self.window.l[0]) / self.rect.height
-    }
-}
 
 /// A view with its curves and the regions of its pixels.
 pub(super) struct Panel {
@@ -67,9 +28,9 @@ impl Panel {
 
     /// The polygon of a region's cell inside the view, and a little beyond its ends in l: cells of one region overlap,
     /// so that no seam shows.
-    pub(super) fn cell_polygon(&self, cell: &super::scene::Cell) -> Vec<Point> {
+    pub(super) fn cell_polygon(&self, cell: &Cell) -> Vec<Point> {
         let window = &self.view.window;
-        let (from, to) = (cell.l[0].max(window.l[0]), cell.l[1].min(window.l[1]));
+        let [from, to] = common(cell.l, window.l);
         if from >= to {
             return Vec::new();
         }
@@ -84,14 +45,13 @@ impl Panel {
         let mut outline = widened(self.traces[cell.lower].part(from, to));
         let upper = match cell.upper {
             Some(upper) => widened(self.traces[upper].part(from, to)),
-            None => {
-                vec![[window.h[1] * 2.0 - window.h[0], from - overlap], [window.h[1] * 2.0 - window.h[0], to + overlap]]
-            }
+            // Unbounded: up to far outside of the view.
+            None => [from - overlap, to + overlap].map(|l| [window.h[1] * 2.0 - window.h[0], l]).to_vec(),
         };
         if outline.is_empty() || upper.is_empty() {
             return Vec::new();
         }
         outline.extend(upper.into_iter().rev());
-        geometry::clip_polygon(&self.view.positions(&outline), &self.view.rect)
+        clip_polygon(&self.view.positions(&outline), &self.view.rect)
     }
 }

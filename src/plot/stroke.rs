@@ -5,21 +5,20 @@ use std::collections::BTreeMap;
 
 use plotters::style::RGBColor;
 
-use super::PlotError;
-use super::canvas::{Canvas, Ink, Point};
-use super::geometry::{between, clip_polyline, distance};
-use super::palette::{BranchStyle, FAINT_INK, POLE, is_pole};
+use super::canvas::Canvas;
+use super::error::PlotError;
+use super::geometry::clip_polyline;
+use super::ink::{FAINT_INK, POLE};
+use super::palette::{BranchStyle, is_pole};
 use super::panel::Panel;
-use super::trace::l_range;
+use super::pattern::{self, Pattern};
+use super::ranges::l_range;
 use crate::document::{AtlasDocument, CurveDocument, CurveKind, Stability, StabilitySpan};
 
 /// Width of a simple curve in pixels.
 pub(super) const WIDTH: f64 = 1.5;
 /// Width of a double curve.
 pub(super) const DOUBLE_WIDTH: f64 = 2.4;
-
-/// A repeating sequence of lengths in pixels, each with its colour or empty.
-pub(super) type Pattern = Vec<(Option<RGBColor>, f64)>;
 
 /// A stretch of a curve drawn in one style.
 #[derive(Clone, Debug)]
@@ -98,115 +97,62 @@ pub(super) fn coincidences(atlas: &AtlasDocument) -> Vec<Vec<usize>> {
 pub(super) fn strokes(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>) -> Vec<Stroke> {
     let mut strokes: Vec<(bool, Stroke)> = Vec::new();
     for set in coincidences(atlas) {
-        let members: Vec<(usize, &CurveDocument)> = set.iter().map(|&index| (index, &atlas.curves[index])).collect();
-        let mut ends: Vec<f64> = members
-            .iter()
-            .flat_map(|(_, curve)| {
-                let spans = curve.stability.iter().map(|span| span.l_from);
-                l_range(curve).into_iter().chain(spans).collect::<Vec<f64>>()
-            })
-            .collect();
+        let mut ends: Vec<f64> = Vec::new();
+        for &index in &set {
+            let curve = &atlas.curves[index];
+            ends.extend(l_range(curve.l_range));
+            ends.extend(curve.stability.iter().map(|span| span.l_from));
+        }
         ends.sort_by(f64::total_cmp);
         ends.dedup();
-        for pair in ends.windows(2) {
-            let middle = if pair[1].is_finite() { pair[0] + (pair[1] - pair[0]) / 2.0 } else { pair[0] + 1.0 };
-            let here = |curve: &CurveDocument| {
-                let [from, to] = l_range(curve);
-                middle >= from && middle <= to
-            };
-            let active: Vec<(usize, &CurveDocument)> =
-                members.iter().filter(|(_, curve)| here(curve)).copied().collect();
-            let Some(&(index, first)) = active.first() else { continue };
-            let critical: Vec<&CurveDocument> =
-                active.iter().map(|(_, curve)| *curve).filter(|curve| !is_pole(curve)).collect();
-            let mut colors: Vec<RGBColor> = Vec::new();
-            for (_, curve) in &active {
-                let color = if is_pole(curve) {
-                    POLE
-                } else {
-                    styles.get(curve.branch.as_str()).map_or(FAINT_INK, |style| style.color)
-                };
-                if !colors.contains(&color) {
-                    colors.push(color);
-                }
-            }
-            let pattern = if critical.is_empty() {
-                pole_pattern(first.kind)
-            } else {
-                let verdicts = critical.iter().map(|curve| verdict_at(curve, middle));
-                curve_pattern(&colors, verdicts.max().unwrap_or(Verdict::Open))
-            };
-            let double = active.iter().any(|(_, curve)| curve.multiplicity > 1);
-            let width = if double { DOUBLE_WIDTH } else { WIDTH };
-            strokes.push((critical.is_empty(), Stroke { curve: index, l: [pair[0], pair[1]], pattern, width }));
-        }
+        strokes.extend(ends.windows(2).filter_map(|pair| stroke(atlas, styles, &set, [pair[0], pair[1]])));
     }
     strokes.sort_by_key(|(pole, _)| *pole);
     strokes.into_iter().map(|(_, stroke)| stroke).collect()
+}
+
+/// How the coincident curves of a set are drawn between two of their ends, and whether all of them are pole lines;
+/// `None` where none of them runs.
+fn stroke(
+    atlas: &AtlasDocument,
+    styles: &BTreeMap<&str, BranchStyle>,
+    set: &[usize],
+    l: [f64; 2],
+) -> Option<(bool, Stroke)> {
+    let middle = if l[1].is_finite() { l[0] + (l[1] - l[0]) / 2.0 } else { l[0] + 1.0 };
+    let mut active = set.to_vec();
+    active.retain(|&index| {
+        let [from, to] = l_range(atlas.curves[index].l_range);
+        middle >= from && middle <= to
+    });
+    let first = *active.first()?;
+    let mut colors: Vec<RGBColor> = Vec::new();
+    let mut verdict: Option<Verdict> = None;
+    for curve in active.iter().map(|&index| &atlas.curves[index]) {
+        let color = if is_pole(curve) {
+            POLE
+        } else {
+            verdict = verdict.max(Some(verdict_at(curve, middle)));
+            styles.get(curve.branch.as_str()).map_or(FAINT_INK, |style| style.color)
+        };
+        if !colors.contains(&color) {
+            colors.push(color);
+        }
+    }
+    let pattern = match verdict {
+        Some(verdict) => curve_pattern(&colors, verdict),
+        None => pole_pattern(atlas.curves[first].kind),
+    };
+    let double = active.iter().any(|&index| atlas.curves[index].multiplicity > 1);
+    let width = if double { DOUBLE_WIDTH } else { WIDTH };
+    Some((verdict.is_none(), Stroke { curve: first, l, pattern, width }))
 }
 
 /// Draws a stroke in a panel.
 pub(super) fn draw(canvas: &Canvas<'_>, panel: &Panel, stroke: &Stroke) -> Result<(), PlotError> {
     let points = panel.traces[stroke.curve].part(stroke.l[0], stroke.l[1]);
     for part in clip_polyline(&panel.view.positions(&points), &panel.view.rect) {
-        line(canvas, &part, &stroke.pattern, stroke.width)?;
+        pattern::draw(canvas, &part, &stroke.pattern, stroke.width)?;
     }
     Ok(())
-}
-
-/// Draws a polyline in a pattern.
-pub(super) fn line(canvas: &Canvas<'_>, points: &[Point], pattern: &Pattern, width: f64) -> Result<(), PlotError> {
-    for (color, dash) in dashes(points, pattern) {
-        canvas.path(&dash, Ink { color, width })?;
-    }
-    Ok(())
-}
-
-/// Cuts a polyline into the coloured pieces of a pattern.
-fn dashes(points: &[Point], pattern: &Pattern) -> Vec<(RGBColor, Vec<Point>)> {
-    if let [(Some(color), _)] = pattern[..] {
-        return vec![(color, points.to_vec())];
-    }
-    let mut pieces = Vec::new();
-    let Some(&start) = points.first() else { return pieces };
-    let mut phase = pattern.iter().cycle();
-    let Some(&(mut color, mut left)) = phase.next() else { return pieces };
-    let mut piece = vec![start];
-    for pair in points.windows(2) {
-        let length = distance(pair[0], pair[1]);
-        let mut done = 0.0;
-        while done + left < length {
-            done += left;
-            let end = between(pair[0], pair[1], done / length);
-            piece.push(end);
-            if let Some(color) = color {
-                pieces.push((color, std::mem::take(&mut piece)));
-            }
-            piece = vec![end];
-            if let Some(next) = phase.next() {
-                (color, left) = *next;
-            }
-        }
-        left -= length - done;
-        piece.push(pair[1]);
-    }
-    if let Some(color) = color {
-        pieces.push((color, piece));
-    }
-    pieces
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn dashes_fill_the_line_in_turn() {
-        let pattern = vec![(Some(POLE), 4.0), (None, 2.0)];
-        let pieces = dashes(&[[0.0, 0.0], [3.0, 0.0], [3.0, 10.0]], &pattern);
-        let lengths: Vec<f64> =
-            pieces.iter().map(|(_, piece)| piece.windows(2).map(|pair| distance(pair[0], pair[1])).sum()).collect();
-        assert_eq!(lengths, [4.0, 4.0, 1.0]);
-        assert_eq!(pieces[0].1, [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0]]);
-    }
 }

@@ -1,9 +1,5 @@
 //! Tick marks at round numbers with labels that stay short at any magnification.
 
-use std::ops::Range;
-
-use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
-
 use super::notation::superscript;
 
 /// The most characters of a tick label.
@@ -18,41 +14,6 @@ pub(super) struct Ticks {
     pub labels: Vec<String>,
     /// The quantity that the labels give, such as `h` or `(h − 3.147)·10⁵`.
     pub quantity: String,
-}
-
-/// A linear axis of plotters with given ticks.
-#[derive(Clone, Debug)]
-pub(super) struct Axis {
-    pub range: [f64; 2],
-    pub ticks: Ticks,
-}
-
-impl Ranged for Axis {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
-
-    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        let share = (value - self.range[0]) / (self.range[1] - self.range[0]);
-        #[expect(clippy::cast_possible_truncation, reason = "ticks lie within the range")]
-        let offset = (share * f64::from(limit.1 - limit.0)).round() as i32;
-        limit.0 + offset
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        // plotters asks a second time for the lines of a finer mesh, which is not drawn.
-        if hint.weight().allow_light_points() { Vec::new() } else { self.ticks.values.clone() }
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.range[0]..self.range[1]
-    }
-}
-
-impl ValueFormatter<f64> for Axis {
-    fn format_ext(&self, value: &f64) -> String {
-        let at = self.ticks.values.iter().position(|tick| tick == value);
-        at.map_or_else(String::new, |at| self.ticks.labels[at].clone())
-    }
 }
 
 /// The decimal exponent of x > 0: x = d.ddd·10^e.

@@ -1,6 +1,7 @@
 //! The windows that the panels may show.
 
-use super::PlotError;
+use super::error::PlotError;
+use super::ranges::is_proper;
 use super::scene::Scene;
 use super::trace::{Trace, trace, traces};
 use crate::document::WindowDocument;
@@ -38,8 +39,7 @@ pub(super) fn windows(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Resul
         Windows { main, everything }
     };
     let WindowDocument { h, l } = windows.main;
-    let fits = |[from, to]: [f64; 2]| from < to && (to - from).is_finite();
-    if fits(h) && fits(l) { Ok(windows) } else { Err(PlotError::EmptyWindow { h, l }) }
+    if is_proper(h) && is_proper(l) { Ok(windows) } else { Err(PlotError::EmptyWindow { h, l }) }
 }
 
 /// A window for the events up to `last_event` in l.

@@ -2,20 +2,20 @@
 
 use std::f64::consts::{PI, TAU};
 
-use plotters::style::RGBColor;
-
-use super::super::canvas::{Anchor, Canvas, Ink, Point, render};
-use super::super::palette::{INK, PAPER, POLE};
-use super::super::{Picture, PlotError};
-use super::arrow_head;
+use super::super::canvas::{Anchor, Canvas, render};
+use super::super::error::PlotError;
+use super::super::ink::{INK, Ink, POLE, rgb};
+use super::super::picture::Picture;
+use super::super::units::Point;
+use super::shapes::arrow_head;
 
 /// How far the axis is tilted towards the viewer, in radians.
 const TILT: f64 = 0.42;
 const RADIUS: f64 = 105.0;
-const FRONT: Ink = Ink { color: RGBColor(0x70, 0x70, 0x70), width: 0.9 };
-const BACK: Ink = Ink { color: RGBColor(0xd2, 0xd2, 0xd2), width: 0.8 };
-const CURVE: Ink = Ink { color: RGBColor(0x12, 0x50, 0xa8), width: 2.0 };
-const CURVE_BACK: Ink = Ink { color: RGBColor(0xa9, 0xc0, 0xe0), width: 2.0 };
+const FRONT: Ink = Ink { color: rgb(0x70_70_70), width: 0.9 };
+const BACK: Ink = Ink { color: rgb(0xd2_d2_d2), width: 0.8 };
+const CURVE: Ink = Ink { color: rgb(0x12_50_a8), width: 2.0 };
+const CURVE_BACK: Ink = Ink { color: rgb(0xa9_c0_e0), width: 2.0 };
 const TEXT: f64 = 13.0;
 
 /// A point of space, z along the axis, seen from the side: place on the page from the centre, and nearness.
@@ -84,7 +84,7 @@ pub(super) fn draw() -> Result<Picture, PlotError> {
         [0.35 + 0.75 * cos, 0.52 * PI + 0.42 * sin]
     });
     let surfaces: [(Point, Surface); 2] = [(left, on_sphere), (right, on_cylinder)];
-    let faint_pole = Ink { color: RGBColor(0xf2, 0xc9, 0x97), width: 3.0 };
+    let faint_pole = Ink { color: rgb(0xf2_c9_97), width: 3.0 };
     render([580.0, 346.0], "The sphere without its poles is a cylinder", |canvas| {
         // What is behind first.
         for hidden in [true, false] {
@@ -111,8 +111,7 @@ pub(super) fn draw() -> Result<Picture, PlotError> {
         {
             let pole = seen(on_sphere([0.0, theta]).0).0;
             let at = [left[0] + RADIUS * pole[0], left[1] + RADIUS * pole[1]];
-            canvas.disc(at, 5.0, PAPER)?;
-            canvas.circle(at, 5.0, Ink { color, width: 2.0 })?;
+            canvas.ring(at, 5.0, Ink { color, width: 2.0 })?;
             canvas.text(name, [left[0], left[1] + aside], TEXT, INK, Anchor::Middle)?;
             let beside = seen(on_cylinder([PI / 2.0, theta]).0).0;
             let at = [right[0] + RADIUS * beside[0] + 10.0, right[1] + RADIUS * beside[1] + 4.0];

@@ -5,10 +5,13 @@
 
 use plotters::style::RGBColor;
 
-use super::super::canvas::{Anchor, Canvas, Ink, Point, render};
-use super::super::palette::{FAINT_INK, INK};
-use super::super::{Picture, PlotError};
-use super::{arc, arrow_head, direction, polar};
+use super::super::canvas::{Anchor, Canvas, render};
+use super::super::error::PlotError;
+use super::super::geometry::Rect;
+use super::super::ink::{FAINT_INK, INK, Ink, rgb};
+use super::super::picture::Picture;
+use super::super::units::Point;
+use super::shapes::{arc, arrow_head, direction, polar};
 
 const RADIUS: f64 = 84.0;
 /// Where the flow touches the circle, in degrees.
@@ -17,12 +20,12 @@ const TANGENCIES: [f64; 2] = [35.0, 215.0];
 const FLOW: f64 = 125.0;
 /// x of the two bars, from the circle's centre.
 const BARS: [f64; 2] = [152.0, 206.0];
-const INCOMING: RGBColor = RGBColor(0x12, 0x50, 0xa8);
-const OUTGOING: RGBColor = RGBColor(0xe0, 0x8a, 0x00);
+const INCOMING: RGBColor = rgb(0x12_50_a8);
+const OUTGOING: RGBColor = rgb(0xe0_8a_00);
 const TEXT: f64 = 12.0;
 const FLOW_INK: Ink = Ink { color: FAINT_INK, width: 1.1 };
 /// A projection line.
-const GUIDE: Ink = Ink { color: RGBColor(0xb0, 0xb0, 0xb0), width: 0.7 };
+const GUIDE: Ink = Ink { color: rgb(0xb0_b0_b0), width: 0.7 };
 
 /// Fig. schema12: sheets by the sign of Ṡ and by the sign of Δ.
 pub(super) fn both_divisions() -> Result<Picture, PlotError> {
@@ -97,8 +100,7 @@ fn flow_line(canvas: &Canvas<'_>, center: Point, offset: f64) -> Result<(), Plot
 /// Where the sheets by Δ meet.
 fn squares(canvas: &Canvas<'_>, center: Point) -> Result<(), PlotError> {
     for at in [90.0, -90.0] {
-        let [x, y] = polar(center, RADIUS, at);
-        canvas.polygon(&[[x - 5.0, y - 5.0], [x + 5.0, y - 5.0], [x + 5.0, y + 5.0], [x - 5.0, y + 5.0]], INK)?;
+        canvas.polygon(&Rect::around(polar(center, RADIUS, at), 5.0).corners(), INK)?;
     }
     Ok(())
 }

@@ -2,11 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::super::PlotError;
-use super::super::canvas::{Anchor, Page, Point};
+use super::super::canvas::{Anchor, Canvas, Page};
+use super::super::error::PlotError;
 use super::super::geometry::Rect;
-use super::super::palette::{FAINT_INK, INK};
-use super::{Projection, SectionScene};
+use super::super::ink::{FAINT_INK, INK};
+use super::super::notation::number;
+use super::super::units::Point;
+use super::scene::{Projection, SectionScene};
 use crate::section::Chart;
 
 /// Plot area of a panel.
@@ -124,31 +126,33 @@ impl Layout {
                     let other = [self.panels[0].rect.x + 2.0 * PANEL[0] + BETWEEN, above];
                     canvas.text(scene.caption, other, CAPTION_SIZE, INK, Anchor::End)?;
                 }
-                let (psi, theta) = match panel.chart {
-                    Chart::Torus => ("ψ′", "ϑ′"),
-                    Chart::Sphere => ("ψ", "ϑ"),
-                };
-                for (k, label) in ["0", "π/2", "π", "3π/2", "2π"].into_iter().enumerate() {
-                    let at = [rect.x + 0.25 * k as f64 * rect.width, rect.y + rect.height + 17.0];
-                    canvas.text(label, at, TICK_SIZE, INK, Anchor::Middle)?;
-                }
-                let name = [rect.x + 0.375 * rect.width, rect.y + rect.height + 19.0];
-                canvas.text(psi, name, CAPTION_SIZE, INK, Anchor::Middle)?;
-                if panel.sheet < 0 {
-                    for (k, label) in ["0", "π/2", "π"].into_iter().enumerate() {
-                        let at = [rect.x - 9.0, rect.y + 0.5 * k as f64 * rect.height + 0.36 * TICK_SIZE];
-                        canvas.text(label, at, TICK_SIZE, INK, Anchor::End)?;
-                    }
-                    let name = [rect.x - 9.0, rect.y + 0.25 * rect.height + 0.36 * CAPTION_SIZE];
-                    canvas.text(theta, name, CAPTION_SIZE, FAINT_INK, Anchor::End)?;
-                }
+                draw_ticks(canvas, panel)?;
             }
             Ok(())
         })
     }
 }
 
-/// The shortest decimal of a number, with a true minus sign.
-pub(super) fn number(x: f64) -> String {
-    format!("{x}").replace('-', "−")
+/// Labels of the ticks below a panel, and beside it if it is the left one.
+fn draw_ticks(canvas: &Canvas<'_>, panel: &SheetPanel) -> Result<(), PlotError> {
+    let rect = panel.rect;
+    let (psi, theta) = match panel.chart {
+        Chart::Torus => ("ψ′", "ϑ′"),
+        Chart::Sphere => ("ψ", "ϑ"),
+    };
+    for (k, label) in ["0", "π/2", "π", "3π/2", "2π"].into_iter().enumerate() {
+        let at = [rect.x + 0.25 * k as f64 * rect.width, rect.bottom() + 17.0];
+        canvas.text(label, at, TICK_SIZE, INK, Anchor::Middle)?;
+    }
+    let name = [rect.x + 0.375 * rect.width, rect.bottom() + 19.0];
+    canvas.text(psi, name, CAPTION_SIZE, INK, Anchor::Middle)?;
+    if panel.sheet > 0 {
+        return Ok(());
+    }
+    for (k, label) in ["0", "π/2", "π"].into_iter().enumerate() {
+        let at = [rect.x - 9.0, rect.y + 0.5 * k as f64 * rect.height + 0.36 * TICK_SIZE];
+        canvas.text(label, at, TICK_SIZE, INK, Anchor::End)?;
+    }
+    let name = [rect.x - 9.0, rect.y + 0.25 * rect.height + 0.36 * CAPTION_SIZE];
+    canvas.text(theta, name, CAPTION_SIZE, FAINT_INK, Anchor::End)
 }

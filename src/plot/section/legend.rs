@@ -1,13 +1,17 @@
 //! What the shades and lines of a section are.
 
-use super::super::PlotError;
+use plotters::style::RGBColor;
+
 use super::super::canvas::{Anchor, Page};
+use super::super::error::PlotError;
 use super::super::font::text_width;
 use super::super::geometry::Rect;
-use super::super::palette::INK;
-use super::ground::{BOUNDARY, INCOMING, OUTGOING, POLAR, TANGENCY, pole_marker, stroke};
-use super::path::Path;
-use super::{Projection, SectionScene};
+use super::super::ink::{INK, Ink};
+use super::super::rows::{height, rows};
+use super::super::units::Point;
+use super::ground::{BOUNDARY, INCOMING, OUTGOING, POLAR, TANGENCY, pole_marker};
+use super::path::{Path, hex, stroke};
+use super::scene::{Projection, SectionScene};
 use crate::section::SectionCondition;
 
 const SIZE: f64 = 11.5;
@@ -19,15 +23,16 @@ const LEFT: f64 = 56.0;
 const RIGHT: f64 = 20.0;
 
 enum Symbol {
-    Shade(&'static str),
-    Line((&'static str, f64)),
+    Shade(RGBColor),
+    Line(Ink),
     /// +r̂ (1) or −r̂.
     Pole(i8),
 }
 
-/// The entries in rows.
+/// The entries and the top left corner of each.
 pub(super) struct Legend {
-    rows: Vec<Vec<(Symbol, String)>>,
+    entries: Vec<(Symbol, String)>,
+    corners: Vec<Point>,
 }
 
 impl Legend {
@@ -54,53 +59,40 @@ impl Legend {
             let pole = "accessible polar circle (above +r̂, below −r̂), T⁻ and T⁺ glued with ψ′ + π";
             entries.push((Symbol::Line(POLAR), pole.to_owned()));
         }
-        let mut rows: Vec<Vec<(Symbol, String)>> = Vec::new();
-        let mut used = f64::INFINITY;
-        for entry in entries {
-            let wide = SAMPLE + GAP + text_width(&entry.1, SIZE) + BETWEEN;
-            if used + wide - BETWEEN > width - LEFT - RIGHT {
-                rows.push(Vec::new());
-                used = 0.0;
-            }
-            used += wide;
-            if let Some(row) = rows.last_mut() {
-                row.push(entry);
-            }
-        }
-        Self { rows }
+        let widths = entries.iter().map(|(_, text)| SAMPLE + GAP + text_width(text, SIZE));
+        let corners = rows(widths, BETWEEN, width - LEFT - RIGHT, ROW);
+        Self { entries, corners }
     }
 
     pub fn height(&self) -> f64 {
-        self.rows.len() as f64 * ROW + 10.0
+        height(&self.corners, ROW) + 10.0
     }
 
     pub fn draw(&self, page: &mut Page, top: f64) -> Result<(), PlotError> {
-        let mut texts = Vec::new();
-        let mut poles = Vec::new();
-        for (row, entries) in self.rows.iter().enumerate() {
-            let mut x = LEFT;
-            let middle = top + (row as f64 + 0.5) * ROW;
-            for (symbol, text) in entries {
-                let mut path = Path::default();
-                match symbol {
-                    Symbol::Shade(color) => {
-                        let swatch = Rect { x, y: middle - 6.0, width: SAMPLE, height: 12.0 };
-                        path.line(&swatch.corners(), true);
-                        page.element(&path.element(&format!("fill=\"{color}\" stroke=\"#8A8A8A\" stroke-width=\"5\"")));
-                    }
-                    Symbol::Pole(sign) => poles.push((*sign, [x + SAMPLE / 2.0, middle])),
-                    Symbol::Line(style) => {
-                        path.line(&[[x, middle], [x + SAMPLE, middle]], false);
-                        page.element(&path.element(&stroke(*style)));
-                    }
+        let at = |corner: &Point| [LEFT + corner[0], top + corner[1] + 0.5 * ROW];
+        for ((symbol, _), [x, middle]) in self.entries.iter().zip(self.corners.iter().map(at)) {
+            let mut path = Path::default();
+            match symbol {
+                Symbol::Shade(color) => {
+                    let swatch = Rect { x, y: middle - 6.0, width: SAMPLE, height: 12.0 };
+                    path.line(&swatch.corners(), true);
+                    path.draw(page, &format!("fill=\"{}\" stroke=\"#8A8A8A\" stroke-width=\"5\"", hex(*color)));
                 }
-                texts.push((text, [x + SAMPLE + GAP, middle + 0.36 * SIZE]));
-                x += SAMPLE + GAP + text_width(text, SIZE) + BETWEEN;
+                Symbol::Line(ink) => {
+                    path.line(&[[x, middle], [x + SAMPLE, middle]], false);
+                    path.draw(page, &stroke(*ink));
+                }
+                Symbol::Pole(_) => {}
             }
         }
         page.paint(|canvas| {
-            poles.iter().try_for_each(|(sign, at)| pole_marker(canvas, *sign, *at))?;
-            texts.iter().try_for_each(|(text, at)| canvas.text(text, *at, SIZE, INK, Anchor::Start))
+            for ((symbol, text), [x, middle]) in self.entries.iter().zip(self.corners.iter().map(at)) {
+                if let Symbol::Pole(sign) = symbol {
+                    pole_marker(canvas, *sign, [x + SAMPLE / 2.0, middle])?;
+                }
+                canvas.text(text, [x + SAMPLE + GAP, middle + 0.36 * SIZE], SIZE, INK, Anchor::Start)?;
+            }
+            Ok(())
         })
     }
 }

@@ -11,11 +11,16 @@ mod legend;
 mod path;
 mod points;
 mod raster;
+mod scene;
+
+pub use scene::{OrbitValues, Projection, SectionOptions, SectionScene};
 
 use super::canvas::{Anchor, Page};
-use super::palette::INK;
-use super::{Picture, PlotError, font};
-use crate::section::{OrbitSection, Portrait, SectionCondition};
+use super::error::PlotError;
+use super::ink::INK;
+use super::picture::Picture;
+use super::{font, notation};
+use crate::section::{Portrait, SectionCondition};
 use colors::Coloring;
 use layout::Layout;
 use legend::Legend;
@@ -23,59 +28,6 @@ use legend::Legend;
 /// The most sections on one page.
 const SCENES_MAX: usize = 64;
 const TITLE_SIZE: f64 = 14.0;
-
-/// A number for each orbit, by which it is coloured.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OrbitValues<'a> {
-    /// What it is, such as `Lyapunov exponent`; printed at the colour bar.
-    pub label: &'a str,
-    /// One for each orbit of the scene, in the same order; NaN for an orbit without a value, drawn grey.
-    pub values: &'a [f64],
-}
-
-/// A section and the orbits on it.
-#[derive(Clone, Copy, Debug)]
-pub struct SectionScene<'a> {
-    /// The section.
-    pub portrait: &'a Portrait,
-    /// Its orbits.
-    pub orbits: &'a [OrbitSection],
-    /// What colours the orbits; `None`: each has a colour of its own, by its number.
-    pub values: Option<OrbitValues<'a>>,
-    /// What is printed beside (h, l), such as the section's type.
-    pub caption: &'a str,
-}
-
-/// On what the sections are drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Projection {
-    /// T⁻ and T⁺, the halves of the PP-torus, with (ψ', ϑ').
-    #[default]
-    Torus,
-    /// S⁻ and S⁺, two copies of the Poisson sphere, with (ψ, ϑ).
-    Sphere,
-    /// Both, the sphere above the torus.
-    Both,
-}
-
-/// How sections are drawn.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SectionOptions {
-    /// On what.
-    pub projection: Projection,
-    /// Diameter of a point in pixels; `None`: by the number of points.
-    pub point_size: Option<f64>,
-    /// With more crossings than this on the page they are drawn as images, which bound the size of the file.
-    pub raster_above: usize,
-    /// The title; `None`: the body.
-    pub title: Option<String>,
-}
-
-impl Default for SectionOptions {
-    fn default() -> Self {
-        Self { projection: Projection::Torus, point_size: None, raster_above: 20_000, title: None }
-    }
-}
 
 /// Draws one section. Equal arguments give equal bytes.
 ///
@@ -126,8 +78,7 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
 /// The body of a portrait in a line, and its condition if it is not the usual one.
 fn body_line(portrait: &Portrait) -> String {
     let top = portrait.torus().top();
-    let list = |x: [f64; 3]| x.map(layout::number).join(", ");
-    let body = format!("A = ({}),  r = ({})", list(top.moments()), list(top.center()));
+    let body = notation::body(&top.moments(), &top.center());
     match portrait.condition() {
         SectionCondition::Height => body,
         SectionCondition::AngularMomentum => format!("{body},  S = ⟨l, γ×r⟩"),
