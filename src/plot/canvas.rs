@@ -3,8 +3,10 @@
 //! plotters rounds every coordinate to an integer; drawing on a canvas ten times too large and scaling it down with a
 //! `viewBox` leaves a tenth of a pixel.
 
+use std::cell::RefCell;
+
 use plotters::coord::Shift;
-use plotters::drawing::{DrawingArea, IntoDrawingArea};
+use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea};
 use plotters::element::{Circle, PathElement, Polygon};
 use plotters::prelude::{RGBColor, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -12,12 +14,15 @@ use plotters::style::{Color, IntoFont, ShapeStyle};
 
 use super::error::PlotError;
 use super::font;
+use super::geometry::{Point, UNITS, length_units, to_units};
 use super::ink::{Ink, PAPER};
 use super::picture::Picture;
-use super::units::{Point, UNITS, length_units, to_units};
 
 /// A drawing area of plotters in canvas units.
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// What goes wrong in plotters.
+pub(super) type Outcome = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 
 /// Which point of a text is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,51 +35,51 @@ pub(super) enum Anchor {
     End,
 }
 
-/// Where a picture is drawn; all positions and sizes in pixels.
+/// Where a picture is drawn; all positions and sizes in pixels. The first failure is kept for the end, so that what draws
+/// need not look for it.
 pub(super) struct Canvas<'a> {
     area: Area<'a>,
+    outcome: RefCell<Outcome>,
 }
 
 /// Draws a picture of `size` pixels on a white ground.
-pub(super) fn render(
-    size: [f64; 2],
-    title: &str,
-    paint: impl FnOnce(&Canvas<'_>) -> Result<(), PlotError>,
-) -> Result<Picture, PlotError> {
+pub(super) fn render(size: [f64; 2], title: &str, paint: impl FnOnce(&Canvas<'_>)) -> Result<Picture, PlotError> {
     let mut page = Page::new(size);
     page.paint(|canvas| {
-        canvas.area.fill(&PAPER)?;
-        paint(canvas)
-    })?;
-    Ok(page.finish(title))
+        canvas.keep(canvas.area.fill(&PAPER));
+        paint(canvas);
+    });
+    page.finish(title)
 }
 
 /// A picture in the making: layers of what plotters draws and of plain SVG, the lowest first.
 pub(super) struct Page {
     size: [f64; 2],
     layers: String,
+    outcome: Result<(), PlotError>,
 }
 
 impl Page {
     /// An empty page of `size` pixels.
     pub(super) fn new(size: [f64; 2]) -> Self {
-        Self { size, layers: String::new() }
+        Self { size, layers: String::new(), outcome: font::register() }
     }
 
     /// Adds a layer.
-    pub(super) fn paint(&mut self, paint: impl FnOnce(&Canvas<'_>) -> Result<(), PlotError>) -> Result<(), PlotError> {
-        font::register()?;
+    pub(super) fn paint(&mut self, paint: impl FnOnce(&Canvas<'_>)) {
         let mut body = String::new();
         {
             let units = (length_units(self.size[0]), length_units(self.size[1]));
             let area = SVGBackend::with_string(&mut body, units).into_drawing_area();
-            let canvas = Canvas { area };
-            paint(&canvas)?;
-            canvas.area.present()?;
+            let canvas = Canvas { area, outcome: RefCell::new(Ok(())) };
+            paint(&canvas);
+            canvas.keep(canvas.area.present());
+            if self.outcome.is_ok() {
+                self.outcome = canvas.outcome.into_inner().map_err(PlotError::from);
+            }
         }
         let inner = body.split_once('>').map_or("", |(_, inner)| inner);
         self.layers.push_str(inner.trim_start().strip_suffix("</svg>\n").unwrap_or(inner));
-        Ok(())
     }
 
     /// Adds an SVG element whose lengths are in canvas units.
@@ -83,14 +88,19 @@ impl Page {
         self.layers.push('\n');
     }
 
-    /// The picture.
-    pub(super) fn finish(self, title: &str) -> Picture {
-        Picture::from_canvas(&self.layers, self.size, title)
+    /// The picture, or the first failure.
+    pub(super) fn finish(self, title: &str) -> Result<Picture, PlotError> {
+        self.outcome.map(|()| Picture::from_canvas(&self.layers, self.size, title))
     }
 }
 
+/// A position in canvas units.
+fn position(point: &Point) -> (i32, i32) {
+    (to_units(point[0]), to_units(point[1]))
+}
+
 fn positions(points: &[Point]) -> Vec<(i32, i32)> {
-    let mut positions: Vec<(i32, i32)> = points.iter().map(|p| (to_units(p[0]), to_units(p[1]))).collect();
+    let mut positions: Vec<(i32, i32)> = points.iter().map(position).collect();
     positions.dedup();
     positions
 }
@@ -101,55 +111,50 @@ impl<'a> Canvas<'a> {
         &self.area
     }
 
+    /// Keeps the first failure.
+    pub(super) fn keep(&self, outcome: Outcome) {
+        let mut first = self.outcome.borrow_mut();
+        if first.is_ok() {
+            *first = outcome;
+        }
+    }
+
     /// An open polyline.
-    pub(super) fn path(&self, points: &[Point], ink: Ink) -> Result<(), PlotError> {
+    pub(super) fn path(&self, points: &[Point], ink: Ink) {
         let positions = positions(points);
         if positions.len() > 1 {
-            self.area.draw(&PathElement::new(positions, style(ink)))?;
+            self.keep(self.area.draw(&PathElement::new(positions, style(ink))));
         }
-        Ok(())
     }
 
     /// A filled polygon.
-    pub(super) fn polygon(&self, points: &[Point], color: RGBColor) -> Result<(), PlotError> {
+    pub(super) fn polygon(&self, points: &[Point], color: RGBColor) {
         let positions = positions(points);
         if positions.len() > 2 {
-            self.area.draw(&Polygon::new(positions, color.filled()))?;
+            self.keep(self.area.draw(&Polygon::new(positions, color.filled())));
         }
-        Ok(())
     }
 
     /// A closed outline.
-    pub(super) fn outline(&self, points: &[Point], ink: Ink) -> Result<(), PlotError> {
+    pub(super) fn outline(&self, points: &[Point], ink: Ink) {
         let mut closed = points.to_vec();
         closed.extend(points.first());
-        self.path(&closed, ink)
+        self.path(&closed, ink);
     }
 
     /// A filled disc.
-    pub(super) fn disc(&self, center: Point, radius: f64, color: RGBColor) -> Result<(), PlotError> {
-        let center = (to_units(center[0]), to_units(center[1]));
-        self.area.draw(&Circle::new(center, length_units(radius), color.filled()))?;
-        Ok(())
+    pub(super) fn disc(&self, center: Point, radius: f64, color: RGBColor) {
+        self.keep(self.area.draw(&Circle::new(position(&center), length_units(radius), color.filled())));
     }
 
     /// A circle, empty in the colour of the page.
-    pub(super) fn ring(&self, center: Point, radius: f64, ink: Ink) -> Result<(), PlotError> {
-        self.disc(center, radius, PAPER)?;
-        let center = (to_units(center[0]), to_units(center[1]));
-        self.area.draw(&Circle::new(center, length_units(radius), style(ink)))?;
-        Ok(())
+    pub(super) fn ring(&self, center: Point, radius: f64, ink: Ink) {
+        self.disc(center, radius, PAPER);
+        self.keep(self.area.draw(&Circle::new(position(&center), length_units(radius), style(ink))));
     }
 
     /// A line of text with its base line at `at`.
-    pub(super) fn text(
-        &self,
-        text: &str,
-        at: Point,
-        size: f64,
-        color: RGBColor,
-        anchor: Anchor,
-    ) -> Result<(), PlotError> {
+    pub(super) fn text(&self, text: &str, at: Point, size: f64, color: RGBColor, anchor: Anchor) {
         let horizontal = match anchor {
             Anchor::Start => HPos::Left,
             Anchor::Middle => HPos::Center,
@@ -157,8 +162,7 @@ impl<'a> Canvas<'a> {
         };
         // The backend's only shift in units of the font size alone: the base line lies 0.76 em below "top".
         let style = text_style(size, color).pos(Pos::new(horizontal, VPos::Top));
-        self.area.draw_text(text, &style, (to_units(at[0]), to_units(at[1] - 0.76 * size)))?;
-        Ok(())
+        self.keep(self.area.draw_text(text, &style, position(&[at[0], at[1] - 0.76 * size])));
     }
 }
 

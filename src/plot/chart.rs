@@ -5,12 +5,11 @@ use plotters::style::RGBColor;
 use super::canvas::{Anchor, Canvas, render};
 use super::error::PlotError;
 use super::font::text_width;
-use super::geometry::Rect;
+use super::geometry::{Point, Rect};
 use super::ink::{FAINT_INK, INK, Ink, rgb, rgbs};
 use super::notation::superscript;
 use super::picture::Picture;
 use super::rows::{height, rows};
-use super::units::Point;
 
 /// How an axis maps its values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,15 +93,14 @@ pub fn draw_chart(chart: &Chart) -> Result<Picture, PlotError> {
     render([width, legend + height(&entries, LEGEND_ROW) + 10.0], &chart.title, |canvas| {
         for (number, panel) in chart.panels.iter().enumerate() {
             let left = number as f64 * (LEFT + WIDTH + RIGHT) + LEFT;
-            draw_panel(canvas, panel, left)?;
+            draw_panel(canvas, panel, left);
         }
         for (name, (text, corner)) in chart.names.iter().zip(entries).enumerate() {
             let [x, y] = [LEFT + corner[0], legend + corner[1] + 0.5 * LEGEND_ROW];
-            canvas.path(&[[x, y], [x + 22.0, y]], Ink { color: color(name), width: 1.4 })?;
-            mark(canvas, name, [x + 11.0, y])?;
-            canvas.text(text, [x + 28.0, y + 4.0], SIZE, INK, Anchor::Start)?;
+            canvas.path(&[[x, y], [x + 22.0, y]], Ink { color: color(name), width: 1.4 });
+            mark(canvas, name, [x + 11.0, y]);
+            canvas.text(text, [x + 28.0, y + 4.0], SIZE, INK, Anchor::Start);
         }
-        Ok(())
     })
 }
 
@@ -111,7 +109,7 @@ fn color(name: usize) -> RGBColor {
 }
 
 /// A marker whose shape tells the method.
-fn mark(canvas: &Canvas<'_>, name: usize, at: Point) -> Result<(), PlotError> {
+fn mark(canvas: &Canvas<'_>, name: usize, at: Point) {
     let place = |dx: f64, dy: f64| [at[0] + dx * MARK, at[1] + dy * MARK];
     let color = color(name);
     match name % 6 {
@@ -170,7 +168,7 @@ impl Range {
     }
 }
 
-fn draw_panel(canvas: &Canvas<'_>, panel: &ChartPanel, left: f64) -> Result<(), PlotError> {
+fn draw_panel(canvas: &Canvas<'_>, panel: &ChartPanel, left: f64) {
     let all = |k: usize| panel.series.iter().flat_map(move |series| series.points.iter().map(move |p| p[k]));
     let (x, y) = (Range::new(panel.x.scale, all(0)), Range::new(panel.y.scale, all(1)));
     let bottom = TOP + HEIGHT;
@@ -178,27 +176,27 @@ fn draw_panel(canvas: &Canvas<'_>, panel: &ChartPanel, left: f64) -> Result<(), 
     let grid = Ink { color: GRID, width: 0.8 };
     for (value, label) in x.ticks(8.0) {
         let at = left + WIDTH * x.share(value).unwrap_or(0.0);
-        canvas.path(&[[at, TOP], [at, bottom]], grid)?;
-        canvas.text(&label, [at, bottom + 16.0], SIZE, INK, Anchor::Middle)?;
+        canvas.path(&[[at, TOP], [at, bottom]], grid);
+        canvas.text(&label, [at, bottom + 16.0], SIZE, INK, Anchor::Middle);
     }
     for (value, label) in y.ticks(9.0) {
         let at = bottom - HEIGHT * y.share(value).unwrap_or(0.0);
-        canvas.path(&[[left, at], [left + WIDTH, at]], grid)?;
-        canvas.text(&label, [left - 6.0, at + 4.0], SIZE, INK, Anchor::End)?;
+        canvas.path(&[[left, at], [left + WIDTH, at]], grid);
+        canvas.text(&label, [left - 6.0, at + 4.0], SIZE, INK, Anchor::End);
     }
     let frame = Rect { x: left, y: TOP, width: WIDTH, height: HEIGHT };
-    canvas.outline(&frame.corners(), Ink { color: INK, width: 0.9 })?;
+    canvas.outline(&frame.corners(), Ink { color: INK, width: 0.9 });
     for series in &panel.series {
         let points: Vec<Point> = series.points.iter().filter_map(|p| place(*p)).collect();
         if series.joined {
-            canvas.path(&points, Ink { color: color(series.name), width: 1.4 })?;
+            canvas.path(&points, Ink { color: color(series.name), width: 1.4 });
         }
         for point in points {
-            mark(canvas, series.name, point)?;
+            mark(canvas, series.name, point);
         }
     }
-    canvas.text(&panel.x.label, [left + WIDTH / 2.0, bottom + 36.0], SIZE, INK, Anchor::Middle)?;
-    canvas.text(&panel.title, [left, TOP - 20.0], SIZE + 1.0, INK, Anchor::Start)?;
+    canvas.text(&panel.x.label, [left + WIDTH / 2.0, bottom + 36.0], SIZE, INK, Anchor::Middle);
+    canvas.text(&panel.title, [left, TOP - 20.0], SIZE + 1.0, INK, Anchor::Start);
     canvas.text(&panel.y.label, [left, TOP - 6.0], SIZE, FAINT_INK, Anchor::Start)
 }
 

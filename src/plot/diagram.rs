@@ -2,8 +2,7 @@
 
 use super::canvas::{Anchor, render};
 use super::error::PlotError;
-use super::font;
-use super::geometry::Rect;
+use super::geometry::{Point, Rect};
 use super::ink::{FAINT_INK, INK};
 use super::insets::{Magnifications, magnifications};
 use super::layout::{BELOW, INSET, LEFT, MAIN, RIGHT, TOP, frames, inset_place};
@@ -16,7 +15,6 @@ use super::picture::Picture;
 use super::placement::place;
 use super::scene::{CurveSource, Scene};
 use super::stroke::strokes;
-use super::units::Point;
 use super::view::View;
 use super::window::{Windows, windows};
 use crate::document::{AtlasDocument, WindowDocument};
@@ -44,7 +42,6 @@ pub fn draw(
     source: Option<&dyn CurveSource>,
     options: &DiagramOptions,
 ) -> Result<Picture, PlotError> {
-    font::register()?;
     let scene = Scene::new(atlas, source)?;
     let styles = branch_styles(atlas);
     let (panels, magnified) = panels(&scene, options.window)?;
@@ -61,14 +58,13 @@ pub fn draw(
     let title = title(atlas);
     let diagram = Diagram { scene, strokes: strokes(atlas, &styles), panels, frames, texts };
     render([width, height.ceil()], &title, |canvas| {
-        canvas.text(&title, [LEFT, TOP - 34.0], TITLE_SIZE, INK, Anchor::Start)?;
-        diagram.paint(canvas)?;
-        legend.draw(canvas, [LEFT, below])?;
+        canvas.text(&title, [LEFT, TOP - 34.0], TITLE_SIZE, INK, Anchor::Start);
+        diagram.paint(canvas);
+        legend.draw(canvas, [LEFT, below]);
         for (row, note) in notes.iter().enumerate() {
             let base = notes_from + (row as f64 + 1.0) * NOTE_SIZE * 1.4;
-            canvas.text(note, [LEFT, base], NOTE_SIZE, FAINT_INK, Anchor::Start)?;
+            canvas.text(note, [LEFT, base], NOTE_SIZE, FAINT_INK, Anchor::Start);
         }
-        Ok(())
     })
 }
 

@@ -38,6 +38,9 @@ pub(super) fn database() -> Arc<Database> {
 
 /// Width of `text` in pixels at font size `size`.
 pub(super) fn text_width(text: &str, size: f64) -> f64 {
+    if register().is_err() {
+        return 0.0;
+    }
     // Measured at a hundredfold size, since plotters rounds to whole pixels.
     let font = (FAMILY, size * PLOTTERS_SCALE * 100.0).into_font();
     font.box_size(text).map_or(0.0, |(width, _)| f64::from(width) / (100.0 * MEASURE_EXCESS))

@@ -1,9 +1,8 @@
 //! The pixels of a panel: which region each belongs to, and how deep inside it lies.
 
-use super::geometry::Rect;
+use super::geometry::{Point, Rect};
 use super::scene::Scene;
 use super::trace::Trace;
-use super::units::Point;
 use super::view::View;
 
 /// A region whose inscribed circle has at least this radius in pixels can be seen and pointed at.

@@ -1,12 +1,10 @@
 //! The labels of regions.
 
 use super::canvas::{Anchor, Canvas};
-use super::error::PlotError;
 use super::font::text_width;
-use super::geometry::Rect;
+use super::geometry::{Point, Rect};
 use super::ink::{FAINT_INK, INK, Ink, PAPER};
 use super::notation;
-use super::units::Point;
 use crate::document::{AtlasDocument, RegionDocument};
 
 /// Size of the id relative to the type.
@@ -56,12 +54,12 @@ pub(super) fn names(atlas: &AtlasDocument) -> Vec<Name> {
 }
 
 /// Draws a label.
-pub(super) fn paint(canvas: &Canvas<'_>, label: &Label, name: &Name) -> Result<(), PlotError> {
+pub(super) fn paint(canvas: &Canvas<'_>, label: &Label, name: &Name) {
     if let Some([anchor, end]) = label.leader {
-        canvas.path(&[anchor, end], Ink { color: INK, width: 0.7 })?;
-        canvas.disc(anchor, 1.3, INK)?;
-        canvas.polygon(&label.rect.grown(1.5).corners(), PAPER)?;
-        canvas.outline(&label.rect.grown(1.5).corners(), Ink { color: FAINT_INK, width: 0.5 })?;
+        canvas.path(&[anchor, end], Ink { color: INK, width: 0.7 });
+        canvas.disc(anchor, 1.3, INK);
+        canvas.polygon(&label.rect.grown(1.5).corners(), PAPER);
+        canvas.outline(&label.rect.grown(1.5).corners(), Ink { color: FAINT_INK, width: 0.5 });
     }
     let Rect { x, y, width, .. } = label.rect;
     let (size, id_size) = (label.size, label.size * ID_SCALE);
@@ -72,6 +70,6 @@ pub(super) fn paint(canvas: &Canvas<'_>, label: &Label, name: &Name) -> Result<(
         let middle = x + width / 2.0;
         (middle, [middle, y + LINE * size + 0.9 * id_size])
     };
-    canvas.text(&name.kind, [kind_x, base], size, INK, Anchor::Middle)?;
+    canvas.text(&name.kind, [kind_x, base], size, INK, Anchor::Middle);
     canvas.text(&name.id, id_at, id_size, FAINT_INK, Anchor::Middle)
 }

@@ -1,9 +1,8 @@
 //! Where the panels lie on the page, and where each shows the windows of others.
 
-use super::geometry::Rect;
+use super::geometry::{Point, Rect};
 use super::panel::Panel;
 use super::ranges::{area, contains};
-use super::units::Point;
 
 /// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
 pub(super) const LEFT: f64 = 58.0;

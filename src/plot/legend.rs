@@ -3,15 +3,14 @@
 use std::collections::BTreeMap;
 
 use super::canvas::{Anchor, Canvas};
-use super::error::PlotError;
 use super::font::text_width;
+use super::geometry::Point;
 use super::ink::{FAINT_INK, INK, POLE};
 use super::markers::{MARKER, event_marker, sample_dot};
 use super::palette::BranchStyle;
 use super::pattern::{self, Pattern};
 use super::rows::{height, rows};
 use super::stroke::{self, DOUBLE_WIDTH, Verdict, WIDTH};
-use super::units::Point;
 use crate::document::{AtlasDocument, CurveKind, EventKind};
 
 const SIZE: f64 = 11.5;
@@ -81,20 +80,19 @@ impl Legend {
         height(&self.corners, ROW)
     }
 
-    pub(super) fn draw(&self, canvas: &Canvas<'_>, at: Point) -> Result<(), PlotError> {
+    pub(super) fn draw(&self, canvas: &Canvas<'_>, at: Point) {
         for ((symbol, name), place) in self.entries.iter().zip(&self.corners) {
             let (x, middle) = (at[0] + place[0], at[1] + place[1] + ROW / 2.0);
             let width = symbol_width(symbol);
             match symbol {
                 Symbol::Line(pattern, thickness) => {
-                    pattern::draw(canvas, &[[x, middle], [x + width, middle]], pattern, *thickness)?;
+                    pattern::draw(canvas, &[[x, middle], [x + width, middle]], pattern, *thickness);
                 }
-                Symbol::Event(kind) => event_marker(canvas, *kind, [x + width / 2.0, middle])?,
-                Symbol::Sample => sample_dot(canvas, [x + width / 2.0, middle])?,
+                Symbol::Event(kind) => event_marker(canvas, *kind, [x + width / 2.0, middle]),
+                Symbol::Sample => sample_dot(canvas, [x + width / 2.0, middle]),
             }
-            canvas.text(name, [x + width + GAP, middle + 0.36 * SIZE], SIZE, INK, Anchor::Start)?;
+            canvas.text(name, [x + width + GAP, middle + 0.36 * SIZE], SIZE, INK, Anchor::Start);
         }
-        Ok(())
     }
 }
 

@@ -42,7 +42,6 @@ mod space;
 mod stroke;
 mod ticks;
 mod trace;
-mod units;
 mod view;
 mod window;
 

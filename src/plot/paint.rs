@@ -2,9 +2,8 @@
 
 use super::axes::{self, Axis};
 use super::canvas::{Anchor, Canvas};
-use super::error::PlotError;
 use super::font::text_width;
-use super::geometry::distance;
+use super::geometry::{Point, distance};
 use super::ink::{INK, Ink};
 use super::labels;
 use super::layout::{BELOW, Frame, LEFT, LETTER_SIZE, frame, is_marked, letter};
@@ -17,7 +16,6 @@ use super::ranges::contains;
 use super::scene::Scene;
 use super::stroke::{self, Stroke};
 use super::ticks::ticks;
-use super::units::Point;
 use super::view::View;
 use crate::document::{EventKind, RegionDocument};
 
@@ -34,38 +32,37 @@ pub(super) struct Diagram<'a> {
 }
 
 impl Diagram<'_> {
-    pub(super) fn paint(&self, canvas: &Canvas<'_>) -> Result<(), PlotError> {
+    pub(super) fn paint(&self, canvas: &Canvas<'_>) {
         for (index, (panel, frames)) in self.panels.iter().zip(&self.frames).enumerate() {
-            self.paint_regions(canvas, panel)?;
+            self.paint_regions(canvas, panel);
             for stroke in &self.strokes {
-                stroke::draw(canvas, panel, stroke)?;
+                stroke::draw(canvas, panel, stroke);
             }
-            self.mark_points(canvas, panel, frames)?;
-            self.paint_frames(canvas, panel, frames)?;
+            self.mark_points(canvas, panel, frames);
+            self.paint_frames(canvas, panel, frames);
             for label in &self.texts.labels[index] {
-                labels::paint(canvas, label, &self.texts.names[label.region])?;
+                labels::paint(canvas, label, &self.texts.names[label.region]);
             }
-            paint_axes(canvas, panel, index == 0)?;
+            paint_axes(canvas, panel, index == 0);
         }
         self.tell_scales(canvas)
     }
 
-    fn paint_regions(&self, canvas: &Canvas<'_>, panel: &Panel) -> Result<(), PlotError> {
+    fn paint_regions(&self, canvas: &Canvas<'_>, panel: &Panel) {
         for (region, cells) in self.scene.atlas.regions.iter().zip(&self.scene.cells) {
             let circles = region.components.iter().map(|part| part.boundary_circles).sum();
             let color = tint(&tint_key(region), circles);
             for cell in cells {
-                canvas.polygon(&panel.cell_polygon(cell), color)?;
+                canvas.polygon(&panel.cell_polygon(cell), color);
             }
         }
-        Ok(())
     }
 
-    fn mark_points(&self, canvas: &Canvas<'_>, panel: &Panel, frames: &[Frame]) -> Result<(), PlotError> {
+    fn mark_points(&self, canvas: &Canvas<'_>, panel: &Panel, frames: &[Frame]) {
         for region in &self.scene.atlas.regions {
             let point = panel.view.position([region.sample.h, region.sample.l]);
             if is_marked(point, panel, frames) {
-                sample_dot(canvas, point)?;
+                sample_dot(canvas, point);
             }
         }
         // Markers of one kind on top of each other say no more than one.
@@ -74,32 +71,30 @@ impl Diagram<'_> {
             let point = panel.view.position([event.h, event.l]);
             let hidden = marked.iter().any(|(kind, other)| *kind == event.kind && distance(*other, point) < 5.0);
             if is_marked(point, panel, frames) && !hidden {
-                event_marker(canvas, event.kind, point)?;
+                event_marker(canvas, event.kind, point);
                 marked.push((event.kind, point));
             }
         }
-        Ok(())
     }
 
     /// The frames of insets with their letters, and that of the main panel in an overview.
-    fn paint_frames(&self, canvas: &Canvas<'_>, panel: &Panel, frames: &[Frame]) -> Result<(), PlotError> {
+    fn paint_frames(&self, canvas: &Canvas<'_>, panel: &Panel, frames: &[Frame]) {
         for frame in frames {
-            canvas.outline(&frame.rect.corners(), FRAME)?;
+            canvas.outline(&frame.rect.corners(), FRAME);
             if let Some(place) = self.texts.letters[frame.inset] {
                 let base = [place.x + place.width / 2.0, place.y + 0.82 * place.height];
-                canvas.text(&letter(frame.inset), base, LETTER_SIZE, INK, Anchor::Middle)?;
+                canvas.text(&letter(frame.inset), base, LETTER_SIZE, INK, Anchor::Middle);
             }
         }
         let main = &self.panels[0];
         if panel.view != main.view && shows(panel, main) {
-            canvas.outline(&frame(main, panel).corners(), FRAME)?;
+            canvas.outline(&frame(main, panel).corners(), FRAME);
         }
-        Ok(())
     }
 
     /// Above each inset, how much it is magnified.
-    fn tell_scales(&self, canvas: &Canvas<'_>) -> Result<(), PlotError> {
-        let [main, insets @ ..] = &self.panels[..] else { return Ok(()) };
+    fn tell_scales(&self, canvas: &Canvas<'_>) {
+        let [main, insets @ ..] = &self.panels[..] else { return };
         let overview = insets.first().filter(|inset| shows(inset, main));
         for (index, inset) in insets.iter().enumerate() {
             let (reference, of) = match overview {
@@ -114,9 +109,8 @@ impl Diagram<'_> {
                 format!("({}){of}  {H} ×{h}, {L} ×{l}", letter(index))
             };
             let rect = inset.view.rect;
-            canvas.text(&text, [rect.right(), rect.y - 8.0], LETTER_SIZE, INK, Anchor::End)?;
+            canvas.text(&text, [rect.right(), rect.y - 8.0], LETTER_SIZE, INK, Anchor::End);
         }
-        Ok(())
     }
 }
 
@@ -134,7 +128,7 @@ fn tint_key(region: &RegionDocument) -> String {
 }
 
 /// The axes of a panel and its frame; those of the main panel tell what h and l are.
-fn paint_axes(canvas: &Canvas<'_>, panel: &Panel, is_main: bool) -> Result<(), PlotError> {
+fn paint_axes(canvas: &Canvas<'_>, panel: &Panel, is_main: bool) {
     const SIZE: f64 = axes::SIZE + 1.0;
     let View { window, rect } = panel.view;
     let spacing = if is_main { 70.0 } else { 58.0 };
@@ -143,14 +137,14 @@ fn paint_axes(canvas: &Canvas<'_>, panel: &Panel, is_main: bool) -> Result<(), P
     let h_ticks = ticks(H, window.h[0], window.h[1], count(rect.width, spacing));
     let l_ticks = ticks(L, window.l[0], window.l[1], count(rect.height, 0.7 * spacing));
     let [h, l] = [(window.h, &h_ticks), (window.l, &l_ticks)].map(|(range, ticks)| Axis { range, ticks });
-    axes::draw(canvas, &rect, [BELOW, LEFT], [h, l])?;
+    axes::draw(canvas, &rect, [BELOW, LEFT], [h, l]);
     // In full where the labels are not scaled, in the main panel.
     let name = |quantity: &str, meaning: &str| match quantity {
         H | L if is_main => format!("{meaning} {quantity}"),
         scaled => scaled.to_owned(),
     };
     let (h_name, l_name) = (name(&h_ticks.quantity, "energy"), name(&l_ticks.quantity, "vertical angular momentum"));
-    canvas.text(&h_name, [rect.x + rect.width / 2.0, rect.bottom() + 36.0], SIZE, INK, Anchor::Middle)?;
+    canvas.text(&h_name, [rect.x + rect.width / 2.0, rect.bottom() + 36.0], SIZE, INK, Anchor::Middle);
     let l_at = [(rect.x - 12.0 - text_width(&l_name, SIZE)).max(rect.x - LEFT + 14.0), rect.y - 12.0];
     canvas.text(&l_name, l_at, SIZE, INK, Anchor::Start)
 }

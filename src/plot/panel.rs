@@ -1,12 +1,11 @@
 //! One panel: a view with its curves and the regions of its pixels.
 
 use super::error::PlotError;
-use super::geometry::clip_polygon;
+use super::geometry::{Point, clip_polygon};
 use super::grid::Grid;
 use super::ranges::common;
 use super::scene::{Cell, Scene};
 use super::trace::{Trace, traces};
-use super::units::Point;
 use super::view::View;
 
 /// Curves are off by at most this many pixels.

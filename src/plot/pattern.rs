@@ -3,10 +3,8 @@
 use plotters::style::RGBColor;
 
 use super::canvas::Canvas;
-use super::error::PlotError;
-use super::geometry::{between, distance};
+use super::geometry::{Point, between, distance};
 use super::ink::Ink;
-use super::units::Point;
 
 /// A length in pixels with its colour, or empty.
 pub(super) type Dash = (Option<RGBColor>, f64);
@@ -15,11 +13,10 @@ pub(super) type Dash = (Option<RGBColor>, f64);
 pub(super) type Pattern = Vec<Dash>;
 
 /// Draws a polyline in a pattern.
-pub(super) fn draw(canvas: &Canvas<'_>, points: &[Point], pattern: &[Dash], width: f64) -> Result<(), PlotError> {
+pub(super) fn draw(canvas: &Canvas<'_>, points: &[Point], pattern: &[Dash], width: f64) {
     for (color, dash) in dashes(points, pattern) {
-        canvas.path(&dash, Ink { color, width })?;
+        canvas.path(&dash, Ink { color, width });
     }
-    Ok(())
 }
 
 /// Cuts a polyline into the coloured pieces of a pattern.

@@ -4,7 +4,7 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
 use super::error::PlotError;
-use super::units::UNITS;
+use super::geometry::UNITS;
 use super::{font, image, pdf};
 
 /// Pixels of an SVG in an inch (CSS).

@@ -1,14 +1,13 @@
 //! The places of all text in all panels of a diagram.
 
 use super::font::text_width;
-use super::geometry::Rect;
+use super::geometry::{Point, Rect};
 use super::grid::LEGIBLE;
 use super::labels::{Label, Name, names};
 use super::layout::{CROWDED, Frame, LETTER_SIZE, is_marked, letter};
 use super::panel::Panel;
 use super::scene::Scene;
 use super::space::Space;
-use super::units::Point;
 
 /// The text of a diagram.
 pub(super) struct Texts {

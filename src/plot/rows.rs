@@ -1,6 +1,6 @@
 //! Rows of a legend.
 
-use super::units::Point;
+use super::geometry::Point;
 
 /// Top left corners, relative to that of the first, of entries of the given widths: in rows of `row` pixels height with
 /// `between` pixels between neighbours, as many in each as `width` holds.

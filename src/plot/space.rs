@@ -1,10 +1,9 @@
 //! Where text goes: inside its region where it fits, else beside it with a leader line.
 
-use super::geometry::{Rect, distance};
+use super::geometry::{Point, Rect, distance};
 use super::grid::{Grid, LEGIBLE, NOTHING};
 use super::labels::{Label, Name, extent};
 use super::panel::Panel;
-use super::units::Point;
 
 /// Font sizes of a region's type that are tried inside the region, best first.
 const SIZES: [f64; 3] = [14.0, 12.0, 10.5];

@@ -6,7 +6,6 @@ use std::collections::BTreeMap;
 use plotters::style::RGBColor;
 
 use super::canvas::Canvas;
-use super::error::PlotError;
 use super::geometry::clip_polyline;
 use super::ink::{FAINT_INK, POLE};
 use super::palette::{BranchStyle, is_pole};
@@ -149,10 +148,9 @@ fn stroke(
 }
 
 /// Draws a stroke in a panel.
-pub(super) fn draw(canvas: &Canvas<'_>, panel: &Panel, stroke: &Stroke) -> Result<(), PlotError> {
+pub(super) fn draw(canvas: &Canvas<'_>, panel: &Panel, stroke: &Stroke) {
     let points = panel.traces[stroke.curve].part(stroke.l[0], stroke.l[1]);
     for part in clip_polyline(&panel.view.positions(&points), &panel.view.rect) {
-        pattern::draw(canvas, &part, &stroke.pattern, stroke.width)?;
+        pattern::draw(canvas, &part, &stroke.pattern, stroke.width);
     }
-    Ok(())
 }

@@ -1,8 +1,7 @@
 //! Where a window of the (h, l) plane lies on the page.
 
-use super::geometry::Rect;
+use super::geometry::{Point, Rect};
 use super::ranges::length;
-use super::units::Point;
 use crate::document::WindowDocument;
 
 /// A window on the page, h to the right and l upwards.

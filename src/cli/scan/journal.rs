@@ -14,8 +14,8 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::error::{ScanFailure, ScanInput};
+use super::hashing::hexadecimal;
 use crate::cli::failure::Failure;
-use bifdiag::digest::hexadecimal;
 
 /// Which scan a journal, or a shard, belongs to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -3,14 +3,13 @@
 use super::super::axes::{self, Axis};
 use super::super::canvas::{Anchor, Canvas, render};
 use super::super::error::PlotError;
-use super::super::font::{self, text_width};
-use super::super::geometry::Rect;
+use super::super::font::text_width;
+use super::super::geometry::{Point, Rect};
 use super::super::ink::{FAINT_INK, INK, Ink, PAPER};
 use super::super::pattern;
 use super::super::picture::Picture;
 use super::super::ranges::is_proper;
 use super::super::ticks::ticks;
-use super::super::units::Point;
 use super::colors::fill;
 use super::legend::{Legend, SIZE, SMALL, line_pattern};
 use super::model::{Map, MapBodies, MapLine, MapNote};
@@ -48,27 +47,25 @@ pub fn draw_map(map: &Map) -> Result<Picture, PlotError> {
     if !is_proper(map.x.range) || !is_proper(map.y.range) {
         return Err(PlotError::EmptyWindow { h: map.x.range, l: map.y.range });
     }
-    // Text is measured before anything is drawn.
-    font::register()?;
     let legend = Legend::new(map);
     let width = LEFT + SIDE + GAP + legend.width() + GAP;
     let height = TOP + (SIDE + BELOW).max(legend.height() + 10.0);
     let rect = Rect { x: LEFT, y: TOP, width: SIDE, height: SIDE };
     let view = View { x: map.x.range, y: map.y.range, rect };
     render([width.ceil(), height.ceil()], &map.title, |canvas| {
-        canvas.text(&map.title, [LEFT, 24.0], 15.0, INK, Anchor::Start)?;
-        canvas.text(&map.subtitle, [LEFT, 41.0], SIZE, FAINT_INK, Anchor::Start)?;
-        bodies(canvas, map, &view)?;
+        canvas.text(&map.title, [LEFT, 24.0], 15.0, INK, Anchor::Start);
+        canvas.text(&map.subtitle, [LEFT, 41.0], SIZE, FAINT_INK, Anchor::Start);
+        bodies(canvas, map, &view);
         for line in &map.lines {
-            draw_line(canvas, line, &view)?;
+            draw_line(canvas, line, &view);
         }
-        marks(canvas, map, &view)?;
-        axes(canvas, map, &view)?;
+        marks(canvas, map, &view);
+        axes(canvas, map, &view);
         legend.draw(canvas, [LEFT + SIDE + GAP, TOP])
     })
 }
 
-fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
+fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) {
     match &map.bodies {
         MapBodies::Grid { columns, entries } => {
             let rows = entries.len() / (*columns).max(1);
@@ -85,7 +82,7 @@ fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> 
                     let bottom = view.rect.bottom() - row as f64 * high;
                     let top = bottom - high - more(row + 1 == rows);
                     let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
-                    canvas.polygon(&corners, fill(line[from]))?;
+                    canvas.polygon(&corners, fill(line[from]));
                     from = to;
                 }
             }
@@ -93,24 +90,22 @@ fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> 
         MapBodies::Points(points) => {
             let radius = (0.4 * SIDE / (points.len().max(1) as f64).sqrt()).clamp(0.8, 6.0);
             for (at, entry) in points {
-                canvas.disc(view.at(*at), radius, fill(*entry))?;
+                canvas.disc(view.at(*at), radius, fill(*entry));
             }
         }
     }
-    Ok(())
 }
 
 /// A line as far as it lies in the map.
-fn draw_line(canvas: &Canvas<'_>, line: &MapLine, view: &View) -> Result<(), PlotError> {
+fn draw_line(canvas: &Canvas<'_>, line: &MapLine, view: &View) {
     let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
     for run in points.split(|point| view.rect.nearest(*point) != *point) {
-        pattern::draw(canvas, run, &line_pattern(line.dashed), 1.2)?;
+        pattern::draw(canvas, run, &line_pattern(line.dashed), 1.2);
     }
-    Ok(())
 }
 
 /// The marks of the entries where there is room, and the notes.
-fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
+fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) {
     if let MapBodies::Grid { columns, entries } = &map.bodies {
         let rows = (entries.len() / (*columns).max(1)).max(1);
         let (wide, high) = (view.rect.width / *columns as f64, view.rect.height / rows as f64);
@@ -119,17 +114,16 @@ fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
             let needed = (0.5 * text_width(&entry.mark, SIZE) + 2.0).max(ROOM);
             if half * wide >= needed && half * high >= ROOM {
                 let at = [view.rect.x + column * wide, view.rect.bottom() - row * high];
-                canvas.text(&entry.mark, [at[0], at[1] + 0.36 * SIZE], SIZE, INK, Anchor::Middle)?;
+                canvas.text(&entry.mark, [at[0], at[1] + 0.36 * SIZE], SIZE, INK, Anchor::Middle);
             }
         }
     }
     for note in &map.notes {
-        draw_note(canvas, note, view)?;
+        draw_note(canvas, note, view);
     }
-    Ok(())
 }
 
-fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) -> Result<(), PlotError> {
+fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) {
     const RING: f64 = 4.5;
     let place = view.at(note.at);
     let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
@@ -143,22 +137,21 @@ fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) -> Result<(), Plo
     let at = [wanted.min(right - half).max(left + half), place[1]];
     let (left, right) = (at[0] - half, at[0] + half);
     let (top, bottom) = (at[1] - 0.5 * SMALL - 2.0, at[1] + 0.5 * SMALL + 2.0);
-    canvas.polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]], PAPER)?;
-    canvas.text(&note.text, [at[0], at[1] + 0.36 * SMALL], SMALL, INK, Anchor::Middle)?;
+    canvas.polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]], PAPER);
+    canvas.text(&note.text, [at[0], at[1] + 0.36 * SMALL], SMALL, INK, Anchor::Middle);
     if note.ring {
-        canvas.ring(place, RING, Ink { color: INK, width: 1.4 })?;
+        canvas.ring(place, RING, Ink { color: INK, width: 1.4 });
     }
-    Ok(())
 }
 
-fn axes(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
+fn axes(canvas: &Canvas<'_>, map: &Map, view: &View) {
     let rect = &view.rect;
     let x_ticks = ticks(&map.x.name, view.x[0], view.x[1], 8);
     let y_ticks = ticks(&map.y.name, view.y[0], view.y[1], 10);
     let [x, y] = [(view.x, &x_ticks), (view.y, &y_ticks)].map(|(range, ticks)| Axis { range, ticks });
-    axes::draw(canvas, rect, [BELOW - 10.0, LEFT], [x, y])?;
+    axes::draw(canvas, rect, [BELOW - 10.0, LEFT], [x, y]);
     let below = [rect.x + 0.5 * rect.width, rect.bottom() + 38.0];
-    canvas.text(&x_ticks.quantity, below, 12.5, INK, Anchor::Middle)?;
+    canvas.text(&x_ticks.quantity, below, 12.5, INK, Anchor::Middle);
     let beside = (rect.x - 10.0 - text_width(&y_ticks.quantity, 12.5)).max(6.0);
     canvas.text(&y_ticks.quantity, [beside, rect.y - 9.0], 12.5, INK, Anchor::Start)
 }

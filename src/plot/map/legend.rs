@@ -3,12 +3,10 @@
 use plotters::style::RGBColor;
 
 use super::super::canvas::{Anchor, Canvas};
-use super::super::error::PlotError;
 use super::super::font::text_width;
-use super::super::geometry::Rect;
+use super::super::geometry::{Point, Rect};
 use super::super::ink::{FAINT_INK, INK, Ink};
 use super::super::pattern::{self, Pattern};
-use super::super::units::Point;
 use super::colors::fill;
 use super::model::{Map, MapBodies, MapEntry};
 
@@ -73,9 +71,10 @@ impl Legend {
         ROW * (self.lines.len() as f64 + 0.5)
     }
 
-    pub(super) fn draw(&self, canvas: &Canvas<'_>, [x, y]: Point) -> Result<(), PlotError> {
-        let mut lines = self.lines.iter().enumerate();
-        lines.try_for_each(|(number, line)| line.draw(canvas, [x, y + ROW * number as f64]))
+    pub(super) fn draw(&self, canvas: &Canvas<'_>, [x, y]: Point) {
+        for (number, line) in self.lines.iter().enumerate() {
+            line.draw(canvas, [x, y + ROW * number as f64]);
+        }
     }
 }
 
@@ -91,22 +90,22 @@ impl Line {
         }
     }
 
-    fn draw(&self, canvas: &Canvas<'_>, at: Point) -> Result<(), PlotError> {
+    fn draw(&self, canvas: &Canvas<'_>, at: Point) {
         let base = at[1] + 0.5 * ROW + 0.36 * SIZE;
         match self {
             Self::Entry { fill, text, note } => {
                 let top = at[1] + 0.5 * (ROW - SWATCH);
                 let rect = Rect { x: at[0], y: top, width: SWATCH, height: SWATCH };
-                canvas.polygon(&rect.corners(), *fill)?;
-                canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 })?;
+                canvas.polygon(&rect.corners(), *fill);
+                canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 });
                 let x = at[0] + SWATCH + 8.0;
-                canvas.text(text, [x, base], SIZE, INK, Anchor::Start)?;
+                canvas.text(text, [x, base], SIZE, INK, Anchor::Start);
                 canvas.text(note, [x + text_width(text, SIZE) + 8.0, base], SMALL, FAINT_INK, Anchor::Start)
             }
             Self::Stroke { dashed, text } => {
                 let middle = at[1] + 0.5 * ROW;
                 let ends = [[at[0], middle], [at[0] + 2.0 * SWATCH, middle]];
-                pattern::draw(canvas, &ends, &line_pattern(*dashed), 1.2)?;
+                pattern::draw(canvas, &ends, &line_pattern(*dashed), 1.2);
                 canvas.text(text, [at[0] + 2.0 * SWATCH + 8.0, base], SIZE, INK, Anchor::Start)
             }
             Self::Text(text) => canvas.text(text, [at[0], base], SIZE, FAINT_INK, Anchor::Start),

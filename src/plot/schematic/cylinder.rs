@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use super::super::canvas::{Anchor, Canvas, render};
 use super::super::error::PlotError;
+use super::super::geometry::Point;
 use super::super::ink::{INK, Ink, POLE, rgb};
 use super::super::picture::Picture;
-use super::super::units::Point;
 use super::shapes::arrow_head;
 
 /// How far the axis is tilted towards the viewer, in radians.
@@ -41,14 +41,7 @@ fn on_cylinder([psi, theta]: [f64; 2]) -> ([f64; 3], [f64; 3]) {
 }
 
 /// The hidden or the visible part of a curve in (ψ', ϑ') on a surface.
-fn curve(
-    canvas: &Canvas<'_>,
-    center: Point,
-    surface: Surface,
-    points: &[[f64; 2]],
-    hidden: bool,
-    ink: Ink,
-) -> Result<(), PlotError> {
+fn curve(canvas: &Canvas<'_>, center: Point, surface: Surface, points: &[[f64; 2]], hidden: bool, ink: Ink) {
     let mut part: Vec<Point> = Vec::new();
     for &point in points {
         let (place, normal) = surface(point);
@@ -58,7 +51,7 @@ fn curve(
         if (here < 0.0) == hidden || here.abs() < 0.04 {
             part.push([center[0] + RADIUS * at[0], center[1] + RADIUS * at[1]]);
         } else {
-            canvas.path(&std::mem::take(&mut part), ink)?;
+            canvas.path(&std::mem::take(&mut part), ink);
         }
     }
     canvas.path(&part, ink)
@@ -91,41 +84,41 @@ pub(super) fn draw() -> Result<Picture, PlotError> {
             let (net_ink, rim_ink) = if hidden { (BACK, CURVE_BACK) } else { (FRONT, CURVE) };
             for (center, surface) in surfaces {
                 for line in net() {
-                    curve(canvas, center, surface, &line, hidden, net_ink)?;
+                    curve(canvas, center, surface, &line, hidden, net_ink);
                 }
-                curve(canvas, center, surface, &rim, hidden, rim_ink)?;
+                curve(canvas, center, surface, &rim, hidden, rim_ink);
             }
             for theta in [0.0, PI] {
                 // The whole upper rim is seen.
                 let ink = if hidden && theta > 0.0 { faint_pole } else { Ink { color: POLE, width: 3.0 } };
-                curve(canvas, right, on_cylinder, &sampled(|t| [TAU * t, theta]), hidden, ink)?;
+                curve(canvas, right, on_cylinder, &sampled(|t| [TAU * t, theta]), hidden, ink);
             }
         }
         let outline: Vec<Point> = sampled(|t| {
             let (sin, cos) = libm::sincos(TAU * t);
             [left[0] + RADIUS * cos, left[1] + RADIUS * sin]
         });
-        canvas.path(&outline, Ink { color: INK, width: 1.0 })?;
+        canvas.path(&outline, Ink { color: INK, width: 1.0 });
         for (theta, name, label, color, aside) in
             [(0.0, "+r̂", "ϑ′ = 0", POLE, -RADIUS - 8.0), (PI, "−r̂", "ϑ′ = π", faint_pole.color, RADIUS + 18.0)]
         {
             let pole = seen(on_sphere([0.0, theta]).0).0;
             let at = [left[0] + RADIUS * pole[0], left[1] + RADIUS * pole[1]];
-            canvas.ring(at, 5.0, Ink { color, width: 2.0 })?;
-            canvas.text(name, [left[0], left[1] + aside], TEXT, INK, Anchor::Middle)?;
+            canvas.ring(at, 5.0, Ink { color, width: 2.0 });
+            canvas.text(name, [left[0], left[1] + aside], TEXT, INK, Anchor::Middle);
             let beside = seen(on_cylinder([PI / 2.0, theta]).0).0;
             let at = [right[0] + RADIUS * beside[0] + 10.0, right[1] + RADIUS * beside[1] + 4.0];
-            canvas.text(label, at, TEXT, INK, Anchor::Start)?;
+            canvas.text(label, at, TEXT, INK, Anchor::Start);
         }
         for side in [-1.0, 1.0] {
             let x = right[0] + side * 0.8 * RADIUS;
             let ends = [0.0, PI].map(|theta| right[1] + RADIUS * seen(on_cylinder([PI / 2.0, theta]).0).0[1]);
-            canvas.path(&[[x, ends[0]], [x, ends[1]]], Ink { color: INK, width: 1.0 })?;
+            canvas.path(&[[x, ends[0]], [x, ends[1]]], Ink { color: INK, width: 1.0 });
         }
         let arrow = Ink { color: INK, width: 1.4 };
-        canvas.path(&[[272.0, 170.0], [312.0, 170.0]], arrow)?;
-        arrow_head(canvas, [316.0, 170.0], [1.0, 0.0], arrow)?;
-        canvas.text("the Poisson sphere", [left[0], 330.0], TEXT, INK, Anchor::Middle)?;
+        canvas.path(&[[272.0, 170.0], [312.0, 170.0]], arrow);
+        arrow_head(canvas, [316.0, 170.0], [1.0, 0.0], arrow);
+        canvas.text("the Poisson sphere", [left[0], 330.0], TEXT, INK, Anchor::Middle);
         canvas.text("the cylinder with its polar circles", [right[0], 330.0], TEXT, INK, Anchor::Middle)
     })
 }

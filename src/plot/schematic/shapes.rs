@@ -1,9 +1,8 @@
 //! Directions, arcs and arrow heads.
 
 use super::super::canvas::Canvas;
-use super::super::error::PlotError;
+use super::super::geometry::Point;
 use super::super::ink::Ink;
-use super::super::units::Point;
 
 /// The direction at `degrees` from the x-axis, counterclockwise on the page.
 pub(super) fn direction(degrees: f64) -> Point {
@@ -24,7 +23,7 @@ pub(super) fn arc(center: Point, radius: f64, from: f64, to: f64) -> Vec<Point> 
 }
 
 /// An arrow head at `tip` that comes along `along`.
-pub(super) fn arrow_head(canvas: &Canvas<'_>, tip: Point, along: Point, ink: Ink) -> Result<(), PlotError> {
+pub(super) fn arrow_head(canvas: &Canvas<'_>, tip: Point, along: Point, ink: Ink) {
     const SIZE: f64 = 8.0;
     let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
     let [x, y] = along.map(|c| c / length * SIZE);

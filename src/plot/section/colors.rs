@@ -3,7 +3,6 @@
 use plotters::style::RGBColor;
 
 use super::super::canvas::{Anchor, Canvas, Page};
-use super::super::error::PlotError;
 use super::super::geometry::Rect;
 use super::super::ink::{INK, Ink, rgb, rgbs};
 use super::super::ticks::ticks;
@@ -103,17 +102,17 @@ impl Bar {
     }
 
     /// Draws the bar with ticks and its label.
-    pub fn draw(&self, page: &mut Page, rect: Rect) -> Result<(), PlotError> {
+    pub fn draw(&self, page: &mut Page, rect: Rect) {
         let [from, to] = self.range;
         let ticks = ticks(&self.label, from, to, 6);
         page.paint(|canvas| {
-            paint_scale(canvas, &rect)?;
-            canvas.outline(&rect.corners(), Ink { color: INK, width: 0.8 })?;
+            paint_scale(canvas, &rect);
+            canvas.outline(&rect.corners(), Ink { color: INK, width: 0.8 });
             for (value, label) in ticks.values.iter().zip(&ticks.labels) {
                 let y = rect.y + rect.height * (1.0 - (value - from) / (to - from));
                 let right = rect.x + rect.width;
-                canvas.path(&[[right, y], [right + 4.0, y]], Ink { color: INK, width: 0.8 })?;
-                canvas.text(label, [right + 7.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::Start)?;
+                canvas.path(&[[right, y], [right + 4.0, y]], Ink { color: INK, width: 0.8 });
+                canvas.text(label, [right + 7.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::Start);
             }
             // Flush with the page's right margin, above the bar.
             canvas.text(&ticks.quantity, [rect.x + 78.0, rect.y - 26.0], TICK_SIZE, INK, Anchor::End)
@@ -121,13 +120,12 @@ impl Bar {
     }
 }
 
-fn paint_scale(canvas: &Canvas<'_>, rect: &Rect) -> Result<(), PlotError> {
+fn paint_scale(canvas: &Canvas<'_>, rect: &Rect) {
     for level in 0..LEVELS {
         // Each reaches to the upper end, and the next lies over it, so that no seam shows.
         let height = rect.height * (1.0 - level as f64 / LEVELS as f64);
-        canvas.polygon(&Rect { height, ..*rect }.corners(), level_color(level))?;
+        canvas.polygon(&Rect { height, ..*rect }.corners(), level_color(level));
     }
-    Ok(())
 }
 
 #[cfg(test)]

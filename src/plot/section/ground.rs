@@ -3,10 +3,8 @@
 use plotters::style::RGBColor;
 
 use super::super::canvas::{Canvas, Page};
-use super::super::error::PlotError;
-use super::super::geometry::Rect;
+use super::super::geometry::{Point, Rect};
 use super::super::ink::{INK, Ink, rgb};
-use super::super::units::Point;
 use super::layout::SheetPanel;
 use super::path::{Path, hex, stroke};
 use crate::section::{Chart, Portrait};
@@ -35,7 +33,7 @@ pub(super) fn shade(page: &mut Page, portrait: &Portrait, panel: &SheetPanel) {
 }
 
 /// Draws the lines, the poles and the frame.
-pub(super) fn outline(page: &mut Page, portrait: &Portrait, panel: &SheetPanel) -> Result<(), PlotError> {
+pub(super) fn outline(page: &mut Page, portrait: &Portrait, panel: &SheetPanel) {
     for (lines, ink) in [(portrait.tangency(panel.sheet), TANGENCY), (portrait.boundary(), BOUNDARY)] {
         let mut path = Path::default();
         for piece in lines.iter().flat_map(|line| portrait.in_chart(panel.chart, line)) {
@@ -53,16 +51,14 @@ pub(super) fn outline(page: &mut Page, portrait: &Portrait, panel: &SheetPanel) 
                 rims.line(&[[panel.rect.x, y], [panel.rect.right(), y]], false);
             }
             rims.draw(page, &stroke(POLAR));
-            Ok(())
         }
         Chart::Sphere => page.paint(|canvas| {
             let [.., r_hat] = portrait.torus().axes();
             for sign in poles {
                 let gamma = r_hat.map(|x| f64::from(sign) * x);
                 let at = panel.position(portrait.position(Chart::Sphere, gamma));
-                pole_marker(canvas, sign, at)?;
+                pole_marker(canvas, sign, at);
             }
-            Ok(())
         }),
     }
 }
@@ -83,7 +79,9 @@ fn frame(rect: &Rect) -> Path {
 }
 
 /// The mark of +r̂ (`sign` > 0) or −r̂ on a sphere.
-pub(super) fn pole_marker(canvas: &Canvas<'_>, sign: i8, at: Point) -> Result<(), PlotError> {
-    canvas.ring(at, 4.0, Ink { color: INK, width: 1.0 })?;
-    if sign > 0 { canvas.disc(at, 1.2, INK) } else { Ok(()) }
+pub(super) fn pole_marker(canvas: &Canvas<'_>, sign: i8, at: Point) {
+    canvas.ring(at, 4.0, Ink { color: INK, width: 1.0 });
+    if sign > 0 {
+        canvas.disc(at, 1.2, INK);
+    }
 }

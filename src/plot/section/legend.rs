@@ -3,12 +3,10 @@
 use plotters::style::RGBColor;
 
 use super::super::canvas::{Anchor, Page};
-use super::super::error::PlotError;
 use super::super::font::text_width;
-use super::super::geometry::Rect;
+use super::super::geometry::{Point, Rect};
 use super::super::ink::{INK, Ink};
 use super::super::rows::{height, rows};
-use super::super::units::Point;
 use super::ground::{BOUNDARY, INCOMING, OUTGOING, POLAR, TANGENCY, pole_marker};
 use super::path::{Path, hex, stroke};
 use super::scene::{Projection, SectionScene};
@@ -68,7 +66,7 @@ impl Legend {
         height(&self.corners, ROW) + 10.0
     }
 
-    pub fn draw(&self, page: &mut Page, top: f64) -> Result<(), PlotError> {
+    pub fn draw(&self, page: &mut Page, top: f64) {
         let at = |corner: &Point| [LEFT + corner[0], top + corner[1] + 0.5 * ROW];
         for ((symbol, _), [x, middle]) in self.entries.iter().zip(self.corners.iter().map(at)) {
             let mut path = Path::default();
@@ -88,11 +86,10 @@ impl Legend {
         page.paint(|canvas| {
             for ((symbol, text), [x, middle]) in self.entries.iter().zip(self.corners.iter().map(at)) {
                 if let Symbol::Pole(sign) = symbol {
-                    pole_marker(canvas, *sign, [x + SAMPLE / 2.0, middle])?;
+                    pole_marker(canvas, *sign, [x + SAMPLE / 2.0, middle]);
                 }
-                canvas.text(text, [x + SAMPLE + GAP, middle + 0.36 * SIZE], SIZE, INK, Anchor::Start)?;
+                canvas.text(text, [x + SAMPLE + GAP, middle + 0.36 * SIZE], SIZE, INK, Anchor::Start);
             }
-            Ok(())
         })
     }
 }

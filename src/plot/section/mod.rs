@@ -18,8 +18,8 @@ pub use scene::{OrbitValues, Projection, SectionOptions, SectionScene};
 use super::canvas::{Anchor, Page};
 use super::error::PlotError;
 use super::ink::INK;
+use super::notation;
 use super::picture::Picture;
-use super::{font, notation};
 use crate::section::{Portrait, SectionCondition};
 use colors::Coloring;
 use layout::Layout;
@@ -52,7 +52,6 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
             return Err(PlotError::Values { label, values: values.values.len(), orbits });
         }
     }
-    font::register()?;
     let coloring = Coloring::new(scenes);
     let layout = Layout::new(scenes, options.projection, coloring.bar().is_some());
     let legend = Legend::new(scenes, options.projection, layout.width());
@@ -64,15 +63,15 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
         let scene = &scenes[panel.scene];
         ground::shade(&mut page, scene.portrait, panel);
         points::draw(&mut page, scene, panel, &coloring, &style)?;
-        ground::outline(&mut page, scene.portrait, panel)?;
+        ground::outline(&mut page, scene.portrait, panel);
     }
-    page.paint(|canvas| canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start))?;
-    layout.draw_captions(&mut page, scenes)?;
+    page.paint(|canvas| canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start));
+    layout.draw_captions(&mut page, scenes);
     if let Some(bar) = coloring.bar() {
-        bar.draw(&mut page, layout.bar())?;
+        bar.draw(&mut page, layout.bar());
     }
-    legend.draw(&mut page, layout.bottom())?;
-    Ok(page.finish(&title))
+    legend.draw(&mut page, layout.bottom());
+    page.finish(&title)
 }
 
 /// The body of a portrait in a line, and its condition if it is not the usual one.

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use plotters::style::RGBColor;
 
 use super::super::canvas::Page;
+use super::super::geometry::{Point, UNITS, to_units};
 use super::super::ink::Ink;
-use super::super::units::{Point, UNITS, to_units};
 
 /// Path data of polylines.
 #[derive(Clone, Debug, Default)]

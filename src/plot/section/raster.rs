@@ -5,10 +5,9 @@ use base64::engine::general_purpose::STANDARD;
 use plotters::style::RGBColor;
 
 use super::super::error::PlotError;
-use super::super::geometry::Rect;
+use super::super::geometry::{Point, Rect, to_units};
 use super::super::image;
 use super::super::ink::PAPER;
-use super::super::units::{Point, to_units};
 
 /// Image pixels in a pixel of the page.
 const SCALE: f64 = 3.0;
