@@ -14,14 +14,14 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Number};
-use bifdiag::classify::classify;
-use bifdiag::document::{ClassificationDocument, ComponentDocument, Status};
-use bifdiag::topology::latitude;
 use common::bodies::{STRATA, Stratum, random_body, random_point};
 use common::random::SplitMix64;
 use dashu_ratio::RBig;
+use schema::{ClassificationDocument, ComponentDocument, Status};
+use top::atlas::Atlas;
+use top::body::{Body, Number};
+use top::classify::classify;
+use top::topology::latitude;
 
 #[derive(Default)]
 struct Tally {

@@ -1,9 +1,9 @@
 //! Arrangements: known bodies, oracles, and invariants on many random bodies.
 
-use bifdiag::arrangement::{Arrangement, Change};
-use bifdiag::body::Body;
-use bifdiag::equilibria::CriticalSet;
 use serde_json::Value;
+use top::body::Body;
+use top::curves::CriticalSet;
+use top::diagram::{Arrangement, Change};
 
 fn arrangement(a: [&str; 3], r: [&str; 3]) -> Arrangement {
     let body = Body::parse(&a, &r).unwrap();

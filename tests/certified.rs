@@ -1,11 +1,12 @@
 //! The certified atlas: numbers that are known, agreement with the standard atlas, and what `verify` refuses.
 
-use bifdiag::atlas::{Atlas, DocumentOptions};
-use bifdiag::body::{Body, Number, Preset};
-use bifdiag::certified::{CertifiedAtlas, checksum};
-use bifdiag::document::{AtlasDocument, Status};
-use bifdiag::topology::signature;
-use bifdiag::verify::{Refused, verify};
+use documents::DocumentOptions;
+use proof::{CertifiedAtlas, checksum};
+use schema::{AtlasDocument, Status};
+use top::atlas::Atlas;
+use top::body::{Body, Number, Preset};
+use top::topology::signature;
+use verify::{Refused, verify};
 
 #[path = "common/mod.rs"]
 mod common;
@@ -145,7 +146,7 @@ fn a_flipped_byte_is_caught_by_the_checksum() {
 
 #[test]
 fn false_claims_are_refused_by_the_mathematics() {
-    let certificate = |d: &mut AtlasDocument, change: &dyn Fn(&mut bifdiag::document::CertificateDocument)| {
+    let certificate = |d: &mut AtlasDocument, change: &dyn Fn(&mut schema::CertificateDocument)| {
         change(d.certificate.as_mut().unwrap());
     };
     // Wrong genus.
@@ -211,7 +212,8 @@ fn false_claims_are_refused_by_the_mathematics() {
 #[test]
 fn a_standard_atlas_is_cross_checked_and_not_proved() {
     let atlas = Atlas::new(&preset("paper")).unwrap();
-    let mut document = atlas.document(&DocumentOptions { polylines: false, ..DocumentOptions::default() });
+    let mut document =
+        documents::atlas::document(&atlas, &DocumentOptions { polylines: false, ..DocumentOptions::default() });
     let report = verify(&document).unwrap();
     assert!(!report.proof && report.regions == 9);
     document.regions[2].components = document.regions[0].components.clone();

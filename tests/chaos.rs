@@ -2,16 +2,16 @@
 
 use std::f64::consts::{PI, TAU};
 
-use bifdiag::body::Body;
-use bifdiag::dynamics::{HeavyTop, State, norm, sub};
-use bifdiag::integrator::taylor::InstructionSet;
-use bifdiag::integrator::{Method, MethodError};
-use bifdiag::section::chaos::{
+use dynamics::field::{HeavyTop, State, norm, sub};
+use dynamics::integrator::taylor::InstructionSet;
+use dynamics::integrator::{Method, MethodError};
+use dynamics::section::chaos::{
     ChaosMeasure, ChaosOptions, Lyapunov, RotationAngle, RotationUndefined, chaos_measures, lyapunov_exponents,
 };
-use bifdiag::section::{
+use dynamics::section::{
     Monitor, OrbitSection, PpTorus, SectionError, StartOptions, SweepOptions, TorusPoint, spread_starts, sweep,
 };
+use top::body::Body;
 
 fn top(moments: [f64; 3], center: [f64; 3]) -> HeavyTop {
     HeavyTop::new(&Body::from_f64(moments, center).unwrap())

@@ -4,12 +4,12 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Number, Preset};
-use bifdiag::class::{Class, PlanarMap, Unclassified};
 use common::bodies::{Stratum, random_body};
 use common::random::SplitMix64;
 use dashu_ratio::RBig;
+use top::atlas::Atlas;
+use top::body::{Body, Number, Preset};
+use top::class::{Class, PlanarMap, Unclassified};
 
 fn class(body: &Body) -> Result<Class, Unclassified> {
     Class::of(&Atlas::new(body).unwrap())
@@ -73,7 +73,7 @@ fn maps_are_planar_in_every_stratum() {
     }
 }
 
-/// Katok's class by the formulas of MATH §9, exactly but for a square root; `None` near a border.
+/// Katok's class by Example 15.2 of docs/mathematics.md, exactly but for a square root; `None` near a border.
 fn katok_class([a2, a3]: [f64; 2]) -> Option<usize> {
     let near = |x: f64, y: f64| (x - y).abs() < 1e-3;
     if [a2, a3].iter().any(|a| near(*a, 1.0) || near(*a, 0.75)) || near(a2, a3) {

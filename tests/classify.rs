@@ -1,10 +1,10 @@
 //! `classify` against flood-fill oracles and the paper's points, on cold and on prepared bodies.
 
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Number};
-use bifdiag::classify::classify;
-use bifdiag::document::{ClassificationDocument, Status};
+use schema::{ClassificationDocument, Status};
 use serde_json::Value;
+use top::atlas::Atlas;
+use top::body::{Body, Number};
+use top::classify::classify;
 
 fn number(value: &Value) -> Number {
     serde_json::from_value(value.clone()).unwrap()

@@ -1,8 +1,8 @@
 //! Closed-form relative equilibria against oracles made in exact rational arithmetic.
 
-use bifdiag::body::{Body, Number};
-use bifdiag::equilibria::{CriticalSet, RelativeEquilibrium};
 use serde_json::Value;
+use top::body::{Body, Number};
+use top::curves::{CriticalSet, RelativeEquilibrium};
 
 fn texts(value: &Value) -> Vec<String> {
     value.as_array().unwrap().iter().map(|x| x.as_str().unwrap().to_owned()).collect()

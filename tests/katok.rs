@@ -1,10 +1,10 @@
 //! Tops with r on a principal axis: the classes of Katok (1972) and Kovalevskaya's exact values.
 
-use bifdiag::arrangement::Change;
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Preset};
-use bifdiag::critical::critical;
-use bifdiag::document::{Multiplicity, Stability};
+use schema::{Multiplicity, Stability};
+use top::atlas::Atlas;
+use top::body::{Body, Preset};
+use top::critical::critical;
+use top::diagram::Change;
 
 /// What tells a class: the regions' components with their poles, and the kinds of events by rising l.
 type Fingerprint = (Vec<String>, Vec<&'static str>);

@@ -4,13 +4,13 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use bifdiag::body::{Body, Number};
-use bifdiag::topology::latitude::{self, Arcs, Latitudes, Obstacle, SweepError};
-use bifdiag::topology::{Component, Poles, signature};
 use common::bodies::{STRATA, Stratum, random_body, random_point};
 use common::flood_fill;
 use common::random::SplitMix64;
 use serde::Deserialize;
+use top::body::{Body, Number};
+use top::topology::latitude::{self, Arcs, Latitudes, Obstacle, SweepError};
+use top::topology::{Component, Poles, signature};
 
 /// Components at (h, l) in the body's own units.
 fn sweep(body: &Body, h: f64, l: f64) -> Result<Vec<Component>, SweepError> {

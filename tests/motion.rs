@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use bifdiag::body::Body;
-use bifdiag::dynamics::{HeavyTop, State, cross, dot, norm, scale, sub};
-use bifdiag::integrator::Method;
-use bifdiag::motion::{Motion, MotionError, MotionOptions, MotionSample, Quaternion, azimuth_rate, follow};
+use dynamics::field::{HeavyTop, State, cross, dot, norm, scale, sub};
+use dynamics::integrator::Method;
+use dynamics::motion::{Motion, MotionError, MotionOptions, MotionSample, Quaternion, azimuth_rate, follow};
+use top::body::Body;
 
 fn top(moments: [f64; 3], center: [f64; 3]) -> HeavyTop {
     HeavyTop::new(&Body::from_f64(moments, center).unwrap())

@@ -1,13 +1,13 @@
 //! The library against `data/oracles/`: certified answers in exact arithmetic, made by the scripts beside them.
 
-use bifdiag::arrangement::{Arrangement, Change};
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Number};
-use bifdiag::classify::classify;
-use bifdiag::document::{ComponentDocument, Status};
-use bifdiag::equilibria::{CriticalSet, Orbit, RelativeEquilibrium};
-use bifdiag::topology::{Component, latitude};
+use schema::{ComponentDocument, Status};
 use serde::Deserialize;
+use top::atlas::Atlas;
+use top::body::{Body, Number};
+use top::classify::classify;
+use top::curves::{CriticalSet, Orbit, RelativeEquilibrium};
+use top::diagram::{Arrangement, Change};
+use top::topology::{Component, latitude};
 
 const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 

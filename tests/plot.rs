@@ -5,11 +5,11 @@
 mod picture_texts;
 mod plot_fixture;
 
-use bifdiag::document::WindowDocument;
-use bifdiag::plot::{DiagramOptions, Picture, PlotError, draw};
 use picture_texts::{assert_texts_are_apart, texts};
+use plot::{DiagramOptions, Picture, PlotError, draw};
 use plot_fixture::{Fixture, kovalevskaya, paper, parabolas};
 use resvg::tiny_skia::Pixmap;
+use schema::WindowDocument;
 
 fn picture(name: &str, fixture: &Fixture) -> Picture {
     let picture = draw(&fixture.atlas, Some(fixture), &DiagramOptions::default()).expect("the fixture can be drawn");

@@ -1,8 +1,8 @@
 //! Sections from the question to the document: whether there is one, where the orbits start, and in which component.
 
-use bifdiag::body::{Body, Number, Preset};
-use bifdiag::poincare::{PoincareError, Setting};
-use bifdiag::section::{Monitor, SweepOptions};
+use dynamics::poincare::{PoincareError, Setting};
+use dynamics::section::{Monitor, SweepOptions};
+use top::body::{Body, Number, Preset};
 
 fn number(x: f64) -> Number {
     Number::from_f64(x).unwrap()
@@ -53,7 +53,8 @@ fn components_too_small_for_a_spread_are_filled_from_their_minimum() {
 
 #[test]
 fn every_region_of_every_named_body_has_starts() {
-    use bifdiag::atlas::{Atlas, DocumentOptions};
+    use documents::DocumentOptions;
+    use top::atlas::Atlas;
     let mut regions = 0;
     for preset in Preset::all() {
         let body = preset.body();

@@ -5,16 +5,16 @@ mod common;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bifdiag::arrangement::Undecided;
-use bifdiag::atlas::{Atlas, DocumentOptions, Place};
-use bifdiag::body::{Body, Number};
-use bifdiag::classify::{classify, classify_with_effort};
-use bifdiag::critical::critical;
-use bifdiag::document::{AtlasDocument, ClassificationDocument, ComponentDocument, Multiplicity};
-use bifdiag::topology::latitude;
 use common::bodies::{STRATA, Stratum, random_body, random_point};
 use common::random::SplitMix64;
 use dashu_ratio::RBig;
+use schema::{AtlasDocument, ClassificationDocument, ComponentDocument, Multiplicity};
+use top::atlas::{Atlas, DocumentOptions, Place};
+use top::body::{Body, Number};
+use top::classify::{classify, classify_with_effort};
+use top::critical::critical;
+use top::diagram::Undecided;
+use top::topology::latitude;
 
 fn number(x: f64) -> Number {
     Number::from_f64(x).unwrap()
@@ -283,7 +283,7 @@ fn atlas_documents_are_consistent() {
         let head = format!("{stratum:?} A={:?} r={:?}", body.moments_f64(), body.center_f64());
         let atlas = Atlas::new(&body).unwrap();
         let polylines = n < STRATA.len();
-        let document = atlas.document(&DocumentOptions { polylines, ..DocumentOptions::default() });
+        let document = documents::atlas::document(&atlas, &DocumentOptions { polylines, ..DocumentOptions::default() });
         let text = serde_json::to_string(&document).unwrap();
         let back: AtlasDocument = serde_json::from_str(&text).unwrap();
         assert_eq!(back, document, "{head}");

@@ -1,13 +1,13 @@
 //! Poincaré sections: conservation, integrable tops, reversal, the same bits everywhere, and heyoka's crossings.
 
-use bifdiag::body::Body;
-use bifdiag::dynamics::{HeavyTop, Integrals, State, dot, kovalevskaya};
-use bifdiag::integrator::taylor::InstructionSet;
-use bifdiag::integrator::{Method, MethodError};
-use bifdiag::section::{
+use dynamics::field::{HeavyTop, Integrals, State, dot, kovalevskaya};
+use dynamics::integrator::taylor::InstructionSet;
+use dynamics::integrator::{Method, MethodError};
+use dynamics::section::{
     End, Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, StartOptions, SweepOptions,
     TorusPoint, spread_starts, sweep,
 };
+use top::body::Body;
 
 fn torus(moments: [f64; 3], center: [f64; 3]) -> PpTorus {
     PpTorus::new(&HeavyTop::new(&Body::from_f64(moments, center).unwrap())).unwrap()

@@ -1,8 +1,8 @@
 //! The closed form of the characteristic polynomial against the eigenvalues of the whole linearisation.
 
-use bifdiag::body::{Body, Frame};
-use bifdiag::document::Stability;
-use bifdiag::stability::{Linearisation, RelativeEquilibrium, whole_spectrum};
+use top::body::{Body, Frame};
+use top::stability::Stability;
+use top::stability::{Linearisation, RelativeEquilibrium, whole_spectrum};
 
 /// Steele, Lea and Flood's SplitMix64.
 struct Random(u64);

@@ -1,10 +1,10 @@
 //! Single points: time and share of right, wrong and undecided answers.
 
-use bifdiag::atlas::Atlas;
-use bifdiag::certified::CertifiedAtlas;
-use bifdiag::document::{ClassificationDocument, ComponentDocument};
-use bifdiag::topology::Component;
+use proof::CertifiedAtlas;
 use rayon::prelude::*;
+use schema::{ClassificationDocument, ComponentDocument};
+use top::atlas::Atlas;
+use top::topology::Component;
 
 use super::clock::{quantiles, timed};
 use super::common::flood_fill;
@@ -83,7 +83,7 @@ fn document_against(point: &Point, found: &ClassificationDocument) -> Verdict {
 }
 
 fn standard(point: &Point) -> (Verdict, f64) {
-    let (found, time) = timed(|| bifdiag::classify::classify(&point.body, &point.h, &point.l));
+    let (found, time) = timed(|| top::classify::classify(&point.body, &point.h, &point.l));
     (found.map_or(Verdict::Failed, |document| document_against(point, &document)), time)
 }
 

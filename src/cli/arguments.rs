@@ -4,11 +4,11 @@ use std::ffi::OsString;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-use bifdiag::body::Number;
-use bifdiag::document::{Accuracy, WindowDocument};
-use bifdiag::plot::{Picture, PlotError};
 use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
+use plot::{Picture, PlotError};
+use schema::{Accuracy, WindowDocument};
+use top::body::Number;
 
 use super::failure::{InputError, Refusal};
 use super::find::{FIND_EXAMPLES, FindArguments};
@@ -380,17 +380,13 @@ pub struct FiguresArguments {
 }
 
 impl Options {
-    /// The options of this process.
-    pub fn parse() -> Result<Self, Refusal> {
-        Self::from_arguments(std::env::args_os())
-    }
-
     /// The clap command, for completions and manual pages.
     pub fn command() -> clap::Command {
         <Self as CommandFactory>::command()
     }
 
-    fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, Refusal> {
+    /// The options of a command line; the first argument is the name of the program.
+    pub fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, Refusal> {
         let arguments: Vec<OsString> = arguments.into_iter().collect();
         let command = Self::command();
         check_values(&command, &arguments)?;

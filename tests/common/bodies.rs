@@ -1,6 +1,6 @@
 //! Random bodies, stratum by stratum.
 
-use bifdiag::body::Body;
+use top::body::Body;
 
 use super::random::SplitMix64;
 

@@ -1,12 +1,12 @@
 //! Families of bodies and points that run into an extreme as ε → 0, and what the levels answer on the way.
 
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Number, Preset};
-use bifdiag::certified::CertifiedAtlas;
-use bifdiag::classify::classify;
-use bifdiag::document::ComponentDocument;
-use bifdiag::topology::Component;
 use dashu_ratio::RBig;
+use proof::CertifiedAtlas;
+use schema::ComponentDocument;
+use top::atlas::Atlas;
+use top::body::{Body, Number, Preset};
+use top::classify::classify;
+use top::topology::Component;
 
 /// What is asked.
 pub enum Question {

@@ -2,8 +2,8 @@
 // The last bit of a cosine moves no cell that matters.
 #![allow(clippy::disallowed_methods)]
 
-use bifdiag::body::Body;
-use bifdiag::topology::{Component, Poles, sort_components};
+use top::body::Body;
+use top::topology::{Component, Poles, sort_components};
 
 /// U_hl by flood fill on a grid with the given number of rows.
 pub fn components(body: &Body, h: f64, l: f64, rows: usize) -> Vec<Component> {

@@ -1,7 +1,7 @@
 //! Whole branches of generic bodies: vertices, cusps, chords.
 
-use bifdiag::body::Frame;
-use bifdiag::continuation::{StopReason, TrackOptions, Vertex};
+use top::body::Frame;
+use top::continuation::{StopReason, TrackOptions, Vertex};
 
 use crate::closed_form::{
     Random, both_ways, closed, cusps, cusps_of, difference_generic, frame, intervals, picture, start_in,

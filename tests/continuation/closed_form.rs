@@ -1,9 +1,9 @@
 //! The closed form of the relative equilibria, written a second time, in partial fractions about the nearest moment of
 //! inertia; random bodies; starts for the tracker.
 
-use bifdiag::body::{Body, Frame};
-use bifdiag::continuation::{Direction, Start, TrackOptions, TrackReport, Vertex, VertexKind, track};
-use bifdiag::stability::RelativeEquilibrium;
+use top::body::{Body, Frame};
+use top::continuation::{Direction, Start, TrackOptions, TrackReport, Vertex, VertexKind, track};
+use top::stability::RelativeEquilibrium;
 
 /// Steele, Lea and Flood's SplitMix64.
 pub struct Random(pub u64);

@@ -1,9 +1,9 @@
 //! Pieces of curves between cusps, with their stability.
 
-use bifdiag::body::Frame;
-use bifdiag::continuation::{PieceEnd, Start, VertexKind, track_piece};
-use bifdiag::document::{Stability, StabilitySpan};
-use bifdiag::stability::{Linearisation, RelativeEquilibrium};
+use top::body::Frame;
+use top::continuation::{PieceEnd, Start, VertexKind, track_piece};
+use top::stability::{Linearisation, RelativeEquilibrium};
+use top::stability::{Stability, StabilitySpan};
 
 use crate::closed_form::{Random, closed, cusp_points, frame, intervals, wide};
 

@@ -1,8 +1,8 @@
 //! Bodies with some r_i = 0: pitchforks, switching of branches, effort.
 
-use bifdiag::body::Body;
-use bifdiag::continuation::{Direction, Effort, Start, StopReason, TrackOptions, VertexKind, track};
-use bifdiag::stability::RelativeEquilibrium;
+use top::body::Body;
+use top::continuation::{Direction, Effort, Start, StopReason, TrackOptions, VertexKind, track};
+use top::stability::RelativeEquilibrium;
 
 use crate::closed_form::{
     Random, both_ways, closed_pair, cusps, difference_generic, frame, intervals, pair_start, picture, start_in, wide,

@@ -1,11 +1,11 @@
 //! Pieces of special bodies, and tracks that end early.
 
-use bifdiag::body::{Body, Frame};
-use bifdiag::continuation::{
+use top::body::{Body, Frame};
+use top::continuation::{
     Direction, PieceEnd, PieceTrack, Start, StopReason, TrackError, TrackOptions, track, track_piece,
 };
-use bifdiag::document::Stability;
-use bifdiag::stability::RelativeEquilibrium;
+use top::stability::RelativeEquilibrium;
+use top::stability::Stability;
 
 use crate::closed_form::{closed_pair, frame, picture};
 

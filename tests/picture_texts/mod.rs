@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use bifdiag::plot::Picture;
+use plot::Picture;
 use resvg::usvg::{Group, Node, Options, Tree, fontdb::Database};
 
 /// All texts with their boxes [left, top, right, bottom].
@@ -21,7 +21,7 @@ pub fn texts(picture: &Picture) -> Vec<(String, [f32; 4])> {
         }
     }
     let mut database = Database::new();
-    database.load_font_data(include_bytes!("../../data/fonts/DejaVuSans.ttf").to_vec());
+    database.load_font_data(include_bytes!("../../crates/plot/fonts/DejaVuSans.ttf").to_vec());
     let options = Options { fontdb: Arc::new(database), ..Options::default() };
     let tree = Tree::from_str(&picture.svg, &options).expect("the SVG is well-formed");
     let mut texts = Vec::new();

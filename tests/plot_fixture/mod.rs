@@ -3,14 +3,14 @@
 
 use std::collections::BTreeMap;
 
-use bifdiag::body::Body;
-use bifdiag::document::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
-use bifdiag::document::{
+use plot::CurveSource;
+use schema::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
+use schema::{
     Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument,
     EventKind, MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan,
     SummaryDocument, TailDocument,
 };
-use bifdiag::plot::CurveSource;
+use top::body::Body;
 
 /// (h, l) by a parameter.
 type Course = Box<dyn Fn(f64) -> [f64; 2]>;

@@ -1,0 +1,95 @@
+//! What the shades and lines of a section are.
+
+use plotters::style::RGBColor;
+
+use super::super::canvas::{Anchor, Page};
+use super::super::font::text_width;
+use super::super::geometry::{Point, Rect};
+use super::super::ink::{INK, Ink};
+use super::super::rows::{height, rows};
+use super::ground::{BOUNDARY, INCOMING, OUTGOING, POLAR, TANGENCY, pole_marker};
+use super::path::{Path, hex, stroke};
+use super::scene::{Projection, SectionScene};
+use dynamics::section::SectionCondition;
+
+const SIZE: f64 = 11.5;
+const SAMPLE: f64 = 26.0;
+const GAP: f64 = 7.0;
+const BETWEEN: f64 = 22.0;
+const ROW: f64 = 20.0;
+const LEFT: f64 = 56.0;
+const RIGHT: f64 = 20.0;
+
+enum Symbol {
+    Shade(RGBColor),
+    Line(Ink),
+    /// +r̂ (1) or −r̂.
+    Pole(i8),
+}
+
+/// The entries and the top left corner of each.
+pub(super) struct Legend {
+    entries: Vec<(Symbol, String)>,
+    corners: Vec<Point>,
+}
+
+impl Legend {
+    pub fn new(scenes: &[SectionScene<'_>], projection: Projection, width: f64) -> Self {
+        let mut entries = vec![
+            (Symbol::Shade(INCOMING), "Ṡ < 0, incoming".to_owned()),
+            (Symbol::Shade(OUTGOING), "Ṡ > 0, outgoing".to_owned()),
+            (Symbol::Line(TANGENCY), "Ṡ = 0, tangency".to_owned()),
+        ];
+        if scenes.iter().any(|scene| !scene.portrait.boundary().is_empty()) {
+            let boundary = match scenes[0].portrait.condition() {
+                SectionCondition::Height => "∂U",
+                SectionCondition::AngularMomentum => "boundary of the projection",
+            };
+            entries.push((Symbol::Line(BOUNDARY), boundary.to_owned()));
+        }
+        let poles = [1, -1].map(|sign| scenes.iter().any(|scene| scene.portrait.has_pole(sign)));
+        if projection != Projection::Torus {
+            for (_, (sign, name)) in poles.into_iter().zip([(1, "+r̂"), (-1, "−r̂")]).filter(|(any, _)| *any) {
+                entries.push((Symbol::Pole(sign), format!("{name}, accessible")));
+            }
+        }
+        if projection != Projection::Sphere && poles.contains(&true) {
+            let pole = "accessible polar circle (above +r̂, below −r̂), T⁻ and T⁺ glued with ψ′ + π";
+            entries.push((Symbol::Line(POLAR), pole.to_owned()));
+        }
+        let widths = entries.iter().map(|(_, text)| SAMPLE + GAP + text_width(text, SIZE));
+        let corners = rows(widths, BETWEEN, width - LEFT - RIGHT, ROW);
+        Self { entries, corners }
+    }
+
+    pub fn height(&self) -> f64 {
+        height(&self.corners, ROW) + 10.0
+    }
+
+    pub fn draw(&self, page: &mut Page, top: f64) {
+        let at = |corner: &Point| [LEFT + corner[0], top + corner[1] + 0.5 * ROW];
+        for ((symbol, _), [x, middle]) in self.entries.iter().zip(self.corners.iter().map(at)) {
+            let mut path = Path::default();
+            match symbol {
+                Symbol::Shade(color) => {
+                    let swatch = Rect { x, y: middle - 6.0, width: SAMPLE, height: 12.0 };
+                    path.line(&swatch.corners(), true);
+                    path.draw(page, &format!("fill=\"{}\" stroke=\"#8A8A8A\" stroke-width=\"5\"", hex(*color)));
+                }
+                Symbol::Line(ink) => {
+                    path.line(&[[x, middle], [x + SAMPLE, middle]], false);
+                    path.draw(page, &stroke(*ink));
+                }
+                Symbol::Pole(_) => {}
+            }
+        }
+        page.paint(|canvas| {
+            for ((symbol, text), [x, middle]) in self.entries.iter().zip(self.corners.iter().map(at)) {
+                if let Symbol::Pole(sign) = symbol {
+                    pole_marker(canvas, *sign, [x + SAMPLE / 2.0, middle]);
+                }
+                canvas.text(text, [x + SAMPLE + GAP, middle + 0.36 * SIZE], SIZE, INK, Anchor::Start);
+            }
+        })
+    }
+}

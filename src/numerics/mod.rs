@@ -1,9 +1,0 @@
-//! Root finding, interval arithmetic, partitions; knows nothing of rigid bodies.
-
-pub mod bernstein;
-pub mod interval;
-pub mod partition;
-pub mod root;
-
-/// Unit roundoff of `f64`: half the distance from 1 to the next double.
-pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
