@@ -1,15 +1,10 @@
 //! Charts of measurements: markers and lines over logarithmic or linear axes, panels side by side above one legend.
 
+use crate::page::{
+    Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Rows, render, rgb, rgbs, superscript,
+    text_width,
+};
 use plotters::style::RGBColor;
-
-use super::canvas::{Anchor, Canvas, render};
-use super::error::PlotError;
-use super::font::text_width;
-use super::geometry::{Point, Rect};
-use super::ink::{FAINT_INK, INK, Ink, rgb, rgbs};
-use super::notation::superscript;
-use super::picture::Picture;
-use super::rows::{height, rows};
 
 /// How an axis maps its values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,14 +83,14 @@ const COLORS: [RGBColor; 8] =
 pub fn draw_chart(chart: &Chart) -> Result<Picture, PlotError> {
     let width = chart.panels.len() as f64 * (LEFT + WIDTH + RIGHT);
     let entries = chart.names.iter().map(|name| text_width(name, SIZE) + 44.0);
-    let entries = rows(entries, 0.0, width - LEFT - RIGHT, LEGEND_ROW);
+    let entries = Rows::new(entries, 0.0, width - LEFT - RIGHT, LEGEND_ROW);
     let legend = TOP + HEIGHT + BELOW;
-    render([width, legend + height(&entries, LEGEND_ROW) + 10.0], &chart.title, |canvas| {
+    render([width, legend + entries.height + 10.0], &chart.title, |canvas| {
         for (number, panel) in chart.panels.iter().enumerate() {
             let left = number as f64 * (LEFT + WIDTH + RIGHT) + LEFT;
             draw_panel(canvas, panel, left);
         }
-        for (name, (text, corner)) in chart.names.iter().zip(entries).enumerate() {
+        for (name, (text, corner)) in chart.names.iter().zip(entries.corners).enumerate() {
             let [x, y] = [LEFT + corner[0], legend + corner[1] + 0.5 * LEGEND_ROW];
             canvas.path(&[[x, y], [x + 22.0, y]], Ink { color: color(name), width: 1.4 });
             mark(canvas, name, [x + 11.0, y]);

@@ -1,8 +1,7 @@
 //! Colours for many entries, apart in print and for colour-blind readers as far as that is possible.
 
+use crate::page::{rgb, rgbs};
 use plotters::style::RGBColor;
-
-use super::super::ink::{rgb, rgbs};
 
 /// Where nothing is known.
 const UNKNOWN: RGBColor = rgb(0x9a_9a_9a);

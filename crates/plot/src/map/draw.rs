@@ -1,19 +1,13 @@
 //! The drawing.
 
-use super::super::axes::{self, Axis};
-use super::super::canvas::{Anchor, Canvas, render};
-use super::super::error::PlotError;
-use super::super::font::text_width;
-use super::super::geometry::{Point, Rect};
-use super::super::ink::{FAINT_INK, INK, Ink, PAPER};
-use super::super::pattern;
-use super::super::picture::Picture;
-use super::super::ranges::is_proper;
-use super::super::ticks::ticks;
 use super::colors::fill;
 use super::legend::{Legend, SIZE, SMALL, line_pattern};
 use super::model::{Map, MapBodies, MapLine, MapNote};
 use super::places::widest;
+use crate::page::{
+    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Picture, PlotError, Point, Rect, draw_axes, is_proper, pattern,
+    render, text_width, ticks,
+};
 
 const SIDE: f64 = 560.0;
 const LEFT: f64 = 64.0;
@@ -149,7 +143,7 @@ fn axes(canvas: &Canvas<'_>, map: &Map, view: &View) {
     let x_ticks = ticks(&map.x.name, view.x[0], view.x[1], 8);
     let y_ticks = ticks(&map.y.name, view.y[0], view.y[1], 10);
     let [x, y] = [(view.x, &x_ticks), (view.y, &y_ticks)].map(|(range, ticks)| Axis { range, ticks });
-    axes::draw(canvas, rect, [BELOW - 10.0, LEFT], [x, y]);
+    draw_axes(canvas, rect, [BELOW - 10.0, LEFT], [x, y]);
     let below = [rect.x + 0.5 * rect.width, rect.bottom() + 38.0];
     canvas.text(&x_ticks.quantity, below, 12.5, INK, Anchor::Middle);
     let beside = (rect.x - 10.0 - text_width(&y_ticks.quantity, 12.5)).max(6.0);

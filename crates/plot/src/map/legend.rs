@@ -2,13 +2,9 @@
 
 use plotters::style::RGBColor;
 
-use super::super::canvas::{Anchor, Canvas};
-use super::super::font::text_width;
-use super::super::geometry::{Point, Rect};
-use super::super::ink::{FAINT_INK, INK, Ink};
-use super::super::pattern::{self, Pattern};
 use super::colors::fill;
 use super::model::{Map, MapBodies, MapEntry};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Pattern, Point, Rect, pattern, text_width};
 
 const ROW: f64 = 19.0;
 /// Font sizes of texts and of notes.

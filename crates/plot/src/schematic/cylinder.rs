@@ -2,12 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::super::canvas::{Anchor, Canvas, render};
-use super::super::error::PlotError;
-use super::super::geometry::Point;
-use super::super::ink::{INK, Ink, POLE, rgb};
-use super::super::picture::Picture;
 use super::shapes::arrow_head;
+use crate::page::{Anchor, Canvas, INK, Ink, POLE, Picture, PlotError, Point, render, rgb};
 
 /// How far the axis is tilted towards the viewer, in radians.
 const TILT: f64 = 0.42;

@@ -1,11 +1,9 @@
 //! Schematic pictures of what a section is: nothing in them is computed from a body.
 
+use crate::page::{Picture, PlotError};
 mod cylinder;
 mod shapes;
 mod sheets;
-
-use super::error::PlotError;
-use super::picture::Picture;
 
 /// A schematic picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,8 +1,6 @@
 //! Directions, arcs and arrow heads.
 
-use super::super::canvas::Canvas;
-use super::super::geometry::Point;
-use super::super::ink::Ink;
+use crate::page::{Canvas, Ink, Point};
 
 /// The direction at `degrees` from the x-axis, counterclockwise on the page.
 pub(super) fn direction(degrees: f64) -> Point {

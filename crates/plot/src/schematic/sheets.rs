@@ -5,12 +5,8 @@
 
 use plotters::style::RGBColor;
 
-use super::super::canvas::{Anchor, Canvas, render};
-use super::super::error::PlotError;
-use super::super::geometry::{Point, Rect};
-use super::super::ink::{FAINT_INK, INK, Ink, rgb};
-use super::super::picture::Picture;
 use super::shapes::{arc, arrow_head, direction, polar};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, render, rgb};
 
 const RADIUS: f64 = 84.0;
 /// Where the flow touches the circle, in degrees.

@@ -2,11 +2,8 @@
 
 use plotters::style::RGBColor;
 
-use super::super::canvas::{Anchor, Canvas, Page};
-use super::super::geometry::Rect;
-use super::super::ink::{INK, Ink, rgb, rgbs};
-use super::super::ticks::ticks;
 use super::scene::SectionScene;
+use crate::page::{Anchor, Canvas, INK, Ink, Page, Rect, rgb, rgbs, ticks};
 
 /// Colours of orbits in turn: they differ in lightness where they differ little in hue, and all are dark enough for
 /// the shaded ground.

@@ -2,11 +2,9 @@
 
 use plotters::style::RGBColor;
 
-use super::super::canvas::{Canvas, Page};
-use super::super::geometry::{Point, Rect};
-use super::super::ink::{INK, Ink, rgb};
 use super::layout::SheetPanel;
 use super::path::{Path, hex, stroke};
+use crate::page::{Canvas, INK, Ink, Page, Point, Rect, rgb};
 use dynamics::section::{Chart, Portrait};
 
 /// Ground where Ṡ < 0 and where Ṡ > 0.

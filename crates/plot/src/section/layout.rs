@@ -2,11 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::super::canvas::{Anchor, Canvas, Page};
-use super::super::geometry::{Point, Rect};
-use super::super::ink::{FAINT_INK, INK};
-use super::super::notation::number;
 use super::scene::{Projection, SectionScene};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Page, Point, Rect, number};
 use dynamics::section::Chart;
 
 /// Plot area of a panel.

@@ -2,14 +2,10 @@
 
 use plotters::style::RGBColor;
 
-use super::super::canvas::{Anchor, Page};
-use super::super::font::text_width;
-use super::super::geometry::{Point, Rect};
-use super::super::ink::{INK, Ink};
-use super::super::rows::{height, rows};
 use super::ground::{BOUNDARY, INCOMING, OUTGOING, POLAR, TANGENCY, pole_marker};
 use super::path::{Path, hex, stroke};
 use super::scene::{Projection, SectionScene};
+use crate::page::{Anchor, INK, Ink, Page, Point, Rect, Rows, text_width};
 use dynamics::section::SectionCondition;
 
 const SIZE: f64 = 11.5;
@@ -27,10 +23,10 @@ enum Symbol {
     Pole(i8),
 }
 
-/// The entries and the top left corner of each.
+/// The entries of a legend.
 pub(super) struct Legend {
     entries: Vec<(Symbol, String)>,
-    corners: Vec<Point>,
+    rows: Rows,
 }
 
 impl Legend {
@@ -58,17 +54,17 @@ impl Legend {
             entries.push((Symbol::Line(POLAR), pole.to_owned()));
         }
         let widths = entries.iter().map(|(_, text)| SAMPLE + GAP + text_width(text, SIZE));
-        let corners = rows(widths, BETWEEN, width - LEFT - RIGHT, ROW);
-        Self { entries, corners }
+        let rows = Rows::new(widths, BETWEEN, width - LEFT - RIGHT, ROW);
+        Self { entries, rows }
     }
 
     pub fn height(&self) -> f64 {
-        height(&self.corners, ROW) + 10.0
+        self.rows.height + 10.0
     }
 
     pub fn draw(&self, page: &mut Page, top: f64) {
         let at = |corner: &Point| [LEFT + corner[0], top + corner[1] + 0.5 * ROW];
-        for ((symbol, _), [x, middle]) in self.entries.iter().zip(self.corners.iter().map(at)) {
+        for ((symbol, _), [x, middle]) in self.entries.iter().zip(self.rows.corners.iter().map(at)) {
             let mut path = Path::default();
             match symbol {
                 Symbol::Shade(color) => {
@@ -84,7 +80,7 @@ impl Legend {
             }
         }
         page.paint(|canvas| {
-            for ((symbol, text), [x, middle]) in self.entries.iter().zip(self.corners.iter().map(at)) {
+            for ((symbol, text), [x, middle]) in self.entries.iter().zip(self.rows.corners.iter().map(at)) {
                 if let Symbol::Pole(sign) = symbol {
                     pole_marker(canvas, *sign, [x + SAMPLE / 2.0, middle]);
                 }

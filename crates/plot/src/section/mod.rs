@@ -15,11 +15,7 @@ mod scene;
 
 pub use scene::{OrbitValues, Projection, SectionOptions, SectionScene};
 
-use super::canvas::{Anchor, Page};
-use super::error::PlotError;
-use super::ink::INK;
-use super::notation;
-use super::picture::Picture;
+use crate::page::{Anchor, INK, Page, Picture, PlotError, body};
 use colors::Coloring;
 use dynamics::section::{Portrait, SectionCondition};
 use layout::Layout;
@@ -77,7 +73,7 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
 /// The body of a portrait in a line, and its condition if it is not the usual one.
 fn body_line(portrait: &Portrait) -> String {
     let top = portrait.torus().top();
-    let body = notation::body(&top.moments(), &top.center());
+    let body = body(&top.moments(), &top.center());
     match portrait.condition() {
         SectionCondition::Height => body,
         SectionCondition::AngularMomentum => format!("{body},  S = ⟨l, γ×r⟩"),

@@ -1,12 +1,9 @@
 //! SVG path data in canvas units: whole numbers, relative where that is shorter.
 
+use crate::page::{Ink, Page, Point, UNITS, to_units};
 use std::fmt::Write;
 
 use plotters::style::RGBColor;
-
-use super::super::canvas::Page;
-use super::super::geometry::{Point, UNITS, to_units};
-use super::super::ink::Ink;
 
 /// Path data of polylines.
 #[derive(Clone, Debug, Default)]

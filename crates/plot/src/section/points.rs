@@ -1,13 +1,11 @@
 //! Crossings as points: vectors, or images where there are many.
 
-use super::super::canvas::Page;
-use super::super::error::PlotError;
-use super::super::ink::Ink;
 use super::colors::Coloring;
 use super::layout::SheetPanel;
 use super::path::{Path, stroke};
 use super::raster::Raster;
 use super::scene::{SectionOptions, SectionScene};
+use crate::page::{Ink, Page, PlotError};
 
 /// Diameters of points in pixels.
 const SMALLEST: f64 = 0.8;

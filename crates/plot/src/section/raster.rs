@@ -1,13 +1,9 @@
 //! Points as an image with a palette, embedded into the SVG.
 
+use crate::page::{PAPER, PlotError, Point, Rect, png, to_units};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use plotters::style::RGBColor;
-
-use super::super::error::PlotError;
-use super::super::geometry::{Point, Rect, to_units};
-use super::super::image;
-use super::super::ink::PAPER;
 
 /// Image pixels in a pixel of the page.
 const SCALE: f64 = 3.0;
@@ -62,7 +58,7 @@ impl Raster {
     fn png(&self, palette: &[RGBColor]) -> Result<Vec<u8>, PlotError> {
         let size = self.size.map(|pixels| u32::try_from(pixels).unwrap_or(u32::MAX));
         let colors = [PAPER].iter().chain(palette).flat_map(|color| [color.0, color.1, color.2]);
-        image::png(size, Some(colors.collect()), &self.pixels)
+        png(size, Some(colors.collect()), &self.pixels)
     }
 }
 
