@@ -192,7 +192,7 @@ fn draw_panel(canvas: &Canvas<'_>, panel: &ChartPanel, left: f64) {
     }
     canvas.text(&panel.x.label, [left + WIDTH / 2.0, bottom + 36.0], SIZE, INK, Anchor::Middle);
     canvas.text(&panel.title, [left, TOP - 20.0], SIZE + 1.0, INK, Anchor::Start);
-    canvas.text(&panel.y.label, [left, TOP - 6.0], SIZE, FAINT_INK, Anchor::Start)
+    canvas.text(&panel.y.label, [left, TOP - 6.0], SIZE, FAINT_INK, Anchor::Start);
 }
 
 #[cfg(test)]

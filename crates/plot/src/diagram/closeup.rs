@@ -154,6 +154,6 @@ pub(super) fn depths(scene: &Scene<'_>, window: &WindowDocument, regions: &[usiz
             }
         }
     }
-    let depths = Grid::of_regions(scene, &view, &traces, regions).depths(scene.cells.len());
+    let depths = Grid::new(scene, &view, &traces, regions.iter().copied()).depths(scene.cells.len());
     Ok(depths.into_iter().map(|depth| COARSE * depth).collect())
 }

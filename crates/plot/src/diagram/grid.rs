@@ -29,14 +29,13 @@ fn pixel(value: f64, limit: usize) -> usize {
 }
 
 impl Grid {
-    /// The pixels of `view`, its size rounded to whole pixels.
-    pub(super) fn new(scene: &Scene<'_>, view: &View, traces: &[Trace]) -> Self {
-        let all: Vec<usize> = (0..scene.cells.len()).collect();
-        Self::of_regions(scene, view, traces, &all)
-    }
-
-    /// The pixels of some regions only.
-    pub(super) fn of_regions(scene: &Scene<'_>, view: &View, traces: &[Trace], regions: &[usize]) -> Self {
+    /// The pixels of some regions in `view`, its size rounded to whole pixels.
+    pub(super) fn new(
+        scene: &Scene<'_>,
+        view: &View,
+        traces: &[Trace],
+        regions: impl IntoIterator<Item = usize>,
+    ) -> Self {
         let (width, height) = (pixel(view.rect.width.round(), 10_000), pixel(view.rect.height.round(), 10_000));
         let mut grid = Self {
             width,
@@ -45,7 +44,7 @@ impl Grid {
             regions: vec![NOTHING; width * height],
             depth: Vec::new(),
         };
-        for &region in regions {
+        for region in regions {
             grid.fill(scene, view, traces, region);
         }
         grid.depth = grid.distances();

@@ -106,7 +106,7 @@ pub(super) fn paint(canvas: &Canvas<'_>, label: &Label, name: &Name) {
         (middle, [middle, y + LINE * size + 0.9 * id_size])
     };
     canvas.text(&name.kind, [kind_x, base], size, INK, Anchor::Middle);
-    canvas.text(&name.id, id_at, id_size, FAINT_INK, Anchor::Middle)
+    canvas.text(&name.id, id_at, id_size, FAINT_INK, Anchor::Middle);
 }
 
 #[cfg(test)]

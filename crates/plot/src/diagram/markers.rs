@@ -17,10 +17,10 @@ pub(super) fn event_marker(canvas: &Canvas<'_>, kind: EventKind, at: Point) {
         }
     };
     canvas.polygon(&shape, INK);
-    canvas.outline(&shape, Ink { color: PAPER, width: 0.8 })
+    canvas.outline(&shape, Ink { color: PAPER, width: 0.8 });
 }
 
 /// Marks the sample point of a region.
 pub(super) fn sample_dot(canvas: &Canvas<'_>, at: Point) {
-    canvas.disc(at, 2.0, INK)
+    canvas.disc(at, 2.0, INK);
 }

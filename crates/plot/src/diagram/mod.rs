@@ -30,7 +30,7 @@ pub use scene::CurveSource;
 use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, render};
 use insets::{Magnifications, magnifications};
 use layout::{BELOW, INSET, LEFT, MAIN, RIGHT, TOP, frames, inset_place};
-use legend::Legend;
+use legend::{legend, paint_symbol};
 use notes::{NOTE_SIZE, notes, title};
 use paint::Diagram;
 use palette::branch_styles;
@@ -74,7 +74,7 @@ pub fn draw(
     let farthest = |end: fn(&Rect) -> f64| panels.iter().map(|panel| end(&panel.view.rect)).fold(0.0, f64::max);
     let width = farthest(Rect::right) + RIGHT;
     let below = farthest(Rect::bottom) + BELOW + 6.0;
-    let legend = Legend::new(atlas, &styles, width - LEFT - RIGHT);
+    let legend = legend(atlas, &styles, width - LEFT - RIGHT);
     let notes = notes(atlas, &magnified, &texts.unlabelled, width - LEFT - RIGHT);
     let notes_from = below + legend.height();
     let height = notes_from + notes.len() as f64 * NOTE_SIZE * 1.4 + 14.0;
@@ -83,7 +83,7 @@ pub fn draw(
     render([width, height.ceil()], &title, |canvas| {
         canvas.text(&title, [LEFT, TOP - 34.0], TITLE_SIZE, INK, Anchor::Start);
         diagram.paint(canvas);
-        legend.draw(canvas, [LEFT, below]);
+        legend.draw(canvas, [LEFT, below], |symbol, at| paint_symbol(canvas, symbol, at));
         for (row, note) in notes.iter().enumerate() {
             let base = notes_from + (row as f64 + 1.0) * NOTE_SIZE * 1.4;
             canvas.text(note, [LEFT, base], NOTE_SIZE, FAINT_INK, Anchor::Start);

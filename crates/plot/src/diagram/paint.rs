@@ -39,7 +39,7 @@ impl Diagram<'_> {
             }
             paint_axes(canvas, panel, index == 0);
         }
-        self.tell_scales(canvas)
+        self.tell_scales(canvas);
     }
 
     fn paint_regions(&self, canvas: &Canvas<'_>, panel: &Panel) {
@@ -140,5 +140,5 @@ fn paint_axes(canvas: &Canvas<'_>, panel: &Panel, is_main: bool) {
     let (h_name, l_name) = (name(&h_ticks.quantity, "energy"), name(&l_ticks.quantity, "vertical angular momentum"));
     canvas.text(&h_name, [rect.x + rect.width / 2.0, rect.bottom() + 36.0], SIZE, INK, Anchor::Middle);
     let l_at = [(rect.x - 12.0 - text_width(&l_name, SIZE)).max(rect.x - LEFT + 14.0), rect.y - 12.0];
-    canvas.text(&l_name, l_at, SIZE, INK, Anchor::Start)
+    canvas.text(&l_name, l_at, SIZE, INK, Anchor::Start);
 }

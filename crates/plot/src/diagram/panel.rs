@@ -20,7 +20,7 @@ pub(super) struct Panel {
 impl Panel {
     pub(super) fn new(scene: &Scene<'_>, view: View) -> Result<Self, PlotError> {
         let traces = traces(scene, view.window.l, CHORD_PIXELS * view.h_per_pixel())?;
-        let grid = Grid::new(scene, &view, &traces);
+        let grid = Grid::new(scene, &view, &traces, 0..scene.cells.len());
         Ok(Self { view, traces, grid })
     }
 

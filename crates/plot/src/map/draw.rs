@@ -55,7 +55,7 @@ pub fn draw_map(map: &Map) -> Result<Picture, PlotError> {
         }
         marks(canvas, map, &view);
         axes(canvas, map, &view);
-        legend.draw(canvas, [LEFT + SIDE + GAP, TOP])
+        legend.draw(canvas, [LEFT + SIDE + GAP, TOP]);
     })
 }
 
@@ -147,5 +147,5 @@ fn axes(canvas: &Canvas<'_>, map: &Map, view: &View) {
     let below = [rect.x + 0.5 * rect.width, rect.bottom() + 38.0];
     canvas.text(&x_ticks.quantity, below, 12.5, INK, Anchor::Middle);
     let beside = (rect.x - 10.0 - text_width(&y_ticks.quantity, 12.5)).max(6.0);
-    canvas.text(&y_ticks.quantity, [beside, rect.y - 9.0], 12.5, INK, Anchor::Start)
+    canvas.text(&y_ticks.quantity, [beside, rect.y - 9.0], 12.5, INK, Anchor::Start);
 }

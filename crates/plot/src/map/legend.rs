@@ -96,13 +96,13 @@ impl Line {
                 canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 });
                 let x = at[0] + SWATCH + 8.0;
                 canvas.text(text, [x, base], SIZE, INK, Anchor::Start);
-                canvas.text(note, [x + text_width(text, SIZE) + 8.0, base], SMALL, FAINT_INK, Anchor::Start)
+                canvas.text(note, [x + text_width(text, SIZE) + 8.0, base], SMALL, FAINT_INK, Anchor::Start);
             }
             Self::Stroke { dashed, text } => {
                 let middle = at[1] + 0.5 * ROW;
                 let ends = [[at[0], middle], [at[0] + 2.0 * SWATCH, middle]];
                 pattern::draw(canvas, &ends, &line_pattern(*dashed), 1.2);
-                canvas.text(text, [at[0] + 2.0 * SWATCH + 8.0, base], SIZE, INK, Anchor::Start)
+                canvas.text(text, [at[0] + 2.0 * SWATCH + 8.0, base], SIZE, INK, Anchor::Start);
             }
             Self::Text(text) => canvas.text(text, [at[0], base], SIZE, FAINT_INK, Anchor::Start),
         }

@@ -1,6 +1,6 @@
 //! Tick marks at round numbers with labels that stay short at any magnification.
 
-use super::notation::superscript;
+use super::notation::{number, superscript};
 
 /// The most characters of a tick label.
 const LABEL_MAX: usize = 6;
@@ -27,24 +27,6 @@ fn decimal_value(count: i64, e: i32) -> f64 {
     format!("{count}e{e}").parse().unwrap_or(0.0)
 }
 
-/// count·10^e in positional notation.
-fn decimal(count: i64, e: i32) -> String {
-    let sign = if count < 0 { "−" } else { "" };
-    let digits = count.unsigned_abs().to_string();
-    if count == 0 {
-        return "0".to_owned();
-    }
-    match usize::try_from(-e) {
-        Err(_) | Ok(0) => format!("{sign}{digits}{}", "0".repeat(usize::try_from(e).unwrap_or(0))),
-        Ok(places) => {
-            let padded = format!("{digits:0>width$}", width = places + 1);
-            let (whole, fraction) = padded.split_at(padded.len() - places);
-            let fraction = fraction.trim_end_matches('0');
-            if fraction.is_empty() { format!("{sign}{whole}") } else { format!("{sign}{whole}.{fraction}") }
-        }
-    }
-}
-
 /// The ticks of `symbol` on [from, to]: as many as possible up to `count`, 1, 2 or 5 times a power of ten apart.
 pub(crate) fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
     let none = Ticks { values: Vec::new(), labels: Vec::new(), quantity: symbol.to_owned() };
@@ -67,11 +49,11 @@ pub(crate) fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
     let counts: Vec<i64> = (first as i64..=last as i64).map(|k| k * factor).collect();
     let values = counts.iter().map(|&k| decimal_value(k, e)).collect();
     let longest = |labels: &[String]| labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
-    let plain: Vec<String> = counts.iter().map(|&k| decimal(k, e)).collect();
+    let plain: Vec<String> = counts.iter().map(|&k| number(decimal_value(k, e))).collect();
     if longest(&plain) <= LABEL_MAX {
         return Ticks { values, labels: plain, quantity: symbol.to_owned() };
     }
-    let scaled: Vec<String> = counts.iter().map(|&k| decimal(k, 0)).collect();
+    let scaled: Vec<String> = counts.iter().map(number).collect();
     if longest(&scaled) <= LABEL_MAX - 2 {
         return Ticks { values, labels: scaled, quantity: format!("{symbol}·10{}", superscript(-e)) };
     }
@@ -82,8 +64,8 @@ pub(crate) fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
         unit *= 10;
     }
     let base = counts.first().unwrap_or(&0).div_euclid(unit) * unit;
-    let labels = counts.iter().map(|&k| decimal(k - base, 0)).collect();
-    let offset = decimal(base.abs(), e);
+    let labels = counts.iter().map(|k| number(k - base)).collect();
+    let offset = number(decimal_value(base.abs(), e));
     let sign = if base < 0 { '+' } else { '−' };
     let quantity = match -e {
         0 => format!("{symbol} {sign} {offset}"),

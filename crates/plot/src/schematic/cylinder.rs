@@ -50,7 +50,7 @@ fn curve(canvas: &Canvas<'_>, center: Point, surface: Surface, points: &[[f64; 2
             canvas.path(&std::mem::take(&mut part), ink);
         }
     }
-    canvas.path(&part, ink)
+    canvas.path(&part, ink);
 }
 
 fn sampled(line: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
@@ -115,6 +115,6 @@ pub(super) fn draw() -> Result<Picture, PlotError> {
         canvas.path(&[[272.0, 170.0], [312.0, 170.0]], arrow);
         arrow_head(canvas, [316.0, 170.0], [1.0, 0.0], arrow);
         canvas.text("the Poisson sphere", [left[0], 330.0], TEXT, INK, Anchor::Middle);
-        canvas.text("the cylinder with its polar circles", [right[0], 330.0], TEXT, INK, Anchor::Middle)
+        canvas.text("the cylinder with its polar circles", [right[0], 330.0], TEXT, INK, Anchor::Middle);
     })
 }

@@ -26,5 +26,5 @@ pub(super) fn arrow_head(canvas: &Canvas<'_>, tip: Point, along: Point, ink: Ink
     let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
     let [x, y] = along.map(|c| c / length * SIZE);
     let side = |s: f64| [tip[0] - x - s * 0.4 * y, tip[1] - y + s * 0.4 * x];
-    canvas.polygon(&[tip, side(1.0), side(-1.0)], ink.color)
+    canvas.polygon(&[tip, side(1.0), side(-1.0)], ink.color);
 }

@@ -46,7 +46,7 @@ pub(super) fn both_divisions() -> Result<Picture, PlotError> {
             let heading = if by_delta { "sheets by the sign of Δ: 1:1" } else { "sheets by the sign of Ṡ: not 1:1" };
             canvas.text(heading, [center[0] + 40.0, 30.0], TEXT + 1.0, INK, Anchor::Middle);
         }
-        legend(canvas, [60.0, 312.0])
+        legend(canvas, [60.0, 312.0]);
     })
 }
 
@@ -71,7 +71,7 @@ pub(super) fn near_tangency() -> Result<Picture, PlotError> {
             canvas.disc(point, 4.0, INK);
             canvas.disc([center[0] + BARS[bar], point[1]], 4.0, INK);
         }
-        legend(canvas, [28.0, 256.0])
+        legend(canvas, [28.0, 256.0]);
     })
 }
 
@@ -80,7 +80,7 @@ fn circle(canvas: &Canvas<'_>, center: Point) {
     let [first, second] = TANGENCIES;
     canvas.path(&arc(center, RADIUS, first, second), Ink { color: OUTGOING, width: 3.0 });
     canvas.path(&arc(center, RADIUS, second, first + 360.0), Ink { color: INCOMING, width: 3.0 });
-    canvas.text("P", [center[0] - 22.0, center[1] + 4.0], TEXT + 1.0, INK, Anchor::Middle)
+    canvas.text("P", [center[0] - 22.0, center[1] + 4.0], TEXT + 1.0, INK, Anchor::Middle);
 }
 
 /// A trajectory at a signed distance from the centre, on the side of the first tangency if positive.
@@ -89,7 +89,7 @@ fn flow_line(canvas: &Canvas<'_>, center: Point, offset: f64) {
     let reach = 0.5 * RADIUS + (RADIUS * RADIUS - offset * offset).max(0.0).sqrt();
     let (tail, tip) = (polar(foot, -reach, FLOW), polar(foot, reach, FLOW));
     canvas.path(&[tail, tip], FLOW_INK);
-    arrow_head(canvas, tip, direction(FLOW), FLOW_INK)
+    arrow_head(canvas, tip, direction(FLOW), FLOW_INK);
 }
 
 /// Where the sheets by Δ meet.
@@ -101,13 +101,13 @@ fn squares(canvas: &Canvas<'_>, center: Point) {
 
 fn guide(canvas: &Canvas<'_>, center: Point, at: f64, bar: f64) {
     let from = polar(center, RADIUS, at);
-    canvas.path(&[from, [center[0] + bar, from[1]]], GUIDE)
+    canvas.path(&[from, [center[0] + bar, from[1]]], GUIDE);
 }
 
 /// A part of a bar between the heights of two points of the circle.
 fn bar(canvas: &Canvas<'_>, center: Point, x: f64, [from, to]: [f64; 2], color: RGBColor) {
     let y = |at: f64| polar(center, RADIUS, at)[1];
-    canvas.path(&[[center[0] + x, y(from)], [center[0] + x, y(to)]], Ink { color, width: 4.0 })
+    canvas.path(&[[center[0] + x, y(from)], [center[0] + x, y(to)]], Ink { color, width: 4.0 });
 }
 
 fn names(canvas: &Canvas<'_>, center: Point) {
@@ -127,7 +127,7 @@ fn divided_by_rate(canvas: &Canvas<'_>, center: Point) {
             bar(canvas, center, x + aside, twice, color);
         }
     }
-    names(canvas, center)
+    names(canvas, center);
 }
 
 /// Bars by the sign of Δ: the left and the right half of the circle.
@@ -137,7 +137,7 @@ fn divided_by_delta(canvas: &Canvas<'_>, center: Point) {
     bar(canvas, center, BARS[0], [lower, -90.0], INCOMING);
     bar(canvas, center, BARS[1], [90.0, upper], OUTGOING);
     bar(canvas, center, BARS[1], [upper, -90.0], INCOMING);
-    names(canvas, center)
+    names(canvas, center);
 }
 
 fn legend(canvas: &Canvas<'_>, [x, y]: Point) {

@@ -21,7 +21,7 @@ const TICK_SIZE: f64 = 10.5;
 
 /// How the orbits of a picture are coloured.
 pub(super) struct Coloring {
-    bar: Option<Bar>,
+    pub bar: Option<Bar>,
 }
 
 /// The scale of values and what they are.
@@ -50,10 +50,6 @@ impl Coloring {
             Bar { label: first.label.to_owned(), range }
         });
         Self { bar }
-    }
-
-    pub fn bar(&self) -> Option<&Bar> {
-        self.bar.as_ref()
     }
 
     /// The colours that an image of this picture can need.
@@ -112,8 +108,8 @@ impl Bar {
                 canvas.text(label, [right + 7.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::Start);
             }
             // Flush with the page's right margin, above the bar.
-            canvas.text(&ticks.quantity, [rect.x + 78.0, rect.y - 26.0], TICK_SIZE, INK, Anchor::End)
-        })
+            canvas.text(&ticks.quantity, [rect.x + 78.0, rect.y - 26.0], TICK_SIZE, INK, Anchor::End);
+        });
     }
 }
 

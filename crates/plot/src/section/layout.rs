@@ -57,9 +57,10 @@ impl SheetPanel {
 
 /// The page.
 pub(super) struct Layout {
-    panels: Vec<SheetPanel>,
-    width: f64,
-    bottom: f64,
+    pub panels: Vec<SheetPanel>,
+    pub width: f64,
+    /// Lower end of the panels with their labels.
+    pub bottom: f64,
 }
 
 impl Layout {
@@ -83,19 +84,6 @@ impl Layout {
         }
         let right = LEFT + 2.0 * width + BETWEEN + RIGHT;
         Self { panels, width: right + if with_bar { BAR } else { 0.0 }, bottom: top }
-    }
-
-    pub fn panels(&self) -> &[SheetPanel] {
-        &self.panels
-    }
-
-    pub fn width(&self) -> f64 {
-        self.width
-    }
-
-    /// Lower end of the panels with their labels.
-    pub fn bottom(&self) -> f64 {
-        self.bottom
     }
 
     /// Where the colour bar stands.
@@ -123,7 +111,7 @@ impl Layout {
                 }
                 draw_ticks(canvas, panel);
             }
-        })
+        });
     }
 }
 
@@ -148,5 +136,5 @@ fn draw_ticks(canvas: &Canvas<'_>, panel: &SheetPanel) {
         canvas.text(label, at, TICK_SIZE, INK, Anchor::End);
     }
     let name = [rect.x - 9.0, rect.y + 0.25 * rect.height + 0.36 * CAPTION_SIZE];
-    canvas.text(theta, name, CAPTION_SIZE, FAINT_INK, Anchor::End)
+    canvas.text(theta, name, CAPTION_SIZE, FAINT_INK, Anchor::End);
 }

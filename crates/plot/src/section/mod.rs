@@ -19,7 +19,6 @@ use crate::page::{Anchor, INK, Page, Picture, PlotError, body};
 use colors::Coloring;
 use dynamics::section::{Portrait, SectionCondition};
 use layout::Layout;
-use legend::Legend;
 
 /// The most sections on one page.
 const SCENES_MAX: usize = 64;
@@ -49,13 +48,13 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
         }
     }
     let coloring = Coloring::new(scenes);
-    let layout = Layout::new(scenes, options.projection, coloring.bar().is_some());
-    let legend = Legend::new(scenes, options.projection, layout.width());
+    let layout = Layout::new(scenes, options.projection, coloring.bar.is_some());
+    let legend = legend::legend(scenes, options.projection, layout.width);
     let title = options.title.clone().unwrap_or_else(|| body_line(scenes[0].portrait));
-    let mut page = Page::new([layout.width(), (layout.bottom() + legend.height()).ceil()]);
+    let mut page = Page::new([layout.width, (layout.bottom + legend.height() + 10.0).ceil()]);
     page.element("<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>");
     let style = points::Style::new(scenes, options);
-    for panel in layout.panels() {
+    for panel in &layout.panels {
         let scene = &scenes[panel.scene];
         ground::shade(&mut page, scene.portrait, panel);
         points::draw(&mut page, scene, panel, &coloring, &style)?;
@@ -63,10 +62,10 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
     }
     page.paint(|canvas| canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start));
     layout.draw_captions(&mut page, scenes);
-    if let Some(bar) = coloring.bar() {
+    if let Some(bar) = &coloring.bar {
         bar.draw(&mut page, layout.bar());
     }
-    legend.draw(&mut page, layout.bottom());
+    legend::draw(&legend, &mut page, layout.bottom);
     page.finish(&title)
 }
 
