@@ -56,6 +56,8 @@ pub enum InputError {
     Momentum(MomentumError),
     #[error("{option} has no value ({next} follows it); write it as {option} {value}, or {option}=VALUE")]
     ValueMissing { option: String, next: String, value: String },
+    #[error("--format pdf: {0}")]
+    Format(PlotError),
     #[error("--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout")]
     OutIsStdout,
     #[error(transparent)]

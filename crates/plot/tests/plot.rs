@@ -16,6 +16,7 @@ fn picture(name: &str, fixture: &Fixture) -> Picture {
     if let Some(out) = std::env::var_os("PLOT_OUT").map(std::path::PathBuf::from) {
         std::fs::write(out.join(format!("{name}.svg")), &picture.svg).unwrap();
         std::fs::write(out.join(format!("{name}.png")), picture.to_png(144.0).unwrap()).unwrap();
+        #[cfg(feature = "pdf")]
         std::fs::write(out.join(format!("{name}.pdf")), picture.to_pdf().unwrap()).unwrap();
     }
     picture
@@ -100,7 +101,6 @@ fn equal_input_gives_equal_bytes_in_every_format() {
     let (first, second) = (picture("paper", &paper()), picture("paper", &paper()));
     assert_eq!(first, second);
     assert_eq!(first.to_png(96.0).unwrap(), second.to_png(96.0).unwrap());
-    assert_eq!(first.to_pdf().unwrap(), second.to_pdf().unwrap());
 }
 
 #[test]
@@ -114,7 +114,7 @@ fn text_is_drawn_where_no_fonts_are_installed() {
 }
 
 #[test]
-fn png_follows_the_resolution_and_pdf_is_pdf() {
+fn png_follows_the_resolution() {
     let picture = picture("kovalevskaya", &kovalevskaya());
     let size = |dpi: f64| {
         let png = Pixmap::decode_png(&picture.to_png(dpi).unwrap()).unwrap();
@@ -123,10 +123,25 @@ fn png_follows_the_resolution_and_pdf_is_pdf() {
     let (one, two) = (size(96.0), size(192.0));
     assert_eq!(one.map(|side| 2 * side), two);
     assert!(picture.svg.contains(&format!("width=\"{}\" height=\"{}\"", one[0], one[1])));
-    assert!(picture.to_pdf().unwrap().starts_with(b"%PDF-"));
     for dpi in [0.0, -1.0, f64::NAN, 1e9] {
         assert!(matches!(picture.to_png(dpi), Err(PlotError::Resolution { .. })), "{dpi} dpi");
     }
+}
+
+#[cfg(feature = "pdf")]
+#[test]
+fn pdf_is_pdf_and_equal_input_gives_equal_bytes() {
+    let [first, second] = [paper(), paper()].map(|fixture| picture("paper", &fixture).to_pdf().unwrap());
+    assert!(first.starts_with(b"%PDF-"));
+    assert_eq!(first, second);
+}
+
+#[cfg(not(feature = "pdf"))]
+#[test]
+fn pdf_names_the_feature_that_is_missing() {
+    let error = picture("kovalevskaya", &kovalevskaya()).to_pdf().unwrap_err();
+    assert!(matches!(error, PlotError::NoPdf), "{error:?}");
+    assert!(error.to_string().contains("the feature `pdf`"), "{error}");
 }
 
 #[test]

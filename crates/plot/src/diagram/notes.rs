@@ -1,8 +1,8 @@
 //! The title and what the picture cannot show, in words.
 
-use super::font::text_width;
 use super::insets::Magnifications;
-use super::notation::{self, H, L};
+use super::labels::{H, L, region_type};
+use crate::page::{body, text_width};
 use schema::AtlasDocument;
 
 /// Font size of the notes.
@@ -10,8 +10,7 @@ pub(super) const NOTE_SIZE: f64 = 11.0;
 
 /// The body in a line.
 pub(super) fn title(atlas: &AtlasDocument) -> String {
-    let list = |numbers: &[String; 3]| numbers.each_ref().map(|number| number.replace('-', "−")).join(", ");
-    let mut title = format!("A = ({}),  r = ({})", list(&atlas.body.moments), list(&atlas.body.center));
+    let mut title = body(&atlas.body.moments, &atlas.body.center);
     if atlas.body.flags.unphysical {
         title.push_str("   (unphysical: the triangle inequality is violated)");
     }
@@ -38,7 +37,7 @@ pub(super) fn notes(
         }
         let items = regions.iter().map(|&index| {
             let region = &atlas.regions[index];
-            let kind = notation::region_type(region);
+            let kind = region_type(region);
             let wide = region.h_width.map_or_else(String::new, |wide| format!(", {wide:.1e} wide"));
             format!("{} ({kind}) at {H} = {}, {L} = {}{wide}", region.id, region.sample.h, region.sample.l)
         });

@@ -1,10 +1,28 @@
-//! Rectangles in pixels, and what lies in them.
+//! Points and rectangles of the page, in pixels where they are computed and in canvas units where they are written.
 
-use super::canvas::Point;
+/// Canvas units in a pixel.
+pub(crate) const UNITS: f64 = 10.0;
+
+/// A position [x, y] in pixels, y downwards.
+pub(crate) type Point = [f64; 2];
+
+/// Canvas units of a pixel coordinate.
+pub(crate) fn to_units(pixels: f64) -> i32 {
+    #[expect(clippy::cast_possible_truncation, reason = "clamped; a NaN becomes 0")]
+    let units = (pixels * UNITS).round().clamp(-1e6, 1e6) as i32;
+    units
+}
+
+/// Canvas units of a length in pixels.
+pub(crate) fn length_units(pixels: f64) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the range of i32")]
+    let units = (pixels * UNITS).round().clamp(0.0, f64::from(i32::MAX)) as u32;
+    units
+}
 
 /// A rectangle in pixels, y downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rect {
+pub(crate) struct Rect {
     pub x: f64,
     pub y: f64,
     pub width: f64,
@@ -12,41 +30,59 @@ pub(super) struct Rect {
 }
 
 impl Rect {
-    pub(super) fn corners(&self) -> [Point; 4] {
-        let (right, bottom) = (self.x + self.width, self.y + self.height);
+    /// The square of side 2·`half` around a point.
+    pub(crate) fn around(center: Point, half: f64) -> Self {
+        Self { x: center[0] - half, y: center[1] - half, width: 2.0 * half, height: 2.0 * half }
+    }
+
+    pub(crate) fn right(&self) -> f64 {
+        self.x + self.width
+    }
+
+    pub(crate) fn bottom(&self) -> f64 {
+        self.y + self.height
+    }
+
+    pub(crate) fn corners(&self) -> [Point; 4] {
+        let (right, bottom) = (self.right(), self.bottom());
         [[self.x, self.y], [right, self.y], [right, bottom], [self.x, bottom]]
     }
 
-    pub(super) fn center(&self) -> Point {
+    pub(crate) fn center(&self) -> Point {
         [self.x + self.width / 2.0, self.y + self.height / 2.0]
     }
 
-    pub(super) fn contains(&self, point: Point) -> bool {
+    pub(crate) fn contains(&self, point: Point) -> bool {
         let inside = |value: f64, from: f64, length: f64| value >= from && value <= from + length;
         inside(point[0], self.x, self.width) && inside(point[1], self.y, self.height)
     }
 
     /// The point of the rectangle nearest to `point`.
-    pub(super) fn nearest(&self, point: Point) -> Point {
-        [point[0].clamp(self.x, self.x + self.width), point[1].clamp(self.y, self.y + self.height)]
+    pub(crate) fn nearest(&self, point: Point) -> Point {
+        [point[0].clamp(self.x, self.right()), point[1].clamp(self.y, self.bottom())]
     }
 
-    pub(super) fn grown(&self, by: f64) -> Self {
+    pub(crate) fn grown(&self, by: f64) -> Self {
         Self { x: self.x - by, y: self.y - by, width: self.width + 2.0 * by, height: self.height + 2.0 * by }
     }
 
     /// The signed distance of `point` inside of each side.
     fn depths(&self, point: Point) -> [f64; 4] {
-        [point[0] - self.x, self.x + self.width - point[0], point[1] - self.y, self.y + self.height - point[1]]
+        [point[0] - self.x, self.right() - point[0], point[1] - self.y, self.bottom() - point[1]]
     }
 }
 
-pub(super) fn distance(a: Point, b: Point) -> f64 {
+/// True for a range that is neither empty nor infinite.
+pub(crate) fn is_proper([from, to]: [f64; 2]) -> bool {
+    from < to && (to - from).is_finite()
+}
+
+pub(crate) fn distance(a: Point, b: Point) -> f64 {
     let (dx, dy) = (a[0] - b[0], a[1] - b[1]);
     (dx * dx + dy * dy).sqrt()
 }
 
-pub(super) fn between(a: Point, b: Point, t: f64) -> Point {
+pub(crate) fn between(a: Point, b: Point, t: f64) -> Point {
     [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
 }
 
@@ -68,7 +104,7 @@ fn clip_segment(a: Point, b: Point, rect: &Rect) -> Option<[f64; 2]> {
 }
 
 /// The parts of a polyline inside `rect`.
-pub(super) fn clip_polyline(points: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
+pub(crate) fn clip_polyline(points: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     let mut open = false;
     for pair in points.windows(2) {
@@ -87,7 +123,7 @@ pub(super) fn clip_polyline(points: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
 }
 
 /// The part of a polygon inside `rect` (Sutherland and Hodgman).
-pub(super) fn clip_polygon(points: &[Point], rect: &Rect) -> Vec<Point> {
+pub(crate) fn clip_polygon(points: &[Point], rect: &Rect) -> Vec<Point> {
     let mut polygon = points.to_vec();
     for side in 0..4 {
         let mut clipped = Vec::with_capacity(polygon.len() + 4);

@@ -1,8 +1,8 @@
 //! The windows that the panels may show.
 
-use super::PlotError;
 use super::scene::Scene;
 use super::trace::{Trace, trace, traces};
+use crate::page::{PlotError, is_proper};
 use schema::WindowDocument;
 
 /// Margin beyond the last event, as a share of its l.
@@ -38,8 +38,7 @@ pub(super) fn windows(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Resul
         Windows { main, everything }
     };
     let WindowDocument { h, l } = windows.main;
-    let fits = |[from, to]: [f64; 2]| from < to && (to - from).is_finite();
-    if fits(h) && fits(l) { Ok(windows) } else { Err(PlotError::EmptyWindow { h, l }) }
+    if is_proper(h) && is_proper(l) { Ok(windows) } else { Err(PlotError::EmptyWindow { h, l }) }
 }
 
 /// A window for the events up to `last_event` in l.

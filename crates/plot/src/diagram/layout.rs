@@ -1,8 +1,8 @@
 //! Where the panels lie on the page, and where each shows the windows of others.
 
-use super::canvas::Point;
-use super::geometry::Rect;
 use super::panel::Panel;
+use super::ranges::{area, contains};
+use crate::page::{Point, Rect};
 
 /// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
 pub(super) const LEFT: f64 = 58.0;
@@ -18,6 +18,10 @@ const INSET_PITCH: [f64; 2] = [INSET[0] + LEFT, INSET[1] + INSET_TOP + BELOW];
 /// Insets beside the main panel; further ones stand below in rows of three.
 const BESIDE: usize = 2;
 const IN_A_ROW: usize = 3;
+/// Font size of the insets' letters.
+pub(super) const LETTER_SIZE: f64 = 11.0;
+/// In frames smaller than this is no room for markers and labels.
+pub(super) const CROWDED: f64 = 30.0;
 /// Frames of insets are drawn at least this large.
 const FRAME_MIN: f64 = 9.0;
 
@@ -42,40 +46,34 @@ pub(super) fn letter(index: usize) -> String {
     }
 }
 
-/// Where the window of an inset is shown.
+/// Where the window of an inset is shown in another panel.
 pub(super) struct Frame {
     /// Index of the inset.
     pub inset: usize,
-    /// Index of the panel that shows it.
-    pub parent: usize,
     pub rect: Rect,
 }
 
-/// The frame of every inset in the smallest panel that contains it. What no panel contains, such as an overview, has no
-/// frame.
-pub(super) fn frames(panels: &[Panel]) -> Vec<Frame> {
-    let area = |panel: &Panel| {
+/// For each panel the frames of the insets for which it is the smallest panel that contains them. What no panel
+/// contains, such as an overview, has no frame.
+pub(super) fn frames(panels: &[Panel]) -> Vec<Vec<Frame>> {
+    let mut frames: Vec<Vec<Frame>> = panels.iter().map(|_| Vec::new()).collect();
+    for (inset, panel) in panels.iter().skip(1).enumerate() {
         let window = &panel.view.window;
-        (window.h[1] - window.h[0]) * (window.l[1] - window.l[0])
-    };
-    let parent_of = |index: usize| {
+        let size = |parent: usize| area(&panels[parent].view.window);
         let larger = (0..panels.len())
-            .filter(|&outer| area(&panels[outer]) > area(&panels[index]) && contains(&panels[outer], &panels[index]));
-        larger.min_by(|&a, &b| area(&panels[a]).total_cmp(&area(&panels[b])))
-    };
-    (1..panels.len())
-        .filter_map(|index| {
-            let parent = parent_of(index)?;
-            Some(Frame { inset: index - 1, parent, rect: frame(&panels[index], &panels[parent]) })
-        })
-        .collect()
+            .filter(|&parent| size(parent) > area(window) && contains(&panels[parent].view.window, window));
+        if let Some(parent) = larger.min_by(|&a, &b| size(a).total_cmp(&size(b))) {
+            frames[parent].push(Frame { inset, rect: frame(panel, &panels[parent]) });
+        }
+    }
+    frames
 }
 
-/// Does one panel's window hold the other's?
-pub(super) fn contains(outer: &Panel, inner: &Panel) -> bool {
-    let within = |inner: [f64; 2], outer: [f64; 2]| inner[0] >= outer[0] && inner[1] <= outer[1];
-    let (outer, inner) = (&outer.view.window, &inner.view.window);
-    within(inner.h, outer.h) && within(inner.l, outer.l)
+/// Is a point of the page marked in a panel? Those in a small frame are left to its inset.
+pub(super) fn is_marked(point: Point, panel: &Panel, frames: &[Frame]) -> bool {
+    let left_to_inset =
+        |frame: &Frame| frame.rect.width < CROWDED && frame.rect.height < CROWDED && frame.rect.contains(point);
+    panel.view.rect.contains(point) && !frames.iter().any(left_to_inset)
 }
 
 /// Where a panel's window lies in another panel, drawn large enough to be seen.
@@ -90,6 +88,6 @@ pub(super) fn frame(panel: &Panel, parent: &Panel) -> Rect {
 /// The part of a rectangle inside another.
 fn within(rect: &Rect, outer: &Rect) -> Rect {
     let [x, y] = outer.nearest([rect.x, rect.y]);
-    let [right, bottom] = outer.nearest([rect.x + rect.width, rect.y + rect.height]);
+    let [right, bottom] = outer.nearest([rect.right(), rect.bottom()]);
     Rect { x, y, width: right - x, height: bottom - y }
 }

@@ -1,52 +1,20 @@
 //! Where text goes: inside its region where it fits, else beside it with a leader line.
 
-use super::canvas::Point;
-use super::font::text_width;
-use super::geometry::{Rect, distance};
-use super::grid::{Grid, NOTHING};
-use super::insets::LEGIBLE;
+use super::grid::{Grid, LEGIBLE, NOTHING};
+use super::labels::{Label, Name, extent};
 use super::panel::Panel;
+use crate::page::{Point, Rect, distance};
 
 /// Font sizes of a region's type that are tried inside the region, best first.
 const SIZES: [f64; 3] = [14.0, 12.0, 10.5];
 /// Font size of a label with a leader line.
 const LEADER_SIZE: f64 = 11.0;
-/// Size of the id relative to the type.
-const ID_SCALE: f64 = 0.78;
-/// Height of a line relative to the font size.
-const LINE: f64 = 1.2;
 /// Free pixels around a label.
 const CLEARANCE: f64 = 3.0;
 /// Grid of places tried for a label with a leader line, in pixels.
 const STEP: usize = 4;
 /// Shortest leader line.
 const LEADER_MIN: f64 = 9.0;
-
-/// The type and the id of a region.
-#[derive(Clone, Debug)]
-pub(super) struct Name {
-    pub kind: String,
-    pub id: String,
-}
-
-/// A placed label of a region.
-#[derive(Clone, Debug)]
-pub(super) struct Label {
-    pub region: usize,
-    pub rect: Rect,
-    /// Font size of the type.
-    pub size: f64,
-    /// True when type and id share a line.
-    pub one_line: bool,
-    /// From the region to the label.
-    pub leader: Option<[Point; 2]>,
-}
-
-/// Size of a label.
-fn extent(name: &Name, size: f64, one_line: bool) -> [f64; 2] {
-    let (kind, id) = (text_width(&name.kind, size), text_width(&name.id, size * ID_SCALE));
-    if one_line { [kind + 0.4 * size + id, LINE * size] } else { [kind.max(id), LINE * size * (1.0 + ID_SCALE)] }
-}
 
 /// What is taken on a panel.
 pub(super) struct Space<'a> {
@@ -109,9 +77,9 @@ impl<'a> Space<'a> {
     pub(super) fn take_outline(&mut self, rect: &Rect) {
         let bar = |x, y, width, height| Rect { x, y, width, height }.grown(1.5);
         self.take(&bar(rect.x, rect.y, rect.width, 0.0));
-        self.take(&bar(rect.x, rect.y + rect.height, rect.width, 0.0));
+        self.take(&bar(rect.x, rect.bottom(), rect.width, 0.0));
         self.take(&bar(rect.x, rect.y, 0.0, rect.height));
-        self.take(&bar(rect.x + rect.width, rect.y, 0.0, rect.height));
+        self.take(&bar(rect.right(), rect.y, 0.0, rect.height));
     }
 
     pub(super) fn into_labels(self) -> Vec<Label> {
@@ -162,7 +130,7 @@ impl<'a> Space<'a> {
 
     fn on_panel(&self, rect: &Rect) -> bool {
         let panel = &self.panel.view.rect;
-        panel.contains([rect.x, rect.y]) && panel.contains([rect.x + rect.width, rect.y + rect.height])
+        panel.contains([rect.x, rect.y]) && panel.contains([rect.right(), rect.bottom()])
     }
 
     /// Depth of a region here, 0 where it has no pixel.
@@ -192,7 +160,7 @@ impl<'a> Space<'a> {
         };
         let leader = [anchor, rect.grown(1.0).nearest(anchor)];
         self.take(&rect.grown(CLEARANCE));
-        self.take(&Rect { x: anchor[0], y: anchor[1], width: 0.0, height: 0.0 }.grown(CLEARANCE));
+        self.take(&Rect::around(anchor, CLEARANCE));
         self.leaders.push(leader);
         self.labels.push(Label { region, rect, size, one_line: false, leader: Some(leader) });
         true
@@ -202,10 +170,8 @@ impl<'a> Space<'a> {
     pub(super) fn beside(&mut self, frame: &Rect, extent: [f64; 2]) -> Option<Rect> {
         let gap = |rect: &Rect| {
             let near = frame.grown(2.0).nearest(rect.center());
-            let overlaps = rect.x < frame.x + frame.width
-                && frame.x < rect.x + rect.width
-                && rect.y < frame.y + frame.height
-                && frame.y < rect.y + rect.height;
+            let overlaps =
+                rect.x < frame.right() && frame.x < rect.right() && rect.y < frame.bottom() && frame.y < rect.bottom();
             (!overlaps).then_some(3.0 * distance(rect.nearest(near), near))
         };
         let place = self.free_place(extent, &gap, &|_| 0.0)?;
@@ -278,18 +244,4 @@ fn cross(a: [Point; 2], b: [Point; 2]) -> bool {
     let side =
         |s: [Point; 2], p: Point| (s[1][0] - s[0][0]) * (p[1] - s[0][1]) - (s[1][1] - s[0][1]) * (p[0] - s[0][0]);
     side(a, b[0]) * side(a, b[1]) < 0.0 && side(b, a[0]) * side(b, a[1]) < 0.0
-}
-
-/// The base lines of a label's texts with their sizes: type, id.
-pub(super) fn base_lines(label: &Label, name: &Name) -> [(Point, f64); 2] {
-    let Rect { x, y, width, .. } = label.rect;
-    let (size, id_size) = (label.size, label.size * ID_SCALE);
-    let (kind_width, id_width) = (text_width(&name.kind, size), text_width(&name.id, id_size));
-    if label.one_line {
-        let base = y + 0.95 * size;
-        [([x + kind_width / 2.0, base], size), ([x + width - id_width / 2.0, base], id_size)]
-    } else {
-        let middle = x + width / 2.0;
-        [([middle, y + 0.95 * size], size), ([middle, y + LINE * size + 0.9 * id_size], id_size)]
-    }
 }

@@ -1,18 +1,12 @@
 //! The curves of one window as polylines, dense enough for its magnification.
 
-use super::PlotError;
+use super::ranges::{common, l_range};
 use super::scene::Scene;
+use crate::page::PlotError;
 use schema::{CurveDocument, TailDocument};
 
 /// Points added at most between two points of a document's polyline.
 const SUBDIVISIONS_MAX: f64 = 400.0;
-
-/// Where polylines denser than those of the document come from.
-pub trait CurveSource {
-    /// Points [h, l] of the curve by rising l that cover the common part of its range and `l`, such that the straight
-    /// line between neighbours is off by at most `tolerance` in h. `None`: the document's polyline is used.
-    fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>>;
-}
 
 /// A curve as points [h, l] by rising l.
 #[derive(Clone, Debug, Default)]
@@ -52,11 +46,6 @@ impl Trace {
     }
 }
 
-/// The range of l of a curve; the upper end may be infinite.
-pub(super) fn l_range(curve: &CurveDocument) -> [f64; 2] {
-    [curve.l_range[0].unwrap_or(0.0), curve.l_range[1].unwrap_or(f64::INFINITY)]
-}
-
 /// Every curve of the atlas within `l`, off by at most `tolerance` in h where the source allows.
 pub(super) fn traces(scene: &Scene<'_>, l: [f64; 2], tolerance: f64) -> Result<Vec<Trace>, PlotError> {
     scene.atlas.curves.iter().map(|curve| trace(scene, curve, l, tolerance)).collect()
@@ -64,8 +53,7 @@ pub(super) fn traces(scene: &Scene<'_>, l: [f64; 2], tolerance: f64) -> Result<V
 
 /// One curve within `l`.
 pub(super) fn trace(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2], tolerance: f64) -> Result<Trace, PlotError> {
-    let range = l_range(curve);
-    let l = [l[0].max(range[0]), l[1].min(range[1])];
+    let l = common(l, l_range(curve.l_range));
     if l[0] > l[1] {
         return Ok(Trace::default());
     }

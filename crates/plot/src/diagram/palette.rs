@@ -4,47 +4,34 @@ use std::collections::BTreeMap;
 
 use plotters::style::RGBColor;
 
+use crate::page::{FAINT_INK, rgb, rgbs};
 use schema::{AtlasDocument, CurveDocument, CurveKind};
 
-/// Text, frames and axes.
-pub(super) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
-/// Less important text.
-pub(super) const FAINT_INK: RGBColor = RGBColor(0x59, 0x59, 0x59);
-/// The ground of the page and of labels.
-pub(super) const PAPER: RGBColor = RGBColor(0xff, 0xff, 0xff);
-/// The two pole lines.
-pub(super) const POLE: RGBColor = RGBColor(0xe6, 0x76, 0x00);
 /// The branch of the global minimum.
-const RED: RGBColor = RGBColor(0xc2, 0x14, 0x2d);
+const RED: RGBColor = rgb(0xc2_14_2d);
 /// The branch that starts at −r̂.
-const BLUE: RGBColor = RGBColor(0x12, 0x50, 0xa8);
+const BLUE: RGBColor = rgb(0x12_50_a8);
 /// A symmetric pair.
-const GREEN: RGBColor = RGBColor(0x00, 0x8a, 0x5e);
+const GREEN: RGBColor = rgb(0x00_8a_5e);
 /// The branch with a cusp in the paper's body.
-const YELLOW: RGBColor = RGBColor(0xc9, 0xa8, 0x00);
+const YELLOW: RGBColor = rgb(0xc9_a8_00);
 /// Branches beyond the paper's four.
-const FURTHER: [RGBColor; 5] = [
-    RGBColor(0x8e, 0x3b, 0x9e),
-    RGBColor(0x1f, 0xa3, 0xc4),
-    RGBColor(0x7a, 0x4a, 0x21),
-    RGBColor(0xd4, 0x6a, 0xa0),
-    RGBColor(0x6b, 0x6b, 0x6b),
-];
+const FURTHER: [RGBColor; 5] = rgbs([0x8e_3b_9e, 0x1f_a3_c4, 0x7a_4a_21, 0xd4_6a_a0, 0x6b_6b_6b]);
 
 /// Light grounds of the regions, one for each type of section.
-const TINTS: [(&str, RGBColor); 12] = [
-    ("S2", RGBColor(0xdf, 0xeb, 0xf7)),
-    ("T2", RGBColor(0xe6, 0xf3, 0xd8)),
-    ("M2", RGBColor(0xff, 0xf1, 0xc9)),
-    ("M3", RGBColor(0xfb, 0xdd, 0xd3)),
-    ("M4", RGBColor(0xe9, 0xd6, 0xd6)),
-    ("S2+S2", RGBColor(0xd0, 0xe8, 0xee)),
-    ("S2+T2", RGBColor(0xdd, 0xd9, 0xf0)),
-    ("T2+T2", RGBColor(0xf5, 0xdd, 0xee)),
-    ("M2+S2", RGBColor(0xea, 0xe4, 0xd0)),
-    ("M2+T2", RGBColor(0xd5, 0xef, 0xe2)),
-    ("M3+S2", RGBColor(0xf7, 0xe2, 0xc0)),
-    ("S2+S2+T2", RGBColor(0xe3, 0xe3, 0xe3)),
+const TINTS: [(&str, u32); 12] = [
+    ("S2", 0xdf_eb_f7),
+    ("T2", 0xe6_f3_d8),
+    ("M2", 0xff_f1_c9),
+    ("M3", 0xfb_dd_d3),
+    ("M4", 0xe9_d6_d6),
+    ("S2+S2", 0xd0_e8_ee),
+    ("S2+T2", 0xdd_d9_f0),
+    ("T2+T2", 0xf5_dd_ee),
+    ("M2+S2", 0xea_e4_d0),
+    ("M2+T2", 0xd5_ef_e2),
+    ("M3+S2", 0xf7_e2_c0),
+    ("S2+S2+T2", 0xe3_e3_e3),
 ];
 
 /// The ground of a region whose printed type is `signature` (a signature, or components of U joined by `+`), with
@@ -55,7 +42,7 @@ pub(super) fn tint(signature: &str, circles: u32) -> RGBColor {
     let name = parts.join("+");
     let sum: usize = name.bytes().enumerate().map(|(place, byte)| (place + 1) * usize::from(byte)).sum();
     let known = TINTS.iter().find(|(known, _)| *known == name);
-    let RGBColor(red, green, blue) = known.unwrap_or(&TINTS[sum % TINTS.len()]).1;
+    let RGBColor(red, green, blue) = rgb(known.unwrap_or(&TINTS[sum % TINTS.len()]).1);
     // In parts of 32, so that bytes suffice.
     let shade = [32, 30, 31][(circles % 3) as usize];
     let darker = |byte: u8| u8::try_from(u16::from(byte) * shade / 32).unwrap_or(byte);

@@ -2,9 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use super::PlotError;
-use super::trace::CurveSource;
+use super::ranges::l_range;
+use crate::page::PlotError;
 use schema::AtlasDocument;
+
+/// Where polylines denser than those of the document come from.
+pub trait CurveSource {
+    /// Points [h, l] of the curve by rising l that cover the common part of its range and `l`, such that the straight
+    /// line between neighbours is off by at most `tolerance` in h. `None`: the document's polyline is used.
+    fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>>;
+}
 
 /// A piece of a region between two curves.
 #[derive(Clone, Copy, Debug)]
@@ -31,14 +38,12 @@ impl<'a> Scene<'a> {
             atlas.curves.iter().enumerate().map(|(index, curve)| (curve.id.as_str(), index)).collect();
         let cells = atlas.regions.iter().map(|region| {
             let find = |curve: &String| {
-                curves
-                    .get(curve.as_str())
-                    .copied()
-                    .ok_or_else(|| PlotError::UnknownCurve { region: region.id.clone(), curve: curve.clone() })
+                let unknown = || PlotError::UnknownCurve { region: region.id.clone(), curve: curve.clone() };
+                curves.get(curve.as_str()).copied().ok_or_else(unknown)
             };
             let cells = region.cells.iter().map(|cell| {
                 Ok(Cell {
-                    l: [cell.l_range[0].unwrap_or(0.0), cell.l_range[1].unwrap_or(f64::INFINITY)],
+                    l: l_range(cell.l_range),
                     lower: find(&cell.lower)?,
                     upper: cell.upper.as_ref().map(find).transpose()?,
                 })

@@ -1,10 +1,4 @@
-//! Maps: what each body of a grid or a sample shows, over two parameters, with a legend.
-
-mod colors;
-mod draw;
-mod places;
-
-use super::{Picture, PlotError};
+//! What a map shows.
 
 /// One of the two parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,12 +77,4 @@ pub struct Map {
     pub lines: Vec<MapLine>,
     /// Texts.
     pub notes: Vec<MapNote>,
-}
-
-/// Draws a map.
-///
-/// # Errors
-/// [`PlotError::EmptyWindow`] when a range is empty, else what the drawing library reports.
-pub fn draw_map(map: &Map) -> Result<Picture, PlotError> {
-    draw::draw(map)
 }

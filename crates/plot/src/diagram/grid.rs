@@ -1,10 +1,12 @@
 //! The pixels of a panel: which region each belongs to, and how deep inside it lies.
 
-use super::canvas::Point;
-use super::geometry::Rect;
-use super::panel::View;
 use super::scene::Scene;
 use super::trace::Trace;
+use super::view::View;
+use crate::page::{Point, Rect};
+
+/// A region whose inscribed circle has at least this radius in pixels can be seen and pointed at.
+pub(super) const LEGIBLE: f64 = 4.5;
 
 /// A pixel of the forbidden region, or of no region at all.
 pub(super) const NOTHING: i32 = -1;
@@ -27,14 +29,13 @@ fn pixel(value: f64, limit: usize) -> usize {
 }
 
 impl Grid {
-    /// The pixels of `view`, its size rounded to whole pixels.
-    pub(super) fn new(scene: &Scene<'_>, view: &View, traces: &[Trace]) -> Self {
-        let all: Vec<usize> = (0..scene.cells.len()).collect();
-        Self::of_regions(scene, view, traces, &all)
-    }
-
-    /// The pixels of some regions only.
-    pub(super) fn of_regions(scene: &Scene<'_>, view: &View, traces: &[Trace], regions: &[usize]) -> Self {
+    /// The pixels of some regions in `view`, its size rounded to whole pixels.
+    pub(super) fn new(
+        scene: &Scene<'_>,
+        view: &View,
+        traces: &[Trace],
+        regions: impl IntoIterator<Item = usize>,
+    ) -> Self {
         let (width, height) = (pixel(view.rect.width.round(), 10_000), pixel(view.rect.height.round(), 10_000));
         let mut grid = Self {
             width,
@@ -43,7 +44,7 @@ impl Grid {
             regions: vec![NOTHING; width * height],
             depth: Vec::new(),
         };
-        for &region in regions {
+        for region in regions {
             grid.fill(scene, view, traces, region);
         }
         grid.depth = grid.distances();
@@ -101,14 +102,8 @@ impl Grid {
     fn on_border(&self, x: usize, y: usize) -> bool {
         let at = y * self.width + x;
         let label = self.regions[at];
-        x == 0
-            || y == 0
-            || x + 1 == self.width
-            || y + 1 == self.height
-            || self.regions[at - 1] != label
-            || self.regions[at + 1] != label
-            || self.regions[at - self.width] != label
-            || self.regions[at + self.width] != label
+        let on_edge = x == 0 || y == 0 || x + 1 == self.width || y + 1 == self.height;
+        on_edge || [at - 1, at + 1, at - self.width, at + self.width].iter().any(|&next| self.regions[next] != label)
     }
 
     /// The deepest pixel of every region of the scene and its depth; `None` for those without a pixel.
@@ -137,9 +132,9 @@ impl Grid {
     /// Columns and rows of the pixels of a rectangle on the page.
     pub(super) fn span(&self, rect: &Rect) -> [std::ops::Range<usize>; 2] {
         let columns = pixel((rect.x - self.origin[0]).floor(), self.width)
-            ..pixel((rect.x + rect.width - self.origin[0]).ceil(), self.width);
+            ..pixel((rect.right() - self.origin[0]).ceil(), self.width);
         let rows = pixel((rect.y - self.origin[1]).floor(), self.height)
-            ..pixel((rect.y + rect.height - self.origin[1]).ceil(), self.height);
+            ..pixel((rect.bottom() - self.origin[1]).ceil(), self.height);
         [columns, rows]
     }
 

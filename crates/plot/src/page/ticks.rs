@@ -1,58 +1,19 @@
 //! Tick marks at round numbers with labels that stay short at any magnification.
 
-use std::ops::Range;
-
-use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
-
-use super::notation::superscript;
+use super::notation::{number, superscript};
 
 /// The most characters of a tick label.
 const LABEL_MAX: usize = 6;
 
 /// The tick marks of one axis.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Ticks {
+pub(crate) struct Ticks {
     /// Positions.
     pub values: Vec<f64>,
     /// What is printed there.
     pub labels: Vec<String>,
     /// The quantity that the labels give, such as `h` or `(h − 3.147)·10⁵`.
     pub quantity: String,
-}
-
-/// A linear axis of plotters with given ticks.
-#[derive(Clone, Debug)]
-pub(super) struct Axis {
-    pub range: [f64; 2],
-    pub ticks: Ticks,
-}
-
-impl Ranged for Axis {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
-
-    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        let share = (value - self.range[0]) / (self.range[1] - self.range[0]);
-        #[expect(clippy::cast_possible_truncation, reason = "ticks lie within the range")]
-        let offset = (share * f64::from(limit.1 - limit.0)).round() as i32;
-        limit.0 + offset
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        // plotters asks a second time for the lines of a finer mesh, which is not drawn.
-        if hint.weight().allow_light_points() { Vec::new() } else { self.ticks.values.clone() }
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.range[0]..self.range[1]
-    }
-}
-
-impl ValueFormatter<f64> for Axis {
-    fn format_ext(&self, value: &f64) -> String {
-        let at = self.ticks.values.iter().position(|tick| tick == value);
-        at.map_or_else(String::new, |at| self.ticks.labels[at].clone())
-    }
 }
 
 /// The decimal exponent of x > 0: x = d.ddd·10^e.
@@ -66,26 +27,8 @@ fn decimal_value(count: i64, e: i32) -> f64 {
     format!("{count}e{e}").parse().unwrap_or(0.0)
 }
 
-/// count·10^e in positional notation.
-fn decimal(count: i64, e: i32) -> String {
-    let sign = if count < 0 { "−" } else { "" };
-    let digits = count.unsigned_abs().to_string();
-    if count == 0 {
-        return "0".to_owned();
-    }
-    match usize::try_from(-e) {
-        Err(_) | Ok(0) => format!("{sign}{digits}{}", "0".repeat(usize::try_from(e).unwrap_or(0))),
-        Ok(places) => {
-            let padded = format!("{digits:0>width$}", width = places + 1);
-            let (whole, fraction) = padded.split_at(padded.len() - places);
-            let fraction = fraction.trim_end_matches('0');
-            if fraction.is_empty() { format!("{sign}{whole}") } else { format!("{sign}{whole}.{fraction}") }
-        }
-    }
-}
-
 /// The ticks of `symbol` on [from, to]: as many as possible up to `count`, 1, 2 or 5 times a power of ten apart.
-pub(super) fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
+pub(crate) fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
     let none = Ticks { values: Vec::new(), labels: Vec::new(), quantity: symbol.to_owned() };
     let least = (to - from) / count.max(1) as f64;
     if !(least > 0.0 && least.is_finite()) {
@@ -106,11 +49,11 @@ pub(super) fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
     let counts: Vec<i64> = (first as i64..=last as i64).map(|k| k * factor).collect();
     let values = counts.iter().map(|&k| decimal_value(k, e)).collect();
     let longest = |labels: &[String]| labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
-    let plain: Vec<String> = counts.iter().map(|&k| decimal(k, e)).collect();
+    let plain: Vec<String> = counts.iter().map(|&k| number(decimal_value(k, e))).collect();
     if longest(&plain) <= LABEL_MAX {
         return Ticks { values, labels: plain, quantity: symbol.to_owned() };
     }
-    let scaled: Vec<String> = counts.iter().map(|&k| decimal(k, 0)).collect();
+    let scaled: Vec<String> = counts.iter().map(number).collect();
     if longest(&scaled) <= LABEL_MAX - 2 {
         return Ticks { values, labels: scaled, quantity: format!("{symbol}·10{}", superscript(-e)) };
     }
@@ -121,8 +64,8 @@ pub(super) fn ticks(symbol: &str, from: f64, to: f64, count: usize) -> Ticks {
         unit *= 10;
     }
     let base = counts.first().unwrap_or(&0).div_euclid(unit) * unit;
-    let labels = counts.iter().map(|&k| decimal(k - base, 0)).collect();
-    let offset = decimal(base.abs(), e);
+    let labels = counts.iter().map(|k| number(k - base)).collect();
+    let offset = number(decimal_value(base.abs(), e));
     let sign = if base < 0 { '+' } else { '−' };
     let quantity = match -e {
         0 => format!("{symbol} {sign} {offset}"),
