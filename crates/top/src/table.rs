@@ -15,6 +15,7 @@ pub trait Id: Copy + Eq + Ord + Debug {
 }
 
 /// Declares ids: numbers that are of one kind of row only.
+#[macro_export]
 macro_rules! ids {
     ($($(#[$doc:meta])* $name:ident;)+) => {$(
         $(#[$doc])*
@@ -32,7 +33,7 @@ macro_rules! ids {
         }
     )+};
 }
-pub(crate) use ids;
+pub use crate::ids;
 
 /// Rows numbered by `I`.
 #[derive(Clone, Debug, PartialEq, Eq)]
