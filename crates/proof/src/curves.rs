@@ -589,7 +589,7 @@ mod tests {
     fn roots_are_those_of_flint() {
         let value = |text: &str| text.parse::<top::body::Number>().unwrap().value().clone();
         let mut compared = 0;
-        for line in include_str!("../../data/oracles/roots.jsonl").lines() {
+        for line in support::data("oracles/roots.jsonl").lines() {
             let oracle: Oracle = serde_json::from_str(line).unwrap();
             let body = Body::parse(&oracle.a, &oracle.r).unwrap();
             let frame = body.frame();

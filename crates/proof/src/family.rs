@@ -152,9 +152,9 @@ fn mean<E: Enclosure>(w: &[E], c: &Constants<E>) -> E {
 
 #[cfg(test)]
 mod tests {
-    use super::numbers::enclosure::Narrow;
-    use super::numbers::wide::Wide;
     use super::*;
+    use numbers::enclosure::Narrow;
+    use numbers::wide::Wide;
     use top::body::Body;
     use top::curves::{GenericState, Mu, SymmetricFamily};
 

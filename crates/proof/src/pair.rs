@@ -624,8 +624,8 @@ fn position<E: Enclosure>(side: &Side<E>) -> Option<E> {
 mod tests {
     use super::super::curves::Curves;
     use super::super::model::Model;
-    use super::numbers::enclosure::Narrow;
     use super::*;
+    use numbers::enclosure::Narrow;
     use top::body::{Body, Preset};
     use top::curves::CriticalSet;
     use top::diagram::{Arrangement, Change};

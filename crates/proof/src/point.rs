@@ -339,9 +339,9 @@ fn x_estimate(model: &Model, c: &Constants<Estimate>, segment: &Segment, bound: 
 
 #[cfg(test)]
 mod tests {
-    use super::numbers::enclosure::Narrow;
-    use super::numbers::wide::Wide;
     use super::*;
+    use numbers::enclosure::Narrow;
+    use numbers::wide::Wide;
     use top::body::Body;
     use top::curves::CriticalSet;
 
