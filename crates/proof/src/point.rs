@@ -6,7 +6,18 @@ use super::family::{Half, State};
 use super::model::{Constants, Model};
 use numbers::enclosure::Enclosure;
 use numbers::root::{Bracket, newton_bracketed};
-use top::curves::Pole;
+use top::curves::{CurveId, Pole};
+use top::table::Table;
+
+/// A curve passes exactly through the end of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Passage {
+    /// The curve that ends there, with the lower end (0) or the upper (1).
+    pub curve: CurveId,
+    pub side: usize,
+    /// The curve that passes.
+    pub other: CurveId,
+}
 
 /// Everything that is needed to evaluate curves in one arithmetic.
 #[derive(Clone, Debug)]
@@ -16,9 +27,8 @@ pub(super) struct Evaluator<'a, E: Enclosure> {
     pub c: Constants<E>,
     estimate: Constants<Estimate>,
     /// x at the ends of each curve's segments, as estimates.
-    ends: Vec<Vec<[f64; 2]>>,
-    /// (curve, side, other): the other curve passes exactly through this end of the curve.
-    meetings: Vec<(usize, usize, usize)>,
+    ends: Table<CurveId, Vec<[f64; 2]>>,
+    meetings: Vec<Passage>,
 }
 
 /// A point of a curve over x.
@@ -68,7 +78,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     pub fn new(
         model: &'a Model,
         curves: &'a Curves,
-        meetings: &[(usize, usize, usize)],
+        meetings: &[Passage],
         precision: E::Precision,
     ) -> Self {
         let c = Constants::new(model, precision);
@@ -87,8 +97,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     }
 
     /// It is proved that a curve passes through this end of another.
-    pub fn meet_at(&self, curve: usize, side: usize, other: usize) -> bool {
-        self.meetings.contains(&(curve, side, other))
+    pub fn meet_at(&self, passage: Passage) -> bool {
+        self.meetings.contains(&passage)
     }
 
     pub fn state(&self, half: Half, y: &E) -> State<E> {
@@ -111,7 +121,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
 
     /// The point of a curve over x. `None` when it cannot be enclosed with these bits, or x is not surely inside the
     /// curve's range.
-    pub fn point(&self, curve: usize, x: &E) -> Option<Point<E>> {
+    pub fn point(&self, curve: CurveId, x: &E) -> Option<Point<E>> {
         match &self.curves.list[curve].shape {
             Shape::Family(segments) => self.family_point(curve, segments, x),
             Shape::Pole(pole) => Some(self.line_point(&self.curves.list[curve], *pole, x)),
@@ -161,7 +171,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         Point { x: x.clone(), place: None, at: state.clone(), over: state, correction: zero, critical: true }
     }
 
-    fn family_point(&self, curve: usize, segments: &[Segment], x: &E) -> Option<Point<E>> {
+    fn family_point(&self, curve: CurveId, segments: &[Segment], x: &E) -> Option<Point<E>> {
         let [low, high] = x.bounds();
         let middle = if high.is_finite() { 0.5 * (low + high) } else { low };
         let ends = &self.ends[curve];
@@ -352,7 +362,7 @@ mod tests {
             for x in [0.2, 0.7, 1.7, 3.1, 5.3, 8.8, 40.0, 1e7] {
                 let x_set = E::double(x, precision);
                 let mut points: Vec<(Point<E>, f64)> = Vec::new();
-                for (number, curve) in curves.list.iter().enumerate() {
+                for (number, curve) in curves.list.pairs() {
                     let other = set.curves.iter().find(|c| c.branch == curve.branch && c.piece == curve.piece).unwrap();
                     if x <= other.x()[0] * 1.001 || x >= other.x()[1] * 0.999 {
                         continue;
