@@ -141,11 +141,7 @@ struct Ordered {
 }
 
 /// The proved order of curves over x.
-fn order<E: Enclosure>(
-    evaluator: &Evaluator<'_, E>,
-    curves: &[CurveId],
-    x: &RBig,
-) -> Option<Ordered> {
+fn order<E: Enclosure>(evaluator: &Evaluator<'_, E>, curves: &[CurveId], x: &RBig) -> Option<Ordered> {
     let set = E::rational(x, evaluator.c.precision);
     let mut points: Vec<(CurveId, Point<E>, [f64; 2])> = Vec::with_capacity(curves.len());
     for &curve in curves {
@@ -171,7 +167,10 @@ fn order<E: Enclosure>(
     }
     let proved =
         points.windows(2).all(|pair| list[pair[0].0].lowest || evaluator.gap(&pair[1].1, &pair[0].1).sign() == Some(1));
-    proved.then(|| Ordered { curves: points.iter().map(|p| p.0).collect(), heights: points.iter().map(|p| p.2).collect() })
+    proved.then(|| Ordered {
+        curves: points.iter().map(|p| p.0).collect(),
+        heights: points.iter().map(|p| p.2).collect(),
+    })
 }
 
 fn is_family(curves: &Curves, curve: CurveId) -> bool {
@@ -228,13 +227,17 @@ pub(super) fn arrange(model: Model) -> Result<Arrangement, Vec<Undecided>> {
     let mut stages = Stages::new(&model, &curves, &[]);
     let slabs = slabs(&curves, &events, &transitions, &mut stages)?;
     bits = bits.max(stages.used);
-    let mut arrangement = Arrangement { model, curves, meetings, pairs, events, transitions, slabs, region_count: 0, bits };
+    let mut arrangement =
+        Arrangement { model, curves, meetings, pairs, events, transitions, slabs, region_count: 0, bits };
     arrangement.glue()?;
     Ok(arrangement)
 }
 
 /// Cusps, pitchforks and meetings with pole lines; those that are proved to coincide are one event.
-fn single_events(evaluator: &Evaluator<'_, Wide>, meetings: &Table<MeetingId, Meeting>) -> Result<Vec<Event>, Vec<Undecided>> {
+fn single_events(
+    evaluator: &Evaluator<'_, Wide>,
+    meetings: &Table<MeetingId, Meeting>,
+) -> Result<Vec<Event>, Vec<Undecided>> {
     let curves = evaluator.curves;
     let mut events: Vec<Event> = Vec::new();
     let event = |source, list: Vec<CurveId>, x: &Wide, h: &Wide| -> Result<Event, Vec<Undecided>> {
@@ -315,9 +318,11 @@ fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<Passage> {
                     _ => false,
                 });
                 if ends_here {
-                    known.extend(
-                        event.curves.iter().filter(|&&other| other != curve).map(|&other| Passage { curve, side, other }),
-                    );
+                    known.extend(event.curves.iter().filter(|&&other| other != curve).map(|&other| Passage {
+                        curve,
+                        side,
+                        other,
+                    }));
                 }
             }
         }
@@ -422,7 +427,8 @@ fn slabs(
     transitions: &Table<TransitionId, Vec<EventId>>,
     stages: &mut Stages<'_>,
 ) -> Result<Table<SlabId, Slab>, Vec<Undecided>> {
-    let spans: Table<CurveId, [SlabId; 2]> = curves.list.ids().map(|curve| span(curves, events, transitions, curve)).collect();
+    let spans: Table<CurveId, [SlabId; 2]> =
+        curves.list.ids().map(|curve| span(curves, events, transitions, curve)).collect();
     let end = |transition| transitions.get(transition)?.iter().map(|&e| &events[e].x[1]).max();
     let start = |transition| transitions.get(transition)?.iter().map(|&e| &events[e].x[0]).min();
     (0..=transitions.len())

@@ -11,10 +11,10 @@ use numbers::enclosure::Enclosure;
 use numbers::wide::Wide;
 use top::atlas;
 use top::body::Number;
+use top::classify::{Classification, Components, Margin, at_rest};
 use top::curves::CurveId;
 use top::diagram::{EventId, RegionId, SlabId};
 use top::table::Id;
-use top::classify::{Classification, Components, Margin, at_rest};
 
 /// A curve or an event over the x of the point, with its height against h.
 struct Level {

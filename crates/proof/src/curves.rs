@@ -272,7 +272,9 @@ impl Curves {
             let first = self.list.len();
             let mut from = End::Origin;
             for piece in 0..=cuts.len() {
-                let to = cuts.get(piece).map_or(End::Infinity, |_| End::Pitchfork(PitchforkId::at(self.pitchforks.len() + piece)));
+                let to = cuts
+                    .get(piece)
+                    .map_or(End::Infinity, |_| End::Pitchfork(PitchforkId::at(self.pitchforks.len() + piece)));
                 self.list.push(Curve {
                     branch: Branch::Axis(side),
                     piece: piece + 1,
@@ -417,7 +419,13 @@ impl Curves {
                 }
                 Some(Station::Pitchfork(place, group)) => {
                     let place = Some(place.clone());
-                    self.pitchforks.push(Pitchfork { group: *group, place, through: [this; 2], pair: this, opens: true });
+                    self.pitchforks.push(Pitchfork {
+                        group: *group,
+                        place,
+                        through: [this; 2],
+                        pair: this,
+                        opens: true,
+                    });
                 }
                 _ => {}
             }

@@ -60,7 +60,9 @@ impl CertifiedAtlas {
         let slabs = proved.slabs.pairs().map(|(number, slab)| diagram::Slab {
             x: [
                 TransitionId::at_start(number).map_or(0.0, middle),
-                Some(TransitionId::at_end(number)).filter(|t| proved.transitions.get(*t).is_some()).map_or(f64::INFINITY, middle),
+                Some(TransitionId::at_end(number))
+                    .filter(|t| proved.transitions.get(*t).is_some())
+                    .map_or(f64::INFINITY, middle),
             ],
             order: slab.order.iter().map(|&c| map[c]).collect(),
             region_above: slab.region_above.clone(),

@@ -75,12 +75,7 @@ impl<E: Enclosure> Point<E> {
 }
 
 impl<'a, E: Enclosure> Evaluator<'a, E> {
-    pub fn new(
-        model: &'a Model,
-        curves: &'a Curves,
-        meetings: &[Passage],
-        precision: E::Precision,
-    ) -> Self {
+    pub fn new(model: &'a Model, curves: &'a Curves, meetings: &[Passage], precision: E::Precision) -> Self {
         let c = Constants::new(model, precision);
         let estimate = Constants::new(model, ());
         let ends = curves
