@@ -7,16 +7,15 @@
 use std::hint::black_box;
 use std::time::Duration;
 
-use bifdiag::atlas::{Atlas, DocumentOptions};
-use bifdiag::body::{Body, Number};
-use bifdiag::classify::classify;
-use bifdiag::critical::critical;
-use bifdiag::equilibria::CriticalSet;
-use bifdiag::topology::latitude;
 use criterion::{Criterion, criterion_group, criterion_main};
+use documents::DocumentOptions;
+use top::atlas::Atlas;
+use top::body::{Body, Number};
+use top::classify::classify;
+use top::critical::critical;
+use top::curves::CriticalSet;
+use top::topology::latitude;
 
-#[path = "../tests/common/mod.rs"]
-mod common;
 #[cfg(unix)]
 #[path = "workload/cpu_time.rs"]
 mod cpu_time;
@@ -67,9 +66,11 @@ fn atlases(criterion: &mut Criterion<Clock>) {
     in_turn(criterion, "curves/generic", &sets[0].1, curves);
     for (name, cases) in &sets[..3] {
         let atlases = prepared(cases);
-        in_turn(criterion, &format!("polylines/{name}"), &atlases, |atlas| atlas.document(&DocumentOptions::default()));
+        in_turn(criterion, &format!("polylines/{name}"), &atlases, |atlas| {
+            documents::atlas::document(atlas, &DocumentOptions::default())
+        });
         let bare = DocumentOptions { polylines: false, ..DocumentOptions::default() };
-        in_turn(criterion, &format!("document/{name}"), &atlases, |atlas| atlas.document(&bare));
+        in_turn(criterion, &format!("document/{name}"), &atlases, |atlas| documents::atlas::document(atlas, &bare));
     }
 }
 

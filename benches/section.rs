@@ -8,11 +8,11 @@
 use std::hint::black_box;
 use std::time::Duration;
 
-use bifdiag::body::Body;
-use bifdiag::dynamics::{HeavyTop, State};
-use bifdiag::integrator::taylor::{InstructionSet, order_for};
-use bifdiag::section::{Monitor, OrbitSection, PpTorus, StartOptions, SweepOptions, spread_starts, sweep};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use dynamics::field::{HeavyTop, State};
+use dynamics::integrator::taylor::{InstructionSet, order_for};
+use dynamics::section::{Monitor, OrbitSection, PpTorus, StartOptions, SweepOptions, spread_starts, sweep};
+use top::body::Body;
 
 #[path = "workload/section.rs"]
 mod workload;

@@ -4,15 +4,12 @@
 
 use std::time::Instant;
 
-use bifdiag::atlas::Atlas;
-use bifdiag::certified::CertifiedAtlas;
-use bifdiag::topology::signature;
+use proof::CertifiedAtlas;
+use top::atlas::Atlas;
+use top::topology::signature;
 
-#[path = "../tests/common/mod.rs"]
-mod common;
-
-use common::bodies::{STRATA, random_body};
-use common::random::SplitMix64;
+use support::bodies::{STRATA, random_body};
+use support::random::SplitMix64;
 
 fn main() {
     let mut arguments = std::env::args().skip(1);
@@ -47,7 +44,7 @@ fn main() {
                 }
             };
             wide += usize::from(certified.bits() > 53);
-            let class = |c: &[bifdiag::topology::Component]| format!("{c:?} {:?}", signature(c));
+            let class = |c: &[top::topology::Component]| format!("{c:?} {:?}", signature(c));
             let mut proved: Vec<String> = Vec::new();
             for region in 0..certified.region_count() {
                 regions += 1;

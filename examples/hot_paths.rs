@@ -4,15 +4,14 @@
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use bifdiag::atlas::{Atlas, DocumentOptions};
-use bifdiag::body::{Body, Number};
-use bifdiag::classify::classify;
-use bifdiag::critical::critical;
-use bifdiag::equilibria::CriticalSet;
-use bifdiag::topology::latitude;
+use documents::DocumentOptions;
+use top::atlas::Atlas;
+use top::body::{Body, Number};
+use top::classify::classify;
+use top::critical::critical;
+use top::curves::CriticalSet;
+use top::topology::latitude;
 
-#[path = "../tests/common/mod.rs"]
-mod common;
 #[path = "../benches/workload/mod.rs"]
 mod workload;
 
@@ -60,7 +59,9 @@ const PATHS: [(&str, Prepare); 14] = [
     ("atlas-plane", || atlas(workload::plane())),
     ("atlas-near-axis", || atlas(workload::near_axis())),
     ("atlas-rods", || atlas(workload::rods())),
-    ("polylines", || in_turn(prepared(&workload::generic()), |atlas| atlas.document(&DocumentOptions::default()))),
+    ("polylines", || {
+        in_turn(prepared(&workload::generic()), |atlas| documents::atlas::document(atlas, &DocumentOptions::default()))
+    }),
     ("classify", || in_turn(exact(), |(body, h, l)| classify(body, h, l))),
     ("critical", || in_turn(exact(), |(body, _, l)| critical(body, l))),
     ("locate", || {
@@ -72,7 +73,7 @@ const PATHS: [(&str, Prepare); 14] = [
     }),
     ("latitude-sweep", || {
         let cases = workload::generic().into_iter().map(|case| (case.body.frame(), case.h, case.l)).collect();
-        in_turn(cases, |(frame, h, l): &(bifdiag::body::Frame, f64, f64)| {
+        in_turn(cases, |(frame, h, l): &(top::body::Frame, f64, f64)| {
             latitude::components(frame, h / frame.energy_unit, l / frame.momentum_unit)
         })
     }),

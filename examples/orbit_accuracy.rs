@@ -12,14 +12,14 @@
 //! `growth`: the largest drift of each first integral up to the times 10², 10³, … (10⁶ by default), four orbits each at
 //! (2.6, 3.25) and (4.45, 3.25); root mean square over the orbits. Needs 1 GB of memory for 10⁶.
 
-use bifdiag::body::{Body, Number};
-use bifdiag::dynamics::{HeavyTop, Integrals, State};
-use bifdiag::integrator::Method;
-use bifdiag::section::{
+use dashu_ratio::RBig;
+use dynamics::field::{HeavyTop, Integrals, State};
+use dynamics::integrator::Method;
+use dynamics::section::{
     Monitor, OrbitSection, PpTorus, SectionError, SectionPoint, StartOptions, SweepOptions, spread_starts, sweep,
 };
-use dashu_ratio::RBig;
 use rustix::time::{ClockId, clock_gettime};
+use top::body::{Body, Number};
 
 type Failure = Box<dyn std::error::Error>;
 

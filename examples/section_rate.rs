@@ -7,10 +7,10 @@
 
 use std::hint::black_box;
 
-use bifdiag::body::Body;
-use bifdiag::dynamics::{HeavyTop, Integrals, State};
-use bifdiag::integrator::taylor::order_for;
-use bifdiag::section::{Monitor, PpTorus, SweepOptions, sweep};
+use dynamics::field::{HeavyTop, Integrals, State};
+use dynamics::integrator::taylor::order_for;
+use dynamics::section::{Monitor, PpTorus, SweepOptions, sweep};
+use top::body::Body;
 
 #[path = "../benches/workload/section.rs"]
 mod workload;

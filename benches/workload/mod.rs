@@ -1,10 +1,10 @@
 //! The fixed bodies and points on which time is measured.
 #![allow(dead_code)]
 
-use bifdiag::body::{Body, Number, Preset};
+use top::body::{Body, Number, Preset};
 
-use crate::common::bodies::{Stratum, random_body, random_point};
-use crate::common::random::SplitMix64;
+use support::bodies::{Stratum, random_body, random_point};
+use support::random::SplitMix64;
 
 const SEED: u64 = 20_080_303;
 

@@ -1,17 +1,18 @@
 //! Whole bodies: time of an atlas, and whether it holds the regions that are proved.
 
-use bifdiag::atlas::{Atlas, DocumentOptions};
-use bifdiag::body::Body;
-use bifdiag::certified::CertifiedAtlas;
-use bifdiag::document::Accuracy;
-use bifdiag::equilibria::Branch;
-use bifdiag::topology::Component;
+use documents::DocumentOptions;
+use proof::CertifiedAtlas;
 use rayon::prelude::*;
+use schema::Accuracy;
+use top::atlas::Atlas;
+use top::body::Body;
+use top::curves::Branch;
+use top::topology::Component;
 
 use super::clock::{quantiles, timed};
-use super::common::flood_fill;
 use super::companion;
 use super::points::Point;
+use support::flood_fill;
 
 /// Bodies of each stratum, and those on which the flood fill is tried.
 const BODIES: usize = 60;
@@ -93,7 +94,7 @@ pub fn run(points: &[Point]) {
             for (body, truth) in bodies.iter().zip(&truths) {
                 let (found, time) = timed(|| {
                     let atlas = Atlas::new(body).ok()?;
-                    let document = atlas.document(&options);
+                    let document = documents::atlas::document(&atlas, &options);
                     Some((atlas, document.summary.undecided.is_empty()))
                 });
                 let whole = found.as_ref().is_some_and(|(_, whole)| *whole);

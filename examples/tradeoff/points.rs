@@ -1,8 +1,8 @@
 //! `data/tradeoff/points.jsonl`.
 
-use bifdiag::body::{Body, Number};
-use bifdiag::topology::{Component, latitude};
 use serde::Deserialize;
+use top::body::{Body, Number};
+use top::topology::{Component, latitude};
 
 use super::Failure;
 

@@ -4,10 +4,11 @@ use std::ffi::OsString;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-use bifdiag::body::Number;
-use bifdiag::document::{Accuracy, WindowDocument};
 use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
+use plot::{Picture, PlotError};
+use schema::{Accuracy, WindowDocument};
+use top::body::Number;
 
 use super::failure::{InputError, Refusal};
 use super::find::{FIND_EXAMPLES, FindArguments};
@@ -21,7 +22,7 @@ const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré
 const MAIN_EXAMPLES: &str = "\
 Examples:
   bifdiag --A 2,1.1,1 --r 0.94868,0,0.61623        all regions of the (h, l) plane
-  bifdiag --body kovalevskaya --format svg,pdf --out kovalevskaya
+  bifdiag --body kovalevskaya --format svg,png --out kovalevskaya
   bifdiag --body paper --json | jq .summary
   bifdiag classify --body paper --h 3.8 --l 3.25   the type of U, E and P at one point
   bifdiag critical --body paper --l 3.25           all relative equilibria at one l
@@ -93,7 +94,7 @@ Examples:
 const FIGURES_EXAMPLES: &str = "\
 Examples:
   bifdiag figures
-  bifdiag figures --out my-figures --format svg,png,pdf";
+  bifdiag figures --out my-figures --format svg,png";
 
 /// The whole command line.
 #[derive(Debug, Parser)]
@@ -379,17 +380,13 @@ pub struct FiguresArguments {
 }
 
 impl Options {
-    /// The options of this process.
-    pub fn parse() -> Result<Self, Refusal> {
-        Self::from_arguments(std::env::args_os())
-    }
-
     /// The clap command, for completions and manual pages.
     pub fn command() -> clap::Command {
         <Self as CommandFactory>::command()
     }
 
-    fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, Refusal> {
+    /// The options of a command line; the first argument is the name of the program.
+    pub fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, Refusal> {
         let arguments: Vec<OsString> = arguments.into_iter().collect();
         let command = Self::command();
         check_values(&command, &arguments)?;
@@ -397,6 +394,7 @@ impl Options {
         if let Some(name) = matches.subcommand_name() {
             check_no_stray_option(&command, &matches, name)?;
         }
+        check_formats(&matches)?;
         Ok(Self::from_arg_matches(&matches)?)
     }
 }
@@ -434,6 +432,15 @@ fn check_no_stray_option(command: &clap::Command, matches: &clap::ArgMatches, na
         Some(long) => Err(InputError::OptionBeforeCommand { option: format!("--{long}"), command: name.to_owned() }),
         None => Ok(()),
     }
+}
+
+/// PDF is refused before any work where this build does not make it.
+fn check_formats(matches: &clap::ArgMatches) -> Result<(), InputError> {
+    let wanted = matches.try_get_many::<Format>("format").ok().flatten();
+    if !Picture::MAKES_PDF && wanted.is_some_and(|mut formats| formats.any(|format| *format == Format::Pdf)) {
+        return Err(InputError::Format(PlotError::NoPdf));
+    }
+    matches.subcommand().map_or(Ok(()), |(_, matches)| check_formats(matches))
 }
 
 #[cfg(test)]

@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use bifdiag::atlas::{Atlas, DocumentOptions};
-use bifdiag::certified::CertifiedAtlas;
-use bifdiag::document::{Accuracy, AtlasDocument, ComponentDocument, RegionDocument};
-use bifdiag::plot::{CurveSource, DiagramOptions, Picture, draw};
+use documents::{DocumentOptions, certified_atlas};
+use plot::{CurveSource, DiagramOptions, Picture, draw};
+use proof::CertifiedAtlas;
+use schema::{Accuracy, AtlasDocument, ComponentDocument, RegionDocument};
+use top::atlas::Atlas;
 
 use super::arguments::{AtlasArguments, Format};
 use super::failure::{Failure, InputError};
@@ -32,10 +33,11 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
     let (atlas, document) = if accuracy == Accuracy::Certified {
         let proof = timings.stage("proof", || CertifiedAtlas::new(&subject.body))?;
         let drawn = proof.drawn()?;
-        let mut document = timings.stage("certificate", || proof.document(&drawn, &DocumentOptions::default()))?;
+        let mut document =
+            timings.stage("certificate", || certified_atlas(&proof, &drawn, &DocumentOptions::default()))?;
         if subject.inertia.is_some() {
             attach_part(&mut document, &subject);
-            proof.seal(&mut document)?;
+            documents::seal(&mut document)?;
         }
         (drawn, document)
     } else {
@@ -44,7 +46,7 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         if accuracy == Accuracy::Draft {
             options.chord_tolerance *= DRAFT_COARSENING;
         }
-        let mut document = timings.stage("curves", || atlas.document(&options));
+        let mut document = timings.stage("curves", || documents::atlas::document(&atlas, &options));
         attach_part(&mut document, &subject);
         (atlas, document)
     };
@@ -76,7 +78,7 @@ pub struct Curves<'a>(pub &'a Atlas);
 
 impl CurveSource for Curves<'_> {
     fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
-        self.0.polyline(curve, l, tolerance)
+        self.0.polyline(curve.parse().ok()?, l, tolerance)
     }
 }
 
@@ -207,8 +209,8 @@ fn wrapped_signature(signature: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use bifdiag::document::{MarginDocument, SampleDocument};
-    use bifdiag::topology::{Component, Poles, signature};
+    use schema::{MarginDocument, SampleDocument};
+    use top::topology::{Component, Poles, signature};
 
     use super::*;
 
@@ -217,7 +219,7 @@ mod tests {
         RegionDocument {
             id: id.to_owned(),
             sample: SampleDocument { h: sample[0], l: sample[1], margin },
-            components: components.iter().map(ComponentDocument::from).collect(),
+            components: documents::candidate(components),
             signature: signature(components),
             bounded: true,
             l_range: [Some(sample[1] / 3.0), Some(sample[1] / 0.7)],

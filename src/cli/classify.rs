@@ -2,13 +2,13 @@
 
 use std::sync::{Arc, OnceLock};
 
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Number};
-use bifdiag::certified::{CertifiedAtlas, NotProved};
-use bifdiag::classify::{ClassifyError, classify};
-use bifdiag::document::{Accuracy, ClassificationDocument, ComponentDocument, Status};
+use proof::{CertifiedAtlas, NotProved};
 use rayon::prelude::*;
+use schema::{Accuracy, ClassificationDocument, ComponentDocument, Status};
 use thiserror::Error;
+use top::atlas::Atlas;
+use top::body::{Body, Number};
+use top::classify::{Classification, ClassifyError, classify};
 
 use super::arguments::ClassifyArguments;
 use super::batch::{self, Query, Wanted};
@@ -36,12 +36,12 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
     let subject = arguments.body.subject()?;
     let h = h.as_ref().ok_or(InputError::NoPoint { missing: "--h", example: "the energy, such as --h 3.8" })?;
     let l = l.as_ref().ok_or(InputError::NoPoint { missing: "--l", example: "the momentum, such as --l 3.25" })?;
-    let mut document = if accuracy == Accuracy::Certified {
+    let answer = if accuracy == Accuracy::Certified {
         timings.stage("classify", || CertifiedAtlas::new(&subject.body))?.classify(h, l)
     } else {
         timings.stage("classify", || classify(&subject.body, h, l))?
     };
-    document.accuracy = accuracy;
+    let mut document = documents::classification(&subject.body, h, l, &answer, accuracy);
     document.inertia.clone_from(&subject.inertia);
     let text = if arguments.json { layout::text(&document)? } else { report(&subject, &document) };
     Ok(output::print(text.as_bytes())?)
@@ -87,11 +87,10 @@ impl Preparation {
         let jobs: Vec<_> = queries.iter().map(|query| self.job(query)).collect();
         jobs.par_iter()
             .map(|job| {
-                let mut document = job.answer(accuracy)?;
-                // The prepared body may have been written otherwise (1.1 and 11/10); what is echoed is this line's text.
-                document.moments.clone_from(job.query.body.moments());
-                document.center.clone_from(job.query.body.center());
-                document.accuracy = accuracy;
+                let Query { body, l, .. } = job.query;
+                let h = job.query.h.clone().unwrap_or_else(|| Number::from_rational(0.into()));
+                let answer = job.answer(&h, accuracy)?;
+                let mut document = documents::classification(body, &h, l, &answer, accuracy);
                 document.inertia.clone_from(&job.query.inertia);
                 Ok(serde_json::to_string(&document)?)
             })
@@ -109,16 +108,15 @@ impl Preparation {
 }
 
 impl Job<'_> {
-    fn answer(&self, accuracy: Accuracy) -> Result<ClassificationDocument, Unanswered> {
+    fn answer(&self, h: &Number, accuracy: Accuracy) -> Result<Classification, Unanswered> {
         let Query { body, l, .. } = self.query;
-        let h = self.query.h.clone().unwrap_or_else(|| Number::from_rational(0.into()));
         if accuracy == Accuracy::Certified {
             let proof = self.prepared.proof.get_or_init(|| CertifiedAtlas::new(body));
-            return Ok(proof.as_ref().map_err(Clone::clone)?.classify(&h, l));
+            return Ok(proof.as_ref().map_err(Clone::clone)?.classify(h, l));
         }
         // A body of which no atlas can be made is still answered point by point.
         let atlas = if self.cold { None } else { self.prepared.atlas.get_or_init(|| Atlas::new(body).ok()).as_ref() };
-        Ok(atlas.map_or_else(|| classify(body, &h, l), |atlas| atlas.classify(&h, l))?)
+        Ok(atlas.map_or_else(|| classify(body, h, l), |atlas| atlas.classify(h, l))?)
     }
 }
 

@@ -1,9 +1,9 @@
 //! `bifdiag critical`: all relative equilibria at one l, or at many.
 
-use bifdiag::critical::{CriticalError, critical};
-use bifdiag::document::{CriticalDocument, Multiplicity, Stability};
 use rayon::prelude::*;
+use schema::{CriticalDocument, Multiplicity, Stability};
 use thiserror::Error;
+use top::critical::{CriticalError, critical};
 
 use super::arguments::CriticalArguments;
 use super::batch::{self, Wanted};
@@ -22,7 +22,7 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
         let subject = arguments.body.optional_subject()?;
         return batch::run(path, &arguments.batch, subject.as_ref(), Wanted::Momentum, quiet, |queries| {
             let answer = |query: &batch::Query| {
-                let mut document = critical(&query.body, &query.l)?;
+                let mut document = documents::critical(&query.body, &query.l, &critical(&query.body, &query.l)?);
                 document.inertia.clone_from(&query.inertia);
                 Ok::<_, Unanswered>(serde_json::to_string(&document)?)
             };
@@ -32,7 +32,8 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
     let subject = arguments.body.subject()?;
     let missing = InputError::NoPoint { missing: "--l", example: "the momentum, such as --l 3.25" };
     let l = arguments.momentum.as_ref().ok_or(missing)?;
-    let mut document = timings.stage("critical", || critical(&subject.body, l))?;
+    let found = timings.stage("critical", || critical(&subject.body, l))?;
+    let mut document = documents::critical(&subject.body, l, &found);
     document.inertia.clone_from(&subject.inertia);
     let text = if arguments.json { layout::text(&document)? } else { report(&subject, &document) };
     Ok(output::print(text.as_bytes())?)

@@ -2,19 +2,18 @@
 
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
-use std::process::ExitCode;
 
-use bifdiag::atlas::AtlasError;
-use bifdiag::atlas::MomentumError;
-use bifdiag::body::InertiaError;
-use bifdiag::classify::ClassifyError;
-use bifdiag::critical::CriticalError;
-use bifdiag::integrator::{MethodError, StepError};
-use bifdiag::motion::MotionError;
-use bifdiag::plot::PlotError;
-use bifdiag::poincare::PoincareError;
-use bifdiag::section::SectionError;
+use dynamics::integrator::{MethodError, StepError};
+use dynamics::motion::MotionError;
+use dynamics::poincare::PoincareError;
+use dynamics::section::SectionError;
+use plot::PlotError;
 use thiserror::Error;
+use top::atlas::AtlasError;
+use top::atlas::MomentumError;
+use top::body::InertiaError;
+use top::classify::ClassifyError;
+use top::critical::CriticalError;
 
 use super::files::FilesError;
 use super::orbit::OrbitInputError;
@@ -57,6 +56,8 @@ pub enum InputError {
     Momentum(MomentumError),
     #[error("{option} has no value ({next} follows it); write it as {option} {value}, or {option}=VALUE")]
     ValueMissing { option: String, next: String, value: String },
+    #[error("--format pdf: {0}")]
+    Format(PlotError),
     #[error("--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout")]
     OutIsStdout,
     #[error(transparent)]
@@ -83,13 +84,13 @@ pub enum Failure {
     #[error("the atlas could not be made")]
     Atlas(#[from] AtlasError),
     #[error("the atlas could not be proved")]
-    NotProved(#[from] bifdiag::certified::NotProved),
+    NotProved(#[from] proof::NotProved),
     #[error("the proved atlas could not be written")]
-    NotWritten(#[from] bifdiag::certified::NotWritten),
+    NotWritten(#[from] proof::NotWritten),
     #[error("{path} is refused: its bytes are not those that bifdiag writes for a certified atlas", path = path.display())]
     Damaged { path: PathBuf },
     #[error("the atlas is refused")]
-    Refused(#[from] bifdiag::verify::Refused),
+    Refused(#[from] verify::Refused),
     #[error("the point could not be classified")]
     Classify(#[source] ClassifyError),
     #[error("the relative equilibria could not be found")]
@@ -168,9 +169,9 @@ impl From<ClassifyError> for Failure {
 
 impl Failure {
     /// Tells it on stderr. A reader that closed the pipe wants no more, and no message.
-    pub fn print(&self) -> ExitCode {
+    pub fn print(&self) -> u8 {
         if matches!(self, Self::Output(OutputError::ClosedPipe)) {
-            return ExitCode::SUCCESS;
+            return 0;
         }
         let mut message = format!("error: {self}");
         let mut source = std::error::Error::source(self);
@@ -182,7 +183,7 @@ impl Failure {
             source = cause.source();
         }
         say(&message);
-        ExitCode::from(if matches!(self, Self::Input(_)) { 2 } else { 1 })
+        if matches!(self, Self::Input(_)) { 2 } else { 1 }
     }
 }
 
@@ -207,7 +208,7 @@ impl From<InputError> for Refusal {
 
 impl Refusal {
     /// Prints help to stdout, errors to stderr.
-    pub fn print(self) -> ExitCode {
+    pub fn print(self) -> u8 {
         let error = match self {
             Self::Clap(error) => error,
             Self::Input(error) => return Failure::from(error).print(),
@@ -216,11 +217,11 @@ impl Refusal {
         if error.use_stderr() {
             let text = if io::stderr().is_terminal() { text.ansi().to_string() } else { text.to_string() };
             say(text.trim_end());
-            return ExitCode::from(2);
+            return 2;
         }
         let text = if io::stdout().is_terminal() { text.ansi().to_string() } else { text.to_string() };
         match super::output::print(text.as_bytes()) {
-            Ok(()) => ExitCode::SUCCESS,
+            Ok(()) => 0,
             Err(error) => Failure::from(error).print(),
         }
     }

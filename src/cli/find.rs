@@ -1,11 +1,10 @@
 //! `bifdiag find`: a body and a point that show a wanted thing.
 
-use bifdiag::document::{Accuracy, SCHEMA_VERSION};
-use bifdiag::search::{
-    Domain, FindDocument, NearestDocument, Score, Seen, Target, Witness, improve, look, sample, witness,
-};
 use clap::Args;
 use rayon::prelude::*;
+use schema::{Accuracy, SCHEMA_VERSION};
+use schema::{FindDocument, NearestDocument};
+use survey::search::{Domain, Score, Seen, Target, Witness, improve, look, sample, witness};
 
 use super::arguments::AccuracyArgument;
 use super::failure::{Failure, InputError};
@@ -162,7 +161,7 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
         found: found.is_some(),
         sought: target.to_string(),
         verified_by: if found.is_some() { methods } else { Vec::new() },
-        witness: found,
+        witness: found.as_ref().map(documents::witness),
         tried,
         showing,
         nearest,
@@ -171,7 +170,7 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
 
 /// A witness, or a warning why a candidate is none.
 fn confirmed(values: [[f64; 3]; 2], target: &Target, accuracy: Accuracy) -> Option<Witness> {
-    match witness(values, target, accuracy) {
+    match witness(values, target, accuracy.into()) {
         Ok(witness) => Some(witness),
         Err(error) => {
             tracing::debug!("the body {values:?} is no witness: {error}");
@@ -206,12 +205,11 @@ fn report(document: &FindDocument) -> String {
         report.line("this does not say that there is none");
         return report.text();
     };
-    let list = |numbers: &[bifdiag::body::Number; 3]| numbers.each_ref().map(bifdiag::body::Number::text).join(",");
     report.line(format!("{} is shown by", document.sought));
     report.line(format!(
         "  bifdiag classify --A {} --r {} --h={} --l {}",
-        list(&witness.moments),
-        list(&witness.center),
+        witness.moments.join(","),
+        witness.center.join(","),
         witness.h,
         witness.l
     ));

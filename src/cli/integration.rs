@@ -1,8 +1,8 @@
 //! The integrator that the options ask for.
 
-use bifdiag::dynamics::HeavyTop;
-use bifdiag::integrator::Method;
 use clap::{Args, ValueEnum};
+use dynamics::field::HeavyTop;
+use dynamics::integrator::Method;
 
 use super::failure::InputError;
 use super::values;

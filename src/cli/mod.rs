@@ -15,7 +15,6 @@ mod files;
 mod find;
 mod integration;
 mod interrupt;
-mod layout;
 mod log;
 mod orbit;
 mod output;
@@ -30,16 +29,32 @@ mod timings;
 mod values;
 mod verify;
 
-use arguments::Command;
-pub use arguments::Options;
+use std::ffi::OsString;
+
+use documents::layout;
+
+use arguments::{Command, Options};
 use failure::Failure;
 use timings::Timings;
 
 /// Where the files go if nothing else is said.
 const DEFAULT_DIRECTORY: &str = "bifdiag-out";
 
+/// Runs a command line, its first argument the name of the program, and returns the exit status: 0 done, 2 wrong input,
+/// 1 anything else. Prints to stdout and stderr, writes files, and answers SIGINT and SIGTERM.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let options = match Options::from_arguments(arguments) {
+        Ok(options) => options,
+        Err(refusal) => return refusal.print(),
+    };
+    match start(&options).and_then(|()| work(&options)) {
+        Ok(()) => 0,
+        Err(failure) => failure.print(),
+    }
+}
+
 /// Sets up logging, the answer to interrupts and the number of threads.
-pub fn start(options: &Options) -> Result<(), Failure> {
+fn start(options: &Options) -> Result<(), Failure> {
     log::start(&options.common);
     interrupt::install()?;
     if let Some(threads) = options.common.threads {
@@ -49,7 +64,7 @@ pub fn start(options: &Options) -> Result<(), Failure> {
 }
 
 /// Runs the command that was asked for.
-pub fn run(options: &Options) -> Result<(), Failure> {
+fn work(options: &Options) -> Result<(), Failure> {
     let timings = Timings::new(options.common.timings);
     let quiet = options.common.quiet;
     let done = match &options.command {

@@ -1,14 +1,13 @@
 //! `bifdiag schema`: the JSON Schemas of the documents.
 
-use bifdiag::border::BorderDocument;
-use bifdiag::document::{
-    AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument, MotionDocument,
-    SectionDocument, SectionsDocument,
-};
-use bifdiag::scan::{Row, SummaryDocument};
-use bifdiag::search::FindDocument;
 use clap::ValueEnum;
+use schema::{
+    AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument, FindDocument,
+    MotionDocument, SectionDocument, SectionsDocument,
+};
 use schemars::{Schema, schema_for};
+use survey::border::BorderDocument;
+use survey::scan::{Row, SummaryDocument};
 
 use super::arguments::SchemaArguments;
 use super::failure::Failure;

@@ -1,7 +1,7 @@
 //! The body that the options describe.
 
-use bifdiag::body::{Body, MassProperties, Number, Preset};
-use bifdiag::document::InertiaDocument;
+use schema::InertiaDocument;
+use top::body::{Body, MassProperties, Number, Preset};
 
 use super::arguments::BodyArguments;
 use super::failure::InputError;
@@ -84,7 +84,7 @@ impl BodyArguments {
         let principal = part
             .to_principal_axes()
             .map_err(|source| InputError::Inertia { value: tensor.0.each_ref().map(Number::text).join(","), source })?;
-        let inertia = InertiaDocument::new(&part, &principal);
+        let inertia = documents::part(&part, &principal);
         Ok(Some(Subject { body: principal.body().clone(), inertia: Some(inertia) }))
     }
 }

@@ -2,10 +2,10 @@
 
 use std::num::{NonZeroU32, NonZeroUsize};
 
-use bifdiag::body::{Body, BodyError, Number, ParseNumberError, Preset};
-use bifdiag::document::WindowDocument;
 use clap::builder::{PossibleValue, PossibleValuesParser};
+use schema::WindowDocument;
 use thiserror::Error;
+use top::body::{Body, BodyError, Number, ParseNumberError, Preset};
 
 use super::data::{DataTarget, UnknownFormat};
 

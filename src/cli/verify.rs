@@ -3,8 +3,8 @@
 use std::io::Read;
 use std::path::Path;
 
-use bifdiag::document::AtlasDocument;
-use bifdiag::verify::verify;
+use schema::AtlasDocument;
+use verify::verify;
 
 use super::arguments::VerifyArguments;
 use super::failure::{Failure, InputError};

@@ -9,9 +9,9 @@ use std::io::{self, IsTerminal, Read};
 use std::path::Path;
 use std::time::Duration;
 
-use bifdiag::document::BatchErrorDocument;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
+use schema::BatchErrorDocument;
 
 use super::arguments::BatchArguments;
 use super::failure::{Failure, InputError, say};

@@ -1,10 +1,10 @@
 //! One line of a batch.
 
-use bifdiag::body::{Body, BodyError, Number, ParseNumberError};
-use bifdiag::document::InertiaDocument;
+use schema::InertiaDocument;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 use thiserror::Error;
+use top::body::{Body, BodyError, Number, ParseNumberError};
 
 use super::lines::MAX_LINE;
 use crate::cli::subject::Subject;

@@ -1,8 +1,9 @@
 //! The bifurcation diagrams.
 
-use bifdiag::atlas::{Atlas, DocumentOptions};
-use bifdiag::body::Preset;
-use bifdiag::plot::{DiagramOptions, Picture, draw};
+use documents::DocumentOptions;
+use plot::{DiagramOptions, Picture, draw};
+use top::atlas::Atlas;
+use top::body::Preset;
 
 use super::super::atlas::Curves;
 use super::super::failure::Failure;
@@ -29,7 +30,7 @@ pub fn figures() -> impl Iterator<Item = Figure> {
 
 fn diagram(preset: &Preset, timings: &Timings) -> Result<Picture, Failure> {
     let atlas = Atlas::new(&preset.body())?;
-    let document = atlas.document(&DocumentOptions::default());
+    let document = documents::atlas::document(&atlas, &DocumentOptions::default());
     Ok(timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &DiagramOptions::default()))?)
 }
 

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use bifdiag::atlas::Atlas;
-use bifdiag::body::{Body, Preset};
-use bifdiag::border::{self, BorderOptions, Segment};
-use bifdiag::document::Accuracy;
-use bifdiag::plot::{Map, MapAxis, MapBodies, MapLine, MapNote, draw_map};
-use bifdiag::scan::{Design, Family, Parameter, Row};
+use plot::{Map, MapAxis, MapBodies, MapLine, MapNote, draw_map};
+use proof::Accuracy;
 use rayon::prelude::*;
+use survey::border::{self, BorderOptions, Segment};
+use survey::scan::{Design, Family, Parameter, Row};
+use top::atlas::Atlas;
+use top::body::{Body, Preset};
 
 use super::super::failure::Failure;
 use super::super::scan::map::{Seen, known_classes, map};

@@ -7,7 +7,7 @@ mod sections;
 mod tradeoff;
 mod typical;
 
-use bifdiag::plot::Picture;
+use plot::Picture;
 
 use super::arguments::{FiguresArguments, Format};
 use super::failure::Failure;

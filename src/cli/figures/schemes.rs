@@ -1,6 +1,6 @@
 //! The schematic figures of the paper.
 
-use bifdiag::plot::{Scheme, draw_scheme};
+use plot::{Scheme, draw_scheme};
 
 use super::Figure;
 

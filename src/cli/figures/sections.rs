@@ -1,8 +1,8 @@
 //! The Poincaré sections of the paper.
 
-use bifdiag::body::{Body, Preset};
-use bifdiag::plot::{Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
-use bifdiag::section::{OrbitSection, Portrait, PortraitOptions, SectionCondition, TorusPoint};
+use dynamics::section::{OrbitSection, Portrait, PortraitOptions, SectionCondition, TorusPoint};
+use plot::{Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
+use top::body::{Body, Preset};
 
 use super::super::failure::Failure;
 use super::super::timings::Timings;

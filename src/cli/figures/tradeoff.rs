@@ -1,6 +1,6 @@
 //! The charts of what accuracy costs, from the tables of `data/tradeoff/`.
 
-use bifdiag::plot::{Chart, ChartAxis, ChartPanel, Picture, PlotError, Scale, Series, draw_chart};
+use plot::{Chart, ChartAxis, ChartPanel, Picture, PlotError, Scale, Series, draw_chart};
 
 use super::Figure;
 

@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 use std::f64::consts::{PI, TAU};
 
-use bifdiag::dynamics::State;
-use bifdiag::section::{Chart, Monitor, OrbitSection, Portrait, SweepOptions, sweep};
+use dynamics::field::State;
+use dynamics::section::{Chart, Monitor, OrbitSection, Portrait, SweepOptions, sweep};
 
 use super::super::failure::Failure;
 

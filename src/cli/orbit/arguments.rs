@@ -1,7 +1,7 @@
 //! Options of `bifdiag orbit`.
 
-use bifdiag::body::Number;
 use clap::Args;
+use top::body::Number;
 
 use super::times::Times;
 use crate::cli::arguments::BodyArguments;

@@ -14,10 +14,10 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use bifdiag::document::{MotionDocument, MotionSampleDocument, MotionSummaryDocument, SCHEMA_VERSION};
-use bifdiag::dynamics::{HeavyTop, State, dot};
-use bifdiag::integrator::Method;
-use bifdiag::motion::{Motion, MotionOptions, MotionSample, follow};
+use dynamics::field::{HeavyTop, State, dot};
+use dynamics::integrator::Method;
+use dynamics::motion::{Motion, MotionOptions, MotionSample, follow};
+use schema::{MotionDocument, MotionSampleDocument, MotionSummaryDocument, SCHEMA_VERSION};
 
 use super::data::{DataFormat, DataTarget};
 use super::failure::Failure;
@@ -100,17 +100,17 @@ fn document(
     }
     Ok(MotionDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
-        moments: subject.body.moments().clone(),
-        center: subject.body.center().clone(),
+        moments: documents::texts(subject.body.moments()),
+        center: documents::texts(subject.body.center()),
         h: top.energy(start),
         l: dot(start.gamma, start.l),
         start: sample_document(&start_sample),
-        integrator: method.into(),
+        integrator: documents::integrator(method),
         complete: motion.samples.len() == wanted,
         summary: MotionSummaryDocument {
             samples: motion.samples.len(),
             steps: report.steps,
-            drift: report.drift.into(),
+            drift: documents::drift(report.drift),
             vertical_error: report.vertical_error,
             attitude_difference: report.attitude_difference,
             at_pole: report.at_pole,

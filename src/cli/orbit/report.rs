@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use bifdiag::document::MotionDocument;
-use bifdiag::motion::MotionSample;
+use dynamics::motion::MotionSample;
+use schema::MotionDocument;
 
 use crate::cli::report::Report;
 use crate::cli::subject::Subject;

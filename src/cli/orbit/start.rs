@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use bifdiag::dynamics::{HeavyTop, State};
-use bifdiag::section::{PpTorus, SectionError, TorusPoint};
+use dynamics::field::{HeavyTop, State};
+use dynamics::section::{PpTorus, SectionError, TorusPoint};
 
 use super::arguments::OrbitArguments;
 use super::error::OrbitInputError;

@@ -1,7 +1,7 @@
 //! The samples of a motion as columns.
 
-use bifdiag::document::MotionDocument;
-use bifdiag::motion::MotionSample;
+use dynamics::motion::MotionSample;
+use schema::MotionDocument;
 
 use crate::cli::data::{Column, DataTable, Values};
 

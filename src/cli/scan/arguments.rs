@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use bifdiag::scan::{Parameter, Range};
 use clap::{Args, Subcommand, ValueEnum};
+use survey::scan::{Parameter, Range};
 
 use super::shard::Shard;
 use super::table::Format;

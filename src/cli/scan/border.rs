@@ -1,8 +1,8 @@
 //! `bifdiag scan border`: where the class changes between two bodies.
 
-use bifdiag::body::{Body, Number};
-use bifdiag::border::{self, BorderDocument, BorderOptions, Segment};
-use bifdiag::scan::Range;
+use survey::border::{self, BorderDocument, BorderOptions, Segment};
+use survey::scan::Range;
+use top::body::{Body, Number};
 
 use super::arguments::BorderArguments;
 use super::error::ScanInput;
@@ -38,7 +38,7 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
         let texts: Vec<&str> = values.iter().map(Number::text).collect();
         Body::parse(&texts[..3], &texts[3..]).map_err(|error| wrong(format!("--vary: {error}")))
     };
-    let options = BorderOptions { accuracy: arguments.accuracy.level(), ..BorderOptions::default() };
+    let options = BorderOptions { accuracy: arguments.accuracy.level().into(), ..BorderOptions::default() };
     let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
     let border = border::find(&segment, &options).map_err(|error| wrong(format!("--vary: {error}")))?;
     let document = BorderDocument::new(&border, &segment, &arguments.vary);

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use bifdiag::scan::DesignError;
+use survey::scan::DesignError;
 use thiserror::Error;
 
 use super::table::TableError;

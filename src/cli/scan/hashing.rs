@@ -4,8 +4,12 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-use bifdiag::digest::hexadecimal;
 use sha2::{Digest, Sha256};
+
+/// A finished digest in 64 hexadecimal digits.
+pub fn hexadecimal(digest: Sha256) -> String {
+    base16ct::lower::encode_string(&digest.finalize())
+}
 
 /// Passes everything on and keeps its digest.
 pub struct HashingWriter<W> {

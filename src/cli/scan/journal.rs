@@ -8,10 +8,10 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use bifdiag::document::Accuracy;
-use bifdiag::scan::{Design, Row};
+use schema::Accuracy;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
+use survey::scan::{Design, Row};
 
 use super::error::{ScanFailure, ScanInput};
 use super::hashing::hexadecimal;
@@ -198,7 +198,7 @@ fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<u64> {
 mod tests {
     use std::fs;
 
-    use bifdiag::scan::Family;
+    use survey::scan::Family;
 
     use super::*;
 
@@ -208,7 +208,7 @@ mod tests {
     }
 
     fn rows(range: std::ops::Range<u64>) -> Vec<Row> {
-        range.map(|n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], Accuracy::Standard)).collect()
+        range.map(|n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], proof::Accuracy::Standard)).collect()
     }
 
     #[test]

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use bifdiag::atlas::Atlas;
-use bifdiag::body::Preset;
-use bifdiag::class::Class;
-use bifdiag::plot::{Map, MapAxis, MapBodies, MapEntry, draw_map};
-use bifdiag::scan::{Parameter, Row};
+use plot::{Map, MapAxis, MapBodies, MapEntry, draw_map};
+use survey::scan::{Parameter, Row};
+use top::atlas::Atlas;
+use top::body::Preset;
+use top::class::Class;
 
 use super::arguments::{MapArguments, Shown};
 use super::error::ScanInput;

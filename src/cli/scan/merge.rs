@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use bifdiag::scan::SummaryDocument;
+use survey::scan::SummaryDocument;
 
 use super::arguments::MergeArguments;
 use super::error::ScanInput;
@@ -108,7 +108,7 @@ fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
 }
 
 /// Passes the rows of a shard on, each in its place.
-fn pass_rows(part: &Part, take: &mut dyn FnMut(bifdiag::scan::Row) -> Result<(), Failure>) -> Result<(), Failure> {
+fn pass_rows(part: &Part, take: &mut dyn FnMut(survey::scan::Row) -> Result<(), Failure>) -> Result<(), Failure> {
     let [from, to] = part.summary.range;
     let table = |source| ScanInput::Table { path: part.path.clone(), source };
     let mut found = 0;

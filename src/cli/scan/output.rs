@@ -4,8 +4,8 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use bifdiag::document::SCHEMA_VERSION;
-use bifdiag::scan::{Row, Summary, SummaryDocument};
+use schema::SCHEMA_VERSION;
+use survey::scan::{Row, Summary, SummaryDocument};
 
 use super::error::{ScanFailure, ScanInput};
 use super::hashing::HashingWriter;

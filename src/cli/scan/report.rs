@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use bifdiag::scan::SummaryDocument;
+use survey::scan::SummaryDocument;
 
 use super::output::summary_path;
 use crate::cli::report::Report;

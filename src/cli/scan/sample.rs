@@ -3,8 +3,8 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use bifdiag::scan::{Design, DesignError, Family, Row};
 use rayon::prelude::*;
+use survey::scan::{Design, DesignError, Family, Row};
 
 use super::arguments::{FamilyArgument, SampleArguments};
 use super::error::ScanInput;
@@ -55,7 +55,7 @@ fn block(identity: &Identity, from: u64) -> Vec<Row> {
 /// One row; not even a defect of this program ends the scan.
 fn row(identity: &Identity, n: u64) -> Row {
     let values = identity.design.values(n);
-    catch_unwind(AssertUnwindSafe(|| Row::of(n, values, identity.accuracy)))
+    catch_unwind(AssertUnwindSafe(|| Row::of(n, values, identity.accuracy.into())))
         .unwrap_or_else(|_panic| Row::lost(n, values, "a defect of this program: the computation panicked"))
 }
 

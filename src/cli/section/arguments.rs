@@ -3,10 +3,10 @@
 use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::PathBuf;
 
-use bifdiag::body::Number;
-use bifdiag::plot::Projection;
-use bifdiag::section::SectionCondition;
 use clap::{Args, ValueEnum};
+use dynamics::section::SectionCondition;
+use plot::Projection;
+use top::body::Number;
 
 use crate::cli::arguments::{BodyArguments, Format};
 use crate::cli::data::DataTarget;

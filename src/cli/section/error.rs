@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use bifdiag::poincare::PoincareError;
+use dynamics::poincare::PoincareError;
 use thiserror::Error;
 
 #[derive(Debug, Error)]
@@ -23,7 +23,7 @@ pub enum SectionInputError {
     #[error("--atlas {path} is not an atlas: {source}; bifdiag atlas --json writes one", path = path.display())]
     NotAnAtlas { path: PathBuf, source: serde_json::Error },
     #[error("--atlas {path}: its body is not one: {source}", path = path.display())]
-    AtlasBody { path: PathBuf, source: bifdiag::body::BodyError },
+    AtlasBody { path: PathBuf, source: top::body::BodyError },
     #[error("--region {region}: the atlas has no such region; it has {known}, or give all", known = known.join(", "))]
     UnknownRegion { region: String, known: Vec<String> },
     #[error("--{given} cannot be used with --seeds: the file says where the orbits start; leave out one of them")]

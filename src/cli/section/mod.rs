@@ -16,11 +16,11 @@ pub use error::SectionInputError;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-use bifdiag::document::SkippedDocument;
-use bifdiag::integrator::Method;
-use bifdiag::poincare::{PoincareError, PoincareSection, Setting};
-use bifdiag::section::chaos::ChaosOptions;
-use bifdiag::section::{Monitor, SectionError, SweepOptions, TorusPoint};
+use dynamics::integrator::Method;
+use dynamics::poincare::{PoincareError, Setting};
+use dynamics::section::chaos::ChaosOptions;
+use dynamics::section::{Monitor, OrbitSection, SectionError, SweepOptions, TorusPoint};
+use schema::{SectionDocument, SkippedDocument};
 
 use super::failure::Failure;
 use super::interrupt;
@@ -34,9 +34,19 @@ use sites::{Site, Sites};
 /// Orbits of a section if nothing else is said.
 const ORBITS: u32 = 24;
 
+/// A section that was computed.
+pub struct Done {
+    pub h: f64,
+    pub l: f64,
+    pub document: SectionDocument,
+    pub orbits: Vec<OrbitSection>,
+    /// Orbits that were not cut short by an interrupt.
+    pub whole_orbits: usize,
+}
+
 /// The sections of a run.
 pub struct Sections {
-    pub done: Vec<PoincareSection>,
+    pub done: Vec<Done>,
     pub skipped: Vec<SkippedDocument>,
     /// Every site had its turn, and no orbit was cut short.
     pub complete: bool,
@@ -62,7 +72,7 @@ pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Resu
     if sections.complete {
         return Ok(());
     }
-    let finished = sections.done.iter().map(|section| section.document.whole_orbits()).sum();
+    let finished = sections.done.iter().map(|section| section.whole_orbits).sum();
     Err(Failure::Interrupted { finished, wanted: sites.list.len() * orbits })
 }
 
@@ -88,7 +98,7 @@ fn compute(
 ) -> Result<Sections, Failure> {
     let mut sections = Sections { done: Vec::new(), skipped: Vec::new(), complete: true };
     for site in &sites.list {
-        if !sections.done.is_empty() && monitor.stop.load(Ordering::Relaxed) {
+        if !sections.done.is_empty() && monitor.is_stopped() {
             sections.complete = false;
             break;
         }
@@ -96,6 +106,11 @@ fn compute(
             (Ok(section), _) => {
                 sections.complete &= section.document.complete;
                 sections.done.push(section);
+            }
+            // Stopped before its orbits had their starts; those before it are kept.
+            (Err(_), _) if !sections.done.is_empty() && monitor.is_stopped() => {
+                sections.complete = false;
+                break;
             }
             // One region that is too thin must not cost the others.
             (Err(Failure::Input(error)), Some(region)) if sites.all => {
@@ -114,12 +129,12 @@ fn section_at(
     site: &Site,
     seeds: Option<&[Seed]>,
     monitor: &Monitor,
-) -> Result<PoincareSection, Failure> {
+) -> Result<Done, Failure> {
     let setting = Setting::new(&sites.subject.body, &site.h, &site.l)?;
     let rng_seed = arguments.rng_seed.unwrap_or_default();
     let (starts, rng_seed) = match seeds {
         Some(seeds) => (checked(arguments, &setting, seeds)?, None),
-        None => (setting.spread(orbit_count(arguments), rng_seed)?, Some(rng_seed)),
+        None => (setting.spread_watched(orbit_count(arguments), rng_seed, monitor)?, Some(rng_seed)),
     };
     let options = SweepOptions {
         crossings: arguments.crossings.get(),
@@ -136,9 +151,11 @@ fn section_at(
         }
         setting.measure(&mut section, &chaos, monitor).map_err(PoincareError::from)?;
     }
-    section.document.region.clone_from(&site.region);
-    section.document.inertia.clone_from(&sites.subject.inertia);
-    Ok(section)
+    let mut document = documents::section(&section);
+    document.region.clone_from(&site.region);
+    document.inertia.clone_from(&sites.subject.inertia);
+    let (h, l) = (setting.h(), setting.l());
+    Ok(Done { h, l, document, whole_orbits: section.whole_orbits(), orbits: section.orbits })
 }
 
 /// The seeds, if all of them are accessible.

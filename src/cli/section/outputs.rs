@@ -2,13 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use bifdiag::document::{SectionDocument, SectionsDocument};
-use bifdiag::poincare::PoincareSection;
+use schema::SectionDocument;
 
 use super::arguments::SectionArguments;
 use super::error::SectionInputError;
 use super::sites::Sites;
-use super::{Sections, picture, report, table};
+use super::{Done, Sections, picture, report, table};
 use crate::cli::atlas::add_picture;
 use crate::cli::data::{DataFormat, DataTarget};
 use crate::cli::failure::{Failure, InputError};
@@ -86,18 +85,18 @@ impl<'a> Outputs<'a> {
 
     /// One document for one point, a list for an atlas.
     fn json(&self, sections: &Sections) -> Result<String, serde_json::Error> {
-        let mut documents = sections.done.iter().map(|section| section.document.clone());
-        match (&self.arguments.atlas, documents.next()) {
+        let mut found = sections.done.iter().map(|section| section.document.clone());
+        match (&self.arguments.atlas, found.next()) {
             (None, Some(document)) => layout::text(&document),
             (_, first) => {
-                let documents = first.into_iter().chain(documents).collect();
-                layout::text(&SectionsDocument::new(documents, sections.skipped.clone(), sections.complete))
+                let all = first.into_iter().chain(found).collect();
+                layout::text(&documents::sections(all, sections.skipped.clone(), sections.complete))
             }
         }
     }
 }
 
-fn bytes(section: &PoincareSection, format: DataFormat) -> Result<Vec<u8>, Failure> {
+fn bytes(section: &Done, format: DataFormat) -> Result<Vec<u8>, Failure> {
     Ok(table::of(&section.document, &section.orbits)?.bytes(format)?)
 }
 

@@ -1,21 +1,20 @@
 //! The picture of a section.
 
-use bifdiag::document::{ConditionName, SectionDocument};
-use bifdiag::plot::{OrbitValues, Picture, SectionOptions, SectionScene, draw_section};
-use bifdiag::poincare::{PoincareError, PoincareSection};
-use bifdiag::section::{Portrait, PortraitOptions};
+use dynamics::poincare::PoincareError;
+use dynamics::section::{Portrait, PortraitOptions};
+use plot::{OrbitValues, Picture, SectionOptions, SectionScene, draw_section};
+use schema::{ConditionName, SectionDocument};
 
 use super::arguments::{ColorArgument, SectionArguments};
-use super::table;
+use super::{Done, table};
 use crate::cli::failure::Failure;
 use crate::cli::subject::Subject;
 
 /// Draws a section with its orbits.
-pub fn draw(arguments: &SectionArguments, subject: &Subject, section: &PoincareSection) -> Result<Picture, Failure> {
+pub fn draw(arguments: &SectionArguments, subject: &Subject, section: &Done) -> Result<Picture, Failure> {
     let document = &section.document;
     let options = PortraitOptions { condition: arguments.condition.into(), ..PortraitOptions::default() };
-    let portrait = Portrait::new(&subject.body, document.h.to_f64(), document.l.to_f64(), &options)
-        .map_err(PoincareError::from)?;
+    let portrait = Portrait::new(&subject.body, section.h, section.l, &options).map_err(PoincareError::from)?;
     if !portrait.report().is_complete() {
         tracing::warn!("the boundary or the line of tangency of this section may be incomplete in the picture");
     }
@@ -46,6 +45,6 @@ fn values(color: ColorArgument, document: &SectionDocument) -> Option<(&'static 
         ColorArgument::Lyapunov => ("Lyapunov exponent", table::lyapunov),
         ColorArgument::Rotation => ("rotation number", table::rotation),
     };
-    let of = |orbit: &bifdiag::document::OrbitDocument| orbit.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
+    let of = |orbit: &schema::OrbitDocument| orbit.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
     Some((label, document.orbits.iter().map(of).collect()))
 }

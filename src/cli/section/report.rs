@@ -1,6 +1,6 @@
 //! What the terminal shows of a section.
 
-use bifdiag::document::{ChaosDocument, ConditionName, EndName, SectionDocument};
+use schema::{ChaosDocument, ConditionName, EndName, SectionDocument};
 
 use super::table as data;
 use crate::cli::report::Report;
@@ -13,7 +13,7 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
     report.line("");
     let region = document.region.as_ref().map_or_else(String::new, |region| format!("{region}: "));
     report.line(format!("{region}h = {}, l = {}", document.h, document.l));
-    let names = |name: &dyn Fn(&bifdiag::document::ComponentDocument) -> String| {
+    let names = |name: &dyn Fn(&schema::ComponentDocument) -> String| {
         document.components.iter().map(name).collect::<Vec<_>>().join(" + ")
     };
     report.line(format!("U = {}", names(&|component| component.accessible_region.clone())));

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
-use bifdiag::section::TorusPoint;
+use dynamics::section::TorusPoint;
 
 use super::error::{SectionInputError, SeedProblem};
 use crate::cli::files::read;

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use bifdiag::body::{Body, Number};
-use bifdiag::document::AtlasDocument;
+use schema::AtlasDocument;
+use top::body::{Body, Number};
 
 use super::arguments::SectionArguments;
 use super::error::SectionInputError;
@@ -64,7 +64,7 @@ impl Sites {
         let text = read(path).map_err(|source| SectionInputError::AtlasFile { path: path.to_owned(), source })?;
         let atlas: AtlasDocument = serde_json::from_str(&text)
             .map_err(|source| SectionInputError::NotAnAtlas { path: path.to_owned(), source })?;
-        let moments = Body::new(atlas.body.moments, atlas.body.center)
+        let moments = Body::parse(&atlas.body.moments, &atlas.body.center)
             .map_err(|source| SectionInputError::AtlasBody { path: path.to_owned(), source })?;
         let subject = Subject { body: moments, inertia: atlas.body.inertia };
         let wanted = arguments.region.as_deref().filter(|region| *region != "all");

@@ -1,7 +1,7 @@
 //! The points of a section as columns.
 
-use bifdiag::document::{ChaosDocument, SectionDocument};
-use bifdiag::section::{OrbitSection, SectionPoint};
+use dynamics::section::{OrbitSection, SectionPoint};
+use schema::{ChaosDocument, SectionDocument};
 
 use crate::cli::data::{Column, DataTable, Values};
 

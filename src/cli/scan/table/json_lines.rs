@@ -2,7 +2,7 @@
 
 use std::io::{BufRead, Write};
 
-use bifdiag::scan::Row;
+use survey::scan::Row;
 
 use super::{RowSink, TableError};
 

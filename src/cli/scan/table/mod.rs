@@ -9,8 +9,8 @@ use std::fs::File;
 use std::io::{self, BufReader, Write};
 use std::path::Path;
 
-use bifdiag::scan::Row;
 use clap::ValueEnum;
+use survey::scan::Row;
 use thiserror::Error;
 
 /// Formats of the rows.
@@ -115,7 +115,6 @@ impl Format {
 
 #[cfg(test)]
 mod tests {
-    use bifdiag::document::Accuracy;
 
     use super::*;
 
@@ -123,9 +122,9 @@ mod tests {
     fn rows_come_back_from_every_format_as_they_went() {
         let directory = tempfile::tempdir().unwrap();
         let mut rows = vec![
-            Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Standard),
-            Row::of(1, [[2.0, -1.0, 1.0 / 3.0], [1e-300, 0.0, 6e150]], Accuracy::Standard),
-            Row::of(2, [[2.0, 1.5, 1.0], [0.0; 3]], Accuracy::Standard),
+            Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], proof::Accuracy::Standard),
+            Row::of(1, [[2.0, -1.0, 1.0 / 3.0], [1e-300, 0.0, 6e150]], proof::Accuracy::Standard),
+            Row::of(2, [[2.0, 1.5, 1.0], [0.0; 3]], proof::Accuracy::Standard),
         ];
         rows[1].error = Some("a \"text\", with commas;\nand a line".to_owned());
         for format in [Format::Csv, Format::Jsonl, Format::Parquet] {

@@ -5,7 +5,6 @@ use std::fs::File;
 use std::io::Write;
 use std::sync::Arc;
 
-use bifdiag::scan::{Row, Status};
 use parquet::basic::Repetition;
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::file::properties::WriterProperties;
@@ -15,6 +14,7 @@ use parquet::record::Field;
 use parquet::schema::parser::parse_message_type;
 use parquet::schema::types::TypePtr;
 use serde_json::{Map, Value};
+use survey::scan::{Row, Status};
 
 use super::{RowSink, TableError};
 

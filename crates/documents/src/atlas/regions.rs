@@ -1,0 +1,130 @@
+//! Regions of an atlas document.
+
+use schema::{CellDocument, NeighbourDocument, RegionDocument, SampleDocument, UndecidedDocument};
+use top::atlas::{Atlas, Region, SamplePoint, Window};
+use top::curves::CurveName;
+use top::topology::signature;
+
+use crate::classification::{candidate, margin};
+
+/// The regions, and whether a window left some out or cut one.
+pub(super) fn documents(
+    atlas: &Atlas,
+    window: Option<&Window>,
+    undecided: &mut Vec<UndecidedDocument>,
+) -> (Vec<RegionDocument>, bool) {
+    let mut clipped = false;
+    let mut documents = Vec::new();
+    for number in 0..atlas.regions().len() {
+        let document = document(atlas, number, undecided);
+        let Some(window) = window else {
+            documents.push(document);
+            continue;
+        };
+        let Some((sample, cut)) = atlas.seen_in(number, window) else {
+            clipped = true;
+            continue;
+        };
+        clipped |= cut;
+        documents.push(RegionDocument { sample: sample_document(&sample), clipped: cut, ..document });
+    }
+    if window.is_some() {
+        // Neighbours outside the window are not listed, so nothing may point to them.
+        let listed: Vec<String> = documents.iter().map(|document| document.id.clone()).collect();
+        for document in &mut documents {
+            document.neighbours.retain(|neighbour| neighbour.region.as_ref().is_none_or(|id| listed.contains(id)));
+        }
+    }
+    (documents, clipped)
+}
+
+fn sample_document(sample: &SamplePoint) -> SampleDocument {
+    SampleDocument { h: sample.h, l: sample.l, margin: margin(&sample.margin) }
+}
+
+/// Id of a region.
+#[must_use]
+pub fn region_id(number: usize) -> String {
+    format!("R{}", number + 1)
+}
+
+fn document(atlas: &Atlas, number: usize, undecided: &mut Vec<UndecidedDocument>) -> RegionDocument {
+    let region = &atlas.regions()[number];
+    let arrangement = atlas.arrangement();
+    let name = |c: usize| CurveName::of(&arrangement.set, c).to_string();
+    let sample = sample_document(&atlas.sample(number));
+    let components = match &region.components {
+        Ok(components) => components.as_slice(),
+        Err(error) => {
+            undecided.push(UndecidedDocument {
+                what: format!("the components of U in region {}: {error}", region_id(number)),
+                l: sample.l,
+                h: sample.h,
+                curves: Vec::new(),
+            });
+            &[]
+        }
+    };
+    let (mut boundary, mut neighbours) = (Vec::new(), Vec::new());
+    for &(slab, position) in &region.cells {
+        let strip = &arrangement.slabs[slab];
+        let below = position.checked_sub(1).map(|p| strip.face_above[p]);
+        let mut across = vec![(strip.order[position], below)];
+        if let Some(&upper) = strip.order.get(position + 1) {
+            across.push((upper, Some(strip.face_above[position + 1])));
+        }
+        for (curve, face) in across {
+            for id in labels(atlas, curve) {
+                if !boundary.contains(&id) {
+                    boundary.push(id);
+                }
+            }
+            let neighbour = NeighbourDocument { region: face.map(region_id), curve: name(curve) };
+            if !neighbours.contains(&neighbour) {
+                neighbours.push(neighbour);
+            }
+        }
+    }
+    let slabs = region.cells.iter().map(|&(slab, _)| arrangement.slabs[slab].x);
+    let from = slabs.clone().map(|x| x[0]).fold(f64::INFINITY, f64::min);
+    let to = slabs.map(|x| x[1]).fold(0.0, f64::max);
+    let h_width = atlas.h_width(number);
+    RegionDocument {
+        id: region_id(number),
+        sample,
+        components: candidate(components),
+        signature: if components.is_empty() { None } else { signature(components) },
+        bounded: to.is_finite() && h_width.is_some(),
+        l_range: [Some(atlas.momentum(from)), to.is_finite().then(|| atlas.momentum(to))],
+        h_width,
+        boundary,
+        neighbours,
+        cells: cells(atlas, region),
+        clipped: false,
+    }
+}
+
+/// Ids of a curve and of the pole line that runs on it.
+fn labels(atlas: &Atlas, curve: usize) -> Vec<String> {
+    let set = &atlas.arrangement().set;
+    let pole = set.curves[curve].pole.filter(|_| set.curves[curve].is_critical()).map(CurveName::Pole);
+    std::iter::once(CurveName::of(set, curve)).chain(pole).map(|name| name.to_string()).collect()
+}
+
+fn cells(atlas: &Atlas, region: &Region) -> Vec<CellDocument> {
+    let arrangement = atlas.arrangement();
+    let name = |c: usize| CurveName::of(&arrangement.set, c).to_string();
+    let mut cells: Vec<(usize, usize)> = region.cells.clone();
+    cells.sort_unstable();
+    cells
+        .into_iter()
+        .map(|(slab, position)| {
+            let strip = &arrangement.slabs[slab];
+            CellDocument {
+                l_range: strip.x.map(|x| x.is_finite().then(|| atlas.momentum(x))),
+                lower: name(strip.order[position]),
+                upper: strip.order.get(position + 1).map(|&c| name(c)),
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,59 @@
+//! What an atlas leaves undecided, in words.
+
+use schema::UndecidedDocument;
+use top::atlas::Atlas;
+use top::curves::CurveName;
+use top::diagram::Undecided;
+
+/// What the arrangement left undecided.
+pub(super) fn documents(atlas: &Atlas) -> Vec<UndecidedDocument> {
+    let set = &atlas.arrangement().set;
+    let name = |c: usize| CurveName::of(set, c).to_string();
+    let mut found: Vec<UndecidedDocument> = Vec::new();
+    for undecided in &atlas.arrangement().undecided {
+        found.push(match *undecided {
+            Undecided::Contact { curves, x } => {
+                let at = if x[1].is_finite() { 0.5 * (x[0] + x[1]) } else { x[0] };
+                let h = set.curves[curves[0]].point(&set.frame, at).h();
+                UndecidedDocument {
+                    what: "whether two curves cross, closer than f64 resolves".to_owned(),
+                    l: atlas.momentum(at),
+                    h: atlas.energy(h),
+                    curves: curves.map(name).to_vec(),
+                }
+            }
+            Undecided::Cusps { cluster } => {
+                let cluster = &set.clusters[cluster];
+                UndecidedDocument {
+                    what: format!("whether branch G{} has two more cusps", cluster.interval),
+                    l: atlas.momentum(cluster.point.x),
+                    h: atlas.energy(cluster.point.h()),
+                    curves: Vec::new(),
+                }
+            }
+            Undecided::Simultaneous { events } => {
+                let event = &atlas.arrangement().events[events[0]];
+                let mut curves: Vec<usize> =
+                    events.iter().flat_map(|&e| atlas.arrangement().events[e].change.curves()).collect();
+                curves.sort_unstable();
+                curves.dedup();
+                UndecidedDocument {
+                    what: "the order of two events closer than f64 resolves".to_owned(),
+                    l: atlas.momentum(event.x),
+                    h: atlas.energy(event.h),
+                    curves: curves.into_iter().map(name).collect(),
+                }
+            }
+            Undecided::Order { event } => {
+                let event = &atlas.arrangement().events[event];
+                UndecidedDocument {
+                    what: "the order of the curves".to_owned(),
+                    l: atlas.momentum(event.x),
+                    h: atlas.energy(event.h),
+                    curves: event.change.curves().into_iter().map(name).collect(),
+                }
+            }
+        });
+    }
+    found
+}

@@ -1,0 +1,38 @@
+//! The document of a proved atlas: drawn as the `f64` one, decided as proved, with its certificate.
+
+use proof::CertifiedAtlas;
+use schema::{Accuracy, AtlasDocument};
+use top::atlas::Atlas;
+
+use crate::atlas::{DocumentOptions, document};
+
+/// The document with its certificate, sealed by its checksum. `drawn` is [`CertifiedAtlas::drawn`].
+///
+/// # Errors
+/// When the document cannot be written as JSON.
+pub fn certified_atlas(
+    proved: &CertifiedAtlas,
+    drawn: &Atlas,
+    options: &DocumentOptions,
+) -> Result<AtlasDocument, serde_json::Error> {
+    let options = DocumentOptions { accuracy: Accuracy::Certified, window: None, ..*options };
+    let mut document = document(drawn, &options);
+    for (event, enclosure) in document.events.iter_mut().zip(proved.enclosures()) {
+        event.enclosure = Some(enclosure);
+    }
+    document.certificate = Some(proved.certificate());
+    seal(&mut document)?;
+    Ok(document)
+}
+
+/// Writes the checksum of a document into its certificate.
+///
+/// # Errors
+/// When the document cannot be written as JSON.
+pub fn seal(document: &mut AtlasDocument) -> Result<(), serde_json::Error> {
+    let sum = schema::checksum(document)?;
+    if let Some(certificate) = &mut document.certificate {
+        certificate.checksum = sum;
+    }
+    Ok(())
+}

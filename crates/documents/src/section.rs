@@ -1,0 +1,193 @@
+//! Sections as documents.
+
+use dynamics::field::Integrals;
+use dynamics::integrator::Method;
+use dynamics::poincare::PoincareSection;
+use dynamics::section::chaos::{ChaosMeasure, Rotation, RotationAngle};
+use dynamics::section::{End, OrbitSection, SectionCondition, TorusPoint};
+use schema::{
+    ChaosDocument, ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, LyapunovDocument,
+    OrbitDocument, RotationAngleName, RotationDocument, SCHEMA_VERSION, SectionDocument, SectionSummaryDocument,
+    SectionsDocument, SkippedDocument, StartsDocument,
+};
+use top::topology::signature;
+
+use crate::body::texts;
+use crate::classification::candidate;
+
+/// Puts together what is known; orbits that are missing were not begun.
+#[must_use]
+pub fn section(section: &PoincareSection) -> SectionDocument {
+    let mut orbits: Vec<OrbitDocument> = section
+        .orbits
+        .iter()
+        .map(|found| {
+            let number = found.orbit as usize;
+            orbit(found, section.starts[number], section.component_of_start[number])
+        })
+        .collect();
+    for (orbit, measure) in orbits.iter_mut().zip(&section.chaos) {
+        orbit.chaos = Some(chaos(measure));
+    }
+    let followed = orbits.len() == section.starts.len() && section.whole_orbits() == orbits.len();
+    let summary = summary(&orbits);
+    let mut notes = notes(followed, &summary, &orbits);
+    if followed && section.chaos_interrupted {
+        notes.push("the run was interrupted: Lyapunov exponents are missing".to_owned());
+    }
+    let options = &section.options;
+    SectionDocument {
+        schema_version: SCHEMA_VERSION.to_owned(),
+        moments: texts(section.body.moments()),
+        center: texts(section.body.center()),
+        h: section.h.text().to_owned(),
+        l: section.l.text().to_owned(),
+        region: None,
+        components: candidate(&section.components),
+        signature: signature(&section.components),
+        condition: condition(options.condition),
+        integrator: integrator(options.method),
+        starts: StartsDocument { orbits: section.starts.len(), rng_seed: section.seed },
+        crossings: options.crossings,
+        max_time: options.max_time.is_finite().then_some(options.max_time),
+        complete: section.complete(),
+        summary,
+        notes,
+        orbits,
+        inertia: None,
+    }
+}
+
+/// Sections of several regions; `complete` says whether all regions had their turn.
+#[must_use]
+pub fn sections(sections: Vec<SectionDocument>, skipped: Vec<SkippedDocument>, complete: bool) -> SectionsDocument {
+    let complete = complete && sections.iter().all(|section| section.complete);
+    SectionsDocument { schema_version: SCHEMA_VERSION.to_owned(), complete, sections, skipped }
+}
+
+/// What a reader of the result should know.
+fn notes(complete: bool, summary: &SectionSummaryDocument, orbits: &[OrbitDocument]) -> Vec<String> {
+    let numbers = |end: EndName| {
+        let found: Vec<String> =
+            orbits.iter().filter(|orbit| orbit.end == end).map(|orbit| orbit.orbit.to_string()).collect();
+        format!("{} {}", if found.len() == 1 { "orbit" } else { "orbits" }, found.join(", "))
+    };
+    let mut notes = Vec::new();
+    if !complete {
+        notes.push("the run was interrupted: orbits are missing or shorter than asked for".to_owned());
+    }
+    if summary.stay_on_section > 0 {
+        notes.push(format!(
+            "{}: S = 0 at all times (a relative equilibrium, or a regular precession of Lagrange's top); only the \
+            start is recorded",
+            numbers(EndName::StaysOnSection)
+        ));
+    }
+    if summary.failed > 0 {
+        notes.push(format!("{}: the integrator could not go on", numbers(EndName::Failed)));
+    }
+    if summary.tangencies > 0 {
+        notes.push(format!(
+            "{} times S touched 0 within rounding: a pair of crossings may be missing or spurious there",
+            summary.tangencies
+        ));
+    }
+    notes
+}
+
+fn condition(condition: SectionCondition) -> ConditionName {
+    match condition {
+        SectionCondition::Height => ConditionName::Height,
+        SectionCondition::AngularMomentum => ConditionName::AngularMomentum,
+    }
+}
+
+/// An integrator and how fine it was.
+#[must_use]
+pub fn integrator(method: Method) -> IntegratorDocument {
+    let (name, tol, step) = match method {
+        Method::Taylor { tolerance } => (IntegratorName::Taylor, Some(tolerance), None),
+        Method::Dop853 { tolerance } => (IntegratorName::Dop853, Some(tolerance), None),
+        Method::RungeKutta4 { step } => (IntegratorName::Rk4, None, Some(step)),
+        Method::Splitting { step } => (IntegratorName::Splitting, None, Some(step)),
+    };
+    IntegratorDocument { name, tol, step }
+}
+
+/// Deviations of the first integrals.
+#[must_use]
+pub fn drift(drift: Integrals) -> DriftDocument {
+    DriftDocument { h: drift.energy, l: drift.vertical_momentum, gamma: drift.gamma_squared }
+}
+
+fn end(end: End) -> EndName {
+    match end {
+        End::Crossings => EndName::Crossings,
+        End::Time => EndName::Time,
+        End::StaysOnSection => EndName::StaysOnSection,
+        End::Failed(_) => EndName::Failed,
+        End::Interrupted => EndName::Interrupted,
+    }
+}
+
+fn orbit(orbit: &OrbitSection, start: TorusPoint, component: Option<usize>) -> OrbitDocument {
+    let report = &orbit.report;
+    OrbitDocument {
+        orbit: orbit.orbit,
+        component,
+        theta: start.theta,
+        psi: start.psi,
+        sheet: start.sheet,
+        crossings: orbit.points.iter().filter(|point| point.index > 0).count(),
+        end: end(report.end),
+        failure: if let End::Failed(error) = report.end { Some(error.to_string()) } else { None },
+        time: report.time,
+        steps: report.steps,
+        tangencies: report.tangencies,
+        drift: drift(report.drift),
+        residual: report.residual,
+        chaos: None,
+    }
+}
+
+fn summary(orbits: &[OrbitDocument]) -> SectionSummaryDocument {
+    let largest = |value: &dyn Fn(&OrbitDocument) -> f64| orbits.iter().map(value).fold(0.0, f64::max);
+    let ending = |end: EndName| orbits.iter().filter(|orbit| orbit.end == end).count();
+    SectionSummaryDocument {
+        orbits: orbits.len(),
+        crossings: orbits.iter().map(|orbit| orbit.crossings).sum(),
+        stay_on_section: ending(EndName::StaysOnSection),
+        failed: ending(EndName::Failed),
+        tangencies: orbits.iter().map(|orbit| u64::from(orbit.tangencies)).sum(),
+        drift: DriftDocument {
+            h: largest(&|orbit| orbit.drift.h),
+            l: largest(&|orbit| orbit.drift.l),
+            gamma: largest(&|orbit| orbit.drift.gamma),
+        },
+        residual: largest(&|orbit| orbit.residual),
+    }
+}
+
+/// How regular an orbit is.
+#[must_use]
+pub fn chaos(measure: &ChaosMeasure) -> ChaosDocument {
+    let lyapunov = measure.lyapunov.map(|found| LyapunovDocument {
+        exponent: found.exponent,
+        exponent_half: found.exponent_half,
+        mean_rate: found.mean_rate,
+        mean_rate_half: found.mean_rate_half,
+        time: found.time,
+    });
+    let found = measure.rotation.as_ref();
+    ChaosDocument { lyapunov, rotation: found.ok().map(rotation), no_rotation: found.err().map(ToString::to_string) }
+}
+
+fn rotation(rotation: &Rotation) -> RotationDocument {
+    let (angle, islands) = match rotation.angle {
+        RotationAngle::Axis => (RotationAngleName::Axis, None),
+        RotationAngle::Mean => (RotationAngleName::Mean, None),
+        RotationAngle::Curve => (RotationAngleName::Curve, None),
+        RotationAngle::Islands(count) => (RotationAngleName::Islands, Some(count)),
+    };
+    RotationDocument { number: rotation.number, error: rotation.error, angle, islands, returns: rotation.returns }
+}

@@ -1,0 +1,198 @@
+//! Orbits side by side, one in each SIMD lane, each with its own time and step.
+
+use pulp::Simd;
+
+use super::series::{Constants, Series, Vector, lane_values, lane_values_mut};
+use super::step_size::{StepRule, order_for};
+use crate::field::{HeavyTop, State};
+use crate::integrator::time::Instant;
+
+/// As many orbits as a register has lanes.
+///
+/// Call [`expand`](Self::expand), look at the series and the state at the step's end, then
+/// [`commit`](Self::commit). States are kept as sums of two doubles (compensated summation).
+#[repr(C, align(64))]
+pub(crate) struct Lanes<S: Simd> {
+    pub series: Series<S>,
+    /// γ and l at the step's end.
+    pub next: [Vector<S>; 2],
+    /// Length of the step.
+    pub step: [S::f64s; 1],
+    /// What the rows 0 leave out.
+    low: [Vector<S>; 2],
+    next_low: [Vector<S>; 2],
+    /// 1/scale of l.
+    momentum_weight: [S::f64s; 1],
+    pub constants: Constants<S>,
+    /// Time at the step's start, in two parts.
+    time: [S::f64s; 1],
+    time_low: [S::f64s; 1],
+    order: usize,
+    rule: StepRule,
+}
+
+impl<S: Simd> Lanes<S> {
+    /// Lanes at rest; [`load`](Self::load) orbits into them.
+    #[inline(always)]
+    pub fn new(simd: S, top: &HeavyTop, tolerance: f64) -> Self {
+        let zero = simd.splat_f64s(0.0);
+        let order = order_for(tolerance);
+        let largest = top.moments().iter().fold(0.0, |m: f64, &a| m.max(a));
+        // Only equilibria have no scale of their own; for them, two radians of the fastest pendulum.
+        let longest = 2.0 * (largest / top.center_norm()).sqrt();
+        Self {
+            series: Series::new(simd),
+            next: [[zero; 3]; 2],
+            step: [zero],
+            low: [[zero; 3]; 2],
+            next_low: [[zero; 3]; 2],
+            momentum_weight: [zero],
+            constants: Constants::new(simd, top),
+            time: [zero],
+            time_low: [zero],
+            order,
+            rule: StepRule::new(tolerance, order, longest),
+        }
+    }
+
+    /// Puts an orbit into a lane at time 0. `momentum_scale` is the unit of |l| for the tolerance.
+    #[inline(always)]
+    pub fn load(&mut self, lane: usize, state: &State, momentum_scale: f64) {
+        for i in 0..3 {
+            lane_values_mut::<S>(&mut self.series.gamma[0][i..=i])[lane] = state.gamma[i];
+            lane_values_mut::<S>(&mut self.series.l[0][i..=i])[lane] = state.l[i];
+            for part in &mut self.low {
+                lane_values_mut::<S>(&mut part[i..=i])[lane] = 0.0;
+            }
+        }
+        lane_values_mut::<S>(&mut self.momentum_weight)[lane] = 1.0 / momentum_scale;
+        lane_values_mut::<S>(&mut self.time)[lane] = 0.0;
+        lane_values_mut::<S>(&mut self.time_low)[lane] = 0.0;
+    }
+
+    /// Order of the series.
+    #[inline(always)]
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Time at the step's start.
+    #[inline(always)]
+    pub fn time(&self, lane: usize) -> Instant {
+        Instant::new(lane_values::<S>(&self.time)[lane], lane_values::<S>(&self.time_low)[lane])
+    }
+
+    /// Length of a lane's step.
+    #[inline(always)]
+    pub fn step_of(&self, lane: usize) -> f64 {
+        lane_values::<S>(&self.step)[lane]
+    }
+
+    /// Time at a lane's step's end, rounded.
+    #[inline(always)]
+    pub fn end_of(&self, lane: usize) -> f64 {
+        lane_values::<S>(&self.time)[lane] + self.step_of(lane)
+    }
+
+    /// Computes the series, the steps and the states at the steps' ends.
+    #[inline(always)]
+    pub fn expand(&mut self, simd: S) {
+        self.series.expand(simd, &self.constants, self.order);
+        let last = [self.coefficient_norm(simd, self.order)];
+        let before_last = [self.coefficient_norm(simd, self.order - 1)];
+        let (last, before_last) = (lane_values::<S>(&last), lane_values::<S>(&before_last));
+        for (lane, step) in lane_values_mut::<S>(&mut self.step).iter_mut().enumerate() {
+            *step = self.rule.step(last[lane], before_last[lane]);
+        }
+        self.sum_series(simd);
+    }
+
+    /// max(|γ_k|_∞, |l_k|_∞ / scale).
+    #[inline(always)]
+    fn coefficient_norm(&self, simd: S, k: usize) -> S::f64s {
+        let l = simd.mul_f64s(largest(simd, self.series.l[k]), self.momentum_weight[0]);
+        simd.max_f64s(largest(simd, self.series.gamma[k]), l)
+    }
+
+    /// x(t + step) = x₀ + Σ_{k≥1} x_k stepᵏ, with the rounding error of the sum carried along.
+    #[inline(always)]
+    fn sum_series(&mut self, simd: S) {
+        let t = self.step[0];
+        let mut gamma = self.series.gamma[self.order];
+        let mut l = self.series.l[self.order];
+        for k in (1..self.order).rev() {
+            for i in 0..3 {
+                gamma[i] = simd.mul_add_f64s(gamma[i], t, self.series.gamma[k][i]);
+                l[i] = simd.mul_add_f64s(l[i], t, self.series.l[k][i]);
+            }
+        }
+        for (part, slope) in [gamma, l].into_iter().enumerate() {
+            for i in 0..3 {
+                let start = [self.series.gamma[0][i], self.series.l[0][i]][part];
+                let increment = simd.mul_add_f64s(slope[i], t, self.low[part][i]);
+                (self.next[part][i], self.next_low[part][i]) = two_sum(simd, start, increment);
+            }
+        }
+    }
+
+    /// Moves every lane to its step's end.
+    #[inline(always)]
+    pub fn commit(&mut self, simd: S) {
+        self.series.gamma[0] = self.next[0];
+        self.series.l[0] = self.next[1];
+        self.low = self.next_low;
+        let (sum, error) = two_sum(simd, self.time[0], simd.add_f64s(self.step[0], self.time_low[0]));
+        (self.time[0], self.time_low[0]) = (sum, error);
+    }
+
+    /// The states of all lanes, each `offset` after its step's start.
+    #[inline(always)]
+    pub fn states_at(&self, simd: S, offset: S::f64s) -> [Vector<S>; 2] {
+        let mut gamma = self.series.gamma[self.order];
+        let mut l = self.series.l[self.order];
+        for k in (1..self.order).rev() {
+            for i in 0..3 {
+                gamma[i] = simd.mul_add_f64s(gamma[i], offset, self.series.gamma[k][i]);
+                l[i] = simd.mul_add_f64s(l[i], offset, self.series.l[k][i]);
+            }
+        }
+        for i in 0..3 {
+            let increment = simd.mul_add_f64s(gamma[i], offset, self.low[0][i]);
+            gamma[i] = simd.add_f64s(self.series.gamma[0][i], increment);
+            let increment = simd.mul_add_f64s(l[i], offset, self.low[1][i]);
+            l[i] = simd.add_f64s(self.series.l[0][i], increment);
+        }
+        [gamma, l]
+    }
+}
+
+/// One lane of vectors γ and l.
+#[inline(always)]
+pub(crate) fn state_of<S: Simd>(vectors: &[Vector<S>; 2], lane: usize) -> State {
+    let values = lane_values::<S>(vectors.as_flattened());
+    let at = |i: usize| values[i * S::F64_LANES + lane];
+    State { gamma: [at(0), at(1), at(2)], l: [at(3), at(4), at(5)] }
+}
+
+/// The largest |component|. (A function: closures are not always inlined, and a call of a SIMD instruction
+/// outside the functions compiled for it costs more than the instruction.)
+#[inline(always)]
+fn largest<S: Simd>(simd: S, v: Vector<S>) -> S::f64s {
+    let two = simd.max_f64s(magnitude(simd, v[0]), magnitude(simd, v[1]));
+    simd.max_f64s(two, magnitude(simd, v[2]))
+}
+
+/// |x|.
+#[inline(always)]
+pub(crate) fn magnitude<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
+    simd.max_f64s(x, simd.sub_f64s(simd.splat_f64s(0.0), x))
+}
+
+/// s + e = a + b exactly, s the rounded sum (Knuth's TwoSum).
+#[inline(always)]
+fn two_sum<S: Simd>(simd: S, a: S::f64s, b: S::f64s) -> (S::f64s, S::f64s) {
+    let sum = simd.add_f64s(a, b);
+    let b_part = simd.sub_f64s(sum, a);
+    let a_part = simd.sub_f64s(sum, b_part);
+    (sum, simd.add_f64s(simd.sub_f64s(a, a_part), simd.sub_f64s(b, b_part)))
+}

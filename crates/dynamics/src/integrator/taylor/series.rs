@@ -1,0 +1,239 @@
+//! The recurrence of the Taylor coefficients.
+
+use pulp::{Simd, bytemuck};
+
+use crate::field::HeavyTop;
+
+/// Rows of coefficients held: orders 0 to ROWS − 1.
+pub(crate) const ROWS: usize = 34;
+
+/// Below this order the rounding of 1/k would show as a linear drift of the first integrals (of 2·10⁻¹⁸ a time
+/// unit at the paper's body); above, the terms are too small.
+const EXACT_BELOW: usize = 10;
+
+/// A vector of ℝ³ in every lane.
+pub(crate) type Vector<S> = [<S as Simd>::f64s; 3];
+
+/// The lanes of registers as plain numbers: the lanes of the first register, then those of the next.
+#[inline(always)]
+pub(crate) fn lane_values<S: Simd>(registers: &[S::f64s]) -> &[f64] {
+    bytemuck::cast_slice(registers)
+}
+
+/// Likewise, mutable.
+#[inline(always)]
+pub(crate) fn lane_values_mut<S: Simd>(registers: &mut [S::f64s]) -> &mut [f64] {
+    bytemuck::cast_slice_mut(registers)
+}
+
+/// The top's constants in every lane.
+#[repr(C, align(64))]
+pub(crate) struct Constants<S: Simd> {
+    /// 1/A_i in two parts. A rounding error of a constant would be the same in every step and let the energy drift
+    /// linearly; fused into a product that has to be rounded anyway, the second part is lost in no direction.
+    inverse: Vector<S>,
+    inverse_low: Vector<S>,
+    /// A_j − A_k in two parts; the second is 0 unless the moments are of different size.
+    difference: Vector<S>,
+    difference_low: Vector<S>,
+    /// r.
+    pub center: Vector<S>,
+    /// 1/k in two parts, the second for the orders below `EXACT_BELOW`.
+    reciprocal: [f64; ROWS],
+    reciprocal_low: [f64; EXACT_BELOW],
+}
+
+/// 1/b as the unevaluated sum of two doubles.
+fn reciprocal_in_two_parts(b: f64) -> (f64, f64) {
+    let high = 1.0 / b;
+    (high, (-b).mul_add(high, 1.0) / b)
+}
+
+impl<S: Simd> Constants<S> {
+    #[inline(always)]
+    pub fn new(simd: S, top: &HeavyTop) -> Self {
+        let a = top.moments();
+        let b = a.map(reciprocal_in_two_parts);
+        let mut difference = [0.0; 3];
+        let mut low = [0.0; 3];
+        for i in 0..3 {
+            let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+            (difference[i], low[i]) = super::super::time::two_sum(a[p], -a[q]);
+        }
+        let splat = |v: [f64; 3]| [simd.splat_f64s(v[0]), simd.splat_f64s(v[1]), simd.splat_f64s(v[2])];
+        let mut reciprocal = [0.0; ROWS];
+        for (k, entry) in reciprocal.iter_mut().enumerate().skip(1) {
+            *entry = 1.0 / k as f64;
+        }
+        let mut reciprocal_low = [0.0; EXACT_BELOW];
+        for (k, entry) in reciprocal_low.iter_mut().enumerate().skip(1) {
+            *entry = reciprocal_in_two_parts(k as f64).1;
+        }
+        Self {
+            inverse: splat(b.map(|b| b.0)),
+            inverse_low: splat(b.map(|b| b.1)),
+            difference: splat(difference),
+            difference_low: splat(low),
+            center: splat(top.center()),
+            reciprocal,
+            reciprocal_low,
+        }
+    }
+
+    /// 1/k, rounded.
+    #[inline(always)]
+    pub(super) fn reciprocal(&self, k: usize) -> f64 {
+        self.reciprocal[k]
+    }
+
+    /// A_p − A_q of l×ω = ((A_p − A_q) ω_pω_q)_i, rounded.
+    #[inline(always)]
+    pub(super) fn difference(&self, i: usize) -> S::f64s {
+        self.difference[i]
+    }
+
+    /// ω = A⁻¹ l with the second part of A⁻¹.
+    #[inline(always)]
+    fn exact_angular_velocity(&self, simd: S, l: Vector<S>) -> Vector<S> {
+        let mut omega = l;
+        for i in 0..3 {
+            let low = simd.mul_f64s(l[i], self.inverse_low[i]);
+            omega[i] = simd.mul_add_f64s(l[i], self.inverse[i], low);
+        }
+        omega
+    }
+
+    /// ω = A⁻¹ l.
+    #[inline(always)]
+    pub fn angular_velocity(&self, simd: S, l: Vector<S>) -> Vector<S> {
+        [
+            simd.mul_f64s(l[0], self.inverse[0]),
+            simd.mul_f64s(l[1], self.inverse[1]),
+            simd.mul_f64s(l[2], self.inverse[2]),
+        ]
+    }
+}
+
+/// Taylor coefficients x_k = x⁽ᵏ⁾/k! of γ, ω and l: `gamma[k][axis]`, every lane an orbit.
+///
+/// Rows are whole cache lines: a register that crosses one costs two loads, and loads limit the kernel.
+#[repr(C, align(64))]
+pub(crate) struct Series<S: Simd> {
+    pub gamma: [Vector<S>; ROWS],
+    pub l: [Vector<S>; ROWS],
+    pub(super) omega: [Vector<S>; ROWS],
+}
+
+/// Sums of Cauchy products of one order: those of γ×ω, and ω_jω_k of l×ω.
+#[derive(Clone, Copy)]
+struct Products<S: Simd> {
+    gamma_omega: Vector<S>,
+    omega_omega: Vector<S>,
+}
+
+impl<S: Simd> Products<S> {
+    #[inline(always)]
+    fn zero(simd: S) -> Self {
+        let zero = simd.splat_f64s(0.0);
+        Self { gamma_omega: [zero; 3], omega_omega: [zero; 3] }
+    }
+
+    /// Adds γ_j × ω_k and the products of ω_j with ω_k.
+    #[inline(always)]
+    fn add(&mut self, simd: S, gamma_j: Vector<S>, omega_j: Vector<S>, omega_k: Vector<S>) {
+        for i in 0..3 {
+            let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+            self.gamma_omega[i] = simd.mul_add_f64s(gamma_j[p], omega_k[q], self.gamma_omega[i]);
+            self.omega_omega[i] = simd.mul_add_f64s(omega_j[p], omega_k[q], self.omega_omega[i]);
+        }
+        for i in 0..3 {
+            let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+            self.gamma_omega[i] = simd.negate_mul_add_f64s(gamma_j[q], omega_k[p], self.gamma_omega[i]);
+        }
+    }
+}
+
+impl<S: Simd> Series<S> {
+    #[inline(always)]
+    pub fn new(simd: S) -> Self {
+        let zero = [[simd.splat_f64s(0.0); 3]; ROWS];
+        Self { gamma: zero, l: zero, omega: zero }
+    }
+
+    /// Fills the rows 1 … `order` (even) from row 0 of γ and l.
+    ///
+    /// Two orders k, k+1 at a time share their loads, and the terms with the newest coefficients come last, so
+    /// that the processor can start the sums of the next pair while it still finishes this one.
+    #[inline(always)]
+    pub fn expand(&mut self, simd: S, top: &Constants<S>, order: usize) {
+        debug_assert!(order.is_multiple_of(2) && order < ROWS);
+        self.omega[0] = top.exact_angular_velocity(simd, self.l[0]);
+        let mut first = Products::zero(simd);
+        first.add(simd, self.gamma[0], self.omega[0], self.omega[0]);
+        self.set_row(simd, top, 1, first);
+        let mut second = Products::zero(simd);
+        second.add(simd, self.gamma[1], self.omega[1], self.omega[0]);
+        second.add(simd, self.gamma[0], self.omega[0], self.omega[1]);
+        self.set_row(simd, top, 2, second);
+
+        for k in (2..order).step_by(2) {
+            let (mut even, mut odd) = self.known_products(simd, k);
+            let (gamma_k, omega_k) = (self.gamma[k], self.omega[k]);
+            even.add(simd, gamma_k, omega_k, self.omega[0]);
+            even.add(simd, self.gamma[0], self.omega[0], omega_k);
+            self.set_row(simd, top, k + 1, even);
+            odd.add(simd, gamma_k, omega_k, self.omega[1]);
+            odd.add(simd, self.gamma[1], self.omega[1], omega_k);
+            odd.add(simd, self.gamma[k + 1], self.omega[k + 1], self.omega[0]);
+            odd.add(simd, self.gamma[0], self.omega[0], self.omega[k + 1]);
+            self.set_row(simd, top, k + 2, odd);
+        }
+    }
+
+    /// The terms of orders k and k+1 that need the rows 1 … k−1 only.
+    #[inline(always)]
+    fn known_products(&self, simd: S, k: usize) -> (Products<S>, Products<S>) {
+        let (gamma, omega) = (&self.gamma[1..k], &self.omega[1..k]);
+        let last = k - 2;
+        let (mut even, mut odd) = (Products::zero(simd), Products::zero(simd));
+        let (mut gamma_j, mut omega_j) = (gamma[0], omega[0]);
+        for j in 0..last {
+            let partner = omega[last - j];
+            let (gamma_next, omega_next) = (gamma[j + 1], omega[j + 1]);
+            even.add(simd, gamma_j, omega_j, partner);
+            odd.add(simd, gamma_next, omega_next, partner);
+            (gamma_j, omega_j) = (gamma_next, omega_next);
+        }
+        even.add(simd, gamma_j, omega_j, omega[0]);
+        (even, odd)
+    }
+
+    /// Row k from the Cauchy products of order k − 1.
+    #[inline(always)]
+    fn set_row(&mut self, simd: S, top: &Constants<S>, k: usize, products: Products<S>) {
+        let reciprocal = simd.splat_f64s(top.reciprocal[k]);
+        let gamma = self.gamma[k - 1];
+        let (mut sums, mut l) = (gamma, gamma);
+        for i in 0..3 {
+            let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+            self.gamma[k][i] = simd.mul_f64s(products.gamma_omega[i], reciprocal);
+            // ω_pω_q D − (γ×r)_i. D's low part goes in first: added to the rounded sum it would always be lost.
+            let low = simd.mul_f64s(products.omega_omega[i], top.difference_low[i]);
+            let torque = simd.mul_add_f64s(gamma[q], top.center[p], low);
+            let torque = simd.negate_mul_add_f64s(gamma[p], top.center[q], torque);
+            sums[i] = simd.mul_add_f64s(products.omega_omega[i], top.difference[i], torque);
+            l[i] = simd.mul_f64s(sums[i], reciprocal);
+        }
+        if k < EXACT_BELOW {
+            let low = simd.splat_f64s(top.reciprocal_low[k]);
+            for i in 0..3 {
+                let rest = simd.mul_f64s(products.gamma_omega[i], low);
+                self.gamma[k][i] = simd.mul_add_f64s(products.gamma_omega[i], reciprocal, rest);
+                l[i] = simd.mul_add_f64s(sums[i], reciprocal, simd.mul_f64s(sums[i], low));
+            }
+        }
+        self.l[k] = l;
+        self.omega[k] =
+            if k < EXACT_BELOW { top.exact_angular_velocity(simd, l) } else { top.angular_velocity(simd, l) };
+    }
+}

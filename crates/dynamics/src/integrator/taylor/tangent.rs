@@ -1,0 +1,153 @@
+//! The variational equations along the steps of [`Lanes`]: one tangent vector a lane.
+
+use pulp::Simd;
+
+use super::lanes::Lanes;
+use super::series::{Constants, ROWS, Series, Vector, lane_values, lane_values_mut};
+use crate::field::State;
+
+/// Length of a tangent vector beyond which it is scaled down, by a power of two and so without rounding.
+const LONG: f64 = 1.0 / SHORT;
+/// Length below which it is scaled up.
+const SHORT: f64 = 1.0 / (1u128 << 100) as f64;
+
+/// δγ̇ = δγ×ω + γ×δω, δl̇ = δl×ω + l×δω − δγ×r: linear along the orbit, with the orbit's own series as coefficients
+/// (Proposition 12.2 of docs/mathematics.md).
+///
+/// Call [`advance`](Self::advance) between [`Lanes::expand`] and [`Lanes::commit`]. The orbits do not feel it.
+#[repr(C, align(64))]
+pub(crate) struct Tangent<S: Simd> {
+    gamma: [Vector<S>; ROWS],
+    l: [Vector<S>; ROWS],
+    omega: [Vector<S>; ROWS],
+    /// 1/scale of δl.
+    momentum_weight: [S::f64s; 1],
+    /// |δγ|² + |δl|²/scale² at the step's end.
+    length_squared: [S::f64s; 1],
+}
+
+/// Sums of the Cauchy products of one order, apart where that shortens the chains of dependent sums.
+#[derive(Clone, Copy)]
+struct Products<S: Simd> {
+    /// Of δγ×ω.
+    varied_gamma: Vector<S>,
+    /// Of γ×δω.
+    varied_omega: Vector<S>,
+    /// Of δω_pω_q + ω_pδω_q.
+    omega_omega: Vector<S>,
+}
+
+impl<S: Simd> Tangent<S> {
+    #[inline(always)]
+    pub fn new(simd: S) -> Self {
+        let zero = simd.splat_f64s(0.0);
+        let rows = [[zero; 3]; ROWS];
+        Self { gamma: rows, l: rows, omega: rows, momentum_weight: [zero], length_squared: [zero] }
+    }
+
+    /// Puts a tangent vector (δγ, δl) into a lane. `momentum_scale` is the unit of δl for its length.
+    #[inline(always)]
+    pub fn load(&mut self, lane: usize, vector: &State, momentum_scale: f64) {
+        lane_values_mut::<S>(&mut self.momentum_weight)[lane] = 1.0 / momentum_scale;
+        for i in 0..3 {
+            lane_values_mut::<S>(&mut self.gamma[0][i..=i])[lane] = vector.gamma[i];
+            lane_values_mut::<S>(&mut self.l[0][i..=i])[lane] = vector.l[i];
+        }
+    }
+
+    /// Takes the tangent vectors over the lanes' steps.
+    #[inline(always)]
+    pub fn advance(&mut self, simd: S, lanes: &Lanes<S>) {
+        self.omega[0] = lanes.constants.angular_velocity(simd, self.l[0]);
+        for k in 0..lanes.order() {
+            let products = self.products(simd, &lanes.series, k);
+            self.set_row(simd, &lanes.constants, k + 1, products);
+        }
+        self.sum_series(simd, lanes);
+    }
+
+    /// |δγ|² + |δl|²/scale² of a lane.
+    #[inline(always)]
+    pub fn length_squared(&self, lane: usize) -> f64 {
+        lane_values::<S>(&self.length_squared)[lane]
+    }
+
+    /// Scales a lane's vector if it is very long or very short; the power of two that was taken out of it.
+    #[inline(always)]
+    pub fn renormalise(&mut self, lane: usize) -> i32 {
+        let squared = self.length_squared(lane);
+        let (factor, power) = match squared {
+            x if x > LONG * LONG => (SHORT, 100),
+            x if x < SHORT * SHORT => (LONG, -100),
+            _ => return 0,
+        };
+        for part in [&mut self.gamma[0], &mut self.l[0]] {
+            for i in 0..3 {
+                lane_values_mut::<S>(&mut part[i..=i])[lane] *= factor;
+            }
+        }
+        power
+    }
+
+    /// The products of order k, the newest coefficients last.
+    #[inline(always)]
+    fn products(&self, simd: S, orbit: &Series<S>, k: usize) -> Products<S> {
+        let zero = [simd.splat_f64s(0.0); 3];
+        let mut sums = Products::<S> { varied_gamma: zero, varied_omega: zero, omega_omega: zero };
+        for j in 0..=k {
+            let (gamma, omega) = (orbit.gamma[k - j], orbit.omega[k - j]);
+            let (delta_gamma, delta_omega) = (self.gamma[j], self.omega[j]);
+            for i in 0..3 {
+                let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+                let product = &mut sums.varied_gamma[i];
+                *product = simd.mul_add_f64s(delta_gamma[p], omega[q], *product);
+                *product = simd.negate_mul_add_f64s(delta_gamma[q], omega[p], *product);
+                let product = &mut sums.varied_omega[i];
+                *product = simd.mul_add_f64s(gamma[p], delta_omega[q], *product);
+                *product = simd.negate_mul_add_f64s(gamma[q], delta_omega[p], *product);
+                let product = &mut sums.omega_omega[i];
+                *product = simd.mul_add_f64s(delta_omega[p], omega[q], *product);
+                *product = simd.mul_add_f64s(omega[p], delta_omega[q], *product);
+            }
+        }
+        sums
+    }
+
+    /// Row k from the products of order k − 1.
+    #[inline(always)]
+    fn set_row(&mut self, simd: S, top: &Constants<S>, k: usize, products: Products<S>) {
+        let reciprocal = simd.splat_f64s(top.reciprocal(k));
+        let gamma = self.gamma[k - 1];
+        for i in 0..3 {
+            let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+            let sum = simd.add_f64s(products.varied_gamma[i], products.varied_omega[i]);
+            self.gamma[k][i] = simd.mul_f64s(sum, reciprocal);
+            let torque = simd.mul_f64s(gamma[q], top.center[p]);
+            let torque = simd.negate_mul_add_f64s(gamma[p], top.center[q], torque);
+            let sum = simd.mul_add_f64s(products.omega_omega[i], top.difference(i), torque);
+            self.l[k][i] = simd.mul_f64s(sum, reciprocal);
+        }
+        self.omega[k] = top.angular_velocity(simd, self.l[k]);
+    }
+
+    /// The vectors at the steps' ends become the rows 0.
+    #[inline(always)]
+    fn sum_series(&mut self, simd: S, lanes: &Lanes<S>) {
+        let (order, step) = (lanes.order(), lanes.step[0]);
+        let (mut gamma, mut l) = (self.gamma[order], self.l[order]);
+        for k in (0..order).rev() {
+            for i in 0..3 {
+                gamma[i] = simd.mul_add_f64s(gamma[i], step, self.gamma[k][i]);
+                l[i] = simd.mul_add_f64s(l[i], step, self.l[k][i]);
+            }
+        }
+        (self.gamma[0], self.l[0]) = (gamma, l);
+        let mut squared = simd.splat_f64s(0.0);
+        for i in 0..3 {
+            let momentum = simd.mul_f64s(l[i], self.momentum_weight[0]);
+            squared = simd.mul_add_f64s(gamma[i], gamma[i], squared);
+            squared = simd.mul_add_f64s(momentum, momentum, squared);
+        }
+        self.length_squared = [squared];
+    }
+}

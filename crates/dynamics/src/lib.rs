@@ -1,0 +1,7 @@
+//! Motion in time: the Euler–Poisson equations, integrators, Poincaré sections, chaos, attitude.
+
+pub mod field;
+pub mod integrator;
+pub mod motion;
+pub mod poincare;
+pub mod section;

@@ -1,0 +1,81 @@
+//! Why there is no section.
+
+use thiserror::Error;
+
+use crate::section::SectionError;
+use top::classify::ClassifyError;
+use top::critical::CriticalError;
+use top::topology::merge::MergeError;
+
+/// Why there is no section at a point, or why it could not be computed.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum PoincareError {
+    /// r = 0.
+    #[error(
+        "r = 0: S = ⟨ω, r×γ⟩ vanishes identically, so that this section does not exist for a body without weight; \
+         give a body with r ≠ 0"
+    )]
+    WeightlessBody,
+    /// h is below the minimum of the effective potential.
+    #[error(
+        "(h, l) = ({h}, {l}) is forbidden: the lowest energy at l = {l} is {lowest} (branch {branch}); choose h above it"
+    )]
+    Forbidden {
+        /// h as given.
+        h: String,
+        /// l as given.
+        l: String,
+        /// The lowest energy at this l.
+        lowest: f64,
+        /// The branch of relative equilibria that has it.
+        branch: String,
+    },
+    /// (h, l) lies on a curve of the bifurcation diagram, where the section is no surface or its image changes.
+    #[error(
+        "(h, l) = ({h}, {l}) lies on the curve {curve} of the bifurcation diagram, where the topology changes; \
+         choose h above or below"
+    )]
+    OnCurve {
+        /// h as given.
+        h: String,
+        /// l as given.
+        l: String,
+        /// Id of the curve.
+        curve: String,
+    },
+    /// (h, l) is too near to a curve for `f64` to tell on which side it lies.
+    #[error(
+        "(h, l) = ({h}, {l}) is too near to the curve {curve} of the bifurcation diagram to tell on which side it lies \
+         (distance {distance:.1e} in h, error bound {error_bound:.1e}); choose h farther from it"
+    )]
+    Undecided {
+        /// h as given.
+        h: String,
+        /// l as given.
+        l: String,
+        /// Id of the curve.
+        curve: String,
+        /// Distance in h.
+        distance: f64,
+        /// Bound on its error.
+        error_bound: f64,
+    },
+    /// The point could not be classified.
+    #[error(transparent)]
+    Classify(#[from] ClassifyError),
+    /// The relative equilibria could not be found.
+    #[error(transparent)]
+    Critical(#[from] CriticalError),
+    /// The components could not be told apart.
+    #[error(transparent)]
+    Merge(#[from] MergeError),
+    /// The section itself.
+    #[error(transparent)]
+    Section(#[from] SectionError),
+    /// No start could be found in a component.
+    #[error("no starting point was found in component {component} of the accessible region, which is too small")]
+    NoStart {
+        /// Its number, from 0.
+        component: usize,
+    },
+}

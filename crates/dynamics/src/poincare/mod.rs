@@ -1,0 +1,205 @@
+//! The Poincaré section of one body at one (h, l): is there one, where do its orbits start, how did they go.
+
+mod error;
+mod starts;
+
+pub use error::PoincareError;
+
+use std::sync::atomic::Ordering;
+
+use top::accessible::{AccessibleRegion, component_of};
+use top::body::{Body, Number};
+use top::classify::{Answer, Classification, classify};
+use top::critical::critical;
+use top::topology::Component;
+
+use crate::field::{HeavyTop, State};
+use crate::section::chaos::{ChaosMeasure, ChaosOptions, chaos_measures};
+use crate::section::{End, Monitor, OrbitSection, PpTorus, SectionError, SweepOptions, TorusPoint, sweep};
+
+/// A body and a point (h, l) that have a section: r ≠ 0, and (h, l) is accessible and on no curve.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    body: Body,
+    torus: PpTorus,
+    components: Vec<Component>,
+    region: AccessibleRegion,
+    energy: Number,
+    momentum: Number,
+}
+
+/// A section that was computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoincareSection {
+    /// The body.
+    pub body: Body,
+    /// Energy.
+    pub h: Number,
+    /// Vertical angular momentum.
+    pub l: Number,
+    /// The components of U_hl.
+    pub components: Vec<Component>,
+    /// Where the orbits were to start.
+    pub starts: Vec<TorusPoint>,
+    /// The seed of spread starts.
+    pub seed: Option<u64>,
+    /// How they were followed.
+    pub options: SweepOptions,
+    /// The orbits that were begun; each names its start by its number.
+    pub orbits: Vec<OrbitSection>,
+    /// For each start the component in which it lies; `None` where that could not be proved.
+    pub component_of_start: Vec<Option<usize>>,
+    /// How regular each of `orbits` is; empty if that was not asked for.
+    pub chaos: Vec<ChaosMeasure>,
+    /// The measurement of chaos was stopped.
+    pub chaos_interrupted: bool,
+}
+
+impl PoincareSection {
+    /// Every orbit was followed to its end.
+    #[must_use]
+    pub fn complete(&self) -> bool {
+        let whole = self.orbits.len() == self.starts.len() && self.whole_orbits() == self.orbits.len();
+        whole && !self.chaos_interrupted
+    }
+
+    /// Orbits that were not cut short by an interrupt.
+    #[must_use]
+    pub fn whole_orbits(&self) -> usize {
+        self.orbits.iter().filter(|orbit| orbit.report.end != End::Interrupted).count()
+    }
+}
+
+impl Setting {
+    /// Looks whether there is a section.
+    ///
+    /// # Errors
+    /// [`PoincareError::WeightlessBody`] for r = 0; [`PoincareError::Forbidden`] names the lowest energy;
+    /// [`PoincareError::OnCurve`] and [`PoincareError::Undecided`] name the curve; others when the body or l leave the
+    /// range of `f64`.
+    pub fn new(body: &Body, h: &Number, l: &Number) -> Result<Self, PoincareError> {
+        if body.flags().euler {
+            return Err(PoincareError::WeightlessBody);
+        }
+        let Classification { answer, margin, .. } = classify(body, h, l)?;
+        let (h_text, l_text) = (h.text().to_owned(), l.text().to_owned());
+        let curve = margin.nearest.map_or_else(String::new, |curve| curve.to_string());
+        let components = match answer {
+            Answer::Regular(components) => components,
+            Answer::Forbidden => {
+                let lowest = critical(body, l)?.list.into_iter().next();
+                return Err(PoincareError::Forbidden {
+                    h: h_text,
+                    l: l_text,
+                    lowest: lowest.as_ref().map_or(f64::NAN, |point| point.h),
+                    branch: lowest.and_then(|point| point.curve).map_or_else(String::new, |curve| curve.to_string()),
+                });
+            }
+            Answer::Critical(_) => return Err(PoincareError::OnCurve { h: h_text, l: l_text, curve }),
+            Answer::Undecided(_) => {
+                return Err(PoincareError::Undecided {
+                    h: h_text,
+                    l: l_text,
+                    curve,
+                    distance: margin.h,
+                    error_bound: margin.error_bound,
+                });
+            }
+        };
+        let torus = PpTorus::new(&HeavyTop::new(body))?;
+        let region = AccessibleRegion::new(body, h.to_f64(), l.to_f64())?;
+        Ok(Self { body: body.clone(), torus, components, region, energy: h.clone(), momentum: l.clone() })
+    }
+
+    /// The PP-torus.
+    #[must_use]
+    pub fn torus(&self) -> &PpTorus {
+        &self.torus
+    }
+
+    /// Energy.
+    #[must_use]
+    pub fn h(&self) -> f64 {
+        self.energy.to_f64()
+    }
+
+    /// Vertical angular momentum.
+    #[must_use]
+    pub fn l(&self) -> f64 {
+        self.momentum.to_f64()
+    }
+
+    /// The state over a point of the torus.
+    ///
+    /// # Errors
+    /// As [`PpTorus::state`].
+    pub fn state(&self, point: TorusPoint) -> Result<State, SectionError> {
+        self.torus.state(point, self.h(), self.l())
+    }
+
+    /// Follows an orbit from each point. `monitor` counts and can stop; the section is then not complete.
+    ///
+    /// # Errors
+    /// [`PoincareError::Section`] for inaccessible points and options out of range.
+    pub fn run(
+        &self,
+        starts: &[TorusPoint],
+        seed: Option<u64>,
+        options: &SweepOptions,
+        monitor: &Monitor,
+    ) -> Result<PoincareSection, PoincareError> {
+        let mut states = Vec::with_capacity(starts.len());
+        for start in starts {
+            states.push(self.state(*start)?);
+        }
+        let orbits = sweep(&self.torus, &states, options, monitor)?;
+        let gammas: Vec<[f64; 3]> = states.iter().map(|state| state.gamma).collect();
+        Ok(PoincareSection {
+            body: self.body.clone(),
+            h: self.energy.clone(),
+            l: self.momentum.clone(),
+            components: self.components.clone(),
+            starts: starts.to_vec(),
+            seed,
+            options: *options,
+            orbits,
+            component_of_start: self.components_at(&gammas),
+            chaos: Vec::new(),
+            chaos_interrupted: false,
+        })
+    }
+
+    /// Adds Lyapunov exponents and rotation numbers. The orbits are integrated once more; where `monitor` stops that,
+    /// they have no exponent and the section is not complete.
+    ///
+    /// # Errors
+    /// Those of [`chaos_measures`].
+    pub fn measure(
+        &self,
+        section: &mut PoincareSection,
+        options: &ChaosOptions,
+        monitor: &Monitor,
+    ) -> Result<(), SectionError> {
+        section.chaos = chaos_measures(&self.torus, &section.orbits, options, monitor)?;
+        section.chaos_interrupted = monitor.stop.load(Ordering::Relaxed);
+        Ok(())
+    }
+
+    /// The number of the component in which each accessible γ (in the body's axes) lies; None where that could not be
+    /// proved.
+    #[must_use]
+    pub fn components_at(&self, gammas: &[[f64; 3]]) -> Vec<Option<usize>> {
+        if self.component_count() == 1 {
+            return vec![Some(0); gammas.len()];
+        }
+        match self.region.partition() {
+            Ok(Some(partition)) => gammas.iter().map(|gamma| component_of(&partition, *gamma)).collect(),
+            _ => vec![None; gammas.len()],
+        }
+    }
+
+    /// How many components U_hl has.
+    fn component_count(&self) -> usize {
+        self.components.len()
+    }
+}

@@ -1,0 +1,356 @@
+//! The largest Lyapunov exponent of finite-time orbits, from the variational equations.
+
+use std::f64::consts::LN_2;
+use std::sync::atomic::Ordering;
+
+use pulp::{Simd, WithSimd};
+
+use super::average::bump;
+use crate::field::{Dimension, HeavyTop, State, Units, dot};
+use crate::integrator::Method;
+use crate::integrator::taylor::{InstructionSet, Lanes, Tangent};
+use crate::section::error::SectionError;
+use crate::section::workers::{Monitor, Turns, run_workers};
+
+/// How the variational equations are integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChaosOptions {
+    /// Truncation error of a step of the orbit, as of [`Method::Taylor`](crate::integrator::Method::Taylor).
+    pub tolerance: f64,
+    /// SIMD instructions; they do not change the results.
+    pub instructions: InstructionSet,
+}
+
+impl Default for ChaosOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-15, instructions: InstructionSet::Best }
+    }
+}
+
+/// The largest Lyapunov exponent of an orbit over a finite time, per unit of time.
+///
+/// A tangent vector δ = (δγ, δl) is taken along by the variational equations. It starts tangent to the energy surface
+/// and to ⟨γ,γ⟩ = 1, ⟨γ,l⟩ = l and so remains. The flow on that surface has the exponents λ, 0, −λ, so that one vector
+/// tells all of them. Lengths are |δ|² = |δγ|² + |δl|²/(2 A_max (h + 2|r|)), without units.
+///
+/// Regular orbits shear: |δ| grows like t, and `exponent` falls like ln(T)/T, `mean_rate` like 2/T. An exponent that
+/// does not exceed a few times that is not chaos that this time can show.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lyapunov {
+    /// λ(T) = ln(|δ(T)|/|δ(0)|)/T.
+    pub exponent: f64,
+    /// λ(T/2).
+    pub exponent_half: f64,
+    /// The mean of d ln|δ|/dt over [0, T] with the weight exp(−1/(u(1−u))), u = t/T. It forgets the choice of δ(0) and
+    /// the phase at T, so that for regular orbits it is the sharper of the two.
+    pub mean_rate: f64,
+    /// The same over [0, T/2].
+    pub mean_rate_half: f64,
+    /// T: the end of the first step that reaches the time asked for.
+    pub time: f64,
+}
+
+impl Lyapunov {
+    /// |λ(T) − λ(T/2)|: how far `exponent` has converged.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        (self.exponent - self.exponent_half).abs()
+    }
+
+    /// That of a reduced top as that of the top as given.
+    fn restored(self, units: Units) -> Self {
+        let rate = |x| units.restore(x, Dimension::FREQUENCY);
+        Self {
+            exponent: rate(self.exponent),
+            exponent_half: rate(self.exponent_half),
+            mean_rate: rate(self.mean_rate),
+            mean_rate_half: rate(self.mean_rate_half),
+            time: units.restore(self.time, Dimension::TIME),
+        }
+    }
+}
+
+/// The exponents of the orbits that begin at these states, each over its own time; None where the time is not a
+/// positive number, where the motion did not remain finite, and where the run was stopped.
+///
+/// The orbits are those of [`sweep`](crate::section::sweep) with the Taylor integrator of the same tolerance, step by
+/// step and bit for bit; the result does not depend on threads or instructions either.
+///
+/// # Errors
+/// [`SectionError::Method`] for a tolerance out of range, [`SectionError::InstructionSet`] if this processor lacks the
+/// instructions, [`SectionError::Parameter`] for 2³² orbits or more.
+pub fn lyapunov_exponents(
+    top: &HeavyTop,
+    starts: &[(State, f64)],
+    options: &ChaosOptions,
+    monitor: &Monitor,
+) -> Result<Vec<Option<Lyapunov>>, SectionError> {
+    Method::Taylor { tolerance: options.tolerance }.check(top)?;
+    if u32::try_from(starts.len()).is_err() {
+        let (value, expected) = (starts.len() as f64, "fewer than 2^32 are possible");
+        return Err(SectionError::Parameter { name: "orbits", value, expected });
+    }
+    let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
+    let units = top.units();
+    let reduced = |(state, time): &(State, f64)| (state.reduced(units), units.reduce(*time, Dimension::TIME));
+    let (top, starts) = (&top.reduced(), &starts.iter().map(reduced).collect::<Vec<_>>()[..]);
+    let turns = Turns::new(monitor);
+    let tolerance = options.tolerance;
+    let found = run_workers(|| arch.dispatch(Worker { top, starts, turns: &turns, tolerance }));
+    let mut exponents = vec![None; starts.len()];
+    for (orbit, exponent) in found {
+        exponents[orbit as usize] = exponent.map(|exponent: Lyapunov| exponent.restored(units));
+    }
+    Ok(exponents)
+}
+
+/// One thread's share: fills its lanes from the list until that is empty.
+struct Worker<'a> {
+    top: &'a HeavyTop,
+    starts: &'a [(State, f64)],
+    turns: &'a Turns<'a>,
+    tolerance: f64,
+}
+
+impl Worker<'_> {
+    fn pop(&self) -> Option<Stretching> {
+        let (orbit, (_, time)) = self.turns.next(self.starts)?;
+        Some(Stretching::new(orbit, *time))
+    }
+
+    /// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
+    #[inline(always)]
+    fn load<S: Simd>(&self, lanes: &mut Lanes<S>, tangent: &mut Tangent<S>, lane: usize, orbit: u32) {
+        let start = &self.starts[orbit as usize].0;
+        let momentum_scale = self.top.momentum_scale(self.top.energy(start)).max(f64::MIN_POSITIVE.sqrt());
+        lanes.load(lane, start, momentum_scale);
+        let unit = momentum_unit(self.top, start);
+        tangent.load(lane, &tangent_vector(self.top, start, unit), unit);
+    }
+}
+
+impl WithSimd for Worker<'_> {
+    type Output = Vec<(u32, Option<Lyapunov>)>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
+        let mut done = Vec::new();
+        let mut lanes = Lanes::<S>::new(simd, self.top, self.tolerance);
+        let mut tangent = Tangent::<S>::new(simd);
+        let mut orbits: Vec<Option<Stretching>> = Vec::new();
+        for lane in 0..S::F64_LANES {
+            orbits.push(self.pop());
+            if let Some(orbit) = &orbits[lane] {
+                self.load(&mut lanes, &mut tangent, lane, orbit.orbit);
+            }
+        }
+        while orbits.iter().any(Option::is_some) {
+            lanes.expand(simd);
+            tangent.advance(simd, &lanes);
+            for (lane, slot) in orbits.iter_mut().enumerate() {
+                if let Some(orbit) = slot {
+                    orbit.take(lanes.end_of(lane), tangent.length_squared(lane), tangent.renormalise(lane));
+                }
+            }
+            lanes.commit(simd);
+            let stopped = self.turns.monitor.is_stopped();
+            for (lane, slot) in orbits.iter_mut().enumerate() {
+                if let Some(orbit) = slot.take_if(|orbit| orbit.is_over() || stopped) {
+                    done.push((orbit.orbit, orbit.result()));
+                    self.turns.monitor.orbits.fetch_add(1, Ordering::Relaxed);
+                    *slot = self.pop();
+                    if let Some(orbit) = slot {
+                        self.load(&mut lanes, &mut tangent, lane, orbit.orbit);
+                    }
+                }
+            }
+        }
+        done
+    }
+}
+
+/// How a tangent vector of length 1 has grown.
+struct Stretching {
+    orbit: u32,
+    whole: WeightedRate,
+    half: WeightedRate,
+    /// Time and ln|δ| at the last step's end.
+    time: f64,
+    log: f64,
+    /// ln of what was taken out of δ.
+    removed: f64,
+    exponent_half: Option<f64>,
+}
+
+impl Stretching {
+    fn new(orbit: u32, time: f64) -> Self {
+        let rate = |span| WeightedRate { span, sum: 0.0, weights: 0.0 };
+        Self {
+            orbit,
+            whole: rate(time),
+            half: rate(0.5 * time),
+            time: 0.0,
+            log: 0.0,
+            removed: 0.0,
+            exponent_half: None,
+        }
+    }
+
+    /// A step ends at `time`; δ is then scaled by 2^−power.
+    #[inline(always)]
+    fn take(&mut self, time: f64, length_squared: f64, power: i32) {
+        let log = self.removed + 0.5 * libm::log(length_squared);
+        for rate in [&mut self.whole, &mut self.half] {
+            rate.take(self.time, time, log - self.log);
+        }
+        (self.time, self.log) = (time, log);
+        self.removed += f64::from(power) * LN_2;
+        if self.exponent_half.is_none() && time >= self.half.span {
+            self.exponent_half = Some(log / time);
+        }
+    }
+
+    /// Has it the time asked for, or is there none to be had?
+    fn is_over(&self) -> bool {
+        let goes_on = self.time < self.whole.span && self.log.is_finite();
+        !goes_on || !self.whole.span.is_finite()
+    }
+
+    fn result(&self) -> Option<Lyapunov> {
+        let complete = self.whole.span > 0.0 && self.time >= self.whole.span && self.log.is_finite();
+        complete.then(|| Lyapunov {
+            exponent: self.log / self.time,
+            exponent_half: self.exponent_half.unwrap_or(f64::NAN),
+            mean_rate: self.whole.mean(),
+            mean_rate_half: self.half.mean(),
+            time: self.time,
+        })
+    }
+}
+
+/// ∫ w(t/T) d ln|δ| / ∫ w(t/T) dt with w at the middle of each step.
+struct WeightedRate {
+    /// T.
+    span: f64,
+    sum: f64,
+    weights: f64,
+}
+
+impl WeightedRate {
+    #[inline(always)]
+    fn take(&mut self, start: f64, end: f64, growth: f64) {
+        let weight = bump(f64::midpoint(start, end) / self.span);
+        self.sum += weight * growth;
+        self.weights += weight * (end - start);
+    }
+
+    /// NaN if no step has its middle in the span.
+    fn mean(&self) -> f64 {
+        self.sum / self.weights
+    }
+}
+
+/// √(2 A_max (h + 2|r|)): the unit of δl. (Unlike the largest |l| it does not vanish where the top is at rest.)
+fn momentum_unit(top: &HeavyTop, state: &State) -> f64 {
+    top.momentum_scale(top.energy(state) + top.center_norm()).max(f64::MIN_POSITIVE.sqrt())
+}
+
+/// A vector of length 1 tangent to the surface of constant H, ⟨γ,γ⟩ and ⟨γ,l⟩, with l in units of `momentum_unit`.
+///
+/// It is the projection of one fixed vector, chosen with no symmetry, so that it has a share of every direction.
+fn tangent_vector(top: &HeavyTop, state: &State, momentum_unit: f64) -> State {
+    const DIRECTION: [f64; 6] = [0.57, -0.31, 0.43, 0.37, 0.29, -0.41];
+    let State { gamma, l } = *state;
+    let omega = top.angular_velocity(l);
+    let r = top.center();
+    // The gradients in (γ, l/unit).
+    let mut normals: [[f64; 6]; 3] = [[0.0; 6]; 3];
+    for i in 0..3 {
+        (normals[0][i], normals[1][i], normals[2][i]) = (gamma[i], l[i], -r[i]);
+        (normals[1][i + 3], normals[2][i + 3]) = (momentum_unit * gamma[i], momentum_unit * omega[i]);
+    }
+    let mut vector = DIRECTION;
+    for k in 0..3 {
+        let size = length(&normals[k]);
+        for j in 0..k {
+            normals[k] = without(normals[k], &normals[j]);
+        }
+        // At a relative equilibrium the gradients are dependent.
+        let rest = length(&normals[k]);
+        let factor = if rest > size * 1e-12 { 1.0 / rest } else { 0.0 };
+        normals[k] = normals[k].map(|x| x * factor);
+    }
+    // Twice: once would leave the rounding of the cancelled part.
+    for normal in normals.iter().chain(&normals) {
+        vector = without(vector, normal);
+    }
+    let [a, b, c, d, e, f] = vector.map(|x| x / length(&vector));
+    State { gamma: [a, b, c], l: [d, e, f].map(|x| x * momentum_unit) }
+}
+
+/// v − n⟨n,v⟩.
+fn without(mut v: [f64; 6], n: &[f64; 6]) -> [f64; 6] {
+    let share: f64 = v.iter().zip(n).map(|(a, b)| a * b).sum();
+    for (a, b) in v.iter_mut().zip(n) {
+        *a -= share * b;
+    }
+    v
+}
+
+fn length(v: &[f64; 6]) -> f64 {
+    let [a, b, c, d, e, f] = *v;
+    (dot([a, b, c], [a, b, c]) + dot([d, e, f], [d, e, f])).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tangent_vectors_keep_the_integrals_and_have_length_1() {
+        let top = HeavyTop::from_f64([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]);
+        for k in 0..50 {
+            let x = |step: f64| 2.0 * (f64::from(k) * step % 1.0) - 1.0;
+            let gamma = [x(0.41), x(0.73), x(0.27)];
+            let size = dot(gamma, gamma).sqrt();
+            let state = State { gamma: gamma.map(|g| g / size), l: [3.0 * x(0.13), 3.0 * x(0.59), 3.0 * x(0.87)] };
+            let scale = top.momentum_scale(top.energy(&state));
+            let vector = tangent_vector(&top, &state, scale);
+            let momentum = vector.l.map(|x| x / scale);
+            assert!((dot(vector.gamma, vector.gamma) + dot(momentum, momentum) - 1.0).abs() < 1e-14);
+            assert!(dot(state.gamma, vector.gamma).abs() < 1e-14);
+            assert!((dot(state.gamma, vector.l) + dot(state.l, vector.gamma)).abs() < 1e-13 * scale);
+            let energy = dot(top.angular_velocity(state.l), vector.l) - dot(top.center(), vector.gamma);
+            assert!(energy.abs() < 1e-13 * scale * scale, "{energy:e}");
+        }
+    }
+
+    #[test]
+    fn the_growth_is_that_of_a_difference_of_orbits() {
+        // (x(t; x₀ + εδ) − x(t; x₀ − εδ))/2ε → δ(t) with an error of ε² times the curvature of the flow.
+        let top = HeavyTop::from_f64([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]);
+        let start = State { gamma: [0.36, -0.48, -0.8], l: [0.9, -2.1, 1.7] };
+        let scale_of_l = momentum_unit(&top, &start);
+        let delta = tangent_vector(&top, &start, scale_of_l);
+        let found = lyapunov_exponents(&top, &[(start, 30.0)], &ChaosOptions::default(), &Monitor::default());
+        let found = found.unwrap()[0].unwrap();
+        let epsilon = 1e-6;
+        let end = |sign: f64| {
+            let moved = |x: [f64; 3], d: [f64; 3]| std::array::from_fn(|i| x[i] + sign * epsilon * d[i]);
+            let state = State { gamma: moved(start.gamma, delta.gamma), l: moved(start.l, delta.l) };
+            let mut stepper = Method::default().stepper(&top, &state).unwrap();
+            loop {
+                let step = stepper.step().unwrap();
+                if step.end().seconds() >= found.time {
+                    return step.state((found.time - step.start().seconds()) / step.length());
+                }
+            }
+        };
+        let (plus, minus) = (end(1.0), end(-1.0));
+        let squared = |x: [f64; 3], y: [f64; 3]| (0..3).map(|i| (x[i] - y[i]) * (x[i] - y[i])).sum::<f64>();
+        let size = squared(plus.gamma, minus.gamma) + squared(plus.l, minus.l) / (scale_of_l * scale_of_l);
+        let growth = size.sqrt() / (2.0 * epsilon);
+        assert!((libm::log(growth) - found.exponent * found.time).abs() < 1e-6, "{growth} {found:?}");
+        assert!(growth > 5.0);
+    }
+}

@@ -1,0 +1,84 @@
+//! Section conditions S = Ẇ.
+
+use super::roots::MAX_TERMS;
+use crate::field::{Dimension, HeavyTop, State, cross, dot};
+use crate::integrator::Step;
+
+/// What is a section: the zeros of S = Ẇ for a bounded function W of the state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SectionCondition {
+    /// W = ⟨γ,r⟩, S = ⟨ω, r×γ⟩ (Eq. PSecCond): the paper's.
+    #[default]
+    Height,
+    /// W = −⟨l,l⟩/2, S = ⟨l, γ×r⟩: Gashenenko's and Richter's.
+    AngularMomentum,
+}
+
+impl SectionCondition {
+    /// The dimension of S.
+    #[must_use]
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Self::Height => Dimension::ENERGY.rate(),
+            Self::AngularMomentum => {
+                let (l, r) = (Dimension::MOMENTUM, Dimension::ENERGY);
+                Dimension { inertia: l.inertia + r.inertia, time: l.time + r.time }
+            }
+        }
+    }
+
+    /// S at a state.
+    #[must_use]
+    #[inline(always)]
+    pub fn value(self, top: &HeavyTop, state: &State) -> f64 {
+        match self {
+            Self::Height => dot(top.angular_velocity(state.l), cross(top.center(), state.gamma)),
+            Self::AngularMomentum => dot(state.l, cross(state.gamma, top.center())),
+        }
+    }
+
+    /// Ṡ at a state: < 0 incoming, > 0 outgoing, 0 on the line of tangency.
+    #[must_use]
+    #[inline(always)]
+    pub fn rate(self, top: &HeavyTop, state: &State) -> f64 {
+        let field = top.vector_field(state);
+        match self {
+            Self::Height => {
+                dot(top.angular_velocity(field.l), cross(top.center(), state.gamma))
+                    + dot(top.angular_velocity(state.l), cross(top.center(), field.gamma))
+            }
+            Self::AngularMomentum => {
+                dot(field.l, cross(state.gamma, top.center())) + dot(state.l, cross(field.gamma, top.center()))
+            }
+        }
+    }
+
+    /// The coefficients of S as a polynomial in x ∈ [0, 1] over a step.
+    #[must_use]
+    pub fn polynomial(self, top: &HeavyTop, step: &Step) -> Vec<f64> {
+        let x = step.coefficients();
+        match self {
+            // d/dt ⟨γ,r⟩
+            Self::Height => (1..x.len()).map(|k| dot(x[k].gamma, top.center()) * k as f64 / step.length()).collect(),
+            Self::AngularMomentum => {
+                let torques: Vec<_> = x.iter().map(|x| cross(x.gamma, top.center())).collect();
+                let terms = (2 * x.len() - 1).min(MAX_TERMS);
+                let product = |k: usize| {
+                    let pairs = (k.saturating_sub(x.len() - 1)..=k.min(x.len() - 1)).map(|j| (j, k - j));
+                    pairs.fold(0.0, |sum, (i, j)| sum + dot(x[i].l, torques[j]))
+                };
+                (0..terms).map(product).collect()
+            }
+        }
+    }
+
+    /// An upper bound of |S| on the energy surface h, the unit in which |S| is called small.
+    #[must_use]
+    pub fn scale(self, top: &HeavyTop, h: f64) -> f64 {
+        let momentum = top.momentum_scale(h) * top.center_norm();
+        match self {
+            Self::Height => momentum * top.inverse_moments().iter().fold(0.0, |m: f64, &b| m.max(b)),
+            Self::AngularMomentum => momentum,
+        }
+    }
+}

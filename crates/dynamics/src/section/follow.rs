@@ -1,0 +1,308 @@
+//! One orbit's way through the steps: which of them cross the section, where, and when to stop.
+
+use pulp::Simd;
+
+use super::orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
+use super::readings::{Gauge, Reading, Readings};
+use super::roots::all_roots;
+use super::scan::Scan;
+use super::torus::PpTorus;
+use crate::field::{Integrals, State, add, scale};
+use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, state_of};
+use crate::integrator::{Instant, Step, StepError};
+
+/// |S| below this part of its scale over a whole step is rounding.
+const FLAT: f64 = 1.0 / (1u64 << 42) as f64;
+/// |S| below this part of its scale is rounding.
+const ROUNDING: f64 = 1.0 / (1u64 << 50) as f64;
+/// So many flat steps in a row: S ≡ 0.
+const FLAT_STEPS: u32 = 64;
+
+/// What the current step holds for the lanes that may cross the section in it.
+pub(super) struct News<'a, S: Simd> {
+    lanes: &'a Lanes<S>,
+    scan: &'a Scan<S>,
+    /// Roots of the lanes that have exactly one, as times after the step's start, and the states there.
+    offsets: [S::f64s; 1],
+    states: [Vector<S>; 2],
+    readings: Readings<S>,
+}
+
+impl<'a, S: Simd> News<'a, S> {
+    #[inline(always)]
+    pub fn read(simd: S, lanes: &'a Lanes<S>, scan: &'a Scan<S>, gauge: &Gauge<S>) -> Self {
+        let offset = scan.single_roots(simd, lanes);
+        let states = lanes.states_at(simd, offset);
+        Self { lanes, scan, offsets: [offset], states, readings: gauge.read(simd, states) }
+    }
+}
+
+/// An orbit in a lane.
+pub(super) struct Follower {
+    pub start: State,
+    /// Unit of |l| for the tolerance.
+    pub momentum_scale: f64,
+    pub end: Option<End>,
+    orbit: u32,
+    /// S at the start; NaN if the start lies on the section.
+    pub start_value: f64,
+    /// Σ|c_k| of S below this is rounding.
+    pub flat: f64,
+    /// |S| of a state that is on the section.
+    rounding: f64,
+    /// Flat steps in a row, and the last of them.
+    flat_steps: u32,
+    last_flat: u64,
+    integrals: Integrals,
+    points: Vec<SectionPoint>,
+    crossings: u32,
+    /// Crossings that the monitor knows of.
+    told: u32,
+    steps: u64,
+    time: f64,
+    tangencies: u32,
+    drift: Integrals,
+    residual: f64,
+    roots: Vec<f64>,
+}
+
+impl Follower {
+    pub fn new(torus: &PpTorus, options: &SweepOptions, orbit: u32, start: &State) -> Self {
+        let top = torus.top();
+        let integrals = Integrals::of(top, start);
+        let value = options.condition.value(top, start);
+        let scale = options.condition.scale(top, integrals.energy);
+        let on_section = value.abs() <= FLAT * scale;
+        let mut follower = Self {
+            start: *start,
+            momentum_scale: top.momentum_scale(integrals.energy).max(f64::MIN_POSITIVE.sqrt()),
+            end: (options.crossings == 0).then_some(End::Crossings),
+            orbit,
+            start_value: if on_section { f64::NAN } else { value },
+            flat: FLAT * scale,
+            rounding: ROUNDING * scale,
+            flat_steps: 0,
+            last_flat: 0,
+            integrals,
+            // Room for what was asked for, unless that is a way of saying "many".
+            points: Vec::with_capacity(options.crossings.min(1 << 16) + 1),
+            crossings: 0,
+            told: 0,
+            steps: 0,
+            time: 0.0,
+            tangencies: 0,
+            drift: Integrals::default(),
+            residual: 0.0,
+            roots: Vec::new(),
+        };
+        if on_section {
+            follower.record(torus, Instant::default(), start, &Reading::new(torus, options.condition, start));
+        }
+        follower
+    }
+
+    /// Counts a step that ends at `time`.
+    #[inline(always)]
+    pub fn count_step(&mut self, time: f64) {
+        self.steps += 1;
+        self.time = time;
+    }
+
+    /// Crossings since the last call.
+    pub fn untold(&mut self) -> u64 {
+        let new = self.crossings - self.told;
+        self.told = self.crossings;
+        u64::from(new)
+    }
+
+    /// Is there nothing more to do?
+    #[inline(always)]
+    pub fn is_over(&mut self, options: &SweepOptions) -> bool {
+        if self.end.is_none() && self.time >= options.max_time {
+            self.end = Some(End::Time);
+        }
+        self.end.is_some()
+    }
+
+    /// Looks for crossings in the lane's step, which may have some.
+    #[inline(always)]
+    pub fn look<S: Simd>(&mut self, simd: S, torus: &PpTorus, options: &SweepOptions, news: &News<S>, lane: usize) {
+        let (lanes, scan) = (news.lanes, news.scan);
+        let verdict = scan.verdict(lane);
+        let start = lanes.time(lane);
+        if verdict.flat {
+            self.count_flat_step();
+        } else if verdict.single {
+            let offset = lane_values::<S>(&news.offsets)[lane];
+            let state = state_of::<S>(&news.states, lane);
+            self.cross(torus, options, start.after(offset), &state, &news.readings.of(lane));
+        } else {
+            let mut room = [0.0; ROWS];
+            let c = scan.coefficients(lane, &mut room);
+            if !c.iter().all(|x| x.is_finite()) {
+                self.end = Some(End::Failed(StepError::NotFinite { time: start.seconds() }));
+                return;
+            }
+            let mut roots = std::mem::take(&mut self.roots);
+            self.tangencies += self.general_roots(c, verdict.start, verdict.end >= 0.0, &mut roots);
+            for &x in &roots {
+                let offset = lanes.step_of(lane) * x;
+                if self.end.is_none() {
+                    let states = lanes.states_at(simd, simd.splat_f64s(offset));
+                    let state = state_of::<S>(&states, lane);
+                    let reading = Reading::new(torus, options.condition, &state);
+                    self.cross(torus, options, start.after(offset), &state, &reading);
+                }
+            }
+            roots.clear();
+            self.roots = roots;
+        }
+        if !verdict.end.is_finite() {
+            self.end = Some(End::Failed(StepError::NotFinite { time: start.seconds() }));
+        }
+    }
+
+    #[inline(never)]
+    fn count_flat_step(&mut self) {
+        self.flat_steps = if self.last_flat + 1 == self.steps { self.flat_steps + 1 } else { 1 };
+        self.last_flat = self.steps;
+        if self.flat_steps >= FLAT_STEPS {
+            self.end = Some(End::StaysOnSection);
+        }
+    }
+
+    /// All roots of S = Σ c_k xᵏ, x ∈ (0, 1), where `start` is S at 0 as the step before saw it (NaN: exactly 0).
+    #[inline(never)]
+    fn general_roots(&self, c: &[f64], start: f64, end_positive: bool, roots: &mut Vec<f64>) -> u32 {
+        if !start.is_nan() {
+            return all_roots(c, start >= 0.0, end_positive, roots);
+        }
+        // S(0) = 0: the start itself, with the multiplicity that its leading coefficients show, is not a crossing.
+        let multiplicity = 1 + c[1..].iter().take_while(|x| x.abs() <= self.flat).count();
+        match c.get(multiplicity..) {
+            Some(rest) if rest.len() > 1 => all_roots(rest, rest[0] >= 0.0, end_positive, roots),
+            _ => 0,
+        }
+    }
+
+    /// Looks for crossings in a step of a [`Stepper`](crate::integrator::Stepper); `start` is S at the step's start
+    /// (NaN: exactly 0). Returns S at its end.
+    pub fn take(&mut self, torus: &PpTorus, options: &SweepOptions, step: &Step, start: f64) -> f64 {
+        self.count_step(step.end().seconds());
+        let end = options.condition.value(torus.top(), step.end_state());
+        let c = options.condition.polynomial(torus.top(), step);
+        let size = c.iter().fold(0.0, |sum, x| sum + x.abs());
+        if size <= self.flat {
+            self.count_flat_step();
+            return end;
+        }
+        if !size.is_finite() {
+            self.end = Some(End::Failed(StepError::NotFinite { time: step.start().seconds() }));
+            return end;
+        }
+        let mut roots = Vec::new();
+        self.tangencies += self.general_roots(&c, start, end >= 0.0, &mut roots);
+        for x in roots {
+            if self.end.is_none() {
+                let state = step.state(x);
+                let reading = Reading::new(torus, options.condition, &state);
+                self.cross(torus, options, step.start().after(step.length() * x), &state, &reading);
+            }
+        }
+        end
+    }
+
+    /// A crossing close to this time and state.
+    #[inline(always)]
+    fn cross(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, reading: &Reading) {
+        if reading.value.abs() <= self.rounding {
+            self.cross_at(torus, options, time, state, reading);
+        } else {
+            self.cross_nearby(torus, options, time, state, reading.value);
+        }
+    }
+
+    /// A crossing near this state, where S = `value`.
+    #[inline(never)]
+    fn cross_nearby(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, value: f64) {
+        let (offset, state) = polished(torus, options, state, value);
+        let reading = Reading::new(torus, options.condition, &state);
+        self.cross_at(torus, options, time.after(offset), &state, &reading);
+    }
+
+    #[inline(always)]
+    fn cross_at(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, reading: &Reading) {
+        if time.seconds() > options.max_time {
+            self.end = Some(End::Time);
+            return;
+        }
+        self.crossings += 1;
+        self.record(torus, time, state, reading);
+        if self.crossings as usize >= options.crossings {
+            self.end = Some(End::Crossings);
+        }
+    }
+
+    #[inline(always)]
+    fn record(&mut self, torus: &PpTorus, time: Instant, state: &State, reading: &Reading) {
+        let point = reading.place(torus, state);
+        self.drift = self.drift.max(&reading.integrals.distance(&self.integrals));
+        self.residual = self.residual.max(reading.value.abs());
+        self.points.push(SectionPoint {
+            orbit: self.orbit,
+            index: self.crossings,
+            time: time.seconds(),
+            time_low: time.remainder(),
+            gamma: state.gamma,
+            l: state.l,
+            sheet: point.sheet,
+            s_dot: reading.rate,
+            theta: point.theta,
+            psi: point.psi,
+        });
+    }
+
+    /// The orbit's crossings and its report.
+    pub fn finish(self) -> OrbitSection {
+        OrbitSection {
+            points: self.points,
+            report: OrbitReport {
+                end: self.end.unwrap_or(End::Interrupted),
+                steps: self.steps,
+                time: self.time,
+                tangencies: self.tangencies,
+                drift: self.drift,
+                residual: self.residual,
+            },
+            orbit: self.orbit,
+        }
+    }
+}
+
+/// Moves a state that is close to the section, where S = `residual`, onto it along the flow: the time that this
+/// takes and the state there.
+///
+/// The polynomial's root is as good as the step's tolerance; Newton's method in time with the flow's own series
+/// brings |S| down to rounding. Near a tangency it stops where it no longer improves.
+#[inline(never)]
+fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual: f64) -> (f64, State) {
+    let top = torus.top();
+    let (mut offset, mut best) = (0.0, *state);
+    for _ in 0..4 {
+        let t = -residual / options.condition.rate(top, &best);
+        if t.is_nan() {
+            break;
+        }
+        let mut next = State::default();
+        for x in top.taylor_coefficients(&best, 4).iter().rev() {
+            next.gamma = add(scale(t, next.gamma), x.gamma);
+            next.l = add(scale(t, next.l), x.l);
+        }
+        let value = options.condition.value(top, &next);
+        if value.is_nan() || value.abs() >= residual.abs() {
+            break;
+        }
+        (offset, best, residual) = (offset + t, next, value);
+    }
+    (offset, best)
+}

@@ -1,0 +1,204 @@
+//! Many orbits, each followed to its next crossings.
+
+use std::sync::atomic::Ordering;
+
+use pulp::{Arch, Simd, WithSimd};
+
+use super::error::SectionError;
+use super::follow::{Follower, News};
+use super::orbit::{End, OrbitSection, SweepOptions};
+use super::readings::Gauge;
+use super::scan::Scan;
+use super::torus::PpTorus;
+use super::workers::{Monitor, Turns, run_workers};
+use crate::field::State;
+use crate::integrator::taylor::Lanes;
+use crate::integrator::{Method, Stepper};
+
+/// Steps after which the monitor is told.
+const STEPS_BETWEEN_NEWS: u32 = 256;
+
+/// Follows every start to its crossings; orbit k is `starts[k]`. A start on the section, within rounding, is the
+/// orbit's point of index 0.
+///
+/// The result does not depend on the number of threads, nor on the instructions. With the feature `parallel`
+/// the orbits are shared among the threads of the current rayon pool.
+///
+/// # Errors
+/// [`SectionError::Parameter`] and [`SectionError::Method`] for options out of range, [`SectionError::InstructionSet`] if this processor
+/// lacks it.
+pub fn sweep(
+    torus: &PpTorus,
+    starts: &[State],
+    options: &SweepOptions,
+    monitor: &Monitor,
+) -> Result<Vec<OrbitSection>, SectionError> {
+    options.method.check(torus.top())?;
+    if u32::try_from(starts.len()).is_err() {
+        return Err(SectionError::Parameter {
+            name: "orbits",
+            value: starts.len() as f64,
+            expected: "fewer than 2^32 are possible",
+        });
+    }
+    if options.max_time.is_nan() || options.max_time <= 0.0 {
+        return Err(SectionError::Parameter {
+            name: "max_time",
+            value: options.max_time,
+            expected: "a positive time is needed",
+        });
+    }
+    let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
+    let units = torus.top().units();
+    if units.are_one() {
+        return Ok(followed(arch, torus, starts, options, monitor));
+    }
+    let starts: Vec<State> = starts.iter().map(|state| state.reduced(units)).collect();
+    let orbits = followed(arch, &torus.reduced(), &starts, &options.reduced(units), monitor);
+    Ok(orbits.into_iter().map(|orbit| orbit.restored(units, options.condition)).collect())
+}
+
+/// The orbits of a top in its own units.
+fn followed(
+    arch: Arch,
+    torus: &PpTorus,
+    starts: &[State],
+    options: &SweepOptions,
+    monitor: &Monitor,
+) -> Vec<OrbitSection> {
+    let queue = Queue { torus, starts, options, turns: Turns::new(monitor) };
+    let mut orbits = match options.method {
+        Method::Taylor { tolerance } => run_workers(|| arch.dispatch(TaylorWorker { queue: &queue, tolerance })),
+        _ => run_workers(|| queue.work_stepwise()),
+    };
+    orbits.sort_by_key(|orbit| orbit.orbit);
+    orbits
+}
+
+/// The orbits still to be done, shared by the workers.
+struct Queue<'a> {
+    torus: &'a PpTorus,
+    starts: &'a [State],
+    options: &'a SweepOptions,
+    turns: Turns<'a>,
+}
+
+impl Queue<'_> {
+    /// The next orbit.
+    fn pop(&self) -> Option<Follower> {
+        let (orbit, start) = self.turns.next(self.starts)?;
+        Some(Follower::new(self.torus, self.options, orbit, start))
+    }
+
+    fn monitor(&self) -> &Monitor {
+        self.turns.monitor
+    }
+
+    /// One worker of the methods that follow one orbit at a time.
+    fn work_stepwise(&self) -> Vec<OrbitSection> {
+        let mut done = Vec::new();
+        while let Some(mut follower) = self.pop() {
+            match self.options.method.stepper(self.torus.top(), &follower.start) {
+                Ok(mut stepper) => self.follow(&mut follower, stepper.as_mut()),
+                Err(_) => unreachable!("sweep() has checked the method"),
+            }
+            self.close(follower, &mut done);
+        }
+        done
+    }
+
+    fn follow(&self, follower: &mut Follower, stepper: &mut dyn Stepper) {
+        let mut value = follower.start_value;
+        let mut steps = 0_u32;
+        while !follower.is_over(self.options) && !self.monitor().is_stopped() {
+            steps = steps.wrapping_add(1);
+            if steps.is_multiple_of(STEPS_BETWEEN_NEWS) {
+                self.tell(follower);
+            }
+            match stepper.step() {
+                Ok(step) => value = follower.take(self.torus, self.options, &step, value),
+                Err(error) => follower.end = Some(End::Failed(error)),
+            }
+        }
+    }
+
+    fn close(&self, mut follower: Follower, done: &mut Vec<OrbitSection>) {
+        self.tell(&mut follower);
+        self.monitor().orbits.fetch_add(1, Ordering::Relaxed);
+        done.push(follower.finish());
+    }
+
+    fn tell(&self, follower: &mut Follower) {
+        self.monitor().crossings.fetch_add(follower.untold(), Ordering::Relaxed);
+    }
+}
+
+/// One worker of the Taylor integrator: fills its lanes from the queue until it is empty.
+struct TaylorWorker<'a> {
+    queue: &'a Queue<'a>,
+    tolerance: f64,
+}
+
+impl WithSimd for TaylorWorker<'_> {
+    type Output = Vec<OrbitSection>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
+        let queue = self.queue;
+        let mut done = Vec::new();
+        let mut lanes = Lanes::<S>::new(simd, queue.torus.top(), self.tolerance);
+        let mut scan = Scan::<S>::new(simd);
+        let gauge = Gauge::<S>::new(simd, queue.torus, queue.options.condition);
+        let mut followers: Vec<Option<Follower>> = Vec::new();
+        for lane in 0..S::F64_LANES {
+            followers.push(queue.pop());
+            load(&mut lanes, &mut scan, lane, followers[lane].as_ref());
+        }
+        let mut steps = 0_u32;
+        while followers.iter().any(Option::is_some) {
+            steps = steps.wrapping_add(1);
+            if steps.is_multiple_of(STEPS_BETWEEN_NEWS) {
+                followers.iter_mut().flatten().for_each(|follower| queue.tell(follower));
+            }
+            lanes.expand(simd);
+            scan.read(simd, &lanes, queue.options.condition);
+            for (lane, follower) in followers.iter_mut().enumerate() {
+                if let Some(follower) = follower {
+                    follower.count_step(lanes.end_of(lane));
+                }
+            }
+            let mut remaining = scan.lanes_with_news();
+            if remaining != 0 {
+                let news = News::read(simd, &lanes, &scan, &gauge);
+                while remaining != 0 {
+                    let lane = remaining.trailing_zeros() as usize;
+                    remaining &= remaining - 1;
+                    if let Some(follower) = &mut followers[lane] {
+                        follower.look(simd, queue.torus, queue.options, &news, lane);
+                    }
+                }
+            }
+            lanes.commit(simd);
+            scan.commit();
+            let stopped = queue.monitor().is_stopped();
+            for (lane, slot) in followers.iter_mut().enumerate() {
+                if let Some(mut follower) = slot.take_if(|follower| follower.is_over(queue.options) || stopped) {
+                    follower.end.get_or_insert(End::Interrupted);
+                    queue.close(follower, &mut done);
+                    *slot = queue.pop();
+                    load(&mut lanes, &mut scan, lane, slot.as_ref());
+                }
+            }
+        }
+        done
+    }
+}
+
+/// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
+#[inline(always)]
+fn load<S: Simd>(lanes: &mut Lanes<S>, scan: &mut Scan<S>, lane: usize, follower: Option<&Follower>) {
+    if let Some(follower) = follower {
+        lanes.load(lane, &follower.start, follower.momentum_scale);
+        scan.load(lane, follower.start_value, follower.flat);
+    }
+}

@@ -1,0 +1,62 @@
+//! Exact numbers as decimals.
+
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
+
+/// The exact decimal of a number whose denominator is a power of two, `p/q` of any other.
+#[must_use]
+pub fn exact(x: &RBig) -> String {
+    let denominator = x.denominator();
+    let power = denominator.trailing_zeros().unwrap_or(0);
+    if *denominator != UBig::ONE << power {
+        return x.to_string();
+    }
+    let digits = x.numerator() * IBig::from(5).pow(power);
+    if power == 0 { digits.to_string() } else { format!("{digits}e-{power}") }
+}
+
+/// A decimal of some digits, not above the number (`up`: not below).
+#[must_use]
+pub fn rounded(x: &RBig, digits: usize, up: bool) -> String {
+    if x.is_zero() {
+        return "0".to_owned();
+    }
+    let ten = |power: usize| RBig::from(IBig::from(10).pow(power));
+    // |x| in [10^e, 10^(e+1)), up to one.
+    let size = |n: &UBig| i64::try_from(n.to_string().len()).unwrap_or(i64::MAX);
+    let exponent = size(&x.numerator().clone().into_parts().1) - size(x.denominator());
+    let shift = i64::try_from(digits).unwrap_or(0) - 1 - exponent;
+    let power = usize::try_from(shift.unsigned_abs()).unwrap_or(0);
+    let scaled = if shift >= 0 { x * ten(power) } else { x / ten(power) };
+    let whole = if up { scaled.ceil() } else { scaled.floor() };
+    if shift == 0 { whole.to_string() } else { format!("{whole}e{}", -shift) }
+}
+
+/// Both ends, outward.
+#[must_use]
+pub fn outward([lo, hi]: &[RBig; 2], digits: usize) -> [String; 2] {
+    [rounded(lo, digits, false), rounded(hi, digits, true)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Number;
+
+    fn value(text: &str) -> RBig {
+        text.parse::<Number>().unwrap().value().clone()
+    }
+
+    #[test]
+    fn decimals_are_exact_or_on_the_right_side() {
+        for x in [0.1, 1.0, 3.0, -0.75, 1e-20, 6.02e23] {
+            let x = RBig::try_from(x).unwrap();
+            assert_eq!(value(&exact(&x)), x);
+            for digits in [5, 17, 30] {
+                let (low, high) = (value(&rounded(&x, digits, false)), value(&rounded(&x, digits, true)));
+                assert!(low <= x && x <= high && (&high - &low) * RBig::from(1000) <= x.clone().max(-x.clone()));
+            }
+        }
+        assert_eq!(exact(&RBig::from_parts(1.into(), 3u8.into())), "1/3");
+    }
+}

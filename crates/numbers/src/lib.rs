@@ -1,0 +1,17 @@
+//! Exact numbers, intervals, polynomials and their roots, low-discrepancy sequences; knows nothing of rigid bodies.
+
+pub mod bernstein;
+pub mod decimal;
+pub mod enclosure;
+pub mod interval;
+mod number;
+pub mod partition;
+pub mod polynomial;
+pub mod root;
+pub mod sequence;
+pub mod wide;
+
+pub use number::{Number, ParseNumberError};
+
+/// Unit roundoff of `f64`: half the distance from 1 to the next double.
+pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;

@@ -1,0 +1,20 @@
+//! Pictures of finished results: the bifurcation diagram of an atlas, Poincaré sections, maps, charts and schemes, as SVG,
+//! PNG and, with the feature `pdf`, PDF.
+//!
+//! What is drawn of an atlas comes from [`schema`] alone, what is drawn of a section from its portrait and its crossings;
+//! nothing is computed here that these do not say already. Every picture is drawn on a `page`, which knows nothing of what
+//! it shows, and becomes a [`Picture`].
+
+mod chart;
+mod diagram;
+mod map;
+mod page;
+mod schematic;
+mod section;
+
+pub use chart::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
+pub use diagram::{CurveSource, DiagramOptions, draw};
+pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
+pub use page::{Picture, PlotError};
+pub use schematic::{Scheme, draw_scheme};
+pub use section::{OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows};

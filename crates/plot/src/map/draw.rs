@@ -1,0 +1,151 @@
+//! The drawing.
+
+use super::colors::fill;
+use super::legend::{Legend, SIZE, SMALL, line_pattern};
+use super::model::{Map, MapBodies, MapLine, MapNote};
+use super::places::widest;
+use crate::page::{
+    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Picture, PlotError, Point, Rect, draw_axes, is_proper, pattern,
+    render, text_width, ticks,
+};
+
+const SIDE: f64 = 560.0;
+const LEFT: f64 = 64.0;
+const TOP: f64 = 64.0;
+const BELOW: f64 = 56.0;
+/// Between map and legend, and behind the legend.
+const GAP: f64 = 26.0;
+/// A mark needs so many pixels of room on each side.
+const ROOM: f64 = 8.0;
+
+/// Where parameters lie on the page.
+struct View {
+    x: [f64; 2],
+    y: [f64; 2],
+    rect: Rect,
+}
+
+impl View {
+    fn at(&self, [x, y]: [f64; 2]) -> Point {
+        let share = |value: f64, [from, to]: [f64; 2]| (value - from) / (to - from);
+        let rect = &self.rect;
+        [rect.x + share(x, self.x) * rect.width, rect.y + rect.height * (1.0 - share(y, self.y))]
+    }
+}
+
+/// Draws a map.
+///
+/// # Errors
+/// [`PlotError::EmptyWindow`] when a range is empty, else what the drawing library reports.
+pub fn draw_map(map: &Map) -> Result<Picture, PlotError> {
+    if !is_proper(map.x.range) || !is_proper(map.y.range) {
+        return Err(PlotError::EmptyWindow { h: map.x.range, l: map.y.range });
+    }
+    let legend = Legend::new(map);
+    let width = LEFT + SIDE + GAP + legend.width() + GAP;
+    let height = TOP + (SIDE + BELOW).max(legend.height() + 10.0);
+    let rect = Rect { x: LEFT, y: TOP, width: SIDE, height: SIDE };
+    let view = View { x: map.x.range, y: map.y.range, rect };
+    render([width.ceil(), height.ceil()], &map.title, |canvas| {
+        canvas.text(&map.title, [LEFT, 24.0], 15.0, INK, Anchor::Start);
+        canvas.text(&map.subtitle, [LEFT, 41.0], SIZE, FAINT_INK, Anchor::Start);
+        bodies(canvas, map, &view);
+        for line in &map.lines {
+            draw_line(canvas, line, &view);
+        }
+        marks(canvas, map, &view);
+        axes(canvas, map, &view);
+        legend.draw(canvas, [LEFT + SIDE + GAP, TOP]);
+    })
+}
+
+fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) {
+    match &map.bodies {
+        MapBodies::Grid { columns, entries } => {
+            let rows = entries.len() / (*columns).max(1);
+            let (wide, high) = (view.rect.width / *columns as f64, view.rect.height / rows.max(1) as f64);
+            for row in 0..rows {
+                let line = &entries[row * columns..(row + 1) * columns];
+                let mut from = 0;
+                while from < *columns {
+                    let to = from + line[from..].iter().take_while(|entry| **entry == line[from]).count();
+                    // A little over the edge, so that no seam shows.
+                    let more = |edge: bool| if edge { 0.0 } else { 1.0 };
+                    let left = view.rect.x + from as f64 * wide;
+                    let right = view.rect.x + to as f64 * wide + more(to == *columns);
+                    let bottom = view.rect.bottom() - row as f64 * high;
+                    let top = bottom - high - more(row + 1 == rows);
+                    let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
+                    canvas.polygon(&corners, fill(line[from]));
+                    from = to;
+                }
+            }
+        }
+        MapBodies::Points(points) => {
+            let radius = (0.4 * SIDE / (points.len().max(1) as f64).sqrt()).clamp(0.8, 6.0);
+            for (at, entry) in points {
+                canvas.disc(view.at(*at), radius, fill(*entry));
+            }
+        }
+    }
+}
+
+/// A line as far as it lies in the map.
+fn draw_line(canvas: &Canvas<'_>, line: &MapLine, view: &View) {
+    let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
+    for run in points.split(|point| view.rect.nearest(*point) != *point) {
+        pattern::draw(canvas, run, &line_pattern(line.dashed), 1.2);
+    }
+}
+
+/// The marks of the entries where there is room, and the notes.
+fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) {
+    if let MapBodies::Grid { columns, entries } = &map.bodies {
+        let rows = (entries.len() / (*columns).max(1)).max(1);
+        let (wide, high) = (view.rect.width / *columns as f64, view.rect.height / rows as f64);
+        for (entry, place) in map.entries.iter().zip(widest(*columns, entries, map.entries.len())) {
+            let Some((column, row, half)) = place else { continue };
+            let needed = (0.5 * text_width(&entry.mark, SIZE) + 2.0).max(ROOM);
+            if half * wide >= needed && half * high >= ROOM {
+                let at = [view.rect.x + column * wide, view.rect.bottom() - row * high];
+                canvas.text(&entry.mark, [at[0], at[1] + 0.36 * SIZE], SIZE, INK, Anchor::Middle);
+            }
+        }
+    }
+    for note in &map.notes {
+        draw_note(canvas, note, view);
+    }
+}
+
+fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) {
+    const RING: f64 = 4.5;
+    let place = view.at(note.at);
+    let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
+    let [left, right] = [view.rect.x, view.rect.right()];
+    let wanted = match note.ring {
+        false => place[0],
+        true if place[0] + 2.0 * RING + 2.0 * half <= right => place[0] + 2.0 * RING + half,
+        true => place[0] - 2.0 * RING - half,
+    };
+    // Inside of the map, as far as the text fits.
+    let at = [wanted.min(right - half).max(left + half), place[1]];
+    let (left, right) = (at[0] - half, at[0] + half);
+    let (top, bottom) = (at[1] - 0.5 * SMALL - 2.0, at[1] + 0.5 * SMALL + 2.0);
+    canvas.polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]], PAPER);
+    canvas.text(&note.text, [at[0], at[1] + 0.36 * SMALL], SMALL, INK, Anchor::Middle);
+    if note.ring {
+        canvas.ring(place, RING, Ink { color: INK, width: 1.4 });
+    }
+}
+
+fn axes(canvas: &Canvas<'_>, map: &Map, view: &View) {
+    let rect = &view.rect;
+    let x_ticks = ticks(&map.x.name, view.x[0], view.x[1], 8);
+    let y_ticks = ticks(&map.y.name, view.y[0], view.y[1], 10);
+    let [x, y] = [(view.x, &x_ticks), (view.y, &y_ticks)].map(|(range, ticks)| Axis { range, ticks });
+    draw_axes(canvas, rect, [BELOW - 10.0, LEFT], [x, y]);
+    let below = [rect.x + 0.5 * rect.width, rect.bottom() + 38.0];
+    canvas.text(&x_ticks.quantity, below, 12.5, INK, Anchor::Middle);
+    let beside = (rect.x - 10.0 - text_width(&y_ticks.quantity, 12.5)).max(6.0);
+    canvas.text(&y_ticks.quantity, [beside, rect.y - 9.0], 12.5, INK, Anchor::Start);
+}

@@ -1,0 +1,29 @@
+//! Schematic pictures of what a section is: nothing in them is computed from a body.
+
+use crate::page::{Picture, PlotError};
+mod cylinder;
+mod shapes;
+mod sheets;
+
+/// A schematic picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scheme {
+    /// Sheets by the sign of Ṡ overlap in projection; sheets by the sign of Δ do not.
+    Sheets,
+    /// Orbits near a point of tangency meet one sheet only.
+    BothSheetsNeeded,
+    /// The sphere without its poles is a cylinder with two polar circles.
+    Cylinder,
+}
+
+/// Draws a scheme. Equal arguments give equal bytes.
+///
+/// # Errors
+/// A failure of the drawing library.
+pub fn draw_scheme(scheme: Scheme) -> Result<Picture, PlotError> {
+    match scheme {
+        Scheme::Sheets => sheets::both_divisions(),
+        Scheme::BothSheetsNeeded => sheets::near_tangency(),
+        Scheme::Cylinder => cylinder::draw(),
+    }
+}

@@ -1,0 +1,74 @@
+//! What the shades and lines of a section are.
+
+use plotters::style::RGBColor;
+
+use super::ground::{BOUNDARY, INCOMING, OUTGOING, POLAR, TANGENCY, pole_marker};
+use super::path::{Path, hex, stroke};
+use super::scene::{Projection, SectionScene};
+use crate::page::{Ink, Legend, Page, Rect};
+use dynamics::section::SectionCondition;
+
+const SAMPLE: f64 = 26.0;
+const LEFT: f64 = 56.0;
+const RIGHT: f64 = 20.0;
+
+/// What is explained.
+pub(super) enum Symbol {
+    Shade(RGBColor),
+    Line(Ink),
+    /// +r̂ (1) or −r̂.
+    Pole(i8),
+}
+
+/// What the sections need explained, on a page of this width.
+pub(super) fn legend(scenes: &[SectionScene<'_>], projection: Projection, width: f64) -> Legend<Symbol> {
+    let mut entries = vec![
+        (Symbol::Shade(INCOMING), "Ṡ < 0, incoming".to_owned()),
+        (Symbol::Shade(OUTGOING), "Ṡ > 0, outgoing".to_owned()),
+        (Symbol::Line(TANGENCY), "Ṡ = 0, tangency".to_owned()),
+    ];
+    if scenes.iter().any(|scene| !scene.portrait.boundary().is_empty()) {
+        let boundary = match scenes[0].portrait.condition() {
+            SectionCondition::Height => "∂U",
+            SectionCondition::AngularMomentum => "boundary of the projection",
+        };
+        entries.push((Symbol::Line(BOUNDARY), boundary.to_owned()));
+    }
+    let poles = [1, -1].map(|sign| scenes.iter().any(|scene| scene.portrait.has_pole(sign)));
+    if projection != Projection::Torus {
+        for (_, (sign, name)) in poles.into_iter().zip([(1, "+r̂"), (-1, "−r̂")]).filter(|(any, _)| *any) {
+            entries.push((Symbol::Pole(sign), format!("{name}, accessible")));
+        }
+    }
+    if projection != Projection::Sphere && poles.contains(&true) {
+        let pole = "accessible polar circle (above +r̂, below −r̂), T⁻ and T⁺ glued with ψ′ + π";
+        entries.push((Symbol::Line(POLAR), pole.to_owned()));
+    }
+    Legend::new(entries, |_| SAMPLE, width - LEFT - RIGHT)
+}
+
+/// Draws a legend below `top`.
+pub(super) fn draw(legend: &Legend<Symbol>, page: &mut Page, top: f64) {
+    for (symbol, [x, middle]) in legend.symbols([LEFT, top]) {
+        let mut path = Path::default();
+        match symbol {
+            Symbol::Shade(color) => {
+                let swatch = Rect { x, y: middle - 6.0, width: SAMPLE, height: 12.0 };
+                path.line(&swatch.corners(), true);
+                path.draw(page, &format!("fill=\"{}\" stroke=\"#8A8A8A\" stroke-width=\"5\"", hex(*color)));
+            }
+            Symbol::Line(ink) => {
+                path.line(&[[x, middle], [x + SAMPLE, middle]], false);
+                path.draw(page, &stroke(*ink));
+            }
+            Symbol::Pole(_) => {}
+        }
+    }
+    page.paint(|canvas| {
+        legend.draw(canvas, [LEFT, top], |symbol, [x, middle]| {
+            if let Symbol::Pole(sign) = symbol {
+                pole_marker(canvas, *sign, [x + SAMPLE / 2.0, middle]);
+            }
+        });
+    });
+}

@@ -1,0 +1,80 @@
+//! Pictures of Poincaré sections: both sheets side by side, with the accessible part shaded by the sign of Ṡ, its
+//! boundary, the line of tangency, the poles, and the crossings of orbits.
+//!
+//! A [`SectionScene`] is a [`Portrait`] with orbits; `layout` gives each sheet of each chart its panel, `ground` draws
+//! what the portrait says, `points` the crossings, as vectors or as an image, and `legend` tells what is what.
+
+mod colors;
+mod ground;
+mod layout;
+mod legend;
+mod path;
+mod points;
+mod raster;
+mod scene;
+
+pub use scene::{OrbitValues, Projection, SectionOptions, SectionScene};
+
+use crate::page::{Anchor, INK, Page, Picture, PlotError, body};
+use colors::Coloring;
+use dynamics::section::{Portrait, SectionCondition};
+use layout::Layout;
+
+/// The most sections on one page.
+const SCENES_MAX: usize = 64;
+const TITLE_SIZE: f64 = 14.0;
+
+/// Draws one section. Equal arguments give equal bytes.
+///
+/// # Errors
+/// As [`draw_section_rows`].
+pub fn draw_section(scene: &SectionScene<'_>, options: &SectionOptions) -> Result<Picture, PlotError> {
+    draw_section_rows(std::slice::from_ref(scene), options)
+}
+
+/// Draws sections below each other, with one legend and one colour scale.
+///
+/// # Errors
+/// [`PlotError::Scenes`] for no section or too many, [`PlotError::Values`] if there is not a value for each orbit, or
+/// a failure of the drawing library.
+pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) -> Result<Picture, PlotError> {
+    if scenes.is_empty() || scenes.len() > SCENES_MAX {
+        return Err(PlotError::Scenes { given: scenes.len(), most: SCENES_MAX });
+    }
+    for scene in scenes {
+        if let Some(values) = scene.values.filter(|values| values.values.len() != scene.orbits.len()) {
+            let (label, orbits) = (values.label.to_owned(), scene.orbits.len());
+            return Err(PlotError::Values { label, values: values.values.len(), orbits });
+        }
+    }
+    let coloring = Coloring::new(scenes);
+    let layout = Layout::new(scenes, options.projection, coloring.bar.is_some());
+    let legend = legend::legend(scenes, options.projection, layout.width);
+    let title = options.title.clone().unwrap_or_else(|| body_line(scenes[0].portrait));
+    let mut page = Page::new([layout.width, (layout.bottom + legend.height() + 10.0).ceil()]);
+    page.element("<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>");
+    let style = points::Style::new(scenes, options);
+    for panel in &layout.panels {
+        let scene = &scenes[panel.scene];
+        ground::shade(&mut page, scene.portrait, panel);
+        points::draw(&mut page, scene, panel, &coloring, &style)?;
+        ground::outline(&mut page, scene.portrait, panel);
+    }
+    page.paint(|canvas| canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start));
+    layout.draw_captions(&mut page, scenes);
+    if let Some(bar) = &coloring.bar {
+        bar.draw(&mut page, layout.bar());
+    }
+    legend::draw(&legend, &mut page, layout.bottom);
+    page.finish(&title)
+}
+
+/// The body of a portrait in a line, and its condition if it is not the usual one.
+fn body_line(portrait: &Portrait) -> String {
+    let top = portrait.torus().top();
+    let body = body(&top.moments(), &top.center());
+    match portrait.condition() {
+        SectionCondition::Height => body,
+        SectionCondition::AngularMomentum => format!("{body},  S = ⟨l, γ×r⟩"),
+    }
+}

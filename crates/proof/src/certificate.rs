@@ -1,0 +1,208 @@
+//! The certificate of a proved atlas.
+
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+
+use super::CertifiedAtlas;
+use super::arrange::{STAGES, Source};
+use super::curves::{Place, Shape};
+use super::family::Half;
+use super::pair::{Mark, Proof};
+use super::point::Evaluator;
+use numbers::decimal;
+use numbers::enclosure::{Enclosure, Narrow};
+use numbers::wide::Wide;
+use schema::{
+    CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
+    CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
+};
+use top::curves::{BranchName, CurveId, CurveName, End, Pole};
+use top::table::Id;
+
+/// Digits of isolating ranges.
+const ROOT_DIGITS: usize = 40;
+/// Digits of the places of nodes.
+const NODE_DIGITS: usize = 24;
+
+impl CertifiedAtlas {
+    /// Name of a curve.
+    pub(super) fn name(&self, curve: CurveId) -> CurveName {
+        let curve = &self.arrangement.curves.list[curve];
+        CurveName::on(BranchName::of(&self.frame, curve.branch), curve.piece)
+    }
+
+    fn id(&self, curve: CurveId) -> String {
+        self.name(curve).to_string()
+    }
+
+    /// The certificate, without its checksum.
+    #[must_use]
+    pub fn certificate(&self) -> CertificateDocument {
+        let a = &self.arrangement;
+        let names = |list: &[CurveId]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
+        let narrow = Evaluator::<Narrow>::new(&a.model, &a.curves, &[], ());
+        let wide = Evaluator::<Wide>::new(&a.model, &a.curves, &[], STAGES[1]);
+        let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
+        let energy = unit(self.frame.energy_unit);
+        let moment = unit(self.frame.momentum_unit) * unit(self.frame.momentum_unit) / &energy;
+        CertificateDocument {
+            units: CertificateUnits { moment: decimal::exact(&moment), energy: decimal::exact(&energy) },
+            bits: self.bits(),
+            cusps: a
+                .curves
+                .cusps
+                .iter()
+                .map(|cusp| CertifiedCusp { place: root(&cusp.place), curves: cusp.curves.map(|c| self.id(c)) })
+                .collect(),
+            inflection: a.curves.inflection.as_ref().map(|(_, place)| root(place)),
+            meetings: a
+                .meetings
+                .iter()
+                .map(|meeting| CertifiedMeeting {
+                    pole: if meeting.pole == Pole::Plus { "+" } else { "-" }.to_owned(),
+                    place: root(&meeting.place),
+                    curves: names(&meeting.curves),
+                    touch: meeting.touch,
+                })
+                .collect(),
+            pairs: a
+                .pairs
+                .iter()
+                .map(|pair| CertifiedPair {
+                    curves: pair.curves.map(|c| self.id(c)),
+                    stretches: pair
+                        .stretches
+                        .iter()
+                        .map(|stretch| CertifiedStretch {
+                            from: self.node(&narrow, &wide, pair.curves, stretch.x[0], 0),
+                            to: self.node(&narrow, &wide, pair.curves, stretch.x[1], 1),
+                            sign: stretch.sign,
+                            crossing: match stretch.proof {
+                                Proof::Crossing(x) => {
+                                    Some(x.map(|x| self.node(&narrow, &wide, pair.curves, Mark::At(x), 0)))
+                                }
+                                Proof::Constant(_) => None,
+                            },
+                        })
+                        .collect(),
+                })
+                .collect(),
+            events: a
+                .events
+                .iter()
+                .map(|event| CertifiedEvent {
+                    sources: event
+                        .sources
+                        .iter()
+                        .map(|source| match source {
+                            Source::Cusp(n) => format!("cusp:{}", n.index()),
+                            Source::Pitchfork(n) => format!("pitchfork:{}", n.index()),
+                            Source::Pole(n) => format!("meeting:{}", n.index()),
+                            Source::Crossing(_) => "crossing".to_owned(),
+                        })
+                        .collect(),
+                    curves: names(&event.curves),
+                    x: decimal::outward(&widened(&event.x), NODE_DIGITS),
+                    h: decimal::outward(&event.h.map(super::region::exact), NODE_DIGITS),
+                })
+                .collect(),
+            transitions: a.transitions.iter().map(|group| group.iter().map(|e| e.index()).collect()).collect(),
+            slabs: a.slabs.iter().map(|slab| self.slab(&narrow, &wide, slab)).collect(),
+            samples: self
+                .regions
+                .pairs()
+                .filter_map(|(id, region)| {
+                    let sample = region.sample.as_ref()?;
+                    let h = decimal::exact(&super::region::exact(sample.h));
+                    Some(CertifiedSample { region: id.to_string(), slab: sample.cell.slab.index(), h })
+                })
+                .collect(),
+            checksum: String::new(),
+        }
+    }
+
+    fn slab(
+        &self,
+        narrow: &Evaluator<'_, Narrow>,
+        wide: &Evaluator<'_, Wide>,
+        slab: &super::arrange::Slab,
+    ) -> CertifiedSlab {
+        let curves = slab.order.iter().zip(&slab.region_above).map(|(&curve, region)| CertifiedHeight {
+            curve: self.id(curve),
+            place: place_over(narrow, curve, &slab.x).or_else(|| place_over(wide, curve, &slab.x)),
+            region: region.to_string(),
+        });
+        CertifiedSlab { x: decimal::exact(&slab.x), curves: curves.collect() }
+    }
+
+    /// A node of a pair; `side` tells which end of the common range an unmarked one is.
+    fn node(
+        &self,
+        narrow: &Evaluator<'_, Narrow>,
+        wide: &Evaluator<'_, Wide>,
+        curves: [CurveId; 2],
+        mark: Mark,
+        side: usize,
+    ) -> CertifiedNode {
+        if let Mark::At(x) = mark {
+            let x = super::region::exact(x);
+            let places = curves.map(|c| place_over(narrow, c, &x).or_else(|| place_over(wide, c, &x)));
+            let [Some(p), Some(q)] = places else { return CertifiedNode { x: Some(decimal::exact(&x)), places: None } };
+            return CertifiedNode { x: Some(decimal::exact(&x)), places: Some([p, q]) };
+        }
+        CertifiedNode { x: None, places: self.end_places(wide, curves, side) }
+    }
+
+    /// Places at the beginning or end of the common range, where one curve ends and the other goes on.
+    fn end_places(&self, wide: &Evaluator<'_, Wide>, curves: [CurveId; 2], side: usize) -> Option<[PlaceDocument; 2]> {
+        let ends = curves.map(|c| self.arrangement.curves.list[c].ends[side]);
+        if ends[0] == ends[1] {
+            return None;
+        }
+        let reach = |which: usize| match ends[which] {
+            End::Cusp(_) | End::Pitchfork(_) => wide.end_x(curves[which], side),
+            _ => None,
+        };
+        let x = [reach(0), reach(1)];
+        let ending = match &x {
+            [Some(p), Some(q)] => usize::from(p.is_below(q) == (side == 0)),
+            [Some(_), None] => 0,
+            _ => 1,
+        };
+        let end = wide.end_point(curves[ending], side)?;
+        let opposite = wide.point(curves[1 - ending], &end.x)?;
+        // The place opposite must hold x of the whole range in which the end is isolated.
+        let (p, q) = (document(&end.place?, ROOT_DIGITS)?, document(&opposite.place?, NODE_DIGITS)?);
+        Some(if ending == 0 { [p, q] } else { [q, p] })
+    }
+}
+
+/// A little room, so that a second arithmetic with roundings of its own can confirm the enclosure.
+fn widened([lo, hi]: &[RBig; 2]) -> [RBig; 2] {
+    let room = hi / RBig::from(IBig::ONE << 80);
+    [lo - &room, hi + room]
+}
+
+/// Where a curve of a family stands over x.
+fn place_over<E: Enclosure>(evaluator: &Evaluator<'_, E>, curve: CurveId, x: &RBig) -> Option<PlaceDocument> {
+    let Shape::Family(_) = evaluator.curves.list[curve].shape else { return None };
+    let point = evaluator.point(curve, &E::rational(x, evaluator.c.precision))?;
+    document(point.place.as_ref()?, NODE_DIGITS)
+}
+
+fn document<E: Enclosure>((half, y): &(Half, E), digits: usize) -> Option<PlaceDocument> {
+    Some(of_half(*half, decimal::outward(&y.exact_bounds()?, digits)))
+}
+
+fn root(place: &Place) -> PlaceDocument {
+    of_half(place.half, decimal::outward(&[place.lo.clone(), place.hi.clone()], ROOT_DIGITS))
+}
+
+fn of_half(half: Half, y: [String; 2]) -> PlaceDocument {
+    let (base, side) = match half {
+        Half::Generic { base, sign: 1 } => (base, "+"),
+        Half::Generic { base, .. } => (base, "-"),
+        Half::Over { group } => (group, "over"),
+    };
+    PlaceDocument { base, side: side.to_owned(), y }
+}

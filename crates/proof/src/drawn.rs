@@ -1,0 +1,151 @@
+//! A proved atlas in the terms of the `f64` one: its curves, and events and regions as proved.
+
+use super::arrange::{Event, Source};
+use super::curves::Curves;
+use super::id::TransitionId;
+use super::{CertifiedAtlas, NotWritten};
+use numbers::decimal;
+use numbers::enclosure::Enclosure;
+use numbers::wide::Wide;
+use schema::EnclosureDocument;
+use top::atlas::{self, Atlas};
+use top::curves::{CriticalSet, CurveId};
+use top::diagram::{self, Arrangement, Cell, Change, EventId};
+use top::table::Table;
+use top::topology::merge::MergeError;
+
+/// Bits and digits of the enclosures of l.
+const BITS: usize = 160;
+const DIGITS: usize = 24;
+
+impl CertifiedAtlas {
+    /// The atlas in the standard program's terms, whose curves are only drawn, with everything that is decided taken
+    /// from the proof.
+    ///
+    /// # Errors
+    /// [`NotWritten`] when the curves in `f64`, which give the polylines, are not those that are proved.
+    pub fn drawn(&self) -> Result<Atlas, NotWritten> {
+        let set = CriticalSet::new(self.frame.clone()).map_err(NotWritten::Equilibria)?;
+        let proved = &self.arrangement;
+        let map: Option<Table<CurveId, CurveId>> = proved
+            .curves
+            .list
+            .iter()
+            .map(|curve| {
+                let same = |c: &CurveId| set.curves[*c].branch == curve.branch && set.curves[*c].piece == curve.piece;
+                set.curves.ids().find(same)
+            })
+            .collect();
+        let map = map.filter(|map| map.len() == set.curves.len()).ok_or(NotWritten::Curves)?;
+        let double = |x: &dashu_ratio::RBig| x.to_f64().value();
+        let events = proved.transitions.iter().flatten().flat_map(|&number| {
+            let event = &proved.events[number];
+            let x = 0.5 * (double(&event.x[0]) + double(&event.x[1]));
+            let (h, h_error) = (0.5 * (event.h[0] + event.h[1]), event.h[1] - event.h[0]);
+            let x_error = (double(&event.x[1]) - double(&event.x[0])).max(f64::EPSILON * x);
+            let map = &map;
+            event.sources.iter().map(move |source| diagram::Event {
+                change: change(&proved.curves, event, source, map),
+                x,
+                x_error,
+                h,
+                h_error: h_error.max(f64::EPSILON * h.abs()),
+            })
+        });
+        let events: Table<EventId, diagram::Event> = events.collect();
+        let middle = |transition: TransitionId| {
+            let event = &proved.events[proved.transitions[transition][0]];
+            0.5 * (double(&event.x[0]) + double(&event.x[1]))
+        };
+        let slabs = proved.slabs.pairs().map(|(number, slab)| diagram::Slab {
+            x: [
+                TransitionId::at_start(number).map_or(0.0, middle),
+                Some(TransitionId::at_end(number))
+                    .filter(|t| proved.transitions.get(*t).is_some())
+                    .map_or(f64::INFINITY, middle),
+            ],
+            order: slab.order.iter().map(|&c| map[c]).collect(),
+            region_above: slab.region_above.clone(),
+        });
+        let regions = self.regions.iter().map(|region| {
+            let Cell { slab, position } = region.cells[0];
+            let sample = region.sample.as_ref().map_or_else(
+                || {
+                    let strip = &proved.slabs[slab];
+                    let h = strip.heights[position][1];
+                    atlas::Sample {
+                        x: double(&strip.x),
+                        h,
+                        margin: 0.0,
+                        error: 0.0,
+                        nearest: map[strip.order[position]],
+                    }
+                },
+                |sample| {
+                    let strip = &proved.slabs[sample.cell.slab];
+                    let nearest = map[strip.order[sample.cell.position]];
+                    atlas::Sample { x: double(&strip.x), h: sample.h, margin: sample.margin, error: 0.0, nearest }
+                },
+            );
+            atlas::Region {
+                cells: region.cells.clone(),
+                sample,
+                components: region.components.clone().map_err(|_unproved| MergeError::UnknownOrder),
+            }
+        });
+        let arrangement = Arrangement {
+            slabs: slabs.collect(),
+            region_count: proved.region_count,
+            events,
+            undecided: Vec::new(),
+            evaluations: 0,
+            set,
+        };
+        Ok(Atlas::of_parts(self.body.clone(), arrangement, regions.collect()))
+    }
+
+    /// Proved bounds of the events, in the order in which [`Self::drawn`] has them.
+    #[must_use]
+    pub fn enclosures(&self) -> Vec<EnclosureDocument> {
+        let of_event = |&number: &EventId| {
+            let event = &self.arrangement.events[number];
+            std::iter::repeat_n(self.enclosure(event), event.sources.len())
+        };
+        self.arrangement.transitions.iter().flatten().flat_map(of_event).collect()
+    }
+
+    fn enclosure(&self, event: &Event) -> EnclosureDocument {
+        let x = Wide::rational(&event.x[0], BITS).hull(&Wide::rational(&event.x[1], BITS));
+        let l = (Wide::small(2, BITS) * x).sqrt() * Wide::double(self.frame.momentum_unit, BITS);
+        let h = Wide::double(event.h[0], BITS).hull(&Wide::double(event.h[1], BITS))
+            * Wide::double(self.frame.energy_unit, BITS);
+        let text = |set: &Wide| {
+            let bounds = set.exact_bounds();
+            bounds.map_or(["-inf".to_owned(), "inf".to_owned()], |bounds| decimal::outward(&bounds, DIGITS))
+        };
+        EnclosureDocument { l: text(&l), h: text(&h) }
+    }
+}
+
+/// What an event does, in the standard program's terms.
+fn change(curves: &Curves, event: &Event, source: &Source, map: &Table<CurveId, CurveId>) -> Change {
+    match source {
+        Source::Cusp(number) => {
+            let cusp = &curves.cusps[*number];
+            let pair = cusp.curves.map(|c| map[c]);
+            if cusp.opens { Change::Birth(pair) } else { Change::Death(pair) }
+        }
+        Source::Pitchfork(number) => {
+            let fork = &curves.pitchforks[*number];
+            let (through, pair) = (fork.through.map(|c| map[c]), map[fork.pair]);
+            if fork.opens { Change::Open { through, pair } } else { Change::Close { through, pair } }
+        }
+        Source::Crossing(pair) => Change::Swap(pair.map(|c| map[c])),
+        Source::Pole(_) => {
+            let line = event.curves.iter().copied().find(|&c| curves.list[c].pole.is_some());
+            let other = event.curves.iter().copied().find(|&c| Some(c) != line && curves.list[c].pole.is_none());
+            let fallback = event.curves[0];
+            Change::Swap([map[other.unwrap_or(fallback)], map[line.unwrap_or(fallback)]])
+        }
+    }
+}

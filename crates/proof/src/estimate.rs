@@ -1,0 +1,103 @@
+//! Plain `f64` in the place of intervals: for guesses, which are proved afterwards.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use dashu_ratio::RBig;
+
+use numbers::enclosure::Enclosure;
+
+/// A rounded number that encloses nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Estimate(pub f64);
+
+impl Add for Estimate {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Sub for Estimate {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0)
+    }
+}
+
+impl Neg for Estimate {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Mul for Estimate {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl Div for Estimate {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Self(self.0 / other.0)
+    }
+}
+
+impl Enclosure for Estimate {
+    type Precision = ();
+
+    fn rational(value: &RBig, (): ()) -> Self {
+        Self(value.to_f64().value())
+    }
+
+    fn double(value: f64, (): ()) -> Self {
+        Self(value)
+    }
+
+    fn sqrt(&self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    fn square(&self) -> Self {
+        Self(self.0 * self.0)
+    }
+
+    fn sign(&self) -> Option<i8> {
+        self.0.partial_cmp(&0.0).map(|order| order as i8)
+    }
+
+    fn hull(&self, _: &Self) -> Self {
+        *self
+    }
+
+    fn meet(&self, _: &Self) -> Self {
+        *self
+    }
+
+    fn lower(&self) -> Self {
+        *self
+    }
+
+    fn upper(&self) -> Self {
+        *self
+    }
+
+    fn middle(&self) -> Self {
+        *self
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [self.0; 2]
+    }
+
+    fn exact_bounds(&self) -> Option<[RBig; 2]> {
+        let value = RBig::try_from(self.0).ok()?;
+        Some([value.clone(), value])
+    }
+
+    fn resolution((): ()) -> f64 {
+        f64::EPSILON
+    }
+}

@@ -1,0 +1,221 @@
+//! Points of the families of relative equilibria, enclosed (Theorem 3.2 and Theorem 3.3 of docs/mathematics.md).
+//!
+//! A family is cut into halves, on each of which a coordinate y ≥ 0 measures the exact distance from its base:
+//! |μ − a_base| on the generic family, v − P̂ with v = s² over a group without r. However small y is, nothing cancels.
+
+use super::model::{Constants, Model};
+use numbers::enclosure::Enclosure;
+
+/// A half of a family with its coordinate y > 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Half {
+    /// μ = a_base + sign · y.
+    Generic { base: usize, sign: i8 },
+    /// v = s² = P̂ + y over a group that carries no r.
+    Over { group: usize },
+}
+
+/// A relative equilibrium, or all of them over a range of y.
+#[derive(Clone, Debug)]
+pub(super) struct State<E: Enclosure> {
+    /// γ along the first axis of each group.
+    pub gamma: Vec<E>,
+    pub j: E,
+    /// ⟨γ, r⟩.
+    pub rho: E,
+    /// x = l²/2 = s J²/2.
+    pub x: E,
+    /// μ − a_k.
+    pub tau: Vec<E>,
+    /// d ln x / dy.
+    pub log_slope: E,
+    /// dJ/dy.
+    pub j_slope: E,
+}
+
+impl<E: Enclosure> State<E> {
+    /// The state at y (> 0; 0 too over a group without r).
+    pub fn at(model: &Model, c: &Constants<E>, half: Half, y: &E) -> Self {
+        match half {
+            Half::Generic { base, sign } => Self::generic(model, c, base, sign, y),
+            Half::Over { group } => Self::over(model, c, group, y),
+        }
+    }
+
+    fn generic(model: &Model, c: &Constants<E>, base: usize, sign: i8, y: &E) -> Self {
+        let zero = c.small(0);
+        let delta = if sign > 0 { y.clone() } else { -y.clone() };
+        let n = model.groups.len();
+        let tau: Vec<E> =
+            (0..n).map(|k| if k == base { delta.clone() } else { delta.clone() + c.diff[base][k].clone() }).collect();
+        // Scaled by τ_base², which alone may be small: weights q_k (τ_base/τ_k)².
+        let lead = tau[base].clone();
+        let ratio: Vec<Option<E>> = (0..n)
+            .map(|k| {
+                let carries = model.active.contains(&k);
+                carries.then(|| if k == base { c.small(1) } else { lead.clone() / tau[k].clone() })
+            })
+            .collect();
+        let weight: Vec<Option<E>> = (0..n).map(|k| ratio[k].as_ref().map(|t| c.q[k].clone() * t.square())).collect();
+        let total = sum(weight.iter().flatten().cloned(), &zero);
+        // s = √P = √total / |τ_base|.
+        let root = total.sqrt();
+        let distance = y.clone();
+        let s = root.clone() / distance.clone();
+        let w: Vec<E> = weight.iter().map(|g| g.as_ref().map_or(zero.clone(), |g| g.clone() / total.clone())).collect();
+        let oriented = |e: E| if sign > 0 { e } else { -e };
+        let gamma: Vec<E> = (0..n)
+            .map(|k| {
+                let Some(t) = &ratio[k] else { return zero.clone() };
+                oriented(c.root_q[k].clone() * t.clone() / root.clone())
+            })
+            .collect();
+        let j = mean(&w, c);
+        let rho = sum((0..n).map(|k| gamma[k].clone() * c.root_q[k].clone()), &zero);
+        let x = s.clone() * j.square() * half::<E>(c);
+        // T and V, times τ_base.
+        let mean_ratio = sum((0..n).filter_map(|k| ratio[k].as_ref().map(|t| w[k].clone() * t.clone())), &zero);
+        let mut spread = zero.clone();
+        for i in 0..n {
+            for k in i + 1..n {
+                if let (Some(p), Some(q)) = (&ratio[i], &ratio[k]) {
+                    let d = c.diff[i][k].square();
+                    // w w d²/(τ_i τ_k) · τ_base = w w d² ratio_i / τ_k; the division by what is not small.
+                    let (num, den) = if i == base { (p, &tau[k]) } else { (q, &tau[i]) };
+                    spread = spread + w[i].clone() * w[k].clone() * d * num.clone() / den.clone();
+                }
+            }
+        }
+        // d ln x/dy = sign · d ln x/dμ = −sign (T + 4V/J).
+        let bracket = mean_ratio + c.small(4) * spread.clone() / j.clone();
+        let log_slope = -(bracket / distance.clone());
+        let j_slope = -(c.small(2) * spread / distance);
+        Self { gamma, j, rho, x, tau, log_slope, j_slope }
+    }
+
+    fn over(model: &Model, c: &Constants<E>, group: usize, y: &E) -> Self {
+        let zero = c.small(0);
+        let n = model.groups.len();
+        let (r_sum, p_sum) = c.sums[group].clone().unwrap_or((zero.clone(), zero.clone()));
+        let v = p_sum + y.clone();
+        let s = v.sqrt();
+        let gamma: Vec<E> = (0..n)
+            .map(|k| {
+                if k == group {
+                    (y.clone() / v.clone()).sqrt()
+                } else if model.active.contains(&k) {
+                    c.root_q[k].clone() / (s.clone() * c.diff[group][k].clone())
+                } else {
+                    zero.clone()
+                }
+            })
+            .collect();
+        let shift = r_sum.clone() / v.clone();
+        let j = c.a[group].clone() - shift.clone();
+        let rho = r_sum / s.clone();
+        let x = s.clone() * j.square() * half::<E>(c);
+        let tau = (0..n).map(|k| c.diff[group][k].clone()).collect();
+        // x = √v J²/2: d ln x/dv = (1/2 + 2(R̂/v)/J)/v, dJ/dv = (R̂/v)/v.
+        let log_slope = (half::<E>(c) + c.small(2) * shift.clone() / j.clone()) / v.clone();
+        let j_slope = shift / v;
+        Self { gamma, j, rho, x, tau, log_slope, j_slope }
+    }
+
+    /// h = x/J − ρ.
+    pub fn h(&self) -> E {
+        self.x.clone() / self.j.clone() - self.rho.clone()
+    }
+
+    /// d(1/J)/dx.
+    pub fn curvature(&self) -> E {
+        -(self.j_slope.clone() / (self.j.square() * self.x.clone() * self.log_slope.clone()))
+    }
+}
+
+fn half<E: Enclosure>(c: &Constants<E>) -> E {
+    E::double(0.5, c.precision)
+}
+
+fn sum<E: Enclosure>(terms: impl Iterator<Item = E>, zero: &E) -> E {
+    terms.fold(zero.clone(), |total, term| total + term)
+}
+
+/// Σ w a with Σ w = 1: the narrowest over all choices of a moment to measure from.
+fn mean<E: Enclosure>(w: &[E], c: &Constants<E>) -> E {
+    let about = |base: usize| {
+        (0..w.len())
+            .filter(|&k| k != base)
+            .fold(c.a[base].clone(), |total, k| total + w[k].clone() * c.diff[k][base].clone())
+    };
+    (1..w.len()).fold(about(0), |best, base| best.meet(&about(base)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use numbers::enclosure::Narrow;
+    use numbers::wide::Wide;
+    use top::body::Body;
+    use top::curves::{GenericState, Mu, SymmetricFamily};
+
+    const BODIES: [([&str; 3], [&str; 3]); 3] = [
+        (["2", "1.1", "1"], ["0.3", "0.5", "0.7"]),
+        (["2", "1.1", "1"], ["0.94868", "0", "0.61623"]),
+        (["1", "1.3", "1.9"], ["0.8", "1e-4", "0.6"]),
+    ];
+
+    fn near<E: Enclosure>(set: &E, value: f64, tolerance: f64) {
+        let [lo, hi] = set.bounds();
+        let slack = tolerance * (1.0 + value.abs());
+        assert!(lo - slack <= value && value <= hi + slack && hi - lo < slack, "{value} in [{lo}, {hi}]");
+    }
+
+    fn compare<E: Enclosure>(precision: E::Precision) {
+        for (a, r) in BODIES {
+            let body = Body::parse(&a, &r).unwrap();
+            let frame = body.frame();
+            let model = Model::new(&body, &frame);
+            let c = Constants::<E>::new(&model, precision);
+            for &base in &model.active {
+                for sign in [-1i8, 1] {
+                    for y in [1e-9, 0.03, 0.2] {
+                        let state = State::at(&model, &c, Half::Generic { base, sign }, &E::double(y, precision));
+                        let mu = Mu { base: model.axis[base], delta: f64::from(sign) * y };
+                        let expected = GenericState::at(&frame, mu);
+                        near(&state.j, expected.j, 1e-12);
+                        near(&(state.x.clone() * E::double(y, precision)), expected.x * y, 1e-12);
+                        let slope = f64::from(sign) * expected.log_slope() * y;
+                        near(&(state.log_slope.clone() * E::double(y, precision)), slope, 1e-11);
+                        for k in 0..3 {
+                            near(&state.gamma[k], expected.gamma[k], 1e-12);
+                        }
+                    }
+                }
+            }
+            for &group in &model.passive {
+                let family = SymmetricFamily::over(&frame, model.axis[group]);
+                for t in [0.1, 1.0, 10.0] {
+                    let y = t * (2.0 * family.s_pitchfork + t);
+                    let state = State::at(&model, &c, Half::Over { group }, &E::double(y, precision));
+                    let expected = family.at(&frame, t);
+                    near(&state.x, expected.x, 1e-12);
+                    near(
+                        &(state.x.clone()
+                            * state.log_slope.clone()
+                            * c.small(2)
+                            * E::double(family.s_pitchfork + t, precision)),
+                        expected.x_slope,
+                        1e-12,
+                    );
+                    near(&state.gamma[group], expected.gamma[group], 1e-12);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn both_arithmetics_enclose_the_closed_form() {
+        compare::<Narrow>(());
+        compare::<Wide>(100);
+    }
+}

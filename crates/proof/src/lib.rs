@@ -1,0 +1,218 @@
+//! Certified mathematics: every region of the (h, l) half-plane of a body, each step proved.
+//!
+//! The input is exact (rationals). What is proved, and from what:
+//!
+//! - **Cusps** are the roots of an integer polynomial of degree at most ten, isolated by Descartes' rule
+//!   (`polynomial`); **meetings with pole lines** those of one of degree at most sixteen (`polar`). None can be missed.
+//! - **Crossings** of two critical curves are alone in their boxes, and on every other stretch of x the order of the two
+//!   is proved (`pair`), up to x = l²/2 → 0 and ∞, in interval arithmetic of growing precision (`enclosure`, `wide`).
+//! - A critical point with μ ≥ the largest moment is the global minimum. For critical γ and any γ' on the sphere
+//!   U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'] (Proposition 3.9 of docs/mathematics.md), which
+//!   then is not negative. So the lowest curve needs no comparison.
+//! - **Events** are ordered by disjoint enclosures of x, or proved to coincide by gcd; **faces** follow from the
+//!   vertical orders at one exact x between events, each proved (`arrange`).
+//! - **Topology** comes from the latitude sweep, at a point proved to lie in the face (`region`).
+//!
+//! What cannot be proved is an error that says where, never an answer. Nothing is shared with the `f64` curves of
+//! `top` but their vocabulary ([`top::curves::Branch`] and its like).
+
+mod arrange;
+mod certificate;
+mod classify;
+mod curves;
+mod drawn;
+mod estimate;
+mod family;
+mod id;
+mod model;
+mod pair;
+mod point;
+mod polar;
+mod region;
+
+use thiserror::Error;
+
+use arrange::{Arrangement, Undecided};
+use model::Model;
+use region::Region;
+use top::atlas::{Atlas, AtlasError};
+use top::body::{Body, Frame};
+use top::curves::{CurveId, EquilibriaError};
+use top::diagram::RegionId;
+use top::table::{Id, Table};
+use top::topology::Component;
+
+/// How much is spent on an answer, and what it is worth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Accuracy {
+    /// Coarser polylines; the same answers.
+    Draft,
+    /// f64 with error bounds; undecided where they do not suffice.
+    #[default]
+    Standard,
+    /// Proved.
+    Certified,
+}
+
+impl From<schema::Accuracy> for Accuracy {
+    fn from(word: schema::Accuracy) -> Self {
+        match word {
+            schema::Accuracy::Draft => Self::Draft,
+            schema::Accuracy::Standard => Self::Standard,
+            schema::Accuracy::Certified => Self::Certified,
+        }
+    }
+}
+
+impl From<Accuracy> for schema::Accuracy {
+    fn from(accuracy: Accuracy) -> Self {
+        match accuracy {
+            Accuracy::Draft => Self::Draft,
+            Accuracy::Standard => Self::Standard,
+            Accuracy::Certified => Self::Certified,
+        }
+    }
+}
+
+/// Why there is no atlas at a level of accuracy.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum NoAtlas {
+    /// There is none in `f64`.
+    #[error(transparent)]
+    Atlas(#[from] AtlasError),
+    /// It is not proved.
+    #[error(transparent)]
+    NotProved(#[from] NotProved),
+    /// It is proved and cannot be drawn.
+    #[error(transparent)]
+    NotWritten(#[from] NotWritten),
+}
+
+/// The atlas of a body at a level of accuracy.
+///
+/// # Errors
+/// [`NoAtlas`].
+pub fn atlas_of(body: &Body, accuracy: Accuracy) -> Result<Atlas, NoAtlas> {
+    if accuracy == Accuracy::Certified { Ok(CertifiedAtlas::new(body)?.drawn()?) } else { Ok(Atlas::new(body)?) }
+}
+
+/// A proved atlas.
+#[derive(Clone, Debug)]
+pub struct CertifiedAtlas {
+    body: Body,
+    frame: Frame,
+    arrangement: Arrangement,
+    regions: Table<RegionId, Region>,
+}
+
+/// Why the arrangement of a body is not proved. Ranges are in the body's units.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Obstacle {
+    /// Roots that neither isolation nor gcd tells apart.
+    #[error("two special points of a branch (cusp, pitchfork or meeting with a pole line) cannot be told apart")]
+    Roots,
+    /// A degenerate critical point that is no ordinary cusp or pitchfork.
+    #[error("the body has a degenerate relative equilibrium that is no ordinary cusp or pitchfork")]
+    Degenerate,
+    /// Whether two curves cross.
+    #[error("the order of the curves {} and {} between l = {} and l = {}", curves[0], curves[1], l[0], l[1])]
+    Order {
+        /// Names of the curves.
+        curves: [String; 2],
+        /// Range of l.
+        l: [f64; 2],
+    },
+    /// Two events on a common curve.
+    #[error("the order of two events of the curves {} between l = {} and l = {}", curves.join(", "), l[0], l[1])]
+    Events {
+        /// Names of the curves.
+        curves: Vec<String>,
+        /// Range of l.
+        l: [f64; 2],
+    },
+    /// The vertical order of the curves over one l.
+    #[error("the vertical order of the curves near l = {l}")]
+    Heights {
+        /// Near this l.
+        l: f64,
+    },
+}
+
+/// Why there is no certified atlas.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("not proved with {} bits: {}", arrange::STAGES[arrange::STAGES.len() - 1], obstacles.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
+pub struct NotProved {
+    /// Each of them.
+    pub obstacles: Vec<Obstacle>,
+}
+
+/// Why a proved atlas cannot be written as a document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum NotWritten {
+    /// The curves cannot be drawn.
+    #[error(transparent)]
+    Equilibria(EquilibriaError),
+    /// In `f64` other curves are found than those that are proved.
+    #[error("the curves as drawn in f64 are not those that are proved: their cusps cannot be told apart in f64")]
+    Curves,
+}
+
+impl CertifiedAtlas {
+    /// Proves the arrangement of a body and the topology of its regions.
+    ///
+    /// # Errors
+    /// [`NotProved`] when the order of curves or events is not proved with the largest precision. A region whose topology
+    /// alone is not proved is no error: see [`Self::components`].
+    pub fn new(body: &Body) -> Result<Self, NotProved> {
+        let frame = body.frame();
+        let model = Model::new(body, &frame);
+        let arrangement = arrange::arrange(model)
+            .map_err(|undecided| NotProved { obstacles: undecided.iter().map(|u| obstacle(&frame, u)).collect() })?;
+        let regions = region::regions(&arrangement, &frame);
+        Ok(Self { body: body.clone(), frame, arrangement, regions })
+    }
+
+    /// The body.
+    #[must_use]
+    pub fn body(&self) -> &Body {
+        &self.body
+    }
+
+    /// How many regions there are: proved.
+    #[must_use]
+    pub fn region_count(&self) -> usize {
+        self.regions.len()
+    }
+
+    /// How many points there are at which curves meet.
+    #[must_use]
+    pub fn event_count(&self) -> usize {
+        self.arrangement.events.len()
+    }
+
+    /// The components of U_hl in a region; `None` when they are not proved.
+    #[must_use]
+    pub fn components(&self, region: RegionId) -> Option<&[Component]> {
+        self.regions[region].components.as_deref().ok()
+    }
+
+    /// The bits that were needed at most; 53 when `f64` sufficed everywhere.
+    #[must_use]
+    pub fn bits(&self) -> usize {
+        self.arrangement.bits.max(53)
+    }
+}
+
+fn obstacle(frame: &Frame, undecided: &Undecided) -> Obstacle {
+    let momentum = |x: f64| (2.0 * x).sqrt() * frame.momentum_unit;
+    let names = |curves: &[CurveId]| curves.iter().map(|c| format!("#{}", c.index())).collect::<Vec<_>>();
+    match undecided {
+        Undecided::Roots => Obstacle::Roots,
+        Undecided::Degenerate => Obstacle::Degenerate,
+        Undecided::Pair { curves, x } => {
+            Obstacle::Order { curves: curves.map(|c| format!("#{}", c.index())), l: x.map(momentum) }
+        }
+        Undecided::Events { curves, x } => Obstacle::Events { curves: names(curves), l: x.map(momentum) },
+        Undecided::Order { x } | Undecided::Gluing { x } => Obstacle::Heights { l: momentum(*x) },
+    }
+}

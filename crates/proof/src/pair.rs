@@ -1,0 +1,684 @@
+//! The order of two critical curves over all their common range of x: stretches on which the sign of h_a − h_b is proved,
+//! and crossings, each alone in its box.
+//!
+//! On a stretch the slopes 1/J lie between their end values (J is monotone but for one known place). If they are
+//! disjoint, the gap is monotone and its signs at the ends tell whether the curves cross, once. Otherwise the gap is
+//! bounded from one end, or by the identity of [`Evaluator::range_sign`]; otherwise the stretch is halved. Both ends of
+//! the half-line are closed by limits: a common cusp by the monotony of J through it, a common pitchfork by curvature,
+//! x → ∞ by the limits of slope and of h − x/a.
+
+use super::curves::{Place, Shape};
+use super::family::Half;
+use super::point::{Evaluator, Passage, Point};
+use numbers::enclosure::Enclosure;
+use top::curves::{CurveId, End, PitchforkId};
+
+/// How deep a stretch is halved.
+const DEPTH: u32 = 48;
+/// How often x is multiplied by 8 on the way to infinity.
+const FAR: u32 = 90;
+
+/// What ends a stretch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Mark {
+    /// The lower or upper end of the common range.
+    End,
+    /// This x.
+    At(f64),
+}
+
+/// How the sign on a stretch is proved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reason {
+    /// The gap at the lower end and the range of the difference of slopes.
+    FromLower,
+    /// The gap at the upper end and the range of the difference of slopes.
+    FromUpper,
+    /// The gap is monotone and has this sign at both ends.
+    Monotone,
+    /// The identity over ranges.
+    Range,
+    /// J is monotone through the common cusp.
+    Cusp,
+    /// Curvatures at the common pitchfork.
+    Pitchfork,
+    /// Slopes up to infinity.
+    Far,
+    /// Limits of h − x/a.
+    FarSameAxis,
+}
+
+/// A stretch with a proved sign of h_a − h_b, or with one crossing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stretch {
+    pub x: [Mark; 2],
+    /// Sign at the lower end.
+    pub sign: i8,
+    pub proof: Proof,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Proof {
+    Constant(Reason),
+    /// The gap is monotone and vanishes once, between these two.
+    Crossing([f64; 2]),
+}
+
+/// Everything about one pair.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PairProof {
+    pub curves: [CurveId; 2],
+    pub stretches: Vec<Stretch>,
+}
+
+/// What was not proved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Open {
+    pub x: [f64; 2],
+}
+
+/// Both curves over one x.
+#[derive(Clone, Debug)]
+struct Node<E: Enclosure> {
+    x: E,
+    mark: Mark,
+    at: [Point<E>; 2],
+    sign: Option<i8>,
+    gap: E,
+}
+
+impl<E: Enclosure> Node<E> {
+    fn double(&self) -> f64 {
+        let [lo, hi] = self.x.bounds();
+        0.5 * (lo + hi)
+    }
+}
+
+/// How the common range of two curves begins or ends.
+enum Side<E: Enclosure> {
+    /// At a cusp that both share.
+    Cusp(E),
+    /// At a pitchfork that both share: the places on both.
+    Pitchfork(E),
+    /// One of them ends, the other is elsewhere.
+    Node(Box<Node<E>>),
+    Infinity,
+    Origin,
+}
+
+impl<E: Enclosure> Evaluator<'_, E> {
+    /// The order of curves a and b, neither of which is a line or structurally lowest. `None` when they have no common x.
+    pub fn pair(&self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
+        let curves = [a, b];
+        let anywhere = Open { x: [0.0, f64::INFINITY] };
+        let lower = self.side(curves, 0).ok_or(anywhere)?;
+        let upper = self.side(curves, 1).ok_or(anywhere)?;
+        let (Some(lower), Some(upper)) = (lower, upper) else { return Ok(None) };
+        if let (Some(low), Some(high)) = (position(&lower), position(&upper)) {
+            if high.is_below(&low) {
+                return Ok(None);
+            }
+            if !low.is_below(&high) {
+                // The range may be empty: one curve ends where the other begins.
+                return self
+                    .touching(curves)
+                    .map_or_else(|| Err(Open { x: [low.bounds()[0], high.bounds()[1]] }), |()| Ok(None));
+            }
+        }
+        let mut stretches = Vec::new();
+        let first = self.leave(curves, &lower, &upper, &mut stretches)?;
+        let Some(first) = first else { return Ok(Some(PairProof { curves, stretches })) };
+        match upper {
+            Side::Infinity => self.to_infinity(curves, first, &mut stretches)?,
+            Side::Node(last) => self.between(curves, &first, &last, DEPTH, &mut stretches)?,
+            Side::Cusp(_) | Side::Pitchfork(_) => {
+                let last = self.approach(curves, &upper, &first, &mut stretches)?;
+                let tail = stretches.pop();
+                self.between(curves, &first, &last, DEPTH, &mut stretches)?;
+                stretches.extend(tail);
+            }
+            Side::Origin => return Err(anywhere),
+        }
+        Ok(Some(PairProof { curves, stretches }))
+    }
+
+    /// One curve ends at the very event at which the other begins.
+    fn touching(&self, [a, b]: [CurveId; 2]) -> Option<()> {
+        let (p, q) = (&self.curves.list[a], &self.curves.list[b]);
+        let same = |x: End, y: End| x == y && matches!(x, End::Cusp(_) | End::Pitchfork(_));
+        (same(p.ends[1], q.ends[0]) || same(p.ends[0], q.ends[1])).then_some(())
+    }
+
+    /// x at which a curve ends; `None` when it cannot be enclosed.
+    pub fn end_x(&self, curve: CurveId, side: usize) -> Option<E> {
+        match self.curves.list[curve].ends[side] {
+            End::Origin => Some(self.c.small(0)),
+            End::Infinity => None,
+            End::Cusp(_) | End::Pitchfork(_) => {
+                if let Shape::Family(_) = self.curves.list[curve].shape {
+                    self.end_point(curve, side).map(|point| point.x)
+                } else if let End::Pitchfork(number) = self.curves.list[curve].ends[side] {
+                    Some(self.pitchfork_x(number))
+                } else {
+                    None
+                }
+            }
+        }
+    }
+
+    /// x of a pitchfork: on the pair that leaves there.
+    pub fn pitchfork_x(&self, number: PitchforkId) -> E {
+        let group = self.curves.pitchforks[number].group;
+        self.state(Half::Over { group }, &self.c.small(0)).x
+    }
+
+    /// The point where a curve of a family ends.
+    pub fn end_point(&self, curve: CurveId, side: usize) -> Option<Point<E>> {
+        let Shape::Family(segments) = &self.curves.list[curve].shape else { return None };
+        let segment = if side == 0 { segments.first()? } else { segments.last()? };
+        let y = self.bound(segment, &segment.ends[side])?;
+        Some(Point::at_end(segment.half, y.clone(), self.state(segment.half, &y), &self.c))
+    }
+
+    /// How the common range begins (side 0) or ends (side 1). `Some(None)`: there is none.
+    #[allow(clippy::option_option)]
+    fn side(&self, curves: [CurveId; 2], side: usize) -> Option<Option<Side<E>>> {
+        let ends = curves.map(|c| self.curves.list[c].ends[side]);
+        match ends {
+            [End::Infinity, End::Infinity] => return Some(Some(Side::Infinity)),
+            [End::Origin, End::Origin] => return Some(Some(Side::Origin)),
+            [End::Cusp(p), End::Cusp(q)] if p == q => {
+                return Some(Some(Side::Cusp(self.end_point(curves[0], side)?.x)));
+            }
+            [End::Pitchfork(p), End::Pitchfork(q)] if p == q => {
+                return Some(Some(Side::Pitchfork(self.pitchfork_x(p))));
+            }
+            _ => {}
+        }
+        // The later beginning, the earlier ending.
+        let finite = |end: End| matches!(end, End::Cusp(_) | End::Pitchfork(_));
+        let ending = match ends.map(finite) {
+            [true, false] => 0,
+            [false, true] => 1,
+            [true, true] => {
+                let x = [self.end_point(curves[0], side)?.x, self.end_point(curves[1], side)?.x];
+                let second_later = if x[0].is_below(&x[1]) {
+                    true
+                } else if x[1].is_below(&x[0]) {
+                    false
+                } else {
+                    return None;
+                };
+                usize::from(second_later == (side == 0))
+            }
+            [false, false] => return None,
+        };
+        let other = 1 - ending;
+        let end = self.end_point(curves[ending], side)?;
+        // The other curve may not reach this x at all.
+        for far in [0, 1] {
+            if let Some(limit) = self.end_x(curves[other], far) {
+                let outside = if far == 0 { end.x.is_below(&limit) } else { limit.is_below(&end.x) };
+                if outside {
+                    return Some(None);
+                }
+                let strictly_inside = if far == 0 { limit.is_below(&end.x) } else { end.x.is_below(&limit) };
+                if !strictly_inside {
+                    // It ends where the other begins: no common range. Anything else is not decided here.
+                    return self.touching(curves).map(|()| None);
+                }
+            }
+        }
+        let opposite = self.point(curves[other], &end.x)?;
+        let at = if ending == 0 { [end, opposite] } else { [opposite, end] };
+        let x = at[ending].x.clone();
+        let node = self.node_of(x, Mark::End, at);
+        let meet = self.meet_at(Passage { curve: curves[ending], side, other: curves[other] });
+        Some(Some(Side::Node(Box::new(if meet { self.meeting(node) } else { node }))))
+    }
+
+    fn node_of(&self, x: E, mark: Mark, at: [Point<E>; 2]) -> Node<E> {
+        let gap = self.gap(&at[0], &at[1]);
+        Node { x, mark, sign: gap.sign(), gap, at }
+    }
+
+    /// A node at which the curves are known to meet.
+    fn meeting(&self, node: Node<E>) -> Node<E> {
+        Node { sign: Some(0), gap: self.c.small(0), ..node }
+    }
+
+    /// The node at x, or at a number with few bits next to it.
+    fn node_near(&self, curves: [CurveId; 2], x: f64, between: [f64; 2]) -> Option<Node<E>> {
+        const DROPPED: u32 = 30;
+        let short = f64::from_bits((x.to_bits() >> DROPPED) << DROPPED);
+        let inside = between[0] < short && short < between[1];
+        self.node(curves, if inside { short } else { x })
+    }
+
+    fn node(&self, curves: [CurveId; 2], x: f64) -> Option<Node<E>> {
+        let set = E::double(x, self.c.precision);
+        let at = [self.point(curves[0], &set)?, self.point(curves[1], &set)?];
+        Some(self.node_of(set, Mark::At(x), at))
+    }
+
+    /// The first node with a proved gap, and the stretch before it.
+    fn leave(
+        &self,
+        curves: [CurveId; 2],
+        lower: &Side<E>,
+        upper: &Side<E>,
+        stretches: &mut Vec<Stretch>,
+    ) -> Result<Option<Node<E>>, Open> {
+        match lower {
+            Side::Node(node) => Ok(Some((**node).clone())),
+            Side::Cusp(x) | Side::Pitchfork(x) => {
+                let from = x.bounds()[1];
+                let to = position(upper).map_or(f64::INFINITY, |x| x.bounds()[0]);
+                let mut step = if to.is_finite() { 0.5 * (to - from) } else { from };
+                let open = Open { x: [from, from + step] };
+                for _ in 0..DEPTH {
+                    let found = self
+                        .node_near(curves, from + step, [from, to])
+                        .and_then(|node| self.sign_beside(curves, lower, &node, 0).map(|sign| (sign, node)));
+                    if let Some(((sign, reason), node)) = found {
+                        let proof = Proof::Constant(reason);
+                        stretches.push(Stretch { x: [Mark::End, node.mark], sign, proof });
+                        return Ok(Some(node));
+                    }
+                    step *= 0.25;
+                    if from + step <= from {
+                        break;
+                    }
+                }
+                Err(open)
+            }
+            Side::Origin | Side::Infinity => Err(Open { x: [0.0, f64::INFINITY] }),
+        }
+    }
+
+    /// The last node before a common end, and the stretch after it.
+    fn approach(
+        &self,
+        curves: [CurveId; 2],
+        upper: &Side<E>,
+        first: &Node<E>,
+        stretches: &mut Vec<Stretch>,
+    ) -> Result<Node<E>, Open> {
+        let to = position(upper).map_or(f64::INFINITY, |x| x.bounds()[0]);
+        let from = first.double();
+        let mut step = 0.5 * (to - from);
+        for _ in 0..DEPTH {
+            let found = self
+                .node_near(curves, to - step, [from, to])
+                .and_then(|node| self.sign_beside(curves, upper, &node, 1).map(|sign| (sign, node)));
+            if let Some(((sign, reason), node)) = found {
+                stretches.push(Stretch { x: [node.mark, Mark::End], sign, proof: Proof::Constant(reason) });
+                return Ok(node);
+            }
+            step *= 0.25;
+            if to - step >= to {
+                break;
+            }
+        }
+        Err(Open { x: [from, to] })
+    }
+
+    /// The sign of the gap between a common cusp or pitchfork and a node.
+    fn sign_beside(&self, curves: [CurveId; 2], end: &Side<E>, node: &Node<E>, side: usize) -> Option<(i8, Reason)> {
+        match end {
+            Side::Cusp(_) => {
+                if self.bends(curves[0], &node.at[0], &node.at[1])? {
+                    return None;
+                }
+                let slopes = node.at[0].slope(&self.c) - node.at[1].slope(&self.c);
+                let sign = slopes.sign().filter(|sign| *sign != 0)?;
+                Some((if side == 0 { sign } else { -sign }, Reason::Cusp))
+            }
+            Side::Pitchfork(_) => {
+                let curvature = |which: usize| {
+                    let (half, y) = node.at[which].place.clone()?;
+                    let end = self.end_point(curves[which], side)?;
+                    let (end_half, end_y) = end.place?;
+                    if half != end_half {
+                        return None;
+                    }
+                    Some(self.state(half, &y.hull(&end_y)).curvature())
+                };
+                let sign = (curvature(0)? - curvature(1)?).sign().filter(|sign| *sign != 0)?;
+                Some((sign, Reason::Pitchfork))
+            }
+            _ => None,
+        }
+    }
+
+    /// True when dJ/dμ may vanish between two points of one branch. `None` when that cannot be told.
+    fn bends(&self, curve: CurveId, p: &Point<E>, q: &Point<E>) -> Option<bool> {
+        let Some((_, place)) = &self.curves.inflection else { return Some(false) };
+        let (p, q) = (p.place.as_ref()?, q.place.as_ref()?);
+        let _ = curve;
+        if matches!(p.0, Half::Over { .. }) {
+            return Some(false);
+        }
+        let sides = [self.beyond(p, place), self.beyond(q, place)];
+        Some(match sides {
+            [Some(x), Some(y)] => x != y,
+            _ => true,
+        })
+    }
+
+    /// Whether a point of the generic family lies at larger μ than a place.
+    fn beyond(&self, (half, y): &(Half, E), place: &Place) -> Option<bool> {
+        let (Half::Generic { base: p, sign: s }, Half::Generic { base: q, sign: t }) = (*half, place.half) else {
+            return None;
+        };
+        if (p, s) == (q, t) {
+            let at = self.place(place);
+            return if at.is_below(y) {
+                Some(s > 0)
+            } else if y.is_below(&at) {
+                Some(s < 0)
+            } else {
+                None
+            };
+        }
+        if p == q { Some(s > t) } else { Some(p > q) }
+    }
+
+    /// J between two points of one curve; to infinity when `to` is absent.
+    fn moments(&self, curve: CurveId, from: &Point<E>, to: Option<&Point<E>>) -> Option<E> {
+        let list = &self.curves.list[curve];
+        let end = match (to, list.limit) {
+            (Some(point), _) => point.over.j.clone(),
+            (None, Some(limit)) => self.c.a[limit.group].clone(),
+            (None, None) => return None,
+        };
+        let range = from.over.j.hull(&end);
+        let Some((_, place)) = &self.curves.inflection else { return Some(range) };
+        let start = from.place.as_ref()?;
+        if matches!(start.0, Half::Over { .. }) {
+            return Some(range);
+        }
+        let other = if let Some(point) = to {
+            self.beyond(point.place.as_ref()?, place)
+        } else {
+            let limit = list.limit?;
+            self.beyond(&(Half::Generic { base: limit.group, sign: limit.side }, self.c.small(0)), place)
+        };
+        // The inflection lies on another interval of the family, or beside the range: J is monotone there.
+        match (self.beyond(start, place), other) {
+            (Some(x), Some(y)) if x == y => Some(range),
+            _ => Some(range.hull(&self.state(place.half, &self.place(place)).j)),
+        }
+    }
+
+    /// Difference of the slopes between two nodes; to infinity when the second is absent.
+    fn slopes(&self, curves: [CurveId; 2], from: &Node<E>, to: Option<&Node<E>>) -> Option<E> {
+        let range = |which: usize| {
+            let j = self.moments(curves[which], &from.at[which], to.map(|node| &node.at[which]))?;
+            Some(self.c.small(1) / j)
+        };
+        Some(range(0)? - range(1)?)
+    }
+
+    fn between(
+        &self,
+        curves: [CurveId; 2],
+        from: &Node<E>,
+        to: &Node<E>,
+        depth: u32,
+        stretches: &mut Vec<Stretch>,
+    ) -> Result<(), Open> {
+        let [low, high] = [from.x.bounds()[0], to.x.bounds()[1]];
+        let open = Open { x: [low, high] };
+        let marks = [from.mark, to.mark];
+        let mut push = |sign: i8, proof: Proof| stretches.push(Stretch { x: marks, sign, proof });
+        if let Some(slopes) = self.slopes(curves, from, Some(to)) {
+            let reach = (to.x.clone() - from.x.clone()).hull(&self.c.small(0));
+            if let Some(sign) = strict(&(from.gap.clone() + slopes.clone() * reach.clone())) {
+                push(sign, Proof::Constant(Reason::FromLower));
+                return Ok(());
+            }
+            if let Some(sign) = strict(&(to.gap.clone() - slopes.clone() * reach)) {
+                push(sign, Proof::Constant(Reason::FromUpper));
+                return Ok(());
+            }
+            if strict(&slopes).is_some() {
+                match (from.sign, to.sign) {
+                    (Some(p), Some(q)) if p == q && p != 0 => {
+                        push(p, Proof::Constant(Reason::Monotone));
+                        return Ok(());
+                    }
+                    // They meet at one end, which is proved elsewhere.
+                    (Some(0), Some(q)) | (Some(q), Some(0)) if q != 0 => {
+                        push(q, Proof::Constant(Reason::Monotone));
+                        return Ok(());
+                    }
+                    (Some(p), Some(q)) if p * q < 0 => {
+                        let at = self.crossing(curves, from, to, p).ok_or(open)?;
+                        push(p, Proof::Crossing(at));
+                        return Ok(());
+                    }
+                    _ => {}
+                }
+            }
+        }
+        if let Some(sign) = self.sign_over(from, to) {
+            push(sign, Proof::Constant(Reason::Range));
+            return Ok(());
+        }
+        let depth = depth.checked_sub(1).ok_or(open)?;
+        // Cut where the first of several places gives a sure sign.
+        let (low, high) = (from.x.bounds()[1], to.x.bounds()[0]);
+        let middle = [0.5, 0.4, 0.61]
+            .into_iter()
+            .map(|t| {
+                if high > 4.0 * low && low > 0.0 {
+                    low.sqrt() * high.sqrt() * (0.9 + 0.2 * t)
+                } else {
+                    low + t * (high - low)
+                }
+            })
+            .filter(|x| *x > low && *x < high)
+            .find_map(|x| self.node_near(curves, x, [low, high]).filter(|node| node.sign.is_some_and(|sign| sign != 0)))
+            .ok_or(open)?;
+        self.between(curves, from, &middle, depth, stretches)?;
+        self.between(curves, &middle, to, depth, stretches)
+    }
+
+    /// The sign from the identity over the ranges of both curves.
+    fn sign_over(&self, from: &Node<E>, to: &Node<E>) -> Option<i8> {
+        let state = |which: usize| {
+            let (p, y) = from.at[which].place.as_ref()?;
+            let (q, z) = to.at[which].place.as_ref()?;
+            (p == q).then(|| self.state(*p, &y.hull(z)))
+        };
+        self.range_sign(&state(0)?, &state(1)?)
+    }
+
+    /// A small box around the one crossing between two nodes.
+    fn crossing(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, sign: i8) -> Option<[f64; 2]> {
+        let value = |node: &Node<E>| {
+            let [lo, hi] = node.gap.bounds();
+            0.5 * (lo + hi)
+        };
+        let (mut low, mut high) = (from.x.bounds()[1], to.x.bounds()[0]);
+        let (mut at_low, mut at_high) = (value(from), value(to));
+        // Illinois' variant of the secant rule: the sign of an end that stays is damped.
+        for _ in 0..60 {
+            if high - low <= 8.0 * f64::EPSILON * high {
+                break;
+            }
+            let secant = low + (high - low) * (at_low / (at_low - at_high));
+            let fenced = secant.clamp(low + 1e-3 * (high - low) * 1e-12, high);
+            let x = if fenced > low && fenced < high { fenced } else { 0.5 * (low + high) };
+            let node = self.node(curves, x)?;
+            match node.sign {
+                Some(s) if s == sign => {
+                    low = x;
+                    at_low = value(&node);
+                    at_high *= 0.5;
+                }
+                Some(s) if s == -sign => {
+                    high = x;
+                    at_high = value(&node);
+                    at_low *= 0.5;
+                }
+                _ => {
+                    // The sign is hidden here: look for sure signs close by, on both sides.
+                    let mut reach = 4.0 * f64::EPSILON * x;
+                    for _ in 0..40 {
+                        let sure = |at: f64, wanted: i8| {
+                            at > low && at < high && self.node(curves, at).is_some_and(|node| node.sign == Some(wanted))
+                        };
+                        let below =
+                            (x - reach <= low).then_some(low).or_else(|| sure(x - reach, sign).then_some(x - reach));
+                        let above =
+                            (x + reach >= high).then_some(high).or_else(|| sure(x + reach, -sign).then_some(x + reach));
+                        if let (Some(p), Some(q)) = (below, above) {
+                            return Some([p, q]);
+                        }
+                        reach *= 2.0;
+                    }
+                    break;
+                }
+            }
+        }
+        Some([low, high])
+    }
+
+    fn to_infinity(&self, curves: [CurveId; 2], first: Node<E>, stretches: &mut Vec<Stretch>) -> Result<(), Open> {
+        let mut node = first;
+        for _ in 0..FAR {
+            if let Some((sign, reason)) = self.far_sign(curves, &node) {
+                stretches.push(Stretch { x: [node.mark, Mark::End], sign, proof: Proof::Constant(reason) });
+                return Ok(());
+            }
+            let from = node.x.bounds()[1];
+            let next = [8.0, 7.0, 10.0]
+                .into_iter()
+                .find_map(|factor| {
+                    self.node_near(curves, factor * from, [2.0 * from, f64::INFINITY])
+                        .filter(|node| node.sign.is_some_and(|sign| sign != 0))
+                })
+                .ok_or(Open { x: [from, f64::INFINITY] })?;
+            self.between(curves, &node, &next, DEPTH, stretches)?;
+            node = next;
+        }
+        Err(Open { x: [node.x.bounds()[0], f64::INFINITY] })
+    }
+
+    /// The sign all the way to infinity.
+    fn far_sign(&self, curves: [CurveId; 2], node: &Node<E>) -> Option<(i8, Reason)> {
+        let gap = node.sign.filter(|sign| *sign != 0)?;
+        if self.slopes(curves, node, None).and_then(|slopes| strict(&slopes)) == Some(gap) {
+            return Some((gap, Reason::Far));
+        }
+        let limits = curves.map(|c| self.curves.list[c].limit);
+        let [Some(p), Some(q)] = limits else { return None };
+        if p.group != q.group {
+            return None;
+        }
+        let phi = |which: usize| {
+            let limit = limits[which]?;
+            let point = &node.at[which];
+            // J is monotone towards a: no inflection ahead, so that h − x/a is monotone.
+            let a = self.c.a[limit.group].clone();
+            let now = point.h_above(&self.c, limit.group, &a);
+            let root = self.c.root_q[limit.group].clone();
+            let end = match limit.side {
+                1 => -root,
+                -1 => root,
+                _ => self.c.small(0),
+            };
+            self.straight(curves[which], point).then(|| now.hull(&end))
+        };
+        let (p, q) = (phi(0)?, phi(1)?);
+        strict(&(p - q)).filter(|sign| *sign == gap).map(|sign| (sign, Reason::FarSameAxis))
+    }
+
+    /// J is monotone from this point to infinity.
+    fn straight(&self, curve: CurveId, point: &Point<E>) -> bool {
+        let Some((_, place)) = &self.curves.inflection else { return true };
+        let (Some(start), Some(limit)) = (&point.place, self.curves.list[curve].limit) else { return false };
+        if matches!(start.0, Half::Over { .. }) {
+            return true;
+        }
+        let end = (Half::Generic { base: limit.group, sign: limit.side }, self.c.small(0));
+        matches!((self.beyond(start, place), self.beyond(&end, place)), (Some(x), Some(y)) if x == y)
+    }
+}
+
+fn strict<E: Enclosure>(set: &E) -> Option<i8> {
+    set.sign().filter(|sign| *sign != 0)
+}
+
+fn position<E: Enclosure>(side: &Side<E>) -> Option<E> {
+    match side {
+        Side::Cusp(x) | Side::Pitchfork(x) => Some(x.clone()),
+        Side::Node(node) => Some(node.x.clone()),
+        Side::Infinity | Side::Origin => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::curves::Curves;
+    use super::super::model::Model;
+    use super::*;
+    use numbers::enclosure::Narrow;
+    use top::body::{Body, Preset};
+    use top::curves::CriticalSet;
+    use top::diagram::{Arrangement, Change};
+
+    fn crossings(body: &Body) -> usize {
+        let model = Model::new(body, &body.frame());
+        let curves = Curves::new(&model, 160).unwrap();
+        let evaluator = Evaluator::<Narrow>::new(&model, &curves, &[], ());
+        let arrangement = Arrangement::new(CriticalSet::new(body.frame()).unwrap());
+        let mut found = Vec::new();
+        for b in 0..curves.list.len() {
+            for a in 0..b {
+                let family = |c: usize| matches!(curves.list[c].shape, Shape::Family(_)) && !curves.list[c].lowest;
+                if !family(a) || !family(b) {
+                    continue;
+                }
+                if let Some(proof) = evaluator.pair(a, b).unwrap_or_else(|open| panic!("{body:?} {a} {b} {open:?}")) {
+                    found.extend(proof.stretches.iter().filter_map(|s| match s.proof {
+                        Proof::Crossing(x) => Some(x),
+                        Proof::Constant(_) => None,
+                    }));
+                }
+            }
+        }
+        found.sort_by(|p, q| p[0].total_cmp(&q[0]));
+        let lines = |c: usize| arrangement.set.curves[c].pole.is_some() || !arrangement.set.curves[c].is_critical();
+        let expected: Vec<f64> = arrangement
+            .events
+            .iter()
+            .filter(|e| matches!(e.change, Change::Swap([a, b]) if !lines(a) && !lines(b)))
+            .map(|e| e.x)
+            .collect();
+        assert_eq!(found.len(), expected.len(), "{body:?} {found:?} {expected:?}");
+        for (x, e) in found.iter().zip(expected) {
+            assert!((x[0] - e).abs() < 1e-9 * e && x[1] - x[0] < 1e-9 * e, "{x:?} {e}");
+        }
+        found.len()
+    }
+
+    #[test]
+    fn pairs_cross_where_the_standard_arrangement_says() {
+        for preset in Preset::all() {
+            crossings(&preset.body());
+        }
+        let mut total = 0;
+        for (a, r) in [
+            (["2", "1.1", "1"], ["0.3", "0.5", "0.7"]),
+            (["1", "1.7", "2.2"], ["0.1", "0.1", "0.9"]),
+            (["1", "1.0001", "1.9"], ["0.8", "1e-4", "0.6"]),
+            (["2", "1.1", "1"], ["0.94868", "1e-6", "0.61623"]),
+        ] {
+            total += crossings(&Body::parse(&a, &r).unwrap());
+        }
+        assert!(total > 0);
+    }
+}

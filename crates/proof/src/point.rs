@@ -1,0 +1,396 @@
+//! The point of a curve over x, enclosed, and the difference of two heights.
+
+use super::curves::{Bound, Curve, Curves, Segment, Shape};
+use super::estimate::Estimate;
+use super::family::{Half, State};
+use super::model::{Constants, Model};
+use numbers::enclosure::Enclosure;
+use numbers::root::{Bracket, newton_bracketed};
+use top::curves::{CurveId, Pole};
+use top::table::Table;
+
+/// A curve passes exactly through the end of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Passage {
+    /// The curve that ends there, with the lower end (0) or the upper (1).
+    pub curve: CurveId,
+    pub side: usize,
+    /// The curve that passes.
+    pub other: CurveId,
+}
+
+/// Everything that is needed to evaluate curves in one arithmetic.
+#[derive(Clone, Debug)]
+pub(super) struct Evaluator<'a, E: Enclosure> {
+    pub model: &'a Model,
+    pub curves: &'a Curves,
+    pub c: Constants<E>,
+    estimate: Constants<Estimate>,
+    /// x at the ends of each curve's segments, as estimates.
+    ends: Table<CurveId, Vec<[f64; 2]>>,
+    meetings: Vec<Passage>,
+}
+
+/// A point of a curve over x.
+#[derive(Clone, Debug)]
+pub(super) struct Point<E: Enclosure> {
+    /// The x that was asked for.
+    pub x: E,
+    /// Half and the range of y that holds the solution; `None` on a line.
+    pub place: Option<(Half, E)>,
+    /// All states of that range; holds the state at x.
+    pub over: State<E>,
+    /// One state of the range.
+    at: State<E>,
+    /// h(x) − (x/J − ρ) of `at`: of second order.
+    correction: E,
+    /// A critical point (not merely on a pole line).
+    critical: bool,
+}
+
+impl<E: Enclosure> Point<E> {
+    pub fn h(&self) -> E {
+        self.x.clone() / self.at.j.clone() - self.at.rho.clone() + self.correction.clone()
+    }
+
+    /// The point where a curve ends.
+    pub fn at_end(half: Half, y: E, state: State<E>, c: &Constants<E>) -> Self {
+        let (x, correction) = (state.x.clone(), c.small(0));
+        Self { x, place: Some((half, y)), over: state.clone(), at: state, correction, critical: true }
+    }
+
+    /// h − x/a of a moment.
+    pub fn h_above(&self, c: &Constants<E>, group: usize, a: &E) -> E {
+        let n = self.at.gamma.len();
+        // a − J about the moment itself.
+        let excess = (0..n)
+            .filter(|&k| k != group)
+            .fold(c.small(0), |sum, k| sum + self.at.gamma[k].square() * c.diff[group][k].clone());
+        self.x.clone() * excess / (self.at.j.clone() * a.clone()) - self.at.rho.clone() + self.correction.clone()
+    }
+
+    pub fn slope(&self, c: &Constants<E>) -> E {
+        c.small(1) / self.over.j.clone()
+    }
+}
+
+impl<'a, E: Enclosure> Evaluator<'a, E> {
+    pub fn new(model: &'a Model, curves: &'a Curves, meetings: &[Passage], precision: E::Precision) -> Self {
+        let c = Constants::new(model, precision);
+        let estimate = Constants::new(model, ());
+        let ends = curves
+            .list
+            .iter()
+            .map(|curve| match &curve.shape {
+                Shape::Family(segments) => {
+                    segments.iter().map(|s| s.ends.each_ref().map(|end| x_estimate(model, &estimate, s, end))).collect()
+                }
+                _ => Vec::new(),
+            })
+            .collect();
+        Self { model, curves, c, estimate, ends, meetings: meetings.to_vec() }
+    }
+
+    /// It is proved that a curve passes through this end of another.
+    pub fn meet_at(&self, passage: Passage) -> bool {
+        self.meetings.contains(&passage)
+    }
+
+    pub fn state(&self, half: Half, y: &E) -> State<E> {
+        State::at(self.model, &self.c, half, y)
+    }
+
+    /// y of a bound, as a range; `None` at a limit that cannot be evaluated.
+    pub fn bound(&self, segment: &Segment, bound: &Bound) -> Option<E> {
+        match bound {
+            Bound::Zero if matches!(segment.half, Half::Over { .. }) => Some(self.c.small(0)),
+            Bound::Zero | Bound::Infinity => None,
+            Bound::At(place) => Some(self.place(place)),
+        }
+    }
+
+    pub fn place(&self, place: &super::curves::Place) -> E {
+        let number = |y| E::rational(y, self.c.precision);
+        number(&place.lo).hull(&number(&place.hi))
+    }
+
+    /// The point of a curve over x. `None` when it cannot be enclosed with these bits, or x is not surely inside the
+    /// curve's range.
+    pub fn point(&self, curve: CurveId, x: &E) -> Option<Point<E>> {
+        match &self.curves.list[curve].shape {
+            Shape::Family(segments) => self.family_point(curve, segments, x),
+            Shape::Pole(pole) => Some(self.line_point(&self.curves.list[curve], *pole, x)),
+            Shape::Euler { group } => Some(self.euler_point(*group, x)),
+        }
+    }
+
+    fn line_point(&self, curve: &Curve, pole: Pole, x: &E) -> Point<E> {
+        let c = &self.c;
+        let j = c.j_r.clone().unwrap_or_else(|| c.small(1));
+        let sign = |e: E| if pole == Pole::Plus { e } else { -e };
+        let n = self.model.groups.len();
+        let gamma: Vec<E> = (0..n).map(|k| sign(c.root_q[k].clone() / c.r.clone())).collect();
+        let s = c.small(2) * x.clone() / j.square();
+        // On a critical line μ = a ± r/s.
+        let shift = sign(c.r.clone() / s.clone());
+        let base = self.model.active[0];
+        let tau = (0..n).map(|k| c.diff[base][k].clone() + shift.clone()).collect();
+        let zero = c.small(0);
+        let state = State {
+            gamma,
+            j,
+            rho: sign(c.r.clone()),
+            x: x.clone(),
+            tau,
+            log_slope: zero.clone(),
+            j_slope: zero.clone(),
+        };
+        let critical = !matches!(curve.orbit, top::curves::Orbit::Pole(_));
+        Point { x: x.clone(), place: None, at: state.clone(), over: state, correction: zero, critical }
+    }
+
+    fn euler_point(&self, group: usize, x: &E) -> Point<E> {
+        let c = &self.c;
+        let n = self.model.groups.len();
+        let zero = c.small(0);
+        let j = c.a[group].clone();
+        let state = State {
+            gamma: (0..n).map(|k| c.small(i32::from(k == group))).collect(),
+            j,
+            rho: zero.clone(),
+            x: x.clone(),
+            tau: (0..n).map(|k| c.diff[group][k].clone()).collect(),
+            log_slope: zero.clone(),
+            j_slope: zero.clone(),
+        };
+        Point { x: x.clone(), place: None, at: state.clone(), over: state, correction: zero, critical: true }
+    }
+
+    fn family_point(&self, curve: CurveId, segments: &[Segment], x: &E) -> Option<Point<E>> {
+        let [low, high] = x.bounds();
+        let middle = if high.is_finite() { 0.5 * (low + high) } else { low };
+        let ends = &self.ends[curve];
+        let number = (0..segments.len()).find(|&k| middle <= ends[k][1]).unwrap_or(segments.len() - 1);
+        // The middle between two moments may lie the other way of a rounding.
+        (0..segments.len())
+            .filter(|&k| k == number || k + 1 == number || k == number + 1)
+            .find_map(|k| self.segment_point(&segments[k], ends[k], x, middle))
+    }
+
+    fn segment_point(&self, segment: &Segment, ends: [f64; 2], x: &E, target: f64) -> Option<Point<E>> {
+        let half = segment.half;
+        let limit = |bound: &Bound| match bound {
+            Bound::Zero => 0.0,
+            Bound::Infinity => f64::INFINITY,
+            Bound::At(place) => 0.5 * (place.lo.to_f64().value() + place.hi.to_f64().value()),
+        };
+        let y_ends = segment.ends.each_ref().map(limit);
+        let rising = y_ends[0] < y_ends[1];
+        let guess = self.guess(half, y_ends, ends, target);
+        let c = &self.c;
+        let mut y = E::double(guess, c.precision);
+        // Newton's method doubles the digits of a guess good to ten.
+        let mut digits = 1e-12;
+        while digits > E::resolution(c.precision) {
+            let state = self.state(half, &y);
+            let residual = x.middle() / state.x - c.small(1);
+            let step = residual / state.log_slope;
+            y = (y + step).middle();
+            digits *= digits;
+        }
+        let mut radius = E::resolution(c.precision);
+        let outer = segment.ends.each_ref().map(|bound| self.bound(segment, bound));
+        let (mut sides, mut done) = ([y.clone(), y.clone()], [false, false]);
+        // sides[0] towards smaller x, sides[1] towards larger x.
+        for _ in 0..12 {
+            let reach = y.clone() * E::double(radius, c.precision);
+            for side in [0, 1] {
+                if done[side] {
+                    continue;
+                }
+                let upward = (side == 1) == rising;
+                let candidate =
+                    if upward { (y.clone() + reach.clone()).upper() } else { (y.clone() - reach.clone()).lower() };
+                let beyond = outer[side].as_ref().filter(|bound| {
+                    let inside = if upward { candidate.is_below(bound) } else { bound.is_below(&candidate) };
+                    !inside
+                });
+                if let Some(bound) = beyond {
+                    // The solution lies before the end of the segment, if x lies before x of that end.
+                    sides[side] = if upward { bound.upper() } else { bound.lower() };
+                    done[side] = true;
+                    continue;
+                }
+                if candidate.sign() != Some(1) {
+                    return None;
+                }
+                let reached = self.state(half, &candidate).x;
+                done[side] = if side == 0 { reached.is_below(x) } else { x.is_below(&reached) };
+                sides[side] = candidate;
+            }
+            if done == [true, true] {
+                break;
+            }
+            radius *= 16.0;
+        }
+        if done != [true, true] || !self.holds(segment, x) {
+            return None;
+        }
+        let range = sides[0].hull(&sides[1]);
+        let over = self.state(half, &range);
+        let at = self.state(half, &range.middle());
+        let one = c.small(1);
+        let slopes = one.clone() / over.j.clone() - one / at.j.clone();
+        let correction = (x.clone() - at.x.clone()) * slopes;
+        Some(Point { x: x.clone(), place: Some((half, range)), at, over, correction, critical: true })
+    }
+
+    /// x lies between the x of the segment's ends (up to the enclosure of an end itself).
+    fn holds(&self, segment: &Segment, x: &E) -> bool {
+        [0, 1].into_iter().all(|side| {
+            let Some(y) = self.bound(segment, &segment.ends[side]) else { return true };
+            let end = self.state(segment.half, &y).x;
+            let wrong = if side == 0 { x.is_below(&end) } else { end.is_below(x) };
+            !wrong
+        })
+    }
+
+    fn guess(&self, half: Half, y: [f64; 2], x: [f64; 2], target: f64) -> f64 {
+        let start = match half {
+            Half::Generic { base, .. } if y[0].is_infinite() || y[1] == 0.0 => {
+                let _ = base;
+                y[0].min(y[1])
+            }
+            _ if x[1].is_finite() && x[1] > x[0] => {
+                y[0] + (y[1] - y[0]) * ((target - x[0]) / (x[1] - x[0])).clamp(0.0, 1.0).sqrt()
+            }
+            _ => 0.0,
+        };
+        newton_bracketed(Bracket { negative: y[0], positive: y[1] }, start, 4.0 * f64::EPSILON, |at| {
+            let state = State::at(self.model, &self.estimate, half, &Estimate(at));
+            (1.0 - target / state.x.0, target / state.x.0 * state.log_slope.0)
+        })
+        .at
+    }
+
+    /// J − J' of two points or ranges, the narrowest over all moments to measure from.
+    fn moment_difference(&self, p: &State<E>, q: &State<E>) -> E {
+        let n = self.model.groups.len();
+        let squares: Vec<E> = (0..n)
+            .map(|k| (p.gamma[k].clone() - q.gamma[k].clone()) * (p.gamma[k].clone() + q.gamma[k].clone()))
+            .collect();
+        let about = |base: usize| {
+            (0..n)
+                .filter(|&k| k != base)
+                .fold(self.c.small(0), |sum, k| sum + squares[k].clone() * self.c.diff[k][base].clone())
+        };
+        let plain = p.j.clone() - q.j.clone();
+        (0..n).fold(plain, |best, base| best.meet(&about(base)))
+    }
+
+    /// h_a − h_b over one x.
+    pub fn gap(&self, a: &Point<E>, b: &Point<E>) -> E {
+        let x = a.x.meet(&b.x);
+        let difference = self.moment_difference(&b.at, &a.at);
+        let kinetic = x.clone() * difference / (a.at.j.clone() * b.at.j.clone());
+        let plain = kinetic - (a.at.rho.clone() - b.at.rho.clone()) + a.correction.clone() - b.correction.clone();
+        if a.critical && b.critical { plain.meet(&self.exact_gap(&x, &a.over, &b.over)) } else { plain }
+    }
+
+    /// h_a − h_b of two critical points over one x, without the cancellation of heights (Corollary 3.10 of
+    /// docs/mathematics.md):
+    /// h_a − h_b = x [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
+    ///
+    /// From U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'], which holds for a critical γ and every γ' on the
+    /// sphere, taken in both directions.
+    fn exact_gap(&self, x: &E, a: &State<E>, b: &State<E>) -> E {
+        let n = self.model.groups.len();
+        let mu = (1..n)
+            .fold(b.tau[0].clone() - a.tau[0].clone(), |best, k| best.meet(&(b.tau[k].clone() - a.tau[k].clone())));
+        let distance = (0..n).fold(self.c.small(0), |sum, k| sum + (a.gamma[k].clone() - b.gamma[k].clone()).square());
+        let moment = self.moment_difference(a, b);
+        let cube = moment.clone() * moment.square() / (a.j.clone() * b.j.clone());
+        x.clone() * (mu * distance - cube) / (a.j.square() + b.j.square())
+    }
+
+    /// The sign of h_a − h_b all over two ranges of states that hold the points over the same x, by the same identity.
+    pub fn range_sign(&self, a: &State<E>, b: &State<E>) -> Option<i8> {
+        self.exact_gap(&self.c.small(1), a, b).sign().filter(|sign| *sign != 0)
+    }
+}
+
+/// x at the end of a segment, for guesses.
+fn x_estimate(model: &Model, c: &Constants<Estimate>, segment: &Segment, bound: &Bound) -> f64 {
+    match (bound, segment.half) {
+        (Bound::Infinity, Half::Generic { .. }) => 0.0,
+        (Bound::Infinity, Half::Over { .. }) | (Bound::Zero, Half::Generic { .. }) => f64::INFINITY,
+        (Bound::Zero, half) => State::at(model, c, half, &Estimate(0.0)).x.0,
+        (Bound::At(place), half) => {
+            let y = 0.5 * (place.lo.to_f64().value() + place.hi.to_f64().value());
+            State::at(model, c, half, &Estimate(y)).x.0
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use numbers::enclosure::Narrow;
+    use numbers::wide::Wide;
+    use top::body::Body;
+    use top::curves::CriticalSet;
+
+    fn compare<E: Enclosure>(precision: E::Precision, width: f64) {
+        let mut compared = 0;
+        for (a, r) in [
+            (["2", "1.1", "1"], ["0.3", "0.5", "0.7"]),
+            (["2", "1.1", "1"], ["0.94868", "0", "0.61623"]),
+            (["1", "1.3", "1.9"], ["0.8", "1e-6", "0.6"]),
+            (["1", "0.7", "0.5"], ["1", "0", "0"]),
+        ] {
+            let body = Body::parse(&a, &r).unwrap();
+            let frame = body.frame();
+            let model = Model::new(&body, &frame);
+            let curves = Curves::new(&model, 200).unwrap();
+            let set = CriticalSet::new(frame).unwrap();
+            let evaluator = Evaluator::<E>::new(&model, &curves, &[], precision);
+            for x in [0.2, 0.7, 1.7, 3.1, 5.3, 8.8, 40.0, 1e7] {
+                let x_set = E::double(x, precision);
+                let mut points: Vec<(Point<E>, f64)> = Vec::new();
+                for (number, curve) in curves.list.pairs() {
+                    let other = set.curves.iter().find(|c| c.branch == curve.branch && c.piece == curve.piece).unwrap();
+                    if x <= other.x()[0] * 1.001 || x >= other.x()[1] * 0.999 {
+                        continue;
+                    }
+                    let point = evaluator.point(number, &x_set).unwrap();
+                    let [lo, hi] = point.h().bounds();
+                    let expected = other.point(&set.frame, x);
+                    let slack = expected.h_error();
+                    assert!(
+                        lo - slack <= expected.h() && expected.h() <= hi + slack,
+                        "{x} {curve:?} [{lo}, {hi}] {}",
+                        expected.h()
+                    );
+                    assert!(hi - lo <= width * (1.0 + x), "{}", hi - lo);
+                    points.push((point, expected.h()));
+                    compared += 1;
+                }
+                for (p, h) in &points {
+                    for (q, k) in &points {
+                        let [lo, hi] = evaluator.gap(p, q).bounds();
+                        assert!(lo <= hi, "the two formulas for the gap contradict each other at {x}");
+                        let slack = 1e-13 * (1.0 + x);
+                        assert!(lo - slack <= h - k && h - k <= hi + slack);
+                    }
+                }
+            }
+        }
+        assert!(compared > 100);
+    }
+
+    #[test]
+    fn points_and_gaps_are_those_of_the_closed_form() {
+        compare::<Narrow>((), 1e-13);
+        compare::<Wide>(160, 1e-14);
+    }
+}

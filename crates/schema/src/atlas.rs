@@ -1,0 +1,276 @@
+//! `atlas.json`: curves, events and regions of the (h, l) plane of one body.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Accuracy, CertificateDocument, ComponentDocument, InertiaDocument, MarginDocument, Stability};
+
+/// What is special about a body; every flag is decided exactly.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Flags {
+    /// The triangle inequality A_i + A_j ≥ A_k is violated: no mass distribution has these moments.
+    pub unphysical: bool,
+    /// A_i + A_j = A_k: a plate.
+    pub plate: bool,
+    /// Two or three moments are equal.
+    pub symmetric: bool,
+    /// Some r_i = 0.
+    pub plane: bool,
+    /// r is a principal direction: r̂ is an eigenvector of A.
+    pub axis: bool,
+    /// r = 0: Euler's case.
+    pub euler: bool,
+}
+
+/// The body of an atlas.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct BodyDocument {
+    /// A1, A2, A3 as given.
+    #[serde(rename = "A")]
+    pub moments: [String; 3],
+    /// r1, r2, r3 as given.
+    #[serde(rename = "r")]
+    pub center: [String; 3],
+    /// What is special about the body.
+    #[serde(flatten)]
+    pub flags: Flags,
+    /// True when the generic closed form needs a special case.
+    pub degenerate: bool,
+    /// The part from which A and r were computed, when a full inertia tensor was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<InertiaDocument>,
+}
+
+/// What a curve in the (h, l) plane stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CurveKind {
+    /// Relative equilibria of the generic family γ(μ).
+    Generic,
+    /// A symmetric pair over μ = A_i with r_i = 0.
+    Pair,
+    /// A circle of relative equilibria (Lagrange's top).
+    Circle,
+    /// Rotation about a principal axis: a straight line in (l², h).
+    Axis,
+    /// r̂ enters U_hl.
+    PolePlus,
+    /// −r̂ enters U_hl.
+    PoleMinus,
+    /// All of S² is critical.
+    Sphere,
+}
+
+/// A stretch of a curve with one kind of stability.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StabilitySpan {
+    /// From this l …
+    pub l_from: f64,
+    /// … to this l; null: to infinity.
+    pub l_to: Option<f64>,
+    /// Spectral stability there.
+    pub stability: Stability,
+}
+
+/// How a curve goes on beyond its polyline: h = l²/(2 J) + h0 + O(l⁻²).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TailDocument {
+    /// J: the moment of inertia of the limiting axis.
+    pub moment: f64,
+    /// h0.
+    pub h_offset: f64,
+}
+
+/// A curve of critical values, or a pole line; l is monotone along it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CurveDocument {
+    /// Id, unique in the atlas.
+    pub id: String,
+    /// What it stands for.
+    pub kind: CurveKind,
+    /// Branch: curves that continue each other through cusps and pitchforks share it.
+    pub branch: String,
+    /// Morse index; null for a pole line off the critical curves.
+    pub index: Option<u8>,
+    /// 2 for a symmetric pair (a double curve).
+    pub multiplicity: u32,
+    /// Curves with the same (h, l).
+    pub coincides_with: Vec<String>,
+    /// Range of μ of the closed form (docs/mathematics.md); null at an infinite end; absent for pole lines.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mu_range: Option<[Option<f64>; 2]>,
+    /// Range of l; null: to infinity.
+    pub l_range: [Option<f64>; 2],
+    /// Spectral stability along the curve, by rising l; empty for pole lines.
+    pub stability: Vec<StabilitySpan>,
+    /// Points [h, l] by rising l, dense enough for the chord tolerance.
+    pub polyline: Vec<[f64; 2]>,
+    /// Asymptotics beyond the polyline; null for a curve with two finite ends.
+    pub tail: Option<TailDocument>,
+}
+
+/// Kinds of events of the arrangement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum EventKind {
+    /// Two critical points meet and vanish.
+    Cusp,
+    /// A symmetric pair leaves a curve.
+    Pitchfork,
+    /// Two curves cross.
+    Crossing,
+}
+
+/// Proved bounds of a point, as decimals.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct EnclosureDocument {
+    /// l lies between these.
+    pub l: [String; 2],
+    /// h lies between these.
+    pub h: [String; 2],
+}
+
+/// A point where curves meet.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EventDocument {
+    /// What happens.
+    pub kind: EventKind,
+    /// Vertical angular momentum.
+    pub l: f64,
+    /// Energy.
+    pub h: f64,
+    /// Ids of the curves that meet.
+    pub curves: Vec<String>,
+    /// Bound on the error of `l`.
+    pub l_error: f64,
+    /// Bound on the error of `h`.
+    pub h_error: f64,
+    /// Proved bounds (certified only).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub enclosure: Option<EnclosureDocument>,
+}
+
+/// A point in a region, as far from its boundary in h as the region allows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SampleDocument {
+    /// Energy.
+    pub h: f64,
+    /// Vertical angular momentum.
+    pub l: f64,
+    /// Distance to the boundary.
+    pub margin: MarginDocument,
+}
+
+/// A region on the other side of a curve.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct NeighbourDocument {
+    /// Id of the region; null: the forbidden region below the lowest critical value.
+    pub region: Option<String>,
+    /// Id of the curve crossed.
+    pub curve: String,
+}
+
+/// A piece of a region between two consecutive events: all (h, l) with l in `l_range` and h between two curves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CellDocument {
+    /// Range of l; null: to infinity.
+    pub l_range: [Option<f64>; 2],
+    /// Id of the curve below (to the left in h).
+    pub lower: String,
+    /// Id of the curve above; null: unbounded.
+    pub upper: Option<String>,
+}
+
+/// A connected face of the (h, l) half-plane l > 0, on which the topology is constant.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RegionDocument {
+    /// Id, unique in the atlas.
+    pub id: String,
+    /// A well-placed point inside.
+    pub sample: SampleDocument,
+    /// The components of U_hl.
+    pub components: Vec<ComponentDocument>,
+    /// The sections' names joined by `+`; null when r = 0.
+    pub signature: Option<String>,
+    /// True when the region is bounded in the (h, l) plane.
+    pub bounded: bool,
+    /// Range of l; null: to infinity.
+    pub l_range: [Option<f64>; 2],
+    /// The largest extent in h at one l; null if unbounded.
+    pub h_width: Option<f64>,
+    /// Ids of the curves on the boundary.
+    pub boundary: Vec<String>,
+    /// The regions next to this one.
+    pub neighbours: Vec<NeighbourDocument>,
+    /// The cells that make up the region, by rising l.
+    pub cells: Vec<CellDocument>,
+    /// True when a window cuts the region.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub clipped: bool,
+}
+
+/// Something that this accuracy could not decide.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct UndecidedDocument {
+    /// What could not be decided, in words.
+    pub what: String,
+    /// Near this l.
+    pub l: f64,
+    /// Near this h.
+    pub h: f64,
+    /// Ids of the curves concerned.
+    pub curves: Vec<String>,
+}
+
+/// Totals of an atlas.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SummaryDocument {
+    /// Number of regions.
+    pub regions: usize,
+    /// Number of events.
+    pub events: usize,
+    /// How many regions have each signature.
+    pub signatures: BTreeMap<String, usize>,
+    /// The largest number of critical points at one l.
+    pub critical_points_max: usize,
+    /// What could not be decided.
+    pub undecided: Vec<UndecidedDocument>,
+    /// True when `regions` covers the whole half-plane l > 0.
+    pub complete: bool,
+}
+
+/// A part of the (h, l) plane.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct WindowDocument {
+    /// Energies.
+    pub h: [f64; 2],
+    /// Vertical angular momenta.
+    pub l: [f64; 2],
+}
+
+/// The atlas of one body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AtlasDocument {
+    /// Version of this document.
+    pub schema_version: String,
+    /// The level of accuracy that was asked for.
+    pub accuracy: Accuracy,
+    /// The body.
+    pub body: BodyDocument,
+    /// The window that was asked for; absent: the whole half-plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub window: Option<WindowDocument>,
+    /// Critical curves and pole lines.
+    pub curves: Vec<CurveDocument>,
+    /// Cusps, pitchforks and crossings, by rising l.
+    pub events: Vec<EventDocument>,
+    /// Every region.
+    pub regions: Vec<RegionDocument>,
+    /// Totals.
+    pub summary: SummaryDocument,
+    /// What is needed to check the atlas (certified only).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<CertificateDocument>,
+}

@@ -1,0 +1,87 @@
+//! `classify`: the type of U, E and P at one point (h, l).
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Accuracy, InertiaDocument};
+
+/// One connected component of U_hl with the components of E_hl and P_hl above it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct ComponentDocument {
+    /// Boundary circles of the component of U_hl.
+    pub boundary_circles: u32,
+    /// `"+"` for r̂, `"-"` for −r̂; null when r = 0.
+    pub poles: Option<Vec<String>>,
+    /// `S2`, `D2`, `S2-2D2` or `S2-3D2`.
+    pub accessible_region: String,
+    /// `RP3`, `S3`, `S1xS2` or `(S1xS2)#(S1xS2)`.
+    pub energy_surface: String,
+    /// `S2`, `T2`, `M2`, `M3` or `M4`; null when r = 0.
+    pub section: Option<String>,
+    /// Genus of the section's component; null when r = 0.
+    pub genus: Option<u32>,
+}
+
+/// Distance in h to the nearest curve, and how much of it can be trusted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MarginDocument {
+    /// |h − h_c| to the nearest critical curve or pole line at this l.
+    pub h: f64,
+    /// Id of that curve.
+    pub nearest: String,
+    /// Bound on the error of `h`.
+    pub error_bound: f64,
+}
+
+/// What is known of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// Inside a region; `components` holds the answer.
+    Regular,
+    /// Below the lowest critical value: U_hl is empty.
+    Forbidden,
+    /// Exactly on a curve (proved); `candidates` holds every class that meets there.
+    Critical,
+    /// Closer to a curve than the error bound; `candidates` holds every possible class.
+    Undecided,
+}
+
+/// One class that meets at a critical or undecided point.
+pub type CandidateDocument = Vec<ComponentDocument>;
+
+/// The answer of `classify`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ClassificationDocument {
+    /// Version of this document.
+    pub schema_version: String,
+    /// A1, A2, A3 as given.
+    #[serde(rename = "A")]
+    pub moments: [String; 3],
+    /// r1, r2, r3 as given.
+    #[serde(rename = "r")]
+    pub center: [String; 3],
+    /// Energy as given.
+    pub h: String,
+    /// Vertical angular momentum as given.
+    pub l: String,
+    /// What is known of the point.
+    pub status: Status,
+    /// The level of accuracy that was asked for.
+    pub accuracy: Accuracy,
+    /// Distance to the nearest curve.
+    pub margin: MarginDocument,
+    /// The components of U_hl (none when forbidden); null when critical or undecided.
+    pub components: Option<Vec<ComponentDocument>>,
+    /// The sections' names joined by `+`; null when r = 0 or no single class is known.
+    pub signature: Option<String>,
+    /// Every class that meets at a critical or undecided point; an empty list of components is `forbidden`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub candidates: Vec<CandidateDocument>,
+    /// Why something is null.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
+    /// The part from which A and r were computed, when a full inertia tensor was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<InertiaDocument>,
+}

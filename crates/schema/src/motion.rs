@@ -1,0 +1,78 @@
+//! `orbit`: the body's motion in space.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{DriftDocument, InertiaDocument, IntegratorDocument};
+
+/// The motion at one time; vectors are in the body's (principal) axes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MotionSampleDocument {
+    /// Time since the start.
+    pub time: f64,
+    /// The vertical.
+    pub gamma: [f64; 3],
+    /// Angular momentum.
+    pub l: [f64; 3],
+    /// Angular velocity.
+    pub omega: [f64; 3],
+    /// Euler's angle ϑ ∈ [0, π] between γ and the third axis.
+    pub theta: f64,
+    /// Euler's angle ψ ∈ (−π, π].
+    pub psi: f64,
+    /// Euler's angle φ, continuous in time.
+    pub phi: f64,
+    /// The attitude as a unit quaternion [w, x, y, z], continuous in time: it takes vectors of the body to space.
+    pub attitude: [f64; 4],
+}
+
+/// How well it went.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MotionSummaryDocument {
+    /// Samples that were computed.
+    pub samples: usize,
+    /// Steps of the integrator.
+    pub steps: u64,
+    /// The largest deviations of the first integrals from their values at the start, over the samples.
+    pub drift: DriftDocument,
+    /// The largest |Rᵀe_z − γ|: the attitude's vertical against the integrated one.
+    pub vertical_error: f64,
+    /// The largest angle between the attitude and that of the angles (ϑ, ψ, φ), which are found independently.
+    pub attitude_difference: f64,
+    /// Pieces of the motion with γ at ±e₃ within rounding; beyond them φ and ψ are one possible continuation.
+    pub at_pole: u64,
+}
+
+/// The answer of `orbit`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MotionDocument {
+    /// Version of this document.
+    pub schema_version: String,
+    /// A1, A2, A3 as given.
+    #[serde(rename = "A")]
+    pub moments: [String; 3],
+    /// r1, r2, r3 as given.
+    #[serde(rename = "r")]
+    pub center: [String; 3],
+    /// Energy at the start.
+    pub h: f64,
+    /// Vertical angular momentum ⟨γ,l⟩ at the start.
+    pub l: f64,
+    /// The start, at time 0.
+    pub start: MotionSampleDocument,
+    /// How γ and l were integrated.
+    pub integrator: IntegratorDocument,
+    /// False when samples are missing: the run was interrupted, or the integrator failed.
+    pub complete: bool,
+    /// How well it went.
+    pub summary: MotionSummaryDocument,
+    /// The motion, by rising time; absent where the samples are written as data.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub samples: Option<Vec<MotionSampleDocument>>,
+    /// What is to be known about the result, in words.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
+    /// The part from which A and r were computed, when a full inertia tensor was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<InertiaDocument>,
+}

@@ -1,0 +1,260 @@
+//! `section`: what a Poincaré section was made of, and how well each orbit went.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{ComponentDocument, InertiaDocument};
+
+/// Which function of the state vanishes on the section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ConditionName {
+    /// S = ⟨ω, r×γ⟩, the rate of W = ⟨γ,r⟩: the centre of mass is at a turning point of its height.
+    Height,
+    /// S = ⟨l, γ×r⟩, the rate of W = −⟨l,l⟩/2.
+    AngularMomentum,
+}
+
+/// Integrators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum IntegratorName {
+    /// Taylor series of adaptive step.
+    Taylor,
+    /// Dormand and Prince's method of order 8, adaptive.
+    Dop853,
+    /// The classical Runge–Kutta method of order 4, fixed step.
+    Rk4,
+    /// A composition of exact Poisson flows of order 4, fixed step.
+    Splitting,
+}
+
+/// An integrator and how fine it was.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct IntegratorDocument {
+    /// Which one.
+    pub name: IntegratorName,
+    /// Tolerance of a step; absent for fixed steps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tol: Option<f64>,
+    /// Length of a step in time; absent for adaptive ones.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub step: Option<f64>,
+}
+
+/// Where the orbits started.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct StartsDocument {
+    /// How many orbits were asked for.
+    pub orbits: usize,
+    /// The seed of the spread starts; absent when the user gave the points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rng_seed: Option<u64>,
+}
+
+/// The largest deviation of each first integral from its value at the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DriftDocument {
+    /// Of H.
+    pub h: f64,
+    /// Of ⟨γ,l⟩.
+    pub l: f64,
+    /// Of ⟨γ,γ⟩.
+    pub gamma: f64,
+}
+
+/// Why an orbit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum EndName {
+    /// It has the crossings that were asked for.
+    Crossings,
+    /// Its time was up.
+    Time,
+    /// S ≡ 0 along it: a relative equilibrium, or a regular precession of Lagrange's top.
+    StaysOnSection,
+    /// The integrator could not go on.
+    Failed,
+    /// The run was interrupted; the points until then are there.
+    Interrupted,
+}
+
+/// The largest Lyapunov exponent of an orbit over a finite time T, per unit of time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LyapunovDocument {
+    /// λ(T) = ln(|δ(T)|/|δ(0)|)/T; of regular orbits it falls like ln(T)/T.
+    pub exponent: f64,
+    /// λ(T/2): what it still changes.
+    pub exponent_half: f64,
+    /// The weighted mean of d ln|δ|/dt, which converges faster for regular orbits.
+    pub mean_rate: f64,
+    /// The same over [0, T/2].
+    pub mean_rate_half: f64,
+    /// T.
+    pub time: f64,
+}
+
+/// The rotation number of an orbit's return map.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RotationDocument {
+    /// Turns per return, in [0, 1/2].
+    pub number: f64,
+    /// How far the two halves of the returns disagree; 0 for a chain of islands.
+    pub error: f64,
+    /// The angle that was averaged: ψ′, the angle about the mean, the curve's own parameter, or none for islands.
+    pub angle: RotationAngleName,
+    /// Length of the chain of islands (or of the periodic orbit).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub islands: Option<usize>,
+    /// Number of returns.
+    pub returns: usize,
+}
+
+/// Which angle turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RotationAngleName {
+    /// ψ′, about the axis r̂.
+    Axis,
+    /// The angle about the mean of the crossings.
+    Mean,
+    /// The parameter of the curve that the crossings follow.
+    Curve,
+    /// None: the crossings visit islands in turn.
+    Islands,
+}
+
+/// How regular an orbit is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ChaosDocument {
+    /// Null for an orbit of no duration or one that was not finished.
+    pub lyapunov: Option<LyapunovDocument>,
+    /// Null if there is none.
+    pub rotation: Option<RotationDocument>,
+    /// Why there is no rotation number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub no_rotation: Option<String>,
+}
+
+/// One orbit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OrbitDocument {
+    /// Its number, as in the data.
+    pub orbit: u32,
+    /// The component (its number in `components`, from 0) that holds its start; null if it could not be told.
+    pub component: Option<usize>,
+    /// ϑ' of its start.
+    pub theta: f64,
+    /// ψ' of its start.
+    pub psi: f64,
+    /// Sheet of its start, ±1.
+    pub sheet: i8,
+    /// Crossings; the start is not counted.
+    pub crossings: usize,
+    /// Why it ended.
+    pub end: EndName,
+    /// What stopped the integrator.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub failure: Option<String>,
+    /// Time until which it was followed.
+    pub time: f64,
+    /// Steps of the integrator.
+    pub steps: u64,
+    /// Extrema of S whose sign is within rounding: a pair of crossings may be missing or spurious there.
+    pub tangencies: u32,
+    /// The largest deviations of the first integrals, over the crossings.
+    pub drift: DriftDocument,
+    /// The largest |S| at a crossing.
+    pub residual: f64,
+    /// How regular it is, if that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub chaos: Option<ChaosDocument>,
+}
+
+/// Totals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SectionSummaryDocument {
+    /// Orbits that were begun.
+    pub orbits: usize,
+    /// Crossings of all orbits.
+    pub crossings: usize,
+    /// Orbits on which S ≡ 0.
+    pub stay_on_section: usize,
+    /// Orbits on which the integrator failed.
+    pub failed: usize,
+    /// Extrema of S whose sign is within rounding.
+    pub tangencies: u64,
+    /// The largest deviations of the first integrals.
+    pub drift: DriftDocument,
+    /// The largest |S| at a crossing.
+    pub residual: f64,
+}
+
+/// A Poincaré section at one (h, l).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SectionDocument {
+    /// Version of this document.
+    pub schema_version: String,
+    /// A1, A2, A3 as given.
+    #[serde(rename = "A")]
+    pub moments: [String; 3],
+    /// r1, r2, r3 as given.
+    #[serde(rename = "r")]
+    pub center: [String; 3],
+    /// Energy as given.
+    pub h: String,
+    /// Vertical angular momentum as given.
+    pub l: String,
+    /// The region of the atlas whose sample this is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub region: Option<String>,
+    /// The components of U_hl at this point.
+    pub components: Vec<ComponentDocument>,
+    /// The sections' names joined by `+`.
+    pub signature: Option<String>,
+    /// What the section is.
+    pub condition: ConditionName,
+    /// How the orbits were integrated.
+    pub integrator: IntegratorDocument,
+    /// Where they started.
+    pub starts: StartsDocument,
+    /// Crossings that were asked for of each orbit.
+    pub crossings: usize,
+    /// Time after which each orbit was stopped; absent: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_time: Option<f64>,
+    /// False when the run was interrupted: orbits are then missing or shorter than asked for.
+    pub complete: bool,
+    /// Totals.
+    pub summary: SectionSummaryDocument,
+    /// Every orbit that was begun.
+    pub orbits: Vec<OrbitDocument>,
+    /// What is to be known about the result, in words.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
+    /// The part from which A and r were computed, when a full inertia tensor was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<InertiaDocument>,
+}
+
+/// A region without a section.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct SkippedDocument {
+    /// Id of the region.
+    pub region: String,
+    /// Why there is none.
+    pub reason: String,
+}
+
+/// The sections at the samples of an atlas.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SectionsDocument {
+    /// Version of this document.
+    pub schema_version: String,
+    /// False when the run was interrupted: sections are then missing or incomplete.
+    pub complete: bool,
+    /// A section for each region, in the order of the atlas.
+    pub sections: Vec<SectionDocument>,
+    /// Regions at whose samples no section could be made.
+    pub skipped: Vec<SkippedDocument>,
+}

@@ -1,0 +1,208 @@
+//! Borders to the last digits: the function that vanishes there.
+//!
+//! Near a border the atlas leaves bodies undecided, since its events draw together faster than the parameter. But what
+//! happens there is known by then, and with it a function of the parameter that passes through 0 with a slope: a difference
+//! of heights, an exact excess. Its zero is found without any atlas.
+
+use dashu_ratio::RBig;
+
+use super::segment::Segment;
+use top::body::Frame;
+use top::curves::{Branch, CriticalSet, Gap, Point};
+use top::diagram::{Arrangement, Change};
+
+/// What vanishes at a border.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Witness {
+    /// The excess of the pair over this axis of the frame, an exact fraction: its cusp reaches its pitchfork.
+    Excess(usize),
+    /// J_r − a of the middle axis, an exact fraction.
+    MiddleMoment,
+    /// The height of a cusp of one branch over a curve of another.
+    CuspOnCurve { cusp: Branch, curve: Branch, near: Place },
+    /// The height of the pitchfork of the pair over an axis over a curve.
+    PitchforkOnCurve { axis: usize, curve: Branch },
+    /// The height of a curve over the crossing of two others.
+    CurveOnCrossing { crossing: [Branch; 2], curve: Branch, near: Place },
+    /// The squared difference of J at two cusps of one branch, which exist on one side only.
+    TwoCusps { branch: Branch, near: Place, above: bool },
+    /// A difference of two moments, or a component of r, which are linear in the parameter.
+    SpecialBody,
+    /// Nothing that is known.
+    Nothing,
+}
+
+/// A place in the plane of (l²/2, h) in the body's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    pub x: f64,
+    pub h: f64,
+}
+
+impl Place {
+    /// Of a point in the frame's units.
+    pub(super) fn of(frame: &Frame, x: f64, h: f64) -> Self {
+        Self { x: x * frame.momentum_unit * frame.momentum_unit, h: h * frame.energy_unit }
+    }
+
+    fn distance(&self, frame: &Frame, x: f64, h: f64) -> f64 {
+        let other = Self::of(frame, x, h);
+        (other.x - self.x).abs() / self.x + (other.h - self.h).abs() / self.h.abs().max(1e-3 * frame.energy_unit)
+    }
+}
+
+/// A value of t with an estimate of its error.
+pub(super) struct Root {
+    pub t: f64,
+    pub error: f64,
+}
+
+/// The zero of the witness between two values of t.
+pub(super) fn root(segment: &Segment, witness: &Witness, t: [f64; 2]) -> Option<Root> {
+    match witness {
+        Witness::Nothing => None,
+        Witness::SpecialBody => special(segment, t),
+        Witness::TwoCusps { branch, near, above } => extrapolated(segment, *branch, near, *above, t),
+        _ => bisected(|t| value(segment, witness, t), t),
+    }
+}
+
+/// Where two moments are equal or a component of r vanishes, exactly.
+fn special(segment: &Segment, t: [f64; 2]) -> Option<Root> {
+    let at = |place: usize, t: f64| segment.coordinate(place, t);
+    let vanishing = |of: &dyn Fn(f64) -> RBig| {
+        let (from, to) = (of(0.0), of(1.0));
+        if from == to {
+            return None;
+        }
+        let root = (&from / (&from - to)).to_f64().value();
+        (t[0] <= root && root <= t[1]).then_some(Root { t: root, error: f64::EPSILON * root.abs() })
+    };
+    let moments = [(0, 1), (1, 2), (0, 2)];
+    let equal = moments.into_iter().find_map(|(i, j)| vanishing(&|t| at(i, t) - at(j, t)));
+    equal.or_else(|| (3..6).find_map(|place| vanishing(&|t| at(place, t))))
+}
+
+fn value(segment: &Segment, witness: &Witness, t: f64) -> Option<Gap> {
+    let frame = segment.body(t).frame();
+    let exact = |value: f64| Some(Gap { value, error: 0.0 });
+    match witness {
+        Witness::Excess(axis) => return exact(frame.symmetric_sums[*axis].cusp_excess),
+        Witness::MiddleMoment => return exact(frame.offset[1]),
+        _ => {}
+    }
+    let set = CriticalSet::new(frame).ok()?;
+    match witness {
+        Witness::CuspOnCurve { cusp, curve, near } => {
+            let found =
+                set.cusps.iter().filter(|found| set.curves[found.curves[0]].branch == *cusp).min_by(|p, q| {
+                    let far = |point: &Point| near.distance(&set.frame, point.x, point.h());
+                    far(&p.point).total_cmp(&far(&q.point))
+                })?;
+            height(&set, &found.point, *curve)
+        }
+        Witness::PitchforkOnCurve { axis, curve } => {
+            let found = set.pitchforks.iter().find(|found| found.axis == *axis)?;
+            height(&set, &found.point, *curve)
+        }
+        Witness::CurveOnCrossing { crossing, curve, near } => {
+            let arrangement = Arrangement::new(set);
+            let set = &arrangement.set;
+            let branch = |c: usize| set.curves[c].branch;
+            let found = arrangement
+                .events
+                .iter()
+                .filter(|event| match event.change {
+                    Change::Swap([a, b]) => [branch(a), branch(b)] == *crossing || [branch(b), branch(a)] == *crossing,
+                    _ => false,
+                })
+                .min_by(|p, q| {
+                    let far = |x: f64, h: f64| near.distance(&set.frame, x, h);
+                    far(p.x, p.h).total_cmp(&far(q.x, q.h))
+                })?;
+            let Change::Swap([a, _]) = found.change else { return None };
+            height(set, &set.curves[a].point(&set.frame, found.x), *curve)
+        }
+        _ => None,
+    }
+}
+
+/// h of a point minus that of the nearest curve of a branch at the same x.
+fn height(set: &CriticalSet, point: &Point, branch: Branch) -> Option<Gap> {
+    set.curves
+        .iter()
+        .filter(|curve| curve.branch == branch && curve.x()[0] < point.x && point.x < curve.x()[1])
+        .map(|curve| Gap::between(&set.frame, point, &curve.point(&set.frame, point.x)))
+        .min_by(|p, q| p.value.abs().total_cmp(&q.value.abs()))
+}
+
+/// Bisection on the sign, until rounding hides it.
+fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -> Option<Root> {
+    const STEPS: usize = 120;
+    let (first, last) = (value(low)?, value(high)?);
+    if first.sign()? == last.sign()? {
+        return None;
+    }
+    let slope = (last.value - first.value) / (high - low);
+    for _ in 0..STEPS {
+        let t = 0.5 * (low + high);
+        if t <= low || t >= high {
+            break;
+        }
+        let found = value(t)?;
+        match found.sign() {
+            Some(sign) if Some(sign) == first.sign() => low = t,
+            Some(_) => high = t,
+            None => {
+                let t = t - found.value / slope;
+                return Some(Root { t, error: 2.0 * found.error / slope.abs() + f64::EPSILON * t.abs() });
+            }
+        }
+    }
+    Some(Root { t: 0.5 * (low + high), error: high - low })
+}
+
+/// Inverse interpolation of t over f = (J − J')² of the two cusps, beyond the side on which they exist: they part like the
+/// root of the distance from the border, so f is smooth there and vanishes with a slope.
+fn extrapolated(segment: &Segment, branch: Branch, near: &Place, above: bool, t: [f64; 2]) -> Option<Root> {
+    const POINTS: usize = 6;
+    let width = (t[1] - t[0]).max(1e-7);
+    let mut known: Vec<(f64, f64)> = Vec::with_capacity(POINTS);
+    for k in 0..POINTS {
+        let step = 3.0 * width * k as f64;
+        let at = if above { t[1] + step } else { t[0] - step };
+        if !(0.0..=1.0).contains(&at) {
+            break;
+        }
+        let set = CriticalSet::new(segment.body(at).frame()).ok()?;
+        let mut cusps: Vec<Point> = set
+            .cusps
+            .iter()
+            .filter(|cusp| set.curves[cusp.curves[0]].branch == branch)
+            .map(|cusp| cusp.point)
+            .collect();
+        let far = |point: &Point| near.distance(&set.frame, point.x, point.h());
+        cusps.sort_by(|p, q| far(p).total_cmp(&far(q)));
+        let [p, q] = cusps.get(..2)? else { break };
+        let difference = (p.j - q.j) / set.frame.a[2];
+        known.push((difference * difference, at));
+    }
+    if known.len() < 3 {
+        return None;
+    }
+    let whole = neville(&known);
+    let fewer = neville(&known[..known.len() - 1]);
+    Some(Root { t: whole, error: (whole - fewer).abs() + f64::EPSILON })
+}
+
+/// The value at 0 of the polynomial through (f, t).
+fn neville(known: &[(f64, f64)]) -> f64 {
+    let mut table: Vec<f64> = known.iter().map(|(_, t)| *t).collect();
+    for order in 1..known.len() {
+        for k in 0..known.len() - order {
+            let (from, to) = (known[k].0, known[k + order].0);
+            table[k] = (to * table[k] - from * table[k + 1]) / (to - from);
+        }
+    }
+    table[0]
+}

@@ -1,0 +1,145 @@
+//! The parameters of a body that a scan can vary, and their ranges as they are written.
+
+use std::fmt;
+use std::str::FromStr;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::design::Range;
+use top::body::{Number, ParseNumberError};
+
+/// One coordinate of (A, r).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+pub enum Parameter {
+    /// A1.
+    A1,
+    /// A2.
+    A2,
+    /// A3.
+    A3,
+    /// r1.
+    #[serde(rename = "r1")]
+    R1,
+    /// r2.
+    #[serde(rename = "r2")]
+    R2,
+    /// r3.
+    #[serde(rename = "r3")]
+    R3,
+}
+
+/// A text that names no parameter.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("`{text}` is no parameter of a body; the parameters are A1, A2, A3, r1, r2, r3")]
+pub struct ParseParameterError {
+    /// What was written.
+    pub text: String,
+}
+
+/// Why a text is not a range of a parameter.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum ParseRangeError {
+    /// Not of the form.
+    #[error("a range is written A2=0.5:2 or, for a grid of 200 values, A2=0.5:2:200")]
+    Shape,
+    /// No such parameter.
+    #[error(transparent)]
+    Parameter(#[from] ParseParameterError),
+    /// An end is no number.
+    #[error("{parameter}: {source}")]
+    End {
+        /// Of which parameter.
+        parameter: Parameter,
+        /// What is wrong.
+        source: ParseNumberError,
+    },
+    /// The ends are in the wrong order.
+    #[error("{parameter}={from}:{to} is empty; write the lower end first")]
+    Empty {
+        /// Of which parameter.
+        parameter: Parameter,
+        /// As written.
+        from: String,
+        /// As written.
+        to: String,
+    },
+    /// The number of values is none.
+    #[error("{parameter}: `{text}` is no number of grid values; write a whole number from 2 to 1000000")]
+    Steps {
+        /// Of which parameter.
+        parameter: Parameter,
+        /// As written.
+        text: String,
+    },
+}
+
+impl Parameter {
+    /// All six.
+    pub const ALL: [Self; 6] = [Self::A1, Self::A2, Self::A3, Self::R1, Self::R2, Self::R3];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        ["A1", "A2", "A3", "r1", "r2", "r3"][self.place()]
+    }
+
+    /// Its place in (A1, A2, A3, r1, r2, r3).
+    #[must_use]
+    pub fn place(self) -> usize {
+        match self {
+            Self::A1 => 0,
+            Self::A2 => 1,
+            Self::A3 => 2,
+            Self::R1 => 3,
+            Self::R2 => 4,
+            Self::R3 => 5,
+        }
+    }
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Parameter {
+    type Err = ParseParameterError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let found = Self::ALL.into_iter().find(|parameter| parameter.name() == text.trim());
+        found.ok_or_else(|| ParseParameterError { text: text.trim().to_owned() })
+    }
+}
+
+impl FromStr for Range {
+    type Err = ParseRangeError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const STEPS_MAX: u32 = 1_000_000;
+        let (parameter, rest) = text.split_once('=').ok_or(ParseRangeError::Shape)?;
+        let parameter: Parameter = parameter.parse()?;
+        let parts: Vec<&str> = rest.split(':').collect();
+        let (from, to, steps) = match parts[..] {
+            [from, to] => (from, to, None),
+            [from, to, steps] => (from, to, Some(steps)),
+            _ => return Err(ParseRangeError::Shape),
+        };
+        let end = |text: &str| text.parse::<Number>().map_err(|source| ParseRangeError::End { parameter, source });
+        let (from, to) = (end(from)?, end(to)?);
+        if from >= to {
+            let [from, to] = [from, to].map(|end| end.text().to_owned());
+            return Err(ParseRangeError::Empty { parameter, from, to });
+        }
+        let steps = match steps {
+            None => None,
+            Some(text) => {
+                let count = text.trim().parse::<u32>().ok().filter(|count| (2..=STEPS_MAX).contains(count));
+                Some(count.ok_or_else(|| ParseRangeError::Steps { parameter, text: text.to_owned() })?)
+            }
+        };
+        Ok(Self { parameter, from, to, steps })
+    }
+}

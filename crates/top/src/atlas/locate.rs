@@ -1,0 +1,227 @@
+//! Point location: the region of a point on a prepared body, without tracing anything.
+
+use std::ops::RangeInclusive;
+
+use thiserror::Error;
+
+use super::Atlas;
+use super::region::is_ordered;
+use crate::body::Frame;
+use crate::curves::{CurveId, Point};
+use crate::diagram::{Change, EventId, RegionId, SlabId};
+use crate::table::Id;
+use numbers::UNIT_ROUNDOFF;
+
+/// Where a point (h, l) lies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Location {
+    /// In a region, below all, or too near to a curve.
+    pub place: Place,
+    /// Distance in h to the nearest curve at this l, in the body's units.
+    pub distance: f64,
+    /// The nearest curve.
+    pub nearest: CurveId,
+    /// Bound on the error of `distance`, the rounding of h and l included.
+    pub error_bound: f64,
+    /// Points of curves that were computed.
+    pub curve_points: usize,
+}
+
+/// What a location says.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Inside this region.
+    Region(RegionId),
+    /// Below the lowest critical value.
+    Forbidden,
+    /// Closer to a curve than the error bound: one of these regions (`None`: forbidden).
+    Undecided(Vec<Option<RegionId>>),
+}
+
+/// An angular momentum at which `f64` cannot compute.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("l = {l:e} is too {} for this body in f64; |l| between {smallest:e} and {largest:e}, or 0, is possible", if *.l < *.smallest { "small" } else { "large" })]
+pub struct MomentumError {
+    /// |l| as asked for.
+    pub l: f64,
+    /// Smallest |l| > 0.
+    pub smallest: f64,
+    /// Largest |l|.
+    pub largest: f64,
+}
+
+/// Roundings of x = l²/2 relative to its exact value: l itself, the square.
+pub(crate) const X_ROUNDINGS: f64 = 4.0;
+
+/// x = l²/2 in the frame's units.
+///
+/// # Errors
+/// [`MomentumError`] when squares and cubes of x would leave the range of `f64`.
+pub(crate) fn abscissa(frame: &Frame, l: f64) -> Result<f64, MomentumError> {
+    const LIMIT: f64 = 1e45;
+    let scaled = l.abs() / frame.momentum_unit;
+    if scaled == 0.0 || (1.0 / LIMIT..=LIMIT).contains(&scaled) {
+        Ok(0.5 * scaled * scaled)
+    } else {
+        let unit = frame.momentum_unit;
+        Err(MomentumError { l: l.abs(), smallest: unit / LIMIT, largest: unit * LIMIT })
+    }
+}
+
+/// Bound on the error of h − h_curve: of the curve, of x and of h.
+pub(crate) fn comparison_error(point: &Point, h: f64) -> f64 {
+    point.h_error() + UNIT_ROUNDOFF * (2.0 * X_ROUNDINGS * point.x * point.slope() + 4.0 * h.abs())
+}
+
+impl Atlas {
+    /// Locates a point (h, l), l ≠ 0: a binary search over events, then over the curves of one slab.
+    ///
+    /// # Errors
+    /// [`MomentumError`] when |l| is out of range; l = 0 is answered by [`crate::classify`].
+    pub fn locate(&self, h: f64, l: f64) -> Result<Location, MomentumError> {
+        let frame = &self.arrangement.set.frame;
+        let x = abscissa(frame, l)?;
+        let mut location = self.locate_scaled(h / frame.energy_unit, x);
+        location.distance *= frame.energy_unit;
+        location.error_bound *= frame.energy_unit;
+        Ok(location)
+    }
+
+    fn locate_scaled(&self, h: f64, x: f64) -> Location {
+        let slabs = &self.arrangement.slabs;
+        let number = SlabId::at(slabs.as_slice().partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1));
+        let near = self.slabs_near(number, x, false);
+        let around = self.slabs_near(number, x, true);
+        let Bracket { low, under, over, curve_points } = self.bracket(number, h, x);
+        let order = &slabs[number].order;
+        let (distance, nearest) =
+            if under.0 <= over.0 { (under.0, order[low - 1]) } else { (over.0, order[low.min(order.len() - 1)]) };
+        let error_bound = under.1.max(over.1);
+        let decided = |distance: f64| {
+            if distance <= error_bound || !self.order_is_certain(number, x) {
+                Place::Undecided(self.candidates(h, x, around.clone()))
+            } else if low == 0 {
+                Place::Forbidden
+            } else {
+                Place::Region(slabs[number].region_above[low - 1])
+            }
+        };
+        if near.start() == near.end() {
+            return Location { place: decided(distance), distance, nearest, error_bound, curve_points };
+        }
+        // Within rounding of an event the curves that are born or vanish there count, on whichever side x is.
+        let places = self.candidates(h, x, around.clone());
+        let (distance, nearest) = self.nearest_in(h, x, near.clone()).unwrap_or((distance, nearest));
+        let place = if places.len() > 1 { Place::Undecided(places) } else { decided(distance) };
+        Location { place, distance, nearest, error_bound, curve_points }
+    }
+
+    /// Binary search for h among the curves of a slab.
+    fn bracket(&self, slab: SlabId, h: f64, x: f64) -> Bracket {
+        let order = &self.arrangement.slabs[slab].order;
+        let point = |c: CurveId| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, x);
+        // Curves order[..low] lie below h, order[high..] above.
+        let (mut low, mut high) = (0, order.len());
+        let (mut below, mut above): (Option<Point>, Option<Point>) = (None, None);
+        let mut curve_points = 0;
+        while low < high {
+            let middle = usize::midpoint(low, high);
+            let candidate = point(order[middle]);
+            curve_points += 1;
+            if candidate.h() <= h {
+                low = middle + 1;
+                below = Some(candidate);
+            } else {
+                high = middle;
+                above = Some(candidate);
+            }
+        }
+        let side = |p: &Option<Point>| p.map_or((f64::INFINITY, 0.0), |p| ((h - p.h()).abs(), comparison_error(&p, h)));
+        Bracket { low, under: side(&below), over: side(&above), curve_points }
+    }
+
+    /// The slab of x, and those beyond events within rounding of x: all events, or only those at which curves begin or
+    /// end. (Curves that cross within rounding of x are both seen from either side.)
+    fn slabs_near(&self, number: SlabId, x: f64, crossings: bool) -> RangeInclusive<SlabId> {
+        let near = |event: &EventId| {
+            let Some(event) = self.arrangement.events.get(*event) else { return false };
+            let counts = crossings || !matches!(event.change, Change::Swap(_));
+            counts && (event.x - x).abs() <= 4.0 * event.x_error + 4.0 * X_ROUNDINGS * UNIT_ROUNDOFF * x
+        };
+        let (mut first, mut last) = (number, number);
+        while let Some(event) = first.event_at_start().filter(near) {
+            first = SlabId::before(event);
+        }
+        while near(&last.event_at_end()) {
+            last = SlabId::after(last.event_at_end());
+        }
+        first..=last
+    }
+
+    /// The points of the curves of a slab at x, or at its end where x lies just outside.
+    fn points_in(&self, slab: SlabId, x: f64) -> Vec<Point> {
+        let slab = &self.arrangement.slabs[slab];
+        let at = x.clamp(slab.x[0].max(f64::MIN_POSITIVE), slab.x[1]);
+        slab.order.iter().map(|&c| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, at)).collect()
+    }
+
+    /// Distance and number of the nearest curve in any of several slabs.
+    fn nearest_in(&self, h: f64, x: f64, slabs: RangeInclusive<SlabId>) -> Option<(f64, CurveId)> {
+        each(slabs)
+            .flat_map(|slab| {
+                let order = &self.arrangement.slabs[slab].order;
+                let distances = self.points_in(slab, x).into_iter().map(|point| (point.h() - h).abs());
+                distances.zip(order.iter().copied()).collect::<Vec<_>>()
+            })
+            .min_by(|p, q| p.0.total_cmp(&q.0))
+    }
+
+    /// False when something is undecided and the heights at x contradict the order of the slab.
+    fn order_is_certain(&self, number: SlabId, x: f64) -> bool {
+        let set = &self.arrangement.set;
+        if self.arrangement.undecided.is_empty() {
+            return true;
+        }
+        let order = &self.arrangement.slabs[number].order;
+        let points: Vec<Point> = order.iter().map(|&c| set.curves[c].point(&set.frame, x)).collect();
+        is_ordered(&points)
+    }
+
+    /// Every region that meets the box of rounding around a point in these slabs.
+    fn candidates(&self, h: f64, x: f64, slabs: RangeInclusive<SlabId>) -> Vec<Option<RegionId>> {
+        let mut found = Vec::new();
+        for number in each(slabs) {
+            let points = self.points_in(number, x);
+            let reaches = |p: &Point| {
+                let error = 2.0 * comparison_error(p, h);
+                (p.h() - error <= h, p.h() + error >= h)
+            };
+            for gap in 0..=points.len() {
+                let above_lower = gap == 0 || reaches(&points[gap - 1]).0;
+                let below_upper = gap == points.len() || reaches(&points[gap]).1;
+                let region = gap.checked_sub(1).map(|position| self.arrangement.slabs[number].region_above[position]);
+                if above_lower && below_upper && !found.contains(&region) {
+                    found.push(region);
+                }
+            }
+        }
+        found
+    }
+}
+
+/// The slabs of a range.
+fn each(slabs: RangeInclusive<SlabId>) -> impl Iterator<Item = SlabId> {
+    (slabs.start().index()..=slabs.end().index()).map(SlabId::at)
+}
+
+/// Where h stands among the curves of a slab.
+struct Bracket {
+    /// So many curves lie below h.
+    low: usize,
+    /// Distance to the curve below and the error bound of that distance.
+    under: (f64, f64),
+    /// Distance to the curve above and the error bound of that distance.
+    over: (f64, f64),
+    /// Points of curves that were computed.
+    curve_points: usize,
+}

@@ -1,0 +1,213 @@
+//! A heavy rigid body as it was given: principal moments and centre of mass, exact.
+
+use dashu_ratio::RBig;
+use thiserror::Error;
+
+use super::frame::Frame;
+use numbers::{Number, ParseNumberError};
+
+/// A heavy rigid body with a fixed point: A = diag(A1, A2, A3) and the centre of mass r, with the
+/// constants m g absorbed into r. Validated once; all values are exact.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Body {
+    moments: [Number; 3],
+    center: [Number; 3],
+}
+
+/// Why three moments and a centre of mass are not a body.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum BodyError {
+    /// A moment of inertia is zero or negative.
+    #[error("A{axis} = {value} is not positive; a moment of inertia must be greater than zero")]
+    MomentNotPositive {
+        /// 1, 2 or 3.
+        axis: usize,
+        /// The moment as given.
+        value: String,
+    },
+    /// Not three moments.
+    #[error("A needs three moments of inertia, {count} given")]
+    MomentCount {
+        /// How many were given.
+        count: usize,
+    },
+    /// Not three coordinates.
+    #[error("r needs three coordinates, {count} given")]
+    CenterCount {
+        /// How many were given.
+        count: usize,
+    },
+    /// A component is not a number.
+    #[error("{name}{axis}: {source}")]
+    Component {
+        /// `A` or `r`.
+        name: &'static str,
+        /// 1, 2 or 3.
+        axis: usize,
+        /// What is wrong with it.
+        source: ParseNumberError,
+    },
+}
+
+/// What is special about a body; every flag is decided exactly.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flags {
+    /// The triangle inequality A_i + A_j ≥ A_k is violated: no mass distribution has these moments.
+    pub unphysical: bool,
+    /// A_i + A_j = A_k: a plate.
+    pub plate: bool,
+    /// Two or three moments are equal.
+    pub symmetric: bool,
+    /// Some r_i = 0.
+    pub plane: bool,
+    /// r is a principal direction: r̂ is an eigenvector of A.
+    pub axis: bool,
+    /// r = 0: Euler's case.
+    pub euler: bool,
+}
+
+impl Flags {
+    /// True when the closed form of the generic body needs a special case.
+    #[must_use]
+    pub fn degenerate(&self) -> bool {
+        self.symmetric || self.plane || self.axis || self.euler
+    }
+}
+
+impl Body {
+    /// A body from exact numbers.
+    ///
+    /// # Errors
+    /// [`BodyError::MomentNotPositive`] when some A_i ≤ 0.
+    pub fn new(moments: [Number; 3], center: [Number; 3]) -> Result<Self, BodyError> {
+        for (i, moment) in moments.iter().enumerate() {
+            if moment.value() <= &RBig::ZERO {
+                return Err(BodyError::MomentNotPositive { axis: i + 1, value: moment.text().to_owned() });
+            }
+        }
+        Ok(Self { moments, center })
+    }
+
+    /// A body from texts, each a decimal or a rational.
+    ///
+    /// # Errors
+    /// Every [`BodyError`].
+    pub fn parse<S: AsRef<str>>(moments: &[S], center: &[S]) -> Result<Self, BodyError> {
+        let moments = parse_triple("A", moments, |count| BodyError::MomentCount { count })?;
+        let center = parse_triple("r", center, |count| BodyError::CenterCount { count })?;
+        Self::new(moments, center)
+    }
+
+    /// A body from doubles, each read as its shortest decimal.
+    ///
+    /// # Errors
+    /// [`BodyError::MomentNotPositive`]; [`BodyError::Component`] for NaN, infinities and magnitudes out of range.
+    pub fn from_f64(moments: [f64; 3], center: [f64; 3]) -> Result<Self, BodyError> {
+        Self::new(numbers_from_f64("A", moments)?, numbers_from_f64("r", center)?)
+    }
+
+    /// A1, A2, A3 as given.
+    #[must_use]
+    pub fn moments(&self) -> &[Number; 3] {
+        &self.moments
+    }
+
+    /// r1, r2, r3 as given.
+    #[must_use]
+    pub fn center(&self) -> &[Number; 3] {
+        &self.center
+    }
+
+    /// The principal moments, rounded.
+    #[must_use]
+    pub fn moments_f64(&self) -> [f64; 3] {
+        self.moments.each_ref().map(Number::to_f64)
+    }
+
+    /// The centre of mass, rounded.
+    #[must_use]
+    pub fn center_f64(&self) -> [f64; 3] {
+        self.center.each_ref().map(Number::to_f64)
+    }
+
+    /// The body in the sorted, scaled frame in which everything is computed.
+    #[must_use]
+    pub fn frame(&self) -> Frame {
+        Frame::new(self)
+    }
+
+    /// What is special about this body.
+    #[must_use]
+    pub fn flags(&self) -> Flags {
+        let a = self.moments.each_ref().map(Number::value);
+        let r = self.center.each_ref().map(Number::value);
+        let mut flags = Flags::default();
+        for k in 0..3 {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            match (a[i] + a[j]).cmp(a[k]) {
+                std::cmp::Ordering::Less => flags.unphysical = true,
+                std::cmp::Ordering::Equal => flags.plate = true,
+                std::cmp::Ordering::Greater => {}
+            }
+            flags.symmetric |= a[i] == a[j];
+            flags.plane |= r[k].is_zero();
+        }
+        flags.euler = r.iter().all(|x| x.is_zero());
+        let moment_of_first = (0..3).find(|&i| !r[i].is_zero()).map(|i| a[i]);
+        flags.axis = moment_of_first.is_some_and(|first| (0..3).all(|i| r[i].is_zero() || a[i] == first));
+        flags
+    }
+}
+
+fn parse_triple<S: AsRef<str>>(
+    name: &'static str,
+    texts: &[S],
+    wrong_count: impl Fn(usize) -> BodyError,
+) -> Result<[Number; 3], BodyError> {
+    let [x, y, z] = texts else {
+        return Err(wrong_count(texts.len()));
+    };
+    let parse =
+        |axis: usize, text: &S| text.as_ref().parse().map_err(|source| BodyError::Component { name, axis, source });
+    Ok([parse(1, x)?, parse(2, y)?, parse(3, z)?])
+}
+
+fn numbers_from_f64(name: &'static str, values: [f64; 3]) -> Result<[Number; 3], BodyError> {
+    let number =
+        |axis: usize| Number::from_f64(values[axis - 1]).map_err(|source| BodyError::Component { name, axis, source });
+    Ok([number(1)?, number(2)?, number(3)?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moments_must_be_positive() {
+        let error = Body::parse(&["2", "0", "1"], &["1", "0", "0"]).unwrap_err();
+        assert_eq!(error, BodyError::MomentNotPositive { axis: 2, value: "0".into() });
+        let error = Body::from_f64([2.0, 1.0, f64::NAN], [1.0, 0.0, 0.0]).unwrap_err();
+        assert!(matches!(error, BodyError::Component { name: "A", axis: 3, .. }));
+        assert_eq!(Body::parse(&["2", "1"], &["1", "0"]).unwrap_err(), BodyError::MomentCount { count: 2 });
+    }
+
+    #[test]
+    fn plates_are_physical_and_decided_exactly() {
+        let flags = |a: [&str; 3]| Body::parse(&a, &["1", "0", "0"]).unwrap().flags();
+        assert!(flags(["0.3", "0.1", "0.2"]).plate);
+        assert!(!flags(["0.3", "0.1", "0.2"]).unphysical);
+        assert!(flags(["0.3000000000000000000001", "0.1", "0.2"]).unphysical);
+        assert!(!flags(["2", "1.1", "1"]).plate);
+    }
+
+    #[test]
+    fn special_bodies_are_flagged() {
+        let flags = |a: [&str; 3], r: [&str; 3]| Body::parse(&a, &r).unwrap().flags();
+        assert!(flags(["1", "1", "1"], ["1", "2", "3"]).axis);
+        assert!(flags(["1", "1", "2"], ["1", "2", "0"]).axis);
+        assert!(!flags(["1", "1", "2"], ["1", "2", "3"]).axis);
+        assert!(flags(["1", "1", "2"], ["0", "0", "0"]).euler);
+        assert!(!flags(["1", "1", "2"], ["0", "0", "0"]).axis);
+        assert!(!flags(["3", "1", "2.5"], ["1", "1", "1"]).degenerate());
+    }
+}

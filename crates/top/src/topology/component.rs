@@ -1,0 +1,143 @@
+//! Connected components of the accessible region and Table 1 of Schmidt, Dullin and Richter (2008).
+
+/// Which of the poles ±r̂ lie in a component of U_hl.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Poles {
+    /// +r̂, the centre of mass hanging down (γ points down).
+    pub plus: bool,
+    /// −r̂.
+    pub minus: bool,
+}
+
+impl Poles {
+    /// How many poles lie in the component.
+    #[must_use]
+    pub fn count(self) -> u32 {
+        u32::from(self.plus) + u32::from(self.minus)
+    }
+}
+
+/// One connected component of U_hl, up to homeomorphism of (U_hl, poles).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Component {
+    /// Number k of boundary circles: the component is S² minus k discs.
+    pub boundary_circles: u32,
+    /// The poles inside; `None` when r = 0, where no poles exist.
+    pub poles: Option<Poles>,
+}
+
+impl Component {
+    /// Genus of the component of the Poincaré section P_hl over this component of U_hl:
+    /// g = k + n − 1 with k boundary circles and n poles, since P_hl is the double of the component
+    /// minus n discs (Theorem 10.6 of docs/mathematics.md). `None` where the section does not exist (r = 0).
+    ///
+    /// The formula needs k + n ≥ 1; S² without poles does not occur, since U_hl = S² contains both.
+    #[must_use]
+    pub fn genus(&self) -> Option<u32> {
+        self.poles.map(|poles| (self.boundary_circles + poles.count()).saturating_sub(1))
+    }
+
+    /// Name of the component of U_hl: `S2`, `D2`, `S2-2D2`, `S2-3D2`, …
+    #[must_use]
+    pub fn accessible_region(&self) -> String {
+        match self.boundary_circles {
+            0 => "S2".to_owned(),
+            1 => "D2".to_owned(),
+            k => format!("S2-{k}D2"),
+        }
+    }
+
+    /// Name of the component of the energy surface E_hl over this component:
+    /// `RP3`, `S3`, `S1xS2`, and connected sums of S¹×S².
+    #[must_use]
+    pub fn energy_surface(&self) -> String {
+        match self.boundary_circles {
+            0 => "RP3".to_owned(),
+            1 => "S3".to_owned(),
+            2 => "S1xS2".to_owned(),
+            k => vec!["(S1xS2)"; k as usize - 1].join("#"),
+        }
+    }
+
+    /// Name of the component of the section P_hl: `S2`, `T2`, `M2`, `M3`, `M4`; `None` when r = 0.
+    #[must_use]
+    pub fn section(&self) -> Option<String> {
+        self.genus().map(|genus| match genus {
+            0 => "S2".to_owned(),
+            1 => "T2".to_owned(),
+            g => format!("M{g}"),
+        })
+    }
+
+    /// Sort key: boundary circles, number of poles, "+" before "-".
+    fn key(&self) -> (u32, u32, bool) {
+        let poles = self.poles.unwrap_or_default();
+        (self.boundary_circles, poles.count(), poles.minus)
+    }
+}
+
+/// Brings components into the canonical order: by boundary circles, number of poles, "+" before "-".
+pub fn sort_components(components: &mut [Component]) {
+    components.sort_by_key(Component::key);
+}
+
+/// The same for components that carry something with them.
+pub(super) fn sort_by_component<T>(components: &mut [(T, Component)]) {
+    components.sort_by_key(|(_, component)| component.key());
+}
+
+/// The sections' names joined by "+" in canonical order, such as `S2+T2`; `None` when r = 0.
+#[must_use]
+pub fn signature(components: &[Component]) -> Option<String> {
+    let names: Option<Vec<String>> = components.iter().map(Component::section).collect();
+    names.map(|names| names.join("+"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn component(k: u32, plus: bool, minus: bool) -> Component {
+        Component { boundary_circles: k, poles: Some(Poles { plus, minus }) }
+    }
+
+    #[test]
+    fn table_1_of_the_paper() {
+        let cases = [
+            (1, false, false, "S2"),
+            (2, false, false, "T2"),
+            (3, false, false, "M2"),
+            (1, true, false, "T2"),
+            (2, false, true, "M2"),
+            (3, true, false, "M3"),
+            (0, true, true, "T2"),
+            (1, true, true, "M2"),
+            (2, true, true, "M3"),
+            (3, true, true, "M4"),
+        ];
+        for (k, plus, minus, section) in cases {
+            assert_eq!(component(k, plus, minus).section().as_deref(), Some(section));
+        }
+        assert_eq!(component(3, true, true).energy_surface(), "(S1xS2)#(S1xS2)");
+    }
+
+    #[test]
+    fn components_are_sorted_by_circles_poles_and_sign() {
+        let mut all = [
+            component(1, false, true),
+            component(2, false, false),
+            component(1, true, false),
+            component(1, false, false),
+        ];
+        sort_components(&mut all);
+        assert_eq!(signature(&all).as_deref(), Some("S2+T2+T2+T2"));
+        assert_eq!(all[1], component(1, true, false));
+    }
+
+    #[test]
+    fn without_a_centre_of_mass_there_is_no_section() {
+        let euler = Component { boundary_circles: 2, poles: None };
+        assert_eq!((euler.genus(), euler.section()), (None, None));
+        assert_eq!(signature(&[euler]), None);
+    }
+}

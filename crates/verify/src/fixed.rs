@@ -1,0 +1,292 @@
+//! Interval arithmetic on integers: both ends are multiples of 2⁻²⁵⁶.
+//!
+//! Ends are of any size, so nothing overflows and no end is infinite. What has no value (a quotient whose divisor may be
+//! 0, the root of a negative set, the common part of disjoint sets) is `None`, and the check that needed it fails.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use dashu_base::{DivEuclid, Signed, SquareRoot};
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+
+/// Fractional bits.
+const BITS: usize = 256;
+
+/// All reals between two multiples of 2⁻²⁵⁶.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Fixed {
+    lo: IBig,
+    hi: IBig,
+}
+
+/// ⌊n/2²⁵⁶⌋: the shift of a negative number rounds down.
+fn floor_shift(n: IBig) -> IBig {
+    n >> BITS
+}
+
+fn ceil_shift(n: IBig) -> IBig {
+    -((-n) >> BITS)
+}
+
+/// ⌊n/d⌋ for d > 0.
+fn floor_div(n: IBig, d: &IBig) -> IBig {
+    n.div_euclid(d)
+}
+
+fn ceil_div(n: IBig, d: &IBig) -> IBig {
+    -(-n).div_euclid(d)
+}
+
+impl Fixed {
+    pub fn of(x: &RBig) -> Self {
+        let (n, d) = (x.numerator() << BITS, IBig::from(x.denominator().clone()));
+        Self { lo: floor_div(n.clone(), &d), hi: ceil_div(n, &d) }
+    }
+
+    /// All numbers between two; `None` when they are not in order.
+    pub fn between(lo: &RBig, hi: &RBig) -> Option<Self> {
+        (lo <= hi).then(|| Self { lo: Self::of(lo).lo, hi: Self::of(hi).hi })
+    }
+
+    pub fn whole(n: i32) -> Self {
+        let n = IBig::from(n) << BITS;
+        Self { lo: n.clone(), hi: n }
+    }
+
+    /// 1, −1, or 0 for zero alone; `None` when the signs differ.
+    pub fn sign(&self) -> Option<i8> {
+        let zero = IBig::ZERO;
+        if self.lo > zero {
+            Some(1)
+        } else if self.hi < zero {
+            Some(-1)
+        } else if self.lo == zero && self.hi == zero {
+            Some(0)
+        } else {
+            None
+        }
+    }
+
+    /// 1 or −1 when every number here has that sign.
+    pub fn strict_sign(&self) -> Option<i8> {
+        self.sign().filter(|sign| *sign != 0)
+    }
+
+    pub fn is_positive(&self) -> bool {
+        self.sign() == Some(1)
+    }
+
+    /// self / other; `None` when the divisor may be 0.
+    pub fn over(&self, other: &Self) -> Option<Self> {
+        match other.strict_sign()? {
+            1 => {
+                let least = if self.lo.is_negative() { &other.lo } else { &other.hi };
+                let greatest = if self.hi.is_negative() { &other.hi } else { &other.lo };
+                Some(Self { lo: floor_div(&self.lo << BITS, least), hi: ceil_div(&self.hi << BITS, greatest) })
+            }
+            _ => (-self).over(&-other),
+        }
+    }
+
+    /// The square root of a number that is known not to be negative; `None` when every number here is.
+    pub fn root(&self) -> Option<Self> {
+        let root = |n: &IBig| {
+            let (_, magnitude) = (n << BITS).max(IBig::ZERO).into_parts();
+            IBig::from(magnitude.sqrt())
+        };
+        (!self.hi.is_negative()).then(|| Self { lo: root(&self.lo), hi: root(&self.hi) + IBig::ONE })
+    }
+
+    pub fn square(&self) -> Self {
+        let product = self * self;
+        Self { lo: product.lo.max(IBig::ZERO), hi: product.hi }
+    }
+
+    pub fn half(&self) -> Self {
+        Self { lo: &self.lo >> 1usize, hi: -((-&self.hi) >> 1usize) }
+    }
+
+    pub fn hull(&self, other: &Self) -> Self {
+        Self { lo: (&self.lo).min(&other.lo).clone(), hi: (&self.hi).max(&other.hi).clone() }
+    }
+
+    /// Common part of two enclosures of one number; `None` when they contradict each other.
+    pub fn meet(&self, other: &Self) -> Option<Self> {
+        let (lo, hi) = ((&self.lo).max(&other.lo), (&self.hi).min(&other.hi));
+        (lo <= hi).then(|| Self { lo: lo.clone(), hi: hi.clone() })
+    }
+
+    pub fn middle(&self) -> Self {
+        let sum = &self.lo + &self.hi;
+        let middle: IBig = sum >> 1usize;
+        Self { lo: middle.clone(), hi: middle }
+    }
+
+    /// Every number here is below every number there.
+    pub fn below(&self, other: &Self) -> bool {
+        self.hi < other.lo
+    }
+
+    /// Every number here is at most every number there.
+    pub fn at_most(&self, other: &Self) -> bool {
+        self.hi <= other.lo
+    }
+
+    /// All of this lies in `other`.
+    pub fn inside(&self, other: &Self) -> bool {
+        other.lo <= self.lo && self.hi <= other.hi
+    }
+
+    /// The ends differ by less than 2⁻⁵⁰, as a double near 1 from the number that it stands for.
+    pub fn is_narrow(&self) -> bool {
+        ((&self.hi - &self.lo) >> (BITS - 50)).is_zero()
+    }
+
+    /// The double next to the middle: for messages and directions, not for bounds.
+    pub fn to_f64(&self) -> f64 {
+        let sum = RBig::from(&self.lo + &self.hi) / RBig::from(IBig::ONE << (BITS + 1));
+        sum.to_f64().value()
+    }
+}
+
+impl Add for &Fixed {
+    type Output = Fixed;
+    fn add(self, other: Self) -> Fixed {
+        Fixed { lo: &self.lo + &other.lo, hi: &self.hi + &other.hi }
+    }
+}
+
+impl Sub for &Fixed {
+    type Output = Fixed;
+    fn sub(self, other: Self) -> Fixed {
+        Fixed { lo: &self.lo - &other.hi, hi: &self.hi - &other.lo }
+    }
+}
+
+impl Neg for &Fixed {
+    type Output = Fixed;
+    fn neg(self) -> Fixed {
+        Fixed { lo: -&self.hi, hi: -&self.lo }
+    }
+}
+
+impl Mul for &Fixed {
+    type Output = Fixed;
+    fn mul(self, other: Self) -> Fixed {
+        let products = [&self.lo * &other.lo, &self.lo * &other.hi, &self.hi * &other.lo, &self.hi * &other.hi];
+        let (mut least, mut greatest) = (products[0].clone(), products[0].clone());
+        for product in &products[1..] {
+            if *product < least {
+                least.clone_from(product);
+            }
+            if *product > greatest {
+                greatest.clone_from(product);
+            }
+        }
+        Fixed { lo: floor_shift(least), hi: ceil_shift(greatest) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Ordinary rationals, zero and whole numbers, and numbers far larger and far smaller than the grid's step.
+    fn rationals() -> impl Strategy<Value = RBig> {
+        let ratio = |p: i64, q: u32| RBig::from_parts(p.into(), q.into());
+        let scale = |x: RBig, power: i32| {
+            let factor = RBig::from(IBig::ONE << power.unsigned_abs() as usize);
+            if power < 0 { x / factor } else { x * factor }
+        };
+        prop_oneof![
+            (-9999i64..9999, 1u32..999).prop_map(move |(p, q)| ratio(p, q)),
+            (-3i64..=3).prop_map(RBig::from),
+            (any::<i64>(), 1u32..u32::MAX, -400i32..400).prop_map(move |(p, q, power)| scale(ratio(p, q), power)),
+        ]
+    }
+
+    /// A set, some of one number, and a member of it.
+    fn sets() -> impl Strategy<Value = (Fixed, RBig)> {
+        (rationals(), rationals(), rationals()).prop_map(|(p, q, x)| {
+            let (lo, hi) = if p <= q { (p, q) } else { (q, p) };
+            let x = x.clamp(lo.clone(), hi.clone());
+            (Fixed::between(&lo, &hi).expect("in order"), x)
+        })
+    }
+
+    fn holds(set: &Fixed, x: &RBig) -> bool {
+        let scaled = x * RBig::from(IBig::ONE << BITS);
+        set.lo <= set.hi && RBig::from(set.lo.clone()) <= scaled && scaled <= RBig::from(set.hi.clone())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+
+        #[test]
+        fn operations_hold_every_result((a, x) in sets(), (b, y) in sets()) {
+            prop_assert!(holds(&a, &x) && holds(&Fixed::of(&x), &x));
+            prop_assert!(holds(&(&a + &b), &(&x + &y)));
+            prop_assert!(holds(&(&a - &b), &(&x - &y)));
+            prop_assert!(holds(&(&a * &b), &(&x * &y)));
+            prop_assert!(holds(&-&a, &-&x));
+            prop_assert!(holds(&a.square(), &(&x * &x)));
+            prop_assert!(holds(&a.half(), &(&x / RBig::from(2))));
+            prop_assert!(holds(&a.hull(&b), &x) && holds(&a.hull(&b), &y));
+            match a.over(&b) {
+                Some(quotient) => prop_assert!(holds(&quotient, &(&x / &y))),
+                None => prop_assert!(holds(&b, &RBig::ZERO)),
+            }
+        }
+
+        #[test]
+        fn roots_hold_every_root((a, x) in sets()) {
+            // √t of t = x² is |x|; sets that reach below 0 stand for their other part.
+            let size = x.clone().max(-x);
+            let square = a.square();
+            prop_assert!(holds(&square.root().unwrap(), &size));
+            let reaching = square.hull(&Fixed::whole(-1));
+            prop_assert!(holds(&reaching.root().unwrap(), &size));
+        }
+
+        #[test]
+        fn common_parts_hold_common_members((a, x) in sets(), (b, _) in sets()) {
+            match a.meet(&b) {
+                Some(met) => prop_assert!(met.inside(&a) && met.inside(&b) && (!holds(&b, &x) || holds(&met, &x))),
+                None => prop_assert!(a.below(&b) || b.below(&a)),
+            }
+        }
+
+        #[test]
+        fn order_and_signs_are_claimed_only_when_certain((a, x) in sets(), (b, y) in sets()) {
+            prop_assert!(!a.below(&b) || x < y);
+            prop_assert!(!a.at_most(&b) || x <= y);
+            prop_assert!(!a.inside(&b) || holds(&b, &x));
+            let zero = RBig::ZERO;
+            let right = match a.sign() {
+                Some(1) => x > zero,
+                Some(0) => x == zero,
+                Some(_) => x < zero,
+                None => holds(&a, &zero),
+            };
+            prop_assert!(right);
+        }
+    }
+
+    #[test]
+    fn what_has_no_value_has_no_set() {
+        let (one, two) = (Fixed::whole(1), Fixed::whole(2));
+        assert_eq!(one.over(&(&one - &one)), None);
+        assert_eq!((-&one).root(), None);
+        assert_eq!(one.meet(&two), None);
+        assert_eq!(Fixed::between(&RBig::from(2), &RBig::ONE), None);
+        assert_eq!(Fixed::whole(0).root().unwrap().lo, IBig::ZERO);
+    }
+
+    #[test]
+    fn narrow_sets_have_ends_that_doubles_hardly_tell_apart() {
+        let step = |bits: usize| RBig::from_parts(IBig::ONE, dashu_int::UBig::ONE << bits);
+        assert!(Fixed::between(&-step(52), &step(52)).unwrap().is_narrow());
+        assert!(!Fixed::between(&RBig::ZERO, &step(50)).unwrap().is_narrow());
+    }
+}

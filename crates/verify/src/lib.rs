@@ -1,0 +1,117 @@
+//! Checks a certified atlas without searching again, by other means than those that made it.
+//!
+//! - Roots are counted by Sturm's theorem; they were isolated by Descartes' rule. The cusp polynomial is built from
+//!   T J + 4V, not from 4Q'P − 3P'Q.
+//! - Intervals have integer ends (`fixed`) or, for the boxes on the sphere, ends that move outward (`interval`).
+//! - Each stretch of each pair, each slab and each box of a crossing is checked where the certificate names it.
+//! - Topology comes from boxes on a cube and from the minima and maxima of the certificate (`sphere`), not from the
+//!   sweep over latitudes.
+//!
+//! Nothing is shared with the program that writes but the types of the documents. Propositions, lemmas and theorems are
+//! those of docs/mathematics.md.
+//!
+//! ```text
+//! number  body → spaces → place → equilibria → gap                exact body, equilibria over ranges
+//! sturm → roots → pieces → meetings → events                      what there is, and that nothing is missing
+//! stand → node → rules → order → slabs → gluing → regions         order of curves, faces
+//! interval → cube → sphere, morse, component → topology           topology of each region
+//! ```
+
+mod body;
+mod classes;
+mod component;
+mod cross_check;
+mod cube;
+mod equilibria;
+mod events;
+mod fixed;
+mod gap;
+mod gluing;
+mod interval;
+mod meetings;
+mod morse;
+mod node;
+mod number;
+mod order;
+mod pieces;
+mod place;
+mod refused;
+mod regions;
+mod roots;
+mod rules;
+mod slabs;
+mod spaces;
+mod sphere;
+mod stand;
+mod sturm;
+mod topology;
+
+use dashu_ratio::RBig;
+use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
+
+use body::Body;
+use events::Events;
+use order::Orders;
+use pieces::Pieces;
+use spaces::Spaces;
+
+pub use cross_check::cross_check;
+pub use refused::Refused;
+
+/// What was checked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Report {
+    /// A proof (certified), or a cross-check (any other atlas).
+    pub proof: bool,
+    /// Regions whose topology was confirmed.
+    pub regions: usize,
+    /// Regions whose topology this check could not decide; on a certified atlas those that the atlas leaves open too.
+    pub open: Vec<String>,
+    /// Events.
+    pub events: usize,
+    /// Pairs of curves whose order was checked.
+    pub pairs: usize,
+}
+
+/// Checks a certified atlas.
+///
+/// # Errors
+/// The first thing that is wrong; [`Refused::Certificate`] for any other atlas, for which there is [`cross_check`].
+pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
+    let body = Body::read(&document.body)?;
+    let accuracy = document.accuracy;
+    match &document.certificate {
+        Some(certificate) if accuracy == Accuracy::Certified => {
+            let sum = checksum(document).map_err(|_unwritable| Refused::Checksum)?;
+            if sum == certificate.checksum { certified(document, certificate, &body) } else { Err(Refused::Checksum) }
+        }
+        certificate => Err(Refused::Certificate { accuracy, present: certificate.is_some() }),
+    }
+}
+
+fn certified(document: &AtlasDocument, certificate: &CertificateDocument, body: &Body) -> Result<Report, Refused> {
+    let spaces = Spaces::new(body, &unit(&certificate.units.moment)?, &unit(&certificate.units.energy)?)?;
+    let cusps = roots::cusps(certificate, &spaces)?;
+    let pieces = Pieces::new(&spaces, cusps)?;
+    let inflection = roots::inflection(certificate, &spaces)?;
+    let meetings = meetings::meetings(certificate, &spaces, &pieces)?;
+    let mut orders = Orders { spaces: &spaces, pieces: &pieces, inflection, meetings: Vec::new() };
+    let events = Events::read(certificate, &orders, &meetings)?;
+    orders.meetings.clone_from(&events.meetings);
+    let crossings = order::pairs(certificate, &orders)?;
+    let slabs = slabs::slabs(certificate, &orders, &events, &crossings)?;
+    let cells = regions::regions(document, certificate, &pieces, &slabs)?;
+    let open = topology::check(document, certificate, &orders, &slabs, &cells)?;
+    Ok(Report {
+        proof: true,
+        regions: document.regions.len() - open.len(),
+        open,
+        events: certificate.events.len(),
+        pairs: certificate.pairs.len(),
+    })
+}
+
+fn unit(text: &str) -> Result<RBig, Refused> {
+    let unit = number::read(text)?;
+    if unit > RBig::ZERO { Ok(unit) } else { Err(Refused::Number { text: text.to_owned() }) }
+}
