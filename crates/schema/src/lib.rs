@@ -10,6 +10,7 @@ mod classification;
 mod critical;
 mod find;
 mod inertia;
+mod layout;
 mod listing;
 mod motion;
 mod section;
@@ -28,6 +29,7 @@ pub use classification::{ClassificationDocument, ComponentDocument, MarginDocume
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
 pub use find::{FindDocument, NearestDocument, WitnessDocument};
 pub use inertia::{InertiaDocument, UnitsDocument};
+pub use layout::text;
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 pub use section::{
