@@ -8,11 +8,8 @@ use proof::CertifiedAtlas;
 use top::atlas::Atlas;
 use top::topology::signature;
 
-#[path = "../tests/common/mod.rs"]
-mod common;
-
-use common::bodies::{STRATA, random_body};
-use common::random::SplitMix64;
+use support::bodies::{STRATA, random_body};
+use support::random::SplitMix64;
 
 fn main() {
     let mut arguments = std::env::args().skip(1);

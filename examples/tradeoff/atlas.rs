@@ -10,9 +10,9 @@ use top::curves::Branch;
 use top::topology::Component;
 
 use super::clock::{quantiles, timed};
-use super::common::flood_fill;
 use super::companion;
 use super::points::Point;
+use support::flood_fill;
 
 /// Bodies of each stratum, and those on which the flood fill is tried.
 const BODIES: usize = 60;

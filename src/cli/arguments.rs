@@ -26,7 +26,7 @@ const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré
 const MAIN_EXAMPLES: &str = "\
 Examples:
   bifdiag --A 2,1.1,1 --r 0.94868,0,0.61623        all regions of the (h, l) plane
-  bifdiag --body kovalevskaya --format svg,pdf --out kovalevskaya
+  bifdiag --body kovalevskaya --format svg,png --out kovalevskaya
   bifdiag --body paper --json | jq .summary
   bifdiag classify --body paper --h 3.8 --l 3.25   the type of U, E and P at one point
   bifdiag critical --body paper --l 3.25           all relative equilibria at one l

@@ -6,6 +6,7 @@ mod certified;
 mod classification;
 mod critical;
 mod find;
+pub mod layout;
 mod section;
 
 pub use atlas::DocumentOptions;

@@ -22,27 +22,34 @@ pub trait Enclosure:
     fn double(value: f64, precision: Self::Precision) -> Self;
 
     /// Square root of the part that is not negative.
+    #[must_use]
     fn sqrt(&self) -> Self;
 
     /// x², never negative.
+    #[must_use]
     fn square(&self) -> Self;
 
     /// The sign that all members share; `Some(0)` only for the point 0.
     fn sign(&self) -> Option<i8>;
 
     /// The smallest enclosure of both.
+    #[must_use]
     fn hull(&self, other: &Self) -> Self;
 
     /// Common part of two enclosures of one value.
+    #[must_use]
     fn meet(&self, other: &Self) -> Self;
 
     /// The lower end, as a point.
+    #[must_use]
     fn lower(&self) -> Self;
 
     /// The upper end, as a point.
+    #[must_use]
     fn upper(&self) -> Self;
 
     /// A point between the ends (or an end).
+    #[must_use]
     fn middle(&self) -> Self;
 
     /// Ends rounded outward to `f64`.

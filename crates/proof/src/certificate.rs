@@ -16,7 +16,8 @@ use schema::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
-use top::curves::{BranchName, CurveName, End, Pole};
+use top::curves::{BranchName, CurveId, CurveName, End, Pole};
+use top::table::Id;
 
 /// Digits of isolating ranges.
 const ROOT_DIGITS: usize = 40;
@@ -25,12 +26,12 @@ const NODE_DIGITS: usize = 24;
 
 impl CertifiedAtlas {
     /// Name of a curve.
-    pub(super) fn name(&self, curve: usize) -> CurveName {
+    pub(super) fn name(&self, curve: CurveId) -> CurveName {
         let curve = &self.arrangement.curves.list[curve];
         CurveName::on(BranchName::of(&self.frame, curve.branch), curve.piece)
     }
 
-    fn id(&self, curve: usize) -> String {
+    fn id(&self, curve: CurveId) -> String {
         self.name(curve).to_string()
     }
 
@@ -38,7 +39,7 @@ impl CertifiedAtlas {
     #[must_use]
     pub fn certificate(&self) -> CertificateDocument {
         let a = &self.arrangement;
-        let names = |list: &[usize]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
+        let names = |list: &[CurveId]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
         let narrow = Evaluator::<Narrow>::new(&a.model, &a.curves, &[], ());
         let wide = Evaluator::<Wide>::new(&a.model, &a.curves, &[], STAGES[1]);
         let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
@@ -94,9 +95,9 @@ impl CertifiedAtlas {
                         .sources
                         .iter()
                         .map(|source| match source {
-                            Source::Cusp(n) => format!("cusp:{n}"),
-                            Source::Pitchfork(n) => format!("pitchfork:{n}"),
-                            Source::Pole(n) => format!("meeting:{n}"),
+                            Source::Cusp(n) => format!("cusp:{}", n.index()),
+                            Source::Pitchfork(n) => format!("pitchfork:{}", n.index()),
+                            Source::Pole(n) => format!("meeting:{}", n.index()),
                             Source::Crossing(_) => "crossing".to_owned(),
                         })
                         .collect(),
@@ -105,16 +106,15 @@ impl CertifiedAtlas {
                     h: decimal::outward(&event.h.map(super::region::exact), NODE_DIGITS),
                 })
                 .collect(),
-            transitions: a.transitions.clone(),
+            transitions: a.transitions.iter().map(|group| group.iter().map(|e| e.index()).collect()).collect(),
             slabs: a.slabs.iter().map(|slab| self.slab(&narrow, &wide, slab)).collect(),
             samples: self
                 .regions
-                .iter()
-                .enumerate()
-                .filter_map(|(number, region)| {
+                .pairs()
+                .filter_map(|(id, region)| {
                     let sample = region.sample.as_ref()?;
                     let h = decimal::exact(&super::region::exact(sample.h));
-                    Some(CertifiedSample { region: format!("R{}", number + 1), slab: sample.slab, h })
+                    Some(CertifiedSample { region: id.to_string(), slab: sample.cell.slab.index(), h })
                 })
                 .collect(),
             checksum: String::new(),
@@ -127,10 +127,10 @@ impl CertifiedAtlas {
         wide: &Evaluator<'_, Wide>,
         slab: &super::arrange::Slab,
     ) -> CertifiedSlab {
-        let curves = slab.order.iter().zip(&slab.face_above).map(|(&curve, face)| CertifiedHeight {
+        let curves = slab.order.iter().zip(&slab.region_above).map(|(&curve, region)| CertifiedHeight {
             curve: self.id(curve),
             place: place_over(narrow, curve, &slab.x).or_else(|| place_over(wide, curve, &slab.x)),
-            region: format!("R{}", face + 1),
+            region: region.to_string(),
         });
         CertifiedSlab { x: decimal::exact(&slab.x), curves: curves.collect() }
     }
@@ -140,7 +140,7 @@ impl CertifiedAtlas {
         &self,
         narrow: &Evaluator<'_, Narrow>,
         wide: &Evaluator<'_, Wide>,
-        curves: [usize; 2],
+        curves: [CurveId; 2],
         mark: Mark,
         side: usize,
     ) -> CertifiedNode {
@@ -154,7 +154,7 @@ impl CertifiedAtlas {
     }
 
     /// Places at the beginning or end of the common range, where one curve ends and the other goes on.
-    fn end_places(&self, wide: &Evaluator<'_, Wide>, curves: [usize; 2], side: usize) -> Option<[PlaceDocument; 2]> {
+    fn end_places(&self, wide: &Evaluator<'_, Wide>, curves: [CurveId; 2], side: usize) -> Option<[PlaceDocument; 2]> {
         let ends = curves.map(|c| self.arrangement.curves.list[c].ends[side]);
         if ends[0] == ends[1] {
             return None;
@@ -184,7 +184,7 @@ fn widened([lo, hi]: &[RBig; 2]) -> [RBig; 2] {
 }
 
 /// Where a curve of a family stands over x.
-fn place_over<E: Enclosure>(evaluator: &Evaluator<'_, E>, curve: usize, x: &RBig) -> Option<PlaceDocument> {
+fn place_over<E: Enclosure>(evaluator: &Evaluator<'_, E>, curve: CurveId, x: &RBig) -> Option<PlaceDocument> {
     let Shape::Family(_) = evaluator.curves.list[curve].shape else { return None };
     let point = evaluator.point(curve, &E::rational(x, evaluator.c.precision))?;
     document(point.place.as_ref()?, NODE_DIGITS)

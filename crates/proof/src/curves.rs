@@ -7,7 +7,8 @@ use dashu_ratio::RBig;
 use super::family::Half;
 use super::model::Model;
 use numbers::polynomial::{Polynomial, Root};
-use top::curves::{Branch, End, Orbit, Pole};
+use top::curves::{Branch, CurveId, CuspId, End, Orbit, PitchforkId, Pole};
+use top::table::{Id, Table};
 
 /// A place on a half of a family.
 #[derive(Clone, Debug)]
@@ -77,7 +78,7 @@ pub(super) enum Shape {
 #[derive(Clone, Debug)]
 pub(super) struct Cusp {
     pub place: Place,
-    pub curves: [usize; 2],
+    pub curves: [CurveId; 2],
     /// The curves lie at larger x.
     pub opens: bool,
 }
@@ -89,8 +90,8 @@ pub(super) struct Pitchfork {
     /// On the generic family; `None` when r lies on an axis.
     pub place: Option<Place>,
     /// The curve before and after, by rising x.
-    pub through: [usize; 2],
-    pub pair: usize,
+    pub through: [CurveId; 2],
+    pub pair: CurveId,
     /// The pair lies at larger x.
     pub opens: bool,
 }
@@ -98,9 +99,9 @@ pub(super) struct Pitchfork {
 /// The curves of a body.
 #[derive(Clone, Debug)]
 pub(super) struct Curves {
-    pub list: Vec<Curve>,
-    pub cusps: Vec<Cusp>,
-    pub pitchforks: Vec<Pitchfork>,
+    pub list: Table<CurveId, Curve>,
+    pub cusps: Table<CuspId, Cusp>,
+    pub pitchforks: Table<PitchforkId, Pitchfork>,
     /// The one place where dJ/dμ = 0 on the generic family.
     pub inflection: Option<(usize, Place)>,
     /// Degenerate points that are no cusp (roots of even multiplicity) or that coincide with a pitchfork.
@@ -227,9 +228,9 @@ impl Curves {
     /// Isolates all cusps (to `bits` bits) and cuts the families.
     pub fn new(model: &Model, bits: usize) -> Result<Self, NotIsolated> {
         let mut curves = Self {
-            list: Vec::new(),
-            cusps: Vec::new(),
-            pitchforks: Vec::new(),
+            list: Table::new(),
+            cusps: Table::new(),
+            pitchforks: Table::new(),
             inflection: None,
             degenerate: Vec::new(),
         };
@@ -271,7 +272,9 @@ impl Curves {
             let first = self.list.len();
             let mut from = End::Origin;
             for piece in 0..=cuts.len() {
-                let to = cuts.get(piece).map_or(End::Infinity, |_| End::Pitchfork(self.pitchforks.len() + piece));
+                let to = cuts
+                    .get(piece)
+                    .map_or(End::Infinity, |_| End::Pitchfork(PitchforkId::at(self.pitchforks.len() + piece)));
                 self.list.push(Curve {
                     branch: Branch::Axis(side),
                     piece: piece + 1,
@@ -286,8 +289,8 @@ impl Curves {
                 from = to;
             }
             for (piece, &group) in cuts.iter().enumerate() {
-                let through = [first + piece, first + piece + 1];
-                self.pitchforks.push(Pitchfork { group, place: None, through, pair: 0, opens: true });
+                let through = [first + piece, first + piece + 1].map(CurveId::at);
+                self.pitchforks.push(Pitchfork { group, place: None, through, pair: through[0], opens: true });
             }
         }
     }
@@ -359,10 +362,10 @@ impl Curves {
                 }
                 Some(Station::Middle([left, right])) => (Bound::At(left.clone()), None, Some(right.clone())),
                 Some(Station::Cusp(place)) => {
-                    (Bound::At(place.clone()), Some(End::Cusp(self.cusps.len())), Some(place.clone()))
+                    (Bound::At(place.clone()), Some(End::Cusp(self.cusps.next_id())), Some(place.clone()))
                 }
                 Some(Station::Pitchfork(place, _)) => {
-                    (Bound::At(place.clone()), Some(End::Pitchfork(self.pitchforks.len())), Some(place.clone()))
+                    (Bound::At(place.clone()), Some(End::Pitchfork(self.pitchforks.next_id())), Some(place.clone()))
                 }
             };
             let same_place = matches!((&start, &bound), (Bound::At(p), Bound::At(q)) if p.half == q.half && p.lo == q.lo && p.hi == q.hi);
@@ -376,7 +379,7 @@ impl Curves {
             }
             let Some(end) = end else { continue };
             piece += 1;
-            let this = self.list.len();
+            let this = self.list.next_id();
             let mut done = std::mem::take(&mut segments);
             let mut ends = [start_end, end];
             if !rising {
@@ -416,9 +419,13 @@ impl Curves {
                 }
                 Some(Station::Pitchfork(place, group)) => {
                     let place = Some(place.clone());
-                    self.pitchforks.push(Pitchfork { group: *group, place, through: [this; 2], pair: 0, opens: true });
-                    let number = self.pitchforks.len() - 1;
-                    self.pitchforks[number].through[usize::from(!rising)] = this;
+                    self.pitchforks.push(Pitchfork {
+                        group: *group,
+                        place,
+                        through: [this; 2],
+                        pair: this,
+                        opens: true,
+                    });
                 }
                 _ => {}
             }
@@ -427,7 +434,7 @@ impl Curves {
     }
 
     /// Enters `this` as the curve after a cut.
-    fn join(&mut self, cut: End, this: usize, rising: bool) {
+    fn join(&mut self, cut: End, this: CurveId, rising: bool) {
         match cut {
             End::Cusp(cusp) => self.cusps[cusp].curves[1] = this,
             End::Pitchfork(pitchfork) => self.pitchforks[pitchfork].through[usize::from(rising)] = this,
@@ -441,13 +448,13 @@ impl Curves {
             return;
         }
         for &group in &model.passive {
-            let Some(number) = self.pitchforks.iter().position(|p| p.group == group) else { continue };
+            let Some((number, _)) = self.pitchforks.pairs().find(|(_, p)| p.group == group) else { continue };
             let half = Half::Over { group };
             let (r_sum, p_sum) = model.sums_over(group);
             let turn = r_sum * RBig::from(-3) / model.a(group) - p_sum;
             let axis = model.axis[group];
             let orbit = orbit(model.groups[group].size, axis);
-            let first = self.list.len();
+            let first = self.list.next_id();
             let lowest = group + 1 == model.groups.len();
             let limit = Some(Limit { group, side: 0 });
             let curve = |piece, ends: [Bound; 2], marks, limit| Curve {
@@ -463,10 +470,10 @@ impl Curves {
             if turn > RBig::ZERO {
                 let place = Place::exact(half, turn);
                 let at = || Bound::At(place.clone());
-                let cusp = End::Cusp(self.cusps.len());
+                let cusp = End::Cusp(self.cusps.next_id());
                 self.list.push(curve(1, [at(), Bound::Zero], [cusp, End::Pitchfork(number)], None));
-                self.list.push(curve(2, [at(), Bound::Infinity], [cusp, End::Infinity], limit));
-                self.cusps.push(Cusp { place, curves: [first, first + 1], opens: true });
+                let second = self.list.push(curve(2, [at(), Bound::Infinity], [cusp, End::Infinity], limit));
+                self.cusps.push(Cusp { place, curves: [first, second], opens: true });
                 self.pitchforks[number].opens = false;
             } else {
                 let marks = [End::Pitchfork(number), End::Infinity];
@@ -590,7 +597,7 @@ mod tests {
     fn roots_are_those_of_flint() {
         let value = |text: &str| text.parse::<top::body::Number>().unwrap().value().clone();
         let mut compared = 0;
-        for line in include_str!("../../data/oracles/roots.jsonl").lines() {
+        for line in support::data("oracles/roots.jsonl").lines() {
             let oracle: Oracle = serde_json::from_str(line).unwrap();
             let body = Body::parse(&oracle.a, &oracle.r).unwrap();
             let frame = body.frame();

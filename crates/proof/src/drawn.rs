@@ -2,14 +2,16 @@
 
 use super::arrange::{Event, Source};
 use super::curves::Curves;
+use super::id::TransitionId;
 use super::{CertifiedAtlas, NotWritten};
 use numbers::decimal;
 use numbers::enclosure::Enclosure;
 use numbers::wide::Wide;
 use schema::EnclosureDocument;
 use top::atlas::{self, Atlas};
-use top::curves::CriticalSet;
-use top::diagram::{self, Arrangement, Change};
+use top::curves::{CriticalSet, CurveId};
+use top::diagram::{self, Arrangement, Cell, Change, EventId};
+use top::table::Table;
 use top::topology::merge::MergeError;
 
 /// Bits and digits of the enclosures of l.
@@ -25,11 +27,14 @@ impl CertifiedAtlas {
     pub fn drawn(&self) -> Result<Atlas, NotWritten> {
         let set = CriticalSet::new(self.frame.clone()).map_err(NotWritten::Equilibria)?;
         let proved = &self.arrangement;
-        let map: Option<Vec<usize>> = proved
+        let map: Option<Table<CurveId, CurveId>> = proved
             .curves
             .list
             .iter()
-            .map(|curve| set.curves.iter().position(|c| c.branch == curve.branch && c.piece == curve.piece))
+            .map(|curve| {
+                let same = |c: &CurveId| set.curves[*c].branch == curve.branch && set.curves[*c].piece == curve.piece;
+                set.curves.ids().find(same)
+            })
             .collect();
         let map = map.filter(|map| map.len() == set.curves.len()).ok_or(NotWritten::Curves)?;
         let double = |x: &dashu_ratio::RBig| x.to_f64().value();
@@ -47,21 +52,23 @@ impl CertifiedAtlas {
                 h_error: h_error.max(f64::EPSILON * h.abs()),
             })
         });
-        let events: Vec<diagram::Event> = events.collect();
-        let middle = |transition: usize| {
+        let events: Table<EventId, diagram::Event> = events.collect();
+        let middle = |transition: TransitionId| {
             let event = &proved.events[proved.transitions[transition][0]];
             0.5 * (double(&event.x[0]) + double(&event.x[1]))
         };
-        let slabs = proved.slabs.iter().enumerate().map(|(number, slab)| diagram::Slab {
+        let slabs = proved.slabs.pairs().map(|(number, slab)| diagram::Slab {
             x: [
-                number.checked_sub(1).map_or(0.0, middle),
-                if number < proved.transitions.len() { middle(number) } else { f64::INFINITY },
+                TransitionId::at_start(number).map_or(0.0, middle),
+                Some(TransitionId::at_end(number))
+                    .filter(|t| proved.transitions.get(*t).is_some())
+                    .map_or(f64::INFINITY, middle),
             ],
             order: slab.order.iter().map(|&c| map[c]).collect(),
-            face_above: slab.face_above.clone(),
+            region_above: slab.region_above.clone(),
         });
         let regions = self.regions.iter().map(|region| {
-            let (slab, position) = region.cells[0];
+            let Cell { slab, position } = region.cells[0];
             let sample = region.sample.as_ref().map_or_else(
                 || {
                     let strip = &proved.slabs[slab];
@@ -75,8 +82,8 @@ impl CertifiedAtlas {
                     }
                 },
                 |sample| {
-                    let strip = &proved.slabs[sample.slab];
-                    let nearest = map[strip.order[sample.position]];
+                    let strip = &proved.slabs[sample.cell.slab];
+                    let nearest = map[strip.order[sample.cell.position]];
                     atlas::Sample { x: double(&strip.x), h: sample.h, margin: sample.margin, error: 0.0, nearest }
                 },
             );
@@ -88,7 +95,7 @@ impl CertifiedAtlas {
         });
         let arrangement = Arrangement {
             slabs: slabs.collect(),
-            faces: proved.faces,
+            region_count: proved.region_count,
             events,
             undecided: Vec::new(),
             evaluations: 0,
@@ -100,7 +107,7 @@ impl CertifiedAtlas {
     /// Proved bounds of the events, in the order in which [`Self::drawn`] has them.
     #[must_use]
     pub fn enclosures(&self) -> Vec<EnclosureDocument> {
-        let of_event = |&number: &usize| {
+        let of_event = |&number: &EventId| {
             let event = &self.arrangement.events[number];
             std::iter::repeat_n(self.enclosure(event), event.sources.len())
         };
@@ -121,7 +128,7 @@ impl CertifiedAtlas {
 }
 
 /// What an event does, in the standard program's terms.
-fn change(curves: &Curves, event: &Event, source: &Source, map: &[usize]) -> Change {
+fn change(curves: &Curves, event: &Event, source: &Source, map: &Table<CurveId, CurveId>) -> Change {
     match source {
         Source::Cusp(number) => {
             let cusp = &curves.cusps[*number];

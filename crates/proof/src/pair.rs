@@ -9,9 +9,9 @@
 
 use super::curves::{Place, Shape};
 use super::family::Half;
-use super::point::{Evaluator, Point};
+use super::point::{Evaluator, Passage, Point};
 use numbers::enclosure::Enclosure;
-use top::curves::End;
+use top::curves::{CurveId, End, PitchforkId};
 
 /// How deep a stretch is halved.
 const DEPTH: u32 = 48;
@@ -67,7 +67,7 @@ pub(super) enum Proof {
 /// Everything about one pair.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PairProof {
-    pub curves: [usize; 2],
+    pub curves: [CurveId; 2],
     pub stretches: Vec<Stretch>,
 }
 
@@ -108,7 +108,7 @@ enum Side<E: Enclosure> {
 
 impl<E: Enclosure> Evaluator<'_, E> {
     /// The order of curves a and b, neither of which is a line or structurally lowest. `None` when they have no common x.
-    pub fn pair(&self, a: usize, b: usize) -> Result<Option<PairProof>, Open> {
+    pub fn pair(&self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
         let curves = [a, b];
         let anywhere = Open { x: [0.0, f64::INFINITY] };
         let lower = self.side(curves, 0).ok_or(anywhere)?;
@@ -143,14 +143,14 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// One curve ends at the very event at which the other begins.
-    fn touching(&self, [a, b]: [usize; 2]) -> Option<()> {
+    fn touching(&self, [a, b]: [CurveId; 2]) -> Option<()> {
         let (p, q) = (&self.curves.list[a], &self.curves.list[b]);
         let same = |x: End, y: End| x == y && matches!(x, End::Cusp(_) | End::Pitchfork(_));
         (same(p.ends[1], q.ends[0]) || same(p.ends[0], q.ends[1])).then_some(())
     }
 
     /// x at which a curve ends; `None` when it cannot be enclosed.
-    pub fn end_x(&self, curve: usize, side: usize) -> Option<E> {
+    pub fn end_x(&self, curve: CurveId, side: usize) -> Option<E> {
         match self.curves.list[curve].ends[side] {
             End::Origin => Some(self.c.small(0)),
             End::Infinity => None,
@@ -167,13 +167,13 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// x of a pitchfork: on the pair that leaves there.
-    pub fn pitchfork_x(&self, number: usize) -> E {
+    pub fn pitchfork_x(&self, number: PitchforkId) -> E {
         let group = self.curves.pitchforks[number].group;
         self.state(Half::Over { group }, &self.c.small(0)).x
     }
 
     /// The point where a curve of a family ends.
-    pub fn end_point(&self, curve: usize, side: usize) -> Option<Point<E>> {
+    pub fn end_point(&self, curve: CurveId, side: usize) -> Option<Point<E>> {
         let Shape::Family(segments) = &self.curves.list[curve].shape else { return None };
         let segment = if side == 0 { segments.first()? } else { segments.last()? };
         let y = self.bound(segment, &segment.ends[side])?;
@@ -182,7 +182,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
 
     /// How the common range begins (side 0) or ends (side 1). `Some(None)`: there is none.
     #[allow(clippy::option_option)]
-    fn side(&self, curves: [usize; 2], side: usize) -> Option<Option<Side<E>>> {
+    fn side(&self, curves: [CurveId; 2], side: usize) -> Option<Option<Side<E>>> {
         let ends = curves.map(|c| self.curves.list[c].ends[side]);
         match ends {
             [End::Infinity, End::Infinity] => return Some(Some(Side::Infinity)),
@@ -233,7 +233,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let at = if ending == 0 { [end, opposite] } else { [opposite, end] };
         let x = at[ending].x.clone();
         let node = self.node_of(x, Mark::End, at);
-        let meet = self.meet_at(curves[ending], side, curves[other]);
+        let meet = self.meet_at(Passage { curve: curves[ending], side, other: curves[other] });
         Some(Some(Side::Node(Box::new(if meet { self.meeting(node) } else { node }))))
     }
 
@@ -248,14 +248,14 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// The node at x, or at a number with few bits next to it.
-    fn node_near(&self, curves: [usize; 2], x: f64, between: [f64; 2]) -> Option<Node<E>> {
+    fn node_near(&self, curves: [CurveId; 2], x: f64, between: [f64; 2]) -> Option<Node<E>> {
         const DROPPED: u32 = 30;
         let short = f64::from_bits((x.to_bits() >> DROPPED) << DROPPED);
         let inside = between[0] < short && short < between[1];
         self.node(curves, if inside { short } else { x })
     }
 
-    fn node(&self, curves: [usize; 2], x: f64) -> Option<Node<E>> {
+    fn node(&self, curves: [CurveId; 2], x: f64) -> Option<Node<E>> {
         let set = E::double(x, self.c.precision);
         let at = [self.point(curves[0], &set)?, self.point(curves[1], &set)?];
         Some(self.node_of(set, Mark::At(x), at))
@@ -264,7 +264,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     /// The first node with a proved gap, and the stretch before it.
     fn leave(
         &self,
-        curves: [usize; 2],
+        curves: [CurveId; 2],
         lower: &Side<E>,
         upper: &Side<E>,
         stretches: &mut Vec<Stretch>,
@@ -299,7 +299,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     /// The last node before a common end, and the stretch after it.
     fn approach(
         &self,
-        curves: [usize; 2],
+        curves: [CurveId; 2],
         upper: &Side<E>,
         first: &Node<E>,
         stretches: &mut Vec<Stretch>,
@@ -324,7 +324,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// The sign of the gap between a common cusp or pitchfork and a node.
-    fn sign_beside(&self, curves: [usize; 2], end: &Side<E>, node: &Node<E>, side: usize) -> Option<(i8, Reason)> {
+    fn sign_beside(&self, curves: [CurveId; 2], end: &Side<E>, node: &Node<E>, side: usize) -> Option<(i8, Reason)> {
         match end {
             Side::Cusp(_) => {
                 if self.bends(curves[0], &node.at[0], &node.at[1])? {
@@ -352,7 +352,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// True when dJ/dμ may vanish between two points of one branch. `None` when that cannot be told.
-    fn bends(&self, curve: usize, p: &Point<E>, q: &Point<E>) -> Option<bool> {
+    fn bends(&self, curve: CurveId, p: &Point<E>, q: &Point<E>) -> Option<bool> {
         let Some((_, place)) = &self.curves.inflection else { return Some(false) };
         let (p, q) = (p.place.as_ref()?, q.place.as_ref()?);
         let _ = curve;
@@ -385,7 +385,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// J between two points of one curve; to infinity when `to` is absent.
-    fn moments(&self, curve: usize, from: &Point<E>, to: Option<&Point<E>>) -> Option<E> {
+    fn moments(&self, curve: CurveId, from: &Point<E>, to: Option<&Point<E>>) -> Option<E> {
         let list = &self.curves.list[curve];
         let end = match (to, list.limit) {
             (Some(point), _) => point.over.j.clone(),
@@ -412,7 +412,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// Difference of the slopes between two nodes; to infinity when the second is absent.
-    fn slopes(&self, curves: [usize; 2], from: &Node<E>, to: Option<&Node<E>>) -> Option<E> {
+    fn slopes(&self, curves: [CurveId; 2], from: &Node<E>, to: Option<&Node<E>>) -> Option<E> {
         let range = |which: usize| {
             let j = self.moments(curves[which], &from.at[which], to.map(|node| &node.at[which]))?;
             Some(self.c.small(1) / j)
@@ -422,7 +422,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
 
     fn between(
         &self,
-        curves: [usize; 2],
+        curves: [CurveId; 2],
         from: &Node<E>,
         to: &Node<E>,
         depth: u32,
@@ -496,7 +496,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// A small box around the one crossing between two nodes.
-    fn crossing(&self, curves: [usize; 2], from: &Node<E>, to: &Node<E>, sign: i8) -> Option<[f64; 2]> {
+    fn crossing(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, sign: i8) -> Option<[f64; 2]> {
         let value = |node: &Node<E>| {
             let [lo, hi] = node.gap.bounds();
             0.5 * (lo + hi)
@@ -546,7 +546,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         Some([low, high])
     }
 
-    fn to_infinity(&self, curves: [usize; 2], first: Node<E>, stretches: &mut Vec<Stretch>) -> Result<(), Open> {
+    fn to_infinity(&self, curves: [CurveId; 2], first: Node<E>, stretches: &mut Vec<Stretch>) -> Result<(), Open> {
         let mut node = first;
         for _ in 0..FAR {
             if let Some((sign, reason)) = self.far_sign(curves, &node) {
@@ -568,7 +568,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// The sign all the way to infinity.
-    fn far_sign(&self, curves: [usize; 2], node: &Node<E>) -> Option<(i8, Reason)> {
+    fn far_sign(&self, curves: [CurveId; 2], node: &Node<E>) -> Option<(i8, Reason)> {
         let gap = node.sign.filter(|sign| *sign != 0)?;
         if self.slopes(curves, node, None).and_then(|slopes| strict(&slopes)) == Some(gap) {
             return Some((gap, Reason::Far));
@@ -597,7 +597,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// J is monotone from this point to infinity.
-    fn straight(&self, curve: usize, point: &Point<E>) -> bool {
+    fn straight(&self, curve: CurveId, point: &Point<E>) -> bool {
         let Some((_, place)) = &self.curves.inflection else { return true };
         let (Some(start), Some(limit)) = (&point.place, self.curves.list[curve].limit) else { return false };
         if matches!(start.0, Half::Over { .. }) {
@@ -624,8 +624,8 @@ fn position<E: Enclosure>(side: &Side<E>) -> Option<E> {
 mod tests {
     use super::super::curves::Curves;
     use super::super::model::Model;
-    use super::numbers::enclosure::Narrow;
     use super::*;
+    use numbers::enclosure::Narrow;
     use top::body::{Body, Preset};
     use top::curves::CriticalSet;
     use top::diagram::{Arrangement, Change};

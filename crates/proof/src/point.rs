@@ -6,7 +6,18 @@ use super::family::{Half, State};
 use super::model::{Constants, Model};
 use numbers::enclosure::Enclosure;
 use numbers::root::{Bracket, newton_bracketed};
-use top::curves::Pole;
+use top::curves::{CurveId, Pole};
+use top::table::Table;
+
+/// A curve passes exactly through the end of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Passage {
+    /// The curve that ends there, with the lower end (0) or the upper (1).
+    pub curve: CurveId,
+    pub side: usize,
+    /// The curve that passes.
+    pub other: CurveId,
+}
 
 /// Everything that is needed to evaluate curves in one arithmetic.
 #[derive(Clone, Debug)]
@@ -16,9 +27,8 @@ pub(super) struct Evaluator<'a, E: Enclosure> {
     pub c: Constants<E>,
     estimate: Constants<Estimate>,
     /// x at the ends of each curve's segments, as estimates.
-    ends: Vec<Vec<[f64; 2]>>,
-    /// (curve, side, other): the other curve passes exactly through this end of the curve.
-    meetings: Vec<(usize, usize, usize)>,
+    ends: Table<CurveId, Vec<[f64; 2]>>,
+    meetings: Vec<Passage>,
 }
 
 /// A point of a curve over x.
@@ -65,12 +75,7 @@ impl<E: Enclosure> Point<E> {
 }
 
 impl<'a, E: Enclosure> Evaluator<'a, E> {
-    pub fn new(
-        model: &'a Model,
-        curves: &'a Curves,
-        meetings: &[(usize, usize, usize)],
-        precision: E::Precision,
-    ) -> Self {
+    pub fn new(model: &'a Model, curves: &'a Curves, meetings: &[Passage], precision: E::Precision) -> Self {
         let c = Constants::new(model, precision);
         let estimate = Constants::new(model, ());
         let ends = curves
@@ -87,8 +92,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     }
 
     /// It is proved that a curve passes through this end of another.
-    pub fn meet_at(&self, curve: usize, side: usize, other: usize) -> bool {
-        self.meetings.contains(&(curve, side, other))
+    pub fn meet_at(&self, passage: Passage) -> bool {
+        self.meetings.contains(&passage)
     }
 
     pub fn state(&self, half: Half, y: &E) -> State<E> {
@@ -111,7 +116,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
 
     /// The point of a curve over x. `None` when it cannot be enclosed with these bits, or x is not surely inside the
     /// curve's range.
-    pub fn point(&self, curve: usize, x: &E) -> Option<Point<E>> {
+    pub fn point(&self, curve: CurveId, x: &E) -> Option<Point<E>> {
         match &self.curves.list[curve].shape {
             Shape::Family(segments) => self.family_point(curve, segments, x),
             Shape::Pole(pole) => Some(self.line_point(&self.curves.list[curve], *pole, x)),
@@ -161,7 +166,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         Point { x: x.clone(), place: None, at: state.clone(), over: state, correction: zero, critical: true }
     }
 
-    fn family_point(&self, curve: usize, segments: &[Segment], x: &E) -> Option<Point<E>> {
+    fn family_point(&self, curve: CurveId, segments: &[Segment], x: &E) -> Option<Point<E>> {
         let [low, high] = x.bounds();
         let middle = if high.is_finite() { 0.5 * (low + high) } else { low };
         let ends = &self.ends[curve];
@@ -292,7 +297,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         if a.critical && b.critical { plain.meet(&self.exact_gap(&x, &a.over, &b.over)) } else { plain }
     }
 
-    /// h_a − h_b of two critical points over one x, without the cancellation of heights (derived):
+    /// h_a − h_b of two critical points over one x, without the cancellation of heights (Corollary 3.10 of
+    /// docs/mathematics.md):
     /// h_a − h_b = x [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
     ///
     /// From U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'], which holds for a critical γ and every γ' on the
@@ -328,9 +334,9 @@ fn x_estimate(model: &Model, c: &Constants<Estimate>, segment: &Segment, bound: 
 
 #[cfg(test)]
 mod tests {
-    use super::numbers::enclosure::Narrow;
-    use super::numbers::wide::Wide;
     use super::*;
+    use numbers::enclosure::Narrow;
+    use numbers::wide::Wide;
     use top::body::Body;
     use top::curves::CriticalSet;
 
@@ -351,7 +357,7 @@ mod tests {
             for x in [0.2, 0.7, 1.7, 3.1, 5.3, 8.8, 40.0, 1e7] {
                 let x_set = E::double(x, precision);
                 let mut points: Vec<(Point<E>, f64)> = Vec::new();
-                for (number, curve) in curves.list.iter().enumerate() {
+                for (number, curve) in curves.list.pairs() {
                     let other = set.curves.iter().find(|c| c.branch == curve.branch && c.piece == curve.piece).unwrap();
                     if x <= other.x()[0] * 1.001 || x >= other.x()[1] * 0.999 {
                         continue;

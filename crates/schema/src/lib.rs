@@ -10,7 +10,6 @@ mod classification;
 mod critical;
 mod find;
 mod inertia;
-mod layout;
 mod listing;
 mod motion;
 mod section;
@@ -29,7 +28,6 @@ pub use classification::{ClassificationDocument, ComponentDocument, MarginDocume
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
 pub use find::{FindDocument, NearestDocument, WitnessDocument};
 pub use inertia::{InertiaDocument, UnitsDocument};
-pub use layout::text;
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 pub use section::{

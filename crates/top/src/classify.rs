@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::atlas::{self, Atlas, AtlasError, Location, MomentumError, Place};
 use crate::body::{Body, Number};
-use crate::curves::{CriticalSet, CurveName, Point, Pole};
+use crate::curves::{CriticalSet, CurveId, CurveName, Point, Pole};
 use crate::topology::merge::MergeError;
 use crate::topology::{Component, Poles};
 
@@ -148,7 +148,7 @@ fn open_at_one_momentum(
     x: f64,
 ) -> Result<Classification, ClassifyError> {
     let energy = h.to_f64() / set.frame.energy_unit;
-    let mut points: Vec<(usize, Point)> =
+    let mut points: Vec<(CurveId, Point)> =
         set.curves_over(x).0.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
     points.sort_by(|p, q| p.1.h().total_cmp(&q.1.h()));
     let error = |p: &Point| atlas::comparison_error(p, energy);
@@ -181,7 +181,7 @@ fn open_at_one_momentum(
 /// near to a curve, x to a cusp, or a join is not proved.
 fn at_one_momentum(set: &CriticalSet, h: &Number, x: f64) -> (Option<(Components, Margin)>, usize) {
     let (over, near_end) = set.curves_over(x);
-    let mut points: Vec<(usize, Point)> = over.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
+    let mut points: Vec<(CurveId, Point)> = over.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
     points.sort_by(|p, q| p.1.h().total_cmp(&q.1.h()));
     let count = points.len();
     let energy = h.to_f64() / set.frame.energy_unit;

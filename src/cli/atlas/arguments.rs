@@ -31,7 +31,7 @@ pub struct AtlasArguments {
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
     /// Formats of the diagram
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
     pub format: Vec<PictureFormat>,
     /// Draw nothing
     #[arg(long, help_heading = "Output")]

@@ -15,7 +15,7 @@ impl<D: Serialize> Exporter<D> for Json {
     }
 
     fn bytes(&self, document: &D) -> Result<Vec<u8>, ExportError> {
-        Ok(schema::text(document)?.into_bytes())
+        Ok(documents::layout::text(document)?.into_bytes())
     }
 }
 

@@ -1,7 +1,8 @@
 //! Pictures as SVG, PNG and PDF.
 
 use clap::ValueEnum;
-use plot::Picture;
+use clap::builder::{EnumValueParser, TypedValueParser};
+use plot::{Picture, PlotError};
 
 use super::error::ExportError;
 use super::exporter::Exporter;
@@ -12,6 +13,16 @@ pub enum PictureFormat {
     Svg,
     Png,
     Pdf,
+}
+
+impl PictureFormat {
+    /// Refuses the formats that this build does not make.
+    pub fn parser() -> impl TypedValueParser<Value = Self> {
+        EnumValueParser::<Self>::new().try_map(|format| match format {
+            Self::Pdf if !Picture::MAKES_PDF => Err(PlotError::NoPdf),
+            format => Ok(format),
+        })
+    }
 }
 
 /// Dots per inch of a PNG if nothing else is wanted.

@@ -9,7 +9,7 @@ use crate::cli::export::PictureFormat;
 pub const EXAMPLES: &str = "\
 Examples:
   bifdiag figures
-  bifdiag figures --out my-figures --format svg,png,pdf";
+  bifdiag figures --out my-figures --format svg,png";
 
 /// `bifdiag figures`.
 #[derive(Debug, Args)]
@@ -18,6 +18,6 @@ pub struct FiguresArguments {
     #[arg(long, value_name = "DIR", default_value = "figures")]
     pub out: PathBuf,
     /// Formats
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg")]
+    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg")]
     pub format: Vec<PictureFormat>,
 }

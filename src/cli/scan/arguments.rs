@@ -161,7 +161,7 @@ pub struct MapArguments {
     #[arg(long, value_name = "FILE", default_value = "scan-map", help_heading = "Output")]
     pub out: PathBuf,
     /// Formats of the map
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
     pub format: Vec<PictureFormat>,
 }
 

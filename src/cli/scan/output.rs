@@ -69,7 +69,7 @@ pub fn write(
     writer.flush().and_then(|()| writer.get_ref().sync_all()).map_err(failed(&fresh))?;
     drop(writer);
     let document = summary.document(&identity.design, identity.range, identity.accuracy, format.name(), sha256);
-    let text = schema::text(&document).map_err(ScanFailure::from)?;
+    let text = documents::layout::text(&document).map_err(ScanFailure::from)?;
     let summary_out = summary_path(out);
     let fresh_summary = with_ending(out, ".summary.new");
     fs::write(&fresh_summary, text).map_err(failed(&fresh_summary))?;

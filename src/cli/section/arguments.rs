@@ -130,7 +130,7 @@ pub struct SectionArguments {
     #[arg(long, value_enum, default_value = "orbit", help_heading = "Output")]
     pub color: ColorArgument,
     /// Formats of the picture
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
     pub format: Vec<PictureFormat>,
     /// Draw nothing
     #[arg(long, help_heading = "Output")]

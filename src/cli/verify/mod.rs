@@ -37,7 +37,7 @@ pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure
         serde_json::from_str(&text).map_err(|source| VerifyError::NoAtlas { path: path(), source })?;
     // What a certified atlas means is in its bytes: they must be those that bifdiag writes.
     if document.certificate.is_some() {
-        let own = schema::text(&document).map_err(ExportError::from)?;
+        let own = documents::layout::text(&document).map_err(ExportError::from)?;
         if own.trim_end() != text.trim_end() {
             return Err(VerifyError::Damaged { path: path() }.into());
         }

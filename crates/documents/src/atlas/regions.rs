@@ -43,7 +43,8 @@ fn sample_document(sample: &SamplePoint) -> SampleDocument {
 }
 
 /// Id of a region.
-fn region_id(number: usize) -> String {
+#[must_use]
+pub fn region_id(number: usize) -> String {
     format!("R{}", number + 1)
 }
 

@@ -1,4 +1,5 @@
-//! Relative equilibria in closed form: every critical curve of a body and both pole lines (MATH §2 and §3).
+//! Relative equilibria in closed form: every critical curve of a body and both pole lines (docs/mathematics.md,
+//! sections 3 to 6).
 //!
 //! Works in x = l²/2, in which U_l(γ) = x/J(γ) − ⟨γ, r⟩ is linear for each γ.
 
@@ -10,6 +11,7 @@ mod curve;
 mod cusps;
 mod generic;
 mod generic_curves;
+mod id;
 mod index;
 mod name;
 mod point;
@@ -22,6 +24,7 @@ pub use at_momentum::{EquilibriaAt, RelativeEquilibrium};
 pub use critical_set::{CriticalSet, Cusp, CuspCluster, EquilibriaError, Pitchfork};
 pub use curve::{Branch, Curve, End, Orbit, Pole};
 pub use generic::{GenericState, Mu};
+pub use id::{ClusterId, CurveId, CuspId, PitchforkId};
 pub use name::{BranchName, CurveName, ParseCurveNameError};
 pub use point::{Gap, Point};
 pub use symmetric::{SymmetricFamily, SymmetricState};

@@ -115,7 +115,6 @@ impl Format {
 
 #[cfg(test)]
 mod tests {
-    use schema::Accuracy;
 
     use super::*;
 
