@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::bisection::Seen;
 use super::refine::{Place, Witness};
 use top::atlas::Atlas;
-use top::curves::{Branch, BranchName, CriticalSet, CurveName};
-use top::diagram::{Arrangement, Change, Event};
+use top::curves::{Branch, BranchName, CriticalSet, CurveId, CurveName};
+use top::diagram::{Arrangement, Change, Event, EventId};
 
 /// Kinds of borders, all of codimension one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -149,7 +149,7 @@ pub(super) fn between(low: &Seen, high: &Seen) -> (BorderEvent, Witness) {
         None => (Vec::new(), None, None),
         Some(group) => {
             let set = &group.side.set;
-            let mut curves: Vec<usize> = group.events.iter().flat_map(|event| event.change.curves()).collect();
+            let mut curves: Vec<CurveId> = group.events.iter().flat_map(|event| event.change.curves()).collect();
             curves.sort_unstable();
             curves.dedup();
             let n = group.events.len() as f64;
@@ -184,9 +184,9 @@ impl Group<'_> {
 /// Both sides have the same events in another order: those that are nearest to each other change places.
 fn exchange(side: &Arrangement) -> Named<'_> {
     let branch_set = |event: &Event| branches(&side.set, &event.change);
-    let mut best: Option<(f64, usize, usize)> = None;
-    for (k, event) in side.events.iter().enumerate() {
-        for (m, other) in side.events.iter().enumerate().skip(k + 1) {
+    let mut best: Option<(f64, EventId, EventId)> = None;
+    for (k, event) in side.events.pairs() {
+        for (m, other) in side.events.pairs().skip_while(|(m, _)| *m <= k) {
             let shared = branch_set(event).iter().any(|name| branch_set(other).contains(name));
             let apart = distance(event, other);
             if shared && best.is_none_or(|(least, _, _)| apart < least) {
@@ -228,7 +228,7 @@ fn exchange(side: &Arrangement) -> Named<'_> {
 
 /// What vanishes where events change places: the height of a third curve over one of them.
 fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Witness> {
-    let branch = |c: usize| side.set.curves[c].branch;
+    let branch = |c: CurveId| side.set.curves[c].branch;
     let place = |event: &Event| Place::of(&side.set.frame, event.x, event.h);
     let (crossing, pair) = near.iter().find_map(|event| match event.change {
         Change::Swap(curves) => Some((event, curves.map(branch))),
@@ -340,11 +340,11 @@ fn nearest(candidates: &[Event]) -> Vec<Event> {
 /// Two new crossings: a cusp has passed through a curve, or two curves touch.
 fn two_crossings(side: &Arrangement, pair: Vec<Event>) -> Option<Named<'_>> {
     let [p, q] = pair[..] else { return None };
-    let branch = |c: usize| side.set.curves[c].branch;
-    let name = |c: usize| BranchName::of(&side.set.frame, branch(c));
+    let branch = |c: CurveId| side.set.curves[c].branch;
+    let name = |c: CurveId| BranchName::of(&side.set.frame, branch(c));
     let (one, two) = (p.change.curves(), q.change.curves());
     let shared = one.iter().find(|curve| two.contains(curve)).copied();
-    let own: Vec<usize> = one.iter().chain(&two).filter(|c| !(one.contains(c) && two.contains(c))).copied().collect();
+    let own: Vec<CurveId> = one.iter().chain(&two).filter(|c| !(one.contains(c) && two.contains(c))).copied().collect();
     let cusp = side.events.iter().find(|event| {
         matches!(event.change, Change::Birth(_) | Change::Death(_))
             && own.iter().all(|curve| event.change.curves().contains(curve))
@@ -361,8 +361,8 @@ fn two_crossings(side: &Arrangement, pair: Vec<Event>) -> Option<Named<'_>> {
 
 /// A new crossing of a pair beside the pitchfork of this pair: the pitchfork has passed through the other curve.
 fn at_pitchfork<'a>(side: &'a Arrangement, new: &[Event]) -> Option<Named<'a>> {
-    let branch = |c: usize| side.set.curves[c].branch;
-    let mut best: Option<(f64, Event, Event, usize)> = None;
+    let branch = |c: CurveId| side.set.curves[c].branch;
+    let mut best: Option<(f64, Event, Event, CurveId)> = None;
     for crossing in new {
         for event in &side.events {
             let (Change::Open { pair, .. } | Change::Close { pair, .. }) = event.change else { continue };

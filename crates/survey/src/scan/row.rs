@@ -197,8 +197,8 @@ impl Row {
         let mut types: BTreeMap<String, u32> = BTreeMap::new();
         let frame = &atlas.arrangement().set.frame;
         let slabs = &atlas.arrangement().slabs;
-        let top = slabs.first().and_then(|slab| slab.face_above.last().copied());
-        for (number, region) in atlas.regions().iter().enumerate() {
+        let top = slabs.first().and_then(|slab| slab.region_above.last().copied());
+        for (number, region) in atlas.regions().pairs() {
             let Ok(components) = &region.components else { continue };
             let name = region_name(components);
             let mut kinds: Vec<String> = components.iter().map(component_type).collect();
