@@ -6,12 +6,11 @@ use schema::{Accuracy, SCHEMA_VERSION};
 use schema::{FindDocument, NearestDocument};
 use survey::search::{Domain, Score, Seen, Target, Witness, improve, look, sample, witness};
 
-use super::arguments::AccuracyArgument;
-use super::failure::{Failure, InputError};
-use super::report::Report;
-use super::scan::{Progress, ScanInput};
-use super::table::significant;
-use super::{layout, output};
+use super::export::answer;
+use super::failure::Failure;
+use super::input::AccuracyArgument;
+use super::scan::ScanInput;
+use super::terminal::{Progress, Report, significant};
 
 pub const FIND_EXAMPLES: &str = "\
 Examples:
@@ -87,17 +86,16 @@ type Candidate = ([[f64; 3]; 2], Seen);
 pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
     let target = target(arguments)?;
     let document = search(arguments, &target, quiet);
-    let text = if arguments.json { layout::text(&document)? } else { report(&document) };
-    Ok(output::print(text.as_bytes())?)
+    Ok(answer(arguments.json, &document, || report(&document))?)
 }
 
-fn target(arguments: &FindArguments) -> Result<Target, InputError> {
+fn target(arguments: &FindArguments) -> Result<Target, ScanInput> {
     let wrong = |option: &str, error: &dyn std::fmt::Display| ScanInput::Find(format!("--{option}: {error}"));
     if let Some(kind) = &arguments.kind {
-        return Target::of_type(kind).map_err(|error| wrong("type", &error).into());
+        return Target::of_type(kind).map_err(|error| wrong("type", &error));
     }
     if let Some(signature) = &arguments.signature {
-        return Target::of_signature(signature).map_err(|error| wrong("signature", &error).into());
+        return Target::of_signature(signature).map_err(|error| wrong("signature", &error));
     }
     if let Some(count) = arguments.critical_points {
         return Ok(Target::CriticalPoints(count));
@@ -105,14 +103,14 @@ fn target(arguments: &FindArguments) -> Result<Target, InputError> {
     if arguments.circles.is_none() && arguments.poles.is_none() {
         let text = "nothing says what is sought; give --type M4, --circles 3 --poles 1, --signature S2+T2 or \
                     --critical-points 8";
-        return Err(ScanInput::Find(text.to_owned()).into());
+        return Err(ScanInput::Find(text.to_owned()));
     }
     Ok(Target::Component { circles: arguments.circles, poles: arguments.poles })
 }
 
 /// Sampling, then improvement of the best; the same for any number of threads.
 fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocument {
-    let mut progress = Progress::new(0, arguments.samples, quiet);
+    let progress = Progress::new(0, arguments.samples, "bodies", quiet);
     let domain = Domain { physical: arguments.physical, moment_ratio: arguments.moment_ratio };
     let mut best: Vec<Candidate> = Vec::new();
     let (mut tried, mut showing) = (0, 0);

@@ -60,7 +60,10 @@ fn pdf_is_refused_before_any_work_and_the_feature_is_named() {
     for line in
         ["--body paper --format svg,pdf", "figures --format pdf", "scan map none.csv --x A2 --y A3 --format pdf"]
     {
-        bifdiag(line).inside(place.path()).refused().telling("--format pdf: PDF needs the feature `pdf`");
+        bifdiag(line)
+            .inside(place.path())
+            .refused()
+            .telling("'pdf' for '--format <FORMAT>': PDF needs the feature `pdf`");
     }
     assert!(names(place.path()).is_empty());
 }

@@ -2,7 +2,8 @@
 
 use plot::{Chart, ChartAxis, ChartPanel, Picture, PlotError, Scale, Series, draw_chart};
 
-use super::Figure;
+use super::figure::Figure;
+use crate::cli::export::ExportError;
 
 const CLASSIFY: &str = include_str!("../../../data/tradeoff/classify.csv");
 const ATLAS: &str = include_str!("../../../data/tradeoff/atlas.csv");
@@ -19,7 +20,9 @@ const CHARTS: [(&str, Draw); 4] = [
 ];
 
 pub fn figures() -> impl Iterator<Item = Figure> {
-    CHARTS.into_iter().map(|(stem, draw)| Figure { stem, draw: Box::new(move |_| Ok(draw()?)) })
+    CHARTS
+        .into_iter()
+        .map(|(stem, draw)| Figure { stem, draw: Box::new(move |_| Ok(draw().map_err(ExportError::from)?)) })
 }
 
 /// A table with a head.

@@ -7,6 +7,7 @@ use survey::scan::DesignError;
 use thiserror::Error;
 
 use super::table::TableError;
+use crate::cli::failure::{CommandError, Exit};
 
 /// The input is wrong.
 #[derive(Debug, Error)]
@@ -93,4 +94,18 @@ pub enum ScanFailure {
     Journal { path: PathBuf, source: io::Error },
     #[error("cannot read {path} back", path = path.display())]
     JournalRow { path: PathBuf, source: serde_json::Error },
+    #[error("the answer could not be written as JSON")]
+    Json(#[from] serde_json::Error),
+}
+
+impl CommandError for ScanInput {
+    fn exit(&self) -> Exit {
+        Exit::WrongInput
+    }
+}
+
+impl CommandError for ScanFailure {
+    fn exit(&self) -> Exit {
+        Exit::Failed
+    }
 }

@@ -12,8 +12,7 @@ use super::hashing::HashingWriter;
 use super::journal::Identity;
 use super::table::{Format, TableError};
 use crate::cli::failure::Failure;
-use crate::cli::interrupt::uninterrupted;
-use crate::cli::layout;
+use crate::cli::terminal::interrupt::uninterrupted;
 
 /// Where the summary of a file with rows lies.
 pub fn summary_path(rows: &Path) -> PathBuf {
@@ -70,7 +69,7 @@ pub fn write(
     writer.flush().and_then(|()| writer.get_ref().sync_all()).map_err(failed(&fresh))?;
     drop(writer);
     let document = summary.document(&identity.design, identity.range, identity.accuracy, format.name(), sha256);
-    let text = layout::text(&document)?;
+    let text = documents::layout::text(&document).map_err(ScanFailure::from)?;
     let summary_out = summary_path(out);
     let fresh_summary = with_ending(out, ".summary.new");
     fs::write(&fresh_summary, text).map_err(failed(&fresh_summary))?;

@@ -5,9 +5,8 @@ use std::path::Path;
 
 use dynamics::section::TorusPoint;
 
-use super::error::{SectionInputError, SeedProblem};
-use crate::cli::files::read;
-use crate::cli::values;
+use super::error::{SectionInput, SeedProblem};
+use crate::cli::input::{read, values};
 
 /// A starting point and the line of the file on which it stands, from 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,35 +18,56 @@ pub struct Seed {
 const HEADING: [&str; 3] = ["theta", "psi", "sheet"];
 
 /// The seeds of a file.
-pub fn load(path: &Path) -> Result<Vec<Seed>, SectionInputError> {
-    let text = read(path).map_err(|source| SectionInputError::SeedsFile { path: path.to_owned(), source })?;
+pub fn load(path: &Path) -> Result<Vec<Seed>, SectionInput> {
+    let text = read(path).map_err(|source| SectionInput::SeedsFile { path: path.to_owned(), source })?;
     let seeds =
-        parse(&text).map_err(|(line, problem)| SectionInputError::SeedLine { path: path.to_owned(), line, problem })?;
+        parse(&text).map_err(|(line, problem)| SectionInput::SeedLine { path: path.to_owned(), line, problem })?;
     if seeds.is_empty() {
-        return Err(SectionInputError::NoSeeds { path: path.to_owned() });
+        return Err(SectionInput::NoSeeds { path: path.to_owned() });
     }
     Ok(seeds)
 }
 
 /// Columns in any order, others ignored; empty lines and lines that start with # are passed over.
 fn parse(text: &str) -> Result<Vec<Seed>, (usize, SeedProblem)> {
-    let text = text.trim_start_matches('\u{feff}');
-    let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
-    let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-    let Some((number, heading)) = lines.next() else { return Ok(Vec::new()) };
-    let names: Vec<&str> = heading.split(',').map(str::trim).collect();
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .quoting(false)
+        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+    let mut heading: Option<(usize, [usize; 3])> = None;
+    let mut seeds = Vec::new();
+    for record in reader.records() {
+        // Text without quotes is always CSV.
+        let Ok(record) = record else { continue };
+        let line = record.position().map_or(0, |position| usize::try_from(position.line()).unwrap_or(usize::MAX));
+        let values: Vec<&str> = record.iter().collect();
+        if values == [""] || values[0].starts_with('#') {
+            continue;
+        }
+        match heading {
+            None => heading = Some((values.len(), places(&values).map_err(|problem| (line, problem))?)),
+            Some((wanted, places)) => {
+                let point = seed(&values, wanted, places).map_err(|problem| (line, problem))?;
+                seeds.push(Seed { point, line });
+            }
+        }
+    }
+    Ok(seeds)
+}
+
+/// Where theta, psi and sheet stand.
+fn places(names: &[&str]) -> Result<[usize; 3], SeedProblem> {
     let mut places = [0; 3];
     for (place, name) in places.iter_mut().zip(HEADING) {
         let found = names.iter().position(|found| *found == name);
-        *place = found.ok_or_else(|| (number, SeedProblem::Heading(heading.to_owned(), name)))?;
+        *place = found.ok_or_else(|| SeedProblem::Heading(names.join(","), name))?;
     }
-    lines
-        .map(|(line, text)| Ok(Seed { point: seed(text, names.len(), places).map_err(|p| (line, p))?, line }))
-        .collect()
+    Ok(places)
 }
 
-fn seed(text: &str, wanted: usize, places: [usize; 3]) -> Result<TorusPoint, SeedProblem> {
-    let values: Vec<&str> = text.split(',').map(str::trim).collect();
+fn seed(values: &[&str], wanted: usize, places: [usize; 3]) -> Result<TorusPoint, SeedProblem> {
     if values.len() != wanted {
         return Err(SeedProblem::Count { found: values.len(), wanted });
     }
