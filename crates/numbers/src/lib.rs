@@ -1,4 +1,4 @@
-//! Exact numbers, intervals, polynomials and their roots; knows nothing of rigid bodies.
+//! Exact numbers, intervals, polynomials and their roots, low-discrepancy sequences; knows nothing of rigid bodies.
 
 pub mod bernstein;
 pub mod decimal;
@@ -8,6 +8,7 @@ mod number;
 pub mod partition;
 pub mod polynomial;
 pub mod root;
+pub mod sequence;
 pub mod wide;
 
 pub use number::{Number, ParseNumberError};

@@ -82,7 +82,7 @@ impl IntegratorArguments {
             Integrator::Rk4 => Method::RungeKutta4 { step: step() },
             Integrator::Splitting => Method::Splitting { step: step() },
         };
-        method.check().map_err(IntegratorInput::Fineness)?;
+        method.check(top).map_err(IntegratorInput::Fineness)?;
         Ok(method)
     }
 }

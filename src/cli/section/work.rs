@@ -1,7 +1,6 @@
 //! The sections themselves.
 
 use std::path::Path;
-use std::sync::atomic::Ordering;
 
 use dynamics::integrator::Method;
 use dynamics::poincare::{PoincareError, Setting};
@@ -37,7 +36,7 @@ pub struct Sections {
 pub fn compute(settings: &Settings, monitor: &Monitor) -> Result<Sections, SectionFailure> {
     let mut sections = Sections { done: Vec::new(), skipped: Vec::new(), complete: true };
     for site in &settings.sites.list {
-        if !sections.done.is_empty() && monitor.stop.load(Ordering::Relaxed) {
+        if !sections.done.is_empty() && monitor.is_stopped() {
             sections.complete = false;
             break;
         }
@@ -45,6 +44,11 @@ pub fn compute(settings: &Settings, monitor: &Monitor) -> Result<Sections, Secti
             (Ok(section), _) => {
                 sections.complete &= section.document.complete;
                 sections.done.push(section);
+            }
+            // Stopped before its orbits had their starts; those before it are kept.
+            (Err(_), _) if !sections.done.is_empty() && monitor.is_stopped() => {
+                sections.complete = false;
+                break;
             }
             // One region that is too thin must not cost the others.
             (Err(SectionFailure::Input(error)), Some(region)) if settings.sites.all => {
@@ -62,7 +66,7 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
     let setting = Setting::new(&subject.body, &site.h, &site.l)?;
     let (starts, rng_seed) = match &settings.starts {
         Starts::Given { path, seeds } => (accessible(&setting, path, seeds)?, None),
-        Starts::Spread { orbits, rng_seed } => (setting.spread(*orbits, *rng_seed)?, Some(*rng_seed)),
+        Starts::Spread { orbits, rng_seed } => (setting.spread_watched(*orbits, *rng_seed, monitor)?, Some(*rng_seed)),
     };
     let method = settings.integrator.method(setting.torus().top(), setting.h()).map_err(SectionInput::from)?;
     let options = SweepOptions {

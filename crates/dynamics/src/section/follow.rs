@@ -2,10 +2,10 @@
 
 use pulp::Simd;
 
+use super::orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::readings::{Gauge, Reading, Readings};
 use super::roots::all_roots;
 use super::scan::Scan;
-use super::sweep::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::torus::PpTorus;
 use crate::field::{Integrals, State, add, scale};
 use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, state_of};
@@ -139,6 +139,10 @@ impl Follower {
         } else {
             let mut room = [0.0; ROWS];
             let c = scan.coefficients(lane, &mut room);
+            if !c.iter().all(|x| x.is_finite()) {
+                self.end = Some(End::Failed(StepError::NotFinite { time: start.seconds() }));
+                return;
+            }
             let mut roots = std::mem::take(&mut self.roots);
             self.tangencies += self.general_roots(c, verdict.start, verdict.end >= 0.0, &mut roots);
             for &x in &roots {
@@ -187,8 +191,13 @@ impl Follower {
         self.count_step(step.end().seconds());
         let end = options.condition.value(torus.top(), step.end_state());
         let c = options.condition.polynomial(torus.top(), step);
-        if c.iter().fold(0.0, |sum, x| sum + x.abs()) <= self.flat {
+        let size = c.iter().fold(0.0, |sum, x| sum + x.abs());
+        if size <= self.flat {
             self.count_flat_step();
+            return end;
+        }
+        if !size.is_finite() {
+            self.end = Some(End::Failed(StepError::NotFinite { time: step.start().seconds() }));
             return end;
         }
         let mut roots = Vec::new();
@@ -236,7 +245,7 @@ impl Follower {
 
     #[inline(always)]
     fn record(&mut self, torus: &PpTorus, time: Instant, state: &State, reading: &Reading) {
-        let point = torus.place(state, reading);
+        let point = reading.place(torus, state);
         self.drift = self.drift.max(&reading.integrals.distance(&self.integrals));
         self.residual = self.residual.max(reading.value.abs());
         self.points.push(SectionPoint {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::parameter::Parameter;
-use super::sequence::{self, point};
+use numbers::sequence::{self, point};
 use top::body::{Body, BodyError, Number};
 
 /// The bodies among which a scan chooses.

@@ -6,11 +6,10 @@
 mod design;
 mod parameter;
 mod row;
-mod sequence;
 mod summary;
 
 pub use design::{Design, DesignError, Family, Range};
+pub use numbers::sequence::point;
 pub use parameter::{Parameter, ParseParameterError, ParseRangeError};
 pub use row::{Row, Status};
-pub use sequence::point;
 pub use summary::{BodyRecord, ClassRecord, Record, Summary, SummaryDocument};

@@ -1,17 +1,31 @@
 //! The largest Lyapunov exponent of finite-time orbits, from the variational equations.
 
 use std::f64::consts::LN_2;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::Ordering;
 
 use pulp::{Simd, WithSimd};
 
-use super::ChaosOptions;
 use super::average::bump;
-use crate::field::{HeavyTop, State, dot};
+use crate::field::{Dimension, HeavyTop, State, Units, dot};
 use crate::integrator::Method;
-use crate::integrator::taylor::{Lanes, Tangent};
+use crate::integrator::taylor::{InstructionSet, Lanes, Tangent};
 use crate::section::error::SectionError;
-use crate::section::sweep::{Monitor, run_workers};
+use crate::section::workers::{Monitor, Turns, run_workers};
+
+/// How the variational equations are integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChaosOptions {
+    /// Truncation error of a step of the orbit, as of [`Method::Taylor`](crate::integrator::Method::Taylor).
+    pub tolerance: f64,
+    /// SIMD instructions; they do not change the results.
+    pub instructions: InstructionSet,
+}
+
+impl Default for ChaosOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-15, instructions: InstructionSet::Best }
+    }
+}
 
 /// The largest Lyapunov exponent of an orbit over a finite time, per unit of time.
 ///
@@ -42,6 +56,18 @@ impl Lyapunov {
     pub fn error(&self) -> f64 {
         (self.exponent - self.exponent_half).abs()
     }
+
+    /// That of a reduced top as that of the top as given.
+    fn restored(self, units: Units) -> Self {
+        let rate = |x| units.restore(x, Dimension::FREQUENCY);
+        Self {
+            exponent: rate(self.exponent),
+            exponent_half: rate(self.exponent_half),
+            mean_rate: rate(self.mean_rate),
+            mean_rate_half: rate(self.mean_rate_half),
+            time: units.restore(self.time, Dimension::TIME),
+        }
+    }
 }
 
 /// The exponents of the orbits that begin at these states, each over its own time; None where the time is not a
@@ -59,18 +85,21 @@ pub fn lyapunov_exponents(
     options: &ChaosOptions,
     monitor: &Monitor,
 ) -> Result<Vec<Option<Lyapunov>>, SectionError> {
-    Method::Taylor { tolerance: options.tolerance }.check()?;
+    Method::Taylor { tolerance: options.tolerance }.check(top)?;
     if u32::try_from(starts.len()).is_err() {
         let (value, expected) = (starts.len() as f64, "fewer than 2^32 are possible");
         return Err(SectionError::Parameter { name: "orbits", value, expected });
     }
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
-    let next = AtomicU32::new(0);
+    let units = top.units();
+    let reduced = |(state, time): &(State, f64)| (state.reduced(units), units.reduce(*time, Dimension::TIME));
+    let (top, starts) = (&top.reduced(), &starts.iter().map(reduced).collect::<Vec<_>>()[..]);
+    let turns = Turns::new(monitor);
     let tolerance = options.tolerance;
-    let found = run_workers(|| arch.dispatch(Worker { top, starts, monitor, next: &next, tolerance }));
+    let found = run_workers(|| arch.dispatch(Worker { top, starts, turns: &turns, tolerance }));
     let mut exponents = vec![None; starts.len()];
     for (orbit, exponent) in found {
-        exponents[orbit as usize] = exponent;
+        exponents[orbit as usize] = exponent.map(|exponent: Lyapunov| exponent.restored(units));
     }
     Ok(exponents)
 }
@@ -79,22 +108,14 @@ pub fn lyapunov_exponents(
 struct Worker<'a> {
     top: &'a HeavyTop,
     starts: &'a [(State, f64)],
-    monitor: &'a Monitor,
-    next: &'a AtomicU32,
+    turns: &'a Turns<'a>,
     tolerance: f64,
 }
 
 impl Worker<'_> {
     fn pop(&self) -> Option<Stretching> {
-        if self.stopped() {
-            return None;
-        }
-        let orbit = self.next.fetch_add(1, Ordering::Relaxed);
-        self.starts.get(orbit as usize).map(|(_, time)| Stretching::new(orbit, *time))
-    }
-
-    fn stopped(&self) -> bool {
-        self.monitor.stop.load(Ordering::Relaxed)
+        let (orbit, (_, time)) = self.turns.next(self.starts)?;
+        Some(Stretching::new(orbit, *time))
     }
 
     /// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
@@ -132,11 +153,11 @@ impl WithSimd for Worker<'_> {
                 }
             }
             lanes.commit(simd);
-            let stopped = self.stopped();
+            let stopped = self.turns.monitor.is_stopped();
             for (lane, slot) in orbits.iter_mut().enumerate() {
                 if let Some(orbit) = slot.take_if(|orbit| orbit.is_over() || stopped) {
                     done.push((orbit.orbit, orbit.result()));
-                    self.monitor.orbits.fetch_add(1, Ordering::Relaxed);
+                    self.turns.monitor.orbits.fetch_add(1, Ordering::Relaxed);
                     *slot = self.pop();
                     if let Some(orbit) = slot {
                         self.load(&mut lanes, &mut tangent, lane, orbit.orbit);

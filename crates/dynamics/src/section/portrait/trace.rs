@@ -1,7 +1,10 @@
 //! Curves on P_hl by prediction along the tangent and correction by Newton's method.
 
+use std::sync::atomic::AtomicBool;
+
 use super::equations::{Equations, Zero};
 use super::linear::{Vector, along, inner, length};
+use crate::section::error::{SectionError, check_stop};
 
 /// The largest change of γ in a step, in radians.
 const STEP: f64 = 0.02;
@@ -27,30 +30,64 @@ pub(super) trait Spacing {
     fn at(&self, gamma: [f64; 3]) -> f64;
 }
 
-/// Follows the curve through `start` until it closes, or from one end to the other.
-pub(super) fn trace(equations: &Equations, zero: Zero, start: Vector, spacing: &dyn Spacing) -> Option<Traced> {
-    let tangent = equations.tangent(zero, &start)?;
-    let forward = follow(equations, zero, start, tangent, spacing);
-    if forward.closed {
-        return Some(forward);
+/// Traces every curve that has a seed and is not among `lines` yet.
+pub(super) fn trace_all(
+    equations: &Equations,
+    zero: Zero,
+    seeds: impl IntoIterator<Item = Vector>,
+    spacing: &dyn Spacing,
+    stop: Option<&AtomicBool>,
+    lines: &mut Vec<Traced>,
+) -> Result<(), SectionError> {
+    for seed in seeds {
+        check_stop(stop)?;
+        let Some(direction) = equations.tangent(zero, &seed) else { continue };
+        if !lines.iter().any(|line| line.covers(&seed, &direction)) {
+            let line = trace(equations, zero, seed, direction, spacing, stop)?;
+            lines.extend(Some(line).filter(|line| line.points.len() > 1));
+        }
     }
-    let backward = follow(equations, zero, start, tangent.map(|t| -t), spacing);
+    Ok(())
+}
+
+/// Follows the curve through `start` until it closes, or from one end to the other.
+fn trace(
+    equations: &Equations,
+    zero: Zero,
+    start: Vector,
+    tangent: Vector,
+    spacing: &dyn Spacing,
+    stop: Option<&AtomicBool>,
+) -> Result<Traced, SectionError> {
+    let forward = follow(equations, zero, start, tangent, spacing, stop)?;
+    if forward.closed {
+        return Ok(forward);
+    }
+    let backward = follow(equations, zero, start, tangent.map(|t| -t), spacing, stop)?;
     let join = |back: Vec<Vector>, on: Vec<Vector>, sign: f64| -> Vec<Vector> {
         back.into_iter().skip(1).rev().map(|x| x.map(|entry| sign * entry)).chain(on).collect()
     };
-    Some(Traced {
+    Ok(Traced {
         points: join(backward.points, forward.points, 1.0),
         tangents: join(backward.tangents, forward.tangents, -1.0),
         closed: false,
     })
 }
 
-fn follow(equations: &Equations, zero: Zero, start: Vector, tangent: Vector, spacing: &dyn Spacing) -> Traced {
+fn follow(
+    equations: &Equations,
+    zero: Zero,
+    start: Vector,
+    tangent: Vector,
+    spacing: &dyn Spacing,
+    stop: Option<&AtomicBool>,
+) -> Result<Traced, SectionError> {
     let mut line = Traced { points: vec![start], tangents: vec![tangent], closed: false };
     let (mut x, mut t) = (start, tangent);
     let mut step = 0.25 * longest(&x, &t, spacing);
     let mut travelled = 0.0;
     while line.points.len() < VERTICES {
+        check_stop(stop)?;
         step = step.min(longest(&x, &t, spacing));
         let next = equations.correct(zero, &along(&x, step, &t), &t).and_then(|next| {
             let tangent = equations.tangent(zero, &next)?;
@@ -74,7 +111,7 @@ fn follow(equations: &Equations, zero: Zero, start: Vector, tangent: Vector, spa
         line.tangents.push(t);
         step *= 1.5;
     }
-    line
+    Ok(line)
 }
 
 /// The longest step from x, in the metric of phase space.
