@@ -30,44 +30,23 @@ pub fn load(path: &Path) -> Result<Vec<Seed>, SectionInput> {
 
 /// Columns in any order, others ignored; empty lines and lines that start with # are passed over.
 fn parse(text: &str) -> Result<Vec<Seed>, (usize, SeedProblem)> {
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .quoting(false)
-        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-    let mut heading: Option<(usize, [usize; 3])> = None;
-    let mut seeds = Vec::new();
-    for record in reader.records() {
-        // Text without quotes is always CSV.
-        let Ok(record) = record else { continue };
-        let line = record.position().map_or(0, |position| usize::try_from(position.line()).unwrap_or(usize::MAX));
-        let values: Vec<&str> = record.iter().collect();
-        if values == [""] || values[0].starts_with('#') {
-            continue;
-        }
-        match heading {
-            None => heading = Some((values.len(), places(&values).map_err(|problem| (line, problem))?)),
-            Some((wanted, places)) => {
-                let point = seed(&values, wanted, places).map_err(|problem| (line, problem))?;
-                seeds.push(Seed { point, line });
-            }
-        }
-    }
-    Ok(seeds)
-}
-
-/// Where theta, psi and sheet stand.
-fn places(names: &[&str]) -> Result<[usize; 3], SeedProblem> {
+    let text = text.trim_start_matches('\u{feff}');
+    let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
+    let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let Some((number, heading)) = lines.next() else { return Ok(Vec::new()) };
+    let names: Vec<&str> = heading.split(',').map(str::trim).collect();
     let mut places = [0; 3];
     for (place, name) in places.iter_mut().zip(HEADING) {
         let found = names.iter().position(|found| *found == name);
-        *place = found.ok_or_else(|| SeedProblem::Heading(names.join(","), name))?;
+        *place = found.ok_or_else(|| (number, SeedProblem::Heading(heading.to_owned(), name)))?;
     }
-    Ok(places)
+    lines
+        .map(|(line, text)| Ok(Seed { point: seed(text, names.len(), places).map_err(|p| (line, p))?, line }))
+        .collect()
 }
 
-fn seed(values: &[&str], wanted: usize, places: [usize; 3]) -> Result<TorusPoint, SeedProblem> {
+fn seed(text: &str, wanted: usize, places: [usize; 3]) -> Result<TorusPoint, SeedProblem> {
+    let values: Vec<&str> = text.split(',').map(str::trim).collect();
     if values.len() != wanted {
         return Err(SeedProblem::Count { found: values.len(), wanted });
     }

@@ -10,7 +10,7 @@ use super::stderr::say;
 
 /// How long an interrupt waits for a write or for work to end. A reader that never takes what is written must not keep
 /// the process alive.
-const PATIENCE: Duration = Duration::from_millis(800);
+const PATIENCE: Duration = Duration::from_millis(700);
 /// Time between two looks.
 const PAUSE: Duration = Duration::from_millis(5);
 
