@@ -141,11 +141,7 @@ struct Ordered {
 }
 
 /// The proved order of curves over x.
-fn order<E: Enclosure>(
-    evaluator: &Evaluator<'_, E>,
-    curves: &[CurveId],
-    x: &RBig,
-) -> Option<Ordered> {
+fn order<E: Enclosure>(evaluator: &Evaluator<'_, E>, curves: &[CurveId], x: &RBig) -> Option<Ordered> {
     let set = E::rational(x, evaluator.c.precision);
     let mut points: Vec<(CurveId, Point<E>, [f64; 2])> = Vec::with_capacity(curves.len());
     for &curve in curves {
@@ -171,7 +167,10 @@ fn order<E: Enclosure>(
     }
     let proved =
         points.windows(2).all(|pair| list[pair[0].0].lowest || evaluator.gap(&pair[1].1, &pair[0].1).sign() == Some(1));
-    proved.then(|| Ordered { curves: points.iter().map(|p| p.0).collect(), heights: points.iter().map(|p| p.2).collect() })
+    proved.then(|| Ordered {
+        curves: points.iter().map(|p| p.0).collect(),
+        heights: points.iter().map(|p| p.2).collect(),
+    })
 }
 
 fn is_family(curves: &Curves, curve: CurveId) -> bool {
@@ -228,13 +227,17 @@ pub(super) fn arrange(model: Model) -> Result<Arrangement, Vec<Undecided>> {
     let mut stages = Stages::new(&model, &curves, &[]);
     let slabs = slabs(&curves, &events, &transitions, &mut stages)?;
     bits = bits.max(stages.used);
-    let mut arrangement = Arrangement { model, curves, meetings, pairs, events, transitions, slabs, region_count: 0, bits };
+    let mut arrangement =
+        Arrangement { model, curves, meetings, pairs, events, transitions, slabs, region_count: 0, bits };
     arrangement.glue()?;
     Ok(arrangement)
 }
 
 /// Cusps, pitchforks and meetings with pole lines; those that are proved to coincide are one event.
-fn single_events(evaluator: &Evaluator<'_, Wide>, meetings: &Table<MeetingId, Meeting>) -> Result<Vec<Event>, Vec<Undecided>> {
+fn single_events(
+    evaluator: &Evaluator<'_, Wide>,
+    meetings: &Table<MeetingId, Meeting>,
+) -> Result<Vec<Event>, Vec<Undecided>> {
     let curves = evaluator.curves;
     let mut events: Vec<Event> = Vec::new();
     let event = |source, list: Vec<CurveId>, x: &Wide, h: &Wide| -> Result<Event, Vec<Undecided>> {
@@ -315,9 +318,11 @@ fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<Passage> {
                     _ => false,
                 });
                 if ends_here {
-                    known.extend(
-                        event.curves.iter().filter(|&&other| other != curve).map(|&other| Passage { curve, side, other }),
-                    );
+                    known.extend(event.curves.iter().filter(|&&other| other != curve).map(|&other| Passage {
+                        curve,
+                        side,
+                        other,
+                    }));
                 }
             }
         }
@@ -422,7 +427,8 @@ fn slabs(
     transitions: &Table<TransitionId, Vec<EventId>>,
     stages: &mut Stages<'_>,
 ) -> Result<Table<SlabId, Slab>, Vec<Undecided>> {
-    let spans: Table<CurveId, [SlabId; 2]> = curves.list.ids().map(|curve| span(curves, events, transitions, curve)).collect();
+    let spans: Table<CurveId, [SlabId; 2]> =
+        curves.list.ids().map(|curve| span(curves, events, transitions, curve)).collect();
     let end = |transition| transitions.get(transition)?.iter().map(|&e| &events[e].x[1]).max();
     let start = |transition| transitions.get(transition)?.iter().map(|&e| &events[e].x[0]).min();
     (0..=transitions.len())
@@ -606,16 +612,25 @@ mod tests {
         assert_eq!(triple.curves.len(), 4);
     }
 
+    /// Pairs (gap before, gap after) that continue, for curves by number.
+    fn glued(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Option<Vec<(usize, usize)>> {
+        let ids = |list: &[usize]| list.iter().map(|&c| CurveId::at(c)).collect::<Vec<_>>();
+        let blocks: Vec<Vec<CurveId>> = blocks.iter().map(|block| ids(block)).collect();
+        let blocks: Vec<&[CurveId]> = blocks.iter().map(Vec::as_slice).collect();
+        let gaps = continuation(&ids(before), &ids(after), &blocks)?;
+        Some(gaps.into_iter().map(|gaps| (gaps.before, gaps.after)).collect())
+    }
+
     #[test]
     fn a_birth_splits_the_cell_around_it_and_joins_it_at_the_sides() {
-        let glued = continuation(&[0, 1], &[0, 2, 3, 1], &[&[2, 3]]).unwrap();
-        assert_eq!(glued, [(0, 0), (1, 1), (1, 3), (2, 4)]);
-        let glued = continuation(&[0, 2, 3, 1], &[0, 1], &[&[2, 3]]).unwrap();
-        assert_eq!(glued, [(0, 0), (1, 1), (3, 1), (4, 2)]);
-        let glued = continuation(&[0, 1], &[1, 0], &[&[0, 1]]).unwrap();
-        assert_eq!(glued, [(0, 0), (2, 2)]);
+        let found = glued(&[0, 1], &[0, 2, 3, 1], &[&[2, 3]]).unwrap();
+        assert_eq!(found, [(0, 0), (1, 1), (1, 3), (2, 4)]);
+        let found = glued(&[0, 2, 3, 1], &[0, 1], &[&[2, 3]]).unwrap();
+        assert_eq!(found, [(0, 0), (1, 1), (3, 1), (4, 2)]);
+        let found = glued(&[0, 1], &[1, 0], &[&[0, 1]]).unwrap();
+        assert_eq!(found, [(0, 0), (2, 2)]);
         // A swap, and a birth in the new cell: only one sequence fits.
-        assert!(continuation(&[0, 1], &[1, 2, 3, 0], &[&[2, 3], &[0, 1]]).is_some());
-        assert!(continuation(&[0, 1, 2], &[2, 1, 0], &[&[0, 2]]).is_none());
+        assert!(glued(&[0, 1], &[1, 2, 3, 0], &[&[2, 3], &[0, 1]]).is_some());
+        assert!(glued(&[0, 1, 2], &[2, 1, 0], &[&[0, 2]]).is_none());
     }
 }

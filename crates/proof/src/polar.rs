@@ -27,11 +27,7 @@ pub(super) struct Meeting {
 }
 
 /// All meetings. `NotIsolated` when a root cannot be told from a cusp or pitchfork, nor proved equal to it.
-pub(super) fn meetings(
-    model: &Model,
-    curves: &Curves,
-    bits: usize,
-) -> Result<Table<MeetingId, Meeting>, NotIsolated> {
+pub(super) fn meetings(model: &Model, curves: &Curves, bits: usize) -> Result<Table<MeetingId, Meeting>, NotIsolated> {
     let mut found = Table::new();
     if model.active.len() > 1 {
         let [side, polynomial] = model.pole_polynomials();

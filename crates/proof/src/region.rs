@@ -53,8 +53,7 @@ pub(super) fn regions(arrangement: &Arrangement, frame: &Frame) -> Table<RegionI
 }
 
 fn region(arrangement: &Arrangement, frame: &Frame, cells: Vec<Cell>) -> Region {
-    let mut samples: Vec<(f64, Sample)> =
-        cells.iter().filter_map(|&cell| sample(arrangement, cell)).collect();
+    let mut samples: Vec<(f64, Sample)> = cells.iter().filter_map(|&cell| sample(arrangement, cell)).collect();
     samples.sort_by(|p, q| q.0.total_cmp(&p.0));
     let mut components = Err(Unproved::Thin);
     let mut chosen = samples.first().map(|(_, sample)| sample.clone());

@@ -17,11 +17,8 @@ pub(super) fn documents(
     let mut documents: Table<CurveId, CurveDocument> =
         set.curves.ids().map(|c| document(atlas, c, options, undecided)).collect();
     for pole in [Pole::Plus, Pole::Minus] {
-        let on_axis: Vec<CurveId> = set
-            .curves
-            .ids()
-            .filter(|&c| set.curves[c].pole == Some(pole) && set.curves[c].is_critical())
-            .collect();
+        let on_axis: Vec<CurveId> =
+            set.curves.ids().filter(|&c| set.curves[c].pole == Some(pole) && set.curves[c].is_critical()).collect();
         if on_axis.is_empty() {
             continue;
         }

@@ -12,7 +12,6 @@ use top::atlas::{Atlas, Window};
 
 use crate::body::{flags, texts};
 
-
 /// What the document holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DocumentOptions {

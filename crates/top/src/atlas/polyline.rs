@@ -10,7 +10,9 @@ impl Atlas {
     #[must_use]
     pub fn polyline(&self, curve: CurveName, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
         let set = &self.arrangement.set;
-        let number = set.curves.ids()
+        let number = set
+            .curves
+            .ids()
             .find(|&c| CurveName::of(set, c) == curve || self.carries_pole(c).map(CurveName::Pole) == Some(curve))?;
         let curve = &set.curves[number];
         let range = curve.x().map(|x| self.momentum(x));

@@ -156,7 +156,6 @@ fn opened(before: &[CurveId], after: &[CurveId], through: [CurveId; 2], pair: Cu
 mod tests {
     use super::*;
 
-    
     fn curve(index: usize) -> CurveId {
         CurveId::at(index)
     }

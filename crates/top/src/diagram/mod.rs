@@ -87,8 +87,7 @@ impl Arrangement {
     #[must_use]
     pub fn new(set: CriticalSet) -> Self {
         let mut pairs = Vec::new();
-        let mut undecided: Vec<Undecided> =
-            set.clusters.ids().map(|cluster| Undecided::Cusps { cluster }).collect();
+        let mut undecided: Vec<Undecided> = set.clusters.ids().map(|cluster| Undecided::Cusps { cluster }).collect();
         let mut evaluations = 0;
         for b in set.curves.ids() {
             for a in set.curves.ids().take_while(|a| *a < b) {
@@ -137,7 +136,8 @@ fn simultaneous(
             let shared = event.change.curves().iter().any(|c| other.change.curves().contains(c));
             let near = (event.h - other.h).abs() <= 4.0 * (event.h_error + other.h_error);
             let span = [event.x.min(other.x) - event.x_error, event.x.max(other.x) + other.x_error];
-            let ordered = settle::common_curve(event, other).is_some_and(|shared| order(shared.others[0], shared.others[1], span).is_some());
+            let ordered = settle::common_curve(event, other)
+                .is_some_and(|shared| order(shared.others[0], shared.others[1], span).is_some());
             if shared && near && !ordered {
                 found.push(Undecided::Simultaneous { events: [first, second] });
             }

@@ -22,12 +22,7 @@ pub(super) fn resolve(set: &CriticalSet, pairs: &mut [ProvedPair]) {
 }
 
 /// Sign of h_a − h_b on a range, from a curve that lies between the two all along it.
-fn sign_through_others(
-    set: &CriticalSet,
-    pairs: &[ProvedPair],
-    [a, b]: [CurveId; 2],
-    range: [f64; 2],
-) -> Option<i8> {
+fn sign_through_others(set: &CriticalSet, pairs: &[ProvedPair], [a, b]: [CurveId; 2], range: [f64; 2]) -> Option<i8> {
     let sign = |p: CurveId, q: CurveId| proved(pairs, p, q, range);
     set.curves.ids().filter(|&c| c != a && c != b).find_map(|c| {
         let [from, to] = set.curves[c].x();
