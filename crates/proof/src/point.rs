@@ -188,16 +188,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let rising = y_ends[0] < y_ends[1];
         let guess = self.guess(half, y_ends, ends, target);
         let c = &self.c;
-        let mut y = E::double(guess, c.precision);
-        // Newton's method doubles the digits of a guess good to ten.
-        let mut digits = 1e-12;
-        while digits > E::resolution(c.precision) {
-            let state = self.state(half, &y);
-            let residual = x.middle() / state.x - c.small(1);
-            let step = residual / state.log_slope;
-            y = (y + step).middle();
-            digits *= digits;
-        }
+        let y = self.refined(half, guess, x);
         let mut radius = E::resolution(c.precision);
         let outer = segment.ends.each_ref().map(|bound| self.bound(segment, bound));
         let (mut sides, mut done) = ([y.clone(), y.clone()], [false, false]);
@@ -243,6 +234,21 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let slopes = one.clone() / over.j.clone() - one / at.j.clone();
         let correction = (x.clone() - at.x.clone()) * slopes;
         Some(Point { x: x.clone(), place: Some((half, range)), at, over, correction, critical: true })
+    }
+
+    /// y of x, not proved: Newton's method doubles the digits of a guess good to ten.
+    fn refined(&self, half: Half, guess: f64, x: &E) -> E {
+        let c = &self.c;
+        let mut y = E::double(guess, c.precision);
+        let mut digits = 1e-12;
+        while digits > E::resolution(c.precision) {
+            let state = self.state(half, &y);
+            let residual = x.middle() / state.x - c.small(1);
+            let step = residual / state.log_slope;
+            y = (y + step).middle();
+            digits *= digits;
+        }
+        y
     }
 
     /// x lies between the x of the segment's ends (up to the enclosure of an end itself).

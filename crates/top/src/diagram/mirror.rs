@@ -22,16 +22,16 @@ pub(super) struct MirrorPair {
 
 /// True when the branch left of a_i is proved to lie above the branch right of it for all x in the range.
 pub(super) fn left_is_above(frame: &Frame, axis: usize, x: [f64; 2], ends: [MirrorPair; 2]) -> bool {
-    let family = Family::new(frame, axis);
+    let curves = MirroredCurves::new(frame, axis);
     let v = |mu: Option<Mu>| mu.map_or(0.0, |mu| mu.delta.abs() / frame.r[axis]);
     let left = ends.map(|pair| v(pair.left));
     let right = ends.map(|pair| v(pair.right));
-    family.is_monotone_around(x, left, right) || family.leaves_cusp(x, left, right)
+    curves.is_monotone_around(x, left, right) || curves.leaves_cusp(x, left, right)
 }
 
 /// The family of solutions over one axis, with ε anywhere in [−r_i, r_i].
 #[derive(Clone, Copy)]
-struct Family<'a> {
+struct MirroredCurves<'a> {
     frame: &'a Frame,
     axis: usize,
     a: Interval,
@@ -44,7 +44,7 @@ struct Sums {
     q: [Interval; 3],
 }
 
-impl<'a> Family<'a> {
+impl<'a> MirroredCurves<'a> {
     fn new(frame: &'a Frame, axis: usize) -> Self {
         let epsilon = Interval::between(-frame.r[axis], frame.r[axis]).widened(2.0);
         Self { frame, axis, a: Interval::point(frame.a[axis]).widened(1.0), epsilon }

@@ -9,6 +9,11 @@ const OCTANT: Interval = Interval { lo: 0.414_213_562_373_095, hi: 0.414_213_562
 /// tan(3π/8) = √2 + 1, rounded down and up: where sin 2x is smallest.
 const THREE_OCTANTS: Interval = Interval { lo: 2.414_213_562_373_095, hi: 2.414_213_562_373_096 };
 
+/// A bound of the angle between 2 arctan t and 2 arctan t', t' being t0 or t1.
+pub(super) fn half_angle_reach(t0: f64, t: f64, t1: f64) -> f64 {
+    (2.0 * (t - t0).max(t1 - t)).next_up().next_up()
+}
+
 /// Enclosures of cos x, sin x, cos 2x and sin 2x for an angle or a range of angles x.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Trig {

@@ -1,10 +1,9 @@
 //! One circle of latitude: its accessible arcs, certified.
 
 use super::Effort;
-use super::angle::{Longitude, Stretch, Trig};
+use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
 use super::interval::Interval;
 use super::level::Level;
-use super::slab::half_angle_reach;
 
 /// Where a stretch is cut; another place is tried when the sign of G at the first is not certain.
 pub(super) const CUTS: [f64; 4] = [0.493_1, 0.538_7, 0.446_3, 0.571_9];

@@ -1,7 +1,7 @@
 //! A slab between two circles of latitude, tiled by bricks in which ∂U_hl cannot hide anything.
 
 use super::Effort;
-use super::angle::{Longitude, Stretch, Trig};
+use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
 use super::circle::{CUTS, Circle};
 use super::level::Level;
 use super::union::Gluing;
@@ -106,11 +106,6 @@ pub(super) fn settle(
         }
     }
     Some(settled)
-}
-
-/// A bound of the angle between 2 arctan t and 2 arctan t', t' being t0 or t1.
-pub(super) fn half_angle_reach(t0: f64, t: f64, t1: f64) -> f64 {
-    (2.0 * (t - t0).max(t1 - t)).next_up().next_up()
 }
 
 /// A slab's latitudes, evaluated once.
