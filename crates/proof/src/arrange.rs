@@ -8,7 +8,8 @@ use super::model::Model;
 use super::pair::{Open, PairProof, Proof};
 use super::point::{Evaluator, Passage, Point};
 use super::polar::{self, Meeting};
-use numbers::enclosure::{Enclosure, Narrow};
+use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::interval::Interval;
 use numbers::partition::Partition;
 use numbers::wide::Wide;
 use top::curves::{CurveId, CuspId, End, PitchforkId};
@@ -91,7 +92,7 @@ pub(super) struct Arrangement {
 
 /// Runs a question in growing precision until it is answered.
 struct Stages<'a> {
-    narrow: Evaluator<'a, Narrow>,
+    narrow: Evaluator<'a, Interval>,
     wide: Vec<Evaluator<'a, Wide>>,
     used: usize,
 }

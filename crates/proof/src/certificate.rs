@@ -10,7 +10,8 @@ use super::family::Half;
 use super::pair::{Mark, Proof, Stretch};
 use super::point::Evaluator;
 use numbers::decimal;
-use numbers::enclosure::{Enclosure, Narrow};
+use numbers::enclosure::Enclosure;
+use numbers::interval::Interval;
 use numbers::wide::Wide;
 use schema::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
@@ -40,7 +41,7 @@ impl CertifiedAtlas {
     pub fn certificate(&self) -> CertificateDocument {
         let a = &self.arrangement;
         let names = |list: &[CurveId]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
-        let narrow = Evaluator::<Narrow>::new(&a.model, &a.curves, &[], ());
+        let narrow = Evaluator::<Interval>::new(&a.model, &a.curves, &[], ());
         let wide = Evaluator::<Wide>::new(&a.model, &a.curves, &[], STAGES[1]);
         let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
         let energy = unit(self.frame.energy_unit);
@@ -118,7 +119,7 @@ impl CertifiedAtlas {
 
     fn slab(
         &self,
-        narrow: &Evaluator<'_, Narrow>,
+        narrow: &Evaluator<'_, Interval>,
         wide: &Evaluator<'_, Wide>,
         slab: &super::arrange::Slab,
     ) -> CertifiedSlab {
@@ -133,7 +134,7 @@ impl CertifiedAtlas {
     /// A node of a pair; `side` tells which end of the common range an unmarked one is.
     fn node(
         &self,
-        narrow: &Evaluator<'_, Narrow>,
+        narrow: &Evaluator<'_, Interval>,
         wide: &Evaluator<'_, Wide>,
         curves: [CurveId; 2],
         mark: Mark,

@@ -7,7 +7,7 @@ use super::arrange::STAGES;
 use super::curves::Shape;
 use super::id::TransitionId;
 use super::point::Evaluator;
-use numbers::enclosure::Enclosure;
+use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::wide::Wide;
 use top::atlas;
 use top::body::Number;

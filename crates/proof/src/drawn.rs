@@ -7,7 +7,7 @@ use super::curves::Curves;
 use super::id::TransitionId;
 use super::{CertifiedAtlas, NotWritten};
 use numbers::decimal;
-use numbers::enclosure::Enclosure;
+use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::wide::Wide;
 use schema::EnclosureDocument;
 use top::atlas::{self, Atlas};

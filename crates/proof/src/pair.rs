@@ -604,7 +604,7 @@ mod tests {
     use super::super::curves::Curves;
     use super::super::model::Model;
     use super::*;
-    use numbers::enclosure::Narrow;
+    use numbers::interval::Interval;
     use top::body::{Body, Preset};
     use top::curves::CriticalSet;
     use top::diagram::{Arrangement, Change};
@@ -612,7 +612,7 @@ mod tests {
     fn crossings(body: &Body) -> usize {
         let model = Model::new(body, &body.frame());
         let curves = Curves::new(&model, 160).unwrap();
-        let evaluator = Evaluator::<Narrow>::new(&model, &curves, &[], ());
+        let evaluator = Evaluator::<Interval>::new(&model, &curves, &[], ());
         let arrangement = Arrangement::new(CriticalSet::new(body.frame()).unwrap());
         let mut found = Vec::new();
         for b in curves.list.ids() {

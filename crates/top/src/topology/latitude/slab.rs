@@ -5,6 +5,7 @@ use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
 use super::circle::{CUTS, Circle};
 use super::level::Level;
 use super::union::Gluing;
+use numbers::interval::Interval;
 
 /// Share of the variation of G above which a brick is shortened rather than its slab thinned.
 const PARALLEL_SHARE: f64 = 0.7;
@@ -136,7 +137,8 @@ impl SlabRange {
         let center = Longitude::new(stretch.quadrant, middle).trig();
         let reach = (self.reach, half_angle_reach(stretch.t0, middle, stretch.t1));
         let (meridional, parallel) = Level::variation(&slopes, &self.theta, reach);
-        let value = level.value(&self.center, &center).widened(meridional).widened(parallel);
+        let around = |radius: f64| Interval::between(-radius, radius);
+        let value = level.value(&self.center, &center) + around(meridional) + around(parallel);
         match value.is_positive() {
             Some(sign) => (Kind::Sign(sign), false),
             None => (Kind::Open, parallel > PARALLEL_SHARE * meridional),
