@@ -101,7 +101,7 @@ impl CertifiedAtlas {
 
     fn stretch(
         &self,
-        narrow: &Evaluator<'_, Narrow>,
+        narrow: &Evaluator<'_, Interval>,
         wide: &Evaluator<'_, Wide>,
         curves: [CurveId; 2],
         stretch: &Stretch,

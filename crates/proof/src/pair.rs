@@ -621,7 +621,8 @@ mod tests {
                 if !family(a) || !family(b) {
                     continue;
                 }
-                if let Some(proof) = evaluator.pair(a, b).unwrap_or_else(|open| panic!("{body:?} {a:?} {b:?} {open:?}")) {
+                if let Some(proof) = evaluator.pair(a, b).unwrap_or_else(|open| panic!("{body:?} {a:?} {b:?} {open:?}"))
+                {
                     found.extend(proof.stretches.iter().filter_map(|s| match s.proof {
                         Proof::Crossing(x) => Some(x),
                         Proof::Constant => None,
