@@ -8,6 +8,7 @@ mod number;
 pub mod partition;
 pub mod polynomial;
 pub mod root;
+pub mod sequence;
 pub mod wide;
 
 pub use number::{Number, ParseNumberError};

@@ -11,7 +11,6 @@ mod output;
 mod progress;
 mod report;
 mod sample;
-mod shard;
 mod table;
 
 pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand, Shown};

@@ -1,4 +1,7 @@
-//! A low-discrepancy sequence whose every point can be computed by itself.
+//! The Kronecker sequence: low discrepancy in the unit cube, the same numbers on every machine.
+
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 
 /// 2^64 g^−j, j = 1 … d, rounded down, where g is the positive root of x^(d+1) = x + 1; row d − 1.
 const STEPS: [&[u64]; 4] = [
@@ -22,7 +25,7 @@ pub fn point(n: u64, dimensions: usize, seed: u64) -> Vec<f64> {
     (0..dimensions)
         .map(|j| {
             // Not the middle of the cube, where bodies are symmetric.
-            let start = mixed(seed.wrapping_mul(DIMENSIONS_MAX as u64).wrapping_add(j as u64 + 1));
+            let start = random(seed.wrapping_mul(DIMENSIONS_MAX as u64).wrapping_add(j as u64 + 1));
             let bits = n.wrapping_mul(steps[j % steps.len()]).wrapping_add(start);
             // 52 bits and a half of the last: never 0 and never 1.
             ((bits >> 12) as f64 + 0.5) / 4_503_599_627_370_496.0
@@ -30,12 +33,37 @@ pub fn point(n: u64, dimensions: usize, seed: u64) -> Vec<f64> {
         .collect()
 }
 
-/// The finaliser of SplitMix64 (Steele, Lea and Flood, 2014).
-fn mixed(seed: u64) -> u64 {
-    let mut z = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
+/// The number k of the generator `SplitMix64` that is seeded with 0. (Its state is a multiple of the golden step.)
+fn random(k: u64) -> u64 {
+    SplitMix64::seed_from_u64(k.wrapping_sub(1).wrapping_mul(STEPS[0][0])).next_u64()
+}
+
+/// The sequence in the unit square, point after point: x ← frac(x + step) in `f64`, from a random point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Square {
+    position: [f64; 2],
+    step: [f64; 2],
+}
+
+impl Square {
+    /// The sequence that a seed chooses.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        let mut generator = SplitMix64::seed_from_u64(seed);
+        Self {
+            position: [(); 2].map(|()| (generator.next_u64() >> 11) as f64 / (1u64 << 53) as f64),
+            step: [0, 1].map(|j| STEPS[1][j] as f64 / (1u128 << 64) as f64),
+        }
+    }
+
+    /// The next point, in [0, 1)².
+    pub fn advance(&mut self) -> [f64; 2] {
+        for (x, step) in self.position.iter_mut().zip(self.step) {
+            *x += step;
+            *x -= x.floor();
+        }
+        self.position
+    }
 }
 
 #[cfg(test)]
@@ -65,5 +93,16 @@ mod tests {
                 assert!((box_share / 4096.0 - 0.25).abs() < 0.004, "{seed} {axis}");
             }
         }
+    }
+
+    /// The numbers that sections of earlier versions began with.
+    #[test]
+    fn the_square_is_walked_in_the_plastic_numbers_steps() {
+        let mut square = Square::new(7);
+        assert_eq!(square.step, [0.754_877_666_246_692_8, 0.569_840_290_998_053_3]);
+        assert_eq!(square.position, [0.389_829_748_391_271_5, 0.016_788_294_528_156_11]);
+        let points: Vec<[f64; 2]> = (0..4096).map(|_| square.advance()).collect();
+        let corner = points.iter().filter(|x| x[0] < 0.5 && x[1] < 0.25).count() as f64 / 4096.0;
+        assert!((corner - 0.125).abs() < 0.002, "{corner}");
     }
 }
