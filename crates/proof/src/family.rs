@@ -1,4 +1,4 @@
-//! Points of the families of relative equilibria, enclosed (MATH §2).
+//! Points of the families of relative equilibria, enclosed (Theorem 3.2 and Theorem 3.3 of docs/mathematics.md).
 //!
 //! A family is cut into halves, on each of which a coordinate y ≥ 0 measures the exact distance from its base:
 //! |μ − a_base| on the generic family, v − P̂ with v = s² over a group without r. However small y is, nothing cancels.

@@ -7,10 +7,10 @@
 //! - **Crossings** of two critical curves are alone in their boxes, and on every other stretch of x the order of the two
 //!   is proved (`pair`), up to x = l²/2 → 0 and ∞, in interval arithmetic of growing precision (`enclosure`, `wide`).
 //! - A critical point with μ ≥ the largest moment is the global minimum. For critical γ and any γ' on the sphere
-//!   U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'] (derived), which then is not negative. So the lowest curve
-//!   needs no comparison.
-//! - **Events** are ordered by disjoint enclosures of x, or proved to coincide by gcd; **faces** follow from the vertical
-//!   orders at one exact x between events, each proved (`arrange`).
+//!   U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'] (Proposition 3.9 of docs/mathematics.md), which
+//!   then is not negative. So the lowest curve needs no comparison.
+//! - **Events** are ordered by disjoint enclosures of x, or proved to coincide by gcd; **faces** follow from the
+//!   vertical orders at one exact x between events, each proved (`arrange`).
 //! - **Topology** comes from the latitude sweep, at a point proved to lie in the face (`region`).
 //!
 //! What cannot be proved is an error that says where, never an answer. Nothing is shared with the `f64` curves of

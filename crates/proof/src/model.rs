@@ -116,7 +116,8 @@ impl Model {
         [product(None), p, q, r]
     }
 
-    /// 4(q'D − 2qD')p − 3(p'D − 2pD')q: its roots of odd multiplicity are the cusps of the generic family (MATH §2).
+    /// 4(q'D − 2qD')p − 3(p'D − 2pD')q: its roots of odd multiplicity are the cusps of the generic family (Lemma 4.5 of
+    /// docs/mathematics.md).
     /// Built over the groups that carry r, so that no spurious factor (μ − a_k) appears; degree 10 for three groups,
     /// 5 for two, 0 for one.
     pub fn cusp_polynomial(&self) -> Polynomial {
@@ -133,7 +134,7 @@ impl Model {
     }
 
     /// N = (q/2 − RD·D) p − q²/(2J_r) and F = N² − r² p³D²: at a root of F the generic family meets a pole line,
-    /// P+ where N < 0 and P− where N > 0 (MATH §3). The leading coefficients of F cancel exactly.
+    /// P+ where N < 0 and P− where N > 0 (Proposition 5.3). The leading coefficients of F cancel exactly.
     pub fn pole_polynomials(&self) -> [Polynomial; 2] {
         let [d, p, q, r] = self.family();
         let half = RBig::from_parts(IBig::ONE, 2u8.into());

@@ -292,7 +292,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         if a.critical && b.critical { plain.meet(&self.exact_gap(&x, &a.over, &b.over)) } else { plain }
     }
 
-    /// h_a − h_b of two critical points over one x, without the cancellation of heights (derived):
+    /// h_a − h_b of two critical points over one x, without the cancellation of heights (Corollary 3.10 of
+    /// docs/mathematics.md):
     /// h_a − h_b = x [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
     ///
     /// From U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'], which holds for a critical γ and every γ' on the

@@ -48,7 +48,7 @@ pub(super) fn meetings(model: &Model, curves: &Curves, bits: usize) -> Result<Ve
             let odd = root.odd;
             let half = Half::Over { group };
             let place = Place { half, lo: root.lo.clone(), hi: root.hi.clone(), root: Some(Arc::new(root)) };
-            // E = 2 r s³ on P+ and −2 r s³ on P−: the other way round than N.
+            // E = 2 r s³ on P+ and −2 r s³ on P−, where N has the other sign (Proposition 5.3, Proposition 5.4).
             let pole = match sign_on(&side, &place.lo, &place.hi)? {
                 Pole::Plus => Pole::Minus,
                 Pole::Minus => Pole::Plus,

@@ -135,7 +135,7 @@ impl Spaces {
         plus(&times(&t, &j), &plus(&[], &v, &RBig::from(4)), &one)
     }
 
-    /// N and F of the meetings with pole lines (MATH §3).
+    /// N and F of the meetings with pole lines (Proposition 5.3 of docs/mathematics.md).
     pub fn pole_polynomials(&self) -> [Coefficients; 2] {
         let (mut p, mut q, mut r) = (Vec::new(), Vec::new(), Vec::new());
         for &k in &self.active {

@@ -4,7 +4,7 @@
 //! Boxes are proved to lie inside or outside U, or are undecided. Minima joined by inside boxes lie in one component,
 //! minima that outside boxes keep apart lie in two; likewise maxima. On a sphere the components of U and of the
 //! complement, joined where they border each other, form a tree; so when the possible borders are as many as its edges,
-//! they are the borders. No sweep, no arcs, no paths.
+//! they are the borders (Proposition 9.5 of docs/mathematics.md). No sweep, no arcs, no paths.
 
 use std::collections::{BTreeMap, BTreeSet};
 

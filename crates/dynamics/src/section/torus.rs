@@ -1,4 +1,5 @@
-//! The PP-torus: (ϑ', ψ') with r̂ as polar axis, two sheets T⁺ and T⁻ by the sign of Δ, and the map γ → l.
+//! The PP-torus: (ϑ', ψ') with r̂ as polar axis, two sheets T⁺ and T⁻ by the sign of Δ, and the map γ → l
+//! (Proposition 10.2 to Proposition 10.5 of docs/mathematics.md).
 
 use pulp::Scalar;
 

@@ -1,4 +1,4 @@
-//! Limits of arcs as l → ∞ (MATH §4).
+//! Limits of arcs as l → ∞ (Proposition 6.2 of docs/mathematics.md).
 
 use super::arc::{Arc, Shape};
 use crate::body::Frame;

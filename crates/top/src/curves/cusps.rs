@@ -54,7 +54,7 @@ fn outer_scale(frame: &Frame, first: usize) -> f64 {
     (0..3).filter(|&k| frame.r[k] > 0.0).map(|k| frame.diff[k][first]).fold(0.0, f64::max)
 }
 
-/// The cusp polynomial (T J + 4V) P² Π|μ−a_k|⁵ on an interval, as a form in u and 1 − u.
+/// The cusp polynomial (T J + 4V) P² Π|μ−a_k|⁵ of Lemma 4.5 on an interval, as a form in u and 1 − u.
 ///
 /// P²TJ = Σ_i a_i r_i⁴/τ_i⁵ + Σ_{i<j} r_i² r_j² (a_j τ_j + a_i τ_i)/(τ_i³ τ_j³) and
 /// P²V = Σ_{i<j} r_i² r_j² (a_i − a_j)²/(τ_i³ τ_j³) with τ = μ − a; every |τ| is linear in u and of one sign, so that
@@ -104,8 +104,8 @@ fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Form {
 
 /// All cusps of the generic family on an interval, by Descartes' rule and subdivision, then polished on T J + 4V.
 ///
-/// On the interval that ends at +∞ both T and V are positive: no cusps. With one active moment the family is a straight
-/// line: no cusps.
+/// On the interval that ends at +∞ both T and V are positive: no cusps (Proposition 4.6). With one active moment the
+/// family is a straight line: no cusps.
 #[must_use]
 pub fn cusps(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Cusps {
     let mut found = Cusps::default();
@@ -187,7 +187,8 @@ fn bracket_by_ratio(ends: [f64; 2], beyond: impl Fn(f64) -> bool) -> [f64; 2] {
 }
 
 /// The only place where J is extremal along the generic family: the root of Σ_k c_k (μ − a_k)³ = 0 with
-/// c_k = r_i² r_j² (a_i − a_j)² (derived; increasing in μ, so the root is unique). Needs three active moments.
+/// c_k = r_i² r_j² (a_i − a_j)² (Proposition 3.8 of docs/mathematics.md; increasing in μ, so the root is unique). Needs
+/// three active moments.
 ///
 /// Returns the interval (1 or 2 of the four) and μ; `None` when the root falls on the middle moment.
 #[must_use]

@@ -1,4 +1,4 @@
-//! The generic family of relative equilibria γ(μ) ∝ (μ − A)⁻¹ r (Staude; MATH §2).
+//! The generic family of relative equilibria γ(μ) ∝ (μ − A)⁻¹ r (Staude; Theorem 3.2 of docs/mathematics.md).
 
 use crate::body::Frame;
 
@@ -28,7 +28,7 @@ impl Mu {
 /// The relative equilibrium at μ and its derivatives along the family.
 ///
 /// With w_k = γ_k² the quantities are means over w, so that nothing cancels:
-/// J = Σ w a, T = Σ w/(μ−a), V = Σ_{i<j} w_i w_j (a_i−a_j)²/((μ−a_i)(μ−a_j)), and (derived)
+/// J = Σ w a, T = Σ w/(μ−a), V = Σ_{i<j} w_i w_j (a_i−a_j)²/((μ−a_i)(μ−a_j)), and (Lemma 3.5)
 /// dJ/dμ = −2V, dx/dμ = −x (T + 4V/J), where x = l²/2 = s J²/2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GenericState {
@@ -72,7 +72,7 @@ impl GenericState {
         Self { gamma, j, s, x: 0.5 * s * j * j, mean_inverse, spread }
     }
 
-    /// T J + 4V: its zeros are the cusps, where dl = dh = 0 (4Q'P = 3P'Q in MATH §2).
+    /// T J + 4V: its zeros are the cusps, where dl = dh = 0 (4Q'P = 3P'Q in Lemma 4.5).
     #[must_use]
     pub fn cusp_function(&self) -> f64 {
         self.mean_inverse * self.j + 4.0 * self.spread

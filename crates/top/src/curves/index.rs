@@ -1,8 +1,9 @@
 //! Morse index of U_l along the curves.
 //!
-//! On the tangent plane at a critical point the Hessian is s [(μ − A) + (4/J) Aγ (Aγ)ᵀ] (derived from MATH §2). Its
-//! determinant has the sign of −dx/dμ · Π_k (μ − a_k) along the generic family, and of dx/ds · Π_{j≠i} (a_i − a_j) along
-//! the family over a_i; where it is positive, the sign of the trace tells minimum from maximum.
+//! On the tangent plane at a critical point the Hessian is s [(μ − A) + (4/J) Aγ (Aγ)ᵀ] (Proposition 4.1 of
+//! docs/mathematics.md). Its determinant has the sign of −dx/dμ · Π_k (μ − a_k) along the generic family, and of
+//! dx/ds · Π_{j≠i} (a_i − a_j) along the family over a_i; where it is positive, the sign of the trace tells minimum
+//! from maximum (Proposition 4.2).
 
 use super::arc::{Arc, Segment, Shape};
 use super::curve::Orbit;

@@ -1,4 +1,5 @@
-//! Relative equilibria in closed form: every critical curve of a body and both pole lines (MATH §2 and §3).
+//! Relative equilibria in closed form: every critical curve of a body and both pole lines (docs/mathematics.md,
+//! sections 3 to 6).
 //!
 //! Works in x = l²/2, in which U_l(γ) = x/J(γ) − ⟨γ, r⟩ is linear for each γ.
 

@@ -6,7 +6,8 @@ use numbers::UNIT_ROUNDOFF;
 /// One point of a critical curve or pole line.
 ///
 /// In the variables x = l²/2 and h the potential U = x/J(γ) − ⟨γ, r⟩ is linear in x for each γ; so a critical curve is
-/// the envelope of straight lines, its slope is dh/dx = 1/J, and a pole line is straight.
+/// the envelope of straight lines, its slope is dh/dx = 1/J (Proposition 3.6 of docs/mathematics.md), and a pole line
+/// is straight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// x = l²/2 at which the point was asked for.

@@ -1,4 +1,4 @@
-//! The extra family over μ = a_i where r vanishes on the whole eigenspace of a_i (MATH §2).
+//! The extra family over μ = a_i where r vanishes on the whole eigenspace of a_i (Theorem 3.3 of docs/mathematics.md).
 
 use crate::body::Frame;
 

@@ -1,6 +1,7 @@
-//! r on a principal axis: the order of a symmetric pair and the straight lines γ = ±r̂ in closed form.
+//! r on a principal axis: the order of a symmetric pair and the straight lines γ = ±r̂ in closed form
+//! (Proposition 5.5 of docs/mathematics.md).
 //!
-//! With a the moment of the axis, d = a_i − a, σ = ±1 for the line γ = σ r̂ and g = σ⟨γ, r̂⟩ on the pair over a_i (derived):
+//! With a the moment of the axis, d = a_i − a, σ = ±1 for the line γ = σ r̂ and g = σ⟨γ, r̂⟩ on the pair over a_i:
 //! h_pair − h_line = −σ r (1 − g)² (a + d (1 + g)²)/(2 a g). Away from the pitchfork g = 1 it vanishes only for d < 0,
 //! σ = −1 at g = √(a/|d|) − 1, which is below 1 when a_i < ¾ a: beyond the pair's cusp. Beside a_i = ¾ a the cusp, the crossing and
 //! the pitchfork draw together like the square of the distance, and the gap between them is below the rounding of h.

@@ -1,8 +1,8 @@
 //! Faces of an arrangement from the vertical orders alone: no coordinates enter here.
 //!
-//! Slab j lies between events j − 1 and j. In a slab with curves order[0] < order[1] < … gap i is the cell below order[i]
-//! and above order[i − 1]; gap 0 is below everything (forbidden) and the last gap is unbounded above. Cells of
-//! neighbouring slabs are glued unless the event between them separates them (MATH §5).
+//! Slab j lies between events j − 1 and j. In a slab with curves order[0] < order[1] < … gap i is the cell below
+//! order[i] and above order[i − 1]; gap 0 is below everything (forbidden) and the last gap is unbounded above. Cells of
+//! neighbouring slabs are glued unless the event between them separates them (Proposition 8.3 of docs/mathematics.md).
 
 use thiserror::Error;
 

@@ -1,4 +1,4 @@
-//! The arrangement of all critical curves and pole lines in the half-plane l > 0 (MATH §5).
+//! The arrangement of all critical curves and pole lines in the half-plane l > 0 (docs/mathematics.md, section 8).
 //!
 //! Coordinates enter in `pair` (isolated crossings) and `event` (their order in x); `faces` works on vertical orders alone.
 

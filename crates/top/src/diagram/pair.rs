@@ -3,7 +3,8 @@
 //! On an arc the slope dh/dx = 1/J is monotone, so between two abscissae it lies between its end values. If the slope
 //! ranges of two arcs are disjoint their gap is monotone and its signs at the ends tell whether they cross, once; else
 //! the gap is bounded from its end values and the slope ranges; else the interval is split. Both ends of the half-line
-//! are closed by the known limits (MATH §4), so nothing is sampled and nothing missed.
+//! are closed by the known limits (Corollary 6.3 of docs/mathematics.md), so nothing is sampled and nothing missed.
+//! What proves an order is Lemma 7.1 to Lemma 7.6 there.
 
 use crate::body::Frame;
 use crate::curves::{Arc, Asymptote, Curve, Gap, Mu, Orbit, Point, Pole, Shape};
@@ -106,7 +107,7 @@ pub(super) fn compare(frame: &Frame, a: &Curve, b: &Curve) -> Option<PairOrder> 
     Some(whole)
 }
 
-/// Orders that hold by structure, whatever the rounding (MATH §2 and §3).
+/// Orders that hold by structure, whatever the rounding (Proposition 4.3 and Proposition 5.2).
 ///
 /// - The piece that reaches +r̂ at l = 0 (μ above every moment) is the global minimum throughout.
 /// - The piece of the leftmost interval that starts at −r̂ has slope above 1/J_r and starts on P−: it stays above P−.
@@ -202,7 +203,7 @@ impl ArcPair<'_> {
         GapAt::Value(Gap { value: p - q, error })
     }
 
-    /// As l → ∞, h = x/J∞ − ρ∞ + O(1/x) (MATH §4).
+    /// As l → ∞, h = x/J∞ − ρ∞ + O(1/x) (Proposition 6.2).
     fn gap_at_infinity(&self) -> GapAt {
         let (p, q) = (self.limit(self.a), self.limit(self.b));
         let moment_gap = p.moment_gap(self.frame, &q);

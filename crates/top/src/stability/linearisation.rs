@@ -27,7 +27,7 @@ impl Sum {
     }
 }
 
-/// Second variation and linearised flow at a relative equilibrium.
+/// Second variation and linearised flow at a relative equilibrium (Theorem 13.1 of docs/mathematics.md).
 ///
 /// Reduced by the rotation about the vertical, the motion near γ is M q̈ + G q̇ + K q = 0 on the tangent plane of S²:
 /// - K = B + (4s/J) a aᵀ is the Hessian of U_l, B = diag(B_j) restricted to the plane, a the tangential part of Aγ;

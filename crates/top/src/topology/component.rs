@@ -5,7 +5,7 @@ use super::surface::Surface;
 /// Which of the poles ±r̂ lie in a component of U_hl.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Poles {
-    /// +r̂, the centre of mass hanging down (γ points up along r̂).
+    /// +r̂, the centre of mass hanging down (γ points down).
     pub plus: bool,
     /// −r̂.
     pub minus: bool,
@@ -31,7 +31,7 @@ pub struct Component {
 impl Component {
     /// Genus of the component of the Poincaré section P_hl over this component of U_hl:
     /// g = k + n − 1 with k boundary circles and n poles, since P_hl is the double of the component
-    /// minus n discs. `None` where the section does not exist (r = 0).
+    /// minus n discs (Theorem 10.6 of docs/mathematics.md). `None` where the section does not exist (r = 0).
     ///
     /// The formula needs k + n ≥ 1; S² without poles does not occur, since U_hl = S² contains both.
     #[must_use]

@@ -1,4 +1,4 @@
-//! First method: the merge tree of the critical points (Morse theory, MATH §6).
+//! First method: the merge tree of the critical points (Proposition 9.2 of docs/mathematics.md).
 
 mod descent;
 mod partition;
