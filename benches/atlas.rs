@@ -16,8 +16,6 @@ use top::critical::critical;
 use top::curves::CriticalSet;
 use top::topology::latitude;
 
-#[path = "../tests/common/mod.rs"]
-mod common;
 #[cfg(unix)]
 #[path = "workload/cpu_time.rs"]
 mod cpu_time;
@@ -69,10 +67,10 @@ fn atlases(criterion: &mut Criterion<Clock>) {
     for (name, cases) in &sets[..3] {
         let atlases = prepared(cases);
         in_turn(criterion, &format!("polylines/{name}"), &atlases, |atlas| {
-            documents::atlas::document(&atlas, &DocumentOptions::default())
+            documents::atlas::document(atlas, &DocumentOptions::default())
         });
         let bare = DocumentOptions { polylines: false, ..DocumentOptions::default() };
-        in_turn(criterion, &format!("document/{name}"), &atlases, |atlas| atlas.document(&bare));
+        in_turn(criterion, &format!("document/{name}"), &atlases, |atlas| documents::atlas::document(atlas, &bare));
     }
 }
 

@@ -9,19 +9,15 @@
 //! when the point is farther from every curve than rounding (1e-13); nearer points must be undecided or agree between the cold
 //! and the prepared body. For random points of either kind the side of both pole lines is decided in exact arithmetic.
 
-#[path = "../tests/common/mod.rs"]
-mod common;
-
 use std::collections::BTreeMap;
 
-use common::bodies::{STRATA, Stratum, random_body, random_point};
-use common::random::SplitMix64;
 use dashu_ratio::RBig;
-use schema::{ClassificationDocument, ComponentDocument, Status};
+use support::bodies::{STRATA, Stratum, random_body, random_point};
+use support::random::SplitMix64;
 use top::atlas::Atlas;
 use top::body::{Body, Number};
-use top::classify::classify;
-use top::topology::latitude;
+use top::classify::{Answer, Classification, classify};
+use top::topology::{Poles, latitude};
 
 #[derive(Default)]
 struct Tally {
@@ -99,7 +95,9 @@ fn heights(atlas: &Atlas, l: f64) -> Vec<(f64, f64)> {
     let set = &atlas.arrangement().set;
     let scaled = l / set.frame.momentum_unit;
     let x = 0.5 * scaled * scaled;
-    let mut found: Vec<(f64, f64)> = (0..set.curves.len())
+    let mut found: Vec<(f64, f64)> = set
+        .curves
+        .ids()
         .filter(|&c| set.curves[c].x()[0] <= x && x <= set.curves[c].x()[1])
         .map(|c| {
             let point = set.curves[c].point(&set.frame, x);
@@ -130,7 +128,7 @@ fn examine(body: &Body, atlas: &Atlas, h: f64, l: f64, counts: &mut Tally) -> Re
     let distance = all.iter().map(|(c, scale)| (h - c).abs() / scale).fold(f64::INFINITY, f64::min);
     let mut far = false;
     for (k, found) in [&cold, &prepared].into_iter().enumerate() {
-        if found.components.is_none() {
+        if found.components().is_none() {
             counts.undecided[k] += 1;
             far |= distance > KNOWN;
         }
@@ -140,12 +138,13 @@ fn examine(body: &Body, atlas: &Atlas, h: f64, l: f64, counts: &mut Tally) -> Re
         counts.wrong += 1;
         Err(what)
     };
-    if cold.components.is_some() && prepared.components.is_some() && cold.components != prepared.components {
-        return wrong(format!("cold {:?}, prepared {:?}", cold.signature, prepared.signature));
+    let (first, second) = (cold.components(), prepared.components());
+    if first.is_some() && second.is_some() && first != second {
+        return wrong(format!("cold {first:?}, prepared {second:?}"));
     }
     if let Some(sides) = poles_inside(body, &number_h, &number_l) {
         for found in [&cold, &prepared] {
-            if found.status == Status::Regular && poles_of(found) != sides {
+            if matches!(found.answer, Answer::Regular(_)) && poles_of(found) != sides {
                 return wrong(format!("poles {:?} for {sides:?}", poles_of(found)));
             }
         }
@@ -166,15 +165,14 @@ fn examine(body: &Body, atlas: &Atlas, h: f64, l: f64, counts: &mut Tally) -> Re
         return Ok(());
     };
     counts.compared += 1;
-    let swept: Vec<ComponentDocument> = swept.iter().map(ComponentDocument::from).collect();
     for found in [&cold, &prepared] {
-        let right = match &found.components {
-            Some(components) => *components == swept,
-            None => found.candidates.contains(&swept),
+        let right = match found.components() {
+            Some(components) => components == swept,
+            None => found.candidates().contains(&swept),
         };
         if !right {
             counts.wrong += 1;
-            return Err(format!("{:?} {:?}, sweep {swept:?}", found.components, found.candidates));
+            return Err(format!("{:?} {:?}, sweep {swept:?}", found.components(), found.candidates()));
         }
     }
     Ok(())
@@ -200,7 +198,7 @@ fn poles_inside(body: &Body, h: &Number, l: &Number) -> Option<[bool; 2]> {
     Some([positive || square < norm, positive && square > norm])
 }
 
-fn poles_of(found: &ClassificationDocument) -> [bool; 2] {
-    let has = |sign: &str| found.components.iter().flatten().any(|c| c.poles.iter().flatten().any(|pole| pole == sign));
-    [has("+"), has("-")]
+fn poles_of(found: &Classification) -> [bool; 2] {
+    let has = |inside: fn(Poles) -> bool| found.components().into_iter().flatten().any(|c| c.poles.is_some_and(inside));
+    [has(|poles| poles.plus), has(|poles| poles.minus)]
 }

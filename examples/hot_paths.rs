@@ -12,8 +12,6 @@ use top::critical::critical;
 use top::curves::CriticalSet;
 use top::topology::latitude;
 
-#[path = "../tests/common/mod.rs"]
-mod common;
 #[path = "../benches/workload/mod.rs"]
 mod workload;
 
@@ -62,7 +60,7 @@ const PATHS: [(&str, Prepare); 14] = [
     ("atlas-near-axis", || atlas(workload::near_axis())),
     ("atlas-rods", || atlas(workload::rods())),
     ("polylines", || {
-        in_turn(prepared(&workload::generic()), |atlas| documents::atlas::document(&atlas, &DocumentOptions::default()))
+        in_turn(prepared(&workload::generic()), |atlas| documents::atlas::document(atlas, &DocumentOptions::default()))
     }),
     ("classify", || in_turn(exact(), |(body, h, l)| classify(body, h, l))),
     ("critical", || in_turn(exact(), |(body, _, l)| critical(body, l))),

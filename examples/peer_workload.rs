@@ -10,6 +10,7 @@ use std::io::{BufRead, Write};
 use std::time::Instant;
 
 use documents::DocumentOptions;
+use schema::Accuracy;
 use serde::Deserialize;
 use top::atlas::Atlas;
 use top::body::{Body, Number};
@@ -53,7 +54,7 @@ fn answer(line: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
         "critical": microseconds(10, || critical(&body, &l)),
         "locate": microseconds(1000, || atlas.locate(query.h, query.l)),
         "regions": atlas.regions().len(),
-        "document": classify(&body, &h, &l)?,
+        "document": documents::classification(&body, &h, &l, &classify(&body, &h, &l)?, Accuracy::Standard),
     }))
 }
 

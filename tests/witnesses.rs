@@ -1,29 +1,29 @@
 //! Every witness in `data/witnesses.json` shows what it says, by both topological methods, and with room.
 
-use schema::ComponentDocument;
-use survey::search::{Target, Witness};
+use documents::{candidate, margin};
+use proof::CertifiedAtlas;
+use schema::WitnessDocument;
+use survey::search::Target;
 use top::body::{Body, Number};
 use top::classify::classify;
 use top::topology::{Component, Poles, latitude};
-use proof::CertifiedAtlas;
 
-fn witnesses() -> Vec<Witness> {
-    serde_json::from_str(include_str!("../data/witnesses.json")).unwrap()
+fn witnesses() -> Vec<WitnessDocument> {
+    serde_json::from_str(&support::data("witnesses.json")).unwrap()
 }
 
-fn body(witness: &Witness) -> Body {
-    let texts = |numbers: &[Number; 3]| numbers.each_ref().map(|number| number.text().to_owned());
-    Body::parse(&texts(&witness.moments), &texts(&witness.center)).unwrap()
+fn body(witness: &WitnessDocument) -> Body {
+    Body::parse(&witness.moments, &witness.center).unwrap()
 }
 
-fn component(document: &ComponentDocument) -> Component {
+fn component(document: &schema::ComponentDocument) -> Component {
     let signs = document.poles.as_ref().unwrap();
     let has = |sign: &str| signs.iter().any(|pole| pole == sign);
     Component { boundary_circles: document.boundary_circles, poles: Some(Poles { plus: has("+"), minus: has("-") }) }
 }
 
 /// Four boundary circles of a body that exists: the widest room in h that is known is 1.25e-4 |r|.
-fn is_narrow(witness: &Witness, body: &Body) -> bool {
+fn is_narrow(witness: &WitnessDocument, body: &Body) -> bool {
     witness.components.iter().any(|component| component.boundary_circles == 4) && !body.flags().unphysical
 }
 
@@ -34,18 +34,20 @@ fn both_methods_confirm_every_witness() {
         let components: Vec<Component> = witness.components.iter().map(component).collect();
         assert!(target.accepts_region(&components), "{}", witness.kind);
         let body = body(&witness);
-        let answer = classify(&body, &witness.h, &witness.l).unwrap();
-        assert_eq!(answer.components.as_ref(), Some(&witness.components), "{}", witness.kind);
-        assert_eq!(answer.margin, witness.margin, "{}", witness.kind);
+        let [energy, momentum] = [&witness.h, &witness.l].map(|text| text.parse::<Number>().unwrap());
+        let answer = classify(&body, &energy, &momentum).unwrap();
+        // As documents, so that every name in the file is compared too.
+        assert_eq!(answer.components().map(candidate).as_ref(), Some(&witness.components), "{}", witness.kind);
+        assert_eq!(margin(&answer.margin), witness.margin, "{}", witness.kind);
         let frame = body.frame();
-        let (h, l) = (witness.h.to_f64() / frame.energy_unit, witness.l.to_f64() / frame.momentum_unit);
+        let (h, l) = (energy.to_f64() / frame.energy_unit, momentum.to_f64() / frame.momentum_unit);
         assert_eq!(latitude::components(&frame, h, l).unwrap(), components, "{}", witness.kind);
         let r = body.center_f64().iter().map(|c| c * c).sum::<f64>().sqrt();
         if is_narrow(&witness, &body) {
             // Proved instead; its room is millions of times its error.
             assert!(witness.margin.h > 1e6 * witness.margin.error_bound, "{}: {:?}", witness.kind, witness.margin);
-            let proved = CertifiedAtlas::new(&body).unwrap().classify(&witness.h, &witness.l);
-            assert_eq!(proved.components.as_ref(), Some(&witness.components), "{}", witness.kind);
+            let proved = CertifiedAtlas::new(&body).unwrap().classify(&energy, &momentum);
+            assert_eq!(proved.components().map(candidate).as_ref(), Some(&witness.components), "{}", witness.kind);
         } else {
             // Well visible: by far not a matter of rounding.
             assert!(witness.margin.h > 3e-4 * r, "{}: {:?}", witness.kind, witness.margin);
@@ -56,7 +58,7 @@ fn both_methods_confirm_every_witness() {
 #[test]
 fn bodies_that_exist_show_four_boundary_circles() {
     for kind in ["k4n1", "k4n2"] {
-        let shows = |witness: &Witness| witness.kind == kind && !body(witness).flags().unphysical;
+        let shows = |witness: &WitnessDocument| witness.kind == kind && !body(witness).flags().unphysical;
         assert!(witnesses().iter().any(shows), "{kind}");
     }
 }

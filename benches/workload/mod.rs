@@ -3,8 +3,8 @@
 
 use top::body::{Body, Number, Preset};
 
-use crate::common::bodies::{Stratum, random_body, random_point};
-use crate::common::random::SplitMix64;
+use support::bodies::{Stratum, random_body, random_point};
+use support::random::SplitMix64;
 
 const SEED: u64 = 20_080_303;
 

@@ -2,14 +2,14 @@
 
 use proof::CertifiedAtlas;
 use rayon::prelude::*;
-use schema::{ClassificationDocument, ComponentDocument};
 use top::atlas::Atlas;
+use top::classify::Classification;
 use top::topology::Component;
 
 use super::clock::{quantiles, timed};
-use super::common::flood_fill;
 use super::companion;
 use super::points::Point;
+use support::flood_fill;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Verdict {
@@ -70,27 +70,26 @@ fn against(point: &Point, found: &[Component]) -> Verdict {
     }
 }
 
-fn document_against(point: &Point, found: &ClassificationDocument) -> Verdict {
+fn answer_against(point: &Point, found: &Classification) -> Verdict {
     let Some(truth) = &point.truth else {
-        return if found.components.is_none() { Verdict::Undecided } else { Verdict::Untold };
+        return if found.components().is_none() { Verdict::Undecided } else { Verdict::Untold };
     };
-    let truth: Vec<ComponentDocument> = truth.iter().map(ComponentDocument::from).collect();
-    match &found.components {
-        Some(components) if *components == truth => Verdict::Right,
-        None if found.candidates.contains(&truth) => Verdict::Undecided,
+    match found.components() {
+        Some(components) if components == truth => Verdict::Right,
+        None if found.candidates().contains(truth) => Verdict::Undecided,
         _ => Verdict::Wrong,
     }
 }
 
 fn standard(point: &Point) -> (Verdict, f64) {
     let (found, time) = timed(|| top::classify::classify(&point.body, &point.h, &point.l));
-    (found.map_or(Verdict::Failed, |document| document_against(point, &document)), time)
+    (found.map_or(Verdict::Failed, |found| answer_against(point, &found)), time)
 }
 
 fn prepared(point: &Point) -> (Verdict, f64) {
     let Ok(atlas) = Atlas::new(&point.body) else { return (Verdict::Failed, 0.0) };
     let (found, time) = timed(|| atlas.classify(&point.h, &point.l));
-    (found.map_or(Verdict::Failed, |document| document_against(point, &document)), time)
+    (found.map_or(Verdict::Failed, |found| answer_against(point, &found)), time)
 }
 
 /// A point whose region is proved, but not its topology, is undecided.
@@ -99,12 +98,12 @@ fn certified(point: &Point) -> (Verdict, f64) {
         let atlas = CertifiedAtlas::new(&point.body).ok()?;
         Some(atlas.classify(&point.h, &point.l))
     });
-    (found.map_or(Verdict::Undecided, |document| proved_against(point, &document)), time)
+    (found.map_or(Verdict::Undecided, |found| proved_against(point, &found)), time)
 }
 
 /// A proved answer is wrong or right; candidates left out only because their topology is not proved are no error.
-fn proved_against(point: &Point, found: &ClassificationDocument) -> Verdict {
-    if found.components.is_none() { Verdict::Undecided } else { document_against(point, found) }
+fn proved_against(point: &Point, found: &Classification) -> Verdict {
+    if found.components().is_none() { Verdict::Undecided } else { answer_against(point, found) }
 }
 
 fn flood(point: &Point, rows: usize) -> (Verdict, f64) {

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::common::extremes::{EXTREMES, answers};
+use super::families::{EXTREMES, answers};
 
 pub fn run() {
     println!("extreme,epsilon,standard,certified");

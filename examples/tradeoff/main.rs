@@ -10,8 +10,8 @@
 //! `extremes`: families that run into an extreme, and what standard and certified answer on the way.
 //! A second argument n takes every nth point only (`classify`). Times are CPU times of the thread in microseconds, the least of three where a call is short.
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
+#[path = "../../tests/extremes/families.rs"]
+mod families;
 
 mod atlas;
 mod classify;

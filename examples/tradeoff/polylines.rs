@@ -27,7 +27,7 @@ pub fn run(points: &[Point]) {
             let options = DocumentOptions { chord_tolerance, accuracy, ..DocumentOptions::default() };
             let mut columns: [Vec<f64>; 6] = std::array::from_fn(|_| Vec::new());
             for (number, atlas) in atlases.iter().enumerate() {
-                let (document, document_time) = timed(|| documents::atlas::document(&atlas, &options));
+                let (document, document_time) = timed(|| documents::atlas::document(atlas, &options));
                 let json = serde_json::to_string(&document).map_or(0, |text| text.len());
                 let vertices: usize = document.curves.iter().map(|curve| curve.polyline.len()).sum();
                 let row = [vertices as f64, json as f64, deviation(atlas, &document), document_time];
@@ -64,7 +64,9 @@ fn deviation(atlas: &Atlas, document: &AtlasDocument) -> f64 {
     let unit = &set.frame;
     let mut largest = 0.0_f64;
     for curve in &document.curves {
-        let Some(number) = (0..set.curves.len()).find(|&c| curve_name(set, c) == curve.id) else { continue };
+        let Some(number) = set.curves.ids().find(|&c| CurveName::of(set, c).to_string() == curve.id) else {
+            continue;
+        };
         let [from, to] = set.curves[number].x();
         for pair in curve.polyline.windows(2) {
             let [run_h, run_l] = [(pair[1][0] - pair[0][0]) / ranges[0], (pair[1][1] - pair[0][1]) / ranges[1]];

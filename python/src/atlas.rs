@@ -1,6 +1,7 @@
 //! Atlases and their regions.
 
 use bifdiag::top::atlas::Place;
+use bifdiag::top::diagram::RegionId;
 use bifdiag::top::topology::signature;
 use bifdiag::{documents, top};
 use pyo3::prelude::*;
@@ -32,14 +33,14 @@ impl Atlas {
     /// The regions, in the order of their ids.
     #[getter]
     fn regions(&self) -> Vec<Region> {
-        (0..self.inner.regions().len()).map(|number| Region::of(&self.inner, number)).collect()
+        self.inner.regions().ids().map(|number| Region::of(&self.inner, number)).collect()
     }
 
     /// The id of the region of a point; None when forbidden or not decided.
     fn region(&self, h: &Bound<'_, PyAny>, l: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
         let (h, l) = (number(h)?.to_f64(), number(l)?.to_f64());
         let location = self.inner.locate(h, l).map_err(errors::input)?;
-        Ok(if let Place::Region(region) = location.place { Some(documents::atlas::region_id(region)) } else { None })
+        Ok(if let Place::Region(region) = location.place { Some(region.to_string()) } else { None })
     }
 
     /// The text of atlas.json, as the command line writes it.
@@ -67,11 +68,11 @@ pub struct Region {
 }
 
 impl Region {
-    fn of(atlas: &top::atlas::Atlas, number: usize) -> Self {
+    fn of(atlas: &top::atlas::Atlas, number: RegionId) -> Self {
         let components = atlas.components(number).ok();
         let sample = atlas.sample(number);
         Self {
-            id: documents::atlas::region_id(number),
+            id: number.to_string(),
             signature: components.and_then(signature),
             components: components.map(Component::list),
             sample: (sample.h, sample.l),

@@ -9,6 +9,9 @@ use crate::answers::{Classification, Equilibrium};
 use crate::atlas::Atlas;
 use crate::errors;
 
+/// What `Body(…)` is called with: A and r.
+type Arguments = ([String; 3], [String; 3]);
+
 /// A number as it is meant: a float is its shortest decimal, everything else its own text.
 pub fn number(value: &Bound<'_, PyAny>) -> PyResult<Number> {
     if value.is_instance_of::<PyBool>() {
@@ -82,9 +85,9 @@ impl Body {
         Ok(found.list.iter().map(Equilibrium::of).collect())
     }
 
-    fn __reduce__(&self, python: Python<'_>) -> PyResult<(Py<PyAny>, ([String; 3], [String; 3]))> {
+    fn __reduce__(&self, python: Python<'_>) -> (Py<PyAny>, Arguments) {
         let class = python.get_type::<Self>().into_any().unbind();
-        Ok((class, (self.moments(), self.r())))
+        (class, (self.moments(), self.r()))
     }
 
     fn __repr__(&self) -> String {

@@ -1,18 +1,31 @@
 //! `bifdiag bodies`: the named bodies.
 
-use super::arguments::BodiesArguments;
+use clap::Args;
+
+use super::export::answer;
 use super::failure::Failure;
-use super::table::Table;
-use super::{layout, output};
+use super::terminal::Table;
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag bodies
+  bifdiag bodies --json | jq -r '.bodies[].name'";
+
+/// `bifdiag bodies`.
+#[derive(Debug, Args)]
+pub struct BodiesArguments {
+    /// Print the list as JSON
+    #[arg(long)]
+    pub json: bool,
+}
 
 pub fn run(arguments: &BodiesArguments) -> Result<(), Failure> {
     let document = documents::all_bodies();
-    if arguments.json {
-        return Ok(output::print(layout::text(&document)?.as_bytes())?);
-    }
-    let mut table = Table::new(&["name", "A", "r", "note"]);
-    for preset in &document.bodies {
-        table.row([preset.name.clone(), preset.moments.join(","), preset.center.join(","), preset.note.clone()]);
-    }
-    Ok(output::print(table.text().as_bytes())?)
+    Ok(answer(arguments.json, &document, || {
+        let mut table = Table::new(&["name", "A", "r", "note"]);
+        for preset in &document.bodies {
+            table.row([preset.name.clone(), preset.moments.join(","), preset.center.join(","), preset.note.clone()]);
+        }
+        table.text()
+    })?)
 }

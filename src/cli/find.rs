@@ -5,13 +5,13 @@ use std::ops::ControlFlow;
 use clap::Args;
 use schema::FindDocument;
 use survey::search::{Domain, SearchOptions, Target, find};
+use thiserror::Error;
 
-use super::arguments::AccuracyArgument;
-use super::failure::{Failure, InputError};
-use super::report::Report;
-use super::scan::{Progress, ScanFailure, ScanInput};
-use super::table::significant;
-use super::{layout, output};
+use super::export::answer;
+use super::failure::{CommandError, Exit, Failure};
+use super::input::AccuracyArgument;
+use super::scan::ScanInput;
+use super::terminal::{Progress, Report, significant};
 
 pub const FIND_EXAMPLES: &str = "\
 Examples:
@@ -74,24 +74,37 @@ fn moment_ratio(text: &str) -> Result<f64, String> {
     ratio.ok_or_else(|| "a ratio is a number from 1 on, such as 10".to_owned())
 }
 
+/// A question without an answer.
+#[derive(Debug, Error)]
+#[error("{sought} was not found among {tried} bodies")]
+struct NotFound {
+    sought: String,
+    tried: u64,
+}
+
+impl CommandError for NotFound {
+    fn exit(&self) -> Exit {
+        Exit::Failed
+    }
+}
+
 pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
     let target = target(arguments)?;
-    let document = answer(arguments, &target, quiet);
-    let text = if arguments.json { layout::text(&document)? } else { report(&document) };
-    output::print(text.as_bytes())?;
+    let document = search(arguments, &target, quiet);
+    answer(arguments.json, &document, || report(&document))?;
     if document.found || document.exists == Some(false) {
         return Ok(());
     }
-    Err(ScanFailure::NotFound { sought: document.sought, tried: document.tried }.into())
+    Err(NotFound { sought: document.sought, tried: document.tried }.into())
 }
 
-fn target(arguments: &FindArguments) -> Result<Target, InputError> {
+fn target(arguments: &FindArguments) -> Result<Target, ScanInput> {
     let wrong = |option: &str, error: &dyn std::fmt::Display| ScanInput::Find(format!("--{option}: {error}"));
     if let Some(kind) = &arguments.kind {
-        return Target::of_type(kind).map_err(|error| wrong("type", &error).into());
+        return Target::of_type(kind).map_err(|error| wrong("type", &error));
     }
     if let Some(signature) = &arguments.signature {
-        return Target::of_signature(signature).map_err(|error| wrong("signature", &error).into());
+        return Target::of_signature(signature).map_err(|error| wrong("signature", &error));
     }
     if let Some(count) = arguments.critical_points {
         return Ok(Target::CriticalPoints(count));
@@ -99,13 +112,13 @@ fn target(arguments: &FindArguments) -> Result<Target, InputError> {
     if arguments.circles.is_none() && arguments.poles.is_none() {
         let text = "nothing says what is sought; give --type M4, --circles 3 --poles 1, --signature S2+T2 or \
                     --critical-points 8";
-        return Err(ScanInput::Find(text.to_owned()).into());
+        return Err(ScanInput::Find(text.to_owned()));
     }
     Ok(Target::Component { circles: arguments.circles, poles: arguments.poles })
 }
 
 /// What the library finds.
-fn answer(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocument {
+fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocument {
     let options = SearchOptions {
         domain: Domain { physical: arguments.physical, moment_ratio: arguments.moment_ratio },
         samples: arguments.samples,
@@ -113,7 +126,7 @@ fn answer(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
         seed: arguments.seed.unwrap_or_default(),
         accuracy: arguments.accuracy.level().into(),
     };
-    let mut progress = Progress::new(0, arguments.samples, quiet);
+    let progress = Progress::new(0, arguments.samples, "bodies", quiet);
     let mut watch = |bodies| {
         progress.add(bodies);
         ControlFlow::Continue(())

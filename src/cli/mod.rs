@@ -1,6 +1,8 @@
-//! The command line: options, one module for each command, and what they share to print, write files and stop.
+//! The command line. From the top: [`run`] reads the options (`arguments`) and calls a command; a command turns its
+//! options into settings, works, and hands its results out (`export`), and so do its parts (`batch`, `input`); below are
+//! what speaks to the terminal (`terminal`) and what a failure is (`failure`).
 //!
-//! Only this part of the crate prints, writes files or chooses an exit status.
+//! Only this part of the package prints, writes files or chooses an exit status.
 
 mod arguments;
 mod atlas;
@@ -8,59 +10,106 @@ mod batch;
 mod bodies;
 mod classify;
 mod critical;
-mod data;
+mod export;
 mod failure;
 mod figures;
-mod files;
 mod find;
-mod integration;
-mod interrupt;
-mod log;
+mod input;
 mod orbit;
-mod output;
 mod pages;
-mod report;
 mod scan;
 mod schema;
 mod section;
-mod subject;
-mod table;
-mod timings;
-mod values;
+mod terminal;
 mod verify;
 
 use std::ffi::OsString;
+use std::io::{self, IsTerminal};
+use std::num::NonZeroUsize;
 
-use documents::layout;
+use thiserror::Error;
 
-use arguments::{Command, Options};
-use failure::Failure;
-use timings::Timings;
+use arguments::{Command, Options, Refusal};
+use failure::{CommandError, Exit, Failure};
+use terminal::{Timings, interrupt, is_terminal, log, print, say};
 
-/// Where the files go if nothing else is said.
-const DEFAULT_DIRECTORY: &str = "bifdiag-out";
+/// Stack of the threads of `--threads`, on which whole commands run: as large as a process's own.
+const STACK: usize = 8 << 20;
 
 /// Runs a command line, its first argument the name of the program, and returns the exit status: 0 done, 2 wrong input,
-/// 1 anything else. Prints to stdout and stderr, writes files, and answers SIGINT and SIGTERM.
+/// 1 anything else. Prints to stdout and stderr, writes files, and ends the process at SIGINT and SIGTERM, from the first
+/// call on. Several command lines may be run one after the other.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let options = match Options::from_arguments(arguments) {
-        Ok(options) => options,
-        Err(refusal) => return refusal.print(),
+    let done = match Options::from_arguments(arguments) {
+        Ok(options) => start(&options),
+        Err(refusal) => refuse(&refusal),
     };
-    match start(&options).and_then(|()| work(&options)) {
-        Ok(()) => 0,
-        Err(failure) => failure.print(),
+    let exit = done.map_or_else(|failure| tell(&failure), |exit| exit);
+    exit as u8
+}
+
+/// Tells a failure on stderr. A reader that closed the pipe wants no more, and no message.
+fn tell(failure: &Failure) -> Exit {
+    let exit = failure.exit();
+    if exit != Exit::Done {
+        say(&format!("error: {failure}"));
+    }
+    exit
+}
+
+/// Help goes to stdout, errors to stderr.
+fn refuse(refusal: &Refusal) -> Result<Exit, Failure> {
+    let Refusal::Clap(error) = refusal else {
+        say(&format!("error: {refusal}"));
+        return Ok(Exit::WrongInput);
+    };
+    let text = |terminal: bool| {
+        let text = error.render();
+        if terminal { text.ansi().to_string() } else { text.to_string() }
+    };
+    if error.use_stderr() {
+        say(text(is_terminal()).trim_end());
+        return Ok(Exit::WrongInput);
+    }
+    print(text(io::stdout().is_terminal()))?;
+    Ok(Exit::Done)
+}
+
+/// What a run needs could not be set up.
+#[derive(Debug, Error)]
+enum StartError {
+    #[error("the threads could not be started")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    #[error("the answer to interrupts could not be set up")]
+    Interrupt(#[from] ctrlc::Error),
+}
+
+impl CommandError for StartError {
+    fn exit(&self) -> Exit {
+        Exit::Failed
     }
 }
 
-/// Sets up logging, the answer to interrupts and the number of threads.
-fn start(options: &Options) -> Result<(), Failure> {
-    log::start(&options.common);
-    interrupt::install()?;
-    if let Some(threads) = options.common.threads {
-        rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global()?;
+/// Sets up logging, the answer to interrupts and the threads, and works.
+fn start(options: &Options) -> Result<Exit, Failure> {
+    log(options.common.quiet, options.common.verbose);
+    interrupt::install().map_err(StartError::from)?;
+    on_threads(options.common.threads, || work(options)).map_err(StartError::from)??;
+    Ok(Exit::Done)
+}
+
+/// Works on so many threads, or on as many as there are cores.
+fn on_threads<T: Send>(
+    threads: Option<NonZeroUsize>,
+    work: impl FnOnce() -> T + Send,
+) -> Result<T, rayon::ThreadPoolBuildError> {
+    match threads {
+        Some(threads) => {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).stack_size(STACK).build()?;
+            Ok(pool.install(work))
+        }
+        None => Ok(work()),
     }
-    Ok(())
 }
 
 /// Runs the command that was asked for.
@@ -77,8 +126,8 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Verify(arguments)) => verify::run(arguments, &timings),
         Some(Command::Bodies(arguments)) => bodies::run(arguments),
         Some(Command::Schema(arguments)) => schema::run(arguments),
-        Some(Command::Completions(arguments)) => pages::completions(arguments),
-        Some(Command::Man(arguments)) => pages::man(arguments),
+        Some(Command::Completions(arguments)) => pages::completions(arguments, Options::command()),
+        Some(Command::Man(arguments)) => pages::man(arguments, Options::command()),
         Some(Command::Find(arguments)) => find::run(arguments, quiet),
         Some(Command::Scan(arguments)) => scan::run(arguments, &timings, quiet),
         Some(Command::Figures(arguments)) => figures::run(arguments, &timings),

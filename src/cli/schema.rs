@@ -1,16 +1,32 @@
 //! `bifdiag schema`: the JSON Schemas of the documents.
 
-use clap::ValueEnum;
+use clap::{Args, ValueEnum};
 use schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassificationDocument, CriticalDocument,
     FindDocument, MotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument,
 };
 use schemars::{Schema, schema_for};
 
-use super::arguments::SchemaArguments;
+use super::export::answer;
 use super::failure::Failure;
-use super::table::Table;
-use super::{layout, output};
+use super::terminal::Table;
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag schema                 the names and what they describe
+  bifdiag schema atlas > atlas.schema.json
+  bifdiag schema --json          all of them in one JSON object";
+
+/// `bifdiag schema`.
+#[derive(Debug, Args)]
+pub struct SchemaArguments {
+    /// The document to describe
+    #[arg(value_enum)]
+    pub name: Option<Name>,
+    /// Without NAME: all schemas in one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
 
 /// The documents that have a schema.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -62,7 +78,7 @@ impl Name {
 
 pub fn run(arguments: &SchemaArguments) -> Result<(), Failure> {
     if let Some(name) = arguments.name {
-        return Ok(output::print(layout::text(&name.schema())?.as_bytes())?);
+        return Ok(answer(true, &name.schema(), String::new)?);
     }
     let mut table = Table::new(&["name", "describes"]);
     let mut all = serde_json::Map::new();
@@ -72,6 +88,5 @@ pub fn run(arguments: &SchemaArguments) -> Result<(), Failure> {
         table.row([value.get_name().to_owned(), description]);
         all.insert(value.get_name().to_owned(), name.schema().to_value());
     }
-    let text = if arguments.json { layout::text(&all)? } else { table.text() };
-    Ok(output::print(text.as_bytes())?)
+    Ok(answer(arguments.json, &all, || table.text())?)
 }

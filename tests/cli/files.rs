@@ -38,10 +38,34 @@ fn json_goes_to_stdout_and_to_files_only_if_asked() {
     let done = bifdiag("--body paper --json").inside(place.path()).succeeds();
     assert_eq!(done.json()["schema_version"], "1");
     assert!(names(place.path()).is_empty());
-    let both = bifdiag("--body paper --json --out x/y --format svg,png,pdf").inside(place.path()).succeeds();
+    let both = bifdiag("--body paper --json --out x/y --format svg,png").inside(place.path()).succeeds();
     assert_eq!(both.stdout(), done.stdout());
     assert_eq!(fs::read_to_string(place.path().join("x/y/atlas.json")).unwrap(), done.stdout());
-    assert_eq!(names(&place.path().join("x/y")), ["atlas.json", "diagram.pdf", "diagram.png", "diagram.svg"]);
+    assert_eq!(names(&place.path().join("x/y")), ["atlas.json", "diagram.png", "diagram.svg"]);
+}
+
+#[cfg(feature = "pdf")]
+#[test]
+fn pdf_is_written_beside_the_other_formats() {
+    let place = tempdir().unwrap();
+    bifdiag("--body paper --out . --format svg,pdf").inside(place.path()).succeeds();
+    assert_eq!(names(place.path()), ["atlas.json", "diagram.pdf", "diagram.svg"]);
+    assert!(fs::read(place.path().join("diagram.pdf")).unwrap().starts_with(b"%PDF-"));
+}
+
+#[cfg(not(feature = "pdf"))]
+#[test]
+fn pdf_is_refused_before_any_work_and_the_feature_is_named() {
+    let place = tempdir().unwrap();
+    for line in
+        ["--body paper --format svg,pdf", "figures --format pdf", "scan map none.csv --x A2 --y A3 --format pdf"]
+    {
+        bifdiag(line)
+            .inside(place.path())
+            .refused()
+            .telling("'pdf' for '--format <FORMAT>': PDF needs the feature `pdf`");
+    }
+    assert!(names(place.path()).is_empty());
 }
 
 #[test]
@@ -100,7 +124,7 @@ fn a_disk_that_fills_up_in_the_middle_leaves_the_old_files() {
     fs::create_dir(&old).unwrap();
     fs::write(old.join("atlas.json"), "old").unwrap();
     for out in [&old, &new] {
-        let limited = format!("trap '' XFSZ; ulimit -f 1; exec '{PROGRAM}' --body paper --out '{}'", out.display());
+        let limited = format!("ulimit -f 1; exec '{PROGRAM}' --body paper --out '{}'", out.display());
         let output = Command::new("sh").args(["-c", &limited]).output().unwrap();
         let stderr = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{stderr}");

@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::builder::PROGRAM;
 
@@ -37,6 +37,27 @@ fn a_full_disk_behind_stdout_is_told() {
         assert_eq!(output.status.code(), Some(1), "{arguments:?}");
         assert!(stderr(&output).contains("cannot write to standard output: No space left on device"), "{output:?}");
     }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_closed_stdout_is_told_and_nothing_else_is_written_there() {
+    for arguments in ["--help", "bodies", "--body paper --json", "man", "classify --body paper --h 3.8 --l 3.25"] {
+        let closed = format!("exec '{PROGRAM}' {arguments} >&-");
+        let output = Command::new("sh").args(["-c", &closed]).output().unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments}");
+        assert_eq!(stderr(&output), "error: cannot write to standard output: it is closed\n", "{arguments}");
+    }
+    // A batch without lines has nothing to write.
+    let empty = format!("exec '{PROGRAM}' classify --batch /dev/null >&-");
+    assert!(Command::new("sh").args(["-c", &empty]).status().unwrap().success());
+}
+
+#[test]
+fn a_stdout_that_is_thrown_away_is_no_failure() {
+    let discarded = File::options().read(true).write(true).open("/dev/null").unwrap();
+    let output = Command::new(PROGRAM).arg("bodies").stdout(discarded).output().unwrap();
+    assert_eq!((output.status.code(), stderr(&output)), (Some(0), String::new()));
 }
 
 #[test]
@@ -88,6 +109,57 @@ fn interrupts_end_a_batch_between_lines() {
         assert!(stderr(&output).contains("interrupted"), "{name}: {}", stderr(&output));
         assert_eq!(answers.lines().count(), 2);
         assert!(answers.ends_with("}\n"));
+    }
+}
+
+/// Each of them would go on for minutes, the last ones without ever looking whether they are to stop, or for ever at a
+/// reader that takes nothing.
+#[test]
+fn interrupts_end_every_command_within_a_second() {
+    let place = tempfile::tempdir().unwrap();
+    let scan = format!("scan --family general --samples 1000000 --out {}", place.path().join("s.csv").display());
+    let figures = format!("figures --out {}", place.path().join("figures").display());
+    let endless = "section --A 0.3,0.21,0.17 --r 0,1e60,1e60 --h 0 --l 0 --orbits 2 --crossings 10 --no-plot --json";
+    let commands = [
+        scan.as_str(),
+        &figures,
+        "find --type M4 --all --samples 1000000000",
+        "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times 0:1e9:2 --json",
+        "section --body paper --h 4.45 --l 3.25 --crossings 100000000 --no-plot --json",
+        endless,
+        "scan --family general --samples 1000000 --out -",
+    ];
+    for command in commands {
+        for name in ["-INT", "-TERM"] {
+            let child = spawn(&command.split_whitespace().collect::<Vec<_>>());
+            std::thread::sleep(Duration::from_millis(300));
+            let told = Instant::now();
+            signal(&child, name);
+            let output = child.wait_with_output().unwrap();
+            let waited = told.elapsed();
+            assert!(waited < Duration::from_secs(1), "{command}: {name} took {waited:?}");
+            assert_eq!(output.status.code(), Some(1), "{command}: {}", stderr(&output));
+            assert!(stderr(&output).contains("interrupted"), "{command}: {}", stderr(&output));
+        }
+    }
+    assert_eq!(names(place.path()), Some(vec!["s.csv.partial".to_owned()]), "what can be taken up again, and no more");
+}
+
+#[test]
+fn a_second_interrupt_ends_what_the_first_has_told_to_stop() {
+    let child = spawn(&["section", "--body", "paper", "--h", "4.45", "--l", "3.25", "--crossings", "100000000"]);
+    std::thread::sleep(Duration::from_millis(300));
+    signal(&child, "-INT");
+    let _may_be_over = Command::new("kill").args(["-INT", &child.id().to_string()]).stderr(Stdio::null()).status();
+    assert_eq!(child.wait_with_output().unwrap().status.code(), Some(1));
+}
+
+#[test]
+fn several_command_lines_run_in_one_process() {
+    let run = |line: &str| bifdiag::cli::run(line.split_whitespace().map(Into::into));
+    for threads in ["", "--threads 1", "--threads 3", "-vv --timings"] {
+        assert_eq!(run(&format!("bifdiag classify --batch /dev/null {threads}")), 0);
+        assert_eq!(run(&format!("bifdiag classify --h 1 --l 1 {threads} -q")), 2);
     }
 }
 

@@ -6,80 +6,73 @@ use serde_json::Value;
 /// Lines are broken when they would become longer.
 const WIDTH: usize = 110;
 
-/// The JSON text of a document, ending with a newline.
+/// The JSON text of a document, as the program writes it everywhere, ending with a newline.
 ///
 /// # Errors
-/// When a value of the document cannot be written as JSON.
+/// When the document cannot be written as JSON.
 pub fn text(document: &impl Serialize) -> Result<String, serde_json::Error> {
     let value = serde_json::to_value(document)?;
     let mut out = String::new();
-    write(&mut out, &value, 0)?;
+    write(&mut out, &value, 0);
     out.push('\n');
     Ok(out)
 }
 
-fn write(out: &mut String, value: &Value, indent: usize) -> Result<(), serde_json::Error> {
-    let column = out.len() - out.rfind('\n').map_or(0, |at| at + 1);
-    if let Some(line) = on_one_line(value, WIDTH.saturating_sub(column)) {
+fn write(out: &mut String, value: &Value, indent: usize) {
+    if let Some(line) = on_one_line(value, room(out)) {
         out.push_str(&line);
-        return Ok(());
+        return;
     }
-    let inner = indent + 1;
-    match value {
-        Value::Array(items) => {
-            out.push('[');
-            let mut fill = false;
-            for (i, item) in items.iter().enumerate() {
-                separate(out, item, i, inner, &mut fill);
-                write(out, item, inner)?;
-            }
-            new_line(out, indent);
-            out.push(']');
+    let Some((open, items, close)) = parts(value) else { return out.push_str(&value.to_string()) };
+    out.push(open);
+    // Numbers, texts and points of an array fill lines; anything else has its own.
+    let mut fill = false;
+    for (i, (key, item)) in items.into_iter().enumerate() {
+        out.push_str(if i > 0 { "," } else { "" });
+        let small = key.is_none() && is_small(item);
+        if fill && small && on_one_line(item, room(out).saturating_sub(1)).is_some() {
+            out.push(' ');
+        } else {
+            new_line(out, indent + 1);
         }
-        Value::Object(entries) => {
-            out.push('{');
-            for (i, (key, item)) in entries.iter().enumerate() {
-                if i > 0 {
-                    out.push(',');
-                }
-                new_line(out, inner);
-                out.push_str(&serde_json::to_string(key)?);
-                out.push_str(": ");
-                write(out, item, inner)?;
-            }
-            new_line(out, indent);
-            out.push('}');
-        }
-        scalar => out.push_str(&scalar.to_string()),
+        fill = small;
+        push_key(out, key);
+        write(out, item, indent + 1);
     }
-    Ok(())
+    new_line(out, indent);
+    out.push(close);
 }
 
-/// Between items of an array: numbers, texts and points fill lines, anything else has its own.
-fn separate(out: &mut String, item: &Value, i: usize, indent: usize, fill: &mut bool) {
-    if i > 0 {
-        out.push(',');
+/// The brackets of an array or an object, and the items with their keys.
+fn parts(value: &Value) -> Option<(char, Vec<(Option<&str>, &Value)>, char)> {
+    match value {
+        Value::Array(items) => Some(('[', items.iter().map(|item| (None, item)).collect(), ']')),
+        Value::Object(items) => Some(('{', items.iter().map(|(key, item)| (Some(key.as_str()), item)).collect(), '}')),
+        _ => None,
     }
-    let small = match item {
-        Value::Array(items) => items.iter().all(|item| !item.is_array() && !item.is_object()),
-        Value::Object(_) => false,
-        _ => true,
-    };
-    let column = out.len() - out.rfind('\n').map_or(0, |at| at + 1);
-    let fits = *fill && small && on_one_line(item, WIDTH.saturating_sub(column + 1)).is_some();
-    if fits {
-        out.push(' ');
-    } else {
-        new_line(out, indent);
+}
+
+/// A scalar, or a list of scalars.
+fn is_small(item: &Value) -> bool {
+    let composed = |item: &Value| item.is_array() || item.is_object();
+    item.as_array().map_or(!composed(item), |items| !items.iter().any(composed))
+}
+
+fn push_key(out: &mut String, key: Option<&str>) {
+    if let Some(key) = key {
+        out.push_str(&Value::from(key).to_string());
+        out.push_str(": ");
     }
-    *fill = small;
 }
 
 fn new_line(out: &mut String, indent: usize) {
     out.push('\n');
-    for _ in 0..indent {
-        out.push_str("  ");
-    }
+    out.extend(std::iter::repeat_n("  ", indent));
+}
+
+/// What is left of the line.
+fn room(out: &str) -> usize {
+    WIDTH.saturating_sub(out.len() - out.rfind('\n').map_or(0, |at| at + 1))
 }
 
 /// The value on one line, if it is at most `room` wide.
@@ -88,35 +81,20 @@ fn on_one_line(value: &Value, room: usize) -> Option<String> {
     inline(&mut out, value, room).then_some(out)
 }
 
+/// Adds the value; false as soon as the line is longer than `room`.
 fn inline(out: &mut String, value: &Value, room: usize) -> bool {
-    match value {
-        Value::Array(items) => {
-            out.push('[');
-            for (i, item) in items.iter().enumerate() {
-                if i > 0 {
-                    out.push_str(", ");
-                }
-                if !inline(out, item, room) {
-                    return false;
-                }
+    if let Some((open, items, close)) = parts(value) {
+        out.push(open);
+        for (i, (key, item)) in items.into_iter().enumerate() {
+            out.push_str(if i > 0 { ", " } else { "" });
+            push_key(out, key);
+            if !inline(out, item, room) {
+                return false;
             }
-            out.push(']');
         }
-        Value::Object(entries) => {
-            out.push('{');
-            for (i, (key, item)) in entries.iter().enumerate() {
-                if i > 0 {
-                    out.push_str(", ");
-                }
-                out.push_str(&Value::from(key.as_str()).to_string());
-                out.push_str(": ");
-                if !inline(out, item, room) {
-                    return false;
-                }
-            }
-            out.push('}');
-        }
-        scalar => out.push_str(&scalar.to_string()),
+        out.push(close);
+    } else {
+        out.push_str(&value.to_string());
     }
     out.len() <= room
 }

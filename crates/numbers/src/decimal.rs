@@ -4,6 +4,7 @@ use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
 /// The exact decimal of a number whose denominator is a power of two, `p/q` of any other.
+#[must_use]
 pub fn exact(x: &RBig) -> String {
     let denominator = x.denominator();
     let power = denominator.trailing_zeros().unwrap_or(0);
@@ -15,6 +16,7 @@ pub fn exact(x: &RBig) -> String {
 }
 
 /// A decimal of some digits, not above the number (`up`: not below).
+#[must_use]
 pub fn rounded(x: &RBig, digits: usize, up: bool) -> String {
     if x.is_zero() {
         return "0".to_owned();
@@ -31,6 +33,7 @@ pub fn rounded(x: &RBig, digits: usize, up: bool) -> String {
 }
 
 /// Both ends, outward.
+#[must_use]
 pub fn outward([lo, hi]: &[RBig; 2], digits: usize) -> [String; 2] {
     [rounded(lo, digits, false), rounded(hi, digits, true)]
 }

@@ -1,4 +1,4 @@
-//! Exact numbers, intervals, polynomials and their roots; knows nothing of rigid bodies.
+//! Exact numbers, intervals, polynomials and their roots, low-discrepancy sequences; knows nothing of rigid bodies.
 
 pub mod bernstein;
 pub mod decimal;

@@ -37,6 +37,7 @@ pub struct Root {
 
 impl Polynomial {
     /// From coefficients by rising power.
+    #[must_use]
     pub fn new(mut c: Vec<IBig>) -> Self {
         while c.last().is_some_and(|last| *last == IBig::ZERO) {
             c.pop();
@@ -45,6 +46,7 @@ impl Polynomial {
     }
 
     /// The polynomial times the common denominator of these coefficients, which is positive.
+    #[must_use]
     pub fn from_rationals(c: &[RBig]) -> Self {
         let common = c.iter().fold(UBig::ONE, |common, x| {
             let d = x.denominator();
@@ -56,11 +58,13 @@ impl Polynomial {
     }
 
     /// The zero polynomial.
+    #[must_use]
     pub fn is_zero(&self) -> bool {
         self.c.is_empty()
     }
 
     /// Its degree; 0 for constants.
+    #[must_use]
     pub fn degree(&self) -> usize {
         self.c.len().saturating_sub(1)
     }
@@ -84,6 +88,7 @@ impl Polynomial {
     }
 
     /// −1, 0 or 1 at p/q.
+    #[must_use]
     pub fn sign_at(&self, at: &RBig) -> i8 {
         sign(&self.homogeneous(at.numerator(), &IBig::from(at.denominator().clone())))
     }
@@ -100,11 +105,13 @@ impl Polynomial {
     }
 
     /// p′.
+    #[must_use]
     pub fn derivative(&self) -> Self {
         Self::new(self.c.iter().enumerate().skip(1).map(|(k, c)| c * IBig::from(k)).collect())
     }
 
     /// p(shift + scale t).
+    #[must_use]
     pub fn composed(&self, shift: &RBig, scale: &RBig) -> Self {
         let mut result: Vec<RBig> = Vec::with_capacity(self.c.len());
         for c in self.c.iter().rev() {
@@ -121,11 +128,13 @@ impl Polynomial {
     }
 
     /// tⁿ p(1/t).
+    #[must_use]
     pub fn reversed(&self) -> Self {
         Self::new(self.c.iter().rev().cloned().collect())
     }
 
     /// Greatest common divisor, primitive; by pseudo-remainders.
+    #[must_use]
     pub fn gcd(&self, other: &Self) -> Self {
         let (mut a, mut b) = (self.clone().primitive(), other.clone().primitive());
         if a.c.len() < b.c.len() {
@@ -176,6 +185,7 @@ impl Polynomial {
     }
 
     /// p / gcd(p, p′): the same roots, each simple.
+    #[must_use]
     pub fn squarefree(&self) -> Self {
         let shared = self.gcd(&self.derivative());
         if shared.degree() == 0 { self.clone() } else { self.quotient(&shared) }
@@ -213,6 +223,7 @@ impl Polynomial {
     }
 
     /// All real roots in the open interval (0, 1), ascending. `None` when they lie closer than 2^-4000.
+    #[must_use]
     pub fn roots_in_unit(&self) -> Option<Vec<Root>> {
         if self.is_zero() || self.degree() == 0 {
             return Some(Vec::new());
@@ -229,6 +240,7 @@ impl Polynomial {
     }
 
     /// All real roots in (0, ∞).
+    #[must_use]
     pub fn positive_roots(&self) -> Option<Vec<Root>> {
         let mut found = self.roots_in_unit()?;
         if self.sign_at(&RBig::ONE) == 0 && !self.is_zero() {
@@ -375,6 +387,7 @@ impl Root {
     }
 
     /// A rational root.
+    #[must_use]
     pub fn exact(polynomial: &Polynomial, at: RBig) -> Self {
         let mut root = Self { polynomial: Arc::new(polynomial.squarefree()), lo: at.clone(), hi: at, odd: true };
         root.odd = polynomial.changes_sign_at(&root);
@@ -382,6 +395,7 @@ impl Root {
     }
 
     /// The root is the rational `lo`.
+    #[must_use]
     pub fn is_exact(&self) -> bool {
         self.lo == self.hi
     }
@@ -427,6 +441,7 @@ impl Root {
     }
 
     /// The root of this polynomial and `other` are the same number: decided by gcd.
+    #[must_use]
     pub fn is_root_of(&self, other: &Polynomial) -> bool {
         if self.is_exact() {
             return other.sign_at(&self.lo) == 0;
@@ -436,6 +451,7 @@ impl Root {
     }
 
     /// A polynomial of which this is a simple root.
+    #[must_use]
     pub fn polynomial(&self) -> &Polynomial {
         &self.polynomial
     }
@@ -458,6 +474,7 @@ pub mod rational {
     use dashu_ratio::RBig;
 
     /// p + q.
+    #[must_use]
     pub fn add(p: &[RBig], q: &[RBig]) -> Vec<RBig> {
         let n = p.len().max(q.len());
         let at = |s: &[RBig], k: usize| s.get(k).cloned().unwrap_or(RBig::ZERO);
@@ -465,16 +482,19 @@ pub mod rational {
     }
 
     /// c p.
+    #[must_use]
     pub fn scale(p: &[RBig], factor: &RBig) -> Vec<RBig> {
         p.iter().map(|c| c * factor).collect()
     }
 
     /// p − q.
+    #[must_use]
     pub fn sub(p: &[RBig], q: &[RBig]) -> Vec<RBig> {
         add(p, &scale(q, &RBig::from(-1)))
     }
 
     /// p q.
+    #[must_use]
     pub fn mul(p: &[RBig], q: &[RBig]) -> Vec<RBig> {
         if p.is_empty() || q.is_empty() {
             return Vec::new();
@@ -489,6 +509,7 @@ pub mod rational {
     }
 
     /// p′.
+    #[must_use]
     pub fn derivative(p: &[RBig]) -> Vec<RBig> {
         p.iter().enumerate().skip(1).map(|(k, c)| c * RBig::from(k)).collect()
     }

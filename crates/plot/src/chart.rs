@@ -1,12 +1,10 @@
 //! Charts of measurements: markers and lines over logarithmic or linear axes, panels side by side above one legend.
 
+use crate::page::{
+    Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Rows, render, rgb, rgbs, superscript,
+    text_width,
+};
 use plotters::style::RGBColor;
-
-use super::canvas::{Anchor, Canvas, Ink, Point, render};
-use super::font::text_width;
-use super::notation::superscript;
-use super::palette::{FAINT_INK, INK, PAPER};
-use super::{Picture, PlotError};
 
 /// How an axis maps its values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,19 +70,11 @@ const BELOW: f64 = 52.0;
 const LEGEND_ROW: f64 = 20.0;
 const SIZE: f64 = 11.0;
 const MARK: f64 = 3.6;
-const GRID: RGBColor = RGBColor(0xe4, 0xe4, 0xe4);
+const GRID: RGBColor = rgb(0xe4_e4_e4);
 
 /// Apart in print and for colour-blind readers; the marker tells, too.
-const COLORS: [RGBColor; 8] = [
-    RGBColor(0x12, 0x50, 0xa8),
-    RGBColor(0xc2, 0x14, 0x2d),
-    RGBColor(0x00, 0x8a, 0x5e),
-    RGBColor(0xe6, 0x76, 0x00),
-    RGBColor(0x8e, 0x3b, 0x9e),
-    RGBColor(0x7a, 0x4a, 0x21),
-    RGBColor(0x1f, 0xa3, 0xc4),
-    RGBColor(0x6b, 0x6b, 0x6b),
-];
+const COLORS: [RGBColor; 8] =
+    rgbs([0x12_50_a8, 0xc2_14_2d, 0x00_8a_5e, 0xe6_76_00, 0x8e_3b_9e, 0x7a_4a_21, 0x1f_a3_c4, 0x6b_6b_6b]);
 
 /// Draws a chart. Equal arguments give equal bytes.
 ///
@@ -92,38 +82,20 @@ const COLORS: [RGBColor; 8] = [
 /// A failure of the drawing library.
 pub fn draw_chart(chart: &Chart) -> Result<Picture, PlotError> {
     let width = chart.panels.len() as f64 * (LEFT + WIDTH + RIGHT);
-    let entries: Vec<f64> = chart.names.iter().map(|name| text_width(name, SIZE) + 44.0).collect();
-    let mut rows: Vec<Vec<usize>> = vec![Vec::new()];
-    let mut used = 0.0;
-    for (number, entry) in entries.iter().enumerate() {
-        if used + entry > width - LEFT - RIGHT && used > 0.0 {
-            rows.push(Vec::new());
-            used = 0.0;
-        }
-        used += entry;
-        if let Some(row) = rows.last_mut() {
-            row.push(number);
-        }
-    }
+    let entries = chart.names.iter().map(|name| text_width(name, SIZE) + 44.0);
+    let entries = Rows::new(entries, 0.0, width - LEFT - RIGHT, LEGEND_ROW);
     let legend = TOP + HEIGHT + BELOW;
-    let height = legend + LEGEND_ROW * rows.len() as f64 + 10.0;
-    render([width, height], &chart.title, |canvas| {
+    render([width, legend + entries.height + 10.0], &chart.title, |canvas| {
         for (number, panel) in chart.panels.iter().enumerate() {
             let left = number as f64 * (LEFT + WIDTH + RIGHT) + LEFT;
-            draw_panel(canvas, panel, left)?;
+            draw_panel(canvas, panel, left);
         }
-        for (row, names) in rows.iter().enumerate() {
-            let mut x = LEFT;
-            let y = legend + LEGEND_ROW * (row as f64 + 0.5);
-            for &name in names {
-                let ink = Ink { color: color(name), width: 1.4 };
-                canvas.path(&[[x, y], [x + 22.0, y]], ink)?;
-                mark(canvas, name, [x + 11.0, y])?;
-                canvas.text(&chart.names[name], [x + 28.0, y + 4.0], SIZE, INK, Anchor::Start)?;
-                x += entries[name];
-            }
+        for (name, (text, corner)) in chart.names.iter().zip(entries.corners).enumerate() {
+            let [x, y] = [LEFT + corner[0], legend + corner[1] + 0.5 * LEGEND_ROW];
+            canvas.path(&[[x, y], [x + 22.0, y]], Ink { color: color(name), width: 1.4 });
+            mark(canvas, name, [x + 11.0, y]);
+            canvas.text(text, [x + 28.0, y + 4.0], SIZE, INK, Anchor::Start);
         }
-        Ok(())
     })
 }
 
@@ -132,19 +104,16 @@ fn color(name: usize) -> RGBColor {
 }
 
 /// A marker whose shape tells the method.
-fn mark(canvas: &Canvas<'_>, name: usize, at: Point) -> Result<(), PlotError> {
+fn mark(canvas: &Canvas<'_>, name: usize, at: Point) {
     let place = |dx: f64, dy: f64| [at[0] + dx * MARK, at[1] + dy * MARK];
     let color = color(name);
     match name % 6 {
         0 => canvas.disc(at, MARK, color),
-        1 => canvas.polygon(&[place(-0.9, -0.9), place(0.9, -0.9), place(0.9, 0.9), place(-0.9, 0.9)], color),
+        1 => canvas.polygon(&Rect::around(at, 0.9 * MARK).corners(), color),
         2 => canvas.polygon(&[place(0.0, -1.2), place(1.1, 0.8), place(-1.1, 0.8)], color),
         3 => canvas.polygon(&[place(0.0, -1.3), place(1.3, 0.0), place(0.0, 1.3), place(-1.3, 0.0)], color),
         4 => canvas.polygon(&[place(0.0, 1.2), place(1.1, -0.8), place(-1.1, -0.8)], color),
-        _ => {
-            canvas.disc(at, MARK, PAPER)?;
-            canvas.circle(at, MARK, Ink { color, width: 1.4 })
-        }
+        _ => canvas.ring(at, MARK, Ink { color, width: 1.4 }),
     }
 }
 
@@ -182,7 +151,7 @@ impl Range {
     /// Values with labels.
     fn ticks(&self, most: f64) -> Vec<(f64, String)> {
         if self.scale == Scale::Percent {
-            return (0..=5).map(|k| (f64::from(20 * k), format!("{}", 20 * k))).collect();
+            return (0..=5).map(|k| (f64::from(20 * k), (20 * k).to_string())).collect();
         }
         #[expect(clippy::cast_possible_truncation, reason = "exponents of doubles")]
         let (from, to) = (self.from as i32, self.to as i32);
@@ -194,7 +163,7 @@ impl Range {
     }
 }
 
-fn draw_panel(canvas: &Canvas<'_>, panel: &ChartPanel, left: f64) -> Result<(), PlotError> {
+fn draw_panel(canvas: &Canvas<'_>, panel: &ChartPanel, left: f64) {
     let all = |k: usize| panel.series.iter().flat_map(move |series| series.points.iter().map(move |p| p[k]));
     let (x, y) = (Range::new(panel.x.scale, all(0)), Range::new(panel.y.scale, all(1)));
     let bottom = TOP + HEIGHT;
@@ -202,28 +171,28 @@ fn draw_panel(canvas: &Canvas<'_>, panel: &ChartPanel, left: f64) -> Result<(), 
     let grid = Ink { color: GRID, width: 0.8 };
     for (value, label) in x.ticks(8.0) {
         let at = left + WIDTH * x.share(value).unwrap_or(0.0);
-        canvas.path(&[[at, TOP], [at, bottom]], grid)?;
-        canvas.text(&label, [at, bottom + 16.0], SIZE, INK, Anchor::Middle)?;
+        canvas.path(&[[at, TOP], [at, bottom]], grid);
+        canvas.text(&label, [at, bottom + 16.0], SIZE, INK, Anchor::Middle);
     }
     for (value, label) in y.ticks(9.0) {
         let at = bottom - HEIGHT * y.share(value).unwrap_or(0.0);
-        canvas.path(&[[left, at], [left + WIDTH, at]], grid)?;
-        canvas.text(&label, [left - 6.0, at + 4.0], SIZE, INK, Anchor::End)?;
+        canvas.path(&[[left, at], [left + WIDTH, at]], grid);
+        canvas.text(&label, [left - 6.0, at + 4.0], SIZE, INK, Anchor::End);
     }
-    let corners = [[left, TOP], [left + WIDTH, TOP], [left + WIDTH, bottom], [left, bottom]];
-    canvas.outline(&corners, Ink { color: INK, width: 0.9 })?;
+    let frame = Rect { x: left, y: TOP, width: WIDTH, height: HEIGHT };
+    canvas.outline(&frame.corners(), Ink { color: INK, width: 0.9 });
     for series in &panel.series {
         let points: Vec<Point> = series.points.iter().filter_map(|p| place(*p)).collect();
         if series.joined {
-            canvas.path(&points, Ink { color: color(series.name), width: 1.4 })?;
+            canvas.path(&points, Ink { color: color(series.name), width: 1.4 });
         }
         for point in points {
-            mark(canvas, series.name, point)?;
+            mark(canvas, series.name, point);
         }
     }
-    canvas.text(&panel.x.label, [left + WIDTH / 2.0, bottom + 36.0], SIZE, INK, Anchor::Middle)?;
-    canvas.text(&panel.title, [left, TOP - 20.0], SIZE + 1.0, INK, Anchor::Start)?;
-    canvas.text(&panel.y.label, [left, TOP - 6.0], SIZE, FAINT_INK, Anchor::Start)
+    canvas.text(&panel.x.label, [left + WIDTH / 2.0, bottom + 36.0], SIZE, INK, Anchor::Middle);
+    canvas.text(&panel.title, [left, TOP - 20.0], SIZE + 1.0, INK, Anchor::Start);
+    canvas.text(&panel.y.label, [left, TOP - 6.0], SIZE, FAINT_INK, Anchor::Start);
 }
 
 #[cfg(test)]

@@ -3,14 +3,18 @@
 use dashu_ratio::RBig;
 
 use super::curves::{Curves, NotIsolated, Shape};
+use super::id::{MeetingId, TransitionId};
 use super::model::Model;
 use super::pair::{Open, PairProof, Proof};
-use super::point::{Evaluator, Point};
+use super::point::{Evaluator, Passage, Point};
 use super::polar::{self, Meeting};
-use numbers::enclosure::{Enclosure, Narrow};
+use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::interval::Interval;
 use numbers::partition::Partition;
 use numbers::wide::Wide;
-use top::curves::End;
+use top::curves::{CurveId, CuspId, End, PitchforkId};
+use top::diagram::{EventId, RegionId, SlabId};
+use top::table::{Id, Table};
 
 /// Bits of the second and third stage.
 pub(super) const STAGES: [usize; 2] = [128, 384];
@@ -20,19 +24,18 @@ const ROOT_BITS: usize = 420;
 /// What an event is.
 #[derive(Clone, Debug)]
 pub(super) enum Source {
-    Cusp(usize),
-    Pitchfork(usize),
-    /// Number of a meeting.
-    Pole(usize),
+    Cusp(CuspId),
+    Pitchfork(PitchforkId),
+    Pole(MeetingId),
     /// Crossing of these two.
-    Crossing([usize; 2]),
+    Crossing([CurveId; 2]),
 }
 
 /// A point at which curves meet; several sources when they are proved to be the same point.
 #[derive(Clone, Debug)]
 pub(super) struct Event {
     pub sources: Vec<Source>,
-    pub curves: Vec<usize>,
+    pub curves: Vec<CurveId>,
     /// x lies strictly between, or at, these.
     pub x: [RBig; 2],
     pub h: [f64; 2],
@@ -46,11 +49,11 @@ pub(super) struct Slab {
     /// l with x = l²/2, if it is a double.
     pub l: Option<f64>,
     /// Curves by rising h.
-    pub order: Vec<usize>,
+    pub order: Vec<CurveId>,
     /// Enclosures of their heights.
     pub heights: Vec<[f64; 2]>,
-    /// Face above each curve.
-    pub face_above: Vec<usize>,
+    /// Region above each curve.
+    pub region_above: Vec<RegionId>,
 }
 
 /// Why nothing more is proved.
@@ -61,9 +64,9 @@ pub(super) enum Undecided {
     /// A cusp on a pitchfork, or a degenerate point of the generic family.
     Degenerate,
     /// The order of two curves.
-    Pair { curves: [usize; 2], x: [f64; 2] },
+    Pair { curves: [CurveId; 2], x: [f64; 2] },
     /// Two events on a common curve.
-    Events { curves: Vec<usize>, x: [f64; 2] },
+    Events { curves: Vec<CurveId>, x: [f64; 2] },
     /// The order over one abscissa.
     Order { x: f64 },
     /// Orders on both sides of an event do not fit it.
@@ -75,27 +78,27 @@ pub(super) enum Undecided {
 pub(super) struct Arrangement {
     pub model: Model,
     pub curves: Curves,
-    pub meetings: Vec<Meeting>,
+    pub meetings: Table<MeetingId, Meeting>,
     pub pairs: Vec<PairProof>,
     /// By rising x.
-    pub events: Vec<Event>,
+    pub events: Table<EventId, Event>,
     /// Numbers of the events between two slabs: more than one when they are not ordered and need not be.
-    pub transitions: Vec<Vec<usize>>,
-    pub slabs: Vec<Slab>,
-    pub faces: usize,
+    pub transitions: Table<TransitionId, Vec<EventId>>,
+    pub slabs: Table<SlabId, Slab>,
+    pub region_count: usize,
     /// Which precision was needed at most: 0 for `f64`.
     pub bits: usize,
 }
 
 /// Runs a question in growing precision until it is answered.
 struct Stages<'a> {
-    narrow: Evaluator<'a, Narrow>,
+    narrow: Evaluator<'a, Interval>,
     wide: Vec<Evaluator<'a, Wide>>,
     used: usize,
 }
 
 impl<'a> Stages<'a> {
-    fn new(model: &'a Model, curves: &'a Curves, meetings: &[(usize, usize, usize)]) -> Self {
+    fn new(model: &'a Model, curves: &'a Curves, meetings: &[Passage]) -> Self {
         Self {
             narrow: Evaluator::new(model, curves, meetings, ()),
             wide: STAGES.iter().map(|&bits| Evaluator::new(model, curves, meetings, bits)).collect(),
@@ -103,7 +106,7 @@ impl<'a> Stages<'a> {
         }
     }
 
-    fn pair(&mut self, a: usize, b: usize) -> Result<Option<PairProof>, Open> {
+    fn pair(&mut self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
         let mut result = self.narrow.pair(a, b);
         for (stage, evaluator) in self.wide.iter().enumerate() {
             if result.is_ok() {
@@ -116,7 +119,7 @@ impl<'a> Stages<'a> {
     }
 
     /// The order of these curves over x, with enclosures of their heights.
-    fn order(&mut self, curves: &[usize], x: &RBig) -> Option<(Vec<usize>, Vec<[f64; 2]>)> {
+    fn order(&mut self, curves: &[CurveId], x: &RBig) -> Option<Ordered> {
         let found = order(&self.narrow, curves, x);
         if found.is_some() {
             return found;
@@ -132,14 +135,16 @@ impl<'a> Stages<'a> {
     }
 }
 
+/// Curves by rising height, with enclosures of their heights.
+struct Ordered {
+    curves: Vec<CurveId>,
+    heights: Vec<[f64; 2]>,
+}
+
 /// The proved order of curves over x.
-fn order<E: Enclosure>(
-    evaluator: &Evaluator<'_, E>,
-    curves: &[usize],
-    x: &RBig,
-) -> Option<(Vec<usize>, Vec<[f64; 2]>)> {
+fn order<E: Enclosure>(evaluator: &Evaluator<'_, E>, curves: &[CurveId], x: &RBig) -> Option<Ordered> {
     let set = E::rational(x, evaluator.c.precision);
-    let mut points: Vec<(usize, Point<E>, [f64; 2])> = Vec::with_capacity(curves.len());
+    let mut points: Vec<(CurveId, Point<E>, [f64; 2])> = Vec::with_capacity(curves.len());
     for &curve in curves {
         let point = evaluator.point(curve, &set)?;
         let bounds = point.h().bounds();
@@ -163,10 +168,13 @@ fn order<E: Enclosure>(
     }
     let proved =
         points.windows(2).all(|pair| list[pair[0].0].lowest || evaluator.gap(&pair[1].1, &pair[0].1).sign() == Some(1));
-    proved.then(|| (points.iter().map(|p| p.0).collect(), points.iter().map(|p| p.2).collect()))
+    proved.then(|| Ordered {
+        curves: points.iter().map(|p| p.0).collect(),
+        heights: points.iter().map(|p| p.2).collect(),
+    })
 }
 
-fn is_family(curves: &Curves, curve: usize) -> bool {
+fn is_family(curves: &Curves, curve: CurveId) -> bool {
     matches!(curves.list[curve].shape, Shape::Family(_))
 }
 
@@ -187,8 +195,8 @@ pub(super) fn arrange(model: Model) -> Result<Arrangement, Vec<Undecided>> {
         let mut pairs = Vec::new();
         let mut crossings = Vec::new();
         let mut undecided = Vec::new();
-        for b in 0..curves.list.len() {
-            for a in 0..b {
+        for b in curves.list.ids() {
+            for a in curves.list.ids().take_while(|a| *a < b) {
                 let apart = [a, b].iter().any(|&c| !is_family(&curves, c) || curves.list[c].lowest);
                 if apart {
                     continue;
@@ -215,44 +223,50 @@ pub(super) fn arrange(model: Model) -> Result<Arrangement, Vec<Undecided>> {
     };
     events.extend(crossings);
     events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
+    let events = Table::from(events);
     let transitions = transitions(&events)?;
     let mut stages = Stages::new(&model, &curves, &[]);
     let slabs = slabs(&curves, &events, &transitions, &mut stages)?;
     bits = bits.max(stages.used);
-    let mut arrangement = Arrangement { model, curves, meetings, pairs, events, transitions, slabs, faces: 0, bits };
+    let mut arrangement =
+        Arrangement { model, curves, meetings, pairs, events, transitions, slabs, region_count: 0, bits };
     arrangement.glue()?;
     Ok(arrangement)
 }
 
 /// Cusps, pitchforks and meetings with pole lines; those that are proved to coincide are one event.
-fn single_events(evaluator: &Evaluator<'_, Wide>, meetings: &[Meeting]) -> Result<Vec<Event>, Vec<Undecided>> {
+fn single_events(
+    evaluator: &Evaluator<'_, Wide>,
+    meetings: &Table<MeetingId, Meeting>,
+) -> Result<Vec<Event>, Vec<Undecided>> {
     let curves = evaluator.curves;
     let mut events: Vec<Event> = Vec::new();
-    let event = |source, list: Vec<usize>, x: &Wide, h: &Wide| -> Result<Event, Vec<Undecided>> {
+    let event = |source, list: Vec<CurveId>, x: &Wide, h: &Wide| -> Result<Event, Vec<Undecided>> {
         let bounds = x.exact_bounds().ok_or_else(|| vec![Undecided::Roots])?;
         Ok(Event { sources: vec![source], curves: list, x: bounds, h: h.bounds() })
     };
-    for (number, cusp) in curves.cusps.iter().enumerate() {
+    for (number, cusp) in curves.cusps.pairs() {
         let state = evaluator.state(cusp.place.half, &evaluator.place(&cusp.place));
         events.push(event(Source::Cusp(number), cusp.curves.to_vec(), &state.x, &state.h())?);
     }
-    for (number, fork) in curves.pitchforks.iter().enumerate() {
+    for (number, fork) in curves.pitchforks.pairs() {
         let state = evaluator.state(super::family::Half::Over { group: fork.group }, &evaluator.c.small(0));
         let list = vec![fork.through[0], fork.through[1], fork.pair];
         events.push(event(Source::Pitchfork(number), list, &state.x, &state.h())?);
     }
-    let cusps = curves.cusps.len();
-    for (number, meeting) in meetings.iter().enumerate() {
+    for (number, meeting) in meetings.pairs() {
         let state = evaluator.state(meeting.place.half, &evaluator.place(&meeting.place));
         let mut list = meeting.curves.clone();
-        let mut onto: Option<usize> = match meeting.end {
-            Some(End::Cusp(cusp)) => Some(cusp),
-            Some(End::Pitchfork(fork)) => Some(cusps + fork),
+        let mut onto = meeting.end;
+        list.extend(line_at(evaluator, meeting, &state.x, &mut onto)?);
+        // The events of cusps and pitchforks stand first.
+        let place = match onto {
+            Some(End::Cusp(cusp)) => Some(cusp.index()),
+            Some(End::Pitchfork(fork)) => Some(curves.cusps.len() + fork.index()),
             _ => None,
         };
-        list.extend(line_at(evaluator, meeting, &state.x, &mut onto)?);
-        if let Some(other) = onto {
-            let target = &mut events[other];
+        if let Some(place) = place {
+            let target = &mut events[place];
             target.sources.push(Source::Pole(number));
             for curve in list {
                 if !target.curves.contains(&curve) {
@@ -271,8 +285,8 @@ fn line_at(
     evaluator: &Evaluator<'_, Wide>,
     meeting: &Meeting,
     x: &Wide,
-    onto: &mut Option<usize>,
-) -> Result<Vec<usize>, Vec<Undecided>> {
+    onto: &mut Option<End>,
+) -> Result<Vec<CurveId>, Vec<Undecided>> {
     let curves = evaluator.curves;
     let pieces = polar::line_pieces(curves, meeting.pole);
     let mut at = 0;
@@ -284,7 +298,7 @@ fn line_at(
         } else if x.is_below(&limit) {
             break;
         } else if polar::meets_pitchfork(evaluator.model, &meeting.place, curves.pitchforks[number].group) {
-            *onto = Some(curves.cusps.len() + number);
+            *onto = Some(End::Pitchfork(number));
             return Ok(Vec::new());
         } else {
             return Err(vec![Undecided::Events { curves: meeting.curves.clone(), x: x.bounds() }]);
@@ -294,7 +308,7 @@ fn line_at(
 }
 
 /// Ends of curves through which another curve is proved to pass.
-fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<(usize, usize, usize)> {
+fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<Passage> {
     let mut known = Vec::new();
     for event in events.iter().filter(|event| event.sources.len() > 1) {
         for &curve in &event.curves {
@@ -305,9 +319,11 @@ fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<(usize, usize, usize
                     _ => false,
                 });
                 if ends_here {
-                    known.extend(
-                        event.curves.iter().filter(|&&other| other != curve).map(|&other| (curve, side, other)),
-                    );
+                    known.extend(event.curves.iter().filter(|&&other| other != curve).map(|&other| Passage {
+                        curve,
+                        side,
+                        other,
+                    }));
                 }
             }
         }
@@ -315,7 +331,7 @@ fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<(usize, usize, usize
     known
 }
 
-fn crossing_event(evaluator: &Evaluator<'_, Wide>, pair: [usize; 2], x: [f64; 2]) -> Event {
+fn crossing_event(evaluator: &Evaluator<'_, Wide>, pair: [CurveId; 2], x: [f64; 2]) -> Event {
     // h rises with x.
     let height = |x: f64| {
         let point = evaluator.point(pair[0], &Wide::double(x, evaluator.c.precision));
@@ -327,10 +343,10 @@ fn crossing_event(evaluator: &Evaluator<'_, Wide>, pair: [usize; 2], x: [f64; 2]
 }
 
 /// Groups of events whose x cannot be told apart; each group must consist of events on different curves.
-fn transitions(events: &[Event]) -> Result<Vec<Vec<usize>>, Vec<Undecided>> {
-    let mut groups: Vec<Vec<usize>> = Vec::new();
+fn transitions(events: &Table<EventId, Event>) -> Result<Table<TransitionId, Vec<EventId>>, Vec<Undecided>> {
+    let mut groups: Vec<Vec<EventId>> = Vec::new();
     let mut reach: Option<RBig> = None;
-    for (number, event) in events.iter().enumerate() {
+    for (number, event) in events.pairs() {
         match (&reach, groups.last_mut()) {
             (Some(limit), Some(group)) if event.x[0] <= *limit => group.push(number),
             _ => groups.push(vec![number]),
@@ -351,13 +367,19 @@ fn transitions(events: &[Event]) -> Result<Vec<Vec<usize>>, Vec<Undecided>> {
             }
         }
     }
-    Ok(groups)
+    Ok(groups.into())
 }
 
 /// The slabs in which a curve lives.
-fn span(curves: &Curves, events: &[Event], transitions: &[Vec<usize>], curve: usize) -> [usize; 2] {
+fn span(
+    curves: &Curves,
+    events: &Table<EventId, Event>,
+    transitions: &Table<TransitionId, Vec<EventId>>,
+    curve: CurveId,
+) -> [SlabId; 2] {
     let at = |end: End| {
-        transitions.iter().position(|group| {
+        transitions.ids().find(|transition| {
+            let group = &transitions[*transition];
             group.iter().any(|&event| {
                 events[event].sources.iter().any(|source| match source {
                     Source::Cusp(number) => end == End::Cusp(*number),
@@ -368,7 +390,8 @@ fn span(curves: &Curves, events: &[Event], transitions: &[Vec<usize>], curve: us
         })
     };
     let [from, to] = curves.list[curve].ends;
-    [at(from).map_or(0, |t| t + 1), at(to).unwrap_or(transitions.len())]
+    let last = transitions.next_id().before();
+    [at(from).map_or(SlabId::at(0), TransitionId::after), at(to).map_or(last, TransitionId::before)]
 }
 
 /// x of a slab, and l when x = l²/2 for a double l: one with few bits, so that l² is exact.
@@ -401,33 +424,34 @@ fn sample(low: Option<&RBig>, high: Option<&RBig>) -> (RBig, Option<f64>) {
 
 fn slabs(
     curves: &Curves,
-    events: &[Event],
-    transitions: &[Vec<usize>],
+    events: &Table<EventId, Event>,
+    transitions: &Table<TransitionId, Vec<EventId>>,
     stages: &mut Stages<'_>,
-) -> Result<Vec<Slab>, Vec<Undecided>> {
-    let spans: Vec<[usize; 2]> = (0..curves.list.len()).map(|curve| span(curves, events, transitions, curve)).collect();
-    let end = |transition: usize| transitions[transition].iter().map(|&e| &events[e].x[1]).max();
-    let start = |transition: usize| transitions[transition].iter().map(|&e| &events[e].x[0]).min();
+) -> Result<Table<SlabId, Slab>, Vec<Undecided>> {
+    let spans: Table<CurveId, [SlabId; 2]> =
+        curves.list.ids().map(|curve| span(curves, events, transitions, curve)).collect();
+    let end = |transition| transitions.get(transition)?.iter().map(|&e| &events[e].x[1]).max();
+    let start = |transition| transitions.get(transition)?.iter().map(|&e| &events[e].x[0]).min();
     (0..=transitions.len())
         .map(|slab| {
-            let low = slab.checked_sub(1).and_then(end);
-            let high = if slab < transitions.len() { start(slab) } else { None };
+            let slab = SlabId::at(slab);
+            let (low, high) = (TransitionId::at_start(slab).and_then(end), start(TransitionId::at_end(slab)));
             let (x, l) = sample(low, high);
-            let alive: Vec<usize> =
-                (0..curves.list.len()).filter(|&c| spans[c][0] <= slab && slab <= spans[c][1]).collect();
-            let (order, heights) =
+            let alive: Vec<CurveId> =
+                curves.list.ids().filter(|&c| spans[c][0] <= slab && slab <= spans[c][1]).collect();
+            let Ordered { curves: order, heights } =
                 stages.order(&alive, &x).ok_or_else(|| vec![Undecided::Order { x: x.to_f64().value() }])?;
-            Ok(Slab { x, l, order, heights, face_above: Vec::new() })
+            Ok(Slab { x, l, order, heights, region_above: Vec::new() })
         })
         .collect()
 }
 
 impl Arrangement {
-    /// Glues cells to faces: across an event the curves that meet are a run of neighbours before and after; the cells
+    /// Glues cells to regions: across an event the curves that meet are a run of neighbours before and after; the cells
     /// inside the runs end and begin there, all others continue; where nothing stood before (or stands after), the cell
     /// around continues on both sides.
     fn glue(&mut self) -> Result<(), Vec<Undecided>> {
-        let offsets: Vec<usize> = self
+        let offsets: Table<SlabId, usize> = self
             .slabs
             .iter()
             .scan(0, |sum, slab| {
@@ -438,66 +462,75 @@ impl Arrangement {
             .collect();
         let cells = self.slabs.iter().map(|slab| slab.order.len() + 1).sum();
         let mut joined = Partition::new(cells);
-        for (number, group) in self.transitions.iter().enumerate() {
-            let blocks: Vec<&[usize]> = group.iter().map(|&event| self.events[event].curves.as_slice()).collect();
-            let (before, after) = (&self.slabs[number].order, &self.slabs[number + 1].order);
+        for (transition, group) in self.transitions.pairs() {
+            let blocks: Vec<&[CurveId]> = group.iter().map(|&event| self.events[event].curves.as_slice()).collect();
+            let (left, right) = (transition.before(), transition.after());
+            let (before, after) = (&self.slabs[left].order, &self.slabs[right].order);
             let continued = continuation(before, after, &blocks)
                 .ok_or_else(|| vec![Undecided::Gluing { x: self.events[group[0]].x[0].to_f64().value() }])?;
-            for (p, q) in continued {
-                joined.unite(offsets[number] + p, offsets[number + 1] + q);
+            for Continued { before, after } in continued {
+                joined.unite(offsets[left] + before, offsets[right] + after);
             }
         }
-        let mut numbers: Vec<Option<usize>> = vec![None; cells];
-        let mut faces = 0;
+        let mut numbers: Vec<Option<RegionId>> = vec![None; cells];
+        let mut count = 0;
         for (slab, offset) in self.slabs.iter_mut().zip(offsets) {
-            slab.face_above = (1..=slab.order.len())
+            slab.region_above = (1..=slab.order.len())
                 .map(|gap| {
                     let root = joined.find(offset + gap);
                     *numbers[root].get_or_insert_with(|| {
-                        faces += 1;
-                        faces - 1
+                        count += 1;
+                        RegionId::at(count - 1)
                     })
                 })
                 .collect();
         }
-        self.faces = faces;
+        self.region_count = count;
         Ok(())
     }
 }
 
-/// Pairs (gap before, gap after) that are one face, across events on disjoint runs of curves. Gap k lies below curve k.
+/// A gap before a transition and a gap after it that are in one region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Continued {
+    before: usize,
+    after: usize,
+}
+
+/// The gaps that continue across events on disjoint runs of curves. Gap k lies below curve k.
 /// `None` when the orders do not fit.
-fn continuation(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Option<Vec<(usize, usize)>> {
+fn continuation(before: &[CurveId], after: &[CurveId], blocks: &[&[CurveId]]) -> Option<Vec<Continued>> {
     permutations(blocks.len()).into_iter().find_map(|sequence| {
-        let mut order = before.to_vec();
-        // For each gap now: the gaps of the beginning that continue into it.
-        let mut origins: Vec<Vec<usize>> = (0..=before.len()).map(|gap| vec![gap]).collect();
+        let origins = (0..=before.len()).map(|gap| vec![gap]).collect();
+        let mut now = Progress { order: before.to_vec(), origins };
         for &number in &sequence {
-            (order, origins) = across(&order, &origins, after, blocks[number])?;
+            now = across(&now, after, blocks[number])?;
         }
-        (order == after).then(|| {
-            let pairs = origins.into_iter().enumerate();
-            pairs.flat_map(|(gap, from)| from.into_iter().map(move |origin| (origin, gap))).collect()
+        (now.order == after).then(|| {
+            let pairs = now.origins.into_iter().enumerate();
+            pairs.flat_map(|(gap, from)| from.into_iter().map(move |before| Continued { before, after: gap })).collect()
         })
     })
 }
 
+/// The vertical order after some of the events of a transition.
+struct Progress {
+    order: Vec<CurveId>,
+    /// For each gap now: the gaps of the beginning that continue into it.
+    origins: Vec<Vec<usize>>,
+}
+
 /// One event: its run of curves is replaced by the run that stands there afterwards.
-#[allow(clippy::type_complexity)]
-fn across(
-    order: &[usize],
-    origins: &[Vec<usize>],
-    after: &[usize],
-    block: &[usize],
-) -> Option<(Vec<usize>, Vec<Vec<usize>>)> {
-    let run = |list: &[usize]| -> Option<(usize, Vec<usize>)> {
+fn across(now: &Progress, after: &[CurveId], block: &[CurveId]) -> Option<Progress> {
+    let Progress { order, origins } = now;
+    let run = |list: &[CurveId]| -> Option<(usize, Vec<CurveId>)> {
         let places: Vec<usize> = (0..list.len()).filter(|&k| block.contains(&list[k])).collect();
         let first = places.first().copied();
         let contiguous = places.windows(2).all(|pair| pair[1] == pair[0] + 1);
         contiguous.then(|| (first.unwrap_or(usize::MAX), places.iter().map(|&k| list[k]).collect()))
     };
     // What is there once this event is over and the later ones are not yet.
-    let after: Vec<usize> = after.iter().copied().filter(|c| order.contains(c) || block.contains(c)).collect();
+    let after: Vec<CurveId> = after.iter().copied().filter(|c| order.contains(c) || block.contains(c)).collect();
     let (mut first, old) = run(order)?;
     let (place, new) = run(&after)?;
     if old.is_empty() {
@@ -531,7 +564,7 @@ fn across(
         }
     }
     gaps.extend(origins[first + old.len() + 1..].iter().cloned());
-    Some((next, gaps))
+    Some(Progress { order: next, origins: gaps })
 }
 
 fn permutations(n: usize) -> Vec<Vec<usize>> {
@@ -567,7 +600,7 @@ mod tests {
             let body = preset.body();
             let proved = arranged(&body);
             let standard = top::diagram::Arrangement::new(top::curves::CriticalSet::new(body.frame()).unwrap());
-            assert_eq!(proved.faces, standard.faces, "{}", preset.name());
+            assert_eq!(proved.region_count, standard.region_count, "{}", preset.name());
             assert_eq!(proved.events.len(), standard.events.len(), "{}", preset.name());
         }
     }
@@ -580,16 +613,25 @@ mod tests {
         assert_eq!(triple.curves.len(), 4);
     }
 
+    /// Pairs (gap before, gap after) that continue, for curves by number.
+    fn glued(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Option<Vec<(usize, usize)>> {
+        let ids = |list: &[usize]| list.iter().map(|&c| CurveId::at(c)).collect::<Vec<_>>();
+        let blocks: Vec<Vec<CurveId>> = blocks.iter().map(|block| ids(block)).collect();
+        let blocks: Vec<&[CurveId]> = blocks.iter().map(Vec::as_slice).collect();
+        let gaps = continuation(&ids(before), &ids(after), &blocks)?;
+        Some(gaps.into_iter().map(|gaps| (gaps.before, gaps.after)).collect())
+    }
+
     #[test]
     fn a_birth_splits_the_cell_around_it_and_joins_it_at_the_sides() {
-        let glued = continuation(&[0, 1], &[0, 2, 3, 1], &[&[2, 3]]).unwrap();
-        assert_eq!(glued, [(0, 0), (1, 1), (1, 3), (2, 4)]);
-        let glued = continuation(&[0, 2, 3, 1], &[0, 1], &[&[2, 3]]).unwrap();
-        assert_eq!(glued, [(0, 0), (1, 1), (3, 1), (4, 2)]);
-        let glued = continuation(&[0, 1], &[1, 0], &[&[0, 1]]).unwrap();
-        assert_eq!(glued, [(0, 0), (2, 2)]);
+        let found = glued(&[0, 1], &[0, 2, 3, 1], &[&[2, 3]]).unwrap();
+        assert_eq!(found, [(0, 0), (1, 1), (1, 3), (2, 4)]);
+        let found = glued(&[0, 2, 3, 1], &[0, 1], &[&[2, 3]]).unwrap();
+        assert_eq!(found, [(0, 0), (1, 1), (3, 1), (4, 2)]);
+        let found = glued(&[0, 1], &[1, 0], &[&[0, 1]]).unwrap();
+        assert_eq!(found, [(0, 0), (2, 2)]);
         // A swap, and a birth in the new cell: only one sequence fits.
-        assert!(continuation(&[0, 1], &[1, 2, 3, 0], &[&[2, 3], &[0, 1]]).is_some());
-        assert!(continuation(&[0, 1, 2], &[2, 1, 0], &[&[0, 2]]).is_none());
+        assert!(glued(&[0, 1], &[1, 2, 3, 0], &[&[2, 3], &[0, 1]]).is_some());
+        assert!(glued(&[0, 1, 2], &[2, 1, 0], &[&[0, 2]]).is_none());
     }
 }

@@ -7,16 +7,18 @@ use super::CertifiedAtlas;
 use super::arrange::{STAGES, Source};
 use super::curves::{Place, Shape};
 use super::family::Half;
-use super::pair::{Mark, Proof};
+use super::pair::{Mark, Proof, Stretch};
 use super::point::Evaluator;
 use numbers::decimal;
-use numbers::enclosure::{Enclosure, Narrow};
+use numbers::enclosure::Enclosure;
+use numbers::interval::Interval;
 use numbers::wide::Wide;
 use schema::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
-use top::curves::{BranchName, CurveName, End, Pole};
+use top::curves::{BranchName, CurveId, CurveName, End, Pole};
+use top::table::Id;
 
 /// Digits of isolating ranges.
 const ROOT_DIGITS: usize = 40;
@@ -25,12 +27,12 @@ const NODE_DIGITS: usize = 24;
 
 impl CertifiedAtlas {
     /// Name of a curve.
-    pub(super) fn name(&self, curve: usize) -> CurveName {
+    pub(super) fn name(&self, curve: CurveId) -> CurveName {
         let curve = &self.arrangement.curves.list[curve];
         CurveName::on(BranchName::of(&self.frame, curve.branch), curve.piece)
     }
 
-    fn id(&self, curve: usize) -> String {
+    fn id(&self, curve: CurveId) -> String {
         self.name(curve).to_string()
     }
 
@@ -38,8 +40,8 @@ impl CertifiedAtlas {
     #[must_use]
     pub fn certificate(&self) -> CertificateDocument {
         let a = &self.arrangement;
-        let names = |list: &[usize]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
-        let narrow = Evaluator::<Narrow>::new(&a.model, &a.curves, &[], ());
+        let names = |list: &[CurveId]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
+        let narrow = Evaluator::<Interval>::new(&a.model, &a.curves, &[], ());
         let wide = Evaluator::<Wide>::new(&a.model, &a.curves, &[], STAGES[1]);
         let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
         let energy = unit(self.frame.energy_unit);
@@ -69,68 +71,62 @@ impl CertifiedAtlas {
                 .iter()
                 .map(|pair| CertifiedPair {
                     curves: pair.curves.map(|c| self.id(c)),
-                    stretches: pair
-                        .stretches
-                        .iter()
-                        .map(|stretch| CertifiedStretch {
-                            from: self.node(&narrow, &wide, pair.curves, stretch.x[0], 0),
-                            to: self.node(&narrow, &wide, pair.curves, stretch.x[1], 1),
-                            sign: stretch.sign,
-                            crossing: match stretch.proof {
-                                Proof::Crossing(x) => {
-                                    Some(x.map(|x| self.node(&narrow, &wide, pair.curves, Mark::At(x), 0)))
-                                }
-                                Proof::Constant(_) => None,
-                            },
-                        })
-                        .collect(),
+                    stretches: pair.stretches.iter().map(|s| self.stretch(&narrow, &wide, pair.curves, s)).collect(),
                 })
                 .collect(),
             events: a
                 .events
                 .iter()
                 .map(|event| CertifiedEvent {
-                    sources: event
-                        .sources
-                        .iter()
-                        .map(|source| match source {
-                            Source::Cusp(n) => format!("cusp:{n}"),
-                            Source::Pitchfork(n) => format!("pitchfork:{n}"),
-                            Source::Pole(n) => format!("meeting:{n}"),
-                            Source::Crossing(_) => "crossing".to_owned(),
-                        })
-                        .collect(),
+                    sources: event.sources.iter().map(source).collect(),
                     curves: names(&event.curves),
                     x: decimal::outward(&widened(&event.x), NODE_DIGITS),
                     h: decimal::outward(&event.h.map(super::region::exact), NODE_DIGITS),
                 })
                 .collect(),
-            transitions: a.transitions.clone(),
+            transitions: a.transitions.iter().map(|group| group.iter().map(|e| e.index()).collect()).collect(),
             slabs: a.slabs.iter().map(|slab| self.slab(&narrow, &wide, slab)).collect(),
             samples: self
                 .regions
-                .iter()
-                .enumerate()
-                .filter_map(|(number, region)| {
+                .pairs()
+                .filter_map(|(id, region)| {
                     let sample = region.sample.as_ref()?;
                     let h = decimal::exact(&super::region::exact(sample.h));
-                    Some(CertifiedSample { region: format!("R{}", number + 1), slab: sample.slab, h })
+                    Some(CertifiedSample { region: id.to_string(), slab: sample.cell.slab.index(), h })
                 })
                 .collect(),
             checksum: String::new(),
         }
     }
 
+    fn stretch(
+        &self,
+        narrow: &Evaluator<'_, Interval>,
+        wide: &Evaluator<'_, Wide>,
+        curves: [CurveId; 2],
+        stretch: &Stretch,
+    ) -> CertifiedStretch {
+        CertifiedStretch {
+            from: self.node(narrow, wide, curves, stretch.x[0], 0),
+            to: self.node(narrow, wide, curves, stretch.x[1], 1),
+            sign: stretch.sign,
+            crossing: match stretch.proof {
+                Proof::Crossing(x) => Some(x.map(|x| self.node(narrow, wide, curves, Mark::At(x), 0))),
+                Proof::Constant => None,
+            },
+        }
+    }
+
     fn slab(
         &self,
-        narrow: &Evaluator<'_, Narrow>,
+        narrow: &Evaluator<'_, Interval>,
         wide: &Evaluator<'_, Wide>,
         slab: &super::arrange::Slab,
     ) -> CertifiedSlab {
-        let curves = slab.order.iter().zip(&slab.face_above).map(|(&curve, face)| CertifiedHeight {
+        let curves = slab.order.iter().zip(&slab.region_above).map(|(&curve, region)| CertifiedHeight {
             curve: self.id(curve),
             place: place_over(narrow, curve, &slab.x).or_else(|| place_over(wide, curve, &slab.x)),
-            region: format!("R{}", face + 1),
+            region: region.to_string(),
         });
         CertifiedSlab { x: decimal::exact(&slab.x), curves: curves.collect() }
     }
@@ -138,9 +134,9 @@ impl CertifiedAtlas {
     /// A node of a pair; `side` tells which end of the common range an unmarked one is.
     fn node(
         &self,
-        narrow: &Evaluator<'_, Narrow>,
+        narrow: &Evaluator<'_, Interval>,
         wide: &Evaluator<'_, Wide>,
-        curves: [usize; 2],
+        curves: [CurveId; 2],
         mark: Mark,
         side: usize,
     ) -> CertifiedNode {
@@ -154,7 +150,7 @@ impl CertifiedAtlas {
     }
 
     /// Places at the beginning or end of the common range, where one curve ends and the other goes on.
-    fn end_places(&self, wide: &Evaluator<'_, Wide>, curves: [usize; 2], side: usize) -> Option<[PlaceDocument; 2]> {
+    fn end_places(&self, wide: &Evaluator<'_, Wide>, curves: [CurveId; 2], side: usize) -> Option<[PlaceDocument; 2]> {
         let ends = curves.map(|c| self.arrangement.curves.list[c].ends[side]);
         if ends[0] == ends[1] {
             return None;
@@ -177,6 +173,15 @@ impl CertifiedAtlas {
     }
 }
 
+fn source(source: &Source) -> String {
+    match source {
+        Source::Cusp(n) => format!("cusp:{}", n.index()),
+        Source::Pitchfork(n) => format!("pitchfork:{}", n.index()),
+        Source::Pole(n) => format!("meeting:{}", n.index()),
+        Source::Crossing(_) => "crossing".to_owned(),
+    }
+}
+
 /// A little room, so that a second arithmetic with roundings of its own can confirm the enclosure.
 fn widened([lo, hi]: &[RBig; 2]) -> [RBig; 2] {
     let room = hi / RBig::from(IBig::ONE << 80);
@@ -184,7 +189,7 @@ fn widened([lo, hi]: &[RBig; 2]) -> [RBig; 2] {
 }
 
 /// Where a curve of a family stands over x.
-fn place_over<E: Enclosure>(evaluator: &Evaluator<'_, E>, curve: usize, x: &RBig) -> Option<PlaceDocument> {
+fn place_over<E: Enclosure>(evaluator: &Evaluator<'_, E>, curve: CurveId, x: &RBig) -> Option<PlaceDocument> {
     let Shape::Family(_) = evaluator.curves.list[curve].shape else { return None };
     let point = evaluator.point(curve, &E::rational(x, evaluator.c.precision))?;
     document(point.place.as_ref()?, NODE_DIGITS)

@@ -5,12 +5,16 @@ use dashu_ratio::RBig;
 use super::CertifiedAtlas;
 use super::arrange::STAGES;
 use super::curves::Shape;
+use super::id::TransitionId;
 use super::point::Evaluator;
-use numbers::enclosure::Enclosure;
+use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::wide::Wide;
 use top::atlas;
 use top::body::Number;
 use top::classify::{Classification, Components, Margin, at_rest};
+use top::curves::CurveId;
+use top::diagram::{EventId, RegionId, SlabId};
+use top::table::Id;
 
 /// A curve or an event over the x of the point, with its height against h.
 struct Level {
@@ -37,17 +41,18 @@ impl CertifiedAtlas {
         let a = &self.arrangement;
         // The slab before or over x, and the events whose enclosures hold x.
         let passed = a.transitions.iter().take_while(|group| group.iter().all(|&e| a.events[e].x[1] < x)).count();
-        let near: Vec<usize> = a
+        let (passed, slab) = (TransitionId::at(passed), SlabId::at(passed));
+        let near: Vec<EventId> = a
             .transitions
             .get(passed)
             .map(|group| group.iter().copied().filter(|&e| a.events[e].x[0] <= x && x <= a.events[e].x[1]).collect())
             .unwrap_or_default();
-        let levels = self.levels(passed, &near, &x, &energy);
+        let levels = self.levels(slab, &near, &x, &energy);
         let unit = self.frame.energy_unit;
         let nearest = levels.iter().min_by(|p, q| p.distance[0].total_cmp(&q.distance[0]));
         let margin = Margin {
             h: nearest.map_or(0.0, |level| level.distance[0].max(0.0) * unit),
-            nearest: nearest.map(|level| self.name(a.slabs[passed].order[level.first])),
+            nearest: nearest.map(|level| self.name(a.slabs[slab].order[level.first])),
             error_bound: nearest.map_or(0.0, |level| (level.distance[1] - level.distance[0]) * unit),
         };
         let unknown: Vec<&Level> =
@@ -55,28 +60,33 @@ impl CertifiedAtlas {
         let below = levels.iter().filter(|level| level.sign == Some(1)).map(|level| level.first + level.count).max();
         let below = below.unwrap_or(0);
         if unknown.is_empty() {
-            return self.settled(passed, below, margin);
+            return self.settled(slab, below, margin);
         }
         let above = unknown.iter().map(|level| level.first + level.count).max().unwrap_or(below);
-        let mut faces: Vec<Option<usize>> = (below..=above).map(|gap| self.face(passed, gap)).collect();
+        let mut regions: Vec<Option<RegionId>> = (below..=above).map(|gap| self.region(slab, gap)).collect();
         if !near.is_empty() {
-            // Faces that begin at the event.
-            let next = &a.slabs[passed + 1];
+            // Regions that begin at the event.
+            let after = passed.after();
             for &event in &near {
-                for (position, curve) in next.order.iter().enumerate() {
+                for (position, curve) in a.slabs[after].order.iter().enumerate() {
                     if a.events[event].curves.contains(curve) {
-                        faces.extend([self.face(passed + 1, position), self.face(passed + 1, position + 1)]);
+                        regions.extend([self.region(after, position), self.region(after, position + 1)]);
                     }
                 }
             }
         }
-        faces.sort_unstable();
-        faces.dedup();
+        regions.sort_unstable();
+        regions.dedup();
+        Classification::open(atlas::on_straight_curve(&self.body, h, l), self.classes(&regions), margin)
+    }
+
+    /// The proved classes of these regions, each once.
+    fn classes(&self, regions: &[Option<RegionId>]) -> Vec<Components> {
         let mut candidates: Vec<Components> = Vec::new();
-        for face in faces {
-            let class = match face {
+        for region in regions {
+            let class = match region {
                 None => Vec::new(),
-                Some(face) => match &self.regions[face].components {
+                Some(region) => match &self.regions[*region].components {
                     Ok(components) => components.clone(),
                     Err(_unproved) => continue,
                 },
@@ -85,17 +95,17 @@ impl CertifiedAtlas {
                 candidates.push(class);
             }
         }
-        Classification::open(atlas::on_straight_curve(&self.body, h, l), candidates, margin)
+        candidates
     }
 
-    /// The face above this many curves of a slab; `None`: forbidden.
-    fn face(&self, slab: usize, gap: usize) -> Option<usize> {
-        gap.checked_sub(1).map(|position| self.arrangement.slabs[slab].face_above[position])
+    /// The region above this many curves of a slab; `None`: forbidden.
+    fn region(&self, slab: SlabId, gap: usize) -> Option<RegionId> {
+        gap.checked_sub(1).map(|position| self.arrangement.slabs[slab].region_above[position])
     }
 
-    fn settled(&self, slab: usize, below: usize, margin: Margin) -> Classification {
-        let Some(face) = self.face(slab, below) else { return Classification::decided(Vec::new(), margin) };
-        match &self.regions[face].components {
+    fn settled(&self, slab: SlabId, below: usize, margin: Margin) -> Classification {
+        let Some(region) = self.region(slab, below) else { return Classification::decided(Vec::new(), margin) };
+        match &self.regions[region].components {
             Ok(components) => Classification::decided(components.clone(), margin),
             Err(_unproved) => {
                 Classification { unproved_topology: true, ..Classification::open(false, Vec::new(), margin) }
@@ -104,7 +114,7 @@ impl CertifiedAtlas {
     }
 
     /// h against every curve of a slab; curves that meet in an event at x are one level.
-    fn levels(&self, slab: usize, near: &[usize], x: &RBig, energy: &RBig) -> Vec<Level> {
+    fn levels(&self, slab: SlabId, near: &[EventId], x: &RBig, energy: &RBig) -> Vec<Level> {
         let a = &self.arrangement;
         let order = &a.slabs[slab].order;
         let evaluators = STAGES.map(|bits| Evaluator::<Wide>::new(&a.model, &a.curves, &[], bits));
@@ -153,7 +163,7 @@ impl CertifiedAtlas {
     }
 
     /// The point lies exactly on this straight curve.
-    fn on_line(&self, curve: usize, x: &RBig, energy: &RBig) -> bool {
+    fn on_line(&self, curve: CurveId, x: &RBig, energy: &RBig) -> bool {
         let model = &self.arrangement.model;
         match self.arrangement.curves.list[curve].shape {
             Shape::Pole(_) => {

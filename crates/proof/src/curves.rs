@@ -7,7 +7,8 @@ use dashu_ratio::RBig;
 use super::family::Half;
 use super::model::Model;
 use numbers::polynomial::{Polynomial, Root};
-use top::curves::{Branch, End, Orbit, Pole};
+use top::curves::{Branch, CurveId, CuspId, End, Orbit, PitchforkId, Pole};
+use top::table::{Id, Table};
 
 /// A place on a half of a family.
 #[derive(Clone, Debug)]
@@ -37,6 +38,16 @@ pub(super) struct Segment {
     pub half: Half,
     /// Ends by rising x.
     pub ends: [Bound; 2],
+}
+
+impl Segment {
+    /// Where h − x/a goes when the segment ends at infinity on the generic family.
+    fn limit(&self) -> Option<Limit> {
+        match self.half {
+            Half::Generic { base, sign } => Some(Limit { group: base, side: sign }),
+            Half::Over { .. } => None,
+        }
+    }
 }
 
 /// A curve over which x is a coordinate.
@@ -77,7 +88,7 @@ pub(super) enum Shape {
 #[derive(Clone, Debug)]
 pub(super) struct Cusp {
     pub place: Place,
-    pub curves: [usize; 2],
+    pub curves: [CurveId; 2],
     /// The curves lie at larger x.
     pub opens: bool,
 }
@@ -89,8 +100,8 @@ pub(super) struct Pitchfork {
     /// On the generic family; `None` when r lies on an axis.
     pub place: Option<Place>,
     /// The curve before and after, by rising x.
-    pub through: [usize; 2],
-    pub pair: usize,
+    pub through: [CurveId; 2],
+    pub pair: CurveId,
     /// The pair lies at larger x.
     pub opens: bool,
 }
@@ -98,9 +109,9 @@ pub(super) struct Pitchfork {
 /// The curves of a body.
 #[derive(Clone, Debug)]
 pub(super) struct Curves {
-    pub list: Vec<Curve>,
-    pub cusps: Vec<Cusp>,
-    pub pitchforks: Vec<Pitchfork>,
+    pub list: Table<CurveId, Curve>,
+    pub cusps: Table<CuspId, Cusp>,
+    pub pitchforks: Table<PitchforkId, Pitchfork>,
     /// The one place where dJ/dμ = 0 on the generic family.
     pub inflection: Option<(usize, Place)>,
     /// Degenerate points that are no cusp (roots of even multiplicity) or that coincide with a pitchfork.
@@ -179,6 +190,21 @@ enum Station {
     Middle([Place; 2]),
 }
 
+/// What ends at a station and begins there.
+struct Stop {
+    bound: Bound,
+    /// The end of the curve; `None` where only the half changes.
+    end: Option<End>,
+    /// Where the next segment begins.
+    next: Option<Place>,
+}
+
+impl Stop {
+    fn at(place: &Place, end: End) -> Self {
+        Self { bound: Bound::At(place.clone()), end: Some(end), next: Some(place.clone()) }
+    }
+}
+
 impl Station {
     fn place(&self) -> &Place {
         match self {
@@ -227,9 +253,9 @@ impl Curves {
     /// Isolates all cusps (to `bits` bits) and cuts the families.
     pub fn new(model: &Model, bits: usize) -> Result<Self, NotIsolated> {
         let mut curves = Self {
-            list: Vec::new(),
-            cusps: Vec::new(),
-            pitchforks: Vec::new(),
+            list: Table::new(),
+            cusps: Table::new(),
+            pitchforks: Table::new(),
             inflection: None,
             degenerate: Vec::new(),
         };
@@ -271,7 +297,9 @@ impl Curves {
             let first = self.list.len();
             let mut from = End::Origin;
             for piece in 0..=cuts.len() {
-                let to = cuts.get(piece).map_or(End::Infinity, |_| End::Pitchfork(self.pitchforks.len() + piece));
+                let to = cuts
+                    .get(piece)
+                    .map_or(End::Infinity, |_| End::Pitchfork(PitchforkId::at(self.pitchforks.len() + piece)));
                 self.list.push(Curve {
                     branch: Branch::Axis(side),
                     piece: piece + 1,
@@ -286,8 +314,8 @@ impl Curves {
                 from = to;
             }
             for (piece, &group) in cuts.iter().enumerate() {
-                let through = [first + piece, first + piece + 1];
-                self.pitchforks.push(Pitchfork { group, place: None, through, pair: 0, opens: true });
+                let through = [first + piece, first + piece + 1].map(CurveId::at);
+                self.pitchforks.push(Pitchfork { group, place: None, through, pair: through[0], opens: true });
             }
         }
     }
@@ -351,20 +379,7 @@ impl Curves {
         let mut piece = 0;
         for index in 0..=stations.len() {
             let station = stations.get(index);
-            let (bound, end, next) = match station {
-                None => {
-                    let origin = number == last;
-                    let bound = if origin { Bound::Infinity } else { Bound::Zero };
-                    (bound, Some(if origin { End::Origin } else { End::Infinity }), None)
-                }
-                Some(Station::Middle([left, right])) => (Bound::At(left.clone()), None, Some(right.clone())),
-                Some(Station::Cusp(place)) => {
-                    (Bound::At(place.clone()), Some(End::Cusp(self.cusps.len())), Some(place.clone()))
-                }
-                Some(Station::Pitchfork(place, _)) => {
-                    (Bound::At(place.clone()), Some(End::Pitchfork(self.pitchforks.len())), Some(place.clone()))
-                }
-            };
+            let Stop { bound, end, next } = self.stop(station, number == last);
             let same_place = matches!((&start, &bound), (Bound::At(p), Bound::At(q)) if p.half == q.half && p.lo == q.lo && p.hi == q.hi);
             if !same_place {
                 let ends = if rising { [start.clone(), bound.clone()] } else { [bound.clone(), start.clone()] };
@@ -376,28 +391,17 @@ impl Curves {
             }
             let Some(end) = end else { continue };
             piece += 1;
-            let this = self.list.len();
+            let this = self.list.next_id();
             let mut done = std::mem::take(&mut segments);
             let mut ends = [start_end, end];
             if !rising {
                 done.reverse();
                 ends.reverse();
             }
-            let limit = (ends[1] == End::Infinity)
-                .then(|| {
-                    done.last().and_then(|segment| match segment.half {
-                        Half::Generic { base, sign } => Some(Limit { group: base, side: sign }),
-                        Half::Over { .. } => None,
-                    })
-                })
-                .flatten();
-            let above_all = match model.passive.iter().max() {
-                Some(&top) if number == last && top > model.active[last - 1] => {
-                    // Beyond the last pitchfork only.
-                    stations[index.min(stations.len())..].is_empty()
-                }
-                _ => number == last,
-            };
+            let limit = if ends[1] == End::Infinity { done.last().and_then(Segment::limit) } else { None };
+            // Beyond the last pitchfork only, where a group without r has the largest moment.
+            let ends_in_pair = model.passive.iter().max().is_some_and(|&top| top > model.active[last - 1]);
+            let lowest = number == last && (!ends_in_pair || station.is_none());
             self.join(start_end, this, rising);
             self.list.push(Curve {
                 branch: Branch::Generic(number),
@@ -407,27 +411,43 @@ impl Curves {
                 shape: Shape::Family(done),
                 ends,
                 limit,
-                lowest: above_all,
+                lowest,
             });
-            match station {
-                Some(Station::Cusp(place)) => {
-                    self.cusps.push(Cusp { place: place.clone(), curves: [this; 2], opens: !rising });
-                    rising = !rising;
-                }
-                Some(Station::Pitchfork(place, group)) => {
-                    let place = Some(place.clone());
-                    self.pitchforks.push(Pitchfork { group: *group, place, through: [this; 2], pair: 0, opens: true });
-                    let number = self.pitchforks.len() - 1;
-                    self.pitchforks[number].through[usize::from(!rising)] = this;
-                }
-                _ => {}
-            }
+            self.enter(station, this, rising);
+            rising ^= matches!(station, Some(Station::Cusp(_)));
             start_end = end;
         }
     }
 
+    /// What a station, or the end of the interval after the last one, ends and begins.
+    fn stop(&self, station: Option<&Station>, at_origin: bool) -> Stop {
+        match station {
+            None if at_origin => Stop { bound: Bound::Infinity, end: Some(End::Origin), next: None },
+            None => Stop { bound: Bound::Zero, end: Some(End::Infinity), next: None },
+            Some(Station::Middle([left, right])) => {
+                Stop { bound: Bound::At(left.clone()), end: None, next: Some(right.clone()) }
+            }
+            Some(Station::Cusp(place)) => Stop::at(place, End::Cusp(self.cusps.next_id())),
+            Some(Station::Pitchfork(place, _)) => Stop::at(place, End::Pitchfork(self.pitchforks.next_id())),
+        }
+    }
+
+    /// Enters the cusp or pitchfork at which the curve `this` ends; the next curve and the pair are not known yet.
+    fn enter(&mut self, station: Option<&Station>, this: CurveId, rising: bool) {
+        match station {
+            Some(Station::Cusp(place)) => {
+                self.cusps.push(Cusp { place: place.clone(), curves: [this; 2], opens: !rising });
+            }
+            Some(Station::Pitchfork(place, group)) => {
+                let place = Some(place.clone());
+                self.pitchforks.push(Pitchfork { group: *group, place, through: [this; 2], pair: this, opens: true });
+            }
+            Some(Station::Middle(_)) | None => {}
+        }
+    }
+
     /// Enters `this` as the curve after a cut.
-    fn join(&mut self, cut: End, this: usize, rising: bool) {
+    fn join(&mut self, cut: End, this: CurveId, rising: bool) {
         match cut {
             End::Cusp(cusp) => self.cusps[cusp].curves[1] = this,
             End::Pitchfork(pitchfork) => self.pitchforks[pitchfork].through[usize::from(rising)] = this,
@@ -441,13 +461,13 @@ impl Curves {
             return;
         }
         for &group in &model.passive {
-            let Some(number) = self.pitchforks.iter().position(|p| p.group == group) else { continue };
+            let Some((number, _)) = self.pitchforks.pairs().find(|(_, p)| p.group == group) else { continue };
             let half = Half::Over { group };
             let (r_sum, p_sum) = model.sums_over(group);
             let turn = r_sum * RBig::from(-3) / model.a(group) - p_sum;
             let axis = model.axis[group];
             let orbit = orbit(model.groups[group].size, axis);
-            let first = self.list.len();
+            let first = self.list.next_id();
             let lowest = group + 1 == model.groups.len();
             let limit = Some(Limit { group, side: 0 });
             let curve = |piece, ends: [Bound; 2], marks, limit| Curve {
@@ -463,10 +483,10 @@ impl Curves {
             if turn > RBig::ZERO {
                 let place = Place::exact(half, turn);
                 let at = || Bound::At(place.clone());
-                let cusp = End::Cusp(self.cusps.len());
+                let cusp = End::Cusp(self.cusps.next_id());
                 self.list.push(curve(1, [at(), Bound::Zero], [cusp, End::Pitchfork(number)], None));
-                self.list.push(curve(2, [at(), Bound::Infinity], [cusp, End::Infinity], limit));
-                self.cusps.push(Cusp { place, curves: [first, first + 1], opens: true });
+                let second = self.list.push(curve(2, [at(), Bound::Infinity], [cusp, End::Infinity], limit));
+                self.cusps.push(Cusp { place, curves: [first, second], opens: true });
                 self.pitchforks[number].opens = false;
             } else {
                 let marks = [End::Pitchfork(number), End::Infinity];
@@ -590,7 +610,7 @@ mod tests {
     fn roots_are_those_of_flint() {
         let value = |text: &str| text.parse::<top::body::Number>().unwrap().value().clone();
         let mut compared = 0;
-        for line in include_str!("../../data/oracles/roots.jsonl").lines() {
+        for line in support::data("oracles/roots.jsonl").lines() {
             let oracle: Oracle = serde_json::from_str(line).unwrap();
             let body = Body::parse(&oracle.a, &oracle.r).unwrap();
             let frame = body.frame();

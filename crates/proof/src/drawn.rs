@@ -1,15 +1,19 @@
 //! A proved atlas in the terms of the `f64` one: its curves, and events and regions as proved.
 
+use dashu_ratio::RBig;
+
 use super::arrange::{Event, Source};
 use super::curves::Curves;
+use super::id::TransitionId;
 use super::{CertifiedAtlas, NotWritten};
 use numbers::decimal;
-use numbers::enclosure::Enclosure;
+use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::wide::Wide;
 use schema::EnclosureDocument;
 use top::atlas::{self, Atlas};
-use top::curves::CriticalSet;
-use top::diagram::{self, Arrangement, Change};
+use top::curves::{CriticalSet, CurveId};
+use top::diagram::{self, Arrangement, Cell, Change, EventId, RegionId, SlabId};
+use top::table::Table;
 use top::topology::merge::MergeError;
 
 /// Bits and digits of the enclosures of l.
@@ -25,20 +29,34 @@ impl CertifiedAtlas {
     pub fn drawn(&self) -> Result<Atlas, NotWritten> {
         let set = CriticalSet::new(self.frame.clone()).map_err(NotWritten::Equilibria)?;
         let proved = &self.arrangement;
-        let map: Option<Vec<usize>> = proved
+        let map: Option<Table<CurveId, CurveId>> = proved
             .curves
             .list
             .iter()
-            .map(|curve| set.curves.iter().position(|c| c.branch == curve.branch && c.piece == curve.piece))
+            .map(|curve| {
+                let same = |c: &CurveId| set.curves[*c].branch == curve.branch && set.curves[*c].piece == curve.piece;
+                set.curves.ids().find(same)
+            })
             .collect();
         let map = map.filter(|map| map.len() == set.curves.len()).ok_or(NotWritten::Curves)?;
-        let double = |x: &dashu_ratio::RBig| x.to_f64().value();
+        let arrangement = Arrangement {
+            slabs: self.drawn_slabs(&map),
+            region_count: proved.region_count,
+            events: self.drawn_events(&map),
+            undecided: Vec::new(),
+            evaluations: 0,
+            set,
+        };
+        Ok(Atlas::of_parts(self.body.clone(), arrangement, self.drawn_regions(&map)))
+    }
+
+    fn drawn_events(&self, map: &Table<CurveId, CurveId>) -> Table<EventId, diagram::Event> {
+        let proved = &self.arrangement;
         let events = proved.transitions.iter().flatten().flat_map(|&number| {
             let event = &proved.events[number];
-            let x = 0.5 * (double(&event.x[0]) + double(&event.x[1]));
+            let x = middle(event);
             let (h, h_error) = (0.5 * (event.h[0] + event.h[1]), event.h[1] - event.h[0]);
             let x_error = (double(&event.x[1]) - double(&event.x[0])).max(f64::EPSILON * x);
-            let map = &map;
             event.sources.iter().map(move |source| diagram::Event {
                 change: change(&proved.curves, event, source, map),
                 x,
@@ -47,36 +65,36 @@ impl CertifiedAtlas {
                 h_error: h_error.max(f64::EPSILON * h.abs()),
             })
         });
-        let events: Vec<diagram::Event> = events.collect();
-        let middle = |transition: usize| {
-            let event = &proved.events[proved.transitions[transition][0]];
-            0.5 * (double(&event.x[0]) + double(&event.x[1]))
-        };
-        let slabs = proved.slabs.iter().enumerate().map(|(number, slab)| diagram::Slab {
+        events.collect()
+    }
+
+    fn drawn_slabs(&self, map: &Table<CurveId, CurveId>) -> Table<SlabId, diagram::Slab> {
+        let proved = &self.arrangement;
+        let x = |transition| proved.transitions.get(transition).map(|group| middle(&proved.events[group[0]]));
+        let slabs = proved.slabs.pairs().map(|(number, slab)| diagram::Slab {
             x: [
-                number.checked_sub(1).map_or(0.0, middle),
-                if number < proved.transitions.len() { middle(number) } else { f64::INFINITY },
+                TransitionId::at_start(number).and_then(x).unwrap_or(0.0),
+                x(TransitionId::at_end(number)).unwrap_or(f64::INFINITY),
             ],
             order: slab.order.iter().map(|&c| map[c]).collect(),
-            face_above: slab.face_above.clone(),
+            region_above: slab.region_above.clone(),
         });
+        slabs.collect()
+    }
+
+    fn drawn_regions(&self, map: &Table<CurveId, CurveId>) -> Table<RegionId, atlas::Region> {
+        let proved = &self.arrangement;
         let regions = self.regions.iter().map(|region| {
-            let (slab, position) = region.cells[0];
+            let Cell { slab, position } = region.cells[0];
             let sample = region.sample.as_ref().map_or_else(
                 || {
                     let strip = &proved.slabs[slab];
-                    let h = strip.heights[position][1];
-                    atlas::Sample {
-                        x: double(&strip.x),
-                        h,
-                        margin: 0.0,
-                        error: 0.0,
-                        nearest: map[strip.order[position]],
-                    }
+                    let (h, nearest) = (strip.heights[position][1], map[strip.order[position]]);
+                    atlas::Sample { x: double(&strip.x), h, margin: 0.0, error: 0.0, nearest }
                 },
                 |sample| {
-                    let strip = &proved.slabs[sample.slab];
-                    let nearest = map[strip.order[sample.position]];
+                    let strip = &proved.slabs[sample.cell.slab];
+                    let nearest = map[strip.order[sample.cell.position]];
                     atlas::Sample { x: double(&strip.x), h: sample.h, margin: sample.margin, error: 0.0, nearest }
                 },
             );
@@ -86,21 +104,13 @@ impl CertifiedAtlas {
                 components: region.components.clone().map_err(|_unproved| MergeError::UnknownOrder),
             }
         });
-        let arrangement = Arrangement {
-            slabs: slabs.collect(),
-            faces: proved.faces,
-            events,
-            undecided: Vec::new(),
-            evaluations: 0,
-            set,
-        };
-        Ok(Atlas::of_parts(self.body.clone(), arrangement, regions.collect()))
+        regions.collect()
     }
 
     /// Proved bounds of the events, in the order in which [`Self::drawn`] has them.
     #[must_use]
     pub fn enclosures(&self) -> Vec<EnclosureDocument> {
-        let of_event = |&number: &usize| {
+        let of_event = |&number: &EventId| {
             let event = &self.arrangement.events[number];
             std::iter::repeat_n(self.enclosure(event), event.sources.len())
         };
@@ -120,8 +130,17 @@ impl CertifiedAtlas {
     }
 }
 
+fn double(x: &RBig) -> f64 {
+    x.to_f64().value()
+}
+
+/// x of an event.
+fn middle(event: &Event) -> f64 {
+    0.5 * (double(&event.x[0]) + double(&event.x[1]))
+}
+
 /// What an event does, in the standard program's terms.
-fn change(curves: &Curves, event: &Event, source: &Source, map: &[usize]) -> Change {
+fn change(curves: &Curves, event: &Event, source: &Source, map: &Table<CurveId, CurveId>) -> Change {
     match source {
         Source::Cusp(number) => {
             let cusp = &curves.cusps[*number];

@@ -23,6 +23,7 @@ mod curves;
 mod drawn;
 mod estimate;
 mod family;
+mod id;
 mod model;
 mod pair;
 mod point;
@@ -36,7 +37,9 @@ use model::Model;
 use region::Region;
 use top::atlas::{Atlas, AtlasError};
 use top::body::{Body, Frame};
-use top::curves::EquilibriaError;
+use top::curves::{CurveId, EquilibriaError};
+use top::diagram::RegionId;
+use top::table::{Id, Table};
 use top::topology::Component;
 
 /// How much is spent on an answer, and what it is worth.
@@ -99,7 +102,7 @@ pub struct CertifiedAtlas {
     body: Body,
     frame: Frame,
     arrangement: Arrangement,
-    regions: Vec<Region>,
+    regions: Table<RegionId, Region>,
 }
 
 /// Why the arrangement of a body is not proved. Ranges are in the body's units.
@@ -181,6 +184,12 @@ impl CertifiedAtlas {
         self.regions.len()
     }
 
+    /// The regions, in order.
+    #[must_use]
+    pub fn region_ids(&self) -> impl ExactSizeIterator<Item = RegionId> + use<> {
+        self.regions.ids()
+    }
+
     /// How many points there are at which curves meet.
     #[must_use]
     pub fn event_count(&self) -> usize {
@@ -189,7 +198,7 @@ impl CertifiedAtlas {
 
     /// The components of U_hl in a region; `None` when they are not proved.
     #[must_use]
-    pub fn components(&self, region: usize) -> Option<&[Component]> {
+    pub fn components(&self, region: RegionId) -> Option<&[Component]> {
         self.regions[region].components.as_deref().ok()
     }
 
@@ -202,12 +211,12 @@ impl CertifiedAtlas {
 
 fn obstacle(frame: &Frame, undecided: &Undecided) -> Obstacle {
     let momentum = |x: f64| (2.0 * x).sqrt() * frame.momentum_unit;
-    let names = |curves: &[usize]| curves.iter().map(|c| format!("#{c}")).collect::<Vec<_>>();
+    let names = |curves: &[CurveId]| curves.iter().map(|c| format!("#{}", c.index())).collect::<Vec<_>>();
     match undecided {
         Undecided::Roots => Obstacle::Roots,
         Undecided::Degenerate => Obstacle::Degenerate,
         Undecided::Pair { curves, x } => {
-            Obstacle::Order { curves: curves.map(|c| format!("#{c}")), l: x.map(momentum) }
+            Obstacle::Order { curves: curves.map(|c| format!("#{}", c.index())), l: x.map(momentum) }
         }
         Undecided::Events { curves, x } => Obstacle::Events { curves: names(curves), l: x.map(momentum) },
         Undecided::Order { x } | Undecided::Gluing { x } => Obstacle::Heights { l: momentum(*x) },

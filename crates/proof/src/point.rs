@@ -6,7 +6,18 @@ use super::family::{Half, State};
 use super::model::{Constants, Model};
 use numbers::enclosure::Enclosure;
 use numbers::root::{Bracket, newton_bracketed};
-use top::curves::Pole;
+use top::curves::{CurveId, Pole};
+use top::table::Table;
+
+/// A curve passes exactly through the end of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Passage {
+    /// The curve that ends there, with the lower end (0) or the upper (1).
+    pub curve: CurveId,
+    pub side: usize,
+    /// The curve that passes.
+    pub other: CurveId,
+}
 
 /// Everything that is needed to evaluate curves in one arithmetic.
 #[derive(Clone, Debug)]
@@ -16,9 +27,8 @@ pub(super) struct Evaluator<'a, E: Enclosure> {
     pub c: Constants<E>,
     estimate: Constants<Estimate>,
     /// x at the ends of each curve's segments, as estimates.
-    ends: Vec<Vec<[f64; 2]>>,
-    /// (curve, side, other): the other curve passes exactly through this end of the curve.
-    meetings: Vec<(usize, usize, usize)>,
+    ends: Table<CurveId, Vec<[f64; 2]>>,
+    meetings: Vec<Passage>,
 }
 
 /// A point of a curve over x.
@@ -65,12 +75,7 @@ impl<E: Enclosure> Point<E> {
 }
 
 impl<'a, E: Enclosure> Evaluator<'a, E> {
-    pub fn new(
-        model: &'a Model,
-        curves: &'a Curves,
-        meetings: &[(usize, usize, usize)],
-        precision: E::Precision,
-    ) -> Self {
+    pub fn new(model: &'a Model, curves: &'a Curves, meetings: &[Passage], precision: E::Precision) -> Self {
         let c = Constants::new(model, precision);
         let estimate = Constants::new(model, ());
         let ends = curves
@@ -87,8 +92,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     }
 
     /// It is proved that a curve passes through this end of another.
-    pub fn meet_at(&self, curve: usize, side: usize, other: usize) -> bool {
-        self.meetings.contains(&(curve, side, other))
+    pub fn meet_at(&self, passage: Passage) -> bool {
+        self.meetings.contains(&passage)
     }
 
     pub fn state(&self, half: Half, y: &E) -> State<E> {
@@ -111,7 +116,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
 
     /// The point of a curve over x. `None` when it cannot be enclosed with these bits, or x is not surely inside the
     /// curve's range.
-    pub fn point(&self, curve: usize, x: &E) -> Option<Point<E>> {
+    pub fn point(&self, curve: CurveId, x: &E) -> Option<Point<E>> {
         match &self.curves.list[curve].shape {
             Shape::Family(segments) => self.family_point(curve, segments, x),
             Shape::Pole(pole) => Some(self.line_point(&self.curves.list[curve], *pole, x)),
@@ -161,7 +166,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         Point { x: x.clone(), place: None, at: state.clone(), over: state, correction: zero, critical: true }
     }
 
-    fn family_point(&self, curve: usize, segments: &[Segment], x: &E) -> Option<Point<E>> {
+    fn family_point(&self, curve: CurveId, segments: &[Segment], x: &E) -> Option<Point<E>> {
         let [low, high] = x.bounds();
         let middle = if high.is_finite() { 0.5 * (low + high) } else { low };
         let ends = &self.ends[curve];
@@ -183,16 +188,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let rising = y_ends[0] < y_ends[1];
         let guess = self.guess(half, y_ends, ends, target);
         let c = &self.c;
-        let mut y = E::double(guess, c.precision);
-        // Newton's method doubles the digits of a guess good to ten.
-        let mut digits = 1e-12;
-        while digits > E::resolution(c.precision) {
-            let state = self.state(half, &y);
-            let residual = x.middle() / state.x - c.small(1);
-            let step = residual / state.log_slope;
-            y = (y + step).middle();
-            digits *= digits;
-        }
+        let y = self.refined(half, guess, x);
         let mut radius = E::resolution(c.precision);
         let outer = segment.ends.each_ref().map(|bound| self.bound(segment, bound));
         let (mut sides, mut done) = ([y.clone(), y.clone()], [false, false]);
@@ -240,6 +236,21 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         Some(Point { x: x.clone(), place: Some((half, range)), at, over, correction, critical: true })
     }
 
+    /// y of x, not proved: Newton's method doubles the digits of a guess good to ten.
+    fn refined(&self, half: Half, guess: f64, x: &E) -> E {
+        let c = &self.c;
+        let mut y = E::double(guess, c.precision);
+        let mut digits = 1e-12;
+        while digits > E::resolution(c.precision) {
+            let state = self.state(half, &y);
+            let residual = x.middle() / state.x - c.small(1);
+            let step = residual / state.log_slope;
+            y = (y + step).middle();
+            digits *= digits;
+        }
+        y
+    }
+
     /// x lies between the x of the segment's ends (up to the enclosure of an end itself).
     fn holds(&self, segment: &Segment, x: &E) -> bool {
         [0, 1].into_iter().all(|side| {
@@ -280,16 +291,16 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                 .fold(self.c.small(0), |sum, k| sum + squares[k].clone() * self.c.diff[k][base].clone())
         };
         let plain = p.j.clone() - q.j.clone();
-        (0..n).fold(plain, |best, base| best.meet(&about(base)))
+        (0..n).fold(plain, |best, base| self.c.common(&best, &about(base)))
     }
 
     /// h_a − h_b over one x.
     pub fn gap(&self, a: &Point<E>, b: &Point<E>) -> E {
-        let x = a.x.meet(&b.x);
+        let x = self.c.common(&a.x, &b.x);
         let difference = self.moment_difference(&b.at, &a.at);
         let kinetic = x.clone() * difference / (a.at.j.clone() * b.at.j.clone());
         let plain = kinetic - (a.at.rho.clone() - b.at.rho.clone()) + a.correction.clone() - b.correction.clone();
-        if a.critical && b.critical { plain.meet(&self.exact_gap(&x, &a.over, &b.over)) } else { plain }
+        if a.critical && b.critical { self.c.common(&plain, &self.exact_gap(&x, &a.over, &b.over)) } else { plain }
     }
 
     /// h_a − h_b of two critical points over one x, without the cancellation of heights (Corollary 3.10 of
@@ -300,8 +311,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     /// sphere, taken in both directions.
     fn exact_gap(&self, x: &E, a: &State<E>, b: &State<E>) -> E {
         let n = self.model.groups.len();
-        let mu = (1..n)
-            .fold(b.tau[0].clone() - a.tau[0].clone(), |best, k| best.meet(&(b.tau[k].clone() - a.tau[k].clone())));
+        let about = |base: usize| b.tau[base].clone() - a.tau[base].clone();
+        let mu = (1..n).fold(about(0), |best, base| self.c.common(&best, &about(base)));
         let distance = (0..n).fold(self.c.small(0), |sum, k| sum + (a.gamma[k].clone() - b.gamma[k].clone()).square());
         let moment = self.moment_difference(a, b);
         let cube = moment.clone() * moment.square() / (a.j.clone() * b.j.clone());
@@ -329,9 +340,9 @@ fn x_estimate(model: &Model, c: &Constants<Estimate>, segment: &Segment, bound: 
 
 #[cfg(test)]
 mod tests {
-    use super::numbers::enclosure::Narrow;
-    use super::numbers::wide::Wide;
     use super::*;
+    use numbers::interval::Interval;
+    use numbers::wide::Wide;
     use top::body::Body;
     use top::curves::CriticalSet;
 
@@ -352,7 +363,7 @@ mod tests {
             for x in [0.2, 0.7, 1.7, 3.1, 5.3, 8.8, 40.0, 1e7] {
                 let x_set = E::double(x, precision);
                 let mut points: Vec<(Point<E>, f64)> = Vec::new();
-                for (number, curve) in curves.list.iter().enumerate() {
+                for (number, curve) in curves.list.pairs() {
                     let other = set.curves.iter().find(|c| c.branch == curve.branch && c.piece == curve.piece).unwrap();
                     if x <= other.x()[0] * 1.001 || x >= other.x()[1] * 0.999 {
                         continue;
@@ -385,7 +396,7 @@ mod tests {
 
     #[test]
     fn points_and_gaps_are_those_of_the_closed_form() {
-        compare::<Narrow>((), 1e-13);
+        compare::<Interval>((), 1e-13);
         compare::<Wide>(160, 1e-14);
     }
 }

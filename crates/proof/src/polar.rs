@@ -7,9 +7,11 @@ use dashu_ratio::RBig;
 
 use super::curves::{Curves, NotIsolated, Place, Shape, order, roots_in_interval};
 use super::family::Half;
+use super::id::MeetingId;
 use super::model::Model;
 use numbers::polynomial::Polynomial;
-use top::curves::{Branch, End, Pole};
+use top::curves::{Branch, CurveId, End, Pole};
+use top::table::Table;
 
 /// A meeting of a pole line with a critical curve off the line.
 #[derive(Clone, Debug)]
@@ -17,7 +19,7 @@ pub(super) struct Meeting {
     pub pole: Pole,
     pub place: Place,
     /// The curve; both curves of a cusp or pitchfork if it is one of these points.
-    pub curves: Vec<usize>,
+    pub curves: Vec<CurveId>,
     /// The end at which the meeting lies exactly, if it does.
     pub end: Option<End>,
     /// The curves touch and do not cross.
@@ -25,8 +27,8 @@ pub(super) struct Meeting {
 }
 
 /// All meetings. `NotIsolated` when a root cannot be told from a cusp or pitchfork, nor proved equal to it.
-pub(super) fn meetings(model: &Model, curves: &Curves, bits: usize) -> Result<Vec<Meeting>, NotIsolated> {
-    let mut found = Vec::new();
+pub(super) fn meetings(model: &Model, curves: &Curves, bits: usize) -> Result<Table<MeetingId, Meeting>, NotIsolated> {
+    let mut found = Table::new();
     if model.active.len() > 1 {
         let [side, polynomial] = model.pole_polynomials();
         for number in 0..=model.active.len() {
@@ -86,7 +88,7 @@ fn on_branch(
     pole: Pole,
     touch: bool,
 ) -> Result<Meeting, NotIsolated> {
-    let mut pieces: Vec<usize> = (0..curves.list.len()).filter(|&c| curves.list[c].branch == branch).collect();
+    let mut pieces: Vec<CurveId> = curves.list.ids().filter(|&c| curves.list[c].branch == branch).collect();
     pieces.sort_by_key(|&c| curves.list[c].piece);
     let mut at = 0;
     for window in pieces.windows(2) {
@@ -107,7 +109,7 @@ fn on_branch(
 }
 
 /// The cusp or pitchfork between two successive pieces of a branch.
-fn station_between(curves: &Curves, p: usize, q: usize) -> Option<(End, Place)> {
+fn station_between(curves: &Curves, p: CurveId, q: CurveId) -> Option<(End, Place)> {
     let common = curves.list[p]
         .ends
         .into_iter()
@@ -152,8 +154,10 @@ pub(super) fn meets_pitchfork(model: &Model, place: &Place, pitchfork_group: usi
 }
 
 /// The piece of the line γ = ±r̂ (r on an axis), by the number of its pitchforks below.
-pub(super) fn line_pieces(curves: &Curves, pole: Pole) -> Vec<usize> {
-    let mut pieces: Vec<usize> = (0..curves.list.len())
+pub(super) fn line_pieces(curves: &Curves, pole: Pole) -> Vec<CurveId> {
+    let mut pieces: Vec<CurveId> = curves
+        .list
+        .ids()
         .filter(|&c| curves.list[c].pole == Some(pole) && matches!(curves.list[c].shape, Shape::Pole(_)))
         .collect();
     pieces.sort_by_key(|&c| curves.list[c].piece);

@@ -1,30 +1,30 @@
-//! Regions: a sample in each face and the topology there, by the certified latitude sweep.
+//! Regions: a sample in each and the topology there, by the certified latitude sweep.
 
 use dashu_ratio::RBig;
 
 use super::arrange::Arrangement;
 use top::body::Frame;
+use top::diagram::{Cell, RegionId};
+use top::table::Table;
 use top::topology::latitude::{self, SweepError};
 use top::topology::{Component, Poles};
 
-/// A point of a face: proved to lie between the curves around it.
+/// A point of a region: proved to lie between the curves around it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sample {
-    pub slab: usize,
-    /// Position of the curve below in the slab's order.
-    pub position: usize,
+    pub cell: Cell,
     /// Energy; a double.
     pub h: f64,
     /// Distances to the proved heights around, rounded down.
     pub margin: f64,
 }
 
-/// A face.
+/// A region.
 #[derive(Clone, Debug)]
 pub(super) struct Region {
-    /// (slab, position), by rising slab.
-    pub cells: Vec<(usize, usize)>,
-    /// `None`: the face is thinner than doubles.
+    /// By rising slab.
+    pub cells: Vec<Cell>,
+    /// `None`: the region is thinner than doubles.
     pub sample: Option<Sample>,
     /// The components of U_hl, or why they are not proved.
     pub components: Result<Vec<Component>, Unproved>,
@@ -42,25 +42,24 @@ pub(super) enum Unproved {
 /// How many samples are tried.
 const ATTEMPTS: usize = 3;
 
-pub(super) fn regions(arrangement: &Arrangement, frame: &Frame) -> Vec<Region> {
-    let mut cells = vec![Vec::new(); arrangement.faces];
-    for (slab, strip) in arrangement.slabs.iter().enumerate() {
-        for (position, &face) in strip.face_above.iter().enumerate() {
-            cells[face].push((slab, position));
+pub(super) fn regions(arrangement: &Arrangement, frame: &Frame) -> Table<RegionId, Region> {
+    let mut cells = Table::<RegionId, Vec<Cell>>::filled(Vec::new(), arrangement.region_count);
+    for (slab, strip) in arrangement.slabs.pairs() {
+        for (position, &region) in strip.region_above.iter().enumerate() {
+            cells[region].push(Cell { slab, position });
         }
     }
     cells.into_iter().map(|cells| region(arrangement, frame, cells)).collect()
 }
 
-fn region(arrangement: &Arrangement, frame: &Frame, cells: Vec<(usize, usize)>) -> Region {
-    let mut samples: Vec<(f64, Sample)> =
-        cells.iter().filter_map(|&(slab, position)| sample(arrangement, slab, position)).collect();
+fn region(arrangement: &Arrangement, frame: &Frame, cells: Vec<Cell>) -> Region {
+    let mut samples: Vec<(f64, Sample)> = cells.iter().filter_map(|&cell| sample(arrangement, cell)).collect();
     samples.sort_by(|p, q| q.0.total_cmp(&p.0));
     let mut components = Err(Unproved::Thin);
     let mut chosen = samples.first().map(|(_, sample)| sample.clone());
     for (_, sample) in samples.into_iter().take(ATTEMPTS) {
-        let strip = &arrangement.slabs[sample.slab];
-        if sample.position + 1 == strip.order.len() {
+        let strip = &arrangement.slabs[sample.cell.slab];
+        if sample.cell.position + 1 == strip.order.len() {
             // Above the maximum of U.
             components = Ok(vec![Component {
                 boundary_circles: 0,
@@ -78,7 +77,8 @@ fn region(arrangement: &Arrangement, frame: &Frame, cells: Vec<(usize, usize)>) 
 }
 
 /// A sample of a cell and how well it lies: its distance to the curves relative to the energies there.
-fn sample(arrangement: &Arrangement, slab: usize, position: usize) -> Option<(f64, Sample)> {
+fn sample(arrangement: &Arrangement, cell: Cell) -> Option<(f64, Sample)> {
+    let Cell { slab, position } = cell;
     let strip = &arrangement.slabs[slab];
     strip.l?;
     let x = strip.x.to_f64().value();
@@ -98,7 +98,7 @@ fn sample(arrangement: &Arrangement, slab: usize, position: usize) -> Option<(f6
     let inside = low[1] < h && strip.heights.get(position + 1).is_none_or(|high| h < high[0]);
     inside.then(|| {
         let margin = (h - low[1]).min(strip.heights.get(position + 1).map_or(f64::INFINITY, |high| high[0] - h));
-        (margin / scale, Sample { slab, position, h, margin })
+        (margin / scale, Sample { cell, h, margin })
     })
 }
 

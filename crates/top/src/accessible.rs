@@ -3,7 +3,7 @@
 use crate::atlas::{self, AtlasError};
 use crate::body::Body;
 use crate::classify::ClassifyError;
-use crate::curves::{CriticalSet, Point};
+use crate::curves::{CriticalSet, CurveId, Point};
 use crate::topology::merge::{MergeError, Partition};
 
 /// The accessible region U_hl of a body at one point that is not on a curve.
@@ -12,7 +12,7 @@ pub struct AccessibleRegion {
     set: CriticalSet,
     x: f64,
     /// Curves below h at this l, and the relative equilibria there.
-    below: Vec<(usize, Point)>,
+    below: Vec<(CurveId, Point)>,
 }
 
 impl AccessibleRegion {

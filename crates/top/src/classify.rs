@@ -4,9 +4,11 @@ use thiserror::Error;
 
 use crate::atlas::{self, Atlas, AtlasError, Location, MomentumError, Place};
 use crate::body::{Body, Number};
-use crate::curves::{CriticalSet, CurveName, Point, Pole};
+use crate::curves::{CriticalSet, CurveId, CurveName, Point, Pole};
 use crate::topology::merge::MergeError;
 use crate::topology::{Component, Poles};
+
+pub use crate::atlas::Margin;
 
 /// The components of U_hl in canonical order; none below the lowest critical value.
 pub type Components = Vec<Component>;
@@ -22,17 +24,6 @@ pub enum Answer {
     Critical(Vec<Components>),
     /// Closer to a curve than the error bound; each possible class, once.
     Undecided(Vec<Components>),
-}
-
-/// Distance in h to the nearest curve, and how much of it can be trusted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Margin {
-    /// |h − h_c| to the nearest critical curve or pole line at this l.
-    pub h: f64,
-    /// That curve; `None` when no curve was computed.
-    pub nearest: Option<CurveName>,
-    /// Bound on the error of `h`.
-    pub error_bound: f64,
 }
 
 /// The answer for one point.
@@ -148,7 +139,7 @@ fn open_at_one_momentum(
     x: f64,
 ) -> Result<Classification, ClassifyError> {
     let energy = h.to_f64() / set.frame.energy_unit;
-    let mut points: Vec<(usize, Point)> =
+    let mut points: Vec<(CurveId, Point)> =
         set.curves_over(x).0.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
     points.sort_by(|p, q| p.1.h().total_cmp(&q.1.h()));
     let error = |p: &Point| atlas::comparison_error(p, energy);
@@ -181,7 +172,7 @@ fn open_at_one_momentum(
 /// near to a curve, x to a cusp, or a join is not proved.
 fn at_one_momentum(set: &CriticalSet, h: &Number, x: f64) -> (Option<(Components, Margin)>, usize) {
     let (over, near_end) = set.curves_over(x);
-    let mut points: Vec<(usize, Point)> = over.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
+    let mut points: Vec<(CurveId, Point)> = over.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
     points.sort_by(|p, q| p.1.h().total_cmp(&q.1.h()));
     let count = points.len();
     let energy = h.to_f64() / set.frame.energy_unit;

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::atlas::{MomentumError, abscissa};
 use crate::body::{Body, Number};
-use crate::curves::{CriticalSet, CurveName, EquilibriaError, Orbit};
+use crate::curves::{CriticalSet, CurveId, CurveName, EquilibriaError, Orbit};
 use crate::stability::{Stability, stability_of};
 use numbers::UNIT_ROUNDOFF;
 
@@ -120,7 +120,7 @@ fn at_rest(set: &CriticalSet) -> Vec<Equilibrium> {
     }
     let equilibrium = |(side, index): (f64, u8)| {
         let gamma = frame.r_hat().map(|c| side * c);
-        let starts = |c: &usize| {
+        let starts = |c: &CurveId| {
             let curve = &set.curves[*c];
             curve.is_critical() && curve.x()[0] == 0.0 && (curve.index == Some(0)) == (index == 0)
         };
@@ -131,7 +131,7 @@ fn at_rest(set: &CriticalSet) -> Vec<Equilibrium> {
             index,
             multiplicity: Multiplicity::Points(1),
             stability: stability_of(frame, gamma, 0.0),
-            curve: (0..set.curves.len()).find(starts).map(|c| CurveName::of(set, c)),
+            curve: set.curves.ids().find(starts).map(|c| CurveName::of(set, c)),
         }
     };
     [(1.0, 0), (-1.0, 2)].map(equilibrium).to_vec()

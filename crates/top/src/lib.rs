@@ -10,4 +10,5 @@ pub mod critical;
 pub mod curves;
 pub mod diagram;
 pub mod stability;
+pub mod table;
 pub mod topology;

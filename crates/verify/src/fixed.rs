@@ -1,8 +1,11 @@
 //! Interval arithmetic on integers: both ends are multiples of 2⁻²⁵⁶.
+//!
+//! Ends are of any size, so nothing overflows and no end is infinite. What has no value (a quotient whose divisor may be
+//! 0, the root of a negative set, the common part of disjoint sets) is `None`, and the check that needed it fails.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use dashu_base::{Signed, SquareRoot};
+use dashu_base::{DivEuclid, Signed, SquareRoot};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
@@ -25,20 +28,24 @@ fn ceil_shift(n: IBig) -> IBig {
     -((-n) >> BITS)
 }
 
-fn floor_div(n: &IBig, d: &IBig) -> IBig {
-    let (n, d) = if d.is_negative() { (-n, -d) } else { (n.clone(), d.clone()) };
-    let quotient = &n / &d;
-    if n.is_negative() && &quotient * &d != n { quotient - IBig::ONE } else { quotient }
+/// ⌊n/d⌋ for d > 0.
+fn floor_div(n: IBig, d: &IBig) -> IBig {
+    n.div_euclid(d)
+}
+
+fn ceil_div(n: IBig, d: &IBig) -> IBig {
+    -(-n).div_euclid(d)
 }
 
 impl Fixed {
     pub fn of(x: &RBig) -> Self {
         let (n, d) = (x.numerator() << BITS, IBig::from(x.denominator().clone()));
-        Self { lo: floor_div(&n, &d), hi: -floor_div(&-n, &d) }
+        Self { lo: floor_div(n.clone(), &d), hi: ceil_div(n, &d) }
     }
 
-    pub fn between(lo: &RBig, hi: &RBig) -> Self {
-        Self { lo: Self::of(lo).lo, hi: Self::of(hi).hi }
+    /// All numbers between two; `None` when they are not in order.
+    pub fn between(lo: &RBig, hi: &RBig) -> Option<Self> {
+        (lo <= hi).then(|| Self { lo: Self::of(lo).lo, hi: Self::of(hi).hi })
     }
 
     pub fn whole(n: i32) -> Self {
@@ -46,6 +53,7 @@ impl Fixed {
         Self { lo: n.clone(), hi: n }
     }
 
+    /// 1, −1, or 0 for zero alone; `None` when the signs differ.
     pub fn sign(&self) -> Option<i8> {
         let zero = IBig::ZERO;
         if self.lo > zero {
@@ -59,33 +67,34 @@ impl Fixed {
         }
     }
 
+    /// 1 or −1 when every number here has that sign.
+    pub fn strict_sign(&self) -> Option<i8> {
+        self.sign().filter(|sign| *sign != 0)
+    }
+
     pub fn is_positive(&self) -> bool {
         self.sign() == Some(1)
     }
 
-    /// self / other; `None` when the divisor may vanish.
+    /// self / other; `None` when the divisor may be 0.
     pub fn over(&self, other: &Self) -> Option<Self> {
-        if !matches!(other.sign(), Some(1 | -1)) {
-            return None;
-        }
-        let mut ends = Vec::with_capacity(4);
-        for n in [&self.lo, &self.hi] {
-            for d in [&other.lo, &other.hi] {
-                ends.push((floor_div(&(n << BITS), d), -floor_div(&-(n << BITS), d)));
+        match other.strict_sign()? {
+            1 => {
+                let least = if self.lo.is_negative() { &other.lo } else { &other.hi };
+                let greatest = if self.hi.is_negative() { &other.hi } else { &other.lo };
+                Some(Self { lo: floor_div(&self.lo << BITS, least), hi: ceil_div(&self.hi << BITS, greatest) })
             }
+            _ => (-self).over(&-other),
         }
-        let lo = ends.iter().map(|e| e.0.clone()).min()?;
-        let hi = ends.into_iter().map(|e| e.1).max()?;
-        Some(Self { lo, hi })
     }
 
-    /// Square root of the part that is not negative.
-    pub fn root(&self) -> Self {
+    /// The square root of a number that is known not to be negative; `None` when every number here is.
+    pub fn root(&self) -> Option<Self> {
         let root = |n: &IBig| {
             let (_, magnitude) = (n << BITS).max(IBig::ZERO).into_parts();
             IBig::from(magnitude.sqrt())
         };
-        Self { lo: root(&self.lo), hi: root(&self.hi) + IBig::ONE }
+        (!self.hi.is_negative()).then(|| Self { lo: root(&self.lo), hi: root(&self.hi) + IBig::ONE })
     }
 
     pub fn square(&self) -> Self {
@@ -93,14 +102,18 @@ impl Fixed {
         Self { lo: product.lo.max(IBig::ZERO), hi: product.hi }
     }
 
+    pub fn half(&self) -> Self {
+        Self { lo: &self.lo >> 1usize, hi: -((-&self.hi) >> 1usize) }
+    }
+
     pub fn hull(&self, other: &Self) -> Self {
-        Self { lo: self.lo.clone().min(other.lo.clone()), hi: self.hi.clone().max(other.hi.clone()) }
+        Self { lo: (&self.lo).min(&other.lo).clone(), hi: (&self.hi).max(&other.hi).clone() }
     }
 
     /// Common part of two enclosures of one number; `None` when they contradict each other.
     pub fn meet(&self, other: &Self) -> Option<Self> {
-        let met = Self { lo: self.lo.clone().max(other.lo.clone()), hi: self.hi.clone().min(other.hi.clone()) };
-        (met.lo <= met.hi).then_some(met)
+        let (lo, hi) = ((&self.lo).max(&other.lo), (&self.hi).min(&other.hi));
+        (lo <= hi).then(|| Self { lo: lo.clone(), hi: hi.clone() })
     }
 
     pub fn middle(&self) -> Self {
@@ -124,6 +137,12 @@ impl Fixed {
         other.lo <= self.lo && self.hi <= other.hi
     }
 
+    /// The ends differ by less than 2⁻⁵⁰, as a double near 1 from the number that it stands for.
+    pub fn is_narrow(&self) -> bool {
+        ((&self.hi - &self.lo) >> (BITS - 50)).is_zero()
+    }
+
+    /// The double next to the middle: for messages and directions, not for bounds.
     pub fn to_f64(&self) -> f64 {
         let sum = RBig::from(&self.lo + &self.hi) / RBig::from(IBig::ONE << (BITS + 1));
         sum.to_f64().value()
@@ -173,29 +192,101 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn ratio(p: i64, q: u32) -> RBig {
-        RBig::from_parts(p.into(), q.into())
+    /// Ordinary rationals, zero and whole numbers, and numbers far larger and far smaller than the grid's step.
+    fn rationals() -> impl Strategy<Value = RBig> {
+        let ratio = |p: i64, q: u32| RBig::from_parts(p.into(), q.into());
+        let scale = |x: RBig, power: i32| {
+            let factor = RBig::from(IBig::ONE << power.unsigned_abs() as usize);
+            if power < 0 { x / factor } else { x * factor }
+        };
+        prop_oneof![
+            (-9999i64..9999, 1u32..999).prop_map(move |(p, q)| ratio(p, q)),
+            (-3i64..=3).prop_map(RBig::from),
+            (any::<i64>(), 1u32..u32::MAX, -400i32..400).prop_map(move |(p, q, power)| scale(ratio(p, q), power)),
+        ]
+    }
+
+    /// A set, some of one number, and a member of it.
+    fn sets() -> impl Strategy<Value = (Fixed, RBig)> {
+        (rationals(), rationals(), rationals()).prop_map(|(p, q, x)| {
+            let (lo, hi) = if p <= q { (p, q) } else { (q, p) };
+            let x = x.clamp(lo.clone(), hi.clone());
+            (Fixed::between(&lo, &hi).expect("in order"), x)
+        })
     }
 
     fn holds(set: &Fixed, x: &RBig) -> bool {
-        Fixed::of(x).inside(&Fixed { lo: &set.lo - IBig::ONE, hi: &set.hi + IBig::ONE })
+        let scaled = x * RBig::from(IBig::ONE << BITS);
+        set.lo <= set.hi && RBig::from(set.lo.clone()) <= scaled && scaled <= RBig::from(set.hi.clone())
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+
         #[test]
-        fn operations_enclose(p in -9999i64..9999, q in -9999i64..9999, s in 1u32..999, t in 1u32..999) {
-            let (x, y) = (ratio(p, s), ratio(q, t));
-            let (a, b) = (Fixed::of(&x), Fixed::of(&y));
+        fn operations_hold_every_result((a, x) in sets(), (b, y) in sets()) {
+            prop_assert!(holds(&a, &x) && holds(&Fixed::of(&x), &x));
             prop_assert!(holds(&(&a + &b), &(&x + &y)));
             prop_assert!(holds(&(&a - &b), &(&x - &y)));
             prop_assert!(holds(&(&a * &b), &(&x * &y)));
-            if q != 0 {
-                prop_assert!(holds(&a.over(&b).unwrap(), &(&x / &y)));
+            prop_assert!(holds(&-&a, &-&x));
+            prop_assert!(holds(&a.square(), &(&x * &x)));
+            prop_assert!(holds(&a.half(), &(&x / RBig::from(2))));
+            prop_assert!(holds(&a.hull(&b), &x) && holds(&a.hull(&b), &y));
+            match a.over(&b) {
+                Some(quotient) => prop_assert!(holds(&quotient, &(&x / &y))),
+                None => prop_assert!(holds(&b, &RBig::ZERO)),
             }
-            let root = a.square().root();
-            let expected = x.clone().max(-x.clone());
-            prop_assert!(holds(&root, &expected));
-            prop_assert_eq!((&a - &b).sign() == Some(1), x > y);
         }
+
+        #[test]
+        fn roots_hold_every_root((a, x) in sets()) {
+            // √t of t = x² is |x|; sets that reach below 0 stand for their other part.
+            let size = x.clone().max(-x);
+            let square = a.square();
+            prop_assert!(holds(&square.root().unwrap(), &size));
+            let reaching = square.hull(&Fixed::whole(-1));
+            prop_assert!(holds(&reaching.root().unwrap(), &size));
+        }
+
+        #[test]
+        fn common_parts_hold_common_members((a, x) in sets(), (b, _) in sets()) {
+            match a.meet(&b) {
+                Some(met) => prop_assert!(met.inside(&a) && met.inside(&b) && (!holds(&b, &x) || holds(&met, &x))),
+                None => prop_assert!(a.below(&b) || b.below(&a)),
+            }
+        }
+
+        #[test]
+        fn order_and_signs_are_claimed_only_when_certain((a, x) in sets(), (b, y) in sets()) {
+            prop_assert!(!a.below(&b) || x < y);
+            prop_assert!(!a.at_most(&b) || x <= y);
+            prop_assert!(!a.inside(&b) || holds(&b, &x));
+            let zero = RBig::ZERO;
+            let right = match a.sign() {
+                Some(1) => x > zero,
+                Some(0) => x == zero,
+                Some(_) => x < zero,
+                None => holds(&a, &zero),
+            };
+            prop_assert!(right);
+        }
+    }
+
+    #[test]
+    fn what_has_no_value_has_no_set() {
+        let (one, two) = (Fixed::whole(1), Fixed::whole(2));
+        assert_eq!(one.over(&(&one - &one)), None);
+        assert_eq!((-&one).root(), None);
+        assert_eq!(one.meet(&two), None);
+        assert_eq!(Fixed::between(&RBig::from(2), &RBig::ONE), None);
+        assert_eq!(Fixed::whole(0).root().unwrap().lo, IBig::ZERO);
+    }
+
+    #[test]
+    fn narrow_sets_have_ends_that_doubles_hardly_tell_apart() {
+        let step = |bits: usize| RBig::from_parts(IBig::ONE, dashu_int::UBig::ONE << bits);
+        assert!(Fixed::between(&-step(52), &step(52)).unwrap().is_narrow());
+        assert!(!Fixed::between(&RBig::ZERO, &step(50)).unwrap().is_narrow());
     }
 }

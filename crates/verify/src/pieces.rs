@@ -3,8 +3,11 @@
 use dashu_ratio::RBig;
 
 use super::Refused;
-use super::family::{Place, Point, Side, Spaces};
+use super::equilibria::Point;
 use super::fixed::Fixed;
+use super::place::{Place, Side};
+use super::roots::count;
+use super::spaces::Spaces;
 
 /// The family of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +31,13 @@ pub(super) enum End {
     Pitchfork(usize),
 }
 
+impl End {
+    /// A cusp or a pitchfork: curves meet there.
+    pub fn is_station(self) -> bool {
+        matches!(self, Self::Cusp(_) | Self::Pitchfork(_))
+    }
+}
+
 /// A curve.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
@@ -38,7 +48,7 @@ pub(super) struct Piece {
     /// x rises with the parameter.
     pub rising: bool,
     pub ends: [End; 2],
-    /// μ ≥ the largest moment: the global minimum.
+    /// μ ≥ the largest moment: the global minimum (Proposition 4.3).
     pub lowest: bool,
     /// The space at whose axis it ends for x → ∞, and 1 at +e, −1 at −e, 0 without r.
     pub limit: Option<(usize, i8)>,
@@ -131,11 +141,11 @@ impl Pieces {
         }
     }
 
-    fn generic(&mut self, spaces: &Spaces, number: usize) -> Result<(), Refused> {
-        let left = number.checked_sub(1).map(|n| spaces.active[n]);
-        let right = spaces.active.get(number).copied();
-        let above = |mu: &RBig| left.is_none_or(|k| *mu > spaces.list[k].a);
-        let below = |mu: &RBig| right.is_none_or(|k| *mu < spaces.list[k].a);
+    /// The cusps and pitchforks of a branch of the generic family, by rising μ.
+    fn stations(&mut self, spaces: &Spaces, number: usize) -> Result<Vec<Station>, Refused> {
+        let [left, right] = spaces.interval(number);
+        let above = |mu: &RBig| left.is_none_or(|a| mu > a);
+        let below = |mu: &RBig| right.is_none_or(|a| mu < a);
         let mut stations: Vec<Station> = Vec::new();
         for (cusp, place) in self.cusps.iter().enumerate().filter(|(_, place)| place.side != Side::Over) {
             let range = place.range(spaces);
@@ -143,29 +153,35 @@ impl Pieces {
                 stations.push(Station { range, end: End::Cusp(cusp) });
             }
         }
-        let mut forks: Vec<usize> =
-            spaces.passive().into_iter().filter(|&k| above(&spaces.list[k].a) && below(&spaces.list[k].a)).collect();
-        forks.sort_by(|&p, &q| spaces.list[p].a.cmp(&spaces.list[q].a));
-        for base in forks {
-            let mu = spaces.list[base].a.clone();
-            stations.push(Station { range: [mu.clone(), mu], end: End::Pitchfork(self.forks.len()) });
-            self.forks.push(Fork { base, curves: Vec::new() });
+        for base in spaces.passive() {
+            let mu = &spaces.list[base].a;
+            if above(mu) && below(mu) {
+                stations.push(Station { range: [mu.clone(), mu.clone()], end: End::Pitchfork(self.forks.len()) });
+                self.forks.push(Fork { base, curves: Vec::new() });
+            }
         }
         stations.sort_by(|p, q| p.range[0].cmp(&q.range[0]));
         if stations.windows(2).any(|pair| pair[0].range[1] >= pair[1].range[0]) {
             return Err(Refused::Overlap { what: format!("cusps or pitchforks of the branch G{number}") });
         }
-        let mut rising = number == 0;
-        let mut start: (Option<[RBig; 2]>, End) = (None, if number == 0 { End::Origin } else { End::Infinity });
-        let last = number == spaces.active.len();
+        Ok(stations)
+    }
+
+    /// A branch of the generic family, cut at its cusps and pitchforks. x turns at each cusp.
+    fn generic(&mut self, spaces: &Spaces, number: usize) -> Result<(), Refused> {
+        let stations = self.stations(spaces, number)?;
+        let [left, right] = [number.checked_sub(1), Some(number)].map(|n| spaces.active.get(n?).copied());
+        let (first, last) = (number == 0, number == spaces.active.len());
+        let largest = spaces.list.len() - 1;
+        let mut rising = first;
+        let mut start: (Option<[RBig; 2]>, End) = (None, if first { End::Origin } else { End::Infinity });
         for piece in 0..=stations.len() {
             let station = stations.get(piece);
             let end = station.map_or(if last { End::Origin } else { End::Infinity }, |s| s.end);
             let range = [start.0.clone(), station.map(|s| s.range.clone())];
-            let this = self.list.len();
             for end in [start.1, end] {
                 if let End::Pitchfork(fork) = end {
-                    self.forks[fork].curves.push(this);
+                    self.forks[fork].curves.push(self.list.len());
                 }
             }
             let limit = if start.1 == End::Infinity && piece == 0 {
@@ -175,7 +191,6 @@ impl Pieces {
             } else {
                 None
             };
-            let largest = spaces.list.len() - 1;
             let lowest = match &range[0] {
                 Some([mu, _]) => *mu >= spaces.list[largest].a,
                 None => last && left == Some(largest),
@@ -190,26 +205,21 @@ impl Pieces {
                 limit,
                 critical: true,
             });
-            if let Some(Station { end: End::Cusp(_), .. }) = station {
-                rising = !rising;
-            }
+            rising ^= matches!(end, End::Cusp(_));
             start = (station.map(|s| s.range.clone()), end);
         }
         Ok(())
     }
 
+    /// The symmetric pairs over the spaces without r, each cut at the cusp of its closed form if there is one.
     fn pairs(&mut self, spaces: &Spaces) -> Result<(), Refused> {
         if spaces.active.is_empty() {
             return Ok(());
         }
         for base in spaces.passive() {
-            let (r_sum, p_sum) = spaces.sums(base);
-            let turn = r_sum * RBig::from(-3) / &spaces.list[base].a - p_sum;
             let Some(fork) = self.forks.iter().position(|f| f.base == base) else {
                 return Err(Refused::Overlap { what: "pitchforks".to_owned() });
             };
-            let listed = self.cusps.iter().position(|c| c.side == Side::Over && c.base == base);
-            let zero = [RBig::ZERO, RBig::ZERO];
             let piece = |number: usize, range, rising, ends, limit| Piece {
                 id: format!("{}.{number}", pair_name(spaces, base)),
                 family: Family::Over(base),
@@ -221,26 +231,35 @@ impl Pieces {
                 critical: true,
             };
             let first = self.list.len();
-            if turn > RBig::ZERO {
-                let cusp = listed.filter(|&c| self.cusps[c].lo <= turn && turn <= self.cusps[c].hi);
-                let Some(cusp) = cusp else {
-                    return Err(Refused::CuspCount { branch: pair_name(spaces, base), listed: 0, counted: 1 });
-                };
-                let at = [turn.clone(), turn];
+            let zero = Some([RBig::ZERO, RBig::ZERO]);
+            if let Some((cusp, turn)) = self.turn(spaces, base)? {
+                let at = Some([turn.clone(), turn]);
                 let ends = [End::Cusp(cusp), End::Pitchfork(fork)];
-                self.list.push(piece(1, [Some(zero), Some(at.clone())], false, ends, None));
+                self.list.push(piece(1, [zero, at.clone()], false, ends, None));
                 let ends = [End::Cusp(cusp), End::Infinity];
-                self.list.push(piece(2, [Some(at), None], true, ends, Some((base, 0))));
+                self.list.push(piece(2, [at, None], true, ends, Some((base, 0))));
             } else {
-                if listed.is_some() {
-                    return Err(Refused::CuspCount { branch: pair_name(spaces, base), listed: 1, counted: 0 });
-                }
                 let ends = [End::Pitchfork(fork), End::Infinity];
-                self.list.push(piece(1, [Some(zero), None], true, ends, Some((base, 0))));
+                self.list.push(piece(1, [zero, None], true, ends, Some((base, 0))));
             }
             self.forks[fork].curves.push(first);
         }
         Ok(())
+    }
+
+    /// Proposition 4.7: the cusp of the pair over a space without r, at y = −3R̂/a − P̂ if that is positive: listed exactly then, and once.
+    fn turn(&self, spaces: &Spaces, base: usize) -> Result<Option<(usize, RBig)>, Refused> {
+        let (r_sum, p_sum) = spaces.sums(base);
+        let turn = r_sum * RBig::from(-3) / &spaces.list[base].a - p_sum;
+        let over = |cusp: &usize| self.cusps[*cusp].side == Side::Over && self.cusps[*cusp].base == base;
+        let listed: Vec<usize> = (0..self.cusps.len()).filter(over).collect();
+        let counted = usize::from(turn > RBig::ZERO);
+        let held = listed.iter().all(|&c| self.cusps[c].lo <= turn && turn <= self.cusps[c].hi);
+        if listed.len() != counted || !held {
+            let (listed, counted) = (count(&listed), i64::from(turn > RBig::ZERO));
+            return Err(Refused::CuspCount { branch: pair_name(spaces, base), listed, counted });
+        }
+        Ok(listed.first().map(|&cusp| (cusp, turn)))
     }
 
     /// The curves that end at a cusp.
@@ -259,18 +278,11 @@ impl Pieces {
             (End::Pitchfork(fork), Family::Over(_) | Family::Line(_)) => {
                 spaces.point(self.forks[fork].base, Side::Over, &Fixed::whole(0))
             }
-            (End::Pitchfork(_), Family::Generic(number)) => {
-                let (base, side_of) = coordinates(spaces, number);
-                let mu = &spaces.list[self.forks_base(piece.ends[side])?].a;
-                spaces.point(base, side_of, &Fixed::of(&distance(spaces, base, side_of, mu)))
+            (End::Pitchfork(fork), Family::Generic(number)) => {
+                let (base, side) = coordinates(spaces, number);
+                let mu = &spaces.list[self.forks[fork].base].a;
+                spaces.point(base, side, &Fixed::of(&distance(spaces, base, side, mu)))
             }
-            _ => None,
-        }
-    }
-
-    fn forks_base(&self, end: End) -> Option<usize> {
-        match end {
-            End::Pitchfork(fork) => Some(self.forks[fork].base),
             _ => None,
         }
     }

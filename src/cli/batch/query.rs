@@ -7,7 +7,7 @@ use thiserror::Error;
 use top::body::{Body, BodyError, Number, ParseNumberError};
 
 use super::lines::MAX_LINE;
-use crate::cli::subject::Subject;
+use crate::cli::input::Subject;
 
 /// What a line must say besides the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,10 +5,11 @@ use plot::{DiagramOptions, Picture, draw};
 use top::atlas::Atlas;
 use top::body::Preset;
 
-use super::super::atlas::Curves;
-use super::super::failure::Failure;
-use super::super::timings::Timings;
-use super::Figure;
+use super::figure::Figure;
+use crate::cli::atlas::{Curves, NoAtlas};
+use crate::cli::export::ExportError;
+use crate::cli::failure::Failure;
+use crate::cli::terminal::Timings;
 
 /// Name of the file, name of the body.
 const DIAGRAMS: [(&str, &str); 9] = [
@@ -29,9 +30,10 @@ pub fn figures() -> impl Iterator<Item = Figure> {
 }
 
 fn diagram(preset: &Preset, timings: &Timings) -> Result<Picture, Failure> {
-    let atlas = Atlas::new(&preset.body())?;
+    let atlas = Atlas::new(&preset.body()).map_err(NoAtlas::from)?;
     let document = documents::atlas::document(&atlas, &DocumentOptions::default());
-    Ok(timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &DiagramOptions::default()))?)
+    let picture = timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &DiagramOptions::default()));
+    Ok(picture.map_err(ExportError::from)?)
 }
 
 #[cfg(test)]

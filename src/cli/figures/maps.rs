@@ -11,10 +11,11 @@ use survey::{Design, Family, Parameter, katok};
 use top::atlas::Atlas;
 use top::body::{Body, Preset};
 
-use super::super::failure::Failure;
-use super::super::scan::map::{Seen, map};
-use super::super::scan::{ScanInput, Shown};
-use super::Figure;
+use super::figure::Figure;
+use crate::cli::export::ExportError;
+use crate::cli::failure::Failure;
+use crate::cli::scan::map::{Seen, map};
+use crate::cli::scan::{ScanInput, Shown};
 
 pub fn figures() -> impl Iterator<Item = Figure> {
     let maps = [
@@ -25,7 +26,7 @@ pub fn figures() -> impl Iterator<Item = Figure> {
     ];
     maps.into_iter().map(|(stem, make)| Figure {
         stem,
-        draw: Box::new(move |timings| timings.stage(stem, || Ok(draw_map(&make()?)?))),
+        draw: Box::new(move |timings| timings.stage(stem, || Ok(draw_map(&make()?).map_err(ExportError::from)?))),
     })
 }
 

@@ -1,32 +1,24 @@
 //! `bifdiag figures`: every figure, made by one command.
 
+mod arguments;
 mod diagrams;
+mod error;
+mod figure;
 mod maps;
 mod schemes;
 mod sections;
 mod tradeoff;
 mod typical;
 
-use plot::Picture;
-
-use super::arguments::{FiguresArguments, Format};
+use super::export::FileSet;
 use super::failure::Failure;
-use super::files::FileSet;
-use super::output;
-use super::report::Report;
-use super::timings::Timings;
+use super::terminal::{Report, Timings, print};
+use figure::Figure;
+
+pub use arguments::{EXAMPLES, FiguresArguments};
 
 /// Dots per inch of PNG: enough for a screen, and small enough for the repository.
-const PNG_RESOLUTION: f64 = 144.0;
-
-/// How a figure is drawn.
-type Draw = dyn Fn(&Timings) -> Result<Picture, Failure>;
-
-/// A figure: the name of its files and how it is drawn.
-struct Figure {
-    stem: &'static str,
-    draw: Box<Draw>,
-}
+const RESOLUTION: f64 = 144.0;
 
 /// Every figure, in the order of the gallery.
 fn figures() -> Vec<Figure> {
@@ -42,16 +34,9 @@ pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failur
     let mut files = FileSet::new(&arguments.out);
     for figure in figures() {
         let picture = (figure.draw)(timings)?;
-        for format in &arguments.format {
-            let (extension, bytes) = match format {
-                Format::Svg => ("svg", picture.svg.clone().into_bytes()),
-                Format::Png => ("png", timings.stage("png", || picture.to_png(PNG_RESOLUTION))?),
-                Format::Pdf => ("pdf", timings.stage("pdf", || picture.to_pdf())?),
-            };
-            files.add(format!("{}.{extension}", figure.stem), bytes);
-        }
+        files.pictures(figure.stem, &picture, &arguments.format, RESOLUTION, timings)?;
     }
-    Ok(output::print(Report::of_paths(&files.write()?).text().as_bytes())?)
+    Ok(print(Report::of_paths(&files.write()?).text())?)
 }
 
 #[cfg(test)]

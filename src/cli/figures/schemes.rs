@@ -2,7 +2,8 @@
 
 use plot::{Scheme, draw_scheme};
 
-use super::Figure;
+use super::figure::Figure;
+use crate::cli::export::ExportError;
 
 /// Name of the file and what is drawn.
 const SCHEMES: [(&str, Scheme); 3] = [
@@ -12,5 +13,8 @@ const SCHEMES: [(&str, Scheme); 3] = [
 ];
 
 pub fn figures() -> impl Iterator<Item = Figure> {
-    SCHEMES.into_iter().map(|(stem, scheme)| Figure { stem, draw: Box::new(move |_| Ok(draw_scheme(scheme)?)) })
+    SCHEMES.into_iter().map(|(stem, scheme)| Figure {
+        stem,
+        draw: Box::new(move |_| Ok(draw_scheme(scheme).map_err(ExportError::from)?)),
+    })
 }

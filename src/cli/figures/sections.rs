@@ -4,10 +4,12 @@ use dynamics::section::{OrbitSection, Portrait, PortraitOptions, SectionConditio
 use plot::{Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
 use top::body::{Body, Preset};
 
-use super::super::failure::Failure;
-use super::super::timings::Timings;
-use super::Figure;
+use super::error::FigureSection;
+use super::figure::Figure;
 use super::typical::{orbit, typical_orbits};
+use crate::cli::export::ExportError;
+use crate::cli::failure::Failure;
+use crate::cli::terminal::Timings;
 
 /// A figure of sections.
 struct Sections {
@@ -110,7 +112,7 @@ fn draw(sections: &Sections, timings: &Timings) -> Result<Picture, Failure> {
     let options = PortraitOptions { condition: sections.condition, ..PortraitOptions::default() };
     let mut parts = Vec::new();
     for row in sections.rows {
-        let portrait = Portrait::new(&body, row.h, row.l, &options)?;
+        let portrait = Portrait::new(&body, row.h, row.l, &options).map_err(FigureSection::from)?;
         let orbits = timings.stage(sections.stem, || orbits(&portrait, row))?;
         parts.push((portrait, orbits));
     }
@@ -120,10 +122,10 @@ fn draw(sections: &Sections, timings: &Timings) -> Result<Picture, Failure> {
         .map(|((portrait, orbits), row)| SectionScene { portrait, orbits, values: None, caption: row.caption })
         .collect();
     let options = SectionOptions { projection: sections.projection, raster_above: 4000, ..SectionOptions::default() };
-    Ok(draw_section_rows(&scenes, &options)?)
+    Ok(draw_section_rows(&scenes, &options).map_err(ExportError::from)?)
 }
 
-fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, Failure> {
+fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, FigureSection> {
     match row.orbits {
         Orbits::None => Ok(Vec::new()),
         Orbits::Typical => typical_orbits(portrait),

@@ -1,15 +1,17 @@
 //! The charts of what accuracy costs, from the tables of `data/tradeoff/`.
 
-use plot::{Chart, ChartAxis, ChartPanel, Picture, PlotError, Scale, Series, draw_chart};
+use csv::StringRecord;
+use plot::{Chart, ChartAxis, ChartPanel, Picture, Scale, Series, draw_chart};
 
-use super::Figure;
+use super::figure::Figure;
+use crate::cli::export::ExportError;
 
 const CLASSIFY: &str = include_str!("../../../data/tradeoff/classify.csv");
 const ATLAS: &str = include_str!("../../../data/tradeoff/atlas.csv");
 const ORBITS: &str = include_str!("../../../data/tradeoff/orbits.csv");
 const POLYLINES: &str = include_str!("../../../data/tradeoff/polylines.csv");
 
-type Draw = fn() -> Result<Picture, PlotError>;
+type Draw = fn() -> Result<Picture, ExportError>;
 
 const CHARTS: [(&str, Draw); 4] = [
     ("tradeoff-classify", classify),
@@ -24,28 +26,28 @@ pub fn figures() -> impl Iterator<Item = Figure> {
 
 /// A table with a head.
 struct Table {
-    columns: Vec<&'static str>,
-    rows: Vec<Vec<&'static str>>,
+    columns: StringRecord,
+    rows: Vec<StringRecord>,
 }
 
 impl Table {
-    fn new(text: &'static str) -> Self {
-        let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
-        Self { columns: lines.next().unwrap_or_default(), rows: lines.collect() }
+    fn new(text: &str) -> Result<Self, csv::Error> {
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        Ok(Self { columns: reader.headers()?.clone(), rows: reader.into_records().collect::<Result<_, _>>()? })
     }
 
-    fn text(&self, row: &[&'static str], column: &str) -> &'static str {
-        let at = self.columns.iter().position(|name| *name == column);
-        at.and_then(|at| row.get(at).copied()).unwrap_or_default()
+    fn text<'a>(&self, row: &'a StringRecord, column: &str) -> &'a str {
+        let at = self.columns.iter().position(|name| name == column);
+        at.and_then(|at| row.get(at)).unwrap_or_default()
     }
 
     /// NaN, which is not drawn, for an empty cell.
-    fn number(&self, row: &[&'static str], column: &str) -> f64 {
+    fn number(&self, row: &StringRecord, column: &str) -> f64 {
         self.text(row, column).parse().unwrap_or(f64::NAN)
     }
 
     /// Per cent of the rows' points for which the columns count.
-    fn share(&self, row: &[&'static str], counted: &[&str], of: &str) -> f64 {
+    fn share(&self, row: &StringRecord, counted: &[&str], of: &str) -> f64 {
         100.0 * counted.iter().map(|column| self.number(row, column)).sum::<f64>() / self.number(row, of)
     }
 
@@ -55,8 +57,8 @@ impl Table {
         column: &str,
         names: &[&str],
         joined: bool,
-        choose: impl Fn(&[&'static str]) -> bool,
-        point: impl Fn(&[&'static str]) -> [f64; 2],
+        choose: impl Fn(&StringRecord) -> bool,
+        point: impl Fn(&StringRecord) -> [f64; 2],
     ) -> Vec<Series> {
         let of = |name: usize| {
             let rows = self.rows.iter().filter(|row| self.text(row, column) == names[name] && choose(row));
@@ -77,13 +79,13 @@ fn names(names: &[&str]) -> Vec<String> {
 /// What is not answered: undecided, or without any answer.
 const OPEN: [&str; 2] = ["undecided", "failed"];
 
-fn classify() -> Result<Picture, PlotError> {
+fn classify() -> Result<Picture, ExportError> {
     const METHODS: [&str; 6] =
         ["standard", "certified", "companion matrix", "flood fill 32x64", "flood fill 96x192", "flood fill 256x512"];
-    let table = Table::new(CLASSIFY);
+    let table = Table::new(CLASSIFY)?;
     let beside =
-        |row: &[&'static str]| table.text(row, "stratum") == "generic" && !table.text(row, "distance").is_empty();
-    let random = |row: &[&'static str]| table.text(row, "distance").is_empty();
+        |row: &StringRecord| table.text(row, "stratum") == "generic" && !table.text(row, "distance").is_empty();
+    let random = |row: &StringRecord| table.text(row, "distance").is_empty();
     let panel = |title: &str, counted: &'static [&'static str]| ChartPanel {
         title: title.to_owned(),
         x: axis("relative distance from a curve", Scale::Descending),
@@ -92,7 +94,7 @@ fn classify() -> Result<Picture, PlotError> {
             [table.number(row, "distance"), table.share(row, counted, "points")]
         }),
     };
-    draw_chart(&Chart {
+    Ok(draw_chart(&Chart {
         title: "Classification of a point: wrong and open answers, and time".to_owned(),
         names: names(&METHODS),
         panels: vec![
@@ -108,10 +110,10 @@ fn classify() -> Result<Picture, PlotError> {
                 }),
             },
         ],
-    })
+    })?)
 }
 
-fn atlas() -> Result<Picture, PlotError> {
+fn atlas() -> Result<Picture, ExportError> {
     const METHODS: [&str; 8] = [
         "regions alone",
         "draft",
@@ -122,7 +124,7 @@ fn atlas() -> Result<Picture, PlotError> {
         "flood fill 24x24 points of 48x96",
         "flood fill 40x40 points of 64x128",
     ];
-    let table = Table::new(ATLAS);
+    let table = Table::new(ATLAS)?;
     let panel = |title: &str, counted: &'static [&'static str]| ChartPanel {
         title: title.to_owned(),
         x: axis("CPU time of a body in µs (median)", Scale::Logarithmic),
@@ -135,16 +137,16 @@ fn atlas() -> Result<Picture, PlotError> {
             |row| [table.number(row, "cpu_us_median"), table.share(row, counted, "bodies")],
         ),
     };
-    draw_chart(&Chart {
+    Ok(draw_chart(&Chart {
         title: "Atlas of a body: wrong and open answers, and time".to_owned(),
         names: names(&METHODS),
         panels: vec![panel("wrong", &["wrong"]), panel("undecided", &OPEN)],
-    })
+    })?)
 }
 
-fn orbits() -> Result<Picture, PlotError> {
+fn orbits() -> Result<Picture, ExportError> {
     const METHODS: [&str; 4] = ["taylor", "dop853", "rk4", "splitting"];
-    let table = Table::new(ORBITS);
+    let table = Table::new(ORBITS)?;
     let panel = |title: &str, h: &'static str, column: &'static str, label: &str| ChartPanel {
         title: title.to_owned(),
         x: axis("CPU time of a crossing in µs", Scale::Logarithmic),
@@ -157,7 +159,7 @@ fn orbits() -> Result<Picture, PlotError> {
             |row| [table.number(row, "cpu_us_per_crossing"), table.number(row, column)],
         ),
     };
-    draw_chart(&Chart {
+    Ok(draw_chart(&Chart {
         title: "Orbits: error against time".to_owned(),
         names: vec!["Taylor".to_owned(), "DOP853".to_owned(), "Runge–Kutta 4".to_owned(), "splitting".to_owned()],
         panels: vec![
@@ -165,12 +167,12 @@ fn orbits() -> Result<Picture, PlotError> {
             panel("chaotic orbits, h = 4.45", "4.45", "error_100", "error of γ and l at crossing 100"),
             panel("chaotic orbits, h = 4.45", "4.45", "drift_energy", "drift of the energy over 100 crossings"),
         ],
-    })
+    })?)
 }
 
-fn polylines() -> Result<Picture, PlotError> {
+fn polylines() -> Result<Picture, ExportError> {
     const LEVELS: [&str; 2] = ["draft", "standard"];
-    let table = Table::new(POLYLINES);
+    let table = Table::new(POLYLINES)?;
     let panel = |title: &str, column: &'static str, label: &str| ChartPanel {
         title: title.to_owned(),
         x: axis("tolerance, relative to the picture", Scale::Descending),
@@ -183,7 +185,7 @@ fn polylines() -> Result<Picture, PlotError> {
             |row| [table.number(row, "tolerance"), table.number(row, column)],
         ),
     };
-    draw_chart(&Chart {
+    Ok(draw_chart(&Chart {
         title: "Polylines: tolerance against deviation, size and time".to_owned(),
         names: names(&LEVELS),
         panels: vec![
@@ -191,7 +193,7 @@ fn polylines() -> Result<Picture, PlotError> {
             panel("size", "json_bytes", "bytes of atlas.json (median)"),
             panel("time", "document_us", "CPU time of curves and stability in µs (median)"),
         ],
-    })
+    })?)
 }
 
 #[cfg(test)]
@@ -204,7 +206,7 @@ mod tests {
             let picture = draw().unwrap();
             assert!(picture.svg.contains("<polyline") || picture.svg.contains("<circle"), "{stem} is empty");
         }
-        let table = Table::new(ORBITS);
+        let table = Table::new(ORBITS).unwrap();
         assert!(table.rows.iter().all(|row| table.number(row, "error_100") > 0.0));
     }
 }

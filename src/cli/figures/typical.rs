@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use dynamics::field::State;
 use dynamics::section::{Chart, Monitor, OrbitSection, Portrait, SweepOptions, sweep};
 
-use super::super::failure::Failure;
+use super::error::FigureSection;
 
 /// Crossings of each orbit.
 const CROSSINGS: usize = 1600;
@@ -25,7 +25,7 @@ type Start = ([f64; 2], usize, State);
 
 /// Typical orbits on either side of γ₁ = 0, which for the paper's body parts the components of the section that are
 /// apart.
-pub fn typical_orbits(portrait: &Portrait) -> Result<Vec<OrbitSection>, Failure> {
+pub fn typical_orbits(portrait: &Portrait) -> Result<Vec<OrbitSection>, FigureSection> {
     let mut orbits: Vec<OrbitSection> = Vec::new();
     for side in [true, false] {
         let on_side =
@@ -74,7 +74,7 @@ fn starts(states: impl Fn([f64; 2]) -> Option<[State; 2]>, tries: f64) -> impl I
 }
 
 /// One orbit with its crossings.
-pub fn orbit(portrait: &Portrait, state: State, number: usize) -> Result<OrbitSection, Failure> {
+pub fn orbit(portrait: &Portrait, state: State, number: usize) -> Result<OrbitSection, FigureSection> {
     let options = SweepOptions { crossings: CROSSINGS, condition: portrait.condition(), ..SweepOptions::default() };
     let mut orbits = sweep(portrait.torus(), &[state], &options, &Monitor::default())?;
     let mut orbit = orbits.remove(0);

@@ -4,10 +4,9 @@ use clap::Args;
 use top::body::Number;
 
 use super::times::Times;
-use crate::cli::arguments::BodyArguments;
-use crate::cli::data::DataTarget;
-use crate::cli::integration::IntegratorArguments;
-use crate::cli::values::{self, Vector};
+use crate::cli::export::DataTarget;
+use crate::cli::input::values::{self, Vector};
+use crate::cli::input::{BodyArguments, IntegratorArguments};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -68,7 +67,7 @@ pub struct OrbitArguments {
     #[command(flatten)]
     pub integrator: IntegratorArguments,
     /// Write the samples to FILE.csv, FILE.npz or FILE.jsonl (-: CSV to stdout)
-    #[arg(long, value_name = "FILE", value_parser = values::data_target, help_heading = "Output")]
+    #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]

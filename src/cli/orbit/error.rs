@@ -1,12 +1,17 @@
-//! Wrong input of `orbit`: each message names the argument, the value and what would be right.
+//! What can go wrong about a motion.
 
 use std::io;
 use std::path::PathBuf;
 
+use dynamics::integrator::StepError;
+use dynamics::motion::MotionError;
 use thiserror::Error;
 
+use crate::cli::failure::{CommandError, Exit};
+
+/// Wrong input: each message names the argument, the value and what would be right.
 #[derive(Debug, Error)]
-pub enum OrbitInputError {
+pub enum OrbitInput {
     #[error(
         "no start is given; use --gamma 0.6,0,0.8 with --omega 1,0.3,1 (or --l-vector), or a point of the section: \
          --h 4.45 --l 3.25 --theta 1.2 --psi pi/2"
@@ -37,4 +42,27 @@ pub enum OrbitInputError {
     NoTimes { path: PathBuf },
     #[error("--data - and --json both want stdout; give --data FILE.csv")]
     TwoOnStdout,
+}
+
+impl CommandError for OrbitInput {
+    fn exit(&self) -> Exit {
+        Exit::WrongInput
+    }
+}
+
+/// Why samples are missing.
+#[derive(Debug, Error)]
+pub enum OrbitFailure {
+    #[error("the motion could not be computed")]
+    Follow(#[from] MotionError),
+    #[error("{done} of {wanted} samples were computed")]
+    Motion { done: usize, wanted: usize, source: StepError },
+    #[error("interrupted: {done} of {wanted} samples were computed; they are kept and marked as incomplete")]
+    Interrupted { done: usize, wanted: usize },
+}
+
+impl CommandError for OrbitFailure {
+    fn exit(&self) -> Exit {
+        Exit::Failed
+    }
 }

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use dynamics::motion::MotionSample;
 use schema::MotionDocument;
 
-use crate::cli::report::Report;
-use crate::cli::subject::Subject;
-use crate::cli::table::{Table, significant};
+use crate::cli::input::Subject;
+use crate::cli::terminal::{Report, Table, significant};
 
 /// Samples that are listed; those beyond, and all where they are written, are in the data.
 const LISTED: usize = 40;

@@ -3,10 +3,10 @@
 use dynamics::motion::MotionSample;
 use schema::MotionDocument;
 
-use crate::cli::data::{Column, DataTable, Values};
+use crate::cli::export::{Columns, Values};
 
 /// One row for each sample; `meta` is the document on one line.
-pub fn of(document: &MotionDocument, samples: &[MotionSample]) -> Result<DataTable, serde_json::Error> {
+pub fn of(document: &MotionDocument, samples: &[MotionSample]) -> Result<Columns, serde_json::Error> {
     let floats = |value: fn(&MotionSample) -> f64| Values::Float(samples.iter().map(value).collect());
     let vectors = |value: fn(&MotionSample) -> [f64; 3]| Values::Vector(samples.iter().map(value).collect());
     let columns = [
@@ -19,8 +19,5 @@ pub fn of(document: &MotionDocument, samples: &[MotionSample]) -> Result<DataTab
         ("phi", floats(|s| s.phi)),
         ("attitude", Values::Quaternion(samples.iter().map(|s| s.attitude.components()).collect())),
     ];
-    Ok(DataTable {
-        columns: columns.into_iter().map(|(name, values)| Column { name, values }).collect(),
-        meta: serde_json::to_string(document)?,
-    })
+    Columns::new(columns, document)
 }

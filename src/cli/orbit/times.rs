@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use super::error::OrbitInputError;
-use crate::cli::files::read;
-use crate::cli::values;
+use super::error::OrbitInput;
+use crate::cli::input::{read, values};
 
 /// Times as the option says them.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,7 +55,7 @@ impl Times {
     }
 
     /// The times themselves.
-    pub fn list(&self) -> Result<Vec<f64>, OrbitInputError> {
+    pub fn list(&self) -> Result<Vec<f64>, OrbitInput> {
         match self {
             Self::Range { from, count: 1, .. } => Ok(vec![*from]),
             Self::Range { from, to, count } => {
@@ -71,8 +70,8 @@ impl Times {
 }
 
 /// Empty lines, lines that start with # and a heading are passed over; of several columns the first counts.
-fn of_file(path: &Path) -> Result<Vec<f64>, OrbitInputError> {
-    let text = read(path).map_err(|source| OrbitInputError::TimesFile { path: path.to_owned(), source })?;
+fn of_file(path: &Path) -> Result<Vec<f64>, OrbitInput> {
+    let text = read(path).map_err(|source| OrbitInput::TimesFile { path: path.to_owned(), source })?;
     let mut times: Vec<f64> = Vec::new();
     let mut heading_possible = true;
     for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
@@ -85,15 +84,15 @@ fn of_file(path: &Path) -> Result<Vec<f64>, OrbitInputError> {
             continue;
         }
         let Ok(time) = values::float(cell) else {
-            return Err(OrbitInputError::TimesLine { path: path.to_owned(), line: i + 1, value: cell.to_owned() });
+            return Err(OrbitInput::TimesLine { path: path.to_owned(), line: i + 1, value: cell.to_owned() });
         };
         if let Some(&before) = times.last().filter(|&&before| before > time) {
-            return Err(OrbitInputError::TimesFall { path: path.to_owned(), line: i + 1, time, before });
+            return Err(OrbitInput::TimesFall { path: path.to_owned(), line: i + 1, time, before });
         }
         times.push(time);
     }
     if times.is_empty() {
-        return Err(OrbitInputError::NoTimes { path: path.to_owned() });
+        return Err(OrbitInput::NoTimes { path: path.to_owned() });
     }
     Ok(times)
 }

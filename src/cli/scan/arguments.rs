@@ -7,7 +7,8 @@ use survey::scan::Shard;
 use survey::{Parameter, Range};
 
 use super::table::Format;
-use crate::cli::arguments::{AccuracyArgument, BodyArguments};
+use crate::cli::export::PictureFormat;
+use crate::cli::input::{AccuracyArgument, BodyArguments};
 
 pub const SCAN_EXAMPLES: &str = "\
 Examples:
@@ -160,8 +161,8 @@ pub struct MapArguments {
     #[arg(long, value_name = "FILE", default_value = "scan-map", help_heading = "Output")]
     pub out: PathBuf,
     /// Formats of the map
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg", help_heading = "Output")]
-    pub format: Vec<crate::cli::arguments::Format>,
+    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    pub format: Vec<PictureFormat>,
 }
 
 /// `bifdiag scan border`.

@@ -7,10 +7,9 @@ use top::body::{Body, Number};
 
 use super::arguments::BorderArguments;
 use super::error::ScanInput;
+use crate::cli::export::answer;
 use crate::cli::failure::Failure;
-use crate::cli::layout;
-use crate::cli::output as terminal;
-use crate::cli::report::Report;
+use crate::cli::terminal::Report;
 
 pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
@@ -43,8 +42,7 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
     let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
     let border = border::find(&segment, &options).map_err(|error| wrong(format!("--vary: {error}")))?;
     let document = documents::border(&border, &segment, &arguments.vary);
-    let text = if arguments.json { layout::text(&document)? } else { report(&document, &arguments.vary) };
-    Ok(terminal::print(text.as_bytes())?)
+    Ok(answer(arguments.json, &document, || report(&document, &arguments.vary))?)
 }
 
 fn report(document: &BorderDocument, vary: &[Range]) -> String {

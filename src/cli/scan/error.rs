@@ -8,6 +8,7 @@ use survey::DesignError;
 use thiserror::Error;
 
 use super::table::TableError;
+use crate::cli::failure::{CommandError, Exit};
 
 /// The input is wrong.
 #[derive(Debug, Error)]
@@ -98,6 +99,18 @@ pub enum ScanFailure {
     JournalRow { path: PathBuf, source: serde_json::Error },
     #[error("cannot read body {body} of {path} back", path = path.display())]
     Row { path: PathBuf, body: u64, source: ReadScanError },
-    #[error("{sought} was not found among {tried} bodies")]
-    NotFound { sought: String, tried: u64 },
+    #[error("the answer could not be written as JSON")]
+    Json(#[from] serde_json::Error),
+}
+
+impl CommandError for ScanInput {
+    fn exit(&self) -> Exit {
+        Exit::WrongInput
+    }
+}
+
+impl CommandError for ScanFailure {
+    fn exit(&self) -> Exit {
+        Exit::Failed
+    }
 }

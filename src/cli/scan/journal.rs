@@ -105,7 +105,7 @@ impl Journal {
         journal.file.set_len(end).map_err(failed)?;
         journal.file.seek(SeekFrom::End(0)).map_err(failed)?;
         if end == 0 {
-            let mut line = serde_json::to_vec(&identity.document())?;
+            let mut line = serde_json::to_vec(&identity.document()).map_err(ScanFailure::from)?;
             line.push(b'\n');
             journal.file.write_all(&line).map_err(failed)?;
         }
@@ -164,13 +164,13 @@ impl Journal {
     pub fn append(&mut self, rows: &[RowDocument]) -> Result<(), Failure> {
         let mut block = Vec::with_capacity(512 * rows.len());
         for row in rows {
-            serde_json::to_writer(&mut block, row)?;
+            serde_json::to_writer(&mut block, row).map_err(ScanFailure::from)?;
             block.push(b'\n');
         }
         let mut digest = Sha256::new();
         digest.update(&block);
         let seal = Seal { rows: rows.len() as u64, sha256: hexadecimal(digest) };
-        serde_json::to_writer(&mut block, &seal)?;
+        serde_json::to_writer(&mut block, &seal).map_err(ScanFailure::from)?;
         block.push(b'\n');
         self.file.write_all(&block).map_err(|source| ScanFailure::Write { path: self.path.clone(), source })?;
         self.rows += rows.len() as u64;

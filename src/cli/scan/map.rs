@@ -11,12 +11,9 @@ use top::class::ClassName;
 use super::arguments::{MapArguments, Shown};
 use super::error::ScanInput;
 use super::output;
-use crate::cli::atlas::add_picture;
+use crate::cli::export::{ExportError, FileSet, RESOLUTION};
 use crate::cli::failure::Failure;
-use crate::cli::files::FileSet;
-use crate::cli::output as terminal;
-use crate::cli::report::Report;
-use crate::cli::timings::Timings;
+use crate::cli::terminal::{Report, Timings, print};
 
 pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     if arguments.x == arguments.y {
@@ -44,11 +41,11 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
         }
     }
     let map = map(&bodies, [arguments.x, arguments.y], arguments.show);
-    let picture = timings.stage("map", || draw_map(&map))?;
+    let picture = timings.stage("map", || draw_map(&map)).map_err(ExportError::from)?;
     let (directory, stem) = place(arguments)?;
     let mut files = FileSet::new(&directory);
-    add_picture(&mut files, &stem, &picture, &arguments.format, timings)?;
-    Ok(terminal::print(Report::of_paths(&files.write()?).text().as_bytes())?)
+    files.pictures(&stem, &picture, &arguments.format, RESOLUTION, timings)?;
+    Ok(print(Report::of_paths(&files.write()?).text())?)
 }
 
 fn names() -> String {

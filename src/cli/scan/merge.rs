@@ -9,9 +9,8 @@ use super::error::ScanInput;
 use super::journal::Identity;
 use super::table::Format;
 use super::{hashing, output, report};
+use crate::cli::export::answer;
 use crate::cli::failure::Failure;
-use crate::cli::layout;
-use crate::cli::output as terminal;
 
 /// A shard that is what its summary says.
 struct Part {
@@ -32,8 +31,7 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
         }
         Ok(())
     })?;
-    let text = if arguments.json { layout::text(&document)? } else { report::text(&document, out) };
-    Ok(terminal::print(text.as_bytes())?)
+    Ok(answer(arguments.json, &document, || report::text(&document, out))?)
 }
 
 /// The shards in the order of their bodies, once they are known to be whole, of one scan, and to leave nothing out.

@@ -8,17 +8,15 @@ mod journal;
 pub mod map;
 mod merge;
 mod output;
-mod progress;
 mod report;
 mod sample;
 mod table;
 
 pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand, Shown};
-pub use error::{ScanFailure, ScanInput};
-pub use progress::Progress;
+pub use error::ScanInput;
 
 use super::failure::Failure;
-use super::timings::Timings;
+use super::terminal::Timings;
 
 pub fn run(arguments: &ScanArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     match &arguments.command {

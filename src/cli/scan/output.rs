@@ -13,8 +13,7 @@ use super::hashing::HashingWriter;
 use super::journal::Identity;
 use super::table::{Format, TableError};
 use crate::cli::failure::Failure;
-use crate::cli::interrupt::uninterrupted;
-use crate::cli::layout;
+use crate::cli::terminal::interrupt::uninterrupted;
 
 /// Where the summary of a file with rows lies.
 pub fn summary_path(rows: &Path) -> PathBuf {
@@ -80,7 +79,7 @@ pub fn write(
         sha256,
     };
     let document = scan_summary(&summary, file);
-    let text = layout::text(&document)?;
+    let text = documents::layout::text(&document).map_err(ScanFailure::from)?;
     let summary_out = summary_path(out);
     let fresh_summary = with_ending(out, ".summary.new");
     fs::write(&fresh_summary, text).map_err(failed(&fresh_summary))?;

@@ -5,8 +5,7 @@ use std::path::Path;
 use schema::ScanSummaryDocument;
 
 use super::output::summary_path;
-use crate::cli::report::Report;
-use crate::cli::table::Table;
+use crate::cli::terminal::{Report, Table};
 
 /// The most frequent classes that are listed.
 const LISTED: usize = 12;

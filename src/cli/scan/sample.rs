@@ -11,12 +11,11 @@ use survey::{Design, DesignError, Family};
 use super::arguments::{FamilyArgument, SampleArguments};
 use super::error::ScanInput;
 use super::journal::{Identity, Journal};
-use super::progress::Progress;
 use super::table::Format;
 use super::{output, report};
-use crate::cli::failure::{Failure, say};
-use crate::cli::output as terminal;
-use crate::cli::{failure::InputError, layout};
+use crate::cli::export::answer;
+use crate::cli::failure::Failure;
+use crate::cli::terminal::{Progress, print, say};
 
 /// Bodies between two entries of the journal: what a killed scan loses at most.
 const BLOCK: u64 = 256;
@@ -35,7 +34,7 @@ pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
     if journal.rows() > 0 && !quiet {
         say(&format!("going on after {} bodies that were done before", journal.rows()));
     }
-    let mut progress = Progress::new(journal.rows(), range[1] - range[0], quiet);
+    let progress = Progress::new(journal.rows(), range[1] - range[0], "bodies", quiet);
     while range[0] + journal.rows() < range[1] {
         let rows = block(&identity, range[0] + journal.rows());
         journal.append(&rows)?;
@@ -44,8 +43,7 @@ pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
     progress.finish();
     let document = output::write(out, format, &identity, |take| journal.for_each(take))?;
     journal.remove()?;
-    let text = if arguments.json { layout::text(&document)? } else { report::text(&document, out) };
-    Ok(terminal::print(text.as_bytes())?)
+    Ok(answer(arguments.json, &document, || report::text(&document, out))?)
 }
 
 /// The rows of the next bodies.
@@ -71,7 +69,7 @@ fn to_stdout(arguments: &SampleArguments, identity: &Identity, quiet: bool) -> R
         return Err(ScanInput::TwoToStdout.into());
     }
     let [from, to] = identity.range;
-    let mut progress = Progress::new(0, to - from, quiet);
+    let progress = Progress::new(0, to - from, "bodies", quiet);
     let mut next = from;
     while next < to {
         let rows = block(identity, next);
@@ -84,7 +82,7 @@ fn to_stdout(arguments: &SampleArguments, identity: &Identity, quiet: bool) -> R
         drop(sink);
         // One heading is enough.
         let heading = if format == Format::Csv && next > from { text.iter().position(|b| *b == b'\n') } else { None };
-        terminal::print(&text[heading.map_or(0, |end| end + 1)..])?;
+        print(&text[heading.map_or(0, |end| end + 1)..])?;
         next += rows.len() as u64;
         progress.add(rows.len() as u64);
     }
@@ -117,11 +115,11 @@ pub fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
 }
 
 /// The design's objections in terms of the options.
-fn refusal(error: DesignError) -> InputError {
+fn refusal(error: DesignError) -> ScanInput {
     let option = match error {
-        DesignError::NoSamples => return ScanInput::NoSamples.into(),
+        DesignError::NoSamples => return ScanInput::NoSamples,
         DesignError::GridAndSamples => "--samples",
         _ => "--vary",
     };
-    ScanInput::Design { option, source: error }.into()
+    ScanInput::Design { option, source: error }
 }

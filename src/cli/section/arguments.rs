@@ -8,10 +8,8 @@ use dynamics::section::SectionCondition;
 use plot::Projection;
 use top::body::Number;
 
-use crate::cli::arguments::{BodyArguments, Format};
-use crate::cli::data::DataTarget;
-use crate::cli::integration::IntegratorArguments;
-use crate::cli::values;
+use crate::cli::export::{DataTarget, PictureFormat};
+use crate::cli::input::{BodyArguments, IntegratorArguments, values};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -120,7 +118,7 @@ pub struct SectionArguments {
     #[command(flatten)]
     pub integrator: IntegratorArguments,
     /// Write the points to FILE.npz, FILE.csv or FILE.jsonl (-: CSV to stdout); with several regions, a file for each
-    #[arg(long, value_name = "FILE", value_parser = values::data_target, help_heading = "Output")]
+    #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
     /// Write picture, points and summary to DIR (default: bifdiag-out; with --json or --data -: nowhere)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
@@ -132,8 +130,8 @@ pub struct SectionArguments {
     #[arg(long, value_enum, default_value = "orbit", help_heading = "Output")]
     pub color: ColorArgument,
     /// Formats of the picture
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg", help_heading = "Output")]
-    pub format: Vec<Format>,
+    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    pub format: Vec<PictureFormat>,
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
     pub no_plot: bool,

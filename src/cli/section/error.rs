@@ -1,13 +1,66 @@
-//! Wrong input of `section`: each message names the argument, the value and what would be right.
+//! What can go wrong about a section.
 
 use std::io;
 use std::path::PathBuf;
 
 use dynamics::poincare::PoincareError;
 use thiserror::Error;
+use top::atlas::MomentumError;
+use top::classify::ClassifyError;
 
+use crate::cli::failure::{CommandError, Exit};
+use crate::cli::input::{BodyInput, IntegratorInput};
+
+/// Why there is no section.
 #[derive(Debug, Error)]
-pub enum SectionInputError {
+pub enum SectionFailure {
+    #[error(transparent)]
+    Input(#[from] SectionInput),
+    #[error("the section could not be computed")]
+    Poincare(#[source] PoincareError),
+    #[error(
+        "interrupted: {finished} of {wanted} orbits are complete; what was finished is kept and marked as incomplete"
+    )]
+    Interrupted { finished: usize, wanted: usize },
+}
+
+impl From<PoincareError> for SectionFailure {
+    fn from(error: PoincareError) -> Self {
+        match error {
+            PoincareError::Classify(ClassifyError::Momentum(error)) => SectionInput::Momentum(error).into(),
+            PoincareError::WeightlessBody
+            | PoincareError::Forbidden { .. }
+            | PoincareError::OnCurve { .. }
+            | PoincareError::Undecided { .. } => SectionInput::NoSection(error).into(),
+            error => Self::Poincare(error),
+        }
+    }
+}
+
+impl CommandError for SectionFailure {
+    fn exit(&self) -> Exit {
+        match self {
+            Self::Input(_) => Exit::WrongInput,
+            Self::Poincare(_) | Self::Interrupted { .. } => Exit::Failed,
+        }
+    }
+}
+
+impl CommandError for SectionInput {
+    fn exit(&self) -> Exit {
+        Exit::WrongInput
+    }
+}
+
+/// Wrong input: each message names the argument, the value and what would be right.
+#[derive(Debug, Error)]
+pub enum SectionInput {
+    #[error(transparent)]
+    Body(#[from] BodyInput),
+    #[error(transparent)]
+    Integrator(#[from] IntegratorInput),
+    #[error("--l: {0}")]
+    Momentum(MomentumError),
     #[error("{0}")]
     NoSection(PoincareError),
     #[error("{missing} is missing; give {example}, or --atlas FILE for the samples of an atlas")]

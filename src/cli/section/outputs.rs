@@ -4,100 +4,61 @@ use std::path::{Path, PathBuf};
 
 use schema::SectionDocument;
 
-use super::arguments::SectionArguments;
-use super::error::SectionInputError;
-use super::sites::Sites;
-use super::{Done, Sections, picture, report, table};
-use crate::cli::atlas::add_picture;
-use crate::cli::data::{DataFormat, DataTarget};
-use crate::cli::failure::{Failure, InputError};
-use crate::cli::files::FileSet;
-use crate::cli::report::Report;
-use crate::cli::timings::Timings;
-use crate::cli::{DEFAULT_DIRECTORY, layout, output};
+use super::settings::Settings;
+use super::work::{Done, Sections};
+use super::{picture, report, table};
+use crate::cli::export::{Columns, DataFormat, DataTarget, ExportError, Exporter, FileSet, Json, RESOLUTION, answer};
+use crate::cli::failure::Failure;
+use crate::cli::terminal::interrupt::Stoppable;
+use crate::cli::terminal::{Report, Timings, print};
 
-/// Where the results go.
-pub struct Outputs<'a> {
-    arguments: &'a SectionArguments,
-    /// For everything but the data of `--data`.
-    directory: Option<&'a Path>,
+/// Writes the files, all or none, and then prints. An interrupted run draws no more pictures.
+pub fn write(settings: &Settings, sections: &Sections, work: &Stoppable, timings: &Timings) -> Result<(), Failure> {
+    let outputs = &settings.outputs;
+    let mut files = FileSet::new(outputs.directory.as_deref().unwrap_or(Path::new(".")));
+    let mut csv = None;
+    for section in &sections.done {
+        match outputs.data {
+            Some(DataTarget::Stdout) => csv = Some(DataFormat::Csv.bytes(&columns(section)?)?),
+            Some(DataTarget::File { path, format }) => {
+                let name =
+                    if settings.sites.list.len() > 1 { of_region(path, &section.document) } else { path.clone() };
+                files.add_at(&name, format.bytes(&columns(section)?)?);
+            }
+            None => {}
+        }
+        if outputs.directory.is_some() {
+            let stem = match &section.document.region {
+                Some(region) => format!("section-{region}"),
+                None => "section".to_owned(),
+            };
+            files.export(&stem, &section.document, &Json)?;
+            if outputs.data.is_none() {
+                files.export(&stem, &columns(section)?, &DataFormat::Npz)?;
+            }
+            if !outputs.formats.is_empty() && sections.complete && !work.told() {
+                let picture = timings.stage("picture", || picture::draw(settings, section))?;
+                files.pictures(&stem, &picture, outputs.formats, RESOLUTION, timings)?;
+            }
+        }
+    }
+    let written = timings.stage("files", || files.write())?;
+    if let Some(csv) = csv {
+        return Ok(print(csv)?);
+    }
+    let text = || text(settings, sections, &written);
+    Ok(match &sections.done[..] {
+        // One document for one point, a list for an atlas.
+        [section] if !outputs.list => answer(outputs.json, &section.document, text),
+        done => {
+            let all = done.iter().map(|section| section.document.clone()).collect();
+            answer(outputs.json, &documents::sections(all, sections.skipped.clone(), sections.complete), text)
+        }
+    }?)
 }
 
-impl<'a> Outputs<'a> {
-    /// Refuses what cannot be written before anything is computed.
-    pub fn new(arguments: &'a SectionArguments, sites: usize) -> Result<Self, InputError> {
-        if arguments.data == Some(DataTarget::Stdout) {
-            if arguments.json {
-                return Err(SectionInputError::TwoOnStdout.into());
-            }
-            if sites > 1 {
-                return Err(SectionInputError::ManyOnStdout.into());
-            }
-        }
-        let directory = match &arguments.out {
-            Some(directory) if directory == Path::new("-") => return Err(InputError::OutIsStdout),
-            Some(directory) => Some(directory.as_path()),
-            None if arguments.json || arguments.data == Some(DataTarget::Stdout) => None,
-            None if arguments.data.is_some() && arguments.no_plot => None,
-            None => Some(Path::new(DEFAULT_DIRECTORY)),
-        };
-        Ok(Self { arguments, directory })
-    }
-
-    /// Writes the files, all or none, and then prints.
-    pub fn write(&self, sites: &Sites, sections: &Sections, timings: &Timings) -> Result<(), Failure> {
-        let mut files = FileSet::new(self.directory.unwrap_or(Path::new(".")));
-        let mut csv = None;
-        for section in &sections.done {
-            let document = &section.document;
-            match &self.arguments.data {
-                Some(DataTarget::Stdout) => csv = Some(bytes(section, DataFormat::Csv)?),
-                Some(DataTarget::File { path, format }) => {
-                    let name = if sites.list.len() > 1 { of_region(path, document) } else { path.clone() };
-                    files.add_at(&name, bytes(section, *format)?);
-                }
-                None => {}
-            }
-            if self.directory.is_some() {
-                let stem = match &document.region {
-                    Some(region) => format!("section-{region}"),
-                    None => "section".to_owned(),
-                };
-                files.add(format!("{stem}.json"), layout::text(document)?);
-                if self.arguments.data.is_none() {
-                    files.add(format!("{stem}.npz"), bytes(section, DataFormat::Npz)?);
-                }
-                if !self.arguments.no_plot {
-                    let picture =
-                        timings.stage("picture", || picture::draw(self.arguments, &sites.subject, section))?;
-                    add_picture(&mut files, &stem, &picture, &self.arguments.format, timings)?;
-                }
-            }
-        }
-        let written = timings.stage("files", || files.write())?;
-        let text = match csv {
-            Some(csv) => csv,
-            None if self.arguments.json => self.json(sections)?.into_bytes(),
-            None => text(sites, sections, &written).into_bytes(),
-        };
-        Ok(output::print(&text)?)
-    }
-
-    /// One document for one point, a list for an atlas.
-    fn json(&self, sections: &Sections) -> Result<String, serde_json::Error> {
-        let mut found = sections.done.iter().map(|section| section.document.clone());
-        match (&self.arguments.atlas, found.next()) {
-            (None, Some(document)) => layout::text(&document),
-            (_, first) => {
-                let all = first.into_iter().chain(found).collect();
-                layout::text(&documents::sections(all, sections.skipped.clone(), sections.complete))
-            }
-        }
-    }
-}
-
-fn bytes(section: &Done, format: DataFormat) -> Result<Vec<u8>, Failure> {
-    Ok(table::of(&section.document, &section.orbits)?.bytes(format)?)
+fn columns(section: &Done) -> Result<Columns, ExportError> {
+    Ok(table::of(&section.document, &section.orbits)?)
 }
 
 /// FILE-R4.npz for the region R4 of FILE.npz.
@@ -108,9 +69,9 @@ fn of_region(path: &Path, document: &SectionDocument) -> PathBuf {
     path.with_file_name(format!("{stem}-{region}.{extension}"))
 }
 
-fn text(sites: &Sites, sections: &Sections, written: &[PathBuf]) -> String {
+fn text(settings: &Settings, sections: &Sections, written: &[PathBuf]) -> String {
     let mut lines = Report::default();
-    sites.subject.head(&mut lines);
+    settings.sites.subject.head(&mut lines);
     for section in &sections.done {
         report::add(&mut lines, &section.document);
     }

@@ -5,36 +5,40 @@ use dynamics::section::{Portrait, PortraitOptions};
 use plot::{OrbitValues, Picture, SectionOptions, SectionScene, draw_section};
 use schema::{ConditionName, SectionDocument};
 
-use super::arguments::{ColorArgument, SectionArguments};
-use super::{Done, table};
+use super::arguments::ColorArgument;
+use super::error::SectionFailure;
+use super::settings::Settings;
+use super::table;
+use super::work::Done;
+use crate::cli::export::ExportError;
 use crate::cli::failure::Failure;
-use crate::cli::subject::Subject;
 
 /// Draws a section with its orbits.
-pub fn draw(arguments: &SectionArguments, subject: &Subject, section: &Done) -> Result<Picture, Failure> {
+pub fn draw(settings: &Settings, section: &Done) -> Result<Picture, Failure> {
     let document = &section.document;
-    let options = PortraitOptions { condition: arguments.condition.into(), ..PortraitOptions::default() };
-    let portrait = Portrait::new(&subject.body, section.h, section.l, &options).map_err(PoincareError::from)?;
+    let options = PortraitOptions { condition: settings.condition, ..PortraitOptions::default() };
+    let portrait = Portrait::new(&settings.sites.subject.body, section.h, section.l, &options)
+        .map_err(|error| SectionFailure::from(PoincareError::from(error)))?;
     if !portrait.report().is_complete() {
         tracing::warn!("the boundary or the line of tangency of this section may be incomplete in the picture");
     }
-    let values = values(arguments.color, document);
+    let values = values(settings.color, document);
     let scene = SectionScene {
         portrait: &portrait,
         orbits: &section.orbits,
         values: values.as_ref().map(|(label, values)| OrbitValues { label, values }),
         caption: &caption(document),
     };
-    let options = SectionOptions { projection: arguments.projection.into(), ..SectionOptions::default() };
-    Ok(draw_section(&scene, &options)?)
+    let options = SectionOptions { projection: settings.projection, ..SectionOptions::default() };
+    Ok(draw_section(&scene, &options).map_err(ExportError::from)?)
 }
 
-/// What stands beside (h, l): the region, the type, and whether orbits are missing.
+/// What stands beside (h, l): the region and the type.
 fn caption(document: &SectionDocument) -> String {
     // The type is that of the paper's section.
     let own = document.condition == ConditionName::Height;
     let signature = document.signature.as_ref().filter(|_| own).map(|signature| signature.replace('+', " + "));
-    let parts = [document.region.clone(), signature, (!document.complete).then(|| "incomplete".to_owned())];
+    let parts = [document.region.clone(), signature];
     parts.into_iter().flatten().collect::<Vec<_>>().join(",  ")
 }
 

@@ -3,8 +3,7 @@
 use schema::{ChaosDocument, ConditionName, EndName, SectionDocument};
 
 use super::table as data;
-use crate::cli::report::Report;
-use crate::cli::table::{Table, significant};
+use crate::cli::terminal::{Report, Table, significant};
 
 /// Orbits that are listed; the others are in the data.
 const LISTED: usize = 48;

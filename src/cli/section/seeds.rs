@@ -5,9 +5,8 @@ use std::path::Path;
 
 use dynamics::section::TorusPoint;
 
-use super::error::{SectionInputError, SeedProblem};
-use crate::cli::files::read;
-use crate::cli::values;
+use super::error::{SectionInput, SeedProblem};
+use crate::cli::input::{read, values};
 
 /// A starting point and the line of the file on which it stands, from 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,12 +18,12 @@ pub struct Seed {
 const HEADING: [&str; 3] = ["theta", "psi", "sheet"];
 
 /// The seeds of a file.
-pub fn load(path: &Path) -> Result<Vec<Seed>, SectionInputError> {
-    let text = read(path).map_err(|source| SectionInputError::SeedsFile { path: path.to_owned(), source })?;
+pub fn load(path: &Path) -> Result<Vec<Seed>, SectionInput> {
+    let text = read(path).map_err(|source| SectionInput::SeedsFile { path: path.to_owned(), source })?;
     let seeds =
-        parse(&text).map_err(|(line, problem)| SectionInputError::SeedLine { path: path.to_owned(), line, problem })?;
+        parse(&text).map_err(|(line, problem)| SectionInput::SeedLine { path: path.to_owned(), line, problem })?;
     if seeds.is_empty() {
-        return Err(SectionInputError::NoSeeds { path: path.to_owned() });
+        return Err(SectionInput::NoSeeds { path: path.to_owned() });
     }
     Ok(seeds)
 }

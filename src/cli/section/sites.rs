@@ -6,10 +6,8 @@ use schema::AtlasDocument;
 use top::body::{Body, Number};
 
 use super::arguments::SectionArguments;
-use super::error::SectionInputError;
-use crate::cli::failure::InputError;
-use crate::cli::files::read;
-use crate::cli::subject::Subject;
+use super::error::SectionInput;
+use crate::cli::input::{Subject, read};
 
 /// A point at which a section is wanted.
 #[derive(Clone, Debug)]
@@ -31,41 +29,31 @@ pub struct Sites {
 
 impl Sites {
     /// Of the options.
-    pub fn new(arguments: &SectionArguments) -> Result<Self, InputError> {
+    pub fn new(arguments: &SectionArguments) -> Result<Self, SectionInput> {
         if let Some(path) = &arguments.atlas {
-            return Ok(Self::of_atlas(arguments, path)?);
+            return Self::of_atlas(arguments, path);
         }
         if arguments.region.is_some() {
-            return Err(SectionInputError::RegionWithoutAtlas.into());
+            return Err(SectionInput::RegionWithoutAtlas);
         }
         let subject = arguments.body.subject()?;
-        let missing = |missing, example| SectionInputError::NoPoint { missing, example };
+        let missing = |missing, example| SectionInput::NoPoint { missing, example };
         let h = arguments.energy.clone().ok_or(missing("--h", "the energy, such as --h 4.45"))?;
         let l = arguments.momentum.clone().ok_or(missing("--l", "the momentum, such as --l 3.25"))?;
         Ok(Self { subject, list: vec![Site { region: None, h, l }], all: false })
     }
 
-    fn of_atlas(arguments: &SectionArguments, path: &Path) -> Result<Self, SectionInputError> {
-        let body = &arguments.body;
-        let given = [
-            ("--A", body.moments.is_some()),
-            ("--r", body.center.is_some()),
-            ("--body", body.body.is_some()),
-            ("--inertia", body.inertia.is_some()),
-            ("--com", body.com.is_some()),
-            ("--mass", body.mass.is_some()),
-            ("--g", body.gravity.is_some()),
-            ("--h", arguments.energy.is_some()),
-            ("--l", arguments.momentum.is_some()),
-        ];
-        if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
-            return Err(SectionInputError::AtlasAnd { option });
+    fn of_atlas(arguments: &SectionArguments, path: &Path) -> Result<Self, SectionInput> {
+        let point = [("--h", arguments.energy.is_some()), ("--l", arguments.momentum.is_some())];
+        let point = point.into_iter().filter(|(_, given)| *given).map(|(option, _)| option);
+        if let Some(option) = arguments.body.given().chain(point).next() {
+            return Err(SectionInput::AtlasAnd { option });
         }
-        let text = read(path).map_err(|source| SectionInputError::AtlasFile { path: path.to_owned(), source })?;
-        let atlas: AtlasDocument = serde_json::from_str(&text)
-            .map_err(|source| SectionInputError::NotAnAtlas { path: path.to_owned(), source })?;
+        let text = read(path).map_err(|source| SectionInput::AtlasFile { path: path.to_owned(), source })?;
+        let atlas: AtlasDocument =
+            serde_json::from_str(&text).map_err(|source| SectionInput::NotAnAtlas { path: path.to_owned(), source })?;
         let moments = Body::parse(&atlas.body.moments, &atlas.body.center)
-            .map_err(|source| SectionInputError::AtlasBody { path: path.to_owned(), source })?;
+            .map_err(|source| SectionInput::AtlasBody { path: path.to_owned(), source })?;
         let subject = Subject { body: moments, inertia: atlas.body.inertia };
         let wanted = arguments.region.as_deref().filter(|region| *region != "all");
         let known: Vec<String> = atlas.regions.iter().map(|region| region.id.clone()).collect();
@@ -79,9 +67,7 @@ impl Sites {
             }
         }
         match wanted {
-            Some(region) if list.is_empty() => {
-                Err(SectionInputError::UnknownRegion { region: region.to_owned(), known })
-            }
+            Some(region) if list.is_empty() => Err(SectionInput::UnknownRegion { region: region.to_owned(), known }),
             _ => Ok(Self { subject, list, all: wanted.is_none() }),
         }
     }

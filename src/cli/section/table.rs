@@ -3,10 +3,10 @@
 use dynamics::section::{OrbitSection, SectionPoint};
 use schema::{ChaosDocument, SectionDocument};
 
-use crate::cli::data::{Column, DataTable, Values};
+use crate::cli::export::{Columns, Values};
 
 /// One row for each point; `meta` is the document on one line.
-pub fn of(document: &SectionDocument, orbits: &[OrbitSection]) -> Result<DataTable, serde_json::Error> {
+pub fn of(document: &SectionDocument, orbits: &[OrbitSection]) -> Result<Columns, serde_json::Error> {
     let points: Vec<&SectionPoint> = orbits.iter().flat_map(|orbit| &orbit.points).collect();
     let floats = |value: fn(&SectionPoint) -> f64| Values::Float(points.iter().map(|p| value(p)).collect());
     let vectors = |value: fn(&SectionPoint) -> [f64; 3]| Values::Vector(points.iter().map(|p| value(p)).collect());
@@ -24,11 +24,7 @@ pub fn of(document: &SectionDocument, orbits: &[OrbitSection]) -> Result<DataTab
         ("theta", floats(|p| p.theta)),
         ("psi", floats(|p| p.psi)),
     ];
-    let measures = measures(document, orbits).into_iter();
-    Ok(DataTable {
-        columns: columns.into_iter().chain(measures).map(|(name, values)| Column { name, values }).collect(),
-        meta: serde_json::to_string(document)?,
-    })
+    Columns::new(columns.into_iter().chain(measures(document, orbits)), document)
 }
 
 /// The measures of a point's orbit, where they were asked for; NaN where there is none.

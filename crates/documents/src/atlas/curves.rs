@@ -2,7 +2,8 @@
 
 use schema::{Accuracy, CurveDocument, CurveKind, StabilitySpan, TailDocument, UndecidedDocument};
 use top::atlas::{Atlas, CourseOptions};
-use top::curves::{Branch, BranchName, Curve, CurveName, Orbit, Pole};
+use top::curves::{Branch, BranchName, Curve, CurveId, CurveName, Orbit, Pole};
+use top::table::Table;
 
 use super::DocumentOptions;
 use crate::critical::stability;
@@ -13,12 +14,11 @@ pub(super) fn documents(
     undecided: &mut Vec<UndecidedDocument>,
 ) -> Vec<CurveDocument> {
     let set = &atlas.arrangement().set;
-    let mut documents: Vec<CurveDocument> =
-        (0..set.curves.len()).map(|c| document(atlas, c, options, undecided)).collect();
+    let mut documents: Table<CurveId, CurveDocument> =
+        set.curves.ids().map(|c| document(atlas, c, options, undecided)).collect();
     for pole in [Pole::Plus, Pole::Minus] {
-        let on_axis: Vec<usize> = (0..set.curves.len())
-            .filter(|&c| set.curves[c].pole == Some(pole) && set.curves[c].is_critical())
-            .collect();
+        let on_axis: Vec<CurveId> =
+            set.curves.ids().filter(|&c| set.curves[c].pole == Some(pole) && set.curves[c].is_critical()).collect();
         if on_axis.is_empty() {
             continue;
         }
@@ -27,9 +27,10 @@ pub(super) fn documents(
         for &c in &on_axis {
             documents[c].coincides_with.push(name.clone());
         }
-        documents.push(coincident_pole_line(&name, &pieces, &documents));
+        let line = coincident_pole_line(&name, &pieces, documents.as_slice());
+        documents.push(line);
     }
-    documents
+    documents.into_iter().collect()
 }
 
 /// A pole line that runs on critical curves: their union.
@@ -59,7 +60,7 @@ fn coincident_pole_line(name: &str, pieces: &[String], documents: &[CurveDocumen
 
 fn document(
     atlas: &Atlas,
-    number: usize,
+    number: CurveId,
     options: &DocumentOptions,
     undecided: &mut Vec<UndecidedDocument>,
 ) -> CurveDocument {

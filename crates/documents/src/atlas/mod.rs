@@ -12,8 +12,6 @@ use top::atlas::{Atlas, Window};
 
 use crate::body::{flags, texts};
 
-pub use regions::region_id;
-
 /// What the document holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DocumentOptions {

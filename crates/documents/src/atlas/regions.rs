@@ -2,7 +2,8 @@
 
 use schema::{CellDocument, NeighbourDocument, RegionDocument, SampleDocument, UndecidedDocument};
 use top::atlas::{Atlas, Region, SamplePoint, Window};
-use top::curves::CurveName;
+use top::curves::{CurveId, CurveName};
+use top::diagram::{Cell, RegionId};
 use top::topology::signature;
 
 use crate::classification::{candidate, margin};
@@ -15,7 +16,7 @@ pub(super) fn documents(
 ) -> (Vec<RegionDocument>, bool) {
     let mut clipped = false;
     let mut documents = Vec::new();
-    for number in 0..atlas.regions().len() {
+    for number in atlas.regions().ids() {
         let document = document(atlas, number, undecided);
         let Some(window) = window else {
             documents.push(document);
@@ -42,22 +43,16 @@ fn sample_document(sample: &SamplePoint) -> SampleDocument {
     SampleDocument { h: sample.h, l: sample.l, margin: margin(&sample.margin) }
 }
 
-/// Id of a region.
-#[must_use]
-pub fn region_id(number: usize) -> String {
-    format!("R{}", number + 1)
-}
-
-fn document(atlas: &Atlas, number: usize, undecided: &mut Vec<UndecidedDocument>) -> RegionDocument {
+fn document(atlas: &Atlas, number: RegionId, undecided: &mut Vec<UndecidedDocument>) -> RegionDocument {
     let region = &atlas.regions()[number];
     let arrangement = atlas.arrangement();
-    let name = |c: usize| CurveName::of(&arrangement.set, c).to_string();
+    let name = |c: CurveId| CurveName::of(&arrangement.set, c).to_string();
     let sample = sample_document(&atlas.sample(number));
     let components = match &region.components {
         Ok(components) => components.as_slice(),
         Err(error) => {
             undecided.push(UndecidedDocument {
-                what: format!("the components of U in region {}: {error}", region_id(number)),
+                what: format!("the components of U in region {number}: {error}"),
                 l: sample.l,
                 h: sample.h,
                 curves: Vec::new(),
@@ -66,31 +61,31 @@ fn document(atlas: &Atlas, number: usize, undecided: &mut Vec<UndecidedDocument>
         }
     };
     let (mut boundary, mut neighbours) = (Vec::new(), Vec::new());
-    for &(slab, position) in &region.cells {
+    for &Cell { slab, position } in &region.cells {
         let strip = &arrangement.slabs[slab];
-        let below = position.checked_sub(1).map(|p| strip.face_above[p]);
+        let below = position.checked_sub(1).map(|p| strip.region_above[p]);
         let mut across = vec![(strip.order[position], below)];
         if let Some(&upper) = strip.order.get(position + 1) {
-            across.push((upper, Some(strip.face_above[position + 1])));
+            across.push((upper, Some(strip.region_above[position + 1])));
         }
-        for (curve, face) in across {
+        for (curve, beyond) in across {
             for id in labels(atlas, curve) {
                 if !boundary.contains(&id) {
                     boundary.push(id);
                 }
             }
-            let neighbour = NeighbourDocument { region: face.map(region_id), curve: name(curve) };
+            let neighbour = NeighbourDocument { region: beyond.map(|region| region.to_string()), curve: name(curve) };
             if !neighbours.contains(&neighbour) {
                 neighbours.push(neighbour);
             }
         }
     }
-    let slabs = region.cells.iter().map(|&(slab, _)| arrangement.slabs[slab].x);
+    let slabs = region.cells.iter().map(|cell| arrangement.slabs[cell.slab].x);
     let from = slabs.clone().map(|x| x[0]).fold(f64::INFINITY, f64::min);
     let to = slabs.map(|x| x[1]).fold(0.0, f64::max);
     let h_width = atlas.h_width(number);
     RegionDocument {
-        id: region_id(number),
+        id: number.to_string(),
         sample,
         components: candidate(components),
         signature: if components.is_empty() { None } else { signature(components) },
@@ -105,7 +100,7 @@ fn document(atlas: &Atlas, number: usize, undecided: &mut Vec<UndecidedDocument>
 }
 
 /// Ids of a curve and of the pole line that runs on it.
-fn labels(atlas: &Atlas, curve: usize) -> Vec<String> {
+fn labels(atlas: &Atlas, curve: CurveId) -> Vec<String> {
     let set = &atlas.arrangement().set;
     let pole = set.curves[curve].pole.filter(|_| set.curves[curve].is_critical()).map(CurveName::Pole);
     std::iter::once(CurveName::of(set, curve)).chain(pole).map(|name| name.to_string()).collect()
@@ -113,12 +108,12 @@ fn labels(atlas: &Atlas, curve: usize) -> Vec<String> {
 
 fn cells(atlas: &Atlas, region: &Region) -> Vec<CellDocument> {
     let arrangement = atlas.arrangement();
-    let name = |c: usize| CurveName::of(&arrangement.set, c).to_string();
-    let mut cells: Vec<(usize, usize)> = region.cells.clone();
+    let name = |c: CurveId| CurveName::of(&arrangement.set, c).to_string();
+    let mut cells: Vec<Cell> = region.cells.clone();
     cells.sort_unstable();
     cells
         .into_iter()
-        .map(|(slab, position)| {
+        .map(|Cell { slab, position }| {
             let strip = &arrangement.slabs[slab];
             CellDocument {
                 l_range: strip.x.map(|x| x.is_finite().then(|| atlas.momentum(x))),

@@ -2,13 +2,13 @@
 
 use schema::UndecidedDocument;
 use top::atlas::Atlas;
-use top::curves::CurveName;
+use top::curves::{CurveId, CurveName};
 use top::diagram::Undecided;
 
 /// What the arrangement left undecided.
 pub(super) fn documents(atlas: &Atlas) -> Vec<UndecidedDocument> {
     let set = &atlas.arrangement().set;
-    let name = |c: usize| CurveName::of(set, c).to_string();
+    let name = |c: CurveId| CurveName::of(set, c).to_string();
     let mut found: Vec<UndecidedDocument> = Vec::new();
     for undecided in &atlas.arrangement().undecided {
         found.push(match *undecided {
@@ -33,7 +33,7 @@ pub(super) fn documents(atlas: &Atlas) -> Vec<UndecidedDocument> {
             }
             Undecided::Simultaneous { events } => {
                 let event = &atlas.arrangement().events[events[0]];
-                let mut curves: Vec<usize> =
+                let mut curves: Vec<CurveId> =
                     events.iter().flat_map(|&e| atlas.arrangement().events[e].change.curves()).collect();
                 curves.sort_unstable();
                 curves.dedup();

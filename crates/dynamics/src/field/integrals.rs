@@ -1,6 +1,7 @@
 //! First integrals: the three of every top, and those of the integrable ones.
 
 use super::top::{HeavyTop, State};
+use super::units::{Dimension, Units};
 use super::vector::dot;
 
 /// The three integrals that every heavy top has.
@@ -32,6 +33,16 @@ impl Integrals {
             energy: (self.energy - other.energy).abs(),
             vertical_momentum: (self.vertical_momentum - other.vertical_momentum).abs(),
             gamma_squared: (self.gamma_squared - other.gamma_squared).abs(),
+        }
+    }
+
+    /// Those of a reduced top as those of the top as given.
+    #[must_use]
+    pub fn restored(&self, units: Units) -> Self {
+        Self {
+            energy: units.restore(self.energy, Dimension::ENERGY),
+            vertical_momentum: units.restore(self.vertical_momentum, Dimension::MOMENTUM),
+            gamma_squared: self.gamma_squared,
         }
     }
 

@@ -2,8 +2,10 @@
 
 mod integrals;
 mod top;
+mod units;
 mod vector;
 
 pub use integrals::{Integrals, kovalevskaya};
 pub use top::{HeavyTop, State};
-pub use vector::{add, cross, dot, norm, scale, sub};
+pub use units::{Dimension, Units};
+pub use vector::{add, cross, dot, norm, scale, sub, unit};

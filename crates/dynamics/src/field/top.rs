@@ -1,5 +1,6 @@
 //! A heavy top as the equations of motion see it.
 
+use super::units::{Dimension, Units};
 use super::vector::{add, cross, dot, norm, scale, sub};
 use top::body::Body;
 
@@ -12,12 +13,29 @@ pub struct State {
     pub l: [f64; 3],
 }
 
+impl State {
+    /// The state in other units.
+    #[must_use]
+    #[inline]
+    pub fn reduced(&self, units: Units) -> Self {
+        Self { gamma: self.gamma, l: self.l.map(|x| units.reduce(x, Dimension::MOMENTUM)) }
+    }
+
+    /// A [`reduced`](Self::reduced) state as it was given.
+    #[must_use]
+    #[inline]
+    pub fn restored(&self, units: Units) -> Self {
+        Self { gamma: self.gamma, l: self.l.map(|x| units.restore(x, Dimension::MOMENTUM)) }
+    }
+}
+
 /// The moments and the centre of mass as doubles, in the axes and units in which the body was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeavyTop {
     moments: [f64; 3],
     inverse: [f64; 3],
     center: [f64; 3],
+    units: Units,
 }
 
 impl HeavyTop {
@@ -29,7 +47,25 @@ impl HeavyTop {
 
     /// A top from doubles; the moments must be positive and everything finite, as in a [`Body`].
     pub(crate) fn from_f64(moments: [f64; 3], center: [f64; 3]) -> Self {
-        Self { moments, inverse: moments.map(|a| 1.0 / a), center }
+        Self { moments, inverse: moments.map(|a| 1.0 / a), center, units: Units::of(moments, center) }
+    }
+
+    /// Units in which the top's numbers are of moderate size.
+    #[must_use]
+    pub fn units(&self) -> Units {
+        self.units
+    }
+
+    /// The same top in its own units.
+    #[must_use]
+    #[inline]
+    pub fn reduced(&self) -> Self {
+        if self.units.are_one() {
+            return *self;
+        }
+        let moments = self.moments.map(|x| self.units.reduce(x, Dimension::INERTIA));
+        let center = self.center.map(|x| self.units.reduce(x, Dimension::ENERGY));
+        Self { moments, inverse: moments.map(|a| 1.0 / a), center, units: Units::ONE }
     }
 
     /// A1, A2, A3.
@@ -53,14 +89,15 @@ impl HeavyTop {
     /// |r|.
     #[must_use]
     pub fn center_norm(&self) -> f64 {
-        norm(self.center)
+        self.units.restore(norm(self.reduced().center), Dimension::ENERGY)
     }
 
     /// r̂ = r/|r|; None when r = 0.
     #[must_use]
     pub fn r_hat(&self) -> Option<[f64; 3]> {
-        let r = self.center_norm();
-        (r > 0.0).then(|| self.center.map(|x| x / r))
+        let center = self.reduced().center;
+        let r = norm(center);
+        (r > 0.0).then(|| center.map(|x| x / r))
     }
 
     /// A u.
@@ -116,13 +153,29 @@ impl HeavyTop {
 
     /// U_l(γ) = l²/(2⟨γ,Aγ⟩) − ⟨γ,r⟩.
     #[must_use]
+    #[inline]
     pub fn effective_potential(&self, gamma: [f64; 3], l: f64) -> f64 {
+        if self.units.are_one() { self.plain_potential(gamma, l) } else { self.extreme_potential(gamma, l) }
+    }
+
+    #[inline]
+    fn plain_potential(&self, gamma: [f64; 3], l: f64) -> f64 {
         0.5 * l * l / dot(gamma, self.inertia(gamma)) - dot(gamma, self.center)
+    }
+
+    #[cold]
+    fn extreme_potential(&self, gamma: [f64; 3], l: f64) -> f64 {
+        let potential = self.reduced().plain_potential(gamma, self.units.reduce(l, Dimension::MOMENTUM));
+        self.units.restore(potential, Dimension::ENERGY)
     }
 
     /// max |l| on the energy surface H = h: √(2 A_max (h + |r|)).
     #[must_use]
     pub fn momentum_scale(&self, h: f64) -> f64 {
+        if !self.units.are_one() {
+            let reduced = self.reduced().momentum_scale(self.units.reduce(h, Dimension::ENERGY));
+            return self.units.restore(reduced, Dimension::MOMENTUM);
+        }
         let largest = self.moments.iter().fold(0.0, |m: f64, &a| m.max(a));
         (2.0 * largest * (h + self.center_norm()).max(0.0)).sqrt()
     }

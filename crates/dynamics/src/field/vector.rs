@@ -1,38 +1,40 @@
-//! Vectors of ℝ³ as plain arrays.
+//! Vectors of ℝ³ as plain arrays, with the operations of `nalgebra`.
 
-/// ⟨u, v⟩.
+use nalgebra::Vector3;
+
+/// ⟨u, v⟩ = (u₁v₁ + u₂v₂) + u₃v₃.
 #[must_use]
 #[inline]
 pub fn dot(u: [f64; 3], v: [f64; 3]) -> f64 {
-    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+    Vector3::from(u).dot(&Vector3::from(v))
 }
 
 /// u × v.
 #[must_use]
 #[inline]
 pub fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    Vector3::from(u).cross(&Vector3::from(v)).into()
 }
 
 /// u + v.
 #[must_use]
 #[inline]
 pub fn add(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    [u[0] + v[0], u[1] + v[1], u[2] + v[2]]
+    (Vector3::from(u) + Vector3::from(v)).into()
 }
 
 /// u − v.
 #[must_use]
 #[inline]
 pub fn sub(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    [u[0] - v[0], u[1] - v[1], u[2] - v[2]]
+    (Vector3::from(u) - Vector3::from(v)).into()
 }
 
 /// c u.
 #[must_use]
 #[inline]
 pub fn scale(c: f64, u: [f64; 3]) -> [f64; 3] {
-    [c * u[0], c * u[1], c * u[2]]
+    (c * Vector3::from(u)).into()
 }
 
 /// |u|, for magnitudes whose squares neither overflow nor underflow.
@@ -40,4 +42,14 @@ pub fn scale(c: f64, u: [f64; 3]) -> [f64; 3] {
 #[inline]
 pub fn norm(u: [f64; 3]) -> f64 {
     dot(u, u).sqrt()
+}
+
+/// u/|u| for any u ≠ 0.
+#[must_use]
+pub fn unit(u: [f64; 3]) -> [f64; 3] {
+    let largest = u.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    // By a power of two, so that nothing is rounded.
+    let exponent = if largest > 0.0 { -libm::ilogb(largest) } else { 0 };
+    let scaled = u.map(|x| libm::scalbn(x, exponent));
+    scale(1.0 / norm(scaled), scaled)
 }

@@ -5,13 +5,16 @@ use std::collections::VecDeque;
 use ode_solvers::dop_shared::IntegrationError;
 use ode_solvers::{OutputType, System, Vector6};
 
-use super::{Instant, Step, StepError, Stepper};
+use super::step::{Step, StepError, Stepper};
+use super::time::Instant;
 use crate::field::{HeavyTop, State};
 
 /// Derivatives that the interpolation takes at each end: its error is then below that of the steps.
 const SMOOTHNESS: usize = 7;
 /// Time that is integrated at once, in units of A_max/|l|_max.
 const STRETCH: f64 = 50.0;
+/// Steps that are made at once, so that a caller can stop between: a few tenths of a second.
+const STEPS: u32 = 100_000;
 
 /// DOP853 with adaptive step. (Its step-size control uses the platform's `pow`: unlike the others, it need not
 /// give the same bits on every machine.)
@@ -35,12 +38,12 @@ impl Dop853 {
         Self { top: *top, state: *start, time: Instant::default(), tolerance, stretch, steps: VecDeque::new() }
     }
 
-    /// Integrates the next stretch of time.
+    /// Integrates the next stretch of time, or as much of it as [`STEPS`] reach.
     fn integrate(&mut self) -> Result<(), StepError> {
         let State { gamma, l } = self.state;
         let start = Vector6::new(gamma[0], gamma[1], gamma[2], l[0], l[1], l[2]);
         let (tolerance, stretch) = (self.tolerance, self.stretch);
-        // Hairer's default parameters; the initial step is estimated, the number of steps is not limited in fact.
+        // Hairer's default parameters; the initial step is estimated.
         let mut solver = ode_solvers::Dop853::from_param(
             EulerPoisson { top: self.top },
             0.0,
@@ -55,11 +58,16 @@ impl Dop853 {
             6.0,
             stretch,
             0.0,
-            10_000_000,
+            STEPS,
             1000,
             OutputType::Sparse,
         );
-        solver.integrate().map_err(|error| self.step_error(&error))?;
+        match solver.integrate() {
+            Ok(_) => {}
+            // The next call goes on from the last of these steps.
+            Err(IntegrationError::MaxNumStepReached { .. }) if solver.x_out().len() > 1 => {}
+            Err(error) => return Err(self.step_error(&error)),
+        }
         let (times, states) = (solver.x_out(), solver.y_out());
         for (pair, y) in times.windows(2).zip(&states[1..]) {
             let state = State { gamma: [y[0], y[1], y[2]], l: [y[3], y[4], y[5]] };

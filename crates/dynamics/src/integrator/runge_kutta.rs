@@ -1,6 +1,7 @@
 //! The classical Runge–Kutta method of order 4.
 
-use super::{Instant, Step, StepError, Stepper};
+use super::step::{Step, StepError, Stepper};
+use super::time::Instant;
 use crate::field::{HeavyTop, State, add, scale};
 
 /// Order of the series inside a step: (step/radius of convergence)¹² is far below the method's own error.

@@ -4,7 +4,8 @@
 //! −⟨γ,r⟩ adds −t γ×r to l (Proposition 12.3 of docs/mathematics.md). All of them keep ⟨γ,γ⟩ and ⟨γ,l⟩, so that their
 //! composition does, to rounding.
 
-use super::{Instant, Step, StepError, Stepper};
+use super::step::{Step, StepError, Stepper};
+use super::time::Instant;
 use crate::field::{HeavyTop, State, cross, scale, sub};
 
 /// Suzuki's composition of five symmetric steps, of order 4: p, p, 1 − 4p, p, p with p = 1/(4 − 4^{1/3}).

@@ -1,7 +1,63 @@
 //! A step: its ends, and the motion between them as a polynomial.
 
-use super::{Instant, StepError};
-use crate::field::{HeavyTop, State, scale};
+use thiserror::Error;
+
+use super::time::Instant;
+use crate::field::{Dimension, HeavyTop, State, Units, scale};
+
+/// Why a step could not be made.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum StepError {
+    /// The state or the step is no longer a number.
+    #[error("the motion is no longer finite after time {time}")]
+    NotFinite {
+        /// Time of the last finite state.
+        time: f64,
+    },
+    /// The step became too small to move on.
+    #[error("the step size underflows at time {time}")]
+    Underflow {
+        /// Time at which it does.
+        time: f64,
+    },
+    /// DOP853's own limit.
+    #[error("more than {steps} steps would be needed at time {time}")]
+    TooManySteps {
+        /// Time that was reached.
+        time: f64,
+        /// The limit.
+        steps: u32,
+    },
+    /// DOP853's stiffness test.
+    #[error("the motion seems to become stiff at time {time}")]
+    Stiff {
+        /// Time at which it does.
+        time: f64,
+    },
+}
+
+impl StepError {
+    /// That of a reduced top as that of the top as given.
+    #[must_use]
+    pub fn restored(self, units: Units) -> Self {
+        let given = |time| units.restore(time, Dimension::TIME);
+        match self {
+            Self::NotFinite { time } => Self::NotFinite { time: given(time) },
+            Self::Underflow { time } => Self::Underflow { time: given(time) },
+            Self::TooManySteps { time, steps } => Self::TooManySteps { time: given(time), steps },
+            Self::Stiff { time } => Self::Stiff { time: given(time) },
+        }
+    }
+}
+
+/// An integrator under way.
+pub trait Stepper {
+    /// Makes one step.
+    ///
+    /// # Errors
+    /// [`StepError`]; the stepper is of no use afterwards.
+    fn step(&mut self) -> Result<Step, StepError>;
+}
 
 /// One step of an integrator.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +120,18 @@ impl Step {
             }
         }
         Self::new(start, length, *ends[1], coefficients)
+    }
+
+    /// That of a reduced top as that of the top as given.
+    #[must_use]
+    pub(super) fn restored(mut self, units: Units) -> Self {
+        self.start = self.start.restored(units);
+        self.length = units.restore(self.length, Dimension::TIME);
+        self.end_state = self.end_state.restored(units);
+        for coefficient in &mut self.coefficients {
+            *coefficient = coefficient.restored(units);
+        }
+        self
     }
 
     /// Time at the start.

@@ -1,5 +1,7 @@
 //! Times that do not lose digits late in a run.
 
+use crate::field::{Dimension, Units};
+
 /// s + e = a + b exactly, s the rounded sum (Knuth's TwoSum).
 #[inline]
 pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
@@ -31,6 +33,13 @@ impl Instant {
     pub fn after(self, offset: f64) -> Self {
         let (sum, error) = two_sum(self.high, offset);
         Self::new(sum, error + self.low)
+    }
+
+    /// That of a reduced top as that of the top as given.
+    #[must_use]
+    pub fn restored(self, units: Units) -> Self {
+        let given = |time| units.restore(time, Dimension::TIME);
+        Self { high: given(self.high), low: given(self.low) }
     }
 
     /// The nearest double.

@@ -107,7 +107,7 @@ pub fn follow(
     times: &[f64],
     options: &MotionOptions<'_>,
 ) -> Result<Motion, MotionError> {
-    options.method.check()?;
+    options.method.check(top)?;
     for (i, &time) in times.iter().enumerate() {
         if !time.is_finite() {
             return Err(MotionError::NotFinite { number: i + 1, time });
@@ -128,7 +128,9 @@ pub fn follow(
         sample.l = sample.l.map(|x| -x);
         sample.omega = sample.omega.map(|x| -x);
     }
-    samples.extend(Follower::new(top, start, options).run(future, &mut report)?);
+    if !report.interrupted {
+        samples.extend(Follower::new(top, start, options).run(future, &mut report)?);
+    }
     Ok(Motion { samples, report })
 }
 
@@ -167,8 +169,7 @@ impl<'a> Follower<'a> {
         }
         let mut stepper = self.options.method.stepper(self.top, &self.start)?;
         while left.peek().is_some() {
-            if self.options.stop.load(Ordering::Relaxed) {
-                report.interrupted = true;
+            if self.is_stopped(report) {
                 break;
             }
             let step = match stepper.step() {
@@ -184,6 +185,9 @@ impl<'a> Follower<'a> {
                 let to =
                     (((time - step.start().seconds()) - step.start().remainder()) / step.length()).clamp(from, 1.0);
                 let state = self.advance(&step, [from, to], report);
+                if report.interrupted {
+                    return Ok(samples);
+                }
                 samples.push(self.sample(time, &state, report));
                 from = to;
             }
@@ -195,11 +199,19 @@ impl<'a> Follower<'a> {
         Ok(samples)
     }
 
-    /// Carries attitude and φ over a part of a step; the state at its end.
+    fn is_stopped(&self, report: &mut MotionReport) -> bool {
+        report.interrupted |= self.options.stop.load(Ordering::Relaxed);
+        report.interrupted
+    }
+
+    /// Carries attitude and φ over a part of a step; the state at its end, which means nothing after an interrupt.
     fn advance(&mut self, step: &Step, ends: [f64; 2], report: &mut MotionReport) -> State {
         let at = |x: f64| if x == 1.0 { *step.end_state() } else { step.state(x) };
         if ends[1] > ends[0] {
             for piece in Piece::cut(self.top, step, ends) {
+                if self.is_stopped(report) {
+                    break;
+                }
                 let coefficients = piece.coefficients();
                 self.attitude = attitude::advance(self.top, &piece, &coefficients, self.attitude);
                 let psi = azimuth::longitude(at(piece.ends[1]).gamma);

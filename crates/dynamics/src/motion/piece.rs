@@ -13,19 +13,14 @@ pub(super) struct Piece<'a> {
 
 impl<'a> Piece<'a> {
     /// Cuts the part a ≤ x ≤ b of a step into equal pieces.
-    pub fn cut(top: &HeavyTop, step: &'a Step, [a, b]: [f64; 2]) -> Vec<Self> {
+    pub fn cut(top: &HeavyTop, step: &'a Step, [a, b]: [f64; 2]) -> impl Iterator<Item = Self> + use<'a> {
         let largest = |v: [f64; 3]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let speeds = step.coefficients().iter().map(|c| largest(top.angular_velocity(c.l)));
         let turn = speeds.fold(0.0, |sum, speed| sum + speed) * step.length() * (b - a);
         let count = turn.ceil().clamp(1.0, f64::from(u32::MAX));
-        let at = |k: f64| if k == count { b } else { a + (b - a) * (k / count) };
-        let mut pieces = Vec::new();
-        let mut k = 0.0;
-        while k < count {
-            pieces.push(Self { step, ends: [at(k), at(k + 1.0)] });
-            k += 1.0;
-        }
-        pieces
+        let at = move |k: f64| if k == count { b } else { a + (b - a) * (k / count) };
+        let numbers = std::iter::successors(Some(0.0), move |k| Some(k + 1.0)).take_while(move |k| *k < count);
+        numbers.map(move |k| Self { step, ends: [at(k), at(k + 1.0)] })
     }
 
     /// Its length in time.

@@ -1,7 +1,9 @@
 //! Starting points in every component of the section.
 
 use super::{PoincareError, Setting};
-use crate::section::{SectionError, StartOptions, TorusPoint, spread_starts, spread_starts_over, spread_starts_round};
+use crate::section::{
+    Monitor, SectionError, StartOptions, TorusPoint, spread_starts, spread_starts_over, spread_starts_round,
+};
 use top::accessible::component_of;
 
 /// Places of the whole sphere that are tried for each start before a component counts as small.
@@ -16,12 +18,20 @@ impl Setting {
     /// [`PoincareError::Merge`] when components could not be told apart, [`PoincareError::NoStart`] when one is too
     /// small for `f64`.
     pub fn spread(&self, count: usize, seed: u64) -> Result<Vec<TorusPoint>, PoincareError> {
+        self.spread_watched(count, seed, &Monitor::default())
+    }
+
+    /// The same; `monitor` can stop the search.
+    ///
+    /// # Errors
+    /// Those of [`spread`](Self::spread); [`SectionError::Interrupted`] when it was stopped.
+    pub fn spread_watched(&self, count: usize, seed: u64, monitor: &Monitor) -> Result<Vec<TorusPoint>, PoincareError> {
         let parts = self.component_count();
         let partition = if parts > 1 { self.region.partition()? } else { None };
         let mut found: Vec<std::vec::IntoIter<TorusPoint>> = Vec::with_capacity(parts);
         for part in 0..parts {
             let share = count / parts + usize::from(part < count % parts);
-            let options = StartOptions { count: share, seed, tries_per_start: TRIES };
+            let options = StartOptions { count: share, seed, tries_per_start: TRIES, stop: Some(&monitor.stop) };
             let here = |gamma: [f64; 3]| partition.as_ref().map_or(Some(0), |p| component_of(p, gamma)) == Some(part);
             let spread = if parts == 1 {
                 spread_starts(&self.torus, self.h(), self.l(), &options)
@@ -31,8 +41,12 @@ impl Setting {
             let points = match spread {
                 Err(SectionError::Inaccessible { .. }) => {
                     let center = self.minimum(part).ok_or(PoincareError::NoStart { component: part })?;
-                    spread_starts_round(&self.torus, self.h(), self.l(), &options, center, &here)
-                        .map_err(|_none| PoincareError::NoStart { component: part })?
+                    spread_starts_round(&self.torus, self.h(), self.l(), &options, center, &here).map_err(|error| {
+                        match error {
+                            SectionError::Inaccessible { .. } => PoincareError::NoStart { component: part },
+                            error => error.into(),
+                        }
+                    })?
                 }
                 spread => spread?,
             };

@@ -1,7 +1,7 @@
 //! Section conditions S = Ẇ.
 
 use super::roots::MAX_TERMS;
-use crate::field::{HeavyTop, State, cross, dot};
+use crate::field::{Dimension, HeavyTop, State, cross, dot};
 use crate::integrator::Step;
 
 /// What is a section: the zeros of S = Ẇ for a bounded function W of the state.
@@ -15,6 +15,18 @@ pub enum SectionCondition {
 }
 
 impl SectionCondition {
+    /// The dimension of S.
+    #[must_use]
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Self::Height => Dimension::ENERGY.rate(),
+            Self::AngularMomentum => {
+                let (l, r) = (Dimension::MOMENTUM, Dimension::ENERGY);
+                Dimension { inertia: l.inertia + r.inertia, time: l.time + r.time }
+            }
+        }
+    }
+
     /// S at a state.
     #[must_use]
     #[inline(always)]

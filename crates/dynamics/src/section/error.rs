@@ -1,5 +1,7 @@
 //! Why a section cannot be computed.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use thiserror::Error;
 
 use crate::integrator::MethodError;
@@ -49,4 +51,22 @@ pub enum SectionError {
     /// This processor lacks the instructions that were asked for.
     #[error("this processor does not have the {0:?} instructions")]
     InstructionSet(InstructionSet),
+    /// The work was told to stop before it had a result.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+/// Refuses h and l that are not numbers.
+pub(super) fn check_finite(h: f64, l: f64) -> Result<(), SectionError> {
+    for (name, value) in [("h", h), ("l", l)] {
+        if !value.is_finite() {
+            return Err(SectionError::Parameter { name, value, expected: "a finite number is needed" });
+        }
+    }
+    Ok(())
+}
+
+/// Refuses to go on when the work was told to stop.
+pub(super) fn check_stop(stop: Option<&AtomicBool>) -> Result<(), SectionError> {
+    if stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) { Err(SectionError::Interrupted) } else { Ok(()) }
 }

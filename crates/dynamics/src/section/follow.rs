@@ -2,12 +2,13 @@
 
 use pulp::Simd;
 
+use super::orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
+use super::polish::polished;
 use super::readings::{Gauge, Reading, Readings};
 use super::roots::all_roots;
 use super::scan::Scan;
-use super::sweep::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::torus::PpTorus;
-use crate::field::{Integrals, State, add, scale};
+use crate::field::{Integrals, State};
 use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, state_of};
 use crate::integrator::{Instant, Step, StepError};
 
@@ -139,6 +140,10 @@ impl Follower {
         } else {
             let mut room = [0.0; ROWS];
             let c = scan.coefficients(lane, &mut room);
+            if !c.iter().all(|x| x.is_finite()) {
+                self.end = Some(End::Failed(StepError::NotFinite { time: start.seconds() }));
+                return;
+            }
             let mut roots = std::mem::take(&mut self.roots);
             self.tangencies += self.general_roots(c, verdict.start, verdict.end >= 0.0, &mut roots);
             for &x in &roots {
@@ -187,8 +192,13 @@ impl Follower {
         self.count_step(step.end().seconds());
         let end = options.condition.value(torus.top(), step.end_state());
         let c = options.condition.polynomial(torus.top(), step);
-        if c.iter().fold(0.0, |sum, x| sum + x.abs()) <= self.flat {
+        let size = c.iter().fold(0.0, |sum, x| sum + x.abs());
+        if size <= self.flat {
             self.count_flat_step();
+            return end;
+        }
+        if !size.is_finite() {
+            self.end = Some(End::Failed(StepError::NotFinite { time: step.start().seconds() }));
             return end;
         }
         let mut roots = Vec::new();
@@ -216,7 +226,7 @@ impl Follower {
     /// A crossing near this state, where S = `value`.
     #[inline(never)]
     fn cross_nearby(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, value: f64) {
-        let (offset, state) = polished(torus, options, state, value);
+        let (offset, state) = polished(torus.top(), options.condition, state, value);
         let reading = Reading::new(torus, options.condition, &state);
         self.cross_at(torus, options, time.after(offset), &state, &reading);
     }
@@ -236,7 +246,7 @@ impl Follower {
 
     #[inline(always)]
     fn record(&mut self, torus: &PpTorus, time: Instant, state: &State, reading: &Reading) {
-        let point = torus.place(state, reading);
+        let point = reading.place(torus, state);
         self.drift = self.drift.max(&reading.integrals.distance(&self.integrals));
         self.residual = self.residual.max(reading.value.abs());
         self.points.push(SectionPoint {
@@ -268,32 +278,4 @@ impl Follower {
             orbit: self.orbit,
         }
     }
-}
-
-/// Moves a state that is close to the section, where S = `residual`, onto it along the flow: the time that this
-/// takes and the state there.
-///
-/// The polynomial's root is as good as the step's tolerance; Newton's method in time with the flow's own series
-/// brings |S| down to rounding. Near a tangency it stops where it no longer improves.
-#[inline(never)]
-fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual: f64) -> (f64, State) {
-    let top = torus.top();
-    let (mut offset, mut best) = (0.0, *state);
-    for _ in 0..4 {
-        let t = -residual / options.condition.rate(top, &best);
-        if t.is_nan() {
-            break;
-        }
-        let mut next = State::default();
-        for x in top.taylor_coefficients(&best, 4).iter().rev() {
-            next.gamma = add(scale(t, next.gamma), x.gamma);
-            next.l = add(scale(t, next.l), x.l);
-        }
-        let value = options.condition.value(top, &next);
-        if value.is_nan() || value.abs() >= residual.abs() {
-            break;
-        }
-        (offset, best, residual) = (offset + t, next, value);
-    }
-    (offset, best)
 }

@@ -4,7 +4,7 @@ use pulp::{Scalar, Simd};
 
 use super::angle::angle;
 use super::condition::SectionCondition;
-use super::torus::PpTorus;
+use super::torus::{PpTorus, TorusPoint, positive_angle};
 use crate::field::{Integrals, State};
 use crate::integrator::taylor::{Vector, lane_values};
 
@@ -114,6 +114,12 @@ impl Reading {
         let simd = Scalar::new();
         Gauge::<Scalar>::new(simd, torus, condition).read(simd, [state.gamma, state.l]).of(0)
     }
+
+    /// The point of the torus of the state that was read, which lies on the section.
+    #[inline(always)]
+    pub fn place(&self, torus: &PpTorus, state: &State) -> TorusPoint {
+        torus.on_sheet(state, self.delta, self.theta, positive_angle(self.psi))
+    }
 }
 
 /// ⟨u, v⟩.
@@ -165,7 +171,7 @@ mod tests {
                 assert_eq!(reading.rate, condition.rate(torus.top(), &state));
                 assert_eq!(reading.delta, torus.delta(&state));
                 assert_eq!(reading.integrals, Integrals::of(torus.top(), &state));
-                let point = torus.place(&state, &reading);
+                let point = reading.place(&torus, &state);
                 assert_eq!((point.theta, point.psi), torus.angles(state.gamma));
                 assert_eq!(point, torus.point(&state));
             }

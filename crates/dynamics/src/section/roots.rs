@@ -66,13 +66,13 @@ struct Search<'a> {
 }
 
 /// Appends every root in (0, 1), ascending, and returns the number of extrema whose sign is within rounding:
-/// there, a double root cannot be told from two or none.
+/// there, a double root cannot be told from two or none. The coefficients must be finite.
 ///
 /// Bernstein coefficients bound the polynomial and its differences on an interval; halving goes on until it is
 /// seen to have no root, to be monotone, or to have exactly one extremum, at which it is then split. A nearly
 /// double root is therefore resolved as far as the sign of one value is.
 pub(super) fn all_roots(c: &[f64], start_positive: bool, end_positive: bool, roots: &mut Vec<f64>) -> u32 {
-    debug_assert!(c.len() <= MAX_TERMS);
+    debug_assert!(c.len() <= MAX_TERMS && c.iter().all(|x| x.is_finite()));
     let size = c.iter().fold(0.0, |sum, x| sum + x.abs());
     let mut bernstein = [0.0; MAX_TERMS];
     to_bernstein(c, &mut bernstein);
@@ -129,6 +129,12 @@ impl Search<'_> {
             let positive = value >= 0.0;
             self.monotone((low, extremum), (low_positive, positive));
             self.monotone((extremum, high), (positive, high_positive));
+            return;
+        }
+        if b.iter().all(|x| x.abs() <= self.noise) {
+            // A root of high multiplicity, as wide as the rounding: halving would go on in all of it.
+            self.tangencies += 1;
+            self.monotone((low, high), (low_positive, high_positive));
             return;
         }
         let middle = f64::midpoint(low, high);
@@ -228,6 +234,19 @@ mod tests {
         let (roots, _) = found(&planted(&[0.6, 0.6, 0.6, 2.0], 1.0));
         assert_eq!(roots.len() % 2, 1);
         assert!(roots.iter().all(|x| (x - 0.6).abs() < 1e-4), "{roots:?}");
+    }
+
+    #[test]
+    fn a_root_of_high_multiplicity_is_wide_but_found_at_once() {
+        // Within rounding over a fifth of the interval: 2⁵⁰ halvings of it would take for ever.
+        for multiplicity in [5, 8, 15] {
+            let mut roots = vec![0.4; multiplicity];
+            roots.push(1.9);
+            let (found, tangencies) = found(&planted(&roots, 1.0));
+            assert!(tangencies > 0);
+            assert_eq!(found.len() % 2, multiplicity % 2);
+            assert!(found.iter().all(|x| (x - 0.4).abs() < 0.3), "{found:?}");
+        }
     }
 
     #[test]

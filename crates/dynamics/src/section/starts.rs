@@ -1,25 +1,65 @@
 //! Starting points on the section, spread evenly and reproducibly.
 
 use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
 
-use super::error::SectionError;
+use super::error::{SectionError, check_finite, check_stop};
 use super::torus::{PpTorus, TorusPoint};
-use crate::field::{add, cross, norm, scale};
+use crate::field::{Dimension, HeavyTop, Units, add, cross, norm, scale};
+use numbers::sequence::Square;
 
 /// How starting points are chosen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StartOptions {
+#[derive(Clone, Copy, Debug)]
+pub struct StartOptions<'a> {
     /// How many.
     pub count: usize,
     /// Shifts the sequence.
     pub seed: u64,
     /// Give up after so many places for each point wanted.
     pub tries_per_start: u64,
+    /// Set it from outside, and the search ends with [`SectionError::Interrupted`].
+    pub stop: Option<&'a AtomicBool>,
 }
 
-impl Default for StartOptions {
+impl Default for StartOptions<'_> {
     fn default() -> Self {
-        Self { count: 64, seed: 0, tries_per_start: 20_000 }
+        Self { count: 64, seed: 0, tries_per_start: 20_000, stop: None }
+    }
+}
+
+/// U_l of one top, in the top's own units, and what was seen of it.
+struct Potential {
+    top: HeavyTop,
+    units: Units,
+    h: f64,
+    l: f64,
+    lowest: f64,
+    tried: u64,
+}
+
+impl Potential {
+    fn new(torus: &PpTorus, h: f64, l: f64) -> Self {
+        let units = torus.top().units();
+        let (h, l) = (units.reduce(h, Dimension::ENERGY), units.reduce(l, Dimension::MOMENTUM));
+        Self { top: torus.top().reduced(), units, h, l, lowest: f64::INFINITY, tried: 0 }
+    }
+
+    /// Is U_l(γ) ≤ h?
+    fn allows(&self, gamma: [f64; 3]) -> bool {
+        self.top.effective_potential(gamma, self.l) <= self.h
+    }
+
+    /// The same for a place that is tried.
+    fn try_place(&mut self, gamma: [f64; 3]) -> bool {
+        let potential = self.top.effective_potential(gamma, self.l);
+        self.lowest = self.lowest.min(potential);
+        self.tried += 1;
+        potential <= self.h
+    }
+
+    fn inaccessible(&self) -> SectionError {
+        let [h, lowest] = [self.h, self.lowest].map(|x| self.units.restore(x, Dimension::ENERGY));
+        SectionError::Inaccessible { h, lowest, tried: self.tried }
     }
 }
 
@@ -29,8 +69,14 @@ impl Default for StartOptions {
 /// points at which U_l > h are passed over.
 ///
 /// # Errors
-/// [`SectionError::Inaccessible`] when the places run out before `count` points were found.
-pub fn spread_starts(torus: &PpTorus, h: f64, l: f64, options: &StartOptions) -> Result<Vec<TorusPoint>, SectionError> {
+/// [`SectionError::Inaccessible`] when the places run out before `count` points were found;
+/// [`SectionError::Interrupted`].
+pub fn spread_starts(
+    torus: &PpTorus,
+    h: f64,
+    l: f64,
+    options: &StartOptions<'_>,
+) -> Result<Vec<TorusPoint>, SectionError> {
     spread_starts_over(torus, h, l, options, 1, &|_| Some(0))
 }
 
@@ -40,40 +86,34 @@ pub fn spread_starts(torus: &PpTorus, h: f64, l: f64, options: &StartOptions) ->
 /// The parts take turns in the result as far as the sequence allows; the first parts get the odd ones.
 ///
 /// # Errors
-/// [`SectionError::Inaccessible`] when the places run out before every part has its share.
+/// [`SectionError::Inaccessible`] when the places run out before every part has its share;
+/// [`SectionError::Interrupted`].
 pub fn spread_starts_over(
     torus: &PpTorus,
     h: f64,
     l: f64,
-    options: &StartOptions,
+    options: &StartOptions<'_>,
     components: usize,
     component_of: &dyn Fn([f64; 3]) -> Option<usize>,
 ) -> Result<Vec<TorusPoint>, SectionError> {
-    for (name, value) in [("h", h), ("l", l)] {
-        if !value.is_finite() {
-            return Err(SectionError::Parameter { name, value, expected: "a finite number is needed" });
-        }
-    }
+    check_finite(h, l)?;
     let share = |part: usize| options.count / components + usize::from(part < options.count % components);
     let mut taken = vec![0_usize; components];
     let limit = options.tries_per_start.saturating_mul(options.count.max(1) as u64);
-    let mut position = shift(options.seed);
-    let mut starts = Vec::with_capacity(options.count);
-    let mut lowest = f64::INFINITY;
-    let mut tried = 0;
+    let mut places = Square::new(options.seed);
+    let mut potential = Potential::new(torus, h, l);
+    let mut starts = Vec::with_capacity(options.count.min(1 << 16));
     while components > 0 && starts.len() < options.count {
-        if tried == limit {
-            return Err(SectionError::Inaccessible { h, lowest, tried });
+        if potential.tried == limit {
+            return Err(potential.inaccessible());
         }
-        tried += 1;
-        advance(&mut position);
-        let cos = 1.0 - 2.0 * position[0];
+        check_stop(options.stop)?;
+        let [x, y] = places.advance();
+        let cos = 1.0 - 2.0 * x;
         let theta = libm::atan2((1.0 - cos * cos).sqrt(), cos);
-        let psi = TAU * position[1];
+        let psi = TAU * y;
         let gamma = torus.gamma(theta, psi);
-        let potential = torus.top().effective_potential(gamma, l);
-        lowest = lowest.min(potential);
-        if potential > h {
+        if !potential.try_place(gamma) {
             continue;
         }
         if let Some(part) = component_of(gamma).filter(|&part| part < components && taken[part] < share(part)) {
@@ -89,12 +129,13 @@ pub fn spread_starts_over(
 /// shrink until a part of their points serves.
 ///
 /// # Errors
-/// [`SectionError::Inaccessible`] when no cap that is wider than rounding has enough points.
+/// [`SectionError::Inaccessible`] when no cap that is wider than rounding has enough points;
+/// [`SectionError::Interrupted`].
 pub fn spread_starts_round(
     torus: &PpTorus,
     h: f64,
     l: f64,
-    options: &StartOptions,
+    options: &StartOptions<'_>,
     center: [f64; 3],
     wanted: &dyn Fn([f64; 3]) -> bool,
 ) -> Result<Vec<TorusPoint>, SectionError> {
@@ -104,55 +145,31 @@ pub fn spread_starts_round(
     let first = cross(center, std::array::from_fn(|i| if i == smallest { 1.0 } else { 0.0 }));
     let first = scale(1.0 / norm(first), first);
     let second = cross(center, first);
-    let (mut lowest, mut tried) = (f64::INFINITY, 0);
+    let mut potential = Potential::new(torus, h, l);
     let mut radius = 1.0;
     while radius > f64::EPSILON {
-        let mut position = shift(options.seed);
-        let mut starts = Vec::with_capacity(options.count);
+        let mut places = Square::new(options.seed);
+        let mut starts = Vec::with_capacity(options.count.min(1 << 16));
         for _ in 0..TRIES * options.count as u64 {
             if starts.len() == options.count {
                 return Ok(starts);
             }
-            tried += 1;
-            advance(&mut position);
-            let distance = radius * position[0].sqrt();
-            let (sin, cos) = libm::sincos(TAU * position[1]);
+            check_stop(options.stop)?;
+            let [x, y] = places.advance();
+            let distance = radius * x.sqrt();
+            let (sin, cos) = libm::sincos(TAU * y);
             let gamma = add(center, add(scale(distance * cos, first), scale(distance * sin, second)));
             let gamma = scale(1.0 / norm(gamma), gamma);
-            let potential = torus.top().effective_potential(gamma, l);
-            lowest = lowest.min(potential);
+            let accessible = potential.try_place(gamma);
             let (theta, psi) = torus.angles(gamma);
             // The angles round; what counts is the point that they denote.
-            if potential <= h && torus.top().effective_potential(torus.gamma(theta, psi), l) <= h && wanted(gamma) {
+            if accessible && potential.allows(torus.gamma(theta, psi)) && wanted(gamma) {
                 starts.push(TorusPoint { theta, psi, sheet: if starts.len().is_multiple_of(2) { 1 } else { -1 } });
             }
         }
         radius *= 0.5;
     }
-    Err(SectionError::Inaccessible { h, lowest, tried })
-}
-
-/// The next place of the Kronecker sequence.
-fn advance(position: &mut [f64; 2]) {
-    // 1/p and 1/p² with p³ = p + 1.
-    const STEP: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_3];
-    for (x, step) in position.iter_mut().zip(STEP) {
-        *x += step;
-        *x -= x.floor();
-    }
-}
-
-/// Two numbers in [0, 1) from a seed (SplitMix64).
-fn shift(seed: u64) -> [f64; 2] {
-    let mut state = seed;
-    [(); 2].map(|()| {
-        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^= z >> 31;
-        (z >> 11) as f64 / (1u64 << 53) as f64
-    })
+    Err(potential.inaccessible())
 }
 
 #[cfg(test)]

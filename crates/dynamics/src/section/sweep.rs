@@ -1,127 +1,22 @@
 //! Many orbits, each followed to its next crossings.
 
-use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::Ordering;
 
-use pulp::{Simd, WithSimd};
+use pulp::{Arch, Simd, WithSimd};
 
-use super::condition::SectionCondition;
 use super::error::SectionError;
 use super::follow::{Follower, News};
+use super::orbit::{End, OrbitSection, SweepOptions};
 use super::readings::Gauge;
 use super::scan::Scan;
 use super::torus::PpTorus;
-use crate::field::{Integrals, State};
-use crate::integrator::taylor::{InstructionSet, Lanes};
-use crate::integrator::{Method, StepError, Stepper};
+use super::workers::{Monitor, Turns, run_workers};
+use crate::field::State;
+use crate::integrator::taylor::Lanes;
+use crate::integrator::{Method, Stepper};
 
 /// Steps after which the monitor is told.
 const STEPS_BETWEEN_NEWS: u32 = 256;
-
-/// What to compute of each orbit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SweepOptions {
-    /// Crossings of each orbit, the start not counted.
-    pub crossings: usize,
-    /// Stop an orbit at this time even if it has fewer.
-    pub max_time: f64,
-    /// The integrator.
-    pub method: Method,
-    /// The section.
-    pub condition: SectionCondition,
-    /// SIMD instructions of the Taylor integrator; they do not change the results.
-    pub instructions: InstructionSet,
-}
-
-impl Default for SweepOptions {
-    fn default() -> Self {
-        Self {
-            crossings: 1000,
-            max_time: f64::INFINITY,
-            method: Method::default(),
-            condition: SectionCondition::Height,
-            instructions: InstructionSet::Best,
-        }
-    }
-}
-
-/// A crossing of the section.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SectionPoint {
-    /// Number of the orbit.
-    pub orbit: u32,
-    /// 0 is the start if it lies on the section; the crossings count from 1.
-    pub index: u32,
-    /// Time since the start.
-    pub time: f64,
-    /// What `time` leaves out: the time is `time` + `time_low`.
-    pub time_low: f64,
-    /// The vertical.
-    pub gamma: [f64; 3],
-    /// Angular momentum.
-    pub l: [f64; 3],
-    /// Sign of Δ.
-    pub sheet: i8,
-    /// Ṡ.
-    pub s_dot: f64,
-    /// ϑ'.
-    pub theta: f64,
-    /// ψ'.
-    pub psi: f64,
-}
-
-/// Why an orbit ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum End {
-    /// It has the crossings that were asked for.
-    Crossings,
-    /// Its time is up.
-    Time,
-    /// S ≡ 0 along it, within rounding: a relative equilibrium or a regular precession of Lagrange's top.
-    StaysOnSection,
-    /// The integrator could not go on.
-    Failed(StepError),
-    /// The run was stopped.
-    Interrupted,
-}
-
-/// What an orbit was like.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OrbitReport {
-    /// Why it ended.
-    pub end: End,
-    /// Steps of the integrator.
-    pub steps: u64,
-    /// Time at the last step's end.
-    pub time: f64,
-    /// Extrema of S whose sign is within rounding: a pair of crossings may be missing or spurious there.
-    pub tangencies: u32,
-    /// The largest |deviation| of each first integral from its value at the start, over the crossings.
-    pub drift: Integrals,
-    /// The largest |S| at a crossing.
-    pub residual: f64,
-}
-
-/// One orbit's crossings.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OrbitSection {
-    /// Crossings in the order of time.
-    pub points: Vec<SectionPoint>,
-    /// What the orbit was like.
-    pub report: OrbitReport,
-    /// Number of the orbit.
-    pub orbit: u32,
-}
-
-/// Watches a run from outside, and stops it.
-#[derive(Debug, Default)]
-pub struct Monitor {
-    /// Set it, and every orbit ends as [`End::Interrupted`]; orbits not yet begun are left out.
-    pub stop: AtomicBool,
-    /// Crossings so far, brought up to date every few hundred steps.
-    pub crossings: AtomicU64,
-    /// Finished orbits.
-    pub orbits: AtomicU64,
-}
 
 /// Follows every start to its crossings; orbit k is `starts[k]`. A start on the section, within rounding, is the
 /// orbit's point of index 0.
@@ -138,7 +33,7 @@ pub fn sweep(
     options: &SweepOptions,
     monitor: &Monitor,
 ) -> Result<Vec<OrbitSection>, SectionError> {
-    options.method.check()?;
+    options.method.check(torus.top())?;
     if u32::try_from(starts.len()).is_err() {
         return Err(SectionError::Parameter {
             name: "orbits",
@@ -154,23 +49,30 @@ pub fn sweep(
         });
     }
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
-    let queue = Queue { torus, starts, options, monitor, next: AtomicU32::new(0) };
+    let units = torus.top().units();
+    if units.are_one() {
+        return Ok(followed(arch, torus, starts, options, monitor));
+    }
+    let starts: Vec<State> = starts.iter().map(|state| state.reduced(units)).collect();
+    let orbits = followed(arch, &torus.reduced(), &starts, &options.reduced(units), monitor);
+    Ok(orbits.into_iter().map(|orbit| orbit.restored(units, options.condition)).collect())
+}
+
+/// The orbits of a top in its own units.
+fn followed(
+    arch: Arch,
+    torus: &PpTorus,
+    starts: &[State],
+    options: &SweepOptions,
+    monitor: &Monitor,
+) -> Vec<OrbitSection> {
+    let queue = Queue { torus, starts, options, turns: Turns::new(monitor) };
     let mut orbits = match options.method {
         Method::Taylor { tolerance } => run_workers(|| arch.dispatch(TaylorWorker { queue: &queue, tolerance })),
         _ => run_workers(|| queue.work_stepwise()),
     };
     orbits.sort_by_key(|orbit| orbit.orbit);
-    Ok(orbits)
-}
-
-#[cfg(feature = "parallel")]
-pub(super) fn run_workers<T: Send>(worker: impl Fn() -> Vec<T> + Sync) -> Vec<T> {
-    rayon::broadcast(|_| worker()).into_iter().flatten().collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-pub(super) fn run_workers<T: Send>(worker: impl Fn() -> Vec<T> + Sync) -> Vec<T> {
-    worker()
+    orbits
 }
 
 /// The orbits still to be done, shared by the workers.
@@ -178,23 +80,18 @@ struct Queue<'a> {
     torus: &'a PpTorus,
     starts: &'a [State],
     options: &'a SweepOptions,
-    monitor: &'a Monitor,
-    next: AtomicU32,
+    turns: Turns<'a>,
 }
 
 impl Queue<'_> {
     /// The next orbit.
     fn pop(&self) -> Option<Follower> {
-        if self.stopped() {
-            return None;
-        }
-        let orbit = self.next.fetch_add(1, Ordering::Relaxed);
-        let start = self.starts.get(orbit as usize)?;
+        let (orbit, start) = self.turns.next(self.starts)?;
         Some(Follower::new(self.torus, self.options, orbit, start))
     }
 
-    fn stopped(&self) -> bool {
-        self.monitor.stop.load(Ordering::Relaxed)
+    fn monitor(&self) -> &Monitor {
+        self.turns.monitor
     }
 
     /// One worker of the methods that follow one orbit at a time.
@@ -213,7 +110,7 @@ impl Queue<'_> {
     fn follow(&self, follower: &mut Follower, stepper: &mut dyn Stepper) {
         let mut value = follower.start_value;
         let mut steps = 0_u32;
-        while !follower.is_over(self.options) && !self.stopped() {
+        while !follower.is_over(self.options) && !self.monitor().is_stopped() {
             steps = steps.wrapping_add(1);
             if steps.is_multiple_of(STEPS_BETWEEN_NEWS) {
                 self.tell(follower);
@@ -227,12 +124,12 @@ impl Queue<'_> {
 
     fn close(&self, mut follower: Follower, done: &mut Vec<OrbitSection>) {
         self.tell(&mut follower);
-        self.monitor.orbits.fetch_add(1, Ordering::Relaxed);
+        self.monitor().orbits.fetch_add(1, Ordering::Relaxed);
         done.push(follower.finish());
     }
 
     fn tell(&self, follower: &mut Follower) {
-        self.monitor.crossings.fetch_add(follower.untold(), Ordering::Relaxed);
+        self.monitor().crossings.fetch_add(follower.untold(), Ordering::Relaxed);
     }
 }
 
@@ -283,7 +180,7 @@ impl WithSimd for TaylorWorker<'_> {
             }
             lanes.commit(simd);
             scan.commit();
-            let stopped = queue.stopped();
+            let stopped = queue.monitor().is_stopped();
             for (lane, slot) in followers.iter_mut().enumerate() {
                 if let Some(mut follower) = slot.take_if(|follower| follower.is_over(queue.options) || stopped) {
                     follower.end.get_or_insert(End::Interrupted);

@@ -5,8 +5,7 @@ use pulp::Scalar;
 
 use super::angle::angle;
 use super::error::SectionError;
-use super::readings::Reading;
-use crate::field::{HeavyTop, State, add, cross, dot, norm, scale, sub};
+use crate::field::{Dimension, HeavyTop, State, add, cross, dot, norm, scale, sub, unit};
 
 /// A point of the PP-torus.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,8 +36,7 @@ impl PpTorus {
         let r_hat = top.r_hat().ok_or(SectionError::WeightlessBody)?;
         let axis = if r_hat[0] == 0.0 && r_hat[1] == 0.0 { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] };
         // r̂×(e×r̂) = e − r̂⟨e,r̂⟩ without its cancellation.
-        let e_y = cross(r_hat, cross(axis, r_hat));
-        let e_y = scale(1.0 / norm(e_y), e_y);
+        let e_y = unit(cross(r_hat, cross(axis, r_hat)));
         Ok(Self { top: *top, r_hat, e_x: cross(e_y, r_hat), e_y })
     }
 
@@ -46,6 +44,11 @@ impl PpTorus {
     #[must_use]
     pub fn top(&self) -> &HeavyTop {
         &self.top
+    }
+
+    /// The torus of the same top in its own units.
+    pub(super) fn reduced(&self) -> Self {
+        Self { top: self.top.reduced(), ..*self }
     }
 
     /// (e_x', e_y', r̂), right-handed.
@@ -80,17 +83,13 @@ impl PpTorus {
     #[must_use]
     pub fn point(&self, state: &State) -> TorusPoint {
         let (theta, psi) = self.angles(state.gamma);
-        self.on_sheet(state, self.delta(state), theta, psi)
+        let (torus, state) = (self.reduced(), state.reduced(self.top.units()));
+        torus.on_sheet(&state, torus.delta(&state), theta, psi)
     }
 
-    /// The same with what has been read off the state.
+    /// Likewise with Δ and the angles of γ.
     #[inline(always)]
-    pub(super) fn place(&self, state: &State, reading: &Reading) -> TorusPoint {
-        self.on_sheet(state, reading.delta, reading.theta, positive_angle(reading.psi))
-    }
-
-    #[inline(always)]
-    fn on_sheet(&self, state: &State, delta: f64, theta: f64, psi: f64) -> TorusPoint {
+    pub(super) fn on_sheet(&self, state: &State, delta: f64, theta: f64, psi: f64) -> TorusPoint {
         if delta != 0.0 || cross(state.gamma, self.r_hat) != [0.0; 3] {
             return TorusPoint { theta, psi, sheet: if delta < 0.0 { -1 } else { 1 } };
         }
@@ -131,6 +130,25 @@ impl PpTorus {
                 return Err(SectionError::Parameter { name, value, expected: "an angle in radians is needed" });
             }
         }
+        if self.top.units().are_one() { self.plain_state(point, h, l) } else { self.extreme_state(point, h, l) }
+    }
+
+    #[cold]
+    fn extreme_state(&self, point: TorusPoint, h: f64, l: f64) -> Result<State, SectionError> {
+        let units = self.top.units();
+        let (reduced_h, reduced_l) = (units.reduce(h, Dimension::ENERGY), units.reduce(l, Dimension::MOMENTUM));
+        match self.reduced().plain_state(point, reduced_h, reduced_l) {
+            Ok(state) => Ok(state.restored(units)),
+            Err(SectionError::SeedInaccessible { theta, psi, potential, .. }) => {
+                let potential = units.restore(potential, Dimension::ENERGY);
+                Err(SectionError::SeedInaccessible { theta, psi, potential, h })
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    #[inline]
+    fn plain_state(&self, point: TorusPoint, h: f64, l: f64) -> Result<State, SectionError> {
         let gamma = self.gamma(point.theta, point.psi);
         let potential = self.top.effective_potential(gamma, l);
         if potential.is_nan() || potential > h {
@@ -147,7 +165,7 @@ impl PpTorus {
 }
 
 /// An angle of atan2 brought to [0, 2π).
-fn positive_angle(angle: f64) -> f64 {
+pub(super) fn positive_angle(angle: f64) -> f64 {
     if angle >= 0.0 {
         return angle;
     }

@@ -1,30 +1,24 @@
 //! Colours for many entries, apart in print and for colour-blind readers as far as that is possible.
 
+use crate::page::{rgb, rgbs};
 use plotters::style::RGBColor;
 
 /// Where nothing is known.
-pub(super) const UNKNOWN: RGBColor = RGBColor(0x9a, 0x9a, 0x9a);
+const UNKNOWN: RGBColor = rgb(0x9a_9a_9a);
 
 /// The first ones, chosen by hand: light enough for black text, neighbours apart in lightness too.
-const CHOSEN: [RGBColor; 14] = [
-    RGBColor(0xa6, 0xc8, 0xea),
-    RGBColor(0xf7, 0xc5, 0x8b),
-    RGBColor(0xb5, 0xdd, 0xa4),
-    RGBColor(0xf2, 0xa7, 0xa0),
-    RGBColor(0xcf, 0xbc, 0xe6),
-    RGBColor(0xfb, 0xec, 0xa0),
-    RGBColor(0x8f, 0xd2, 0xcb),
-    RGBColor(0xe3, 0xc9, 0xb0),
-    RGBColor(0xf3, 0xbf, 0xdd),
-    RGBColor(0xd9, 0xe6, 0x7f),
-    RGBColor(0x7f, 0xa8, 0xd1),
-    RGBColor(0xd9, 0x93, 0x5a),
-    RGBColor(0x7d, 0xb3, 0x6b),
-    RGBColor(0xc9, 0x7f, 0x91),
-];
+const CHOSEN: [RGBColor; 14] = rgbs([
+    0xa6_c8_ea, 0xf7_c5_8b, 0xb5_dd_a4, 0xf2_a7_a0, 0xcf_bc_e6, 0xfb_ec_a0, 0x8f_d2_cb, 0xe3_c9_b0, 0xf3_bf_dd,
+    0xd9_e6_7f, 0x7f_a8_d1, 0xd9_93_5a, 0x7d_b3_6b, 0xc9_7f_91,
+]);
+
+/// The colour of a body that shows an entry, or nothing that is known.
+pub(super) fn fill(entry: Option<usize>) -> RGBColor {
+    entry.map_or(UNKNOWN, color)
+}
 
 /// The colour of an entry. Beyond the chosen ones hues follow the golden section.
-pub(super) fn color(entry: usize) -> RGBColor {
+fn color(entry: usize) -> RGBColor {
     if let Some(color) = CHOSEN.get(entry) {
         return *color;
     }

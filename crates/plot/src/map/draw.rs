@@ -1,16 +1,13 @@
 //! The drawing.
 
-use plotters::chart::ChartBuilder;
-
-use super::colors::{UNKNOWN, color};
+use super::colors::fill;
+use super::legend::{Legend, SIZE, SMALL, line_pattern};
+use super::model::{Map, MapBodies, MapLine, MapNote};
 use super::places::widest;
-use super::{Map, MapBodies, MapLine, MapNote};
-use crate::canvas::{Anchor, Canvas, Ink, Point, render, style, text_style, to_units};
-use crate::font::{self, text_width};
-use crate::geometry::Rect;
-use crate::palette::{FAINT_INK, INK, PAPER};
-use crate::ticks::{Axis, ticks};
-use crate::{Picture, PlotError};
+use crate::page::{
+    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Picture, PlotError, Point, Rect, draw_axes, is_proper, pattern,
+    render, text_width, ticks,
+};
 
 const SIDE: f64 = 560.0;
 const LEFT: f64 = 64.0;
@@ -18,15 +15,8 @@ const TOP: f64 = 64.0;
 const BELOW: f64 = 56.0;
 /// Between map and legend, and behind the legend.
 const GAP: f64 = 26.0;
-const ROW: f64 = 19.0;
-const SIZE: f64 = 11.5;
-const SMALL: f64 = 10.0;
-const SWATCH: f64 = 14.0;
-/// Entries that the legend lists; the rest is counted.
-const LISTED: usize = 27;
 /// A mark needs so many pixels of room on each side.
 const ROOM: f64 = 8.0;
-const DASH: [f64; 2] = [6.0, 4.0];
 
 /// Where parameters lie on the page.
 struct View {
@@ -43,40 +33,33 @@ impl View {
     }
 }
 
-pub(super) fn draw(map: &Map) -> Result<Picture, PlotError> {
-    let good = |range: [f64; 2]| range[0] < range[1] && (range[1] - range[0]).is_finite();
-    if !good(map.x.range) || !good(map.y.range) {
+/// Draws a map.
+///
+/// # Errors
+/// [`PlotError::EmptyWindow`] when a range is empty, else what the drawing library reports.
+pub fn draw_map(map: &Map) -> Result<Picture, PlotError> {
+    if !is_proper(map.x.range) || !is_proper(map.y.range) {
         return Err(PlotError::EmptyWindow { h: map.x.range, l: map.y.range });
     }
-    // Text is measured before anything is drawn.
-    font::register()?;
-    let legend = legend(map);
-    let legend_width = legend.iter().map(Line::width).fold(120.0, f64::max);
-    let width = LEFT + SIDE + GAP + legend_width + GAP;
-    let height = TOP + (SIDE + BELOW).max(ROW * (legend.len() as f64 + 0.5) + 10.0);
+    let legend = Legend::new(map);
+    let width = LEFT + SIDE + GAP + legend.width() + GAP;
+    let height = TOP + (SIDE + BELOW).max(legend.height() + 10.0);
     let rect = Rect { x: LEFT, y: TOP, width: SIDE, height: SIDE };
     let view = View { x: map.x.range, y: map.y.range, rect };
     render([width.ceil(), height.ceil()], &map.title, |canvas| {
-        canvas.text(&map.title, [LEFT, 24.0], 15.0, INK, Anchor::Start)?;
-        canvas.text(&map.subtitle, [LEFT, 41.0], SIZE, FAINT_INK, Anchor::Start)?;
-        bodies(canvas, map, &view)?;
+        canvas.text(&map.title, [LEFT, 24.0], 15.0, INK, Anchor::Start);
+        canvas.text(&map.subtitle, [LEFT, 41.0], SIZE, FAINT_INK, Anchor::Start);
+        bodies(canvas, map, &view);
         for line in &map.lines {
-            draw_line(canvas, line, &view)?;
+            draw_line(canvas, line, &view);
         }
-        marks(canvas, map, &view)?;
-        axes(canvas, map, &view)?;
-        for (number, line) in legend.iter().enumerate() {
-            line.draw(canvas, [LEFT + SIDE + GAP, TOP + ROW * number as f64])?;
-        }
-        Ok(())
+        marks(canvas, map, &view);
+        axes(canvas, map, &view);
+        legend.draw(canvas, [LEFT + SIDE + GAP, TOP]);
     })
 }
 
-fn fill(entry: Option<usize>) -> plotters::style::RGBColor {
-    entry.map_or(UNKNOWN, color)
-}
-
-fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
+fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) {
     match &map.bodies {
         MapBodies::Grid { columns, entries } => {
             let rows = entries.len() / (*columns).max(1);
@@ -90,10 +73,10 @@ fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> 
                     let more = |edge: bool| if edge { 0.0 } else { 1.0 };
                     let left = view.rect.x + from as f64 * wide;
                     let right = view.rect.x + to as f64 * wide + more(to == *columns);
-                    let bottom = view.rect.y + view.rect.height - row as f64 * high;
+                    let bottom = view.rect.bottom() - row as f64 * high;
                     let top = bottom - high - more(row + 1 == rows);
                     let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
-                    canvas.polygon(&corners, fill(line[from]))?;
+                    canvas.polygon(&corners, fill(line[from]));
                     from = to;
                 }
             }
@@ -101,63 +84,22 @@ fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> 
         MapBodies::Points(points) => {
             let radius = (0.4 * SIDE / (points.len().max(1) as f64).sqrt()).clamp(0.8, 6.0);
             for (at, entry) in points {
-                canvas.disc(view.at(*at), radius, fill(*entry))?;
+                canvas.disc(view.at(*at), radius, fill(*entry));
             }
         }
     }
-    Ok(())
 }
 
-fn draw_line(canvas: &Canvas<'_>, line: &MapLine, view: &View) -> Result<(), PlotError> {
-    let ink = Ink { color: INK, width: 1.2 };
-    let mut run: Vec<Point> = Vec::new();
-    let inside = |p: Point| view.rect.nearest(p) == p;
-    for point in &line.points {
-        let at = view.at(*point);
-        if inside(at) {
-            run.push(at);
-        } else if !run.is_empty() {
-            stroke(canvas, &run, line.dashed, ink)?;
-            run.clear();
-        }
+/// A line as far as it lies in the map.
+fn draw_line(canvas: &Canvas<'_>, line: &MapLine, view: &View) {
+    let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
+    for run in points.split(|point| view.rect.nearest(*point) != *point) {
+        pattern::draw(canvas, run, &line_pattern(line.dashed), 1.2);
     }
-    stroke(canvas, &run, line.dashed, ink)
-}
-
-/// A polyline, dashed or not.
-fn stroke(canvas: &Canvas<'_>, points: &[Point], dashed: bool, ink: Ink) -> Result<(), PlotError> {
-    if !dashed {
-        return canvas.path(points, ink);
-    }
-    let (mut dash, mut left): (Vec<Point>, f64) = (points.first().copied().into_iter().collect(), DASH[0]);
-    let mut drawn = true;
-    for pair in points.windows(2) {
-        let mut from = pair[0];
-        let to = pair[1];
-        loop {
-            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-            let length = (dx * dx + dy * dy).sqrt();
-            if length <= left {
-                left -= length;
-                dash.push(to);
-                break;
-            }
-            let share = left / length;
-            from = [from[0] + share * dx, from[1] + share * dy];
-            dash.push(from);
-            if drawn {
-                canvas.path(&dash, ink)?;
-            }
-            drawn = !drawn;
-            left = DASH[usize::from(!drawn)];
-            dash = vec![from];
-        }
-    }
-    if drawn { canvas.path(&dash, ink) } else { Ok(()) }
 }
 
 /// The marks of the entries where there is room, and the notes.
-fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
+fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) {
     if let MapBodies::Grid { columns, entries } = &map.bodies {
         let rows = (entries.len() / (*columns).max(1)).max(1);
         let (wide, high) = (view.rect.width / *columns as f64, view.rect.height / rows as f64);
@@ -165,22 +107,21 @@ fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
             let Some((column, row, half)) = place else { continue };
             let needed = (0.5 * text_width(&entry.mark, SIZE) + 2.0).max(ROOM);
             if half * wide >= needed && half * high >= ROOM {
-                let at = [view.rect.x + column * wide, view.rect.y + view.rect.height - row * high];
-                canvas.text(&entry.mark, [at[0], at[1] + 0.36 * SIZE], SIZE, INK, Anchor::Middle)?;
+                let at = [view.rect.x + column * wide, view.rect.bottom() - row * high];
+                canvas.text(&entry.mark, [at[0], at[1] + 0.36 * SIZE], SIZE, INK, Anchor::Middle);
             }
         }
     }
     for note in &map.notes {
-        draw_note(canvas, note, view)?;
+        draw_note(canvas, note, view);
     }
-    Ok(())
 }
 
-fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) -> Result<(), PlotError> {
+fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) {
     const RING: f64 = 4.5;
     let place = view.at(note.at);
     let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
-    let [left, right] = [view.rect.x, view.rect.x + view.rect.width];
+    let [left, right] = [view.rect.x, view.rect.right()];
     let wanted = match note.ring {
         false => place[0],
         true if place[0] + 2.0 * RING + 2.0 * half <= right => place[0] + 2.0 * RING + half,
@@ -188,117 +129,23 @@ fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) -> Result<(), Plo
     };
     // Inside of the map, as far as the text fits.
     let at = [wanted.min(right - half).max(left + half), place[1]];
+    let (left, right) = (at[0] - half, at[0] + half);
     let (top, bottom) = (at[1] - 0.5 * SMALL - 2.0, at[1] + 0.5 * SMALL + 2.0);
-    let box_of_text = [[at[0] - half, top], [at[0] + half, top], [at[0] + half, bottom], [at[0] - half, bottom]];
-    canvas.polygon(&box_of_text, PAPER)?;
-    canvas.text(&note.text, [at[0], at[1] + 0.36 * SMALL], SMALL, INK, Anchor::Middle)?;
+    canvas.polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]], PAPER);
+    canvas.text(&note.text, [at[0], at[1] + 0.36 * SMALL], SMALL, INK, Anchor::Middle);
     if note.ring {
-        canvas.disc(place, RING, PAPER)?;
-        canvas.circle(place, RING, Ink { color: INK, width: 1.4 })?;
+        canvas.ring(place, RING, Ink { color: INK, width: 1.4 });
     }
-    Ok(())
 }
 
-fn axes(canvas: &Canvas<'_>, map: &Map, view: &View) -> Result<(), PlotError> {
+fn axes(canvas: &Canvas<'_>, map: &Map, view: &View) {
     let rect = &view.rect;
     let x_ticks = ticks(&map.x.name, view.x[0], view.x[1], 8);
     let y_ticks = ticks(&map.y.name, view.y[0], view.y[1], 10);
-    let area = canvas.area().clone().shrink(
-        (to_units(rect.x - LEFT), to_units(rect.y)),
-        (to_units(rect.width + LEFT), to_units(rect.height + BELOW - 10.0)),
-    );
-    let mut chart = ChartBuilder::on(&area)
-        .x_label_area_size(to_units(BELOW - 10.0))
-        .y_label_area_size(to_units(LEFT))
-        .build_cartesian_2d(
-            Axis { range: view.x, ticks: x_ticks.clone() },
-            Axis { range: view.y, ticks: y_ticks.clone() },
-        )?;
-    let frame = Ink { color: INK, width: 0.9 };
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .axis_style(style(frame))
-        .set_all_tick_mark_size(to_units(4.0))
-        .label_style(text_style(11.0, INK))
-        .draw()?;
-    canvas.outline(&rect.corners(), frame)?;
-    let below = [rect.x + 0.5 * rect.width, rect.y + rect.height + 38.0];
-    canvas.text(&x_ticks.quantity, below, 12.5, INK, Anchor::Middle)?;
+    let [x, y] = [(view.x, &x_ticks), (view.y, &y_ticks)].map(|(range, ticks)| Axis { range, ticks });
+    draw_axes(canvas, rect, [BELOW - 10.0, LEFT], [x, y]);
+    let below = [rect.x + 0.5 * rect.width, rect.bottom() + 38.0];
+    canvas.text(&x_ticks.quantity, below, 12.5, INK, Anchor::Middle);
     let beside = (rect.x - 10.0 - text_width(&y_ticks.quantity, 12.5)).max(6.0);
-    canvas.text(&y_ticks.quantity, [beside, rect.y - 9.0], 12.5, INK, Anchor::Start)
-}
-
-/// A line of the legend.
-enum Line {
-    Entry { fill: plotters::style::RGBColor, text: String, note: String },
-    Stroke { dashed: bool, text: String },
-    Text(String),
-}
-
-impl Line {
-    fn width(&self) -> f64 {
-        match self {
-            Self::Entry { text, note, .. } => {
-                let note = if note.is_empty() { 0.0 } else { 8.0 + text_width(note, SMALL) };
-                SWATCH + 8.0 + text_width(text, SIZE) + note
-            }
-            Self::Stroke { text, .. } => 2.0 * SWATCH + 8.0 + text_width(text, SIZE),
-            Self::Text(text) => text_width(text, SIZE),
-        }
-    }
-
-    fn draw(&self, canvas: &Canvas<'_>, at: Point) -> Result<(), PlotError> {
-        let base = at[1] + 0.5 * ROW + 0.36 * SIZE;
-        match self {
-            Self::Entry { fill, text, note } => {
-                let top = at[1] + 0.5 * (ROW - SWATCH);
-                let rect = Rect { x: at[0], y: top, width: SWATCH, height: SWATCH };
-                canvas.polygon(&rect.corners(), *fill)?;
-                canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 })?;
-                let x = at[0] + SWATCH + 8.0;
-                canvas.text(text, [x, base], SIZE, INK, Anchor::Start)?;
-                canvas.text(note, [x + text_width(text, SIZE) + 8.0, base], SMALL, FAINT_INK, Anchor::Start)
-            }
-            Self::Stroke { dashed, text } => {
-                let middle = at[1] + 0.5 * ROW;
-                let ends = [[at[0], middle], [at[0] + 2.0 * SWATCH, middle]];
-                stroke(canvas, &ends, *dashed, Ink { color: INK, width: 1.2 })?;
-                canvas.text(text, [at[0] + 2.0 * SWATCH + 8.0, base], SIZE, INK, Anchor::Start)
-            }
-            Self::Text(text) => canvas.text(text, [at[0], base], SIZE, FAINT_INK, Anchor::Start),
-        }
-    }
-}
-
-fn legend(map: &Map) -> Vec<Line> {
-    let mut lines: Vec<Line> = map
-        .entries
-        .iter()
-        .enumerate()
-        .take(LISTED)
-        .map(|(number, entry)| Line::Entry {
-            fill: color(number),
-            text: if entry.mark == entry.name { entry.name.clone() } else { format!("{}  {}", entry.mark, entry.name) },
-            note: entry.note.clone(),
-        })
-        .collect();
-    if map.entries.len() > LISTED {
-        lines.push(Line::Text(format!("and {} more", map.entries.len() - LISTED)));
-    }
-    let unknown = match &map.bodies {
-        MapBodies::Grid { entries, .. } => entries.iter().any(Option::is_none),
-        MapBodies::Points(points) => points.iter().any(|(_, entry)| entry.is_none()),
-    };
-    if unknown {
-        lines.push(Line::Entry { fill: UNKNOWN, text: map.unknown.clone(), note: String::new() });
-    }
-    let mut told: Vec<&str> = Vec::new();
-    for line in &map.lines {
-        if !line.text.is_empty() && !told.contains(&line.text.as_str()) {
-            told.push(&line.text);
-            lines.push(Line::Stroke { dashed: line.dashed, text: line.text.clone() });
-        }
-    }
-    lines
+    canvas.text(&y_ticks.quantity, [beside, rect.y - 9.0], 12.5, INK, Anchor::Start);
 }

@@ -1,10 +1,9 @@
 //! Schematic pictures of what a section is: nothing in them is computed from a body.
 
+use crate::page::{Picture, PlotError};
 mod cylinder;
+mod shapes;
 mod sheets;
-
-use super::canvas::{Canvas, Ink, Point};
-use super::{Picture, PlotError};
 
 /// A schematic picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,31 +26,4 @@ pub fn draw_scheme(scheme: Scheme) -> Result<Picture, PlotError> {
         Scheme::BothSheetsNeeded => sheets::near_tangency(),
         Scheme::Cylinder => cylinder::draw(),
     }
-}
-
-/// The direction at `degrees` from the x-axis, counterclockwise on the page.
-fn direction(degrees: f64) -> Point {
-    let (sin, cos) = libm::sincos(degrees.to_radians());
-    [cos, -sin]
-}
-
-/// The point at `distance` from `center` in the direction of `degrees`.
-fn polar(center: Point, distance: f64, degrees: f64) -> Point {
-    let [x, y] = direction(degrees);
-    [center[0] + distance * x, center[1] + distance * y]
-}
-
-/// An arc of a circle.
-fn arc(center: Point, radius: f64, from: f64, to: f64) -> Vec<Point> {
-    const PARTS: u32 = 96;
-    (0..=PARTS).map(|k| polar(center, radius, from + (to - from) * f64::from(k) / f64::from(PARTS))).collect()
-}
-
-/// An arrow head at `tip` that comes along `along`.
-fn arrow_head(canvas: &Canvas<'_>, tip: Point, along: Point, ink: Ink) -> Result<(), PlotError> {
-    const SIZE: f64 = 8.0;
-    let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
-    let [x, y] = along.map(|c| c / length * SIZE);
-    let side = |s: f64| [tip[0] - x - s * 0.4 * y, tip[1] - y + s * 0.4 * x];
-    canvas.polygon(&[tip, side(1.0), side(-1.0)], ink.color)
 }

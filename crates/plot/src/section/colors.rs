@@ -2,47 +2,26 @@
 
 use plotters::style::RGBColor;
 
-use super::super::PlotError;
-use super::super::canvas::{Anchor, Canvas, Ink, Page};
-use super::super::geometry::Rect;
-use super::super::palette::INK;
-use super::super::ticks::ticks;
-use super::SectionScene;
+use super::scene::SectionScene;
+use crate::page::{Anchor, Canvas, INK, Ink, Page, Rect, rgb, rgbs, ticks};
 
 /// Colours of orbits in turn: they differ in lightness where they differ little in hue, and all are dark enough for
 /// the shaded ground.
-const ORBITS: [RGBColor; 12] = [
-    RGBColor(0x00, 0x5f, 0xa8),
-    RGBColor(0xcf, 0x4a, 0x00),
-    RGBColor(0x00, 0x7a, 0x55),
-    RGBColor(0x9b, 0x1f, 0x6a),
-    RGBColor(0x2a, 0x9f, 0xd8),
-    RGBColor(0xd9, 0x8e, 0x00),
-    RGBColor(0x2f, 0x22, 0x7d),
-    RGBColor(0xc9, 0x6a, 0xa0),
-    RGBColor(0x5c, 0x3a, 0x1e),
-    RGBColor(0x3f, 0xa3, 0x5a),
-    RGBColor(0x8a, 0x12, 0x1f),
-    RGBColor(0x1c, 0x1c, 0x1c),
-];
+const ORBITS: [RGBColor; 12] = rgbs([
+    0x00_5f_a8, 0xcf_4a_00, 0x00_7a_55, 0x9b_1f_6a, 0x2a_9f_d8, 0xd9_8e_00, 0x2f_22_7d, 0xc9_6a_a0, 0x5c_3a_1e,
+    0x3f_a3_5a, 0x8a_12_1f, 0x1c_1c_1c,
+]);
 /// An orbit without a value.
-const UNKNOWN: RGBColor = RGBColor(0x8a, 0x8a, 0x8a);
+const UNKNOWN: RGBColor = rgb(0x8a_8a_8a);
 /// The scale of values, from the lowest to the highest.
-const SCALE: [RGBColor; 6] = [
-    RGBColor(0x16, 0x1b, 0x5c),
-    RGBColor(0x5b, 0x23, 0x8c),
-    RGBColor(0xa5, 0x2c, 0x83),
-    RGBColor(0xd9, 0x4a, 0x5e),
-    RGBColor(0xee, 0x7d, 0x2d),
-    RGBColor(0xf2, 0xb1, 0x13),
-];
+const SCALE: [RGBColor; 6] = rgbs([0x16_1b_5c, 0x5b_23_8c, 0xa5_2c_83, 0xd9_4a_5e, 0xee_7d_2d, 0xf2_b1_13]);
 /// Colours of the scale: with the rest they fit the palette of an image.
 const LEVELS: usize = 200;
 const TICK_SIZE: f64 = 10.5;
 
 /// How the orbits of a picture are coloured.
 pub(super) struct Coloring {
-    bar: Option<Bar>,
+    pub bar: Option<Bar>,
 }
 
 /// The scale of values and what they are.
@@ -71,10 +50,6 @@ impl Coloring {
             Bar { label: first.label.to_owned(), range }
         });
         Self { bar }
-    }
-
-    pub fn bar(&self) -> Option<&Bar> {
-        self.bar.as_ref()
     }
 
     /// The colours that an image of this picture can need.
@@ -120,31 +95,30 @@ impl Bar {
     }
 
     /// Draws the bar with ticks and its label.
-    pub fn draw(&self, page: &mut Page, rect: Rect) -> Result<(), PlotError> {
+    pub fn draw(&self, page: &mut Page, rect: Rect) {
         let [from, to] = self.range;
         let ticks = ticks(&self.label, from, to, 6);
         page.paint(|canvas| {
-            paint_scale(canvas, &rect)?;
-            canvas.outline(&rect.corners(), Ink { color: INK, width: 0.8 })?;
+            paint_scale(canvas, &rect);
+            canvas.outline(&rect.corners(), Ink { color: INK, width: 0.8 });
             for (value, label) in ticks.values.iter().zip(&ticks.labels) {
                 let y = rect.y + rect.height * (1.0 - (value - from) / (to - from));
                 let right = rect.x + rect.width;
-                canvas.path(&[[right, y], [right + 4.0, y]], Ink { color: INK, width: 0.8 })?;
-                canvas.text(label, [right + 7.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::Start)?;
+                canvas.path(&[[right, y], [right + 4.0, y]], Ink { color: INK, width: 0.8 });
+                canvas.text(label, [right + 7.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::Start);
             }
             // Flush with the page's right margin, above the bar.
-            canvas.text(&ticks.quantity, [rect.x + 78.0, rect.y - 26.0], TICK_SIZE, INK, Anchor::End)
-        })
+            canvas.text(&ticks.quantity, [rect.x + 78.0, rect.y - 26.0], TICK_SIZE, INK, Anchor::End);
+        });
     }
 }
 
-fn paint_scale(canvas: &Canvas<'_>, rect: &Rect) -> Result<(), PlotError> {
+fn paint_scale(canvas: &Canvas<'_>, rect: &Rect) {
     for level in 0..LEVELS {
         // Each reaches to the upper end, and the next lies over it, so that no seam shows.
         let height = rect.height * (1.0 - level as f64 / LEVELS as f64);
-        canvas.polygon(&Rect { height, ..*rect }.corners(), level_color(level))?;
+        canvas.polygon(&Rect { height, ..*rect }.corners(), level_color(level));
     }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -2,11 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::super::PlotError;
-use super::super::canvas::{Anchor, Page, Point};
-use super::super::geometry::Rect;
-use super::super::palette::{FAINT_INK, INK};
-use super::{Projection, SectionScene};
+use super::scene::{Projection, SectionScene};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Page, Point, Rect, number};
 use dynamics::section::Chart;
 
 /// Plot area of a panel.
@@ -60,9 +57,10 @@ impl SheetPanel {
 
 /// The page.
 pub(super) struct Layout {
-    panels: Vec<SheetPanel>,
-    width: f64,
-    bottom: f64,
+    pub panels: Vec<SheetPanel>,
+    pub width: f64,
+    /// Lower end of the panels with their labels.
+    pub bottom: f64,
 }
 
 impl Layout {
@@ -88,19 +86,6 @@ impl Layout {
         Self { panels, width: right + if with_bar { BAR } else { 0.0 }, bottom: top }
     }
 
-    pub fn panels(&self) -> &[SheetPanel] {
-        &self.panels
-    }
-
-    pub fn width(&self) -> f64 {
-        self.width
-    }
-
-    /// Lower end of the panels with their labels.
-    pub fn bottom(&self) -> f64 {
-        self.bottom
-    }
-
     /// Where the colour bar stands.
     pub fn bar(&self) -> Rect {
         let first = self.panels[0].rect;
@@ -108,47 +93,48 @@ impl Layout {
     }
 
     /// Names of the panels, (h, l) of the scenes, and ticks.
-    pub fn draw_captions(&self, page: &mut Page, scenes: &[SectionScene<'_>]) -> Result<(), PlotError> {
+    pub fn draw_captions(&self, page: &mut Page, scenes: &[SectionScene<'_>]) {
         page.paint(|canvas| {
             let mut captioned = None;
             for panel in &self.panels {
                 let rect = panel.rect;
                 let above = rect.y - 9.0;
-                canvas.text(panel.name(), [rect.center()[0], above], CAPTION_SIZE + 1.0, INK, Anchor::Middle)?;
+                canvas.text(panel.name(), [rect.center()[0], above], CAPTION_SIZE + 1.0, INK, Anchor::Middle);
                 let scene = &scenes[panel.scene];
                 if captioned != Some(panel.scene) {
                     captioned = Some(panel.scene);
                     let (h, l) = scene.portrait.energy_momentum();
                     let place = format!("h = {},  l = {}", number(h), number(l));
-                    canvas.text(&place, [rect.x, above], CAPTION_SIZE, INK, Anchor::Start)?;
+                    canvas.text(&place, [rect.x, above], CAPTION_SIZE, INK, Anchor::Start);
                     let other = [self.panels[0].rect.x + 2.0 * PANEL[0] + BETWEEN, above];
-                    canvas.text(scene.caption, other, CAPTION_SIZE, INK, Anchor::End)?;
+                    canvas.text(scene.caption, other, CAPTION_SIZE, INK, Anchor::End);
                 }
-                let (psi, theta) = match panel.chart {
-                    Chart::Torus => ("ψ′", "ϑ′"),
-                    Chart::Sphere => ("ψ", "ϑ"),
-                };
-                for (k, label) in ["0", "π/2", "π", "3π/2", "2π"].into_iter().enumerate() {
-                    let at = [rect.x + 0.25 * k as f64 * rect.width, rect.y + rect.height + 17.0];
-                    canvas.text(label, at, TICK_SIZE, INK, Anchor::Middle)?;
-                }
-                let name = [rect.x + 0.375 * rect.width, rect.y + rect.height + 19.0];
-                canvas.text(psi, name, CAPTION_SIZE, INK, Anchor::Middle)?;
-                if panel.sheet < 0 {
-                    for (k, label) in ["0", "π/2", "π"].into_iter().enumerate() {
-                        let at = [rect.x - 9.0, rect.y + 0.5 * k as f64 * rect.height + 0.36 * TICK_SIZE];
-                        canvas.text(label, at, TICK_SIZE, INK, Anchor::End)?;
-                    }
-                    let name = [rect.x - 9.0, rect.y + 0.25 * rect.height + 0.36 * CAPTION_SIZE];
-                    canvas.text(theta, name, CAPTION_SIZE, FAINT_INK, Anchor::End)?;
-                }
+                draw_ticks(canvas, panel);
             }
-            Ok(())
-        })
+        });
     }
 }
 
-/// The shortest decimal of a number, with a true minus sign.
-pub(super) fn number(x: f64) -> String {
-    format!("{x}").replace('-', "−")
+/// Labels of the ticks below a panel, and beside it if it is the left one.
+fn draw_ticks(canvas: &Canvas<'_>, panel: &SheetPanel) {
+    let rect = panel.rect;
+    let (psi, theta) = match panel.chart {
+        Chart::Torus => ("ψ′", "ϑ′"),
+        Chart::Sphere => ("ψ", "ϑ"),
+    };
+    for (k, label) in ["0", "π/2", "π", "3π/2", "2π"].into_iter().enumerate() {
+        let at = [rect.x + 0.25 * k as f64 * rect.width, rect.bottom() + 17.0];
+        canvas.text(label, at, TICK_SIZE, INK, Anchor::Middle);
+    }
+    let name = [rect.x + 0.375 * rect.width, rect.bottom() + 19.0];
+    canvas.text(psi, name, CAPTION_SIZE, INK, Anchor::Middle);
+    if panel.sheet > 0 {
+        return;
+    }
+    for (k, label) in ["0", "π/2", "π"].into_iter().enumerate() {
+        let at = [rect.x - 9.0, rect.y + 0.5 * k as f64 * rect.height + 0.36 * TICK_SIZE];
+        canvas.text(label, at, TICK_SIZE, INK, Anchor::End);
+    }
+    let name = [rect.x - 9.0, rect.y + 0.25 * rect.height + 0.36 * CAPTION_SIZE];
+    canvas.text(theta, name, CAPTION_SIZE, FAINT_INK, Anchor::End);
 }

@@ -11,71 +11,18 @@ mod legend;
 mod path;
 mod points;
 mod raster;
+mod scene;
 
-use super::canvas::{Anchor, Page};
-use super::palette::INK;
-use super::{Picture, PlotError, font};
+pub use scene::{OrbitValues, Projection, SectionOptions, SectionScene};
+
+use crate::page::{Anchor, INK, Page, Picture, PlotError, body};
 use colors::Coloring;
-use dynamics::section::{OrbitSection, Portrait, SectionCondition};
+use dynamics::section::{Portrait, SectionCondition};
 use layout::Layout;
-use legend::Legend;
 
 /// The most sections on one page.
 const SCENES_MAX: usize = 64;
 const TITLE_SIZE: f64 = 14.0;
-
-/// A number for each orbit, by which it is coloured.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OrbitValues<'a> {
-    /// What it is, such as `Lyapunov exponent`; printed at the colour bar.
-    pub label: &'a str,
-    /// One for each orbit of the scene, in the same order; NaN for an orbit without a value, drawn grey.
-    pub values: &'a [f64],
-}
-
-/// A section and the orbits on it.
-#[derive(Clone, Copy, Debug)]
-pub struct SectionScene<'a> {
-    /// The section.
-    pub portrait: &'a Portrait,
-    /// Its orbits.
-    pub orbits: &'a [OrbitSection],
-    /// What colours the orbits; `None`: each has a colour of its own, by its number.
-    pub values: Option<OrbitValues<'a>>,
-    /// What is printed beside (h, l), such as the section's type.
-    pub caption: &'a str,
-}
-
-/// On what the sections are drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Projection {
-    /// T⁻ and T⁺, the halves of the PP-torus, with (ψ', ϑ').
-    #[default]
-    Torus,
-    /// S⁻ and S⁺, two copies of the Poisson sphere, with (ψ, ϑ).
-    Sphere,
-    /// Both, the sphere above the torus.
-    Both,
-}
-
-/// How sections are drawn.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SectionOptions {
-    /// On what.
-    pub projection: Projection,
-    /// Diameter of a point in pixels; `None`: by the number of points.
-    pub point_size: Option<f64>,
-    /// With more crossings than this on the page they are drawn as images, which bound the size of the file.
-    pub raster_above: usize,
-    /// The title; `None`: the body.
-    pub title: Option<String>,
-}
-
-impl Default for SectionOptions {
-    fn default() -> Self {
-        Self { projection: Projection::Torus, point_size: None, raster_above: 20_000, title: None }
-    }
-}
 
 /// Draws one section. Equal arguments give equal bytes.
 ///
@@ -100,34 +47,32 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
             return Err(PlotError::Values { label, values: values.values.len(), orbits });
         }
     }
-    font::register()?;
     let coloring = Coloring::new(scenes);
-    let layout = Layout::new(scenes, options.projection, coloring.bar().is_some());
-    let legend = Legend::new(scenes, options.projection, layout.width());
+    let layout = Layout::new(scenes, options.projection, coloring.bar.is_some());
+    let legend = legend::legend(scenes, options.projection, layout.width);
     let title = options.title.clone().unwrap_or_else(|| body_line(scenes[0].portrait));
-    let mut page = Page::new([layout.width(), (layout.bottom() + legend.height()).ceil()]);
+    let mut page = Page::new([layout.width, (layout.bottom + legend.height() + 10.0).ceil()]);
     page.element("<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>");
     let style = points::Style::new(scenes, options);
-    for panel in layout.panels() {
+    for panel in &layout.panels {
         let scene = &scenes[panel.scene];
         ground::shade(&mut page, scene.portrait, panel);
         points::draw(&mut page, scene, panel, &coloring, &style)?;
-        ground::outline(&mut page, scene.portrait, panel)?;
+        ground::outline(&mut page, scene.portrait, panel);
     }
-    page.paint(|canvas| canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start))?;
-    layout.draw_captions(&mut page, scenes)?;
-    if let Some(bar) = coloring.bar() {
-        bar.draw(&mut page, layout.bar())?;
+    page.paint(|canvas| canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start));
+    layout.draw_captions(&mut page, scenes);
+    if let Some(bar) = &coloring.bar {
+        bar.draw(&mut page, layout.bar());
     }
-    legend.draw(&mut page, layout.bottom())?;
-    Ok(page.finish(&title))
+    legend::draw(&legend, &mut page, layout.bottom);
+    page.finish(&title)
 }
 
 /// The body of a portrait in a line, and its condition if it is not the usual one.
 fn body_line(portrait: &Portrait) -> String {
     let top = portrait.torus().top();
-    let list = |x: [f64; 3]| x.map(layout::number).join(", ");
-    let body = format!("A = ({}),  r = ({})", list(top.moments()), list(top.center()));
+    let body = body(&top.moments(), &top.center());
     match portrait.condition() {
         SectionCondition::Height => body,
         SectionCondition::AngularMomentum => format!("{body},  S = ⟨l, γ×r⟩"),

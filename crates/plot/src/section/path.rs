@@ -1,8 +1,9 @@
 //! SVG path data in canvas units: whole numbers, relative where that is shorter.
 
+use crate::page::{Ink, Page, Point, UNITS, to_units};
 use std::fmt::Write;
 
-use super::super::canvas::{Point, to_units};
+use plotters::style::RGBColor;
 
 /// Path data of polylines.
 #[derive(Clone, Debug, Default)]
@@ -60,14 +61,26 @@ impl Path {
         let _always_ok = write!(self.data, "{x}{separator}{y}");
     }
 
-    pub fn is_empty(&self) -> bool {
-        self.data.is_empty()
+    /// Puts the path on a page unless it is empty, with further attributes.
+    pub fn draw(&self, page: &mut Page, attributes: &str) {
+        if !self.data.is_empty() {
+            page.element(&self.element(attributes));
+        }
     }
 
-    /// The element, with further attributes.
-    pub fn element(&self, attributes: &str) -> String {
+    fn element(&self, attributes: &str) -> String {
         format!("<path d=\"{}\" {attributes}/>", self.data)
     }
+}
+
+/// The attributes of a line.
+pub(super) fn stroke(ink: Ink) -> String {
+    format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", hex(ink.color), (ink.width * UNITS).round())
+}
+
+/// A colour as SVG writes it.
+pub(super) fn hex(RGBColor(red, green, blue): RGBColor) -> String {
+    format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
 #[cfg(test)]

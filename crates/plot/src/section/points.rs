@@ -1,14 +1,11 @@
 //! Crossings as points: vectors, or images where there are many.
 
-use plotters::style::RGBColor;
-
-use super::super::PlotError;
-use super::super::canvas::{Page, UNITS};
 use super::colors::Coloring;
 use super::layout::SheetPanel;
-use super::path::Path;
+use super::path::{Path, stroke};
 use super::raster::Raster;
-use super::{SectionOptions, SectionScene};
+use super::scene::{SectionOptions, SectionScene};
+use crate::page::{Ink, Page, PlotError};
 
 /// Diameters of points in pixels.
 const SMALLEST: f64 = 0.8;
@@ -59,13 +56,8 @@ pub(super) fn draw(
     for (color, points) in orbits {
         let mut path = Path::default();
         points.for_each(|at| path.dot(at));
-        if !path.is_empty() {
-            let RGBColor(red, green, blue) = palette[color];
-            page.element(&path.element(&format!(
-                "fill=\"none\" stroke=\"#{red:02X}{green:02X}{blue:02X}\" stroke-width=\"{}\" stroke-linecap=\"round\"",
-                (style.diameter * UNITS).round()
-            )));
-        }
+        let ink = Ink { color: palette[color], width: style.diameter };
+        path.draw(page, &format!("{} stroke-linecap=\"round\"", stroke(ink)));
     }
     Ok(())
 }

@@ -1,10 +1,9 @@
 //! Points as an image with a palette, embedded into the SVG.
 
+use crate::page::{PAPER, PlotError, Point, Rect, png, to_units};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use plotters::style::RGBColor;
-
-use super::super::PlotError;
-use super::super::canvas::{Point, to_units};
-use super::super::geometry::Rect;
 
 /// Image pixels in a pixel of the page.
 const SCALE: f64 = 3.0;
@@ -52,53 +51,20 @@ impl Raster {
         Ok(format!(
             "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\" x=\"{x}\" y=\"{y}\" width=\"{width}\" \
              height=\"{height}\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,{}\"/>",
-            base64(&self.png(palette)?)
+            STANDARD.encode(self.png(palette)?)
         ))
     }
 
     fn png(&self, palette: &[RGBColor]) -> Result<Vec<u8>, PlotError> {
-        let failed = |error: png::EncodingError| PlotError::Png(Box::new(error));
-        let side = |pixels: usize| u32::try_from(pixels).unwrap_or(u32::MAX);
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, side(self.size[0]), side(self.size[1]));
-        encoder.set_color(png::ColorType::Indexed);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::High);
-        encoder.set_filter(png::Filter::NoFilter);
-        let colors = palette.iter().flat_map(|color| [color.0, color.1, color.2]);
-        encoder.set_palette([0xff; 3].into_iter().chain(colors).collect::<Vec<u8>>());
-        encoder.set_trns(vec![0]);
-        let mut writer = encoder.write_header().map_err(failed)?;
-        writer.write_image_data(&self.pixels).map_err(failed)?;
-        writer.finish().map_err(failed)?;
-        Ok(bytes)
+        let size = self.size.map(|pixels| u32::try_from(pixels).unwrap_or(u32::MAX));
+        let colors = [PAPER].iter().chain(palette).flat_map(|color| [color.0, color.1, color.2]);
+        png(size, Some(colors.collect()), &self.pixels)
     }
-}
-
-/// Base64 with padding (RFC 4648).
-fn base64(bytes: &[u8]) -> String {
-    const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for group in bytes.chunks(3) {
-        let word = group.iter().fold(0_u32, |word, byte| word << 8 | u32::from(*byte)) << (8 * (3 - group.len()));
-        for place in 0..4 {
-            let letter = ALPHABET[(word >> (18 - 6 * place) & 63) as usize];
-            text.push(if place > group.len() { '=' } else { char::from(letter) });
-        }
-    }
-    text
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn base64_of_the_rfc() {
-        for (plain, coded) in [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")] {
-            assert_eq!(base64(plain.as_bytes()), coded);
-        }
-    }
 
     #[test]
     fn dots_at_the_rim_stay_inside() {

@@ -4,7 +4,7 @@ use super::event::{BorderEventKind, Encounter};
 use super::group::{Finding, Group, distance, label, nearest};
 use super::label::EventLabel;
 use super::vanishing::{Neighbourhood, Vanishing};
-use top::curves::{Branch, BranchName};
+use top::curves::{Branch, BranchName, CurveId};
 use top::diagram::{Arrangement, Change, Event};
 
 /// What the two sides do not share.
@@ -58,7 +58,7 @@ impl<'a> Surplus<'a, '_> {
         self.events(|label| matches!(label, EventLabel::Crossing(_)))
     }
 
-    fn branch(&self, curve: usize) -> Branch {
+    fn branch(&self, curve: CurveId) -> Branch {
         self.side.set.curves[curve].branch
     }
 
@@ -128,7 +128,7 @@ fn two_crossings<'a>(surplus: &Surplus<'a, '_>) -> Option<Finding<'a>> {
     let [p, q] = nearest(&surplus.crossings())?;
     let (one, two) = (p.change.curves(), q.change.curves());
     let shared = one.iter().find(|curve| two.contains(curve)).copied();
-    let own: Vec<usize> = one.iter().chain(&two).filter(|c| !(one.contains(c) && two.contains(c))).copied().collect();
+    let own: Vec<CurveId> = one.iter().chain(&two).filter(|c| !(one.contains(c) && two.contains(c))).copied().collect();
     let cusp = surplus.side.events.iter().find(|event| {
         matches!(event.change, Change::Birth(_) | Change::Death(_))
             && own.iter().all(|curve| event.change.curves().contains(curve))
@@ -156,8 +156,8 @@ fn one_crossing<'a>(surplus: &Surplus<'a, '_>, branches: [BranchName; 2]) -> Fin
 fn at_pitchfork<'a>(surplus: &Surplus<'a, '_>) -> Option<Finding<'a>> {
     /// Further apart they have nothing to do with each other.
     const NEAR: f64 = 1e-3;
-    let branch = |c: usize| surplus.branch(c);
-    let mut best: Option<(f64, Event, Event, usize)> = None;
+    let branch = |c: CurveId| surplus.branch(c);
+    let mut best: Option<(f64, Event, Event, CurveId)> = None;
     for crossing in surplus.crossings() {
         for event in &surplus.side.events {
             let (Change::Open { pair, .. } | Change::Close { pair, .. }) = event.change else { continue };

@@ -4,7 +4,7 @@ use super::event::{BorderEventKind, Encounter};
 use super::group::{Finding, Group, distance, label};
 use super::label::{EventLabel, sort_by_text};
 use super::vanishing::{Neighbourhood, Vanishing};
-use top::curves::{Branch, BranchName};
+use top::curves::{Branch, BranchName, CurveId};
 use top::diagram::{Arrangement, Change, Event};
 
 /// The events that are nearest to each other change places.
@@ -52,7 +52,7 @@ fn nearest_cluster(side: &Arrangement) -> Option<Vec<Event>> {
 
 /// What vanishes where events change places: the height of a third curve over one of them.
 fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Vanishing> {
-    let branch = |c: usize| side.set.curves[c].branch;
+    let branch = |c: CurveId| side.set.curves[c].branch;
     let place = |event: &Event| Neighbourhood::of(&side.set.frame, event.x, event.h);
     let (crossing, pair) = near.iter().find_map(|event| match event.change {
         Change::Swap(curves) => Some((event, curves.map(branch))),

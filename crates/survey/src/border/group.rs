@@ -3,7 +3,7 @@
 use super::event::{BorderEventKind, Place};
 use super::label::EventLabel;
 use super::vanishing::Vanishing;
-use top::curves::CurveName;
+use top::curves::{CurveId, CurveName};
 use top::diagram::{Arrangement, Event};
 
 /// What was found out about a border.
@@ -43,7 +43,7 @@ impl<'a> Group<'a> {
 
     /// The curves that take part, each once.
     pub(super) fn curves(&self) -> Vec<CurveName> {
-        let mut curves: Vec<usize> = self.events.iter().flat_map(|event| event.change.curves()).collect();
+        let mut curves: Vec<CurveId> = self.events.iter().flat_map(|event| event.change.curves()).collect();
         curves.sort_unstable();
         curves.dedup();
         curves.into_iter().map(|curve| CurveName::of(&self.side.set, curve)).collect()

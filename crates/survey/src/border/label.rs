@@ -3,7 +3,7 @@
 use std::fmt;
 
 use top::atlas::Atlas;
-use top::curves::{BranchName, CriticalSet};
+use top::curves::{BranchName, CriticalSet, CurveId};
 use top::diagram::{Change, Event};
 
 /// An event by its kind and the branches that meet in it; the two diagrams beside a border are compared by these.
@@ -21,7 +21,7 @@ impl EventLabel {
     /// The label of an event. Two branches stand in the order of their names.
     #[must_use]
     pub fn of(set: &CriticalSet, change: &Change) -> Self {
-        let name = |curve: usize| BranchName::of(&set.frame, set.curves[curve].branch);
+        let name = |curve: CurveId| BranchName::of(&set.frame, set.curves[curve].branch);
         match *change {
             Change::Birth([one, _]) | Change::Death([one, _]) => Self::Cusp(name(one)),
             Change::Open { through, pair } | Change::Close { through, pair } => {

@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 
 use super::segment::Segment;
 use top::body::Frame;
-use top::curves::{Branch, CriticalSet, Gap, Point};
+use top::curves::{Branch, CriticalSet, CurveId, Gap, Point};
 use top::diagram::{Arrangement, Change};
 
 /// What vanishes at a border.
@@ -108,7 +108,7 @@ fn value(segment: &Segment, vanishing: &Vanishing, t: f64) -> Option<Gap> {
         Vanishing::CurveOnCrossing { crossing, curve, near } => {
             let arrangement = Arrangement::new(set);
             let set = &arrangement.set;
-            let branch = |c: usize| set.curves[c].branch;
+            let branch = |c: CurveId| set.curves[c].branch;
             let found = arrangement
                 .events
                 .iter()

@@ -140,8 +140,8 @@ impl DiagramCounts {
             work: arrangement.evaluations,
         };
         let frame = &arrangement.set.frame;
-        let top = arrangement.slabs.first().and_then(|slab| slab.face_above.last().copied());
-        for (number, region) in atlas.regions().iter().enumerate() {
+        let top = arrangement.slabs.first().and_then(|slab| slab.region_above.last().copied());
+        for (number, region) in atlas.regions().pairs() {
             let Ok(components) = &region.components else { continue };
             let signature = Signature::of(components);
             for kind in components.iter().map(ComponentType::of).collect::<BTreeSet<_>>() {

@@ -149,7 +149,7 @@ fn critical_points(atlas: &Atlas, wanted: u32) -> Seen {
     let set = &arrangement.set;
     let frame = &set.frame;
     let mut best = Seen::NOTHING;
-    for (number, slab) in arrangement.slabs.iter().enumerate() {
+    for (number, slab) in arrangement.slabs.pairs() {
         let count: u32 = slab
             .order
             .iter()

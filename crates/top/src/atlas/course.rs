@@ -2,7 +2,7 @@
 
 use super::Atlas;
 use crate::continuation::{PieceEnd, Start, TrackOptions, track_piece};
-use crate::curves::{Branch, Curve, End, Orbit, Shape};
+use crate::curves::{Branch, Curve, CurveId, End, Orbit, Shape};
 use crate::stability::{RelativeEquilibrium, Stability, StabilitySpan, stability_of};
 
 /// How finely curves are drawn.
@@ -47,7 +47,7 @@ struct Extent {
 impl Atlas {
     /// The course of a curve.
     #[must_use]
-    pub fn course(&self, curve: usize, options: &CourseOptions) -> Course {
+    pub fn course(&self, curve: CurveId, options: &CourseOptions) -> Course {
         let extent = extent(self, options);
         let curve = &self.arrangement.set.curves[curve];
         let [from, to] = curve.x().map(|x| (2.0 * x).sqrt());
@@ -68,13 +68,13 @@ impl Atlas {
 
     /// μ at both ends of a curve by rising μ, in the units of A; `None` where it is infinite, and for pole lines.
     #[must_use]
-    pub fn mu_range(&self, curve: usize) -> Option<[Option<f64>; 2]> {
+    pub fn mu_range(&self, curve: CurveId) -> Option<[Option<f64>; 2]> {
         mu_range(self, &self.arrangement.set.curves[curve])
     }
 
     /// How a curve goes on to infinity; `None` for one with two finite ends.
     #[must_use]
-    pub fn tail(&self, curve: usize) -> Option<Tail> {
+    pub fn tail(&self, curve: CurveId) -> Option<Tail> {
         tail(self, &self.arrangement.set.curves[curve])
     }
 }

@@ -1,14 +1,15 @@
 //! Point location: the region of a point on a prepared body, without tracing anything.
 
-use std::ops::Range;
+use std::ops::RangeInclusive;
 
 use thiserror::Error;
 
 use super::Atlas;
 use super::region::is_ordered;
 use crate::body::Frame;
-use crate::curves::Point;
-use crate::diagram::Change;
+use crate::curves::{CurveId, Point};
+use crate::diagram::{Change, EventId, RegionId, SlabId};
+use crate::table::Id;
 use numbers::UNIT_ROUNDOFF;
 
 /// Where a point (h, l) lies.
@@ -19,7 +20,7 @@ pub struct Location {
     /// Distance in h to the nearest curve at this l, in the body's units.
     pub distance: f64,
     /// The nearest curve.
-    pub nearest: usize,
+    pub nearest: CurveId,
     /// Bound on the error of `distance`, the rounding of h and l included.
     pub error_bound: f64,
     /// Points of curves that were computed.
@@ -30,11 +31,11 @@ pub struct Location {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
     /// Inside this region.
-    Region(usize),
+    Region(RegionId),
     /// Below the lowest critical value.
     Forbidden,
     /// Closer to a curve than the error bound: one of these regions (`None`: forbidden).
-    Undecided(Vec<Option<usize>>),
+    Undecided(Vec<Option<RegionId>>),
 }
 
 /// An angular momentum at which `f64` cannot compute.
@@ -88,7 +89,7 @@ impl Atlas {
 
     fn locate_scaled(&self, h: f64, x: f64) -> Location {
         let slabs = &self.arrangement.slabs;
-        let number = slabs.partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1);
+        let number = SlabId::at(slabs.as_slice().partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1));
         let near = self.slabs_near(number, x, false);
         let around = self.slabs_near(number, x, true);
         let Bracket { low, under, over, curve_points } = self.bracket(number, h, x);
@@ -102,10 +103,10 @@ impl Atlas {
             } else if low == 0 {
                 Place::Forbidden
             } else {
-                Place::Region(slabs[number].face_above[low - 1])
+                Place::Region(slabs[number].region_above[low - 1])
             }
         };
-        if near.len() == 1 {
+        if near.start() == near.end() {
             return Location { place: decided(distance), distance, nearest, error_bound, curve_points };
         }
         // Within rounding of an event the curves that are born or vanish there count, on whichever side x is.
@@ -116,9 +117,9 @@ impl Atlas {
     }
 
     /// Binary search for h among the curves of a slab.
-    fn bracket(&self, slab: usize, h: f64, x: f64) -> Bracket {
+    fn bracket(&self, slab: SlabId, h: f64, x: f64) -> Bracket {
         let order = &self.arrangement.slabs[slab].order;
-        let point = |c: usize| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, x);
+        let point = |c: CurveId| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, x);
         // Curves order[..low] lie below h, order[high..] above.
         let (mut low, mut high) = (0, order.len());
         let (mut below, mut above): (Option<Point>, Option<Point>) = (None, None);
@@ -141,32 +142,32 @@ impl Atlas {
 
     /// The slab of x, and those beyond events within rounding of x: all events, or only those at which curves begin or
     /// end. (Curves that cross within rounding of x are both seen from either side.)
-    fn slabs_near(&self, number: usize, x: f64, crossings: bool) -> Range<usize> {
-        let near = |event: usize| {
-            let event = &self.arrangement.events[event];
+    fn slabs_near(&self, number: SlabId, x: f64, crossings: bool) -> RangeInclusive<SlabId> {
+        let near = |event: &EventId| {
+            let Some(event) = self.arrangement.events.get(*event) else { return false };
             let counts = crossings || !matches!(event.change, Change::Swap(_));
             counts && (event.x - x).abs() <= 4.0 * event.x_error + 4.0 * X_ROUNDINGS * UNIT_ROUNDOFF * x
         };
-        let mut range = number..number + 1;
-        while range.start > 0 && near(range.start - 1) {
-            range.start -= 1;
+        let (mut first, mut last) = (number, number);
+        while let Some(event) = first.event_at_start().filter(near) {
+            first = SlabId::before(event);
         }
-        while range.end < self.arrangement.slabs.len() && near(range.end - 1) {
-            range.end += 1;
+        while near(&last.event_at_end()) {
+            last = SlabId::after(last.event_at_end());
         }
-        range
+        first..=last
     }
 
     /// The points of the curves of a slab at x, or at its end where x lies just outside.
-    fn points_in(&self, slab: usize, x: f64) -> Vec<Point> {
+    fn points_in(&self, slab: SlabId, x: f64) -> Vec<Point> {
         let slab = &self.arrangement.slabs[slab];
         let at = x.clamp(slab.x[0].max(f64::MIN_POSITIVE), slab.x[1]);
         slab.order.iter().map(|&c| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, at)).collect()
     }
 
     /// Distance and number of the nearest curve in any of several slabs.
-    fn nearest_in(&self, h: f64, x: f64, slabs: Range<usize>) -> Option<(f64, usize)> {
-        slabs
+    fn nearest_in(&self, h: f64, x: f64, slabs: RangeInclusive<SlabId>) -> Option<(f64, CurveId)> {
+        each(slabs)
             .flat_map(|slab| {
                 let order = &self.arrangement.slabs[slab].order;
                 let distances = self.points_in(slab, x).into_iter().map(|point| (point.h() - h).abs());
@@ -176,7 +177,7 @@ impl Atlas {
     }
 
     /// False when something is undecided and the heights at x contradict the order of the slab.
-    fn order_is_certain(&self, number: usize, x: f64) -> bool {
+    fn order_is_certain(&self, number: SlabId, x: f64) -> bool {
         let set = &self.arrangement.set;
         if self.arrangement.undecided.is_empty() {
             return true;
@@ -187,9 +188,9 @@ impl Atlas {
     }
 
     /// Every region that meets the box of rounding around a point in these slabs.
-    fn candidates(&self, h: f64, x: f64, slabs: Range<usize>) -> Vec<Option<usize>> {
+    fn candidates(&self, h: f64, x: f64, slabs: RangeInclusive<SlabId>) -> Vec<Option<RegionId>> {
         let mut found = Vec::new();
-        for number in slabs {
+        for number in each(slabs) {
             let points = self.points_in(number, x);
             let reaches = |p: &Point| {
                 let error = 2.0 * comparison_error(p, h);
@@ -198,14 +199,19 @@ impl Atlas {
             for gap in 0..=points.len() {
                 let above_lower = gap == 0 || reaches(&points[gap - 1]).0;
                 let below_upper = gap == points.len() || reaches(&points[gap]).1;
-                let face = gap.checked_sub(1).map(|position| self.arrangement.slabs[number].face_above[position]);
-                if above_lower && below_upper && !found.contains(&face) {
-                    found.push(face);
+                let region = gap.checked_sub(1).map(|position| self.arrangement.slabs[number].region_above[position]);
+                if above_lower && below_upper && !found.contains(&region) {
+                    found.push(region);
                 }
             }
         }
         found
     }
+}
+
+/// The slabs of a range.
+fn each(slabs: RangeInclusive<SlabId>) -> impl Iterator<Item = SlabId> {
+    (slabs.start().index()..=slabs.end().index()).map(SlabId::at)
 }
 
 /// Where h stands among the curves of a slab.

@@ -3,6 +3,7 @@
 mod course;
 mod exact;
 mod locate;
+mod margin;
 mod polyline;
 mod region;
 mod width;
@@ -11,8 +12,9 @@ mod window;
 use thiserror::Error;
 
 use crate::body::Body;
-use crate::curves::{CriticalSet, EquilibriaError, Orbit};
-use crate::diagram::{Arrangement, Undecided};
+use crate::curves::{CriticalSet, CurveId, EquilibriaError, Orbit};
+use crate::diagram::{Arrangement, RegionId, Undecided};
+use crate::table::Table;
 use crate::topology::merge::MergeError;
 use crate::topology::{Component, Poles};
 
@@ -20,6 +22,7 @@ pub use course::{Course, CourseOptions, Tail};
 pub use exact::{compare_with_r, on_straight_curve};
 pub use locate::{Location, MomentumError, Place};
 pub(crate) use locate::{abscissa, comparison_error};
+pub use margin::Margin;
 pub use region::{Region, Sample};
 pub(crate) use region::{components_below, partition_below};
 pub use window::{SamplePoint, Window};
@@ -29,7 +32,7 @@ pub use window::{SamplePoint, Window};
 pub struct Atlas {
     body: Body,
     arrangement: Arrangement,
-    regions: Vec<Region>,
+    regions: Table<RegionId, Region>,
 }
 
 /// Why there is no atlas.
@@ -64,13 +67,13 @@ impl Atlas {
             let x = at.unwrap_or(0.0);
             return Err(AtlasError::Unresolved { l: (2.0 * x).sqrt() * arrangement.set.frame.momentum_unit });
         }
-        let regions = region::classify_faces(&arrangement);
+        let regions = region::classify_regions(&arrangement);
         Ok(Self { body: body.clone(), arrangement, regions })
     }
 
     /// An atlas of parts that were found otherwise.
     #[must_use]
-    pub fn of_parts(body: Body, arrangement: Arrangement, regions: Vec<Region>) -> Self {
+    pub fn of_parts(body: Body, arrangement: Arrangement, regions: Table<RegionId, Region>) -> Self {
         Self { body, arrangement, regions }
     }
 
@@ -88,14 +91,14 @@ impl Atlas {
 
     /// The regions, numbered by their first appearance as l, then h rise.
     #[must_use]
-    pub fn regions(&self) -> &[Region] {
+    pub fn regions(&self) -> &Table<RegionId, Region> {
         &self.regions
     }
 
     /// The largest number of relative equilibria at one l; a critical circle or sphere counts once.
     #[must_use]
     pub fn critical_points_max(&self) -> usize {
-        let count = |c: usize| match self.arrangement.set.curves[c].orbit {
+        let count = |c: CurveId| match self.arrangement.set.curves[c].orbit {
             Orbit::Pair(_) => 2,
             Orbit::Pole(_) => 0,
             _ => 1,
@@ -119,7 +122,7 @@ impl Atlas {
     ///
     /// # Errors
     /// The [`MergeError`] that left them undecided.
-    pub fn components(&self, region: usize) -> Result<&[Component], MergeError> {
+    pub fn components(&self, region: RegionId) -> Result<&[Component], MergeError> {
         self.regions[region].components.as_deref().map_err(|error| *error)
     }
 }

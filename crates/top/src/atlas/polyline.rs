@@ -1,7 +1,7 @@
 //! Polylines from the closed form, for pole lines and for strong magnification.
 
 use super::Atlas;
-use crate::curves::{Curve, CurveName, Pole};
+use crate::curves::{Curve, CurveId, CurveName, Pole};
 use numbers::UNIT_ROUNDOFF;
 
 impl Atlas {
@@ -10,7 +10,9 @@ impl Atlas {
     #[must_use]
     pub fn polyline(&self, curve: CurveName, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
         let set = &self.arrangement.set;
-        let number = (0..set.curves.len())
+        let number = set
+            .curves
+            .ids()
             .find(|&c| CurveName::of(set, c) == curve || self.carries_pole(c).map(CurveName::Pole) == Some(curve))?;
         let curve = &set.curves[number];
         let range = curve.x().map(|x| self.momentum(x));
@@ -19,7 +21,7 @@ impl Atlas {
     }
 
     /// The pole whose line runs on the last piece of this axis curve.
-    fn carries_pole(&self, curve: usize) -> Option<Pole> {
+    fn carries_pole(&self, curve: CurveId) -> Option<Pole> {
         let curve = &self.arrangement.set.curves[curve];
         curve.pole.filter(|_| curve.x()[1].is_infinite())
     }

@@ -1,8 +1,9 @@
-//! Regions: faces with a sample and their topology.
+//! Regions with a sample and their topology.
 
 use super::whole_sphere;
-use crate::curves::{CriticalSet, Gap, Orbit, Point, Pole};
-use crate::diagram::Arrangement;
+use crate::curves::{CriticalSet, CurveId, Gap, Orbit, Point, Pole};
+use crate::diagram::{Arrangement, Cell, RegionId, SlabId};
+use crate::table::Table;
 use crate::topology::merge::{self, CriticalPoint, Extent, MergeError};
 use crate::topology::{Component, Poles};
 
@@ -18,14 +19,14 @@ pub struct Sample {
     /// Bound on the error of `margin`.
     pub error: f64,
     /// The curve that is nearest.
-    pub nearest: usize,
+    pub nearest: CurveId,
 }
 
 /// A region of the (h, l) half-plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    /// Its cells: (slab, position), the cell above the curve at that position of the slab's order.
-    pub cells: Vec<(usize, usize)>,
+    /// Its cells.
+    pub cells: Vec<Cell>,
     /// A point inside.
     pub sample: Sample,
     /// The components of U_hl, or why they are not known.
@@ -35,23 +36,22 @@ pub struct Region {
 /// A place in a cell where a region could be sampled.
 #[derive(Clone, Copy)]
 struct Candidate<'a> {
-    slab: usize,
-    position: usize,
+    cell: Cell,
     row: &'a Row,
     sample: Sample,
     /// Margin less its error bound, relative to the energy scale x/J + r.
     quality: f64,
 }
 
-/// Samples every face and finds its topology from the merge tree there.
-pub(super) fn classify_faces(arrangement: &Arrangement) -> Vec<Region> {
-    let mut cells = vec![Vec::new(); arrangement.faces];
-    for (slab, strip) in arrangement.slabs.iter().enumerate() {
-        for (position, &face) in strip.face_above.iter().enumerate() {
-            cells[face].push((slab, position));
+/// Samples every region and finds its topology from the merge tree there.
+pub(super) fn classify_regions(arrangement: &Arrangement) -> Table<RegionId, Region> {
+    let mut cells = Table::<RegionId, Vec<Cell>>::filled(Vec::new(), arrangement.region_count);
+    for (slab, strip) in arrangement.slabs.pairs() {
+        for (position, &region) in strip.region_above.iter().enumerate() {
+            cells[region].push(Cell { slab, position });
         }
     }
-    let rows: Vec<Vec<Row>> = (0..arrangement.slabs.len()).map(|slab| rows(arrangement, slab)).collect();
+    let rows: Table<SlabId, Vec<Row>> = arrangement.slabs.ids().map(|slab| rows(arrangement, slab)).collect();
     cells.into_iter().map(|cells| region(arrangement, &rows, cells)).collect()
 }
 
@@ -62,7 +62,7 @@ struct Row {
 }
 
 /// Rows at a few abscissae of a slab.
-fn rows(arrangement: &Arrangement, slab: usize) -> Vec<Row> {
+fn rows(arrangement: &Arrangement, slab: SlabId) -> Vec<Row> {
     let [from, to] = arrangement.slabs[slab].x;
     let middle = arrangement.middle(slab);
     // In the last slab near its lower end: there the sample is still inside the default picture.
@@ -83,13 +83,12 @@ fn rows(arrangement: &Arrangement, slab: usize) -> Vec<Row> {
         .collect()
 }
 
-fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize)>) -> Region {
+fn region(arrangement: &Arrangement, rows: &Table<SlabId, Vec<Row>>, cells: Vec<Cell>) -> Region {
     // Should rounding hide a join at the best place, as next to a pitchfork, the next ones may still show it.
     const ATTEMPTS: usize = 32;
     let mut candidates: Vec<Candidate<'_>> = cells
         .iter()
-        .flat_map(|&(slab, position)| rows[slab].iter().map(move |row| (slab, position, row)))
-        .map(|(slab, position, row)| candidate(arrangement, slab, position, row))
+        .flat_map(|&cell| rows[cell.slab].iter().map(move |row| candidate(arrangement, cell, row)))
         .collect();
     candidates.sort_by(|p, q| q.quality.total_cmp(&p.quality));
     let Some(&best) = candidates.first() else {
@@ -110,14 +109,15 @@ fn region(arrangement: &Arrangement, rows: &[Vec<Row>], cells: Vec<(usize, usize
 }
 
 /// The lower left corner of a cell, with no margin.
-fn corner(arrangement: &Arrangement, (slab, position): (usize, usize)) -> Sample {
+fn corner(arrangement: &Arrangement, Cell { slab, position }: Cell) -> Sample {
     let strip = &arrangement.slabs[slab];
     let curve = strip.order[position];
     let point = arrangement.set.curves[curve].point(&arrangement.set.frame, strip.x[0]);
     Sample { x: point.x, h: point.h(), margin: 0.0, error: point.h_error(), nearest: curve }
 }
 
-fn candidate<'a>(arrangement: &Arrangement, slab: usize, position: usize, row: &'a Row) -> Candidate<'a> {
+fn candidate<'a>(arrangement: &Arrangement, cell: Cell, row: &'a Row) -> Candidate<'a> {
+    let Cell { slab, position } = cell;
     let order = &arrangement.slabs[slab].order;
     let lower = &row.points[position];
     let scale = row.x / lower.j + arrangement.set.frame.r_norm;
@@ -128,28 +128,28 @@ fn candidate<'a>(arrangement: &Arrangement, slab: usize, position: usize, row: &
         (scale.min(lower.h().abs() + arrangement.set.frame.r_norm).max(0.5 * scale), lower.h_error())
     };
     let sample = Sample { x: row.x, h: lower.h() + margin, margin, error, nearest: order[position] };
-    Candidate { slab, position, row, sample, quality: (margin - error) / scale }
+    Candidate { cell, row, sample, quality: (margin - error) / scale }
 }
 
 /// The components of U_hl at a sample.
 fn topology(arrangement: &Arrangement, candidate: &Candidate<'_>) -> Result<Vec<Component>, MergeError> {
     let set = &arrangement.set;
-    let order = &arrangement.slabs[candidate.slab].order;
-    if candidate.position + 1 == order.len() {
+    let order = &arrangement.slabs[candidate.cell.slab].order;
+    if candidate.cell.position + 1 == order.len() {
         return Ok(vec![whole_sphere(!set.frame.is_euler())]);
     }
     // In a region thinner than rounding no downhill path can be trusted; with one minimum none is needed.
-    let too_thin = candidate.quality <= 0.0 && minima(set, &order[..=candidate.position]) > 1;
+    let too_thin = candidate.quality <= 0.0 && minima(set, &order[..=candidate.cell.position]) > 1;
     if too_thin || !is_ordered(&candidate.row.points) {
         return Err(MergeError::UnknownOrder);
     }
-    let below = order[..=candidate.position].iter().zip(&candidate.row.points);
+    let below = order[..=candidate.cell.position].iter().zip(&candidate.row.points);
     components_below(set, candidate.row.x, below.map(|(&c, point)| (c, point)))
 }
 
 /// Number of minima on these curves.
-fn minima(set: &CriticalSet, curves: &[usize]) -> usize {
-    let count = |c: &usize| match (set.curves[*c].index, set.curves[*c].orbit) {
+fn minima(set: &CriticalSet, curves: &[CurveId]) -> usize {
+    let count = |c: &CurveId| match (set.curves[*c].index, set.curves[*c].orbit) {
         (Some(0), Orbit::Pair(_)) => 2,
         (Some(0), _) => 1,
         _ => 0,
@@ -176,7 +176,7 @@ pub(super) fn is_ordered(points: &[Point]) -> bool {
 pub(crate) fn components_below<'a>(
     set: &CriticalSet,
     x: f64,
-    below: impl ExactSizeIterator<Item = (usize, &'a Point)>,
+    below: impl ExactSizeIterator<Item = (CurveId, &'a Point)>,
 ) -> Result<Vec<Component>, MergeError> {
     partition_below(set, x, below).map(merge::Partition::into_components)
 }
@@ -188,7 +188,7 @@ pub(crate) fn components_below<'a>(
 pub(crate) fn partition_below<'a, 's>(
     set: &'s CriticalSet,
     x: f64,
-    below: impl ExactSizeIterator<Item = (usize, &'a Point)>,
+    below: impl ExactSizeIterator<Item = (CurveId, &'a Point)>,
 ) -> Result<merge::Partition<'s>, MergeError> {
     let mut critical = Vec::with_capacity(below.len() + 2);
     let mut poles = Poles::default();

@@ -1,22 +1,23 @@
 //! The largest extent of a region in h at one l.
 
 use super::Atlas;
-use crate::curves::{Gap, Point};
+use crate::curves::{CurveId, Gap, Point};
+use crate::diagram::{Cell, RegionId};
 use numbers::root;
 
 /// The gap between two curves over a slab.
 struct Strip<'a> {
     atlas: &'a Atlas,
-    lower: usize,
-    upper: usize,
+    lower: CurveId,
+    upper: CurveId,
 }
 
 impl Atlas {
     /// The largest extent in h at one l of a region; `None` if unbounded.
     #[must_use]
-    pub fn h_width(&self, region: usize) -> Option<f64> {
+    pub fn h_width(&self, region: RegionId) -> Option<f64> {
         let mut widest = 0.0_f64;
-        for &(slab, position) in &self.regions[region].cells {
+        for &Cell { slab, position } in &self.regions[region].cells {
             let strip = &self.arrangement.slabs[slab];
             let (lower, upper) = (strip.order[position], *strip.order.get(position + 1)?);
             widest = widest.max(Strip { atlas: self, lower, upper }.width(strip.x)?);
@@ -51,7 +52,7 @@ impl Strip<'_> {
         let mut limit = 0.0_f64;
         let mut high = x[1];
         if high.is_infinite() {
-            let asymptote = |c: usize| set.curves[c].arcs[set.curves[c].arcs.len() - 1].asymptote(&set.frame);
+            let asymptote = |c: CurveId| set.curves[c].arcs[set.curves[c].arcs.len() - 1].asymptote(&set.frame);
             if asymptote(self.lower).moment_gap(&set.frame, &asymptote(self.upper)) != 0.0 {
                 return None;
             }

@@ -1,8 +1,8 @@
 //! The part of the (h, l) plane that was asked for.
 
-use super::Atlas;
-use crate::classify::Margin;
-use crate::curves::CurveName;
+use super::{Atlas, Margin};
+use crate::curves::{CurveId, CurveName};
+use crate::diagram::{Cell, RegionId};
 
 /// A part of the (h, l) plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +41,7 @@ impl Window {
 impl Atlas {
     /// The sample of a region.
     #[must_use]
-    pub fn sample(&self, region: usize) -> SamplePoint {
+    pub fn sample(&self, region: RegionId) -> SamplePoint {
         let sample = &self.regions[region].sample;
         SamplePoint {
             h: self.energy(sample.h),
@@ -56,13 +56,13 @@ impl Atlas {
 
     /// A sample of a region inside a window, and whether the window cuts the region; `None` when no part of it is seen.
     #[must_use]
-    pub fn seen_in(&self, region: usize, window: &Window) -> Option<(SamplePoint, bool)> {
+    pub fn seen_in(&self, region: RegionId, window: &Window) -> Option<(SamplePoint, bool)> {
         const PLACES: usize = 24;
         let set = &self.arrangement.set;
         let unit = set.frame.momentum_unit;
         let mut best: Option<SamplePoint> = None;
         let mut clipped = false;
-        for &(slab, position) in &self.regions[region].cells {
+        for &Cell { slab, position } in &self.regions[region].cells {
             let strip = &self.arrangement.slabs[slab];
             let l = strip.x.map(|x| self.momentum(x));
             clipped |= l[0] < window.l[0] || l[1] > window.l[1];
@@ -70,7 +70,7 @@ impl Atlas {
             for place in 0..PLACES {
                 let at = from + (to - from) * (place as f64 + 0.5) / PLACES as f64;
                 let x = 0.5 * (at / unit) * (at / unit);
-                let height = |c: usize| {
+                let height = |c: CurveId| {
                     let point = set.curves[c].point(&set.frame, x);
                     (self.energy(point.h()), self.energy(point.h_error()))
                 };

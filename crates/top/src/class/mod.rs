@@ -22,6 +22,7 @@ mod text;
 use thiserror::Error;
 
 use crate::atlas::Atlas;
+use crate::diagram::RegionId;
 use crate::topology::merge::MergeError;
 
 pub use kinds::{EdgeKind, FaceKind, VertexKind};
@@ -48,10 +49,10 @@ pub enum Unclassified {
         count: usize,
     },
     /// The type of a region is not known.
-    #[error("the type of region R{region} is undecided at this accuracy: {source}", region = region + 1)]
+    #[error("the type of region {region} is undecided at this accuracy: {source}")]
     Region {
-        /// Number of the region.
-        region: usize,
+        /// The region.
+        region: RegionId,
         /// Why.
         source: MergeError,
     },

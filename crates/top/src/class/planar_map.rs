@@ -8,7 +8,9 @@ use thiserror::Error;
 use super::Unclassified;
 use super::kinds::{EdgeKind, FaceKind, Side, VertexKind};
 use crate::atlas::Atlas;
-use crate::diagram::{Arrangement, Change, Event, Slab};
+use crate::curves::CurveId;
+use crate::diagram::{Arrangement, Change, Event, RegionId, Slab, SlabId};
+use crate::table::{Id, Table};
 
 /// A map on the disc with one dart marked.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,10 +43,10 @@ pub enum MapError {
     #[error("several events lie exactly at one l")]
     Coincident,
     /// A curve begins or ends in the middle of the plane without an event.
-    #[error("curve {curve} begins or ends where no event is")]
+    #[error("{curve:?} begins or ends where no event is")]
     LooseEnd {
         /// The curve.
-        curve: usize,
+        curve: CurveId,
     },
     /// Euler's formula fails or a face is not bounded by one cycle.
     #[error("{vertices} vertices, {edges} edges and {faces} faces with {cycles} boundaries are no map on the sphere")]
@@ -62,8 +64,10 @@ pub enum MapError {
 
 const OUTSIDE: usize = 0;
 const FORBIDDEN: usize = 1;
-/// Faces of the arrangement follow these two.
-const FIRST_REGION: usize = 2;
+/// The face of a region: regions follow the other two.
+fn face_of(region: RegionId) -> usize {
+    2 + region.index()
+}
 
 /// The other dart of the same edge.
 pub(super) fn opposite(dart: usize) -> usize {
@@ -77,7 +81,7 @@ impl PlanarMap {
     /// [`Unclassified::Region`] when a region's type is unknown, [`Unclassified::Map`] when the pieces do not fit.
     pub fn of(atlas: &Atlas) -> Result<Self, Unclassified> {
         let mut faces = vec![FaceKind::Outside, FaceKind::Forbidden];
-        for (region, known) in atlas.regions().iter().enumerate() {
+        for (region, known) in atlas.regions().pairs() {
             match &known.components {
                 Ok(components) => faces.push(FaceKind::Region(components.clone())),
                 Err(source) => return Err(Unclassified::Region { region, source: *source }),
@@ -154,20 +158,20 @@ impl<'a> Builder<'a> {
         }
         let curves = self.arrangement.set.curves.len();
         // The edge of each curve in the slab that is being passed.
-        let mut running: Vec<Option<Piece>> = vec![None; curves];
+        let mut running = Table::filled(None, curves);
         for (position, &curve) in first.order.iter().enumerate() {
             running[curve] = Some(self.begin(first, position));
         }
         let starts: Vec<usize> = first.order.iter().filter_map(|&c| running[c]).map(|p| 2 * p.edge).collect();
-        for (number, event) in self.arrangement.events.iter().enumerate() {
-            self.pass(event, &slabs[number], &slabs[number + 1], &mut running)?;
+        for (number, event) in self.arrangement.events.pairs() {
+            self.pass(event, &slabs[SlabId::before(number)], &slabs[SlabId::after(number)], &mut running)?;
         }
         let mut ends = Vec::with_capacity(last.order.len());
         for &curve in &last.order {
             let piece = running[curve].take().ok_or(MapError::LooseEnd { curve })?;
             ends.push(2 * piece.edge + 1);
         }
-        if let Some(curve) = running.iter().position(Option::is_some) {
+        if let Some((curve, _)) = running.pairs().find(|(_, piece)| piece.is_some()) {
             return Err(MapError::LooseEnd { curve });
         }
         let root = self.frame(&starts, &ends, first, last);
@@ -177,8 +181,8 @@ impl<'a> Builder<'a> {
     /// A new edge of the curve at this position of a slab.
     fn begin(&mut self, slab: &Slab, position: usize) -> Piece {
         let curve = &self.arrangement.set.curves[slab.order[position]];
-        let above = FIRST_REGION + slab.face_above[position];
-        let below = position.checked_sub(1).map_or(FORBIDDEN, |lower| FIRST_REGION + slab.face_above[lower]);
+        let above = face_of(slab.region_above[position]);
+        let below = position.checked_sub(1).map_or(FORBIDDEN, |lower| face_of(slab.region_above[lower]));
         self.edge(EdgeKind::of(curve), [above, below])
     }
 
@@ -199,7 +203,7 @@ impl<'a> Builder<'a> {
         event: &Event,
         before: &Slab,
         after: &Slab,
-        running: &mut [Option<Piece>],
+        running: &mut Table<CurveId, Option<Piece>>,
     ) -> Result<(), MapError> {
         let mut meeting = event.change.curves();
         meeting.sort_unstable();
@@ -235,7 +239,7 @@ impl<'a> Builder<'a> {
 
     /// The frame, counter-clockwise from the lower end at l = 0; gives the root.
     fn frame(&mut self, starts: &[usize], ends: &[usize], first: &Slab, last: &Slab) -> usize {
-        let region = |slab: &Slab, position: usize| FIRST_REGION + slab.face_above[position];
+        let region = |slab: &Slab, position: usize| face_of(slab.region_above[position]);
         let root = 2 * self.edge(EdgeKind::Frame(Side::Bottom), [FORBIDDEN, OUTSIDE]).edge;
         let mut incoming = root;
         for (position, &curve) in ends.iter().enumerate() {

@@ -2,13 +2,14 @@
 
 use super::critical_set::{CriticalSet, end_tolerance};
 use super::curve::Orbit;
+use super::id::CurveId;
 use super::point::Point;
 
 /// A relative equilibrium at the x that was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RelativeEquilibrium {
     /// Number of its curve.
-    pub curve: usize,
+    pub curve: CurveId,
     /// The point of the curve; its γ is this equilibrium's.
     pub point: Point,
     /// Morse index.
@@ -54,7 +55,7 @@ impl CriticalSet {
     }
 
     /// The degenerate points within rounding of x whose curves are not among those over x.
-    fn merged_at(&self, x: f64, over: &[usize]) -> Vec<RelativeEquilibrium> {
+    fn merged_at(&self, x: f64, over: &[CurveId]) -> Vec<RelativeEquilibrium> {
         let cusps = self.cusps.iter().map(|cusp| (&cusp.point, cusp.curves));
         let pitchforks = self.pitchforks.iter().map(|pitchfork| (&pitchfork.point, pitchfork.through));
         cusps

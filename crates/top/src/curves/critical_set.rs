@@ -3,8 +3,10 @@
 use thiserror::Error;
 
 use super::curve::Curve;
+use super::id::{ClusterId, CurveId, CuspId, PitchforkId};
 use super::point::Point;
 use crate::body::Frame;
+use crate::table::Table;
 use numbers::UNIT_ROUNDOFF;
 
 /// A cusp: two curves of critical points meet and vanish.
@@ -13,7 +15,7 @@ pub struct Cusp {
     /// The point in the (x, h) plane.
     pub point: Point,
     /// The two curves, in the order of the branch's parameter.
-    pub curves: [usize; 2],
+    pub curves: [CurveId; 2],
     /// The curves lie at larger x (they are born there as x rises).
     pub opens_upward: bool,
 }
@@ -26,9 +28,9 @@ pub struct Pitchfork {
     /// The axis of the frame over which the pair lies.
     pub axis: usize,
     /// The curve that is left, before and after, by rising x.
-    pub through: [usize; 2],
+    pub through: [CurveId; 2],
     /// The curve of the pair that ends here (always there once the set is made).
-    pub pair: Option<usize>,
+    pub pair: Option<CurveId>,
 }
 
 /// A place where f64 does not tell how many cusps there are.
@@ -57,13 +59,13 @@ pub struct CriticalSet {
     /// The body.
     pub frame: Frame,
     /// Curves; pole lines last.
-    pub curves: Vec<Curve>,
+    pub curves: Table<CurveId, Curve>,
     /// Cusps.
-    pub cusps: Vec<Cusp>,
+    pub cusps: Table<CuspId, Cusp>,
     /// Pitchforks.
-    pub pitchforks: Vec<Pitchfork>,
+    pub pitchforks: Table<PitchforkId, Pitchfork>,
     /// What is not decided.
-    pub clusters: Vec<CuspCluster>,
+    pub clusters: Table<ClusterId, CuspCluster>,
 }
 
 impl CriticalSet {
@@ -74,7 +76,7 @@ impl CriticalSet {
     pub fn new(frame: Frame) -> Result<Self, EquilibriaError> {
         check_range(&frame)?;
         let mut set =
-            Self { frame, curves: Vec::new(), cusps: Vec::new(), pitchforks: Vec::new(), clusters: Vec::new() };
+            Self { frame, curves: Table::new(), cusps: Table::new(), pitchforks: Table::new(), clusters: Table::new() };
         let active: Vec<usize> = (0..3).filter(|&k| set.frame.r[k] > 0.0).collect();
         let passive: Vec<usize> = (0..3)
             .filter(|&k| k == 0 || set.frame.group[k - 1] != set.frame.group[k])
@@ -97,15 +99,15 @@ impl CriticalSet {
 
     /// Numbers of the curves over x, and whether an end lies within rounding of x.
     #[must_use]
-    pub fn curves_over(&self, x: f64) -> (Vec<usize>, bool) {
+    pub fn curves_over(&self, x: f64) -> (Vec<CurveId>, bool) {
         let tolerance = end_tolerance(x);
-        let over = (0..self.curves.len()).filter(|&c| {
-            let [from, to] = self.curves[c].x();
+        let over = self.curves.pairs().filter(|(_, curve)| {
+            let [from, to] = curve.x();
             from < x && x < to
         });
         let near = self.curves.iter().any(|curve| curve.x().iter().any(|end| (end - x).abs() <= tolerance))
             || self.clusters.iter().any(|cluster| (cluster.point.x - x).abs() <= 1e-6 * x);
-        (over.collect(), near)
+        (over.map(|(c, _)| c).collect(), near)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Curves: maximal pieces of critical curves and pole lines between cusps and pitchforks.
 
 use super::arc::Arc;
+use super::id::{CuspId, PitchforkId};
 use super::point::Point;
 use crate::body::Frame;
 
@@ -49,9 +50,9 @@ pub enum End {
     /// l → ∞ at ± this axis of the frame, or along a pole line.
     Infinity,
     /// The cusp with this number.
-    Cusp(usize),
+    Cusp(CuspId),
     /// The pitchfork with this number.
-    Pitchfork(usize),
+    Pitchfork(PitchforkId),
 }
 
 /// A curve of critical values, or a pole line, by rising x.

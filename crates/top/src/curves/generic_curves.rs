@@ -5,6 +5,7 @@ use super::critical_set::{CriticalSet, Cusp, CuspCluster, Pitchfork};
 use super::curve::{Branch, Curve, End, Orbit};
 use super::cusps::{MuInterval, cusps, inflection};
 use super::generic::{GenericState, Mu};
+use super::id::CurveId;
 use super::index;
 use super::point::Point;
 
@@ -97,7 +98,7 @@ impl CriticalSet {
                 continue;
             }
             piece += 1;
-            let this = self.curves.len();
+            let this = self.curves.next_id();
             let end = self.end_of(&stations[k + 1], Some((this, &nodes[k + 1])));
             let rising = nodes_rise(&nodes, k, arcs.len());
             let mut done = std::mem::take(&mut arcs);
@@ -128,7 +129,7 @@ impl CriticalSet {
     }
 
     /// Enters `this` as the curve after the cut `start`.
-    fn close_cut(&mut self, start: End, this: usize, rising: bool) {
+    fn close_cut(&mut self, start: End, this: CurveId, rising: bool) {
         match start {
             End::Cusp(c) => self.cusps[c].curves[1] = this,
             End::Pitchfork(p) => self.pitchforks[p].through[usize::from(rising)] = this,
@@ -137,18 +138,16 @@ impl CriticalSet {
     }
 
     /// The end of a curve at a station; makes the cusp or pitchfork when its first curve is known.
-    fn end_of(&mut self, station: &Station, first: Option<(usize, &Node)>) -> End {
+    fn end_of(&mut self, station: &Station, first: Option<(CurveId, &Node)>) -> End {
         match (*station, first) {
             (Station::End(None), _) => End::Origin,
             (Station::Cusp(mu), Some((curve, node))) => {
                 let point = self.point(mu, node);
-                self.cusps.push(Cusp { point, curves: [curve; 2], opens_upward: false });
-                End::Cusp(self.cusps.len() - 1)
+                End::Cusp(self.cusps.push(Cusp { point, curves: [curve; 2], opens_upward: false }))
             }
             (Station::Pitchfork(mu, axis), Some((curve, node))) => {
                 let point = self.point(mu, node);
-                self.pitchforks.push(Pitchfork { point, axis, through: [curve; 2], pair: None });
-                End::Pitchfork(self.pitchforks.len() - 1)
+                End::Pitchfork(self.pitchforks.push(Pitchfork { point, axis, through: [curve; 2], pair: None }))
             }
             _ => End::Infinity,
         }

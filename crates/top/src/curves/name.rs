@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::{Branch, CriticalSet, Pole};
+use super::{Branch, CriticalSet, CurveId, Pole};
 use crate::body::Frame;
 
 /// Name of a branch of relative equilibria, or of a pole line.
@@ -68,7 +68,7 @@ impl BranchName {
 impl CurveName {
     /// The name of a curve of a body.
     #[must_use]
-    pub fn of(set: &CriticalSet, curve: usize) -> Self {
+    pub fn of(set: &CriticalSet, curve: CurveId) -> Self {
         let curve = &set.curves[curve];
         Self::on(BranchName::of(&set.frame, curve.branch), curve.piece)
     }

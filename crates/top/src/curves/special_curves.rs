@@ -3,10 +3,12 @@
 use super::arc::{Arc, Shape};
 use super::critical_set::{CriticalSet, Cusp, Pitchfork};
 use super::curve::{Branch, Curve, End, Orbit, Pole};
+use super::id::{CurveId, PitchforkId};
 use super::index;
 use super::point::Point;
 use super::symmetric::SymmetricFamily;
 use crate::body::Frame;
+use crate::table::Id;
 
 impl CriticalSet {
     /// r = 0: rotations about the principal axes, straight lines through the origin.
@@ -49,7 +51,7 @@ impl CriticalSet {
             let mut from = (0.0, End::Origin);
             for piece in 0..=cuts.len() {
                 let to = cuts.get(piece).map_or((f64::INFINITY, End::Infinity), |&(x, _)| {
-                    (x, End::Pitchfork(self.pitchforks.len() + piece))
+                    (x, End::Pitchfork(PitchforkId::at(self.pitchforks.len() + piece)))
                 });
                 let index = index::on_axis(&self.frame, axis, sign, from.0, to.0);
                 self.curves.push(Curve {
@@ -65,7 +67,8 @@ impl CriticalSet {
             }
             for (n, &(x, k)) in cuts.iter().enumerate() {
                 let point = Point::over(&self.frame, x, gamma, a);
-                self.pitchforks.push(Pitchfork { point, axis: k, through: [first + n, first + n + 1], pair: None });
+                let through = [first + n, first + n + 1].map(CurveId::at);
+                self.pitchforks.push(Pitchfork { point, axis: k, through, pair: None });
             }
         }
     }
@@ -73,11 +76,11 @@ impl CriticalSet {
     /// The pairs and circles over eigenspaces without r; their pitchforks are known by now.
     pub(super) fn add_symmetric(&mut self, passive: &[usize]) {
         for &axis in passive {
-            let Some(number) = self.pitchforks.iter().position(|p| p.axis == axis) else {
+            let Some((number, pitchfork)) = self.pitchforks.pairs().find(|(_, p)| p.axis == axis) else {
                 continue;
             };
             let family = SymmetricFamily::over(&self.frame, axis);
-            let root = self.pitchforks[number].point;
+            let root = pitchfork.point;
             let orbit =
                 if eigenspace_dimension(&self.frame, axis) == 2 { Orbit::Circle(axis) } else { Orbit::Pair(axis) };
             let start = (0.0, root.x, root.slope());
@@ -86,7 +89,6 @@ impl CriticalSet {
                 let state = family.at(&self.frame, t);
                 (t, Point::over(&self.frame, state.x, state.gamma, state.j))
             });
-            let first = self.curves.len();
             let push = |set: &mut Self, piece, from: (f64, f64, f64), to: (f64, f64, f64), mut ends: [End; 2]| {
                 let (mut t, mut x, mut slope) = ([from.0, to.0], [from.1, to.1], [from.2, to.2]);
                 let rising = x[0] < x[1];
@@ -99,18 +101,19 @@ impl CriticalSet {
                 let index = index::symmetric(&set.frame, &family, t, rising, orbit);
                 let arcs = vec![Arc { shape: Shape::Symmetric { family, t }, x, slope }];
                 let index = Some(index);
-                set.curves.push(Curve { branch: Branch::Symmetric(axis), piece, orbit, index, pole: None, arcs, ends });
+                set.curves.push(Curve { branch: Branch::Symmetric(axis), piece, orbit, index, pole: None, arcs, ends })
             };
-            match cusp {
+            let first = match cusp {
                 None => push(self, 1, start, end, [End::Pitchfork(number), End::Infinity]),
                 Some((t, point)) => {
                     let turn = (t, point.x, point.slope());
-                    let number_of_cusp = self.cusps.len();
-                    self.cusps.push(Cusp { point, curves: [first, first + 1], opens_upward: true });
-                    push(self, 1, start, turn, [End::Pitchfork(number), End::Cusp(number_of_cusp)]);
-                    push(self, 2, turn, end, [End::Cusp(number_of_cusp), End::Infinity]);
+                    let cusp = self.cusps.next_id();
+                    let first = push(self, 1, start, turn, [End::Pitchfork(number), End::Cusp(cusp)]);
+                    let second = push(self, 2, turn, end, [End::Cusp(cusp), End::Infinity]);
+                    self.cusps.push(Cusp { point, curves: [first, second], opens_upward: true });
+                    first
                 }
-            }
+            };
             self.pitchforks[number].pair = Some(first);
         }
     }

@@ -7,29 +7,38 @@
 use thiserror::Error;
 
 use super::event::Change;
+use super::id::{EventId, RegionId, SlabId};
+use crate::curves::CurveId;
+use crate::table::{Id, Table};
 use numbers::partition::Partition;
 
-/// The faces: for each slab, the face of each gap but the lowest.
+/// The faces, which are the diagram's regions: for each slab, the region of each gap but the lowest.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Faces {
-    /// `of_gap[slab][i]` is the face above the i-th curve of the slab.
-    pub of_gap: Vec<Vec<usize>>,
-    /// Number of faces.
+    /// `above[slab][i]` is the region above the i-th curve of the slab.
+    pub above: Table<SlabId, Vec<RegionId>>,
+    /// Number of regions.
     pub count: usize,
 }
 
 /// The orders on both sides of an event do not fit the event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("the vertical orders on the two sides of event {event} do not fit it")]
+#[error("the vertical orders on the two sides of {event:?} do not fit it")]
 pub struct InconsistentOrder {
     /// Number of the event.
-    pub event: usize,
+    pub event: EventId,
 }
 
 /// How the gaps of one slab continue into the next.
 struct Gluing {
-    /// Pairs (gap before, gap after) that are one face.
-    continued: Vec<(usize, usize)>,
+    continued: Vec<Continued>,
+}
+
+/// A gap of one slab and a gap of the next that are in one face.
+#[derive(Clone, Copy)]
+struct Continued {
+    before: usize,
+    after: usize,
 }
 
 impl Faces {
@@ -37,8 +46,11 @@ impl Faces {
     ///
     /// # Errors
     /// [`InconsistentOrder`] when an order does not follow from the one before by the event between them.
-    pub fn glue(orders: &[Vec<usize>], changes: &[Change]) -> Result<Self, InconsistentOrder> {
-        let offsets: Vec<usize> = orders
+    pub fn glue(
+        orders: &Table<SlabId, Vec<CurveId>>,
+        changes: &Table<EventId, Change>,
+    ) -> Result<Self, InconsistentOrder> {
+        let offsets: Table<SlabId, usize> = orders
             .iter()
             .scan(0, |sum, order| {
                 let first = *sum;
@@ -46,36 +58,37 @@ impl Faces {
                 Some(first)
             })
             .collect();
-        let cells = offsets.last().map_or(0, |first| first + orders[orders.len() - 1].len() + 1);
+        let cells = orders.iter().map(|order| order.len() + 1).sum();
         let mut joined = Partition::new(cells);
-        for (event, change) in changes.iter().enumerate() {
-            let gluing = glue_event(&orders[event], &orders[event + 1], change).ok_or(InconsistentOrder { event })?;
-            for (before, after) in gluing.continued {
-                joined.unite(offsets[event] + before, offsets[event + 1] + after);
+        for (event, change) in changes.pairs() {
+            let (left, right) = (SlabId::before(event), SlabId::after(event));
+            let gluing = glue_event(&orders[left], &orders[right], change).ok_or(InconsistentOrder { event })?;
+            for Continued { before, after } in gluing.continued {
+                joined.unite(offsets[left] + before, offsets[right] + after);
             }
         }
-        let mut number: Vec<Option<usize>> = vec![None; cells];
+        let mut number: Vec<Option<RegionId>> = vec![None; cells];
         let mut count = 0;
-        let mut of_gap = Vec::with_capacity(orders.len());
-        for (slab, order) in orders.iter().enumerate() {
+        let mut above = Table::new();
+        for (slab, order) in orders.pairs() {
             let mut faces = Vec::with_capacity(order.len());
             for gap in 1..=order.len() {
                 let root = joined.find(offsets[slab] + gap);
                 let face = *number[root].get_or_insert_with(|| {
                     count += 1;
-                    count - 1
+                    RegionId::at(count - 1)
                 });
                 faces.push(face);
             }
-            of_gap.push(faces);
+            above.push(faces);
         }
-        Ok(Self { of_gap, count })
+        Ok(Self { above, count })
     }
 }
 
 /// The gluing of the gaps across one event, or `None` when the orders do not fit the event.
-fn glue_event(before: &[usize], after: &[usize], change: &Change) -> Option<Gluing> {
-    let at = |order: &[usize], curve: usize| order.iter().position(|&c| c == curve);
+fn glue_event(before: &[CurveId], after: &[CurveId], change: &Change) -> Option<Gluing> {
+    let at = |order: &[CurveId], curve: CurveId| order.iter().position(|&c| c == curve);
     match *change {
         Change::Swap([a, b]) => {
             let (p, q) = (at(before, a)?, at(before, b)?);
@@ -85,7 +98,8 @@ fn glue_event(before: &[usize], after: &[usize], change: &Change) -> Option<Glui
             if p.abs_diff(q) != 1 || swapped != after {
                 return None;
             }
-            Some(Gluing { continued: (0..=before.len()).filter(|&gap| gap != low + 1).map(|gap| (gap, gap)).collect() })
+            let kept = (0..=before.len()).filter(|&gap| gap != low + 1);
+            Some(Gluing { continued: kept.map(|gap| Continued { before: gap, after: gap }).collect() })
         }
         Change::Birth([a, b]) => inserted(before, after, [at(after, a)?, at(after, b)?]),
         Change::Death([a, b]) => inserted(after, before, [at(before, a)?, at(before, b)?]).map(Gluing::reversed),
@@ -98,30 +112,32 @@ fn glue_event(before: &[usize], after: &[usize], change: &Change) -> Option<Glui
 
 impl Gluing {
     fn reversed(self) -> Self {
-        Self { continued: self.continued.into_iter().map(|(before, after)| (after, before)).collect() }
+        let reversed = |gaps: Continued| Continued { before: gaps.after, after: gaps.before };
+        Self { continued: self.continued.into_iter().map(reversed).collect() }
     }
 
     /// One gap of the smaller order is split by two new curves at positions low, low + 1 of the larger: both outer
     /// parts continue it, the part between is new.
     fn around(small: usize, low: usize) -> Self {
-        let below = (0..=low).map(|gap| (gap, gap));
-        let above = (low..=small).map(|gap| (gap, gap + 2));
+        let below = (0..=low).map(|gap| Continued { before: gap, after: gap });
+        let above = (low..=small).map(|gap| Continued { before: gap, after: gap + 2 });
         Self { continued: below.chain(above).collect() }
     }
 }
 
 /// Two neighbouring curves are new in the larger order.
-fn inserted(small: &[usize], large: &[usize], positions: [usize; 2]) -> Option<Gluing> {
+fn inserted(small: &[CurveId], large: &[CurveId], positions: [usize; 2]) -> Option<Gluing> {
     let low = positions[0].min(positions[1]);
     if positions[0].abs_diff(positions[1]) != 1 {
         return None;
     }
-    let rest: Vec<usize> = large.iter().enumerate().filter(|(k, _)| !positions.contains(k)).map(|(_, &c)| c).collect();
+    let others = large.iter().enumerate().filter(|(k, _)| !positions.contains(k));
+    let rest: Vec<CurveId> = others.map(|(_, &c)| c).collect();
     (rest == small).then(|| Gluing::around(small.len(), low))
 }
 
 /// A curve continues as another with a pair next to it.
-fn opened(before: &[usize], after: &[usize], through: [usize; 2], pair: usize) -> Option<Gluing> {
+fn opened(before: &[CurveId], after: &[CurveId], through: [CurveId; 2], pair: CurveId) -> Option<Gluing> {
     let old = before.iter().position(|&c| c == through[0])?;
     let (new, beside) = (after.iter().position(|&c| c == through[1])?, after.iter().position(|&c| c == pair)?);
     let low = new.min(beside);
@@ -131,8 +147,8 @@ fn opened(before: &[usize], after: &[usize], through: [usize; 2], pair: usize) -
         return None;
     }
     // The gaps below and above the curve continue; the one between curve and pair is new.
-    let below = (0..=low).map(|gap| (gap, gap));
-    let above = (low + 1..=before.len()).map(|gap| (gap, gap + 1));
+    let below = (0..=low).map(|gap| Continued { before: gap, after: gap });
+    let above = (low + 1..=before.len()).map(|gap| Continued { before: gap, after: gap + 1 });
     Some(Gluing { continued: below.chain(above).collect() })
 }
 
@@ -140,39 +156,45 @@ fn opened(before: &[usize], after: &[usize], through: [usize; 2], pair: usize) -
 mod tests {
     use super::*;
 
+    fn curve(index: usize) -> CurveId {
+        CurveId::at(index)
+    }
+
+    /// The regions above the curves of two slabs, and their number.
+    fn glued(before: &[usize], after: &[usize], change: Change) -> Result<(Vec<Vec<usize>>, usize), InconsistentOrder> {
+        let orders = [before, after].map(|order| order.iter().map(|&c| curve(c)).collect::<Vec<_>>());
+        let faces = Faces::glue(&orders.into_iter().collect(), &[change].into_iter().collect())?;
+        let above = faces.above.iter().map(|regions| regions.iter().map(|region| region.index()).collect());
+        Ok((above.collect(), faces.count))
+    }
+
     #[test]
     fn a_crossing_closes_one_face_and_opens_another() {
-        let faces = Faces::glue(&[vec![0, 1], vec![1, 0]], &[Change::Swap([0, 1])]).unwrap();
-        assert_eq!(faces.count, 3);
-        assert_eq!(faces.of_gap, vec![vec![0, 1], vec![2, 1]]);
+        assert_eq!(glued(&[0, 1], &[1, 0], Change::Swap([curve(0), curve(1)])), Ok((vec![vec![0, 1], vec![2, 1]], 3)));
     }
 
     #[test]
     fn a_cusp_opens_one_face_inside_another() {
-        let orders = [vec![0, 1], vec![0, 2, 3, 1]];
-        let faces = Faces::glue(&orders, &[Change::Birth([3, 2])]).unwrap();
-        assert_eq!(faces.of_gap, vec![vec![0, 1], vec![0, 2, 0, 1]]);
+        let found = glued(&[0, 1], &[0, 2, 3, 1], Change::Birth([curve(3), curve(2)]));
+        assert_eq!(found, Ok((vec![vec![0, 1], vec![0, 2, 0, 1]], 3)));
     }
 
     #[test]
     fn a_cusp_that_closes_is_the_mirror_image() {
-        let orders = [vec![0, 2, 3, 1], vec![0, 1]];
-        let faces = Faces::glue(&orders, &[Change::Death([2, 3])]).unwrap();
-        assert_eq!(faces.of_gap, vec![vec![0, 1, 0, 2], vec![0, 2]]);
+        let found = glued(&[0, 2, 3, 1], &[0, 1], Change::Death([curve(2), curve(3)]));
+        assert_eq!(found, Ok((vec![vec![0, 1, 0, 2], vec![0, 2]], 3)));
     }
 
     #[test]
     fn a_pitchfork_opens_one_face_against_the_curve() {
-        let orders = [vec![0, 1], vec![0, 3, 2]];
-        let faces = Faces::glue(&orders, &[Change::Open { through: [1, 2], pair: 3 }]).unwrap();
-        assert_eq!(faces.of_gap, vec![vec![0, 1], vec![0, 2, 1]]);
+        let found = glued(&[0, 1], &[0, 3, 2], Change::Open { through: [curve(1), curve(2)], pair: curve(3) });
+        assert_eq!(found, Ok((vec![vec![0, 1], vec![0, 2, 1]], 3)));
     }
 
     #[test]
     fn orders_that_do_not_fit_are_refused() {
-        let wrong = Faces::glue(&[vec![0, 1, 2], vec![2, 1, 0]], &[Change::Swap([0, 2])]);
-        assert_eq!(wrong, Err(InconsistentOrder { event: 0 }));
-        let wrong = Faces::glue(&[vec![0], vec![0, 1]], &[Change::Birth([0, 1])]);
-        assert_eq!(wrong, Err(InconsistentOrder { event: 0 }));
+        let refused = Err(InconsistentOrder { event: EventId::at(0) });
+        assert_eq!(glued(&[0, 1, 2], &[2, 1, 0], Change::Swap([curve(0), curve(2)])), refused);
+        assert_eq!(glued(&[0], &[0, 1], Change::Birth([curve(0), curve(1)])), refused);
     }
 }

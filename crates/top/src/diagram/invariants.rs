@@ -2,7 +2,9 @@
 
 use thiserror::Error;
 
-use super::{Arrangement, Change};
+use super::{Arrangement, Change, SlabId};
+use crate::curves::CurveId;
+use crate::table::Id;
 use numbers::partition::Partition;
 
 /// A broken invariant.
@@ -21,28 +23,28 @@ pub enum InvariantError {
         components: usize,
     },
     /// Two curves of a slab are in the wrong order at its middle, by more than the error bound.
-    #[error("curves {lower} and {upper} are in the wrong order in slab {slab}")]
+    #[error("curves {lower:?} and {upper:?} are in the wrong order in {slab:?}")]
     Order {
         /// The slab.
-        slab: usize,
+        slab: SlabId,
         /// The curve that should be below.
-        lower: usize,
+        lower: CurveId,
         /// The curve that should be above.
-        upper: usize,
+        upper: CurveId,
     },
     /// A slab lists a curve that does not live there.
-    #[error("curve {curve} does not cover slab {slab}")]
+    #[error("{curve:?} does not cover {slab:?}")]
     Span {
         /// The slab.
-        slab: usize,
+        slab: SlabId,
         /// The curve.
-        curve: usize,
+        curve: CurveId,
     },
     /// The number of minima and maxima minus saddles is not 2.
-    #[error("in slab {slab} the indices sum to {sum}, not to 2")]
+    #[error("in {slab:?} the indices sum to {sum}, not to 2")]
     IndexSum {
         /// The slab.
-        slab: usize,
+        slab: SlabId,
         /// Σ (−1)^index.
         sum: i32,
     },
@@ -59,7 +61,7 @@ impl Arrangement {
             return Ok(());
         }
         self.check_euler()?;
-        for slab in 0..self.slabs.len() {
+        for slab in self.slabs.ids() {
             self.check_slab(slab)?;
         }
         Ok(())
@@ -74,9 +76,9 @@ impl Arrangement {
             ends += usize::from(curve.x()[0] == 0.0) + usize::from(curve.x()[1].is_infinite());
         }
         let mut joined = Partition::new(curves + 1);
-        for (c, curve) in self.set.curves.iter().enumerate() {
+        for (c, curve) in self.set.curves.pairs() {
             if curve.x()[0] == 0.0 || curve.x()[1].is_infinite() {
-                joined.unite(c, curves);
+                joined.unite(c.index(), curves);
             }
         }
         for event in &self.events {
@@ -85,11 +87,11 @@ impl Arrangement {
             }
             let meeting = event.change.curves();
             for pair in meeting.windows(2) {
-                joined.unite(pair[0], pair[1]);
+                joined.unite(pair[0].index(), pair[1].index());
             }
         }
         let components = joined.count();
-        let (vertices, edges, faces) = (self.events.len() + ends, pieces + ends, self.faces + 1);
+        let (vertices, edges, faces) = (self.events.len() + ends, pieces + ends, self.region_count + 1);
         if vertices + faces == edges + components {
             Ok(())
         } else {
@@ -97,7 +99,7 @@ impl Arrangement {
         }
     }
 
-    fn check_slab(&self, number: usize) -> Result<(), InvariantError> {
+    fn check_slab(&self, number: SlabId) -> Result<(), InvariantError> {
         let slab = &self.slabs[number];
         let x = self.middle(number);
         for &curve in &slab.order {
@@ -119,7 +121,7 @@ impl Arrangement {
 
     /// An abscissa well inside a slab.
     #[must_use]
-    pub fn middle(&self, slab: usize) -> f64 {
+    pub fn middle(&self, slab: SlabId) -> f64 {
         let [from, to] = self.slabs[slab].x;
         match (from > 0.0, to.is_finite()) {
             (true, true) if to > 4.0 * from => from.sqrt() * to.sqrt(),

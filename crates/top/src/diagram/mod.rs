@@ -6,19 +6,26 @@ mod axis;
 mod curvature;
 mod event;
 mod faces;
+mod id;
 mod invariants;
 mod mirror;
 mod order;
 mod pair;
 mod pole;
+mod settle;
 mod transitive;
 
 pub use event::{Change, Event};
 pub use faces::{Faces, InconsistentOrder};
+pub use id::{Cell, EventId, ParseRegionIdError, RegionId, SlabId};
 pub use invariants::InvariantError;
 pub use order::{PairCrossing, PairOrder};
 
-use crate::curves::{CriticalSet, Curve, End, Gap};
+use std::ops::RangeInclusive;
+
+use crate::curves::{ClusterId, CriticalSet, Curve, CurveId, End, Gap};
+use crate::table::{Id, Table};
+use transitive::ProvedPair;
 
 /// A strip between two events in which the vertical order of the curves is constant.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,9 +33,9 @@ pub struct Slab {
     /// Range of x = l²/2; 0 and ∞ at the ends.
     pub x: [f64; 2],
     /// Curves by rising h.
-    pub order: Vec<usize>,
-    /// Face above each curve of `order`.
-    pub face_above: Vec<usize>,
+    pub order: Vec<CurveId>,
+    /// Region above each curve of `order`.
+    pub region_above: Vec<RegionId>,
 }
 
 /// Something that f64 did not decide.
@@ -37,24 +44,24 @@ pub enum Undecided {
     /// Whether two curves cross in a range of x.
     Contact {
         /// The curves.
-        curves: [usize; 2],
+        curves: [CurveId; 2],
         /// The range of x.
         x: [f64; 2],
     },
     /// How many cusps there are near a point.
     Cusps {
         /// Number in [`CriticalSet::clusters`].
-        cluster: usize,
+        cluster: ClusterId,
     },
     /// The order of two events that share a curve and cannot be told apart.
     Simultaneous {
         /// The events.
-        events: [usize; 2],
+        events: [EventId; 2],
     },
     /// The faces could not be glued: the orders on the two sides of an event contradict each other.
     Order {
         /// The event.
-        event: usize,
+        event: EventId,
     },
 }
 
@@ -64,11 +71,11 @@ pub struct Arrangement {
     /// Curves with their cusps and pitchforks.
     pub set: CriticalSet,
     /// Events by rising x.
-    pub events: Vec<Event>,
+    pub events: Table<EventId, Event>,
     /// Slabs by rising x: one more than events. Empty when the faces could not be glued.
-    pub slabs: Vec<Slab>,
-    /// Number of faces.
-    pub faces: usize,
+    pub slabs: Table<SlabId, Slab>,
+    /// Number of regions.
+    pub region_count: usize,
     /// What is not decided.
     pub undecided: Vec<Undecided>,
     /// Points of curves that were computed to find the crossings.
@@ -80,43 +87,46 @@ impl Arrangement {
     #[must_use]
     pub fn new(set: CriticalSet) -> Self {
         let mut pairs = Vec::new();
-        let mut undecided: Vec<Undecided> =
-            (0..set.clusters.len()).map(|cluster| Undecided::Cusps { cluster }).collect();
+        let mut undecided: Vec<Undecided> = set.clusters.ids().map(|cluster| Undecided::Cusps { cluster }).collect();
         let mut evaluations = 0;
-        for b in 0..set.curves.len() {
-            for a in 0..b {
+        for b in set.curves.ids() {
+            for a in set.curves.ids().take_while(|a| *a < b) {
                 if let Some(order) = pair::compare(&set.frame, &set.curves[a], &set.curves[b]) {
                     evaluations += order.evaluations;
-                    pairs.push((a, b, order));
+                    pairs.push(ProvedPair { curves: [a, b], order });
                 }
             }
         }
         transitive::resolve(&set, &mut pairs);
-        for (a, b, order) in &pairs {
-            undecided.extend(order.open_ranges().into_iter().map(|x| Undecided::Contact { curves: [*a, *b], x }));
+        for ProvedPair { curves, order } in &pairs {
+            undecided.extend(order.open_ranges().into_iter().map(|x| Undecided::Contact { curves: *curves, x }));
         }
-        let order = |p: usize, q: usize, range: [f64; 2]| transitive::proved(&pairs, p, q, range);
+        let order = |p: CurveId, q: CurveId, range: [f64; 2]| transitive::proved(&pairs, p, q, range);
         let mut events = event::collect(&set, &pairs);
-        event::settle(&mut events, order);
+        settle::settle(&mut events, order);
         let orders = |events: &[Event]| vertical_orders(&set, events, &pairs);
-        let (orders, glued) = event::settle_by_gluing(&mut events, orders);
-        let (slabs, faces) = match glued {
-            Ok(faces) => (slabs(orders, &events, &faces), faces.count),
+        let (orders, glued) = settle::settle_by_gluing(&mut events, orders);
+        let (slabs, region_count) = match glued {
+            Ok(faces) => (slabs(orders, &events, faces.above), faces.count),
             Err(InconsistentOrder { event }) => {
                 undecided.push(Undecided::Order { event });
-                (Vec::new(), 0)
+                (Table::new(), 0)
             }
         };
+        let events = Table::from(events);
         undecided.extend(simultaneous(&events, order));
-        Self { set, events, slabs, faces, undecided, evaluations }
+        Self { set, events, slabs, region_count, undecided, evaluations }
     }
 }
 
 /// Pairs of events on a common curve that lie within their errors of each other and that nothing else orders.
-fn simultaneous(events: &[Event], order: impl Fn(usize, usize, [f64; 2]) -> Option<i8>) -> Vec<Undecided> {
+fn simultaneous(
+    events: &Table<EventId, Event>,
+    order: impl Fn(CurveId, CurveId, [f64; 2]) -> Option<i8>,
+) -> Vec<Undecided> {
     let mut found = Vec::new();
-    for (first, event) in events.iter().enumerate() {
-        for (second, other) in events.iter().enumerate().skip(first + 1) {
+    for (first, event) in events.pairs() {
+        for (second, other) in events.pairs().skip_while(|(other, _)| *other <= first) {
             if other.x - event.x > 4.0 * (event.x_error + other.x_error) {
                 if other.x > 2.0 * event.x {
                     break;
@@ -126,7 +136,8 @@ fn simultaneous(events: &[Event], order: impl Fn(usize, usize, [f64; 2]) -> Opti
             let shared = event.change.curves().iter().any(|c| other.change.curves().contains(c));
             let near = (event.h - other.h).abs() <= 4.0 * (event.h_error + other.h_error);
             let span = [event.x.min(other.x) - event.x_error, event.x.max(other.x) + other.x_error];
-            let ordered = event::common_curve(event, other).is_some_and(|(_, p, q)| order(p, q, span).is_some());
+            let ordered = settle::common_curve(event, other)
+                .is_some_and(|shared| order(shared.others[0], shared.others[1], span).is_some());
             if shared && near && !ordered {
                 found.push(Undecided::Simultaneous { events: [first, second] });
             }
@@ -136,27 +147,27 @@ fn simultaneous(events: &[Event], order: impl Fn(usize, usize, [f64; 2]) -> Opti
 }
 
 /// The vertical order in each slab, from the proved signs of all pairs; no two rounded heights are compared.
-fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[(usize, usize, PairOrder)]) -> Vec<Vec<usize>> {
+fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[ProvedPair]) -> Table<SlabId, Vec<CurveId>> {
     let n = set.curves.len();
     let spans = slab_spans(set, events);
     let mut crossings: Vec<Vec<usize>> = vec![Vec::new(); n * n];
     for (number, event) in events.iter().enumerate() {
         if let Change::Swap([a, b]) = event.change {
-            crossings[a * n + b].push(number);
+            crossings[a.index() * n + b.index()].push(number);
         }
     }
     let mut order_of: Vec<Option<&PairOrder>> = vec![None; n * n];
-    for (a, b, order) in pairs {
-        order_of[a * n + b] = Some(order);
+    for ProvedPair { curves: [a, b], order } in pairs {
+        order_of[a.index() * n + b.index()] = Some(order);
     }
     (0..=events.len())
         .map(|slab| {
-            let active: Vec<usize> = (0..n).filter(|&c| spans[c].contains(&slab)).collect();
-            let mut ranked: Vec<(usize, usize)> = active
+            let active: Vec<CurveId> = set.curves.ids().filter(|&c| spans[c].contains(&slab)).collect();
+            let mut ranked: Vec<(usize, CurveId)> = active
                 .iter()
                 .map(|&c| {
                     let below = active.iter().filter(|&&other| other != c).filter(|&&other| {
-                        let key = c.min(other) * n + c.max(other);
+                        let key = c.min(other).index() * n + c.max(other).index();
                         let passed = crossings[key].iter().filter(|&&event| event < slab).count();
                         let initial = order_of[key].map_or_else(|| touching_sign(set, c, other), PairOrder::initial);
                         let sign = if passed.is_multiple_of(2) { initial } else { -initial };
@@ -173,7 +184,7 @@ fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[(usize, usize, 
 
 /// Sign of h_a − h_b, a < b, of two curves of which one ends where the other begins: between events at the same x both
 /// stand in a slab of no width. 0 when rounding hides it.
-fn touching_sign(set: &CriticalSet, p: usize, q: usize) -> i8 {
+fn touching_sign(set: &CriticalSet, p: CurveId, q: CurveId) -> i8 {
     let (a, b) = (&set.curves[p.min(q)], &set.curves[p.max(q)]);
     let at = |curve: &Curve| {
         let x = a.x()[0].max(b.x()[0]).clamp(curve.x()[0], curve.x()[1]);
@@ -183,10 +194,9 @@ fn touching_sign(set: &CriticalSet, p: usize, q: usize) -> i8 {
 }
 
 /// The slabs in which each curve lives.
-fn slab_spans(set: &CriticalSet, events: &[Event]) -> Vec<std::ops::RangeInclusive<usize>> {
+fn slab_spans(set: &CriticalSet, events: &[Event]) -> Table<CurveId, RangeInclusive<usize>> {
     set.curves
-        .iter()
-        .enumerate()
+        .pairs()
         .map(|(c, curve)| {
             let meets = |event: &Event| {
                 let ends_here = match event.change {
@@ -212,15 +222,18 @@ fn slab_spans(set: &CriticalSet, events: &[Event]) -> Vec<std::ops::RangeInclusi
         .collect()
 }
 
-fn slabs(orders: Vec<Vec<usize>>, events: &[Event], faces: &Faces) -> Vec<Slab> {
+fn slabs(
+    orders: Table<SlabId, Vec<CurveId>>,
+    events: &[Event],
+    above: Table<SlabId, Vec<RegionId>>,
+) -> Table<SlabId, Slab> {
     let x = |number: usize| events.get(number).map_or(f64::INFINITY, |event| event.x);
-    orders
-        .into_iter()
-        .enumerate()
-        .map(|(slab, order)| Slab {
+    let cells = orders.into_iter().zip(above).enumerate();
+    cells
+        .map(|(slab, (order, region_above))| Slab {
             x: [if slab == 0 { 0.0 } else { x(slab - 1) }, x(slab)],
             order,
-            face_above: faces.of_gap[slab].clone(),
+            region_above,
         })
         .collect()
 }

@@ -2,14 +2,16 @@
 //!
 //! At a relative equilibrium (γ, ω = Ωγ, l = AΩγ) the linearised flow on the six-dimensional (γ, l) space has two zero
 //! eigenvalues (the Casimirs ⟨γ,γ⟩ and ⟨γ,l⟩); the other four are the roots of λ⁴ + bλ² + c with b and c in closed form
-//! ([`Linearisation`]). The eigenvalues of the whole 6×6 matrix are the second path ([`whole_spectrum`]).
+//! ([`Linearisation`]). The eigenvalues of the whole 6×6 matrix are the second path (`whole_spectrum`, with the feature `spectrum`).
 
 mod equilibrium;
 mod linearisation;
+#[cfg(feature = "spectrum")]
 mod spectrum;
 
 pub use equilibrium::RelativeEquilibrium;
 pub use linearisation::Linearisation;
+#[cfg(feature = "spectrum")]
 pub use spectrum::{SpectrumError, whole_matrix, whole_spectrum};
 
 use crate::body::Frame;

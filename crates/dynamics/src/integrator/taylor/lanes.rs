@@ -5,7 +5,7 @@ use pulp::Simd;
 use super::series::{Constants, Series, Vector, lane_values, lane_values_mut};
 use super::step_size::{StepRule, order_for};
 use crate::field::{HeavyTop, State};
-use crate::integrator::Instant;
+use crate::integrator::time::Instant;
 
 /// As many orbits as a register has lanes.
 ///

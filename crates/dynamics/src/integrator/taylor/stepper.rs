@@ -4,7 +4,7 @@ use pulp::Scalar;
 
 use super::lanes::Lanes;
 use crate::field::{HeavyTop, State};
-use crate::integrator::{Step, StepError, Stepper};
+use crate::integrator::step::{Step, StepError, Stepper};
 
 /// Taylor series for one orbit; the same steps, bit for bit, as in a sweep.
 pub struct Taylor {

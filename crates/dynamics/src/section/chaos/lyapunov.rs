@@ -1,17 +1,32 @@
 //! The largest Lyapunov exponent of finite-time orbits, from the variational equations.
 
 use std::f64::consts::LN_2;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::Ordering;
 
 use pulp::{Simd, WithSimd};
 
-use super::ChaosOptions;
 use super::average::bump;
-use crate::field::{HeavyTop, State, dot};
+use super::direction::{momentum_unit, tangent_vector};
+use crate::field::{Dimension, HeavyTop, State, Units};
 use crate::integrator::Method;
-use crate::integrator::taylor::{Lanes, Tangent};
+use crate::integrator::taylor::{InstructionSet, Lanes, Tangent};
 use crate::section::error::SectionError;
-use crate::section::sweep::{Monitor, run_workers};
+use crate::section::workers::{Monitor, Turns, run_workers};
+
+/// How the variational equations are integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChaosOptions {
+    /// Truncation error of a step of the orbit, as of [`Method::Taylor`](crate::integrator::Method::Taylor).
+    pub tolerance: f64,
+    /// SIMD instructions; they do not change the results.
+    pub instructions: InstructionSet,
+}
+
+impl Default for ChaosOptions {
+    fn default() -> Self {
+        Self { tolerance: 1e-15, instructions: InstructionSet::Best }
+    }
+}
 
 /// The largest Lyapunov exponent of an orbit over a finite time, per unit of time.
 ///
@@ -42,6 +57,18 @@ impl Lyapunov {
     pub fn error(&self) -> f64 {
         (self.exponent - self.exponent_half).abs()
     }
+
+    /// That of a reduced top as that of the top as given.
+    fn restored(self, units: Units) -> Self {
+        let rate = |x| units.restore(x, Dimension::FREQUENCY);
+        Self {
+            exponent: rate(self.exponent),
+            exponent_half: rate(self.exponent_half),
+            mean_rate: rate(self.mean_rate),
+            mean_rate_half: rate(self.mean_rate_half),
+            time: units.restore(self.time, Dimension::TIME),
+        }
+    }
 }
 
 /// The exponents of the orbits that begin at these states, each over its own time; None where the time is not a
@@ -59,18 +86,21 @@ pub fn lyapunov_exponents(
     options: &ChaosOptions,
     monitor: &Monitor,
 ) -> Result<Vec<Option<Lyapunov>>, SectionError> {
-    Method::Taylor { tolerance: options.tolerance }.check()?;
+    Method::Taylor { tolerance: options.tolerance }.check(top)?;
     if u32::try_from(starts.len()).is_err() {
         let (value, expected) = (starts.len() as f64, "fewer than 2^32 are possible");
         return Err(SectionError::Parameter { name: "orbits", value, expected });
     }
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
-    let next = AtomicU32::new(0);
+    let units = top.units();
+    let reduced = |(state, time): &(State, f64)| (state.reduced(units), units.reduce(*time, Dimension::TIME));
+    let (top, starts) = (&top.reduced(), &starts.iter().map(reduced).collect::<Vec<_>>()[..]);
+    let turns = Turns::new(monitor);
     let tolerance = options.tolerance;
-    let found = run_workers(|| arch.dispatch(Worker { top, starts, monitor, next: &next, tolerance }));
+    let found = run_workers(|| arch.dispatch(Worker { top, starts, turns: &turns, tolerance }));
     let mut exponents = vec![None; starts.len()];
     for (orbit, exponent) in found {
-        exponents[orbit as usize] = exponent;
+        exponents[orbit as usize] = exponent.map(|exponent: Lyapunov| exponent.restored(units));
     }
     Ok(exponents)
 }
@@ -79,22 +109,14 @@ pub fn lyapunov_exponents(
 struct Worker<'a> {
     top: &'a HeavyTop,
     starts: &'a [(State, f64)],
-    monitor: &'a Monitor,
-    next: &'a AtomicU32,
+    turns: &'a Turns<'a>,
     tolerance: f64,
 }
 
 impl Worker<'_> {
     fn pop(&self) -> Option<Stretching> {
-        if self.stopped() {
-            return None;
-        }
-        let orbit = self.next.fetch_add(1, Ordering::Relaxed);
-        self.starts.get(orbit as usize).map(|(_, time)| Stretching::new(orbit, *time))
-    }
-
-    fn stopped(&self) -> bool {
-        self.monitor.stop.load(Ordering::Relaxed)
+        let (orbit, (_, time)) = self.turns.next(self.starts)?;
+        Some(Stretching::new(orbit, *time))
     }
 
     /// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
@@ -132,11 +154,11 @@ impl WithSimd for Worker<'_> {
                 }
             }
             lanes.commit(simd);
-            let stopped = self.stopped();
+            let stopped = self.turns.monitor.is_stopped();
             for (lane, slot) in orbits.iter_mut().enumerate() {
                 if let Some(orbit) = slot.take_if(|orbit| orbit.is_over() || stopped) {
                     done.push((orbit.orbit, orbit.result()));
-                    self.monitor.orbits.fetch_add(1, Ordering::Relaxed);
+                    self.turns.monitor.orbits.fetch_add(1, Ordering::Relaxed);
                     *slot = self.pop();
                     if let Some(orbit) = slot {
                         self.load(&mut lanes, &mut tangent, lane, orbit.orbit);
@@ -229,80 +251,9 @@ impl WeightedRate {
     }
 }
 
-/// √(2 A_max (h + 2|r|)): the unit of δl. (Unlike the largest |l| it does not vanish where the top is at rest.)
-fn momentum_unit(top: &HeavyTop, state: &State) -> f64 {
-    top.momentum_scale(top.energy(state) + top.center_norm()).max(f64::MIN_POSITIVE.sqrt())
-}
-
-/// A vector of length 1 tangent to the surface of constant H, ⟨γ,γ⟩ and ⟨γ,l⟩, with l in units of `momentum_unit`.
-///
-/// It is the projection of one fixed vector, chosen with no symmetry, so that it has a share of every direction.
-fn tangent_vector(top: &HeavyTop, state: &State, momentum_unit: f64) -> State {
-    const DIRECTION: [f64; 6] = [0.57, -0.31, 0.43, 0.37, 0.29, -0.41];
-    let State { gamma, l } = *state;
-    let omega = top.angular_velocity(l);
-    let r = top.center();
-    // The gradients in (γ, l/unit).
-    let mut normals: [[f64; 6]; 3] = [[0.0; 6]; 3];
-    for i in 0..3 {
-        (normals[0][i], normals[1][i], normals[2][i]) = (gamma[i], l[i], -r[i]);
-        (normals[1][i + 3], normals[2][i + 3]) = (momentum_unit * gamma[i], momentum_unit * omega[i]);
-    }
-    let mut vector = DIRECTION;
-    for k in 0..3 {
-        let size = length(&normals[k]);
-        for j in 0..k {
-            normals[k] = without(normals[k], &normals[j]);
-        }
-        // At a relative equilibrium the gradients are dependent.
-        let rest = length(&normals[k]);
-        let factor = if rest > size * 1e-12 { 1.0 / rest } else { 0.0 };
-        normals[k] = normals[k].map(|x| x * factor);
-    }
-    // Twice: once would leave the rounding of the cancelled part.
-    for normal in normals.iter().chain(&normals) {
-        vector = without(vector, normal);
-    }
-    let [a, b, c, d, e, f] = vector.map(|x| x / length(&vector));
-    State { gamma: [a, b, c], l: [d, e, f].map(|x| x * momentum_unit) }
-}
-
-/// v − n⟨n,v⟩.
-fn without(mut v: [f64; 6], n: &[f64; 6]) -> [f64; 6] {
-    let share: f64 = v.iter().zip(n).map(|(a, b)| a * b).sum();
-    for (a, b) in v.iter_mut().zip(n) {
-        *a -= share * b;
-    }
-    v
-}
-
-fn length(v: &[f64; 6]) -> f64 {
-    let [a, b, c, d, e, f] = *v;
-    (dot([a, b, c], [a, b, c]) + dot([d, e, f], [d, e, f])).sqrt()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn tangent_vectors_keep_the_integrals_and_have_length_1() {
-        let top = HeavyTop::from_f64([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]);
-        for k in 0..50 {
-            let x = |step: f64| 2.0 * (f64::from(k) * step % 1.0) - 1.0;
-            let gamma = [x(0.41), x(0.73), x(0.27)];
-            let size = dot(gamma, gamma).sqrt();
-            let state = State { gamma: gamma.map(|g| g / size), l: [3.0 * x(0.13), 3.0 * x(0.59), 3.0 * x(0.87)] };
-            let scale = top.momentum_scale(top.energy(&state));
-            let vector = tangent_vector(&top, &state, scale);
-            let momentum = vector.l.map(|x| x / scale);
-            assert!((dot(vector.gamma, vector.gamma) + dot(momentum, momentum) - 1.0).abs() < 1e-14);
-            assert!(dot(state.gamma, vector.gamma).abs() < 1e-14);
-            assert!((dot(state.gamma, vector.l) + dot(state.l, vector.gamma)).abs() < 1e-13 * scale);
-            let energy = dot(top.angular_velocity(state.l), vector.l) - dot(top.center(), vector.gamma);
-            assert!(energy.abs() < 1e-13 * scale * scale, "{energy:e}");
-        }
-    }
 
     #[test]
     fn the_growth_is_that_of_a_difference_of_orbits() {

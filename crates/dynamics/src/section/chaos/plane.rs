@@ -1,6 +1,6 @@
 //! The plane in which a cloud of crossings is widest.
 
-use crate::section::sweep::SectionPoint;
+use crate::section::orbit::SectionPoint;
 
 pub(super) type Vector6 = [f64; 6];
 

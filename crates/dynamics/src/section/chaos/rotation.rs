@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::average::weighted_mean;
 use super::curve::rotation_along_curve;
 use super::plane::{centred, principal_coordinates};
-use crate::section::sweep::SectionPoint;
+use crate::section::orbit::SectionPoint;
 
 /// Fewest returns from which a rotation number is computed.
 const FEWEST_RETURNS: usize = 24;
@@ -59,6 +59,9 @@ pub enum RotationUndefined {
     /// visited in turn, or on no curve (chaos).
     #[error("the crossings do not follow a closed curve in order")]
     NoCircle,
+    /// The work was stopped before.
+    #[error("interrupted")]
+    Interrupted,
 }
 
 /// The rotation number of an orbit from its crossings in the order of time.

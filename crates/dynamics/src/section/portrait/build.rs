@@ -2,20 +2,19 @@
 
 use std::f64::consts::PI;
 
+use super::boundary::Boundary;
 use super::chart::{Axes, Chart};
 use super::cut::{self, Piece, boundary_pieces, tangency_pieces};
 use super::equations::{Equations, Zero};
 use super::linear::Vector;
 use super::seeds::Field;
-use super::trace::{Spacing, Traced, trace};
+use super::trace::{Spacing, Traced, Tracer};
 use super::{Line, Portrait, PortraitOptions, PortraitReport};
-use crate::field::HeavyTop;
-use crate::section::{PpTorus, SectionCondition, SectionError};
+use crate::field::{Dimension, HeavyTop};
+use crate::section::condition::SectionCondition;
+use crate::section::error::{SectionError, check_finite};
+use crate::section::torus::PpTorus;
 use top::body::Body;
-use top::topology::latitude::{Latitudes, components};
-
-/// The most circles of latitude on which ∂U is looked for.
-const MOST_ROWS: usize = 4096;
 
 /// Shorter steps near the poles of both charts.
 struct BothCharts([Axes; 2]);
@@ -32,68 +31,47 @@ impl Portrait {
     ///
     /// # Errors
     /// [`SectionError::WeightlessBody`] for r = 0; [`SectionError::Parameter`] for h or l that is not finite;
-    /// [`SectionError::Inaccessible`] where no point is accessible.
-    pub fn new(body: &Body, h: f64, l: f64, options: &PortraitOptions) -> Result<Self, SectionError> {
-        for (name, value) in [("h", h), ("l", l)] {
-            if !value.is_finite() {
-                return Err(SectionError::Parameter { name, value, expected: "a finite number is needed" });
-            }
-        }
-        let top = HeavyTop::new(body);
-        let torus = PpTorus::new(&top)?;
-        let equations = Equations::new(top, options.condition, h, l);
-        let field = Field { torus: &torus, equations: &equations };
+    /// [`SectionError::Inaccessible`] where no point is accessible; [`SectionError::Interrupted`].
+    pub fn new(body: &Body, h: f64, l: f64, options: &PortraitOptions<'_>) -> Result<Self, SectionError> {
+        check_finite(h, l)?;
+        let torus = PpTorus::new(&HeavyTop::new(body))?;
+        let reduced = torus.reduced();
+        let units = torus.top().units();
+        let reduced_h = units.reduce(h, Dimension::ENERGY);
+        let reduced_l = units.reduce(l, Dimension::MOMENTUM);
+        let equations = Equations::new(*reduced.top(), options.condition, reduced_h, reduced_l);
+        let field = Field { torus: &reduced, equations: &equations };
         let spacing = BothCharts([Chart::Torus, Chart::Sphere].map(|chart| Axes::new(chart, &torus)));
-        let rows = options.rows.max(8);
-        let grid = field.on_grid(Chart::Torus, rows);
-        let mut report = PortraitReport::default();
-        let mut boundary = Vec::new();
-        match options.condition {
-            SectionCondition::Height => {
-                let frame = body.frame();
-                let (h, l) = (h / frame.energy_unit, l / frame.momentum_unit);
-                let circles = components(&frame, h, l).ok();
-                let count = |parts: Vec<top::topology::Component>| {
-                    parts.iter().map(|part| part.boundary_circles as usize).sum::<usize>()
-                };
-                report.certified_circles = circles.map(count);
-                if let Ok(latitudes) = Latitudes::new(&frame, h, l) {
-                    let mut rows = rows;
-                    loop {
-                        let seeds = field.boundary_on_latitudes(&latitudes, rows);
-                        trace_all(&equations, Zero::Sheets, seeds, &spacing, &mut boundary);
-                        rows *= 2;
-                        let complete = report.certified_circles.is_none_or(|circles| boundary.len() >= circles);
-                        if complete || rows > MOST_ROWS {
-                            break;
-                        }
-                    }
-                }
-            }
+        let (rows, stop) = (options.rows.max(8), options.stop);
+        let tracer = |zero| Tracer { equations: &equations, spacing: &spacing, stop, zero };
+        let grid = field.on_grid(Chart::Torus, rows, stop)?;
+        let Boundary { lines: boundary, certified_circles } = match options.condition {
+            SectionCondition::Height => Boundary::new(body, (h, l), field, rows, tracer(Zero::Sheets))?,
             SectionCondition::AngularMomentum => {
-                trace_all(&equations, Zero::Sheets, grid.boundary, &spacing, &mut boundary);
+                let mut lines = Vec::new();
+                tracer(Zero::Sheets).extend(&mut lines, grid.boundary)?;
+                Boundary { lines, certified_circles: None }
             }
-        }
+        };
         let mut meetings = cut::sign_changes(&equations, &boundary);
         let mut tangency = Vec::new();
         let seeds = meetings.iter().copied().chain(grid.tangency);
-        trace_all(&equations, Zero::Tangency, seeds, &spacing, &mut tangency);
+        tracer(Zero::Tangency).extend(&mut tangency, seeds)?;
         let on_sheets = tangency_pieces(&equations, &tangency, &mut meetings);
         let along_boundary = boundary_pieces(&equations, &boundary, &meetings);
-
-        report.boundary_circles = boundary.iter().filter(|line| line.closed).count();
-        report.open_lines = boundary.iter().chain(&tangency).filter(|line| !line.closed).count();
-        let gamma = |x: &Vector| [x[0], x[1], x[2]];
-        let line = |piece: &Piece| Line { points: piece.points.iter().map(gamma).collect(), closed: piece.closed };
-        let whole = |traced: &Traced| Line { points: traced.points.iter().map(gamma).collect(), closed: traced.closed };
-        let sheet = |positive: bool| on_sheets.iter().filter(|piece| piece.positive == positive).map(line).collect();
+        let sheet = |positive: bool| on_sheets.iter().filter(|piece| piece.positive == positive).map(part).collect();
         let portrait = Self {
+            report: PortraitReport {
+                boundary_circles: boundary.iter().filter(|line| line.closed).count(),
+                certified_circles,
+                open_lines: boundary.iter().chain(&tangency).filter(|line| !line.closed).count(),
+            },
             boundary: boundary.iter().map(whole).collect(),
-            boundary_pieces: along_boundary.iter().map(|piece| (line(piece), !piece.positive)).collect(),
+            boundary_pieces: along_boundary.iter().map(|piece| (part(piece), !piece.positive)).collect(),
             tangency: [sheet(false), sheet(true)],
             torus,
+            reduced,
             equations,
-            report,
         };
         portrait.check_accessible(rows)?;
         Ok(portrait)
@@ -104,7 +82,7 @@ impl Portrait {
         if !self.boundary.is_empty() {
             return Ok(());
         }
-        let (h, l) = (self.equations.h, self.equations.l);
+        let (h, l) = self.energy_momentum();
         let mut lowest = f64::INFINITY;
         let mut tried = 0;
         for row in 0..rows {
@@ -121,18 +99,14 @@ impl Portrait {
     }
 }
 
-/// Traces every curve that has a seed and is not among `lines` yet.
-fn trace_all(
-    equations: &Equations,
-    zero: Zero,
-    seeds: impl IntoIterator<Item = Vector>,
-    spacing: &dyn Spacing,
-    lines: &mut Vec<Traced>,
-) {
-    for seed in seeds {
-        let Some(direction) = equations.tangent(zero, &seed) else { continue };
-        if !lines.iter().any(|line| line.covers(&seed, &direction)) {
-            lines.extend(trace(equations, zero, seed, spacing).filter(|line| line.points.len() > 1));
-        }
-    }
+fn gammas(points: &[Vector]) -> Vec<[f64; 3]> {
+    points.iter().map(|x| [x[0], x[1], x[2]]).collect()
+}
+
+fn whole(traced: &Traced) -> Line {
+    Line { points: gammas(&traced.points), closed: traced.closed }
+}
+
+fn part(piece: &Piece) -> Line {
+    Line { points: gammas(&piece.points), closed: piece.closed }
 }

@@ -7,6 +7,7 @@
 //! tangency from the points where it leaves ∂U and from a grid, whose spacing is the size below which a closed line
 //! can be overlooked.
 
+mod boundary;
 mod build;
 mod chart;
 mod cut;
@@ -17,29 +18,32 @@ mod seeds;
 mod trace;
 
 use std::f64::consts::PI;
+use std::sync::atomic::AtomicBool;
 
 pub use chart::{Area, Chart};
 
 use super::condition::SectionCondition;
-use super::sweep::SectionPoint;
+use super::orbit::SectionPoint;
 use super::torus::PpTorus;
-use crate::field::State;
+use crate::field::{Dimension, State};
 use chart::{Axes, edge_parts};
 use equations::Equations;
 use seeds::Field;
 
 /// How finely a portrait is looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PortraitOptions {
+#[derive(Clone, Copy, Debug)]
+pub struct PortraitOptions<'a> {
     /// The section.
     pub condition: SectionCondition,
     /// Rows of the grid on which the line of tangency is looked for: closed lines smaller than π/rows may be missed.
     pub rows: usize,
+    /// Set it from outside, and the work ends with [`SectionError::Interrupted`](super::SectionError::Interrupted).
+    pub stop: Option<&'a AtomicBool>,
 }
 
-impl Default for PortraitOptions {
+impl Default for PortraitOptions<'_> {
     fn default() -> Self {
-        Self { condition: SectionCondition::Height, rows: 120 }
+        Self { condition: SectionCondition::Height, rows: 120, stop: None }
     }
 }
 
@@ -75,6 +79,8 @@ impl PortraitReport {
 #[derive(Clone, Debug)]
 pub struct Portrait {
     torus: PpTorus,
+    /// The torus and the equations of the top in its own units.
+    reduced: PpTorus,
     equations: Equations,
     boundary: Vec<Line>,
     /// ∂U cut where the line of tangency touches it; whether Ṡ < 0.
@@ -100,7 +106,9 @@ impl Portrait {
     /// (h, l).
     #[must_use]
     pub fn energy_momentum(&self) -> (f64, f64) {
-        (self.equations.h, self.equations.l)
+        let units = self.torus.top().units();
+        let (h, l) = (self.equations.h, self.equations.l);
+        (units.restore(h, Dimension::ENERGY), units.restore(l, Dimension::MOMENTUM))
     }
 
     /// How complete it is.
@@ -124,6 +132,12 @@ impl Portrait {
     /// The states on T⁻ and T⁺ over a point (x, y) of a chart; `None` if it is inaccessible.
     #[must_use]
     pub fn states(&self, chart: Chart, point: [f64; 2]) -> Option<[State; 2]> {
+        let units = self.torus.top().units();
+        self.reduced_states(chart, point).map(|states| states.map(|state| state.restored(units)))
+    }
+
+    /// The same in the top's own units.
+    fn reduced_states(&self, chart: Chart, point: [f64; 2]) -> Option<[State; 2]> {
         let place = match chart {
             Chart::Torus => point,
             Chart::Sphere => {
@@ -131,13 +145,15 @@ impl Portrait {
                 Axes::new(Chart::Torus, &self.torus).angles(gamma)
             }
         };
-        Field { torus: &self.torus, equations: &self.equations }.states(place)
+        Field { torus: &self.reduced, equations: &self.equations }.states(place)
     }
 
     /// Ṡ on T⁻ and T⁺ at a point of a chart; `None` if it is inaccessible.
     #[must_use]
     pub fn rates(&self, chart: Chart, point: [f64; 2]) -> Option<[f64; 2]> {
-        self.states(chart, point).map(|states| states.map(|state| self.equations.rate(&state)))
+        let (units, dimension) = (self.torus.top().units(), self.condition().dimension().rate());
+        let rate = |state| units.restore(self.equations.rate(&state), dimension);
+        self.reduced_states(chart, point).map(|states| states.map(rate))
     }
 
     /// Is +r̂ (`sign` > 0) or −r̂ accessible, so that the polar circle belongs to the section?
@@ -158,7 +174,7 @@ impl Portrait {
         let sheet = match self.equations.condition {
             SectionCondition::Height => point.sheet,
             SectionCondition::AngularMomentum => {
-                let state = State { gamma: point.gamma, l: point.l };
+                let state = State { gamma: point.gamma, l: point.l }.reduced(self.torus.top().units());
                 if self.equations.delta(&state) < 0.0 { -1 } else { 1 }
             }
         };

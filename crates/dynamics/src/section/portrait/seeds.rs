@@ -1,19 +1,22 @@
 //! Points from which the curves of a portrait are traced.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::atomic::AtomicBool;
 
 use super::chart::{Axes, Chart};
 use super::equations::{Equations, Zero};
 use super::lift::states;
 use super::linear::Vector;
-use crate::field::{State, dot, scale};
-use crate::section::{PpTorus, SectionCondition};
-use top::topology::latitude::{Arcs, Latitudes};
+use crate::field::State;
+use crate::section::condition::SectionCondition;
+use crate::section::error::{SectionError, check_stop};
+use crate::section::torus::PpTorus;
 
 /// Bisections of an edge.
 const HALVINGS: usize = 50;
 
-/// The places of one portrait.
+/// The places of one portrait, in the units of its top.
+#[derive(Clone, Copy)]
 pub(super) struct Field<'a> {
     pub torus: &'a PpTorus,
     pub equations: &'a Equations,
@@ -34,54 +37,9 @@ impl Field<'_> {
         self.states(place).map(|states| states.map(|state| self.equations.rate(&state) < 0.0))
     }
 
-    /// Points of ∂U on `rows` circles of latitude.
-    ///
-    /// Where one circle lies in U and the next does not, a point between the two.
-    pub fn boundary_on_latitudes(&self, latitudes: &Latitudes, rows: usize) -> Vec<Vector> {
-        let mut seeds = Vec::new();
-        let mut before: Option<(f64, bool)> = None;
-        for row in 0..=rows {
-            let theta = PI * row as f64 / rows as f64;
-            // A circle that touches ∂U within rounding cannot be told; its neighbours can.
-            let Some((theta, arcs)) = [0.0, 1e-3, -1e-3].into_iter().find_map(|shift| {
-                let theta = (theta + shift * PI / rows as f64).clamp(0.0, PI);
-                latitudes.arcs_at(libm::cos(theta)).ok().map(|arcs| (theta, arcs))
-            }) else {
-                continue;
-            };
-            match arcs {
-                Arcs::Part(arcs) => {
-                    before = None;
-                    for arc in arcs {
-                        seeds.extend([arc.start, arc.end].map(|[cos, sin]| self.on_boundary([cos, sin], theta)));
-                    }
-                }
-                whole => {
-                    let accessible = whole == Arcs::Everything;
-                    if let Some((above, _)) = before.filter(|(_, last)| *last != accessible) {
-                        let change = bisect(|t| {
-                            let place = [0.0, above + t * (theta - above)];
-                            self.states(place).is_some() == accessible
-                        });
-                        seeds.push(self.on_boundary([1.0, 0.0], above + change * (theta - above)));
-                    }
-                    before = Some((theta, accessible));
-                }
-            }
-        }
-        seeds.into_iter().filter_map(|guess| self.equations.polish(Zero::Sheets, &guess)).collect()
-    }
-
-    /// The state l = l Aγ/J over a point of ∂U.
-    fn on_boundary(&self, [cos, sin]: [f64; 2], theta: f64) -> Vector {
-        let gamma = self.torus.gamma(theta, libm::atan2(sin, cos));
-        let moment = self.torus.top().inertia(gamma);
-        self.equations.vector(&State { gamma, l: scale(self.equations.l / dot(gamma, moment), moment) })
-    }
-
     /// What a grid of places shows: points of the boundary of the projection between places with states and places
     /// without, and points of tangency between places where Ṡ has different signs.
-    pub fn on_grid(&self, chart: Chart, rows: usize) -> GridSeeds {
+    pub fn on_grid(&self, chart: Chart, rows: usize, stop: Option<&AtomicBool>) -> Result<GridSeeds, SectionError> {
         let axes = Axes::new(chart, self.torus);
         let torus = Axes::new(Chart::Torus, self.torus);
         let columns = 2 * rows;
@@ -89,10 +47,14 @@ impl Field<'_> {
             [(column as f64 + 0.25) * TAU / columns as f64, (row as f64 + 0.5) * PI / rows as f64]
         };
         let look = |place: [f64; 2]| self.incoming(torus.angles(axes.gamma(place)));
-        let nodes: Vec<Vec<Option<[bool; 2]>>> =
-            (0..rows).map(|row| (0..=columns).map(|column| look(place(row, column))).collect()).collect();
+        let mut nodes: Vec<Vec<Option<[bool; 2]>>> = Vec::with_capacity(rows);
+        for row in 0..rows {
+            check_stop(stop)?;
+            nodes.push((0..=columns).map(|column| look(place(row, column))).collect());
+        }
         let mut seeds = GridSeeds { boundary: Vec::new(), tangency: Vec::new() };
         for row in 0..rows {
+            check_stop(stop)?;
             for column in 0..columns {
                 for (to_row, to_column) in [(row, column + 1), (row + 1, column)] {
                     let Some(to) = nodes.get(to_row).map(|row| row[to_column]) else { continue };
@@ -106,7 +68,7 @@ impl Field<'_> {
                 }
             }
         }
-        seeds
+        Ok(seeds)
     }
 
     /// Looks for points on an edge of the grid.
@@ -149,7 +111,7 @@ pub(super) struct GridSeeds {
 }
 
 /// Where in [0, 1] a condition changes that fails at 0 and holds at 1.
-fn bisect(holds: impl Fn(f64) -> bool) -> f64 {
+pub(super) fn bisect(holds: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);

@@ -1,0 +1,18 @@
+//! What a section's document says beside its orbits.
+
+use documents::section;
+use dynamics::poincare::Setting;
+use dynamics::section::{Monitor, SweepOptions};
+use top::body::Preset;
+
+#[test]
+fn a_stopped_run_says_so() {
+    let body = Preset::find("paper").unwrap().body();
+    let setting = Setting::new(&body, &"4.45".parse().unwrap(), &"3.25".parse().unwrap()).unwrap();
+    let starts = setting.spread(4, 0).unwrap();
+    let monitor = Monitor::default();
+    monitor.stop.store(true, std::sync::atomic::Ordering::Relaxed);
+    let document = section(&setting.run(&starts, Some(0), &SweepOptions::default(), &monitor).unwrap());
+    assert!(!document.complete && document.orbits.is_empty());
+    assert!(document.notes[0].contains("interrupted"));
+}

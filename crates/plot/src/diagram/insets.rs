@@ -1,0 +1,154 @@
+//! Which parts are magnified: few windows that together show every region too small to see.
+
+use super::closeup::{Closeup, closeup, depths};
+use super::grid::LEGIBLE;
+use super::panel::Panel;
+use super::ranges::{area, clipped, contains, hull, length};
+use super::scene::Scene;
+use crate::page::PlotError;
+use schema::WindowDocument;
+
+/// In the window that stands for it, a region's inscribed circle has at least this radius.
+const KEPT: f64 = 5.0;
+/// Insets magnified more than this against the main panel are led up to by a window between the two.
+const LEAP: f64 = 40.0;
+/// The most windows that lead up to others.
+const STEPS_MAX: usize = 3;
+
+/// What is magnified.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Magnifications {
+    /// The windows, largest first.
+    pub windows: Vec<WindowDocument>,
+    /// Regions too small for f64.
+    pub invisible: Vec<usize>,
+    /// Regions outside the main window.
+    pub outside: Vec<usize>,
+}
+
+/// A window and the radius of the inscribed circles of the regions that it is for.
+struct Candidate {
+    window: WindowDocument,
+    depths: Vec<f64>,
+}
+
+/// Chooses the windows of the insets for what the main panel does not show.
+/// What lies outside the main window is looked for in `everything`.
+pub(super) fn magnifications(
+    scene: &Scene<'_>,
+    main: &Panel,
+    everything: &WindowDocument,
+) -> Result<Magnifications, PlotError> {
+    let mut result = Magnifications::default();
+    let mut windows: Vec<WindowDocument> = Vec::new();
+    let mut candidates: Vec<Candidate> = Vec::new();
+    let mut hidden: Vec<usize> = Vec::new();
+    let visible = &main.view.window;
+    for (region, depth) in main.grid.depths(scene.cells.len()).into_iter().enumerate() {
+        if depth >= LEGIBLE {
+            continue;
+        }
+        let mut found = closeup(scene, visible, region)?;
+        let goes_on = scene.cells[region].iter().any(|cell| cell.l[1] > visible.l[1]);
+        if !matches!(found, Closeup::Windows { .. }) && goes_on && everything != visible {
+            found = closeup(scene, everything, region)?;
+        }
+        match found {
+            Closeup::Windows { wide, close, depth } => {
+                hidden.push(region);
+                windows.extend([wide, close]);
+                candidates.push(Candidate { window: close, depths: vec![depth] });
+            }
+            Closeup::TooSmall => result.invisible.push(region),
+            Closeup::Outside => result.outside.push(region),
+        }
+    }
+    windows.extend(unions(candidates));
+    result.windows = cover(scene, &windows, hidden)?;
+    lead_up(&mut result.windows, visible);
+    result.windows.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.l[0].total_cmp(&b.l[0])));
+    Ok(result)
+}
+
+/// Windows that together show all of `hidden`: again and again the one that shows most of those left, the larger of
+/// two that show as many.
+fn cover(
+    scene: &Scene<'_>,
+    windows: &[WindowDocument],
+    mut hidden: Vec<usize>,
+) -> Result<Vec<WindowDocument>, PlotError> {
+    let mut shown: Vec<(WindowDocument, Vec<usize>)> = Vec::with_capacity(windows.len());
+    for window in windows {
+        let depths = depths(scene, window, &hidden)?;
+        shown.push((*window, hidden.iter().copied().filter(|&region| depths[region] >= LEGIBLE).collect()));
+    }
+    let mut chosen = Vec::new();
+    while !hidden.is_empty() {
+        let gain = |regions: &[usize]| regions.iter().filter(|region| hidden.contains(region)).count();
+        let best =
+            shown.iter().max_by(|(a, of_a), (b, of_b)| gain(of_a).cmp(&gain(of_b)).then(area(a).total_cmp(&area(b))));
+        let Some((window, regions)) = best.filter(|(_, regions)| gain(regions) > 0) else { break };
+        chosen.push(*window);
+        hidden.retain(|region| !regions.contains(region));
+    }
+    Ok(chosen)
+}
+
+/// Adds windows half-way (in scale) between the main window and those that are magnified most.
+fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument) {
+    let scales = |inner: &WindowDocument| [length(main.h) / length(inner.h), length(main.l) / length(inner.l)];
+    let mut targets: Vec<WindowDocument> = windows.clone();
+    targets.sort_by(|a, b| scales(a)[0].total_cmp(&scales(b)[0]));
+    let mut added = 0;
+    for target in targets {
+        let [h, l] = scales(&target);
+        // One window on the way is enough, unless it is still far from the target.
+        let led = windows
+            .iter()
+            .any(|other| *other != target && contains(other, &target) && scales(other)[0] * LEAP.sqrt() >= h.sqrt());
+        if h.min(l) < LEAP || led || added == STEPS_MAX || !contains(main, &target) {
+            continue;
+        }
+        let spread = |side: [f64; 2], scale: f64| {
+            let (middle, half) = (f64::midpoint(side[0], side[1]), length(side) / 2.0 * scale.sqrt());
+            [middle - half, middle + half]
+        };
+        windows.push(clipped(&WindowDocument { h: spread(target.h, h), l: spread(target.l, l) }, main));
+        added += 1;
+    }
+}
+
+/// All windows met while the two that lose least by it are united, as long as every region stays visible.
+///
+/// A region's inscribed circle shrinks at most by the larger of the two changes of scale, so no window has to be
+/// drawn to be judged.
+fn unions(mut candidates: Vec<Candidate>) -> Vec<WindowDocument> {
+    let mut met = Vec::new();
+    loop {
+        let mut best: Option<(usize, usize, Candidate, f64)> = None;
+        for i in 0..candidates.len() {
+            for j in 0..i {
+                let united = unite(&candidates[i], &candidates[j]);
+                let least = united.depths.iter().copied().fold(f64::INFINITY, f64::min);
+                if least >= KEPT && best.as_ref().is_none_or(|(.., most)| least > *most) {
+                    best = Some((i, j, united, least));
+                }
+            }
+        }
+        let Some((i, j, united, _)) = best else { return met };
+        met.push(united.window);
+        candidates.swap_remove(i);
+        candidates[j] = united;
+    }
+}
+
+fn unite(a: &Candidate, b: &Candidate) -> Candidate {
+    let window = WindowDocument { h: hull(a.window.h, b.window.h), l: hull(a.window.l, b.window.l) };
+    let shrunk = |candidate: &Candidate| {
+        let own = &candidate.window;
+        let scale = (length(own.h) / length(window.h)).min(length(own.l) / length(window.l));
+        candidate.depths.iter().map(move |depth| depth * scale).collect::<Vec<f64>>()
+    };
+    let depths = shrunk(a).into_iter().chain(shrunk(b)).collect();
+    Candidate { window, depths }
+}

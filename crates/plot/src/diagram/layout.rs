@@ -1,0 +1,93 @@
+//! Where the panels lie on the page, and where each shows the windows of others.
+
+use super::panel::Panel;
+use super::ranges::{area, contains};
+use crate::page::{Point, Rect};
+
+/// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
+pub(super) const LEFT: f64 = 58.0;
+pub(super) const TOP: f64 = 62.0;
+pub(super) const BELOW: f64 = 46.0;
+pub(super) const RIGHT: f64 = 16.0;
+/// Plot area of the main panel and of an inset.
+pub(super) const MAIN: [f64; 2] = [600.0, 536.0];
+pub(super) const INSET: [f64; 2] = [290.0, 231.0];
+/// Space above an inset for its letter, and its part of the page.
+const INSET_TOP: f64 = 28.0;
+const INSET_PITCH: [f64; 2] = [INSET[0] + LEFT, INSET[1] + INSET_TOP + BELOW];
+/// Insets beside the main panel; further ones stand below in rows of three.
+const BESIDE: usize = 2;
+const IN_A_ROW: usize = 3;
+/// Font size of the insets' letters.
+pub(super) const LETTER_SIZE: f64 = 11.0;
+/// In frames smaller than this is no room for markers and labels.
+pub(super) const CROWDED: f64 = 30.0;
+/// Frames of insets are drawn at least this large.
+const FRAME_MIN: f64 = 9.0;
+
+/// Top left corner of the plot area of an inset.
+pub(super) fn inset_place(index: usize) -> Point {
+    if index < BESIDE {
+        let x = LEFT + MAIN[0] + LEFT + 8.0;
+        // The two together are as high as the main panel.
+        return [x, TOP + index as f64 * (MAIN[1] - INSET[1])];
+    }
+    let (row, column) = ((index - BESIDE) / IN_A_ROW, (index - BESIDE) % IN_A_ROW);
+    let top = TOP + MAIN[1] + BELOW + INSET_TOP;
+    [LEFT + column as f64 * INSET_PITCH[0], top + row as f64 * INSET_PITCH[1]]
+}
+
+/// The letter of an inset: a … z, then aa, ab, …
+pub(super) fn letter(index: usize) -> String {
+    let own = char::from(b'a' + u8::try_from(index % 26).unwrap_or(0));
+    match index / 26 {
+        0 => own.to_string(),
+        round => format!("{}{own}", letter(round - 1)),
+    }
+}
+
+/// Where the window of an inset is shown in another panel.
+pub(super) struct Frame {
+    /// Index of the inset.
+    pub inset: usize,
+    pub rect: Rect,
+}
+
+/// For each panel the frames of the insets for which it is the smallest panel that contains them. What no panel
+/// contains, such as an overview, has no frame.
+pub(super) fn frames(panels: &[Panel]) -> Vec<Vec<Frame>> {
+    let mut frames: Vec<Vec<Frame>> = panels.iter().map(|_| Vec::new()).collect();
+    for (inset, panel) in panels.iter().skip(1).enumerate() {
+        let window = &panel.view.window;
+        let size = |parent: usize| area(&panels[parent].view.window);
+        let larger = (0..panels.len())
+            .filter(|&parent| size(parent) > area(window) && contains(&panels[parent].view.window, window));
+        if let Some(parent) = larger.min_by(|&a, &b| size(a).total_cmp(&size(b))) {
+            frames[parent].push(Frame { inset, rect: frame(panel, &panels[parent]) });
+        }
+    }
+    frames
+}
+
+/// Is a point of the page marked in a panel? Those in a small frame are left to its inset.
+pub(super) fn is_marked(point: Point, panel: &Panel, frames: &[Frame]) -> bool {
+    let left_to_inset =
+        |frame: &Frame| frame.rect.width < CROWDED && frame.rect.height < CROWDED && frame.rect.contains(point);
+    panel.view.rect.contains(point) && !frames.iter().any(left_to_inset)
+}
+
+/// Where a panel's window lies in another panel, drawn large enough to be seen.
+pub(super) fn frame(panel: &Panel, parent: &Panel) -> Rect {
+    let exact = parent.view.frame(&panel.view.window);
+    let (dx, dy) = ((FRAME_MIN - exact.width).max(0.0), (FRAME_MIN - exact.height).max(0.0));
+    let wide =
+        Rect { x: exact.x - dx / 2.0, y: exact.y - dy / 2.0, width: exact.width + dx, height: exact.height + dy };
+    within(&wide, &parent.view.rect)
+}
+
+/// The part of a rectangle inside another.
+fn within(rect: &Rect, outer: &Rect) -> Rect {
+    let [x, y] = outer.nearest([rect.x, rect.y]);
+    let [right, bottom] = outer.nearest([rect.right(), rect.bottom()]);
+    Rect { x, y, width: right - x, height: bottom - y }
+}

@@ -1,0 +1,10 @@
+//! Maps: what each body of a grid or a sample shows, over two parameters, with a legend.
+
+mod colors;
+mod draw;
+mod legend;
+mod model;
+mod places;
+
+pub use draw::draw_map;
+pub use model::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote};

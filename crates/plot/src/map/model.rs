@@ -1,0 +1,80 @@
+//! What a map shows.
+
+/// One of the two parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapAxis {
+    /// What stands at the axis.
+    pub name: String,
+    /// From, to.
+    pub range: [f64; 2],
+}
+
+/// Something that bodies show.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapEntry {
+    /// Its name in the legend.
+    pub name: String,
+    /// What is told of it there, in smaller letters.
+    pub note: String,
+    /// What stands in the map where there is room.
+    pub mark: String,
+}
+
+/// Where bodies lie; each shows the entry with its number, or nothing that is known.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MapBodies {
+    /// A full grid with so many columns, row by row from below; each body stands in the middle of its cell.
+    Grid {
+        /// Number of columns.
+        columns: usize,
+        /// Entries, row by row.
+        entries: Vec<Option<usize>>,
+    },
+    /// Points anywhere.
+    Points(Vec<([f64; 2], Option<usize>)>),
+}
+
+/// A line that is drawn over the map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapLine {
+    /// Its points.
+    pub points: Vec<[f64; 2]>,
+    /// Dashed lines are borders of another kind.
+    pub dashed: bool,
+    /// What the legend says; lines with the same text share an entry.
+    pub text: String,
+}
+
+/// A text at a place of the map, such as the name of an event.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapNote {
+    /// Where.
+    pub at: [f64; 2],
+    /// What.
+    pub text: String,
+    /// Whether the place itself is marked by a ring; then the text stands beside it, else upon it.
+    pub ring: bool,
+}
+
+/// Everything that a map shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    /// Above it.
+    pub title: String,
+    /// Below the title, smaller.
+    pub subtitle: String,
+    /// To the right.
+    pub x: MapAxis,
+    /// Upwards.
+    pub y: MapAxis,
+    /// What bodies show, in the order of the legend.
+    pub entries: Vec<MapEntry>,
+    /// What stands in the legend for bodies that show nothing that is known.
+    pub unknown: String,
+    /// The bodies.
+    pub bodies: MapBodies,
+    /// Lines.
+    pub lines: Vec<MapLine>,
+    /// Texts.
+    pub notes: Vec<MapNote>,
+}

@@ -1,0 +1,165 @@
+//! Points and rectangles of the page, in pixels where they are computed and in canvas units where they are written.
+
+/// Canvas units in a pixel.
+pub(crate) const UNITS: f64 = 10.0;
+
+/// A position [x, y] in pixels, y downwards.
+pub(crate) type Point = [f64; 2];
+
+/// Canvas units of a pixel coordinate.
+pub(crate) fn to_units(pixels: f64) -> i32 {
+    #[expect(clippy::cast_possible_truncation, reason = "clamped; a NaN becomes 0")]
+    let units = (pixels * UNITS).round().clamp(-1e6, 1e6) as i32;
+    units
+}
+
+/// Canvas units of a length in pixels.
+pub(crate) fn length_units(pixels: f64) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the range of i32")]
+    let units = (pixels * UNITS).round().clamp(0.0, f64::from(i32::MAX)) as u32;
+    units
+}
+
+/// A rectangle in pixels, y downwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rect {
+    pub x: f64,
+    pub y: f64,
+    pub width: f64,
+    pub height: f64,
+}
+
+impl Rect {
+    /// The square of side 2·`half` around a point.
+    pub(crate) fn around(center: Point, half: f64) -> Self {
+        Self { x: center[0] - half, y: center[1] - half, width: 2.0 * half, height: 2.0 * half }
+    }
+
+    pub(crate) fn right(&self) -> f64 {
+        self.x + self.width
+    }
+
+    pub(crate) fn bottom(&self) -> f64 {
+        self.y + self.height
+    }
+
+    pub(crate) fn corners(&self) -> [Point; 4] {
+        let (right, bottom) = (self.right(), self.bottom());
+        [[self.x, self.y], [right, self.y], [right, bottom], [self.x, bottom]]
+    }
+
+    pub(crate) fn center(&self) -> Point {
+        [self.x + self.width / 2.0, self.y + self.height / 2.0]
+    }
+
+    pub(crate) fn contains(&self, point: Point) -> bool {
+        let inside = |value: f64, from: f64, length: f64| value >= from && value <= from + length;
+        inside(point[0], self.x, self.width) && inside(point[1], self.y, self.height)
+    }
+
+    /// The point of the rectangle nearest to `point`.
+    pub(crate) fn nearest(&self, point: Point) -> Point {
+        [point[0].clamp(self.x, self.right()), point[1].clamp(self.y, self.bottom())]
+    }
+
+    pub(crate) fn grown(&self, by: f64) -> Self {
+        Self { x: self.x - by, y: self.y - by, width: self.width + 2.0 * by, height: self.height + 2.0 * by }
+    }
+
+    /// The signed distance of `point` inside of each side.
+    fn depths(&self, point: Point) -> [f64; 4] {
+        [point[0] - self.x, self.right() - point[0], point[1] - self.y, self.bottom() - point[1]]
+    }
+}
+
+/// True for a range that is neither empty nor infinite.
+pub(crate) fn is_proper([from, to]: [f64; 2]) -> bool {
+    from < to && (to - from).is_finite()
+}
+
+pub(crate) fn distance(a: Point, b: Point) -> f64 {
+    let (dx, dy) = (a[0] - b[0], a[1] - b[1]);
+    (dx * dx + dy * dy).sqrt()
+}
+
+pub(crate) fn between(a: Point, b: Point, t: f64) -> Point {
+    [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
+}
+
+/// The part of the segment inside `rect`, as parameters from `a` to `b` (Liang and Barsky).
+fn clip_segment(a: Point, b: Point, rect: &Rect) -> Option<[f64; 2]> {
+    let (at_a, at_b) = (rect.depths(a), rect.depths(b));
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for (da, db) in at_a.into_iter().zip(at_b) {
+        if da < 0.0 && db < 0.0 {
+            return None;
+        }
+        if da < 0.0 {
+            from = from.max(da / (da - db));
+        } else if db < 0.0 {
+            to = to.min(da / (da - db));
+        }
+    }
+    (from <= to).then_some([from, to])
+}
+
+/// The parts of a polyline inside `rect`.
+pub(crate) fn clip_polyline(points: &[Point], rect: &Rect) -> Vec<Vec<Point>> {
+    let mut parts: Vec<Vec<Point>> = Vec::new();
+    let mut open = false;
+    for pair in points.windows(2) {
+        let Some([from, to]) = clip_segment(pair[0], pair[1], rect) else {
+            open = false;
+            continue;
+        };
+        let end = between(pair[0], pair[1], to);
+        match parts.last_mut() {
+            Some(part) if open && from == 0.0 => part.push(end),
+            _ => parts.push(vec![between(pair[0], pair[1], from), end]),
+        }
+        open = to == 1.0;
+    }
+    parts
+}
+
+/// The part of a polygon inside `rect` (Sutherland and Hodgman).
+pub(crate) fn clip_polygon(points: &[Point], rect: &Rect) -> Vec<Point> {
+    let mut polygon = points.to_vec();
+    for side in 0..4 {
+        let mut clipped = Vec::with_capacity(polygon.len() + 4);
+        for index in 0..polygon.len() {
+            let (a, b) = (polygon[index], polygon[(index + 1) % polygon.len()]);
+            let (da, db) = (rect.depths(a)[side], rect.depths(b)[side]);
+            if da >= 0.0 {
+                clipped.push(a);
+            }
+            if (da < 0.0) != (db < 0.0) {
+                clipped.push(between(a, b, da / (da - db)));
+            }
+        }
+        polygon = clipped;
+    }
+    polygon
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: Rect = Rect { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
+
+    #[test]
+    fn a_polyline_that_leaves_and_returns_has_two_parts() {
+        let parts = clip_polyline(&[[-1.0, 0.5], [0.5, 0.5], [2.0, 0.5], [2.0, 0.25], [0.5, 0.25]], &UNIT);
+        assert_eq!(parts, [vec![[0.0, 0.5], [0.5, 0.5], [1.0, 0.5]], vec![[1.0, 0.25], [0.5, 0.25]]]);
+    }
+
+    #[test]
+    fn a_polygon_around_the_rectangle_becomes_the_rectangle() {
+        let area = clip_polygon(&[[-1.0, -1.0], [3.0, -1.0], [3.0, 3.0], [-1.0, 3.0]], &UNIT);
+        assert!(area.iter().all(|p| UNIT.contains(*p)));
+        for corner in UNIT.corners() {
+            assert!(area.contains(&corner), "{corner:?} is missing");
+        }
+    }
+}

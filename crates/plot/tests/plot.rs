@@ -1,0 +1,205 @@
+//! Pictures of atlases.
+#![allow(clippy::disallowed_methods, clippy::cast_precision_loss)]
+
+mod picture_texts;
+mod plot_fixture;
+
+use picture_texts::{assert_texts_are_apart, texts};
+use plot::{DiagramOptions, Picture, PlotError, draw};
+use plot_fixture::{Fixture, kovalevskaya, paper, parabolas};
+use resvg::tiny_skia::Pixmap;
+use schema::WindowDocument;
+
+fn picture(name: &str, fixture: &Fixture) -> Picture {
+    let picture = draw(&fixture.atlas, Some(fixture), &DiagramOptions::default()).expect("the fixture can be drawn");
+    // For the eye: set PLOT_OUT to a directory.
+    if let Some(out) = std::env::var_os("PLOT_OUT").map(std::path::PathBuf::from) {
+        std::fs::write(out.join(format!("{name}.svg")), &picture.svg).unwrap();
+        std::fs::write(out.join(format!("{name}.png")), picture.to_png(144.0).unwrap()).unwrap();
+        #[cfg(feature = "pdf")]
+        std::fs::write(out.join(format!("{name}.pdf")), picture.to_pdf().unwrap()).unwrap();
+    }
+    picture
+}
+
+fn assert_sound(fixture: &Fixture, picture: &Picture) {
+    assert!(!picture.svg.contains("NaN") && !picture.svg.contains("inf"), "a coordinate is not a number");
+    let texts = texts(picture);
+    for region in &fixture.atlas.regions {
+        let with_region = format!("{}, U = ", region.id);
+        let label = |text: &str| text == region.id || text.starts_with(&with_region);
+        assert!(texts.iter().any(|(text, _)| label(text)), "region {} has no label", region.id);
+    }
+    assert_texts_are_apart(&texts);
+}
+
+#[test]
+fn the_papers_body_has_nine_labelled_regions() {
+    let fixture = paper();
+    assert_eq!(fixture.atlas.regions.len(), 9);
+    let picture = picture("paper", &fixture);
+    assert_sound(&fixture, &picture);
+    let texts = texts(&picture);
+    for kind in ["S²", "T²", "S²+T²", "T²+T²", "M²₃", "M²₂", "S²+S²"] {
+        assert!(texts.iter().any(|(text, _)| text == kind), "{kind} is not printed");
+    }
+}
+
+#[test]
+fn kovalevskayas_body_with_coincident_curves() {
+    let fixture = kovalevskaya();
+    let picture = picture("kovalevskaya", &fixture);
+    assert_sound(&fixture, &picture);
+    assert!(texts(&picture).iter().any(|(text, _)| text == "coincident curves"));
+}
+
+#[test]
+fn one_region_above_one_curve() {
+    let fixture = parabolas(&[(1.0, 0.0)]);
+    assert_eq!(fixture.atlas.regions.len(), 1);
+    assert_sound(&fixture, &picture("one-region", &fixture));
+}
+
+#[test]
+fn without_a_section_the_accessible_region_is_printed() {
+    let fixture = parabolas(&[(3.0, 0.0), (2.0, 0.0), (1.0, 0.0)]);
+    let picture = picture("euler", &fixture);
+    assert_sound(&fixture, &picture);
+    assert_eq!(texts(&picture).iter().filter(|(text, _)| text == "U: D²").count(), 3);
+}
+
+#[test]
+fn a_region_a_million_times_smaller_than_the_picture_has_its_panel() {
+    let fixture = parabolas(&[(2.0, 0.0), (1.5, -0.3), (1.0, -0.9 + 1e-6)]);
+    assert_eq!(fixture.atlas.events.len(), 3);
+    let picture = picture("tiny", &fixture);
+    assert_sound(&fixture, &picture);
+}
+
+#[test]
+fn every_scale_is_drawn() {
+    for (name, lines) in [
+        ("rod", vec![(1e-6, 1.2), (2.0, -1.0), (1.1, -0.2), (2.0, 1.0)]),
+        ("large", vec![(2.0, -1e6), (1.5, -1.2e6), (1.0, 1e6), (1.1, 0.3e6)]),
+        ("small", vec![(2.0, -1e-6), (1.5, -1.2e-6), (1.0, 1e-6), (1.1, 0.3e-6)]),
+        ("many", vec![(2.0, 1.0), (1.7, 0.69), (1.4, 0.3), (1.2, -0.1), (1.0, -0.62), (0.8, -1.42)]),
+    ] {
+        let fixture = parabolas(&lines);
+        assert_sound(&fixture, &picture(name, &fixture));
+    }
+}
+
+#[test]
+fn a_region_below_the_resolution_of_f64_is_named_in_a_note() {
+    let fixture = parabolas(&[(2.0, -1.0), (2.0, 1.0), (2.0, 1.0 + 4e-15), (1.0, 1.5)]);
+    let picture = picture("below-resolution", &fixture);
+    assert!(picture.svg.contains("Too narrow to be drawn: "));
+}
+
+#[test]
+fn equal_input_gives_equal_bytes_in_every_format() {
+    let (first, second) = (picture("paper", &paper()), picture("paper", &paper()));
+    assert_eq!(first, second);
+    assert_eq!(first.to_png(96.0).unwrap(), second.to_png(96.0).unwrap());
+}
+
+#[test]
+fn text_is_drawn_where_no_fonts_are_installed() {
+    // Nothing is read from the machine: the title must still leave ink on the page.
+    let picture = picture("kovalevskaya", &kovalevskaya());
+    let png = Pixmap::decode_png(&picture.to_png(96.0).unwrap()).unwrap();
+    let dark = |x: u32, y: u32| png.pixel(x, y).is_some_and(|pixel| pixel.red() < 100);
+    let ink = (10..34).flat_map(|y| (50..350).map(move |x| (x, y))).filter(|&(x, y)| dark(x, y)).count();
+    assert!(ink > 200, "{ink} dark pixels in the title");
+}
+
+#[test]
+fn png_follows_the_resolution() {
+    let picture = picture("kovalevskaya", &kovalevskaya());
+    let size = |dpi: f64| {
+        let png = Pixmap::decode_png(&picture.to_png(dpi).unwrap()).unwrap();
+        [png.width(), png.height()]
+    };
+    let (one, two) = (size(96.0), size(192.0));
+    assert_eq!(one.map(|side| 2 * side), two);
+    assert!(picture.svg.contains(&format!("width=\"{}\" height=\"{}\"", one[0], one[1])));
+    for dpi in [0.0, -1.0, f64::NAN, 1e9] {
+        assert!(matches!(picture.to_png(dpi), Err(PlotError::Resolution { .. })), "{dpi} dpi");
+    }
+}
+
+#[cfg(feature = "pdf")]
+#[test]
+fn pdf_is_pdf_and_equal_input_gives_equal_bytes() {
+    let [first, second] = [paper(), paper()].map(|fixture| picture("paper", &fixture).to_pdf().unwrap());
+    assert!(first.starts_with(b"%PDF-"));
+    assert_eq!(first, second);
+}
+
+#[cfg(not(feature = "pdf"))]
+#[test]
+fn pdf_names_the_feature_that_is_missing() {
+    let error = picture("kovalevskaya", &kovalevskaya()).to_pdf().unwrap_err();
+    assert!(matches!(error, PlotError::NoPdf), "{error:?}");
+    assert!(error.to_string().contains("the feature `pdf`"), "{error}");
+}
+
+#[test]
+fn a_window_clips_the_picture_and_lists_what_lies_outside() {
+    let fixture = paper();
+    let window = WindowDocument { h: [3.0, 6.0], l: [3.0, 3.5] };
+    let picture = draw(&fixture.atlas, Some(&fixture), &DiagramOptions { window: Some(window) }).unwrap();
+    let texts = texts(&picture);
+    assert!(texts.iter().any(|(text, _)| text.starts_with("Outside the window:")));
+    assert!(texts.iter().any(|(text, _)| text == "M²₃"));
+    assert!(!texts.iter().any(|(text, _)| text == "S²+S²"), "that region lies above l = 6.88");
+}
+
+#[test]
+fn without_a_source_the_documents_polylines_are_drawn() {
+    let fixture = paper();
+    let picture = draw(&fixture.atlas, None, &DiagramOptions::default()).unwrap();
+    assert_sound(&fixture, &picture);
+}
+
+#[test]
+fn documents_whose_parts_do_not_fit_are_refused() {
+    let mut broken = paper().atlas;
+    broken.regions[0].cells[0].lower = "c99".to_owned();
+    let error = draw(&broken, None, &DiagramOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("c99"), "{error}");
+    let mut bare = paper().atlas;
+    bare.curves[0].polyline.clear();
+    assert!(matches!(draw(&bare, None, &DiagramOptions::default()), Err(PlotError::NoPolyline { .. })));
+    let window = WindowDocument { h: [1.0, 1.0], l: [0.0, 1.0] };
+    let empty = draw(&paper().atlas, None, &DiagramOptions { window: Some(window) });
+    assert!(matches!(empty, Err(PlotError::EmptyWindow { .. })));
+}
+
+#[test]
+fn an_event_far_out_gets_an_overview_and_does_not_hide_the_others() {
+    // Five crossings at l < 0.4; the first and the last curve, nearly parallel, cross at l = 9.5.
+    let fixture = parabolas(&[(1.0, 0.0), (0.8, -0.01), (0.6, -0.04), (0.999_8, -0.009)]);
+    let [near, far] = [true, false].map(|least| {
+        let places = fixture.atlas.events.iter().map(|event| event.l);
+        if least { places.fold(f64::INFINITY, f64::min) } else { places.fold(0.0, f64::max) }
+    });
+    assert!(far > 20.0 * near, "the fixture has no event far out: {near}, {far}");
+    let picture = picture("far-out", &fixture);
+    assert_sound(&fixture, &picture);
+    assert!(texts(&picture).iter().any(|(text, _)| text.contains("overview with the frame of the main panel")));
+}
+
+#[test]
+fn sections_of_one_type_over_different_regions_are_told_apart() {
+    let mut fixture = paper();
+    let tori = fixture.atlas.regions.iter_mut().filter(|region| region.signature.as_deref() == Some("T2"));
+    let largest = tori.last().expect("the paper's body has sections T²");
+    largest.components[0].accessible_region = "S2".to_owned();
+    let picture = picture("over-different-regions", &fixture);
+    assert_sound(&fixture, &picture);
+    let texts = texts(&picture);
+    for wanted in [", U = D²", ", U = S²"] {
+        assert!(texts.iter().any(|(text, _)| text.ends_with(wanted)), "{wanted} is not printed");
+    }
+}

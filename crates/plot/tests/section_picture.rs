@@ -1,0 +1,250 @@
+//! Pictures of sections.
+#![allow(
+    clippy::disallowed_methods,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss
+)]
+
+mod picture_texts;
+
+use std::f64::consts::{PI, TAU};
+
+use dynamics::section::{
+    Chart, Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SweepOptions, sweep,
+};
+use picture_texts::{assert_texts_are_apart, texts};
+use plot::{
+    OrbitValues, Picture, PlotError, Projection, Scheme, SectionOptions, SectionScene, draw_scheme, draw_section,
+    draw_section_rows,
+};
+use resvg::tiny_skia::Pixmap;
+use top::body::Body;
+
+/// The plot areas of T⁻ and T⁺ in the first row: left, top, width, height.
+const PANELS: [[f64; 4]; 2] = [[56.0, 64.0, 384.0, 240.0], [480.0, 64.0, 384.0, 240.0]];
+
+fn portrait(h: f64, l: f64, condition: SectionCondition) -> Portrait {
+    let body = Body::parse(&["2", "1.1", "1"], &["0.94868", "0", "0.61623"]).unwrap();
+    Portrait::new(&body, h, l, &PortraitOptions { condition, ..PortraitOptions::default() }).unwrap()
+}
+
+/// Orbits from accessible places of a coarse grid, the sheets in turn.
+fn orbits(portrait: &Portrait, count: usize, crossings: usize) -> Vec<OrbitSection> {
+    let places = (0..).map(|k| [f64::from(k) * 2.4 % TAU, f64::from(k) * 0.618 % 1.0 * PI]);
+    let states = places.enumerate().filter_map(|(k, place)| Some(portrait.states(Chart::Torus, place)?[k % 2]));
+    let starts: Vec<_> = states.take(count).collect();
+    let options = SweepOptions { crossings, condition: portrait.condition(), ..SweepOptions::default() };
+    sweep(portrait.torus(), &starts, &options, &Monitor::default()).unwrap()
+}
+
+fn scene<'a>(portrait: &'a Portrait, orbits: &'a [OrbitSection]) -> SectionScene<'a> {
+    SectionScene { portrait, orbits, values: None, caption: "T²+T²" }
+}
+
+fn valued<'a>(portrait: &'a Portrait, orbits: &'a [OrbitSection], values: &'a [f64]) -> SectionScene<'a> {
+    SectionScene { values: Some(OrbitValues { label: "Lyapunov exponent", values }), ..scene(portrait, orbits) }
+}
+
+fn drawn(name: &str, scene: &SectionScene<'_>, options: &SectionOptions) -> Picture {
+    let picture = draw_section(scene, options).expect("the section can be drawn");
+    look(name, &picture);
+    assert!(!picture.svg.contains("NaN") && !picture.svg.contains("inf\""), "a coordinate is not a number");
+    assert_texts_are_apart(&texts(&picture));
+    picture
+}
+
+/// For the eye: set PLOT_OUT to a directory.
+fn look(name: &str, picture: &Picture) {
+    if let Some(out) = std::env::var_os("PLOT_OUT").map(std::path::PathBuf::from) {
+        std::fs::write(out.join(format!("{name}.svg")), &picture.svg).unwrap();
+        std::fs::write(out.join(format!("{name}.png")), picture.to_png(144.0).unwrap()).unwrap();
+        #[cfg(feature = "pdf")]
+        std::fs::write(out.join(format!("{name}.pdf")), picture.to_pdf().unwrap()).unwrap();
+    }
+}
+
+fn pixels(picture: &Picture) -> Pixmap {
+    Pixmap::decode_png(&picture.to_png(96.0).unwrap()).unwrap()
+}
+
+fn color(pixels: &Pixmap, x: f64, y: f64) -> [u8; 3] {
+    let pixel = pixels.pixel(x as u32, y as u32).unwrap();
+    [pixel.red(), pixel.green(), pixel.blue()]
+}
+
+fn has(texts: &[(String, [f32; 4])], wanted: &str) -> bool {
+    texts.iter().any(|(text, _)| text == wanted)
+}
+
+#[test]
+fn both_sheets_have_axes_names_and_a_legend() {
+    let portrait = portrait(4.45, 3.25, SectionCondition::Height);
+    let orbits = orbits(&portrait, 12, 200);
+    let texts = texts(&drawn("torus", &scene(&portrait, &orbits), &SectionOptions::default()));
+    for wanted in ["T⁻", "T⁺", "ψ′", "ϑ′", "2π", "h = 4.45, l = 3.25", "T²+T²", "∂U", "Ṡ < 0, incoming"]
+    {
+        assert!(has(&texts, wanted), "{wanted} is not printed: {texts:?}");
+    }
+    assert!(texts[0].0.starts_with("A = (2, 1.1, 1), r"));
+    assert!(!has(&texts, "S⁻"));
+}
+
+#[test]
+fn the_ground_is_shaded_as_the_equations_say() {
+    for (h, l) in [(2.6, 3.25), (4.675, 3.25), (5.3, 3.25), (3.1486, 2.72)] {
+        let portrait = portrait(h, l, SectionCondition::Height);
+        let picture = drawn("ground", &scene(&portrait, &[]), &SectionOptions::default());
+        let pixels = pixels(&picture);
+        let mut seen = [0_usize; 3];
+        for (sheet, [left, top, width, height]) in PANELS.into_iter().enumerate() {
+            for k in 0..60 * 40 {
+                let at = [(f64::from(k % 60) + 0.5) / 60.0 * width, (f64::from(k / 60) + 0.5) / 40.0 * height];
+                let kind = |dx: f64, dy: f64| {
+                    let place = [(at[0] + dx) / width * TAU, (at[1] + dy) / height * PI];
+                    portrait.rates(Chart::Torus, place).map(|rates| rates[sheet] < 0.0)
+                };
+                // Lines are up to three pixels wide.
+                let mut near = (0..32).map(|k| {
+                    let angle = f64::from(k % 16) / 16.0 * TAU;
+                    let far = if k < 16 { 1.5 } else { 3.0 };
+                    [far * angle.cos(), far * angle.sin()]
+                });
+                if near.any(|[dx, dy]| kind(dx, dy) != kind(0.0, 0.0)) {
+                    continue;
+                }
+                let (number, expected) = match kind(0.0, 0.0) {
+                    None => (0, [0xff, 0xff, 0xff]),
+                    Some(true) => (1, [0xcd, 0xd5, 0xdf]),
+                    Some(false) => (2, [0xf1, 0xee, 0xe6]),
+                };
+                seen[number] += 1;
+                assert_eq!(color(&pixels, left + at[0], top + at[1]), expected, "({h}, {l}) sheet {sheet} at {at:?}");
+            }
+        }
+        assert!(seen.iter().all(|&count| count > 100), "({h}, {l}): {seen:?}");
+    }
+}
+
+#[test]
+fn every_crossing_is_drawn_once_and_where_it_is() {
+    let portrait = portrait(4.45, 3.25, SectionCondition::Height);
+    let orbits = orbits(&portrait, 1, 60);
+    let scene = scene(&portrait, &orbits);
+    for raster_above in [0, 1000] {
+        let options = SectionOptions { raster_above, point_size: Some(3.0), ..SectionOptions::default() };
+        let picture = drawn("one-orbit", &scene, &options);
+        assert_eq!(picture.svg.matches("<image").count(), if raster_above == 0 { 2 } else { 0 });
+        if raster_above > 0 {
+            assert_eq!(picture.svg.matches("h0").count(), orbits[0].points.len());
+        }
+        let pixels = pixels(&picture);
+        let mut looked_at = 0;
+        for point in &orbits[0].points {
+            let [left, top, width, height] = PANELS[usize::from(point.sheet > 0)];
+            let (x, y) = (left + point.psi / TAU * width, top + point.theta / PI * height);
+            let [red, _, blue] = color(&pixels, x, y);
+            // The frame, ∂U and the line of tangency are drawn over the points.
+            let rates = portrait.rates(Chart::Torus, [point.psi, point.theta]);
+            let at_rim = x - left < 3.0 || left + width - x < 3.0 || y - top < 3.0 || top + height - y < 3.0;
+            let on_a_line = at_rim || rates.is_none_or(|rates| rates[usize::from(point.sheet > 0)].abs() < 0.2);
+            looked_at += u32::from(!on_a_line);
+            assert!(on_a_line || (red < 0x60 && blue > 0x80), "({x}, {y}): red {red}, blue {blue}");
+        }
+        assert!(looked_at > 30, "only {looked_at} points lie clear of the lines");
+    }
+}
+
+#[test]
+fn a_hundred_thousand_points_make_a_small_file() {
+    let portrait = portrait(6.5, 3.25, SectionCondition::Height);
+    let orbits = orbits(&portrait, 100, 1000);
+    let count: usize = orbits.iter().map(|orbit| orbit.points.len()).sum();
+    assert!(count >= 100_000);
+    let picture = drawn("dense", &scene(&portrait, &orbits), &SectionOptions::default());
+    assert!(picture.svg.len() < 500_000, "{} bytes", picture.svg.len());
+    assert_eq!(picture.svg.matches("<image").count(), 2);
+    // The image is in the picture and in the PDF.
+    let dark = pixels(&picture).pixels().iter().filter(|pixel| pixel.green() < 0x90).count();
+    assert!(dark > 20_000, "{dark} dark pixels");
+    #[cfg(feature = "pdf")]
+    assert!(picture.to_pdf().unwrap().windows(12).any(|bytes| bytes == b"/Subtype/Ima"));
+}
+
+#[test]
+fn values_colour_orbits_and_have_a_bar() {
+    let portrait = portrait(4.45, 3.25, SectionCondition::Height);
+    let orbits = orbits(&portrait, 12, 300);
+    let values: Vec<f64> = (0..12).map(|k| if k == 3 { f64::NAN } else { 0.02 * f64::from(k) }).collect();
+    let picture = drawn("values", &valued(&portrait, &orbits, &values), &SectionOptions::default());
+    let texts = texts(&picture);
+    assert!(has(&texts, "Lyapunov exponent") && has(&texts, "0.2"), "{texts:?}");
+    assert!(picture.svg.contains("stroke=\"#8A8A8A\""), "the orbit without a value is grey");
+    let error = draw_section(&valued(&portrait, &orbits, &values[..5]), &SectionOptions::default()).unwrap_err();
+    assert!(matches!(error, PlotError::Values { values: 5, orbits: 12, .. }), "{error}");
+    for values in [vec![0.25; 12], vec![0.0; 12], vec![f64::NAN; 12]] {
+        drawn("one-value", &valued(&portrait, &orbits, &values), &SectionOptions::default());
+    }
+}
+
+#[test]
+fn the_sphere_stands_above_the_torus() {
+    let portrait = portrait(5.3, 3.25, SectionCondition::Height);
+    let orbits = orbits(&portrait, 8, 300);
+    let options = SectionOptions { projection: Projection::Both, ..SectionOptions::default() };
+    let texts = texts(&drawn("both", &scene(&portrait, &orbits), &options));
+    let place = |wanted: &str| texts.iter().find(|(text, _)| text == wanted).map(|(_, area)| area[1]);
+    assert!(place("S⁻") < place("T⁻") && place("S⁺") == place("S⁻"));
+    assert!(has(&texts, "+r̂, accessible") && has(&texts, "−r̂, accessible"));
+}
+
+#[test]
+fn the_earlier_section_is_drawn_on_the_sphere() {
+    let portrait = portrait(4.45, 3.25, SectionCondition::AngularMomentum);
+    let orbits = orbits(&portrait, 16, 300);
+    let options = SectionOptions { projection: Projection::Sphere, ..SectionOptions::default() };
+    let texts = texts(&drawn("angular-momentum", &scene(&portrait, &orbits), &options));
+    assert!(has(&texts, "boundary of the projection"));
+    assert!(texts[0].0.ends_with("S = ⟨l, γ×r⟩"), "{}", texts[0].0);
+}
+
+#[test]
+fn rows_share_a_page_and_none_is_refused() {
+    let portraits = [(1.8, 3.25), (6.5, 3.25), (14.0, 7.2)].map(|(h, l)| portrait(h, l, SectionCondition::Height));
+    let scenes: Vec<_> = portraits.iter().map(|portrait| scene(portrait, &[])).collect();
+    let picture = draw_section_rows(&scenes, &SectionOptions::default()).unwrap();
+    let texts = texts(&picture);
+    assert_eq!(texts.iter().filter(|(text, _)| text == "T⁺").count(), 3);
+    assert_texts_are_apart(&texts);
+    assert!(matches!(draw_section_rows(&[], &SectionOptions::default()), Err(PlotError::Scenes { given: 0, .. })));
+}
+
+#[test]
+fn equal_input_gives_equal_bytes() {
+    let picture = || {
+        let portrait = portrait(4.675, 3.25, SectionCondition::Height);
+        let orbits = orbits(&portrait, 10, 200);
+        draw_section(&scene(&portrait, &orbits), &SectionOptions { raster_above: 0, ..SectionOptions::default() })
+            .unwrap()
+    };
+    let (first, second) = (picture(), picture());
+    assert_eq!(first, second);
+    assert_eq!(first.to_png(96.0).unwrap(), second.to_png(96.0).unwrap());
+    #[cfg(feature = "pdf")]
+    assert_eq!(first.to_pdf().unwrap(), second.to_pdf().unwrap());
+}
+
+#[test]
+fn schemes_can_be_read() {
+    for (scheme, wanted) in [
+        (Scheme::Sheets, "sheets by the sign of Δ: 1:1"),
+        (Scheme::BothSheetsNeeded, "outgoing, Ṡ > 0"),
+        (Scheme::Cylinder, "ϑ′ = π"),
+    ] {
+        let picture = draw_scheme(scheme).unwrap();
+        let texts = texts(&picture);
+        assert!(has(&texts, wanted), "{wanted}");
+        assert_texts_are_apart(&texts);
+        assert_eq!(picture, draw_scheme(scheme).unwrap());
+    }
+}

@@ -1,0 +1,14 @@
+//! Numbers of curves and of the points where they end.
+
+use crate::table::ids;
+
+ids! {
+    /// A curve of a [`CriticalSet`](super::CriticalSet).
+    CurveId;
+    /// A cusp.
+    CuspId;
+    /// A pitchfork.
+    PitchforkId;
+    /// A cluster of cusps that f64 does not count.
+    ClusterId;
+}

@@ -1,0 +1,195 @@
+//! Typed numbers, and tables that only their own numbers index: the number of a curve cannot be taken for that of an
+//! event.
+
+use std::fmt::Debug;
+use std::marker::PhantomData;
+use std::ops::{Index, IndexMut};
+
+/// The number of a row in a [`Table`].
+pub trait Id: Copy + Eq + Ord + Debug {
+    /// The id of row `index`.
+    fn at(index: usize) -> Self;
+
+    /// The row, from 0.
+    fn index(self) -> usize;
+}
+
+/// Declares ids: numbers that are of one kind of row only.
+#[macro_export]
+macro_rules! ids {
+    ($($(#[$doc:meta])* $name:ident;)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub struct $name(usize);
+
+        impl $crate::table::Id for $name {
+            fn at(index: usize) -> Self {
+                Self(index)
+            }
+
+            fn index(self) -> usize {
+                self.0
+            }
+        }
+    )+};
+}
+pub use crate::ids;
+
+/// Rows numbered by `I`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table<I, T> {
+    rows: Vec<T>,
+    id: PhantomData<I>,
+}
+
+impl<I: Id, T> Table<I, T> {
+    /// No rows.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::from(Vec::new())
+    }
+
+    /// Number of rows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// True without rows.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// The id that the next row will have.
+    #[must_use]
+    pub fn next_id(&self) -> I {
+        I::at(self.rows.len())
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, row: T) -> I {
+        let id = self.next_id();
+        self.rows.push(row);
+        id
+    }
+
+    /// The row, if there is one with this id.
+    #[must_use]
+    pub fn get(&self, id: I) -> Option<&T> {
+        self.rows.get(id.index())
+    }
+
+    /// The first row.
+    #[must_use]
+    pub fn first(&self) -> Option<&T> {
+        self.rows.first()
+    }
+
+    /// The last row.
+    #[must_use]
+    pub fn last(&self) -> Option<&T> {
+        self.rows.last()
+    }
+
+    /// The ids in order.
+    #[must_use]
+    pub fn ids(&self) -> impl DoubleEndedIterator<Item = I> + ExactSizeIterator + Clone + use<I, T> {
+        (0..self.rows.len()).map(I::at)
+    }
+
+    /// The rows in order.
+    pub fn iter(&self) -> std::slice::Iter<'_, T> {
+        self.rows.iter()
+    }
+
+    /// The rows in order.
+    pub fn iter_mut(&mut self) -> std::slice::IterMut<'_, T> {
+        self.rows.iter_mut()
+    }
+
+    /// The rows in order, with their ids.
+    pub fn pairs(&self) -> impl DoubleEndedIterator<Item = (I, &T)> + ExactSizeIterator + Clone {
+        self.rows.iter().enumerate().map(|(index, row)| (I::at(index), row))
+    }
+
+    /// A table of the same ids with what `make` gives for each row.
+    pub fn map<U>(&self, make: impl FnMut(&T) -> U) -> Table<I, U> {
+        Table::from(self.rows.iter().map(make).collect::<Vec<_>>())
+    }
+
+    /// The rows.
+    #[must_use]
+    pub fn as_slice(&self) -> &[T] {
+        &self.rows
+    }
+
+    /// The rows, to be put in another order: ids that were given before are then void.
+    pub fn as_mut_slice(&mut self) -> &mut [T] {
+        &mut self.rows
+    }
+}
+
+impl<I: Id, T: Clone> Table<I, T> {
+    /// One copy of `row` for each of `len` ids.
+    #[must_use]
+    pub fn filled(row: T, len: usize) -> Self {
+        Self::from(vec![row; len])
+    }
+}
+
+impl<I: Id, T> Default for Table<I, T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<I: Id, T> Index<I> for Table<I, T> {
+    type Output = T;
+
+    fn index(&self, id: I) -> &T {
+        &self.rows[id.index()]
+    }
+}
+
+impl<I: Id, T> IndexMut<I> for Table<I, T> {
+    fn index_mut(&mut self, id: I) -> &mut T {
+        &mut self.rows[id.index()]
+    }
+}
+
+impl<I, T> From<Vec<T>> for Table<I, T> {
+    fn from(rows: Vec<T>) -> Self {
+        Self { rows, id: PhantomData }
+    }
+}
+
+impl<I, T> FromIterator<T> for Table<I, T> {
+    fn from_iter<R: IntoIterator<Item = T>>(rows: R) -> Self {
+        Self::from(Vec::from_iter(rows))
+    }
+}
+
+impl<I: Id, T> Extend<T> for Table<I, T> {
+    fn extend<R: IntoIterator<Item = T>>(&mut self, rows: R) {
+        self.rows.extend(rows);
+    }
+}
+
+impl<'a, I, T> IntoIterator for &'a Table<I, T> {
+    type Item = &'a T;
+    type IntoIter = std::slice::Iter<'a, T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.rows.iter()
+    }
+}
+
+impl<I, T> IntoIterator for Table<I, T> {
+    type Item = T;
+    type IntoIter = std::vec::IntoIter<T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.rows.into_iter()
+    }
+}

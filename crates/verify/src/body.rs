@@ -1,0 +1,24 @@
+//! The body of a document, exact.
+
+use dashu_ratio::RBig;
+
+use super::{Refused, number};
+use schema::BodyDocument;
+
+/// A and r as the document writes them.
+pub(super) struct Body {
+    pub moments: [RBig; 3],
+    pub center: [RBig; 3],
+}
+
+impl Body {
+    pub fn read(document: &BodyDocument) -> Result<Self, Refused> {
+        let [a1, a2, a3] = document.moments.each_ref().map(|text| number::read(text));
+        let [r1, r2, r3] = document.center.each_ref().map(|text| number::read(text));
+        let body = Self { moments: [a1?, a2?, a3?], center: [r1?, r2?, r3?] };
+        match body.moments.iter().position(|moment| *moment <= RBig::ZERO) {
+            Some(axis) => Err(Refused::Body { axis: axis + 1, value: document.moments[axis].clone() }),
+            None => Ok(body),
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! The regions of the atlas against the faces: cells, boundaries, neighbours, totals.
+
+use schema::{AtlasDocument, CertificateDocument, RegionDocument};
+
+use super::Refused;
+use super::pieces::{Family, Pieces};
+use super::slabs::Slab;
+
+/// A cell: a slab, and the position in it of the curve below.
+pub(super) type Cell = (usize, usize);
+
+/// What a face is made of, in the terms of a document.
+#[derive(Default)]
+struct Face {
+    cells: Vec<Cell>,
+    /// The curves below and above each cell.
+    described: Vec<(String, Option<String>)>,
+    boundary: Vec<String>,
+    neighbours: Vec<(Option<String>, String)>,
+}
+
+/// Compares the regions of the atlas with the faces; the cells of each.
+pub(super) fn regions(
+    document: &AtlasDocument,
+    certificate: &CertificateDocument,
+    pieces: &Pieces,
+    slabs: &[Slab],
+) -> Result<Vec<Vec<Cell>>, Refused> {
+    let mut names: Vec<&str> = slabs.iter().flat_map(|slab| slab.faces.iter().map(String::as_str)).collect();
+    names.sort_unstable();
+    names.dedup();
+    let sources: usize = certificate.events.iter().map(|event| event.sources.len()).sum();
+    for (what, claimed, found) in [
+        ("regions", document.regions.len(), names.len()),
+        ("regions", document.summary.regions, names.len()),
+        ("events", document.summary.events, sources),
+        ("events", document.events.len(), sources),
+    ] {
+        if claimed != found {
+            return Err(Refused::Summary { what, claimed, found });
+        }
+    }
+    let cells = |region: &RegionDocument| {
+        let face = Face::named(&region.id, pieces, slabs);
+        face.compared(region).map_err(|why| Refused::Region { region: region.id.clone(), why })
+    };
+    document.regions.iter().map(cells).collect()
+}
+
+impl Face {
+    fn named(name: &str, pieces: &Pieces, slabs: &[Slab]) -> Self {
+        let mut face = Self::default();
+        for (number, slab) in slabs.iter().enumerate() {
+            for position in (0..slab.faces.len()).filter(|&k| slab.faces[k] == name) {
+                face.add((number, position), pieces, slab);
+            }
+        }
+        face
+    }
+
+    fn add(&mut self, cell: Cell, pieces: &Pieces, slab: &Slab) {
+        let id = |curve: usize| pieces.list[curve].id.clone();
+        let position = cell.1;
+        let lower = slab.levels[position].curve;
+        let upper = slab.levels.get(position + 1).map(|level| level.curve);
+        let below = position.checked_sub(1).map(|k| slab.faces[k].clone());
+        let above = upper.map(|upper| (Some(slab.faces[position + 1].clone()), upper));
+        for (face, curve) in [(below, lower)].into_iter().chain(above) {
+            self.boundary.push(id(curve));
+            // A critical line is also a pole line.
+            if let (true, Family::Line(plus)) = (pieces.list[curve].critical, pieces.list[curve].family) {
+                self.boundary.push(if plus { "P+" } else { "P-" }.to_owned());
+            }
+            self.neighbours.push((face, id(curve)));
+        }
+        self.described.push((id(lower), upper.map(id)));
+        self.cells.push(cell);
+    }
+
+    /// The cells, if the region describes this face.
+    fn compared(mut self, region: &RegionDocument) -> Result<Vec<Cell>, &'static str> {
+        let described = region.cells.iter().map(|cell| (&cell.lower, cell.upper.as_ref()));
+        if self.cells.is_empty() || !described.eq(self.described.iter().map(|(p, q)| (p, q.as_ref()))) {
+            return Err("its cells are not those of the face");
+        }
+        let mut boundary = region.boundary.clone();
+        for list in [&mut boundary, &mut self.boundary] {
+            list.sort();
+            list.dedup();
+        }
+        if boundary != self.boundary {
+            return Err("its boundary is another");
+        }
+        let mut neighbours: Vec<_> = region.neighbours.iter().map(|n| (n.region.clone(), n.curve.clone())).collect();
+        neighbours.sort();
+        self.neighbours.sort();
+        self.neighbours.dedup();
+        if neighbours == self.neighbours { Ok(self.cells) } else { Err("its neighbours are others") }
+    }
+}

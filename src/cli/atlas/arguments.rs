@@ -1,0 +1,42 @@
+//! The options of `bifdiag atlas`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use schema::WindowDocument;
+
+use crate::cli::export::PictureFormat;
+use crate::cli::input::{AccuracyArgument, BodyArguments, values};
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623
+  bifdiag atlas --body katok:7 --window 0:4,0:3 --format png --out katok7
+  bifdiag atlas --A 2,11/10,1 --r=-1,0,1/2 --json > atlas.json
+  bifdiag atlas --inertia 0.30,0.21,0.17,0.01,0,-0.02 --com 0,0.02,0.15 --mass 2.5 --g 9.80665 --no-plot";
+
+/// `bifdiag atlas`.
+#[derive(Debug, Args)]
+pub struct AtlasArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// Only this part of the plane
+    #[arg(long, value_name = "hmin:hmax,lmin:lmax", allow_hyphen_values = true, value_parser = values::window)]
+    #[arg(help_heading = "Work")]
+    pub window: Option<WindowDocument>,
+    /// What the answer must be worth
+    #[arg(long, value_enum, default_value = "standard", help_heading = "Work")]
+    pub accuracy: AccuracyArgument,
+    /// Write atlas.json and the diagram to DIR (default: bifdiag-out; with --json: nowhere)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    /// Formats of the diagram
+    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    pub format: Vec<PictureFormat>,
+    /// Draw nothing
+    #[arg(long, help_heading = "Output")]
+    pub no_plot: bool,
+    /// Print the atlas as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}

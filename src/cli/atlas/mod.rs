@@ -1,0 +1,43 @@
+//! `bifdiag atlas`, the main job: the table of regions, `atlas.json` and the diagram.
+
+mod arguments;
+mod error;
+mod report;
+mod settings;
+mod work;
+
+use plot::{DiagramOptions, draw};
+
+use super::export::{ExportError, FileSet, Json, RESOLUTION, answer};
+use super::failure::Failure;
+use super::terminal::Timings;
+use settings::Settings;
+
+pub use arguments::{AtlasArguments, EXAMPLES};
+pub use error::NoAtlas;
+pub use work::Curves;
+
+pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure> {
+    let settings = Settings::new(arguments)?;
+    let (atlas, document) = work::atlas(&settings, timings)?;
+    tracing::info!(
+        regions = document.summary.regions,
+        events = document.summary.events,
+        undecided = document.summary.undecided.len(),
+        "atlas made"
+    );
+    let mut written = Vec::new();
+    if let Some(directory) = &settings.directory {
+        let mut files = FileSet::new(directory);
+        files.export("atlas", &document, &Json)?;
+        if !settings.formats.is_empty() {
+            let options = DiagramOptions { window: settings.window };
+            let picture = timings
+                .stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))
+                .map_err(ExportError::from)?;
+            files.pictures("diagram", &picture, &settings.formats, RESOLUTION, timings)?;
+        }
+        written = timings.stage("files", || files.write())?;
+    }
+    Ok(answer(settings.json, &document, || report::text(&settings.subject, &document, &written))?)
+}

@@ -1,0 +1,148 @@
+//! What the terminal shows of an atlas.
+
+use std::path::PathBuf;
+
+use schema::{AtlasDocument, ComponentDocument, RegionDocument};
+
+use crate::cli::input::Subject;
+use crate::cli::terminal::{Report, Table, significant};
+
+/// The table of regions fits a terminal of this width.
+const TABLE_WIDTH: usize = 100;
+
+/// Everything that the terminal shows.
+pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) -> String {
+    let mut report = Report::default();
+    subject.head(&mut report);
+    report.line("");
+    report.line(region_table(&document.regions));
+    report.line("");
+    let summary = &document.summary;
+    let count = |n: usize, one: &str, many: &str| format!("{n} {}", if n == 1 { one } else { many });
+    report.line(format!(
+        "{}, {}, at most {} at one l",
+        count(summary.regions, "region", "regions"),
+        count(summary.events, "event", "events"),
+        count(summary.critical_points_max, "relative equilibrium", "relative equilibria"),
+    ));
+    match (summary.complete, document.window) {
+        (true, _) => {}
+        (false, Some(_)) => report.line("the window was searched, not the whole half-plane l > 0"),
+        (false, None) => report.line("the half-plane l > 0 is not covered completely"),
+    }
+    if let Some(certificate) = &document.certificate {
+        let topology = if summary.undecided.is_empty() { " and the topology of each" } else { "" };
+        report.line(format!(
+            "proved: the number of regions{topology} ({} bits sufficed); check with bifdiag verify",
+            certificate.bits
+        ));
+    }
+    if summary.undecided.is_empty() {
+        report.line("nothing was left undecided");
+    }
+    for undecided in &summary.undecided {
+        report.line(format!(
+            "undecided: {} near l = {}, h = {} ({})",
+            undecided.what,
+            significant(undecided.l, 8),
+            significant(undecided.h, 8),
+            undecided.curves.join(", "),
+        ));
+    }
+    for path in written {
+        report.line(format!("written: {}", path.display()));
+    }
+    report.text()
+}
+
+/// The table of regions, with as many digits as fit.
+fn region_table(regions: &[RegionDocument]) -> String {
+    let tables = [6, 5, 4, 3, 2].map(|digits| region_rows(regions, digits));
+    let [.., narrowest] = &tables;
+    tables.iter().find(|table| table.width() <= TABLE_WIDTH).unwrap_or(narrowest).text()
+}
+
+fn region_rows(regions: &[RegionDocument], digits: usize) -> Table {
+    let mut table = Table::new(&["id", "signature", "U", "E", "P", "genus", "sample (h, l)", "width", "l-range"]);
+    for region in regions {
+        let column = |cell: &dyn Fn(&ComponentDocument) -> String| {
+            region.components.iter().map(cell).collect::<Vec<_>>().join("\n")
+        };
+        let number = |x: Option<f64>, missing: &str| x.map_or(missing.to_owned(), |x| significant(x, digits));
+        let [from, to] = region.l_range;
+        table.row([
+            if region.clipped { format!("{}*", region.id) } else { region.id.clone() },
+            wrapped_signature(region.signature.as_deref().unwrap_or("-")),
+            column(&|component| component.accessible_region.clone()),
+            column(&|component| component.energy_surface.clone()),
+            column(&|component| component.section.clone().unwrap_or_else(|| "-".to_owned())),
+            column(&|component| component.genus.map_or_else(|| "-".to_owned(), |genus| genus.to_string())),
+            format!("({}, {})", significant(region.sample.h, digits), significant(region.sample.l, digits)),
+            number(region.h_width, "inf"),
+            format!("{}..{}", number(from, "?"), number(to, "inf")),
+        ]);
+    }
+    table
+}
+
+/// A signature on lines of at most twelve characters, broken at its plus signs.
+fn wrapped_signature(signature: &str) -> String {
+    const WIDTH: usize = 12;
+    let mut lines: Vec<String> = Vec::new();
+    for piece in signature.split_inclusive('+') {
+        match lines.last_mut() {
+            Some(line) if line.len() + piece.len() <= WIDTH => line.push_str(piece),
+            _ => lines.push(piece.to_owned()),
+        }
+    }
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use schema::{MarginDocument, SampleDocument};
+    use top::topology::{Component, Poles, signature};
+
+    use super::*;
+
+    fn region(id: &str, components: &[Component], sample: [f64; 2]) -> RegionDocument {
+        let margin = MarginDocument { h: 1e-3, nearest: "P+".to_owned(), error_bound: 1e-15 };
+        RegionDocument {
+            id: id.to_owned(),
+            sample: SampleDocument { h: sample[0], l: sample[1], margin },
+            components: documents::candidate(components),
+            signature: signature(components),
+            bounded: true,
+            l_range: [Some(sample[1] / 3.0), Some(sample[1] / 0.7)],
+            h_width: Some(sample[0] / 7.0),
+            boundary: Vec::new(),
+            neighbours: Vec::new(),
+            cells: Vec::new(),
+            clipped: false,
+        }
+    }
+
+    #[test]
+    fn the_table_fits_whatever_the_regions_are() {
+        let poles = |plus, minus| Some(Poles { plus, minus });
+        let component = |boundary_circles, poles| Component { boundary_circles, poles };
+        let many = [component(1, poles(false, false)); 5];
+        let regions = [
+            region("R1", &[component(0, poles(true, true))], [-1.0 / 3.0, 1e-6 / 3.0]),
+            region("R128", &many, [1.0 / 3.0 * 1e16, 1e8 / 3.0]),
+            region("R3", &[component(3, poles(true, false)), component(1, poles(false, true))], [-1e-7 / 3.0, 0.1]),
+            region("R4", &[component(2, None)], [1.0, 2.0]),
+        ];
+        let text = region_table(&regions);
+        assert!(text.lines().all(|line| line.chars().count() <= TABLE_WIDTH), "{text}");
+        for name in ["S2+S2+S2+S2+", "(S1xS2)#(S1xS2)", "M3", "RP3"] {
+            assert!(text.contains(name), "{name} is missing in\n{text}");
+        }
+    }
+
+    #[test]
+    fn signatures_break_at_plus_signs() {
+        assert_eq!(wrapped_signature("S2+T2"), "S2+T2");
+        assert_eq!(wrapped_signature("S2+S2+T2+T2+M2"), "S2+S2+T2+T2+\nM2");
+    }
+}

@@ -1,0 +1,33 @@
+//! The options of `bifdiag critical`.
+
+use clap::Args;
+use top::body::Number;
+
+use crate::cli::batch::BatchArguments;
+use crate::cli::input::{BodyArguments, values};
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag critical --A 2,1.1,1 --r 0.94868,0,0.61623 --l 3.25
+  bifdiag critical --body katok:6 --l 7/3 --json
+  bifdiag critical --batch momenta.jsonl --threads 4 > equilibria.jsonl
+
+Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"l\": 3.25}, numbers or strings; a line
+without A and r means the body of the command line, other keys are ignored. One line is written for each, in the
+same order; a wrong line gives {\"error\": …, \"line\": n}.";
+
+/// `bifdiag critical`.
+#[derive(Debug, Args)]
+pub struct CriticalArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// Vertical angular momentum; its sign is that of omega
+    #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number)]
+    #[arg(help_heading = "Momentum")]
+    pub momentum: Option<Number>,
+    #[command(flatten)]
+    pub batch: BatchArguments,
+    /// Print the answer as JSON (a batch always is)
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}

@@ -1,0 +1,126 @@
+//! Files that appear whole and together, or not at all.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use plot::Picture;
+use tempfile::NamedTempFile;
+
+use super::error::{ExportError, FilesError};
+use super::exporter::Exporter;
+use super::picture::{PictureExporter, PictureFormat};
+use crate::cli::terminal::Timings;
+use crate::cli::terminal::interrupt::{unfinished, uninterrupted};
+
+/// Contents for files, most of them in one directory.
+#[derive(Debug)]
+pub struct FileSet {
+    directory: PathBuf,
+    files: Vec<(PathBuf, Vec<u8>)>,
+}
+
+impl FileSet {
+    /// Nothing yet, for this directory.
+    pub fn new(directory: &Path) -> Self {
+        Self { directory: directory.to_owned(), files: Vec::new() }
+    }
+
+    /// Adds a file of the directory; nothing is written yet.
+    pub fn add(&mut self, name: impl AsRef<Path>, contents: impl Into<Vec<u8>>) {
+        self.files.push((self.directory.join(name), contents.into()));
+    }
+
+    /// Adds a file at a place of its own.
+    pub fn add_at(&mut self, path: &Path, contents: impl Into<Vec<u8>>) {
+        self.files.push((path.to_owned(), contents.into()));
+    }
+
+    /// Adds a result in a format; the name of its file is `stem` with the format's ending.
+    pub fn export<R>(&mut self, stem: &str, result: &R, format: &impl Exporter<R>) -> Result<(), ExportError> {
+        self.add(format!("{stem}.{}", format.ending()), format.bytes(result)?);
+        Ok(())
+    }
+
+    /// Adds a picture in several formats.
+    pub fn pictures(
+        &mut self,
+        stem: &str,
+        picture: &Picture,
+        formats: &[PictureFormat],
+        resolution: f64,
+        timings: &Timings,
+    ) -> Result<(), ExportError> {
+        formats.iter().try_for_each(|&format| {
+            let exporter = PictureExporter { format, resolution };
+            timings.stage(exporter.ending(), || self.export(stem, picture, &exporter))
+        })
+    }
+
+    /// Writes every file under a temporary name in its directory and, when all are whole and on the disk, renames
+    /// them. If one cannot be written, none is, and directories made on the way are taken away again.
+    pub fn write(self) -> Result<Vec<PathBuf>, FilesError> {
+        let _guard = uninterrupted();
+        let written = self.write_whole();
+        for path in unfinished().drain(..) {
+            // Temporary files are gone; directories stay if something lies in them.
+            let _not_empty = fs::remove_dir(path);
+        }
+        written
+    }
+
+    fn write_whole(self) -> Result<Vec<PathBuf>, FilesError> {
+        let mut whole = Vec::with_capacity(self.files.len());
+        for (path, contents) in self.files {
+            let directory = match path.parent() {
+                Some(parent) if !parent.as_os_str().is_empty() => parent,
+                _ => Path::new("."),
+            };
+            create_directories(directory)?;
+            if path.is_dir() {
+                return Err(FilesError::Occupied { path });
+            }
+            match write_temporary(directory, &contents) {
+                Ok(file) => whole.push((file, path)),
+                Err(source) => return Err(FilesError::Write { path, source }),
+            }
+        }
+        let mut written = Vec::with_capacity(whole.len());
+        let mut unfinished = unfinished();
+        for (file, path) in whole {
+            file.persist(&path).map_err(|error| FilesError::Replace { path: path.clone(), source: error.error })?;
+            written.push(path);
+        }
+        unfinished.clear();
+        Ok(written)
+    }
+}
+
+/// A whole file under a temporary name, which vanishes unless it is persisted.
+fn write_temporary(directory: &Path, contents: &[u8]) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".bifdiag-");
+    #[cfg(unix)]
+    {
+        // As for any new file, the umask decides; the default of temporary files would hide it from others.
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let mut file = {
+        let mut unfinished = unfinished();
+        let file = builder.tempfile_in(directory)?;
+        unfinished.insert(0, file.path().to_owned());
+        file
+    };
+    file.write_all(contents)?;
+    // A full disk may show only now.
+    file.as_file().sync_all()?;
+    Ok(file)
+}
+
+/// Makes the directory and those that it lies in; they are unfinished, innermost first.
+fn create_directories(directory: &Path) -> Result<(), FilesError> {
+    let missing = directory.ancestors().take_while(|path| !path.as_os_str().is_empty() && !path.exists());
+    unfinished().splice(0..0, missing.map(Path::to_owned));
+    fs::create_dir_all(directory).map_err(|source| FilesError::Directory { path: directory.to_owned(), source })
+}

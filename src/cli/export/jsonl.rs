@@ -1,0 +1,46 @@
+//! JSON Lines: one object a row.
+
+use super::columns::Columns;
+
+/// The whole file. Numbers that JSON does not have (NaN) are null.
+pub fn lines(table: &Columns) -> String {
+    let mut out = String::new();
+    for row in 0..table.rows() {
+        out.push('{');
+        for (i, column) in table.columns.iter().enumerate() {
+            if i > 0 {
+                out.push_str(", ");
+            }
+            let entries: Vec<String> = (0..column.values.width()).map(|k| number(column.values.text(row, k))).collect();
+            let value = if entries.len() == 1 { entries.concat() } else { format!("[{}]", entries.join(", ")) };
+            out.extend(["\"", column.name, "\": ", &value]);
+        }
+        out.push_str("}\n");
+    }
+    out
+}
+
+fn number(text: String) -> String {
+    if text.contains(['N', 'i']) { "null".to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::export::columns::{Column, Values};
+
+    #[test]
+    fn each_row_is_an_object() {
+        let table = Columns {
+            columns: vec![
+                Column { name: "time", values: Values::Float(vec![0.5, f64::NAN]) },
+                Column { name: "gamma", values: Values::Vector(vec![[1.0, 0.0, -1e-9]; 2]) },
+            ],
+            meta: String::new(),
+        };
+        let text = lines(&table);
+        let rows: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        assert_eq!(rows[0], serde_json::json!({"time": 0.5, "gamma": [1.0, 0.0, -1e-9]}));
+        assert!(rows[1]["time"].is_null());
+    }
+}

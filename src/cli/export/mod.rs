@@ -1,0 +1,20 @@
+//! Results given out: documents, tables and pictures, each in the formats that know how to write it.
+
+mod columns;
+mod csv;
+mod error;
+mod exporter;
+mod files;
+mod json;
+mod jsonl;
+mod npz;
+mod picture;
+mod target;
+
+pub use columns::{Columns, Values};
+pub use error::ExportError;
+pub use exporter::Exporter;
+pub use files::FileSet;
+pub use json::{Json, answer};
+pub use picture::{PictureFormat, RESOLUTION};
+pub use target::{DataFormat, DataTarget, directory};

@@ -1,0 +1,94 @@
+//! Where results go.
+
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+use thiserror::Error;
+
+use super::columns::Columns;
+use super::error::ExportError;
+use super::exporter::Exporter;
+use super::{csv, jsonl, npz};
+use crate::cli::failure::{CommandError, Exit};
+
+/// Where the files go if nothing else is said.
+const DEFAULT_DIRECTORY: &str = "bifdiag-out";
+
+/// `-` is no directory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout")]
+pub struct DirectoryInput;
+
+impl CommandError for DirectoryInput {
+    fn exit(&self) -> Exit {
+        Exit::WrongInput
+    }
+}
+
+/// The directory of `--out`, if files are wanted at all; without that option, the usual one if `wanted` is set.
+pub fn directory(out: Option<&Path>, wanted: bool) -> Result<Option<PathBuf>, DirectoryInput> {
+    match out {
+        Some(directory) if directory == Path::new("-") => Err(DirectoryInput),
+        Some(directory) => Ok(Some(directory.to_owned())),
+        None => Ok(wanted.then(|| PathBuf::from(DEFAULT_DIRECTORY))),
+    }
+}
+
+/// Formats of data files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DataFormat {
+    /// NumPy's archive of arrays
+    Npz,
+    /// Comma-separated values
+    Csv,
+    /// One JSON object a line
+    Jsonl,
+}
+
+impl Exporter<Columns> for DataFormat {
+    fn ending(&self) -> &'static str {
+        match self {
+            Self::Npz => "npz",
+            Self::Csv => "csv",
+            Self::Jsonl => "jsonl",
+        }
+    }
+
+    fn bytes(&self, columns: &Columns) -> Result<Vec<u8>, ExportError> {
+        match self {
+            Self::Npz => npz::archive(columns),
+            Self::Csv => csv::table(columns),
+            Self::Jsonl => Ok(jsonl::lines(columns).into_bytes()),
+        }
+    }
+}
+
+/// Where data go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DataTarget {
+    /// CSV on stdout.
+    Stdout,
+    /// A file, in the format of its extension.
+    File { path: PathBuf, format: DataFormat },
+}
+
+/// The name of a data file is of no use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("the extension tells the format: give FILE.npz, FILE.csv or FILE.jsonl, or - for CSV on stdout")]
+pub struct UnknownFormat;
+
+impl DataTarget {
+    /// Of the text of an option.
+    pub fn parse(text: &str) -> Result<Self, UnknownFormat> {
+        if text == "-" {
+            return Ok(Self::Stdout);
+        }
+        let path = Path::new(text);
+        let extension = path.extension().and_then(|extension| extension.to_str());
+        let format = DataFormat::value_variants()
+            .iter()
+            .find(|format| Some(format.ending()) == extension)
+            .ok_or(UnknownFormat)?;
+        Ok(Self::File { path: path.to_owned(), format: *format })
+    }
+}

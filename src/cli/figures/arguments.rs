@@ -1,0 +1,23 @@
+//! The options of `bifdiag figures`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::cli::export::PictureFormat;
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag figures
+  bifdiag figures --out my-figures --format svg,png";
+
+/// `bifdiag figures`.
+#[derive(Debug, Args)]
+pub struct FiguresArguments {
+    /// Write the figures to DIR
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    pub out: PathBuf,
+    /// Formats
+    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg")]
+    pub format: Vec<PictureFormat>,
+}

@@ -1,0 +1,12 @@
+//! What the options say: values, bodies, points, accuracy, integrators, files that are read.
+
+mod accuracy;
+mod body;
+mod file;
+mod integrator;
+pub mod values;
+
+pub use accuracy::AccuracyArgument;
+pub use body::{BodyArguments, BodyInput, Subject};
+pub use file::read;
+pub use integrator::{IntegratorArguments, IntegratorInput};

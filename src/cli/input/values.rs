@@ -1,0 +1,228 @@
+//! Values of options, read exactly and refused with what would be right.
+
+use std::num::{NonZeroU32, NonZeroUsize};
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use schema::WindowDocument;
+use thiserror::Error;
+use top::body::{Body, BodyError, Number, ParseNumberError, Preset};
+
+/// The most threads that can be asked for.
+const MAX_THREADS: usize = 1024;
+
+/// Three numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triple(pub [Number; 3]);
+
+/// I_xx, I_yy, I_zz, I_xy, I_xz, I_yz.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tensor(pub [Number; 6]);
+
+/// Three numbers of which only the nearest doubles are needed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vector(pub [f64; 3]);
+
+/// Why a value is refused.
+#[derive(Debug, PartialEq, Error)]
+pub enum ValueError {
+    #[error("{0}; write three positive numbers with commas between them, such as 2,1.1,1")]
+    Moments(BodyError),
+    #[error("{0}; write three numbers with commas between them, such as 0.94868,0,0.61623")]
+    Center(BodyError),
+    #[error("{count} numbers given; write the three coordinates in m, such as 0,0.02,0.15")]
+    CenterOfMassCount { count: usize },
+    #[error("{count} numbers given; write the six matrix entries Ixx,Iyy,Izz,Ixy,Ixz,Iyz in kg m²")]
+    TensorCount { count: usize },
+    #[error("{name}: {source}")]
+    Entry { name: &'static str, source: ParseNumberError },
+    #[error("{0}")]
+    Number(#[from] ParseNumberError),
+    #[error("a mass must be greater than zero; give it in kg")]
+    Mass,
+    #[error("the acceleration of gravity must not be negative; give its magnitude in m/s², such as 9.80665")]
+    Gravity,
+    #[error("a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4")]
+    WindowShape,
+    #[error("{name}: {source}; a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4")]
+    WindowEntry { name: &'static str, source: ParseNumberError },
+    #[error("{low} = {from} is not below {high} = {to}; write the lower end first")]
+    WindowEmpty { low: &'static str, high: &'static str, from: String, to: String },
+    #[error("lmin = {0} is negative; everything depends on l² only, give a window with lmin ≥ 0")]
+    WindowNegative(String),
+    #[error("the number of threads is a whole number from 1 to {MAX_THREADS}")]
+    Threads,
+    #[error("bifdiag bodies lists the names")]
+    NoPreset,
+    #[error("the number of {0} is a whole number from 1 to {1}")]
+    Count(&'static str, u32),
+    #[error("a seed is a whole number from 0 to {max}", max = u64::MAX)]
+    Seed,
+    #[error("{count} numbers given; write three with commas between them, such as 0.6,0,0.8")]
+    VectorCount { count: usize },
+    #[error("the zero vector has no direction; write one that is not 0, such as 0.6,0,0.8")]
+    NoDirection,
+    #[error("a sheet is + (or 1) or - (or -1), by the sign of Delta")]
+    Sheet,
+    #[error("a time must be greater than zero, such as 1e4")]
+    Duration,
+}
+
+fn parts(text: &str) -> Vec<&str> {
+    text.split(',').collect()
+}
+
+pub fn number(text: &str) -> Result<Number, ValueError> {
+    Ok(text.parse()?)
+}
+
+pub fn moments(text: &str) -> Result<Triple, ValueError> {
+    let body = Body::parse(&parts(text), &["0"; 3]).map_err(ValueError::Moments)?;
+    Ok(Triple(body.moments().clone()))
+}
+
+pub fn center(text: &str) -> Result<Triple, ValueError> {
+    let body = Body::parse(&["1"; 3], &parts(text)).map_err(ValueError::Center)?;
+    Ok(Triple(body.center().clone()))
+}
+
+pub fn center_of_mass(text: &str) -> Result<Triple, ValueError> {
+    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::CenterOfMassCount { count })?;
+    Ok(Triple(numbers))
+}
+
+pub fn tensor(text: &str) -> Result<Tensor, ValueError> {
+    const NAMES: [&str; 6] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
+    Ok(Tensor(entries(text, &NAMES, |count| ValueError::TensorCount { count })?))
+}
+
+fn entries<const N: usize>(
+    text: &str,
+    names: &[&'static str; N],
+    wrong_count: impl Fn(usize) -> ValueError,
+) -> Result<[Number; N], ValueError> {
+    let parts = parts(text);
+    if parts.len() != N {
+        return Err(wrong_count(parts.len()));
+    }
+    let mut numbers = Vec::with_capacity(N);
+    for (&name, part) in names.iter().zip(parts) {
+        numbers.push(part.parse().map_err(|source| ValueError::Entry { name, source })?);
+    }
+    numbers.try_into().map_err(|numbers: Vec<Number>| wrong_count(numbers.len()))
+}
+
+pub fn mass(text: &str) -> Result<Number, ValueError> {
+    let mass = number(text)?;
+    if mass.to_f64() > 0.0 { Ok(mass) } else { Err(ValueError::Mass) }
+}
+
+pub fn gravity(text: &str) -> Result<Number, ValueError> {
+    let gravity = number(text)?;
+    if gravity.to_f64() >= 0.0 { Ok(gravity) } else { Err(ValueError::Gravity) }
+}
+
+pub fn window(text: &str) -> Result<WindowDocument, ValueError> {
+    let (h, l) = text.split_once(',').ok_or(ValueError::WindowShape)?;
+    let (h, _) = interval(h, "hmin", "hmax")?;
+    let (l, l_low) = interval(l, "lmin", "lmax")?;
+    if l[0] < 0.0 {
+        return Err(ValueError::WindowNegative(l_low.text().to_owned()));
+    }
+    Ok(WindowDocument { h, l })
+}
+
+fn interval(text: &str, low: &'static str, high: &'static str) -> Result<([f64; 2], Number), ValueError> {
+    let (from, to) = text.split_once(':').ok_or(ValueError::WindowShape)?;
+    let entry = |name, text: &str| text.parse::<Number>().map_err(|source| ValueError::WindowEntry { name, source });
+    let (from, to) = (entry(low, from)?, entry(high, to)?);
+    let ends = [from.to_f64(), to.to_f64()];
+    if ends[0] < ends[1] {
+        Ok((ends, from))
+    } else {
+        Err(ValueError::WindowEmpty { low, high, from: from.text().to_owned(), to: to.text().to_owned() })
+    }
+}
+
+pub fn threads(text: &str) -> Result<NonZeroUsize, ValueError> {
+    let count = text.parse::<NonZeroUsize>().map_err(|_not_a_count| ValueError::Threads)?;
+    if count.get() <= MAX_THREADS { Ok(count) } else { Err(ValueError::Threads) }
+}
+
+/// A number of which only the nearest double is needed.
+pub fn float(text: &str) -> Result<f64, ValueError> {
+    Ok(number(text)?.to_f64())
+}
+
+pub fn duration(text: &str) -> Result<f64, ValueError> {
+    let time = float(text)?;
+    if time > 0.0 { Ok(time) } else { Err(ValueError::Duration) }
+}
+
+pub fn vector(text: &str) -> Result<Vector, ValueError> {
+    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::VectorCount { count })?;
+    Ok(Vector(numbers.map(|number| number.to_f64())))
+}
+
+/// A vector brought to length 1; one of this length, within rounding, stays as it is.
+pub fn direction(text: &str) -> Result<Vector, ValueError> {
+    let Vector(v) = vector(text)?;
+    if (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - 1.0).abs() <= 2.0 * f64::EPSILON {
+        return Ok(Vector(v));
+    }
+    let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    if largest == 0.0 {
+        return Err(ValueError::NoDirection);
+    }
+    let v = v.map(|x| x / largest);
+    let norm = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+    Ok(Vector(v.map(|x| x / norm)))
+}
+
+pub fn orbits(text: &str) -> Result<NonZeroU32, ValueError> {
+    /// The memory of many more would be the limit.
+    const MOST: u32 = 1_000_000;
+    let wrong = ValueError::Count("orbits", MOST);
+    text.parse::<NonZeroU32>().ok().filter(|count| count.get() <= MOST).ok_or(wrong)
+}
+
+pub fn crossings(text: &str) -> Result<NonZeroUsize, ValueError> {
+    /// Crossings are numbered by 32-bit integers in the data.
+    const MOST: u32 = i32::MAX.unsigned_abs();
+    let wrong = ValueError::Count("crossings", MOST);
+    let count = text.parse::<NonZeroU32>().ok().filter(|count| count.get() <= MOST).ok_or(wrong)?;
+    NonZeroUsize::try_from(count).map_err(|_too_large| ValueError::Count("crossings", MOST))
+}
+
+pub fn seed(text: &str) -> Result<u64, ValueError> {
+    text.parse().map_err(|_not_a_seed| ValueError::Seed)
+}
+
+/// An angle: a number of radians, or a multiple of pi such as pi/2, -pi, 3pi/4.
+pub fn angle(text: &str) -> Result<f64, ValueError> {
+    use std::f64::consts::PI;
+    let Some((factor, divisor)) = text.split_once("pi") else { return float(text) };
+    let factor = match factor.trim().trim_end_matches('*') {
+        "" | "+" => 1.0,
+        "-" => -1.0,
+        factor => float(factor)?,
+    };
+    match divisor.trim() {
+        "" => Ok(factor * PI),
+        divisor => Ok(factor * PI / float(divisor.strip_prefix('/').unwrap_or("?"))?),
+    }
+}
+
+/// A sheet of the PP-torus: 1, + or T+; -1, - or T-.
+pub fn sheet(text: &str) -> Result<i8, ValueError> {
+    match text {
+        "1" | "+1" | "+" | "T+" => Ok(1),
+        "-1" | "-" | "T-" => Ok(-1),
+        _ => Err(ValueError::Sheet),
+    }
+}
+
+/// A named body.
+pub fn preset() -> impl TypedValueParser<Value = &'static Preset> {
+    let names = Preset::all().iter().map(|preset| PossibleValue::new(preset.name()).help(preset.note()));
+    PossibleValuesParser::new(names).try_map(|name| Preset::find(&name).ok_or(ValueError::NoPreset))
+}

@@ -1,0 +1,38 @@
+//! What the options ask for.
+
+use dynamics::field::{HeavyTop, State};
+use dynamics::integrator::Method;
+
+use super::arguments::OrbitArguments;
+use super::error::OrbitInput;
+use super::start;
+use crate::cli::export::DataTarget;
+use crate::cli::failure::Failure;
+use crate::cli::input::Subject;
+
+pub struct Settings<'a> {
+    pub subject: Subject,
+    pub top: HeavyTop,
+    pub start: State,
+    /// Euler's angle φ at the start.
+    pub phi: f64,
+    pub times: Vec<f64>,
+    pub method: Method,
+    pub data: Option<&'a DataTarget>,
+    pub json: bool,
+}
+
+impl<'a> Settings<'a> {
+    pub fn new(arguments: &'a OrbitArguments) -> Result<Self, Failure> {
+        let (data, json) = (arguments.data.as_ref(), arguments.json);
+        if json && data == Some(&DataTarget::Stdout) {
+            return Err(OrbitInput::TwoOnStdout.into());
+        }
+        let subject = arguments.body.subject()?;
+        let top = HeavyTop::new(&subject.body);
+        let start = start::of(arguments, &top)?;
+        let times = arguments.times.list()?;
+        let method = arguments.integrator.method(&top, top.energy(&start))?;
+        Ok(Self { subject, top, start, phi: arguments.phi, times, method, data, json })
+    }
+}

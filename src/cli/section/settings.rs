@@ -1,0 +1,113 @@
+//! What the options ask for.
+
+use std::path::{Path, PathBuf};
+
+use dynamics::poincare::PoincareError;
+use dynamics::section::SectionCondition;
+use plot::Projection;
+
+use super::arguments::{ColorArgument, SectionArguments};
+use super::error::{SectionFailure, SectionInput};
+use super::seeds::{self, Seed};
+use super::sites::Sites;
+use crate::cli::export::{DataTarget, PictureFormat, directory};
+use crate::cli::failure::Failure;
+use crate::cli::input::IntegratorArguments;
+
+/// Orbits of a section if nothing else is said.
+const ORBITS: u32 = 24;
+
+pub struct Settings<'a> {
+    pub sites: Sites,
+    pub starts: Starts<'a>,
+    /// Of each orbit.
+    pub crossings: usize,
+    pub max_time: f64,
+    pub condition: SectionCondition,
+    pub integrator: &'a IntegratorArguments,
+    pub color: ColorArgument,
+    pub projection: Projection,
+    pub outputs: Outputs<'a>,
+}
+
+/// Where the orbits start.
+pub enum Starts<'a> {
+    /// So many, spread evenly.
+    Spread { orbits: usize, rng_seed: u64 },
+    /// At the points of a file.
+    Given { path: &'a Path, seeds: Vec<Seed> },
+}
+
+impl Starts<'_> {
+    /// Their number.
+    pub fn count(&self) -> usize {
+        match self {
+            Self::Spread { orbits, .. } => *orbits,
+            Self::Given { seeds, .. } => seeds.len(),
+        }
+    }
+}
+
+/// Where the results go.
+pub struct Outputs<'a> {
+    pub data: Option<&'a DataTarget>,
+    /// For everything but the data of `--data`.
+    pub directory: Option<PathBuf>,
+    /// Of the pictures.
+    pub formats: &'a [PictureFormat],
+    pub json: bool,
+    /// The sites come from an atlas: JSON is a list.
+    pub list: bool,
+}
+
+impl<'a> Settings<'a> {
+    pub fn new(arguments: &'a SectionArguments) -> Result<Self, Failure> {
+        let sites = Sites::new(arguments)?;
+        if sites.subject.body.flags().euler {
+            return Err(SectionFailure::from(PoincareError::WeightlessBody).into());
+        }
+        Ok(Self {
+            outputs: outputs(arguments, sites.list.len())?,
+            sites,
+            starts: starts(arguments)?,
+            crossings: arguments.crossings.get(),
+            max_time: arguments.max_time.unwrap_or(f64::INFINITY),
+            condition: arguments.condition.into(),
+            integrator: &arguments.integrator,
+            color: arguments.color,
+            projection: arguments.projection.into(),
+        })
+    }
+}
+
+/// Refuses what cannot be written before anything is computed.
+fn outputs(arguments: &SectionArguments, sites: usize) -> Result<Outputs<'_>, Failure> {
+    let (data, json) = (arguments.data.as_ref(), arguments.json);
+    let to_stdout = data == Some(&DataTarget::Stdout);
+    if to_stdout && json {
+        return Err(SectionInput::TwoOnStdout.into());
+    }
+    if to_stdout && sites > 1 {
+        return Err(SectionInput::ManyOnStdout.into());
+    }
+    let wanted = !json && !to_stdout && !(data.is_some() && arguments.no_plot);
+    Ok(Outputs {
+        data,
+        directory: directory(arguments.out.as_deref(), wanted)?,
+        formats: if arguments.no_plot { &[] } else { &arguments.format },
+        json,
+        list: arguments.atlas.is_some(),
+    })
+}
+
+fn starts(arguments: &SectionArguments) -> Result<Starts<'_>, SectionInput> {
+    let Some(path) = &arguments.seeds else {
+        let orbits = arguments.orbits.map_or(ORBITS, std::num::NonZeroU32::get) as usize;
+        return Ok(Starts::Spread { orbits, rng_seed: arguments.rng_seed.unwrap_or_default() });
+    };
+    let spread = [("orbits", arguments.orbits.is_some()), ("rng-seed", arguments.rng_seed.is_some())];
+    match spread.into_iter().find(|(_, given)| *given) {
+        Some((given, _)) => Err(SectionInput::SpreadWithSeeds { given }),
+        None => Ok(Starts::Given { path, seeds: seeds::load(path)? }),
+    }
+}

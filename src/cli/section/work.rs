@@ -1,0 +1,108 @@
+//! The sections themselves.
+
+use std::path::Path;
+
+use dynamics::integrator::Method;
+use dynamics::poincare::{PoincareError, Setting};
+use dynamics::section::chaos::ChaosOptions;
+use dynamics::section::{Monitor, OrbitSection, SectionError, SweepOptions, TorusPoint};
+use schema::{SectionDocument, SkippedDocument};
+
+use super::arguments::ColorArgument;
+use super::error::{SectionFailure, SectionInput, SeedProblem};
+use super::seeds::Seed;
+use super::settings::{Settings, Starts};
+use super::sites::Site;
+
+/// A section that was computed.
+pub struct Done {
+    pub h: f64,
+    pub l: f64,
+    pub document: SectionDocument,
+    pub orbits: Vec<OrbitSection>,
+    /// Orbits that were not cut short by an interrupt.
+    pub whole_orbits: usize,
+}
+
+/// The sections of a run.
+pub struct Sections {
+    pub done: Vec<Done>,
+    pub skipped: Vec<SkippedDocument>,
+    /// Every site had its turn, and no orbit was cut short.
+    pub complete: bool,
+}
+
+/// One section after the other.
+pub fn compute(settings: &Settings, monitor: &Monitor) -> Result<Sections, SectionFailure> {
+    let mut sections = Sections { done: Vec::new(), skipped: Vec::new(), complete: true };
+    for site in &settings.sites.list {
+        if !sections.done.is_empty() && monitor.is_stopped() {
+            sections.complete = false;
+            break;
+        }
+        match (section_at(settings, site, monitor), &site.region) {
+            (Ok(section), _) => {
+                sections.complete &= section.document.complete;
+                sections.done.push(section);
+            }
+            // Stopped before its orbits had their starts; those before it are kept.
+            (Err(_), _) if !sections.done.is_empty() && monitor.is_stopped() => {
+                sections.complete = false;
+                break;
+            }
+            // One region that is too thin must not cost the others.
+            (Err(SectionFailure::Input(error)), Some(region)) if settings.sites.all => {
+                tracing::warn!("no section for {region}: {error}");
+                sections.skipped.push(SkippedDocument { region: region.clone(), reason: error.to_string() });
+            }
+            (Err(failure), _) => return Err(failure),
+        }
+    }
+    Ok(sections)
+}
+
+fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Done, SectionFailure> {
+    let subject = &settings.sites.subject;
+    let setting = Setting::new(&subject.body, &site.h, &site.l)?;
+    let (starts, rng_seed) = match &settings.starts {
+        Starts::Given { path, seeds } => (accessible(&setting, path, seeds)?, None),
+        Starts::Spread { orbits, rng_seed } => (setting.spread_watched(*orbits, *rng_seed, monitor)?, Some(*rng_seed)),
+    };
+    let method = settings.integrator.method(setting.torus().top(), setting.h()).map_err(SectionInput::from)?;
+    let options = SweepOptions {
+        crossings: settings.crossings,
+        max_time: settings.max_time,
+        method,
+        condition: settings.condition,
+        ..SweepOptions::default()
+    };
+    let mut section = setting.run(&starts, rng_seed, &options, monitor)?;
+    if settings.color != ColorArgument::Orbit {
+        let mut chaos = ChaosOptions::default();
+        if let Method::Taylor { tolerance } = options.method {
+            chaos.tolerance = tolerance;
+        }
+        setting.measure(&mut section, &chaos, monitor).map_err(PoincareError::from)?;
+    }
+    let mut document = documents::section(&section);
+    document.region.clone_from(&site.region);
+    document.inertia.clone_from(&subject.inertia);
+    let (h, l) = (setting.h(), setting.l());
+    Ok(Done { h, l, document, whole_orbits: section.whole_orbits(), orbits: section.orbits })
+}
+
+/// The seeds of a file, if all of them are accessible.
+fn accessible(setting: &Setting, path: &Path, seeds: &[Seed]) -> Result<Vec<TorusPoint>, SectionFailure> {
+    let mut points = Vec::with_capacity(seeds.len());
+    for seed in seeds {
+        match setting.state(seed.point) {
+            Ok(_) => points.push(seed.point),
+            Err(SectionError::SeedInaccessible { potential, h, .. }) => {
+                let problem = SeedProblem::Inaccessible { potential, h };
+                return Err(SectionInput::SeedLine { path: path.to_owned(), line: seed.line, problem }.into());
+            }
+            Err(error) => return Err(PoincareError::from(error).into()),
+        }
+    }
+    Ok(points)
+}

@@ -1,0 +1,150 @@
+//! Ctrl-C, SIGTERM and SIGHUP end a command within a second, and nothing half-written stays behind.
+
+use std::fs;
+use std::mem;
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard, Once, PoisonError, TryLockError};
+use std::time::{Duration, Instant};
+
+use super::stderr::say;
+
+/// How long an interrupt waits for a write or for work to end. A reader that never takes what is written must not keep
+/// the process alive.
+const PATIENCE: Duration = Duration::from_millis(700);
+/// Time between two looks.
+const PAUSE: Duration = Duration::from_millis(5);
+
+/// Held while something is written: a set of files, or whole lines of output.
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// Files and directories that go if the process ends before their set is whole.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// The work under way, if results of it can be kept.
+static WORK: Mutex<Work> = Mutex::new(Work::Nothing);
+
+/// Work of which something can be kept.
+enum Work {
+    /// Nothing that could be kept.
+    Nothing,
+    /// Under way; this stops it.
+    Running(Box<dyn Fn() + Send>),
+    /// Told to stop.
+    Stopped,
+    /// Over, and being kept.
+    Keeping,
+    /// Being kept; then the process ends.
+    Ending,
+}
+
+fn lock<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Until the guard is dropped, an interrupt waits.
+pub fn uninterrupted() -> MutexGuard<'static, ()> {
+    lock(&WRITING)
+}
+
+/// The list of what is not whole yet; the process does not end by an interrupt while it is held.
+pub fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    lock(&UNFINISHED)
+}
+
+/// Work that an interrupt stops; while this lives, the first interrupt does not end the process.
+#[derive(Debug)]
+pub struct Stoppable(());
+
+/// From now on the first interrupt calls `stop` and leaves it to the caller to keep what is finished and to end; a second
+/// one ends the process. So does the first one, if the work is not over soon.
+pub fn stoppable(stop: impl Fn() + Send + 'static) -> Stoppable {
+    *lock(&WORK) = Work::Running(Box::new(stop));
+    Stoppable(())
+}
+
+impl Stoppable {
+    /// The work is over. If it was not stopped, a first interrupt waits until this is dropped; then the process ends.
+    pub fn over(&self) {
+        let mut work = lock(&WORK);
+        *work = if matches!(*work, Work::Stopped) { Work::Nothing } else { Work::Keeping };
+    }
+
+    /// An interrupt has come since the work was over.
+    pub fn told(&self) -> bool {
+        matches!(*lock(&WORK), Work::Ending)
+    }
+}
+
+impl Drop for Stoppable {
+    fn drop(&mut self) {
+        let ended = mem::replace(&mut *lock(&WORK), Work::Nothing);
+        if matches!(ended, Work::Ending) {
+            end();
+        }
+    }
+}
+
+/// Answers interrupts from now on, in this process once and for all. Files that may not grow further (`ulimit -f`) give
+/// errors instead of ending the process.
+pub fn install() -> Result<(), ctrlc::Error> {
+    static INSTALLED: Once = Once::new();
+    let mut installed = Ok(());
+    INSTALLED.call_once(|| {
+        #[cfg(unix)]
+        {
+            static TOO_LARGE: std::sync::atomic::AtomicBool = std::sync::atomic::AtomicBool::new(false);
+            // Where it is refused, the signal ends the process as before.
+            let _refused = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, &TOO_LARGE);
+        }
+        installed = ctrlc::set_handler(interrupted);
+    });
+    installed
+}
+
+fn interrupted() {
+    let mut work = lock(&WORK);
+    match mem::replace(&mut *work, Work::Stopped) {
+        Work::Running(stop) => {
+            stop();
+            std::thread::spawn(end_unless_over);
+        }
+        Work::Keeping => *work = Work::Ending,
+        nothing => {
+            *work = nothing;
+            drop(work);
+            end();
+        }
+    }
+}
+
+/// The work has been told to stop: it must not take longer than a write may.
+fn end_unless_over() {
+    let told = Instant::now();
+    while told.elapsed() < PATIENCE {
+        std::thread::sleep(PAUSE);
+        if !matches!(*lock(&WORK), Work::Stopped) {
+            return;
+        }
+    }
+    end();
+}
+
+/// Ends the process with status 1, once what is being written is whole, or after some time without it.
+fn end() -> ! {
+    let told = Instant::now();
+    while told.elapsed() < PATIENCE {
+        match WRITING.try_lock() {
+            Err(TryLockError::WouldBlock) => std::thread::sleep(PAUSE),
+            // The guard is kept to the end, so that nothing new is begun.
+            _guard => {
+                say("interrupted; what was written is whole");
+                std::process::exit(1);
+            }
+        }
+    }
+    for path in unfinished().iter() {
+        // One of the two is right, unless it has gone or is in use.
+        let _not_there = fs::remove_file(path).or_else(|_no_file| fs::remove_dir(path));
+    }
+    std::process::exit(1);
+}

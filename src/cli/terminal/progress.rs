@@ -1,0 +1,143 @@
+//! How far a long computation has come, on stderr: a bar on a terminal, else a line now and then.
+
+use std::fmt;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread::Thread;
+use std::time::{Duration, Instant};
+
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+
+use super::stderr::{is_terminal, say};
+
+/// Shorter work is over before a bar could be read.
+const BAR_AFTER: Duration = Duration::from_secs(1);
+
+/// Between two lines where no terminal is.
+const BETWEEN_LINES: Duration = Duration::from_secs(30);
+
+/// Between two looks at a counter.
+const PERIOD: Duration = Duration::from_millis(100);
+
+/// The state of work of known or unknown length.
+pub struct Progress {
+    /// Without one, nothing is told.
+    bar: Option<ProgressBar>,
+    /// When the last line was written.
+    told: Mutex<Instant>,
+}
+
+impl Progress {
+    /// Of so many `things`; `done` of them were there before.
+    pub fn new(done: u64, total: u64, things: &str, quiet: bool) -> Self {
+        let template = format!("{{bar:40}} {{percent}}% {{human_pos}} {things}, {{rate}}/s, {{eta}} left");
+        Self::styled(Some(total), &template, quiet).starting_at(done)
+    }
+
+    /// Of so many bytes, or of as many as come; a message says what they are.
+    pub fn of_bytes(total: Option<u64>, quiet: bool) -> Self {
+        // What comes from a pipe is its own measure: lines are written as it goes on.
+        let quiet = quiet || !is_terminal();
+        let template = if total.is_some() { "{bar:40} {percent}% {msg}, {eta} left" } else { "{spinner} {msg}" };
+        Self::styled(total, template, quiet)
+    }
+
+    fn styled(total: Option<u64>, template: &str, quiet: bool) -> Self {
+        let bar = (!quiet).then(|| {
+            let style =
+                ProgressStyle::with_template(template).unwrap_or_else(|_unknown_key| ProgressStyle::default_bar());
+            ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden()).with_style(style.with_key("rate", rate))
+        });
+        Self { bar, told: Mutex::new(Instant::now()) }
+    }
+
+    fn starting_at(self, done: u64) -> Self {
+        if let Some(bar) = &self.bar {
+            bar.set_position(done);
+            bar.reset_eta();
+        }
+        self
+    }
+
+    /// So much more is done.
+    pub fn add(&self, more: u64) {
+        if let Some(bar) = &self.bar {
+            self.show(bar, bar.position() + more);
+        }
+    }
+
+    /// So much is done.
+    pub fn set(&self, position: u64) {
+        if let Some(bar) = &self.bar {
+            self.show(bar, position);
+        }
+    }
+
+    /// What stands beside the bar.
+    pub fn message(&self, message: impl fmt::Display) {
+        if let Some(bar) = &self.bar {
+            bar.set_message(message.to_string());
+        }
+    }
+
+    fn show(&self, bar: &ProgressBar, position: u64) {
+        bar.set_position(position);
+        if is_terminal() {
+            if bar.is_hidden() && bar.elapsed() > BAR_AFTER {
+                bar.set_draw_target(ProgressDrawTarget::stderr());
+            }
+            return;
+        }
+        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        if told.elapsed() > BETWEEN_LINES {
+            *told = Instant::now();
+            let (total, left) = (bar.length().unwrap_or(position), HumanDuration(bar.eta()));
+            say(&format!("{position} of {total}, {:.0} a second, {left} left", bar.per_sec()));
+        }
+    }
+
+    /// The bar goes.
+    pub fn finish(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+
+    /// Does the work while the bar shows what the work counts.
+    pub fn watching<T>(&self, counter: &AtomicU64, work: impl FnOnce() -> T) -> T {
+        if self.bar.is_none() {
+            return work();
+        }
+        let over = AtomicBool::new(false);
+        let result = std::thread::scope(|scope| {
+            let watcher = scope.spawn(|| {
+                while !over.load(Ordering::Relaxed) {
+                    std::thread::park_timeout(PERIOD);
+                    self.set(counter.load(Ordering::Relaxed));
+                }
+            });
+            let _over = AtEnd { over: &over, watcher: watcher.thread() };
+            work()
+        });
+        self.finish();
+        result
+    }
+}
+
+/// Tells the watcher that the work is over, also when it panics.
+struct AtEnd<'a> {
+    over: &'a AtomicBool,
+    watcher: &'a Thread,
+}
+
+impl Drop for AtEnd<'_> {
+    fn drop(&mut self) {
+        self.over.store(true, Ordering::Relaxed);
+        self.watcher.unpark();
+    }
+}
+
+/// How many a second.
+fn rate(state: &ProgressState, out: &mut dyn fmt::Write) {
+    let _never_fails = write!(out, "{:.0}", state.per_sec());
+}

@@ -1,0 +1,30 @@
+//! What can go wrong when an atlas is checked.
+
+use std::io;
+use std::path::PathBuf;
+
+use thiserror::Error;
+use verify::Refused;
+
+use crate::cli::failure::{CommandError, Exit};
+
+#[derive(Debug, Error)]
+pub enum VerifyError {
+    #[error("{path}: {source}; give an atlas.json that can be read, or - for stdin", path = path.display())]
+    File { path: PathBuf, source: io::Error },
+    #[error("{path} is no atlas: {source}; give an atlas.json that bifdiag has written", path = path.display())]
+    NoAtlas { path: PathBuf, source: serde_json::Error },
+    #[error("{path} is refused: its bytes are not those that bifdiag writes for a certified atlas", path = path.display())]
+    Damaged { path: PathBuf },
+    #[error("the atlas is refused")]
+    Refused(#[from] Refused),
+}
+
+impl CommandError for VerifyError {
+    fn exit(&self) -> Exit {
+        match self {
+            Self::File { .. } | Self::NoAtlas { .. } => Exit::WrongInput,
+            Self::Damaged { .. } | Self::Refused(_) => Exit::Failed,
+        }
+    }
+}

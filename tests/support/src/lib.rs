@@ -1,0 +1,16 @@
+//! What the tests, examples and benchmarks of several packages share: random bodies of every stratum, a flood fill as an
+//! independent method, and the files of `data/`.
+
+// A panic is a failed test.
+#![allow(clippy::missing_panics_doc)]
+
+pub mod bodies;
+pub mod flood_fill;
+pub mod random;
+
+/// The text of a file of the repository's folder `data/`.
+#[must_use]
+pub fn data(path: &str) -> String {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/").to_owned() + path;
+    std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{file}: {error}"))
+}
