@@ -104,8 +104,4 @@ impl CommandError for ScanInput {
     }
 }
 
-impl CommandError for ScanFailure {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for ScanFailure {}
