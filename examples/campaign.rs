@@ -95,7 +95,9 @@ fn heights(atlas: &Atlas, l: f64) -> Vec<(f64, f64)> {
     let set = &atlas.arrangement().set;
     let scaled = l / set.frame.momentum_unit;
     let x = 0.5 * scaled * scaled;
-    let mut found: Vec<(f64, f64)> = (0..set.curves.len())
+    let mut found: Vec<(f64, f64)> = set
+        .curves
+        .ids()
         .filter(|&c| set.curves[c].x()[0] <= x && x <= set.curves[c].x()[1])
         .map(|c| {
             let point = set.curves[c].point(&set.frame, x);

@@ -46,7 +46,7 @@ fn main() {
             wide += usize::from(certified.bits() > 53);
             let class = |c: &[top::topology::Component]| format!("{c:?} {:?}", signature(c));
             let mut proved: Vec<String> = Vec::new();
-            for region in 0..certified.region_count() {
+            for region in certified.region_ids() {
                 regions += 1;
                 match certified.components(region) {
                     Some(components) => proved.push(class(components)),
@@ -55,7 +55,7 @@ fn main() {
             }
             if let Some(standard) = standard {
                 let mut all: Vec<String> = Vec::new();
-                for region in 0..standard.regions().len() {
+                for region in standard.regions().ids() {
                     if let Ok(components) = standard.components(region) {
                         all.push(class(components));
                     }

@@ -141,12 +141,12 @@ fn sorted(mut classes: Classes) -> Classes {
 
 fn proved(atlas: &CertifiedAtlas) -> Option<Classes> {
     let classes: Option<Classes> =
-        (0..atlas.region_count()).map(|region| atlas.components(region).map(<[Component]>::to_vec)).collect();
+        atlas.region_ids().map(|region| atlas.components(region).map(<[Component]>::to_vec)).collect();
     classes.map(sorted)
 }
 
 fn classes(atlas: &Atlas) -> Classes {
-    let all = (0..atlas.regions().len()).filter_map(|region| atlas.components(region).ok().map(<[Component]>::to_vec));
+    let all = atlas.regions().ids().filter_map(|region| atlas.components(region).ok().map(<[Component]>::to_vec));
     sorted(all.collect())
 }
 

@@ -64,7 +64,7 @@ fn deviation(atlas: &Atlas, document: &AtlasDocument) -> f64 {
     let unit = &set.frame;
     let mut largest = 0.0_f64;
     for curve in &document.curves {
-        let Some(number) = (0..set.curves.len()).find(|&c| CurveName::of(set, c).to_string() == curve.id) else {
+        let Some(number) = set.curves.ids().find(|&c| CurveName::of(set, c).to_string() == curve.id) else {
             continue;
         };
         let [from, to] = set.curves[number].x();

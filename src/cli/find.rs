@@ -1,13 +1,14 @@
 //! `bifdiag find`: a body and a point that show a wanted thing.
 
+use std::ops::ControlFlow;
+
 use clap::Args;
-use rayon::prelude::*;
-use schema::{Accuracy, SCHEMA_VERSION};
-use schema::{FindDocument, NearestDocument};
-use survey::search::{Domain, Score, Seen, Target, Witness, improve, look, sample, witness};
+use schema::FindDocument;
+use survey::search::{Domain, SearchOptions, Target, find};
+use thiserror::Error;
 
 use super::export::answer;
-use super::failure::Failure;
+use super::failure::{CommandError, Exit, Failure};
 use super::input::AccuracyArgument;
 use super::scan::ScanInput;
 use super::terminal::{Progress, Report, significant};
@@ -19,16 +20,9 @@ Examples:
   bifdiag find --signature T2+S2
   bifdiag find --critical-points 8 --samples 20000
 
-Nothing found means that so many bodies were tried, and how near the best one came; never that there is none.";
-
-/// Bodies between two looks at what was found.
-const BLOCK: u64 = 2048;
-
-/// Candidates that are improved.
-const CANDIDATES: usize = 6;
-
-/// Steps of each improvement.
-const STEPS: u64 = 150;
+A type of the witnesses that come with bifdiag is answered at once; --seed or --all search anew. Nothing found (exit status
+1) means that so many bodies were tried, and how near the best one came; that there is none is said only where a theorem
+says so.";
 
 /// `bifdiag find`.
 #[derive(Debug, Args)]
@@ -61,12 +55,12 @@ pub struct FindArguments {
     #[arg(long, value_name = "N", default_value_t = 20_000, help_heading = "Work")]
     #[arg(value_parser = clap::value_parser!(u64).range(1..1 << 53))]
     pub samples: u64,
-    /// Try all of them, although something was found before
+    /// Try all of them, although something is known or was found before
     #[arg(long, help_heading = "Work")]
     pub all: bool,
-    /// Where the sequence of bodies starts
-    #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Work")]
-    pub seed: u64,
+    /// Where the sequence of bodies starts (default: 0); search, although something is known
+    #[arg(long, value_name = "N", help_heading = "Work")]
+    pub seed: Option<u64>,
     /// What the answers must be worth
     #[arg(long, value_enum, default_value = "standard", help_heading = "Work")]
     pub accuracy: AccuracyArgument,
@@ -80,13 +74,28 @@ fn moment_ratio(text: &str) -> Result<f64, String> {
     ratio.ok_or_else(|| "a ratio is a number from 1 on, such as 10".to_owned())
 }
 
-/// A body and what was seen of it.
-type Candidate = ([[f64; 3]; 2], Seen);
+/// A question without an answer.
+#[derive(Debug, Error)]
+#[error("{sought} was not found among {tried} bodies")]
+struct NotFound {
+    sought: String,
+    tried: u64,
+}
+
+impl CommandError for NotFound {
+    fn exit(&self) -> Exit {
+        Exit::Failed
+    }
+}
 
 pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
     let target = target(arguments)?;
     let document = search(arguments, &target, quiet);
-    Ok(answer(arguments.json, &document, || report(&document))?)
+    answer(arguments.json, &document, || report(&document))?;
+    if document.found || document.exists == Some(false) {
+        return Ok(());
+    }
+    Err(NotFound { sought: document.sought, tried: document.tried }.into())
 }
 
 fn target(arguments: &FindArguments) -> Result<Target, ScanInput> {
@@ -108,87 +117,39 @@ fn target(arguments: &FindArguments) -> Result<Target, ScanInput> {
     Ok(Target::Component { circles: arguments.circles, poles: arguments.poles })
 }
 
-/// Sampling, then improvement of the best; the same for any number of threads.
+/// What the library finds.
 fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocument {
+    let options = SearchOptions {
+        domain: Domain { physical: arguments.physical, moment_ratio: arguments.moment_ratio },
+        samples: arguments.samples,
+        all: arguments.all,
+        seed: arguments.seed.unwrap_or_default(),
+        accuracy: arguments.accuracy.level().into(),
+    };
     let progress = Progress::new(0, arguments.samples, "bodies", quiet);
-    let domain = Domain { physical: arguments.physical, moment_ratio: arguments.moment_ratio };
-    let mut best: Vec<Candidate> = Vec::new();
-    let (mut tried, mut showing) = (0, 0);
-    while tried < arguments.samples {
-        let to = arguments.samples.min(tried + BLOCK);
-        let found: Vec<Candidate> = (tried..to)
-            .into_par_iter()
-            .map(|n| {
-                let values = sample(n, arguments.seed, arguments.physical);
-                (values, look(values, target, &domain))
-            })
-            .collect();
-        showing += found.iter().filter(|(_, seen)| matches!(seen.score, Score::Shown(_))).count() as u64;
-        best.extend(found.into_iter().filter(|(_, seen)| seen.score != Score::Nothing));
-        // A stable sort: of equal ones the first stays first.
-        best.sort_by(|p, q| q.1.score.compare(p.1.score));
-        best.truncate(CANDIDATES);
-        progress.add(to - tried);
-        tried = to;
-        if showing > 0 && !arguments.all {
-            break;
-        }
-    }
+    let mut watch = |bodies| {
+        progress.add(bodies);
+        ControlFlow::Continue(())
+    };
+    let known = if arguments.all || arguments.seed.is_some() { Vec::new() } else { documents::shipped_witnesses() };
+    let found = find(target, &known, &options, &mut watch);
     progress.finish();
-    let mut improved: Vec<Candidate> = best
-        .par_iter()
-        .map(|(values, _)| {
-            let values = improve(*values, target, &domain, STEPS);
-            (values, look(values, target, &domain))
-        })
-        .collect();
-    improved.extend(best);
-    improved.sort_by(|p, q| q.1.score.compare(p.1.score));
-    let accuracy = arguments.accuracy.level();
-    let found = improved.iter().find_map(|(values, _)| confirmed(*values, target, accuracy));
-    let mut methods = vec!["merge tree".to_owned(), "latitude sweep".to_owned()];
-    if accuracy == Accuracy::Certified {
-        methods.push("certified atlas".to_owned());
+    for (values, error) in &found.refused {
+        tracing::debug!("the body {values:?} is no witness: {error}");
     }
-    let nearest = match (&found, improved.first()) {
-        (None, Some((values, seen))) => Some(nearest(*values, seen)),
-        _ => None,
-    };
-    FindDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        found: found.is_some(),
-        sought: target.to_string(),
-        verified_by: if found.is_some() { methods } else { Vec::new() },
-        witness: found.as_ref().map(documents::witness),
-        tried,
-        showing,
-        nearest,
-    }
-}
-
-/// A witness, or a warning why a candidate is none.
-fn confirmed(values: [[f64; 3]; 2], target: &Target, accuracy: Accuracy) -> Option<Witness> {
-    match witness(values, target, accuracy.into()) {
-        Ok(witness) => Some(witness),
-        Err(error) => {
-            tracing::debug!("the body {values:?} is no witness: {error}");
-            None
-        }
-    }
-}
-
-fn nearest([moments, center]: [[f64; 3]; 2], seen: &Seen) -> NearestDocument {
-    let missing = match seen.score {
-        Score::Near(missing) => missing,
-        Score::Shown(_) | Score::Nothing => 0.0,
-    };
-    let [h, l] = seen.at.map_or([None; 2], |[h, l]| [Some(h), Some(l)]);
-    NearestDocument { moments, center, h, l, missing }
+    documents::find(target, &found)
 }
 
 fn report(document: &FindDocument) -> String {
     let mut report = Report::default();
-    let tried = format!("{} bodies tried, {} of them show it", document.tried, document.showing);
+    if let Some(why) = &document.why {
+        report.line(format!("{} does not exist: {why}", document.sought));
+        return report.text();
+    }
+    let tried = match document.tried {
+        0 => "one of the witnesses that come with bifdiag".to_owned(),
+        tried => format!("{tried} bodies tried, {} of them show it", document.showing),
+    };
     let Some(witness) = &document.witness else {
         report.line(format!("{} was not found: {tried}", document.sought));
         if let Some(nearest) = &document.nearest {

@@ -2,12 +2,10 @@
 
 use clap::{Args, ValueEnum};
 use schema::{
-    AtlasDocument, BatchErrorDocument, BodiesDocument, ClassificationDocument, CriticalDocument, FindDocument,
-    MotionDocument, SectionDocument, SectionsDocument,
+    AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassificationDocument, CriticalDocument,
+    FindDocument, MotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument,
 };
 use schemars::{Schema, schema_for};
-use survey::border::BorderDocument;
-use survey::scan::{Row, SummaryDocument};
 
 use super::export::answer;
 use super::failure::Failure;
@@ -70,8 +68,8 @@ impl Name {
             Self::Orbit => schema_for!(MotionDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
-            Self::ScanRow => schema_for!(Row),
-            Self::ScanSummary => schema_for!(SummaryDocument),
+            Self::ScanRow => schema_for!(RowDocument),
+            Self::ScanSummary => schema_for!(ScanSummaryDocument),
             Self::ScanBorder => schema_for!(BorderDocument),
             Self::Find => schema_for!(FindDocument),
         }

@@ -168,13 +168,12 @@ pub fn answers(question: &Question) -> [Answer; 2] {
     match question {
         Question::Regions(body) => {
             let proved = CertifiedAtlas::new(body).ok().and_then(|atlas| {
-                let all = (0..atlas.region_count()).map(|region| atlas.components(region).map(<[Component]>::to_vec));
+                let all = atlas.region_ids().map(|region| atlas.components(region).map(<[Component]>::to_vec));
                 all.collect::<Option<Vec<_>>>().map(sorted)
             });
             let certified = if proved.is_some() { Answer::Right } else { Answer::Undecided };
             let standard = Atlas::new(body).map_or(Answer::Refused, |atlas| {
-                let all =
-                    (0..atlas.regions().len()).map(|region| atlas.components(region).ok().map(<[Component]>::to_vec));
+                let all = atlas.regions().ids().map(|region| atlas.components(region).ok().map(<[Component]>::to_vec));
                 let whole = all.collect::<Option<Vec<_>>>().filter(|_| atlas.arrangement().undecided.is_empty());
                 match (whole.map(sorted), &proved) {
                     (None, _) => Answer::Undecided,

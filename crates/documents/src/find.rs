@@ -1,7 +1,7 @@
-//! Witnesses as documents.
+//! Searches and witnesses as documents.
 
-use schema::WitnessDocument;
-use survey::search::Witness;
+use schema::{FindDocument, NearestDocument, SCHEMA_VERSION, WitnessDocument};
+use survey::search::{Answer, Nearest, Search, Target, Witness};
 
 use crate::body::texts;
 use crate::classification::{candidate, margin};
@@ -19,4 +19,41 @@ pub fn witness(witness: &Witness) -> WitnessDocument {
         margin: margin(&witness.margin),
         critical_points: witness.critical_points,
     }
+}
+
+/// The answer of a search.
+#[must_use]
+pub fn find(target: &Target, search: &Search) -> FindDocument {
+    let mut document = FindDocument {
+        schema_version: SCHEMA_VERSION.to_owned(),
+        found: false,
+        exists: None,
+        why: None,
+        sought: target.to_string(),
+        witness: None,
+        verified_by: Vec::new(),
+        tried: search.tried,
+        showing: search.showing,
+        nearest: None,
+    };
+    match &search.answer {
+        Answer::Found(found) => {
+            document.found = true;
+            document.verified_by = found.methods.iter().map(ToString::to_string).collect();
+            document.witness = Some(witness(found));
+        }
+        Answer::NotFound { nearest: body } => document.nearest = body.as_ref().map(nearest),
+        Answer::Excluded(theorem) => {
+            document.exists = Some(false);
+            document.why = Some(theorem.to_string());
+        }
+        Answer::Stopped => {}
+    }
+    document
+}
+
+fn nearest(nearest: &Nearest) -> NearestDocument {
+    let [moments, center] = nearest.values;
+    let [h, l] = nearest.at.map_or([None; 2], |at| at.map(Some));
+    NearestDocument { moments, center, h, l, missing: nearest.missing }
 }

@@ -66,6 +66,18 @@ pub fn newton_bracketed(bracket: Bracket, guess: f64, tolerance: f64, mut f: imp
     }
 }
 
+/// The first of start, 2 start, 4 start, … that is not less than `goal`; `start` is a normal double > 0.
+fn doubled_to(start: f64, goal: f64) -> f64 {
+    const EXPONENT: u64 = f64::INFINITY.to_bits();
+    if start < goal {
+        // The significand of `start` with the exponent of `goal`.
+        let beside = f64::from_bits(goal.min(f64::MAX).to_bits() & EXPONENT | start.to_bits() & !EXPONENT);
+        if beside < goal { 2.0 * beside } else { beside }
+    } else {
+        start
+    }
+}
+
 /// Bracketing search without derivatives: the ITP method of Oliveira and Takahashi
 /// (ACM Trans. Math. Softw. 47, 2021), never slower than bisection by more than one step.
 ///
@@ -77,16 +89,10 @@ pub fn itp(a: f64, b: f64, fa: f64, fb: f64, tolerance: f64, mut f: impl FnMut(f
     let width = b - a;
     let half = 0.5 * width;
     let k1 = 0.2 / width;
-    let mut radius = tolerance.max(0.0);
-    let mut covered = radius.max(f64::MIN_POSITIVE);
-    while covered < half && radius < width {
-        covered *= 2.0;
-    }
-    // covered = tolerance · 2^n with n the bisection count; one extra step is granted.
-    let mut budget = covered * 2.0;
-    radius = tolerance;
+    // tolerance · 2^n with n the bisection count; one extra step is granted.
+    let mut budget = 2.0 * doubled_to(tolerance.max(f64::MIN_POSITIVE), half);
     let mut evaluations = 0;
-    while b - a > 2.0 * radius && evaluations < MAX_EVALUATIONS {
+    while b - a > 2.0 * tolerance && evaluations < MAX_EVALUATIONS {
         let mid = 0.5 * (a + b);
         if mid <= a || mid >= b {
             break;
@@ -132,6 +138,31 @@ mod tests {
             let found = itp(-1.0, 1.0, f(-1.0), f(1.0), 0.0, f);
             prop_assert!((found.at - root).abs() < 1e-15);
             prop_assert!(found.evaluations < 70);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn doubling_is_found_at_once(start in f64::MIN_POSITIVE..1e9, goal in prop_oneof![0.0..1e-300, 0.0..1e12, 0.0..f64::MAX]) {
+            let mut expected = start;
+            while expected < goal {
+                expected *= 2.0;
+            }
+            prop_assert_eq!(doubled_to(start, goal), expected);
+        }
+    }
+
+    #[test]
+    fn doubling_ends_at_powers_of_two() {
+        for (start, goal, expected) in [
+            (f64::MIN_POSITIVE, 0.5, 0.5),
+            (0.75, 0.75, 0.75),
+            (0.75, 1.5, 1.5),
+            (0.75, 1.6, 3.0),
+            (f64::MIN_POSITIVE, f64::INFINITY, f64::INFINITY),
+            (1.0, f64::MAX, f64::INFINITY),
+        ] {
+            assert_eq!(doubled_to(start, goal), expected);
         }
     }
 

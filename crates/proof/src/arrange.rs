@@ -8,7 +8,8 @@ use super::model::Model;
 use super::pair::{Open, PairProof, Proof};
 use super::point::{Evaluator, Passage, Point};
 use super::polar::{self, Meeting};
-use numbers::enclosure::{Enclosure, Narrow};
+use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::interval::Interval;
 use numbers::partition::Partition;
 use numbers::wide::Wide;
 use top::curves::{CurveId, CuspId, End, PitchforkId};
@@ -91,7 +92,7 @@ pub(super) struct Arrangement {
 
 /// Runs a question in growing precision until it is answered.
 struct Stages<'a> {
-    narrow: Evaluator<'a, Narrow>,
+    narrow: Evaluator<'a, Interval>,
     wide: Vec<Evaluator<'a, Wide>>,
     used: usize,
 }
@@ -612,16 +613,25 @@ mod tests {
         assert_eq!(triple.curves.len(), 4);
     }
 
+    /// Pairs (gap before, gap after) that continue, for curves by number.
+    fn glued(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Option<Vec<(usize, usize)>> {
+        let ids = |list: &[usize]| list.iter().map(|&c| CurveId::at(c)).collect::<Vec<_>>();
+        let blocks: Vec<Vec<CurveId>> = blocks.iter().map(|block| ids(block)).collect();
+        let blocks: Vec<&[CurveId]> = blocks.iter().map(Vec::as_slice).collect();
+        let gaps = continuation(&ids(before), &ids(after), &blocks)?;
+        Some(gaps.into_iter().map(|gaps| (gaps.before, gaps.after)).collect())
+    }
+
     #[test]
     fn a_birth_splits_the_cell_around_it_and_joins_it_at_the_sides() {
-        let glued = continuation(&[0, 1], &[0, 2, 3, 1], &[&[2, 3]]).unwrap();
-        assert_eq!(glued, [(0, 0), (1, 1), (1, 3), (2, 4)]);
-        let glued = continuation(&[0, 2, 3, 1], &[0, 1], &[&[2, 3]]).unwrap();
-        assert_eq!(glued, [(0, 0), (1, 1), (3, 1), (4, 2)]);
-        let glued = continuation(&[0, 1], &[1, 0], &[&[0, 1]]).unwrap();
-        assert_eq!(glued, [(0, 0), (2, 2)]);
+        let found = glued(&[0, 1], &[0, 2, 3, 1], &[&[2, 3]]).unwrap();
+        assert_eq!(found, [(0, 0), (1, 1), (1, 3), (2, 4)]);
+        let found = glued(&[0, 2, 3, 1], &[0, 1], &[&[2, 3]]).unwrap();
+        assert_eq!(found, [(0, 0), (1, 1), (3, 1), (4, 2)]);
+        let found = glued(&[0, 1], &[1, 0], &[&[0, 1]]).unwrap();
+        assert_eq!(found, [(0, 0), (2, 2)]);
         // A swap, and a birth in the new cell: only one sequence fits.
-        assert!(continuation(&[0, 1], &[1, 2, 3, 0], &[&[2, 3], &[0, 1]]).is_some());
-        assert!(continuation(&[0, 1, 2], &[2, 1, 0], &[&[0, 2]]).is_none());
+        assert!(glued(&[0, 1], &[1, 2, 3, 0], &[&[2, 3], &[0, 1]]).is_some());
+        assert!(glued(&[0, 1, 2], &[2, 1, 0], &[&[0, 2]]).is_none());
     }
 }

@@ -7,10 +7,11 @@ use super::CertifiedAtlas;
 use super::arrange::{STAGES, Source};
 use super::curves::{Place, Shape};
 use super::family::Half;
-use super::pair::{Mark, Proof};
+use super::pair::{Mark, Proof, Stretch};
 use super::point::Evaluator;
 use numbers::decimal;
-use numbers::enclosure::{Enclosure, Narrow};
+use numbers::enclosure::Enclosure;
+use numbers::interval::Interval;
 use numbers::wide::Wide;
 use schema::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
@@ -40,7 +41,7 @@ impl CertifiedAtlas {
     pub fn certificate(&self) -> CertificateDocument {
         let a = &self.arrangement;
         let names = |list: &[CurveId]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
-        let narrow = Evaluator::<Narrow>::new(&a.model, &a.curves, &[], ());
+        let narrow = Evaluator::<Interval>::new(&a.model, &a.curves, &[], ());
         let wide = Evaluator::<Wide>::new(&a.model, &a.curves, &[], STAGES[1]);
         let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
         let energy = unit(self.frame.energy_unit);
@@ -70,37 +71,14 @@ impl CertifiedAtlas {
                 .iter()
                 .map(|pair| CertifiedPair {
                     curves: pair.curves.map(|c| self.id(c)),
-                    stretches: pair
-                        .stretches
-                        .iter()
-                        .map(|stretch| CertifiedStretch {
-                            from: self.node(&narrow, &wide, pair.curves, stretch.x[0], 0),
-                            to: self.node(&narrow, &wide, pair.curves, stretch.x[1], 1),
-                            sign: stretch.sign,
-                            crossing: match stretch.proof {
-                                Proof::Crossing(x) => {
-                                    Some(x.map(|x| self.node(&narrow, &wide, pair.curves, Mark::At(x), 0)))
-                                }
-                                Proof::Constant(_) => None,
-                            },
-                        })
-                        .collect(),
+                    stretches: pair.stretches.iter().map(|s| self.stretch(&narrow, &wide, pair.curves, s)).collect(),
                 })
                 .collect(),
             events: a
                 .events
                 .iter()
                 .map(|event| CertifiedEvent {
-                    sources: event
-                        .sources
-                        .iter()
-                        .map(|source| match source {
-                            Source::Cusp(n) => format!("cusp:{}", n.index()),
-                            Source::Pitchfork(n) => format!("pitchfork:{}", n.index()),
-                            Source::Pole(n) => format!("meeting:{}", n.index()),
-                            Source::Crossing(_) => "crossing".to_owned(),
-                        })
-                        .collect(),
+                    sources: event.sources.iter().map(source).collect(),
                     curves: names(&event.curves),
                     x: decimal::outward(&widened(&event.x), NODE_DIGITS),
                     h: decimal::outward(&event.h.map(super::region::exact), NODE_DIGITS),
@@ -121,9 +99,27 @@ impl CertifiedAtlas {
         }
     }
 
+    fn stretch(
+        &self,
+        narrow: &Evaluator<'_, Interval>,
+        wide: &Evaluator<'_, Wide>,
+        curves: [CurveId; 2],
+        stretch: &Stretch,
+    ) -> CertifiedStretch {
+        CertifiedStretch {
+            from: self.node(narrow, wide, curves, stretch.x[0], 0),
+            to: self.node(narrow, wide, curves, stretch.x[1], 1),
+            sign: stretch.sign,
+            crossing: match stretch.proof {
+                Proof::Crossing(x) => Some(x.map(|x| self.node(narrow, wide, curves, Mark::At(x), 0))),
+                Proof::Constant => None,
+            },
+        }
+    }
+
     fn slab(
         &self,
-        narrow: &Evaluator<'_, Narrow>,
+        narrow: &Evaluator<'_, Interval>,
         wide: &Evaluator<'_, Wide>,
         slab: &super::arrange::Slab,
     ) -> CertifiedSlab {
@@ -138,7 +134,7 @@ impl CertifiedAtlas {
     /// A node of a pair; `side` tells which end of the common range an unmarked one is.
     fn node(
         &self,
-        narrow: &Evaluator<'_, Narrow>,
+        narrow: &Evaluator<'_, Interval>,
         wide: &Evaluator<'_, Wide>,
         curves: [CurveId; 2],
         mark: Mark,
@@ -174,6 +170,15 @@ impl CertifiedAtlas {
         // The place opposite must hold x of the whole range in which the end is isolated.
         let (p, q) = (document(&end.place?, ROOT_DIGITS)?, document(&opposite.place?, NODE_DIGITS)?);
         Some(if ending == 0 { [p, q] } else { [q, p] })
+    }
+}
+
+fn source(source: &Source) -> String {
+    match source {
+        Source::Cusp(n) => format!("cusp:{}", n.index()),
+        Source::Pitchfork(n) => format!("pitchfork:{}", n.index()),
+        Source::Pole(n) => format!("meeting:{}", n.index()),
+        Source::Crossing(_) => "crossing".to_owned(),
     }
 }
 

@@ -7,7 +7,7 @@ use super::arrange::STAGES;
 use super::curves::Shape;
 use super::id::TransitionId;
 use super::point::Evaluator;
-use numbers::enclosure::Enclosure;
+use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::wide::Wide;
 use top::atlas;
 use top::body::Number;
@@ -77,11 +77,16 @@ impl CertifiedAtlas {
         }
         regions.sort_unstable();
         regions.dedup();
+        Classification::open(atlas::on_straight_curve(&self.body, h, l), self.classes(&regions), margin)
+    }
+
+    /// The proved classes of these regions, each once.
+    fn classes(&self, regions: &[Option<RegionId>]) -> Vec<Components> {
         let mut candidates: Vec<Components> = Vec::new();
         for region in regions {
             let class = match region {
                 None => Vec::new(),
-                Some(region) => match &self.regions[region].components {
+                Some(region) => match &self.regions[*region].components {
                     Ok(components) => components.clone(),
                     Err(_unproved) => continue,
                 },
@@ -90,7 +95,7 @@ impl CertifiedAtlas {
                 candidates.push(class);
             }
         }
-        Classification::open(atlas::on_straight_curve(&self.body, h, l), candidates, margin)
+        candidates
     }
 
     /// The region above this many curves of a slab; `None`: forbidden.

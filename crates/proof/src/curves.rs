@@ -40,6 +40,16 @@ pub(super) struct Segment {
     pub ends: [Bound; 2],
 }
 
+impl Segment {
+    /// Where h − x/a goes when the segment ends at infinity on the generic family.
+    fn limit(&self) -> Option<Limit> {
+        match self.half {
+            Half::Generic { base, sign } => Some(Limit { group: base, side: sign }),
+            Half::Over { .. } => None,
+        }
+    }
+}
+
 /// A curve over which x is a coordinate.
 #[derive(Clone, Debug)]
 pub(super) struct Curve {
@@ -178,6 +188,21 @@ enum Station {
     Cusp(Place),
     Pitchfork(Place, usize),
     Middle([Place; 2]),
+}
+
+/// What ends at a station and begins there.
+struct Stop {
+    bound: Bound,
+    /// The end of the curve; `None` where only the half changes.
+    end: Option<End>,
+    /// Where the next segment begins.
+    next: Option<Place>,
+}
+
+impl Stop {
+    fn at(place: &Place, end: End) -> Self {
+        Self { bound: Bound::At(place.clone()), end: Some(end), next: Some(place.clone()) }
+    }
 }
 
 impl Station {
@@ -354,20 +379,7 @@ impl Curves {
         let mut piece = 0;
         for index in 0..=stations.len() {
             let station = stations.get(index);
-            let (bound, end, next) = match station {
-                None => {
-                    let origin = number == last;
-                    let bound = if origin { Bound::Infinity } else { Bound::Zero };
-                    (bound, Some(if origin { End::Origin } else { End::Infinity }), None)
-                }
-                Some(Station::Middle([left, right])) => (Bound::At(left.clone()), None, Some(right.clone())),
-                Some(Station::Cusp(place)) => {
-                    (Bound::At(place.clone()), Some(End::Cusp(self.cusps.next_id())), Some(place.clone()))
-                }
-                Some(Station::Pitchfork(place, _)) => {
-                    (Bound::At(place.clone()), Some(End::Pitchfork(self.pitchforks.next_id())), Some(place.clone()))
-                }
-            };
+            let Stop { bound, end, next } = self.stop(station, number == last);
             let same_place = matches!((&start, &bound), (Bound::At(p), Bound::At(q)) if p.half == q.half && p.lo == q.lo && p.hi == q.hi);
             if !same_place {
                 let ends = if rising { [start.clone(), bound.clone()] } else { [bound.clone(), start.clone()] };
@@ -386,21 +398,10 @@ impl Curves {
                 done.reverse();
                 ends.reverse();
             }
-            let limit = (ends[1] == End::Infinity)
-                .then(|| {
-                    done.last().and_then(|segment| match segment.half {
-                        Half::Generic { base, sign } => Some(Limit { group: base, side: sign }),
-                        Half::Over { .. } => None,
-                    })
-                })
-                .flatten();
-            let above_all = match model.passive.iter().max() {
-                Some(&top) if number == last && top > model.active[last - 1] => {
-                    // Beyond the last pitchfork only.
-                    stations[index.min(stations.len())..].is_empty()
-                }
-                _ => number == last,
-            };
+            let limit = if ends[1] == End::Infinity { done.last().and_then(Segment::limit) } else { None };
+            // Beyond the last pitchfork only, where a group without r has the largest moment.
+            let ends_in_pair = model.passive.iter().max().is_some_and(|&top| top > model.active[last - 1]);
+            let lowest = number == last && (!ends_in_pair || station.is_none());
             self.join(start_end, this, rising);
             self.list.push(Curve {
                 branch: Branch::Generic(number),
@@ -410,26 +411,38 @@ impl Curves {
                 shape: Shape::Family(done),
                 ends,
                 limit,
-                lowest: above_all,
+                lowest,
             });
-            match station {
-                Some(Station::Cusp(place)) => {
-                    self.cusps.push(Cusp { place: place.clone(), curves: [this; 2], opens: !rising });
-                    rising = !rising;
-                }
-                Some(Station::Pitchfork(place, group)) => {
-                    let place = Some(place.clone());
-                    self.pitchforks.push(Pitchfork {
-                        group: *group,
-                        place,
-                        through: [this; 2],
-                        pair: this,
-                        opens: true,
-                    });
-                }
-                _ => {}
-            }
+            self.enter(station, this, rising);
+            rising ^= matches!(station, Some(Station::Cusp(_)));
             start_end = end;
+        }
+    }
+
+    /// What a station, or the end of the interval after the last one, ends and begins.
+    fn stop(&self, station: Option<&Station>, at_origin: bool) -> Stop {
+        match station {
+            None if at_origin => Stop { bound: Bound::Infinity, end: Some(End::Origin), next: None },
+            None => Stop { bound: Bound::Zero, end: Some(End::Infinity), next: None },
+            Some(Station::Middle([left, right])) => {
+                Stop { bound: Bound::At(left.clone()), end: None, next: Some(right.clone()) }
+            }
+            Some(Station::Cusp(place)) => Stop::at(place, End::Cusp(self.cusps.next_id())),
+            Some(Station::Pitchfork(place, _)) => Stop::at(place, End::Pitchfork(self.pitchforks.next_id())),
+        }
+    }
+
+    /// Enters the cusp or pitchfork at which the curve `this` ends; the next curve and the pair are not known yet.
+    fn enter(&mut self, station: Option<&Station>, this: CurveId, rising: bool) {
+        match station {
+            Some(Station::Cusp(place)) => {
+                self.cusps.push(Cusp { place: place.clone(), curves: [this; 2], opens: !rising });
+            }
+            Some(Station::Pitchfork(place, group)) => {
+                let place = Some(place.clone());
+                self.pitchforks.push(Pitchfork { group: *group, place, through: [this; 2], pair: this, opens: true });
+            }
+            Some(Station::Middle(_)) | None => {}
         }
     }
 

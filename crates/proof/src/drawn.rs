@@ -1,16 +1,18 @@
 //! A proved atlas in the terms of the `f64` one: its curves, and events and regions as proved.
 
+use dashu_ratio::RBig;
+
 use super::arrange::{Event, Source};
 use super::curves::Curves;
 use super::id::TransitionId;
 use super::{CertifiedAtlas, NotWritten};
 use numbers::decimal;
-use numbers::enclosure::Enclosure;
+use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::wide::Wide;
 use schema::EnclosureDocument;
 use top::atlas::{self, Atlas};
 use top::curves::{CriticalSet, CurveId};
-use top::diagram::{self, Arrangement, Cell, Change, EventId};
+use top::diagram::{self, Arrangement, Cell, Change, EventId, RegionId, SlabId};
 use top::table::Table;
 use top::topology::merge::MergeError;
 
@@ -37,13 +39,24 @@ impl CertifiedAtlas {
             })
             .collect();
         let map = map.filter(|map| map.len() == set.curves.len()).ok_or(NotWritten::Curves)?;
-        let double = |x: &dashu_ratio::RBig| x.to_f64().value();
+        let arrangement = Arrangement {
+            slabs: self.drawn_slabs(&map),
+            region_count: proved.region_count,
+            events: self.drawn_events(&map),
+            undecided: Vec::new(),
+            evaluations: 0,
+            set,
+        };
+        Ok(Atlas::of_parts(self.body.clone(), arrangement, self.drawn_regions(&map)))
+    }
+
+    fn drawn_events(&self, map: &Table<CurveId, CurveId>) -> Table<EventId, diagram::Event> {
+        let proved = &self.arrangement;
         let events = proved.transitions.iter().flatten().flat_map(|&number| {
             let event = &proved.events[number];
-            let x = 0.5 * (double(&event.x[0]) + double(&event.x[1]));
+            let x = middle(event);
             let (h, h_error) = (0.5 * (event.h[0] + event.h[1]), event.h[1] - event.h[0]);
             let x_error = (double(&event.x[1]) - double(&event.x[0])).max(f64::EPSILON * x);
-            let map = &map;
             event.sources.iter().map(move |source| diagram::Event {
                 change: change(&proved.curves, event, source, map),
                 x,
@@ -52,34 +65,32 @@ impl CertifiedAtlas {
                 h_error: h_error.max(f64::EPSILON * h.abs()),
             })
         });
-        let events: Table<EventId, diagram::Event> = events.collect();
-        let middle = |transition: TransitionId| {
-            let event = &proved.events[proved.transitions[transition][0]];
-            0.5 * (double(&event.x[0]) + double(&event.x[1]))
-        };
+        events.collect()
+    }
+
+    fn drawn_slabs(&self, map: &Table<CurveId, CurveId>) -> Table<SlabId, diagram::Slab> {
+        let proved = &self.arrangement;
+        let x = |transition| proved.transitions.get(transition).map(|group| middle(&proved.events[group[0]]));
         let slabs = proved.slabs.pairs().map(|(number, slab)| diagram::Slab {
             x: [
-                TransitionId::at_start(number).map_or(0.0, middle),
-                Some(TransitionId::at_end(number))
-                    .filter(|t| proved.transitions.get(*t).is_some())
-                    .map_or(f64::INFINITY, middle),
+                TransitionId::at_start(number).and_then(x).unwrap_or(0.0),
+                x(TransitionId::at_end(number)).unwrap_or(f64::INFINITY),
             ],
             order: slab.order.iter().map(|&c| map[c]).collect(),
             region_above: slab.region_above.clone(),
         });
+        slabs.collect()
+    }
+
+    fn drawn_regions(&self, map: &Table<CurveId, CurveId>) -> Table<RegionId, atlas::Region> {
+        let proved = &self.arrangement;
         let regions = self.regions.iter().map(|region| {
             let Cell { slab, position } = region.cells[0];
             let sample = region.sample.as_ref().map_or_else(
                 || {
                     let strip = &proved.slabs[slab];
-                    let h = strip.heights[position][1];
-                    atlas::Sample {
-                        x: double(&strip.x),
-                        h,
-                        margin: 0.0,
-                        error: 0.0,
-                        nearest: map[strip.order[position]],
-                    }
+                    let (h, nearest) = (strip.heights[position][1], map[strip.order[position]]);
+                    atlas::Sample { x: double(&strip.x), h, margin: 0.0, error: 0.0, nearest }
                 },
                 |sample| {
                     let strip = &proved.slabs[sample.cell.slab];
@@ -93,15 +104,7 @@ impl CertifiedAtlas {
                 components: region.components.clone().map_err(|_unproved| MergeError::UnknownOrder),
             }
         });
-        let arrangement = Arrangement {
-            slabs: slabs.collect(),
-            region_count: proved.region_count,
-            events,
-            undecided: Vec::new(),
-            evaluations: 0,
-            set,
-        };
-        Ok(Atlas::of_parts(self.body.clone(), arrangement, regions.collect()))
+        regions.collect()
     }
 
     /// Proved bounds of the events, in the order in which [`Self::drawn`] has them.
@@ -125,6 +128,15 @@ impl CertifiedAtlas {
         };
         EnclosureDocument { l: text(&l), h: text(&h) }
     }
+}
+
+fn double(x: &RBig) -> f64 {
+    x.to_f64().value()
+}
+
+/// x of an event.
+fn middle(event: &Event) -> f64 {
+    0.5 * (double(&event.x[0]) + double(&event.x[1]))
 }
 
 /// What an event does, in the standard program's terms.

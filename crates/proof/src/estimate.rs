@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use dashu_ratio::RBig;
 
-use numbers::enclosure::Enclosure;
+use numbers::enclosure::Arithmetic;
 
 /// A rounded number that encloses nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,8 +45,12 @@ impl Div for Estimate {
     }
 }
 
-impl Enclosure for Estimate {
+impl Arithmetic for Estimate {
     type Precision = ();
+
+    fn line((): ()) -> Self {
+        Self(f64::NAN)
+    }
 
     fn rational(value: &RBig, (): ()) -> Self {
         Self(value.to_f64().value())
@@ -64,40 +68,7 @@ impl Enclosure for Estimate {
         Self(self.0 * self.0)
     }
 
-    fn sign(&self) -> Option<i8> {
-        self.0.partial_cmp(&0.0).map(|order| order as i8)
-    }
-
-    fn hull(&self, _: &Self) -> Self {
-        *self
-    }
-
-    fn meet(&self, _: &Self) -> Self {
-        *self
-    }
-
-    fn lower(&self) -> Self {
-        *self
-    }
-
-    fn upper(&self) -> Self {
-        *self
-    }
-
-    fn middle(&self) -> Self {
-        *self
-    }
-
-    fn bounds(&self) -> [f64; 2] {
-        [self.0; 2]
-    }
-
-    fn exact_bounds(&self) -> Option<[RBig; 2]> {
-        let value = RBig::try_from(self.0).ok()?;
-        Some([value.clone(), value])
-    }
-
-    fn resolution((): ()) -> f64 {
-        f64::EPSILON
+    fn meet(&self, _: &Self) -> Option<Self> {
+        Some(*self)
     }
 }

@@ -4,7 +4,7 @@
 //! |μ − a_base| on the generic family, v − P̂ with v = s² over a group without r. However small y is, nothing cancels.
 
 use super::model::{Constants, Model};
-use numbers::enclosure::Enclosure;
+use numbers::enclosure::Arithmetic;
 
 /// A half of a family with its coordinate y > 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub(super) enum Half {
 
 /// A relative equilibrium, or all of them over a range of y.
 #[derive(Clone, Debug)]
-pub(super) struct State<E: Enclosure> {
+pub(super) struct State<E: Arithmetic> {
     /// γ along the first axis of each group.
     pub gamma: Vec<E>,
     pub j: E,
@@ -33,7 +33,7 @@ pub(super) struct State<E: Enclosure> {
     pub j_slope: E,
 }
 
-impl<E: Enclosure> State<E> {
+impl<E: Arithmetic> State<E> {
     /// The state at y (> 0; 0 too over a group without r).
     pub fn at(model: &Model, c: &Constants<E>, half: Half, y: &E) -> Self {
         match half {
@@ -132,28 +132,29 @@ impl<E: Enclosure> State<E> {
     }
 }
 
-fn half<E: Enclosure>(c: &Constants<E>) -> E {
+fn half<E: Arithmetic>(c: &Constants<E>) -> E {
     E::double(0.5, c.precision)
 }
 
-fn sum<E: Enclosure>(terms: impl Iterator<Item = E>, zero: &E) -> E {
+fn sum<E: Arithmetic>(terms: impl Iterator<Item = E>, zero: &E) -> E {
     terms.fold(zero.clone(), |total, term| total + term)
 }
 
 /// Σ w a with Σ w = 1: the narrowest over all choices of a moment to measure from.
-fn mean<E: Enclosure>(w: &[E], c: &Constants<E>) -> E {
+fn mean<E: Arithmetic>(w: &[E], c: &Constants<E>) -> E {
     let about = |base: usize| {
         (0..w.len())
             .filter(|&k| k != base)
             .fold(c.a[base].clone(), |total, k| total + w[k].clone() * c.diff[k][base].clone())
     };
-    (1..w.len()).fold(about(0), |best, base| best.meet(&about(base)))
+    (1..w.len()).fold(about(0), |best, base| c.common(&best, &about(base)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use numbers::enclosure::Narrow;
+    use numbers::enclosure::Enclosure;
+    use numbers::interval::Interval;
     use numbers::wide::Wide;
     use top::body::Body;
     use top::curves::{GenericState, Mu, SymmetricFamily};
@@ -215,7 +216,7 @@ mod tests {
 
     #[test]
     fn both_arithmetics_enclose_the_closed_form() {
-        compare::<Narrow>(());
+        compare::<Interval>(());
         compare::<Wide>(100);
     }
 }

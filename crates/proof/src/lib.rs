@@ -184,6 +184,12 @@ impl CertifiedAtlas {
         self.regions.len()
     }
 
+    /// The regions, in order.
+    #[must_use]
+    pub fn region_ids(&self) -> impl ExactSizeIterator<Item = RegionId> + use<> {
+        self.regions.ids()
+    }
+
     /// How many points there are at which curves meet.
     #[must_use]
     pub fn event_count(&self) -> usize {

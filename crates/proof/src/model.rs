@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use numbers::enclosure::Enclosure;
+use numbers::enclosure::Arithmetic;
 use numbers::polynomial::{Polynomial, rational};
 use top::body::{Body, Frame, Number};
 
@@ -176,7 +176,7 @@ impl Model {
 
 /// Numbers of the model in one arithmetic.
 #[derive(Clone, Debug)]
-pub(super) struct Constants<E: Enclosure> {
+pub(super) struct Constants<E: Arithmetic> {
     pub precision: E::Precision,
     pub a: Vec<E>,
     pub q: Vec<E>,
@@ -190,7 +190,7 @@ pub(super) struct Constants<E: Enclosure> {
     pub j_r: Option<E>,
 }
 
-impl<E: Enclosure> Constants<E> {
+impl<E: Arithmetic> Constants<E> {
     pub fn new(model: &Model, precision: E::Precision) -> Self {
         let number = |x: &RBig| E::rational(x, precision);
         let n = model.groups.len();
@@ -215,6 +215,12 @@ impl<E: Enclosure> Constants<E> {
 
     pub fn small(&self, value: i32) -> E {
         E::small(value, self.precision)
+    }
+
+    /// The common part of two enclosures of one value. Disjoint ones contradict each other, which is a defect of this
+    /// program: then nothing is known, so that nothing is proved from it.
+    pub fn common(&self, one: &E, other: &E) -> E {
+        one.meet(other).unwrap_or_else(|| E::line(self.precision))
     }
 }
 

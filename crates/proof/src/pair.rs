@@ -27,27 +27,6 @@ pub(super) enum Mark {
     At(f64),
 }
 
-/// How the sign on a stretch is proved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Reason {
-    /// The gap at the lower end and the range of the difference of slopes.
-    FromLower,
-    /// The gap at the upper end and the range of the difference of slopes.
-    FromUpper,
-    /// The gap is monotone and has this sign at both ends.
-    Monotone,
-    /// The identity over ranges.
-    Range,
-    /// J is monotone through the common cusp.
-    Cusp,
-    /// Curvatures at the common pitchfork.
-    Pitchfork,
-    /// Slopes up to infinity.
-    Far,
-    /// Limits of h − x/a.
-    FarSameAxis,
-}
-
 /// A stretch with a proved sign of h_a − h_b, or with one crossing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stretch {
@@ -59,7 +38,8 @@ pub(super) struct Stretch {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Proof {
-    Constant(Reason),
+    /// One sign all along.
+    Constant,
     /// The gap is monotone and vanishes once, between these two.
     Crossing([f64; 2]),
 }
@@ -280,9 +260,8 @@ impl<E: Enclosure> Evaluator<'_, E> {
                     let found = self
                         .node_near(curves, from + step, [from, to])
                         .and_then(|node| self.sign_beside(curves, lower, &node, 0).map(|sign| (sign, node)));
-                    if let Some(((sign, reason), node)) = found {
-                        let proof = Proof::Constant(reason);
-                        stretches.push(Stretch { x: [Mark::End, node.mark], sign, proof });
+                    if let Some((sign, node)) = found {
+                        stretches.push(Stretch { x: [Mark::End, node.mark], sign, proof: Proof::Constant });
                         return Ok(Some(node));
                     }
                     step *= 0.25;
@@ -311,8 +290,8 @@ impl<E: Enclosure> Evaluator<'_, E> {
             let found = self
                 .node_near(curves, to - step, [from, to])
                 .and_then(|node| self.sign_beside(curves, upper, &node, 1).map(|sign| (sign, node)));
-            if let Some(((sign, reason), node)) = found {
-                stretches.push(Stretch { x: [node.mark, Mark::End], sign, proof: Proof::Constant(reason) });
+            if let Some((sign, node)) = found {
+                stretches.push(Stretch { x: [node.mark, Mark::End], sign, proof: Proof::Constant });
                 return Ok(node);
             }
             step *= 0.25;
@@ -324,7 +303,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// The sign of the gap between a common cusp or pitchfork and a node.
-    fn sign_beside(&self, curves: [CurveId; 2], end: &Side<E>, node: &Node<E>, side: usize) -> Option<(i8, Reason)> {
+    fn sign_beside(&self, curves: [CurveId; 2], end: &Side<E>, node: &Node<E>, side: usize) -> Option<i8> {
         match end {
             Side::Cusp(_) => {
                 if self.bends(curves[0], &node.at[0], &node.at[1])? {
@@ -332,7 +311,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
                 }
                 let slopes = node.at[0].slope(&self.c) - node.at[1].slope(&self.c);
                 let sign = slopes.sign().filter(|sign| *sign != 0)?;
-                Some((if side == 0 { sign } else { -sign }, Reason::Cusp))
+                Some(if side == 0 { sign } else { -sign })
             }
             Side::Pitchfork(_) => {
                 let curvature = |which: usize| {
@@ -344,8 +323,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
                     }
                     Some(self.state(half, &y.hull(&end_y)).curvature())
                 };
-                let sign = (curvature(0)? - curvature(1)?).sign().filter(|sign| *sign != 0)?;
-                Some((sign, Reason::Pitchfork))
+                (curvature(0)? - curvature(1)?).sign().filter(|sign| *sign != 0)
             }
             _ => None,
         }
@@ -420,6 +398,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         Some(range(0)? - range(1)?)
     }
 
+    /// The order between two nodes: settled at once, or on both sides of a node between them.
     fn between(
         &self,
         curves: [CurveId; 2],
@@ -428,48 +407,51 @@ impl<E: Enclosure> Evaluator<'_, E> {
         depth: u32,
         stretches: &mut Vec<Stretch>,
     ) -> Result<(), Open> {
-        let [low, high] = [from.x.bounds()[0], to.x.bounds()[1]];
-        let open = Open { x: [low, high] };
-        let marks = [from.mark, to.mark];
-        let mut push = |sign: i8, proof: Proof| stretches.push(Stretch { x: marks, sign, proof });
+        let open = Open { x: [from.x.bounds()[0], to.x.bounds()[1]] };
+        if let Some((sign, proof)) = self.settled(curves, from, to).ok_or(open)? {
+            stretches.push(Stretch { x: [from.mark, to.mark], sign, proof });
+            return Ok(());
+        }
+        let depth = depth.checked_sub(1).ok_or(open)?;
+        let middle = self.middle(curves, from, to).ok_or(open)?;
+        self.between(curves, from, &middle, depth, stretches)?;
+        self.between(curves, &middle, to, depth, stretches)
+    }
+
+    /// The order between two nodes without another one; `Some(None)` when that does not show it, `None` when the box of
+    /// a crossing cannot be found.
+    #[allow(clippy::option_option)]
+    fn settled(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>) -> Option<Option<(i8, Proof)>> {
+        let constant = |sign: i8| Some(Some((sign, Proof::Constant)));
         if let Some(slopes) = self.slopes(curves, from, Some(to)) {
             let reach = (to.x.clone() - from.x.clone()).hull(&self.c.small(0));
+            // The gap at the lower end, then at the upper end, with the range of the difference of slopes.
             if let Some(sign) = strict(&(from.gap.clone() + slopes.clone() * reach.clone())) {
-                push(sign, Proof::Constant(Reason::FromLower));
-                return Ok(());
+                return constant(sign);
             }
             if let Some(sign) = strict(&(to.gap.clone() - slopes.clone() * reach)) {
-                push(sign, Proof::Constant(Reason::FromUpper));
-                return Ok(());
+                return constant(sign);
             }
             if strict(&slopes).is_some() {
                 match (from.sign, to.sign) {
-                    (Some(p), Some(q)) if p == q && p != 0 => {
-                        push(p, Proof::Constant(Reason::Monotone));
-                        return Ok(());
-                    }
+                    (Some(p), Some(q)) if p == q && p != 0 => return constant(p),
                     // They meet at one end, which is proved elsewhere.
-                    (Some(0), Some(q)) | (Some(q), Some(0)) if q != 0 => {
-                        push(q, Proof::Constant(Reason::Monotone));
-                        return Ok(());
-                    }
+                    (Some(0), Some(q)) | (Some(q), Some(0)) if q != 0 => return constant(q),
                     (Some(p), Some(q)) if p * q < 0 => {
-                        let at = self.crossing(curves, from, to, p).ok_or(open)?;
-                        push(p, Proof::Crossing(at));
-                        return Ok(());
+                        let at = self.crossing(curves, from, to, p)?;
+                        return Some(Some((p, Proof::Crossing(at))));
                     }
                     _ => {}
                 }
             }
         }
-        if let Some(sign) = self.sign_over(from, to) {
-            push(sign, Proof::Constant(Reason::Range));
-            return Ok(());
-        }
-        let depth = depth.checked_sub(1).ok_or(open)?;
-        // Cut where the first of several places gives a sure sign.
+        Some(self.sign_over(from, to).map(|sign| (sign, Proof::Constant)))
+    }
+
+    /// A node between two others: at the first of several places that gives a sure sign.
+    fn middle(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>) -> Option<Node<E>> {
         let (low, high) = (from.x.bounds()[1], to.x.bounds()[0]);
-        let middle = [0.5, 0.4, 0.61]
+        [0.5, 0.4, 0.61]
             .into_iter()
             .map(|t| {
                 if high > 4.0 * low && low > 0.0 {
@@ -480,9 +462,6 @@ impl<E: Enclosure> Evaluator<'_, E> {
             })
             .filter(|x| *x > low && *x < high)
             .find_map(|x| self.node_near(curves, x, [low, high]).filter(|node| node.sign.is_some_and(|sign| sign != 0)))
-            .ok_or(open)?;
-        self.between(curves, from, &middle, depth, stretches)?;
-        self.between(curves, &middle, to, depth, stretches)
     }
 
     /// The sign from the identity over the ranges of both curves.
@@ -549,8 +528,8 @@ impl<E: Enclosure> Evaluator<'_, E> {
     fn to_infinity(&self, curves: [CurveId; 2], first: Node<E>, stretches: &mut Vec<Stretch>) -> Result<(), Open> {
         let mut node = first;
         for _ in 0..FAR {
-            if let Some((sign, reason)) = self.far_sign(curves, &node) {
-                stretches.push(Stretch { x: [node.mark, Mark::End], sign, proof: Proof::Constant(reason) });
+            if let Some(sign) = self.far_sign(curves, &node) {
+                stretches.push(Stretch { x: [node.mark, Mark::End], sign, proof: Proof::Constant });
                 return Ok(());
             }
             let from = node.x.bounds()[1];
@@ -568,10 +547,10 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// The sign all the way to infinity.
-    fn far_sign(&self, curves: [CurveId; 2], node: &Node<E>) -> Option<(i8, Reason)> {
+    fn far_sign(&self, curves: [CurveId; 2], node: &Node<E>) -> Option<i8> {
         let gap = node.sign.filter(|sign| *sign != 0)?;
         if self.slopes(curves, node, None).and_then(|slopes| strict(&slopes)) == Some(gap) {
-            return Some((gap, Reason::Far));
+            return Some(gap);
         }
         let limits = curves.map(|c| self.curves.list[c].limit);
         let [Some(p), Some(q)] = limits else { return None };
@@ -593,7 +572,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
             self.straight(curves[which], point).then(|| now.hull(&end))
         };
         let (p, q) = (phi(0)?, phi(1)?);
-        strict(&(p - q)).filter(|sign| *sign == gap).map(|sign| (sign, Reason::FarSameAxis))
+        strict(&(p - q)).filter(|sign| *sign == gap)
     }
 
     /// J is monotone from this point to infinity.
@@ -625,7 +604,7 @@ mod tests {
     use super::super::curves::Curves;
     use super::super::model::Model;
     use super::*;
-    use numbers::enclosure::Narrow;
+    use numbers::interval::Interval;
     use top::body::{Body, Preset};
     use top::curves::CriticalSet;
     use top::diagram::{Arrangement, Change};
@@ -633,25 +612,26 @@ mod tests {
     fn crossings(body: &Body) -> usize {
         let model = Model::new(body, &body.frame());
         let curves = Curves::new(&model, 160).unwrap();
-        let evaluator = Evaluator::<Narrow>::new(&model, &curves, &[], ());
+        let evaluator = Evaluator::<Interval>::new(&model, &curves, &[], ());
         let arrangement = Arrangement::new(CriticalSet::new(body.frame()).unwrap());
         let mut found = Vec::new();
-        for b in 0..curves.list.len() {
-            for a in 0..b {
-                let family = |c: usize| matches!(curves.list[c].shape, Shape::Family(_)) && !curves.list[c].lowest;
+        for b in curves.list.ids() {
+            for a in curves.list.ids().take_while(|a| *a < b) {
+                let family = |c: CurveId| matches!(curves.list[c].shape, Shape::Family(_)) && !curves.list[c].lowest;
                 if !family(a) || !family(b) {
                     continue;
                 }
-                if let Some(proof) = evaluator.pair(a, b).unwrap_or_else(|open| panic!("{body:?} {a} {b} {open:?}")) {
+                if let Some(proof) = evaluator.pair(a, b).unwrap_or_else(|open| panic!("{body:?} {a:?} {b:?} {open:?}"))
+                {
                     found.extend(proof.stretches.iter().filter_map(|s| match s.proof {
                         Proof::Crossing(x) => Some(x),
-                        Proof::Constant(_) => None,
+                        Proof::Constant => None,
                     }));
                 }
             }
         }
         found.sort_by(|p, q| p[0].total_cmp(&q[0]));
-        let lines = |c: usize| arrangement.set.curves[c].pole.is_some() || !arrangement.set.curves[c].is_critical();
+        let lines = |c: CurveId| arrangement.set.curves[c].pole.is_some() || !arrangement.set.curves[c].is_critical();
         let expected: Vec<f64> = arrangement
             .events
             .iter()

@@ -188,16 +188,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let rising = y_ends[0] < y_ends[1];
         let guess = self.guess(half, y_ends, ends, target);
         let c = &self.c;
-        let mut y = E::double(guess, c.precision);
-        // Newton's method doubles the digits of a guess good to ten.
-        let mut digits = 1e-12;
-        while digits > E::resolution(c.precision) {
-            let state = self.state(half, &y);
-            let residual = x.middle() / state.x - c.small(1);
-            let step = residual / state.log_slope;
-            y = (y + step).middle();
-            digits *= digits;
-        }
+        let y = self.refined(half, guess, x);
         let mut radius = E::resolution(c.precision);
         let outer = segment.ends.each_ref().map(|bound| self.bound(segment, bound));
         let (mut sides, mut done) = ([y.clone(), y.clone()], [false, false]);
@@ -245,6 +236,21 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         Some(Point { x: x.clone(), place: Some((half, range)), at, over, correction, critical: true })
     }
 
+    /// y of x, not proved: Newton's method doubles the digits of a guess good to ten.
+    fn refined(&self, half: Half, guess: f64, x: &E) -> E {
+        let c = &self.c;
+        let mut y = E::double(guess, c.precision);
+        let mut digits = 1e-12;
+        while digits > E::resolution(c.precision) {
+            let state = self.state(half, &y);
+            let residual = x.middle() / state.x - c.small(1);
+            let step = residual / state.log_slope;
+            y = (y + step).middle();
+            digits *= digits;
+        }
+        y
+    }
+
     /// x lies between the x of the segment's ends (up to the enclosure of an end itself).
     fn holds(&self, segment: &Segment, x: &E) -> bool {
         [0, 1].into_iter().all(|side| {
@@ -285,16 +291,16 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                 .fold(self.c.small(0), |sum, k| sum + squares[k].clone() * self.c.diff[k][base].clone())
         };
         let plain = p.j.clone() - q.j.clone();
-        (0..n).fold(plain, |best, base| best.meet(&about(base)))
+        (0..n).fold(plain, |best, base| self.c.common(&best, &about(base)))
     }
 
     /// h_a − h_b over one x.
     pub fn gap(&self, a: &Point<E>, b: &Point<E>) -> E {
-        let x = a.x.meet(&b.x);
+        let x = self.c.common(&a.x, &b.x);
         let difference = self.moment_difference(&b.at, &a.at);
         let kinetic = x.clone() * difference / (a.at.j.clone() * b.at.j.clone());
         let plain = kinetic - (a.at.rho.clone() - b.at.rho.clone()) + a.correction.clone() - b.correction.clone();
-        if a.critical && b.critical { plain.meet(&self.exact_gap(&x, &a.over, &b.over)) } else { plain }
+        if a.critical && b.critical { self.c.common(&plain, &self.exact_gap(&x, &a.over, &b.over)) } else { plain }
     }
 
     /// h_a − h_b of two critical points over one x, without the cancellation of heights (Corollary 3.10 of
@@ -305,8 +311,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     /// sphere, taken in both directions.
     fn exact_gap(&self, x: &E, a: &State<E>, b: &State<E>) -> E {
         let n = self.model.groups.len();
-        let mu = (1..n)
-            .fold(b.tau[0].clone() - a.tau[0].clone(), |best, k| best.meet(&(b.tau[k].clone() - a.tau[k].clone())));
+        let about = |base: usize| b.tau[base].clone() - a.tau[base].clone();
+        let mu = (1..n).fold(about(0), |best, base| self.c.common(&best, &about(base)));
         let distance = (0..n).fold(self.c.small(0), |sum, k| sum + (a.gamma[k].clone() - b.gamma[k].clone()).square());
         let moment = self.moment_difference(a, b);
         let cube = moment.clone() * moment.square() / (a.j.clone() * b.j.clone());
@@ -335,7 +341,7 @@ fn x_estimate(model: &Model, c: &Constants<Estimate>, segment: &Segment, bound: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use numbers::enclosure::Narrow;
+    use numbers::interval::Interval;
     use numbers::wide::Wide;
     use top::body::Body;
     use top::curves::CriticalSet;
@@ -390,7 +396,7 @@ mod tests {
 
     #[test]
     fn points_and_gaps_are_those_of_the_closed_form() {
-        compare::<Narrow>((), 1e-13);
+        compare::<Interval>((), 1e-13);
         compare::<Wide>(160, 1e-14);
     }
 }

@@ -14,7 +14,8 @@ fn preset(name: &str) -> Body {
 }
 
 fn signatures(atlas: &CertifiedAtlas) -> Vec<String> {
-    let mut all: Vec<String> = (0..atlas.region_count())
+    let mut all: Vec<String> = atlas
+        .region_ids()
         .map(|region| atlas.components(region).map_or("?".to_owned(), |c| signature(c).unwrap_or_default()))
         .collect();
     all.sort();
@@ -22,7 +23,9 @@ fn signatures(atlas: &CertifiedAtlas) -> Vec<String> {
 }
 
 fn standard_signatures(atlas: &Atlas) -> Vec<String> {
-    let mut all: Vec<String> = (0..atlas.regions().len())
+    let mut all: Vec<String> = atlas
+        .regions()
+        .ids()
         .map(|region| atlas.components(region).map_or("?".to_owned(), |c| signature(c).unwrap_or_default()))
         .collect();
     all.sort();

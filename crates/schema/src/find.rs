@@ -55,6 +55,12 @@ pub struct FindDocument {
     pub schema_version: String,
     /// True when there is a witness.
     pub found: bool,
+    /// False when a theorem says that there is none; absent otherwise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub exists: Option<bool>,
+    /// The theorem.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
     /// What was sought.
     pub sought: String,
     /// The witness.

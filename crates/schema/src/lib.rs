@@ -4,6 +4,7 @@
 //! and an infinite end of a range is `null`. No document carries timings: same input, same bytes.
 
 mod atlas;
+mod border;
 mod certificate;
 mod checksum;
 mod classification;
@@ -12,6 +13,7 @@ mod find;
 mod inertia;
 mod listing;
 mod motion;
+mod scan;
 mod section;
 
 pub use atlas::{
@@ -19,6 +21,7 @@ pub use atlas::{
     Flags, NeighbourDocument, RegionDocument, SampleDocument, StabilitySpan, SummaryDocument, TailDocument,
     UndecidedDocument, WindowDocument,
 };
+pub use border::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument};
 pub use certificate::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
@@ -30,6 +33,10 @@ pub use find::{FindDocument, NearestDocument, WitnessDocument};
 pub use inertia::{InertiaDocument, UnitsDocument};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
+pub use scan::{
+    BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, ParameterName, RangeDocument, RecordDocument,
+    RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,
+};
 pub use section::{
     ChaosDocument, ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, LyapunovDocument,
     OrbitDocument, RotationAngleName, RotationDocument, SectionDocument, SectionSummaryDocument, SectionsDocument,

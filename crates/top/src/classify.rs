@@ -8,6 +8,8 @@ use crate::curves::{CriticalSet, CurveId, CurveName, Point, Pole};
 use crate::topology::merge::MergeError;
 use crate::topology::{Component, Poles};
 
+pub use crate::atlas::Margin;
+
 /// The components of U_hl in canonical order; none below the lowest critical value.
 pub type Components = Vec<Component>;
 
@@ -22,17 +24,6 @@ pub enum Answer {
     Critical(Vec<Components>),
     /// Closer to a curve than the error bound; each possible class, once.
     Undecided(Vec<Components>),
-}
-
-/// Distance in h to the nearest curve, and how much of it can be trusted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Margin {
-    /// |h − h_c| to the nearest critical curve or pole line at this l.
-    pub h: f64,
-    /// That curve; `None` when no curve was computed.
-    pub nearest: Option<CurveName>,
-    /// Bound on the error of `h`.
-    pub error_bound: f64,
 }
 
 /// The answer for one point.

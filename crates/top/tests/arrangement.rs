@@ -19,7 +19,7 @@ fn the_papers_body_has_five_events_and_nine_faces() {
     for (found, expected) in l.iter().zip([2.0114, 2.5714, 2.8585, 2.8708, 6.8816]) {
         assert!((found - expected).abs() < 1e-4, "{l:?}");
     }
-    assert_eq!((found.events.len(), found.faces), (5, 9));
+    assert_eq!((found.events.len(), found.region_count), (5, 9));
 }
 
 /// `data/cases/regions.jsonl`: number of regions and events by an independent sweep over l.
@@ -33,7 +33,7 @@ fn regions_and_events_of_generic_bodies_match_the_oracle() {
         found.check_invariants().unwrap();
         assert!(found.undecided.is_empty());
         assert_eq!(
-            (found.faces as u64, found.events.len() as u64),
+            (found.region_count as u64, found.events.len() as u64),
             (case["regions"].as_u64().unwrap(), case["events"].as_u64().unwrap()),
             "{line}"
         );
@@ -51,7 +51,7 @@ fn two_pitchforks_at_the_same_l_on_different_curves_commute() {
             found.events.iter().filter(|e| matches!(e.change, Change::Open { .. } | Change::Close { .. })).count(),
             2
         );
-        assert_eq!(found.faces, faces, "{a:?}");
+        assert_eq!(found.region_count, faces, "{a:?}");
     }
 }
 
@@ -62,7 +62,7 @@ fn a_pair_whose_cusp_has_just_left_its_pitchfork() {
         let found = arrangement(["1", a, "0.86"], ["1", "0", "0"]);
         found.check_invariants().unwrap();
         assert!(found.undecided.is_empty(), "{:?}", found.undecided);
-        assert_eq!((found.events.len(), found.faces), (4, 5));
+        assert_eq!((found.events.len(), found.region_count), (4, 5));
     }
 }
 
@@ -78,7 +78,7 @@ fn a_pitchfork_in_the_middle_between_two_moments() {
         let found = arrangement(a, r);
         found.check_invariants().unwrap();
         assert!(found.undecided.is_empty(), "{:?}", found.undecided);
-        assert_eq!((found.events.len(), found.faces), (events, faces), "{a:?} {r:?}");
+        assert_eq!((found.events.len(), found.region_count), (events, faces), "{a:?} {r:?}");
     }
 }
 
@@ -89,7 +89,7 @@ fn next_to_an_axis_the_far_crossing_is_found_to_relative_accuracy() {
     for (text, epsilon) in [("1e-4", 1e-4), ("1e-8", 1e-8), ("1e-12", 1e-12), ("1e-13", 1e-13_f64)] {
         let found = arrangement(["2", "1.1", "1"], ["1", "0", text]);
         assert!(found.undecided.is_empty(), "{text}: {:?}", found.undecided);
-        assert_eq!((found.faces, found.events.len()), (17, 16), "{text}");
+        assert_eq!((found.region_count, found.events.len()), (17, 16), "{text}");
         let last = found.events[15];
         let x = last.x * found.set.frame.momentum_unit * found.set.frame.momentum_unit;
         let expected = 8.0 / (epsilon * epsilon);

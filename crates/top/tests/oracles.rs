@@ -200,9 +200,12 @@ fn regions_and_events_are_those_of_the_independent_sweep() {
                 let l = truth.l.to_f64();
                 event.0 == truth.kind && (event.1 - l).abs() < 1e-9 * l
             });
-        if found.faces != case.count || !same {
+        if found.region_count != case.count || !same {
             let expected: Vec<(&str, f64)> = case.events.iter().map(|e| (e.kind.as_str(), e.l.to_f64())).collect();
-            failures.push(format!("{} for {} regions: {head}\n  {events:?}\n  {expected:?}", found.faces, case.count));
+            failures.push(format!(
+                "{} for {} regions: {head}\n  {events:?}\n  {expected:?}",
+                found.region_count, case.count
+            ));
         }
     }
     println!("{cases} bodies");

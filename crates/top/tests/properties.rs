@@ -10,6 +10,7 @@ use top::atlas::{Atlas, Place};
 use top::body::{Body, Number};
 use top::classify::{classify, classify_with_effort};
 use top::critical::{Multiplicity, critical};
+use top::diagram::RegionId;
 use top::diagram::Undecided;
 use top::topology::latitude;
 
@@ -18,10 +19,12 @@ fn number(x: f64) -> Number {
 }
 
 /// Samples of all regions: (region, h, l) in the body's units, and the margin relative to the energy scale.
-fn samples(atlas: &Atlas) -> Vec<(usize, Number, Number, f64)> {
+fn samples(atlas: &Atlas) -> Vec<(RegionId, Number, Number, f64)> {
     let set = &atlas.arrangement().set;
     let frame = &set.frame;
-    (0..atlas.regions().len())
+    atlas
+        .regions()
+        .ids()
         .map(|k| {
             let sample = &atlas.regions()[k].sample;
             let nearest = set.curves[sample.nearest].point(frame, sample.x);
@@ -82,7 +85,7 @@ fn merge_tree_latitude_sweep_and_point_location_agree_on_all_regions() {
         }
         for (k, h, l, margin) in samples(&atlas) {
             counts.regions += 1;
-            let here = format!("region {k} (h={h}, l={l}, margin {margin:e}): {head}");
+            let here = format!("{k} (h={h}, l={l}, margin {margin:e}): {head}");
             let Ok(own) = &atlas.regions()[k].components else {
                 failures.push(format!("no components, {here}"));
                 continue;
@@ -326,7 +329,7 @@ fn bodies_of_small_whole_numbers_have_complete_atlases() {
             let frame = &arrangement.set.frame;
             let swept = latitude::components(frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit);
             if own.is_err() || swept.as_ref().is_ok_and(|swept| Ok(swept) != own) {
-                failures.push(format!("region {k} (h={h}, l={l}) {own:?} sweep {swept:?}: A={a:?} r={r:?}"));
+                failures.push(format!("{k} (h={h}, l={l}) {own:?} sweep {swept:?}: A={a:?} r={r:?}"));
             }
         }
     }

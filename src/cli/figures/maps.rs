@@ -5,20 +5,21 @@ use std::collections::BTreeMap;
 use plot::{Map, MapAxis, MapBodies, MapLine, MapNote, draw_map};
 use proof::Accuracy;
 use rayon::prelude::*;
-use survey::border::{self, BorderOptions, Segment};
-use survey::scan::{Design, Family, Parameter, Row};
+use survey::border::{self, BorderEventKind, BorderOptions, Segment};
+use survey::scan::{Row, known_classes};
+use survey::{Design, Family, Parameter, katok};
 use top::atlas::Atlas;
 use top::body::{Body, Preset};
 
 use super::figure::Figure;
 use crate::cli::export::ExportError;
 use crate::cli::failure::Failure;
-use crate::cli::scan::map::{Seen, known_classes, map};
+use crate::cli::scan::map::{Seen, map};
 use crate::cli::scan::{ScanInput, Shown};
 
 pub fn figures() -> impl Iterator<Item = Figure> {
     let maps = [
-        ("map-katok", katok as fn() -> Result<Map, Failure>),
+        ("map-katok", katok_plane as fn() -> Result<Map, Failure>),
         ("map-lagrange-kovalevskaya", lagrange_to_kovalevskaya),
         ("map-paper-r2-r3", paper_off_the_axis),
         ("map-paper-a2-r3", paper_in_the_plane),
@@ -51,10 +52,11 @@ fn body_family(moments: [&str; 3], center: [&str; 3]) -> Result<Family, Failure>
 }
 
 /// The Katok plane. The grid avoids the lines on which bodies are special: A_j = 1, A2 = A3.
-fn katok() -> Result<Map, Failure> {
+fn katok_plane() -> Result<Map, Failure> {
     let vary = ["A2=0.3025:1.6925:140", "A3=0.3075:1.6975:140"];
     let mut map = classes_of(Family::Katok, &vary, [Parameter::A2, Parameter::A3])?;
-    let known = known_classes();
+    let known: BTreeMap<String, &str> =
+        known_classes().into_iter().map(|(class, preset)| (class.to_string(), preset.name())).collect();
     for entry in &mut map.entries {
         if let Some((number, preset)) =
             known.get(&entry.name).and_then(|name| Some((name.strip_prefix("katok:")?, name)))
@@ -74,16 +76,21 @@ fn katok() -> Result<Map, Failure> {
     map.subtitle = String::from("A = (A1, A2, A3), r = (1, 0, 0); colours: class computed for each of 19600 bodies");
     map.x = MapAxis { name: "A2/A1".to_owned(), range: [0.3, 1.695] };
     map.y = MapAxis { name: "A3/A1".to_owned(), range: [0.305, 1.7] };
+    add_exact_borders(&mut map);
+    Ok(map)
+}
+
+/// Katok's borders, and the lines between which bodies exist.
+fn add_exact_borders(map: &mut Map) {
     let exact = "exact borders: Aj = A1, Aj = ¾ A1, 4(1/√k2 − 1) = 1/k3";
-    for value in [0.75, 1.0] {
+    for value in katok::LINES {
         for points in [vec![[value, 0.3], [value, 1.7]], vec![[0.3, value], [1.7, value]]] {
             map.lines.push(MapLine { points: dense(&points), dashed: false, text: exact.to_owned() });
         }
     }
     let curve: Vec<[f64; 2]> = (0..=400)
         .map(|n| 0.25 + 0.5 * f64::from(n) / 400.0)
-        .map(|a2| [a2, 1.0 - 0.25 / (1.0 / (1.0 - a2).sqrt() - 1.0)])
-        .filter(|[a2, a3]| a3 < a2)
+        .filter_map(|a2| Some([a2, katok::lesser_moment(a2)?]))
         .collect();
     let mirrored = curve.iter().map(|[p, q]| [*q, *p]).collect();
     for points in [curve, mirrored] {
@@ -93,7 +100,6 @@ fn katok() -> Result<Map, Failure> {
     for points in [vec![[0.3, 0.7], [0.7, 0.3]], vec![[0.3, 1.3], [0.7, 1.7]], vec![[1.3, 0.3], [1.7, 0.7]]] {
         map.lines.push(MapLine { points: dense(&points), dashed: true, text: physical.to_owned() });
     }
-    Ok(map)
 }
 
 /// A straight line as many points, so that its part inside of the map is drawn.
@@ -116,11 +122,14 @@ fn reorder(map: &mut Map, order: &[usize]) {
     }
 }
 
+/// The range of η of the map from Lagrange to Kovalevskaya.
+const ETA: [f64; 2] = [0.8, 2.2];
+
+/// Its range of l.
+const L: [f64; 2] = [1.3, 3.3];
+
 /// A = (2, η, 1), r = (1, 0, 0): the classes over η, the momenta of all events, and what happens at the borders.
 fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
-    const ETA: [f64; 2] = [0.8, 2.2];
-    const L: [f64; 2] = [1.3, 3.3];
-    const COLUMNS: u32 = 280;
     let family = body_family(["2", "1", "1"], ["1", "0", "0"])?;
     let vary = ["A2=0.8025:2.1975:280"];
     let found = rows(family, &vary)?;
@@ -137,14 +146,28 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
     map.subtitle = String::from("A = (2, η, 1), r = (1, 0, 0); colours: class; lines: the momenta l of all events");
     map.x = MapAxis { name: "η".to_owned(), range: ETA };
     map.y = MapAxis { name: "l".to_owned(), range: L };
-    // Events, one polyline for each name.
+    add_events(&mut map);
+    for (eta, event) in borders(&found) {
+        map.lines.push(MapLine {
+            points: dense(&[[eta, L[0]], [eta, L[1]]]),
+            dashed: true,
+            text: format!("η = {eta:.4}: {event}"),
+        });
+        map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), ring: false });
+    }
+    Ok(map)
+}
+
+/// Draws the momenta of all events over η, one line for each event's name.
+fn add_events(map: &mut Map) {
+    const COLUMNS: u32 = 1120;
     let mut lines: BTreeMap<String, Vec<[f64; 2]>> = BTreeMap::new();
-    for n in 0..=4 * COLUMNS {
-        let eta = ETA[0] + (ETA[1] - ETA[0]) * (f64::from(n) + 0.37) / f64::from(4 * COLUMNS + 1);
+    for n in 0..=COLUMNS {
+        let eta = ETA[0] + (ETA[1] - ETA[0]) * (f64::from(n) + 0.37) / f64::from(COLUMNS + 1);
         let Ok(body) = Body::from_f64([2.0, eta, 1.0], [1.0, 0.0, 0.0]) else { continue };
         let Ok(atlas) = Atlas::new(&body) else { continue };
-        for (name, l) in border::named_events(&atlas) {
-            lines.entry(name).or_default().push([eta, l]);
+        for (label, l) in border::named_events(&atlas) {
+            lines.entry(label.to_string()).or_default().push([eta, l]);
         }
     }
     let mut boxes: Vec<[f64; 4]> = Vec::new();
@@ -158,24 +181,20 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
             }
         }
     }
-    // Borders between neighbouring classes.
-    for pair in found.windows(2) {
-        if pair[0].class.is_none() || pair[1].class.is_none() || pair[0].class == pair[1].class {
-            continue;
+}
+
+/// Where the class changes between neighbouring bodies over η, and what happens there.
+fn borders(rows: &[Row]) -> Vec<(f64, BorderEventKind)> {
+    let body = |row: &Row| Body::from_f64(row.values[0], row.values[1]).ok();
+    let between = |pair: &[Row]| {
+        if pair[0].class.as_ref()? == pair[1].class.as_ref()? {
+            return None;
         }
-        let body = |row: &Row| Body::from_f64(row.values()[0], row.values()[1]).ok();
-        let (Some(from), Some(to)) = (body(&pair[0]), body(&pair[1])) else { continue };
-        let segment = Segment::new(from, to);
-        let Ok(border) = border::find(&segment, &BorderOptions::default()) else { continue };
-        let eta = segment.coordinate(1, border.t).to_f64().value();
-        map.lines.push(MapLine {
-            points: dense(&[[eta, L[0]], [eta, L[1]]]),
-            dashed: true,
-            text: format!("η = {eta:.4}: {}", border.event.text),
-        });
-        map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), ring: false });
-    }
-    Ok(map)
+        let segment = Segment::new(body(&pair[0])?, body(&pair[1])?);
+        let border = border::find(&segment, &BorderOptions::default()).ok()?;
+        Some((segment.coordinate(Parameter::A2.place(), border.t).to_f64().value(), border.event.kind))
+    };
+    rows.windows(2).filter_map(between).collect()
 }
 
 /// A point of a line at which its name covers no other name.

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
-use survey::scan::{Parameter, Range};
+use survey::scan::Shard;
+use survey::{Parameter, Range};
 
-use super::shard::Shard;
 use super::table::Format;
 use crate::cli::export::PictureFormat;
 use crate::cli::input::{AccuracyArgument, BodyArguments};

@@ -1,7 +1,8 @@
 //! `bifdiag scan border`: where the class changes between two bodies.
 
-use survey::border::{self, BorderDocument, BorderOptions, Segment};
-use survey::scan::Range;
+use schema::BorderDocument;
+use survey::Range;
+use survey::border::{self, BorderOptions, Segment};
 use top::body::{Body, Number};
 
 use super::arguments::BorderArguments;
@@ -40,15 +41,15 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
     let options = BorderOptions { accuracy: arguments.accuracy.level().into(), ..BorderOptions::default() };
     let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
     let border = border::find(&segment, &options).map_err(|error| wrong(format!("--vary: {error}")))?;
-    let document = BorderDocument::new(&border, &segment, &arguments.vary);
-    Ok(answer(arguments.json, &document, || report(&document))?)
+    let document = documents::border(&border, &segment, &arguments.vary);
+    Ok(answer(arguments.json, &document, || report(&document, &arguments.vary))?)
 }
 
-fn report(document: &BorderDocument) -> String {
+fn report(document: &BorderDocument, vary: &[Range]) -> String {
     let mut report = Report::default();
-    for value in &document.border {
+    for (value, range) in document.border.iter().zip(vary) {
         let [from, to] = value.enclosure;
-        report.line(format!("{} = {} ± {:.0e}", value.parameter, value.value, value.error));
+        report.line(format!("{} = {} ± {:.0e}", range.parameter, value.value, value.error));
         report.line(format!("  bodies with the one class up to {from}, with the other from {to} on"));
     }
     if !document.reached {

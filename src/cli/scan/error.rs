@@ -3,7 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
-use survey::scan::DesignError;
+use documents::scan::ReadScanError;
+use survey::DesignError;
 use thiserror::Error;
 
 use super::table::TableError;
@@ -49,6 +50,8 @@ pub enum ScanInput {
     Busy { journal: PathBuf },
     #[error("{path}: {source}", path = path.display())]
     Table { path: PathBuf, source: TableError },
+    #[error("{path}: body {body}: {source}; name a file with the rows of a scan", path = path.display())]
+    Row { path: PathBuf, body: u64, source: ReadScanError },
     #[error("merge needs shards; name their files, such as shard-*.parquet")]
     NoShards,
     #[error("{path}: its summary {summary} cannot be read ({reason}); a shard is its file with rows and its summary",
@@ -94,6 +97,8 @@ pub enum ScanFailure {
     Journal { path: PathBuf, source: io::Error },
     #[error("cannot read {path} back", path = path.display())]
     JournalRow { path: PathBuf, source: serde_json::Error },
+    #[error("cannot read body {body} of {path} back", path = path.display())]
+    Row { path: PathBuf, body: u64, source: ReadScanError },
     #[error("the answer could not be written as JSON")]
     Json(#[from] serde_json::Error),
 }

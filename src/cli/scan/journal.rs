@@ -8,17 +8,17 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use schema::Accuracy;
+use schema::{Accuracy, RowDocument, ScanIdentityDocument};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
-use survey::scan::{Design, Row};
+use survey::Design;
 
 use super::error::{ScanFailure, ScanInput};
 use super::hashing::hexadecimal;
 use crate::cli::failure::Failure;
 
 /// Which scan a journal, or a shard, belongs to.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Identity {
     pub program: String,
     pub accuracy: Accuracy,
@@ -29,6 +29,22 @@ pub struct Identity {
 impl Identity {
     pub fn new(design: Design, range: [u64; 2], accuracy: Accuracy) -> Self {
         Self { program: concat!("bifdiag ", env!("CARGO_PKG_VERSION")).to_owned(), accuracy, design, range }
+    }
+
+    fn document(&self) -> ScanIdentityDocument {
+        ScanIdentityDocument {
+            program: self.program.clone(),
+            accuracy: self.accuracy,
+            design: documents::scan::design(&self.design),
+            range: self.range,
+        }
+    }
+
+    /// That of the first line of a journal; `None` where it is another line.
+    fn of_line(line: &[u8]) -> Option<Self> {
+        let ScanIdentityDocument { program, accuracy, design, range } = serde_json::from_slice(line).ok()?;
+        let design = documents::scan::read_design(&design).ok()?;
+        Some(Self { program, accuracy, design, range })
     }
 
     /// What tells two scans apart, but for the part of the bodies.
@@ -89,7 +105,7 @@ impl Journal {
         journal.file.set_len(end).map_err(failed)?;
         journal.file.seek(SeekFrom::End(0)).map_err(failed)?;
         if end == 0 {
-            let mut line = serde_json::to_vec(identity).map_err(ScanFailure::from)?;
+            let mut line = serde_json::to_vec(&identity.document()).map_err(ScanFailure::from)?;
             line.push(b'\n');
             journal.file.write_all(&line).map_err(failed)?;
         }
@@ -111,15 +127,13 @@ impl Journal {
             // Nothing, or the process ended while it wrote the first line.
             return Ok(0);
         }
-        match serde_json::from_slice::<Identity>(&line) {
-            Ok(found) if found == *identity => {}
-            Ok(found) => {
-                let difference = found.difference(identity).unwrap_or("the shard");
-                return Err(ScanInput::OtherJournal { journal: self.path.clone(), difference }.into());
-            }
-            Err(_other_content) => {
-                return Err(ScanInput::OtherJournal { journal: self.path.clone(), difference: "its first line" }.into());
-            }
+        let found = Identity::of_line(&line);
+        if found.as_ref() != Some(identity) {
+            let difference = match found {
+                Some(found) => found.difference(identity).unwrap_or("the shard"),
+                None => "its first line",
+            };
+            return Err(ScanInput::OtherJournal { journal: self.path.clone(), difference }.into());
         }
         let mut end = place;
         let (mut pending, mut digest) = (0_u64, Sha256::new());
@@ -147,7 +161,7 @@ impl Journal {
     }
 
     /// Adds a block.
-    pub fn append(&mut self, rows: &[Row]) -> Result<(), Failure> {
+    pub fn append(&mut self, rows: &[RowDocument]) -> Result<(), Failure> {
         let mut block = Vec::with_capacity(512 * rows.len());
         for row in rows {
             serde_json::to_writer(&mut block, row).map_err(ScanFailure::from)?;
@@ -164,7 +178,7 @@ impl Journal {
     }
 
     /// Passes every row on.
-    pub fn for_each(&mut self, mut take: impl FnMut(Row) -> Result<(), Failure>) -> Result<(), Failure> {
+    pub fn for_each(&mut self, mut take: impl FnMut(RowDocument) -> Result<(), Failure>) -> Result<(), Failure> {
         let failed = |source| ScanFailure::Journal { path: self.path.clone(), source };
         self.file.seek(SeekFrom::Start(0)).map_err(failed)?;
         let mut reader = BufReader::with_capacity(1 << 18, &self.file);
@@ -198,7 +212,8 @@ fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<u64> {
 mod tests {
     use std::fs;
 
-    use survey::scan::Family;
+    use survey::Family;
+    use survey::scan::Row;
 
     use super::*;
 
@@ -207,8 +222,9 @@ mod tests {
         Identity::new(design, [0, samples], Accuracy::Standard)
     }
 
-    fn rows(range: std::ops::Range<u64>) -> Vec<Row> {
-        range.map(|n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], proof::Accuracy::Standard)).collect()
+    fn rows(range: std::ops::Range<u64>) -> Vec<RowDocument> {
+        let row = |n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], proof::Accuracy::Standard);
+        range.map(|n| documents::scan::row(&row(n))).collect()
     }
 
     #[test]

@@ -1,12 +1,12 @@
 //! `bifdiag scan map`: the class of each body over two parameters.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use plot::{Map, MapAxis, MapBodies, MapEntry, draw_map};
-use survey::scan::{Parameter, Row};
-use top::atlas::Atlas;
-use top::body::Preset;
-use top::class::Class;
+use survey::Parameter;
+use survey::scan::{Row, known_classes};
+use top::class::ClassName;
 
 use super::arguments::{MapArguments, Shown};
 use super::error::ScanInput;
@@ -25,7 +25,10 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     let table = |source| ScanInput::Table { path: file.clone(), source };
     let mut bodies = Vec::new();
     for row in format.rows(file).map_err(table)? {
-        bodies.push(Seen::of(&row.map_err(table)?, arguments));
+        let row = row.map_err(table)?;
+        let not_a_row = |source| ScanInput::Row { path: file.clone(), body: row.index, source };
+        let axes = [arguments.x, arguments.y];
+        bodies.push(Seen::new(&documents::scan::read_row(&row).map_err(not_a_row)?, axes, arguments.show));
     }
     let axes = [("--x", arguments.x), ("--y", arguments.y)];
     if bodies.is_empty() {
@@ -66,71 +69,63 @@ fn place(arguments: &MapArguments) -> Result<(std::path::PathBuf, String), Failu
     Ok((directory.unwrap_or_else(|| std::path::Path::new(".")).to_owned(), stem.to_owned()))
 }
 
+/// What a body shows by its colour.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Shows {
+    /// The class of its diagram.
+    Class(ClassName),
+    /// A number of something.
+    Count(u32),
+}
+
+impl fmt::Display for Shows {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Class(name) => write!(f, "{name}"),
+            Self::Count(count) => write!(f, "{count}"),
+        }
+    }
+}
+
 /// What the map needs of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
     /// The two parameters.
     pub at: [f64; 2],
     /// What the body shows.
-    pub shows: Option<String>,
+    pub shows: Option<Shows>,
     /// Number of regions.
     pub regions: u32,
 }
 
 impl Seen {
-    fn of(row: &Row, arguments: &MapArguments) -> Self {
-        Self::new(row, [arguments.x, arguments.y], arguments.show)
-    }
-
     /// What a row shows.
     pub fn new(row: &Row, axes: [Parameter; 2], show: Shown) -> Self {
-        let values = row.values();
-        let at = axes.map(|parameter| values[parameter.place() / 3][parameter.place() % 3]);
-        let shows = row.class.clone().and_then(|class| match show {
-            Shown::Class => Some(class),
-            Shown::Regions => row.regions.map(|n| format!("{n:3}")),
-            Shown::CriticalPoints => row.critical_points.map(|n| format!("{n:3}")),
+        let at = axes.map(|parameter| row.values.as_flattened()[parameter.place()]);
+        let counts = row.diagram.as_ref();
+        let shows = row.class.as_ref().zip(counts).map(|(class, counts)| match show {
+            Shown::Class => Shows::Class(class.clone()),
+            Shown::Regions => Shows::Count(counts.regions),
+            Shown::CriticalPoints => Shows::Count(counts.critical_points),
         });
-        Self { at, shows, regions: row.regions.unwrap_or_default() }
+        Self { at, shows, regions: counts.map_or(0, |counts| counts.regions) }
     }
 }
 
 /// The map of some bodies, the most frequent class first.
 pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
-    let mut counts: BTreeMap<&str, (usize, u32)> = BTreeMap::new();
+    let mut counts: BTreeMap<&Shows, (usize, u32)> = BTreeMap::new();
     for body in bodies {
         if let Some(shown) = &body.shows {
             counts.entry(shown).or_insert((0, body.regions)).0 += 1;
         }
     }
-    let mut order: Vec<(&str, usize, u32)> = counts.iter().map(|(name, (n, regions))| (*name, *n, *regions)).collect();
+    let mut order: Vec<(&Shows, usize, u32)> = counts.iter().map(|(name, (n, regions))| (*name, *n, *regions)).collect();
     if show == Shown::Class {
         order.sort_by(|p, q| q.1.cmp(&p.1).then_with(|| p.0.cmp(q.0)));
     }
-    let known = if show == Shown::Class { known_classes() } else { BTreeMap::new() };
-    let share = |n: usize| match 100.0 * n as f64 / bodies.len() as f64 {
-        percent if percent < 0.05 => "below 0.1%".to_owned(),
-        percent => format!("{percent:.1}%"),
-    };
-    let entries = order
-        .iter()
-        .enumerate()
-        .map(|(number, (name, bodies, regions))| match show {
-            Shown::Class => MapEntry {
-                name: (*name).to_owned(),
-                note: match known.get(*name) {
-                    Some(preset) => format!("{regions} regions, {}; {preset}", share(*bodies)),
-                    None => format!("{regions} regions, {}", share(*bodies)),
-                },
-                mark: (number + 1).to_string(),
-            },
-            Shown::Regions | Shown::CriticalPoints => {
-                MapEntry { name: name.trim().to_owned(), note: share(*bodies), mark: name.trim().to_owned() }
-            }
-        })
-        .collect();
-    let number: BTreeMap<&str, usize> = order.iter().enumerate().map(|(k, (name, _, _))| (*name, k)).collect();
-    let entry = |body: &Seen| body.shows.as_deref().and_then(|shown| number.get(shown).copied());
+    let number: BTreeMap<&Shows, usize> = order.iter().enumerate().map(|(k, (name, _, _))| (*name, k)).collect();
+    let entry = |body: &Seen| body.shows.as_ref().and_then(|shown| number.get(shown).copied());
     let (bodies_drawn, ranges) = placed(bodies, entry);
     let what = match show {
         Shown::Class => format!("{} classes", order.len()),
@@ -143,7 +138,7 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
         subtitle: format!("{} bodies, {what}", bodies.len()),
         x: MapAxis { name: x, range: ranges[0] },
         y: MapAxis { name: y, range: ranges[1] },
-        entries,
+        entries: entries(&order, bodies.len()),
         unknown: "undecided or failed".to_owned(),
         bodies: bodies_drawn,
         lines: Vec::new(),
@@ -151,16 +146,28 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
     }
 }
 
-/// The named bodies' classes; of several names the first.
-pub fn known_classes() -> BTreeMap<String, &'static str> {
-    let mut known = BTreeMap::new();
-    for preset in Preset::all() {
-        let class = Atlas::new(&preset.body()).ok().and_then(|atlas| Class::of(&atlas).ok());
-        if let Some(class) = class {
-            known.entry(class.id().to_owned()).or_insert(preset.name());
+/// The legend: what is shown, by how many of the bodies, with how many regions.
+fn entries(order: &[(&Shows, usize, u32)], bodies: usize) -> Vec<MapEntry> {
+    let share = |n: usize| match 100.0 * n as f64 / bodies as f64 {
+        percent if percent < 0.05 => "below 0.1%".to_owned(),
+        percent => format!("{percent:.1}%"),
+    };
+    let has_classes = order.iter().any(|(shown, _, _)| matches!(shown, Shows::Class(_)));
+    let known = if has_classes { known_classes() } else { BTreeMap::new() };
+    let entry = |(number, (shown, bodies, regions)): (usize, &(&Shows, usize, u32))| match shown {
+        Shows::Class(class) => MapEntry {
+            name: class.to_string(),
+            note: match known.get(class) {
+                Some(preset) => format!("{regions} regions, {}; {}", share(*bodies), preset.name()),
+                None => format!("{regions} regions, {}", share(*bodies)),
+            },
+            mark: (number + 1).to_string(),
+        },
+        Shows::Count(count) => {
+            MapEntry { name: count.to_string(), note: share(*bodies), mark: count.to_string() }
         }
-    }
-    known
+    };
+    order.iter().enumerate().map(entry).collect()
 }
 
 /// Bodies as a grid if they are one with even steps, and the ranges that hold them all.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use survey::scan::SummaryDocument;
+use schema::RowDocument;
 
 use super::arguments::MergeArguments;
 use super::error::ScanInput;
@@ -16,7 +16,7 @@ use crate::cli::failure::Failure;
 struct Part {
     path: PathBuf,
     format: Format,
-    summary: SummaryDocument,
+    identity: Identity,
 }
 
 pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
@@ -24,9 +24,7 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
     let format = output::format_of(out, arguments.format)?;
     let parts = parts(&arguments.shards, out)?;
     let Some(first) = parts.first() else { return Err(ScanInput::NoShards.into()) };
-    let design = first.summary.design.clone();
-    let range = [0, design.count()];
-    let identity = Identity::new(design, range, first.summary.accuracy);
+    let identity = Identity { range: [0, first.identity.design.count()], ..first.identity.clone() };
     let document = output::write(out, format, &identity, |take| {
         for part in &parts {
             pass_rows(part, take)?;
@@ -38,52 +36,53 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
 
 /// The shards in the order of their bodies, once they are known to be whole, of one scan, and to leave nothing out.
 fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
-    let mut parts = Vec::with_capacity(shards.len());
-    for path in shards {
-        let same =
-            |a: &Path, b: &Path| a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
-        if same(path, out) {
-            return Err(ScanInput::OutIsShard { path: path.clone() });
-        }
-        if let Err(source) = std::fs::metadata(path) {
-            return Err(ScanInput::Shard { path: path.clone(), source });
-        }
-        let summary = output::read_summary(path)?;
-        let known = [Format::Parquet, Format::Csv, Format::Jsonl].into_iter().find(|f| f.name() == summary.format);
-        let format = match known {
-            Some(format) if format.is_available() => format,
-            _ => output::format_of_input(path)?,
-        };
-        let digest = hashing::of_file(path).map_err(|source| ScanInput::Shard { path: path.clone(), source })?;
-        if digest != summary.sha256 {
-            return Err(ScanInput::Altered { path: path.clone() });
-        }
-        parts.push(Part { path: path.clone(), format, summary });
-    }
+    let mut parts = shards.iter().map(|path| part(path, out)).collect::<Result<Vec<_>, _>>()?;
     if let Some((first, others)) = parts.split_first() {
         for part in others {
-            let foreign =
-                |difference| ScanInput::Foreign { path: part.path.clone(), first: first.path.clone(), difference };
-            if part.summary.design != first.summary.design {
-                return Err(foreign("which bodies it looks at"));
-            }
-            if part.summary.accuracy != first.summary.accuracy {
-                return Err(foreign("the accuracy"));
-            }
-            if part.summary.program != first.summary.program {
-                return Err(foreign("the version of the program"));
+            if let Some(difference) = part.identity.difference(&first.identity) {
+                return Err(ScanInput::Foreign { path: part.path.clone(), first: first.path.clone(), difference });
             }
         }
     }
-    parts.sort_by_key(|part| part.summary.range);
+    parts.sort_by_key(|part| part.identity.range);
     // A shard of no bodies stands between its neighbours and covers nothing.
-    parts.retain(|part| part.summary.range[0] < part.summary.range[1] || part.summary.design.count() == 0);
-    let Some(first) = parts.first() else { return Ok(parts) };
-    let count = first.summary.design.count();
+    parts.retain(|part| part.identity.range[0] < part.identity.range[1] || part.identity.design.count() == 0);
+    check_cover(&parts)?;
+    Ok(parts)
+}
+
+/// A shard that is what its summary says.
+fn part(path: &Path, out: &Path) -> Result<Part, ScanInput> {
+    let same =
+        |a: &Path, b: &Path| a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
+    if same(path, out) {
+        return Err(ScanInput::OutIsShard { path: path.to_owned() });
+    }
+    if let Err(source) = std::fs::metadata(path) {
+        return Err(ScanInput::Shard { path: path.to_owned(), source });
+    }
+    let summary = output::read_summary(path)?;
+    let known = [Format::Parquet, Format::Csv, Format::Jsonl].into_iter().find(|f| f.name() == summary.format);
+    let format = match known {
+        Some(format) if format.is_available() => format,
+        _ => output::format_of_input(path)?,
+    };
+    let digest = hashing::of_file(path).map_err(|source| ScanInput::Shard { path: path.to_owned(), source })?;
+    if digest != summary.sha256 {
+        return Err(ScanInput::Altered { path: path.to_owned() });
+    }
+    let identity = output::identity(path, summary)?;
+    Ok(Part { path: path.to_owned(), format, identity })
+}
+
+/// Each body is in one of the parts, which stand in the order of their bodies.
+fn check_cover(parts: &[Part]) -> Result<(), ScanInput> {
+    let Some(first) = parts.first() else { return Ok(()) };
+    let count = first.identity.design.count();
     let mut next = 0;
     let mut before: Option<&Part> = None;
-    for part in &parts {
-        let [from, to] = part.summary.range;
+    for part in parts {
+        let [from, to] = part.identity.range;
         if from < next {
             let first = before.map_or_else(PathBuf::new, |before| before.path.clone());
             return Err(ScanInput::Overlap { first, second: part.path.clone(), body: from });
@@ -102,12 +101,12 @@ fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
         let place = before.map_or_else(String::new, |before| format!("after {}", before.path.display()));
         return Err(ScanInput::Missing { from: next, to: count, count, place });
     }
-    Ok(parts)
+    Ok(())
 }
 
 /// Passes the rows of a shard on, each in its place.
-fn pass_rows(part: &Part, take: &mut dyn FnMut(survey::scan::Row) -> Result<(), Failure>) -> Result<(), Failure> {
-    let [from, to] = part.summary.range;
+fn pass_rows(part: &Part, take: &mut dyn FnMut(RowDocument) -> Result<(), Failure>) -> Result<(), Failure> {
+    let [from, to] = part.identity.range;
     let table = |source| ScanInput::Table { path: part.path.clone(), source };
     let mut found = 0;
     for row in part.format.rows(&part.path).map_err(table)? {

@@ -10,7 +10,6 @@ mod merge;
 mod output;
 mod report;
 mod sample;
-mod shard;
 mod table;
 
 pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand, Shown};

@@ -4,8 +4,9 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use schema::SCHEMA_VERSION;
-use survey::scan::{Row, Summary, SummaryDocument};
+use documents::scan::{ScanFile, design, read_design, read_row, scan_summary};
+use schema::{RowDocument, SCHEMA_VERSION, ScanSummaryDocument};
+use survey::scan::Summary;
 
 use super::error::{ScanFailure, ScanInput};
 use super::hashing::HashingWriter;
@@ -46,8 +47,8 @@ pub fn write(
     out: &Path,
     format: Format,
     identity: &Identity,
-    rows: impl FnOnce(&mut dyn FnMut(Row) -> Result<(), Failure>) -> Result<(), Failure>,
-) -> Result<SummaryDocument, Failure> {
+    rows: impl FnOnce(&mut dyn FnMut(RowDocument) -> Result<(), Failure>) -> Result<(), Failure>,
+) -> Result<ScanSummaryDocument, Failure> {
     let fresh = with_ending(out, ".partial.new");
     let failed = |path: &Path| {
         let path = path.to_owned();
@@ -60,7 +61,8 @@ pub fn write(
     {
         let mut sink = format.sink(&mut writer).map_err(table_failed)?;
         rows(&mut |row| {
-            summary.add(&row);
+            let failed = |source| ScanFailure::Row { path: out.to_owned(), body: row.index, source };
+            summary.add(&read_row(&row).map_err(failed)?);
             sink.write(&row).map_err(table_failed)
         })?;
         sink.finish().map_err(table_failed)?;
@@ -68,7 +70,15 @@ pub fn write(
     let (mut writer, sha256) = writer.finish();
     writer.flush().and_then(|()| writer.get_ref().sync_all()).map_err(failed(&fresh))?;
     drop(writer);
-    let document = summary.document(&identity.design, identity.range, identity.accuracy, format.name(), sha256);
+    let file = ScanFile {
+        program: identity.program.clone(),
+        accuracy: identity.accuracy,
+        design: design(&identity.design),
+        range: identity.range,
+        format: format.name().to_owned(),
+        sha256,
+    };
+    let document = scan_summary(&summary, file);
     let text = documents::layout::text(&document).map_err(ScanFailure::from)?;
     let summary_out = summary_path(out);
     let fresh_summary = with_ending(out, ".summary.new");
@@ -80,14 +90,24 @@ pub fn write(
 }
 
 /// The summary beside a file with rows.
-pub fn read_summary(rows: &Path) -> Result<SummaryDocument, ScanInput> {
-    let summary = summary_path(rows);
-    let unreadable = |reason: String| ScanInput::NoSummary { path: rows.to_owned(), summary: summary.clone(), reason };
-    let text = fs::read_to_string(&summary).map_err(|error| unreadable(error.to_string()))?;
-    let document: SummaryDocument = serde_json::from_str(&text).map_err(|error| unreadable(error.to_string()))?;
+pub fn read_summary(rows: &Path) -> Result<ScanSummaryDocument, ScanInput> {
+    let text = fs::read_to_string(summary_path(rows)).map_err(|error| no_summary(rows, &error))?;
+    let document: ScanSummaryDocument = serde_json::from_str(&text).map_err(|error| no_summary(rows, &error))?;
     if document.schema_version == SCHEMA_VERSION {
         Ok(document)
     } else {
-        Err(unreadable(format!("schema_version {} is not {SCHEMA_VERSION}", document.schema_version)))
+        let reason = format!("schema_version {} is not {SCHEMA_VERSION}", document.schema_version);
+        Err(no_summary(rows, &reason))
     }
+}
+
+/// Which scan a file with rows belongs to, by its summary.
+pub fn identity(rows: &Path, summary: ScanSummaryDocument) -> Result<Identity, ScanInput> {
+    let ScanSummaryDocument { program, accuracy, design, range, .. } = summary;
+    let design = read_design(&design).map_err(|error| no_summary(rows, &error))?;
+    Ok(Identity { program, accuracy, design, range })
+}
+
+fn no_summary(rows: &Path, reason: &impl ToString) -> ScanInput {
+    ScanInput::NoSummary { path: rows.to_owned(), summary: summary_path(rows), reason: reason.to_string() }
 }

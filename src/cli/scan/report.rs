@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use survey::scan::SummaryDocument;
+use schema::ScanSummaryDocument;
 
 use super::output::summary_path;
 use crate::cli::terminal::{Report, Table};
@@ -10,7 +10,7 @@ use crate::cli::terminal::{Report, Table};
 /// The most frequent classes that are listed.
 const LISTED: usize = 12;
 
-pub fn text(document: &SummaryDocument, out: &Path) -> String {
+pub fn text(document: &ScanSummaryDocument, out: &Path) -> String {
     let mut report = Report::default();
     report.line(format!(
         "{} bodies: {} classified, {} undecided, {} failed",

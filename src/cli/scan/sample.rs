@@ -4,7 +4,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use rayon::prelude::*;
-use survey::scan::{Design, DesignError, Family, Row};
+use schema::RowDocument;
+use survey::scan::Row;
+use survey::{Design, DesignError, Family};
 
 use super::arguments::{FamilyArgument, SampleArguments};
 use super::error::ScanInput;
@@ -45,16 +47,16 @@ pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
 }
 
 /// The rows of the next bodies.
-fn block(identity: &Identity, from: u64) -> Vec<Row> {
+fn block(identity: &Identity, from: u64) -> Vec<RowDocument> {
     let to = identity.range[1].min(from + BLOCK);
-    (from..to).into_par_iter().map(|n| row(identity, n)).collect()
+    (from..to).into_par_iter().map(|n| documents::scan::row(&row(identity, n))).collect()
 }
 
 /// One row; not even a defect of this program ends the scan.
 fn row(identity: &Identity, n: u64) -> Row {
     let values = identity.design.values(n);
     catch_unwind(AssertUnwindSafe(|| Row::of(n, values, identity.accuracy.into())))
-        .unwrap_or_else(|_panic| Row::lost(n, values, "a defect of this program: the computation panicked"))
+        .unwrap_or_else(|_panic| Row::failed(n, values, "a defect of this program: the computation panicked".to_owned()))
 }
 
 /// Rows to stdout as they come, without journal and summary.

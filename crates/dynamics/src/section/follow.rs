@@ -3,11 +3,12 @@
 use pulp::Simd;
 
 use super::orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
+use super::polish::polished;
 use super::readings::{Gauge, Reading, Readings};
 use super::roots::all_roots;
 use super::scan::Scan;
 use super::torus::PpTorus;
-use crate::field::{Integrals, State, add, scale};
+use crate::field::{Integrals, State};
 use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, state_of};
 use crate::integrator::{Instant, Step, StepError};
 
@@ -225,7 +226,7 @@ impl Follower {
     /// A crossing near this state, where S = `value`.
     #[inline(never)]
     fn cross_nearby(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, value: f64) {
-        let (offset, state) = polished(torus, options, state, value);
+        let (offset, state) = polished(torus.top(), options.condition, state, value);
         let reading = Reading::new(torus, options.condition, &state);
         self.cross_at(torus, options, time.after(offset), &state, &reading);
     }
@@ -277,32 +278,4 @@ impl Follower {
             orbit: self.orbit,
         }
     }
-}
-
-/// Moves a state that is close to the section, where S = `residual`, onto it along the flow: the time that this
-/// takes and the state there.
-///
-/// The polynomial's root is as good as the step's tolerance; Newton's method in time with the flow's own series
-/// brings |S| down to rounding. Near a tangency it stops where it no longer improves.
-#[inline(never)]
-fn polished(torus: &PpTorus, options: &SweepOptions, state: &State, mut residual: f64) -> (f64, State) {
-    let top = torus.top();
-    let (mut offset, mut best) = (0.0, *state);
-    for _ in 0..4 {
-        let t = -residual / options.condition.rate(top, &best);
-        if t.is_nan() {
-            break;
-        }
-        let mut next = State::default();
-        for x in top.taylor_coefficients(&best, 4).iter().rev() {
-            next.gamma = add(scale(t, next.gamma), x.gamma);
-            next.l = add(scale(t, next.l), x.l);
-        }
-        let value = options.condition.value(top, &next);
-        if value.is_nan() || value.abs() >= residual.abs() {
-            break;
-        }
-        (offset, best, residual) = (offset + t, next, value);
-    }
-    (offset, best)
 }

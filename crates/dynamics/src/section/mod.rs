@@ -9,6 +9,7 @@ mod error;
 mod follow;
 mod newton;
 mod orbit;
+mod polish;
 mod portrait;
 mod readings;
 mod roots;

@@ -2,13 +2,14 @@
 
 use thiserror::Error;
 
-use super::event::{self, BorderEvent};
-use super::refine::{self, Root};
+use super::difference;
+use super::event::BorderEvent;
 use super::segment::Segment;
-use proof::{Accuracy, atlas_of};
-use top::atlas::Atlas;
+use super::side::{End, NoClass, Side};
+use super::vanishing::{self, Root};
+use proof::Accuracy;
 use top::body::Flags;
-use top::class::Class;
+use top::class::{Class, ClassName};
 
 /// Where an interval is cut: not in the middle, where special bodies lie.
 const GOLDEN: f64 = 0.381_966_011_250_105_2;
@@ -53,31 +54,19 @@ pub struct Border {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum BorderError {
     /// An end of the way has no class.
-    #[error("the body at the {end} end has no class: {reason}")]
+    #[error("the body at the {end} end has no class: {source}")]
     NoClass {
-        /// Lower or upper.
-        end: &'static str,
+        /// Which end.
+        end: End,
         /// Why.
-        reason: String,
+        source: NoClass,
     },
     /// Both ends have one class.
     #[error("both ends have the class {class}; there is no border to find, or an even number of them")]
     SameClass {
         /// Its name.
-        class: String,
+        class: ClassName,
     },
-}
-
-/// A body with its atlas and class.
-pub(super) struct Seen {
-    pub atlas: Atlas,
-    pub class: Class,
-}
-
-fn look(segment: &Segment, t: f64, accuracy: Accuracy) -> Result<Seen, String> {
-    let atlas = atlas_of(&segment.body(t), accuracy).map_err(|error| error.to_string())?;
-    let class = Class::of(&atlas).map_err(|error| error.to_string())?;
-    Ok(Seen { atlas, class })
 }
 
 /// Finds a border between the ends of a segment. Where several lie between, it finds one of them.
@@ -87,50 +76,95 @@ fn look(segment: &Segment, t: f64, accuracy: Accuracy) -> Result<Seen, String> {
 /// # Errors
 /// [`BorderError`].
 pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, BorderError> {
-    let end = |t: f64, end: &'static str| {
-        look(segment, t, options.accuracy).map_err(|reason| BorderError::NoClass { end, reason })
-    };
-    let (mut low, mut high) = ((0.0, end(0.0, "lower")?), (1.0, end(1.0, "upper")?));
-    if low.1.class == high.1.class {
-        return Err(BorderError::SameClass { class: low.1.class.id().to_owned() });
+    let mut bracket = Bracket::new(segment, options)?;
+    while let Some(t) = bracket.next() {
+        bracket.look(t);
     }
-    let wanted = options.tolerance / segment.length().max(f64::MIN_POSITIVE);
-    let mut atlases = 2;
-    // Bodies that are more special than those around them lie on a border, and belong to neither side.
-    let ordinary = Flags { plate: false, unphysical: false, ..segment.body(GOLDEN).flags() };
-    // A zone where nothing is decided, once one was met.
-    let mut zone: Option<[f64; 2]> = None;
-    while high.0 - low.0 > wanted && atlases < options.atlases_max {
-        let zone_now = zone.unwrap_or([high.0, low.0]);
-        let t = match zone {
-            None => low.0 + GOLDEN * (high.0 - low.0),
-            // The wider of the two gaps beside the zone.
-            Some([from, to]) if from - low.0 >= high.0 - to => 0.5 * (low.0 + from),
-            Some([_, to]) => 0.5 * (to + high.0),
+    let Bracket { low, high, wanted, atlases, .. } = bracket;
+    let (event, vanishing) = difference::between(low.atlas.arrangement(), high.atlas.arrangement());
+    let enclosure = [low.t, high.t];
+    let by_class = Root { t: 0.5 * (low.t + high.t), error: 0.5 * (high.t - low.t) };
+    let inside = |root: &Root| enclosure[0] <= root.t && root.t <= enclosure[1];
+    let Root { t, error } = vanishing::root(segment, &vanishing, enclosure).filter(inside).unwrap_or(by_class);
+    let reached = error <= wanted;
+    Ok(Border { enclosure, t, error, classes: [low.class, high.class], reached, event, atlases })
+}
+
+/// The part of a segment that holds the border.
+struct Bracket<'a> {
+    segment: &'a Segment,
+    options: &'a BorderOptions,
+    low: Side,
+    high: Side,
+    /// A zone where nothing is decided, once one was met.
+    zone: Option<[f64; 2]>,
+    /// The width of t that is wanted.
+    wanted: f64,
+    /// What is special about the bodies of the segment.
+    ordinary: Flags,
+    atlases: u32,
+}
+
+impl<'a> Bracket<'a> {
+    fn new(segment: &'a Segment, options: &'a BorderOptions) -> Result<Self, BorderError> {
+        let side = |t: f64, end: End| {
+            Side::of(segment, t, options.accuracy).map_err(|source| BorderError::NoClass { end, source })
         };
-        if t <= low.0 || t >= high.0 || zone.is_some_and(|[from, to]| t >= from && t <= to) {
-            break;
+        let (low, high) = (side(0.0, End::Lower)?, side(1.0, End::Upper)?);
+        if low.class == high.class {
+            return Err(BorderError::SameClass { class: low.class.name().clone() });
         }
-        // What is gained beside the zone is not worth more atlases once it is small against the zone.
-        if zone.is_some_and(|[from, to]| (from - low.0).max(high.0 - to) < 0.01 * (to - from).max(wanted)) {
-            break;
+        let wanted = options.tolerance / segment.length().max(f64::MIN_POSITIVE);
+        Ok(Self { segment, options, low, high, zone: None, wanted, ordinary: special(segment, GOLDEN), atlases: 2 })
+    }
+
+    /// Where to look next; `None` when nothing more is to be gained.
+    fn next(&self) -> Option<f64> {
+        let (low, high) = (self.low.t, self.high.t);
+        if high - low <= self.wanted || self.atlases >= self.options.atlases_max {
+            return None;
         }
-        atlases += 1;
-        let is_special = |t: f64| Flags { plate: false, unphysical: false, ..segment.body(t).flags() } != ordinary;
-        match look(segment, t, options.accuracy) {
-            Ok(_) if is_special(t) => zone = Some([zone_now[0].min(t), zone_now[1].max(t)]),
-            Ok(seen) if seen.class == low.1.class => low = (t, seen),
-            Ok(seen) => high = (t, seen),
-            Err(_undecided) => zone = Some([zone_now[0].min(t), zone_now[1].max(t)]),
+        let t = match self.zone {
+            None => low + GOLDEN * (high - low),
+            // The wider of the two gaps beside the zone.
+            Some([from, to]) if from - low >= high - to => 0.5 * (low + from),
+            Some([_, to]) => 0.5 * (to + high),
+        };
+        if t <= low || t >= high {
+            return None;
+        }
+        if let Some([from, to]) = self.zone {
+            // What is gained beside the zone is not worth more atlases once it is small against the zone.
+            let little = (from - low).max(high - to) < 0.01 * (to - from).max(self.wanted);
+            if little || (from..=to).contains(&t) {
+                return None;
+            }
+        }
+        Some(t)
+    }
+
+    fn look(&mut self, t: f64) {
+        self.atlases += 1;
+        match Side::of(self.segment, t, self.options.accuracy) {
+            // Bodies that are more special than those around them lie on a border, and belong to neither side.
+            Ok(side) if special(self.segment, t) == self.ordinary => {
+                if side.class == self.low.class {
+                    self.low = side;
+                } else {
+                    self.high = side;
+                }
+            }
+            Ok(_) | Err(_) => {
+                let [from, to] = self.zone.unwrap_or([self.high.t, self.low.t]);
+                self.zone = Some([from.min(t), to.max(t)]);
+            }
         }
         // Decided bodies beyond the zone make it pointless.
-        zone = zone.filter(|[from, to]| *from > low.0 && *to < high.0);
+        self.zone = self.zone.filter(|[from, to]| *from > self.low.t && *to < self.high.t);
     }
-    let (event, witness) = event::between(&low.1, &high.1);
-    let enclosure = [low.0, high.0];
-    let by_class = Root { t: 0.5 * (low.0 + high.0), error: 0.5 * (high.0 - low.0) };
-    let inside = |root: &Root| enclosure[0] <= root.t && root.t <= enclosure[1];
-    let Root { t, error } = refine::root(segment, &witness, enclosure).filter(inside).unwrap_or(by_class);
-    let reached = error <= wanted;
-    Ok(Border { enclosure, t, error, classes: [low.1.class, high.1.class], reached, event, atlases })
+}
+
+/// What is special about a body but for the sums of its moments, which no diagram shows.
+fn special(segment: &Segment, t: f64) -> Flags {
+    Flags { plate: false, unphysical: false, ..segment.body(t).flags() }
 }

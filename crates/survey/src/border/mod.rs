@@ -1,12 +1,21 @@
 //! Borders between classes: where the class changes on the way from one body to another, and what happens there.
+//!
+//! [`find`] bisects on the class. The difference of the two diagrams that are left tells the event ([`BorderEvent`]), and
+//! with it a function of the parameter that vanishes there; its zero gives the border to the last digits.
 
 mod bisection;
-mod document;
+mod creation;
+mod difference;
 mod event;
-mod refine;
+mod exchange;
+mod group;
+mod label;
 mod segment;
+mod side;
+mod vanishing;
 
 pub use bisection::{Border, BorderError, BorderOptions, find};
-pub use document::{BorderDocument, BorderValue};
-pub use event::{BorderEvent, BorderEventKind, named_events};
+pub use event::{BorderEvent, BorderEventKind, Encounter, Place};
+pub use label::{EventLabel, named_events};
 pub use segment::Segment;
+pub use side::{End, NoClass};

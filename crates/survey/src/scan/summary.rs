@@ -2,48 +2,23 @@
 
 use std::collections::BTreeMap;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::design::Design;
-use super::row::{Row, Status, read_counts};
-use proof::atlas_of;
-use schema::{Accuracy, SCHEMA_VERSION};
+use super::row::{Row, Status};
+use crate::signature::{ComponentType, Signature};
+use proof::{Accuracy, atlas_of};
 use top::body::Body;
-use top::class::Class;
+use top::class::{Class, ClassName};
 
 /// A body that shows something, with its number in the scan.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BodyRecord {
     /// Its number.
     pub index: u64,
-    /// A1, A2, A3.
-    #[serde(rename = "A")]
-    pub moments: [f64; 3],
-    /// r1, r2, r3.
-    #[serde(rename = "r")]
-    pub center: [f64; 3],
+    /// A and r.
+    pub values: [[f64; 3]; 2],
 }
 
-/// A class and how often it was met.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct ClassRecord {
-    /// Its name.
-    pub class: String,
-    /// Number of bodies.
-    pub bodies: u64,
-    /// Number of its regions.
-    pub regions: u32,
-    /// Number of its cusps, pitchforks and crossings.
-    pub events: [u32; 3],
-    /// The first body of the class.
-    pub first: BodyRecord,
-    /// Its canonical form, line by line.
-    pub text: Vec<String>,
-}
-
-/// Something that bodies show: how many do, and where it is seen best.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// Something that bodies show.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Record {
     /// Number of bodies.
     pub bodies: u64,
@@ -51,145 +26,81 @@ pub struct Record {
     pub first: BodyRecord,
 }
 
+/// A class and how often it was met.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClassRecord {
+    /// Number of bodies, and the first one.
+    pub record: Record,
+    /// Number of its regions.
+    pub regions: u32,
+    /// Number of its cusps, pitchforks and crossings.
+    pub events: [u32; 3],
+}
+
 /// Counts over the rows of a scan, or of a part of it.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Summary {
-    rows: u64,
-    undecided: u64,
-    failed: u64,
-    work: u64,
-    classes: BTreeMap<String, ClassCount>,
-    signatures: BTreeMap<String, Record>,
-    types: BTreeMap<String, Record>,
-    critical_points: BTreeMap<u32, Record>,
-    regions: BTreeMap<u32, Record>,
-}
-
-#[derive(Clone, Debug)]
-struct ClassCount {
-    bodies: u64,
-    regions: u32,
-    events: [u32; 3],
-    first: BodyRecord,
-}
-
-/// The summary of a scan.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SummaryDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program.
-    pub program: String,
-    /// What the answers are worth.
-    #[serde(default)]
-    pub accuracy: Accuracy,
-    /// Which bodies the scan looks at.
-    pub design: Design,
-    /// The numbers of the bodies: from this one on, up to but without that one.
-    pub range: [u64; 2],
     /// Number of bodies.
     pub rows: u64,
-    /// Bodies with a class.
-    pub classified: u64,
     /// Bodies whose class is open at this accuracy.
     pub undecided: u64,
     /// Bodies without an atlas.
     pub failed: u64,
     /// Points of curves that were computed in all.
     pub work: u64,
-    /// Format of the file with the rows.
-    pub format: String,
-    /// SHA-256 of that file.
-    pub sha256: String,
-    /// For each number of relative equilibria at one l, at most: the bodies.
+    /// Every class.
+    pub classes: BTreeMap<ClassName, ClassRecord>,
+    /// The bodies that show each signature.
+    pub signatures: BTreeMap<Signature, Record>,
+    /// The bodies that show each type of component.
+    pub types: BTreeMap<ComponentType, Record>,
+    /// The bodies with each number of relative equilibria at one l, at most.
     pub critical_points: BTreeMap<u32, Record>,
-    /// For each number of regions: the bodies.
+    /// The bodies with each number of regions.
     pub regions: BTreeMap<u32, Record>,
-    /// For each type of component (boundary circles and poles): the bodies that show it.
-    pub types: BTreeMap<String, Record>,
-    /// For each signature: the bodies that show it.
-    pub signatures: BTreeMap<String, Record>,
-    /// Every class, the most frequent first.
-    pub classes: Vec<ClassRecord>,
 }
 
 impl Summary {
     /// Counts one more body. Of an undecided body only that it is one.
     pub fn add(&mut self, row: &Row) {
         self.rows += 1;
-        self.work += u64::from(row.work.unwrap_or(0));
         match row.status {
             Status::Classified => {}
             Status::Undecided => self.undecided += 1,
             Status::Failed => self.failed += 1,
         }
+        let Some(diagram) = &row.diagram else { return };
+        self.work += u64::from(diagram.work);
         let Some(class) = &row.class else { return };
-        let [moments, center] = row.values();
-        let body = BodyRecord { index: row.index, moments, center };
-        let [regions, critical_points] = [row.regions, row.critical_points].map(Option::unwrap_or_default);
-        let count = |n: Option<u32>| n.unwrap_or_default();
-        let known = self.classes.entry(class.clone()).or_insert_with(|| ClassCount {
-            bodies: 0,
-            regions,
-            events: [count(row.cusps), count(row.pitchforks), count(row.crossings)],
-            first: body.clone(),
+        let body = BodyRecord { index: row.index, values: row.values };
+        let known = self.classes.entry(class.clone()).or_insert_with(|| ClassRecord {
+            record: Record { bodies: 0, first: body.clone() },
+            regions: diagram.regions,
+            events: [diagram.cusps, diagram.pitchforks, diagram.crossings],
         });
-        known.bodies += 1;
-        note(&mut self.regions, regions, &body);
-        note(&mut self.critical_points, critical_points, &body);
-        for (name, _) in read_counts(row.signatures.as_deref().unwrap_or_default()) {
-            note(&mut self.signatures, name.to_owned(), &body);
+        known.record.bodies += 1;
+        note(&mut self.regions, diagram.regions, &body);
+        note(&mut self.critical_points, diagram.critical_points, &body);
+        for signature in diagram.signatures.keys() {
+            note(&mut self.signatures, signature.clone(), &body);
         }
-        for (name, _) in read_counts(row.types.as_deref().unwrap_or_default()) {
-            note(&mut self.types, name.to_owned(), &body);
+        for kind in diagram.types.keys() {
+            note(&mut self.types, *kind, &body);
         }
     }
 
-    /// Number of bodies so far.
+    /// Bodies with a class.
     #[must_use]
-    pub fn rows(&self) -> u64 {
-        self.rows
+    pub fn classified(&self) -> u64 {
+        self.rows - self.undecided - self.failed
     }
 
-    /// The document. The texts of the classes are made again from the first body of each.
+    /// The classes, the most frequent first.
     #[must_use]
-    pub fn document(
-        self,
-        design: &Design,
-        range: [u64; 2],
-        accuracy: Accuracy,
-        format: &str,
-        sha256: String,
-    ) -> SummaryDocument {
-        let mut classes: Vec<ClassRecord> = self
-            .classes
-            .into_iter()
-            .map(|(class, count)| {
-                let text = text_of(&count.first, accuracy);
-                let ClassCount { bodies, regions, events, first } = count;
-                ClassRecord { class, bodies, regions, events, first, text }
-            })
-            .collect();
-        classes.sort_by(|p, q| q.bodies.cmp(&p.bodies).then_with(|| p.class.cmp(&q.class)));
-        SummaryDocument {
-            schema_version: SCHEMA_VERSION.to_owned(),
-            program: concat!("bifdiag ", env!("CARGO_PKG_VERSION")).to_owned(),
-            accuracy,
-            design: design.clone(),
-            range,
-            rows: self.rows,
-            classified: self.rows - self.undecided - self.failed,
-            undecided: self.undecided,
-            failed: self.failed,
-            work: self.work,
-            format: format.to_owned(),
-            sha256,
-            critical_points: self.critical_points,
-            regions: self.regions,
-            types: self.types,
-            signatures: self.signatures,
-            classes,
-        }
+    pub fn by_frequency(&self) -> Vec<(&ClassName, &ClassRecord)> {
+        let mut classes: Vec<_> = self.classes.iter().collect();
+        classes.sort_by(|p, q| q.1.record.bodies.cmp(&p.1.record.bodies).then_with(|| p.0.cmp(q.0)));
+        classes
     }
 }
 
@@ -197,10 +108,10 @@ fn note<K: Ord>(records: &mut BTreeMap<K, Record>, key: K, body: &BodyRecord) {
     records.entry(key).or_insert_with(|| Record { bodies: 0, first: body.clone() }).bodies += 1;
 }
 
-fn text_of(body: &BodyRecord, accuracy: Accuracy) -> Vec<String> {
-    let class = Body::from_f64(body.moments, body.center)
-        .ok()
-        .and_then(|body| atlas_of(&body, accuracy.into()).ok())
-        .and_then(|atlas| Class::of(&atlas).ok());
-    class.map(|class| class.text().lines().map(str::to_owned).collect()).unwrap_or_default()
+/// The canonical form of the class of a body, made again; `None` where it has no class.
+#[must_use]
+pub fn class_text(body: &BodyRecord, accuracy: Accuracy) -> Option<String> {
+    let body = Body::from_f64(body.values[0], body.values[1]).ok()?;
+    let class = Class::of(&atlas_of(&body, accuracy).ok()?).ok()?;
+    Some(class.text().to_owned())
 }

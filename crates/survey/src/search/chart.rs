@@ -1,5 +1,7 @@
 //! Coordinates in which a body is improved: logarithms of ratios, so that near-axis and near-symmetric bodies are ordinary.
 
+use super::digits::{DIGITS, rounded};
+
 /// Coordinates around a body; components of r that are 0 stay 0, and units stay the same.
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
@@ -7,9 +9,6 @@ pub(super) struct Chart {
     /// Places of (A1, A2, A3, r1, r2, r3) that vary.
     free: Vec<usize>,
 }
-
-/// Significant digits of the numbers of a body.
-pub(super) const DIGITS: usize = 6;
 
 impl Chart {
     /// All ratios vary but those of the largest moment and of the largest component of r.
@@ -34,9 +33,4 @@ impl Chart {
         }
         values.map(|triple| triple.map(|x| rounded(x, DIGITS)))
     }
-}
-
-/// The nearest number with a few significant digits.
-pub(super) fn rounded(x: f64, digits: usize) -> f64 {
-    format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x)
 }

@@ -3,7 +3,8 @@
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
 
-use super::chart::{Chart, DIGITS, rounded};
+use super::chart::Chart;
+use super::digits::{DIGITS, rounded};
 use super::score::{Domain, Score, look};
 use super::target::Target;
 

@@ -1,6 +1,7 @@
 //! Bodies to start from.
 
-use crate::scan::{Design, Family, point};
+use crate::design::{Design, Family};
+use numbers::sequence::point;
 
 /// 10^(−4u).
 fn tiny(u: f64) -> f64 {

@@ -70,12 +70,21 @@ impl Default for Domain {
     }
 }
 
+impl Domain {
+    /// True for a body of the domain.
+    #[must_use]
+    pub fn holds(&self, body: &Body) -> bool {
+        let moments = body.moments_f64();
+        let [smallest, largest] = [f64::min, f64::max].map(|of| moments.into_iter().fold(moments[0], of));
+        largest <= self.moment_ratio * smallest && !(self.physical && body.flags().unphysical)
+    }
+}
+
 /// Looks at a body. What is undecided, or outside of the domain, counts as not shown.
 #[must_use]
 pub fn look(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> Seen {
     let Ok(body) = Body::from_f64(values[0], values[1]) else { return Seen::NOTHING };
-    let [smallest, largest] = [f64::min, f64::max].map(|of| values[0].into_iter().fold(values[0][0], of));
-    if largest > domain.moment_ratio * smallest || domain.physical && body.flags().unphysical {
+    if !domain.holds(&body) {
         return Seen::NOTHING;
     }
     let Ok(atlas) = Atlas::new(&body) else { return Seen::NOTHING };

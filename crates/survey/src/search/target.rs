@@ -4,7 +4,8 @@ use std::fmt;
 
 use thiserror::Error;
 
-use top::topology::Component;
+use crate::signature::ComponentType;
+use top::topology::{Component, Poles, Surface};
 
 /// What a region, or a body, must show.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,9 +18,9 @@ pub enum Target {
         poles: Option<u32>,
     },
     /// A component whose section is this surface.
-    Section(String),
-    /// A region whose components have exactly these sections, in sorted order.
-    Signature(Vec<String>),
+    Section(Surface),
+    /// A region whose components have exactly these sections, in the order of their names.
+    Signature(Vec<Surface>),
     /// So many relative equilibria at one l, or more.
     CriticalPoints(u32),
 }
@@ -41,9 +42,13 @@ pub enum ParseTargetError {
     },
 }
 
-fn is_section(text: &str) -> bool {
-    let genus = |digits: &str| digits.parse::<u32>().is_ok_and(|genus| genus >= 2) && !digits.starts_with('+');
-    matches!(text, "S2" | "T2") || text.strip_prefix('M').is_some_and(genus)
+/// The closed surface of this name.
+fn section(text: &str) -> Option<Surface> {
+    text.parse().ok().filter(|surface: &Surface| surface.boundary_circles == 0)
+}
+
+fn sort_by_name(surfaces: &mut [Surface]) {
+    surfaces.sort_by_cached_key(Surface::to_string);
 }
 
 impl Target {
@@ -53,17 +58,12 @@ impl Target {
     /// [`ParseTargetError::Type`].
     pub fn of_type(text: &str) -> Result<Self, ParseTargetError> {
         let text = text.trim();
-        if is_section(text) {
-            return Ok(Self::Section(text.to_owned()));
+        if let Some(surface) = section(text) {
+            return Ok(Self::Section(surface));
         }
-        let wrong = || ParseTargetError::Type { text: text.to_owned() };
-        let (circles, poles) = text.strip_prefix('k').and_then(|rest| rest.split_once('n')).ok_or_else(wrong)?;
-        let number = |digits: &str| digits.parse::<u32>().ok().filter(|_| !digits.starts_with('+')).ok_or_else(wrong);
-        let (circles, poles) = (number(circles)?, number(poles)?);
-        if poles > 2 {
-            return Err(wrong());
-        }
-        Ok(Self::Component { circles: Some(circles), poles: Some(poles) })
+        let kind: ComponentType =
+            text.parse().map_err(|_no_component| ParseTargetError::Type { text: text.to_owned() })?;
+        Ok(Self::Component { circles: Some(kind.circles), poles: Some(kind.poles) })
     }
 
     /// `S2+T2`, in any order.
@@ -71,22 +71,20 @@ impl Target {
     /// # Errors
     /// [`ParseTargetError::Signature`].
     pub fn of_signature(text: &str) -> Result<Self, ParseTargetError> {
-        let mut names: Vec<String> = text.split('+').map(|name| name.trim().to_owned()).collect();
-        if let Some(wrong) = names.iter().find(|name| !is_section(name)) {
-            return Err(ParseTargetError::Signature { text: wrong.clone() });
-        }
-        names.sort();
-        Ok(Self::Signature(names))
+        let read = |name: &str| section(name).ok_or_else(|| ParseTargetError::Signature { text: name.to_owned() });
+        let mut surfaces: Vec<Surface> = text.split('+').map(|name| read(name.trim())).collect::<Result<_, _>>()?;
+        sort_by_name(&mut surfaces);
+        Ok(Self::Signature(surfaces))
     }
 
     /// True for a component that is sought for itself.
-    pub(super) fn accepts(&self, component: &Component) -> bool {
+    fn accepts(&self, component: &Component) -> bool {
         match self {
             Self::Component { circles, poles } => {
                 circles.is_none_or(|k| k == component.boundary_circles)
-                    && poles.is_none_or(|n| Some(n) == component.poles.map(top::topology::Poles::count))
+                    && poles.is_none_or(|n| Some(n) == component.poles.map(Poles::count))
             }
-            Self::Section(name) => component.section().as_ref() == Some(name),
+            Self::Section(surface) => component.section_surface() == Some(*surface),
             Self::Signature(_) | Self::CriticalPoints(_) => false,
         }
     }
@@ -96,10 +94,10 @@ impl Target {
     pub fn accepts_region(&self, components: &[Component]) -> bool {
         match self {
             Self::Signature(wanted) => {
-                let names: Option<Vec<String>> = components.iter().map(Component::section).collect();
-                names.is_some_and(|mut names| {
-                    names.sort();
-                    names == *wanted
+                let surfaces: Option<Vec<Surface>> = components.iter().map(Component::section_surface).collect();
+                surfaces.is_some_and(|mut surfaces| {
+                    sort_by_name(&mut surfaces);
+                    surfaces == *wanted
                 })
             }
             _ => components.iter().any(|component| self.accepts(component)),
@@ -119,8 +117,11 @@ impl fmt::Display for Target {
                 }
                 Ok(())
             }
-            Self::Section(name) => f.write_str(name),
-            Self::Signature(names) => f.write_str(&names.join("+")),
+            Self::Section(surface) => write!(f, "{surface}"),
+            Self::Signature(surfaces) => {
+                let names: Vec<String> = surfaces.iter().map(Surface::to_string).collect();
+                f.write_str(&names.join("+"))
+            }
             Self::CriticalPoints(count) => write!(f, "{count} relative equilibria"),
         }
     }
@@ -133,11 +134,13 @@ mod tests {
     #[test]
     fn types_and_signatures_are_read_in_any_order() {
         assert_eq!(Target::of_type("k3n0"), Ok(Target::Component { circles: Some(3), poles: Some(0) }));
-        assert_eq!(Target::of_type("M4"), Ok(Target::Section("M4".into())));
+        assert_eq!(Target::of_type("M4"), Ok(Target::Section(Surface::closed(4))));
         assert_eq!(Target::of_signature("T2+S2"), Target::of_signature("S2 + T2"));
-        for wrong in ["", "k3", "n1", "k3n3", "M1", "M", "K3", "k-1n0", "k+1n0", "S3"] {
+        assert_eq!(Target::of_signature("T2+S2+M2").unwrap().to_string(), "M2+S2+T2");
+        for wrong in ["", "k3", "n1", "k3n3", "M1", "M", "K3", "k-1n0", "k+1n0", "S3", "M02", "D2", "S2-2D2"] {
             assert!(Target::of_type(wrong).is_err(), "{wrong}");
         }
         assert!(Target::of_signature("S2+").is_err() && Target::of_signature("S2,T2").is_err());
+        assert!(Target::of_signature("S2+D2").is_err());
     }
 }

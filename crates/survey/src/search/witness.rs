@@ -1,13 +1,16 @@
 //! Witnesses: found, rounded, and confirmed by two methods.
 
+use std::fmt;
+
 use thiserror::Error;
 
-use super::chart::{DIGITS, rounded};
+use super::digits::{DIGITS, rounded};
 use super::score::{Domain, Score, look};
 use super::target::Target;
+use numbers::Number;
 use proof::{Accuracy, CertifiedAtlas, NotProved};
-use top::body::{Body, BodyError, Number};
-use top::classify::{ClassifyError, Components, Margin, classify};
+use top::body::{Body, BodyError};
+use top::classify::{Classification, ClassifyError, Components, Margin, classify};
 use top::critical::{CriticalError, critical};
 use top::topology::latitude::{self, SweepError};
 
@@ -28,6 +31,29 @@ pub struct Witness {
     pub margin: Margin,
     /// Relative equilibria at this l, where their number was sought.
     pub critical_points: Option<usize>,
+    /// The methods that confirm it.
+    pub methods: Vec<Method>,
+}
+
+/// A way to find the components of U_hl.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// Minima joined by saddles.
+    MergeTree,
+    /// Circles of latitude, without any critical point.
+    LatitudeSweep,
+    /// A proof.
+    CertifiedAtlas,
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::MergeTree => "merge tree",
+            Self::LatitudeSweep => "latitude sweep",
+            Self::CertifiedAtlas => "certified atlas",
+        })
+    }
 }
 
 /// Why a candidate is no witness.
@@ -56,52 +82,89 @@ pub enum WitnessError {
     Disagreement,
 }
 
-/// Makes a witness of a body: h and l are rounded to a few digits, the merge tree and the latitude sweep must both
-/// confirm the components there, and the margin must exceed its error bound; at [`Accuracy::Certified`] they are proved too.
-///
-/// # Errors
-/// [`WitnessError`].
-pub fn witness(values: [[f64; 3]; 2], target: &Target, accuracy: Accuracy) -> Result<Witness, WitnessError> {
-    let everything = Domain { physical: false, moment_ratio: f64::INFINITY };
-    let seen = look(values, target, &everything);
-    let (Score::Shown(_), Some(at)) = (seen.score, seen.at) else { return Err(WitnessError::NotShown) };
-    let body = Body::from_f64(values[0], values[1])?;
+impl Witness {
+    /// Confirms that a body shows what is sought at a point: the merge tree and the latitude sweep must give the same
+    /// components there, and the margin must exceed its error bound; at [`Accuracy::Certified`] they are proved too.
+    ///
+    /// # Errors
+    /// [`WitnessError`].
+    pub fn confirm(
+        body: Body,
+        [h, l]: [Number; 2],
+        target: &Target,
+        accuracy: Accuracy,
+    ) -> Result<Self, WitnessError> {
+        let answer = classify(&body, &h, &l)?;
+        Self::confirm_answer(body, [h, l], &answer, target, accuracy)
+    }
+
+    fn confirm_answer(
+        body: Body,
+        [h, l]: [Number; 2],
+        answer: &Classification,
+        target: &Target,
+        accuracy: Accuracy,
+    ) -> Result<Self, WitnessError> {
+        let Some(components) = answer.components().map(<[_]>::to_vec) else { return Err(WitnessError::NotShown) };
+        let mut methods = vec![Method::MergeTree, Method::LatitudeSweep];
+        let frame = body.frame();
+        let swept = latitude::components(&frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit)?;
+        if swept != components {
+            return Err(WitnessError::Disagreement);
+        }
+        if accuracy == Accuracy::Certified {
+            if CertifiedAtlas::new(&body)?.classify(&h, &l).components() != Some(&components) {
+                return Err(WitnessError::Disagreement);
+            }
+            methods.push(Method::CertifiedAtlas);
+        }
+        let critical_points = match target {
+            Target::CriticalPoints(wanted) => {
+                let found = critical(&body, &l)?;
+                if !found.complete || found.list.len() < *wanted as usize {
+                    return Err(WitnessError::NotShown);
+                }
+                Some(found.list.len())
+            }
+            _ if target.accepts_region(&swept) => None,
+            _ => return Err(WitnessError::NotShown),
+        };
+        let (target, margin) = (target.clone(), answer.margin);
+        Ok(Self { target, body, h, l, components, margin, critical_points, methods })
+    }
+
+    /// Makes a witness of a body: the place where it shows best what is sought, with h and l rounded to a few digits,
+    /// is [confirmed](Self::confirm).
+    ///
+    /// # Errors
+    /// [`WitnessError`].
+    pub fn of_body(values: [[f64; 3]; 2], target: &Target, accuracy: Accuracy) -> Result<Self, WitnessError> {
+        let everything = Domain { physical: false, moment_ratio: f64::INFINITY };
+        let seen = look(values, target, &everything);
+        let (Score::Shown(_), Some(at)) = (seen.score, seen.at) else { return Err(WitnessError::NotShown) };
+        let body = Body::from_f64(values[0], values[1])?;
+        let (point, answer) = plain_point(&body, at)?;
+        Self::confirm_answer(body, point, &answer, target, accuracy)
+    }
+}
+
+/// A point (h, l) with as few digits as leave most of its margin.
+fn plain_point(body: &Body, at: [f64; 2]) -> Result<([Number; 2], Classification), WitnessError> {
+    /// The share of the margin that must be left.
+    const KEPT: f64 = 0.8;
     let number = |x: f64| Number::from_f64(x).map_err(|_out_of_range| WitnessError::NotShown);
     let point = |digits: usize| {
         let [h, l] = at.map(|x| rounded(x, digits));
         let (h, l) = (number(h)?, number(l)?);
-        let answer = classify(&body, &h, &l)?;
-        Ok::<_, WitnessError>((h, l, answer))
+        let answer = classify(body, &h, &l)?;
+        Ok::<_, WitnessError>(([h, l], answer))
     };
-    // As few digits as leave most of the margin.
-    let (mut h, mut l, mut answer) = point(DIGITS)?;
+    let exact = point(DIGITS)?;
     for digits in 2..DIGITS {
         let rough = point(digits)?;
-        if rough.2.answer == answer.answer && rough.2.margin.h >= 0.8 * answer.margin.h {
-            (h, l, answer) = rough;
-            break;
+        if rough.1.answer == exact.1.answer && rough.1.margin.h >= KEPT * exact.1.margin.h {
+            return Ok(rough);
         }
     }
-    let Some(components) = answer.components().map(<[_]>::to_vec) else { return Err(WitnessError::NotShown) };
-    let frame = body.frame();
-    let swept = latitude::components(&frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit)?;
-    if swept != components {
-        return Err(WitnessError::Disagreement);
-    }
-    if accuracy == Accuracy::Certified && CertifiedAtlas::new(&body)?.classify(&h, &l).components() != Some(&components)
-    {
-        return Err(WitnessError::Disagreement);
-    }
-    let critical_points = match target {
-        Target::CriticalPoints(wanted) => {
-            let found = critical(&body, &l)?;
-            if !found.complete || found.list.len() < *wanted as usize {
-                return Err(WitnessError::NotShown);
-            }
-            Some(found.list.len())
-        }
-        _ if target.accepts_region(&swept) => None,
-        _ => return Err(WitnessError::NotShown),
-    };
-    Ok(Witness { target: target.clone(), body, h, l, components, margin: answer.margin, critical_points })
+    Ok(exact)
 }

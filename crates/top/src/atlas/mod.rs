@@ -3,6 +3,7 @@
 mod course;
 mod exact;
 mod locate;
+mod margin;
 mod polyline;
 mod region;
 mod width;
@@ -21,6 +22,7 @@ pub use course::{Course, CourseOptions, Tail};
 pub use exact::{compare_with_r, on_straight_curve};
 pub use locate::{Location, MomentumError, Place};
 pub(crate) use locate::{abscissa, comparison_error};
+pub use margin::Margin;
 pub use region::{Region, Sample};
 pub(crate) use region::{components_below, partition_below};
 pub use window::{SamplePoint, Window};

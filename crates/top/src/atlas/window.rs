@@ -1,7 +1,6 @@
 //! The part of the (h, l) plane that was asked for.
 
-use super::Atlas;
-use crate::classify::Margin;
+use super::{Atlas, Margin};
 use crate::curves::{CurveId, CurveName};
 use crate::diagram::{Cell, RegionId};
 

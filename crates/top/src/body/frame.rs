@@ -81,8 +81,16 @@ fn nearest(x: &Relaxed) -> f64 {
     x.to_f64().value()
 }
 
+impl Body {
+    /// The body in the sorted, scaled frame in which everything is computed.
+    #[must_use]
+    pub fn frame(&self) -> Frame {
+        Frame::new(self)
+    }
+}
+
 impl Frame {
-    pub(super) fn new(body: &Body) -> Self {
+    fn new(body: &Body) -> Self {
         let largest = |numbers: &[Number; 3]| numbers.iter().fold(0.0, |m: f64, x| m.max(x.to_f64().abs()));
         let a_exponent = quarter_exponent(largest(body.moments()));
         let r_exponent = quarter_exponent(largest(body.center()));

@@ -3,7 +3,6 @@
 use dashu_ratio::RBig;
 use thiserror::Error;
 
-use super::frame::Frame;
 use numbers::{Number, ParseNumberError};
 
 /// A heavy rigid body with a fixed point: A = diag(A1, A2, A3) and the centre of mass r, with the
@@ -128,12 +127,6 @@ impl Body {
     #[must_use]
     pub fn center_f64(&self) -> [f64; 3] {
         self.center.each_ref().map(Number::to_f64)
-    }
-
-    /// The body in the sorted, scaled frame in which everything is computed.
-    #[must_use]
-    pub fn frame(&self) -> Frame {
-        Frame::new(self)
     }
 
     /// What is special about this body.

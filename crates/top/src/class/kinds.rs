@@ -28,7 +28,7 @@ pub enum EdgeKind {
         /// Morse index; `None` for a pole line off the critical curves.
         index: Option<u8>,
         /// Points, pairs, circles, spheres over a point of the curve.
-        family: Family,
+        critical: CriticalKind,
         /// The pole that enters U_hl across the curve.
         pole: Option<Pole2>,
     },
@@ -49,7 +49,7 @@ pub enum Side {
 
 /// How many critical points lie over a point of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Family {
+pub enum CriticalKind {
     /// None: a pole line.
     Nothing,
     /// One.
@@ -84,24 +84,24 @@ pub enum FaceKind {
 
 impl EdgeKind {
     pub(super) fn of(curve: &Curve) -> Self {
-        let family = match curve.orbit {
-            Orbit::Point => Family::Point,
-            Orbit::Pair(_) => Family::Pair,
-            Orbit::Circle(_) => Family::Circle,
-            Orbit::Sphere => Family::Sphere,
-            Orbit::Pole(_) => Family::Nothing,
+        let critical = match curve.orbit {
+            Orbit::Point => CriticalKind::Point,
+            Orbit::Pair(_) => CriticalKind::Pair,
+            Orbit::Circle(_) => CriticalKind::Circle,
+            Orbit::Sphere => CriticalKind::Sphere,
+            Orbit::Pole(_) => CriticalKind::Nothing,
         };
         let pole = curve.entering_pole().map(|pole| match pole {
             Pole::Plus => Pole2::Plus,
             Pole::Minus => Pole2::Minus,
         });
-        Self::Curve { index: curve.index, family, pole }
+        Self::Curve { index: curve.index, critical, pole }
     }
 }
 
 impl fmt::Display for EdgeKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self::Curve { index, family, pole } = self else {
+        let Self::Curve { index, critical, pole } = self else {
             return f.write_str(match self {
                 Self::Frame(Side::Rest) => "l=0",
                 Self::Frame(Side::Fast) => "l=oo",
@@ -109,18 +109,18 @@ impl fmt::Display for EdgeKind {
                 _ => "h=oo",
             });
         };
-        let name = match (family, index) {
-            (Family::Nothing, _) | (_, None) => "",
-            (Family::Sphere, _) => "sphere",
+        let name = match (critical, index) {
+            (CriticalKind::Nothing, _) | (_, None) => "",
+            (CriticalKind::Sphere, _) => "sphere",
             (_, Some(0)) => "minimum",
             // A circle has one normal direction only: index 1 is a maximum across it.
-            (Family::Circle, _) | (_, Some(2)) => "maximum",
+            (CriticalKind::Circle, _) | (_, Some(2)) => "maximum",
             (_, Some(_)) => "saddle",
         };
         f.write_str(name)?;
-        match family {
-            Family::Pair => f.write_str("-pair")?,
-            Family::Circle => f.write_str("-circle")?,
+        match critical {
+            CriticalKind::Pair => f.write_str("-pair")?,
+            CriticalKind::Circle => f.write_str("-circle")?,
             _ => {}
         }
         match pole {

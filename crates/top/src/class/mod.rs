@@ -15,6 +15,7 @@
 
 mod canonical;
 mod kinds;
+mod name;
 mod planar_map;
 mod text;
 
@@ -23,21 +24,18 @@ use thiserror::Error;
 use crate::atlas::Atlas;
 use crate::diagram::RegionId;
 use crate::topology::merge::MergeError;
-use sha2::{Digest, Sha256};
 
 pub use kinds::{EdgeKind, FaceKind, VertexKind};
+pub use name::{ClassName, ParseClassNameError};
 pub use planar_map::{MapError, PlanarMap};
 
 /// First line of each text. It changes whenever texts change, since names of classes are kept in files.
 const HEAD: &str = "map 1";
 
-/// Hexadecimal digits of a class's name.
-const DIGITS: usize = 12;
-
 /// A class of bifurcation diagrams.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Class {
-    id: String,
+    name: ClassName,
     text: String,
 }
 
@@ -80,13 +78,13 @@ impl Class {
     #[must_use]
     pub fn of_map(map: &PlanarMap) -> Self {
         let text = text::write(map, &canonical::number(map));
-        Self { id: name_of(&text), text }
+        Self { name: ClassName::of_text(&text), text }
     }
 
     /// Its name: the first 12 hexadecimal digits of the SHA-256 of [`Class::text`].
     #[must_use]
-    pub fn id(&self) -> &str {
-        &self.id
+    pub fn name(&self) -> &ClassName {
+        &self.name
     }
 
     /// The canonical form: after a line with the version, one line for each region with its boundary.
@@ -98,12 +96,6 @@ impl Class {
     pub fn text(&self) -> &str {
         &self.text
     }
-}
-
-fn name_of(text: &str) -> String {
-    let mut name = base16ct::lower::encode_string(&Sha256::digest(text.as_bytes()));
-    name.truncate(DIGITS);
-    name
 }
 
 #[cfg(test)]
@@ -125,17 +117,11 @@ mod tests {
         assert_eq!(class.text(), expected);
     }
 
-    #[test]
-    fn names_are_the_beginning_of_the_sha_256_of_the_text() {
-        // FIPS 180-4, the message "abc".
-        assert_eq!(name_of("abc"), "ba7816bf8f01");
-    }
-
     /// Names of classes are kept in files: they must not change unnoticed.
     #[test]
     fn the_class_of_the_papers_body() {
         let class = class(&Preset::find("paper").unwrap().body());
-        assert_eq!((class.id(), class.text().lines().count()), ("4b99dc25201f", 2 + 9), "{}", class.text());
+        assert_eq!((class.name().as_str(), class.text().lines().count()), ("4b99dc25201f", 2 + 9), "{}", class.text());
         assert!(
             class.text().contains("R6 S2-2D2+: 14 maximum R2 Y 21 saddle-pair R4 x 15 P- R7 x\n"),
             "{}",

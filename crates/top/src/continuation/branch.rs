@@ -6,7 +6,7 @@ use crate::stability::RelativeEquilibrium;
 
 /// Which equations hold along the branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Family {
+pub(super) enum Kind {
     /// γ_j = r_j/B_j for every axis with r_j ≠ 0, γ_j = 0 for the others.
     Generic,
     /// r_i = 0 and B_i = 0 for this axis i, γ_i is free.
@@ -33,7 +33,7 @@ pub(super) struct Point {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Branch<'a> {
     pub frame: &'a Frame,
-    pub family: Family,
+    pub kind: Kind,
     /// Axes with r_j ≠ 0: there B_jγ_j = r_j, and neither factor can change its sign.
     pub active: [bool; 3],
     /// Axes with r_j = γ_j = 0 along the branch; a pitchfork where their gap vanishes.
@@ -86,11 +86,11 @@ impl<'a> Branch<'a> {
     pub fn new(frame: &'a Frame, start: &Start) -> Self {
         let gamma = &start.equilibrium.gamma;
         let active = frame.r.map(|r| r != 0.0);
-        let family = start.pair_axis.map_or(Family::Generic, |axis| Family::Pair { axis });
+        let kind = start.pair_axis.map_or(Kind::Generic, |axis| Kind::Pair { axis });
         let omega_floor = if frame.is_euler() { 1.0 } else { (frame.r_norm / frame.a[2]).sqrt() };
         Self {
             frame,
-            family,
+            kind,
             active,
             frozen: std::array::from_fn(|j| !active[j] && start.pair_axis != Some(j)),
             sign: gamma.map(|x| if x < 0.0 { -1.0 } else { 1.0 }),
@@ -104,12 +104,12 @@ impl<'a> Branch<'a> {
         for j in (0..3).filter(|&j| self.frozen[j]) {
             gamma[j] = 0.0;
         }
-        match self.family {
-            Family::Pair { axis } => {
+        match self.kind {
+            Kind::Pair { axis } => {
                 gamma[axis] = gamma[axis].abs();
                 Point { gamma, omega, anchor: axis, gap: 0.0 }
             }
-            Family::Generic => {
+            Kind::Generic => {
                 let anchor = self.smallest_gap(&gap);
                 Point { gamma, omega, anchor, gap: gap[anchor] }
             }
@@ -127,7 +127,7 @@ impl<'a> Branch<'a> {
 
     /// The same point, held by its smallest gap.
     pub fn reanchored(&self, mut point: Point) -> Point {
-        if self.family == Family::Generic {
+        if self.kind == Kind::Generic {
             let gaps = self.gaps(&point);
             let anchor = self.smallest_gap(&gaps);
             if gaps[anchor].abs() < 0.5 * gaps[point.anchor].abs() {
@@ -177,7 +177,7 @@ impl<'a> Branch<'a> {
                 linear.v[j] = -gamma[j] * linear.f[j];
             }
         }
-        if let Family::Pair { axis } = self.family {
+        if let Kind::Pair { axis } = self.kind {
             linear.u[axis] = 1.0;
         }
         linear.n[0] = 0.5 * norm;
@@ -225,10 +225,10 @@ impl<'a> Branch<'a> {
 
     /// The sign that makes (−n2, n1) point the same way all along a branch, whatever the anchor.
     fn orientation(&self, point: &Point) -> f64 {
-        match self.family {
-            Family::Pair { .. } => 1.0,
+        match self.kind {
+            Kind::Pair { .. } => 1.0,
             // n1 = −B_i Σ γ_j²/B_j, and the sign of B_i is that of γ_i.
-            Family::Generic => -self.sign[point.anchor],
+            Kind::Generic => -self.sign[point.anchor],
         }
     }
 
@@ -243,10 +243,10 @@ impl<'a> Branch<'a> {
 
     /// A smooth function along the branch that changes its sign exactly at cusps.
     pub fn turning(&self, point: &Point, tangent: &Tangent) -> f64 {
-        match self.family {
-            Family::Generic => tangent.l / tangent.omega_scale,
+        match self.kind {
+            Kind::Generic => tangent.l / tangent.omega_scale,
             // On a pair dl vanishes at the pitchfork too, by symmetry; the other factor is 4A_i − 3J.
-            Family::Pair { axis } => {
+            Kind::Pair { axis } => {
                 let mut difference = 0.0;
                 for j in 0..3 {
                     difference += self.frame.diff[axis][j] * point.gamma[j] * point.gamma[j];

@@ -1,6 +1,6 @@
 //! Newton's method on the equations of the branch with one more condition.
 
-use super::branch::{Branch, Family, Point, Tangent};
+use super::branch::{Branch, Kind, Linear, Point, Tangent};
 use super::report::Effort;
 
 /// Newton updates below this size leave an error of the order of its square: below rounding.
@@ -34,12 +34,40 @@ impl Branch<'_> {
             point.gamma[j] += step * tangent.gamma[j];
         }
         point.omega += step * tangent.omega * tangent.omega_scale;
-        if self.family == Family::Generic {
+        if self.kind == Kind::Generic {
             // The sign is kept, and the error is of third order in the logarithm.
             let half = 0.5 * step * tangent.x;
             point.gap *= (1.0 + half) / (1.0 - half);
         }
         self.has_signs(&point, false).then_some(point)
+    }
+
+    /// The condition's linear equation c0 + c1 x + c2 w = 0.
+    fn row(&self, point: &Point, condition: Condition, linear: &Linear, omega_scale: f64) -> [f64; 3] {
+        match condition {
+            Condition::Plane(tangent) => {
+                let mut c = [0.0, 0.0, tangent.omega];
+                for j in 0..3 {
+                    c[0] += tangent.gamma[j] * linear.k[j];
+                    c[1] += tangent.gamma[j] * linear.u[j] + tangent.gap[j] * linear.e[j];
+                    c[2] += tangent.gamma[j] * linear.v[j] + tangent.gap[j] * linear.f[j];
+                }
+                c
+            }
+            Condition::Momentum(l) => {
+                let moment = self.moment(&point.gamma);
+                let mut c = [point.omega * moment - l, 0.0, moment * omega_scale];
+                for j in 0..3 {
+                    let weight = 2.0 * point.omega * self.frame.a[j] * point.gamma[j];
+                    c[0] += weight * linear.k[j];
+                    c[1] += weight * linear.u[j];
+                    c[2] += weight * linear.v[j];
+                }
+                c
+            }
+            Condition::Rest => [point.omega / omega_scale, 0.0, 1.0],
+            Condition::Symmetric(axis) => [point.gamma[axis], 1.0, 0.0],
+        }
     }
 
     /// Newton's method from `point`; the first update may not exceed `reach`.
@@ -56,31 +84,7 @@ impl Branch<'_> {
         for iteration in 0..MAX_ITERATIONS {
             effort.newton_iterations += 1;
             let linear = self.linear(&point, omega_scale);
-            // c0 + c1 x + c2 w = 0.
-            let c = match condition {
-                Condition::Plane(tangent) => {
-                    let mut c = [0.0, 0.0, tangent.omega];
-                    for j in 0..3 {
-                        c[0] += tangent.gamma[j] * linear.k[j];
-                        c[1] += tangent.gamma[j] * linear.u[j] + tangent.gap[j] * linear.e[j];
-                        c[2] += tangent.gamma[j] * linear.v[j] + tangent.gap[j] * linear.f[j];
-                    }
-                    c
-                }
-                Condition::Momentum(l) => {
-                    let moment = self.moment(&point.gamma);
-                    let mut c = [point.omega * moment - l, 0.0, moment * omega_scale];
-                    for j in 0..3 {
-                        let weight = 2.0 * point.omega * self.frame.a[j] * point.gamma[j];
-                        c[0] += weight * linear.k[j];
-                        c[1] += weight * linear.u[j];
-                        c[2] += weight * linear.v[j];
-                    }
-                    c
-                }
-                Condition::Rest => [point.omega / omega_scale, 0.0, 1.0],
-                Condition::Symmetric(axis) => [point.gamma[axis], 1.0, 0.0],
-            };
+            let c = self.row(&point, condition, &linear, omega_scale);
             let n = &linear.n;
             let determinant = n[1] * c[2] - n[2] * c[1];
             if determinant == 0.0 {
@@ -95,7 +99,7 @@ impl Branch<'_> {
                 size = size.max(change.abs()).max((linear.e[j] * x + linear.f[j] * w).abs());
             }
             point.omega += w * omega_scale;
-            if self.family == Family::Generic {
+            if self.kind == Kind::Generic {
                 if x.abs() >= 1.0 {
                     return None;
                 }

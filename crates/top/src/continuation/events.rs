@@ -1,6 +1,6 @@
 //! What happens between two vertices: cusps, pitchforks, the ends of the branch and of the range of l.
 
-use super::branch::{Family, Point, Tangent};
+use super::branch::{Kind, Point, Tangent};
 use super::corrector::Condition;
 use super::location::{Bracket, GOLDEN};
 use super::options::AtEvent;
@@ -26,7 +26,7 @@ impl Tracker<'_> {
     /// Whether two cusps hide between the base and `end`. The turning function has the same sign at both then, and dips
     /// in between; the dip shows at the end where the value is smaller, and is followed down by golden section.
     pub(super) fn hides_a_fold(&mut self, end: &Point, tangent: &Tangent, signed: f64) -> bool {
-        if matches!(self.branch.family, Family::Pair { .. }) {
+        if matches!(self.branch.kind, Kind::Pair { .. }) {
             return false;
         }
         let from = self.branch.turning(&self.base, &self.tangent) * self.turning_sign;
@@ -75,7 +75,7 @@ impl Tracker<'_> {
     pub(super) fn events(&self, end: &Point, tangent: &Tangent) -> Vec<Event> {
         let mut events = Vec::new();
         let l = self.branch.l(end);
-        if let Family::Pair { axis } = self.branch.family
+        if let Kind::Pair { axis } = self.branch.kind
             && end.gamma[axis] <= 0.0
         {
             events.push(Event::Landing(StopReason::Pitchfork));
@@ -170,10 +170,10 @@ impl Tracker<'_> {
     }
 
     fn land(&mut self, reason: StopReason, end: Point, signed: f64) -> Step {
-        let condition = match (reason, self.branch.family) {
+        let condition = match (reason, self.branch.kind) {
             (StopReason::MaximumReached, _) => Condition::Momentum(self.options.l_max),
             (StopReason::MinimumReached, _) => Condition::Momentum(self.options.l_min),
-            (StopReason::Pitchfork, Family::Pair { axis }) => Condition::Symmetric(axis),
+            (StopReason::Pitchfork, Kind::Pair { axis }) => Condition::Symmetric(axis),
             _ => Condition::Rest,
         };
         let scale = self.tangent.omega_scale;

@@ -1,6 +1,6 @@
 //! The loop: predict, correct, judge, accept.
 
-use super::branch::{Branch, Family, Point, Tangent};
+use super::branch::{Branch, Kind, Point, Tangent};
 use super::chord::{ChordEnd, chord_distance};
 use super::corrector::Condition;
 use super::options::{Direction, Start, TrackOptions};
@@ -86,6 +86,19 @@ fn sign(x: f64) -> f64 {
     }
 }
 
+fn check(options: &TrackOptions) -> Result<(), TrackError> {
+    let positive = [
+        ("chord_tolerance", options.chord_tolerance),
+        ("h_scale", options.h_scale),
+        ("l_scale", options.l_scale),
+        ("max_step", options.max_step),
+    ];
+    match positive.into_iter().find(|(_, value)| value.is_nan() || *value <= 0.0) {
+        Some((option, value)) => Err(TrackError::OptionNotPositive { option, value }),
+        None => Ok(()),
+    }
+}
+
 fn chord_end(vertex: &Vertex, tangent: &Tangent) -> ChordEnd {
     ChordEnd {
         l: vertex.l,
@@ -102,25 +115,15 @@ impl<'a> Tracker<'a> {
         direction: Direction,
         options: &'a TrackOptions,
     ) -> Result<Self, TrackError> {
-        let positive = [
-            ("chord_tolerance", options.chord_tolerance),
-            ("h_scale", options.h_scale),
-            ("l_scale", options.l_scale),
-            ("max_step", options.max_step),
-        ];
-        for (option, value) in positive {
-            if value.is_nan() || value <= 0.0 {
-                return Err(TrackError::OptionNotPositive { option, value });
-            }
-        }
+        check(options)?;
         let branch = Branch::new(frame, start);
         let mut effort = Effort::default();
         let guess = branch.point(start);
-        let leaves_pitchfork = matches!(branch.family, Family::Pair { axis } if guess.gamma[axis] == 0.0);
+        let leaves_pitchfork = matches!(branch.kind, Kind::Pair { axis } if guess.gamma[axis] == 0.0);
         let refused = TrackError::StartNotOnBranch { gamma: start.equilibrium.gamma, omega: start.equilibrium.omega };
         let tangent = branch.tangent(&guess);
-        let condition = match branch.family {
-            Family::Pair { axis } if leaves_pitchfork => Condition::Symmetric(axis),
+        let condition = match branch.kind {
+            Kind::Pair { axis } if leaves_pitchfork => Condition::Symmetric(axis),
             _ if guess.omega == 0.0 => Condition::Rest,
             _ => Condition::Plane(&tangent),
         };

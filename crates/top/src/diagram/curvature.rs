@@ -2,6 +2,7 @@
 
 use crate::body::Frame;
 use crate::curves::{Arc, Shape, SymmetricFamily};
+use numbers::enclosure::Arithmetic;
 use numbers::interval::Interval;
 
 /// Units of roundoff by which computed inputs are widened.
@@ -13,7 +14,7 @@ const SLACK: f64 = 32.0;
 /// straight line 0 (Lemma 7.3 of docs/mathematics.md).
 pub(super) fn curvature(frame: &Frame, arc: &Arc, x: [f64; 2]) -> Option<Interval> {
     let enclosure = match &arc.shape {
-        Shape::Straight { .. } => Interval::point(0.0),
+        Shape::Straight { .. } => Interval::ZERO,
         Shape::Generic(_) => {
             let (from, to) = (arc.mu(frame, x[0])?, arc.mu(frame, x[1])?);
             // Ends measured from different moments lie on both sides of the middle between these: there the change of
@@ -35,14 +36,14 @@ pub(super) fn curvature(frame: &Frame, arc: &Arc, x: [f64; 2]) -> Option<Interva
 
 fn generic(frame: &Frame, base: usize, delta: Interval) -> Interval {
     let active: Vec<usize> = (0..3).filter(|&k| frame.r[k] > 0.0).collect();
-    let value = |x: f64| Interval::point(x).widened(1.0);
+    let value = Interval::rounded;
     let tau: Vec<Interval> = active.iter().map(|&k| delta + value(frame.diff[base][k])).collect();
-    let inverse: Vec<Interval> = tau.iter().map(|t| t.recip()).collect();
+    let inverse: Vec<Interval> = tau.iter().map(|t| Interval::ONE / *t).collect();
     let g2: Vec<Interval> =
         active.iter().zip(&inverse).map(|(&k, inverse)| (value(frame.r[k]) * *inverse).square()).collect();
-    let zero = Interval::point(0.0);
+    let zero = Interval::ZERO;
     let p = g2.iter().fold(zero, |sum, g| sum + *g);
-    let w: Vec<Interval> = g2.iter().map(|g| *g * p.recip()).collect();
+    let w: Vec<Interval> = g2.iter().map(|g| *g / p).collect();
     let j = active.iter().zip(&w).fold(zero, |sum, (&k, w)| sum + value(frame.a[k]) * *w);
     let t = w.iter().zip(&inverse).fold(zero, |sum, (w, inverse)| sum + *w * *inverse);
     let mut v = zero;
@@ -53,13 +54,13 @@ fn generic(frame: &Frame, base: usize, delta: Interval) -> Interval {
         }
     }
     let x = p.sqrt() * j.square() * 0.5;
-    -(v * 2.0) * (j * x * (t * j + v * 4.0)).recip()
+    -(v * 2.0) / (j * x * (t * j + v * 4.0))
 }
 
 fn symmetric(frame: &Frame, family: &SymmetricFamily, s: Interval) -> Interval {
     let r_sum = Interval::point(family.r_sum).widened(8.0);
-    let a = Interval::point(frame.a[family.axis]).widened(1.0);
-    let shift = r_sum * s.square().recip();
+    let a = Interval::rounded(frame.a[family.axis]);
+    let shift = r_sum / s.square();
     let j = a - shift;
-    -(r_sum * 4.0) * (s * s.square() * j * j.square() * (a + shift * 3.0)).recip()
+    -(r_sum * 4.0) / (s * s.square() * j * j.square() * (a + shift * 3.0))
 }

@@ -9,6 +9,7 @@
 
 use crate::body::Frame;
 use crate::curves::Mu;
+use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 
 /// The two branches at one abscissa.
@@ -22,16 +23,16 @@ pub(super) struct MirrorPair {
 
 /// True when the branch left of a_i is proved to lie above the branch right of it for all x in the range.
 pub(super) fn left_is_above(frame: &Frame, axis: usize, x: [f64; 2], ends: [MirrorPair; 2]) -> bool {
-    let family = Family::new(frame, axis);
+    let curves = MirroredCurves::new(frame, axis);
     let v = |mu: Option<Mu>| mu.map_or(0.0, |mu| mu.delta.abs() / frame.r[axis]);
     let left = ends.map(|pair| v(pair.left));
     let right = ends.map(|pair| v(pair.right));
-    family.is_monotone_around(x, left, right) || family.leaves_cusp(x, left, right)
+    curves.is_monotone_around(x, left, right) || curves.leaves_cusp(x, left, right)
 }
 
 /// The family of solutions over one axis, with ε anywhere in [−r_i, r_i].
 #[derive(Clone, Copy)]
-struct Family<'a> {
+struct MirroredCurves<'a> {
     frame: &'a Frame,
     axis: usize,
     a: Interval,
@@ -44,10 +45,10 @@ struct Sums {
     q: [Interval; 3],
 }
 
-impl<'a> Family<'a> {
+impl<'a> MirroredCurves<'a> {
     fn new(frame: &'a Frame, axis: usize) -> Self {
         let epsilon = Interval::between(-frame.r[axis], frame.r[axis]).widened(2.0);
-        Self { frame, axis, a: Interval::point(frame.a[axis]).widened(1.0), epsilon }
+        Self { frame, axis, a: Interval::rounded(frame.a[axis]), epsilon }
     }
 
     /// The solution cannot leave a box on which x is monotone in v, while ε runs from one end to the other.
@@ -99,11 +100,10 @@ impl<'a> Family<'a> {
     }
 
     fn sums(&self, v: Interval) -> Sums {
-        let zero = Interval::point(0.0);
-        let mut sums = Sums { p: [zero; 3], q: [zero; 3] };
+        let mut sums = Sums { p: [Interval::ZERO; 3], q: [Interval::ZERO; 3] };
         for j in (0..3).filter(|&j| j != self.axis && self.frame.r[j] > 0.0) {
-            let value = |x: f64| Interval::point(x).widened(1.0);
-            let inverse = (value(self.frame.diff[self.axis][j]) + self.epsilon * v).recip();
+            let value = Interval::rounded;
+            let inverse = Interval::ONE / (value(self.frame.diff[self.axis][j]) + self.epsilon * v);
             let square = (value(self.frame.r[j]) * inverse).square();
             let terms = [square, square * inverse * -2.0, square * inverse.square() * 6.0];
             let a = value(self.frame.a[j]);
@@ -116,7 +116,7 @@ impl<'a> Family<'a> {
     }
 
     fn p_and_q(&self, v: Interval, sums: &Sums) -> (Interval, Interval) {
-        (Interval::point(1.0) + v.square() * sums.p[0], self.a + v.square() * sums.q[0])
+        (Interval::ONE + v.square() * sums.p[0], self.a + v.square() * sums.q[0])
     }
 
     /// Sign of −dx/dv on a box: of (4 a_i p − 3 q) − ε v³ (2 Q̂' p − (3/2) P̂' q).
@@ -131,7 +131,7 @@ impl<'a> Family<'a> {
 
     /// ∂g/∂t, ∂g/∂ε and m on a box of t.
     fn slopes_of_g(&self, t: Interval) -> (Interval, Interval, Interval) {
-        let v = t.recip();
+        let v = Interval::ONE / t;
         let Sums { p: [p0, p1, p2], q: [q0, q1, q2] } = self.sums(v);
         let (square, e) = (t.square(), self.epsilon);
         let (p, q) = (p0 + square, q0 + self.a * square);
@@ -151,9 +151,9 @@ impl<'a> Family<'a> {
     /// x at v; beyond all bounds when v = 0.
     fn x(&self, v: Interval) -> Interval {
         if v.lo <= 0.0 {
-            return Interval { lo: f64::INFINITY, hi: f64::INFINITY };
+            return Interval { lo: f64::MAX, hi: f64::INFINITY };
         }
         let (p, q) = self.p_and_q(v, &self.sums(v));
-        q.square() * (p * p.sqrt() * v).recip() * 0.5
+        q.square() / (p * p.sqrt() * v) * 0.5
     }
 }

@@ -9,6 +9,7 @@
 use crate::body::Frame;
 use crate::curves::{Arc, Asymptote, Curve, Gap, Mu, Orbit, Point, Pole, Shape};
 use numbers::UNIT_ROUNDOFF;
+use numbers::enclosure::Enclosure;
 use numbers::interval::Interval;
 use numbers::root::{Bracket, newton_bracketed};
 

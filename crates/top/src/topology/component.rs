@@ -1,5 +1,7 @@
 //! Connected components of the accessible region and Table 1 of Schmidt, Dullin and Richter (2008).
 
+use super::surface::Surface;
+
 /// Which of the poles ±r̂ lie in a component of U_hl.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Poles {
@@ -37,14 +39,22 @@ impl Component {
         self.poles.map(|poles| (self.boundary_circles + poles.count()).saturating_sub(1))
     }
 
+    /// The component of U_hl itself.
+    #[must_use]
+    pub fn surface(&self) -> Surface {
+        Surface::sphere_without_discs(self.boundary_circles)
+    }
+
+    /// The component of the section P_hl over it; `None` when r = 0.
+    #[must_use]
+    pub fn section_surface(&self) -> Option<Surface> {
+        self.genus().map(Surface::closed)
+    }
+
     /// Name of the component of U_hl: `S2`, `D2`, `S2-2D2`, `S2-3D2`, …
     #[must_use]
     pub fn accessible_region(&self) -> String {
-        match self.boundary_circles {
-            0 => "S2".to_owned(),
-            1 => "D2".to_owned(),
-            k => format!("S2-{k}D2"),
-        }
+        self.surface().to_string()
     }
 
     /// Name of the component of the energy surface E_hl over this component:
@@ -62,15 +72,11 @@ impl Component {
     /// Name of the component of the section P_hl: `S2`, `T2`, `M2`, `M3`, `M4`; `None` when r = 0.
     #[must_use]
     pub fn section(&self) -> Option<String> {
-        self.genus().map(|genus| match genus {
-            0 => "S2".to_owned(),
-            1 => "T2".to_owned(),
-            g => format!("M{g}"),
-        })
+        self.section_surface().map(|surface| surface.to_string())
     }
 
     /// Sort key: boundary circles, number of poles, "+" before "-".
-    fn key(&self) -> (u32, u32, bool) {
+    pub(super) fn key(&self) -> (u32, u32, bool) {
         let poles = self.poles.unwrap_or_default();
         (self.boundary_circles, poles.count(), poles.minus)
     }

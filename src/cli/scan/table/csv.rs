@@ -2,7 +2,7 @@
 
 use std::io::{Read, Write};
 
-use survey::scan::Row;
+use schema::RowDocument;
 
 use super::{RowSink, TableError};
 
@@ -18,7 +18,7 @@ impl<W: Write> Sink<W> {
 }
 
 impl<W: Write> RowSink for Sink<W> {
-    fn write(&mut self, row: &Row) -> Result<(), TableError> {
+    fn write(&mut self, row: &RowDocument) -> Result<(), TableError> {
         Ok(self.writer.serialize(row)?)
     }
 
@@ -28,6 +28,6 @@ impl<W: Write> RowSink for Sink<W> {
 }
 
 /// The rows of a file.
-pub fn rows(file: impl Read) -> impl Iterator<Item = Result<Row, TableError>> {
+pub fn rows(file: impl Read) -> impl Iterator<Item = Result<RowDocument, TableError>> {
     csv::Reader::from_reader(file).into_deserialize().map(|row| Ok(row?))
 }

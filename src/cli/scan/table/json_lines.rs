@@ -2,7 +2,7 @@
 
 use std::io::{BufRead, Write};
 
-use survey::scan::Row;
+use schema::RowDocument;
 
 use super::{RowSink, TableError};
 
@@ -18,7 +18,7 @@ impl<W: Write> Sink<W> {
 }
 
 impl<W: Write> RowSink for Sink<W> {
-    fn write(&mut self, row: &Row) -> Result<(), TableError> {
+    fn write(&mut self, row: &RowDocument) -> Result<(), TableError> {
         let mut line = serde_json::to_vec(row).map_err(TableError::JsonWrite)?;
         line.push(b'\n');
         Ok(self.out.write_all(&line)?)
@@ -30,7 +30,7 @@ impl<W: Write> RowSink for Sink<W> {
 }
 
 /// The rows of a file.
-pub fn rows(file: impl BufRead) -> impl Iterator<Item = Result<Row, TableError>> {
+pub fn rows(file: impl BufRead) -> impl Iterator<Item = Result<RowDocument, TableError>> {
     file.lines()
         .zip(1..)
         .map(|(line, number)| serde_json::from_str(&line?).map_err(|source| TableError::Json { line: number, source }))

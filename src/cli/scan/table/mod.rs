@@ -10,7 +10,7 @@ use std::io::{self, BufReader, Write};
 use std::path::Path;
 
 use clap::ValueEnum;
-use survey::scan::Row;
+use schema::RowDocument;
 use thiserror::Error;
 
 /// Formats of the rows.
@@ -43,7 +43,7 @@ pub enum TableError {
     ParquetRow { row: u64, source: serde_json::Error },
     #[cfg(feature = "parquet")]
     #[error("column {column} of the Parquet file cannot be written")]
-    Column { column: &'static str },
+    Column { column: String },
     #[cfg(not(feature = "parquet"))]
     #[error(
         "this bifdiag was built without the feature `parquet`; use .csv or .jsonl, or build it with --features parquet"
@@ -54,13 +54,13 @@ pub enum TableError {
 /// Takes the rows one by one.
 pub trait RowSink {
     /// Adds a row.
-    fn write(&mut self, row: &Row) -> Result<(), TableError>;
+    fn write(&mut self, row: &RowDocument) -> Result<(), TableError>;
     /// Writes what is still held back. Nothing may follow.
     fn finish(&mut self) -> Result<(), TableError>;
 }
 
 /// The rows of a file, one by one.
-pub type Rows = Box<dyn Iterator<Item = Result<Row, TableError>>>;
+pub type Rows = Box<dyn Iterator<Item = Result<RowDocument, TableError>>>;
 
 impl Format {
     /// The format that the ending of a file's name says.
@@ -115,17 +115,20 @@ impl Format {
 
 #[cfg(test)]
 mod tests {
+    use survey::scan::Row;
 
     use super::*;
 
     #[test]
     fn rows_come_back_from_every_format_as_they_went() {
         let directory = tempfile::tempdir().unwrap();
-        let mut rows = vec![
-            Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], proof::Accuracy::Standard),
-            Row::of(1, [[2.0, -1.0, 1.0 / 3.0], [1e-300, 0.0, 6e150]], proof::Accuracy::Standard),
-            Row::of(2, [[2.0, 1.5, 1.0], [0.0; 3]], proof::Accuracy::Standard),
+        let bodies = [
+            [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]],
+            [[2.0, -1.0, 1.0 / 3.0], [1e-300, 0.0, 6e150]],
+            [[2.0, 1.5, 1.0], [0.0; 3]],
         ];
+        let row = |(n, values)| documents::scan::row(&Row::of(n, values, proof::Accuracy::Standard));
+        let mut rows: Vec<RowDocument> = (0..).zip(bodies).map(row).collect();
         rows[1].error = Some("a \"text\", with commas;\nand a line".to_owned());
         for format in [Format::Csv, Format::Jsonl, Format::Parquet] {
             let path = directory.path().join(format.name());
@@ -146,7 +149,7 @@ mod tests {
             let first = bytes();
             assert_eq!(first, bytes(), "{format:?}");
             std::fs::write(&path, first).unwrap();
-            let read: Vec<Row> = format.rows(&path).unwrap().map(Result::unwrap).collect();
+            let read: Vec<RowDocument> = format.rows(&path).unwrap().map(Result::unwrap).collect();
             assert_eq!(read, rows, "{format:?}");
         }
     }

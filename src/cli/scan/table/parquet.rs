@@ -1,4 +1,4 @@
-//! Parquet, with the writer for single columns: no Arrow.
+//! Parquet, with the writer for single columns: no Arrow. The columns are the properties of a row's JSON schema.
 
 use std::fmt::Write as _;
 use std::fs::File;
@@ -13,73 +13,66 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::record::Field;
 use parquet::schema::parser::parse_message_type;
 use parquet::schema::types::TypePtr;
+use schema::RowDocument;
+use schemars::schema_for;
 use serde_json::{Map, Value};
-use survey::scan::{Row, Status};
 
 use super::{RowSink, TableError};
 
 /// Rows that are held back to be written as one group.
 const GROUP: usize = 32_768;
 
-/// How a column is taken out of a row. Whole numbers are stored as 64 bits, which every reader knows as integers.
-enum Column {
-    Whole(fn(&Row) -> Option<u64>),
-    Real(fn(&Row) -> Option<f64>),
-    Truth(fn(&Row) -> bool),
-    Text(fn(&Row) -> Option<&str>),
+/// What a column holds. Whole numbers are stored as 64 bits, which every reader knows as integers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Whole,
+    Real,
+    Truth,
+    Text,
 }
 
-/// The columns, in the order of the fields of [`Row`]; those with `true` are never empty.
-const COLUMNS: [(&str, bool, Column); 28] = [
-    ("index", true, Column::Whole(|row| Some(row.index))),
-    ("A1", true, Column::Real(|row| Some(row.a1))),
-    ("A2", true, Column::Real(|row| Some(row.a2))),
-    ("A3", true, Column::Real(|row| Some(row.a3))),
-    ("r1", true, Column::Real(|row| Some(row.r1))),
-    ("r2", true, Column::Real(|row| Some(row.r2))),
-    ("r3", true, Column::Real(|row| Some(row.r3))),
-    ("status", true, Column::Text(|row| Some(status(row.status)))),
-    ("class", false, Column::Text(|row| row.class.as_deref())),
-    ("regions", false, Column::Whole(|row| row.regions.map(u64::from))),
-    ("cusps", false, Column::Whole(|row| row.cusps.map(u64::from))),
-    ("pitchforks", false, Column::Whole(|row| row.pitchforks.map(u64::from))),
-    ("crossings", false, Column::Whole(|row| row.crossings.map(u64::from))),
-    ("critical_points", false, Column::Whole(|row| row.critical_points.map(u64::from))),
-    ("signatures", false, Column::Text(|row| row.signatures.as_deref())),
-    ("types", false, Column::Text(|row| row.types.as_deref())),
-    ("largest_margin", false, Column::Real(|row| row.largest_margin)),
-    ("largest_region", false, Column::Text(|row| row.largest_region.as_deref())),
-    ("smallest_margin", false, Column::Real(|row| row.smallest_margin)),
-    ("smallest_region", false, Column::Text(|row| row.smallest_region.as_deref())),
-    ("unphysical", true, Column::Truth(|row| row.unphysical)),
-    ("plate", true, Column::Truth(|row| row.plate)),
-    ("symmetric", true, Column::Truth(|row| row.symmetric)),
-    ("plane", true, Column::Truth(|row| row.plane)),
-    ("axis", true, Column::Truth(|row| row.axis)),
-    ("euler", true, Column::Truth(|row| row.euler)),
-    ("work", false, Column::Whole(|row| row.work.map(u64::from))),
-    ("error", false, Column::Text(|row| row.error.as_deref())),
-];
-
-fn status(status: Status) -> &'static str {
-    match status {
-        Status::Classified => "classified",
-        Status::Undecided => "undecided",
-        Status::Failed => "failed",
-    }
+/// A column.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Column {
+    name: String,
+    kind: Kind,
+    /// It is never empty.
+    always: bool,
 }
 
-fn schema() -> Result<TypePtr, TableError> {
-    let mut text = String::from("message bifdiag_scan {\n");
-    for (name, always, column) in &COLUMNS {
-        let repetition = if *always { Repetition::REQUIRED } else { Repetition::OPTIONAL };
-        let kind = match column {
-            Column::Whole(_) => "INT64",
-            Column::Real(_) => "DOUBLE",
-            Column::Truth(_) => "BOOLEAN",
-            Column::Text(_) => "BYTE_ARRAY",
+/// The columns, in the order of the fields of [`RowDocument`].
+fn columns() -> Vec<Column> {
+    let schema = schema_for!(RowDocument);
+    let (Some(Value::Object(properties)), Some(Value::Array(required))) =
+        (schema.get("properties"), schema.get("required"))
+    else {
+        return Vec::new();
+    };
+    let column = |(name, property): (&String, &Value)| {
+        let kind = &property["type"];
+        let is = |wanted: &str| kind == wanted || kind.as_array().is_some_and(|kinds| kinds.iter().any(|k| k == wanted));
+        let kind = match () {
+            () if is("integer") => Kind::Whole,
+            () if is("number") => Kind::Real,
+            () if is("boolean") => Kind::Truth,
+            // Texts, and words such as the status, whose type stands elsewhere.
+            () => Kind::Text,
         };
-        let annotation = if matches!(column, Column::Text(_)) { " (UTF8)" } else { "" };
+        Column { name: name.clone(), kind, always: required.iter().any(|known| known == name) }
+    };
+    properties.iter().map(column).collect()
+}
+
+fn schema(columns: &[Column]) -> Result<TypePtr, TableError> {
+    let mut text = String::from("message bifdiag_scan {\n");
+    for Column { name, kind, always } in columns {
+        let repetition = if *always { Repetition::REQUIRED } else { Repetition::OPTIONAL };
+        let (kind, annotation) = match kind {
+            Kind::Whole => ("INT64", ""),
+            Kind::Real => ("DOUBLE", ""),
+            Kind::Truth => ("BOOLEAN", ""),
+            Kind::Text => ("BYTE_ARRAY", " (UTF8)"),
+        };
         // Writing to a String cannot fail.
         let _always = writeln!(text, "{repetition} {kind} {name}{annotation};");
     }
@@ -90,15 +83,17 @@ fn schema() -> Result<TypePtr, TableError> {
 /// Writes rows in groups.
 pub struct Sink<W: Write + Send> {
     writer: SerializedFileWriter<W>,
-    held: Vec<Row>,
+    columns: Vec<Column>,
+    held: Vec<Value>,
 }
 
 impl<W: Write + Send> Sink<W> {
     pub fn new(out: W) -> Result<Self, TableError> {
         let properties =
             WriterProperties::builder().set_created_by(concat!("bifdiag ", env!("CARGO_PKG_VERSION")).to_owned());
-        let writer = SerializedFileWriter::new(out, schema()?, Arc::new(properties.build()))?;
-        Ok(Self { writer, held: Vec::with_capacity(GROUP) })
+        let columns = columns();
+        let writer = SerializedFileWriter::new(out, schema(&columns)?, Arc::new(properties.build()))?;
+        Ok(Self { writer, columns, held: Vec::with_capacity(GROUP) })
     }
 
     fn write_group(&mut self) -> Result<(), TableError> {
@@ -106,33 +101,15 @@ impl<W: Write + Send> Sink<W> {
             return Ok(());
         }
         let mut group = self.writer.next_row_group()?;
-        for (name, always, column) in &COLUMNS {
-            let rows = &self.held;
-            let levels = |empty: &dyn Fn(&Row) -> bool| {
-                (!always).then(|| rows.iter().map(|row| i16::from(!empty(row))).collect::<Vec<i16>>())
-            };
-            match column {
-                Column::Whole(of) => {
-                    let values: Vec<i64> =
-                        rows.iter().filter_map(of).map(|n| i64::try_from(n).unwrap_or(i64::MAX)).collect();
-                    write_column::<Int64Type>(&mut group, name, &values, levels(&|row| of(row).is_none()).as_deref())?;
-                }
-                Column::Real(of) => {
-                    let values: Vec<f64> = rows.iter().filter_map(of).collect();
-                    write_column::<DoubleType>(&mut group, name, &values, levels(&|row| of(row).is_none()).as_deref())?;
-                }
-                Column::Truth(of) => {
-                    let values: Vec<bool> = rows.iter().map(of).collect();
-                    write_column::<BoolType>(&mut group, name, &values, None)?;
-                }
-                Column::Text(of) => {
-                    let values: Vec<ByteArray> = rows.iter().filter_map(of).map(ByteArray::from).collect();
-                    write_column::<ByteArrayType>(
-                        &mut group,
-                        name,
-                        &values,
-                        levels(&|row| of(row).is_none()).as_deref(),
-                    )?;
+        for column in &self.columns {
+            let cells: Vec<&Value> = self.held.iter().map(|row| &row[&column.name]).collect();
+            match column.kind {
+                Kind::Whole => write_column::<Int64Type>(&mut group, column, &cells, Value::as_i64)?,
+                Kind::Real => write_column::<DoubleType>(&mut group, column, &cells, Value::as_f64)?,
+                Kind::Truth => write_column::<BoolType>(&mut group, column, &cells, Value::as_bool)?,
+                Kind::Text => {
+                    let text = |cell: &Value| cell.as_str().map(ByteArray::from);
+                    write_column::<ByteArrayType>(&mut group, column, &cells, text)?;
                 }
             }
         }
@@ -144,18 +121,21 @@ impl<W: Write + Send> Sink<W> {
 
 fn write_column<T: DataType>(
     group: &mut SerializedRowGroupWriter<'_, impl Write + Send>,
-    name: &'static str,
-    values: &[T::T],
-    levels: Option<&[i16]>,
+    column: &Column,
+    cells: &[&Value],
+    value: impl Fn(&Value) -> Option<T::T>,
 ) -> Result<(), TableError> {
-    let mut column = group.next_column()?.ok_or(TableError::Column { column: name })?;
-    column.typed::<T>().write_batch(values, levels, None)?;
-    Ok(column.close()?)
+    let values: Vec<T::T> = cells.iter().filter_map(|cell| value(cell)).collect();
+    let levels: Option<Vec<i16>> =
+        (!column.always).then(|| cells.iter().map(|cell| i16::from(!cell.is_null())).collect());
+    let mut writer = group.next_column()?.ok_or_else(|| TableError::Column { column: column.name.clone() })?;
+    writer.typed::<T>().write_batch(&values, levels.as_deref(), None)?;
+    Ok(writer.close()?)
 }
 
 impl<W: Write + Send> RowSink for Sink<W> {
-    fn write(&mut self, row: &Row) -> Result<(), TableError> {
-        self.held.push(row.clone());
+    fn write(&mut self, row: &RowDocument) -> Result<(), TableError> {
+        self.held.push(serde_json::to_value(row).map_err(TableError::JsonWrite)?);
         if self.held.len() == GROUP { self.write_group() } else { Ok(()) }
     }
 
@@ -167,7 +147,7 @@ impl<W: Write + Send> RowSink for Sink<W> {
 }
 
 /// The rows of a file.
-pub fn rows(file: File) -> Result<impl Iterator<Item = Result<Row, TableError>>, TableError> {
+pub fn rows(file: File) -> Result<impl Iterator<Item = Result<RowDocument, TableError>>, TableError> {
     let reader = SerializedFileReader::new(file)?;
     // Only our own columns; what others have added is of no concern.
     let rows = reader.into_iter().zip(1..);
@@ -189,5 +169,20 @@ fn value(field: &Field) -> Value {
         Field::Double(x) => Value::from(*x),
         Field::Str(text) => Value::from(text.as_str()),
         _ => Value::Null,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_the_fields_of_a_row() {
+        let columns = columns();
+        let of_kind = |kind| columns.iter().filter(|column| column.kind == kind).count();
+        assert_eq!([Kind::Whole, Kind::Real, Kind::Truth, Kind::Text].map(of_kind), [7, 8, 6, 7]);
+        assert_eq!(columns.iter().filter(|column| column.always).count(), 14);
+        let status = columns.iter().find(|column| column.name == "status").unwrap();
+        assert_eq!((status.kind, status.always, columns[0].name.as_str()), (Kind::Text, true, "index"));
     }
 }

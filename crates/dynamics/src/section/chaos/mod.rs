@@ -2,6 +2,7 @@
 
 mod average;
 mod curve;
+mod direction;
 mod lyapunov;
 mod measure;
 mod plane;

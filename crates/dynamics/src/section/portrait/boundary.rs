@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use super::equations::Zero;
 use super::linear::Vector;
 use super::seeds::{Field, bisect};
-use super::trace::{Spacing, Traced, trace_all};
+use super::trace::{Traced, Tracer};
 use crate::field::{State, dot, scale};
 use crate::section::error::{SectionError, check_stop};
 use top::body::Body;
@@ -31,8 +31,7 @@ impl Boundary {
         (h, l): (f64, f64),
         field: Field<'_>,
         rows: usize,
-        spacing: &dyn Spacing,
-        stop: Option<&AtomicBool>,
+        tracer: Tracer<'_>,
     ) -> Result<Self, SectionError> {
         let frame = body.frame();
         let (h, l) = (h / frame.energy_unit, l / frame.momentum_unit);
@@ -42,8 +41,8 @@ impl Boundary {
         if let Ok(latitudes) = Latitudes::new(&frame, h, l) {
             let mut rows = rows;
             loop {
-                let seeds = on_latitudes(field, &latitudes, rows, stop)?;
-                trace_all(field.equations, Zero::Sheets, seeds, spacing, stop, &mut lines)?;
+                let seeds = on_latitudes(field, &latitudes, rows, tracer.stop)?;
+                tracer.extend(&mut lines, seeds)?;
                 rows *= 2;
                 let complete = certified_circles.is_none_or(|circles| lines.len() >= circles);
                 if complete || rows > MOST_ROWS {

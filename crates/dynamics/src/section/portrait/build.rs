@@ -8,7 +8,7 @@ use super::cut::{self, Piece, boundary_pieces, tangency_pieces};
 use super::equations::{Equations, Zero};
 use super::linear::Vector;
 use super::seeds::Field;
-use super::trace::{Spacing, Traced, trace_all};
+use super::trace::{Spacing, Traced, Tracer};
 use super::{Line, Portrait, PortraitOptions, PortraitReport};
 use crate::field::{Dimension, HeavyTop};
 use crate::section::condition::SectionCondition;
@@ -43,19 +43,20 @@ impl Portrait {
         let field = Field { torus: &reduced, equations: &equations };
         let spacing = BothCharts([Chart::Torus, Chart::Sphere].map(|chart| Axes::new(chart, &torus)));
         let (rows, stop) = (options.rows.max(8), options.stop);
+        let tracer = |zero| Tracer { equations: &equations, spacing: &spacing, stop, zero };
         let grid = field.on_grid(Chart::Torus, rows, stop)?;
         let Boundary { lines: boundary, certified_circles } = match options.condition {
-            SectionCondition::Height => Boundary::new(body, (h, l), field, rows, &spacing, stop)?,
+            SectionCondition::Height => Boundary::new(body, (h, l), field, rows, tracer(Zero::Sheets))?,
             SectionCondition::AngularMomentum => {
                 let mut lines = Vec::new();
-                trace_all(&equations, Zero::Sheets, grid.boundary, &spacing, stop, &mut lines)?;
+                tracer(Zero::Sheets).extend(&mut lines, grid.boundary)?;
                 Boundary { lines, certified_circles: None }
             }
         };
         let mut meetings = cut::sign_changes(&equations, &boundary);
         let mut tangency = Vec::new();
         let seeds = meetings.iter().copied().chain(grid.tangency);
-        trace_all(&equations, Zero::Tangency, seeds, &spacing, stop, &mut tangency)?;
+        tracer(Zero::Tangency).extend(&mut tangency, seeds)?;
         let on_sheets = tangency_pieces(&equations, &tangency, &mut meetings);
         let along_boundary = boundary_pieces(&equations, &boundary, &meetings);
         let sheet = |positive: bool| on_sheets.iter().filter(|piece| piece.positive == positive).map(part).collect();

@@ -30,88 +30,78 @@ pub(super) trait Spacing {
     fn at(&self, gamma: [f64; 3]) -> f64;
 }
 
-/// Traces every curve that has a seed and is not among `lines` yet.
-pub(super) fn trace_all(
-    equations: &Equations,
-    zero: Zero,
-    seeds: impl IntoIterator<Item = Vector>,
-    spacing: &dyn Spacing,
-    stop: Option<&AtomicBool>,
-    lines: &mut Vec<Traced>,
-) -> Result<(), SectionError> {
-    for seed in seeds {
-        check_stop(stop)?;
-        let Some(direction) = equations.tangent(zero, &seed) else { continue };
-        if !lines.iter().any(|line| line.covers(&seed, &direction)) {
-            let line = trace(equations, zero, seed, direction, spacing, stop)?;
-            lines.extend(Some(line).filter(|line| line.points.len() > 1));
+/// What is traced, and how.
+#[derive(Clone, Copy)]
+pub(super) struct Tracer<'a> {
+    pub equations: &'a Equations,
+    pub spacing: &'a dyn Spacing,
+    pub stop: Option<&'a AtomicBool>,
+    pub zero: Zero,
+}
+
+impl Tracer<'_> {
+    /// Traces every curve that has a seed and is not among `lines` yet.
+    pub fn extend(&self, lines: &mut Vec<Traced>, seeds: impl IntoIterator<Item = Vector>) -> Result<(), SectionError> {
+        for seed in seeds {
+            check_stop(self.stop)?;
+            let Some(direction) = self.equations.tangent(self.zero, &seed) else { continue };
+            if !lines.iter().any(|line| line.covers(&seed, &direction)) {
+                let line = self.trace(seed, direction)?;
+                lines.extend(Some(line).filter(|line| line.points.len() > 1));
+            }
         }
+        Ok(())
     }
-    Ok(())
-}
 
-/// Follows the curve through `start` until it closes, or from one end to the other.
-fn trace(
-    equations: &Equations,
-    zero: Zero,
-    start: Vector,
-    tangent: Vector,
-    spacing: &dyn Spacing,
-    stop: Option<&AtomicBool>,
-) -> Result<Traced, SectionError> {
-    let forward = follow(equations, zero, start, tangent, spacing, stop)?;
-    if forward.closed {
-        return Ok(forward);
+    /// Follows the curve through `start` until it closes, or from one end to the other.
+    fn trace(&self, start: Vector, tangent: Vector) -> Result<Traced, SectionError> {
+        let forward = self.follow(start, tangent)?;
+        if forward.closed {
+            return Ok(forward);
+        }
+        let backward = self.follow(start, tangent.map(|t| -t))?;
+        let join = |back: Vec<Vector>, on: Vec<Vector>, sign: f64| -> Vec<Vector> {
+            back.into_iter().skip(1).rev().map(|x| x.map(|entry| sign * entry)).chain(on).collect()
+        };
+        Ok(Traced {
+            points: join(backward.points, forward.points, 1.0),
+            tangents: join(backward.tangents, forward.tangents, -1.0),
+            closed: false,
+        })
     }
-    let backward = follow(equations, zero, start, tangent.map(|t| -t), spacing, stop)?;
-    let join = |back: Vec<Vector>, on: Vec<Vector>, sign: f64| -> Vec<Vector> {
-        back.into_iter().skip(1).rev().map(|x| x.map(|entry| sign * entry)).chain(on).collect()
-    };
-    Ok(Traced {
-        points: join(backward.points, forward.points, 1.0),
-        tangents: join(backward.tangents, forward.tangents, -1.0),
-        closed: false,
-    })
-}
 
-fn follow(
-    equations: &Equations,
-    zero: Zero,
-    start: Vector,
-    tangent: Vector,
-    spacing: &dyn Spacing,
-    stop: Option<&AtomicBool>,
-) -> Result<Traced, SectionError> {
-    let mut line = Traced { points: vec![start], tangents: vec![tangent], closed: false };
-    let (mut x, mut t) = (start, tangent);
-    let mut step = 0.25 * longest(&x, &t, spacing);
-    let mut travelled = 0.0;
-    while line.points.len() < VERTICES {
-        check_stop(stop)?;
-        step = step.min(longest(&x, &t, spacing));
-        let next = equations.correct(zero, &along(&x, step, &t), &t).and_then(|next| {
-            let tangent = equations.tangent(zero, &next)?;
-            let cosine = inner(&tangent, &t);
-            (cosine.abs() > TURN).then(|| (next, tangent.map(|entry| entry * cosine.signum())))
-        });
-        let Some((next, tangent)) = next else {
-            step *= 0.5;
-            if step < SHORTEST {
+    fn follow(&self, start: Vector, tangent: Vector) -> Result<Traced, SectionError> {
+        let mut line = Traced { points: vec![start], tangents: vec![tangent], closed: false };
+        let (mut x, mut t) = (start, tangent);
+        let mut step = 0.25 * longest(&x, &t, self.spacing);
+        let mut travelled = 0.0;
+        while line.points.len() < VERTICES {
+            check_stop(self.stop)?;
+            step = step.min(longest(&x, &t, self.spacing));
+            let next = self.equations.correct(self.zero, &along(&x, step, &t), &t).and_then(|next| {
+                let tangent = self.equations.tangent(self.zero, &next)?;
+                let cosine = inner(&tangent, &t);
+                (cosine.abs() > TURN).then(|| (next, tangent.map(|entry| entry * cosine.signum())))
+            });
+            let Some((next, tangent)) = next else {
+                step *= 0.5;
+                if step < SHORTEST {
+                    break;
+                }
+                continue;
+            };
+            if travelled > 2.0 * step && passes(&x, &next, &t, &start, &line.tangents[0]) {
+                line.closed = true;
                 break;
             }
-            continue;
-        };
-        if travelled > 2.0 * step && passes(&x, &next, &t, &start, &line.tangents[0]) {
-            line.closed = true;
-            break;
+            travelled += length(&along(&next, -1.0, &x));
+            (x, t) = (next, tangent);
+            line.points.push(x);
+            line.tangents.push(t);
+            step *= 1.5;
         }
-        travelled += length(&along(&next, -1.0, &x));
-        (x, t) = (next, tangent);
-        line.points.push(x);
-        line.tangents.push(t);
-        step *= 1.5;
+        Ok(line)
     }
-    Ok(line)
 }
 
 /// The longest step from x, in the metric of phase space.

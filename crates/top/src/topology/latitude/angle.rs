@@ -2,12 +2,27 @@
 
 use std::cmp::Ordering;
 
-use super::interval::Interval;
+use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::interval::Interval;
 
 /// tan(π/8) = √2 − 1, rounded down and up: where sin 2x is largest.
 const OCTANT: Interval = Interval { lo: 0.414_213_562_373_095, hi: 0.414_213_562_373_096 };
 /// tan(3π/8) = √2 + 1, rounded down and up: where sin 2x is smallest.
 const THREE_OCTANTS: Interval = Interval { lo: 2.414_213_562_373_095, hi: 2.414_213_562_373_096 };
+
+/// A bound of the angle between 2 arctan t and 2 arctan t', t' being t0 or t1.
+pub(super) fn half_angle_reach(t0: f64, t: f64, t1: f64) -> f64 {
+    (2.0 * (t - t0).max(t1 - t)).next_up().next_up()
+}
+
+/// All cosines.
+const UNIT: Interval = Interval { lo: -1.0, hi: 1.0 };
+
+/// The part of an enclosure inside a range that is known to hold the value. If there is none, the two contradict each
+/// other: a defect of this program, from which nothing is concluded.
+pub(super) fn within(x: Interval, range: Interval) -> Interval {
+    x.meet(&range).unwrap_or(Interval::LINE)
+}
 
 /// Enclosures of cos x, sin x, cos 2x and sin 2x for an angle or a range of angles x.
 #[derive(Clone, Copy, Debug)]
@@ -25,24 +40,24 @@ impl Trig {
             let (zero, one) = (Interval::ZERO, Interval::ONE);
             return Self { cos: one, sin: zero, cos_double: one, sin_double: zero };
         }
-        let t = Interval::exact(t);
-        let denominator = Interval::ONE + t.squared();
+        let t = Interval::point(t);
+        let denominator = Interval::ONE + t.square();
         Self::of((Interval::ONE - t) * (Interval::ONE + t) / denominator, t.twice() / denominator)
     }
 
     /// An angle in [0, π] given by its cosine.
     pub fn of_cosine(cos: f64) -> Self {
-        let cos = Interval::exact(cos);
+        let cos = Interval::point(cos);
         Self::of(cos, ((Interval::ONE - cos) * (Interval::ONE + cos)).sqrt())
     }
 
     fn of(cos: Interval, sin: Interval) -> Self {
-        let (cos, sin) = (cos.within(-1.0, 1.0), sin.within(0.0, 1.0));
+        let (cos, sin) = (within(cos, UNIT), within(sin, Interval { lo: 0.0, ..UNIT }));
         Self {
             cos,
             sin,
-            cos_double: ((cos - sin) * (cos + sin)).within(-1.0, 1.0),
-            sin_double: (cos * sin).twice().within(-1.0, 1.0),
+            cos_double: within((cos - sin) * (cos + sin), UNIT),
+            sin_double: within((cos * sin).twice(), UNIT),
         }
     }
 
@@ -50,9 +65,9 @@ impl Trig {
     pub fn over(t0: f64, t1: f64) -> Self {
         let (first, last) = (Self::at(t0), Self::at(t1));
         let reaches = |turn: Interval| t0 <= turn.hi && turn.lo <= t1;
-        let mut sin = first.sin.hull(last.sin);
-        let mut cos_double = first.cos_double.hull(last.cos_double);
-        let mut sin_double = first.sin_double.hull(last.sin_double);
+        let mut sin = first.sin.hull(&last.sin);
+        let mut cos_double = first.cos_double.hull(&last.cos_double);
+        let mut sin_double = first.sin_double.hull(&last.sin_double);
         if reaches(Interval::ONE) {
             sin.hi = 1.0;
             cos_double.lo = -1.0;
@@ -63,7 +78,7 @@ impl Trig {
         if reaches(THREE_OCTANTS) {
             sin_double.lo = -1.0;
         }
-        Self { cos: first.cos.hull(last.cos), sin, cos_double, sin_double }
+        Self { cos: first.cos.hull(&last.cos), sin, cos_double, sin_double }
     }
 
     /// x → π − x.
@@ -177,8 +192,8 @@ mod tests {
         for quadrant in 0..4 {
             let trig = Longitude::new(quadrant, 0.0).trig();
             let (cos, sin) = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)][usize::from(quadrant)];
-            assert_eq!((trig.cos, trig.sin), (Interval::exact(cos), Interval::exact(sin)));
-            assert_eq!(trig.cos_double, Interval::exact(cos * cos - sin * sin));
+            assert_eq!((trig.cos, trig.sin), (Interval::point(cos), Interval::point(sin)));
+            assert_eq!(trig.cos_double, Interval::point(cos * cos - sin * sin));
         }
         assert_eq!(Longitude::new(3, 1.0), Longitude::START);
     }

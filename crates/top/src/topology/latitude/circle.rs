@@ -1,10 +1,9 @@
 //! One circle of latitude: its accessible arcs, certified.
 
 use super::Effort;
-use super::angle::{Longitude, Stretch, Trig};
-use super::interval::Interval;
+use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
 use super::level::Level;
-use super::slab::half_angle_reach;
+use numbers::interval::Interval;
 
 /// Where a stretch is cut; another place is tried when the sign of G at the first is not certain.
 pub(super) const CUTS: [f64; 4] = [0.493_1, 0.538_7, 0.446_3, 0.571_9];
@@ -140,7 +139,7 @@ fn refine(
         let reach = half_angle_reach(stretch.t0, t, stretch.t1);
         let (_, variation) = Level::variation(&slopes, theta, (0.0, reach));
         let value = level.value(theta, &middle);
-        if value.widened(variation).is_positive().is_some() {
+        if (value + Interval::between(-variation, variation)).is_positive().is_some() {
             return Some(());
         }
         if let Some(accessible) = value.is_positive() {
@@ -161,8 +160,7 @@ pub(super) fn root_between(level: &Level, theta: &Trig, here: Mark, next: Mark) 
         if !(t0 < middle && middle < t1) {
             return Longitude::new(here.psi.quadrant, middle);
         }
-        let value: Interval = level.value(theta, &Longitude::new(here.psi.quadrant, middle).trig());
-        match value.is_positive() {
+        match level.value(theta, &Longitude::new(here.psi.quadrant, middle).trig()).is_positive() {
             Some(accessible) if accessible == here.accessible => t0 = middle,
             Some(_) => t1 = middle,
             None => return Longitude::new(here.psi.quadrant, middle),

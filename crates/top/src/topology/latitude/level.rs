@@ -1,8 +1,9 @@
 //! The cubic inequality whose solution is U_hl, in spherical coordinates about r̂, with enclosures.
 
-use super::angle::Trig;
-use super::interval::Interval;
+use super::angle::{Trig, within};
 use crate::body::Frame;
+use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::interval::Interval;
 
 /// G(γ) = 2J(γ)(h + ⟨γ,r⟩) − l², whose sign for l ≠ 0 says whether γ is in U_hl = {G ≥ 0}.
 ///
@@ -61,13 +62,13 @@ impl Level {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let above = |x: usize| Interval::rounded(frame.diff[x][k]);
         let [x, y, z] = [r_hat[i], r_hat[j], r_hat[k]];
-        let (x2, y2) = (x.squared(), y.squared());
+        let (x2, y2) = (x.square(), y.square());
         let n2 = x2 + y2;
         let n = n2.sqrt();
         let axis = if frame.is_euler() { above(i) * x2 + above(j) * y2 } else { -Interval::rounded(frame.offset[k]) };
         let across = (y2 * above(i) + x2 * above(j)) / n2;
-        let along = z.squared() * (x2 * above(i) + y2 * above(j)) / n2;
-        let mean = (across + along).half();
+        let along = z.square() * (x2 * above(i) + y2 * above(j)) / n2;
+        let mean = (across + along) * 0.5;
         let (h, l, moment) = (Interval::rounded(h), Interval::rounded(l), Interval::rounded(frame.a[k]));
         let middle = |u: Interval| 0.5 * (u.lo + u.hi);
         let (mx, my, mz, mn) = (middle(x), middle(y), middle(z), middle(n));
@@ -78,15 +79,15 @@ impl Level {
         tangent[1][j] = -my * mz / mn;
         tangent[1][k] = mn;
         Self {
-            base: (moment * h).twice() - l.squared(),
+            base: (moment * h).twice() - l.square(),
             twice_h: h.twice(),
             r: Interval::rounded(frame.r_norm),
             moment,
-            range: above(0).hull(above(2)),
-            constant: (axis + mean).half(),
-            axial: (axis - mean).half(),
+            range: above(0).hull(&above(2)),
+            constant: (axis + mean) * 0.5,
+            axial: (axis - mean) * 0.5,
             p: [x * y * Interval::rounded(frame.diff[j][i]) / n, -(z * (x2 * above(i) + y2 * above(j))) / n],
-            alpha: (across - along).half(),
+            alpha: (across - along) * 0.5,
             beta: x * y * z * Interval::rounded(frame.diff[i][j]) / n2,
             tangent,
             pole: r_hat.map(middle),
@@ -98,8 +99,8 @@ impl Level {
         let excess = self.constant
             + self.axial * theta.cos_double
             + theta.sin_double * (self.p[0] * psi.cos + self.p[1] * psi.sin)
-            + theta.sin.squared() * (self.alpha * psi.cos_double + self.beta * psi.sin_double);
-        excess.intersect(self.range)
+            + theta.sin.square() * (self.alpha * psi.cos_double + self.beta * psi.sin_double);
+        within(excess, self.range)
     }
 
     /// G over a box.
@@ -110,7 +111,7 @@ impl Level {
 
     /// h + ⟨γ,r⟩ over a range of latitudes.
     pub fn height(&self, theta: &Trig) -> Interval {
-        self.twice_h.half() + self.r * theta.cos
+        self.twice_h * 0.5 + self.r * theta.cos
     }
 
     /// The derivatives over a box.

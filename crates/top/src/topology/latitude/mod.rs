@@ -13,7 +13,6 @@
 mod angle;
 mod arcs;
 mod circle;
-mod interval;
 mod level;
 mod slab;
 mod sweep;

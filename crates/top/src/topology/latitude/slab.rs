@@ -1,10 +1,11 @@
 //! A slab between two circles of latitude, tiled by bricks in which ∂U_hl cannot hide anything.
 
 use super::Effort;
-use super::angle::{Longitude, Stretch, Trig};
+use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
 use super::circle::{CUTS, Circle};
 use super::level::Level;
 use super::union::Gluing;
+use numbers::interval::Interval;
 
 /// Share of the variation of G above which a brick is shortened rather than its slab thinned.
 const PARALLEL_SHARE: f64 = 0.7;
@@ -108,11 +109,6 @@ pub(super) fn settle(
     Some(settled)
 }
 
-/// A bound of the angle between 2 arctan t and 2 arctan t', t' being t0 or t1.
-pub(super) fn half_angle_reach(t0: f64, t: f64, t1: f64) -> f64 {
-    (2.0 * (t - t0).max(t1 - t)).next_up().next_up()
-}
-
 /// A slab's latitudes, evaluated once.
 struct SlabRange {
     hemisphere: Hemisphere,
@@ -141,7 +137,8 @@ impl SlabRange {
         let center = Longitude::new(stretch.quadrant, middle).trig();
         let reach = (self.reach, half_angle_reach(stretch.t0, middle, stretch.t1));
         let (meridional, parallel) = Level::variation(&slopes, &self.theta, reach);
-        let value = level.value(&self.center, &center).widened(meridional).widened(parallel);
+        let around = |radius: f64| Interval::between(-radius, radius);
+        let value = level.value(&self.center, &center) + around(meridional) + around(parallel);
         match value.is_positive() {
             Some(sign) => (Kind::Sign(sign), false),
             None => (Kind::Open, parallel > PARALLEL_SHARE * meridional),

@@ -104,55 +104,17 @@ pub fn partition<'a>(
         .map(|p| Floor { gamma: p.gamma, circle: if let Extent::Circle(axis) = p.extent { Some(axis) } else { None } })
         .collect();
     let mut tree = Tree { potential, parent: (0..minima.len()).collect(), minima, steps: 0 };
-    let count = tree.minima.len();
-    let mut euler = vec![0_i32; count];
-    for (m, floor) in floors.iter().enumerate() {
-        euler[m] += contribution(floor);
-    }
     let higher: Vec<&CriticalPoint> = below.iter().filter(|p| !is_floor(p)).collect();
-    let mut homes = Vec::with_capacity(higher.len());
-    for point in &higher {
-        let home = if count == 1 {
-            0
-        } else if point.index == 1 && tree.count() > 1 {
-            let [p, q] = sides_of_saddle(&potential, point.gamma)
-                .or_else(|| sides_of_ridge(&potential, point.gamma))
-                .ok_or(MergeError::FlatSaddle)?;
-            let (p, q) = (tree.descend(p)?, tree.descend(q)?);
-            tree.unite(p, q);
-            p
-        } else {
-            tree.home(point.gamma)?
-        };
-        homes.push(home);
-    }
-    let mut inside = vec![Poles::default(); count];
-    if let Some(poles) = poles {
-        for (present, sign) in [(poles.plus, 1.0), (poles.minus, -1.0)] {
-            if present {
-                let home = tree.home(frame.r_hat().map(|c| sign * c))?;
-                let root = tree.find(home);
-                inside[root].plus |= sign > 0.0;
-                inside[root].minus |= sign < 0.0;
-            }
-        }
-    }
-    for (point, home) in higher.iter().zip(homes) {
-        euler[home] += contribution(point);
-    }
-    let mut total = vec![0_i32; count];
-    for m in 0..count {
-        let root = tree.find(m);
-        total[root] += euler[m];
-        if root != m {
-            inside[root].plus |= inside[m].plus;
-            inside[root].minus |= inside[m].minus;
-        }
+    let homes = higher.iter().map(|point| tree.join(point)).collect::<Result<Vec<usize>, MergeError>>()?;
+    let inside = tree.poles(poles.unwrap_or_default())?;
+    let mut euler = vec![0_i32; floors.len()];
+    for (m, point) in floors.into_iter().enumerate().chain(homes.into_iter().zip(higher)) {
+        euler[tree.find(m)] += contribution(point);
     }
     let mut found = Vec::new();
-    for m in 0..count {
+    for (m, &euler) in euler.iter().enumerate() {
         if tree.find(m) == m {
-            let boundary_circles = u32::try_from(2 - total[m]).map_err(|_| MergeError::Euler { euler: total[m] })?;
+            let boundary_circles = u32::try_from(2 - euler).map_err(|_| MergeError::Euler { euler })?;
             found.push((m, Component { boundary_circles, poles: poles.map(|_| inside[m]) }));
         }
     }
@@ -192,6 +154,36 @@ impl Tree<'_> {
     /// Number of components so far.
     fn count(&self) -> usize {
         (0..self.parent.len()).filter(|&m| self.parent[m] == m).count()
+    }
+
+    /// The minimum below a critical point that is none itself; a saddle joins the minima on its two sides.
+    fn join(&mut self, point: &CriticalPoint) -> Result<usize, MergeError> {
+        if self.minima.len() == 1 {
+            return Ok(0);
+        }
+        if point.index != 1 || self.count() <= 1 {
+            return self.home(point.gamma);
+        }
+        let [p, q] = sides_of_saddle(&self.potential, point.gamma)
+            .or_else(|| sides_of_ridge(&self.potential, point.gamma))
+            .ok_or(MergeError::FlatSaddle)?;
+        let (p, q) = (self.descend(p)?, self.descend(q)?);
+        self.unite(p, q);
+        Ok(p)
+    }
+
+    /// Which of these poles lie over each root, once all joins are made.
+    fn poles(&mut self, poles: Poles) -> Result<Vec<Poles>, MergeError> {
+        let mut inside = vec![Poles::default(); self.minima.len()];
+        for (present, sign) in [(poles.plus, 1.0), (poles.minus, -1.0)] {
+            if present {
+                let home = self.home(self.potential.frame.r_hat().map(|c| sign * c))?;
+                let root = self.find(home);
+                inside[root].plus |= sign > 0.0;
+                inside[root].minus |= sign < 0.0;
+            }
+        }
+        Ok(inside)
     }
 
     /// The minimum below a point; any one when all minima are joined already.

@@ -1,17 +1,16 @@
-//! Which bodies a scan looks at.
+//! Numbered lists of bodies.
 
 use dashu_ratio::RBig;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::parameter::Parameter;
+use crate::parameter::Parameter;
+use crate::range::Range;
+use numbers::Number;
 use numbers::sequence::{self, point};
-use top::body::{Body, BodyError, Number};
+use top::body::{Body, BodyError};
 
 /// The bodies among which a scan chooses.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(tag = "family", rename_all = "lowercase")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[expect(clippy::large_enum_variant, reason = "there is one design in a scan")]
 pub enum Family {
     /// Every body that exists, up to its symmetries and units: A_i = 1 − m_i, where the second moments of mass m are
@@ -25,42 +24,22 @@ pub enum Family {
     /// One body with some of its parameters varied.
     Body {
         /// A1, A2, A3 where not varied.
-        #[serde(rename = "A")]
         moments: [Number; 3],
         /// r1, r2, r3 where not varied.
-        #[serde(rename = "r")]
         center: [Number; 3],
     },
 }
 
-/// The values that one parameter takes.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct Range {
-    /// Which.
-    pub parameter: Parameter,
-    /// Lower end.
-    pub from: Number,
-    /// Upper end.
-    pub to: Number,
-    /// Number of values of a grid, both ends included; without it, the range is sampled.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub steps: Option<u32>,
-}
-
 /// A numbered list of bodies.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Design {
     /// The bodies.
-    #[serde(rename = "bodies")]
     pub family: Family,
     /// What varies; on a grid the last one varies fastest.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub vary: Vec<Range>,
     /// Number of points of the low-discrepancy sequence; absent for a grid.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub samples: Option<u64>,
     /// Where the sequence starts.
-    #[serde(default)]
     pub seed: u64,
 }
 
@@ -228,15 +207,6 @@ impl Design {
     pub fn body(&self, n: u64) -> Result<Body, BodyError> {
         let [a, r] = self.values(n);
         Body::from_f64(a, r)
-    }
-}
-
-impl Range {
-    /// Value k of a grid, rounded once from the exact fraction.
-    fn grid_value(&self, k: u64, steps: u64) -> f64 {
-        let (from, to) = (self.from.value(), self.to.value());
-        let part = RBig::from_parts(k.into(), (steps - 1).max(1).into());
-        (from + (to - from) * part).to_f64().value()
     }
 }
 

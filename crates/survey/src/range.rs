@@ -1,41 +1,24 @@
-//! The parameters of a body that a scan can vary, and their ranges as they are written.
+//! Ranges of parameters as they are written.
 
-use std::fmt;
 use std::str::FromStr;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use dashu_ratio::RBig;
 use thiserror::Error;
 
-use super::design::Range;
-use top::body::{Number, ParseNumberError};
+use crate::parameter::{Parameter, ParseParameterError};
+use numbers::{Number, ParseNumberError};
 
-/// One coordinate of (A, r).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-pub enum Parameter {
-    /// A1.
-    A1,
-    /// A2.
-    A2,
-    /// A3.
-    A3,
-    /// r1.
-    #[serde(rename = "r1")]
-    R1,
-    /// r2.
-    #[serde(rename = "r2")]
-    R2,
-    /// r3.
-    #[serde(rename = "r3")]
-    R3,
-}
-
-/// A text that names no parameter.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("`{text}` is no parameter of a body; the parameters are A1, A2, A3, r1, r2, r3")]
-pub struct ParseParameterError {
-    /// What was written.
-    pub text: String,
+/// The values that one parameter takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Range {
+    /// Which.
+    pub parameter: Parameter,
+    /// Lower end.
+    pub from: Number,
+    /// Upper end.
+    pub to: Number,
+    /// Number of values of a grid, both ends included; without it, the range is sampled.
+    pub steps: Option<u32>,
 }
 
 /// Why a text is not a range of a parameter.
@@ -75,42 +58,12 @@ pub enum ParseRangeError {
     },
 }
 
-impl Parameter {
-    /// All six.
-    pub const ALL: [Self; 6] = [Self::A1, Self::A2, Self::A3, Self::R1, Self::R2, Self::R3];
-
-    /// Its name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        ["A1", "A2", "A3", "r1", "r2", "r3"][self.place()]
-    }
-
-    /// Its place in (A1, A2, A3, r1, r2, r3).
-    #[must_use]
-    pub fn place(self) -> usize {
-        match self {
-            Self::A1 => 0,
-            Self::A2 => 1,
-            Self::A3 => 2,
-            Self::R1 => 3,
-            Self::R2 => 4,
-            Self::R3 => 5,
-        }
-    }
-}
-
-impl fmt::Display for Parameter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl FromStr for Parameter {
-    type Err = ParseParameterError;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let found = Self::ALL.into_iter().find(|parameter| parameter.name() == text.trim());
-        found.ok_or_else(|| ParseParameterError { text: text.trim().to_owned() })
+impl Range {
+    /// Value k of a grid, rounded once from the exact fraction.
+    pub(crate) fn grid_value(&self, k: u64, steps: u64) -> f64 {
+        let (from, to) = (self.from.value(), self.to.value());
+        let part = RBig::from_parts(k.into(), (steps - 1).max(1).into());
+        (from + (to - from) * part).to_f64().value()
     }
 }
 

@@ -13,33 +13,33 @@ use top::diagram::{Arrangement, Change};
 
 /// What vanishes at a border.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Witness {
+pub(super) enum Vanishing {
     /// The excess of the pair over this axis of the frame, an exact fraction: its cusp reaches its pitchfork.
     Excess(usize),
     /// J_r − a of the middle axis, an exact fraction.
     MiddleMoment,
     /// The height of a cusp of one branch over a curve of another.
-    CuspOnCurve { cusp: Branch, curve: Branch, near: Place },
+    CuspOnCurve { cusp: Branch, curve: Branch, near: Neighbourhood },
     /// The height of the pitchfork of the pair over an axis over a curve.
     PitchforkOnCurve { axis: usize, curve: Branch },
     /// The height of a curve over the crossing of two others.
-    CurveOnCrossing { crossing: [Branch; 2], curve: Branch, near: Place },
+    CurveOnCrossing { crossing: [Branch; 2], curve: Branch, near: Neighbourhood },
     /// The squared difference of J at two cusps of one branch, which exist on one side only.
-    TwoCusps { branch: Branch, near: Place, above: bool },
+    TwoCusps { branch: Branch, near: Neighbourhood, above: bool },
     /// A difference of two moments, or a component of r, which are linear in the parameter.
     SpecialBody,
     /// Nothing that is known.
     Nothing,
 }
 
-/// A place in the plane of (l²/2, h) in the body's units.
+/// A place in the plane of (l²/2, h) in the body's units, near which an event is sought again.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct Neighbourhood {
     pub x: f64,
     pub h: f64,
 }
 
-impl Place {
+impl Neighbourhood {
     /// Of a point in the frame's units.
     pub(super) fn of(frame: &Frame, x: f64, h: f64) -> Self {
         Self { x: x * frame.momentum_unit * frame.momentum_unit, h: h * frame.energy_unit }
@@ -57,20 +57,20 @@ pub(super) struct Root {
     pub error: f64,
 }
 
-/// The zero of the witness between two values of t.
-pub(super) fn root(segment: &Segment, witness: &Witness, t: [f64; 2]) -> Option<Root> {
-    match witness {
-        Witness::Nothing => None,
-        Witness::SpecialBody => special(segment, t),
-        Witness::TwoCusps { branch, near, above } => extrapolated(segment, *branch, near, *above, t),
-        _ => bisected(|t| value(segment, witness, t), t),
+/// Between two values of t the zero of what vanishes.
+pub(super) fn root(segment: &Segment, vanishing: &Vanishing, t: [f64; 2]) -> Option<Root> {
+    match vanishing {
+        Vanishing::Nothing => None,
+        Vanishing::SpecialBody => special(segment, t),
+        Vanishing::TwoCusps { branch, near, above } => extrapolated(segment, *branch, near, *above, t),
+        _ => bisected(|t| value(segment, vanishing, t), t),
     }
 }
 
 /// Where two moments are equal or a component of r vanishes, exactly.
 fn special(segment: &Segment, t: [f64; 2]) -> Option<Root> {
     let at = |place: usize, t: f64| segment.coordinate(place, t);
-    let vanishing = |of: &dyn Fn(f64) -> RBig| {
+    let zero = |of: &dyn Fn(f64) -> RBig| {
         let (from, to) = (of(0.0), of(1.0));
         if from == to {
             return None;
@@ -79,21 +79,21 @@ fn special(segment: &Segment, t: [f64; 2]) -> Option<Root> {
         (t[0] <= root && root <= t[1]).then_some(Root { t: root, error: f64::EPSILON * root.abs() })
     };
     let moments = [(0, 1), (1, 2), (0, 2)];
-    let equal = moments.into_iter().find_map(|(i, j)| vanishing(&|t| at(i, t) - at(j, t)));
-    equal.or_else(|| (3..6).find_map(|place| vanishing(&|t| at(place, t))))
+    let equal = moments.into_iter().find_map(|(i, j)| zero(&|t| at(i, t) - at(j, t)));
+    equal.or_else(|| (3..6).find_map(|place| zero(&|t| at(place, t))))
 }
 
-fn value(segment: &Segment, witness: &Witness, t: f64) -> Option<Gap> {
+fn value(segment: &Segment, vanishing: &Vanishing, t: f64) -> Option<Gap> {
     let frame = segment.body(t).frame();
     let exact = |value: f64| Some(Gap { value, error: 0.0 });
-    match witness {
-        Witness::Excess(axis) => return exact(frame.symmetric_sums[*axis].cusp_excess),
-        Witness::MiddleMoment => return exact(frame.offset[1]),
+    match vanishing {
+        Vanishing::Excess(axis) => return exact(frame.symmetric_sums[*axis].cusp_excess),
+        Vanishing::MiddleMoment => return exact(frame.offset[1]),
         _ => {}
     }
     let set = CriticalSet::new(frame).ok()?;
-    match witness {
-        Witness::CuspOnCurve { cusp, curve, near } => {
+    match vanishing {
+        Vanishing::CuspOnCurve { cusp, curve, near } => {
             let found =
                 set.cusps.iter().filter(|found| set.curves[found.curves[0]].branch == *cusp).min_by(|p, q| {
                     let far = |point: &Point| near.distance(&set.frame, point.x, point.h());
@@ -101,11 +101,11 @@ fn value(segment: &Segment, witness: &Witness, t: f64) -> Option<Gap> {
                 })?;
             height(&set, &found.point, *curve)
         }
-        Witness::PitchforkOnCurve { axis, curve } => {
+        Vanishing::PitchforkOnCurve { axis, curve } => {
             let found = set.pitchforks.iter().find(|found| found.axis == *axis)?;
             height(&set, &found.point, *curve)
         }
-        Witness::CurveOnCrossing { crossing, curve, near } => {
+        Vanishing::CurveOnCrossing { crossing, curve, near } => {
             let arrangement = Arrangement::new(set);
             let set = &arrangement.set;
             let branch = |c: CurveId| set.curves[c].branch;
@@ -164,7 +164,7 @@ fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -
 
 /// Inverse interpolation of t over f = (J − J')² of the two cusps, beyond the side on which they exist: they part like the
 /// root of the distance from the border, so f is smooth there and vanishes with a slope.
-fn extrapolated(segment: &Segment, branch: Branch, near: &Place, above: bool, t: [f64; 2]) -> Option<Root> {
+fn extrapolated(segment: &Segment, branch: Branch, near: &Neighbourhood, above: bool, t: [f64; 2]) -> Option<Root> {
     const POINTS: usize = 6;
     let width = (t[1] - t[0]).max(1e-7);
     let mut known: Vec<(f64, f64)> = Vec::with_capacity(POINTS);

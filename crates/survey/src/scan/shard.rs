@@ -29,6 +29,7 @@ impl FromStr for Shard {
 
 impl Shard {
     /// The bodies of this part of a scan of `bodies`: from, and up to but without.
+    #[must_use]
     pub fn range(self, bodies: u64) -> [u64; 2] {
         let cut = |part: u64| {
             let exact = u128::from(bodies) * u128::from(part) / u128::from(self.count);

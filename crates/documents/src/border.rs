@@ -1,0 +1,58 @@
+//! Borders between classes as documents.
+
+use schema::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, SCHEMA_VERSION};
+use survey::Range;
+use survey::border::{Border, BorderEvent, BorderEventKind, Segment};
+
+use crate::scan::{parameter, range};
+
+/// A border on a segment along which some parameters vary.
+#[must_use]
+pub fn border(border: &Border, segment: &Segment, vary: &[Range]) -> BorderDocument {
+    let value = |range: &Range| {
+        let at = |t: f64| segment.coordinate(range.parameter.place(), t).to_f64().value();
+        BorderValueDocument {
+            parameter: parameter(range.parameter),
+            value: at(border.t),
+            error: border.error * (at(1.0) - at(0.0)).abs(),
+            enclosure: border.enclosure.map(at),
+        }
+    };
+    BorderDocument {
+        schema_version: SCHEMA_VERSION.to_owned(),
+        vary: vary.iter().map(range).collect(),
+        border: vary.iter().map(value).collect(),
+        reached: border.reached,
+        classes: border.classes.each_ref().map(|class| class.name().to_string()),
+        event: event(&border.event),
+        atlases: border.atlases,
+    }
+}
+
+fn event(event: &BorderEvent) -> BorderEventDocument {
+    BorderEventDocument {
+        kind: name(&event.kind),
+        text: event.kind.to_string(),
+        curves: event.curves.iter().map(ToString::to_string).collect(),
+        h: event.place.map(|place| place.h),
+        l: event.place.map(|place| place.l),
+        vanish: event.vanish.iter().map(ToString::to_string).collect(),
+        appear: event.appear.iter().map(ToString::to_string).collect(),
+    }
+}
+
+fn name(kind: &BorderEventKind) -> BorderEventName {
+    match kind {
+        BorderEventKind::Swallowtail { .. } => BorderEventName::Swallowtail,
+        BorderEventKind::TriplePoint { .. } => BorderEventName::TriplePoint,
+        BorderEventKind::CuspOnCurve { .. } => BorderEventName::CuspOnCurve,
+        BorderEventKind::PitchforkOnCurve { .. } => BorderEventName::PitchforkOnCurve,
+        BorderEventKind::Tangency { .. } => BorderEventName::Tangency,
+        BorderEventKind::CuspAtPitchfork { .. } => BorderEventName::CuspAtPitchfork,
+        BorderEventKind::PitchforkAtInfinity { .. } => BorderEventName::PitchforkAtInfinity,
+        BorderEventKind::SymmetryBroken => BorderEventName::SymmetryBroken,
+        BorderEventKind::PoleLinesAtInfinity { .. } => BorderEventName::PoleLinesAtInfinity,
+        BorderEventKind::CrossingAtTheEdge { .. } => BorderEventName::CrossingAtTheEdge,
+        BorderEventKind::Several | BorderEventKind::Unexplained => BorderEventName::Other,
+    }
+}

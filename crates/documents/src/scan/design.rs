@@ -1,0 +1,107 @@
+//! Which bodies a scan looks at.
+
+use numbers::Number;
+use schema::{DesignDocument, FamilyDocument, ParameterName, RangeDocument};
+use survey::{Design, Family, Parameter, Range};
+
+use super::ReadScanError;
+use crate::body::texts;
+
+/// The parameters with their names.
+const PARAMETERS: [(Parameter, ParameterName); 6] = [
+    (Parameter::A1, ParameterName::A1),
+    (Parameter::A2, ParameterName::A2),
+    (Parameter::A3, ParameterName::A3),
+    (Parameter::R1, ParameterName::R1),
+    (Parameter::R2, ParameterName::R2),
+    (Parameter::R3, ParameterName::R3),
+];
+
+/// The name of a parameter.
+#[must_use]
+pub fn parameter(parameter: Parameter) -> ParameterName {
+    PARAMETERS[parameter.place()].1
+}
+
+fn read_parameter(name: ParameterName) -> Parameter {
+    Parameter::ALL.into_iter().find(|known| parameter(*known) == name).expect("every name has its parameter")
+}
+
+/// A range of a parameter.
+#[must_use]
+pub fn range(range: &Range) -> RangeDocument {
+    RangeDocument {
+        parameter: parameter(range.parameter),
+        from: range.from.text().to_owned(),
+        to: range.to.text().to_owned(),
+        steps: range.steps,
+    }
+}
+
+/// Which bodies a scan looks at.
+#[must_use]
+pub fn design(design: &Design) -> DesignDocument {
+    let family = match &design.family {
+        Family::General => FamilyDocument::General,
+        Family::Positive => FamilyDocument::Positive,
+        Family::Katok => FamilyDocument::Katok,
+        Family::Body { moments, center } => FamilyDocument::Body { moments: texts(moments), center: texts(center) },
+    };
+    let vary = design.vary.iter().map(range).collect();
+    DesignDocument { family, vary, samples: design.samples, seed: design.seed }
+}
+
+/// The bodies that a document describes.
+///
+/// # Errors
+/// [`ReadScanError`] for numbers that are none, and for what no scan looks at.
+pub fn read_design(document: &DesignDocument) -> Result<Design, ReadScanError> {
+    let numbers = |[a, b, c]: &[String; 3]| -> Result<[Number; 3], ReadScanError> { Ok([a.parse()?, b.parse()?, c.parse()?]) };
+    let family = match &document.family {
+        FamilyDocument::General => Family::General,
+        FamilyDocument::Positive => Family::Positive,
+        FamilyDocument::Katok => Family::Katok,
+        FamilyDocument::Body { moments, center } => {
+            Family::Body { moments: numbers(moments)?, center: numbers(center)? }
+        }
+    };
+    let read_range = |range: &RangeDocument| -> Result<Range, ReadScanError> {
+        let (parameter, steps) = (read_parameter(range.parameter), range.steps);
+        Ok(Range { parameter, from: range.from.parse()?, to: range.to.parse()?, steps })
+    };
+    let vary = document.vary.iter().map(read_range).collect::<Result<_, _>>()?;
+    Ok(Design::new(family, vary, document.samples, document.seed)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn designs_come_back_as_they_went() {
+        let ranges = |texts: &[&str]| texts.iter().map(|text| text.parse().unwrap()).collect::<Vec<Range>>();
+        let body = |texts: [&str; 3]| texts.map(|text| text.parse().unwrap());
+        let paper = Family::Body { moments: body(["2", "11/10", "1.0"]), center: body(["0.94868", "0", "-1e-3"]) };
+        for known in [
+            Design::new(Family::General, Vec::new(), Some(7), 3).unwrap(),
+            Design::new(Family::Positive, Vec::new(), Some(1), 0).unwrap(),
+            Design::new(Family::Katok, Vec::new(), Some(9), 0).unwrap(),
+            Design::new(paper.clone(), ranges(&["A2=1/3:2:9", "r3=-0.50:0.5:2"]), None, 0).unwrap(),
+            Design::new(paper, ranges(&["r1=0:1e-2"]), Some(5), 1).unwrap(),
+        ] {
+            let document = design(&known);
+            assert_eq!(read_design(&document).unwrap(), known);
+            // The texts too, not only their values.
+            assert_eq!(design(&read_design(&document).unwrap()), document);
+        }
+    }
+
+    #[test]
+    fn damaged_designs_are_refused() {
+        let mut document = design(&Design::new(Family::General, Vec::new(), Some(7), 3).unwrap());
+        document.samples = None;
+        assert!(matches!(read_design(&document), Err(ReadScanError::Design(_))));
+        document.family = FamilyDocument::Body { moments: ["1", "x", "1"].map(str::to_owned), center: Default::default() };
+        assert!(matches!(read_design(&document), Err(ReadScanError::Number(_))));
+    }
+}

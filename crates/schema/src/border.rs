@@ -1,0 +1,88 @@
+//! `scan border`: where the class changes between two bodies.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{ParameterName, RangeDocument};
+
+/// Kinds of borders, all of codimension one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "BorderEventKind")]
+pub enum BorderEventName {
+    /// Two cusps of one branch, and with them a crossing, are born or vanish.
+    Swallowtail,
+    /// Three curves meet in one point.
+    TriplePoint,
+    /// A cusp passes through another curve.
+    CuspOnCurve,
+    /// A pitchfork passes through another curve, or two pitchforks or crossings on one curve change places.
+    PitchforkOnCurve,
+    /// Two curves touch: two crossings are born or vanish.
+    Tangency,
+    /// The cusp of a symmetric pair reaches its pitchfork.
+    CuspAtPitchfork,
+    /// A pitchfork leaves to infinity on one curve and comes back on another: two moments of inertia pass each other.
+    PitchforkAtInfinity,
+    /// A symmetry is lost: where some r_i leaves 0, pitchforks open into cusps.
+    SymmetryBroken,
+    /// J_r passes the middle moment of inertia: crossings of the pole lines go to infinity and come back.
+    PoleLinesAtInfinity,
+    /// A crossing comes from, or goes to, l = 0 or infinity.
+    CrossingAtTheEdge,
+    /// Several of these at once, or something else; the lists tell.
+    Other,
+}
+
+/// What happens at a border.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "BorderEvent")]
+pub struct BorderEventDocument {
+    /// Which kind.
+    pub kind: BorderEventName,
+    /// In words.
+    pub text: String,
+    /// The curves that take part, by their names on the side that has more of them.
+    pub curves: Vec<String>,
+    /// Energy of the place where it happens, if it is a place.
+    pub h: Option<f64>,
+    /// Vertical angular momentum there.
+    pub l: Option<f64>,
+    /// Events that only the lower side of the border has.
+    pub vanish: Vec<String>,
+    /// Events that only the upper side has.
+    pub appear: Vec<String>,
+}
+
+/// The value of a parameter at a border.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "BorderValue")]
+pub struct BorderValueDocument {
+    /// The parameter.
+    pub parameter: ParameterName,
+    /// Where the class changes.
+    pub value: f64,
+    /// Estimate of the error of `value`.
+    pub error: f64,
+    /// Values with the one and with the other class; the bodies between are undecided, or were not looked at.
+    pub enclosure: [f64; 2],
+}
+
+/// The answer of `scan border`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct BorderDocument {
+    /// Version of this document.
+    pub schema_version: String,
+    /// The ranges that were searched.
+    pub vary: Vec<RangeDocument>,
+    /// Where the class changes.
+    pub border: Vec<BorderValueDocument>,
+    /// True when every error is at most 1e-10.
+    pub reached: bool,
+    /// The classes at the two ends of the enclosure.
+    pub classes: [String; 2],
+    /// What happens there.
+    pub event: BorderEventDocument,
+    /// Bodies that were looked at.
+    pub atlases: u32,
+}

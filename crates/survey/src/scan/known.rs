@@ -1,0 +1,20 @@
+//! Classes that have a name of their own.
+
+use std::collections::BTreeMap;
+
+use top::atlas::Atlas;
+use top::body::Preset;
+use top::class::{Class, ClassName};
+
+/// The classes of the named bodies; of several bodies of one class the first.
+#[must_use]
+pub fn known_classes() -> BTreeMap<ClassName, &'static Preset> {
+    let mut known = BTreeMap::new();
+    for preset in Preset::all() {
+        let class = Atlas::new(&preset.body()).ok().and_then(|atlas| Class::of(&atlas).ok());
+        if let Some(class) = class {
+            known.entry(class.name().clone()).or_insert(preset);
+        }
+    }
+    known
+}

@@ -1,0 +1,153 @@
+//! The search itself: sampling, improvement of the best bodies, confirmation.
+
+use std::ops::ControlFlow;
+
+use super::answer::{Answer, Nearest, Search, SearchOptions};
+use super::exclusion::Exclusion;
+use super::improve::improve;
+use super::known::{KnownPoint, known_witness};
+use super::sample::sample;
+use super::score::{Score, Seen, look};
+use super::target::Target;
+use super::witness::Witness;
+
+/// Bodies between two looks at what was found.
+const BLOCK: u64 = 2048;
+
+/// Candidates that are improved.
+const CANDIDATES: usize = 6;
+
+/// Steps of each improvement.
+const STEPS: u64 = 150;
+
+/// A body and what was seen of it.
+type Candidate = ([[f64; 3]; 2], Seen);
+
+/// Finds a body and a point that show what is sought: a theorem that excludes it is told, a known point that shows it is
+/// taken (after confirmation), else bodies are [searched](search).
+pub fn find(
+    target: &Target,
+    known: &[KnownPoint],
+    options: &SearchOptions,
+    watch: &mut dyn FnMut(u64) -> ControlFlow<()>,
+) -> Search {
+    if let Some(theorem) = Exclusion::of(target) {
+        return Search::at_once(Answer::Excluded(theorem));
+    }
+    match known_witness(known, target, &options.domain, options.accuracy) {
+        Some(witness) => Search::at_once(Answer::Found(Box::new(witness))),
+        None => search(target, options, watch),
+    }
+}
+
+/// Samples bodies, improves the best of them and confirms the winner; the same for any number of threads. `watch` is told
+/// how many more bodies were looked at, and may stop the search.
+pub fn search(target: &Target, options: &SearchOptions, watch: &mut dyn FnMut(u64) -> ControlFlow<()>) -> Search {
+    let mut best: Vec<Candidate> = Vec::new();
+    let (mut tried, mut showing) = (0, 0);
+    while tried < options.samples && (showing == 0 || options.all) {
+        let to = options.samples.min(tried + BLOCK);
+        let numbers: Vec<u64> = (tried..to).collect();
+        let found = each(&numbers, |n| seen(sample(*n, options.seed, options.domain.physical), target, options));
+        showing += found.iter().filter(|(_, seen)| matches!(seen.score, Score::Shown(_))).count() as u64;
+        best.extend(found.into_iter().filter(|(_, seen)| seen.score != Score::Nothing));
+        sort(&mut best);
+        best.truncate(CANDIDATES);
+        let more = to - tried;
+        tried = to;
+        if watch(more).is_break() {
+            return Search { answer: Answer::Stopped, tried, showing, refused: Vec::new() };
+        }
+    }
+    let mut improved = each(&best, |(values, _)| {
+        seen(improve(*values, target, &options.domain, STEPS), target, options)
+    });
+    improved.extend(best);
+    sort(&mut improved);
+    let mut refused = Vec::new();
+    let witness = improved.iter().find_map(|(values, _)| {
+        Witness::of_body(*values, target, options.accuracy).map_err(|error| refused.push((*values, error))).ok()
+    });
+    let answer = match witness {
+        Some(witness) => Answer::Found(Box::new(witness)),
+        None => Answer::NotFound { nearest: improved.first().map(nearest) },
+    };
+    Search { answer, tried, showing, refused }
+}
+
+fn seen(values: [[f64; 3]; 2], target: &Target, options: &SearchOptions) -> Candidate {
+    (values, look(values, target, &options.domain))
+}
+
+/// The best first. A stable sort: of equal ones the first stays first.
+fn sort(candidates: &mut [Candidate]) {
+    candidates.sort_by(|p, q| q.1.score.compare(p.1.score));
+}
+
+fn nearest((values, seen): &Candidate) -> Nearest {
+    let missing = match seen.score {
+        Score::Near(missing) => missing,
+        Score::Shown(_) | Score::Nothing => 0.0,
+    };
+    Nearest { values: *values, at: seen.at, missing }
+}
+
+/// The results for each item, in their order.
+#[cfg(feature = "parallel")]
+fn each<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    use rayon::prelude::*;
+    items.par_iter().map(|item| of(item)).collect()
+}
+
+#[cfg(not(feature = "parallel"))]
+fn each<T, R>(items: &[T], of: impl Fn(&T) -> R) -> Vec<R> {
+    items.iter().map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::score::Domain;
+    use super::*;
+
+    fn go_on(_: u64) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    fn physical() -> SearchOptions {
+        SearchOptions { domain: Domain { physical: true, ..Domain::default() }, ..SearchOptions::default() }
+    }
+
+    #[test]
+    fn a_found_witness_shows_what_was_sought() {
+        let target = Target::of_type("k2n1").unwrap();
+        let found = search(&target, &SearchOptions { samples: 64, ..physical() }, &mut go_on);
+        let Answer::Found(witness) = &found.answer else { panic!("{found:?}") };
+        assert!(target.accepts_region(&witness.components) && !witness.body.flags().unphysical);
+        assert!(witness.margin.h > 1e-3 && found.tried == 64 && found.showing > 0);
+        // The same point, known before, is the answer at once, unless the domain is narrower than its body.
+        let Witness { body, h, l, components, .. } = (**witness).clone();
+        let known = [KnownPoint { body, h, l, components }];
+        let again = find(&target, &known, &physical(), &mut go_on);
+        assert_eq!(again, Search::at_once(found.answer.clone()));
+        let narrow = SearchOptions { domain: Domain { moment_ratio: 1.0, physical: true }, samples: 8, ..physical() };
+        assert_eq!(find(&target, &known, &narrow, &mut go_on).tried, 8);
+    }
+
+    #[test]
+    fn a_search_without_success_tells_the_nearest_body() {
+        let target = Target::CriticalPoints(12);
+        let found = search(&target, &SearchOptions { samples: 16, ..SearchOptions::default() }, &mut go_on);
+        let Answer::NotFound { nearest: Some(nearest) } = found.answer else { panic!("{found:?}") };
+        assert!(nearest.missing >= 2.0 && found.tried == 16 && found.showing == 0);
+    }
+
+    #[test]
+    fn what_a_theorem_excludes_is_not_searched_and_a_search_can_be_stopped() {
+        let never = &mut |_| panic!("nothing is to be searched");
+        let excluded = find(&Target::of_type("k3n0").unwrap(), &[], &SearchOptions::default(), never);
+        assert_eq!(excluded, Search::at_once(Answer::Excluded(Exclusion::ThreeCircles)));
+        let options = SearchOptions { samples: 8, ..SearchOptions::default() };
+        let stopped = search(&Target::of_type("k2n1").unwrap(), &options, &mut |_| ControlFlow::Break(()));
+        assert_eq!((stopped.answer, stopped.tried), (Answer::Stopped, 8));
+    }
+}
