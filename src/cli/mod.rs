@@ -84,11 +84,7 @@ enum StartError {
     Interrupt(#[from] ctrlc::Error),
 }
 
-impl CommandError for StartError {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for StartError {}
 
 /// Sets up logging, the answer to interrupts and the threads, and works.
 fn start(options: &Options) -> Result<Exit, Failure> {
