@@ -44,7 +44,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(options) => start(&options),
         Err(refusal) => refuse(&refusal),
     };
-    let exit = done.map_or_else(|failure| tell(&failure), |exit| exit);
+    let exit = done.unwrap_or_else(|failure| tell(&failure));
     exit as u8
 }
 

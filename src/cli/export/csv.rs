@@ -7,8 +7,11 @@ use super::error::ExportError;
 pub fn table(table: &Columns) -> Result<Vec<u8>, ExportError> {
     let mut out = Vec::new();
     let mut writer = csv::Writer::from_writer(&mut out);
-    let parts = |column: &Column| column.values.parts().iter().map(|part| format!("{}{part}", column.name));
-    writer.write_record(table.columns.iter().flat_map(parts))?;
+    let heading = table
+        .columns
+        .iter()
+        .flat_map(|column: &Column| column.values.parts().iter().map(|part| format!("{}{part}", column.name)));
+    writer.write_record(heading)?;
     for row in 0..table.rows() {
         let cells = table.columns.iter().map(|column| &column.values);
         writer.write_record(cells.flat_map(|values| (0..values.parts().len()).map(move |k| values.text(row, k))))?;
