@@ -303,9 +303,10 @@ fn found_witnesses_are_what_they_say() {
             found["components"].as_array().unwrap().iter().map(|c| c["section"].as_str().unwrap()).collect();
         assert!(sections.contains(&section), "{line}: {sections:?}");
     }
-    let nothing = bifdiag("find --type k3n0 --samples 2000 --json").succeeds().json();
-    assert_eq!((&nothing["found"], &nothing["tried"]), (&Value::Bool(false), &Value::from(2000)));
-    assert!(nothing["nearest"]["missing"].as_f64().unwrap() > 0.0);
+    // Theorem 11.1: three circles without a pole do not occur; that is an answer.
+    let never = bifdiag("find --type k3n0 --json").succeeds().json();
+    assert_eq!((&never["found"], &never["exists"]), (&Value::Bool(false), &Value::Bool(false)));
+    assert!(never["why"].as_str().unwrap().contains("Theorem"), "{never}");
     bifdiag("find --critical-points 8").succeeds().printing("8 relative equilibria is shown by");
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::builder::PROGRAM;
+use crate::builder::{PROGRAM, bifdiag};
 
 fn spawn(arguments: &[&str]) -> Child {
     Command::new(PROGRAM)
@@ -119,14 +119,12 @@ fn interrupts_end_every_command_within_a_second() {
     let place = tempfile::tempdir().unwrap();
     let scan = format!("scan --family general --samples 1000000 --out {}", place.path().join("s.csv").display());
     let figures = format!("figures --out {}", place.path().join("figures").display());
-    let endless = "section --A 0.3,0.21,0.17 --r 0,1e60,1e60 --h 0 --l 0 --orbits 2 --crossings 10 --no-plot --json";
     let commands = [
         scan.as_str(),
         &figures,
         "find --type M4 --all --samples 1000000000",
         "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times 0:1e9:2 --json",
         "section --body paper --h 4.45 --l 3.25 --crossings 100000000 --no-plot --json",
-        endless,
         "scan --family general --samples 1000000 --out -",
     ];
     for command in commands {
@@ -143,6 +141,13 @@ fn interrupts_end_every_command_within_a_second() {
         }
     }
     assert_eq!(names(place.path()), Some(vec!["s.csv.partial".to_owned()]), "what can be taken up again, and no more");
+}
+
+/// It used to halve intervals without end.
+#[test]
+fn a_section_of_a_very_heavy_body_comes_to_its_end() {
+    bifdiag("section --A 0.3,0.21,0.17 --r 0,1e60,1e60 --h 0 --l 0 --orbits 2 --crossings 10 --no-plot --json")
+        .succeeds();
 }
 
 #[test]
