@@ -34,8 +34,8 @@ pub use inertia::{InertiaDocument, UnitsDocument};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 pub use scan::{
-    BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, ParameterName, RangeDocument, RecordDocument,
-    RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,
+    BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, ParameterName, RangeDocument,
+    RecordDocument, RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,
 };
 pub use section::{
     ChaosDocument, ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, LyapunovDocument,

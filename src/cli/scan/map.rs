@@ -120,7 +120,8 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
             counts.entry(shown).or_insert((0, body.regions)).0 += 1;
         }
     }
-    let mut order: Vec<(&Shows, usize, u32)> = counts.iter().map(|(name, (n, regions))| (*name, *n, *regions)).collect();
+    let mut order: Vec<(&Shows, usize, u32)> =
+        counts.iter().map(|(name, (n, regions))| (*name, *n, *regions)).collect();
     if show == Shown::Class {
         order.sort_by(|p, q| q.1.cmp(&p.1).then_with(|| p.0.cmp(q.0)));
     }
@@ -163,9 +164,7 @@ fn entries(order: &[(&Shows, usize, u32)], bodies: usize) -> Vec<MapEntry> {
             },
             mark: (number + 1).to_string(),
         },
-        Shows::Count(count) => {
-            MapEntry { name: count.to_string(), note: share(*bodies), mark: count.to_string() }
-        }
+        Shows::Count(count) => MapEntry { name: count.to_string(), note: share(*bodies), mark: count.to_string() },
     };
     order.iter().enumerate().map(entry).collect()
 }

@@ -53,8 +53,7 @@ fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
 
 /// A shard that is what its summary says.
 fn part(path: &Path, out: &Path) -> Result<Part, ScanInput> {
-    let same =
-        |a: &Path, b: &Path| a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
+    let same = |a: &Path, b: &Path| a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
     if same(path, out) {
         return Err(ScanInput::OutIsShard { path: path.to_owned() });
     }

@@ -56,7 +56,8 @@ pub fn design(design: &Design) -> DesignDocument {
 /// # Errors
 /// [`ReadScanError`] for numbers that are none, and for what no scan looks at.
 pub fn read_design(document: &DesignDocument) -> Result<Design, ReadScanError> {
-    let numbers = |[a, b, c]: &[String; 3]| -> Result<[Number; 3], ReadScanError> { Ok([a.parse()?, b.parse()?, c.parse()?]) };
+    let numbers =
+        |[a, b, c]: &[String; 3]| -> Result<[Number; 3], ReadScanError> { Ok([a.parse()?, b.parse()?, c.parse()?]) };
     let family = match &document.family {
         FamilyDocument::General => Family::General,
         FamilyDocument::Positive => Family::Positive,
@@ -101,7 +102,8 @@ mod tests {
         let mut document = design(&Design::new(Family::General, Vec::new(), Some(7), 3).unwrap());
         document.samples = None;
         assert!(matches!(read_design(&document), Err(ReadScanError::Design(_))));
-        document.family = FamilyDocument::Body { moments: ["1", "x", "1"].map(str::to_owned), center: Default::default() };
+        document.family =
+            FamilyDocument::Body { moments: ["1", "x", "1"].map(str::to_owned), center: Default::default() };
         assert!(matches!(read_design(&document), Err(ReadScanError::Number(_))));
     }
 }

@@ -19,8 +19,7 @@ pub fn row(row: &Row) -> RowDocument {
     let count = |of: fn(&DiagramCounts) -> u32| diagram.map(of);
     let margin = |room: Option<&Room>| room.map(|room| room.margin);
     let region = |room: Option<&Room>| room.map(|room| room.signature.to_string());
-    let [largest, smallest] =
-        [diagram.and_then(|d| d.largest.as_ref()), diagram.and_then(|d| d.smallest.as_ref())];
+    let [largest, smallest] = [diagram.and_then(|d| d.largest.as_ref()), diagram.and_then(|d| d.smallest.as_ref())];
     RowDocument {
         index: row.index,
         a1,

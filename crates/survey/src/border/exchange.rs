@@ -16,7 +16,8 @@ pub(super) fn exchange(side: &Arrangement) -> Finding<'_> {
     let mut branches: Vec<BranchName> = labels.iter().flat_map(EventLabel::branches).copied().collect();
     sort_by_text(&mut branches);
     branches.dedup();
-    let pitchfork = labels.iter().find_map(|label| if let EventLabel::Pitchfork(own) = label { Some(*own) } else { None });
+    let pitchfork =
+        labels.iter().find_map(|label| if let EventLabel::Pitchfork(own) = label { Some(*own) } else { None });
     let cusp = labels.iter().find_map(|label| if let EventLabel::Cusp(own) = label { Some(*own) } else { None });
     let encounter = Encounter::Meets;
     let kind = match (pitchfork, cusp) {

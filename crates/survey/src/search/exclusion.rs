@@ -100,7 +100,8 @@ mod tests {
             assert_eq!(of(text), Some(Exclusion::Disconnected), "{text}");
         }
         assert_eq!(of("M8"), Some(Exclusion::Genus));
-        for possible in ["S2", "M6", "S2+S2", "S2+T2", "T2+T2", "M2+S2", "M2+T2", "M3+S2", "S2+S2+T2", "S2+S2+S2+S2+M2"] {
+        for possible in ["S2", "M6", "S2+S2", "S2+T2", "T2+T2", "M2+S2", "M2+T2", "M3+S2", "S2+S2+T2", "S2+S2+S2+S2+M2"]
+        {
             assert_eq!(of(possible), None, "{possible}");
         }
         assert_eq!(Exclusion::of(&Target::CriticalPoints(99)), None);

@@ -59,9 +59,8 @@ pub fn search(target: &Target, options: &SearchOptions, watch: &mut dyn FnMut(u6
             return Search { answer: Answer::Stopped, tried, showing, refused: Vec::new() };
         }
     }
-    let mut improved = each(&best, |(values, _)| {
-        seen(improve(*values, target, &options.domain, STEPS), target, options)
-    });
+    let mut improved =
+        each(&best, |(values, _)| seen(improve(*values, target, &options.domain, STEPS), target, options));
     improved.extend(best);
     sort(&mut improved);
     let mut refused = Vec::new();
@@ -94,9 +93,9 @@ fn nearest((values, seen): &Candidate) -> Nearest {
 
 /// The results for each item, in their order.
 #[cfg(feature = "parallel")]
-fn each<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> R + Sync) -> Vec<R> {
+fn each<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> R + Send + Sync) -> Vec<R> {
     use rayon::prelude::*;
-    items.par_iter().map(|item| of(item)).collect()
+    items.par_iter().map(of).collect()
 }
 
 #[cfg(not(feature = "parallel"))]

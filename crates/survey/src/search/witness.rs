@@ -88,12 +88,7 @@ impl Witness {
     ///
     /// # Errors
     /// [`WitnessError`].
-    pub fn confirm(
-        body: Body,
-        [h, l]: [Number; 2],
-        target: &Target,
-        accuracy: Accuracy,
-    ) -> Result<Self, WitnessError> {
+    pub fn confirm(body: Body, [h, l]: [Number; 2], target: &Target, accuracy: Accuracy) -> Result<Self, WitnessError> {
         let answer = classify(&body, &h, &l)?;
         Self::confirm_answer(body, [h, l], &answer, target, accuracy)
     }

@@ -56,7 +56,8 @@ mod tests {
         assert_eq!(regions.len(), 1 + 2 * 3 + 3 * 2 + 4 * 4 + 7);
         for region in &regions {
             let poles = |minus: bool| {
-                let holds = |component: &&Component| component.poles.is_some_and(|p| if minus { p.minus } else { p.plus });
+                let holds =
+                    |component: &&Component| component.poles.is_some_and(|p| if minus { p.minus } else { p.plus });
                 region.iter().filter(holds).count()
             };
             assert!(poles(false) <= 1 && poles(true) <= poles(false), "{region:?}");

@@ -50,7 +50,8 @@ fn columns() -> Vec<Column> {
     };
     let column = |(name, property): (&String, &Value)| {
         let kind = &property["type"];
-        let is = |wanted: &str| kind == wanted || kind.as_array().is_some_and(|kinds| kinds.iter().any(|k| k == wanted));
+        let is =
+            |wanted: &str| kind == wanted || kind.as_array().is_some_and(|kinds| kinds.iter().any(|k| k == wanted));
         let kind = match () {
             () if is("integer") => Kind::Whole,
             () if is("number") => Kind::Real,
