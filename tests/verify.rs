@@ -2,12 +2,13 @@
 
 use documents::{DocumentOptions, certified_atlas, seal};
 use proof::CertifiedAtlas;
-use schema::AtlasDocument;
+use schema::{AtlasDocument, BodyDocument, ComponentDocument};
 use support::bodies::{STRATA, random_body};
 use support::random::SplitMix64;
 use top::atlas::Atlas;
 use top::body::{Body, Preset};
-use verify::{Refused, verify};
+use top::topology::latitude;
+use verify::{Refused, cross_check, verify};
 
 fn preset(name: &str) -> Body {
     Preset::find(name).expect("a preset").body()
@@ -123,13 +124,58 @@ fn false_claims_are_refused_by_the_mathematics() {
     assert!(refused.is_err());
 }
 
+/// What is written twice or under another name: a source of an event, a cusp, a stretch.
 #[test]
-fn a_standard_atlas_is_cross_checked_and_not_proved() {
+fn nothing_is_counted_twice() {
+    let certificate = |d: &mut AtlasDocument, change: &dyn Fn(&mut schema::CertificateDocument)| {
+        change(d.certificate.as_mut().unwrap());
+    };
+    let renamed = mutated(|d| {
+        certificate(d, &|c| {
+            let source = c.events.iter_mut().flat_map(|event| &mut event.sources).find(|s| *s == "cusp:0").unwrap();
+            *source = "cusp:00".to_owned();
+        });
+    });
+    assert!(matches!(renamed, Err(Refused::Event { .. })), "{renamed:?}");
+    let repeated = mutated(|d| {
+        certificate(d, &|c| {
+            let again = c.events[0].clone();
+            c.events.push(again);
+        });
+    });
+    assert!(matches!(repeated, Err(Refused::Event { .. })), "{repeated:?}");
+    let repeated = mutated(|d| {
+        certificate(d, &|c| {
+            let again = c.pairs[0].clone();
+            c.pairs.push(again);
+        });
+    });
+    assert!(matches!(repeated, Err(Refused::Pair { .. })), "{repeated:?}");
+}
+
+/// The second method for an atlas without certificate.
+fn sweep(body: &BodyDocument, h: f64, l: f64) -> Option<Vec<ComponentDocument>> {
+    let frame = Body::parse(&body.moments, &body.center).ok()?.frame();
+    let found = latitude::components(&frame, h / frame.energy_unit, l / frame.momentum_unit).ok()?;
+    Some(found.iter().map(documents::component).collect())
+}
+
+#[test]
+fn an_atlas_without_certificate_is_cross_checked_and_not_proved() {
     let atlas = Atlas::new(&preset("paper")).unwrap();
-    let mut document =
-        documents::atlas::document(&atlas, &DocumentOptions { polylines: false, ..DocumentOptions::default() });
-    let report = verify(&document).unwrap();
-    assert!(!report.proof && report.regions == 9);
-    document.regions[2].components = document.regions[0].components.clone();
-    assert!(matches!(verify(&document), Err(Refused::Topology { .. })));
+    let options = DocumentOptions { polylines: false, ..DocumentOptions::default() };
+    let mut standard = documents::atlas::document(&atlas, &options);
+    assert!(matches!(verify(&standard), Err(Refused::Certificate { present: false, .. })));
+    let report = cross_check(&standard, sweep).unwrap();
+    assert!(!report.proof && report.regions == 9 && report.open.is_empty());
+    // Where the second method has no answer the region is open.
+    let report = cross_check(&standard, |body, h, l| sweep(body, h, l).filter(|found| found.len() == 1)).unwrap();
+    assert_eq!((report.regions, report.open.len()), (6, 3));
+    standard.regions[2].components = standard.regions[0].components.clone();
+    assert!(matches!(cross_check(&standard, sweep), Err(Refused::Topology { .. })));
+    standard.body.moments[1] = "0".to_owned();
+    assert!(matches!(cross_check(&standard, sweep), Err(Refused::Body { axis: 2, .. })));
+    // A certified atlas is proved, not compared.
+    let certified = document(&preset("paper"));
+    assert!(matches!(cross_check(&certified, sweep), Err(Refused::Certificate { present: true, .. })));
 }

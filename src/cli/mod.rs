@@ -44,7 +44,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(options) => start(&options),
         Err(refusal) => refuse(&refusal),
     };
-    let exit = done.map_or_else(|failure| tell(&failure), |exit| exit);
+    let exit = done.unwrap_or_else(|failure| tell(&failure));
     exit as u8
 }
 
@@ -84,11 +84,7 @@ enum StartError {
     Interrupt(#[from] ctrlc::Error),
 }
 
-impl CommandError for StartError {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for StartError {}
 
 /// Sets up logging, the answer to interrupts and the threads, and works.
 fn start(options: &Options) -> Result<Exit, Failure> {

@@ -7,7 +7,7 @@ use clap::{Args, Command};
 use thiserror::Error;
 
 use super::export::FileSet;
-use super::failure::{CommandError, Exit, Failure};
+use super::failure::{CommandError, Failure};
 use super::terminal::{Report, print};
 
 pub const COMPLETIONS_EXAMPLES: &str = "\
@@ -45,11 +45,7 @@ pub struct PageError {
     source: io::Error,
 }
 
-impl CommandError for PageError {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for PageError {}
 
 pub fn completions(arguments: &CompletionsArguments, mut root: Command) -> Result<(), Failure> {
     let mut text = Vec::new();

@@ -43,8 +43,11 @@ fn write(out: &mut String, value: &Value, indent: usize) {
     out.push(close);
 }
 
-/// The brackets of an array or an object, and the items with their keys.
-fn parts(value: &Value) -> Option<(char, Vec<(Option<&str>, &Value)>, char)> {
+/// Items of an array, or of an object with their keys.
+type Items<'a> = Vec<(Option<&'a str>, &'a Value)>;
+
+/// The brackets of an array or an object, and what stands between.
+fn parts(value: &Value) -> Option<(char, Items<'_>, char)> {
     match value {
         Value::Array(items) => Some(('[', items.iter().map(|item| (None, item)).collect(), ']')),
         Value::Object(items) => Some(('{', items.iter().map(|(key, item)| (Some(key.as_str()), item)).collect(), '}')),

@@ -109,6 +109,7 @@ impl<I: Id, T> Table<I, T> {
     }
 
     /// The rows in order, with their ids.
+    #[must_use]
     pub fn pairs(&self) -> impl DoubleEndedIterator<Item = (I, &T)> + ExactSizeIterator + Clone {
         self.rows.iter().enumerate().map(|(index, row)| (I::at(index), row))
     }
@@ -182,6 +183,15 @@ impl<'a, I, T> IntoIterator for &'a Table<I, T> {
 
     fn into_iter(self) -> Self::IntoIter {
         self.rows.iter()
+    }
+}
+
+impl<'a, I, T> IntoIterator for &'a mut Table<I, T> {
+    type Item = &'a mut T;
+    type IntoIter = std::slice::IterMut<'a, T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.rows.iter_mut()
     }
 }
 

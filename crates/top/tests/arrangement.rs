@@ -90,7 +90,7 @@ fn next_to_an_axis_the_far_crossing_is_found_to_relative_accuracy() {
         let found = arrangement(["2", "1.1", "1"], ["1", "0", text]);
         assert!(found.undecided.is_empty(), "{text}: {:?}", found.undecided);
         assert_eq!((found.region_count, found.events.len()), (17, 16), "{text}");
-        let last = found.events[15];
+        let last = *found.events.last().unwrap();
         let x = last.x * found.set.frame.momentum_unit * found.set.frame.momentum_unit;
         let expected = 8.0 / (epsilon * epsilon);
         assert!((x / expected - 1.0).abs() < 4.0 * epsilon * epsilon + 1e-13, "{text}: {x:e} {expected:e}");

@@ -111,7 +111,7 @@ fn katoks_seven_classes_are_seven() {
     }
     assert_eq!(found.len(), 7);
     assert!(compared > 1400);
-    let mut names: Vec<&ClassName> = found.values().map(Class::name).collect();
+    let mut names: Vec<String> = found.values().map(|class| class.name().to_string()).collect();
     names.sort_unstable();
     names.dedup();
     assert_eq!(names.len(), 7);

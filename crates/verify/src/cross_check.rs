@@ -1,4 +1,5 @@
-//! Cross-check of an atlas without certificate by a second method: no proof, since nothing tells that no region is missing.
+//! Cross-check of an atlas without certificate by a second method: no proof, since nothing tells that no region is
+//! missing.
 
 use schema::{Accuracy, AtlasDocument, BodyDocument, ComponentDocument};
 

@@ -4,7 +4,8 @@ use super::interval::Interval;
 
 /// The level at which the cube starts.
 const START: u8 = 3;
-/// Coordinates on a face count as known to this: far more than what they are rounded by, far less than the side of a box.
+/// Coordinates on a face count as known to this: far more than what they are rounded by, far less than the side of a
+/// box.
 const ROUNDING: f64 = 1.0 / (1u32 << 30) as f64;
 
 /// A box: a square of side 2/2^level on a face of [−1, 1]³, and the cone over it.

@@ -83,8 +83,8 @@ const NO_SOURCE: Why = "its source does not exist";
 const NOT_ONE_POINT: Why = "its sources are not proved to be one point";
 
 impl Events {
-    /// Reads the events: each cusp, pitchfork and meeting once, with all its curves and a right enclosure. Crossings are
-    /// compared later, by [`Self::compare_crossings`].
+    /// Reads the events: each cusp, pitchfork and meeting once, with all its curves and a right enclosure. Crossings
+    /// are compared later, by [`Self::compare_crossings`].
     pub fn read(certificate: &CertificateDocument, orders: &Orders, meetings: &[Meeting]) -> Result<Self, Refused> {
         let mut found = Self::default();
         let mut seen: Vec<Source> = Vec::new();

@@ -1,7 +1,7 @@
 //! Interval arithmetic on integers: both ends are multiples of 2⁻²⁵⁶.
 //!
-//! Ends are of any size, so nothing overflows and no end is infinite. What has no value (a quotient whose divisor may be
-//! 0, the root of a negative set, the common part of disjoint sets) is `None`, and the check that needed it fails.
+//! Ends are of any size, so nothing overflows and no end is infinite. What has no value (a quotient whose divisor may
+//! be 0, the root of a negative set, the common part of disjoint sets) is `None`, and the check that needed it fails.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

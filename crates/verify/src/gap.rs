@@ -5,8 +5,8 @@ use super::fixed::Fixed;
 use super::spaces::Spaces;
 
 impl Spaces {
-    /// h_a − h_b over x: the difference of the heights, and for two equilibria also x times [`Spaces::range_gap`]. `None`
-    /// when it cannot be enclosed, or when two enclosures contradict each other.
+    /// h_a − h_b over x: the difference of the heights, and for two equilibria also x times [`Spaces::range_gap`].
+    /// `None` when it cannot be enclosed, or when two enclosures contradict each other.
     pub fn gap(&self, x: &Fixed, a: &Point, b: &Point) -> Option<Fixed> {
         let moment = self.moment_difference(a, b)?;
         let plain = &-&(x * &moment).over(&(&a.j * &b.j))? - &(&a.rho - &b.rho);
@@ -31,7 +31,8 @@ impl Spaces {
     }
 }
 
-/// Corollary 3.10, for two equilibria over the same x: (h_a − h_b)/x = [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
+/// Corollary 3.10, for two equilibria over the same x:
+/// (h_a − h_b)/x = [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
 fn identity(a: &Point, b: &Point, moment: &Fixed) -> Option<Fixed> {
     let (p, q) = (a.tau.as_ref()?, b.tau.as_ref()?);
     let mu = &q[0] - &p[0];

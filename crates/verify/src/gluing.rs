@@ -8,8 +8,8 @@ use super::slabs::Slab;
 /// More events in one transition than this are not told apart.
 const MOST_EVENTS: usize = 6;
 
-/// The faces named in the slabs are those that gluing gives: cells of neighbouring slabs are one face unless they end or
-/// begin inside the run of curves that meet.
+/// The faces named in the slabs are those that gluing gives: cells of neighbouring slabs are one face unless they end
+/// or begin inside the run of curves that meet.
 pub(super) fn check(transitions: &[Vec<usize>], events: &Events, slabs: &[Slab]) -> Result<(), Refused> {
     // Number of the first cell of each slab; cell k of a slab lies above its curve k.
     let mut offsets = Vec::new();
@@ -98,8 +98,8 @@ impl Line {
         Self { curves: before.to_vec(), origins: (0..=before.len()).map(|gap| vec![gap]).collect() }
     }
 
-    /// Passes the event of a block: its run becomes the run that it has afterwards. The gaps below and above go on, those
-    /// inside the run end, and those inside the new run begin; without a new run below and above become one gap.
+    /// Passes the event of a block: its run becomes the run that it has afterwards. The gaps below and above go on,
+    /// those inside the run end, and those inside the new run begin; without a new run below and above become one gap.
     fn pass(&mut self, block: &[usize], after: &[usize]) -> Option<()> {
         let later: Vec<usize> =
             after.iter().copied().filter(|c| self.curves.contains(c) || block.contains(c)).collect();

@@ -42,8 +42,8 @@ pub(super) fn nature(spaces: &Spaces, family: Family, point: &Point) -> Option<N
     Some(Nature::Extremum(Extremum { minimum, gamma }))
 }
 
-/// Trace and determinant of the second variation on γ⊥, which is that of (μ−A) + (4/J)Aγ(Aγ)ᵀ (Propositions 4.1, 4.2). On a circle of
-/// equilibria the determinant is 0, and the trace tells alone.
+/// Trace and determinant of the second variation on γ⊥, which is that of (μ−A) + (4/J)Aγ(Aγ)ᵀ (Propositions 4.1, 4.2).
+/// On a circle of equilibria the determinant is 0, and the trace tells alone.
 fn second_variation(spaces: &Spaces, point: &Point) -> Option<[Fixed; 2]> {
     let tau_of = point.tau.as_ref()?;
     let (mut a, mut tau, mut gamma) = (Vec::new(), Vec::new(), Vec::new());

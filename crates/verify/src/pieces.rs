@@ -247,7 +247,8 @@ impl Pieces {
         Ok(())
     }
 
-    /// Proposition 4.7: the cusp of the pair over a space without r, at y = −3R̂/a − P̂ if that is positive: listed exactly then, and once.
+    /// Proposition 4.7: the cusp of the pair over a space without r, at y = −3R̂/a − P̂ if that is positive: listed
+    /// exactly then, and once.
     fn turn(&self, spaces: &Spaces, base: usize) -> Result<Option<(usize, RBig)>, Refused> {
         let (r_sum, p_sum) = spaces.sums(base);
         let turn = r_sum * RBig::from(-3) / &spaces.list[base].a - p_sum;

@@ -1,9 +1,9 @@
 //! The rules by which the order of two curves follows from what is known at the ends of a stretch of x.
 //!
-//! Throughout, g is h of the first curve minus h of the second over the same x = l²/2, and `sign` the sign that is claimed
-//! of it. Along a curve of critical values dh/dx = 1/J, so that dg/dx = 1/J₁ − 1/J₂ (Proposition 3.6); and J is strictly
-//! monotone along a curve, but for one curve of the generic family on which it turns once, at the inflection (Proposition
-//! 3.8).
+//! Throughout, g is h of the first curve minus h of the second over the same x = l²/2, and `sign` the sign that is
+//! claimed of it. Along a curve of critical values dh/dx = 1/J, so that dg/dx = 1/J₁ − 1/J₂ (Proposition 3.6); and J is
+//! strictly monotone along a curve, but for one curve of the generic family on which it turns once, at the inflection
+//! (Proposition 3.8).
 
 use super::equilibria::Point;
 use super::fixed::Fixed;
@@ -27,8 +27,8 @@ fn stays_by_drift([from, to]: [&Node; 2], slopes: &Fixed, sign: i8) -> bool {
     (&from.gap + &drift).strict_sign() == Some(sign) || (&to.gap - &drift).strict_sign() == Some(sign)
 }
 
-/// Lemma 7.1: where dg/dx is never 0, g lies strictly between its values at the nodes: it has the sign if both have it, or one has it
-/// and the other is 0.
+/// Lemma 7.1: where dg/dx is never 0, g lies strictly between its values at the nodes: it has the sign if both have it,
+/// or one has it and the other is 0.
 fn stays_by_monotony([from, to]: [&Node; 2], slopes: &Fixed, sign: i8) -> bool {
     let settled = |node: &Node| node.gap.strict_sign() == Some(sign);
     slopes.strict_sign().is_some()
@@ -37,7 +37,8 @@ fn stays_by_monotony([from, to]: [&Node; 2], slopes: &Fixed, sign: i8) -> bool {
         && !(from.meet && to.meet)
 }
 
-/// Corollary 3.10: the gap of every equilibrium that the first curve takes between the nodes to every one that the second takes.
+/// Corollary 3.10: the gap of every equilibrium that the first curve takes between the nodes to every one that the
+/// second takes.
 fn stays_apart(orders: &Orders, curves: [usize; 2], [from, to]: [&Node; 2], sign: i8) -> bool {
     let range = |which: usize| {
         let y = from.stands[which].y.as_ref()?.hull(to.stands[which].y.as_ref()?);
@@ -47,8 +48,8 @@ fn stays_apart(orders: &Orders, curves: [usize; 2], [from, to]: [&Node; 2], sign
     gap.and_then(|gap| gap.strict_sign()) == Some(sign)
 }
 
-/// Lemma 7.1: g has the sign before a box and the other behind it, and dg/dx has the other sign throughout: g has one zero, and it
-/// lies in the box.
+/// Lemma 7.1: g has the sign before a box and the other behind it, and dg/dx has the other sign throughout: g has one
+/// zero, and it lies in the box.
 pub(super) fn crosses_once(orders: &Orders, curves: [usize; 2], [from, low, high, to]: [&Node; 4], sign: i8) -> bool {
     let ordered = from.x.at_most(&low.x) && low.x.below(&high.x) && high.x.at_most(&to.x);
     let signs = low.gap.strict_sign() == Some(sign) && high.gap.strict_sign() == Some(-sign);
@@ -56,8 +57,8 @@ pub(super) fn crosses_once(orders: &Orders, curves: [usize; 2], [from, low, high
     ordered && signs && slopes.and_then(|slopes| slopes.strict_sign()) == Some(-sign)
 }
 
-/// Lemma 7.4, from a common cusp: there g = 0, and J is strictly monotone from one curve through the cusp to the other unless it turns
-/// between the nodes, so that dg/dx has one sign up to the node, which is its sign there.
+/// Lemma 7.4, from a common cusp: there g = 0, and J is strictly monotone from one curve through the cusp to the other
+/// unless it turns between the nodes, so that dg/dx has one sign up to the node, which is its sign there.
 pub(super) fn leaves_cusp(orders: &Orders, curves: [usize; 2], node: &Node, side: usize, sign: i8) -> bool {
     let straight = match turn(orders, curves[0]) {
         Some(bend) => {
@@ -73,8 +74,8 @@ pub(super) fn leaves_cusp(orders: &Orders, curves: [usize; 2], node: &Node, side
     straight && slopes == Some(if side == 0 { sign } else { -sign })
 }
 
-/// Lemma 7.3, from a common pitchfork: there g = 0 and dg/dx = 0, since the curves share the equilibrium; so g has the sign of
-/// d²g/dx² if that is the same everywhere up to the node. d(1/J)/dx = −J′/(J² x (ln x)′) with derivatives by y.
+/// Lemma 7.3, from a common pitchfork: there g = 0 and dg/dx = 0, since the curves share the equilibrium; so g has the
+/// sign of d²g/dx² if that is the same everywhere up to the node. d(1/J)/dx = −J′/(J² x (ln x)′) with derivatives by y.
 pub(super) fn leaves_pitchfork(orders: &Orders, curves: [usize; 2], node: &Node, side: usize, sign: i8) -> bool {
     let curvature = |which: usize| {
         let end = orders.pieces.end_point(orders.spaces, curves[which], side)?;
@@ -93,8 +94,9 @@ pub(super) fn parts_for_ever(orders: &Orders, curves: [usize; 2], node: &Node, s
     node.gap.strict_sign() == Some(sign) && slopes.and_then(|slopes| slopes.strict_sign()) == Some(sign)
 }
 
-/// Proposition 6.2: both curves tend to the axis of the same space, h − x/a to ∓√q. Where J stays on one side of a, h − x/a is monotone and
-/// so lies between its value at the node and its limit: g has the sign if all of one range lies on that side of the other.
+/// Proposition 6.2: both curves tend to the axis of the same space, h − x/a to ∓√q. Where J stays on one side of a, h −
+/// x/a is monotone and so lies between its value at the node and its limit: g has the sign if all of one range lies on
+/// that side of the other.
 pub(super) fn tends_to_one_axis(orders: &Orders, curves: [usize; 2], node: &Node, sign: i8) -> bool {
     let [Some(p), Some(q)] = curves.map(|c| orders.pieces.list[c].limit) else { return false };
     if node.gap.strict_sign() != Some(sign) || p.0 != q.0 {

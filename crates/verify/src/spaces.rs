@@ -47,8 +47,8 @@ impl Space {
     }
 }
 
-/// The unit vector of r, rounded; the first axis for r = 0. Components relative to the largest neither overflow nor vanish
-/// together.
+/// The unit vector of r, rounded; the first axis for r = 0. Components relative to the largest neither overflow nor
+/// vanish together.
 fn direction(r: &[RBig]) -> Vec<f64> {
     let size = |x: &RBig| x.clone().max(-x);
     let largest = r.iter().map(size).max().filter(|largest| !largest.is_zero());

@@ -1,10 +1,10 @@
 //! The topology of U by boxes on a cube around the sphere, and Morse theory at exactly known equilibria.
 //!
-//! Every component of U_hl holds a minimum of U_l, every component of its complement a maximum (Propositions 9.2, 9.5); all of them are known.
-//! Boxes are proved to lie inside or outside U, or are undecided. Minima joined by inside boxes lie in one component,
-//! minima that outside boxes keep apart lie in two; likewise maxima. On a sphere the components of U and of the
-//! complement, joined where they border each other, form a tree; so when the possible borders are as many as its edges,
-//! they are the borders (Proposition 9.5). No sweep, no arcs, no paths.
+//! Every component of U_hl holds a minimum of U_l, every component of its complement a maximum (Propositions 9.2 and
+//! 9.5); all of them are known. Boxes are proved to lie inside or outside U, or are undecided. Minima joined by inside
+//! boxes lie in one component, minima that outside boxes keep apart lie in two; likewise maxima. On a sphere the
+//! components of U and of the complement, joined where they border each other, form a tree (Proposition 9.5); so when
+//! the possible borders are as many as its edges, they are the borders. No sweep, no arcs, no paths.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -131,8 +131,9 @@ impl Unions {
         unions
     }
 
-    /// Wide union → strict union of the boxes that hold the points. Points of one strict union lie in one component, points
-    /// of two wide unions in two; so when both tell the same, each union found is one component. `None` when they do not.
+    /// Wide union → strict union of the boxes that hold the points. Points of one strict union lie in one component,
+    /// points of two wide unions in two; so when both tell the same, each union found is one component. `None` when
+    /// they do not.
     fn components(&mut self, boxes: &[usize]) -> Option<BTreeMap<usize, usize>> {
         let mut found = BTreeMap::new();
         for &number in boxes {

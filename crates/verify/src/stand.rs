@@ -47,8 +47,8 @@ pub(super) fn stand(
     found.ok_or_else(|| Refused::Place { curve: piece.id.clone(), x: x.to_f64() })
 }
 
-/// A range of y on the curve that holds the place over x. x is monotone along a curve; so it is enough that x of the ends
-/// of the range lies on both sides.
+/// A range of y on the curve that holds the place over x. x is monotone along a curve; so it is enough that x of the
+/// ends of the range lies on both sides.
 fn enclosed(spaces: &Spaces, pieces: &Pieces, curve: usize, place: &Place, x: &Fixed) -> Option<(Coordinate, Fixed)> {
     let piece = &pieces.list[curve];
     let range = place.range(spaces);

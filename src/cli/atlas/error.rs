@@ -4,7 +4,7 @@ use proof::{NotProved, NotWritten};
 use thiserror::Error;
 use top::atlas::AtlasError;
 
-use crate::cli::failure::{CommandError, Exit};
+use crate::cli::failure::CommandError;
 
 #[derive(Debug, Error)]
 pub enum NoAtlas {
@@ -18,8 +18,4 @@ pub enum NoAtlas {
     Json(#[from] serde_json::Error),
 }
 
-impl CommandError for NoAtlas {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for NoAtlas {}

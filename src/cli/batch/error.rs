@@ -35,8 +35,4 @@ pub struct BatchRead {
     pub source: io::Error,
 }
 
-impl CommandError for BatchRead {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for BatchRead {}

@@ -3,18 +3,14 @@
 use thiserror::Error;
 use top::critical::CriticalError;
 
-use crate::cli::failure::{CommandError, Exit};
+use crate::cli::failure::CommandError;
 
 /// Why there is no answer.
 #[derive(Debug, Error)]
 #[error("the relative equilibria could not be found")]
 pub struct NotFound(#[from] CriticalError);
 
-impl CommandError for NotFound {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for NotFound {}
 
 /// Why a line of a batch has no answer.
 #[derive(Debug, Error)]

@@ -16,32 +16,40 @@ pub enum Values {
     Int8(Vec<i8>),
     /// Counts and numbers of things.
     Int32(Vec<i32>),
-    /// Measures.
-    Float(Vec<f64>),
-    /// Vectors of ℝ³.
-    Vector(Vec<[f64; 3]>),
-    /// Quaternions.
-    Quaternion(Vec<[f64; 4]>),
+    /// Measures, or the parts of vectors: a row for each list of parts.
+    Float { parts: &'static [&'static str], values: Vec<f64> },
 }
 
 impl Values {
+    /// Measures.
+    pub fn floats(values: impl Iterator<Item = f64>) -> Self {
+        Self::Float { parts: &[""], values: values.collect() }
+    }
+
+    /// Vectors of ℝ³.
+    pub fn vectors(values: impl Iterator<Item = [f64; 3]>) -> Self {
+        Self::Float { parts: &["1", "2", "3"], values: values.flatten().collect() }
+    }
+
+    /// Quaternions w + x i + y j + z k.
+    pub fn quaternions(values: impl Iterator<Item = [f64; 4]>) -> Self {
+        Self::Float { parts: &["_w", "_x", "_y", "_z"], values: values.flatten().collect() }
+    }
+
+    /// What is added to the column's name for each number in a row.
+    pub fn parts(&self) -> &'static [&'static str] {
+        match self {
+            Self::Int8(_) | Self::Int32(_) => &[""],
+            Self::Float { parts, .. } => parts,
+        }
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         match self {
             Self::Int8(values) => values.len(),
             Self::Int32(values) => values.len(),
-            Self::Float(values) => values.len(),
-            Self::Vector(values) => values.len(),
-            Self::Quaternion(values) => values.len(),
-        }
-    }
-
-    /// Numbers in a row; 1 for scalars.
-    pub fn width(&self) -> usize {
-        match self {
-            Self::Int8(_) | Self::Int32(_) | Self::Float(_) => 1,
-            Self::Vector(_) => 3,
-            Self::Quaternion(_) => 4,
+            Self::Float { parts, values } => values.len() / parts.len(),
         }
     }
 
@@ -50,16 +58,10 @@ impl Values {
         match self {
             Self::Int8(values) => values[row].to_string(),
             Self::Int32(values) => values[row].to_string(),
-            Self::Float(values) => float(values[row]),
-            Self::Vector(values) => float(values[row][k]),
-            Self::Quaternion(values) => float(values[row][k]),
+            // The shortest text that reads back as the same double.
+            Self::Float { parts, values } => format!("{:?}", values[row * parts.len() + k]),
         }
     }
-}
-
-/// The shortest text that reads back as the same double.
-fn float(x: f64) -> String {
-    format!("{x:?}")
 }
 
 /// Columns with what they mean.

@@ -1,24 +1,20 @@
 //! Comma-separated values: a heading, then the rows; vectors are several columns numbered from 1.
 
-use super::columns::{Columns, Values};
+use super::columns::{Column, Columns};
 use super::error::ExportError;
-
-/// Names of the components of a quaternion w + x i + y j + z k.
-const QUATERNION: [&str; 4] = ["w", "x", "y", "z"];
 
 /// The whole file.
 pub fn table(table: &Columns) -> Result<Vec<u8>, ExportError> {
     let mut out = Vec::new();
     let mut writer = csv::Writer::from_writer(&mut out);
-    let names = table.columns.iter().flat_map(|column| match (&column.values, column.values.width()) {
-        (_, 1) => vec![column.name.to_owned()],
-        (Values::Quaternion(_), _) => QUATERNION.map(|part| format!("{}_{part}", column.name)).into(),
-        (_, width) => (1..=width).map(|k| format!("{}{k}", column.name)).collect(),
-    });
-    writer.write_record(names)?;
+    let heading = table
+        .columns
+        .iter()
+        .flat_map(|column: &Column| column.values.parts().iter().map(|part| format!("{}{part}", column.name)));
+    writer.write_record(heading)?;
     for row in 0..table.rows() {
         let cells = table.columns.iter().map(|column| &column.values);
-        writer.write_record(cells.flat_map(|values| (0..values.width()).map(move |k| values.text(row, k))))?;
+        writer.write_record(cells.flat_map(|values| (0..values.parts().len()).map(move |k| values.text(row, k))))?;
     }
     writer.flush().map_err(csv::Error::from)?;
     drop(writer);
@@ -28,15 +24,18 @@ pub fn table(table: &Columns) -> Result<Vec<u8>, ExportError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::export::columns::Column;
+    use crate::cli::export::Values;
 
     #[test]
     fn vectors_are_numbered_columns_and_numbers_read_back() {
         let table = Columns {
             columns: vec![
                 Column { name: "index", values: Values::Int32(vec![0, 1]) },
-                Column { name: "gamma", values: Values::Vector(vec![[0.1, -1e-300, 1e22], [0.0, 1.0 / 3.0, 2.0]]) },
-                Column { name: "q", values: Values::Quaternion(vec![[1.0, 0.0, 0.0, 0.0]; 2]) },
+                Column {
+                    name: "gamma",
+                    values: Values::vectors([[0.1, -1e-300, 1e22], [0.0, 1.0 / 3.0, 2.0]].into_iter()),
+                },
+                Column { name: "q", values: Values::quaternions([[1.0, 0.0, 0.0, 0.0]; 2].into_iter()) },
             ],
             meta: String::new(),
         };

@@ -48,8 +48,4 @@ pub enum FilesError {
     Replace { path: PathBuf, source: io::Error },
 }
 
-impl CommandError for FilesError {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for FilesError {}

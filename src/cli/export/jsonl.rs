@@ -11,7 +11,8 @@ pub fn lines(table: &Columns) -> String {
             if i > 0 {
                 out.push_str(", ");
             }
-            let entries: Vec<String> = (0..column.values.width()).map(|k| number(column.values.text(row, k))).collect();
+            let entries: Vec<String> =
+                (0..column.values.parts().len()).map(|k| number(column.values.text(row, k))).collect();
             let value = if entries.len() == 1 { entries.concat() } else { format!("[{}]", entries.join(", ")) };
             out.extend(["\"", column.name, "\": ", &value]);
         }
@@ -33,8 +34,8 @@ mod tests {
     fn each_row_is_an_object() {
         let table = Columns {
             columns: vec![
-                Column { name: "time", values: Values::Float(vec![0.5, f64::NAN]) },
-                Column { name: "gamma", values: Values::Vector(vec![[1.0, 0.0, -1e-9]; 2]) },
+                Column { name: "time", values: Values::floats([0.5, f64::NAN].into_iter()) },
+                Column { name: "gamma", values: Values::vectors([[1.0, 0.0, -1e-9]; 2].into_iter()) },
             ],
             meta: String::new(),
         };

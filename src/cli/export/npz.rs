@@ -38,19 +38,22 @@ fn add(zip: &mut ZipWriter<Cursor<Vec<u8>>>, name: &str, array: &[u8]) -> Result
 
 /// A column as an NPY file.
 fn array(values: &Values) -> Vec<u8> {
-    let (kind, rows, width) = match values {
-        Values::Int8(_) => ("|i1", values.len(), 1),
-        Values::Int32(_) => ("<i4", values.len(), 1),
-        _ => ("<f8", values.len(), values.width()),
-    };
+    let (rows, width) = (values.len(), values.parts().len());
     let shape = if width == 1 { format!("({rows},)") } else { format!("({rows}, {width})") };
-    let mut out = header(kind, &shape);
+    let mut out;
     match values {
-        Values::Int8(values) => out.extend(values.iter().flat_map(|x| x.to_le_bytes())),
-        Values::Int32(values) => out.extend(values.iter().flat_map(|x| x.to_le_bytes())),
-        Values::Float(values) => out.extend(values.iter().flat_map(|x| x.to_le_bytes())),
-        Values::Vector(values) => out.extend(values.as_flattened().iter().flat_map(|x| x.to_le_bytes())),
-        Values::Quaternion(values) => out.extend(values.as_flattened().iter().flat_map(|x| x.to_le_bytes())),
+        Values::Int8(values) => {
+            out = header("|i1", &shape);
+            out.extend(values.iter().flat_map(|x| x.to_le_bytes()));
+        }
+        Values::Int32(values) => {
+            out = header("<i4", &shape);
+            out.extend(values.iter().flat_map(|x| x.to_le_bytes()));
+        }
+        Values::Float { values, .. } => {
+            out = header("<f8", &shape);
+            out.extend(values.iter().flat_map(|x| x.to_le_bytes()));
+        }
     }
     out
 }
@@ -88,7 +91,7 @@ mod tests {
         Columns {
             columns: vec![
                 Column { name: "orbit", values: Values::Int32(vec![0, -1]) },
-                Column { name: "gamma", values: Values::Vector(vec![[0.1, 0.2, 0.3], [1.0, 2.0, 4.0]]) },
+                Column { name: "gamma", values: Values::vectors([[0.1, 0.2, 0.3], [1.0, 2.0, 4.0]].into_iter()) },
                 Column { name: "sheet", values: Values::Int8(vec![1, -1]) },
             ],
             meta: "{\"ϑ\": 1}".to_owned(),

@@ -62,7 +62,7 @@ impl Table {
     ) -> Vec<Series> {
         let of = |name: usize| {
             let rows = self.rows.iter().filter(|row| self.text(row, column) == names[name] && choose(row));
-            Series { name, points: rows.map(|row| point(row)).collect(), joined }
+            Series { name, points: rows.map(&point).collect(), joined }
         };
         (0..names.len()).map(of).collect()
     }

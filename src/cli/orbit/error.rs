@@ -61,8 +61,4 @@ pub enum OrbitFailure {
     Interrupted { done: usize, wanted: usize },
 }
 
-impl CommandError for OrbitFailure {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for OrbitFailure {}

@@ -7,8 +7,8 @@ use crate::cli::export::{Columns, Values};
 
 /// One row for each sample; `meta` is the document on one line.
 pub fn of(document: &MotionDocument, samples: &[MotionSample]) -> Result<Columns, serde_json::Error> {
-    let floats = |value: fn(&MotionSample) -> f64| Values::Float(samples.iter().map(value).collect());
-    let vectors = |value: fn(&MotionSample) -> [f64; 3]| Values::Vector(samples.iter().map(value).collect());
+    let floats = |value: fn(&MotionSample) -> f64| Values::floats(samples.iter().map(value));
+    let vectors = |value: fn(&MotionSample) -> [f64; 3]| Values::vectors(samples.iter().map(value));
     let columns = [
         ("time", floats(|s| s.time)),
         ("gamma", vectors(|s| s.gamma)),
@@ -17,7 +17,7 @@ pub fn of(document: &MotionDocument, samples: &[MotionSample]) -> Result<Columns
         ("theta", floats(|s| s.theta)),
         ("psi", floats(|s| s.psi)),
         ("phi", floats(|s| s.phi)),
-        ("attitude", Values::Quaternion(samples.iter().map(|s| s.attitude.components()).collect())),
+        ("attitude", Values::quaternions(samples.iter().map(|s| s.attitude.components()))),
     ];
     Columns::new(columns, document)
 }

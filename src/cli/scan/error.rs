@@ -109,8 +109,4 @@ impl CommandError for ScanInput {
     }
 }
 
-impl CommandError for ScanFailure {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
+impl CommandError for ScanFailure {}

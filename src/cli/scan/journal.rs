@@ -216,6 +216,7 @@ mod tests {
     use survey::scan::Row;
 
     use super::*;
+    use crate::cli::failure::Exit;
 
     fn identity(samples: u64) -> Identity {
         let design = Design::new(Family::General, Vec::new(), Some(samples), 0).unwrap();
@@ -265,7 +266,8 @@ mod tests {
         let mut journal = Journal::open(&out, &identity(9), false).unwrap();
         journal.append(&rows(0..3)).unwrap();
         journal.append(&rows(3..9)).unwrap();
-        assert!(matches!(Journal::open(&out, &identity(9), false), Err(Failure::Input(_))), "it is in use");
+        let refusal = |number| Journal::open(&out, &identity(number), false).err().unwrap();
+        assert!(refusal(9).to_string().contains("another process"));
         drop(journal);
         let path = Journal::path_for(&out);
         let text = fs::read_to_string(&path).unwrap();
@@ -273,7 +275,9 @@ mod tests {
         let altered = format!("{}\"A1\":3.0{}", &text[..place], &text[place + 8..]);
         fs::write(&path, altered).unwrap();
         assert_eq!(Journal::open(&out, &identity(9), false).unwrap().rows(), 3);
-        assert!(matches!(Journal::open(&out, &identity(8), false), Err(Failure::Input(_))));
+        let refused = Journal::open(&out, &identity(8), false).err().unwrap();
+        assert_eq!(refused.exit(), Exit::WrongInput);
+        assert!(refused.to_string().contains("another scan"));
         assert_eq!(Journal::open(&out, &identity(8), true).unwrap().rows(), 0);
     }
 }

@@ -90,7 +90,8 @@ fn outputs(arguments: &SectionArguments, sites: usize) -> Result<Outputs<'_>, Fa
     if to_stdout && sites > 1 {
         return Err(SectionInput::ManyOnStdout.into());
     }
-    let wanted = !json && !to_stdout && !(data.is_some() && arguments.no_plot);
+    let data_alone = data.is_some() && arguments.no_plot;
+    let wanted = !(json || to_stdout || data_alone);
     Ok(Outputs {
         data,
         directory: directory(arguments.out.as_deref(), wanted)?,

@@ -8,8 +8,8 @@ use crate::cli::export::{Columns, Values};
 /// One row for each point; `meta` is the document on one line.
 pub fn of(document: &SectionDocument, orbits: &[OrbitSection]) -> Result<Columns, serde_json::Error> {
     let points: Vec<&SectionPoint> = orbits.iter().flat_map(|orbit| &orbit.points).collect();
-    let floats = |value: fn(&SectionPoint) -> f64| Values::Float(points.iter().map(|p| value(p)).collect());
-    let vectors = |value: fn(&SectionPoint) -> [f64; 3]| Values::Vector(points.iter().map(|p| value(p)).collect());
+    let floats = |value: fn(&SectionPoint) -> f64| Values::floats(points.iter().map(|p| value(p)));
+    let vectors = |value: fn(&SectionPoint) -> [f64; 3]| Values::vectors(points.iter().map(|p| value(p)));
     // The options allow no more than fit.
     let counts =
         |value: fn(&SectionPoint) -> u32| Values::Int32(points.iter().map(|p| value(p).cast_signed()).collect());
@@ -37,7 +37,7 @@ fn measures(document: &SectionDocument, orbits: &[OrbitSection]) -> Vec<(&'stati
             let value = summary.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
             std::iter::repeat_n(value, orbit.points.len())
         });
-        Values::Float(rows.collect())
+        Values::floats(rows)
     };
     vec![("lyapunov", spread(lyapunov)), ("rotation", spread(rotation))]
 }

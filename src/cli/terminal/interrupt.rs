@@ -62,6 +62,7 @@ pub fn stoppable(stop: impl Fn() + Send + 'static) -> Stoppable {
     Stoppable(())
 }
 
+#[expect(clippy::unused_self, reason = "only the work that is running is over, or told")]
 impl Stoppable {
     /// The work is over. If it was not stopped, a first interrupt waits until this is dropped; then the process ends.
     pub fn over(&self) {

@@ -65,10 +65,11 @@ pub(super) fn draw(legend: &Legend<Symbol>, page: &mut Page, top: f64) {
         }
     }
     page.paint(|canvas| {
-        legend.draw(canvas, [LEFT, top], |symbol, [x, middle]| {
+        for (symbol, [x, middle]) in legend.symbols([LEFT, top]) {
             if let Symbol::Pole(sign) = symbol {
                 pole_marker(canvas, *sign, [x + SAMPLE / 2.0, middle]);
             }
-        });
+        }
+        legend.draw(canvas, [LEFT, top], |_, _| {});
     });
 }
