@@ -106,7 +106,8 @@ fn documents_fit_their_schemas() {
     }
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
     assert_fits("find", &bifdiag("find --type M3 --json").succeeds().json());
-    assert_fits("find", &bifdiag("find --type k3n0 --samples 50 --json").succeeds().json());
+    assert_fits("find", &bifdiag("find --type k3n0 --json").succeeds().json());
+    assert_fits("find", &bifdiag("find --critical-points 12 --samples 50 --json").fails().json());
     assert_fits("scan-border", &bifdiag("scan border --body katok:2 --vary A3=0.7:0.8 --json").succeeds().json());
     let scan = "scan --body paper --vary r2=0:0.5:3,r3=0:0.5:3 --format jsonl --out -";
     for row in bifdiag(scan).succeeds().json_lines() {

@@ -4,7 +4,7 @@ use numbers::Number;
 use schema::{DesignDocument, FamilyDocument, ParameterName, RangeDocument};
 use survey::{Design, Family, Parameter, Range};
 
-use super::ReadScanError;
+use super::error::ReadScanError;
 use crate::body::texts;
 
 /// The parameters with their names.

@@ -1,46 +1,11 @@
 //! Scans as documents, and read back from them.
 
 mod design;
+mod error;
 mod row;
 mod summary;
 
-use numbers::ParseNumberError;
-use survey::{DesignError, ParseComponentTypeError};
-use thiserror::Error;
-use top::class::ParseClassNameError;
-use top::topology::ParseSurfaceError;
-
 pub use design::{design, parameter, range, read_design};
+pub use error::ReadScanError;
 pub use row::{read_row, row};
 pub use summary::{ScanFile, scan_summary};
-
-/// Why a document of a scan cannot be read.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum ReadScanError {
-    /// A number of a body or of a range.
-    #[error(transparent)]
-    Number(#[from] ParseNumberError),
-    /// Bodies that no scan looks at.
-    #[error(transparent)]
-    Design(#[from] DesignError),
-    /// A class.
-    #[error(transparent)]
-    Class(#[from] ParseClassNameError),
-    /// A surface of a signature.
-    #[error(transparent)]
-    Surface(#[from] ParseSurfaceError),
-    /// A type of component.
-    #[error(transparent)]
-    Component(#[from] ParseComponentTypeError),
-    /// Counts that are not written like `S2:2 S2+T2:1`.
-    #[error("`{0}` is not a name with its count, such as S2+T2:1")]
-    Count(String),
-    /// A row with only some of the numbers of a diagram.
-    #[error("row {index} has no {column}, but other numbers of a diagram")]
-    Missing {
-        /// Number of the body.
-        index: u64,
-        /// What is missing.
-        column: &'static str,
-    },
-}

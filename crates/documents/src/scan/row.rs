@@ -8,7 +8,7 @@ use schema::{RowDocument, RowStatus};
 use survey::scan::{DiagramCounts, Room, Row, Status};
 use top::body::Flags;
 
-use super::ReadScanError;
+use super::error::ReadScanError;
 
 /// What a scan notes about one body.
 #[must_use]
@@ -141,7 +141,7 @@ mod tests {
     #[test]
     fn counts_are_written_by_name() {
         let paper = row(&Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Standard));
-        assert_eq!(paper.signatures.as_deref(), Some("M2:2 M3:1 S2:2 S2+S2:1 S2+T2:1 T2:2"));
+        assert_eq!(paper.signatures.as_deref(), Some("M2:2 M3:1 S2:1 S2+S2:1 S2+T2:1 T2:2 T2+T2:1"));
         assert_eq!(paper.types.as_deref(), Some("k0n2:1 k1n0:3 k1n1:3 k1n2:1 k2n1:1 k2n2:1"));
     }
 

@@ -4,7 +4,7 @@ use std::io::{Read, Write};
 
 use schema::RowDocument;
 
-use super::{RowSink, TableError};
+use super::sink::{RowSink, TableError};
 
 /// Writes rows below a heading.
 pub struct Sink<W: Write> {

@@ -4,7 +4,7 @@ use std::io::{BufRead, Write};
 
 use schema::RowDocument;
 
-use super::{RowSink, TableError};
+use super::sink::{RowSink, TableError};
 
 /// Writes one object a line.
 pub struct Sink<W: Write> {

@@ -4,14 +4,16 @@ mod csv;
 mod json_lines;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod sink;
 
 use std::fs::File;
-use std::io::{self, BufReader, Write};
+use std::io::{BufReader, Write};
 use std::path::Path;
 
 use clap::ValueEnum;
-use schema::RowDocument;
-use thiserror::Error;
+use sink::{RowSink, Rows};
+
+pub use sink::TableError;
 
 /// Formats of the rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -23,44 +25,6 @@ pub enum Format {
     /// One JSON object a line
     Jsonl,
 }
-
-/// Why rows cannot be read or written.
-#[derive(Debug, Error)]
-pub enum TableError {
-    #[error("{0}")]
-    Io(#[from] io::Error),
-    #[error("line {line} is no row of a scan: {source}")]
-    Json { line: u64, source: serde_json::Error },
-    #[error("a row cannot be written as JSON: {0}")]
-    JsonWrite(serde_json::Error),
-    #[error("this is no CSV file of a scan: {0}")]
-    Csv(#[from] ::csv::Error),
-    #[cfg(feature = "parquet")]
-    #[error("this is no Parquet file of a scan: {0}")]
-    Parquet(#[from] ::parquet::errors::ParquetError),
-    #[cfg(feature = "parquet")]
-    #[error("row {row} of the Parquet file is no row of a scan: {source}")]
-    ParquetRow { row: u64, source: serde_json::Error },
-    #[cfg(feature = "parquet")]
-    #[error("column {column} of the Parquet file cannot be written")]
-    Column { column: String },
-    #[cfg(not(feature = "parquet"))]
-    #[error(
-        "this bifdiag was built without the feature `parquet`; use .csv or .jsonl, or build it with --features parquet"
-    )]
-    NoParquet,
-}
-
-/// Takes the rows one by one.
-pub trait RowSink {
-    /// Adds a row.
-    fn write(&mut self, row: &RowDocument) -> Result<(), TableError>;
-    /// Writes what is still held back. Nothing may follow.
-    fn finish(&mut self) -> Result<(), TableError>;
-}
-
-/// The rows of a file, one by one.
-pub type Rows = Box<dyn Iterator<Item = Result<RowDocument, TableError>>>;
 
 impl Format {
     /// The format that the ending of a file's name says.
@@ -115,6 +79,7 @@ impl Format {
 
 #[cfg(test)]
 mod tests {
+    use schema::RowDocument;
     use survey::scan::Row;
 
     use super::*;

@@ -17,7 +17,7 @@ use schema::RowDocument;
 use schemars::schema_for;
 use serde_json::{Map, Value};
 
-use super::{RowSink, TableError};
+use super::sink::{RowSink, TableError};
 
 /// Rows that are held back to be written as one group.
 const GROUP: usize = 32_768;
