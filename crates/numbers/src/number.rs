@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use thiserror::Error;
 
 /// Decimal exponents beyond this are refused: their square would leave the range of `f64`.
-const MAX_DECIMAL_EXPONENT: i64 = 150;
+const MAX_DECIMAL_EXPONENT: u64 = 150;
 /// More digits than this are refused.
 const MAX_DIGITS: usize = 1000;
 
@@ -146,7 +146,7 @@ fn parse_decimal(text: &str, whole: &str) -> Result<RBig, ParseNumberError> {
     let significant_digits = i64::try_from(significant.len()).map_err(|_overflow| out_of_range())?;
     let power = exponent.saturating_sub(fraction_digits);
     let leading = power.saturating_add(significant_digits - 1);
-    if leading.abs() > MAX_DECIMAL_EXPONENT {
+    if leading.unsigned_abs() > MAX_DECIMAL_EXPONENT {
         return Err(out_of_range());
     }
     let magnitude = UBig::from_str_radix(significant, 10).map_err(|_not_digits| malformed())?;
@@ -292,6 +292,8 @@ mod tests {
         assert!(matches!(error("-inf"), ParseNumberError::NotFinite { .. }));
         assert!(matches!(error("1/0"), ParseNumberError::ZeroDenominator { .. }));
         assert!(matches!(error("1e9999999999999999999"), ParseNumberError::OutOfRange { .. }));
+        // Its exponent has no absolute value in 64 bits.
+        assert!(matches!(error("1e-9223372036854775808"), ParseNumberError::OutOfRange { .. }));
         assert!(matches!(error("1e-151"), ParseNumberError::OutOfRange { .. }));
         assert!(matches!(error(&"9".repeat(2000)), ParseNumberError::OutOfRange { .. }));
         for text in ["abc", "1.2.3", "1e", "1e+", "--1", "1/2/3", ".", "0x10", "1_000", "1,0"] {
