@@ -2,7 +2,7 @@
 //!
 //! Descartes' rule on (0, 1) (Vincent, Collins and Akritas): the sign variations of (1+x)^n p(1/(1+x)) bound the number of
 //! roots, with equality for 0 and 1. Intervals with more are halved; what halving does not separate within
-//! [`SPLITS`] levels is a multiple root (or nearly one), and the squarefree part by gcd is isolated instead. No crate
+//! `SPLITS` levels is a multiple root (or nearly one), and the squarefree part by gcd is isolated instead. No crate
 //! of pure Rust isolates roots of integer polynomials with certainty; the tests compare with python-flint.
 
 use std::sync::Arc;

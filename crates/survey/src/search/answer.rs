@@ -49,7 +49,7 @@ pub struct Nearest {
     pub values: [[f64; 3]; 2],
     /// h and l where it came nearest.
     pub at: Option<[f64; 2]>,
-    /// What is missing, as in [`Score::Near`]; 0 where it seemed to show it and was not confirmed.
+    /// What is missing, as in [`Score::Near`](super::Score::Near); 0 where it seemed to show it and was not confirmed.
     pub missing: f64,
 }
 
