@@ -1,8 +1,13 @@
 //! Bodies as documents: numbers as they were given, flags, real parts, presets.
 
-use numbers::Number;
-use schema::{BodiesDocument, Flags, InertiaDocument, PresetDocument, SCHEMA_VERSION, UnitsDocument};
-use top::body::{Body, MassProperties, Preset, PrincipalBody};
+use dashu_ratio::RBig;
+use numbers::symmetric::{PrincipalAxes, Real};
+use numbers::{Number, decimal};
+use part::Part;
+use schema::{BodiesDocument, Flags, PartDocument, PresetDocument, PrincipalDocument, SCHEMA_VERSION};
+use top::body::{Body, Preset, PrincipalForm};
+
+use crate::command::{CommandLine, version};
 
 /// Numbers as they were written.
 #[must_use]
@@ -17,28 +22,24 @@ pub fn flags(body: &Body) -> Flags {
     Flags { unphysical, plate, symmetric, plane, axis, euler }
 }
 
-/// A part and its reduction to principal axes.
+/// A part as it was understood.
 #[must_use]
-pub fn part(part: &MassProperties, principal: &PrincipalBody) -> InertiaDocument {
-    let realizability = principal.realizability();
-    InertiaDocument {
-        tensor: texts(&part.tensor),
-        com: texts(&part.center_of_mass),
-        mass: part.mass.text().to_owned(),
-        g: part.gravity.text().to_owned(),
-        rotation: principal.rotation(),
-        exact: principal.exact(),
-        residual: principal.residual(),
-        unphysical: realizability.unphysical,
-        plate: realizability.plate,
-        parallel_axes: realizability.parallel_axes,
-        units: UnitsDocument {
-            moments: "kg m^2".to_owned(),
-            center: "N m".to_owned(),
-            h: "J".to_owned(),
-            l: "kg m^2/s".to_owned(),
-            omega: "rad/s".to_owned(),
-        },
+pub fn part(part: &Part, principal: &PrincipalForm) -> PartDocument {
+    let properties = &part.properties;
+    let central = PrincipalAxes::new(&properties.about_com, &[RBig::ZERO, RBig::ZERO, RBig::ZERO], 20);
+    let body = &principal.body;
+    PartDocument {
+        inertia: properties.tensor_about_origin().rows().each_ref().map(|row| row.each_ref().map(decimal::short)),
+        com: properties.com.each_ref().map(decimal::short),
+        mass: decimal::short(&properties.mass),
+        g: decimal::short(&part.gravity),
+        units: part.units.to_string(),
+        principal: PrincipalDocument { moments: body.moments_f64(), axes: principal.axes },
+        principal_com: PrincipalDocument { moments: central.values.each_ref().map(Real::to_f64), axes: central.axes },
+        moments: texts(body.moments()),
+        center: texts(body.center()),
+        exact: principal.exact,
+        physical: properties.existence().is_possible(),
     }
 }
 
@@ -54,5 +55,10 @@ pub fn all_bodies() -> BodiesDocument {
             note: preset.note().to_owned(),
         }
     };
-    BodiesDocument { schema_version: SCHEMA_VERSION.to_owned(), bodies: Preset::all().iter().map(describe).collect() }
+    BodiesDocument {
+        schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command: CommandLine::new("bodies").json(),
+        bodies: Preset::all().iter().map(describe).collect(),
+    }
 }

@@ -4,11 +4,12 @@ use schema::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDo
 use survey::Range;
 use survey::border::{Border, BorderEvent, BorderEventKind, Segment};
 
+use crate::command::{CommandLine, version};
 use crate::scan::{parameter, range};
 
 /// A border on a segment along which some parameters vary.
 #[must_use]
-pub fn border(border: &Border, segment: &Segment, vary: &[Range]) -> BorderDocument {
+pub fn border(border: &Border, segment: &Segment, vary: &[Range], command: CommandLine) -> BorderDocument {
     let value = |range: &Range| {
         let at = |t: f64| segment.coordinate(range.parameter.place(), t).to_f64().value();
         BorderValueDocument {
@@ -20,6 +21,8 @@ pub fn border(border: &Border, segment: &Segment, vary: &[Range]) -> BorderDocum
     };
     BorderDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command: command.json(),
         vary: vary.iter().map(range).collect(),
         border: vary.iter().map(value).collect(),
         reached: border.reached,

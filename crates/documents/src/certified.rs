@@ -4,7 +4,8 @@ use proof::CertifiedAtlas;
 use schema::{Accuracy, AtlasDocument};
 use top::atlas::Atlas;
 
-use crate::atlas::{DocumentOptions, document};
+use crate::atlas::{DocumentOptions, command, document};
+use crate::subject::Subject;
 
 /// The document with its certificate, sealed by its checksum. `drawn` is [`CertifiedAtlas::drawn`].
 ///
@@ -15,11 +16,12 @@ pub fn certified_atlas(
     drawn: &Atlas,
     options: &DocumentOptions,
 ) -> Result<AtlasDocument, serde_json::Error> {
-    let options = DocumentOptions { accuracy: Accuracy::Certified, window: None, ..*options };
+    let options = DocumentOptions { accuracy: Accuracy::Exact, window: None, ..*options };
     let mut document = document(drawn, &options);
     for (event, enclosure) in document.events.iter_mut().zip(proved.enclosures()) {
         event.enclosure = Some(enclosure);
     }
+    document.command = command(&Subject::from(drawn.body().clone()), &options, true);
     document.certificate = Some(proved.certificate());
     seal(&mut document)?;
     Ok(document)

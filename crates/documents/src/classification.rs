@@ -1,12 +1,18 @@
 //! The type of a point as a document.
 
 use numbers::Number;
-use schema::{Accuracy, ClassificationDocument, ComponentDocument, MarginDocument, SCHEMA_VERSION, Status};
-use top::body::Body;
+use proof::Prepared;
+use schema::{
+    Accuracy, CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, SCHEMA_VERSION, Status,
+};
+use top::atlas::Atlas;
 use top::classify::{Answer, Classification, Margin};
+use top::diagram::RegionId;
 use top::topology::{Component, signature};
 
 use crate::body::texts;
+use crate::command::version;
+use crate::subject::Subject;
 
 /// One component of U_hl.
 #[must_use]
@@ -25,9 +31,9 @@ pub fn component(component: &Component) -> ComponentDocument {
     }
 }
 
-/// The components of one class.
+/// The components of U_hl.
 #[must_use]
-pub fn candidate(components: &[Component]) -> Vec<ComponentDocument> {
+pub fn components(components: &[Component]) -> Vec<ComponentDocument> {
     components.iter().map(component).collect()
 }
 
@@ -38,42 +44,100 @@ pub fn margin(margin: &Margin) -> MarginDocument {
     MarginDocument { h: margin.h, nearest, error_bound: margin.error_bound }
 }
 
+/// Where the regions of a classified point are looked up.
+#[derive(Clone, Copy, Debug)]
+pub enum Located<'a> {
+    /// In the atlas of the body.
+    In(&'a Atlas),
+    /// There is no atlas: it was not finished within its budget.
+    NoAtlas,
+    /// Nowhere: no region was asked for.
+    NotAsked,
+}
+
+impl<'a> Located<'a> {
+    /// In the atlas of a prepared body, if there is one and regions are asked for.
+    #[must_use]
+    pub fn of(prepared: Option<&'a Prepared>) -> Self {
+        prepared.map_or(Self::NotAsked, |prepared| prepared.atlas().map_or(Self::NoAtlas, Self::In))
+    }
+}
+
 /// The answer for a point (h, l) of a body.
 #[must_use]
 pub fn classification(
-    body: &Body,
+    subject: &Subject,
     h: &Number,
     l: &Number,
     found: &Classification,
     accuracy: Accuracy,
+    located: Located<'_>,
 ) -> ClassificationDocument {
+    let body = &subject.body;
     let status = match found.answer {
         Answer::Regular(_) => Status::Regular,
         Answer::Forbidden => Status::Forbidden,
         Answer::Critical(_) => Status::Critical,
         Answer::Undecided(_) => Status::Undecided,
     };
-    let note = if found.unproved_topology {
-        Some("the region is known, but its topology is not proved")
-    } else if body.flags().euler {
-        Some("r = 0: the poles ±r̂ do not exist and S vanishes identically, so P_hl is not defined")
-    } else {
-        None
+    let atlas = match located {
+        Located::In(atlas) => Some(atlas),
+        Located::NoAtlas | Located::NotAsked => None,
     };
-    let components = found.components();
+    let places = atlas.and_then(|atlas| atlas.places(h, l, &found.answer));
+    let region = match (&found.answer, places.as_deref()) {
+        (Answer::Regular(_), Some([Some(region)])) => Some(region.to_string()),
+        _ => None,
+    };
+    let asked = !matches!(located, Located::NotAsked);
+    let unnamed = asked && !matches!(found.answer, Answer::Forbidden) && places.is_none();
+    let notes = [
+        (body.flags().euler, "r = 0: the poles ±r̂ do not exist and S vanishes identically, so P_hl is not defined"),
+        (unnamed, "the ids of the regions are not known: the atlas of this body was not finished within its budget"),
+    ];
+    let notes: Vec<&str> = notes.iter().filter(|(applies, _)| *applies).map(|(_, note)| *note).collect();
+    let of_u = found.components();
+    let command = subject.command("classify").option("h", h.text()).option("l", l.text());
     ClassificationDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command: command.option_if("accuracy", accuracy_option(accuracy)).flag("no-region", !asked).json(),
         moments: texts(body.moments()),
         center: texts(body.center()),
         h: h.text().to_owned(),
         l: l.text().to_owned(),
         status,
         accuracy,
+        region,
         margin: margin(&found.margin),
-        signature: components.filter(|components| !components.is_empty()).and_then(signature),
-        components: components.map(candidate),
-        candidates: found.candidates().iter().map(|class| candidate(class)).collect(),
-        note: note.map(str::to_owned),
-        inertia: None,
+        signature: of_u.filter(|components| !components.is_empty()).and_then(signature),
+        components: of_u.map(components),
+        candidates: candidates(found, atlas.zip(places)),
+        note: (!notes.is_empty()).then(|| notes.join("; ")),
+        part: subject.part.clone(),
     }
+}
+
+/// The value of `--accuracy`, unless it is the default.
+#[must_use]
+pub fn accuracy_option(accuracy: Accuracy) -> Option<&'static str> {
+    (accuracy == Accuracy::Fast).then_some("fast")
+}
+
+/// The regions that meet at a point; the classes where their regions are not known.
+fn candidates(found: &Classification, located: Option<(&Atlas, Vec<Option<RegionId>>)>) -> Vec<CandidateDocument> {
+    let classes = found.candidates();
+    if classes.is_empty() {
+        return Vec::new();
+    }
+    let candidate = |region: Option<RegionId>, class: &[Component]| CandidateDocument {
+        region: region.map(|region| region.to_string()),
+        status: if class.is_empty() { Status::Forbidden } else { Status::Regular },
+        components: components(class),
+    };
+    let Some((atlas, places)) = located else {
+        return classes.iter().map(|class| candidate(None, class)).collect();
+    };
+    let class = |region: Option<RegionId>| region.and_then(|region| atlas.components(region).ok()).unwrap_or_default();
+    places.into_iter().map(|region| candidate(region, class(region))).collect()
 }

@@ -2,21 +2,26 @@
 
 use numbers::Number;
 use schema::{CriticalDocument, RelativeEquilibriumDocument, SCHEMA_VERSION};
-use top::body::Body;
 use top::critical::{Equilibria, Equilibrium, Multiplicity};
-use top::stability::Stability;
+use top::stability::{ChangeKind, LinearType, Verdict};
 
 use crate::body::texts;
+use crate::command::version;
+use crate::subject::Subject;
 
 /// The relative equilibria of a body at one l.
 #[must_use]
-pub fn critical(body: &Body, l: &Number, found: &Equilibria) -> CriticalDocument {
+pub fn critical(subject: &Subject, l: &Number, found: &Equilibria) -> CriticalDocument {
+    let body = &subject.body;
     let note = (!found.complete).then(|| {
-        "l lies within rounding of a cusp or pitchfork: f64 cannot tell how many relative equilibria meet there"
+        "l lies beside cusps that are closer to one another than 2^-4000: how many relative equilibria meet there is \
+         not decided"
             .to_owned()
     });
     CriticalDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command: subject.command("critical").option("l", l.text()).json(),
         moments: texts(body.moments()),
         center: texts(body.center()),
         l: l.text().to_owned(),
@@ -24,7 +29,7 @@ pub fn critical(body: &Body, l: &Number, found: &Equilibria) -> CriticalDocument
         error_bound: found.error_bound,
         complete: found.complete,
         note,
-        inertia: None,
+        part: subject.part.clone(),
     }
 }
 
@@ -40,17 +45,70 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
             Multiplicity::Sphere => schema::Multiplicity::Sphere,
         },
         stability: stability(found.stability),
+        stable: VERDICTS[verdict_code(found.verdict).unsigned_abs() as usize],
+        eigenvalues: found.eigenvalues.pairs,
+        eigenvalue_error: found.eigenvalues.error,
         branch: found.curve.map_or_else(String::new, |curve| curve.to_string()),
+        branch_name: found.branch_name.to_string(),
     }
 }
 
-/// The word for a spectral type.
-pub(crate) fn stability(kind: Stability) -> schema::Stability {
+/// The words for linear types, in the order of [`type_code`].
+pub const LINEAR_TYPES: [schema::Stability; 7] = [
+    schema::Stability::Elliptic,
+    schema::Stability::SaddleCentre,
+    schema::Stability::Saddle,
+    schema::Stability::Complex,
+    schema::Stability::DoubleElliptic,
+    schema::Stability::DoubleReal,
+    schema::Stability::Zero,
+];
+
+/// The words for verdicts, in the order of [`verdict_code`].
+pub const VERDICTS: [schema::Verdict; 5] = [
+    schema::Verdict::Energy,
+    schema::Verdict::Integral,
+    schema::Verdict::Spectrum,
+    schema::Verdict::Unstable,
+    schema::Verdict::Open,
+];
+
+/// The place of a linear type among [`LINEAR_TYPES`].
+#[must_use]
+pub fn type_code(kind: LinearType) -> i8 {
     match kind {
-        Stability::Elliptic => schema::Stability::Elliptic,
-        Stability::SaddleCentre => schema::Stability::SaddleCentre,
-        Stability::Saddle => schema::Stability::Saddle,
-        Stability::Complex => schema::Stability::Complex,
-        Stability::Degenerate => schema::Stability::Degenerate,
+        LinearType::Elliptic => 0,
+        LinearType::SaddleCentre => 1,
+        LinearType::Saddle => 2,
+        LinearType::Complex => 3,
+        LinearType::DoubleElliptic => 4,
+        LinearType::DoubleReal => 5,
+        LinearType::Zero => 6,
+    }
+}
+
+/// The place of a verdict among [`VERDICTS`].
+#[must_use]
+pub fn verdict_code(verdict: Verdict) -> i8 {
+    match verdict {
+        Verdict::Energy => 0,
+        Verdict::Integral => 1,
+        Verdict::Spectrum => 2,
+        Verdict::Unstable => 3,
+        Verdict::Open => 4,
+    }
+}
+
+/// The word for a linear type.
+pub(crate) fn stability(kind: LinearType) -> schema::Stability {
+    LINEAR_TYPES[type_code(kind).unsigned_abs() as usize]
+}
+
+/// The word for a change of the linear type.
+pub(crate) fn change(kind: ChangeKind) -> schema::StabilityChangeKind {
+    match kind {
+        ChangeKind::HamiltonianHopf => schema::StabilityChangeKind::HamiltonianHopf,
+        ChangeKind::RealCollision => schema::StabilityChangeKind::RealCollision,
+        ChangeKind::Zero => schema::StabilityChangeKind::Zero,
     }
 }

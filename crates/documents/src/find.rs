@@ -4,7 +4,8 @@ use schema::{FindDocument, NearestDocument, SCHEMA_VERSION, WitnessDocument};
 use survey::search::{Answer, Nearest, Search, Target, Witness};
 
 use crate::body::texts;
-use crate::classification::{candidate, margin};
+use crate::classification::{components, margin};
+use crate::command::{CommandLine, version};
 
 /// A body and a point that show what was sought.
 #[must_use]
@@ -15,17 +16,19 @@ pub fn witness(witness: &Witness) -> WitnessDocument {
         center: texts(witness.body.center()),
         h: witness.h.text().to_owned(),
         l: witness.l.text().to_owned(),
-        components: candidate(&witness.components),
+        components: components(&witness.components),
         margin: margin(&witness.margin),
         critical_points: witness.critical_points,
     }
 }
 
-/// The answer of a search.
+/// The answer of a search; `command` asked for it.
 #[must_use]
-pub fn find(target: &Target, search: &Search) -> FindDocument {
+pub fn find(target: &Target, search: &Search, command: CommandLine) -> FindDocument {
     let mut document = FindDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command: command.json(),
         found: false,
         exists: None,
         why: None,

@@ -13,11 +13,13 @@ use schema::{
 use top::topology::signature;
 
 use crate::body::texts;
-use crate::classification::candidate;
+use crate::classification::components;
+use crate::command::{CommandLine, version};
+use crate::subject::Subject;
 
-/// Puts together what is known; orbits that are missing were not begun.
+/// Puts together what is known; orbits that are missing were not begun. `region`: the region whose sample this is.
 #[must_use]
-pub fn section(section: &PoincareSection) -> SectionDocument {
+pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str>) -> SectionDocument {
     let mut orbits: Vec<OrbitDocument> = section
         .orbits
         .iter()
@@ -36,33 +38,92 @@ pub fn section(section: &PoincareSection) -> SectionDocument {
         notes.push("the run was interrupted: Lyapunov exponents are missing".to_owned());
     }
     let options = &section.options;
-    SectionDocument {
+    let mut document = SectionDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command: String::new(),
         moments: texts(section.body.moments()),
         center: texts(section.body.center()),
         h: section.h.text().to_owned(),
         l: section.l.text().to_owned(),
-        region: None,
-        components: candidate(&section.components),
-        signature: signature(&section.components),
+        region: region.map(str::to_owned),
+        components: components(&section.components),
+        // The theorem is about the section S = d⟨γ,r⟩/dt = 0.
+        signature: match options.condition {
+            SectionCondition::Height => signature(&section.components),
+            SectionCondition::AngularMomentum => None,
+        },
         condition: condition(options.condition),
         integrator: integrator(options.method),
-        starts: StartsDocument { orbits: section.starts.len(), rng_seed: section.seed },
+        starts: StartsDocument { orbits: section.starts.len(), seed: section.seed },
         crossings: options.crossings,
         max_time: options.max_time.is_finite().then_some(options.max_time),
         complete: section.complete(),
         summary,
         notes,
         orbits,
-        inertia: None,
+        part: subject.part.clone(),
+    };
+    let at = subject.command("section");
+    let at = match region {
+        Some(region) => at.option("region", region),
+        None => at.option("h", &document.h).option("l", &document.l),
+    };
+    document.command = as_asked(at, &document).json();
+    document
+}
+
+/// Adds the options that made a section, apart from its body and place.
+fn as_asked(line: CommandLine, document: &SectionDocument) -> CommandLine {
+    /// A file whose points are those of the document's orbits.
+    const STARTS: &str = "starts.csv";
+    let condition = (document.condition == ConditionName::AngularMomentum).then_some("angular-momentum");
+    let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
+    let line = match document.starts.seed {
+        Some(seed) => line.option("orbits", document.starts.orbits).option("seed", seed),
+        None => line.option("starts", STARTS),
+    };
+    let line = line
+        .option("crossings", document.crossings)
+        .option_if("max-time", document.max_time)
+        .option_if("condition", condition);
+    integrator_options(line, &document.integrator).option_if("color", measured.then_some("lyapunov"))
+}
+
+/// Adds the integrator, unless it is the usual one.
+#[must_use]
+pub fn integrator_options(line: CommandLine, document: &IntegratorDocument) -> CommandLine {
+    if *document == integrator(Method::default()) {
+        return line;
     }
+    let name = match document.name {
+        IntegratorName::Taylor => "taylor",
+        IntegratorName::Dop853 => "dop853",
+        IntegratorName::Rk4 => "rk4",
+        IntegratorName::Splitting => "splitting",
+    };
+    line.option("integrator", name).option_if("tol", document.tol).option_if("step", document.step)
 }
 
 /// Sections of several regions; `complete` says whether all regions had their turn.
 #[must_use]
-pub fn sections(sections: Vec<SectionDocument>, skipped: Vec<SkippedDocument>, complete: bool) -> SectionsDocument {
+pub fn sections(
+    subject: &Subject,
+    sections: Vec<SectionDocument>,
+    skipped: Vec<SkippedDocument>,
+    complete: bool,
+) -> SectionsDocument {
+    let all = subject.command("section").option("region", "all");
+    let command = sections.first().map_or(all.clone(), |first| as_asked(all, first)).json();
     let complete = complete && sections.iter().all(|section| section.complete);
-    SectionsDocument { schema_version: SCHEMA_VERSION.to_owned(), complete, sections, skipped }
+    SectionsDocument {
+        schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command,
+        complete,
+        sections,
+        skipped,
+    }
 }
 
 /// What a reader of the result should know.

@@ -73,7 +73,7 @@ mod tests {
             assert_eq!(Exclusion::of(&target), None, "{}", document.kind);
             let known = [read_witness(document).unwrap()];
             let everything = Domain { physical: false, moment_ratio: f64::INFINITY };
-            let witness = known_witness(&known, &target, &everything, Accuracy::Standard).unwrap();
+            let witness = known_witness(&known, &target, &everything, Accuracy::Exact).unwrap();
             assert_eq!(crate::witness(&witness), *document);
         }
     }
@@ -83,10 +83,10 @@ mod tests {
         let known = shipped_witnesses();
         let physical = Domain { physical: true, ..Domain::default() };
         for kind in ["k1n0", "k2n0", "k1n1", "k2n1", "k3n1", "k0n2", "k1n2", "k2n2", "k3n2", "k4n1", "k4n2", "M5"] {
-            let witness = known_witness(&known, &Target::of_type(kind).unwrap(), &physical, Accuracy::Standard);
+            let witness = known_witness(&known, &Target::of_type(kind).unwrap(), &physical, Accuracy::Exact);
             assert!(!witness.unwrap().body.flags().unphysical, "{kind}");
         }
-        assert_eq!(known_witness(&known, &Target::of_type("k5n1").unwrap(), &physical, Accuracy::Standard), None);
-        assert_eq!(known_witness(&known, &Target::CriticalPoints(6), &physical, Accuracy::Standard), None);
+        assert_eq!(known_witness(&known, &Target::of_type("k5n1").unwrap(), &physical, Accuracy::Exact), None);
+        assert_eq!(known_witness(&known, &Target::CriticalPoints(6), &physical, Accuracy::Exact), None);
     }
 }

@@ -12,7 +12,11 @@ fn a_stopped_run_says_so() {
     let starts = setting.spread(4, 0).unwrap();
     let monitor = Monitor::default();
     monitor.stop.store(true, std::sync::atomic::Ordering::Relaxed);
-    let document = section(&setting.run(&starts, Some(0), &SweepOptions::default(), &monitor).unwrap());
+    let document = section(
+        &body.clone().into(),
+        &setting.run(&starts, Some(0), &SweepOptions::default(), &monitor).unwrap(),
+        None,
+    );
     assert!(!document.complete && document.orbits.is_empty());
     assert!(document.notes[0].contains("interrupted"));
 }

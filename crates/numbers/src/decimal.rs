@@ -38,6 +38,33 @@ pub fn outward([lo, hi]: &[RBig; 2], digits: usize) -> [String; 2] {
     [rounded(lo, digits, false), rounded(hi, digits, true)]
 }
 
+/// The exact decimal without exponent where it has at most 200 places, else `p/q`.
+#[must_use]
+pub fn short(x: &RBig) -> String {
+    const MAX_PLACES: usize = 200;
+    let [twos, fives] = [2u8, 5].map(|prime| {
+        let (mut rest, mut count) = (x.denominator().clone(), 0);
+        while (&rest % prime) == 0 && count <= MAX_PLACES {
+            rest /= prime;
+            count += 1;
+        }
+        count
+    });
+    let places = twos.max(fives);
+    let shifted = x * RBig::from(IBig::from(10).pow(places));
+    if places > MAX_PLACES || *shifted.denominator() != UBig::ONE {
+        return x.to_string();
+    }
+    let digits = shifted.numerator().to_string();
+    let (sign, digits) = digits.strip_prefix('-').map_or(("", digits.as_str()), |rest| ("-", rest));
+    if places == 0 {
+        return format!("{sign}{digits}");
+    }
+    let padded = format!("{digits:0>width$}", width = places + 1);
+    let (whole, fraction) = padded.split_at(padded.len() - places);
+    format!("{sign}{whole}.{fraction}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -58,5 +85,16 @@ mod tests {
             }
         }
         assert_eq!(exact(&RBig::from_parts(1.into(), 3u8.into())), "1/3");
+    }
+
+    #[test]
+    fn short_decimals_have_no_exponent() {
+        for text in ["0", "-3", "0.1", "-12.5", "0.0009765625", "1/3", "-22/7", "120"] {
+            assert_eq!(short(&value(text)), text);
+        }
+        assert_eq!(short(&value("1e-119")).len(), 121);
+        let least = value("1e-100") * value("1e-100");
+        assert_eq!(short(&least).len(), 202);
+        assert!(short(&(least / RBig::from(10))).starts_with("1/1000"));
     }
 }

@@ -4,11 +4,14 @@ pub mod bernstein;
 pub mod decimal;
 pub mod enclosure;
 pub mod interval;
+mod modular;
 mod number;
 pub mod partition;
 pub mod polynomial;
+mod ring;
 pub mod root;
 pub mod sequence;
+pub mod symmetric;
 pub mod wide;
 
 pub use number::{Number, ParseNumberError};

@@ -91,6 +91,13 @@ impl Number {
         }
     }
 
+    /// from + (to − from)·part/parts, exactly; `parts` is not 0.
+    #[must_use]
+    pub fn between(from: &Self, to: &Self, part: u32, parts: u32) -> Self {
+        let share = RBig::from(part) / RBig::from(parts);
+        Self::from_rational(&from.value + (&to.value - &from.value) * share)
+    }
+
     /// An exact value with its own text (`p/q`, or `p` for an integer).
     #[must_use]
     pub fn from_rational(value: RBig) -> Self {

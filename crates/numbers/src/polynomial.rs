@@ -11,6 +11,8 @@ use dashu_base::{Gcd, Signed};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
+use crate::modular::surely_coprime;
+
 /// Halvings after which multiple roots are looked for by gcd.
 const SPLITS: usize = 48;
 /// Halvings of a squarefree polynomial; beyond, roots are closer than anything that the rest could use.
@@ -55,6 +57,12 @@ impl Polynomial {
         });
         let scaled = c.iter().map(|x| x.numerator() * IBig::from(&common / x.denominator()));
         Self::new(scaled.collect()).primitive()
+    }
+
+    /// Its coefficients by rising power; the last one is not 0.
+    #[must_use]
+    pub fn coefficients(&self) -> &[IBig] {
+        &self.c
     }
 
     /// The zero polynomial.
@@ -148,6 +156,17 @@ impl Polynomial {
         a.primitive()
     }
 
+    /// True only if no common factor exists; false may mean either.
+    #[must_use]
+    pub fn is_surely_coprime_to(&self, other: &Self) -> bool {
+        surely_coprime(&self.c, &other.c)
+    }
+
+    /// True only if every root is simple; false may mean either.
+    fn is_surely_squarefree(&self) -> bool {
+        self.is_surely_coprime_to(&self.derivative())
+    }
+
     fn pseudo_remainder(&self, divisor: &Self) -> Self {
         let mut rest = self.c.clone();
         let n = divisor.c.len();
@@ -187,6 +206,9 @@ impl Polynomial {
     /// p / gcd(p, p′): the same roots, each simple.
     #[must_use]
     pub fn squarefree(&self) -> Self {
+        if self.is_surely_squarefree() {
+            return self.clone();
+        }
         let shared = self.gcd(&self.derivative());
         if shared.degree() == 0 { self.clone() } else { self.quotient(&shared) }
     }
@@ -228,7 +250,9 @@ impl Polynomial {
         if self.is_zero() || self.degree() == 0 {
             return Some(Vec::new());
         }
-        if let Some(found) = isolate(&Arc::new(self.clone()), SPLITS) {
+        // Without multiple roots halving ends, however close the roots.
+        let splits = if self.is_surely_squarefree() { MAX_SPLITS } else { SPLITS };
+        if let Some(found) = isolate(&Arc::new(self.clone()), splits) {
             return Some(found);
         }
         let squarefree = Arc::new(self.squarefree());
@@ -445,6 +469,9 @@ impl Root {
     pub fn is_root_of(&self, other: &Polynomial) -> bool {
         if self.is_exact() {
             return other.sign_at(&self.lo) == 0;
+        }
+        if self.polynomial.is_surely_coprime_to(other) {
+            return false;
         }
         let shared = self.polynomial.squarefree().gcd(other).squarefree();
         shared.degree() > 0 && shared.sign_at(&self.lo) * shared.sign_at(&self.hi) < 0

@@ -5,16 +5,24 @@
 //! nothing is computed here that these do not say already. Every picture is drawn on a `page`, which knows nothing of what
 //! it shows, and becomes a [`Picture`].
 
+mod campbell;
 mod chart;
+mod codes;
 mod diagram;
 mod map;
 mod page;
+mod part;
 mod schematic;
 mod section;
+mod sphere;
 
+pub use campbell::{Campbell, draw_campbell};
 pub use chart::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
+pub use codes::draw_codes;
 pub use diagram::{CurveSource, DiagramOptions, draw};
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
 pub use page::{Picture, PlotError};
+pub use part::{PartScene, draw_part};
 pub use schematic::{Scheme, draw_scheme};
 pub use section::{OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows};
+pub use sphere::{SphereEquilibrium, SphereScene, draw_sphere};

@@ -7,7 +7,7 @@ use dashu_ratio::RBig;
 use super::family::Half;
 use super::model::Model;
 use numbers::polynomial::{Polynomial, Root};
-use top::curves::{Branch, CurveId, CuspId, End, Orbit, PitchforkId, Pole};
+use top::curves::{Branch, CurveId, CuspId, End, IntervalId, Orbit, PitchforkId, Pole};
 use top::table::{Id, Table};
 
 /// A place on a half of a family.
@@ -301,7 +301,7 @@ impl Curves {
                     .get(piece)
                     .map_or(End::Infinity, |_| End::Pitchfork(PitchforkId::at(self.pitchforks.len() + piece)));
                 self.list.push(Curve {
-                    branch: Branch::Axis(side),
+                    branch: Branch::Axis(pole),
                     piece: piece + 1,
                     orbit: Orbit::Point,
                     pole: Some(pole),
@@ -404,7 +404,7 @@ impl Curves {
             let lowest = number == last && (!ends_in_pair || station.is_none());
             self.join(start_end, this, rising);
             self.list.push(Curve {
-                branch: Branch::Generic(number),
+                branch: Branch::Generic(IntervalId::at(number)),
                 piece,
                 orbit: Orbit::Point,
                 pole: None,
@@ -532,7 +532,7 @@ fn orbit(size: usize, axis: usize) -> Orbit {
 }
 
 /// μ = a_k of a group without r, if it lies in the interval.
-fn passive_place(model: &Model, number: usize, group: usize) -> Option<Place> {
+pub(super) fn passive_place(model: &Model, number: usize, group: usize) -> Option<Place> {
     let mu = model.a(group);
     charts(model, number).into_iter().find_map(|chart| {
         let Half::Generic { base, sign } = chart.half else { return None };

@@ -16,85 +16,42 @@
 //! What cannot be proved is an error that says where, never an answer. Nothing is shared with the `f64` curves of
 //! `top` but their vocabulary ([`top::curves::Branch`] and its like).
 
+mod accuracy;
 mod arrange;
 mod certificate;
-mod classify;
 mod curves;
 mod drawn;
 mod estimate;
+mod exact;
 mod family;
+mod heights;
 mod id;
 mod model;
 mod pair;
+mod plane;
 mod point;
 mod polar;
+mod prepared;
 mod region;
+mod ridges;
+mod vertex;
 
 use thiserror::Error;
+
+pub use accuracy::{Accuracy, NoAtlas, Unanswered, atlas_of, classify};
+
+pub use exact::classify_exactly;
+pub use plane::Open;
+pub use prepared::Prepared;
 
 use arrange::{Arrangement, Undecided};
 use model::Model;
 use region::Region;
-use top::atlas::{Atlas, AtlasError};
 use top::body::{Body, Frame};
 use top::curves::{CurveId, EquilibriaError};
 use top::diagram::RegionId;
 use top::table::{Id, Table};
 use top::topology::Component;
-
-/// How much is spent on an answer, and what it is worth.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Accuracy {
-    /// Coarser polylines; the same answers.
-    Draft,
-    /// f64 with error bounds; undecided where they do not suffice.
-    #[default]
-    Standard,
-    /// Proved.
-    Certified,
-}
-
-impl From<schema::Accuracy> for Accuracy {
-    fn from(word: schema::Accuracy) -> Self {
-        match word {
-            schema::Accuracy::Draft => Self::Draft,
-            schema::Accuracy::Standard => Self::Standard,
-            schema::Accuracy::Certified => Self::Certified,
-        }
-    }
-}
-
-impl From<Accuracy> for schema::Accuracy {
-    fn from(accuracy: Accuracy) -> Self {
-        match accuracy {
-            Accuracy::Draft => Self::Draft,
-            Accuracy::Standard => Self::Standard,
-            Accuracy::Certified => Self::Certified,
-        }
-    }
-}
-
-/// Why there is no atlas at a level of accuracy.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum NoAtlas {
-    /// There is none in `f64`.
-    #[error(transparent)]
-    Atlas(#[from] AtlasError),
-    /// It is not proved.
-    #[error(transparent)]
-    NotProved(#[from] NotProved),
-    /// It is proved and cannot be drawn.
-    #[error(transparent)]
-    NotWritten(#[from] NotWritten),
-}
-
-/// The atlas of a body at a level of accuracy.
-///
-/// # Errors
-/// [`NoAtlas`].
-pub fn atlas_of(body: &Body, accuracy: Accuracy) -> Result<Atlas, NoAtlas> {
-    if accuracy == Accuracy::Certified { Ok(CertifiedAtlas::new(body)?.drawn()?) } else { Ok(Atlas::new(body)?) }
-}
 
 /// A proved atlas.
 #[derive(Clone, Debug)]

@@ -24,6 +24,10 @@ pub(super) struct Model {
     pub groups: Vec<Group>,
     /// Σ r².
     pub r2: RBig,
+    /// |r|² and |r|² J_r of the body itself, also where its moments and r had to be rounded: the pole lines are exact.
+    pub line: [RBig; 2],
+    /// The moments and r are those of a tensor, rounded to 130 digits.
+    pub rounded: bool,
     /// Numbers of the groups that carry r.
     pub active: Vec<usize>,
     /// Numbers of the others.
@@ -68,8 +72,10 @@ impl Model {
             }
         }
         let r2 = groups.iter().fold(RBig::ZERO, |sum, group| sum + &group.q);
+        let line =
+            [body.center_squared() / (&energy * &energy), body.weighted_moment() / (&energy * &energy * &moment)];
         let (active, passive) = (0..groups.len()).partition(|&k| !groups[k].q.is_zero());
-        Self { groups, r2, active, passive, axis }
+        Self { groups, r2, line, rounded: body.tensor().is_some(), active, passive, axis }
     }
 
     pub fn a(&self, group: usize) -> &RBig {
@@ -98,7 +104,7 @@ impl Model {
     }
 
     /// D = Π(μ−a), p = P D², q = Q D² and R D over the active groups, coefficients by rising power of μ.
-    fn family(&self) -> [Vec<RBig>; 4] {
+    pub fn family(&self) -> [Vec<RBig>; 4] {
         let factor = |k: usize| vec![-self.a(k).clone(), RBig::ONE];
         let product = |skip: Option<usize>| {
             let kept = self.active.iter().filter(|&&k| Some(k) != skip);

@@ -10,8 +10,8 @@ use super::family::Half;
 use super::id::MeetingId;
 use super::model::Model;
 use numbers::polynomial::Polynomial;
-use top::curves::{Branch, CurveId, End, Pole};
-use top::table::Table;
+use top::curves::{Branch, CurveId, End, IntervalId, Pole};
+use top::table::{Id, Table};
 
 /// A meeting of a pole line with a critical curve off the line.
 #[derive(Clone, Debug)]
@@ -34,7 +34,7 @@ pub(super) fn meetings(model: &Model, curves: &Curves, bits: usize) -> Result<Ta
         for number in 0..=model.active.len() {
             for (place, odd) in roots_in_interval(model, &polynomial, number, bits)? {
                 let pole = side_of(&side, model, &place)?;
-                found.push(on_branch(model, curves, Branch::Generic(number), place, pole, !odd)?);
+                found.push(on_branch(model, curves, Branch::Generic(IntervalId::at(number)), place, pole, !odd)?);
             }
         }
     }

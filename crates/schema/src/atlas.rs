@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Accuracy, CertificateDocument, ComponentDocument, InertiaDocument, MarginDocument, Stability};
+use super::{Accuracy, CertificateDocument, ComponentDocument, MarginDocument, Number, PartDocument, Stability};
 
 /// What is special about a body; every flag is decided exactly.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -29,18 +29,20 @@ pub struct Flags {
 pub struct BodyDocument {
     /// A1, A2, A3 as given.
     #[serde(rename = "A")]
+    #[schemars(with = "[Number; 3]")]
     pub moments: [String; 3],
     /// r1, r2, r3 as given.
     #[serde(rename = "r")]
+    #[schemars(with = "[Number; 3]")]
     pub center: [String; 3],
     /// What is special about the body.
     #[serde(flatten)]
     pub flags: Flags,
     /// True when the generic closed form needs a special case.
     pub degenerate: bool,
-    /// The part from which A and r were computed, when a full inertia tensor was given.
+    /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub inertia: Option<InertiaDocument>,
+    pub part: Option<PartDocument>,
 }
 
 /// What a curve in the (h, l) plane stands for.
@@ -70,8 +72,54 @@ pub struct StabilitySpan {
     pub l_from: f64,
     /// … to this l; null: to infinity.
     pub l_to: Option<f64>,
-    /// Spectral stability there.
+    /// The linear type there.
     pub stability: Stability,
+}
+
+/// How the linear type changes along a branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum StabilityChangeKind {
+    /// Two imaginary pairs of opposite Krein sign meet and leave the imaginary axis.
+    HamiltonianHopf,
+    /// Two real pairs meet and become a complex quadruple.
+    RealCollision,
+    /// A pair of eigenvalues goes through zero, at a cusp or pitchfork.
+    Zero,
+}
+
+impl StabilityChangeKind {
+    /// The word, as in JSON.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::HamiltonianHopf => "hamiltonian-hopf",
+            Self::RealCollision => "real-collision",
+            Self::Zero => "zero",
+        }
+    }
+}
+
+/// A point of a branch at which the linear type changes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StabilityChangeDocument {
+    /// Vertical angular momentum.
+    pub l: f64,
+    /// Energy.
+    pub h: f64,
+    /// Id of the curve on which it lies; at a cusp or pitchfork the first of the two.
+    pub curve: String,
+    /// Id of the curve that goes on after a cusp or pitchfork.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub onto: Option<String>,
+    /// What happens.
+    pub kind: StabilityChangeKind,
+    /// The type at smaller l or, at a cusp or pitchfork, on `curve`.
+    pub from: Stability,
+    /// The type at larger l or, at a cusp or pitchfork, on `onto`.
+    pub to: Stability,
+    /// Bound on the error of `l` and `h`.
+    pub error_bound: f64,
 }
 
 /// How a curve goes on beyond its polyline: h = l²/(2 J) + h0 + O(l⁻²).
@@ -92,6 +140,8 @@ pub struct CurveDocument {
     pub kind: CurveKind,
     /// Branch: curves that continue each other through cusps and pitchforks share it.
     pub branch: String,
+    /// The branch in words, such as "from +r̂" or "pair over axis 2".
+    pub branch_name: String,
     /// Morse index; null for a pole line off the critical curves.
     pub index: Option<u8>,
     /// 2 for a symmetric pair (a double curve).
@@ -103,7 +153,7 @@ pub struct CurveDocument {
     pub mu_range: Option<[Option<f64>; 2]>,
     /// Range of l; null: to infinity.
     pub l_range: [Option<f64>; 2],
-    /// Spectral stability along the curve, by rising l; empty for pole lines.
+    /// The linear type along the curve, by rising l; empty for pole lines.
     pub stability: Vec<StabilitySpan>,
     /// Points [h, l] by rising l, dense enough for the chord tolerance.
     pub polyline: Vec<[f64; 2]>,
@@ -206,6 +256,11 @@ pub struct RegionDocument {
     pub neighbours: Vec<NeighbourDocument>,
     /// The cells that make up the region, by rising l.
     pub cells: Vec<CellDocument>,
+    /// The part of the region inside the default view (inside the window, if one was asked for): closed outlines of points
+    /// [h, l], of which the last is the first; a hole is an outline of its own (fill by the even-odd rule). Absent if it
+    /// was not asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub polygon: Option<Vec<Vec<[f64; 2]>>>,
     /// True when a window cuts the region.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub clipped: bool,
@@ -250,11 +305,24 @@ pub struct WindowDocument {
     pub l: [f64; 2],
 }
 
+/// The windows in which a diagram is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ViewDocument {
+    /// The default view: all events, and a part of every unbounded region; the `polygon` of each region lies in it.
+    pub everything: WindowDocument,
+    /// All events but those that lie far beyond all others.
+    pub main: WindowDocument,
+}
+
 /// The atlas of one body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct AtlasDocument {
     /// Version of this document.
     pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
     /// The level of accuracy that was asked for.
     pub accuracy: Accuracy,
     /// The body.
@@ -262,10 +330,14 @@ pub struct AtlasDocument {
     /// The window that was asked for; absent: the whole half-plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub window: Option<WindowDocument>,
+    /// Where the diagram is seen; it depends on the body alone.
+    pub view: ViewDocument,
     /// Critical curves and pole lines.
     pub curves: Vec<CurveDocument>,
     /// Cusps, pitchforks and crossings, by rising l.
     pub events: Vec<EventDocument>,
+    /// Every change of the linear type along a branch, by rising l.
+    pub stability_changes: Vec<StabilityChangeDocument>,
     /// Every region.
     pub regions: Vec<RegionDocument>,
     /// Totals.

@@ -73,6 +73,10 @@ pub struct BorderValueDocument {
 pub struct BorderDocument {
     /// Version of this document.
     pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
     /// The ranges that were searched.
     pub vary: Vec<RangeDocument>,
     /// Where the class changes.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Accuracy, InertiaDocument};
+use super::{Accuracy, Number, PartDocument};
 
 /// One connected component of U_hl with the components of E_hl and P_hl above it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -12,11 +12,11 @@ pub struct ComponentDocument {
     pub boundary_circles: u32,
     /// `"+"` for r̂, `"-"` for −r̂; null when r = 0.
     pub poles: Option<Vec<String>>,
-    /// `S2`, `D2`, `S2-2D2` or `S2-3D2`.
+    /// `S2`, `D2`, `S2-2D2` … `S2-kD2`.
     pub accessible_region: String,
-    /// `RP3`, `S3`, `S1xS2` or `(S1xS2)#(S1xS2)`.
+    /// `RP3`, `S3`, `S1xS2`, `(S1xS2)#(S1xS2)`, `#3(S1xS2)` … `#(k-1)(S1xS2)`.
     pub energy_surface: String,
-    /// `S2`, `T2`, `M2`, `M3` or `M4`; null when r = 0.
+    /// `S2`, `T2`, `M2`, `M3`, … by genus; null when r = 0.
     pub section: Option<String>,
     /// Genus of the section's component; null when r = 0.
     pub genus: Option<u32>,
@@ -41,47 +41,66 @@ pub enum Status {
     Regular,
     /// Below the lowest critical value: U_hl is empty.
     Forbidden,
-    /// Exactly on a curve (proved); `candidates` holds every class that meets there.
+    /// Exactly on a curve (proved); `candidates` holds every region that meets there.
     Critical,
-    /// Closer to a curve than the error bound; `candidates` holds every possible class.
+    /// Closer to a curve than the error bound (only with `fast`); `candidates` holds every possible region.
     Undecided,
 }
 
-/// One class that meets at a critical or undecided point.
-pub type CandidateDocument = Vec<ComponentDocument>;
+/// One region that meets at a critical or undecided point; without an atlas, one class.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct CandidateDocument {
+    /// Id of the region; null for the forbidden region, and without an atlas.
+    pub region: Option<String>,
+    /// `regular`, or `forbidden` for the region below the lowest critical value.
+    pub status: Status,
+    /// The components of U_hl there; none in the forbidden region.
+    pub components: Vec<ComponentDocument>,
+}
 
 /// The answer of `classify`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ClassificationDocument {
     /// Version of this document.
     pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
     /// A1, A2, A3 as given.
     #[serde(rename = "A")]
+    #[schemars(with = "[Number; 3]")]
     pub moments: [String; 3],
     /// r1, r2, r3 as given.
     #[serde(rename = "r")]
+    #[schemars(with = "[Number; 3]")]
     pub center: [String; 3],
     /// Energy as given.
+    #[schemars(with = "Number")]
     pub h: String,
     /// Vertical angular momentum as given.
+    #[schemars(with = "Number")]
     pub l: String,
     /// What is known of the point.
     pub status: Status,
     /// The level of accuracy that was asked for.
     pub accuracy: Accuracy,
+    /// Id of the region in the body's atlas; null when forbidden, critical or undecided, where no region was asked for, and
+    /// where no atlas tells it (`note` says so).
+    pub region: Option<String>,
     /// Distance to the nearest curve.
     pub margin: MarginDocument,
     /// The components of U_hl (none when forbidden); null when critical or undecided.
     pub components: Option<Vec<ComponentDocument>>,
     /// The sections' names joined by `+`; null when r = 0 or no single class is known.
     pub signature: Option<String>,
-    /// Every class that meets at a critical or undecided point; an empty list of components is `forbidden`.
+    /// Each region that meets at a critical or undecided point, once, and no other; without an atlas, each class.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub candidates: Vec<CandidateDocument>,
     /// Why something is null.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
-    /// The part from which A and r were computed, when a full inertia tensor was given.
+    /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub inertia: Option<InertiaDocument>,
+    pub part: Option<PartDocument>,
 }

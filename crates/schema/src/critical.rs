@@ -3,22 +3,116 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::InertiaDocument;
+use super::{Number, PartDocument};
 
-/// Spectral stability of a relative equilibrium under the linearised Euler–Poisson flow at fixed l.
+/// Linear type of a relative equilibrium: the eigenvalues ±λ₁, ±λ₂ of the Euler–Poisson flow reduced by l.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stability {
-    /// Two imaginary pairs.
+    /// Two imaginary pairs; across a circle of equilibria one.
     Elliptic,
     /// One real and one imaginary pair.
     SaddleCentre,
-    /// Two real pairs.
+    /// Two real pairs; across a circle of equilibria one.
     Saddle,
     /// A complex quadruple.
     Complex,
-    /// An eigenvalue zero or a double pair, within rounding.
-    Degenerate,
+    /// A double imaginary pair.
+    DoubleElliptic,
+    /// A double real pair.
+    DoubleReal,
+    /// An eigenvalue zero.
+    Zero,
+}
+
+impl Stability {
+    /// The word, as in JSON.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Elliptic => "elliptic",
+            Self::SaddleCentre => "saddle-centre",
+            Self::Saddle => "saddle",
+            Self::Complex => "complex",
+            Self::DoubleElliptic => "double-elliptic",
+            Self::DoubleReal => "double-real",
+            Self::Zero => "zero",
+        }
+    }
+
+    /// Some eigenvalue has a positive real part.
+    #[must_use]
+    pub fn is_unstable(self) -> bool {
+        matches!(self, Self::SaddleCentre | Self::Saddle | Self::Complex | Self::DoubleReal)
+    }
+}
+
+/// What is known of the stability of a relative equilibrium; of a circle or sphere of them as a whole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Verdict {
+    /// Stable: a minimum of U_l.
+    Energy,
+    /// Stable by a further integral, as the sleeping top.
+    Integral,
+    /// All eigenvalues are imaginary; nothing more is claimed.
+    Spectrum,
+    /// Unstable.
+    Unstable,
+    /// Not decided by the linear terms.
+    Open,
+}
+
+impl Serialize for Verdict {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Energy => serializer.serialize_str("energy"),
+            Self::Integral => serializer.serialize_str("integral"),
+            Self::Spectrum => serializer.serialize_str("spectrum"),
+            Self::Unstable => serializer.serialize_bool(false),
+            Self::Open => serializer.serialize_unit(),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Verdict {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged)]
+        enum Raw {
+            Word(String),
+            Stable(bool),
+            Open(()),
+        }
+        let wrong = |what: String| {
+            serde::de::Error::custom(format!(
+                "stable is {what}, not one of \"energy\", \"integral\", \"spectrum\", false, null"
+            ))
+        };
+        match Raw::deserialize(deserializer)? {
+            Raw::Word(word) => match word.as_str() {
+                "energy" => Ok(Self::Energy),
+                "integral" => Ok(Self::Integral),
+                "spectrum" => Ok(Self::Spectrum),
+                _ => Err(wrong(format!("`{word}`"))),
+            },
+            Raw::Stable(false) => Ok(Self::Unstable),
+            Raw::Stable(true) => Err(wrong("true".to_owned())),
+            Raw::Open(()) => Ok(Self::Open),
+        }
+    }
+}
+
+impl JsonSchema for Verdict {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Verdict".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "description": "Stable by a minimum of U_l (energy) or by a further integral; all eigenvalues imaginary and nothing more claimed (spectrum); unstable (false); not decided by the linear terms (null).",
+            "enum": ["energy", "integral", "spectrum", false, null]
+        })
+    }
 }
 
 /// How many critical points an entry stands for.
@@ -87,10 +181,18 @@ pub struct RelativeEquilibriumDocument {
     pub index: u8,
     /// How many critical points this entry stands for.
     pub multiplicity: Multiplicity,
-    /// Spectral stability.
+    /// Linear type of the flow reduced by l.
     pub stability: Stability,
+    /// What is known of its stability.
+    pub stable: Verdict,
+    /// The two of the eigenvalues ±λ₁, ±λ₂ of the flow reduced by l that have re ≥ 0 and im ≥ 0, as [re, im].
+    pub eigenvalues: [[f64; 2]; 2],
+    /// Bound on the error of each of these numbers.
+    pub eigenvalue_error: f64,
     /// Id of the curve on which it lies.
     pub branch: String,
+    /// Its branch in words.
+    pub branch_name: String,
 }
 
 /// The answer of `critical`.
@@ -98,24 +200,31 @@ pub struct RelativeEquilibriumDocument {
 pub struct CriticalDocument {
     /// Version of this document.
     pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
     /// A1, A2, A3 as given.
     #[serde(rename = "A")]
+    #[schemars(with = "[Number; 3]")]
     pub moments: [String; 3],
     /// r1, r2, r3 as given.
     #[serde(rename = "r")]
+    #[schemars(with = "[Number; 3]")]
     pub center: [String; 3],
     /// Vertical angular momentum as given.
+    #[schemars(with = "Number")]
     pub l: String,
     /// Relative equilibria sorted by h, then γ lexicographically.
     pub critical: Vec<RelativeEquilibriumDocument>,
     /// Bound on the error of every `h`.
     pub error_bound: f64,
-    /// False when f64 cannot decide whether further critical points exist (l within rounding of a cusp).
+    /// False when it could not be decided whether further critical points exist.
     pub complete: bool,
     /// What could not be decided, in words.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
-    /// The part from which A and r were computed, when a full inertia tensor was given.
+    /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub inertia: Option<InertiaDocument>,
+    pub part: Option<PartDocument>,
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ComponentDocument, MarginDocument};
+use super::{ComponentDocument, MarginDocument, Number};
 
 /// A body and a point that show what was sought.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -13,13 +13,17 @@ pub struct WitnessDocument {
     pub kind: String,
     /// A1, A2, A3.
     #[serde(rename = "A")]
+    #[schemars(with = "[Number; 3]")]
     pub moments: [String; 3],
     /// r1, r2, r3.
     #[serde(rename = "r")]
+    #[schemars(with = "[Number; 3]")]
     pub center: [String; 3],
     /// Energy.
+    #[schemars(with = "Number")]
     pub h: String,
     /// Vertical angular momentum.
+    #[schemars(with = "Number")]
     pub l: String,
     /// The components of U_hl.
     pub components: Vec<ComponentDocument>,
@@ -53,6 +57,10 @@ pub struct NearestDocument {
 pub struct FindDocument {
     /// Version of this document.
     pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
     /// True when there is a witness.
     pub found: bool,
     /// False when a theorem says that there is none; absent otherwise.

@@ -10,16 +10,19 @@ mod checksum;
 mod classification;
 mod critical;
 mod find;
-mod inertia;
+mod grid;
 mod listing;
 mod motion;
+mod number;
+mod part;
 mod scan;
 mod section;
+mod spin;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EnclosureDocument, EventDocument, EventKind,
-    Flags, NeighbourDocument, RegionDocument, SampleDocument, StabilitySpan, SummaryDocument, TailDocument,
-    UndecidedDocument, WindowDocument,
+    Flags, NeighbourDocument, RegionDocument, SampleDocument, StabilityChangeDocument, StabilityChangeKind,
+    StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument, ViewDocument, WindowDocument,
 };
 pub use border::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument};
 pub use certificate::{
@@ -27,12 +30,14 @@ pub use certificate::{
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
 pub use checksum::checksum;
-pub use classification::{ClassificationDocument, ComponentDocument, MarginDocument, Status};
-pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability};
+pub use classification::{CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
+pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
 pub use find::{FindDocument, NearestDocument, WitnessDocument};
-pub use inertia::{InertiaDocument, UnitsDocument};
+pub use grid::{GridAxisDocument, GridDocument};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
+pub use number::Number;
+pub use part::{PartDocument, PrincipalDocument};
 pub use scan::{
     BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, ParameterName, RangeDocument,
     RecordDocument, RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,
@@ -42,19 +47,21 @@ pub use section::{
     OrbitDocument, RotationAngleName, RotationDocument, SectionDocument, SectionSummaryDocument, SectionsDocument,
     SkippedDocument, StartsDocument,
 };
+pub use spin::{
+    CriticalSpinDocument, NearestAxisDocument, SpinChangeDocument, SpinDocument, SpinRangeDocument, StateDocument,
+    SteadyDocument, ToleranceDocument,
+};
 
 /// Version of every document in this module.
-pub const SCHEMA_VERSION: &str = "1";
+pub const SCHEMA_VERSION: &str = "2";
 
-/// How much is spent on an answer, and what it is worth.
+/// What an answer is worth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Accuracy {
-    /// Coarser and more often undecided, never wrong.
-    Draft,
-    /// f64 with error bounds; undecided where they do not suffice.
+    /// Never undecided: `f64` where its error bounds suffice, exact arithmetic elsewhere.
     #[default]
-    Standard,
-    /// Proved.
-    Certified,
+    Exact,
+    /// `f64` with error bounds alone; undecided where they do not suffice.
+    Fast,
 }

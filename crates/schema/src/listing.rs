@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Number;
+
 /// A named body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PresetDocument {
@@ -10,9 +12,11 @@ pub struct PresetDocument {
     pub name: String,
     /// A1, A2, A3.
     #[serde(rename = "A")]
+    #[schemars(with = "[Number; 3]")]
     pub moments: [String; 3],
     /// r1, r2, r3.
     #[serde(rename = "r")]
+    #[schemars(with = "[Number; 3]")]
     pub center: [String; 3],
     /// What it is.
     pub note: String,
@@ -23,6 +27,10 @@ pub struct PresetDocument {
 pub struct BodiesDocument {
     /// Version of this document.
     pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
     /// Every named body.
     pub bodies: Vec<PresetDocument>,
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{DriftDocument, InertiaDocument, IntegratorDocument};
+use super::{DriftDocument, IntegratorDocument, Number, PartDocument};
 
 /// The motion at one time; vectors are in the body's (principal) axes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -48,11 +48,17 @@ pub struct MotionSummaryDocument {
 pub struct MotionDocument {
     /// Version of this document.
     pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
     /// A1, A2, A3 as given.
     #[serde(rename = "A")]
+    #[schemars(with = "[Number; 3]")]
     pub moments: [String; 3],
     /// r1, r2, r3 as given.
     #[serde(rename = "r")]
+    #[schemars(with = "[Number; 3]")]
     pub center: [String; 3],
     /// Energy at the start.
     pub h: f64,
@@ -72,7 +78,7 @@ pub struct MotionDocument {
     /// What is to be known about the result, in words.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
-    /// The part from which A and r were computed, when a full inertia tensor was given.
+    /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub inertia: Option<InertiaDocument>,
+    pub part: Option<PartDocument>,
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Accuracy;
+use super::{Accuracy, Number};
 
 /// One coordinate of (A, r).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -60,9 +60,11 @@ pub enum FamilyDocument {
     Body {
         /// A1, A2, A3 where not varied.
         #[serde(rename = "A")]
+        #[schemars(with = "[Number; 3]")]
         moments: [String; 3],
         /// r1, r2, r3 where not varied.
         #[serde(rename = "r")]
+        #[schemars(with = "[Number; 3]")]
         center: [String; 3],
     },
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ComponentDocument, InertiaDocument};
+use super::{ComponentDocument, Number, PartDocument};
 
 /// Which function of the state vanishes on the section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -49,7 +49,7 @@ pub struct StartsDocument {
     pub orbits: usize,
     /// The seed of the spread starts; absent when the user gave the points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub rng_seed: Option<u64>,
+    pub seed: Option<u64>,
 }
 
 /// The largest deviation of each first integral from its value at the start.
@@ -195,22 +195,30 @@ pub struct SectionSummaryDocument {
 pub struct SectionDocument {
     /// Version of this document.
     pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
     /// A1, A2, A3 as given.
     #[serde(rename = "A")]
+    #[schemars(with = "[Number; 3]")]
     pub moments: [String; 3],
     /// r1, r2, r3 as given.
     #[serde(rename = "r")]
+    #[schemars(with = "[Number; 3]")]
     pub center: [String; 3],
     /// Energy as given.
+    #[schemars(with = "Number")]
     pub h: String,
     /// Vertical angular momentum as given.
+    #[schemars(with = "Number")]
     pub l: String,
     /// The region of the atlas whose sample this is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
     /// The components of U_hl at this point.
     pub components: Vec<ComponentDocument>,
-    /// The sections' names joined by `+`.
+    /// The sections' names joined by `+`; null for the condition `angular-momentum`, whose surface is another.
     pub signature: Option<String>,
     /// What the section is.
     pub condition: ConditionName,
@@ -232,9 +240,9 @@ pub struct SectionDocument {
     /// What is to be known about the result, in words.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
-    /// The part from which A and r were computed, when a full inertia tensor was given.
+    /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub inertia: Option<InertiaDocument>,
+    pub part: Option<PartDocument>,
 }
 
 /// A region without a section.
@@ -251,6 +259,10 @@ pub struct SkippedDocument {
 pub struct SectionsDocument {
     /// Version of this document.
     pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
     /// False when the run was interrupted: sections are then missing or incomplete.
     pub complete: bool,
     /// A section for each region, in the order of the atlas.

@@ -226,6 +226,7 @@ fn on_octant(u: f64, v: f64) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::range::ParseRangeError;
 
     #[test]
     fn grid_values_are_the_nearest_to_their_exact_fractions() {
@@ -269,6 +270,11 @@ mod tests {
         );
         let general = Design::new(Family::General, vec![range("A2=1:2:3")], None, 0);
         assert_eq!(general.unwrap_err(), DesignError::NothingToVary);
-        assert!("A2=2:1".parse::<Range>().is_err() && "A4=1:2".parse::<Range>().is_err());
+        let refused = |text: &str| text.parse::<Range>().unwrap_err();
+        assert!(matches!(refused("A2=2:1"), ParseRangeError::Empty { parameter: Parameter::A2, .. }));
+        assert!(matches!(refused("A4=1:2"), ParseRangeError::Parameter(_)));
+        assert!(matches!(refused("A2=1"), ParseRangeError::Shape));
+        assert!(matches!(refused("A2=1:x"), ParseRangeError::End { parameter: Parameter::A2, .. }));
+        assert!(matches!(refused("A2=1:2:1"), ParseRangeError::Steps { parameter: Parameter::A2, .. }));
     }
 }

@@ -103,9 +103,11 @@ mod tests {
             assert_eq!(text.parse::<ComponentType>().unwrap().to_string(), text);
         }
         for text in ["", "k1", "n1", "k1n3", "k01n1", "k+1n0", "k-1n0", "K1n0", "k1n0 "] {
-            assert!(text.parse::<ComponentType>().is_err(), "{text}");
+            assert_eq!(text.parse::<ComponentType>(), Err(ParseComponentTypeError(text.to_owned())));
         }
-        assert!("S2+".parse::<Signature>().is_err() && "S2,T2".parse::<Signature>().is_err());
+        for (text, part) in [("S2+", ""), ("S2,T2", "S2,T2")] {
+            assert_eq!(text.parse::<Signature>().map_err(Some), Err(part.parse::<Surface>().err()));
+        }
     }
 
     #[test]

@@ -9,22 +9,7 @@ use crate::topology::merge::MergeError;
 use crate::topology::{Component, Poles};
 
 pub use crate::atlas::Margin;
-
-/// The components of U_hl in canonical order; none below the lowest critical value.
-pub type Components = Vec<Component>;
-
-/// What is known of a point.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Answer {
-    /// Inside a region, with these components.
-    Regular(Components),
-    /// Below the lowest critical value: U_hl is empty.
-    Forbidden,
-    /// Exactly on a curve (proved); each class that meets there, once.
-    Critical(Vec<Components>),
-    /// Closer to a curve than the error bound; each possible class, once.
-    Undecided(Vec<Components>),
-}
+pub use crate::topology::{Answer, Components};
 
 /// The answer for one point.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,8 +18,6 @@ pub struct Classification {
     pub answer: Answer,
     /// Distance to the nearest curve.
     pub margin: Margin,
-    /// The region is known, but its components are not proved.
-    pub unproved_topology: bool,
 }
 
 impl Classification {
@@ -42,14 +25,14 @@ impl Classification {
     #[must_use]
     pub fn decided(components: Components, margin: Margin) -> Self {
         let answer = if components.is_empty() { Answer::Forbidden } else { Answer::Regular(components) };
-        Self { answer, margin, unproved_topology: false }
+        Self { answer, margin }
     }
 
     /// A point on a curve, or too near to one.
     #[must_use]
     pub fn open(critical: bool, candidates: Vec<Components>, margin: Margin) -> Self {
         let answer = if critical { Answer::Critical(candidates) } else { Answer::Undecided(candidates) };
-        Self { answer, margin, unproved_topology: false }
+        Self { answer, margin }
     }
 
     /// The components where they are known: none when forbidden; `None` when critical or undecided.
@@ -102,6 +85,21 @@ pub struct Effort {
 /// [`ClassifyError`] when the body or l leave the range of `f64`, or a join cannot be proved.
 pub fn classify(body: &Body, h: &Number, l: &Number) -> Result<Classification, ClassifyError> {
     classify_with_effort(body, h, l).map(|(answer, _)| answer)
+}
+
+/// Classifies one point from the critical points at this l alone, where the error bounds of `f64` suffice; `None` where
+/// they do not.
+///
+/// # Errors
+/// [`ClassifyError`] when the body or l leave the range of `f64`.
+pub fn classify_if_clear(body: &Body, h: &Number, l: &Number) -> Result<Option<Classification>, ClassifyError> {
+    if l.to_f64() == 0.0 {
+        return Ok(Some(at_rest(body, h)));
+    }
+    let set = CriticalSet::new(body.frame()).map_err(AtlasError::from)?;
+    let x = atlas::abscissa(&set.frame, l.to_f64())?;
+    let (found, _) = at_one_momentum(&set, h, x);
+    Ok(found.map(|(components, margin)| Classification::decided(components, margin)))
 }
 
 /// [`classify`], and what it cost.

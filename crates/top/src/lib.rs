@@ -9,6 +9,7 @@ pub mod continuation;
 pub mod critical;
 pub mod curves;
 pub mod diagram;
+pub mod permanent;
 pub mod stability;
 pub mod table;
 pub mod topology;

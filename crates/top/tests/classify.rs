@@ -1,7 +1,7 @@
 //! `classify` against flood-fill oracles and the paper's points, on cold and on prepared bodies.
 
 use serde_json::Value;
-use top::atlas::Atlas;
+use top::atlas::{Atlas, Place};
 use top::body::{Body, Number};
 use top::classify::{Answer, Classification, classify};
 use top::topology::{Component, Poles, signature as join};
@@ -87,4 +87,29 @@ fn kovalevskayas_five_types() {
         })
         .collect();
     assert_eq!(regions, ["", "D2", "S2-3D2", "S2-2D2", "S2"]);
+}
+
+/// Two events of this body are settled against the order of their rounded l; a point between them was a panic.
+#[test]
+fn points_at_events_that_rounding_has_put_out_of_order_are_answered() {
+    let a = ["821353/500000", "769697/1000000", "1/5"];
+    let r = ["1291/125000", "23/5000000000000000", "3/500000000000"];
+    let atlas = Atlas::new(&Body::parse(&a, &r).unwrap()).unwrap();
+    assert!(atlas.arrangement().slabs.iter().any(|slab| slab.x[0] > slab.x[1]), "the body shows it no more");
+    for event in &atlas.arrangement().events {
+        let found = atlas.locate(atlas.energy(event.h), atlas.momentum(event.x)).unwrap();
+        assert!(matches!(&found.place, Place::Undecided(places) if places.len() > 1), "{event:?}: {found:?}");
+    }
+}
+
+/// Where f64 leaves it open whether −r̂ or two curves come first, it must not name a component that no body shows.
+#[test]
+fn no_region_shows_what_no_body_does() {
+    let moments = ["12957/20000", "51828000000000012957/80000000000000000000", "1/5"];
+    let body = Body::parse(&moments, &["0", "17/5000000000000", "1549/40000"]).unwrap();
+    let atlas = Atlas::new(&body).unwrap();
+    let shown = atlas.regions().iter().filter_map(|region| region.components.as_ref().ok()).flatten();
+    let impossible = |c: &Component| c.boundary_circles >= 3 && c.poles.is_some_and(|poles| !poles.plus);
+    assert_eq!(shown.filter(|component| impossible(component)).count(), 0);
+    assert!(atlas.regions().iter().any(|region| region.components.is_err()));
 }

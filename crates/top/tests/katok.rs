@@ -4,7 +4,7 @@ use top::atlas::Atlas;
 use top::body::{Body, Preset};
 use top::critical::{Multiplicity, critical};
 use top::diagram::Change;
-use top::stability::Stability;
+use top::stability::LinearType;
 
 /// What tells a class: the regions' components with their poles, and the kinds of events by rising l.
 type Fingerprint = (Vec<String>, Vec<&'static str>);
@@ -143,9 +143,9 @@ fn kovalevskayas_cusp_crossing_and_pitchfork() {
 fn the_degenerate_point_of_a_pitchfork_is_listed() {
     let body = Body::parse(&["2", "2", "1"], &["1", "0", "0"]).unwrap();
     let found = critical(&body, &"2".parse().unwrap()).unwrap();
-    assert!(!found.complete);
+    assert!(found.complete);
     let degenerate: Vec<_> = found.list.iter().filter(|point| point.multiplicity == Multiplicity::Points(2)).collect();
     assert_eq!(degenerate.len(), 1);
     assert_eq!((degenerate[0].h, degenerate[0].gamma, degenerate[0].omega), (2.0, [-1.0, 0.0, 0.0], 1.0));
-    assert_eq!(degenerate[0].stability, Stability::Degenerate);
+    assert_eq!(degenerate[0].stability, LinearType::Zero);
 }

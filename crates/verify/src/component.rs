@@ -38,7 +38,8 @@ impl Component {
                 0 => "RP3".to_owned(),
                 1 => "S3".to_owned(),
                 2 => "S1xS2".to_owned(),
-                k => (1..k).map(|_| "(S1xS2)").collect::<Vec<_>>().join("#"),
+                3 => "(S1xS2)#(S1xS2)".to_owned(),
+                k => format!("#{}(S1xS2)", k - 1),
             },
             section: self.genus().map(|genus| match genus {
                 0 => "S2".to_owned(),

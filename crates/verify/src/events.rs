@@ -6,8 +6,9 @@ use schema::{CertificateDocument, CertifiedEvent};
 use super::equilibria::Point;
 use super::fixed::Fixed;
 use super::meetings::Meeting;
-use super::order::{Crossing, Orders};
-use super::pieces::{End, Family};
+use super::orders::Orders;
+use super::pairs::Crossing;
+use super::pieces::{Branch, End};
 use super::place::Side;
 use super::spaces::Spaces;
 use super::sturm::{self, Sturm};
@@ -233,7 +234,7 @@ fn line(orders: &Orders, meeting: &Meeting, x: &Fixed, end: Option<End>) -> Resu
     let uncertain = "its piece of the pole line is not certain";
     let mut found = Vec::new();
     for (curve, piece) in pieces.list.iter().enumerate() {
-        if piece.family != Family::Line(meeting.plus) {
+        if piece.branch != Branch::Line(meeting.plus) {
             continue;
         }
         let ends = [0, 1].map(|side| pieces.end_x(orders.spaces, curve, side));

@@ -1,4 +1,4 @@
-//! Checks a certified atlas without searching again, by other means than those that made it.
+//! Checks an atlas with its certificate without searching again, by other means than those that made it.
 //!
 //! - Roots are counted by Sturm's theorem; they were isolated by Descartes' rule. The cusp polynomial is built from
 //!   T J + 4V, not from 4Q'P − 3P'Q.
@@ -13,14 +13,13 @@
 //! ```text
 //! number  body → spaces → place → equilibria → gap                exact body, equilibria over ranges
 //! sturm → roots → pieces → meetings → events                      what there is, and that nothing is missing
-//! stand → node → rules → order → slabs → gluing → regions         order of curves, faces
+//! stand → orders → node → rules → pairs → slabs → gluing → regions         order of curves, faces
 //! interval → cube → sphere, morse, component → topology           topology of each region
 //! ```
 
 mod body;
 mod classes;
 mod component;
-mod cross_check;
 mod cube;
 mod equilibria;
 mod events;
@@ -32,7 +31,8 @@ mod meetings;
 mod morse;
 mod node;
 mod number;
-mod order;
+mod orders;
+mod pairs;
 mod pieces;
 mod place;
 mod refused;
@@ -51,21 +51,18 @@ use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
 
 use body::Body;
 use events::Events;
-use order::Orders;
+use orders::Orders;
 use pieces::Pieces;
 use spaces::Spaces;
 
-pub use cross_check::cross_check;
 pub use refused::Refused;
 
 /// What was checked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
-    /// A proof (certified), or a cross-check (any other atlas).
-    pub proof: bool,
     /// Regions whose topology was confirmed.
     pub regions: usize,
-    /// Regions whose topology this check could not decide; on a certified atlas those that the atlas leaves open too.
+    /// Regions whose topology this check could not decide.
     pub open: Vec<String>,
     /// Events.
     pub events: usize,
@@ -73,20 +70,20 @@ pub struct Report {
     pub pairs: usize,
 }
 
-/// Checks a certified atlas.
+/// Checks an atlas against its certificate.
 ///
 /// # Errors
-/// The first thing that is wrong; [`Refused::Certificate`] for any other atlas, for which there is [`cross_check`].
+/// The first thing that is wrong; [`Refused::NoCertificate`] where nothing is there to be checked.
 pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
     let body = Body::read(&document.body)?;
-    let accuracy = document.accuracy;
-    match &document.certificate {
-        Some(certificate) if accuracy == Accuracy::Certified => {
-            let sum = checksum(document).map_err(|_unwritable| Refused::Checksum)?;
-            if sum == certificate.checksum { certified(document, certificate, &body) } else { Err(Refused::Checksum) }
-        }
-        certificate => Err(Refused::Certificate { accuracy, present: certificate.is_some() }),
+    let certificate = document.certificate.as_ref().ok_or(Refused::NoCertificate)?;
+    if checksum(document).map_err(|_unwritable| Refused::Checksum)? != certificate.checksum {
+        return Err(Refused::Checksum);
     }
+    if document.accuracy != Accuracy::Exact {
+        return Err(Refused::Accuracy);
+    }
+    certified(document, certificate, &body)
 }
 
 fn certified(document: &AtlasDocument, certificate: &CertificateDocument, body: &Body) -> Result<Report, Refused> {
@@ -98,12 +95,12 @@ fn certified(document: &AtlasDocument, certificate: &CertificateDocument, body: 
     let mut orders = Orders { spaces: &spaces, pieces: &pieces, inflection, meetings: Vec::new() };
     let events = Events::read(certificate, &orders, &meetings)?;
     orders.meetings.clone_from(&events.meetings);
-    let crossings = order::pairs(certificate, &orders)?;
+    let crossings = pairs::pairs(certificate, &orders)?;
     let slabs = slabs::slabs(certificate, &orders, &events, &crossings)?;
+    gluing::check(&certificate.transitions, &events, &slabs)?;
     let cells = regions::regions(document, certificate, &pieces, &slabs)?;
     let open = topology::check(document, certificate, &orders, &slabs, &cells)?;
     Ok(Report {
-        proof: true,
         regions: document.regions.len() - open.len(),
         open,
         events: certificate.events.len(),

@@ -4,7 +4,7 @@ use dashu_ratio::RBig;
 use schema::{CertificateDocument, CertifiedMeeting};
 
 use super::Refused;
-use super::pieces::{End, Family, Pieces};
+use super::pieces::{Branch, End, Pieces};
 use super::place::{Place, Side};
 use super::roots::{count, isolated, listed, places};
 use super::spaces::Spaces;
@@ -23,16 +23,16 @@ pub(super) struct Meeting {
     pub polynomial: Coefficients,
 }
 
-/// The polynomials of a family: `meeting` is 0 where it meets a pole line, and the sign of `side` there tells which.
+/// The polynomials of a branch: `meeting` is 0 where it meets a pole line, and the sign of `side` there tells which.
 struct Equations {
-    family: Family,
+    branch: Branch,
     side: Coefficients,
     meeting: Coefficients,
     /// Between these the parameter runs.
     ends: [Option<RBig>; 2],
 }
 
-/// The meetings of a certificate: of each family as many as Sturm's theorem counts, each isolated, with the right line
+/// The meetings of a certificate: of each branch as many as Sturm's theorem counts, each isolated, with the right line
 /// and curves.
 pub(super) fn meetings(
     certificate: &CertificateDocument,
@@ -41,15 +41,15 @@ pub(super) fn meetings(
 ) -> Result<Vec<Meeting>, Refused> {
     let places = places(certificate.meetings.iter().map(|meeting| &meeting.place), spaces, "meeting")?;
     let mut found: Vec<Option<Meeting>> = places.iter().map(|_| None).collect();
-    for equations in families(spaces) {
+    for equations in branches(spaces) {
         let sturm = Sturm::new(&equations.meeting);
         let ends = equations.ends.each_ref().map(Option::as_ref);
-        let ranges = listed(&places, spaces, |place| equations.family.holds(place), ends);
+        let ranges = listed(&places, spaces, |place| equations.branch.holds(place), ends);
         isolated(&sturm, &ranges, "meeting")?;
         let (listed, counted) = (count(&ranges), sturm.inside(ends[0], ends[1]));
         if counted != listed {
-            let branch = match equations.family {
-                Family::Generic(branch) => format!("G{branch}"),
+            let branch = match equations.branch {
+                Branch::Generic(number) => format!("G{number}"),
                 _ => "over a moment".to_owned(),
             };
             return Err(Refused::MeetingCount { branch, listed, counted });
@@ -73,28 +73,28 @@ pub(super) fn meetings(
     found.into_iter().enumerate().map(proper).collect()
 }
 
-/// Every family that can meet a pole line: the branches of the generic one, and those over spaces without r.
-fn families(spaces: &Spaces) -> Vec<Equations> {
-    let mut families = Vec::new();
+/// Every branch that can meet a pole line: those of the generic family, and those over spaces without r.
+fn branches(spaces: &Spaces) -> Vec<Equations> {
+    let mut branches = Vec::new();
     if spaces.active.len() > 1 {
         let [side, meeting] = spaces.pole_polynomials();
-        for branch in 0..=spaces.active.len() {
-            let ends = spaces.interval(branch).map(Option::<&RBig>::cloned);
-            let family = Family::Generic(branch);
-            families.push(Equations { family, side: side.clone(), meeting: meeting.clone(), ends });
+        for number in 0..=spaces.active.len() {
+            let ends = spaces.interval(number).map(Option::<&RBig>::cloned);
+            let branch = Branch::Generic(number);
+            branches.push(Equations { branch, side: side.clone(), meeting: meeting.clone(), ends });
         }
     }
     if !spaces.active.is_empty() {
         for base in spaces.passive() {
             let [side, meeting] = spaces.pole_polynomials_over(base);
-            families.push(Equations { family: Family::Over(base), side, meeting, ends: [Some(RBig::ZERO), None] });
+            branches.push(Equations { branch: Branch::Over(base), side, meeting, ends: [Some(RBig::ZERO), None] });
         }
     }
-    families
+    branches
 }
 
-impl Family {
-    /// A place may lie on this family.
+impl Branch {
+    /// A place may lie on this branch.
     fn holds(self, place: &Place) -> bool {
         match self {
             Self::Over(base) => place.side == Side::Over && place.base == base,
@@ -120,18 +120,18 @@ fn line(
         return Err("its range does not tell the pole lines apart");
     }
     // N < 0 on P+ of the generic family; E > 0 on P+ over a space without r.
-    let plus = (sign < 0) == matches!(equations.family, Family::Generic(_));
+    let plus = (sign < 0) == matches!(equations.branch, Branch::Generic(_));
     if claim.pole == if plus { "+" } else { "-" } { Ok(plus) } else { Err("it lies on the other pole line") }
 }
 
-/// The curve of a family on which a meeting lies; both at a cusp or pitchfork that is proved to be the same point.
+/// The curve of a branch on which a meeting lies; both at a cusp or pitchfork that is proved to be the same point.
 fn on_curves(
     spaces: &Spaces,
     pieces: &Pieces,
     equations: &Equations,
     range: &[RBig; 2],
 ) -> Option<(Vec<usize>, Option<End>)> {
-    let mine: Vec<usize> = (0..pieces.list.len()).filter(|&c| pieces.list[c].family == equations.family).collect();
+    let mine: Vec<usize> = (0..pieces.list.len()).filter(|&c| pieces.list[c].branch == equations.branch).collect();
     let alone = mine.iter().find(|&&curve| {
         let [low, high] = &pieces.list[curve].range;
         low.as_ref().is_none_or(|low| low[1] < range[0]) && high.as_ref().is_none_or(|high| range[1] < high[0])

@@ -2,7 +2,7 @@
 
 use super::equilibria::Point;
 use super::fixed::Fixed;
-use super::pieces::Family;
+use super::pieces::Branch;
 use super::spaces::Spaces;
 
 /// An extremum of U: γ in the body's axes, rounded.
@@ -19,10 +19,10 @@ pub(super) enum Nature {
 }
 
 /// What an equilibrium is, or `None` when that is not certain.
-pub(super) fn nature(spaces: &Spaces, family: Family, point: &Point) -> Option<Nature> {
-    let space = match family {
-        Family::Over(base) | Family::Rotation(base) => Some(base),
-        Family::Generic(_) | Family::Line(_) => None,
+pub(super) fn nature(spaces: &Spaces, branch: Branch, point: &Point) -> Option<Nature> {
+    let space = match branch {
+        Branch::Over(base) | Branch::Rotation(base) => Some(base),
+        Branch::Generic(_) | Branch::Line(_) => None,
     };
     let circle = space.is_some_and(|base| spaces.list[base].axes.len() > 1);
     let [trace, determinant] = second_variation(spaces, point)?;

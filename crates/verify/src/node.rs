@@ -4,8 +4,8 @@ use schema::CertifiedNode;
 
 use super::equilibria::Point;
 use super::fixed::Fixed;
-use super::order::Orders;
-use super::pieces::{Family, coordinates};
+use super::orders::Orders;
+use super::pieces::{Branch, coordinates};
 use super::place::Side;
 use super::stand::Stand;
 use super::{Refused, number};
@@ -97,18 +97,18 @@ pub(super) fn common_range(orders: &Orders, curves: [usize; 2]) -> Result<Option
 /// y of an equilibrium in the coordinate of its curve.
 pub(super) fn coordinate(orders: &Orders, curve: usize, point: &Point) -> Option<Fixed> {
     let tau = point.tau.as_ref()?;
-    match orders.pieces.list[curve].family {
-        Family::Generic(number) => {
+    match orders.pieces.list[curve].branch {
+        Branch::Generic(number) => {
             let (base, side) = coordinates(orders.spaces, number);
             Some(if side == Side::Minus { -&tau[base] } else { tau[base].clone() })
         }
-        Family::Over(base) => {
+        Branch::Over(base) => {
             // y/v = γ² and v = P̂ + y, so that v = P̂/(1 − γ²).
             let (_, p_sum) = orders.spaces.sums(base);
             let part = point.gamma[base].square();
             let v = Fixed::of(&p_sum).over(&(&Fixed::whole(1) - &part))?;
             Some(&v * &part)
         }
-        Family::Line(_) | Family::Rotation(_) => None,
+        Branch::Line(_) | Branch::Rotation(_) => None,
     }
 }

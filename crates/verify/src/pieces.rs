@@ -9,9 +9,9 @@ use super::place::{Place, Side};
 use super::roots::count;
 use super::spaces::Spaces;
 
-/// The family of a curve.
+/// The branch of relative equilibria, or the line, of which a curve is a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Family {
+pub(super) enum Branch {
     /// Between two spaces that carry r, by number from below.
     Generic(usize),
     /// Over a space without r.
@@ -42,7 +42,7 @@ impl End {
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     pub id: String,
-    pub family: Family,
+    pub branch: Branch,
     /// Enclosures of μ (of y over a space) at both ends of the parameter; `None` at a limit.
     pub range: [Option<[RBig; 2]>; 2],
     /// x rises with the parameter.
@@ -108,7 +108,7 @@ impl Pieces {
         for base in 0..spaces.list.len() {
             self.list.push(Piece {
                 id: format!("{}.1", pair_name(spaces, base)),
-                family: Family::Rotation(base),
+                branch: Branch::Rotation(base),
                 range: [None, None],
                 rising: true,
                 ends: [End::Origin, End::Infinity],
@@ -197,7 +197,7 @@ impl Pieces {
             };
             self.list.push(Piece {
                 id: format!("G{number}.{}", piece + 1),
-                family: Family::Generic(number),
+                branch: Branch::Generic(number),
                 range,
                 rising,
                 ends: if rising { [start.1, end] } else { [end, start.1] },
@@ -222,7 +222,7 @@ impl Pieces {
             };
             let piece = |number: usize, range, rising, ends, limit| Piece {
                 id: format!("{}.{number}", pair_name(spaces, base)),
-                family: Family::Over(base),
+                branch: Branch::Over(base),
                 range,
                 rising,
                 ends,
@@ -268,18 +268,18 @@ impl Pieces {
         (0..self.list.len()).filter(|&c| self.list[c].ends.contains(&End::Cusp(cusp))).collect()
     }
 
-    /// The equilibrium at which a curve of a family ends, in coordinates that suit its other places.
+    /// The equilibrium at which a curve ends, in coordinates that suit its other places.
     pub fn end_point(&self, spaces: &Spaces, curve: usize, side: usize) -> Option<Point> {
         let piece = &self.list[curve];
-        match (piece.ends[side], piece.family) {
+        match (piece.ends[side], piece.branch) {
             (End::Cusp(cusp), _) => {
                 let place = &self.cusps[cusp];
                 spaces.point(place.base, place.side, &place.y())
             }
-            (End::Pitchfork(fork), Family::Over(_) | Family::Line(_)) => {
+            (End::Pitchfork(fork), Branch::Over(_) | Branch::Line(_)) => {
                 spaces.point(self.forks[fork].base, Side::Over, &Fixed::whole(0))
             }
-            (End::Pitchfork(fork), Family::Generic(number)) => {
+            (End::Pitchfork(fork), Branch::Generic(number)) => {
                 let (base, side) = coordinates(spaces, number);
                 let mu = &spaces.list[self.forks[fork].base].a;
                 spaces.point(base, side, &Fixed::of(&distance(spaces, base, side, mu)))
@@ -316,8 +316,8 @@ pub(super) fn distance(spaces: &Spaces, base: usize, side: Side, mu: &RBig) -> R
 }
 
 fn line(id: String, plus: bool, ends: [End; 2], lowest: bool, critical: bool) -> Piece {
-    let family = Family::Line(plus);
-    Piece { id, family, range: [None, None], rising: true, ends, lowest, limit: None, critical }
+    let branch = Branch::Line(plus);
+    Piece { id, branch, range: [None, None], rising: true, ends, lowest, limit: None, critical }
 }
 
 fn pair_name(spaces: &Spaces, base: usize) -> String {

@@ -1,19 +1,16 @@
 //! What a check can find wrong.
 
-use schema::Accuracy;
 use thiserror::Error;
 
 /// The first thing that is wrong.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Refused {
-    /// An atlas without certificate, or one that has it without being certified.
-    #[error("{}", without_proof(*accuracy, *present))]
-    Certificate {
-        /// What the atlas says.
-        accuracy: Accuracy,
-        /// Whether a certificate is there.
-        present: bool,
-    },
+    /// An atlas without certificate.
+    #[error("there is no certificate that could be checked; bifdiag atlas --certificate makes the atlas with one")]
+    NoCertificate,
+    /// A certificate is exact.
+    #[error("there is a certificate, but the accuracy is not `exact`")]
+    Accuracy,
     /// A moment of inertia of the body.
     #[error("A{axis} = {value} is not positive; a moment of inertia must be greater than zero")]
     Body {
@@ -158,12 +155,4 @@ pub enum Refused {
         /// Counted.
         found: usize,
     },
-}
-
-fn without_proof(accuracy: Accuracy, present: bool) -> String {
-    if present {
-        format!("there is a certificate, but the accuracy is {accuracy:?}")
-    } else {
-        format!("the accuracy is {accuracy:?}, but there is no certificate that could be checked")
-    }
 }

@@ -3,7 +3,7 @@
 use schema::{AtlasDocument, CertificateDocument, RegionDocument};
 
 use super::Refused;
-use super::pieces::{Family, Pieces};
+use super::pieces::{Branch, Pieces};
 use super::slabs::Slab;
 
 /// A cell: a slab, and the position in it of the curve below.
@@ -68,7 +68,7 @@ impl Face {
         for (face, curve) in [(below, lower)].into_iter().chain(above) {
             self.boundary.push(id(curve));
             // A critical line is also a pole line.
-            if let (true, Family::Line(plus)) = (pieces.list[curve].critical, pieces.list[curve].family) {
+            if let (true, Branch::Line(plus)) = (pieces.list[curve].critical, pieces.list[curve].branch) {
                 self.boundary.push(if plus { "P+" } else { "P-" }.to_owned());
             }
             self.neighbours.push((face, id(curve)));

@@ -22,15 +22,15 @@ pub(super) fn places<'a>(
     documents.enumerate().map(place).collect()
 }
 
-/// The places of one family inside an interval, with their numbers in the certificate's list.
+/// The places of one branch inside an interval, with their numbers in the certificate's list.
 pub(super) fn listed(
     places: &[Place],
     spaces: &Spaces,
-    family: impl Fn(&Place) -> bool,
+    on_branch: impl Fn(&Place) -> bool,
     ends: [Option<&RBig>; 2],
 ) -> Vec<(usize, [RBig; 2])> {
     let ranges =
-        places.iter().enumerate().filter(|(_, place)| family(place)).map(|(n, place)| (n, place.range(spaces)));
+        places.iter().enumerate().filter(|(_, place)| on_branch(place)).map(|(n, place)| (n, place.range(spaces)));
     ranges.filter(|(_, range)| lies_in(range, ends)).collect()
 }
 

@@ -8,8 +8,8 @@
 use super::equilibria::Point;
 use super::fixed::Fixed;
 use super::node::{Node, coordinate};
-use super::order::Orders;
-use super::pieces::{Family, coordinates};
+use super::orders::Orders;
+use super::pieces::{Branch, coordinates};
 use super::place::Side;
 use super::stand::Stand;
 
@@ -147,7 +147,7 @@ fn moments(orders: &Orders, curve: usize, from: &Stand, to: Option<&Stand>) -> O
 /// The inflection, if it lies on the branch of a curve.
 fn turn<'a>(orders: &'a Orders, curve: usize) -> Option<&'a Point> {
     let (branch, bend) = orders.inflection.as_ref()?;
-    (orders.pieces.list[curve].family == Family::Generic(*branch)).then_some(bend)
+    (orders.pieces.list[curve].branch == Branch::Generic(*branch)).then_some(bend)
 }
 
 /// μ, measured from the smallest moment.
@@ -162,8 +162,8 @@ fn on_one_side(p: &Fixed, q: &Fixed, turn: &Fixed) -> bool {
 /// All equilibria of a curve over a range of its coordinate.
 fn over(orders: &Orders, curve: usize, y: &Fixed) -> Option<Point> {
     let spaces = orders.spaces;
-    match orders.pieces.list[curve].family {
-        Family::Generic(number) => {
+    match orders.pieces.list[curve].branch {
+        Branch::Generic(number) => {
             let (base, side) = coordinates(spaces, number);
             // Measured from the nearer moment the range is narrower.
             let far = spaces.active.get(number).filter(|_| number > 0);
@@ -176,7 +176,7 @@ fn over(orders: &Orders, curve: usize, y: &Fixed) -> Option<Point> {
                 None => spaces.point(base, side, y),
             }
         }
-        Family::Over(base) => spaces.point(base, Side::Over, y),
-        Family::Line(_) | Family::Rotation(_) => None,
+        Branch::Over(base) => spaces.point(base, Side::Over, y),
+        Branch::Line(_) | Branch::Rotation(_) => None,
     }
 }

@@ -6,7 +6,7 @@ use schema::PlaceDocument;
 use super::Refused;
 use super::equilibria::Point;
 use super::fixed::Fixed;
-use super::pieces::{Family, Pieces, coordinates, distance};
+use super::pieces::{Branch, Pieces, coordinates, distance};
 use super::place::{Place, Side};
 use super::spaces::Spaces;
 
@@ -21,7 +21,7 @@ pub(super) struct Stand {
     pub point: Point,
 }
 
-/// The family coordinate in which a curve is computed.
+/// The coordinate of the branch in which a curve is computed.
 struct Coordinate {
     base: usize,
     side: Side,
@@ -36,10 +36,10 @@ pub(super) fn stand(
     x: &Fixed,
 ) -> Result<Stand, Refused> {
     let piece = &pieces.list[curve];
-    let found = match piece.family {
-        Family::Line(plus) => spaces.line(plus, x).map(|point| Stand { y: None, point }),
-        Family::Rotation(base) => Some(Stand { y: None, point: spaces.rotation(base, x) }),
-        Family::Generic(_) | Family::Over(_) => place
+    let found = match piece.branch {
+        Branch::Line(plus) => spaces.line(plus, x).map(|point| Stand { y: None, point }),
+        Branch::Rotation(base) => Some(Stand { y: None, point: spaces.rotation(base, x) }),
+        Branch::Generic(_) | Branch::Over(_) => place
             .and_then(|place| Place::read(place, spaces))
             .and_then(|place| enclosed(spaces, pieces, curve, &place, x))
             .and_then(|(coordinate, y)| sharpened(spaces, &coordinate, y, x)),
@@ -53,13 +53,13 @@ fn enclosed(spaces: &Spaces, pieces: &Pieces, curve: usize, place: &Place, x: &F
     let piece = &pieces.list[curve];
     let range = place.range(spaces);
     let [low, high] = &range;
-    let (coordinate, inside) = match piece.family {
-        Family::Generic(number) if place.side != Side::Over => {
+    let (coordinate, inside) = match piece.branch {
+        Branch::Generic(number) if place.side != Side::Over => {
             let [left, right] = spaces.interval(number);
             let (base, side) = coordinates(spaces, number);
             (Coordinate { base, side }, left.is_none_or(|a| low > a) && right.is_none_or(|a| high < a))
         }
-        Family::Over(base) if place.side == Side::Over && place.base == base => {
+        Branch::Over(base) if place.side == Side::Over && place.base == base => {
             (Coordinate { base, side: Side::Over }, *low >= RBig::ZERO)
         }
         _ => return None,

@@ -6,7 +6,7 @@ use schema::{AtlasDocument, CertificateDocument, ComponentDocument, RegionDocume
 use super::component::{Component, documents, signature, words};
 use super::fixed::Fixed;
 use super::morse::{Nature, nature};
-use super::order::Orders;
+use super::orders::Orders;
 use super::regions::Cell;
 use super::slabs::Slab;
 use super::sphere::{self, Extrema, Function};
@@ -87,7 +87,7 @@ fn components(
             continue;
         }
         let refused = || Refused::Place { curve: piece.id.clone(), x: slab.x.to_f64().value() };
-        match nature(spaces, piece.family, &level.point).ok_or_else(refused)? {
+        match nature(spaces, piece.branch, &level.point).ok_or_else(refused)? {
             // Minima in U and maxima of its complement.
             Nature::Extremum(found) if found.minimum && place <= position => extrema.minima.extend(found.gamma),
             Nature::Extremum(found) if !found.minimum && place > position => extrema.maxima.extend(found.gamma),

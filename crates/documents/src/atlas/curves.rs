@@ -1,21 +1,22 @@
 //! Curves of an atlas document.
 
-use schema::{Accuracy, CurveDocument, CurveKind, StabilitySpan, TailDocument, UndecidedDocument};
+use schema::{CurveDocument, CurveKind, TailDocument, UndecidedDocument};
 use top::atlas::{Atlas, CourseOptions};
-use top::curves::{Branch, BranchName, Curve, CurveId, CurveName, Orbit, Pole};
+use top::curves::{Branch, BranchName, Curve, CurveId, CurveName, Orbit, Pole, branch_words};
 use top::table::Table;
 
-use super::DocumentOptions;
-use crate::critical::stability;
+use super::options::DocumentOptions;
+use super::stability::Stability;
 
 pub(super) fn documents(
     atlas: &Atlas,
     options: &DocumentOptions,
+    stability: &Stability<'_>,
     undecided: &mut Vec<UndecidedDocument>,
 ) -> Vec<CurveDocument> {
     let set = &atlas.arrangement().set;
     let mut documents: Table<CurveId, CurveDocument> =
-        set.curves.ids().map(|c| document(atlas, c, options, undecided)).collect();
+        set.curves.ids().map(|c| document(atlas, c, options, stability, undecided)).collect();
     for pole in [Pole::Plus, Pole::Minus] {
         let on_axis: Vec<CurveId> =
             set.curves.ids().filter(|&c| set.curves[c].pole == Some(pole) && set.curves[c].is_critical()).collect();
@@ -27,14 +28,15 @@ pub(super) fn documents(
         for &c in &on_axis {
             documents[c].coincides_with.push(name.clone());
         }
-        let line = coincident_pole_line(&name, &pieces, documents.as_slice());
+        let words = branch_words(set, Branch::Pole(pole));
+        let line = coincident_pole_line(&name, words, &pieces, documents.as_slice());
         documents.push(line);
     }
     documents.into_iter().collect()
 }
 
 /// A pole line that runs on critical curves: their union.
-fn coincident_pole_line(name: &str, pieces: &[String], documents: &[CurveDocument]) -> CurveDocument {
+fn coincident_pole_line(name: &str, words: String, pieces: &[String], documents: &[CurveDocument]) -> CurveDocument {
     let parts: Vec<&CurveDocument> = documents.iter().filter(|d| pieces.contains(&d.id)).collect();
     let mut by_l = parts.clone();
     by_l.sort_by(|p, q| p.l_range[0].unwrap_or(0.0).total_cmp(&q.l_range[0].unwrap_or(0.0)));
@@ -47,6 +49,7 @@ fn coincident_pole_line(name: &str, pieces: &[String], documents: &[CurveDocumen
         id: name.to_owned(),
         kind: if name == "P+" { CurveKind::PolePlus } else { CurveKind::PoleMinus },
         branch: name.to_owned(),
+        branch_name: words,
         index: None,
         multiplicity: 1,
         coincides_with: pieces.to_vec(),
@@ -62,6 +65,7 @@ fn document(
     atlas: &Atlas,
     number: CurveId,
     options: &DocumentOptions,
+    stability: &Stability<'_>,
     undecided: &mut Vec<UndecidedDocument>,
 ) -> CurveDocument {
     let set = &atlas.arrangement().set;
@@ -72,6 +76,7 @@ fn document(
         id: CurveName::of(set, number).to_string(),
         kind: kind(curve),
         branch: BranchName::of(&set.frame, curve.branch).to_string(),
+        branch_name: branch_words(set, curve.branch),
         index: curve.index,
         multiplicity: if matches!(curve.orbit, Orbit::Pair(_)) { 2 } else { 1 },
         coincides_with: Vec::new(),
@@ -85,29 +90,14 @@ fn document(
     if !options.polylines || !seen {
         return document;
     }
-    let course = atlas.course(
+    document.polyline = atlas.course(
         number,
         &CourseOptions {
             chord_tolerance: options.chord_tolerance,
             l_least: options.window.map_or(0.0, |window| window.l[1]),
-            stability: options.accuracy != Accuracy::Draft,
         },
     );
-    document.polyline = course.polyline;
-    document.stability = course
-        .stability
-        .iter()
-        .map(|span| StabilitySpan { l_from: span.l_from, l_to: span.l_to, stability: stability(span.stability) })
-        .collect();
-    if !course.finished {
-        undecided.push(UndecidedDocument {
-            what: "the stability along a curve that continuation did not finish; its shape is from the closed form"
-                .to_owned(),
-            l: document.polyline[0][1],
-            h: document.polyline[0][0],
-            curves: vec![document.id.clone()],
-        });
-    }
+    document.stability = stability.spans(number, undecided);
     document
 }
 

@@ -2,42 +2,37 @@
 
 mod curves;
 mod events;
+mod options;
 mod regions;
+mod stability;
 mod undecided;
 
 use std::collections::BTreeMap;
 
-use schema::{Accuracy, AtlasDocument, BodyDocument, SCHEMA_VERSION, SummaryDocument, WindowDocument};
-use top::atlas::{Atlas, Window};
+use schema::{AtlasDocument, BodyDocument, SCHEMA_VERSION, SummaryDocument, ViewDocument, WindowDocument};
+use top::atlas::{Atlas, View, Window};
 
 use crate::body::{flags, texts};
+use crate::classification::accuracy_option;
+use crate::command::version;
+use crate::subject::Subject;
 
-/// What the document holds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DocumentOptions {
-    /// The part of the plane asked for; `None`: all of it.
-    pub window: Option<WindowDocument>,
-    /// Largest distance between a curve and its polyline, relative to the ranges of h and l of the events.
-    pub chord_tolerance: f64,
-    /// Whether curves carry polylines and stability at all.
-    pub polylines: bool,
-    /// The level of accuracy.
-    pub accuracy: Accuracy,
-}
+use stability::Stability;
 
-impl Default for DocumentOptions {
-    fn default() -> Self {
-        Self { window: None, chord_tolerance: 1e-3, polylines: true, accuracy: Accuracy::Standard }
-    }
-}
+pub use options::DocumentOptions;
 
 /// The atlas as a document. Curves are traced by Newton continuation; events and regions come from the closed form.
 #[must_use]
 pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
     let window = options.window.map(|WindowDocument { h, l }| Window { h, l });
     let mut undecided = undecided::documents(atlas);
-    let curves = curves::documents(atlas, options, &mut undecided);
-    let (regions, clipped) = regions::documents(atlas, window.as_ref(), &mut undecided);
+    let stability = Stability::new(atlas);
+    let curves = curves::documents(atlas, options, &stability, &mut undecided);
+    let (mut regions, clipped) = regions::documents(atlas, window.as_ref(), &mut undecided);
+    let View { main, everything } = atlas.view();
+    if options.polygons {
+        regions::outline(&mut regions, atlas, &window.unwrap_or(everything));
+    }
     let mut signatures = BTreeMap::new();
     for region in &regions {
         let accessible = || {
@@ -58,19 +53,48 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
     let body = atlas.body();
     AtlasDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command: command(&Subject::from(body.clone()), options, false),
         accuracy: options.accuracy,
         body: BodyDocument {
             moments: texts(body.moments()),
             center: texts(body.center()),
             flags: flags(body),
             degenerate: body.flags().degenerate(),
-            inertia: None,
+            part: None,
         },
         window: options.window,
+        view: ViewDocument { everything: seen(everything), main: seen(main) },
         curves,
         events,
+        stability_changes: stability.changes(window.as_ref()),
         regions,
         summary,
         certificate: None,
     }
+}
+
+fn seen(Window { h, l }: Window) -> WindowDocument {
+    WindowDocument { h, l }
+}
+
+/// Writes into the document of an atlas the part from which its body was computed.
+pub fn attach_part(document: &mut AtlasDocument, subject: &Subject) {
+    if let Some(part) = &subject.part {
+        let polygons = document.regions.iter().any(|region| region.polygon.is_some());
+        let options =
+            DocumentOptions { window: document.window, accuracy: document.accuracy, polygons, ..Default::default() };
+        document.command = command(subject, &options, document.certificate.is_some());
+        document.body.part = Some(part.clone());
+    }
+}
+
+/// The command that makes the document.
+pub(crate) fn command(subject: &Subject, options: &DocumentOptions, certificate: bool) -> String {
+    let window = options.window.map(|WindowDocument { h, l }| format!("{}:{},{}:{}", h[0], h[1], l[0], l[1]));
+    let line = subject.command("atlas").option_if("window", window);
+    line.option_if("accuracy", accuracy_option(options.accuracy))
+        .flag("certificate", certificate)
+        .flag("no-polygons", !options.polygons)
+        .json()
 }

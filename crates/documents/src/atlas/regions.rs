@@ -6,7 +6,7 @@ use top::curves::{CurveId, CurveName};
 use top::diagram::{Cell, RegionId};
 use top::topology::signature;
 
-use crate::classification::{candidate, margin};
+use crate::classification::{components, margin};
 
 /// The regions, and whether a window left some out or cut one.
 pub(super) fn documents(
@@ -48,7 +48,7 @@ fn document(atlas: &Atlas, number: RegionId, undecided: &mut Vec<UndecidedDocume
     let arrangement = atlas.arrangement();
     let name = |c: CurveId| CurveName::of(&arrangement.set, c).to_string();
     let sample = sample_document(&atlas.sample(number));
-    let components = match &region.components {
+    let of_u = match &region.components {
         Ok(components) => components.as_slice(),
         Err(error) => {
             undecided.push(UndecidedDocument {
@@ -87,15 +87,25 @@ fn document(atlas: &Atlas, number: RegionId, undecided: &mut Vec<UndecidedDocume
     RegionDocument {
         id: number.to_string(),
         sample,
-        components: candidate(components),
-        signature: if components.is_empty() { None } else { signature(components) },
+        components: components(of_u),
+        signature: if of_u.is_empty() { None } else { signature(of_u) },
         bounded: to.is_finite() && h_width.is_some(),
         l_range: [Some(atlas.momentum(from)), to.is_finite().then(|| atlas.momentum(to))],
         h_width,
         boundary,
         neighbours,
         cells: cells(atlas, region),
+        polygon: None,
         clipped: false,
+    }
+}
+
+/// Adds the outlines of the regions inside a window.
+pub(super) fn outline(documents: &mut [RegionDocument], atlas: &Atlas, window: &Window) {
+    let outlines = atlas.outlines(window);
+    for document in documents {
+        let region: Option<RegionId> = document.id.parse().ok();
+        document.polygon = region.and_then(|region| outlines.get(region)).cloned();
     }
 }
 

@@ -2,7 +2,7 @@
 
 use schema::UndecidedDocument;
 use top::atlas::Atlas;
-use top::curves::{CurveId, CurveName};
+use top::curves::{BranchName, CurveId, CurveName};
 use top::diagram::Undecided;
 
 /// What the arrangement left undecided.
@@ -13,8 +13,15 @@ pub(super) fn documents(atlas: &Atlas) -> Vec<UndecidedDocument> {
     for undecided in &atlas.arrangement().undecided {
         found.push(match *undecided {
             Undecided::Contact { curves, x } => {
-                let at = if x[1].is_finite() { 0.5 * (x[0] + x[1]) } else { x[0] };
-                let h = set.curves[curves[0]].point(&set.frame, at).h();
+                // Of a range that is open or nearly so, the end where h is a number.
+                let at = match x {
+                    [from, to] if to <= 4.0 * from => from.midpoint(to),
+                    [from, _] if from > 0.0 => from,
+                    [_, to] => to.min(1.0),
+                };
+                let point = set.curves[curves[0]].point(&set.frame, at);
+                // Where x² is beyond f64, h = x/J to every digit.
+                let h = if point.h().is_finite() { point.h() } else { at * point.slope() };
                 UndecidedDocument {
                     what: "whether two curves cross, closer than f64 resolves".to_owned(),
                     l: atlas.momentum(at),
@@ -25,7 +32,7 @@ pub(super) fn documents(atlas: &Atlas) -> Vec<UndecidedDocument> {
             Undecided::Cusps { cluster } => {
                 let cluster = &set.clusters[cluster];
                 UndecidedDocument {
-                    what: format!("whether branch G{} has two more cusps", cluster.interval),
+                    what: format!("whether branch {} has two more cusps", BranchName::Generic(cluster.interval)),
                     l: atlas.momentum(cluster.point.x),
                     h: atlas.energy(cluster.point.h()),
                     curves: Vec::new(),

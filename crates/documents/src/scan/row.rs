@@ -133,21 +133,21 @@ mod tests {
             [[2.0, 1.5, 1.0], [0.0; 3]],
             [[0.9, 0.3, 0.6], [1.0, 0.0, 0.9]],
         ] {
-            let known = Row::of(3, values, Accuracy::Standard);
+            let known = Row::of(3, values, Accuracy::Exact);
             assert_eq!(read_row(&row(&known)).unwrap(), known);
         }
     }
 
     #[test]
     fn counts_are_written_by_name() {
-        let paper = row(&Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Standard));
+        let paper = row(&Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact));
         assert_eq!(paper.signatures.as_deref(), Some("M2:2 M3:1 S2:1 S2+S2:1 S2+T2:1 T2:2 T2+T2:1"));
         assert_eq!(paper.types.as_deref(), Some("k0n2:1 k1n0:3 k1n1:3 k1n2:1 k2n1:1 k2n2:1"));
     }
 
     #[test]
     fn damaged_rows_are_refused() {
-        let paper = row(&Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Standard));
+        let paper = row(&Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact));
         let damaged = |change: fn(&mut RowDocument)| {
             let mut row = paper.clone();
             change(&mut row);

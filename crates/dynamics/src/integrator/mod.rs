@@ -10,6 +10,7 @@
 
 mod dop853;
 mod method;
+pub(crate) mod product;
 mod runge_kutta;
 mod splitting;
 mod step;

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use super::time::Instant;
 use crate::field::{Dimension, HeavyTop, State, Units, scale};
+use crate::integrator::product::product_sum;
 
 /// Why a step could not be made.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -170,8 +171,8 @@ impl Step {
         let mut state = State::default();
         for coefficient in self.coefficients.iter().rev() {
             for i in 0..3 {
-                state.gamma[i] = state.gamma[i].mul_add(x, coefficient.gamma[i]);
-                state.l[i] = state.l[i].mul_add(x, coefficient.l[i]);
+                state.gamma[i] = product_sum(state.gamma[i], x, coefficient.gamma[i]);
+                state.l[i] = product_sum(state.l[i], x, coefficient.l[i]);
             }
         }
         state

@@ -111,6 +111,12 @@ impl Setting {
         Ok(Self { body: body.clone(), torus, components, region, energy: h.clone(), momentum: l.clone() })
     }
 
+    /// The body.
+    #[must_use]
+    pub fn body(&self) -> &Body {
+        &self.body
+    }
+
     /// The PP-torus.
     #[must_use]
     pub fn torus(&self) -> &PpTorus {

@@ -3,6 +3,7 @@
 use pulp::Simd;
 
 use super::roots::{CONVERGED, DEPTH};
+use crate::integrator::product::ProductSum;
 use crate::integrator::taylor::{lane_values, magnitude};
 
 /// For each wanted lane the root in [0, 1] of Σ c_k xᵏ, which changes sign there exactly once; `end` is its value
@@ -62,15 +63,15 @@ fn value_and_slope<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s) -> (S::f64s, S::
     let square = simd.mul_f64s(x, x);
     let (mut even, mut even_slope, mut odd, mut odd_slope) = (zero, zero, zero, zero);
     for pair in c.chunks(2).rev() {
-        even_slope = simd.mul_add_f64s(even_slope, square, even);
-        even = simd.mul_add_f64s(even, square, pair[0]);
-        odd_slope = simd.mul_add_f64s(odd_slope, square, odd);
-        odd = simd.mul_add_f64s(odd, square, if pair.len() > 1 { pair[1] } else { zero });
+        even_slope = simd.product_sum(even_slope, square, even);
+        even = simd.product_sum(even, square, pair[0]);
+        odd_slope = simd.product_sum(odd_slope, square, odd);
+        odd = simd.product_sum(odd, square, if pair.len() > 1 { pair[1] } else { zero });
     }
     // p′ = 2x (x o′ + e′) + o
-    let inner = simd.mul_add_f64s(x, odd_slope, even_slope);
-    let slope = simd.mul_add_f64s(simd.add_f64s(x, x), inner, odd);
-    (simd.mul_add_f64s(x, odd, even), slope)
+    let inner = simd.product_sum(x, odd_slope, even_slope);
+    let slope = simd.product_sum(simd.add_f64s(x, x), inner, odd);
+    (simd.product_sum(x, odd, even), slope)
 }
 
 #[cfg(test)]

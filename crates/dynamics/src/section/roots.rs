@@ -3,6 +3,7 @@
 //! A step is x ∈ [0, 1]. The signs at its ends are given, not computed from the polynomial: neighbouring steps
 //! share the sign at their seam, so that no root there is found twice or lost. Zero counts as positive.
 
+use crate::integrator::product::product_sum;
 use crate::integrator::taylor::MAX_ORDER;
 
 /// Most coefficients that a polynomial may have.
@@ -16,8 +17,8 @@ pub(super) const CONVERGED: f64 = 1.0 / (1u64 << 30) as f64;
 fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
     let (mut value, mut slope) = (0.0_f64, 0.0_f64);
     for &coefficient in c.iter().rev() {
-        slope = slope.mul_add(x, value);
-        value = value.mul_add(x, coefficient);
+        slope = product_sum(slope, x, value);
+        value = product_sum(value, x, coefficient);
     }
     (value, slope)
 }
@@ -26,8 +27,8 @@ fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
 fn slope_and_curvature(c: &[f64], x: f64) -> (f64, f64) {
     let (mut slope, mut curvature) = (0.0_f64, 0.0_f64);
     for (k, &coefficient) in c.iter().enumerate().skip(1).rev() {
-        curvature = curvature.mul_add(x, slope);
-        slope = slope.mul_add(x, coefficient * k as f64);
+        curvature = product_sum(curvature, x, slope);
+        slope = product_sum(slope, x, coefficient * k as f64);
     }
     (slope, curvature)
 }

@@ -4,6 +4,7 @@ use pulp::Simd;
 
 use super::condition::SectionCondition;
 use super::newton::single_roots;
+use crate::integrator::product::ProductSum;
 use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, lane_values_mut, magnitude};
 
 /// Terms whose Bernstein coefficients are taken; the others are so small that the sum of their sizes will do.
@@ -90,8 +91,8 @@ impl<S: Simd> Scan<S> {
         for k in 0..self.terms {
             let gamma = lanes.series.gamma[k + 1];
             let dot = simd.mul_f64s(gamma[0], r[0]);
-            let dot = simd.mul_add_f64s(gamma[1], r[1], dot);
-            let dot = simd.mul_add_f64s(gamma[2], r[2], dot);
+            let dot = simd.product_sum(gamma[1], r[1], dot);
+            let dot = simd.product_sum(gamma[2], r[2], dot);
             self.c[k] = simd.mul_f64s(dot, simd.splat_f64s((k + 1) as f64));
         }
         // ⟨γ×ω, r⟩
@@ -100,8 +101,8 @@ impl<S: Simd> Scan<S> {
         let mut sum = simd.splat_f64s(0.0);
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-            let negative = simd.negate_mul_add_f64s(gamma[p], omega[q], simd.mul_f64s(gamma[q], omega[p]));
-            sum = simd.negate_mul_add_f64s(negative, r[i], sum);
+            let negative = simd.product_difference(gamma[p], omega[q], simd.mul_f64s(gamma[q], omega[p]));
+            sum = simd.product_difference(negative, r[i], sum);
         }
         self.end[0] = sum;
     }
@@ -143,14 +144,14 @@ impl<S: Simd> Scan<S> {
             size = simd.add_f64s(size, term);
             if k >= LEADING {
                 rest = simd.add_f64s(rest, term);
-                rest_slope = simd.mul_add_f64s(term, simd.splat_f64s(k as f64), rest_slope);
-                rest_bend = simd.mul_add_f64s(term, simd.splat_f64s((k * (k - 1)) as f64), rest_bend);
+                rest_slope = simd.product_sum(term, simd.splat_f64s(k as f64), rest_slope);
+                rest_bend = simd.product_sum(term, simd.splat_f64s((k * (k - 1)) as f64), rest_bend);
             }
         }
         let rounding = simd.splat_f64s(ROUNDING);
-        rest = simd.mul_add_f64s(size, rounding, rest);
-        rest_slope = simd.mul_add_f64s(size, rounding, rest_slope);
-        rest_bend = simd.mul_add_f64s(size, rounding, rest_bend);
+        rest = simd.product_sum(size, rounding, rest);
+        rest_slope = simd.product_sum(size, rounding, rest_slope);
+        rest_bend = simd.product_sum(size, rounding, rest_bend);
 
         let mut b = [self.c[0]; LEADING];
         for k in 1..LEADING {
@@ -170,9 +171,9 @@ impl<S: Simd> Scan<S> {
         self.lowest[0] = simd.sub_f64s(lowest, rest);
         self.highest[0] = simd.add_f64s(highest, rest);
         self.least_slope[0] = simd.sub_f64s(simd.mul_f64s(degree, least_slope), rest_slope);
-        self.greatest_slope[0] = simd.mul_add_f64s(degree, greatest_slope, rest_slope);
+        self.greatest_slope[0] = simd.product_sum(degree, greatest_slope, rest_slope);
         self.least_bend[0] = simd.sub_f64s(simd.mul_f64s(degrees, least_bend), rest_bend);
-        self.greatest_bend[0] = simd.mul_add_f64s(degrees, greatest_bend, rest_bend);
+        self.greatest_bend[0] = simd.product_sum(degrees, greatest_bend, rest_bend);
         self.size[0] = size;
     }
 
@@ -253,7 +254,7 @@ fn torque<S: Simd>(simd: S, r: Vector<S>, gamma: Vector<S>) -> Vector<S> {
     let mut product = gamma;
     for i in 0..3 {
         let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-        let negative = simd.negate_mul_add_f64s(gamma[p], r[q], simd.mul_f64s(gamma[q], r[p]));
+        let negative = simd.product_difference(gamma[p], r[q], simd.mul_f64s(gamma[q], r[p]));
         product[i] = simd.sub_f64s(simd.splat_f64s(0.0), negative);
     }
     product
@@ -262,7 +263,7 @@ fn torque<S: Simd>(simd: S, r: Vector<S>, gamma: Vector<S>) -> Vector<S> {
 /// ⟨u, v⟩ + sum.
 #[inline(always)]
 fn add_dot<S: Simd>(simd: S, u: Vector<S>, v: Vector<S>, sum: S::f64s) -> S::f64s {
-    simd.mul_add_f64s(u[2], v[2], simd.mul_add_f64s(u[1], v[1], simd.mul_add_f64s(u[0], v[0], sum)))
+    simd.product_sum(u[2], v[2], simd.product_sum(u[1], v[1], simd.product_sum(u[0], v[0], sum)))
 }
 
 /// b_{k+1} − b_k; the last entries are without meaning.

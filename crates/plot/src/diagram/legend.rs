@@ -33,9 +33,11 @@ pub(super) fn legend(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>
             entries.push((Symbol::Line(stroke::pole_pattern(kind), WIDTH), name.to_owned()));
         }
     }
-    for (verdict, name) in
-        [(Verdict::Stable, "stable"), (Verdict::Unstable, "unstable"), (Verdict::Open, "spectrum degenerate")]
-    {
+    for (verdict, name) in [
+        (Verdict::Stable, "eigenvalues imaginary"),
+        (Verdict::Unstable, "unstable"),
+        (Verdict::Open, "eigenvalue zero"),
+    ] {
         let mut spans = atlas.curves.iter().flat_map(|curve| &curve.stability);
         if spans.any(|span| stroke::verdict(span) == verdict) {
             entries.push((Symbol::Line(stroke::curve_pattern(&[FAINT_INK], verdict), WIDTH), name.to_owned()));

@@ -25,6 +25,7 @@ mod trace;
 mod view;
 mod window;
 
+pub(crate) use palette::tint;
 pub use scene::CurveSource;
 
 use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, render};

@@ -36,7 +36,7 @@ const TINTS: [(&str, u32); 12] = [
 
 /// The ground of a region whose printed type is `signature` (a signature, or components of U joined by `+`), with
 /// `circles` boundary circles of U: regions with sections of one type and different U differ a little.
-pub(super) fn tint(signature: &str, circles: u32) -> RGBColor {
+pub(crate) fn tint(signature: &str, circles: u32) -> RGBColor {
     let mut parts: Vec<&str> = signature.split('+').collect();
     parts.sort_unstable();
     let name = parts.join("+");
@@ -73,9 +73,9 @@ pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle
     let highest = critical.iter().filter(at_start).max_by(|a, b| start(a).total_cmp(&start(b)));
     let mut styles = BTreeMap::new();
     if let (Some(lowest), false) = (lowest, atlas.body.flags.euler) {
-        styles.insert(lowest.branch.as_str(), BranchStyle { color: RED, name: "from +r̂".to_owned(), rank: 0 });
+        styles.insert(lowest.branch.as_str(), BranchStyle { color: RED, name: lowest.branch_name.clone(), rank: 0 });
         if let Some(highest) = highest.filter(|curve| curve.branch != lowest.branch) {
-            let name = "from −r̂".to_owned();
+            let name = highest.branch_name.clone();
             styles.insert(highest.branch.as_str(), BranchStyle { color: BLUE, name, rank: 1 });
         }
     }
@@ -91,13 +91,7 @@ pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle
             let preferred = if pairs { &mut pair_colors } else { &mut other_colors };
             let color = preferred.pop().or_else(|| if pairs { None } else { pair_colors.pop() });
             let color = color.unwrap_or_else(|| further.next().unwrap_or(FAINT_INK));
-            let name = match curve.kind {
-                CurveKind::Pair => format!("pair {}", curve.branch),
-                CurveKind::Circle => format!("circle {}", curve.branch),
-                CurveKind::Axis => format!("axis {}", curve.branch),
-                CurveKind::Sphere => format!("sphere {}", curve.branch),
-                _ => format!("branch {}", curve.branch),
-            };
+            let name = curve.branch_name.clone();
             let rank = styles.len() + 2;
             styles.insert(curve.branch.as_str(), BranchStyle { color, name, rank });
         }

@@ -1,5 +1,5 @@
-//! Line styles: solid where stable, dashed where not, dotted where the spectrum does not tell, both colours where curves
-//! coincide.
+//! Line styles: solid where all eigenvalues are imaginary, dashed where unstable, dotted where an eigenvalue is zero or
+//! nothing is known, both colours where curves coincide.
 
 use std::collections::BTreeMap;
 
@@ -30,9 +30,9 @@ pub(super) struct Stroke {
 /// What the spectrum says of the stability of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Verdict {
-    /// Elliptic.
+    /// All eigenvalues imaginary.
     Stable,
-    /// An eigenvalue zero or a double pair within rounding, or nothing known.
+    /// An eigenvalue zero, or nothing known.
     Open,
     /// A real or complex eigenvalue.
     Unstable,
@@ -47,9 +47,9 @@ fn verdict_at(curve: &CurveDocument, l: f64) -> Verdict {
 /// The verdict of a stretch.
 pub(super) fn verdict(span: &StabilitySpan) -> Verdict {
     match span.stability {
-        Stability::Elliptic => Verdict::Stable,
-        Stability::Degenerate => Verdict::Open,
-        Stability::SaddleCentre | Stability::Saddle | Stability::Complex => Verdict::Unstable,
+        kind if kind.is_unstable() => Verdict::Unstable,
+        Stability::Zero => Verdict::Open,
+        _ => Verdict::Stable,
     }
 }
 

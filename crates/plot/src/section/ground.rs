@@ -3,8 +3,8 @@
 use plotters::style::RGBColor;
 
 use super::layout::SheetPanel;
-use super::path::{Path, hex, stroke};
-use crate::page::{Canvas, INK, Ink, Page, Point, Rect, rgb};
+
+use crate::page::{Canvas, INK, Ink, Page, Path, Point, Rect, hex, rgb, stroke};
 use dynamics::section::{Chart, Portrait};
 
 /// Ground where Ṡ < 0 and where Ṡ > 0.

@@ -3,9 +3,9 @@
 use plotters::style::RGBColor;
 
 use super::ground::{BOUNDARY, INCOMING, OUTGOING, POLAR, TANGENCY, pole_marker};
-use super::path::{Path, hex, stroke};
+
 use super::scene::{Projection, SectionScene};
-use crate::page::{Ink, Legend, Page, Rect};
+use crate::page::{Ink, Legend, Page, Path, Rect, hex, stroke};
 use dynamics::section::SectionCondition;
 
 const SAMPLE: f64 = 26.0;

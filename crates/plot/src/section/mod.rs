@@ -8,7 +8,6 @@ mod colors;
 mod ground;
 mod layout;
 mod legend;
-mod path;
 mod points;
 mod raster;
 mod scene;

@@ -2,10 +2,9 @@
 
 use super::colors::Coloring;
 use super::layout::SheetPanel;
-use super::path::{Path, stroke};
 use super::raster::Raster;
 use super::scene::{SectionOptions, SectionScene};
-use crate::page::{Ink, Page, PlotError};
+use crate::page::{Ink, Page, Path, PlotError, stroke};
 
 /// Diameters of points in pixels.
 const SMALLEST: f64 = 0.8;

@@ -8,7 +8,7 @@ use schema::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
 use schema::{
     Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument,
     EventKind, Flags, MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan,
-    SummaryDocument, TailDocument,
+    SummaryDocument, TailDocument, ViewDocument, WindowDocument,
 };
 use top::body::Body;
 
@@ -419,6 +419,7 @@ fn region(id: &str, face: &[Key], bounds: &[f64], curves: &[Curve], signature: O
                 upper: upper.map(|upper| curves[upper].id.to_owned()),
             })
             .collect(),
+        polygon: None,
         clipped: false,
     }
 }
@@ -431,6 +432,7 @@ fn document(curve: &Curve) -> CurveDocument {
         id: curve.id.to_owned(),
         kind: curve.kind,
         branch: curve.branch.to_owned(),
+        branch_name: format!("branch {}", curve.branch),
         index: curve.index,
         multiplicity: curve.multiplicity,
         coincides_with: curve.coincides_with.clone(),
@@ -453,15 +455,18 @@ pub fn atlas(
     let flags = Flags { unphysical, plate, symmetric, plane, axis, euler };
     AtlasDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
-        accuracy: Accuracy::Standard,
+        version: String::new(),
+        command: String::new(),
+        accuracy: Accuracy::Exact,
         body: BodyDocument {
             moments: body.moments().each_ref().map(ToString::to_string),
             center: body.center().each_ref().map(ToString::to_string),
             flags,
             degenerate: body.flags().degenerate(),
-            inertia: None,
+            part: None,
         },
         window: None,
+        view: view(&events, &curves),
         summary: SummaryDocument {
             regions: regions.len(),
             events: events.len(),
@@ -472,7 +477,36 @@ pub fn atlas(
         },
         curves,
         events,
+        stability_changes: Vec::new(),
         regions,
         certificate: None,
     }
+}
+
+/// The view of the events, without those that lie far beyond the others in the main window.
+fn view(events: &[EventDocument], curves: &[CurveDocument]) -> ViewDocument {
+    let mut l: Vec<f64> = events.iter().map(|event| event.l).collect();
+    l.sort_by(f64::total_cmp);
+    let last = l.last().copied().unwrap_or(0.0);
+    let before_leap = l.windows(2).find(|pair| pair[1] > 12.0 * pair[0]).map_or(last, |pair| pair[0]);
+    let [main, everything] = [before_leap, last].map(|last| window(events, curves, last));
+    ViewDocument { main, everything }
+}
+
+/// A window for the events up to `last` in l: they, the beginnings of the curves, and the middle of them above.
+fn window(events: &[EventDocument], curves: &[CurveDocument], last: f64) -> WindowDocument {
+    let top = if last > 0.0 { 1.25 * last } else { 4.0 };
+    let below = |curve: &CurveDocument| -> Vec<[f64; 2]> {
+        curve.polyline.iter().copied().filter(|point| point[1] <= top).collect()
+    };
+    let parts: Vec<Vec<[f64; 2]>> = curves.iter().map(below).filter(|part| !part.is_empty()).collect();
+    let begins: Vec<f64> = parts.iter().map(|part| part[0][0]).collect();
+    let mut ends: Vec<f64> = parts.iter().map(|part| part[part.len() - 1][0]).collect();
+    ends.sort_by(f64::total_cmp);
+    let low = begins.iter().copied().fold(f64::INFINITY, f64::min);
+    let begin = begins.iter().copied().fold(low, f64::max);
+    let seen = events.iter().filter(|event| event.l <= last).map(|event| event.h);
+    let high = seen.fold((begin + 0.5 * (begin - low)).max(ends[ends.len() / 2]), f64::max);
+    let margin = 0.05 * (high - low);
+    WindowDocument { h: [low - margin, high + margin], l: [0.0, top] }
 }

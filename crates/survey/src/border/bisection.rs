@@ -27,7 +27,7 @@ pub struct BorderOptions {
 
 impl Default for BorderOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-10, atlases_max: 600, accuracy: Accuracy::Standard }
+        Self { tolerance: 1e-10, atlases_max: 600, accuracy: Accuracy::Exact }
     }
 }
 
@@ -145,7 +145,8 @@ impl<'a> Bracket<'a> {
 
     fn look(&mut self, t: f64) {
         self.atlases += 1;
-        match Side::of(self.segment, t, self.options.accuracy) {
+        // Inside, f64 tells a class or leaves a zone open, whose sides are sought; a proof would fill the zone in part.
+        match Side::of(self.segment, t, Accuracy::Fast) {
             // Bodies that are more special than those around them lie on a border, and belong to neither side.
             Ok(side) if special(self.segment, t) == self.ordinary => {
                 if side.class == self.low.class {

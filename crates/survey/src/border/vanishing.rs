@@ -140,7 +140,7 @@ fn height(set: &CriticalSet, point: &Point, branch: Branch) -> Option<Gap> {
 fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -> Option<Root> {
     const STEPS: usize = 120;
     let (first, last) = (value(low)?, value(high)?);
-    if first.sign()? == last.sign()? {
+    if first.order()? == last.order()? {
         return None;
     }
     let slope = (last.value - first.value) / (high - low);
@@ -150,8 +150,8 @@ fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -
             break;
         }
         let found = value(t)?;
-        match found.sign() {
-            Some(sign) if Some(sign) == first.sign() => low = t,
+        match found.order() {
+            Some(order) if Some(order) == first.order() => low = t,
             Some(_) => high = t,
             None => {
                 let t = t - found.value / slope;

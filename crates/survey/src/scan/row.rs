@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn the_papers_body_has_its_nine_regions() {
-        let row = Row::of(7, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Standard);
+        let row = Row::of(7, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact);
         let diagram = row.diagram.unwrap();
         assert_eq!((row.index, row.status, diagram.regions, diagram.cusps), (7, Status::Classified, 9, 1));
         assert_eq!((diagram.pitchforks, diagram.crossings, diagram.critical_points), (1, 3, 6));
@@ -185,10 +185,10 @@ mod tests {
 
     #[test]
     fn a_body_that_fails_is_a_row_with_its_error() {
-        let row = Row::of(0, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], Accuracy::Standard);
+        let row = Row::of(0, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], Accuracy::Exact);
         assert_eq!((row.status, row.class), (Status::Failed, None));
         assert!(row.error.unwrap().contains("A2 = -1.0 is not positive"));
-        let row = Row::of(0, [[2.0, 1.0, 1e-80], [1.0, 0.0, 0.0]], Accuracy::Standard);
+        let row = Row::of(0, [[2.0, 1.0, 1e-80], [1.0, 0.0, 0.0]], Accuracy::Exact);
         assert_eq!((row.status, row.diagram), (Status::Failed, None));
     }
 }

@@ -57,6 +57,8 @@ mod tests {
                 assert_eq!(next, bodies);
             }
         }
-        assert!("0/3".parse::<Shard>().is_err() && "4/3".parse::<Shard>().is_err() && "1-3".parse::<Shard>().is_err());
+        for wrong in ["0/3", "4/3", "1-3", "1/", "1/2/3", "-1/3"] {
+            assert_eq!(wrong.parse::<Shard>(), Err(ParseShardError), "{wrong}");
+        }
     }
 }

@@ -22,7 +22,7 @@ pub struct SearchOptions {
 
 impl Default for SearchOptions {
     fn default() -> Self {
-        Self { domain: Domain::default(), samples: 20_000, all: false, seed: 0, accuracy: Accuracy::Standard }
+        Self { domain: Domain::default(), samples: 20_000, all: false, seed: 0, accuracy: Accuracy::Exact }
     }
 }
 

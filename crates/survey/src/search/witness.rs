@@ -8,9 +8,9 @@ use super::digits::{DIGITS, rounded};
 use super::score::{Domain, Score, look};
 use super::target::Target;
 use numbers::Number;
-use proof::{Accuracy, CertifiedAtlas, NotProved};
+use proof::{Accuracy, Unanswered, classify};
 use top::body::{Body, BodyError};
-use top::classify::{Classification, ClassifyError, Components, Margin, classify};
+use top::classify::{Classification, Components, Margin};
 use top::critical::{CriticalError, critical};
 use top::topology::latitude::{self, SweepError};
 
@@ -42,8 +42,6 @@ pub enum Method {
     MergeTree,
     /// Circles of latitude, without any critical point.
     LatitudeSweep,
-    /// A proof.
-    CertifiedAtlas,
 }
 
 impl fmt::Display for Method {
@@ -51,7 +49,6 @@ impl fmt::Display for Method {
         f.write_str(match self {
             Self::MergeTree => "merge tree",
             Self::LatitudeSweep => "latitude sweep",
-            Self::CertifiedAtlas => "certified atlas",
         })
     }
 }
@@ -67,13 +64,10 @@ pub enum WitnessError {
     Body(#[from] BodyError),
     /// The first method has no answer.
     #[error(transparent)]
-    Classify(#[from] ClassifyError),
+    Classify(#[from] Unanswered),
     /// The relative equilibria cannot be found.
     #[error(transparent)]
     Critical(#[from] CriticalError),
-    /// The components are not proved.
-    #[error(transparent)]
-    NotProved(#[from] NotProved),
     /// The second method has no answer.
     #[error(transparent)]
     Sweep(#[from] SweepError),
@@ -84,13 +78,13 @@ pub enum WitnessError {
 
 impl Witness {
     /// Confirms that a body shows what is sought at a point: the merge tree and the latitude sweep must give the same
-    /// components there, and the margin must exceed its error bound; at [`Accuracy::Certified`] they are proved too.
+    /// components there, and the margin must exceed its error bound.
     ///
     /// # Errors
     /// [`WitnessError`].
     pub fn confirm(body: Body, [h, l]: [Number; 2], target: &Target, accuracy: Accuracy) -> Result<Self, WitnessError> {
-        let answer = classify(&body, &h, &l)?;
-        Self::confirm_answer(body, [h, l], &answer, target, accuracy)
+        let answer = classify(&body, &h, &l, accuracy)?;
+        Self::confirm_answer(body, [h, l], &answer, target)
     }
 
     fn confirm_answer(
@@ -98,20 +92,13 @@ impl Witness {
         [h, l]: [Number; 2],
         answer: &Classification,
         target: &Target,
-        accuracy: Accuracy,
     ) -> Result<Self, WitnessError> {
         let Some(components) = answer.components().map(<[_]>::to_vec) else { return Err(WitnessError::NotShown) };
-        let mut methods = vec![Method::MergeTree, Method::LatitudeSweep];
+        let methods = vec![Method::MergeTree, Method::LatitudeSweep];
         let frame = body.frame();
         let swept = latitude::components(&frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit)?;
         if swept != components {
             return Err(WitnessError::Disagreement);
-        }
-        if accuracy == Accuracy::Certified {
-            if CertifiedAtlas::new(&body)?.classify(&h, &l).components() != Some(&components) {
-                return Err(WitnessError::Disagreement);
-            }
-            methods.push(Method::CertifiedAtlas);
         }
         let critical_points = match target {
             Target::CriticalPoints(wanted) => {
@@ -138,20 +125,20 @@ impl Witness {
         let seen = look(values, target, &everything);
         let (Score::Shown(_), Some(at)) = (seen.score, seen.at) else { return Err(WitnessError::NotShown) };
         let body = Body::from_f64(values[0], values[1])?;
-        let (point, answer) = plain_point(&body, at)?;
-        Self::confirm_answer(body, point, &answer, target, accuracy)
+        let (point, answer) = plain_point(&body, at, accuracy)?;
+        Self::confirm_answer(body, point, &answer, target)
     }
 }
 
 /// A point (h, l) with as few digits as leave most of its margin.
-fn plain_point(body: &Body, at: [f64; 2]) -> Result<([Number; 2], Classification), WitnessError> {
+fn plain_point(body: &Body, at: [f64; 2], accuracy: Accuracy) -> Result<([Number; 2], Classification), WitnessError> {
     /// The share of the margin that must be left.
     const KEPT: f64 = 0.8;
     let number = |x: f64| Number::from_f64(x).map_err(|_out_of_range| WitnessError::NotShown);
     let point = |digits: usize| {
         let [h, l] = at.map(|x| rounded(x, digits));
         let (h, l) = (number(h)?, number(l)?);
-        let answer = classify(body, &h, &l)?;
+        let answer = classify(body, &h, &l, accuracy)?;
         Ok::<_, WitnessError>(([h, l], answer))
     };
     let exact = point(DIGITS)?;

@@ -1,9 +1,9 @@
-//! The course of a curve: a polyline and the spectral type along it, by Newton continuation; its ends from the limits.
+//! The course of a curve: a polyline by Newton continuation; its ends from the limits.
 
 use super::Atlas;
 use crate::continuation::{PieceEnd, Start, TrackOptions, track_piece};
 use crate::curves::{Branch, Curve, CurveId, End, Orbit, Shape};
-use crate::stability::{RelativeEquilibrium, Stability, StabilitySpan, stability_of};
+use crate::stability::RelativeEquilibrium;
 
 /// How finely curves are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,19 +12,6 @@ pub struct CourseOptions {
     pub chord_tolerance: f64,
     /// Curves that go on to infinity are drawn at least up to this l.
     pub l_least: f64,
-    /// Whether curves are traced by continuation, which also finds stability; else only their closed form is sampled.
-    pub stability: bool,
-}
-
-/// A polyline of a curve by rising l, and what is known of stability along it. In the body's units.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Course {
-    /// Points [h, l].
-    pub polyline: Vec<[f64; 2]>,
-    /// Spectral types by rising l; empty for pole lines, and where it was not asked for.
-    pub stability: Vec<StabilitySpan>,
-    /// False when continuation did not finish the curve: stability is then missing, the shape is from the closed form.
-    pub finished: bool,
 }
 
 /// h = l²/(2 J) + h0 + O(l⁻²) as l → ∞.
@@ -45,25 +32,23 @@ struct Extent {
 }
 
 impl Atlas {
-    /// The course of a curve.
+    /// A polyline of a curve by rising l: points [h, l] in the body's units.
     #[must_use]
-    pub fn course(&self, curve: CurveId, options: &CourseOptions) -> Course {
+    pub fn course(&self, curve: CurveId, options: &CourseOptions) -> Vec<[f64; 2]> {
         let extent = extent(self, options);
         let curve = &self.arrangement.set.curves[curve];
         let [from, to] = curve.x().map(|x| (2.0 * x).sqrt());
         let to = to.min(extent.l_max);
-        let sampled = |finished| {
+        let sampled = || {
             let unit = self.arrangement.set.frame.momentum_unit;
             let tolerance = options.chord_tolerance * self.energy(extent.h_scale);
-            let polyline = self.sampled(curve, [from, to].map(|l| l * unit), tolerance);
-            Course { polyline, stability: Vec::new(), finished }
+            self.sampled(curve, [from, to].map(|l| l * unit), tolerance)
         };
-        if !curve.is_critical() || !options.stability || matches!(curve.orbit, Orbit::Sphere) {
-            return sampled(true);
+        if !curve.is_critical() || matches!(curve.orbit, Orbit::Sphere) {
+            return sampled();
         }
-        // The tracker reports why it stopped; a curve is never dropped for that.
-        let tracked = tracked(self, curve, to, options, &extent);
-        tracked.map_or_else(|| sampled(false), |(polyline, stability)| Course { polyline, stability, finished: true })
+        // A curve that the tracker did not finish is sampled, never dropped.
+        tracked(self, curve, to, options, &extent).unwrap_or_else(sampled)
     }
 
     /// μ at both ends of a curve by rising μ, in the units of A; `None` where it is infinite, and for pole lines.
@@ -79,6 +64,14 @@ impl Atlas {
     }
 }
 
+impl Atlas {
+    /// The l up to which curves that go on to infinity are drawn, if nothing else is asked.
+    pub(super) fn drawn_up_to(&self) -> f64 {
+        let options = CourseOptions { chord_tolerance: 0.0, l_least: 0.0 };
+        extent(self, &options).l_max * self.arrangement.set.frame.momentum_unit
+    }
+}
+
 fn extent(atlas: &Atlas, options: &CourseOptions) -> Extent {
     let frame = &atlas.arrangement.set.frame;
     let last_event = atlas.arrangement.events.last().map_or(0.0, |event| (2.0 * event.x).sqrt());
@@ -90,14 +83,14 @@ fn extent(atlas: &Atlas, options: &CourseOptions) -> Extent {
     Extent { l_max, h_scale }
 }
 
-/// Polyline and stability by Newton continuation from a point inside the curve.
+/// A polyline by Newton continuation from a point inside the curve.
 fn tracked(
     atlas: &Atlas,
     curve: &Curve,
     l_end: f64,
     options: &CourseOptions,
     extent: &Extent,
-) -> Option<(Vec<[f64; 2]>, Vec<StabilitySpan>)> {
+) -> Option<Vec<[f64; 2]>> {
     let frame = &atlas.arrangement.set.frame;
     let [from, to] = curve.x();
     let x_end = 0.5 * l_end * l_end;
@@ -120,80 +113,7 @@ fn tracked(
     };
     let track = track_piece(frame, &start, ends, &track_options).ok().filter(|track| track.complete)?;
     let (energy, momentum) = (frame.energy_unit, frame.momentum_unit);
-    let polyline = track.polyline().into_iter().map(|[h, l]| [h * energy, l * momentum]).collect();
-    let mut spans: Vec<StabilitySpan> = track
-        .stability
-        .iter()
-        .map(|span| StabilitySpan { l_from: span.l_from * momentum, l_to: span.l_to.map(|l| l * momentum), ..*span })
-        .collect();
-    fill_gaps(atlas, curve, [l_from, l_to.min(cut)], &mut spans);
-    if to.is_infinite() {
-        continue_stability(atlas, curve, cut, &mut spans);
-    }
-    Some((polyline, spans))
-}
-
-/// Stability by the closed form at l in the frame's units.
-fn stability_at(atlas: &Atlas, curve: &Curve, l: f64) -> Stability {
-    let frame = &atlas.arrangement.set.frame;
-    let point = curve.point(frame, 0.5 * l * l);
-    stability_of(frame, point.gamma, l / point.j)
-}
-
-/// Stretches that the tracker left open, because the type is degenerate all along them, are filled by the closed form.
-fn fill_gaps(atlas: &Atlas, curve: &Curve, l_range: [f64; 2], spans: &mut Vec<StabilitySpan>) {
-    let unit = atlas.arrangement.set.frame.momentum_unit;
-    let mut filled: Vec<StabilitySpan> = Vec::new();
-    let mut reached = l_range[0] * unit;
-    let end = StabilitySpan { l_from: l_range[1] * unit, l_to: None, stability: Stability::Degenerate };
-    for span in spans.drain(..).chain(std::iter::once(end)) {
-        if span.l_from > reached * (1.0 + 1e-9) {
-            let stability = stability_at(atlas, curve, 0.5 * (reached + span.l_from) / unit);
-            filled.push(StabilitySpan { l_from: reached, l_to: Some(span.l_from), stability });
-        }
-        reached = span.l_to.unwrap_or(f64::INFINITY);
-        filled.push(span);
-    }
-    // The sentinel.
-    filled.pop();
-    for span in filled {
-        match spans.last_mut() {
-            Some(last) if last.stability == span.stability => last.l_to = span.l_to,
-            _ => spans.push(span),
-        }
-    }
-}
-
-/// Stability beyond the cut: looked up at growing l by the closed form, changes found by bisection.
-fn continue_stability(atlas: &Atlas, curve: &Curve, cut: f64, spans: &mut Vec<StabilitySpan>) {
-    const DOUBLINGS: u32 = 12;
-    let unit = atlas.arrangement.set.frame.momentum_unit;
-    let at = |l: f64| stability_at(atlas, curve, l);
-    let mut l = cut;
-    let mut last = spans.last().map_or(Stability::Degenerate, |span| span.stability);
-    for _ in 0..DOUBLINGS {
-        let next = at(2.0 * l);
-        if next != last && next != Stability::Degenerate {
-            let (mut low, mut high) = (l, 2.0 * l);
-            while high - low > 4.0 * f64::EPSILON * high {
-                let middle = 0.5 * (low + high);
-                if middle <= low || middle >= high {
-                    break;
-                }
-                if at(middle) == last { low = middle } else { high = middle }
-            }
-            let l_from = high * unit;
-            if let Some(span) = spans.last_mut() {
-                span.l_to = Some(l_from);
-            }
-            spans.push(StabilitySpan { l_from, l_to: None, stability: next });
-            last = next;
-        }
-        l *= 2.0;
-    }
-    if let Some(span) = spans.last_mut() {
-        span.l_to = None;
-    }
+    Some(track.polyline().into_iter().map(|[h, l]| [h * energy, l * momentum]).collect())
 }
 
 /// μ at both ends by rising μ, in the units of A; `None` where it is infinite.

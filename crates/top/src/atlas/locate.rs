@@ -87,7 +87,7 @@ impl Atlas {
         Ok(location)
     }
 
-    fn locate_scaled(&self, h: f64, x: f64) -> Location {
+    pub(super) fn locate_scaled(&self, h: f64, x: f64) -> Location {
         let slabs = &self.arrangement.slabs;
         let number = SlabId::at(slabs.as_slice().partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1));
         let near = self.slabs_near(number, x, false);
@@ -142,7 +142,7 @@ impl Atlas {
 
     /// The slab of x, and those beyond events within rounding of x: all events, or only those at which curves begin or
     /// end. (Curves that cross within rounding of x are both seen from either side.)
-    fn slabs_near(&self, number: SlabId, x: f64, crossings: bool) -> RangeInclusive<SlabId> {
+    pub(super) fn slabs_near(&self, number: SlabId, x: f64, crossings: bool) -> RangeInclusive<SlabId> {
         let near = |event: &EventId| {
             let Some(event) = self.arrangement.events.get(*event) else { return false };
             let counts = crossings || !matches!(event.change, Change::Swap(_));
@@ -159,9 +159,11 @@ impl Atlas {
     }
 
     /// The points of the curves of a slab at x, or at its end where x lies just outside.
-    fn points_in(&self, slab: SlabId, x: f64) -> Vec<Point> {
+    pub(super) fn points_in(&self, slab: SlabId, x: f64) -> Vec<Point> {
         let slab = &self.arrangement.slabs[slab];
-        let at = x.clamp(slab.x[0].max(f64::MIN_POSITIVE), slab.x[1]);
+        // Events that rounding has put out of order are settled by gluing: between two of them the slab is inverted.
+        let [from, to] = [slab.x[0].min(slab.x[1]), slab.x[0].max(slab.x[1])];
+        let at = x.clamp(from.max(f64::MIN_POSITIVE), to);
         slab.order.iter().map(|&c| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, at)).collect()
     }
 
@@ -177,7 +179,7 @@ impl Atlas {
     }
 
     /// False when something is undecided and the heights at x contradict the order of the slab.
-    fn order_is_certain(&self, number: SlabId, x: f64) -> bool {
+    pub(super) fn order_is_certain(&self, number: SlabId, x: f64) -> bool {
         let set = &self.arrangement.set;
         if self.arrangement.undecided.is_empty() {
             return true;

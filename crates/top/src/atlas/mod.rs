@@ -4,8 +4,13 @@ mod course;
 mod exact;
 mod locate;
 mod margin;
+mod outline;
+mod places;
 mod polyline;
 mod region;
+mod rows;
+mod sanity;
+mod view;
 mod width;
 mod window;
 
@@ -15,17 +20,23 @@ use crate::body::Body;
 use crate::curves::{CriticalSet, CurveId, EquilibriaError, Orbit};
 use crate::diagram::{Arrangement, RegionId, Undecided};
 use crate::table::Table;
+use crate::topology::Component;
 use crate::topology::merge::MergeError;
-use crate::topology::{Component, Poles};
 
-pub use course::{Course, CourseOptions, Tail};
+pub use course::{CourseOptions, Tail};
 pub use exact::{compare_with_r, on_straight_curve};
 pub use locate::{Location, MomentumError, Place};
 pub(crate) use locate::{abscissa, comparison_error};
 pub use margin::Margin;
+pub use outline::Outline;
 pub use region::{Region, Sample};
 pub(crate) use region::{components_below, partition_below};
+pub use rows::Spot;
+pub use sanity::{Contradiction, Counts};
+pub use view::View;
 pub use window::{SamplePoint, Window};
+
+pub use crate::topology::whole_sphere;
 
 /// Everything that is constant on the regions of one body.
 #[derive(Clone, Debug)]
@@ -125,10 +136,4 @@ impl Atlas {
     pub fn components(&self, region: RegionId) -> Result<&[Component], MergeError> {
         self.regions[region].components.as_deref().map_err(|error| *error)
     }
-}
-
-/// The whole sphere with both poles (none when r = 0): U_hl above the highest critical value.
-#[must_use]
-pub fn whole_sphere(has_poles: bool) -> Component {
-    Component { boundary_circles: 0, poles: has_poles.then_some(Poles { plus: true, minus: true }) }
 }

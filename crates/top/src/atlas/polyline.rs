@@ -68,7 +68,7 @@ impl Atlas {
     }
 
     /// h of a curve at l, in the body's units; at its ends the limits.
-    fn h_at(&self, curve: &Curve, l: f64) -> f64 {
+    pub(super) fn h_at(&self, curve: &Curve, l: f64) -> f64 {
         let frame = &self.arrangement.set.frame;
         let scaled = l / frame.momentum_unit;
         let [from, to] = curve.x();

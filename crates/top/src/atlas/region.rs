@@ -1,11 +1,10 @@
 //! Regions with a sample and their topology.
 
-use super::whole_sphere;
 use crate::curves::{CriticalSet, CurveId, Gap, Orbit, Point, Pole};
 use crate::diagram::{Arrangement, Cell, RegionId, SlabId};
 use crate::table::Table;
 use crate::topology::merge::{self, CriticalPoint, Extent, MergeError};
-use crate::topology::{Component, Poles};
+use crate::topology::{Component, Poles, is_excluded, whole_sphere};
 
 /// A well-placed point of a region, in the frame's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,6 +99,8 @@ fn region(arrangement: &Arrangement, rows: &Table<SlabId, Vec<Row>>, cells: Vec<
     let mut refused = None;
     for (sample, components) in tried {
         match components {
+            // Where f64 leaves an order open, it may name what cannot be.
+            Ok(components) if components.iter().any(is_excluded) => refused = Some(MergeError::UnknownOrder),
             Ok(components) => return Region { cells, sample, components: Ok(components) },
             Err(error) => refused = refused.or(Some(error)),
         }

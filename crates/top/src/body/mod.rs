@@ -1,12 +1,16 @@
 //! Bodies: exact input, validation, and the frame in which the rest of the crate computes.
 
+mod error;
 mod frame;
-mod inertia;
 mod presets;
+mod principal;
 mod rigid_body;
+mod tensor;
 
+pub use error::BodyError;
 pub use frame::{Frame, SymmetricSums};
-pub use inertia::{InertiaError, MassProperties, PrincipalBody, Realizability};
 pub use numbers::{Number, ParseNumberError};
 pub use presets::Preset;
-pub use rigid_body::{Body, BodyError, Flags};
+pub use principal::PrincipalForm;
+pub use rigid_body::{Body, Flags};
+pub use tensor::{Tensor, TensorError};

@@ -1,51 +1,21 @@
 //! A heavy rigid body as it was given: principal moments and centre of mass, exact.
 
-use dashu_ratio::RBig;
-use thiserror::Error;
+use std::sync::Arc;
 
-use numbers::{Number, ParseNumberError};
+use dashu_ratio::RBig;
+
+use super::error::BodyError;
+use super::tensor::Tensor;
+use numbers::Number;
 
 /// A heavy rigid body with a fixed point: A = diag(A1, A2, A3) and the centre of mass r, with the
-/// constants m g absorbed into r. Validated once; all values are exact.
+/// constants m g absorbed into r. Validated once; all values are exact, but for a body that was given by a [`Tensor`]
+/// whose principal form is irrational.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Body {
     moments: [Number; 3],
     center: [Number; 3],
-}
-
-/// Why three moments and a centre of mass are not a body.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum BodyError {
-    /// A moment of inertia is zero or negative.
-    #[error("A{axis} = {value} is not positive; a moment of inertia must be greater than zero")]
-    MomentNotPositive {
-        /// 1, 2 or 3.
-        axis: usize,
-        /// The moment as given.
-        value: String,
-    },
-    /// Not three moments.
-    #[error("A needs three moments of inertia, {count} given")]
-    MomentCount {
-        /// How many were given.
-        count: usize,
-    },
-    /// Not three coordinates.
-    #[error("r needs three coordinates, {count} given")]
-    CenterCount {
-        /// How many were given.
-        count: usize,
-    },
-    /// A component is not a number.
-    #[error("{name}{axis}: {source}")]
-    Component {
-        /// `A` or `r`.
-        name: &'static str,
-        /// 1, 2 or 3.
-        axis: usize,
-        /// What is wrong with it.
-        source: ParseNumberError,
-    },
+    tensor: Option<Arc<Tensor>>,
 }
 
 /// What is special about a body; every flag is decided exactly.
@@ -84,7 +54,38 @@ impl Body {
                 return Err(BodyError::MomentNotPositive { axis: i + 1, value: moment.text().to_owned() });
             }
         }
-        Ok(Self { moments, center })
+        Ok(Self { moments, center, tensor: None })
+    }
+
+    /// The body whose moments and centre of mass are those of a tensor, rounded.
+    pub(super) fn with_tensor(mut self, tensor: Arc<Tensor>) -> Self {
+        self.tensor = Some(tensor);
+        self
+    }
+
+    /// The tensor from which the moments and r were rounded; `None` when they are exact.
+    #[must_use]
+    pub fn tensor(&self) -> Option<&Tensor> {
+        self.tensor.as_deref()
+    }
+
+    /// |r|², exact.
+    #[must_use]
+    pub fn center_squared(&self) -> RBig {
+        match &self.tensor {
+            Some(tensor) => tensor.center_squared(),
+            None => self.center.iter().fold(RBig::ZERO, |sum, r| sum + r.value() * r.value()),
+        }
+    }
+
+    /// rᵀAr = |r|² J_r, exact.
+    #[must_use]
+    pub fn weighted_moment(&self) -> RBig {
+        let weighted = |k: usize| self.moments[k].value() * self.center[k].value() * self.center[k].value();
+        match &self.tensor {
+            Some(tensor) => tensor.weighted_moment(),
+            None => (0..3).fold(RBig::ZERO, |sum, k| sum + weighted(k)),
+        }
     }
 
     /// A body from texts, each a decimal or a rational.
@@ -144,6 +145,11 @@ impl Body {
             }
             flags.symmetric |= a[i] == a[j];
             flags.plane |= r[k].is_zero();
+        }
+        if let Some(tensor) = &self.tensor {
+            let second = tensor.second_moments();
+            flags.unphysical = !second.is_positive_semidefinite();
+            flags.plate = !flags.unphysical && second.determinant().is_zero();
         }
         flags.euler = r.iter().all(|x| x.is_zero());
         let moment_of_first = (0..3).find(|&i| !r[i].is_zero()).map(|i| a[i]);

@@ -14,51 +14,24 @@
 //! Permuted or reflected axes and other units change nothing, since the arrangement is made in the frame of the body.
 
 mod canonical;
+mod error;
 mod kinds;
 mod name;
 mod planar_map;
 mod text;
 
-use thiserror::Error;
-
 use crate::atlas::Atlas;
-use crate::diagram::RegionId;
-use crate::topology::merge::MergeError;
 
+pub use error::{MapError, Unclassified};
 pub use kinds::{EdgeKind, FaceKind, VertexKind};
 pub use name::{ClassName, ParseClassNameError};
-pub use planar_map::{MapError, PlanarMap};
-
-/// First line of each text. It changes whenever texts change, since names of classes are kept in files.
-const HEAD: &str = "map 1";
+pub use planar_map::PlanarMap;
 
 /// A class of bifurcation diagrams.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Class {
     name: ClassName,
     text: String,
-}
-
-/// Why an atlas has no class.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum Unclassified {
-    /// Something in the arrangement is undecided: the diagram is one of several.
-    #[error("{count} things about the arrangement are undecided at this accuracy, so its class is open")]
-    Undecided {
-        /// How many.
-        count: usize,
-    },
-    /// The type of a region is not known.
-    #[error("the type of region {region} is undecided at this accuracy: {source}")]
-    Region {
-        /// The region.
-        region: RegionId,
-        /// Why.
-        source: MergeError,
-    },
-    /// The pieces of the arrangement do not make a planar map: a defect of this program.
-    #[error(transparent)]
-    Map(#[from] MapError),
 }
 
 impl Class {

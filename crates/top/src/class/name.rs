@@ -66,7 +66,7 @@ mod tests {
     fn only_twelve_lower_case_digits_are_a_name() {
         assert_eq!("4b99dc25201f".parse::<ClassName>().unwrap().to_string(), "4b99dc25201f");
         for wrong in ["", "4b99dc25201", "4b99dc25201f0", "4B99DC25201F", "4b99dc25201g"] {
-            assert!(wrong.parse::<ClassName>().is_err(), "{wrong}");
+            assert_eq!(wrong.parse::<ClassName>(), Err(ParseClassNameError(wrong.to_owned())));
         }
     }
 }

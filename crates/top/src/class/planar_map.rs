@@ -3,9 +3,7 @@
 //! Edge e consists of two *darts*: 2e runs with rising l (on the frame: counter-clockwise), 2e + 1 back. Each dart knows
 //! the face on its left.
 
-use thiserror::Error;
-
-use super::Unclassified;
+use super::error::{MapError, Unclassified};
 use super::kinds::{EdgeKind, FaceKind, Side, VertexKind};
 use crate::atlas::Atlas;
 use crate::curves::CurveId;
@@ -31,35 +29,6 @@ pub struct PlanarMap {
     pub(super) faces: Vec<FaceKind>,
     /// The marked dart: the lower edge of the frame, from l = 0 on.
     pub(super) root: usize,
-}
-
-/// The pieces do not fit together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum MapError {
-    /// There are no slabs or no curves.
-    #[error("the arrangement is empty")]
-    Empty,
-    /// Several events are proved to lie at one l, so that the orders between them are not told one by one.
-    #[error("several events lie exactly at one l")]
-    Coincident,
-    /// A curve begins or ends in the middle of the plane without an event.
-    #[error("{curve:?} begins or ends where no event is")]
-    LooseEnd {
-        /// The curve.
-        curve: CurveId,
-    },
-    /// Euler's formula fails or a face is not bounded by one cycle.
-    #[error("{vertices} vertices, {edges} edges and {faces} faces with {cycles} boundaries are no map on the sphere")]
-    NotPlanar {
-        /// Vertices, those of the frame included.
-        vertices: usize,
-        /// Edges, those of the frame included.
-        edges: usize,
-        /// Faces, the outside included.
-        faces: usize,
-        /// Cycles of darts around faces.
-        cycles: usize,
-    },
 }
 
 const OUTSIDE: usize = 0;

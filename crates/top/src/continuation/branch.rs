@@ -210,19 +210,6 @@ impl<'a> Branch<'a> {
         Tangent { gamma, gap, omega, x, omega_scale, l: self.l_along(point, &gamma, omega * omega_scale) }
     }
 
-    /// The step along `tangent` that leads from `base` to a nearby `point`, to second order.
-    pub fn progress(&self, base: &Point, tangent: &Tangent, point: &Point) -> f64 {
-        let (from, to) = (self.gaps(base), self.gaps(point));
-        let mut step = tangent.omega * (point.omega - base.omega) / tangent.omega_scale;
-        for j in 0..3 {
-            step += tangent.gamma[j] * (point.gamma[j] - base.gamma[j]);
-            if self.active[j] {
-                step += tangent.gap[j] * 2.0 * (to[j] - from[j]) / (to[j] + from[j]);
-            }
-        }
-        step
-    }
-
     /// The sign that makes (−n2, n1) point the same way all along a branch, whatever the anchor.
     fn orientation(&self, point: &Point) -> f64 {
         match self.kind {

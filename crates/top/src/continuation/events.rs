@@ -98,7 +98,7 @@ impl Tracker<'_> {
 
     pub(super) fn handle(&mut self, event: &Event, end: Point, tangent: &Tangent, signed: f64) -> Step {
         match event {
-            Event::Landing(reason) => self.land(*reason, end, signed),
+            Event::Landing(reason) => self.land(*reason, end),
             Event::Cusp => self.cusp(end, tangent, signed),
             Event::Pitchfork => self.pitchfork(end, signed),
         }
@@ -112,10 +112,10 @@ impl Tracker<'_> {
             return Step::Rejected { factor: 0.5 };
         };
         let ends = [near, Bracket { step: signed, value: far }];
-        let Some((step, point)) = branch.locate(&self.base, &self.tangent, ends, end, turning, &mut self.effort) else {
+        let Some(point) = branch.locate(&self.base, &self.tangent, ends, end, turning, &mut self.effort) else {
             return Step::Rejected { factor: 0.5 };
         };
-        let outcome = self.accept(point, step, VertexKind::Cusp);
+        let outcome = self.accept(point, VertexKind::Cusp);
         if matches!(outcome, Step::Accepted) {
             self.turning_sign = -self.turning_sign;
             if self.options.at_cusp == AtEvent::Stop {
@@ -140,11 +140,11 @@ impl Tracker<'_> {
             return Step::Rejected { factor: 0.5 };
         };
         let ends = [near, Bracket { step: signed, value: far[axis] }];
-        let Some((step, point)) = branch.locate(&self.base, &self.tangent, ends, end, gap, &mut self.effort) else {
+        let Some(point) = branch.locate(&self.base, &self.tangent, ends, end, gap, &mut self.effort) else {
             return Step::Rejected { factor: 0.5 };
         };
         let meeting: Vec<usize> = (0..3).filter(crossed).filter(|&j| branch.frame.diff[axis][j] == 0.0).collect();
-        let outcome = self.accept(point, step, VertexKind::Pitchfork);
+        let outcome = self.accept(point, VertexKind::Pitchfork);
         if matches!(outcome, Step::Accepted) {
             for axis in meeting {
                 self.frozen_sign[axis] = -self.frozen_sign[axis];
@@ -169,7 +169,7 @@ impl Tracker<'_> {
         (value * sign > 0.0).then_some(Bracket { step, value })
     }
 
-    fn land(&mut self, reason: StopReason, end: Point, signed: f64) -> Step {
+    fn land(&mut self, reason: StopReason, end: Point) -> Step {
         let condition = match (reason, self.branch.kind) {
             (StopReason::MaximumReached, _) => Condition::Momentum(self.options.l_max),
             (StopReason::MinimumReached, _) => Condition::Momentum(self.options.l_min),
@@ -181,10 +181,7 @@ impl Tracker<'_> {
             return Step::Rejected { factor: 0.5 };
         };
         let kind = if reason == StopReason::Pitchfork { VertexKind::Pitchfork } else { VertexKind::Regular };
-        // Only where the stability can change does it matter where in the step the landing lies.
-        let landed =
-            if self.last().index == Some(2) { self.landed_step(condition, &point, &end, signed) } else { signed };
-        match self.accept(point, landed, kind) {
+        match self.accept(point, kind) {
             Step::Accepted => {
                 let exact = match reason {
                     StopReason::MaximumReached => Some(self.options.l_max),
@@ -201,23 +198,9 @@ impl Tracker<'_> {
         }
     }
 
-    /// The step at which the landing lies, for the search for changes of stability before it.
-    fn landed_step(&mut self, condition: Condition, point: &Point, end: &Point, signed: f64) -> f64 {
-        let branch = self.branch;
-        let beyond = |point: &Point| match condition {
-            Condition::Momentum(l) => branch.l(point) - l,
-            Condition::Symmetric(axis) => point.gamma[axis],
-            Condition::Rest | Condition::Plane(_) => point.omega,
-        };
-        let ends = [Bracket { step: 0.0, value: beyond(&self.base) }, Bracket { step: signed, value: beyond(end) }];
-        branch
-            .locate(&self.base, &self.tangent, ends, *end, beyond, &mut self.effort)
-            .map_or_else(|| branch.progress(&self.base, &self.tangent, point), |(step, _)| step)
-    }
-
     /// Lands on l = 0 when the step went through it and the corrector could not follow.
     pub(super) fn land_ahead(&mut self, signed: f64) -> Option<Step> {
         let predicted = self.branch.predict(&self.base, &self.tangent, signed)?;
-        (predicted.omega <= 0.0 && self.options.l_min <= 0.0).then(|| self.land(StopReason::Rest, predicted, signed))
+        (predicted.omega <= 0.0 && self.options.l_min <= 0.0).then(|| self.land(StopReason::Rest, predicted))
     }
 }

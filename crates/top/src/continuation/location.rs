@@ -26,10 +26,10 @@ impl Branch<'_> {
         last: Point,
         value: impl Fn(&Point) -> f64,
         effort: &mut Effort,
-    ) -> Option<(f64, Point)> {
+    ) -> Option<Point> {
         let [mut low, mut high] = ends;
         let width = (high.step - low.step).abs();
-        let mut best = (high.step, last);
+        let mut best = last;
         let mut best_value = high.value;
         let mut last_side = 0;
         for iteration in 0..100 {
@@ -44,7 +44,7 @@ impl Branch<'_> {
             let point = self.advance(base, tangent, step, effort)?;
             let here = value(&point);
             if here.abs() <= best_value.abs() {
-                best = (step, point);
+                best = point;
                 best_value = here;
             }
             if here == 0.0 {

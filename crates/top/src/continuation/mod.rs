@@ -26,11 +26,9 @@ mod location;
 mod options;
 mod piece;
 mod report;
-mod samples;
-mod spans;
 mod tracker;
 
 pub use options::{AtEvent, Direction, Start, TrackOptions};
 pub use piece::{AGREEMENT, PieceEnd, PieceTrack, track_piece};
-pub use report::{Effort, Pitchfork, StabilityStretch, StopReason, TrackError, TrackReport, Vertex, VertexKind};
+pub use report::{Effort, Pitchfork, StopReason, TrackError, TrackReport, Vertex, VertexKind};
 pub use tracker::track;

@@ -1,11 +1,10 @@
 //! One curve piece of an atlas: between two events, l monotone.
 
 use super::options::{AtEvent, Direction, Start, TrackOptions};
-use super::report::{Effort, StabilityStretch, StopReason, TrackError, TrackReport, Vertex, VertexKind};
+use super::report::{Effort, StopReason, TrackError, Vertex, VertexKind};
 use super::tracker::track;
 use crate::body::Frame;
-use crate::stability::Linearisation;
-use crate::stability::{Stability, StabilitySpan};
+use crate::stability::Hessian;
 
 /// How a piece ends on one side, and at which l.
 ///
@@ -30,8 +29,6 @@ pub const AGREEMENT: f64 = 1e-9;
 pub struct PieceTrack {
     /// The polyline, both ends included.
     pub vertices: Vec<Vertex>,
-    /// Stability by rising l.
-    pub stability: Vec<StabilitySpan>,
     /// Morse index of U_l, the same along the piece; for a circle of relative equilibria the index across it.
     /// `None` if rounding hides it at every vertex.
     pub index: Option<u8>,
@@ -97,7 +94,6 @@ pub fn track_piece(
     let complete = (0..2).all(|side| is_end(stops[side], outermost[side], ends[side]));
     Ok(PieceTrack {
         index: index_of(frame, &vertices),
-        stability: joined(&falling, &rising),
         complete,
         stops,
         effort: falling.effort.plus(rising.effort),
@@ -110,32 +106,7 @@ pub fn track_piece(
 fn index_of(frame: &Frame, vertices: &[Vertex]) -> Option<u8> {
     vertices.iter().find_map(|vertex| vertex.index).or_else(|| {
         let regular = |vertex: &&Vertex| vertex.kind == VertexKind::Regular && vertex.equilibrium.omega > 0.0;
-        let Linearisation { hessian_trace, hessian_trace_error, .. } =
-            Linearisation::new(frame, &vertices.iter().find(regular)?.equilibrium);
-        (hessian_trace.abs() > hessian_trace_error).then_some(u8::from(hessian_trace < 0.0))
+        let trace = Hessian::new(frame, &vertices.iter().find(regular)?.equilibrium).trace;
+        (trace != 0).then_some(u8::from(trace < 0))
     })
-}
-
-/// The stretches of both halves by rising l, joined where the stability at the start is the same.
-fn joined(falling: &TrackReport, rising: &TrackReport) -> Vec<StabilitySpan> {
-    let reversed = |stretch: &StabilityStretch| StabilityStretch {
-        l_from: stretch.l_to,
-        l_to: stretch.l_from,
-        stability: stretch.stability,
-    };
-    let mut spans: Vec<StabilitySpan> = Vec::new();
-    for stretch in falling.stability.iter().rev().map(reversed).chain(rising.stability.iter().copied()) {
-        match spans.last_mut() {
-            Some(span) if span.stability == stretch.stability => span.l_to = Some(stretch.l_to),
-            _ => spans.push(StabilitySpan {
-                l_from: stretch.l_from,
-                l_to: Some(stretch.l_to),
-                stability: stretch.stability,
-            }),
-        }
-    }
-    let lonely_degenerate =
-        |span: &StabilitySpan| span.stability == Stability::Degenerate && span.l_to == Some(span.l_from);
-    spans.retain(|span| !lonely_degenerate(span));
-    spans
 }

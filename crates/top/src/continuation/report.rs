@@ -3,7 +3,6 @@
 use thiserror::Error;
 
 use crate::stability::RelativeEquilibrium;
-use crate::stability::Stability;
 
 /// What is special about a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,8 +26,6 @@ pub struct Vertex {
     pub equilibrium: RelativeEquilibrium,
     /// Morse index of U_l; `None` where the Hessian is singular within rounding.
     pub index: Option<u8>,
-    /// Spectral stability.
-    pub stability: Stability,
     /// Cusp, pitchfork or neither.
     pub kind: VertexKind,
 }
@@ -63,17 +60,6 @@ pub struct Pitchfork {
     pub axis: usize,
 }
 
-/// A stretch of a branch with one kind of stability, in the order of the track.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StabilityStretch {
-    /// From this l …
-    pub l_from: f64,
-    /// … to this l.
-    pub l_to: f64,
-    /// Stability in between.
-    pub stability: Stability,
-}
-
 /// What a track has cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
@@ -83,7 +69,7 @@ pub struct Effort {
     pub rejected: usize,
     /// Newton iterations.
     pub newton_iterations: usize,
-    /// Points corrected: steps, and evaluations that locate cusps, pitchforks, ends and changes of stability.
+    /// Points corrected: steps, and evaluations that locate cusps, pitchforks and ends.
     pub corrections: usize,
 }
 
@@ -105,8 +91,6 @@ pub struct TrackReport {
     pub vertices: Vec<Vertex>,
     /// Pitchforks met, in order.
     pub pitchforks: Vec<Pitchfork>,
-    /// Stability along the branch, in order; broken where l turns.
-    pub stability: Vec<StabilityStretch>,
     /// Why the track stopped.
     pub stop: StopReason,
     /// What it has cost.

@@ -5,11 +5,8 @@ use super::chord::{ChordEnd, chord_distance};
 use super::corrector::Condition;
 use super::options::{Direction, Start, TrackOptions};
 use super::report::{Effort, Pitchfork, StopReason, TrackError, TrackReport, Vertex, VertexKind};
-use super::samples::Segment;
-use super::spans::Stretches;
 use crate::body::Frame;
-use crate::stability::Linearisation;
-use crate::stability::Stability;
+use crate::stability::Hessian;
 
 /// Below this a step is lost in the rounding of the point that it starts from.
 const SMALLEST_STEP: f64 = 1e-11;
@@ -72,7 +69,6 @@ pub(super) struct Tracker<'a> {
     pub(super) frozen_sign: [f64; 3],
     pub(super) vertices: Vec<Vertex>,
     pub(super) pitchforks: Vec<Pitchfork>,
-    pub(super) stretches: Stretches<'a>,
     pub(super) effort: Effort,
 }
 
@@ -155,12 +151,10 @@ impl<'a> Tracker<'a> {
             frozen_sign,
             vertices: Vec::with_capacity(64),
             pitchforks: Vec::new(),
-            stretches: Stretches::default(),
             effort,
         };
         let kind = if leaves_pitchfork { VertexKind::Pitchfork } else { VertexKind::Regular };
         let vertex = tracker.vertex(&base, kind);
-        tracker.stretches.begin(&vertex);
         tracker.vertices.push(vertex);
         Ok(tracker)
     }
@@ -168,13 +162,9 @@ impl<'a> Tracker<'a> {
     fn vertex(&self, point: &Point, kind: VertexKind) -> Vertex {
         let equilibrium = self.branch.equilibrium(point);
         let (l, h) = (self.branch.l(point), self.branch.h(point));
-        if kind == VertexKind::Regular {
-            let linearisation = Linearisation::new(self.branch.frame, &equilibrium);
-            let (index, stability) = (linearisation.index(), linearisation.stability());
-            Vertex { l, h, equilibrium, index, stability, kind }
-        } else {
-            Vertex { l, h, equilibrium, index: None, stability: Stability::Degenerate, kind }
-        }
+        let is_regular = kind == VertexKind::Regular;
+        let index = is_regular.then(|| Hessian::new(self.branch.frame, &equilibrium).index()).flatten();
+        Vertex { l, h, equilibrium, index, kind }
     }
 
     pub(super) fn last(&self) -> &Vertex {
@@ -197,9 +187,7 @@ impl<'a> Tracker<'a> {
     }
 
     fn finish(self, stop: StopReason) -> TrackReport {
-        let l = self.last().l;
-        let stability = self.stretches.finish(l);
-        TrackReport { vertices: self.vertices, pitchforks: self.pitchforks, stability, stop, effort: self.effort }
+        TrackReport { vertices: self.vertices, pitchforks: self.pitchforks, stop, effort: self.effort }
     }
 
     /// One attempt of a step.
@@ -218,7 +206,7 @@ impl<'a> Tracker<'a> {
         }
         let mut events = self.events(&end, &tangent);
         match (events.pop(), events.is_empty()) {
-            (None, _) => self.accept(end, signed, VertexKind::Regular),
+            (None, _) => self.accept(end, VertexKind::Regular),
             (Some(event), true) => self.handle(&event, end, &tangent, signed),
             (Some(event), false) if self.step < EVENT_STEP => self.handle(&event, end, &tangent, signed),
             (Some(_), false) => Step::Rejected { factor: 0.5 },
@@ -245,7 +233,7 @@ impl<'a> Tracker<'a> {
     }
 
     /// Accepts `point` as the next vertex if the chord to it is close enough to the curve.
-    pub(super) fn accept(&mut self, point: Point, signed: f64, kind: VertexKind) -> Step {
+    pub(super) fn accept(&mut self, point: Point, kind: VertexKind) -> Step {
         let vertex = self.vertex(&point, kind);
         let base = self.branch.reanchored(point);
         let tangent = self.branch.tangent(&base);
@@ -255,15 +243,6 @@ impl<'a> Tracker<'a> {
             return Step::Rejected { factor: (AIM / share).sqrt().clamp(0.2, 0.9) };
         }
         self.effort.steps += 1;
-        let from = *self.last();
-        let segment = Segment {
-            branch: self.branch,
-            base: self.base,
-            tangent: self.tangent,
-            step: signed,
-            l: [from.l, vertex.l],
-        };
-        self.stretches.extend(&segment, &from, &vertex, &mut self.effort);
         self.vertices.push(vertex);
         self.base = base;
         self.tangent = tangent;

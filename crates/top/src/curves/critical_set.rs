@@ -2,11 +2,11 @@
 
 use thiserror::Error;
 
-use super::curve::Curve;
-use super::id::{ClusterId, CurveId, CuspId, PitchforkId};
+use super::curve::{Branch, Curve};
+use super::id::{ClusterId, CurveId, CuspId, IntervalId, PitchforkId};
 use super::point::Point;
 use crate::body::Frame;
-use crate::table::Table;
+use crate::table::{Id, Table};
 use numbers::UNIT_ROUNDOFF;
 
 /// A cusp: two curves of critical points meet and vanish.
@@ -39,7 +39,7 @@ pub struct CuspCluster {
     /// The point in the (x, h) plane.
     pub point: Point,
     /// On this interval of the generic family.
-    pub interval: usize,
+    pub interval: IntervalId,
 }
 
 /// Why a body's critical points cannot be computed in `f64`.
@@ -114,6 +114,21 @@ impl CriticalSet {
 /// Distance in x up to which rounding does not tell on which side of the end of a curve x lies.
 pub(super) fn end_tolerance(x: f64) -> f64 {
     64.0 * UNIT_ROUNDOFF * x
+}
+
+impl CriticalSet {
+    /// Whether x lies within rounding of an end of one of these curves, or near cusps on their branch that f64 does not
+    /// count.
+    #[must_use]
+    pub fn ends_near(&self, branch: Branch, curves: std::ops::Range<CurveId>, x: f64) -> bool {
+        let tolerance = end_tolerance(x);
+        let range = curves.start.index()..curves.end.index();
+        self.curves.as_slice()[range].iter().any(|curve| curve.x().iter().any(|end| (end - x).abs() <= tolerance))
+            || self
+                .clusters
+                .iter()
+                .any(|cluster| branch == Branch::Generic(cluster.interval) && (cluster.point.x - x).abs() <= 1e-6 * x)
+    }
 }
 
 fn check_range(frame: &Frame) -> Result<(), EquilibriaError> {

@@ -1,7 +1,7 @@
 //! Curves: maximal pieces of critical curves and pole lines between cusps and pitchforks.
 
 use super::arc::Arc;
-use super::id::{CuspId, PitchforkId};
+use super::id::{CuspId, IntervalId, PitchforkId};
 use super::point::Point;
 use crate::body::Frame;
 
@@ -17,10 +17,10 @@ pub enum Pole {
 /// To which family of critical points a curve belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Branch {
-    /// The generic family over one interval between moments with r_k ≠ 0, numbered from μ = −∞.
-    Generic(usize),
-    /// Rotation about the only axis that carries r (interval 0: γ = −r̂, 1: γ = r̂); straight.
-    Axis(usize),
+    /// The generic family over one interval between moments with r_k ≠ 0.
+    Generic(IntervalId),
+    /// Rotation about the only axis that carries r, with γ at this pole; straight.
+    Axis(Pole),
     /// The pair, or circle, over the eigenspace of this axis of the frame.
     Symmetric(usize),
     /// A pole line off the critical curves.

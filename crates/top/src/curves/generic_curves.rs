@@ -5,9 +5,10 @@ use super::critical_set::{CriticalSet, Cusp, CuspCluster, Pitchfork};
 use super::curve::{Branch, Curve, End, Orbit};
 use super::cusps::{MuInterval, cusps, inflection};
 use super::generic::{GenericState, Mu};
-use super::id::CurveId;
+use super::id::{CurveId, IntervalId};
 use super::index;
 use super::point::Point;
+use crate::table::Id;
 
 /// A place where the generic family is cut.
 #[derive(Clone, Copy)]
@@ -46,7 +47,7 @@ impl CriticalSet {
             for &mu in &found.clusters {
                 let state = GenericState::at(&self.frame, mu);
                 let point = Point::over(&self.frame, state.x, state.gamma, state.j);
-                self.clusters.push(CuspCluster { point, interval: n });
+                self.clusters.push(CuspCluster { point, interval: IntervalId::at(n) });
             }
             let mut stations: Vec<Station> = found.at.into_iter().map(Station::Cusp).collect();
             stations.extend(bend.iter().filter(|(at, _)| *at == n).map(|&(_, mu)| Station::Inflection(mu)));
@@ -62,7 +63,7 @@ impl CriticalSet {
             });
             stations.insert(0, Station::End(interval.left));
             stations.push(Station::End(interval.right));
-            self.cut_interval(n, &interval, &stations);
+            self.cut_interval(IntervalId::at(n), &interval, &stations);
         }
     }
 
@@ -81,7 +82,7 @@ impl CriticalSet {
     }
 
     /// Turns the stations of an interval into curves, cusps and pitchforks.
-    fn cut_interval(&mut self, number: usize, interval: &MuInterval, stations: &[Station]) {
+    fn cut_interval(&mut self, number: IntervalId, interval: &MuInterval, stations: &[Station]) {
         let nodes: Vec<Node> = stations.iter().map(|station| self.node(station)).collect();
         let middle = match (interval.left, interval.right) {
             (Some(left), Some(right)) => {

@@ -11,4 +11,6 @@ ids! {
     PitchforkId;
     /// A cluster of cusps that f64 does not count.
     ClusterId;
+    /// An interval of μ between moments with r_k ≠ 0, numbered from μ = −∞: a branch of the generic family.
+    IntervalId;
 }

@@ -5,14 +5,15 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::{Branch, CriticalSet, CurveId, Pole};
+use super::{Branch, CriticalSet, CurveId, IntervalId, Orbit, Pole};
 use crate::body::Frame;
+use crate::table::Id;
 
 /// Name of a branch of relative equilibria, or of a pole line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum BranchName {
     /// `G0` … `G3`: the generic family, by rising μ.
-    Generic(usize),
+    Generic(IntervalId),
     /// `L-`, `L+`: rotation about the axis that carries r, with γ = −r̂ or γ = r̂.
     Axis(Pole),
     /// `S2`: the pair over A2; `S12`: a circle in the plane of the axes 1 and 2 of the body.
@@ -48,8 +49,7 @@ impl BranchName {
     pub fn of(frame: &Frame, branch: Branch) -> Self {
         match branch {
             Branch::Generic(interval) => Self::Generic(interval),
-            Branch::Axis(0) => Self::Axis(Pole::Minus),
-            Branch::Axis(_) => Self::Axis(Pole::Plus),
+            Branch::Axis(pole) => Self::Axis(pole),
             Branch::Symmetric(axis) => {
                 let columns = (0..3).filter(|&k| frame.group[k] == frame.group[axis]);
                 let mut axes = [false; 3];
@@ -62,6 +62,36 @@ impl BranchName {
             }
             Branch::Pole(pole) => Self::Pole(pole),
         }
+    }
+}
+
+/// A branch in words, with the axes of the body: "from +r̂", "pair over axis 2". One name for each branch, everywhere.
+#[must_use]
+pub fn branch_words(set: &CriticalSet, branch: Branch) -> String {
+    let frame = &set.frame;
+    let active: Vec<usize> = (0..3).filter(|&k| frame.r[k] > 0.0).collect();
+    let axes = |k: usize| {
+        let members: Vec<String> = match BranchName::of(frame, Branch::Symmetric(k)) {
+            BranchName::Over(axes) => (1..=3).filter(|i| axes[i - 1]).map(|i| i.to_string()).collect(),
+            _ => Vec::new(),
+        };
+        format!("{} {}", if members.len() > 1 { "axes" } else { "axis" }, members.join(" and "))
+    };
+    match branch {
+        Branch::Axis(Pole::Minus) => "from −r̂".to_owned(),
+        Branch::Axis(Pole::Plus) => "from +r̂".to_owned(),
+        Branch::Generic(interval) => match interval.index() {
+            0 => "from −r̂".to_owned(),
+            n if n < active.len() => format!("between {} and {}", axes(active[n - 1]), axes(active[n])),
+            _ => "from +r̂".to_owned(),
+        },
+        Branch::Symmetric(k) => match set.curves.iter().find(|curve| curve.branch == branch).map(|curve| curve.orbit) {
+            Some(Orbit::Circle(_)) => format!("circle over {}", axes(k)),
+            Some(Orbit::Sphere) => "all directions".to_owned(),
+            _ => format!("pair over {}", axes(k)),
+        },
+        Branch::Pole(Pole::Plus) => "pole line of +r̂".to_owned(),
+        Branch::Pole(Pole::Minus) => "pole line of −r̂".to_owned(),
     }
 }
 
@@ -89,7 +119,7 @@ impl fmt::Display for Pole {
 impl fmt::Display for BranchName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Generic(interval) => write!(f, "G{interval}"),
+            Self::Generic(interval) => write!(f, "G{}", interval.index()),
             Self::Axis(pole) => write!(f, "L{pole}"),
             Self::Over(axes) => {
                 f.write_str("S")?;
@@ -121,7 +151,9 @@ impl FromStr for BranchName {
             _ => Err(wrong()),
         };
         match text.split_at_checked(1).ok_or_else(wrong)? {
-            ("G", interval) => interval.parse().map(Self::Generic).map_err(|_not_a_count| wrong()),
+            ("G", interval) => {
+                interval.parse().map(|number| Self::Generic(IntervalId::at(number))).map_err(|_not_a_count| wrong())
+            }
             ("L", sign) => pole(sign).map(Self::Axis),
             ("P", sign) => pole(sign).map(Self::Pole),
             ("S", digits) => {
@@ -165,7 +197,7 @@ mod tests {
             assert_eq!(text.parse::<CurveName>().unwrap().to_string(), text);
         }
         for text in ["", "G", "G0", "P+.1", "S.1", "S21.1", "L.1", "X1.1", "G0.", "S4.1"] {
-            assert!(text.parse::<CurveName>().is_err(), "{text}");
+            assert!(matches!(text.parse::<CurveName>(), Err(ParseCurveNameError(_))), "{text}");
         }
     }
 }

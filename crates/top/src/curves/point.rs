@@ -1,5 +1,7 @@
 //! A point of a curve in the (x, h) plane, x = l²/2, and the difference of two curves.
 
+use std::cmp::Ordering;
+
 use crate::body::Frame;
 use numbers::UNIT_ROUNDOFF;
 
@@ -69,10 +71,10 @@ pub struct Gap {
 }
 
 impl Gap {
-    /// −1, 1, or `None` when the bound does not decide.
+    /// How the first curve stands to the other, never equal; `None` when the bound does not decide.
     #[must_use]
-    pub fn sign(&self) -> Option<i8> {
-        if self.value.abs() > self.error { Some(if self.value > 0.0 { 1 } else { -1 }) } else { None }
+    pub fn order(&self) -> Option<Ordering> {
+        (self.value.abs() > self.error).then(|| self.value.total_cmp(&0.0))
     }
 
     /// h_a − h_b at one x, by the difference of moments J_b − J_a = Σ_j (γ_bj² − γ_aj²)(a_j − a_k).

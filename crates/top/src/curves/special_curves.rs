@@ -38,7 +38,7 @@ impl CriticalSet {
     /// r on an eigenspace: two straight lines γ = ±r̂, cut at the pitchforks of the other axes.
     pub(super) fn add_axis(&mut self, axis: usize, passive: &[usize]) {
         let a = self.frame.a[axis];
-        for (interval, pole, sign) in [(0, Pole::Minus, -1.0), (1, Pole::Plus, 1.0)] {
+        for (pole, sign) in [(Pole::Minus, -1.0), (Pole::Plus, 1.0)] {
             let gamma = unit(axis, sign);
             // μ = a ± r/s passes a_k at s = r/|a_k − a|, on the line on whose side a_k lies.
             let mut cuts: Vec<(f64, usize)> = passive
@@ -55,7 +55,7 @@ impl CriticalSet {
                 });
                 let index = index::on_axis(&self.frame, axis, sign, from.0, to.0);
                 self.curves.push(Curve {
-                    branch: Branch::Axis(interval),
+                    branch: Branch::Axis(pole),
                     piece: piece + 1,
                     orbit: Orbit::Point,
                     index: Some(index),

@@ -86,6 +86,16 @@ impl Faces {
     }
 }
 
+/// Which gaps of two neighbouring slabs are in one face: before and after the event between them, from below.
+#[must_use]
+pub fn continued(before: &[CurveId], after: &[CurveId], change: &Change) -> Vec<[usize; 2]> {
+    let gluing = glue_event(before, after, change);
+    let mut gaps: Vec<[usize; 2]> =
+        gluing.map_or_else(Vec::new, |gluing| gluing.continued.iter().map(|gap| [gap.before, gap.after]).collect());
+    gaps.sort_unstable();
+    gaps
+}
+
 /// The gluing of the gaps across one event, or `None` when the orders do not fit the event.
 fn glue_event(before: &[CurveId], after: &[CurveId], change: &Change) -> Option<Gluing> {
     let at = |order: &[CurveId], curve: CurveId| order.iter().position(|&c| c == curve);

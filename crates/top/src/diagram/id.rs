@@ -81,7 +81,7 @@ mod tests {
         assert_eq!("R5".parse::<RegionId>().unwrap(), RegionId::at(4));
         assert_eq!(RegionId::at(4).to_string(), "R5");
         for text in ["", "R", "R0", "5", "r5", "R+5", "R05", "R5 ", "R99999999999999999999999"] {
-            assert!(text.parse::<RegionId>().is_err(), "{text}");
+            assert_eq!(text.parse::<RegionId>(), Err(ParseRegionIdError(text.to_owned())));
         }
     }
 }

@@ -2,25 +2,22 @@
 //!
 //! Coordinates enter in `pair` (isolated crossings) and `event` (their order in x); `faces` works on vertical orders alone.
 
-mod axis;
-mod curvature;
 mod event;
 mod faces;
 mod id;
 mod invariants;
-mod mirror;
 mod order;
 mod pair;
-mod pole;
 mod settle;
 mod transitive;
 
 pub use event::{Change, Event};
-pub use faces::{Faces, InconsistentOrder};
+pub use faces::{Faces, InconsistentOrder, continued};
 pub use id::{Cell, EventId, ParseRegionIdError, RegionId, SlabId};
 pub use invariants::InvariantError;
 pub use order::{PairCrossing, PairOrder};
 
+use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use crate::curves::{ClusterId, CriticalSet, Curve, CurveId, End, Gap};
@@ -122,7 +119,7 @@ impl Arrangement {
 /// Pairs of events on a common curve that lie within their errors of each other and that nothing else orders.
 fn simultaneous(
     events: &Table<EventId, Event>,
-    order: impl Fn(CurveId, CurveId, [f64; 2]) -> Option<i8>,
+    order: impl Fn(CurveId, CurveId, [f64; 2]) -> Option<Ordering>,
 ) -> Vec<Undecided> {
     let mut found = Vec::new();
     for (first, event) in events.pairs() {
@@ -146,7 +143,7 @@ fn simultaneous(
     found
 }
 
-/// The vertical order in each slab, from the proved signs of all pairs; no two rounded heights are compared.
+/// The vertical order in each slab, from the proved orders of all pairs; no two rounded heights are compared.
 fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[ProvedPair]) -> Table<SlabId, Vec<CurveId>> {
     let n = set.curves.len();
     let spans = slab_spans(set, events);
@@ -169,9 +166,9 @@ fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[ProvedPair]) ->
                     let below = active.iter().filter(|&&other| other != c).filter(|&&other| {
                         let key = c.min(other).index() * n + c.max(other).index();
                         let passed = crossings[key].iter().filter(|&&event| event < slab).count();
-                        let initial = order_of[key].map_or_else(|| touching_sign(set, c, other), PairOrder::initial);
-                        let sign = if passed.is_multiple_of(2) { initial } else { -initial };
-                        if other < c { sign < 0 } else { sign > 0 }
+                        let initial = order_of[key].map_or_else(|| touching_order(set, c, other), PairOrder::initial);
+                        let order = if passed.is_multiple_of(2) { initial } else { initial.reverse() };
+                        if other < c { order.is_lt() } else { order.is_gt() }
                     });
                     (below.count(), c)
                 })
@@ -182,15 +179,15 @@ fn vertical_orders(set: &CriticalSet, events: &[Event], pairs: &[ProvedPair]) ->
         .collect()
 }
 
-/// Sign of h_a − h_b, a < b, of two curves of which one ends where the other begins: between events at the same x both
-/// stand in a slab of no width. 0 when rounding hides it.
-fn touching_sign(set: &CriticalSet, p: CurveId, q: CurveId) -> i8 {
+/// The order of a and b, a < b, two curves of which one ends where the other begins: between events at the same x both
+/// stand in a slab of no width. Equal when rounding hides it.
+fn touching_order(set: &CriticalSet, p: CurveId, q: CurveId) -> Ordering {
     let (a, b) = (&set.curves[p.min(q)], &set.curves[p.max(q)]);
     let at = |curve: &Curve| {
         let x = a.x()[0].max(b.x()[0]).clamp(curve.x()[0], curve.x()[1]);
         curve.point(&set.frame, x)
     };
-    Gap::between(&set.frame, &at(a), &at(b)).sign().unwrap_or(0)
+    Gap::between(&set.frame, &at(a), &at(b)).order().unwrap_or(Ordering::Equal)
 }
 
 /// The slabs in which each curve lives.

@@ -1,5 +1,7 @@
 //! The order of two curves over their common range of x: where it is proved, where it changes, where it is open.
 
+use std::cmp::Ordering;
+
 /// A transversal crossing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairCrossing {
@@ -13,11 +15,11 @@ pub struct PairCrossing {
     pub h_error: f64,
 }
 
-/// A range of x with the sign of h_a − h_b all along it, if proved.
+/// A range of x with the order of a and b all along it, if proved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Stretch {
     x: [f64; 2],
-    sign: Option<i8>,
+    order: Option<Ordering>,
 }
 
 /// What is proved of the order of two curves a and b, by rising x.
@@ -31,19 +33,19 @@ pub struct PairOrder {
 
 impl PairOrder {
     /// One order all along.
-    pub(super) fn constant(x: [f64; 2], sign: i8) -> Self {
-        Self { stretches: vec![Stretch { x, sign: Some(sign) }], ..Self::default() }
+    pub(super) fn constant(x: [f64; 2], order: Ordering) -> Self {
+        Self { stretches: vec![Stretch { x, order: Some(order) }], ..Self::default() }
     }
 
     /// Adds the next range.
-    pub(super) fn push(&mut self, x: [f64; 2], sign: Option<i8>) {
-        self.stretches.push(Stretch { x, sign });
+    pub(super) fn push(&mut self, x: [f64; 2], order: Option<Ordering>) {
+        self.stretches.push(Stretch { x, order });
     }
 
-    /// Adds the next range, in which the sign changes once, from `sign`.
-    pub(super) fn push_crossing(&mut self, x: [f64; 2], sign: i8, crossing: PairCrossing) {
-        self.push([x[0], crossing.x], Some(sign));
-        self.push([crossing.x, x[1]], Some(-sign));
+    /// Adds the next range, in which the order changes once, from `before`.
+    pub(super) fn push_crossing(&mut self, x: [f64; 2], before: Ordering, crossing: PairCrossing) {
+        self.push([x[0], crossing.x], Some(before));
+        self.push([crossing.x, x[1]], Some(before.reverse()));
         self.located.push(crossing);
     }
 
@@ -56,38 +58,38 @@ impl PairOrder {
 
     /// True when some range is open.
     pub(super) fn is_open(&self) -> bool {
-        self.stretches.iter().any(|stretch| stretch.sign.is_none())
+        self.stretches.iter().any(|stretch| stretch.order.is_none())
     }
 
-    /// The sign of h_a − h_b all along a range, if proved.
-    pub(super) fn sign_on(&self, x: [f64; 2]) -> Option<i8> {
+    /// The order all along a range, if proved.
+    pub(super) fn order_on(&self, x: [f64; 2]) -> Option<Ordering> {
         let mut inside = self.stretches.iter().filter(|s| s.x[0] < x[1] && s.x[1] > x[0]);
-        let first = inside.next()?.sign?;
-        inside.all(|s| s.sign == Some(first)).then_some(first)
+        let first = inside.next()?.order?;
+        inside.all(|s| s.order == Some(first)).then_some(first)
     }
 
     /// Fills open ranges with what is known from elsewhere.
-    pub(super) fn fill(&mut self, known: impl Fn([f64; 2]) -> Option<i8>) {
-        for stretch in self.stretches.iter_mut().filter(|stretch| stretch.sign.is_none()) {
-            stretch.sign = known(stretch.x);
+    pub(super) fn fill(&mut self, known: impl Fn([f64; 2]) -> Option<Ordering>) {
+        for stretch in self.stretches.iter_mut().filter(|stretch| stretch.order.is_none()) {
+            stretch.order = known(stretch.x);
         }
     }
 
-    /// The sign of h_a − h_b just right of the lower end of the common range; the first proved one when that is open.
+    /// The order just right of the lower end of the common range; the first proved one when that is open.
     #[must_use]
-    pub fn initial(&self) -> i8 {
-        self.stretches.iter().find_map(|stretch| stretch.sign).unwrap_or(1)
+    pub fn initial(&self) -> Ordering {
+        self.stretches.iter().find_map(|stretch| stretch.order).unwrap_or(Ordering::Greater)
     }
 
-    /// Crossings by rising x. Where an open range separates opposite signs there is at least one crossing: it is given
+    /// Crossings by rising x. Where an open range separates opposite orders there is at least one crossing: it is given
     /// the middle of the range, half of which is its error; `height` tells h and its error bound at x.
     #[must_use]
     pub fn crossings(&self, height: impl Fn(f64) -> (f64, f64)) -> Vec<PairCrossing> {
         let mut found = Vec::new();
-        let mut last: Option<(i8, f64)> = None;
-        for Stretch { x, sign } in &self.stretches {
-            let Some(sign) = *sign else { continue };
-            if let Some((_, at)) = last.filter(|(before, _)| *before != sign) {
+        let mut last: Option<(Ordering, f64)> = None;
+        for Stretch { x, order } in &self.stretches {
+            let Some(order) = *order else { continue };
+            if let Some((_, at)) = last.filter(|(before, _)| *before != order) {
                 let located = self.located.iter().find(|crossing| crossing.x == at && at == x[0]);
                 found.push(located.copied().unwrap_or_else(|| {
                     let middle = 0.5 * (at + x[0]);
@@ -95,7 +97,7 @@ impl PairOrder {
                     PairCrossing { x: middle, x_error: x[0] - middle, h, h_error }
                 }));
             }
-            last = Some((sign, x[1]));
+            last = Some((order, x[1]));
         }
         found
     }
@@ -104,7 +106,7 @@ impl PairOrder {
     #[must_use]
     pub fn open_ranges(&self) -> Vec<[f64; 2]> {
         let mut ranges: Vec<[f64; 2]> = Vec::new();
-        for stretch in self.stretches.iter().filter(|stretch| stretch.sign.is_none()) {
+        for stretch in self.stretches.iter().filter(|stretch| stretch.order.is_none()) {
             match ranges.last_mut() {
                 Some(range) if range[1] == stretch.x[0] => range[1] = stretch.x[1],
                 _ => ranges.push(stretch.x),
@@ -116,25 +118,30 @@ impl PairOrder {
 
 #[cfg(test)]
 mod tests {
+    use Ordering::{Greater, Less};
+
     use super::*;
 
     #[test]
-    fn opposite_signs_around_an_open_range_are_one_crossing() {
-        let mut order = PairOrder::constant([0.0, 1.0], -1);
+    fn opposite_orders_around_an_open_range_are_one_crossing() {
+        let mut order = PairOrder::constant([0.0, 1.0], Less);
         order.push([1.0, 1.5], None);
         order.push([1.5, 2.0], None);
-        order.push([2.0, 4.0], Some(1));
+        order.push([2.0, 4.0], Some(Greater));
         let crossings = order.crossings(|x| (x, 0.1));
         assert_eq!(crossings, [PairCrossing { x: 1.5, x_error: 0.5, h: 1.5, h_error: 0.1 }]);
         assert_eq!(order.open_ranges(), [[1.0, 2.0]]);
-        assert_eq!((order.initial(), order.sign_on([1.2, 3.0]), order.sign_on([2.5, 3.0])), (-1, None, Some(1)));
+        assert_eq!(
+            (order.initial(), order.order_on([1.2, 3.0]), order.order_on([2.5, 3.0])),
+            (Less, None, Some(Greater))
+        );
     }
 
     #[test]
     fn a_range_filled_from_elsewhere_is_no_longer_open() {
-        let mut order = PairOrder::constant([0.0, 1.0], 1);
+        let mut order = PairOrder::constant([0.0, 1.0], Greater);
         order.push([1.0, 2.0], None);
-        order.fill(|_| Some(1));
+        order.fill(|_| Some(Greater));
         assert!(!order.is_open());
         assert!(order.crossings(|x| (x, 0.0)).is_empty());
     }

@@ -1,5 +1,7 @@
 //! Events closer than their errors, in the order that proved orders of curves and the gluing of regions demand.
 
+use std::cmp::Ordering;
+
 use super::event::{Change, Event};
 use super::faces::{Faces, InconsistentOrder};
 use super::id::{EventId, SlabId};
@@ -8,7 +10,7 @@ use crate::table::{Id, Table};
 
 /// Brings crossings of one curve with two others that are closer than their errors into the order that the proved order
 /// of those two demands: a rising curve meets the lower one first.
-pub(super) fn settle(events: &mut [Event], order: impl Fn(CurveId, CurveId, [f64; 2]) -> Option<i8>) {
+pub(super) fn settle(events: &mut [Event], order: impl Fn(CurveId, CurveId, [f64; 2]) -> Option<Ordering>) {
     // Neighbours only, and as often as it takes for the longest run of such crossings.
     for _ in 0..events.len() {
         let mut changed = false;
@@ -76,7 +78,7 @@ pub(super) fn settle_by_gluing(
 }
 
 /// The two events are crossings of one curve with two others, and stand in the wrong order.
-fn must_swap(first: &Event, second: &Event, order: &impl Fn(CurveId, CurveId, [f64; 2]) -> Option<i8>) -> bool {
+fn must_swap(first: &Event, second: &Event, order: &impl Fn(CurveId, CurveId, [f64; 2]) -> Option<Ordering>) -> bool {
     let Some(SharedCurve { curve: moving, others: [p, q] }) = common_curve(first, second) else { return false };
     let range = [first.x.min(second.x) - first.x_error, first.x.max(second.x) + second.x_error];
     if second.x - first.x > first.x_error + second.x_error {
@@ -85,7 +87,7 @@ fn must_swap(first: &Event, second: &Event, order: &impl Fn(CurveId, CurveId, [f
     let below = [range[0] - 4.0 * first.x_error, range[0]];
     match (order(p, q, range), order(moving, p, below)) {
         // Below both: the lower of p and q comes first. Above both: the upper one.
-        (Some(p_minus_q), Some(moving_minus_p)) => p_minus_q * moving_minus_p < 0,
+        (Some(p_to_q), Some(moving_to_p)) => p_to_q == moving_to_p.reverse(),
         _ => false,
     }
 }

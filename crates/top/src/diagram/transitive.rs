@@ -1,5 +1,7 @@
 //! Orders that follow from other orders: a below c and c below b.
 
+use std::cmp::Ordering;
+
 use super::order::PairOrder;
 use crate::curves::{CriticalSet, CurveId};
 
@@ -16,27 +18,26 @@ pub(super) fn resolve(set: &CriticalSet, pairs: &mut [ProvedPair]) {
     for k in open {
         let curves = pairs[k].curves;
         let mut order = std::mem::take(&mut pairs[k].order);
-        order.fill(|range| sign_through_others(set, pairs, curves, range));
+        order.fill(|range| through_others(set, pairs, curves, range));
         pairs[k].order = order;
     }
 }
 
-/// Sign of h_a − h_b on a range, from a curve that lies between the two all along it.
-fn sign_through_others(set: &CriticalSet, pairs: &[ProvedPair], [a, b]: [CurveId; 2], range: [f64; 2]) -> Option<i8> {
-    let sign = |p: CurveId, q: CurveId| proved(pairs, p, q, range);
+/// The order of a and b on a range, from a curve that lies between the two all along it.
+fn through_others(set: &CriticalSet, pairs: &[ProvedPair], [a, b]: [CurveId; 2], range: [f64; 2]) -> Option<Ordering> {
+    let order = |p: CurveId, q: CurveId| proved(pairs, p, q, range);
     set.curves.ids().filter(|&c| c != a && c != b).find_map(|c| {
         let [from, to] = set.curves[c].x();
         if from > range[0] || to < range[1] {
             return None;
         }
-        let first = sign(a, c)?;
-        (sign(c, b) == Some(first)).then_some(first)
+        let first = order(a, c)?;
+        (order(c, b) == Some(first)).then_some(first)
     })
 }
 
-/// Sign of h_p − h_q all along a range, if proved.
-pub(super) fn proved(pairs: &[ProvedPair], p: CurveId, q: CurveId, range: [f64; 2]) -> Option<i8> {
-    let (low, high, flip) = if p < q { (p, q, 1) } else { (q, p, -1) };
-    let pair = pairs.iter().find(|pair| pair.curves == [low, high])?;
-    pair.order.sign_on(range).map(|sign| flip * sign)
+/// The order of p and q all along a range, if proved.
+pub(super) fn proved(pairs: &[ProvedPair], p: CurveId, q: CurveId, range: [f64; 2]) -> Option<Ordering> {
+    let pair = pairs.iter().find(|pair| pair.curves == [p.min(q), p.max(q)])?;
+    pair.order.order_on(range).map(|order| if p < q { order } else { order.reverse() })
 }

@@ -1,35 +1,33 @@
-//! Spectral stability of relative equilibria under the linearised Euler–Poisson flow.
+//! Stability of relative equilibria under the Euler–Poisson flow at fixed l (docs/mathematics.md, section 13).
 //!
 //! At a relative equilibrium (γ, ω = Ωγ, l = AΩγ) the linearised flow on the six-dimensional (γ, l) space has two zero
 //! eigenvalues (the Casimirs ⟨γ,γ⟩ and ⟨γ,l⟩); the other four are the roots of λ⁴ + bλ² + c with b and c in closed form
-//! ([`Linearisation`]). The eigenvalues of the whole 6×6 matrix are the second path (`whole_spectrum`, with the feature `spectrum`).
+//! ([`Reduced`]). An equilibrium that f64 found is enclosed ([`Place`]); where intervals leave its type open, and for
+//! the changes of type along whole families, integer polynomials decide ([`StabilityProfile`]). The eigenvalues of the
+//! whole 6×6 matrix are the second way (`whole_spectrum`, with the feature `spectrum`).
 
+mod changes;
+mod constants;
+mod enclosed;
 mod equilibrium;
-mod linearisation;
+pub mod exact;
+mod hessian;
+mod kind;
+mod reduced;
 #[cfg(feature = "spectrum")]
 mod spectrum;
+mod state;
 
+pub use changes::{ChangeKind, StabilityChange, StabilityProfile};
+pub use constants::Constants;
+pub use enclosed::Place;
 pub use equilibrium::RelativeEquilibrium;
-pub use linearisation::Linearisation;
+pub use hessian::Hessian;
+pub use kind::{LinearType, Setting, Signs, Verdict};
+pub use reduced::{Eigenvalues, Reduced};
 #[cfg(feature = "spectrum")]
 pub use spectrum::{SpectrumError, whole_matrix, whole_spectrum};
-
-use crate::body::Frame;
-
-/// Spectral type of a relative equilibrium under the linearised Euler–Poisson flow at fixed l.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Stability {
-    /// Two imaginary pairs.
-    Elliptic,
-    /// One real and one imaginary pair.
-    SaddleCentre,
-    /// Two real pairs.
-    Saddle,
-    /// A complex quadruple.
-    Complex,
-    /// An eigenvalue zero or a double pair, within rounding.
-    Degenerate,
-}
+pub use state::State;
 
 /// A stretch of a curve with one spectral type.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,11 +37,5 @@ pub struct StabilitySpan {
     /// … to this l; `None`: to infinity.
     pub l_to: Option<f64>,
     /// The type there.
-    pub stability: Stability,
-}
-
-/// Spectral stability of the relative equilibrium γ at angular velocity Ω ≥ 0, in the frame.
-#[must_use]
-pub fn stability_of(frame: &Frame, gamma: [f64; 3], omega: f64) -> Stability {
-    Linearisation::new(frame, &RelativeEquilibrium::new(frame, gamma, omega)).stability()
+    pub stability: LinearType,
 }

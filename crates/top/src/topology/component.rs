@@ -58,14 +58,15 @@ impl Component {
     }
 
     /// Name of the component of the energy surface E_hl over this component:
-    /// `RP3`, `S3`, `S1xS2`, and connected sums of S¹×S².
+    /// `RP3`, `S3`, `S1xS2`, and connected sums of S¹×S²: `(S1xS2)#(S1xS2)`, `#3(S1xS2)`, …
     #[must_use]
     pub fn energy_surface(&self) -> String {
         match self.boundary_circles {
             0 => "RP3".to_owned(),
             1 => "S3".to_owned(),
             2 => "S1xS2".to_owned(),
-            k => vec!["(S1xS2)"; k as usize - 1].join("#"),
+            3 => "(S1xS2)#(S1xS2)".to_owned(),
+            k => format!("#{}(S1xS2)", k - 1),
         }
     }
 
@@ -80,6 +81,12 @@ impl Component {
         let poles = self.poles.unwrap_or_default();
         (self.boundary_circles, poles.count(), poles.minus)
     }
+}
+
+/// The whole sphere with both poles (none when r = 0): U_hl above the highest critical value.
+#[must_use]
+pub fn whole_sphere(has_poles: bool) -> Component {
+    Component { boundary_circles: 0, poles: has_poles.then_some(Poles { plus: true, minus: true }) }
 }
 
 /// Brings components into the canonical order: by boundary circles, number of poles, "+" before "-".
@@ -125,6 +132,10 @@ mod tests {
             assert_eq!(component(k, plus, minus).section().as_deref(), Some(section));
         }
         assert_eq!(component(3, true, true).energy_surface(), "(S1xS2)#(S1xS2)");
+        assert_eq!(
+            (component(4, true, false).accessible_region(), component(5, true, true).energy_surface()),
+            ("S2-4D2".to_owned(), "#4(S1xS2)".to_owned())
+        );
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Topology of the accessible region U_hl, found in two ways that share no code.
 
+mod answer;
 mod component;
 pub mod latitude;
 pub mod merge;
@@ -7,6 +8,8 @@ mod occurring;
 mod potential;
 mod surface;
 
-pub use component::{Component, Poles, signature, sort_components};
+pub use answer::{Answer, Components};
+pub use component::{Component, Poles, signature, sort_components, whole_sphere};
+pub(crate) use occurring::is_excluded;
 pub use occurring::{CIRCLES_MAX, accessible_regions};
 pub use surface::{ParseSurfaceError, Surface};

@@ -32,6 +32,11 @@ pub fn accessible_regions() -> Vec<Vec<Component>> {
     found
 }
 
+/// A component that no body shows: three or more boundary circles without r̂ (Theorem 11.1).
+pub(crate) fn is_excluded(component: &Component) -> bool {
+    component.boundary_circles >= 3 && component.poles.is_some_and(|poles| !poles.plus)
+}
+
 fn component(boundary_circles: u32, plus: bool, minus: bool) -> Component {
     Component { boundary_circles, poles: Some(Poles { plus, minus }) }
 }

@@ -79,7 +79,7 @@ mod tests {
             assert_eq!(text.parse::<Surface>().unwrap().to_string(), text);
         }
         for text in ["", "S", "M0", "M1", "M", "M02", "S2-1D2", "S2-0D2", "S2-D2", "D2-2D2", "S3", "M+2", "s2", " S2"] {
-            assert!(text.parse::<Surface>().is_err(), "{text}");
+            assert_eq!(text.parse::<Surface>(), Err(ParseSurfaceError(text.to_owned())));
         }
     }
 }

@@ -1,9 +1,8 @@
-//! Pieces of curves between cusps, with their stability.
+//! Pieces of curves between cusps.
 
 use top::body::Frame;
 use top::continuation::{PieceEnd, Start, VertexKind, track_piece};
-use top::stability::{Linearisation, RelativeEquilibrium};
-use top::stability::{Stability, StabilitySpan};
+use top::stability::RelativeEquilibrium;
 
 use crate::closed_form::{Random, closed, cusp_points, frame, intervals, wide};
 
@@ -42,10 +41,9 @@ fn pieces_of(frame: &Frame, interval: &[(usize, f64)], l_max: f64) -> Vec<Piece>
 }
 
 #[test]
-fn pieces_end_at_their_cusps_and_know_their_stability() {
+fn pieces_end_at_their_cusps() {
     let mut random = Random(77);
-    let (mut pieces, mut boundaries, mut worst) = (0, 0, 0.0f64);
-    let mut kinds = std::collections::BTreeMap::new();
+    let mut pieces = 0;
     for body in 0..150 {
         let mut r = random.direction();
         if body % 3 == 2 {
@@ -76,32 +74,8 @@ fn pieces_end_at_their_cusps_and_know_their_stability() {
                 for vertex in &piece.vertices {
                     assert!(vertex.index.is_none() || vertex.index == piece.index);
                 }
-                let spans = &piece.stability;
-                assert_eq!((spans[0].l_from, spans[spans.len() - 1].l_to), (low.l, Some(high.l)));
-                for pair in spans.windows(2) {
-                    assert_eq!(pair[0].l_to, Some(pair[1].l_from));
-                    assert_ne!(pair[0].stability, pair[1].stability);
-                    boundaries += 1;
-                }
-                for &(i, delta) in &points {
-                    let point = closed(&frame, i, delta);
-                    let equilibrium = RelativeEquilibrium::new(&frame, point.gamma, point.omega);
-                    let linearisation = Linearisation::new(&frame, &equilibrium);
-                    let stability = linearisation.stability();
-                    if stability == Stability::Degenerate {
-                        continue;
-                    }
-                    let inside = |span: &&StabilitySpan| point.l >= span.l_from && point.l <= span.l_to.unwrap();
-                    let Some(span) = spans.iter().find(inside) else { continue };
-                    if span.stability != stability {
-                        let away = (point.l - span.l_from).min(span.l_to.unwrap() - point.l);
-                        worst = worst.max(away / point.l);
-                        assert!(away < 1e-10 * point.l, "{body} {away:e} {point:?} {stability:?} {spans:?} {frame:?}");
-                    }
-                    *kinds.entry(format!("{:?} {:?}", piece.index, stability)).or_insert(0) += 1;
-                }
             }
         }
     }
-    assert!(pieces > 800 && boundaries > 100);
+    assert!(pieces > 800);
 }

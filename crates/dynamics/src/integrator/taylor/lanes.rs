@@ -5,6 +5,7 @@ use pulp::Simd;
 use super::series::{Constants, Series, Vector, lane_values, lane_values_mut};
 use super::step_size::{StepRule, order_for};
 use crate::field::{HeavyTop, State};
+use crate::integrator::product::ProductSum;
 use crate::integrator::time::Instant;
 
 /// As many orbits as a register has lanes.
@@ -122,14 +123,14 @@ impl<S: Simd> Lanes<S> {
         let mut l = self.series.l[self.order];
         for k in (1..self.order).rev() {
             for i in 0..3 {
-                gamma[i] = simd.mul_add_f64s(gamma[i], t, self.series.gamma[k][i]);
-                l[i] = simd.mul_add_f64s(l[i], t, self.series.l[k][i]);
+                gamma[i] = simd.product_sum(gamma[i], t, self.series.gamma[k][i]);
+                l[i] = simd.product_sum(l[i], t, self.series.l[k][i]);
             }
         }
         for (part, slope) in [gamma, l].into_iter().enumerate() {
             for i in 0..3 {
                 let start = [self.series.gamma[0][i], self.series.l[0][i]][part];
-                let increment = simd.mul_add_f64s(slope[i], t, self.low[part][i]);
+                let increment = simd.product_sum(slope[i], t, self.low[part][i]);
                 (self.next[part][i], self.next_low[part][i]) = two_sum(simd, start, increment);
             }
         }
@@ -152,14 +153,14 @@ impl<S: Simd> Lanes<S> {
         let mut l = self.series.l[self.order];
         for k in (1..self.order).rev() {
             for i in 0..3 {
-                gamma[i] = simd.mul_add_f64s(gamma[i], offset, self.series.gamma[k][i]);
-                l[i] = simd.mul_add_f64s(l[i], offset, self.series.l[k][i]);
+                gamma[i] = simd.product_sum(gamma[i], offset, self.series.gamma[k][i]);
+                l[i] = simd.product_sum(l[i], offset, self.series.l[k][i]);
             }
         }
         for i in 0..3 {
-            let increment = simd.mul_add_f64s(gamma[i], offset, self.low[0][i]);
+            let increment = simd.product_sum(gamma[i], offset, self.low[0][i]);
             gamma[i] = simd.add_f64s(self.series.gamma[0][i], increment);
-            let increment = simd.mul_add_f64s(l[i], offset, self.low[1][i]);
+            let increment = simd.product_sum(l[i], offset, self.low[1][i]);
             l[i] = simd.add_f64s(self.series.l[0][i], increment);
         }
         [gamma, l]

@@ -3,6 +3,7 @@
 use pulp::{Simd, bytemuck};
 
 use crate::field::HeavyTop;
+use crate::integrator::product::ProductSum;
 
 /// Rows of coefficients held: orders 0 to ROWS − 1.
 pub(crate) const ROWS: usize = 34;
@@ -98,7 +99,7 @@ impl<S: Simd> Constants<S> {
         let mut omega = l;
         for i in 0..3 {
             let low = simd.mul_f64s(l[i], self.inverse_low[i]);
-            omega[i] = simd.mul_add_f64s(l[i], self.inverse[i], low);
+            omega[i] = simd.product_sum(l[i], self.inverse[i], low);
         }
         omega
     }
@@ -143,12 +144,12 @@ impl<S: Simd> Products<S> {
     fn add(&mut self, simd: S, gamma_j: Vector<S>, omega_j: Vector<S>, omega_k: Vector<S>) {
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-            self.gamma_omega[i] = simd.mul_add_f64s(gamma_j[p], omega_k[q], self.gamma_omega[i]);
-            self.omega_omega[i] = simd.mul_add_f64s(omega_j[p], omega_k[q], self.omega_omega[i]);
+            self.gamma_omega[i] = simd.product_sum(gamma_j[p], omega_k[q], self.gamma_omega[i]);
+            self.omega_omega[i] = simd.product_sum(omega_j[p], omega_k[q], self.omega_omega[i]);
         }
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-            self.gamma_omega[i] = simd.negate_mul_add_f64s(gamma_j[q], omega_k[p], self.gamma_omega[i]);
+            self.gamma_omega[i] = simd.product_difference(gamma_j[q], omega_k[p], self.gamma_omega[i]);
         }
     }
 }
@@ -219,17 +220,17 @@ impl<S: Simd> Series<S> {
             self.gamma[k][i] = simd.mul_f64s(products.gamma_omega[i], reciprocal);
             // ω_pω_q D − (γ×r)_i. D's low part goes in first: added to the rounded sum it would always be lost.
             let low = simd.mul_f64s(products.omega_omega[i], top.difference_low[i]);
-            let torque = simd.mul_add_f64s(gamma[q], top.center[p], low);
-            let torque = simd.negate_mul_add_f64s(gamma[p], top.center[q], torque);
-            sums[i] = simd.mul_add_f64s(products.omega_omega[i], top.difference[i], torque);
+            let torque = simd.product_sum(gamma[q], top.center[p], low);
+            let torque = simd.product_difference(gamma[p], top.center[q], torque);
+            sums[i] = simd.product_sum(products.omega_omega[i], top.difference[i], torque);
             l[i] = simd.mul_f64s(sums[i], reciprocal);
         }
         if k < EXACT_BELOW {
             let low = simd.splat_f64s(top.reciprocal_low[k]);
             for i in 0..3 {
                 let rest = simd.mul_f64s(products.gamma_omega[i], low);
-                self.gamma[k][i] = simd.mul_add_f64s(products.gamma_omega[i], reciprocal, rest);
-                l[i] = simd.mul_add_f64s(sums[i], reciprocal, simd.mul_f64s(sums[i], low));
+                self.gamma[k][i] = simd.product_sum(products.gamma_omega[i], reciprocal, rest);
+                l[i] = simd.product_sum(sums[i], reciprocal, simd.mul_f64s(sums[i], low));
             }
         }
         self.l[k] = l;

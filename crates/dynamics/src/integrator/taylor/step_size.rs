@@ -2,6 +2,8 @@
 
 use super::series::ROWS;
 
+use crate::integrator::product::product_sum;
+
 /// The largest order.
 pub const MAX_ORDER: usize = ROWS - 2;
 
@@ -33,7 +35,7 @@ fn exp2_estimate(y: f64) -> f64 {
     let whole = y.floor();
     let f = y - whole;
     let power = f64::from_bits((whole + SHIFT).to_bits() << 52);
-    power * (0.34_f64.mul_add(f, 0.66) * f + 1.0)
+    power * (product_sum(0.34, f, 0.66) * f + 1.0)
 }
 
 /// The rule that turns the norms of the last two coefficients into a step.

@@ -5,6 +5,7 @@ use pulp::Simd;
 use super::lanes::Lanes;
 use super::series::{Constants, ROWS, Series, Vector, lane_values, lane_values_mut};
 use crate::field::State;
+use crate::integrator::product::ProductSum;
 
 /// Length of a tangent vector beyond which it is scaled down, by a power of two and so without rounding.
 const LONG: f64 = 1.0 / SHORT;
@@ -100,14 +101,14 @@ impl<S: Simd> Tangent<S> {
             for i in 0..3 {
                 let (p, q) = ((i + 1) % 3, (i + 2) % 3);
                 let product = &mut sums.varied_gamma[i];
-                *product = simd.mul_add_f64s(delta_gamma[p], omega[q], *product);
-                *product = simd.negate_mul_add_f64s(delta_gamma[q], omega[p], *product);
+                *product = simd.product_sum(delta_gamma[p], omega[q], *product);
+                *product = simd.product_difference(delta_gamma[q], omega[p], *product);
                 let product = &mut sums.varied_omega[i];
-                *product = simd.mul_add_f64s(gamma[p], delta_omega[q], *product);
-                *product = simd.negate_mul_add_f64s(gamma[q], delta_omega[p], *product);
+                *product = simd.product_sum(gamma[p], delta_omega[q], *product);
+                *product = simd.product_difference(gamma[q], delta_omega[p], *product);
                 let product = &mut sums.omega_omega[i];
-                *product = simd.mul_add_f64s(delta_omega[p], omega[q], *product);
-                *product = simd.mul_add_f64s(omega[p], delta_omega[q], *product);
+                *product = simd.product_sum(delta_omega[p], omega[q], *product);
+                *product = simd.product_sum(omega[p], delta_omega[q], *product);
             }
         }
         sums
@@ -123,8 +124,8 @@ impl<S: Simd> Tangent<S> {
             let sum = simd.add_f64s(products.varied_gamma[i], products.varied_omega[i]);
             self.gamma[k][i] = simd.mul_f64s(sum, reciprocal);
             let torque = simd.mul_f64s(gamma[q], top.center[p]);
-            let torque = simd.negate_mul_add_f64s(gamma[p], top.center[q], torque);
-            let sum = simd.mul_add_f64s(products.omega_omega[i], top.difference(i), torque);
+            let torque = simd.product_difference(gamma[p], top.center[q], torque);
+            let sum = simd.product_sum(products.omega_omega[i], top.difference(i), torque);
             self.l[k][i] = simd.mul_f64s(sum, reciprocal);
         }
         self.omega[k] = top.angular_velocity(simd, self.l[k]);
@@ -137,16 +138,16 @@ impl<S: Simd> Tangent<S> {
         let (mut gamma, mut l) = (self.gamma[order], self.l[order]);
         for k in (0..order).rev() {
             for i in 0..3 {
-                gamma[i] = simd.mul_add_f64s(gamma[i], step, self.gamma[k][i]);
-                l[i] = simd.mul_add_f64s(l[i], step, self.l[k][i]);
+                gamma[i] = simd.product_sum(gamma[i], step, self.gamma[k][i]);
+                l[i] = simd.product_sum(l[i], step, self.l[k][i]);
             }
         }
         (self.gamma[0], self.l[0]) = (gamma, l);
         let mut squared = simd.splat_f64s(0.0);
         for i in 0..3 {
             let momentum = simd.mul_f64s(l[i], self.momentum_weight[0]);
-            squared = simd.mul_add_f64s(gamma[i], gamma[i], squared);
-            squared = simd.mul_add_f64s(momentum, momentum, squared);
+            squared = simd.product_sum(gamma[i], gamma[i], squared);
+            squared = simd.product_sum(momentum, momentum, squared);
         }
         self.length_squared = [squared];
     }

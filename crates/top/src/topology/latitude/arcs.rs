@@ -2,8 +2,9 @@
 
 use super::angle::Trig;
 use super::circle::{Circle, root_between};
+use super::effort::Effort;
+use super::error::{Obstacle, SweepError, check_finite};
 use super::level::Level;
-use super::{Effort, Obstacle, SweepError, check_finite};
 use crate::body::Frame;
 
 /// An accessible arc of a circle of latitude, from `start` in the direction of growing ψ' to `end`;

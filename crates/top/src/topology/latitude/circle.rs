@@ -1,7 +1,7 @@
 //! One circle of latitude: its accessible arcs, certified.
 
-use super::Effort;
 use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
+use super::effort::Effort;
 use super::level::Level;
 use numbers::interval::Interval;
 

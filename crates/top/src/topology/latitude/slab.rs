@@ -1,8 +1,8 @@
 //! A slab between two circles of latitude, tiled by bricks in which ∂U_hl cannot hide anything.
 
-use super::Effort;
 use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
 use super::circle::{CUTS, Circle};
+use super::effort::Effort;
 use super::level::Level;
 use super::union::Gluing;
 use numbers::interval::Interval;

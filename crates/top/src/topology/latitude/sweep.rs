@@ -2,10 +2,11 @@
 
 use super::angle::Trig;
 use super::circle::{CUTS, Circle};
+use super::effort::Effort;
+use super::error::{Obstacle, SweepError};
 use super::level::Level;
 use super::slab::{self, Brick, Hemisphere, Kind};
 use super::union::Gluing;
-use super::{Effort, Obstacle, SweepError};
 use crate::topology::component::{Component, Poles, sort_components};
 
 /// tan(ϑ/2) of the circle where both hemispheres meet, exact with its reciprocal; the next is tried when ∂U_hl is

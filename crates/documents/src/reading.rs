@@ -1,0 +1,210 @@
+//! Documents that come back: those of this version are read, older ones refused with the command that makes them anew.
+
+use numbers::Number;
+use schema::{AtlasDocument, DesignDocument, FamilyDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument};
+use serde::Deserialize;
+use survey::scan::Shard;
+use thiserror::Error;
+
+/// Why a text is no document of this version.
+#[derive(Debug, Error)]
+pub enum ReadError {
+    /// It is one of another version.
+    #[error("it is a document of version {version}, not {SCHEMA_VERSION}; make it anew with\n  {command}")]
+    Superseded {
+        /// Its version.
+        version: String,
+        /// What makes the file anew.
+        command: String,
+    },
+    /// It is none at all.
+    #[error(transparent)]
+    Malformed(#[from] serde_json::Error),
+}
+
+/// The version, which every document says.
+#[derive(Deserialize)]
+struct Stamp {
+    schema_version: String,
+}
+
+/// What made an atlas of version 1.
+#[derive(Deserialize)]
+struct OldAtlas {
+    #[serde(default)]
+    accuracy: String,
+    body: OldBody,
+    window: Option<WindowDocument>,
+}
+
+#[derive(Deserialize)]
+struct OldBody {
+    #[serde(rename = "A")]
+    moments: [String; 3],
+    #[serde(rename = "r")]
+    center: [String; 3],
+    inertia: Option<OldPart>,
+}
+
+#[derive(Deserialize)]
+struct OldPart {
+    tensor: [String; 6],
+    com: [String; 3],
+    mass: String,
+    g: String,
+}
+
+/// What made a scan of version 1.
+#[derive(Deserialize)]
+struct OldScan {
+    design: DesignDocument,
+    range: [u64; 2],
+}
+
+/// Reads an atlas; `file` is its name, for the command.
+///
+/// # Errors
+/// [`ReadError`].
+pub fn atlas(text: &str, file: &str) -> Result<AtlasDocument, ReadError> {
+    match superseded(text)? {
+        None => Ok(serde_json::from_str(text)?),
+        Some(version) => {
+            let old: OldAtlas = serde_json::from_str(text)?;
+            Err(ReadError::Superseded { version, command: format!("{}{}", atlas_command(&old), redirection(file)) })
+        }
+    }
+}
+
+/// Reads the summary of a scan; `rows` is the name of the file with its rows, for the command.
+///
+/// # Errors
+/// [`ReadError`].
+pub fn scan_summary(text: &str, rows: &str) -> Result<ScanSummaryDocument, ReadError> {
+    match superseded(text)? {
+        None => Ok(serde_json::from_str(text)?),
+        Some(version) => {
+            let old: OldScan = serde_json::from_str(text)?;
+            Err(ReadError::Superseded { version, command: scan_command(&old, rows) })
+        }
+    }
+}
+
+/// The version of a document of another version.
+fn superseded(text: &str) -> Result<Option<String>, serde_json::Error> {
+    let Stamp { schema_version } = serde_json::from_str(text)?;
+    Ok((schema_version != SCHEMA_VERSION).then_some(schema_version))
+}
+
+fn redirection(file: &str) -> String {
+    if file == "-" { String::new() } else { format!(" --json > {}", quoted(file)) }
+}
+
+/// A word for the shell.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
+fn atlas_command(OldAtlas { accuracy, body, window }: &OldAtlas) -> String {
+    let given = body.inertia.as_ref().map_or_else(|| of_body(&body.moments, &body.center), of_part);
+    let mut words = vec!["bifdiag atlas".to_owned(), given];
+    if let Some(WindowDocument { h: [h_min, h_max], l: [l_min, l_max] }) = window {
+        words.push(format!("--window={h_min}:{h_max},{l_min}:{l_max}"));
+    }
+    if accuracy == "certified" {
+        words.push("--certificate".to_owned());
+    }
+    words.join(" ")
+}
+
+fn of_body(moments: &[String; 3], center: &[String; 3]) -> String {
+    format!("--A {} --r={}", moments.join(","), center.join(","))
+}
+
+fn of_part(OldPart { tensor, com, mass, g }: &OldPart) -> String {
+    let products = if tensor[3..].iter().all(|entry| is_nought(entry)) { "" } else { " --products tensor" };
+    format!("--inertia={}{products} --com={} --mass {mass} --g {g}", tensor.join(","), com.join(","))
+}
+
+fn is_nought(text: &str) -> bool {
+    text.parse::<Number>().is_ok_and(|number| number.value().is_zero())
+}
+
+fn scan_command(OldScan { design, range }: &OldScan, rows: &str) -> String {
+    let bodies = match &design.family {
+        FamilyDocument::General => "--family general".to_owned(),
+        FamilyDocument::Positive => "--family positive".to_owned(),
+        FamilyDocument::Katok => "--family katok".to_owned(),
+        FamilyDocument::Body { moments, center } => of_body(moments, center),
+    };
+    let mut words = vec!["bifdiag scan".to_owned(), bodies];
+    for range in &design.vary {
+        let steps = range.steps.map_or_else(String::new, |steps| format!(":{steps}"));
+        let name = format!("{:?}", range.parameter).replace('R', "r");
+        words.push(format!("--vary {name}={}:{}{steps}", range.from, range.to));
+    }
+    words.extend(design.samples.map(|samples| format!("--samples {samples}")));
+    words.extend((design.seed != 0).then(|| format!("--seed {}", design.seed)));
+    words.extend(shard(design, *range).map(|shard| format!("--shard {shard}")));
+    words.push(format!("--out {}", quoted(rows)));
+    words.join(" ")
+}
+
+/// The shard with these bodies; `None` for the whole scan.
+fn shard(design: &DesignDocument, range: [u64; 2]) -> Option<String> {
+    const MOST: u64 = 4096;
+    let bodies = crate::scan::read_design(design).ok()?.count();
+    let parts = (1..=MOST).flat_map(|count| (1..=count).map(move |number| format!("{number}/{count}")));
+    let mut parts = parts.filter(|part| part.parse::<Shard>().is_ok_and(|shard| shard.range(bodies) == range));
+    parts.next().filter(|part| part != "1/1")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_atlas_of_version_1_names_the_command_that_makes_it_anew() {
+        let old = r#"{"schema_version": "1", "accuracy": "certified", "body": {"A": ["2", "11/10", "1"],
+            "r": ["-1", "0", "0"]}, "window": null, "curves": []}"#;
+        let error = atlas(old, "my atlas.json").unwrap_err();
+        let ReadError::Superseded { version, command } = error else { panic!("{error}") };
+        assert_eq!(version, "1");
+        assert_eq!(command, "bifdiag atlas --A 2,11/10,1 --r=-1,0,0 --certificate --json > 'my atlas.json'");
+    }
+
+    #[test]
+    fn an_atlas_of_a_part_is_made_anew_from_its_tensor() {
+        let old = r#"{"schema_version": "1", "accuracy": "draft", "body": {"A": ["2", "1", "1"], "r": ["1", "0", "0"],
+            "inertia": {"tensor": ["3", "2", "1", "0.1", "0", "0.0"], "com": ["0", "-1", "0"], "mass": "2", "g": "9.8"}},
+            "window": {"h": [0.0, 4.0], "l": [0.5, 3.0]}}"#;
+        let ReadError::Superseded { command, .. } = atlas(old, "-").unwrap_err() else { panic!() };
+        assert_eq!(
+            command,
+            "bifdiag atlas --inertia=3,2,1,0.1,0,0.0 --products tensor --com=0,-1,0 --mass 2 --g 9.8 \
+             --window=0:4,0.5:3"
+        );
+    }
+
+    #[test]
+    fn a_shard_of_version_1_names_the_command_that_makes_it_anew() {
+        let old = r#"{"schema_version": "1", "accuracy": "standard", "range": [3, 6], "design": {"bodies":
+            {"family": "body", "A": ["2", "1", "1"], "r": ["1", "0", "0"]}, "samples": 10, "seed": 5,
+            "vary": [{"parameter": "r2", "from": "-1", "to": "1"}]}}"#;
+        let ReadError::Superseded { command, .. } = scan_summary(old, "part.csv").unwrap_err() else { panic!() };
+        assert_eq!(
+            command,
+            "bifdiag scan --A 2,1,1 --r=1,0,0 --vary r2=-1:1 --samples 10 --seed 5 --shard 2/3 --out part.csv"
+        );
+    }
+
+    #[test]
+    fn what_is_no_document_is_malformed() {
+        assert!(matches!(atlas("{}", "-"), Err(ReadError::Malformed(_))));
+        assert!(matches!(scan_summary("[", "-"), Err(ReadError::Malformed(_))));
+    }
+}

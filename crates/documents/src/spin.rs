@@ -1,0 +1,83 @@
+//! Spins and states as documents.
+
+use numbers::Number;
+use part::Spin;
+use schema::{SpinChangeDocument, SpinDocument, SpinRangeDocument, ToleranceDocument};
+use top::atlas::Atlas;
+use top::permanent::{AxisRotation, RegionChange, SpinChange, region_changes, spin_ranges};
+
+/// A rate of turning, from rad/s.
+#[must_use]
+pub fn spin(rad_per_s: f64) -> SpinDocument {
+    SpinDocument { rpm: Spin::rpm(rad_per_s), rad_per_s }
+}
+
+/// Everything that changes with the spin of a rotation, by rising spin; `second` is one second in the body's unit of time,
+/// and without an atlas only the stability is known.
+#[must_use]
+pub fn spin_changes(rotation: &AxisRotation, up: &str, atlas: Option<&Atlas>, second: f64) -> Vec<SpinChangeDocument> {
+    let mut changes: Vec<(Option<SpinChange>, Option<RegionChange>)> =
+        rotation.changes().into_iter().map(|change| (Some(change), None)).collect();
+    for region in atlas.map(|atlas| region_changes(atlas, rotation)).unwrap_or_default() {
+        let same = |change: &SpinChange| (change.omega - region.omega).abs() <= change.error_bound + region.error_bound;
+        match changes.iter_mut().find(|(change, _)| change.as_ref().is_some_and(same)) {
+            Some((_, other)) => *other = Some(region),
+            None => changes.push((None, Some(region))),
+        }
+    }
+    let omega = |change: &(Option<SpinChange>, Option<RegionChange>)| match change {
+        (Some(change), _) => (change.omega, change.error_bound),
+        (None, Some(change)) => (change.omega, change.error_bound),
+        (None, None) => (f64::NAN, f64::NAN),
+    };
+    changes.sort_by(|p, q| omega(p).0.total_cmp(&omega(q).0));
+    changes
+        .iter()
+        .map(|change| {
+            let (at, error_bound) = omega(change);
+            let here = || rotation.type_at_spin(at).map_or_else(String::new, |found| found.name().to_owned());
+            let (stability, region) = change;
+            SpinChangeDocument {
+                up: up.to_owned(),
+                spin: spin(at * second),
+                l: rotation.l(at),
+                h: rotation.h(at),
+                kind: match (stability, region) {
+                    (Some(_), Some(_)) => "stability-and-region",
+                    (Some(_), None) => "stability",
+                    _ => "region",
+                }
+                .to_owned(),
+                from: stability.map_or_else(here, |change| change.from.name().to_owned()),
+                to: stability.map_or_else(here, |change| change.to.name().to_owned()),
+                event: region.map(|change| change.event.to_owned()),
+                error_bound: error_bound * second,
+            }
+        })
+        .collect()
+}
+
+/// What a relative tolerance does to the changes of stability of some rotations, each with the name of the end that is up.
+#[must_use]
+pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &Number, second: f64) -> ToleranceDocument {
+    let mut document = ToleranceDocument {
+        relative: relative.text().to_owned(),
+        sampled_parts: 0,
+        same_changes: true,
+        ranges: Vec::new(),
+    };
+    for (up, rotation) in rotations {
+        let found = spin_ranges(rotation, relative.value());
+        document.sampled_parts = found.parts;
+        document.same_changes &= found.same;
+        document.ranges.extend(found.changes.into_iter().map(|change| SpinRangeDocument {
+            up: (*up).to_owned(),
+            from: change.types[0].name().to_owned(),
+            to: change.types[1].name().to_owned(),
+            rpm: change.omega.map(|omega| Spin::rpm(omega * second)),
+            most: change.most.0.to_owned(),
+            most_change: change.most.1,
+        }));
+    }
+    document
+}

@@ -1,0 +1,77 @@
+//! Campbell's diagram: frequencies of small oscillations over the spin.
+
+use crate::page::{
+    Anchor, Axis, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, draw_axes, pattern, render, rgb, ticks,
+};
+
+/// Frequencies over the spin, and the spins at which the type changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Campbell {
+    /// Spin in rpm, two frequencies in Hz, and whether the rotation is stable; by rising spin.
+    pub rows: Vec<(f64, [f64; 2], bool)>,
+    /// Spins in rpm.
+    pub changes: Vec<f64>,
+}
+
+const RECT: Rect = Rect { x: 74.0, y: 30.0, width: 540.0, height: 340.0 };
+const COLORS: [u32; 2] = [0x12_50_a8, 0xc2_14_2d];
+const TEXT: f64 = 12.0;
+
+/// Draws frequencies over the spin: solid where the rotation is stable, dashed where it is not.
+///
+/// # Errors
+/// [`PlotError`].
+pub fn draw_campbell(campbell: &Campbell) -> Result<Picture, PlotError> {
+    let spin = campbell.rows.last().map_or(1.0, |row| row.0);
+    let highest = campbell.rows.iter().flat_map(|row| row.1).fold(0.0, f64::max);
+    let top = if highest > 0.0 { 1.05 * highest } else { 1.0 };
+    let at =
+        |rpm: f64, hertz: f64| [RECT.x + RECT.width * rpm / spin, RECT.bottom() - RECT.height * (hertz / top).min(1.0)];
+    let (below, left) = (ticks("spin in rpm", 0.0, spin, 8), ticks("frequency in Hz, seen from the body", 0.0, top, 8));
+    render([650.0, 456.0], "Frequencies over the spin", |canvas| {
+        let axes = [Axis { range: [0.0, spin], ticks: &below }, Axis { range: [0.0, top], ticks: &left }];
+        draw_axes(canvas, &RECT, [24.0, 52.0], axes);
+        // Once per turn: the spin itself.
+        let once = Ink { color: rgb(0xc8_c8_c8), width: 1.0 };
+        let end = (spin / 60.0).min(top);
+        canvas.path(&[at(0.0, 0.0), at(60.0 * end, end)], once);
+        for (which, color) in COLORS.into_iter().enumerate() {
+            for (stable, points) in stretches(campbell, which, &at) {
+                let color = rgb(color);
+                if stable {
+                    canvas.path(&points, Ink { color, width: 2.0 });
+                } else {
+                    pattern::draw(canvas, &points, &[(Some(color), 7.0), (None, 5.0)], 2.0);
+                }
+            }
+        }
+        for &change in &campbell.changes {
+            let x = at(change, 0.0)[0];
+            let dots = [(Some(INK), 2.0), (None, 4.0)];
+            pattern::draw(canvas, &[[x, RECT.y], [x, RECT.bottom()]], &dots, 1.2);
+            canvas.text(&format!("{change:.1} rpm"), [x, RECT.y - 6.0], TEXT - 1.0, INK, Anchor::Middle);
+        }
+        canvas.text(&below.quantity, [RECT.center()[0], RECT.bottom() + 42.0], TEXT, INK, Anchor::Middle);
+        canvas.text(&left.quantity, [16.0, RECT.y - 12.0], TEXT, INK, Anchor::Start);
+        let legend = "solid: stable, dashed: unstable, dotted: the type changes, grey: once per turn";
+        canvas.text(legend, [RECT.x, RECT.bottom() + 66.0], TEXT, FAINT_INK, Anchor::Start);
+    })
+}
+
+/// Runs of equal stability, each with the first point of the next.
+fn stretches(campbell: &Campbell, which: usize, at: &impl Fn(f64, f64) -> Point) -> Vec<(bool, Vec<Point>)> {
+    let mut runs: Vec<(bool, Vec<Point>)> = Vec::new();
+    for (rpm, frequencies, stable) in &campbell.rows {
+        let point = at(*rpm, frequencies[which]);
+        match runs.last_mut() {
+            Some((kind, points)) if kind == stable => points.push(point),
+            last => {
+                if let Some((_, points)) = last {
+                    points.push(point);
+                }
+                runs.push((*stable, vec![point]));
+            }
+        }
+    }
+    runs
+}

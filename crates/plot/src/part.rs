@@ -1,0 +1,178 @@
+//! A part as it was understood: three views of its ellipsoid with pivot, centre of mass and principal axes.
+
+use schema::PartDocument;
+
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, POLE, Picture, PlotError, Point, number, render, rgb, short};
+
+const VIEW: f64 = 250.0;
+const MARGIN: f64 = 34.0;
+const TEXT: f64 = 12.0;
+const OUTLINE: Ink = Ink { color: rgb(0x12_50_a8), width: 1.8 };
+const MESH: Ink = Ink { color: rgb(0xc8_c8_c8), width: 0.6 };
+const AXES: [Ink; 3] = [
+    Ink { color: rgb(0x00_7a_5e), width: 1.6 },
+    Ink { color: rgb(0x8a_3f_9e), width: 1.6 },
+    Ink { color: rgb(0xb0_3a_2e), width: 1.6 },
+];
+/// The two coordinates of each view, and their names.
+const VIEWS: [([usize; 2], [&str; 2]); 3] = [([0, 1], ["x", "y"]), ([0, 2], ["x", "z"]), ([1, 2], ["y", "z"])];
+
+/// What is drawn beside the numbers of the document.
+#[derive(Clone, Debug, Default)]
+pub struct PartScene {
+    /// Edges of a mesh, from the fixed point.
+    pub edges: Vec<[[f64; 3]; 2]>,
+}
+
+/// The solid ellipsoid with the mass and the tensor of the part: its semi-axes √(5 (I_j + I_k − I_i) / (2 m)) about the
+/// centre of mass; 0 where the part cannot exist.
+struct Ellipsoid {
+    center: [f64; 3],
+    axes: [[f64; 3]; 3],
+    semi: [f64; 3],
+}
+
+impl Ellipsoid {
+    fn of(part: &PartDocument) -> Self {
+        let mass = value(&part.mass);
+        let moments = part.principal_com.moments;
+        let semi = std::array::from_fn(|i| {
+            let second = moments[(i + 1) % 3] + moments[(i + 2) % 3] - moments[i];
+            (2.5 * second.max(0.0) / mass).sqrt()
+        });
+        Self { center: part.com.each_ref().map(|c| value(c)), axes: part.principal_com.axes, semi }
+    }
+
+    /// The outline of its projection on two coordinates: c + Σ a_k cos(…) of an orthonormal pair in the plane, from the
+    /// projected matrix Σ a_k² v_k v_kᵀ = L Lᵀ.
+    fn outline(&self, [i, j]: [usize; 2]) -> Vec<Point> {
+        let entry = |p: usize, q: usize| {
+            (0..3).map(|k| self.semi[k] * self.semi[k] * self.axes[k][p] * self.axes[k][q]).sum::<f64>()
+        };
+        let (xx, xy, yy) = (entry(i, i), entry(i, j), entry(j, j));
+        let a = xx.max(0.0).sqrt();
+        let b = if a > 0.0 { xy / a } else { 0.0 };
+        let c = (yy - b * b).max(0.0).sqrt();
+        (0..=128)
+            .map(|step| {
+                let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(step) / 128.0);
+                [self.center[i] + a * cos, self.center[j] + b * cos + c * sin]
+            })
+            .collect()
+    }
+}
+
+fn value(text: &str) -> f64 {
+    // Decimals or p/q.
+    match text.split_once('/') {
+        Some((p, q)) => value(p) / value(q),
+        None => text.parse().unwrap_or(0.0),
+    }
+}
+
+/// Draws a part: ellipsoid, pivot, centre of mass, principal axes, and the edges of its mesh.
+///
+/// # Errors
+/// [`PlotError`].
+pub fn draw_part(part: &PartDocument, scene: &PartScene) -> Result<Picture, PlotError> {
+    let ellipsoid = Ellipsoid::of(part);
+    let reach = reach(&ellipsoid, scene);
+    let size = [3.0 * VIEW + 4.0 * MARGIN, VIEW + 2.0 * MARGIN + 96.0];
+    render(size, "A part as it was understood", |canvas| {
+        for (k, view) in VIEWS.iter().enumerate() {
+            let left = MARGIN + k as f64 * (VIEW + MARGIN);
+            draw_view(canvas, [left, MARGIN], *view, &ellipsoid, scene, &reach);
+        }
+        legend(canvas, part, &ellipsoid);
+    })
+}
+
+/// The middle and the half width of what is drawn.
+fn reach(ellipsoid: &Ellipsoid, scene: &PartScene) -> ([f64; 3], f64) {
+    let mut low = [0.0_f64; 3];
+    let mut high = [0.0_f64; 3];
+    let mut hold = |point: [f64; 3]| {
+        for i in 0..3 {
+            low[i] = low[i].min(point[i]);
+            high[i] = high[i].max(point[i]);
+        }
+    };
+    for k in 0..3 {
+        for side in [-1.15, 1.15] {
+            hold(std::array::from_fn(|i| ellipsoid.center[i] + side * ellipsoid.semi[k] * ellipsoid.axes[k][i]));
+        }
+    }
+    for i in 0..3 {
+        let along = |k: usize| ellipsoid.semi[k] * ellipsoid.axes[k][i];
+        let half = (0..3).map(|k| along(k) * along(k)).sum::<f64>().sqrt();
+        for side in [-1.0, 1.0] {
+            let mut point = ellipsoid.center;
+            point[i] += side * half;
+            hold(point);
+        }
+    }
+    scene.edges.iter().flatten().for_each(|point| hold(*point));
+    let middle = std::array::from_fn(|i| 0.5 * (low[i] + high[i]));
+    let half = (0..3).map(|i| 0.5 * (high[i] - low[i])).fold(0.0, f64::max);
+    (middle, if half > 0.0 { 1.12 * half } else { 1.0 })
+}
+
+fn draw_view(
+    canvas: &Canvas<'_>,
+    corner: Point,
+    (plane, names): ([usize; 2], [&str; 2]),
+    ellipsoid: &Ellipsoid,
+    scene: &PartScene,
+    (middle, half): &([f64; 3], f64),
+) {
+    let [i, j] = plane;
+    let scale = 0.5 * VIEW / half;
+    let at = |u: f64, v: f64| {
+        [corner[0] + 0.5 * VIEW + scale * (u - middle[i]), corner[1] + 0.5 * VIEW - scale * (v - middle[j])]
+    };
+    let frame = [[0.0, 0.0], [VIEW, 0.0], [VIEW, VIEW], [0.0, VIEW]].map(|[x, y]| [corner[0] + x, corner[1] + y]);
+    for [from, to] in &scene.edges {
+        canvas.path(&[at(from[i], from[j]), at(to[i], to[j])], MESH);
+    }
+    canvas.outline(&frame, Ink { color: FAINT_INK, width: 0.8 });
+    let outline: Vec<Point> = ellipsoid.outline(plane).into_iter().map(|[u, v]| at(u, v)).collect();
+    canvas.path(&outline, OUTLINE);
+    for k in 0..3 {
+        let end = |side: f64| {
+            let step = |c: usize| ellipsoid.center[c] + side * ellipsoid.semi[k] * ellipsoid.axes[k][c];
+            at(step(i), step(j))
+        };
+        canvas.path(&[end(-1.15), end(1.15)], AXES[k]);
+        let tip = end(1.15);
+        canvas.text(&(k + 1).to_string(), [tip[0] + 4.0, tip[1] - 3.0], TEXT, AXES[k].color, Anchor::Start);
+    }
+    canvas.disc(at(ellipsoid.center[i], ellipsoid.center[j]), 3.6, INK);
+    canvas.ring(at(0.0, 0.0), 4.6, Ink { color: POLE, width: 2.2 });
+    canvas.text(names[0], [corner[0] + VIEW, corner[1] + VIEW + 16.0], TEXT, INK, Anchor::End);
+    canvas.text(names[1], [corner[0] - 6.0, corner[1] + 10.0], TEXT, INK, Anchor::End);
+    let width = number(short(2.0 * half));
+    canvas.text(&format!("width {width}"), [corner[0], corner[1] + VIEW + 16.0], TEXT, FAINT_INK, Anchor::Start);
+}
+
+fn legend(canvas: &Canvas<'_>, part: &PartDocument, ellipsoid: &Ellipsoid) {
+    let top = VIEW + 2.0 * MARGIN + 22.0;
+    canvas.ring([MARGIN + 5.0, top - 4.0], 4.6, Ink { color: POLE, width: 2.2 });
+    canvas.text("fixed point", [MARGIN + 16.0, top], TEXT, INK, Anchor::Start);
+    canvas.disc([MARGIN + 115.0, top - 4.0], 3.6, INK);
+    canvas.text("centre of mass", [MARGIN + 125.0, top], TEXT, INK, Anchor::Start);
+    canvas.path(&[[MARGIN + 245.0, top - 4.0], [MARGIN + 269.0, top - 4.0]], OUTLINE);
+    let text = "solid ellipsoid with this mass and this tensor";
+    canvas.text(text, [MARGIN + 277.0, top], TEXT, INK, Anchor::Start);
+    let unit = part.units.split(',').take(2).collect::<Vec<_>>();
+    for k in 0..3 {
+        let (mass, length) = (unit.first().unwrap_or(&""), unit.get(1).unwrap_or(&""));
+        let moment = format!("{:.5e}", part.principal_com.moments[k]);
+        let text = format!(
+            "axis {}: moment about the centre of mass {} {mass} {length}², semi-axis {} {length}",
+            k + 1,
+            number(moment),
+            number(short(ellipsoid.semi[k])),
+        );
+        canvas.text(&text, [MARGIN, top + 20.0 + 18.0 * k as f64], TEXT, AXES[k].color, Anchor::Start);
+    }
+}

@@ -1,0 +1,109 @@
+//! Poles, relative equilibria and principal axes.
+
+use super::scene::SphereEquilibrium;
+use super::view::{Vector, View, turned};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, POLE, Point, rgb};
+use plotters::style::RGBColor;
+
+const LABEL: f64 = 12.0;
+const MARK: f64 = 4.2;
+/// Round the mark of an equilibrium.
+const POLE_RING: f64 = 7.4;
+/// Principal axes so near to a pole have no mark of their own.
+const NEAR: f64 = 0.1;
+/// Relative equilibria stand out from every tint and from the level lines.
+pub(super) const EQUILIBRIUM: RGBColor = rgb(0x9a_10_2a);
+
+/// What a mark stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mark {
+    /// A relative equilibrium of this Morse index.
+    Equilibrium(u8),
+    /// +r̂ (true) or −r̂.
+    Pole(bool),
+    /// The end of a principal axis.
+    Axis,
+}
+
+pub(super) fn draw(canvas: &Canvas<'_>, mark: Mark, at: Point) {
+    let thin = Ink { color: EQUILIBRIUM, width: 1.8 };
+    match mark {
+        Mark::Equilibrium(0) => {
+            canvas.disc(at, MARK + 1.0, PAPER);
+            canvas.disc(at, MARK, EQUILIBRIUM);
+        }
+        Mark::Equilibrium(1) => {
+            for [dx, dy] in [[1.0, 1.0], [1.0, -1.0]] {
+                let [x, y] = [MARK * dx, MARK * dy];
+                let ends = [[at[0] - x, at[1] - y], [at[0] + x, at[1] + y]];
+                canvas.path(&ends, Ink { color: PAPER, width: 3.8 });
+                canvas.path(&ends, thin);
+            }
+        }
+        Mark::Equilibrium(_) => canvas.ring(at, MARK, thin),
+        Mark::Pole(plus) => {
+            canvas.ring(at, POLE_RING, Ink { color: POLE, width: 2.2 });
+            if plus {
+                canvas.disc(at, 1.7, POLE);
+            }
+        }
+        Mark::Axis => canvas.disc(at, 1.6, FAINT_INK),
+    }
+}
+
+/// Draws the ends of the principal axes, the poles and the equilibria that a view shows.
+pub(super) fn draw_all(canvas: &Canvas<'_>, view: &View, r_hat: Option<Vector>, equilibria: &[SphereEquilibrium]) {
+    let poles: Vec<Vector> = r_hat.into_iter().flat_map(|r| [r, r.map(|c| -c)]).collect();
+    for (axis, names) in [["e₁", "−e₁"], ["e₂", "−e₂"], ["e₃", "−e₃"]].into_iter().enumerate() {
+        for (sign, name) in [1.0, -1.0].into_iter().zip(names) {
+            let mut gamma = [0.0; 3];
+            gamma[axis] = sign;
+            // At a pole the mark of the pole says more.
+            let near = |pole: &Vector| (0..3).all(|k| (pole[k] - gamma[k]).abs() < NEAR);
+            if let Some(at) = view.position(gamma).filter(|_| !poles.iter().any(near)) {
+                draw(canvas, Mark::Axis, at);
+                label(canvas, view, at, name, FAINT_INK);
+            }
+        }
+    }
+    for (plus, name) in [(true, "+r̂"), (false, "−r̂")] {
+        let sign = if plus { 1.0 } else { -1.0 };
+        if let Some(at) = r_hat.and_then(|r| view.position(r.map(|c| sign * c))) {
+            draw(canvas, Mark::Pole(plus), at);
+            label(canvas, view, at, name, INK);
+        }
+    }
+    // On top: an equilibrium at a pole lies inside its ring.
+    for equilibrium in equilibria {
+        if let Some(axis) = equilibrium.circle_about {
+            circle(canvas, view, equilibrium.gamma, axis);
+        }
+        if let Some(at) = view.position(equilibrium.gamma) {
+            draw(canvas, Mark::Equilibrium(equilibrium.index), at);
+        }
+    }
+}
+
+/// The visible part of the circle on which γ turns about an axis.
+fn circle(canvas: &Canvas<'_>, view: &View, gamma: Vector, axis: Vector) {
+    const STEPS: u32 = 180;
+    let step = std::f64::consts::TAU / f64::from(STEPS);
+    let places = (0..=STEPS).map(|k| view.position(turned(gamma, axis, step * f64::from(k))));
+    let places: Vec<Option<Point>> = places.collect();
+    for run in places.split(Option::is_none) {
+        let points: Vec<Point> = run.iter().copied().flatten().collect();
+        canvas.path(&points, Ink { color: EQUILIBRIUM, width: 1.6 });
+    }
+}
+
+/// A name beside a mark, with a rim of paper: away from the middle of the view, but inwards next to its outline.
+fn label(canvas: &Canvas<'_>, view: &View, at: Point, name: &str, color: RGBColor) {
+    let from_middle = at[0] - view.center[0];
+    let to_the_right = (from_middle >= 0.0) == (from_middle.abs() < 0.86 * view.radius);
+    let (x, anchor) = if to_the_right { (at[0] + 11.0, Anchor::Start) } else { (at[0] - 11.0, Anchor::End) };
+    let base = [x, at[1] + 0.36 * LABEL];
+    for [dx, dy] in [[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 1.0]] {
+        canvas.text(name, [base[0] + dx, base[1] + dy], LABEL, PAPER, anchor);
+    }
+    canvas.text(name, base, LABEL, color, anchor);
+}

@@ -1,0 +1,114 @@
+//! U_hl on the Poisson sphere, seen from two opposite sides: its components, their boundary, level sets of U_l, the poles
+//! and the relative equilibria. The picture explains the numbers of boundary circles and poles at a glance.
+
+mod grid;
+mod ink;
+mod legend;
+mod marks;
+mod parts;
+mod scene;
+mod view;
+
+pub use scene::{SphereEquilibrium, SphereScene};
+
+use crate::page::{Anchor, FAINT_INK, INK, Ink, PAPER, Page, Path, Picture, PlotError, hex, stroke};
+use grid::Grid;
+use ink::{BOUNDARY, FORBIDDEN, LEVEL, tint};
+use parts::Parts;
+use view::View;
+
+const WIDTH: f64 = 860.0;
+const RADIUS: f64 = 186.0;
+const MARGIN: f64 = 34.0;
+const TITLE_SIZE: f64 = 14.0;
+const CAPTION_SIZE: f64 = 12.5;
+const NUMBER_SIZE: f64 = 15.0;
+/// Level lines of U, at quantiles of its values on the sphere.
+const LEVELS: usize = 14;
+
+const RIM: Ink = Ink { color: FAINT_INK, width: 0.9 };
+
+/// Draws U_hl. Equal scenes give equal bytes.
+///
+/// # Errors
+/// A failure of the drawing library.
+pub fn draw_sphere(scene: &SphereScene<'_>) -> Result<Picture, PlotError> {
+    let middle = 66.0 + RADIUS;
+    let centers = [[MARGIN + RADIUS, middle], [WIDTH - MARGIN - RADIUS, middle]];
+    let views = View::pair(scene.view, scene.r_hat, centers, RADIUS);
+    let grids = views.each_ref().map(|view| Grid::new(view, scene.potential_above));
+    let parts = Parts::new(&grids, scene.component_of);
+    let levels = levels(&grids);
+    let legend = legend::legend(scene, WIDTH - 2.0 * MARGIN);
+    let below = middle + RADIUS + 34.0;
+    let mut page = Page::new([WIDTH, (below + legend.height() + 12.0).ceil()]);
+    page.element(&format!("<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>", hex(PAPER)));
+    for (view, grid) in grids.iter().enumerate() {
+        ground(&mut page, &views[view], grid, |node| parts.component(view, node), scene.components.len());
+        lines(&mut page, &views[view], grid, &levels);
+    }
+    page.paint(|canvas| {
+        for &(component, (view, node)) in &parts.deepest {
+            let at = grids[view].place(node);
+            canvas.text(&(component + 1).to_string(), [at[0] + 12.0, at[1] - 10.0], NUMBER_SIZE, INK, Anchor::Start);
+        }
+        for view in &views {
+            marks::draw_all(canvas, view, scene.r_hat, scene.equilibria);
+        }
+        for (view, name) in views.iter().zip(["one side", "the other side"]) {
+            canvas.text(name, [view.center[0], middle + RADIUS + 20.0], CAPTION_SIZE, FAINT_INK, Anchor::Middle);
+        }
+        canvas.text(scene.title, [MARGIN, 26.0], TITLE_SIZE, INK, Anchor::Start);
+        canvas.text(scene.caption, [MARGIN, 46.0], CAPTION_SIZE, INK, Anchor::Start);
+        legend::draw(&legend, canvas, [MARGIN, below]);
+    });
+    page.finish(&format!("{}; {}", scene.title, scene.caption))
+}
+
+/// Levels other than h that cut the sphere into parts of about equal area, as differences from h.
+fn levels(grids: &[Grid<'_>; 2]) -> Vec<f64> {
+    let mut values: Vec<f64> = grids.iter().flat_map(|grid| grid.values().iter().copied()).collect();
+    values.sort_by(f64::total_cmp);
+    (1..=LEVELS).map(|k| values[values.len() * k / (LEVELS + 1)]).filter(|level| *level != 0.0).collect()
+}
+
+/// The disc in the colour of what is not accessible, and the components over it.
+fn ground(
+    page: &mut Page,
+    view: &View,
+    grid: &Grid<'_>,
+    component: impl Fn(grid::Node) -> Option<usize>,
+    components: usize,
+) {
+    rim(view).draw(page, &format!("fill=\"{}\"", hex(FORBIDDEN)));
+    // On a curve no components are told: what is accessible has one tint.
+    for place in 0..components.max(1) {
+        let color = hex(tint(place));
+        // A hair of the same colour closes the seams between cells.
+        let attributes = format!("fill=\"{color}\" stroke=\"{color}\" stroke-width=\"4\"");
+        grid.area(0.0, |node| component(node) == Some(place)).draw(page, &attributes);
+    }
+}
+
+/// Level lines, ∂U and the rim.
+fn lines(page: &mut Page, view: &View, grid: &Grid<'_>, levels: &[f64]) {
+    let drawn = |levels: &[f64]| {
+        let mut path = Path::default();
+        for line in levels.iter().flat_map(|level| grid.level_lines(*level)) {
+            path.line(&line, false);
+        }
+        path
+    };
+    drawn(levels).draw(page, &stroke(LEVEL));
+    drawn(&[0.0]).draw(page, &stroke(BOUNDARY));
+    rim(view).draw(page, &stroke(RIM));
+}
+
+/// The outline of the sphere.
+fn rim(view: &View) -> Path {
+    let mut path = Path::default();
+    let steps = (0..grid::SPOKES).map(|k| std::f64::consts::TAU * k as f64 / grid::SPOKES as f64);
+    let points: Vec<_> = steps.map(|phi| view.place(std::f64::consts::FRAC_PI_2, phi)).collect();
+    path.line(&points, true);
+    path
+}

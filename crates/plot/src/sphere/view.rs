@@ -1,0 +1,114 @@
+//! Two views of the sphere from opposite sides, in orthographic projection.
+
+use crate::page::Point;
+
+pub(super) type Vector = [f64; 3];
+
+/// By how much the usual view looks down on the equator of r̂, in radians.
+const TILT: f64 = 0.35;
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn unit(v: Vector) -> Vector {
+    let length = dot(v, v).sqrt();
+    v.map(|c| c / length)
+}
+
+/// The part of `v` across the unit vector `axis`, as a unit vector; of a principal axis if `v` has none.
+fn across(v: Vector, axis: Vector) -> Vector {
+    let candidates = [v, [0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+    let parts = candidates.map(|v| {
+        let along = dot(v, axis);
+        [v[0] - along * axis[0], v[1] - along * axis[1], v[2] - along * axis[2]]
+    });
+    unit(parts.into_iter().find(|part| dot(*part, *part) > 1e-6).unwrap_or([1.0, 0.0, 0.0]))
+}
+
+/// `v` turned about a unit vector (Rodrigues' formula).
+pub(super) fn turned(v: Vector, axis: Vector, angle: f64) -> Vector {
+    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+    let (along, side) = (dot(v, axis), cross(axis, v));
+    [0, 1, 2].map(|k| cos * v[k] + sin * side[k] + (1.0 - cos) * along * axis[k])
+}
+
+/// One of the two views.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct View {
+    right: Vector,
+    up: Vector,
+    toward: Vector,
+    pub center: Point,
+    pub radius: f64,
+}
+
+impl View {
+    /// The view from `direction`, or the usual one, and the one from the other side. −r̂, the upright position, points up
+    /// on the page as it does in space.
+    pub fn pair(direction: Option<Vector>, r_hat: Option<Vector>, centers: [Point; 2], radius: f64) -> [Self; 2] {
+        let upright = r_hat.map_or([0.0, 0.0, 1.0], |r| r.map(|c| -c));
+        let toward = direction.map_or_else(
+            || {
+                let level = across([0.6, 0.7, 0.4], upright);
+                let (sin, cos) = (libm::sin(TILT), libm::cos(TILT));
+                [0, 1, 2].map(|k| cos * level[k] + sin * upright[k])
+            },
+            unit,
+        );
+        let up = across(upright, toward);
+        let front = Self { right: cross(up, toward), up, toward, center: centers[0], radius };
+        let negative = |v: Vector| v.map(|c| -c);
+        let back = Self { right: negative(front.right), toward: negative(toward), center: centers[1], ..front };
+        [front, back]
+    }
+
+    /// The point of the sphere at the angle `t` from the middle of the view in the direction `phi` on the page.
+    pub fn gamma(&self, t: f64, phi: f64) -> Vector {
+        let (x, y, z) = (libm::sin(t) * libm::cos(phi), libm::sin(t) * libm::sin(phi), libm::cos(t));
+        [0, 1, 2].map(|k| x * self.right[k] + y * self.up[k] + z * self.toward[k])
+    }
+
+    /// Where (t, phi) lies on the page.
+    pub fn place(&self, t: f64, phi: f64) -> Point {
+        let rho = self.radius * libm::sin(t);
+        [self.center[0] + rho * libm::cos(phi), self.center[1] - rho * libm::sin(phi)]
+    }
+
+    /// Where a point of the sphere lies on the page, if this view shows it.
+    pub fn position(&self, gamma: Vector) -> Option<Point> {
+        let [x, y, z] = [self.right, self.up, self.toward].map(|axis| dot(axis, gamma));
+        // Points on the rim are shown by the first view and the second.
+        (z >= -1e-9).then(|| [self.center[0] + self.radius * x, self.center[1] - self.radius * y])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_two_views_share_their_rim_and_show_every_point() {
+        let views = View::pair(None, Some([0.6, 0.0, 0.8]), [[100.0, 100.0], [300.0, 100.0]], 90.0);
+        for k in 0..24 {
+            let phi = f64::from(k) * 0.3;
+            let rim = views[0].gamma(std::f64::consts::FRAC_PI_2, phi);
+            let other = views[1].gamma(std::f64::consts::FRAC_PI_2, std::f64::consts::PI - phi);
+            assert!((0..3).all(|i| (rim[i] - other[i]).abs() < 1e-14));
+            let gamma = unit([libm::sin(phi), libm::cos(2.0 * phi), 0.3]);
+            assert!(views.iter().any(|view| view.position(gamma).is_some()));
+        }
+    }
+
+    #[test]
+    fn places_and_positions_agree() {
+        let [front, _] =
+            View::pair(Some([0.0, 0.0, 2.0]), Some([1.0, 0.0, 0.0]), [[100.0, 100.0], [300.0, 100.0]], 90.0);
+        let (place, position) = (front.place(0.7, 1.2), front.position(front.gamma(0.7, 1.2)).unwrap());
+        assert!((place[0] - position[0]).abs() < 1e-12 && (place[1] - position[1]).abs() < 1e-12);
+    }
+}

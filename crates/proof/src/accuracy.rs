@@ -1,0 +1,115 @@
+//! What an answer is worth, and the answers at each level.
+
+use thiserror::Error;
+use top::atlas::{Atlas, AtlasError};
+use top::body::{Body, Number};
+use top::classify::{self, Classification, ClassifyError};
+use top::diagram::RegionId;
+
+use crate::{CertifiedAtlas, NotProved, NotWritten, Open, classify_exactly};
+
+/// What an answer is worth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Accuracy {
+    /// Never undecided: `f64` where its error bounds suffice, exact arithmetic elsewhere.
+    #[default]
+    Exact,
+    /// `f64` with error bounds alone; undecided where they do not suffice.
+    Fast,
+}
+
+impl From<schema::Accuracy> for Accuracy {
+    fn from(word: schema::Accuracy) -> Self {
+        match word {
+            schema::Accuracy::Exact => Self::Exact,
+            schema::Accuracy::Fast => Self::Fast,
+        }
+    }
+}
+
+impl From<Accuracy> for schema::Accuracy {
+    fn from(accuracy: Accuracy) -> Self {
+        match accuracy {
+            Accuracy::Exact => Self::Exact,
+            Accuracy::Fast => Self::Fast,
+        }
+    }
+}
+
+/// Why there is no atlas at a level of accuracy.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum NoAtlas {
+    /// There is none in `f64`.
+    #[error(transparent)]
+    Atlas(#[from] AtlasError),
+    /// It is not proved.
+    #[error(transparent)]
+    NotProved(#[from] NotProved),
+    /// It is proved and cannot be drawn.
+    #[error(transparent)]
+    NotWritten(#[from] NotWritten),
+    /// The regions are proved, but not what some of them are.
+    #[error("the topology of region {region} is not proved")]
+    Topology {
+        /// The first of them.
+        region: RegionId,
+    },
+}
+
+/// The atlas of a body. At [`Accuracy::Exact`] it leaves nothing undecided: it is that of `f64` where its error bounds
+/// decide everything, and a proved one elsewhere.
+///
+/// # Errors
+/// [`NoAtlas`].
+pub fn atlas_of(body: &Body, accuracy: Accuracy) -> Result<Atlas, NoAtlas> {
+    let quick = Atlas::new(body);
+    let settled = match &quick {
+        Ok(atlas) => accuracy == Accuracy::Fast || is_decided(atlas),
+        // Nothing that needs a frame can be computed of such a body.
+        Err(error) => accuracy == Accuracy::Fast || matches!(error, AtlasError::Equilibria(_)),
+    };
+    if settled { Ok(quick?) } else { decided(CertifiedAtlas::new(body)?.drawn()?) }
+}
+
+/// The atlas that answers points: one that is made at once, and leaves nothing undecided at [`Accuracy::Exact`]. No proof
+/// of the whole plane is begun for a point.
+pub(crate) fn atlas_at_once(body: &Body, accuracy: Accuracy) -> Option<Atlas> {
+    Atlas::new(body).ok().filter(|atlas| accuracy == Accuracy::Fast || is_decided(atlas))
+}
+
+/// An atlas in which the components of every region are known.
+fn decided(atlas: Atlas) -> Result<Atlas, NoAtlas> {
+    match atlas.regions().ids().find(|&region| atlas.components(region).is_err()) {
+        None => Ok(atlas),
+        Some(region) => Err(NoAtlas::Topology { region }),
+    }
+}
+
+fn is_decided(atlas: &Atlas) -> bool {
+    atlas.arrangement().undecided.is_empty() && atlas.regions().iter().all(|region| region.components.is_ok())
+}
+
+/// Why a point has no answer.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Unanswered {
+    /// There is none in `f64`.
+    #[error(transparent)]
+    Classify(#[from] ClassifyError),
+    /// A question that the largest precision does not decide.
+    #[error(transparent)]
+    Open(#[from] Open),
+}
+
+/// The type of U, E and P at one point. At [`Accuracy::Exact`] the answer is never [`top::classify::Answer::Undecided`].
+///
+/// # Errors
+/// [`Unanswered`].
+pub fn classify(body: &Body, h: &Number, l: &Number, accuracy: Accuracy) -> Result<Classification, Unanswered> {
+    if accuracy == Accuracy::Fast {
+        return Ok(classify::classify(body, h, l)?);
+    }
+    match classify::classify_if_clear(body, h, l)? {
+        Some(found) => Ok(found),
+        None => Ok(classify_exactly(body, h, l)?),
+    }
+}

@@ -1,0 +1,44 @@
+//! One point (h, l), decided exactly: signs against every height over l, and the topology between them.
+
+use dashu_ratio::RBig;
+use top::body::{Body, Number};
+use top::classify::{Classification, Margin, at_rest};
+
+use super::heights::{Heights, Level};
+use super::model::Model;
+use super::plane::{Gap, Open, Plane};
+use super::vertex;
+
+/// The type of one point, decided: regular, forbidden, or proved to lie on a curve.
+///
+/// # Errors
+/// [`Open`]: what could not be decided within the largest precision.
+pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classification, Open> {
+    if l.value().is_zero() {
+        return Ok(at_rest(body, h));
+    }
+    let frame = body.frame();
+    let model = Model::new(body, &frame);
+    let exact = |unit: f64| RBig::try_from(unit).unwrap_or(RBig::ONE);
+    let momentum = l.value() / exact(frame.momentum_unit);
+    let x = &momentum * &momentum / RBig::from(2);
+    let energy = h.value() / exact(frame.energy_unit);
+    let plane = Plane { model: &model, frame: &frame };
+    let levels = Heights::new(&model, x.clone()).against(&energy).map_err(|none| plane.open(none, &x))?;
+    let margin = margin(&plane, &levels, &x);
+    let gap = Gap::around(&levels);
+    if levels.iter().any(|level| level.sign == 0) {
+        let candidates = vertex::candidates(&plane, &x, &energy, &gap)?;
+        return Ok(Classification::open(true, candidates, margin));
+    }
+    Ok(Classification::decided(plane.class(&x, &gap)?, margin))
+}
+
+/// The distance to the nearest curve.
+fn margin(plane: &Plane<'_>, levels: &[Level], x: &RBig) -> Margin {
+    let unit = plane.frame.energy_unit;
+    let nearest = levels.iter().min_by(|p, q| p.distance[0].total_cmp(&q.distance[0]));
+    let Some(level) = nearest else { return Margin { h: 0.0, nearest: None, error_bound: 0.0 } };
+    let [lo, hi] = level.distance;
+    Margin { h: lo * unit, nearest: Some(plane.name(&level.source, x)), error_bound: (hi - lo) * unit }
+}

@@ -1,0 +1,273 @@
+//! Every critical value of U and the energies of the poles over one x = l²/2, with the exact sign of h against each.
+
+use std::sync::Arc;
+
+use dashu_ratio::RBig;
+use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::polynomial::{Polynomial, Root, rational};
+use numbers::wide::Wide;
+use top::curves::Pole;
+
+use super::curves::{NotIsolated, Place, roots_in_interval};
+use super::family::{Half, State};
+use super::model::{Constants, Model};
+
+/// Bits in which h is compared with a height; beyond the second one equality is looked for by gcd.
+const STAGES: [usize; 6] = [64, 160, 400, 1000, 2500, 6000];
+
+/// What has a height.
+#[derive(Clone, Debug)]
+pub(super) enum Source {
+    /// The generic family over an interval of μ with this number.
+    Generic { number: usize, place: Place },
+    /// The family over a group without r.
+    Over { group: usize, place: Place },
+    /// γ = ±r̂.
+    Line(Pole),
+    /// r = 0: rotation about an axis of this group.
+    Euler { group: usize },
+}
+
+/// A height over x.
+#[derive(Clone, Debug)]
+pub(super) struct Level {
+    pub source: Source,
+    pub height: Wide,
+    /// The sign of h − height; 0 is proved.
+    pub sign: i8,
+    /// Bounds of |h − height|.
+    pub distance: [f64; 2],
+}
+
+/// Why the heights are not known.
+#[derive(Clone, Debug)]
+pub(super) enum NoHeights {
+    /// Roots of the polynomial of critical points (Proposition 4.8) that are not isolated.
+    Roots,
+    /// The largest precision does not tell the sign of h against this height, and it is not 0.
+    Sign(Box<Source>),
+}
+
+impl From<NotIsolated> for NoHeights {
+    fn from(_: NotIsolated) -> Self {
+        Self::Roots
+    }
+}
+
+/// The body at one x, with constants in growing precision made when first needed.
+pub(super) struct Heights<'a> {
+    pub model: &'a Model,
+    pub x: RBig,
+    constants: Vec<Constants<Wide>>,
+}
+
+impl<'a> Heights<'a> {
+    pub fn new(model: &'a Model, x: RBig) -> Self {
+        Self { model, x, constants: Vec::new() }
+    }
+
+    /// All heights with the signs of h against them.
+    pub fn against(&mut self, h: &RBig) -> Result<Vec<Level>, NoHeights> {
+        let sources = self.sources()?;
+        sources.into_iter().map(|source| self.level(source, h)).collect()
+    }
+
+    /// All heights, enclosed with so many bits at least.
+    pub fn enclosed(&mut self, stage: usize) -> Result<Vec<(Source, Wide)>, NoHeights> {
+        let sources = self.sources()?;
+        Ok(sources.into_iter().map(|source| self.enclosure(source, stage)).collect())
+    }
+
+    /// The number of precisions.
+    pub fn stages() -> usize {
+        STAGES.len()
+    }
+
+    fn sources(&self) -> Result<Vec<Source>, NoHeights> {
+        let model = self.model;
+        let mut found = Vec::new();
+        if model.active.is_empty() {
+            found.extend((0..model.groups.len()).map(|group| Source::Euler { group }));
+            return Ok(found);
+        }
+        if model.active.len() > 1 {
+            let [d, p, q, _] = model.family();
+            // q⁴ − 4x²p³D² (Proposition 4.8).
+            let q2 = rational::mul(&q, &q);
+            let cube = rational::mul(&rational::mul(&p, &p), &rational::mul(&p, &rational::mul(&d, &d)));
+            let weight = &self.x * &self.x * RBig::from(4);
+            let difference = rational::sub(&rational::mul(&q2, &q2), &rational::scale(&cube, &weight));
+            let polynomial = Polynomial::from_rationals(&difference);
+            for number in 0..=model.active.len() {
+                let roots = roots_in_interval(model, &polynomial, number, STAGES[0])?;
+                found.extend(roots.into_iter().map(|(place, _)| Source::Generic { number, place }));
+            }
+        }
+        for &group in &model.passive {
+            found.extend(self.over(group)?);
+        }
+        found.extend([Pole::Plus, Pole::Minus].map(Source::Line));
+        Ok(found)
+    }
+
+    /// (a v − R̂)⁴ = 4x² v³ for v = s² ≥ P̂ (Proposition 4.8), in y = v − P̂.
+    fn over(&self, group: usize) -> Result<Vec<Source>, NoHeights> {
+        let (r_sum, p_sum) = self.model.sums_over(group);
+        let moment = [-r_sum, self.model.a(group).clone()];
+        let square = rational::mul(&moment, &moment);
+        let cube = [RBig::ZERO, RBig::ZERO, RBig::ZERO, &self.x * &self.x * RBig::from(4)];
+        let difference = Polynomial::from_rationals(&rational::sub(&rational::mul(&square, &square), &cube));
+        let local = difference.composed(&p_sum, &RBig::ONE);
+        let half = Half::Over { group };
+        let mut places = Vec::new();
+        if local.sign_at(&RBig::ZERO) == 0 {
+            places.push(Place::exact(half, RBig::ZERO));
+        }
+        for mut root in local.positive_roots().ok_or(NoHeights::Roots)? {
+            root.refine(STAGES[0]);
+            places.push(of_root(half, root, &RBig::ONE));
+        }
+        Ok(places.into_iter().map(|place| Source::Over { group, place }).collect())
+    }
+
+    fn constants(&mut self, stage: usize) -> &Constants<Wide> {
+        while self.constants.len() <= stage {
+            let bits = STAGES[self.constants.len()];
+            self.constants.push(Constants::new(self.model, bits));
+        }
+        &self.constants[stage]
+    }
+
+    fn level(&mut self, mut source: Source, h: &RBig) -> Result<Level, NoHeights> {
+        /// A distance is known to this relative accuracy.
+        const ACCURACY: f64 = 1e-12;
+        let equal =
+            |source: Source| Ok(Level { source, height: Wide::rational(h, STAGES[0]), sign: 0, distance: [0.0; 2] });
+        let straight = self.straight_sign(&source, h);
+        if straight == Some(0) {
+            return equal(source);
+        }
+        let mut decided = None;
+        // What more bits would show of a rounded body is its rounding.
+        let told = |bits: &usize| !self.model.rounded || *bits <= 400;
+        let stages: Vec<usize> = STAGES.iter().copied().filter(told).collect();
+        for (stage, bits) in stages.into_iter().enumerate() {
+            if stage == 2 && decided.is_none() && straight.is_none() && self.is_equal(&source, h) {
+                return equal(source);
+            }
+            let (refined, height) = self.enclosure(source, stage);
+            source = refined;
+            let difference = Wide::rational(h, bits) - height.clone();
+            let Some(sign) = difference.sign().filter(|sign| *sign != 0) else { continue };
+            let [lo, hi] = difference.bounds().map(f64::abs);
+            let distance = [lo.min(hi), lo.max(hi)];
+            decided = Some(Level { source: source.clone(), height, sign, distance });
+            if distance[1] - distance[0] <= ACCURACY * distance[1] {
+                break;
+            }
+        }
+        decided.ok_or_else(|| NoHeights::Sign(Box::new(source)))
+    }
+
+    /// The sign of h against a straight line, which rational arithmetic decides.
+    fn straight_sign(&self, source: &Source, h: &RBig) -> Option<i8> {
+        let of = |ordering: std::cmp::Ordering| ordering as i8;
+        match source {
+            Source::Euler { group } => Some(of((h * self.model.a(*group)).cmp(&self.x))),
+            Source::Line(pole) => {
+                let [r2, weighted] = &self.model.line;
+                let above = h - &self.x * r2 / weighted;
+                // Against −r for P+ and r for P−, by squares.
+                let square = &above * &above;
+                Some(match (pole, above < RBig::ZERO) {
+                    (Pole::Plus, false) => 1,
+                    (Pole::Plus, true) => of(r2.cmp(&square)),
+                    (Pole::Minus, true) => -1,
+                    (Pole::Minus, false) => of(square.cmp(r2)),
+                })
+            }
+            Source::Generic { .. } | Source::Over { .. } => None,
+        }
+    }
+
+    fn enclosure(&mut self, source: Source, stage: usize) -> (Source, Wide) {
+        let bits = STAGES[stage];
+        let (model, x) = (self.model, Wide::rational(&self.x, bits));
+        let c = self.constants(stage);
+        match source {
+            Source::Euler { group } => (source, x / c.a[group].clone()),
+            Source::Line(pole) => {
+                let kinetic = x / c.j_r.clone().unwrap_or_else(|| c.small(1));
+                (source, if pole == Pole::Plus { kinetic - c.r.clone() } else { kinetic + c.r.clone() })
+            }
+            Source::Generic { number, place } => {
+                let place = refined(&place, bits);
+                let height = height_at(model, c, &place, x);
+                (Source::Generic { number, place }, height)
+            }
+            Source::Over { group, place } => {
+                let place = refined(&place, bits);
+                let height = height_at(model, c, &place, x);
+                (Source::Over { group, place }, height)
+            }
+        }
+    }
+
+    /// The height is h: decided by gcd of the polynomial of critical points with that of their height (Lemma 4.11).
+    fn is_equal(&self, source: &Source, h: &RBig) -> bool {
+        let (place, condition) = match source {
+            Source::Generic { place, .. } => (place, self.generic_condition(h)),
+            Source::Over { group, place } => (place, self.condition_over(*group, h)),
+            Source::Line(_) | Source::Euler { .. } => return false,
+        };
+        let [origin, direction] = match place.half {
+            Half::Generic { base, sign } => [self.model.a(base).clone(), RBig::from(sign)],
+            Half::Over { group } => [self.model.sums_over(group).1, RBig::ONE],
+        };
+        match &place.root {
+            None => condition.sign_at(&(&origin + &direction * &place.lo)) == 0,
+            Some(root) => {
+                let scale = if root.hi.is_zero() { RBig::ONE } else { &place.hi / &root.hi };
+                root.is_root_of(&condition.composed(&origin, &(direction * scale)))
+            }
+        }
+    }
+
+    /// hQ² − xP(Q − 2R), times D⁴.
+    fn generic_condition(&self, h: &RBig) -> Polynomial {
+        let [d, p, q, r] = self.model.family();
+        let energy = rational::sub(&q, &rational::scale(&rational::mul(&r, &d), &RBig::from(2)));
+        let right = rational::scale(&rational::mul(&p, &energy), &self.x);
+        Polynomial::from_rationals(&rational::sub(&rational::scale(&rational::mul(&q, &q), h), &right))
+    }
+
+    /// h(a v − R̂)² − x v (a v − 3R̂).
+    fn condition_over(&self, group: usize, h: &RBig) -> Polynomial {
+        let (r_sum, _) = self.model.sums_over(group);
+        let a = self.model.a(group).clone();
+        let moment = [-r_sum.clone(), a.clone()];
+        let left = rational::scale(&rational::mul(&moment, &moment), h);
+        let right = rational::scale(&[RBig::ZERO, RBig::from(-3) * r_sum, a], &self.x);
+        Polynomial::from_rationals(&rational::sub(&left, &right))
+    }
+}
+
+fn of_root(half: Half, root: Root, scale: &RBig) -> Place {
+    Place { half, lo: &root.lo * scale, hi: &root.hi * scale, root: Some(Arc::new(root)) }
+}
+
+/// The same place with an isolating range of so many bits.
+pub(super) fn refined(place: &Place, bits: usize) -> Place {
+    let Some(root) = &place.root else { return place.clone() };
+    let scale = if root.hi.is_zero() { RBig::ONE } else { &place.hi / &root.hi };
+    let mut finer = root.as_ref().clone();
+    finer.refine(bits);
+    of_root(place.half, finer, &scale)
+}
+
+/// x/J − ⟨γ, r⟩ over the range of a place.
+fn height_at(model: &Model, c: &Constants<Wide>, place: &Place, x: Wide) -> Wide {
+    let y = Wide::rational(&place.lo, c.precision).hull(&Wide::rational(&place.hi, c.precision));
+    let state = State::at(model, c, place.half, &y);
+    x / state.j - state.rho
+}

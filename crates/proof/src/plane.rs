@@ -1,0 +1,143 @@
+//! The (h, l) plane of a body: its curves by name, its cells with their classes.
+
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+use numbers::enclosure::Enclosure;
+use top::body::Frame;
+use top::classify::Components;
+use top::curves::{Branch, BranchName, CurveName, IntervalId, Pole};
+use top::table::Id;
+use top::topology::whole_sphere;
+
+use super::curves::{Place, order, passive_place, roots_in_interval};
+use super::heights::{Level, NoHeights, Source, refined};
+use super::model::Model;
+use super::ridges;
+
+/// Why a point has no answer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Open {
+    /// The critical points over l cannot be isolated.
+    #[error("the roots of q^4 - 4x^2 p^3 D^2, the critical points at this l, are not isolated")]
+    Roots,
+    /// The sign of h against a height.
+    #[error("the sign of h - h_c on the curve {curve} is not decided with 6000 bits")]
+    Sign {
+        /// The curve.
+        curve: CurveName,
+    },
+    /// The latitudes on which the components between two heights begin and end.
+    #[error("the order of the latitudes on which the components of U end is not decided with 4096 bits")]
+    Latitudes,
+    /// The curves on both sides of a point on curves.
+    #[error("the order of the curves beside the point is not decided with 6000 bits")]
+    Beside,
+}
+
+/// A point of the (h, l) plane in the frame's units.
+pub(super) struct Plane<'a> {
+    pub model: &'a Model,
+    pub frame: &'a Frame,
+}
+
+/// Bounds of the cell around an energy: from the highest height below it to the lowest above it.
+#[derive(Clone, Debug)]
+pub(super) struct Gap {
+    pub low: Option<RBig>,
+    pub high: Option<RBig>,
+}
+
+impl Gap {
+    pub fn around(levels: &[Level]) -> Self {
+        let bounds = |sign: i8| {
+            levels.iter().filter(move |level| level.sign == sign).filter_map(|level| level.height.exact_bounds())
+        };
+        Self { low: bounds(1).map(|[_, hi]| hi).max(), high: bounds(-1).map(|[lo, _]| lo).min() }
+    }
+}
+
+impl Plane<'_> {
+    /// The components of U_hl in a cell over x.
+    pub fn class(&self, x: &RBig, gap: &Gap) -> Result<Components, Open> {
+        // Places in the cell: should two latitudes agree at one of them, they do not at the next.
+        const PLACES: [[u8; 2]; 4] = [[1, 2], [3, 8], [5, 9], [7, 11]];
+        let (low, high) = match (&gap.low, &gap.high) {
+            (None, _) => return Ok(Vec::new()),
+            (_, None) => return Ok(vec![whole_sphere(!self.model.active.is_empty())]),
+            (Some(low), Some(high)) => (low, high),
+        };
+        let width = high - low;
+        let at = |[p, q]: [u8; 2]| rounded(low + &width * RBig::from_parts(p.into(), q.into()), &width);
+        PLACES.into_iter().find_map(|place| ridges::components(self.model, x, &at(place))).ok_or(Open::Latitudes)
+    }
+
+    /// Why a point has no answer, with the name of the curve.
+    pub fn open(&self, none: NoHeights, x: &RBig) -> Open {
+        match none {
+            NoHeights::Roots => Open::Roots,
+            NoHeights::Sign(source) => Open::Sign { curve: self.name(&source, x) },
+        }
+    }
+
+    /// The name of the curve on which something stands over x.
+    pub fn name(&self, source: &Source, x: &RBig) -> CurveName {
+        let on = |branch, piece| CurveName::on(BranchName::of(self.frame, branch), piece);
+        match source {
+            Source::Generic { number, place } => {
+                on(Branch::Generic(IntervalId::at(*number)), 1 + self.cuts_before(*number, place))
+            }
+            Source::Over { group, place } => {
+                let (r_sum, p_sum) = self.model.sums_over(*group);
+                let turn = r_sum * RBig::from(-3) / self.model.a(*group) - p_sum;
+                let beyond = turn > RBig::ZERO && place.lo >= turn;
+                on(Branch::Symmetric(self.model.axis[*group]), 1 + usize::from(beyond))
+            }
+            Source::Line(pole) if self.model.active.len() == 1 => {
+                on(Branch::Axis(*pole), 1 + self.forks_before(*pole, x))
+            }
+            Source::Line(pole) => CurveName::Pole(*pole),
+            Source::Euler { group } => on(Branch::Symmetric(self.model.axis[*group]), 1),
+        }
+    }
+
+    /// Cusps and pitchforks before a place on an interval of the generic family.
+    fn cuts_before(&self, number: usize, place: &Place) -> usize {
+        /// Roots of both polynomials that agree to so many bits are one: the point is the cusp itself.
+        const BITS: [usize; 3] = [64, 128, 320];
+        let cusps = roots_in_interval(self.model, &self.model.cusp_polynomial(), number, BITS[0]).unwrap_or_default();
+        let cusps = cusps.into_iter().filter(|(_, odd)| *odd).map(|(place, _)| place);
+        let forks = self.model.passive.iter().filter_map(|&group| passive_place(self.model, number, group));
+        let is_before = |cut: &Place| {
+            let found = BITS.into_iter().find_map(|bits| order(self.model, &refined(cut, bits), &refined(place, bits)));
+            found == Some(std::cmp::Ordering::Less)
+        };
+        cusps.chain(forks).filter(is_before).count()
+    }
+
+    /// Pitchforks of the line γ = ±r̂ below x: x = a²r/(2|a_k − a|) there.
+    fn forks_before(&self, pole: Pole, x: &RBig) -> usize {
+        let axis = self.model.active[0];
+        let a = self.model.a(axis);
+        let square = a * a * a * a * &self.model.r2;
+        let passed = |&&group: &&usize| {
+            let d = self.model.difference(group, axis) * RBig::from(2) * x;
+            (group > axis) == (pole == Pole::Plus) && square < &d * &d
+        };
+        self.model.passive.iter().filter(passed).count()
+    }
+}
+
+/// A number with few bits, less than a sixteenth of `room` from this one.
+fn rounded(value: RBig, room: &RBig) -> RBig {
+    let mut grid = RBig::ONE;
+    let two = RBig::from(2);
+    let sixteenth = room / RBig::from(16);
+    while grid > sixteenth {
+        grid = &grid / &two;
+    }
+    while &grid * &two <= sixteenth {
+        grid = &grid * &two;
+    }
+    let steps: IBig = (value / &grid).round();
+    RBig::from(steps) * grid
+}

@@ -1,0 +1,66 @@
+//! A body that is asked many questions: its atlas is made once, when it is first needed.
+
+use std::sync::OnceLock;
+
+use top::atlas::{Atlas, Spot};
+use top::body::{Body, Number};
+use top::classify::{Answer, Classification, ClassifyError};
+
+use crate::accuracy::{Accuracy, Unanswered, atlas_at_once, classify};
+
+/// A body and what is known of it.
+#[derive(Debug)]
+pub struct Prepared {
+    body: Body,
+    accuracy: Accuracy,
+    atlas: OnceLock<Option<Atlas>>,
+}
+
+impl Prepared {
+    /// Nothing is computed yet.
+    #[must_use]
+    pub fn new(body: Body, accuracy: Accuracy) -> Self {
+        Self { body, accuracy, atlas: OnceLock::new() }
+    }
+
+    /// The body.
+    #[must_use]
+    pub fn body(&self) -> &Body {
+        &self.body
+    }
+
+    /// What answers are worth.
+    #[must_use]
+    pub fn accuracy(&self) -> Accuracy {
+        self.accuracy
+    }
+
+    /// The atlas, or `None` where none is finished at once: points are then still answered one by one.
+    pub fn atlas(&self) -> Option<&Atlas> {
+        self.atlas.get_or_init(|| atlas_at_once(&self.body, self.accuracy)).as_ref()
+    }
+
+    /// The type of a point, from the atlas where its error bounds suffice.
+    ///
+    /// # Errors
+    /// [`Unanswered`].
+    pub fn classify(&self, h: &Number, l: &Number) -> Result<Classification, Unanswered> {
+        match self.atlas().map(|atlas| atlas.classify(h, l)) {
+            Some(Ok(found)) if self.accuracy == Accuracy::Fast || found.components().is_some() => Ok(found),
+            Some(Err(error)) if self.accuracy == Accuracy::Fast => Err(error.into()),
+            _ => classify(&self.body, h, l, self.accuracy),
+        }
+    }
+
+    /// Where the points (h, l) of a row lie; each double stands for its shortest decimal. Points without an answer are
+    /// undecided. `None` without an atlas.
+    ///
+    /// # Errors
+    /// [`Unanswered`] when l is out of range.
+    pub fn row(&self, l: f64, h: &[f64]) -> Option<Result<Vec<Spot>, Unanswered>> {
+        let decide = |h: &Number, l: &Number| {
+            self.classify(h, l).map_or_else(|_unanswered| Answer::Undecided(Vec::new()), |found| found.answer)
+        };
+        Some(self.atlas()?.row(l, h, decide).map_err(|error| ClassifyError::from(error).into()))
+    }
+}

@@ -1,0 +1,158 @@
+//! Real roots, and the latitudes w = ⟨γ, r⟩ that belong to them, compared exactly.
+
+use std::cmp::Ordering;
+
+use dashu_ratio::RBig;
+use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::polynomial::{Polynomial, Root};
+use numbers::wide::Wide;
+
+/// Precisions in which two latitudes are compared; they are equal only where the answer does not depend on them.
+const STAGES: [usize; 4] = [64, 256, 1024, 4096];
+
+/// The value at a rational of a polynomial with coefficients by rising power.
+pub(super) fn value(c: &[RBig], at: &RBig) -> RBig {
+    c.iter().rev().fold(RBig::ZERO, |sum, c| sum * at + c)
+}
+
+/// An isolated real root: base + sign · root.
+#[derive(Clone, Debug)]
+pub(super) struct RealRoot {
+    base: RBig,
+    sign: i8,
+    root: Root,
+}
+
+impl RealRoot {
+    /// All real roots, ascending; `None` when they cannot be isolated.
+    pub fn all(polynomial: &Polynomial) -> Option<Vec<Self>> {
+        if polynomial.is_zero() {
+            return None;
+        }
+        // The base must not be a root: one of degree + 1 numbers is none.
+        let bases = (0..=polynomial.degree()).map(|k| RBig::from_parts(k.into(), 37u8.into()));
+        let base = bases.into_iter().find(|base| polynomial.sign_at(base) != 0)?;
+        let side = |sign: i8| -> Option<Vec<Self>> {
+            let roots = polynomial.composed(&base, &RBig::from(sign)).positive_roots()?;
+            Some(roots.into_iter().map(|root| Self { base: base.clone(), sign, root }).collect())
+        };
+        let mut all = side(-1)?;
+        all.reverse();
+        all.extend(side(1)?);
+        Some(all)
+    }
+
+    /// A rational one.
+    pub fn rational(at: &RBig) -> Self {
+        let one = RBig::ONE;
+        let base = at - &one;
+        let root = Root::exact(&Polynomial::from_rationals(&[-one.clone(), one.clone()]), one);
+        Self { base, sign: 1, root }
+    }
+
+    /// The range that isolates it.
+    pub fn range(&self) -> [RBig; 2] {
+        if self.sign > 0 {
+            [&self.base + &self.root.lo, &self.base + &self.root.hi]
+        } else {
+            [&self.base - &self.root.hi, &self.base - &self.root.lo]
+        }
+    }
+
+    fn refined(&self, bits: usize) -> Self {
+        let mut refined = self.clone();
+        refined.root.refine(bits);
+        refined
+    }
+
+    fn enclosed(&self, bits: usize) -> Wide {
+        let [lo, hi] = self.refined(bits).range();
+        Wide::rational(&lo, bits).hull(&Wide::rational(&hi, bits))
+    }
+
+    /// A range that holds the square root of `square` on neither side; `None` when the root is one of them.
+    pub fn range_beside(&mut self, square: &RBig) -> Option<[RBig; 2]> {
+        for bits in STAGES {
+            let [lo, hi] = self.range();
+            let inner = |w: &RBig| w * w < *square;
+            let straddles = lo < RBig::ZERO && hi > RBig::ZERO;
+            if inner(&lo) == inner(&hi) && (!straddles || inner(&lo)) {
+                return Some([lo, hi]);
+            }
+            *self = self.refined(bits);
+        }
+        None
+    }
+
+    /// The order of two roots; `None`: they are equal, or closer than the largest precision.
+    pub fn compare(&mut self, other: &mut Self) -> Option<Ordering> {
+        for bits in STAGES {
+            let ([a, b], [c, d]) = (self.range(), other.range());
+            if b < c {
+                return Some(Ordering::Less);
+            }
+            if d < a {
+                return Some(Ordering::Greater);
+            }
+            *self = self.refined(bits);
+            *other = other.refined(bits);
+        }
+        None
+    }
+}
+
+/// ω = ρ/√p along Staude's curve: coefficients of ρ = R D and p = P D².
+#[derive(Debug)]
+pub(super) struct Course {
+    pub rho: Vec<RBig>,
+    pub p: Vec<RBig>,
+}
+
+/// A latitude.
+#[derive(Clone, Debug)]
+pub(super) enum Latitude<'a> {
+    /// ± ω at a root.
+    OnCurve { course: &'a Course, root: RealRoot, sign: i8 },
+    /// A root itself.
+    Straight(RealRoot),
+}
+
+impl Latitude<'_> {
+    pub fn negated(mut self) -> Self {
+        match &mut self {
+            Self::OnCurve { sign, .. } => *sign = -*sign,
+            Self::Straight(root) => {
+                root.base = -root.base.clone();
+                root.sign = -root.sign;
+            }
+        }
+        self
+    }
+
+    fn enclosed(&self, bits: usize) -> Wide {
+        match self {
+            Self::Straight(root) => root.enclosed(bits),
+            Self::OnCurve { course, root, sign } => {
+                let mu = root.enclosed(bits);
+                let horner = |c: &[RBig]| {
+                    let zero = Wide::small(0, bits);
+                    c.iter().rev().fold(zero, |sum, c| sum * mu.clone() + Wide::rational(c, bits))
+                };
+                let omega = horner(&course.rho) / horner(&course.p).sqrt();
+                if *sign > 0 { omega } else { -omega }
+            }
+        }
+    }
+
+    /// The order of two latitudes; `None`: they are equal, or closer than the largest precision.
+    pub fn compare(&self, other: &Self) -> Option<Ordering> {
+        STAGES.into_iter().find_map(|bits| {
+            let (p, q) = (self.enclosed(bits), other.enclosed(bits));
+            match (q - p).sign() {
+                Some(1) => Some(Ordering::Less),
+                Some(-1) => Some(Ordering::Greater),
+                _ => None,
+            }
+        })
+    }
+}

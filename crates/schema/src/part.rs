@@ -1,0 +1,42 @@
+//! The block `part` of a document whose body was given as a real part.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Principal moments and axes about a point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PrincipalDocument {
+    /// The principal moments, in the part's units.
+    pub moments: [f64; 3],
+    /// Row k is principal axis k in the part's frame.
+    pub axes: [[f64; 3]; 3],
+}
+
+/// A part as it was understood.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PartDocument {
+    /// The tensor about the fixed point, its entries exact (off the diagonal Ixy = −∫ x y dm).
+    pub inertia: [[String; 3]; 3],
+    /// The centre of mass from the fixed point, exact.
+    pub com: [String; 3],
+    /// The mass, exact.
+    pub mass: String,
+    /// The acceleration of gravity in m/s².
+    pub g: String,
+    /// Units of mass, length and time, of the block and of every number of the document.
+    pub units: String,
+    /// About the fixed point: the axes in which A, r and γ of the document are.
+    pub principal: PrincipalDocument,
+    /// About the centre of mass: what CAD prints.
+    pub principal_com: PrincipalDocument,
+    /// Principal moments about the fixed point.
+    #[serde(rename = "A")]
+    pub moments: [String; 3],
+    /// m g times the centre of mass, in the principal axes.
+    #[serde(rename = "r")]
+    pub center: [String; 3],
+    /// True when A and r are exact; else they are rounded to 130 digits, and every symmetry is kept.
+    pub exact: bool,
+    /// Some distribution of mass has these mass properties.
+    pub physical: bool,
+}

@@ -1,0 +1,241 @@
+//! The outlines of the regions in a window.
+//!
+//! In each slab a region is a column of cells between two curves, over both of which l is a coordinate. An outline runs to
+//! the right along the lower curve of a cell and to the left along the upper one; at an event it goes over to the cells
+//! with which the region continues there, and where it does not continue it turns.
+
+use std::collections::BTreeMap;
+
+use super::{Atlas, Window};
+use crate::diagram::{EventId, RegionId, SlabId, continued};
+use crate::table::{Id, Table};
+use numbers::UNIT_ROUNDOFF;
+
+/// A closed polygon of points [h, l]; the last is the first.
+pub type Outline = Vec<[f64; 2]>;
+
+/// A cell: a slab and the gap above the curve at this position.
+type Place = (usize, usize);
+
+/// Edges of cells along which outlines run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Edge {
+    /// To the right along the lower curve.
+    Lower(Place),
+    /// To the left along the upper curve.
+    Upper(Place),
+}
+
+/// The curves of the slabs that a window shows, as polylines, and how cells continue from slab to slab.
+struct Columns {
+    /// By rising l; `chains[slab][position]` is the part of the curve at that position, clipped to the window.
+    chains: Vec<Vec<Outline>>,
+    /// The top of the window over each slab.
+    top: Vec<Outline>,
+    /// The cells to the right of each cell and of the same region, from below.
+    right: BTreeMap<Place, Vec<Place>>,
+    /// Those to the left.
+    left: BTreeMap<Place, Vec<Place>>,
+}
+
+impl Atlas {
+    /// For each region the closed outlines of its part inside a window; none for a region outside it. Corners lie on the
+    /// curves, neighbours share them, and their number is bounded.
+    #[must_use]
+    pub fn outlines(&self, window: &Window) -> Table<RegionId, Vec<Outline>> {
+        let columns = self.columns(window);
+        self.regions
+            .iter()
+            .map(|region| {
+                let cells: Vec<Place> = region
+                    .cells
+                    .iter()
+                    .map(|cell| (cell.slab.index(), cell.position))
+                    .filter(|&(slab, _)| columns.chains.get(slab).is_some_and(|chains| !chains.is_empty()))
+                    .collect();
+                columns.outlines(cells)
+            })
+            .collect()
+    }
+
+    fn columns(&self, window: &Window) -> Columns {
+        let slabs = &self.arrangement.slabs;
+        let mut columns =
+            Columns { chains: Vec::new(), top: Vec::new(), right: BTreeMap::new(), left: BTreeMap::new() };
+        for slab in slabs.ids() {
+            let l = slabs[slab].x.map(|x| self.momentum(x));
+            let l = [l[0].max(window.l[0]), l[1].min(window.l[1])];
+            let seen = l[0] <= l[1];
+            columns.chains.push(if seen { self.chains(slab, l, window.h) } else { Vec::new() });
+            columns.top.push(l.map(|l| [window.h[1], l]).to_vec());
+        }
+        // Where several events are proved to lie at one l there is no slab between them: the outlines end at this l.
+        if slabs.len() == self.arrangement.events.len() + 1 {
+            self.arrangement.events.ids().for_each(|event| self.join(event, &mut columns));
+        }
+        columns
+    }
+
+    /// Notes which cells continue across an event that the window shows.
+    fn join(&self, event: EventId, columns: &mut Columns) {
+        let (before, after) = (SlabId::before(event), SlabId::after(event));
+        if [before, after].iter().any(|slab| columns.chains[slab.index()].is_empty()) {
+            return;
+        }
+        let order = |slab: SlabId| self.arrangement.slabs[slab].order.as_slice();
+        for [left, right] in continued(order(before), order(after), &self.arrangement.events[event].change) {
+            // Gap 0, below all curves, is forbidden.
+            let (Some(left), Some(right)) = (left.checked_sub(1), right.checked_sub(1)) else { continue };
+            let (left, right) = ((before.index(), left), (after.index(), right));
+            columns.right.entry(left).or_default().push(right);
+            columns.left.entry(right).or_default().push(left);
+        }
+    }
+
+    /// The curves of a slab over a range of l, clipped to a range of h.
+    fn chains(&self, slab: SlabId, l: [f64; 2], h: [f64; 2]) -> Vec<Outline> {
+        let order = &self.arrangement.slabs[slab].order;
+        let mut heights = Heights { atlas: self, slab, rows: BTreeMap::new() };
+        (0..order.len())
+            .map(|position| {
+                let mut chain = vec![[heights.at(l[0])[position], l[0]]];
+                if l[0] < l[1] {
+                    heights.refine(position, l, (h[1] - h[0]).abs() * CHORD, DEPTH, &mut chain);
+                }
+                clipped(&chain, h)
+            })
+            .collect()
+    }
+}
+
+/// Largest distance of a chord from its curve in h, as a share of the window.
+const CHORD: f64 = 1e-3;
+/// … and as a share of the gap to the next curve, so that thin regions are not lost.
+const GAP_SHARE: f64 = 0.1;
+/// A curve has at most 2^DEPTH chords in a slab.
+const DEPTH: u32 = 8;
+
+/// Energies of the curves of a slab at several l.
+struct Heights<'a> {
+    atlas: &'a Atlas,
+    slab: SlabId,
+    /// By the bits of l ≥ 0.
+    rows: BTreeMap<u64, Vec<f64>>,
+}
+
+impl Heights<'_> {
+    fn at(&mut self, l: f64) -> &[f64] {
+        let Self { atlas, slab, rows } = self;
+        let set = &atlas.arrangement.set;
+        let order = &atlas.arrangement.slabs[*slab].order;
+        rows.entry(l.to_bits()).or_insert_with(|| order.iter().map(|&c| atlas.h_at(&set.curves[c], l)).collect())
+    }
+
+    /// Adds the points of a curve after `l[0]` up to and including `l[1]`.
+    fn refine(&mut self, position: usize, l: [f64; 2], tolerance: f64, depth: u32, chain: &mut Outline) {
+        let ends = l.map(|l| self.at(l)[position]);
+        let noise = 64.0 * UNIT_ROUNDOFF * ends[0].abs().max(ends[1].abs());
+        let straight = depth == 0
+            || [0.25, 0.5, 0.75].iter().all(|&t| {
+                let row = self.at(l[0] + t * (l[1] - l[0]));
+                let h = row[position];
+                let gap = |other: Option<&f64>| other.map_or(f64::INFINITY, |other| (other - h).abs());
+                let gap = gap(row.get(position + 1)).min(gap(position.checked_sub(1).and_then(|below| row.get(below))));
+                (h - (ends[0] + t * (ends[1] - ends[0]))).abs() <= tolerance.min(GAP_SHARE * gap).max(noise)
+            });
+        if straight {
+            chain.push([ends[1], l[1]]);
+            return;
+        }
+        let middle = 0.5 * (l[0] + l[1]);
+        self.refine(position, [l[0], middle], tolerance, depth - 1, chain);
+        self.refine(position, [middle, l[1]], tolerance, depth - 1, chain);
+    }
+}
+
+/// A chain along which h rises, with what lies outside the range of h moved to its border.
+fn clipped(chain: &[[f64; 2]], h: [f64; 2]) -> Outline {
+    let mut clipped: Outline = Vec::with_capacity(chain.len() + 2);
+    for (i, &[to, l_to]) in chain.iter().enumerate() {
+        if let Some(&[from, l_from]) = i.checked_sub(1).and_then(|before| chain.get(before)) {
+            for border in h.into_iter().filter(|border| from < *border && *border < to) {
+                clipped.push([border, l_from + (l_to - l_from) * ((border - from) / (to - from))]);
+            }
+        }
+        clipped.push([to.clamp(h[0], h[1]), l_to]);
+    }
+    clipped
+}
+
+impl Columns {
+    /// The outlines around these cells, which are all cells of a region that the window shows.
+    fn outlines(&self, cells: Vec<Place>) -> Vec<Outline> {
+        let mut open: std::collections::BTreeSet<Edge> = cells.into_iter().map(Edge::Lower).collect();
+        let mut outlines = Vec::new();
+        while let Some(start) = open.first().copied() {
+            let mut outline = Vec::new();
+            let mut edge = start;
+            loop {
+                open.remove(&edge);
+                self.follow(edge, &mut outline);
+                edge = self.next(edge);
+                if edge == start {
+                    break;
+                }
+            }
+            outlines.extend(closed(outline));
+        }
+        outlines
+    }
+
+    fn follow(&self, edge: Edge, outline: &mut Outline) {
+        match edge {
+            Edge::Lower((slab, position)) => outline.extend(&self.chains[slab][position]),
+            Edge::Upper((slab, position)) => {
+                outline.extend(self.chains[slab].get(position + 1).unwrap_or(&self.top[slab]).iter().rev());
+            }
+        }
+    }
+
+    /// Where the outline goes on at the end of an edge.
+    fn next(&self, edge: Edge) -> Edge {
+        let of = |side: &BTreeMap<Place, Vec<Place>>, cell| side.get(&cell).cloned().unwrap_or_default();
+        match edge {
+            Edge::Lower(cell) => {
+                let Some(&right) = of(&self.right, cell).first() else { return Edge::Upper(cell) };
+                let beside = of(&self.left, right);
+                let at = beside.iter().position(|&c| c == cell).unwrap_or(0);
+                if at == 0 { Edge::Lower(right) } else { Edge::Upper(beside[at - 1]) }
+            }
+            Edge::Upper(cell) => {
+                let Some(&left) = of(&self.left, cell).last() else { return Edge::Lower(cell) };
+                let beside = of(&self.right, left);
+                let at = beside.iter().position(|&c| c == cell).unwrap_or(0);
+                if at + 1 == beside.len() { Edge::Upper(left) } else { Edge::Lower(beside[at + 1]) }
+            }
+        }
+    }
+}
+
+/// The polygon without repeated points, points in the middle of straight border lines, and closed; `None` if it has no
+/// inside.
+fn closed(points: Outline) -> Option<Outline> {
+    let mut outline: Outline = Vec::with_capacity(points.len());
+    for point in points {
+        let on_border = |k: usize, p: [f64; 2], q: [f64; 2]| p[k] == q[k] && q[k] == point[k];
+        if let [.., p, q] = outline[..]
+            && (on_border(0, p, q) || on_border(1, p, q))
+        {
+            outline.pop();
+        }
+        if outline.last() != Some(&point) {
+            outline.push(point);
+        }
+    }
+    let first = *outline.first()?;
+    if outline.last() != Some(&first) {
+        outline.push(first);
+    }
+    let extent = |k: usize| outline.iter().any(|point| point[k] != first[k]);
+    (extent(0) && extent(1) && outline.len() > 3).then_some(outline)
+}

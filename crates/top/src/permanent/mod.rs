@@ -1,0 +1,21 @@
+//! Rotation about a principal axis through the centre of mass, which is permanent at every spin.
+//!
+//! With the vertical along the axis k, ρ = ⟨γ, r⟩ (positive: hanging), C = A_k, the other moments A and B, and s = Ω²:
+//! h = sC/2 − ρ, l = CΩ, and by Theorem 13.1 of docs/mathematics.md the eigenvalues of the linearised flow satisfy
+//! λ⁴ + bλ² + c = 0 with
+//!
+//! - c = K_A K_B / (AB), K_A = ρ + s(C − A), K_B = ρ + s(C − B),
+//! - b = [s(A + B − C)² + A K_A + B K_B] / (AB).
+//!
+//! All are polynomials in s with rational coefficients: where the type changes is a root of K_A, K_B or of the quadratic
+//! (AB)²(b² − 4c), isolated exactly.
+
+mod cone;
+mod regions;
+mod rotation;
+mod tolerance;
+
+pub use cone::{NearestAxis, nearest_axis, nearest_permanent, permanent_axes};
+pub use regions::{RegionChange, region_changes};
+pub use rotation::{AxisRotation, SpinChange, SpinType, Squares};
+pub use tolerance::{SpinRange, SpinRanges, spin_ranges};

@@ -1,0 +1,270 @@
+//! Rotation about a principal axis through the centre of mass: its spectral type over the spin, exactly.
+
+use dashu_ratio::RBig;
+
+use crate::body::Body;
+use numbers::polynomial::{Polynomial, Root, rational};
+
+/// The spectral type of such a rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SpinType {
+    /// Two imaginary pairs, and the energy is least: stable.
+    Minimum,
+    /// Two imaginary pairs only: stable in the linear terms (and for a symmetric top by a further integral).
+    Elliptic,
+    /// One real and one imaginary pair: unstable.
+    SaddleCentre,
+    /// Two real pairs: unstable.
+    DoubleReal,
+    /// A complex quadruple: unstable.
+    Complex,
+}
+
+impl SpinType {
+    /// Not unstable in the linear terms.
+    #[must_use]
+    pub fn is_stable(self) -> bool {
+        matches!(self, Self::Minimum | Self::Elliptic)
+    }
+
+    /// As it is printed.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Minimum => "elliptic (least energy)",
+            Self::Elliptic => "elliptic",
+            Self::SaddleCentre => "saddle-centre",
+            Self::DoubleReal => "double-real",
+            Self::Complex => "complex",
+        }
+    }
+}
+
+/// Rotation about a principal axis through the centre of mass with the vertical at one of its ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisRotation {
+    axis: usize,
+    /// C, A, B.
+    pub(super) moments: [RBig; 3],
+    /// ρ.
+    pub(super) weight: RBig,
+}
+
+/// A spin at which the type changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpinChange {
+    /// Ω in the body's units.
+    pub omega: f64,
+    /// Bound on its error.
+    pub error_bound: f64,
+    /// Below.
+    pub from: SpinType,
+    /// Above.
+    pub to: SpinType,
+}
+
+impl AxisRotation {
+    /// Rotation about the principal axis `axis` (0, 1, 2) with γ = `gamma` e_axis, gamma = ±1; `None` when the centre of
+    /// mass does not lie on the axis.
+    #[must_use]
+    pub fn new(body: &Body, axis: usize, gamma: i8) -> Option<Self> {
+        let others = [(axis + 1) % 3, (axis + 2) % 3];
+        if others.iter().any(|&k| !body.center()[k].value().is_zero()) {
+            return None;
+        }
+        let moment = |k: usize| body.moments()[k].value().clone();
+        let weight = body.center()[axis].value() * RBig::from(gamma);
+        Some(Self { axis, moments: [moment(axis), moment(others[0]), moment(others[1])], weight })
+    }
+
+    /// The axis.
+    #[must_use]
+    pub fn axis(&self) -> usize {
+        self.axis
+    }
+
+    /// K_A, K_B and AB·b as polynomials in s.
+    fn polynomials(&self) -> [Vec<RBig>; 3] {
+        let [c, a, b] = &self.moments;
+        let stiffness = |moment: &RBig| vec![self.weight.clone(), c - moment];
+        let (first, second) = (stiffness(a), stiffness(b));
+        let coupling = a + b - c;
+        let gyroscopic = vec![RBig::ZERO, &coupling * &coupling];
+        let sum = rational::add(&rational::scale(&first, a), &rational::scale(&second, b));
+        let whole = rational::add(&gyroscopic, &sum);
+        [first, second, whole]
+    }
+
+    /// (AB)²(b² − 4c) as a polynomial in s.
+    fn discriminant(&self) -> Vec<RBig> {
+        let [_, a, b] = &self.moments;
+        let [first, second, whole] = self.polynomials();
+        let product = rational::scale(&rational::mul(&first, &second), &(RBig::from(4) * a * b));
+        rational::sub(&rational::mul(&whole, &whole), &product)
+    }
+
+    /// The type at a positive s that is no root, exactly.
+    fn type_at(&self, s: &RBig) -> SpinType {
+        let at = |c: &[RBig]| c.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c);
+        let [first, second, whole] = self.polynomials().map(|c| at(&c));
+        let positive = |x: &RBig| *x > RBig::ZERO;
+        match (positive(&first), positive(&second)) {
+            (true, true) => SpinType::Minimum,
+            (true, false) | (false, true) => SpinType::SaddleCentre,
+            (false, false) if at(&self.discriminant()) < RBig::ZERO => SpinType::Complex,
+            (false, false) if positive(&whole) => SpinType::Elliptic,
+            (false, false) => SpinType::DoubleReal,
+        }
+    }
+
+    /// All spins Ω > 0 at which the type changes, ascending; none where r = 0, since there the spin is only a unit of
+    /// time.
+    #[must_use]
+    pub fn changes(&self) -> Vec<SpinChange> {
+        let [first, second, _] = self.polynomials();
+        let mut roots: Vec<Root> = Vec::new();
+        for coefficients in [first, second, self.discriminant()] {
+            let polynomial = Polynomial::from_rationals(&coefficients);
+            if polynomial.is_zero() {
+                continue;
+            }
+            for mut root in polynomial.positive_roots().unwrap_or_default() {
+                root.refine(120);
+                roots.push(root);
+            }
+        }
+        roots.sort_by(|p, q| p.lo.cmp(&q.lo));
+        // Equal roots of two of the polynomials overlap.
+        roots.dedup_by(|later, earlier| later.lo <= earlier.hi);
+        let mut changes = Vec::new();
+        for (k, root) in roots.iter().enumerate() {
+            let two = RBig::from(2);
+            let below =
+                k.checked_sub(1).map_or_else(|| &root.lo / &two, |before| (&roots[before].hi + &root.lo) / &two);
+            let above = roots.get(k + 1).map_or_else(|| &root.hi * &two, |after| (&root.hi + &after.lo) / &two);
+            let (from, to) = (self.type_at(&below), self.type_at(&above));
+            if from != to {
+                let omega = root.hi.to_f64().value().sqrt();
+                changes.push(SpinChange { omega, error_bound: 4.0 * f64::EPSILON * omega, from, to });
+            }
+        }
+        changes
+    }
+
+    /// The type at a spin Ω ≠ 0 that is no change.
+    #[must_use]
+    pub fn type_at_spin(&self, omega: f64) -> Option<SpinType> {
+        let omega = RBig::try_from(omega).ok()?;
+        (!omega.is_zero()).then(|| self.type_at(&(&omega * &omega)))
+    }
+
+    /// l at a spin.
+    #[must_use]
+    pub fn l(&self, omega: f64) -> f64 {
+        self.moments[0].to_f64().value() * omega
+    }
+
+    /// h at a spin.
+    #[must_use]
+    pub fn h(&self, omega: f64) -> f64 {
+        0.5 * self.moments[0].to_f64().value() * omega * omega - self.weight.to_f64().value()
+    }
+
+    /// λ₁² and λ₂² at a spin: real ones, or the real and imaginary parts of a conjugate pair.
+    #[must_use]
+    pub fn squared_eigenvalues(&self, omega: f64) -> Squares {
+        let [_, a, b] = self.moments.each_ref().map(|x| x.to_f64().value());
+        let s = omega * omega;
+        let at = |c: &[RBig]| c.iter().rev().fold(0.0, |sum, c| sum * s + c.to_f64().value());
+        let [first, second, whole] = self.polynomials().map(|c| at(&c));
+        let (half, product) = (0.5 * whole / (a * b), first * second / (a * b));
+        let discriminant = at(&self.discriminant()) / (4.0 * a * a * b * b);
+        if discriminant < 0.0 {
+            return Squares::Conjugate { re: -half, im: (-discriminant).sqrt() };
+        }
+        // The larger one without cancellation, the other from the product.
+        let root = discriminant.sqrt();
+        let larger = -(half + if half < 0.0 { -root } else { root });
+        let smaller = if larger == 0.0 { 0.0 } else { product / larger };
+        Squares::Real([larger, smaller])
+    }
+}
+
+/// The two values of λ².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Squares {
+    /// Real: negative ones are frequencies, positive ones rates of growth.
+    Real([f64; 2]),
+    /// re ± i im.
+    Conjugate {
+        /// Real part.
+        re: f64,
+        /// Imaginary part, positive.
+        im: f64,
+    },
+}
+
+impl Squares {
+    /// The frequencies |Im λ|, in rad over the unit of time, and the largest rate of growth Re λ.
+    #[must_use]
+    pub fn frequencies_and_growth(&self) -> ([f64; 2], f64) {
+        match *self {
+            Self::Real(squares) => {
+                let frequency = |x: f64| (-x).max(0.0).sqrt();
+                (squares.map(frequency), squares.into_iter().fold(0.0, f64::max).sqrt())
+            }
+            Self::Conjugate { re, im } => {
+                let modulus = (re * re + im * im).sqrt();
+                let frequency = (0.5 * (modulus - re)).max(0.0).sqrt();
+                ([frequency, frequency], (0.5 * (modulus + re)).max(0.0).sqrt())
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rotation(a: [&str; 3], r: [&str; 3], axis: usize, gamma: i8) -> AxisRotation {
+        AxisRotation::new(&Body::parse(&a, &r).unwrap(), axis, gamma).unwrap()
+    }
+
+    /// Lagrange's upright top sleeps from C²Ω² = 4 A r on.
+    #[test]
+    fn the_sleeping_top_wakes_at_its_threshold() {
+        let upright = rotation(["2", "2", "0.5"], ["0", "0", "3"], 2, -1);
+        let changes = upright.changes();
+        let threshold = 4.0 * (2.0_f64 * 3.0).sqrt();
+        assert_eq!(changes.len(), 1);
+        assert!((changes[0].omega - threshold).abs() < changes[0].error_bound);
+        assert_eq!((changes[0].from, changes[0].to), (SpinType::Complex, SpinType::Elliptic));
+        assert!(
+            rotation(["2", "2", "0.5"], ["0", "0", "3"], 2, 1).changes().iter().all(|change| change.to.is_stable())
+        );
+    }
+
+    /// An asymmetric upright top: c < 0 between the roots of K_A and K_B.
+    #[test]
+    fn an_asymmetric_top_is_a_saddle_between_two_spins() {
+        // C = 3 > A, B: K_A = -1 + 2 s, K_B = -1 + s.
+        let changes = rotation(["1", "2", "3"], ["0", "0", "1"], 2, -1).changes();
+        let types: Vec<_> = changes.iter().map(|change| (change.from, change.to)).collect();
+        assert_eq!(types.last(), Some(&(SpinType::SaddleCentre, SpinType::Minimum)));
+        let last = &changes[changes.len() - 1];
+        assert!((last.omega - 1.0).abs() <= last.error_bound);
+        let before = &changes[changes.len() - 2];
+        assert!((before.omega - 0.5_f64.sqrt()).abs() <= before.error_bound);
+    }
+
+    /// The middle axis of a free body is unstable, at every spin.
+    #[test]
+    fn a_free_body_tumbles_about_its_middle_axis() {
+        let body = ["1", "2", "3"];
+        let free = |axis| rotation(body, ["0", "0", "0"], axis, 1);
+        assert_eq!(free(1).type_at_spin(0.3), Some(SpinType::SaddleCentre));
+        assert_eq!(free(0).type_at_spin(0.3), Some(SpinType::Elliptic));
+        assert_eq!(free(2).type_at_spin(0.3), Some(SpinType::Minimum));
+        assert!((0..3).all(|axis| free(axis).changes().is_empty()));
+    }
+}

@@ -1,0 +1,154 @@
+//! Linear types of relative equilibria, verdicts on their stability, and the words for both.
+
+use std::fmt;
+
+/// The eigenvalues ±λ₁, ±λ₂ of the flow reduced by l at a relative equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LinearType {
+    /// Two imaginary pairs; on a circle of equilibria one, across it.
+    Elliptic,
+    /// One real and one imaginary pair.
+    SaddleCentre,
+    /// Two real pairs; on a circle of equilibria one, across it.
+    Saddle,
+    /// A complex quadruple.
+    Complex,
+    /// A double imaginary pair.
+    DoubleElliptic,
+    /// A double real pair.
+    DoubleReal,
+    /// An eigenvalue zero (on a circle: across it too).
+    Zero,
+}
+
+impl LinearType {
+    /// Every type.
+    pub const ALL: [Self; 7] = [
+        Self::Elliptic,
+        Self::SaddleCentre,
+        Self::Saddle,
+        Self::Complex,
+        Self::DoubleElliptic,
+        Self::DoubleReal,
+        Self::Zero,
+    ];
+
+    /// Some eigenvalue has a positive real part.
+    #[must_use]
+    pub fn is_unstable(self) -> bool {
+        matches!(self, Self::SaddleCentre | Self::Saddle | Self::Complex | Self::DoubleReal)
+    }
+
+    /// The word for it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Elliptic => "elliptic",
+            Self::SaddleCentre => "saddle-centre",
+            Self::Saddle => "saddle",
+            Self::Complex => "complex",
+            Self::DoubleElliptic => "double-elliptic",
+            Self::DoubleReal => "double-real",
+            Self::Zero => "zero",
+        }
+    }
+}
+
+impl fmt::Display for LinearType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
+    }
+}
+
+/// Signs of the coefficients of λ⁴ + bλ² + c and of its discriminant: they decide the linear type (Corollary 13.2 of
+/// docs/mathematics.md).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Signs {
+    /// Of b.
+    pub b: i8,
+    /// Of c.
+    pub c: i8,
+    /// Of b² − 4c.
+    pub discriminant: i8,
+}
+
+impl Signs {
+    /// The type at a single equilibrium.
+    #[must_use]
+    pub fn linear_type(self) -> LinearType {
+        match (self.c, self.discriminant, self.b) {
+            (0, ..) => LinearType::Zero,
+            (..0, ..) => LinearType::SaddleCentre,
+            (_, ..0, _) => LinearType::Complex,
+            (_, 0, 1..) => LinearType::DoubleElliptic,
+            (_, 0, _) => LinearType::DoubleReal,
+            (_, _, 1..) => LinearType::Elliptic,
+            (..) => LinearType::Saddle,
+        }
+    }
+
+    /// The type across a circle, or a sphere, of equilibria, where c = 0 throughout.
+    #[must_use]
+    pub fn transverse_type(b: i8) -> LinearType {
+        match b {
+            0 => LinearType::Zero,
+            1.. => LinearType::Elliptic,
+            _ => LinearType::Saddle,
+        }
+    }
+}
+
+/// What is known of the stability of a relative equilibrium (of a circle or sphere of them: as a whole).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Verdict {
+    /// Stable: a strict minimum of U_l.
+    Energy,
+    /// Stable by a further integral.
+    Integral,
+    /// All eigenvalues are imaginary; nothing more is claimed.
+    Spectrum,
+    /// Unstable.
+    Unstable,
+    /// Not decided by the linear terms.
+    Open,
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Energy => "stable (energy)",
+            Self::Integral => "stable (integral)",
+            Self::Spectrum => "spectrally",
+            Self::Unstable => "unstable",
+            Self::Open => "open",
+        })
+    }
+}
+
+/// What a verdict needs besides the linear type (Proposition 13.6 of docs/mathematics.md).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// Morse index of U_l; across a circle its transverse index.
+    pub index: u8,
+    /// The multiplier is at least the largest moment: a strict global minimum of U_l, even where it is degenerate.
+    pub global_minimum: bool,
+    /// A further integral confines the motion as soon as no eigenvalue says otherwise: γ = ±r̂ on the axis of symmetry
+    /// (Lagrange), circles of regular precessions, and every rotation without weight (Euler).
+    pub integral: bool,
+}
+
+impl Setting {
+    /// The verdict.
+    #[must_use]
+    pub fn verdict(self, kind: LinearType) -> Verdict {
+        match kind {
+            _ if kind.is_unstable() => Verdict::Unstable,
+            LinearType::Zero if self.global_minimum => Verdict::Energy,
+            LinearType::Zero if self.integral => Verdict::Integral,
+            LinearType::Zero => Verdict::Open,
+            _ if self.index == 0 => Verdict::Energy,
+            _ if self.integral => Verdict::Integral,
+            _ => Verdict::Spectrum,
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! What the sweep refuses.
+
+use thiserror::Error;
+
+/// What the sweep could not resolve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Obstacle {
+    /// A pole lies on ∂U_hl within rounding: the point is on a pole line.
+    Pole,
+    /// ∂U_hl is singular within rounding, or nearly so at so many places that the effort allowed was not enough:
+    /// the point is close to a critical curve.
+    Singularity,
+}
+
+/// Why the sweep has no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum SweepError {
+    /// h or l is not a finite number.
+    #[error("h = {h} and l = {l} must be finite")]
+    NotFinite {
+        /// h as given.
+        h: f64,
+        /// l as given.
+        l: f64,
+    },
+    /// c is not in [−1, 1].
+    #[error("the cosine c = {cosine} of a latitude must lie between -1 and 1")]
+    NoLatitude {
+        /// c as given.
+        cosine: f64,
+    },
+    /// The arcs could not be told apart near the latitude c.
+    #[error("the boundary of U_hl cannot be resolved near c = {cosine} ({obstacle:?}, after {effort} evaluations)")]
+    Undecided {
+        /// ⟨γ,r̂⟩ where the sweep stopped.
+        cosine: f64,
+        /// What is there.
+        obstacle: Obstacle,
+        /// How many boxes were examined.
+        effort: u32,
+    },
+    /// Two counts of the Euler characteristic disagree: a defect of this program.
+    #[error("Euler characteristic {cells} by cells but {components} by components")]
+    Inconsistent {
+        /// Sum over slabs and circles.
+        cells: i64,
+        /// Sum of 2 − k over the components.
+        components: i64,
+    },
+}
+
+pub(super) fn check_finite(h: f64, l: f64) -> Result<(), SweepError> {
+    if h.is_finite() && l.is_finite() { Ok(()) } else { Err(SweepError::NotFinite { h, l }) }
+}

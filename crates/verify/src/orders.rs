@@ -1,0 +1,32 @@
+//! What is known when two curves are compared.
+
+use schema::PlaceDocument;
+
+use super::Refused;
+use super::equilibria::Point;
+use super::fixed::Fixed;
+use super::pieces::Pieces;
+use super::spaces::Spaces;
+use super::stand::{Stand, stand};
+
+/// What is known when curves are compared.
+pub(super) struct Orders<'a> {
+    pub spaces: &'a Spaces,
+    pub pieces: &'a Pieces,
+    /// The branch of the generic family on which dJ/dμ = 0 once, and the equilibrium there.
+    pub inflection: Option<(usize, Point)>,
+    /// (curve, side, other): the other passes exactly through this end.
+    pub meetings: Vec<(usize, usize, usize)>,
+}
+
+impl Orders<'_> {
+    /// The equilibrium of a curve over x.
+    pub fn stand(&self, curve: usize, place: Option<&PlaceDocument>, x: &Fixed) -> Result<Stand, Refused> {
+        stand(self.spaces, self.pieces, curve, place, x)
+    }
+
+    /// The refusal of a pair near x.
+    pub fn refused(&self, curves: [usize; 2], x: f64, why: &'static str) -> Refused {
+        Refused::Pair { curves: curves.map(|c| self.pieces.list[c].id.clone()), x, why }
+    }
+}
