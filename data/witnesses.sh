@@ -1,7 +1,8 @@
 #!/bin/sh
 # Writes witnesses.json: for each entry of the paper's Table 1 that occurs, for four boundary circles, and for each
-# signature of several components, a body and a point that show it well, as `bifdiag find` gives them. What is not found
-# is told on stderr and left out. Three boundary circles without a pole, and four, are not sought: docs/mathematics.md.
+# signature of several components, a body and a point that show it well, as `bifdiag find --search` gives them (without
+# that option it would answer from the file that this script writes). What is not found is told on stderr and left out.
+# Three boundary circles without a pole, and four, are not sought: docs/mathematics.md.
 #
 #   data/witnesses.sh S2+S2 S2+T2 T2+T2 M2+S2 M2+T2 S2+S2+T2 S2+T2+T2 > data/witnesses.json
 #
@@ -12,7 +13,7 @@
 set -eu
 program=${BIFDIAG:-bifdiag}
 one() {
-    answer=$("$program" find "$@" --samples 40000 --quiet --json)
+    answer=$("$program" find "$@" --search --samples 40000 --quiet --json)
     if [ "$(printf '%s' "$answer" | jq .found)" = true ]; then
         printf '%s' "$answer" | jq -c '{type, A, r, h, l, components, margin}'
     else

@@ -1,4 +1,4 @@
-//! Certified against standard atlases of random bodies: agreement, what is not proved, and the time of each.
+//! Proved atlases against those of f64 of random bodies: agreement, what is not proved, and the time of each.
 //!
 //! `cargo run --release --example certified_survey [bodies] [stratum]`; prints one line a stratum.
 
@@ -34,7 +34,7 @@ fn main() {
                 slowest = (time, text.clone());
             }
             times.push(time);
-            let standard = Atlas::new(&body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty());
+            let quick = Atlas::new(&body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty());
             let certified = match certified {
                 Ok(certified) => certified,
                 Err(error) => {
@@ -53,24 +53,20 @@ fn main() {
                     None => regions_open += 1,
                 }
             }
-            if let Some(standard) = standard {
+            if let Some(quick) = quick {
                 let mut all: Vec<String> = Vec::new();
-                for region in standard.regions().ids() {
-                    if let Ok(components) = standard.components(region) {
+                for region in quick.regions().ids() {
+                    if let Ok(components) = quick.components(region) {
                         all.push(class(components));
                     }
                 }
-                let same_count = standard.regions().len() == certified.region_count();
+                let same_count = quick.regions().len() == certified.region_count();
                 proved.sort();
                 all.sort();
-                let whole = proved.len() == certified.region_count() && all.len() == standard.regions().len();
+                let whole = proved.len() == certified.region_count() && all.len() == quick.regions().len();
                 if !same_count || (whole && proved != all) {
                     different += 1;
-                    eprintln!(
-                        "{name}: {text}: different: {} and {}",
-                        certified.region_count(),
-                        standard.regions().len()
-                    );
+                    eprintln!("{name}: {text}: different: {} and {}", certified.region_count(), quick.regions().len());
                 }
             }
         }

@@ -54,7 +54,9 @@ fn answer(line: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
         "critical": microseconds(10, || critical(&body, &l)),
         "locate": microseconds(1000, || atlas.locate(query.h, query.l)),
         "regions": atlas.regions().len(),
-        "document": documents::classification(&body, &h, &l, &classify(&body, &h, &l)?, Accuracy::Standard),
+        "document": documents::classification(
+            &body.clone().into(), &h, &l, &classify(&body, &h, &l)?, Accuracy::Exact, documents::Located::NotAsked,
+        ),
     }))
 }
 

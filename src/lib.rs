@@ -4,20 +4,20 @@
 //! momentum l follows from exact numbers:
 //!
 //! ```
-//! use bifdiag::{Atlas, Body, classify};
+//! use bifdiag::{Accuracy, Body, atlas_of, classify};
 //!
 //! let body = Body::parse(&["2", "11/10", "1"], &["0.94868", "0", "0.61623"])?;
 //! // One point: the components of U_hl with the energy surface and the section over each.
-//! let found = classify(&body, &"3.8".parse()?, &"3.25".parse()?)?;
+//! let found = classify(&body, &"3.8".parse()?, &"3.25".parse()?, Accuracy::Exact)?;
 //! let sections: Vec<_> = found.components().unwrap().iter().map(|component| component.section().unwrap()).collect();
 //! assert_eq!(sections, ["S2", "T2"]);
 //! // The whole plane.
-//! assert_eq!(Atlas::new(&body)?.regions().len(), 9);
+//! assert_eq!(atlas_of(&body, Accuracy::Exact)?.regions().len(), 9);
 //! # Ok::<_, Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! These names are what one needs for a start. Each layer below is a package of its own and is re-exported whole, in the
-//! order in which the data flows: [`numbers`], [`top`] (one body), [`proof`], [`dynamics`] (motion in time), [`survey`]
+//! order in which the data flows: [`numbers`], [`part`] (mass properties as engineers have them), [`top`] (one body), [`proof`], [`dynamics`] (motion in time), [`survey`]
 //! (many bodies), [`schema`] and [`documents`] (JSON), [`verify`], and `plot`.
 
 #[cfg(feature = "cli")]
@@ -25,14 +25,14 @@ pub mod cli;
 
 #[cfg(feature = "plot")]
 pub use plot;
-pub use {documents, dynamics, numbers, proof, schema, survey, top, verify};
+pub use {documents, dynamics, numbers, part, proof, schema, survey, top, verify};
 
 pub use dynamics::poincare::{PoincareSection, Setting};
 pub use numbers::Number;
-pub use proof::CertifiedAtlas;
+pub use proof::{Accuracy, CertifiedAtlas, Unanswered, atlas_of, classify};
 pub use top::atlas::{Atlas, Region};
 pub use top::body::Body;
-pub use top::classify::{Answer, Classification, Margin, classify};
+pub use top::classify::{Answer, Classification, Margin};
 pub use top::critical::{Equilibria, critical};
 pub use top::curves::CurveName;
 pub use top::topology::Component;

@@ -22,7 +22,15 @@ use std::process::Command;
 const PROGRAM: &str = env!("CARGO_BIN_EXE_bifdiag");
 
 /// Commands of the documentation that are not run here.
-const NOT_RUN: [&str; 6] = ["cargo test", "cargo bench", "git clone", ".ci/run", "PROPTEST_CASES=", "UPDATE_DOCS="];
+const NOT_RUN: [&str; 7] = [
+    "cargo test",
+    "cargo bench",
+    "git clone",
+    ".ci/run",
+    "PROPTEST_CASES=",
+    "UPDATE_DOCS=",
+    "cargo install cargo-mutants",
+];
 
 /// Stands for any number of lines.
 const ANYTHING: &str = "…";
@@ -258,4 +266,27 @@ fn gaps_stand_for_any_lines_and_nothing_else_does() {
     assert!(!agrees("a\n…\nc\n", "a\nb\n"));
     assert!(!agrees("a\n", "a\nb\n"));
     assert_eq!(words("classify --A 2,1.1,1 '--r= 1' \"x y\""), ["classify", "--A", "2,1.1,1", "--r= 1", "x y"]);
+}
+
+/// The Python of docs/draw-it-yourself.md, where there is a Python with numpy and matplotlib.
+#[test]
+fn pictures_can_be_drawn_by_hand() {
+    let has_both = Command::new("python3").args(["-c", "import numpy, matplotlib"]).output();
+    if !has_both.is_ok_and(|output| output.status.success()) {
+        return;
+    }
+    let text = fs::read_to_string(root().join("docs/draw-it-yourself.md")).expect("the page can be read");
+    let place = tempfile::tempdir().expect("a temporary directory can be made");
+    let blocks = blocks(&text);
+    let of = |language: &str| {
+        blocks.iter().filter(|block| block.language() == language).map(|block| block.body.as_str()).collect::<String>()
+    };
+    let mut printed = Printed::default();
+    assert!(of("sh").lines().all(|line| run(line, place.path(), &mut printed)), "{}", printed.stderr);
+    let output = Command::new("python3").args(["-c", &of("python")]).current_dir(place.path()).output();
+    let output = output.expect("Python starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    for picture in ["diagram.png", "grid.png", "section.png"] {
+        assert!(place.path().join(picture).exists(), "{picture} was not drawn");
+    }
 }

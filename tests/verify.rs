@@ -1,45 +1,57 @@
-//! `verify` confirms certified atlases and refuses false ones.
+//! `verify` confirms atlases with certificates and refuses false ones.
+
+use std::cell::RefCell;
 
 use documents::{DocumentOptions, certified_atlas, seal};
 use proof::CertifiedAtlas;
-use schema::{AtlasDocument, BodyDocument, ComponentDocument};
-use support::bodies::{STRATA, random_body};
-use support::random::SplitMix64;
-use top::atlas::Atlas;
+use proptest::prelude::*;
+use schema::{Accuracy, AtlasDocument};
+use support::property::holds_for_bodies;
+use support::strata::STRATA;
 use top::body::{Body, Preset};
-use top::topology::latitude;
-use verify::{Refused, cross_check, verify};
+use verify::{Refused, verify};
 
 fn preset(name: &str) -> Body {
     Preset::find(name).expect("a preset").body()
 }
 
 fn document(body: &Body) -> AtlasDocument {
-    let atlas = CertifiedAtlas::new(body).unwrap();
+    certified(&CertifiedAtlas::new(body).unwrap())
+}
+
+fn certified(atlas: &CertifiedAtlas) -> AtlasDocument {
     let options = DocumentOptions { polylines: false, ..DocumentOptions::default() };
-    certified_atlas(&atlas, &atlas.drawn().unwrap(), &options).unwrap()
+    certified_atlas(atlas, &atlas.drawn().unwrap(), &options).unwrap()
 }
 
 #[test]
-fn random_bodies_of_every_stratum_are_verified() {
-    let mut confirmed = 0;
+fn bodies_of_every_stratum_are_verified() {
+    let (confirmed, refused) = (RefCell::new(0), RefCell::new(0));
     for stratum in STRATA {
-        let body = random_body(&mut SplitMix64::new(4), stratum);
-        let report = verify(&document(&body)).unwrap_or_else(|error| panic!("{stratum:?} {body:?}: {error}"));
-        assert!(report.proof);
-        confirmed += report.regions;
+        holds_for_bodies(stratum, 2, |body| {
+            let Ok(atlas) = CertifiedAtlas::new(body) else {
+                prop_assert!(stratum.is_planted(), "not proved");
+                *refused.borrow_mut() += 1;
+                return Ok(());
+            };
+            verify(&certified(&atlas)).map_err(|refused| TestCaseError::fail(refused.to_string()))?;
+            *confirmed.borrow_mut() += 1;
+            Ok(())
+        });
     }
-    assert!(confirmed > 50, "{confirmed}");
+    let (confirmed, refused) = (confirmed.into_inner(), refused.into_inner());
+    println!("{confirmed} verified, {refused} not proved");
+    assert!(refused * 5 <= confirmed, "{refused} not proved, {confirmed} verified");
 }
 
 #[test]
 fn the_presets_are_verified() {
     for preset in Preset::all() {
         let report = verify(&document(&preset.body())).unwrap_or_else(|error| panic!("{}: {error}", preset.name()));
-        assert!(report.proof, "{}", preset.name());
+        assert!(report.regions > 0, "{}", preset.name());
     }
     let border = Body::parse(&["1", "5/9", "1/2"], &["1", "0", "0"]).unwrap();
-    assert!(verify(&document(&border)).unwrap().proof);
+    assert!(verify(&document(&border)).unwrap().regions > 0);
 }
 
 /// A certificate with one false claim, hashed anew.
@@ -86,10 +98,10 @@ fn false_claims_are_refused_by_the_mathematics() {
             c.cusps.push(again);
         });
     });
-    assert!(refused.is_err());
+    assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
     // An isolating range that misses its root.
     let refused = mutated(|d| certificate(d, &|c| c.cusps[0].place.y[1] = c.cusps[0].place.y[0].clone()));
-    assert!(refused.is_err());
+    assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
     // An enclosure that is too narrow.
     let refused = mutated(|d| certificate(d, &|c| c.events[0].x[1] = c.events[0].x[0].clone()));
     assert!(matches!(refused, Err(Refused::Event { .. })), "{refused:?}");
@@ -121,7 +133,7 @@ fn false_claims_are_refused_by_the_mathematics() {
     assert!(matches!(refused, Err(Refused::Summary { .. })), "{refused:?}");
     // Another body.
     let refused = mutated(|d| d.body.moments[1] = "1.2".parse().unwrap());
-    assert!(refused.is_err());
+    assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
 }
 
 /// What is written twice or under another name: a source of an event, a cusp, a stretch.
@@ -153,29 +165,15 @@ fn nothing_is_counted_twice() {
     assert!(matches!(repeated, Err(Refused::Pair { .. })), "{repeated:?}");
 }
 
-/// The second method for an atlas without certificate.
-fn sweep(body: &BodyDocument, h: f64, l: f64) -> Option<Vec<ComponentDocument>> {
-    let frame = Body::parse(&body.moments, &body.center).ok()?.frame();
-    let found = latitude::components(&frame, h / frame.energy_unit, l / frame.momentum_unit).ok()?;
-    Some(found.iter().map(documents::component).collect())
+#[test]
+fn an_atlas_without_certificate_is_not_confirmed() {
+    let mut atlas = document(&preset("paper"));
+    atlas.certificate = None;
+    assert_eq!(verify(&atlas), Err(Refused::NoCertificate));
+    assert!(Refused::NoCertificate.to_string().contains("--certificate"));
 }
 
 #[test]
-fn an_atlas_without_certificate_is_cross_checked_and_not_proved() {
-    let atlas = Atlas::new(&preset("paper")).unwrap();
-    let options = DocumentOptions { polylines: false, ..DocumentOptions::default() };
-    let mut standard = documents::atlas::document(&atlas, &options);
-    assert!(matches!(verify(&standard), Err(Refused::Certificate { present: false, .. })));
-    let report = cross_check(&standard, sweep).unwrap();
-    assert!(!report.proof && report.regions == 9 && report.open.is_empty());
-    // Where the second method has no answer the region is open.
-    let report = cross_check(&standard, |body, h, l| sweep(body, h, l).filter(|found| found.len() == 1)).unwrap();
-    assert_eq!((report.regions, report.open.len()), (6, 3));
-    standard.regions[2].components = standard.regions[0].components.clone();
-    assert!(matches!(cross_check(&standard, sweep), Err(Refused::Topology { .. })));
-    standard.body.moments[1] = "0".to_owned();
-    assert!(matches!(cross_check(&standard, sweep), Err(Refused::Body { axis: 2, .. })));
-    // A certified atlas is proved, not compared.
-    let certified = document(&preset("paper"));
-    assert!(matches!(cross_check(&certified, sweep), Err(Refused::Certificate { present: true, .. })));
+fn a_certificate_is_exact() {
+    assert_eq!(mutated(|d| d.accuracy = Accuracy::Fast), Err(Refused::Accuracy));
 }

@@ -1,7 +1,7 @@
 //! Every witness in `data/witnesses.json` shows what it says, by both topological methods, and with room.
 
-use documents::{candidate, margin};
-use proof::CertifiedAtlas;
+use documents::margin;
+use proof::classify_exactly;
 use schema::WitnessDocument;
 use survey::search::Target;
 use top::body::{Body, Number};
@@ -37,7 +37,12 @@ fn both_methods_confirm_every_witness() {
         let [energy, momentum] = [&witness.h, &witness.l].map(|text| text.parse::<Number>().unwrap());
         let answer = classify(&body, &energy, &momentum).unwrap();
         // As documents, so that every name in the file is compared too.
-        assert_eq!(answer.components().map(candidate).as_ref(), Some(&witness.components), "{}", witness.kind);
+        assert_eq!(
+            answer.components().map(documents::components).as_ref(),
+            Some(&witness.components),
+            "{}",
+            witness.kind
+        );
         assert_eq!(margin(&answer.margin), witness.margin, "{}", witness.kind);
         let frame = body.frame();
         let (h, l) = (energy.to_f64() / frame.energy_unit, momentum.to_f64() / frame.momentum_unit);
@@ -46,8 +51,13 @@ fn both_methods_confirm_every_witness() {
         if is_narrow(&witness, &body) {
             // Proved instead; its room is millions of times its error.
             assert!(witness.margin.h > 1e6 * witness.margin.error_bound, "{}: {:?}", witness.kind, witness.margin);
-            let proved = CertifiedAtlas::new(&body).unwrap().classify(&energy, &momentum);
-            assert_eq!(proved.components().map(candidate).as_ref(), Some(&witness.components), "{}", witness.kind);
+            let proved = classify_exactly(&body, &energy, &momentum).unwrap();
+            assert_eq!(
+                proved.components().map(documents::components).as_ref(),
+                Some(&witness.components),
+                "{}",
+                witness.kind
+            );
         } else {
             // Well visible: by far not a matter of rounding.
             assert!(witness.margin.h > 3e-4 * r, "{}: {:?}", witness.kind, witness.margin);

@@ -452,6 +452,18 @@ def _():
             assert sum((-1) ** c.index for c in critical_points(a, r, X)) == 2
 
 
+@check("Lemma 4.11")
+def _():
+    P, q, R = sums()
+    # With s for the root of P: the difference vanishes where s² = P.
+    X = s * (q / P) ** 2 / 2
+    H = (q / 2 - R) / s
+    zero(H * q**2 - X * P * (q - 2 * R) - (q - 2 * R) * q**2 / 2 * (1 / s - s / P))
+    hat = sp.symbols("hatR")
+    X, H = (a3 * s**2 - hat) ** 2 / (2 * s**3), (a3 * s**2 - 3 * hat) / (2 * s)
+    zero(H * (a3 * s**2 - hat) ** 2 - X * s**2 * (a3 * s**2 - 3 * hat))
+
+
 @check("Proposition 5.2")
 def _():
     for a, r in BODIES:
@@ -730,6 +742,18 @@ def _():
     assert changes[2] > 50
 
 
+@check("Lemma 9.6")
+def _():
+    D, p, _, rho = polynomials(A_, R_)
+    tau = [mu - a for a in A_]
+    weights = [(R_[i - 2] * R_[i - 1] * (A_[i - 2] - A_[i - 1])) ** 2 for i in range(3)]
+    cubic = sum(c * t_**3 for c, t_ in zip(weights, tau))
+    gamma = Matrix([R_[i] * tau[i - 2] * tau[i - 1] for i in range(3)])
+    tangent = gamma.cross(Matrix(R_))
+    zero(sum(tau[i] * tangent[i] ** 2 for i in range(3)) - cubic)
+    zero(sp.diff(rho, mu) * p - rho * sp.diff(p, mu) / 2 - cubic)
+
+
 @check("Proposition 11.8")
 def _():
     g, r, J = critical(p_, q_)
@@ -898,6 +922,48 @@ def _():
     # B₃γ₃ = r₃ with γ = −e₃: s(μ − a₃) = −r.
     b, c, _ = linearisation(a, Matrix([0, 0, -1]), W, a3 - r / W**2)
     zero(b**2 - 4 * c - (W * (2 * a1 - a3)) ** 2 / a1**4 * (W**2 * a3**2 - 4 * a1 * r))
+
+
+@check("Proposition 13.4")
+def _():
+    # With γ on the sphere rational, r and μ follow; P = s² is then a square, so that everything is rational.
+    other = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
+    for _ in range(6):
+        a = [rational() for _ in range(3)]
+        g, W, m = sphere(rational(), rational()), rational(), rational() - rational()
+        b, c, _ = linearisation(a, g, W, m)
+        s, tau = W**2, [m - y for y in a]
+        rho = [(s * t * y) ** 2 for t, y in zip(tau, g)]
+        D, det = tau[0] * tau[1] * tau[2], a[0] * a[1] * a[2]
+        u = [x * D**2 / t**2 for x, t in zip(rho, tau)]
+        p, q, q2 = (sum(x * y**k for x, y in zip(u, a)) for k in range(3))
+        C = sum(x * y**2 / t**5 for x, y, t in zip(a, rho, tau))
+        C += sum(rho[i] * rho[j] * (a[i] * tau[i] + a[j] * tau[j] + 4 * (a[i] - a[j]) ** 2) / (tau[i] * tau[j]) ** 3 for i, j in ((0, 1), (0, 2), (1, 2)))
+        swing = (q * sum(a) - 2 * q2) ** 2
+        for i, j, k in other:
+            swing += a[j] * a[k] * (q * (tau[j] * u[k] + tau[k] * u[j]) + 4 * u[j] * u[k] * (a[j] - a[k]) ** 2)
+        assert c / s**2 == C * D**5 / (p**2 * det) and b / s == swing / (p * q * det)
+    # Over a passive moment: μ = a₁, γ₁ ≠ 0.
+    for _ in range(6):
+        a = [rational() for _ in range(3)]
+        g, W = sphere(rational(), rational()), rational()
+        b, c, _ = linearisation(a, g, W, a[0])
+        z, r = 1 / W**4, [W**2 * (a[0] - y) * x for y, x in zip(a, g)]
+        R_hat = sum(r[j] ** 2 / (a[0] - a[j]) for j in (1, 2))
+        expected = g[0] ** 2 * (a[0] - a[1]) * (a[0] - a[2]) * (a[0] + 3 * z * R_hat)
+        assert c / W**4 * a[0] * a[1] * a[2] == expected
+
+
+@check("Proposition 13.6")
+def _():
+    l, l3, r, u, e = sp.symbols("l l3 r u e", positive=True)
+    middle = (l - l3 * u) ** 2 / (2 * a1 * (1 - u**2))
+    zero(middle - (((l - l3) ** 2 / (1 - u) + (l + l3) ** 2 / (1 + u)) / (4 * a1) - l3**2 / (2 * a1)))
+    for sign in (1, -1):
+        at = (middle - r * u).subs({l3: sign * l, u: sign * (1 - e)})
+        zero(at - (l**2 * e / (2 * a1 * (2 - e)) - sign * r + sign * r * e))
+        series = sp.series(sp.simplify(at), e, 0, 3).removeO()
+        zero(series - (-sign * r + e * (l**2 / (4 * a1) + sign * r) + e**2 * l**2 / (8 * a1)))
 
 
 @check("Example 15.1")

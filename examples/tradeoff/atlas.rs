@@ -1,12 +1,12 @@
 //! Whole bodies: time of an atlas, and whether it holds the regions that are proved.
 
 use documents::DocumentOptions;
-use proof::CertifiedAtlas;
+use proof::{Accuracy, CertifiedAtlas, atlas_of};
 use rayon::prelude::*;
-use schema::Accuracy;
 use top::atlas::Atlas;
 use top::body::Body;
 use top::curves::Branch;
+use top::table::Id;
 use top::topology::Component;
 
 use super::clock::{quantiles, timed};
@@ -86,14 +86,12 @@ pub fn run(points: &[Point]) {
             bare.add(time, atlas.ok().map(|atlas| classes(&atlas)).as_ref(), whole, truth.as_ref());
         }
         bare.print(stratum, "regions alone");
-        for (name, options) in [
-            ("draft", DocumentOptions { accuracy: Accuracy::Draft, ..DocumentOptions::default() }),
-            ("standard", DocumentOptions::default()),
-        ] {
+        for (name, accuracy) in [("fast", Accuracy::Fast), ("exact", Accuracy::Exact)] {
+            let options = DocumentOptions { accuracy: accuracy.into(), ..DocumentOptions::default() };
             let mut tally = Tally::default();
             for (body, truth) in bodies.iter().zip(&truths) {
                 let (found, time) = timed(|| {
-                    let atlas = Atlas::new(body).ok()?;
+                    let atlas = atlas_of(body, accuracy).ok()?;
                     let document = documents::atlas::document(&atlas, &options);
                     Some((atlas, document.summary.undecided.is_empty()))
                 });
@@ -103,7 +101,7 @@ pub fn run(points: &[Point]) {
             }
             tally.print(stratum, name);
         }
-        certified.print(stratum, "certified");
+        certified.print(stratum, "proof");
         for (points, rows) in GRIDS {
             let mut tally = Tally::default();
             let flooded: Vec<(Classes, f64)> =
@@ -178,7 +176,7 @@ fn cusps(atlas: &Atlas) -> [usize; 4] {
     let mut counts = [0; 4];
     for cusp in &set.cusps {
         if let Branch::Generic(interval) = set.curves[cusp.curves[0]].branch {
-            counts[interval] += 1;
+            counts[interval.index()] += 1;
         }
     }
     counts

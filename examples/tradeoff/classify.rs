@@ -1,6 +1,6 @@
 //! Single points: time and share of right, wrong and undecided answers.
 
-use proof::CertifiedAtlas;
+use proof::Accuracy;
 use rayon::prelude::*;
 use top::atlas::Atlas;
 use top::classify::Classification;
@@ -28,9 +28,9 @@ const ROWS: [usize; 3] = [32, 96, 256];
 type Method = (&'static str, fn(&Point) -> (Verdict, f64));
 
 const METHODS: [Method; 8] = [
-    ("standard", standard),
-    ("standard on a prepared body", prepared),
-    ("certified", certified),
+    ("fast", fast),
+    ("fast on a prepared body", prepared),
+    ("exact", exact),
     ("flood fill 32x64", |p| flood(p, ROWS[0])),
     ("flood fill 96x192", |p| flood(p, ROWS[1])),
     ("flood fill 256x512", |p| flood(p, ROWS[2])),
@@ -81,7 +81,7 @@ fn answer_against(point: &Point, found: &Classification) -> Verdict {
     }
 }
 
-fn standard(point: &Point) -> (Verdict, f64) {
+fn fast(point: &Point) -> (Verdict, f64) {
     let (found, time) = timed(|| top::classify::classify(&point.body, &point.h, &point.l));
     (found.map_or(Verdict::Failed, |found| answer_against(point, &found)), time)
 }
@@ -92,18 +92,9 @@ fn prepared(point: &Point) -> (Verdict, f64) {
     (found.map_or(Verdict::Failed, |found| answer_against(point, &found)), time)
 }
 
-/// A point whose region is proved, but not its topology, is undecided.
-fn certified(point: &Point) -> (Verdict, f64) {
-    let (found, time) = timed(|| {
-        let atlas = CertifiedAtlas::new(&point.body).ok()?;
-        Some(atlas.classify(&point.h, &point.l))
-    });
-    (found.map_or(Verdict::Undecided, |found| proved_against(point, &found)), time)
-}
-
-/// A proved answer is wrong or right; candidates left out only because their topology is not proved are no error.
-fn proved_against(point: &Point, found: &Classification) -> Verdict {
-    if found.components().is_none() { Verdict::Undecided } else { answer_against(point, found) }
+fn exact(point: &Point) -> (Verdict, f64) {
+    let (found, time) = timed(|| proof::classify(&point.body, &point.h, &point.l, Accuracy::Exact));
+    (found.map_or(Verdict::Failed, |found| answer_against(point, &found)), time)
 }
 
 fn flood(point: &Point, rows: usize) -> (Verdict, f64) {

@@ -6,8 +6,8 @@
 //! ```
 //! `classify`: every point of `data/tradeoff/points.jsonl`, whose truth comes from certified root isolation
 //! (`data/oracles/tradeoff_points.py`) and the proved latitude sweep, answered by each level and by what one would do
-//! otherwise. `atlas`: whole bodies, against the certified atlas. `polylines`: chord tolerance against size and time.
-//! `extremes`: families that run into an extreme, and what standard and certified answer on the way.
+//! otherwise. `atlas`: whole bodies, against the proved atlas. `polylines`: chord tolerance against size and time.
+//! `extremes`: families that run into an extreme, and what fast and exact answer on the way.
 //! A second argument n takes every nth point only (`classify`). Times are CPU times of the thread in microseconds, the least of three where a call is short.
 
 #[path = "../../tests/extremes/families.rs"]

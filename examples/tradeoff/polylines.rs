@@ -2,7 +2,7 @@
 
 use documents::DocumentOptions;
 use plot::{DiagramOptions, draw};
-use schema::{Accuracy, AtlasDocument};
+use schema::AtlasDocument;
 use top::atlas::Atlas;
 use top::curves::CurveName;
 
@@ -19,35 +19,33 @@ const BETWEEN: usize = 7;
 pub fn run(points: &[Point]) {
     let atlases: Vec<Atlas> = points.iter().take(BODIES).filter_map(|point| Atlas::new(&point.body).ok()).collect();
     println!(
-        "accuracy,tolerance,bodies,vertices,json_bytes,svg_bytes,deviation_median,deviation_largest,\
+        "tolerance,bodies,vertices,json_bytes,svg_bytes,deviation_median,deviation_largest,\
          document_us,picture_us"
     );
-    for (name, accuracy) in [("draft", Accuracy::Draft), ("standard", Accuracy::Standard)] {
-        for chord_tolerance in [1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6] {
-            let options = DocumentOptions { chord_tolerance, accuracy, ..DocumentOptions::default() };
-            let mut columns: [Vec<f64>; 6] = std::array::from_fn(|_| Vec::new());
-            for (number, atlas) in atlases.iter().enumerate() {
-                let (document, document_time) = timed(|| documents::atlas::document(atlas, &options));
-                let json = serde_json::to_string(&document).map_or(0, |text| text.len());
-                let vertices: usize = document.curves.iter().map(|curve| curve.polyline.len()).sum();
-                let row = [vertices as f64, json as f64, deviation(atlas, &document), document_time];
-                columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
-                if number < DRAWN {
-                    // Only the polylines of the document are drawn.
-                    let (picture, time) = timed(|| draw(&document, None, &DiagramOptions::default()));
-                    columns[4].push(picture.map_or(0, |picture| picture.svg.len()) as f64);
-                    columns[5].push(time);
-                }
+    for chord_tolerance in [1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6] {
+        let options = DocumentOptions { chord_tolerance, ..DocumentOptions::default() };
+        let mut columns: [Vec<f64>; 6] = std::array::from_fn(|_| Vec::new());
+        for (number, atlas) in atlases.iter().enumerate() {
+            let (document, document_time) = timed(|| documents::atlas::document(atlas, &options));
+            let json = serde_json::to_string(&document).map_or(0, |text| text.len());
+            let vertices: usize = document.curves.iter().map(|curve| curve.polyline.len()).sum();
+            let row = [vertices as f64, json as f64, deviation(atlas, &document), document_time];
+            columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
+            if number < DRAWN {
+                // Only the polylines of the document are drawn.
+                let (picture, time) = timed(|| draw(&document, None, &DiagramOptions::default()));
+                columns[4].push(picture.map_or(0, |picture| picture.svg.len()) as f64);
+                columns[5].push(time);
             }
-            let medians = columns.each_mut().map(|column| quantiles(column)[0]);
-            let largest = columns[2].last().copied().unwrap_or(0.0);
-            let [vertices, json, deviation, document_time, svg, picture_time] = medians;
-            println!(
-                "{name},{chord_tolerance:e},{},{vertices},{json},{svg},{deviation:.2e},{largest:.2e},{document_time:.1},\
-                 {picture_time:.1}",
-                atlases.len()
-            );
         }
+        let medians = columns.each_mut().map(|column| quantiles(column)[0]);
+        let largest = columns[2].last().copied().unwrap_or(0.0);
+        let [vertices, json, deviation, document_time, svg, picture_time] = medians;
+        println!(
+            "{chord_tolerance:e},{},{vertices},{json},{svg},{deviation:.2e},{largest:.2e},{document_time:.1},\
+             {picture_time:.1}",
+            atlases.len()
+        );
     }
 }
 

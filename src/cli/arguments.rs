@@ -6,6 +6,7 @@ use std::num::NonZeroUsize;
 use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use thiserror::Error;
+use top::body::{Number, Preset};
 
 use super::atlas::{self, AtlasArguments};
 use super::bodies::{self, BodiesArguments};
@@ -16,9 +17,13 @@ use super::find::{self, FindArguments};
 use super::input::values;
 use super::orbit::{self, OrbitArguments};
 use super::pages::{self, CompletionsArguments, ManArguments};
+use super::part::{self, PartBodyArguments};
 use super::scan::{self, ScanArguments};
 use super::schema::{self, SchemaArguments};
 use super::section::{self, SectionArguments};
+use super::show::{self, ShowArguments};
+use super::sphere::{self, SphereArguments};
+use super::spin::{self, CampbellArguments, CriticalSpinArguments, StateArguments};
 use super::verify::{self, VerifyArguments};
 
 const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body";
@@ -30,7 +35,9 @@ Examples:
   bifdiag --body paper --json | jq .summary
   bifdiag classify --body paper --h 3.8 --l 3.25   the type of U, E and P at one point
   bifdiag critical --body paper --l 3.25           all relative equilibria at one l
-  bifdiag section --body paper --h 4.45 --l 3.25   a Poincaré section: regular or chaotic
+  bifdiag show R5 --body paper                     a region in words
+  bifdiag sphere --body paper --h 4.45 --l 3.25    U on the Poisson sphere, as a picture
+  bifdiag section --body paper --region R5         a Poincaré section: regular or chaotic
   bifdiag orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1   the motion in space
   bifdiag bodies                                   the named bodies
 
@@ -75,15 +82,33 @@ pub enum Command {
     /// Search for a body and a point that show a wanted type
     #[command(after_help = find::FIND_EXAMPLES)]
     Find(FindArguments),
+    /// Explain a region, a curve or an event in words
+    #[command(after_help = show::EXAMPLES)]
+    Show(ShowArguments),
     /// Compute a Poincaré section on the PP-torus
     #[command(after_help = section::EXAMPLES)]
     Section(SectionArguments),
+    /// Draw U on the Poisson sphere at one point: its components, their boundaries and poles
+    #[command(after_help = sphere::EXAMPLES)]
+    Sphere(SphereArguments),
     /// Follow the body's motion in space: attitude, Euler's angles, angular velocity
     #[command(after_help = orbit::EXAMPLES)]
     Orbit(OrbitArguments),
     /// Check an atlas by other means than those that made it
     #[command(after_help = verify::EXAMPLES)]
     Verify(VerifyArguments),
+    /// Show and draw a real part as it was understood
+    #[command(after_help = part::BODY_EXAMPLES)]
+    Body(PartBodyArguments),
+    /// Tell where a state lies: its (h, l), its region or curve, and whether it is stable
+    #[command(after_help = spin::STATE_EXAMPLES)]
+    State(Box<StateArguments>),
+    /// List the spins at which rotation about an axis changes its stability or its regions
+    #[command(after_help = spin::CRITICAL_SPIN_EXAMPLES)]
+    CriticalSpin(Box<CriticalSpinArguments>),
+    /// Draw the frequencies of small oscillations over the spin of a permanent axis
+    #[command(after_help = spin::CAMPBELL_EXAMPLES)]
+    Campbell(Box<CampbellArguments>),
     /// List the named bodies
     #[command(after_help = bodies::EXAMPLES)]
     Bodies(BodiesArguments),
@@ -126,6 +151,12 @@ pub enum Refusal {
     Clap(#[from] clap::Error),
     #[error("{option} has no value ({next} follows it); write it as {option} {value}, or {option}=VALUE")]
     ValueMissing { option: String, next: String, value: String },
+    #[error("{option} is gone; write {successor}")]
+    Gone { option: String, successor: &'static str },
+    #[error("{value} stands alone after {option}; write a list with commas: {option} {list}")]
+    ListWithBlanks { option: String, value: String, list: String },
+    #[error("{name} is a body, not a command; write bifdiag --body {name}")]
+    BodyAsCommand { name: String },
     #[error("{option} stands before the command {command}; write it after: bifdiag {command} {option} …")]
     OptionBeforeCommand { option: String, command: String },
 }
@@ -140,12 +171,51 @@ impl Options {
     pub fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, Refusal> {
         let arguments: Vec<OsString> = arguments.into_iter().collect();
         let command = Self::command();
+        check_gone(&command, &arguments)?;
+        check_forms(&command, &arguments)?;
         check_values(&command, &arguments)?;
         let matches = command.clone().try_get_matches_from(arguments)?;
         if let Some(name) = matches.subcommand_name() {
             check_no_stray_option(&command, &matches, name)?;
         }
         Ok(Self::from_arg_matches(&matches)?)
+    }
+}
+
+/// Options of earlier versions, and what is written now.
+const GONE: [(&str, &str); 2] = [("rng-seed", "--seed K"), ("seeds", "--starts FILE.csv")];
+
+/// An option of an earlier version is named with its successor, unless some command still has it.
+fn check_gone(command: &clap::Command, arguments: &[OsString]) -> Result<(), Refusal> {
+    let long = |text: &OsString| Some(text.to_str()?.strip_prefix("--")?.split('=').next()?.to_owned());
+    let known = |name: &str| {
+        let mut everywhere = command.get_subcommands().chain([command]).flat_map(clap::Command::get_arguments);
+        everywhere.any(|argument| argument.get_long() == Some(name))
+    };
+    for name in arguments.iter().filter_map(long).filter(|name| !known(name)) {
+        if let Some((option, successor)) = GONE.into_iter().find(|(option, _)| *option == name) {
+            return Err(Refusal::Gone { option: format!("--{option}"), successor });
+        }
+    }
+    Ok(())
+}
+
+/// Forms that are near to right ones: `--A 2 1.1 1`, and the name of a body where a command should be.
+fn check_forms(command: &clap::Command, arguments: &[OsString]) -> Result<(), Refusal> {
+    let texts: Vec<&str> = arguments.iter().filter_map(|text| text.to_str()).collect();
+    let number = |text: &&&str| text.parse::<Number>().is_ok();
+    for (place, option) in texts.iter().enumerate().filter(|(_, text)| matches!(**text, "--A" | "--r" | "--com")) {
+        let list: Vec<&str> = texts[place + 1..].iter().take_while(number).copied().collect();
+        if let [_, value, ..] = list[..] {
+            let (option, value) = ((*option).to_owned(), value.to_owned());
+            return Err(Refusal::ListWithBlanks { option, value, list: list.join(",") });
+        }
+    }
+    match texts.get(1) {
+        Some(name) if command.find_subcommand(name).is_none() && Preset::find(name).is_some() => {
+            Err(Refusal::BodyAsCommand { name: (*name).to_owned() })
+        }
+        _ => Ok(()),
     }
 }
 

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use clap::Args;
+use documents::CommandLine;
 use schema::FindDocument;
 use survey::search::{Domain, SearchOptions, Target, find};
 use thiserror::Error;
@@ -20,8 +21,8 @@ Examples:
   bifdiag find --signature T2+S2
   bifdiag find --critical-points 8 --samples 20000
 
-A type of the witnesses that come with bifdiag is answered at once; --seed or --all search anew. Nothing found (exit status
-1) means that so many bodies were tried, and how near the best one came; that there is none is said only where a theorem
+A type of the witnesses that come with bifdiag is answered at once; --search looks for another, and so do --seed and --all.
+Nothing found (exit status 1) means that so many bodies were tried, and how near the best one came; that there is none is said only where a theorem
 says so.";
 
 /// `bifdiag find`.
@@ -51,18 +52,21 @@ pub struct FindArguments {
     /// Only bodies whose largest moment is at most R times the smallest
     #[arg(long, value_name = "R", default_value_t = 10.0, help_heading = "Work", value_parser = moment_ratio)]
     pub moment_ratio: f64,
+    /// Search, although a witness that comes with bifdiag is known
+    #[arg(long, help_heading = "Work")]
+    pub search: bool,
     /// The most bodies that are tried
     #[arg(long, value_name = "N", default_value_t = 20_000, help_heading = "Work")]
     #[arg(value_parser = clap::value_parser!(u64).range(1..1 << 53))]
     pub samples: u64,
-    /// Try all of them, although something is known or was found before
+    /// Try all of them, although something was found before; search
     #[arg(long, help_heading = "Work")]
     pub all: bool,
-    /// Where the sequence of bodies starts (default: 0); search, although something is known
+    /// Where the sequence of bodies starts (default: 0); search
     #[arg(long, value_name = "N", help_heading = "Work")]
     pub seed: Option<u64>,
     /// What the answers must be worth
-    #[arg(long, value_enum, default_value = "standard", help_heading = "Work")]
+    #[arg(long, value_parser = AccuracyArgument::parser(), default_value = "exact", help_heading = "Work")]
     pub accuracy: AccuracyArgument,
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]
@@ -131,13 +135,31 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
         progress.add(bodies);
         ControlFlow::Continue(())
     };
-    let known = if arguments.all || arguments.seed.is_some() { Vec::new() } else { documents::shipped_witnesses() };
+    let searches = arguments.search || arguments.all || arguments.seed.is_some();
+    let known = if searches { Vec::new() } else { documents::shipped_witnesses() };
     let found = find(target, &known, &options, &mut watch);
     progress.finish();
     for (values, error) in &found.refused {
         tracing::debug!("the body {values:?} is no witness: {error}");
     }
-    documents::find(target, &found)
+    documents::find(target, &found, command(arguments))
+}
+
+/// The search as it was asked for.
+fn command(arguments: &FindArguments) -> CommandLine {
+    let usual = |ratio: &f64| *ratio != SearchOptions::default().domain.moment_ratio;
+    CommandLine::new("find")
+        .option_if("type", arguments.kind.as_ref())
+        .option_if("circles", arguments.circles)
+        .option_if("poles", arguments.poles)
+        .option_if("signature", arguments.signature.as_ref())
+        .option_if("critical-points", arguments.critical_points)
+        .flag("physical", arguments.physical)
+        .option_if("moment-ratio", Some(arguments.moment_ratio).filter(usual))
+        .option("samples", arguments.samples)
+        .flag("all", arguments.all)
+        .option_if("seed", arguments.seed)
+        .option_if("accuracy", documents::accuracy_option(arguments.accuracy.level()))
 }
 
 fn report(document: &FindDocument) -> String {

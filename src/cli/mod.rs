@@ -17,9 +17,13 @@ mod find;
 mod input;
 mod orbit;
 mod pages;
+mod part;
 mod scan;
 mod schema;
 mod section;
+mod show;
+mod sphere;
+mod spin;
 mod terminal;
 mod verify;
 
@@ -117,9 +121,15 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Atlas(arguments)) => atlas::run(arguments, &timings),
         Some(Command::Classify(arguments)) => classify::run(arguments, &timings, quiet),
         Some(Command::Critical(arguments)) => critical::run(arguments, &timings, quiet),
+        Some(Command::Show(arguments)) => show::run(arguments),
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
+        Some(Command::Sphere(arguments)) => sphere::run(arguments, &timings),
         Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
         Some(Command::Verify(arguments)) => verify::run(arguments, &timings),
+        Some(Command::Body(arguments)) => part::run(arguments, &timings),
+        Some(Command::State(arguments)) => spin::state(arguments, &timings),
+        Some(Command::CriticalSpin(arguments)) => spin::critical_spin(arguments, &timings),
+        Some(Command::Campbell(arguments)) => spin::campbell(arguments, &timings),
         Some(Command::Bodies(arguments)) => bodies::run(arguments),
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments, Options::command()),

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 use schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassificationDocument, CriticalDocument,
-    FindDocument, MotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument,
+    FindDocument, GridDocument, MotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument,
 };
 use schemars::{Schema, schema_for};
 
@@ -35,6 +35,8 @@ pub enum Name {
     Atlas,
     /// The answer of `bifdiag classify --json`, and a line of its batch
     Classify,
+    /// The `meta` of `bifdiag classify --grid`
+    Grid,
     /// The answer of `bifdiag critical --json`, and a line of its batch
     Critical,
     /// The answer of `bifdiag section --json`, and the `meta` of its data
@@ -62,6 +64,7 @@ impl Name {
         match self {
             Self::Atlas => schema_for!(AtlasDocument),
             Self::Classify => schema_for!(ClassificationDocument),
+            Self::Grid => schema_for!(GridDocument),
             Self::Critical => schema_for!(CriticalDocument),
             Self::Section => schema_for!(SectionDocument),
             Self::Sections => schema_for!(SectionsDocument),

@@ -1,6 +1,6 @@
 //! What the terminal shows, and how the body may be given.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::builder::bifdiag;
 
@@ -21,7 +21,11 @@ fn values_that_start_with_a_hyphen_need_no_equals_sign() {
 #[test]
 fn the_body_is_shown_above_the_tables() {
     bifdiag("classify --body paper --h 3.8 --l 3.25").succeeds().printing("A = (2, 1.1, 1)").printing("h = 3.8");
-    bifdiag("critical --body paper --l 3.25").succeeds().printing("gamma").printing("stability").printing("l = 3.25");
+    bifdiag("critical --body paper --l 3.25")
+        .succeeds()
+        .printing("gamma")
+        .printing("small motions")
+        .printing("l = 3.25");
 }
 
 #[test]
@@ -30,11 +34,11 @@ fn a_diagonal_part_is_the_same_as_its_principal_body() {
     let given = bifdiag(&format!("classify {part} --h 1 --l 0.2 --json")).succeeds().json();
     assert_eq!(given["A"], json!(["0.3", "0.1", "0.25"]));
     assert_eq!(given["r"], json!(["0.981", "0", "-2.4525"]));
-    let inertia = &given["inertia"];
-    assert_eq!(inertia["rotation"], json!([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]));
-    assert_eq!((&inertia["exact"], &inertia["residual"]), (&json!(true), &json!(0.0)));
-    assert_eq!(inertia["com"], json!(["0.05", "0", "-1/8"]));
-    assert_eq!((&inertia["units"]["h"], &inertia["units"]["l"]), (&json!("J"), &json!("kg m^2/s")));
+    let part = &given["part"];
+    assert_eq!(part["principal"]["axes"], json!([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]));
+    assert_eq!((&part["exact"], &part["physical"]), (&json!(true), &json!(true)));
+    assert_eq!((&part["com"], &part["units"]), (&json!(["0.05", "0", "-0.125"]), &json!("kg,m,s")));
+    assert_eq!(part["inertia"], json!([["0.3", "0", "0"], ["0", "0.1", "0"], ["0", "0", "0.25"]]));
     let principal = bifdiag("classify --A 0.3,0.1,0.25 --r 0.981,0,-2.4525 --h 1 --l 0.2 --json").succeeds().json();
     for key in ["status", "components", "margin", "signature"] {
         assert_eq!(given[key], principal[key], "{key}");
@@ -43,11 +47,13 @@ fn a_diagonal_part_is_the_same_as_its_principal_body() {
 
 #[test]
 fn a_part_tells_its_axes_and_units() {
-    let part = "--inertia 0.30,0.21,0.17,0.01,0,-0.02 --com 0,0.02,0.15 --mass 2.5 --g 9.80665";
-    bifdiag(&format!("critical {part} --l 1")).succeeds().printing("r in N m").printing("principal axes");
+    let part = "--inertia 0.30,0.21,0.17,0.01,0,-0.02 --products tensor --com 0,0.02,0.15 --mass 2.5 --g 9.80665";
+    bifdiag(&format!("critical {part} --l 1")).succeeds().printing("A in kg m^2").printing("principal axes");
     let atlas = bifdiag(&format!("{part} --json")).succeeds().json();
-    assert_eq!(atlas["body"]["inertia"]["exact"], false);
-    assert!(atlas["body"]["inertia"]["residual"].as_f64().unwrap() < 1e-15);
+    let part = &atlas["body"]["part"];
+    assert_eq!((&part["exact"], &part["A"]), (&json!(false), &atlas["body"]["A"]));
+    // 130 digits and more.
+    assert!(atlas["body"]["A"][0].as_str().unwrap().len() > 130);
 }
 
 #[test]
@@ -57,16 +63,19 @@ fn strange_bodies_are_accepted_with_a_warning() {
     bifdiag("critical --A 9,1,1 --r 1,0,0 --l 1 -q").succeeds().telling_nothing();
     bifdiag("critical --A 0.3,0.1,0.2 --r 1,0,0 --l 1").succeeds().telling_nothing();
     let central = "--inertia 0.4,0.4,0.4,0,0,0 --com 0,0,1 --mass 1 --g 9.81";
-    bifdiag(&format!("critical {central} --l 1")).succeeds().telling("about the fixed point");
+    bifdiag(&format!("critical {central} --l 1 --unphysical")).succeeds().telling("no distribution of mass");
     let flags = bifdiag("--A 9,1,1 --r 1,0,0 --json -q").succeeds().json();
     assert_eq!(flags["body"]["unphysical"], true);
 }
 
 #[test]
 fn a_turned_plate_is_a_plate_although_its_moments_are_rounded() {
-    let part = "--inertia 0.164,0.136,0.3,0.048,0,0 --com 0.1,0,0 --mass 1e-3 --g 9.81";
+    let part = "--inertia 0.164,0.136,0.3,0.05,0,0 --products tensor --com 0,0,0 --mass 1e-3 --g 9.81";
     let body = bifdiag(&format!("{part} --json")).succeeds().telling_nothing().json()["body"].clone();
-    assert_eq!((&body["plate"], &body["unphysical"]), (&json!(true), &json!(false)));
+    assert_eq!(
+        (&body["plate"], &body["unphysical"], &body["part"]["exact"]),
+        (&json!(true), &json!(false), &json!(false))
+    );
 }
 
 #[test]
@@ -110,13 +119,16 @@ fn a_point_of_the_paper_is_classified() {
 }
 
 #[test]
-fn a_point_on_a_line_is_critical_or_undecided_with_its_candidates() {
+fn a_point_on_a_line_is_critical_with_its_candidates() {
     // Kovalevskaya's top: γ = e1 is critical with h = l²/4 − 1, an exact equality.
     let document = bifdiag("classify --body kovalevskaya --h=-3/4 --l 1 --json").succeeds().json();
-    assert!(["critical", "undecided"].contains(&document["status"].as_str().unwrap()));
+    assert_eq!(document["status"], "critical");
     assert!(document["candidates"].as_array().unwrap().len() >= 2);
     assert!(document["components"].is_null());
-    bifdiag("classify --body kovalevskaya --h=-3/4 --l 1").succeeds().printing("(1)").printing("(2)");
+    bifdiag("classify --body kovalevskaya --h=-3/4 --l 1")
+        .succeeds()
+        .printing("the forbidden region")
+        .printing("region R1");
 }
 
 #[test]
@@ -130,4 +142,28 @@ fn a_momentum_beyond_f64_is_refused_or_an_error_in_place() {
     assert!(answers[0]["error"].as_str().unwrap().contains("is too small"));
     assert_eq!(answers[0]["line"], 1);
     assert_eq!(answers[1]["h"], "1");
+}
+
+#[test]
+fn an_atlas_of_version_1_names_the_command_that_makes_it_anew() {
+    let old =
+        r#"{"schema_version": "1", "accuracy": "certified", "body": {"A": ["2", "1.1", "1"], "r": ["1", "0", "0"]}}"#;
+    let wanted = "bifdiag atlas --A 2,1.1,1 --r=1,0,0 --certificate";
+    for line in ["verify -", "section --atlas - --no-plot"] {
+        bifdiag(line).reading(old).refused().telling("version 1").telling(wanted).printing_nothing();
+    }
+}
+
+#[test]
+fn an_atlas_without_certificate_is_not_confirmed() {
+    let atlas = bifdiag("--body katok:1 --json").succeeds().stdout();
+    bifdiag("verify -").reading(atlas).fails().telling("--certificate");
+}
+
+#[test]
+fn a_certificate_adds_itself_and_its_atlas_is_verified() {
+    let proved = bifdiag("--body katok:1 --json --certificate").succeeds().stdout();
+    assert!(bifdiag("verify -").reading(proved.as_str()).succeeds().stdout().starts_with("verified: "));
+    let document: Value = serde_json::from_str(&proved).unwrap();
+    assert_eq!((&document["accuracy"], &document["schema_version"]), (&Value::from("exact"), &Value::from("2")));
 }

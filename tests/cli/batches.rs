@@ -26,7 +26,7 @@ fn answers_stand_in_the_order_of_the_lines_and_echo_them() {
         assert_eq!(answer["l"], i.to_string());
         assert_eq!(answer["A"][2], "1");
         assert_eq!(answer["r"], json!(["0.9", "0", "3/5"]));
-        assert_eq!(answer["schema_version"], "1");
+        assert_eq!(answer["schema_version"], "2");
     }
 }
 
@@ -112,4 +112,18 @@ fn the_first_and_the_later_points_of_a_body_have_the_same_answers() {
         assert_eq!((&answer["components"], &answer["signature"]), (&answers[0]["components"], &json!("M3")));
         assert_eq!(answer["margin"]["nearest"], answers[0]["margin"]["nearest"]);
     }
+}
+
+/// A right question without an answer is no wrong line: it counts apart, and the exit status is 1.
+#[test]
+fn right_questions_without_an_answer_count_apart() {
+    let lines = "{\"A\":[1e-30,1,1],\"r\":[1,1,1],\"h\":1,\"l\":1}\n{\"A\":[2,1,0]}\n";
+    let message = "1 of 2 lines of the batch have no answer";
+    let done = bifdiag("classify --batch -")
+        .reading(lines)
+        .fails()
+        .telling(message)
+        .telling("1 of 2 lines of the batch are wrong");
+    assert_eq!(done.json_lines().len(), 2);
+    bifdiag("classify --batch - --strict").reading(lines).refused().telling("1 of 2 lines of the batch are wrong");
 }

@@ -36,12 +36,34 @@ fn the_default_command_is_atlas() {
 fn json_goes_to_stdout_and_to_files_only_if_asked() {
     let place = tempdir().unwrap();
     let done = bifdiag("--body paper --json").inside(place.path()).succeeds();
-    assert_eq!(done.json()["schema_version"], "1");
+    assert_eq!(done.json()["schema_version"], "2");
     assert!(names(place.path()).is_empty());
     let both = bifdiag("--body paper --json --out x/y --format svg,png").inside(place.path()).succeeds();
     assert_eq!(both.stdout(), done.stdout());
     assert_eq!(fs::read_to_string(place.path().join("x/y/atlas.json")).unwrap(), done.stdout());
     assert_eq!(names(&place.path().join("x/y")), ["atlas.json", "diagram.png", "diagram.svg"]);
+}
+
+#[test]
+fn a_sphere_of_a_point_and_of_a_region() {
+    let place = tempdir().unwrap();
+    let point = bifdiag("sphere --body paper --h 4.45 --l 3.25 --format svg,png").inside(place.path()).succeeds();
+    point.printing("h = 4.45,  l = 3.25").printing("written: bifdiag-out/sphere.svg");
+    assert_eq!(names(&place.path().join("bifdiag-out")), ["sphere.png", "sphere.svg"]);
+    let svg = fs::read_to_string(place.path().join("bifdiag-out/sphere.svg")).unwrap();
+    assert!(svg.contains("2: 1 boundary circle, pole −r̂;  E = S³, P = T² (genus 1)"));
+    bifdiag("sphere --body paper --region R1 --out a").inside(place.path()).succeeds().printing("region R1");
+}
+
+#[test]
+fn a_sphere_without_a_point_or_without_u_is_refused() {
+    for (line, told) in [
+        ("sphere --body paper --h 1", "--l is missing"),
+        ("sphere --body paper --region R77", "--region R77: the atlas of this body has the regions R1, "),
+        ("sphere --body paper --h=-9 --l 1", "--h -9: U is empty"),
+    ] {
+        bifdiag(line).refused().telling(told);
+    }
 }
 
 #[cfg(feature = "pdf")]

@@ -1,11 +1,14 @@
 //! The command line, run as a process: what is accepted, what is refused and how, and what is left behind.
 
 mod answers;
+mod attacks;
 mod batches;
 mod builder;
 mod files;
 mod orbits;
 mod pages;
+mod parts;
+mod regions;
 mod scan;
 mod schemas;
 mod sections;

@@ -271,19 +271,28 @@ fn katoks_borders_come_out_exactly() {
 }
 
 #[test]
-fn certified_classes_are_those_of_standard() {
+fn classes_are_the_same_at_both_levels() {
     let scan = |options: &str| bifdiag(&format!("scan {options} --out -")).succeeds().json_lines();
     for bodies in ["--family katok --samples 6", "--family general --samples 4"] {
-        let (standard, certified) = (scan(bodies), scan(&format!("{bodies} --accuracy certified")));
-        for (one, other) in standard.iter().zip(&certified) {
+        let (exact, fast) = (scan(bodies), scan(&format!("{bodies} --accuracy fast")));
+        for (one, other) in exact.iter().zip(&fast) {
             assert_eq!(one["class"], other["class"], "{other}");
         }
-        assert!(!standard[0]["class"].is_null());
+        assert!(!exact[0]["class"].is_null());
     }
-    let found = bifdiag("find --type k2n1 --physical --accuracy certified --json").succeeds().json();
-    assert_eq!(found["verified_by"][2], "certified atlas");
-    let border = bifdiag("scan border --body katok:2 --vary A3=0.7:0.8 --accuracy certified --json").succeeds().json();
+    let border = bifdiag("scan border --body katok:2 --vary A3=0.7:0.8 --accuracy fast --json").succeeds().json();
     assert!((border["border"][0]["value"].as_f64().unwrap() - 0.75).abs() < 1e-12);
+}
+
+#[test]
+fn a_shard_of_version_1_names_the_command_that_makes_it_anew() {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("part.csv"), "").unwrap();
+    let design = r#"{"bodies": {"family": "katok"}, "samples": 10, "seed": 5}"#;
+    let old = format!(r#"{{"schema_version": "1", "accuracy": "standard", "range": [5, 10], "design": {design}}}"#);
+    fs::write(folder.path().join("part.csv.summary.json"), old).unwrap();
+    let wanted = "bifdiag scan --family katok --samples 10 --seed 5 --shard 2/2 --out part.csv";
+    bifdiag("scan merge part.csv --out whole.csv").inside(folder.path()).refused().telling("version 1").telling(wanted);
 }
 
 #[test]
@@ -307,6 +316,11 @@ fn found_witnesses_are_what_they_say() {
     let never = bifdiag("find --type k3n0 --json").succeeds().json();
     assert_eq!((&never["found"], &never["exists"]), (&Value::Bool(false), &Value::Bool(false)));
     assert!(never["why"].as_str().unwrap().contains("Theorem"), "{never}");
+    // Known, or searched for.
+    let tried =
+        |options: &str| bifdiag(&format!("find --type M4 {options} --json")).succeeds().json()["tried"].as_u64();
+    assert_eq!(tried(""), Some(0));
+    assert!(tried("--search").is_some_and(|tried| tried > 0));
     bifdiag("find --critical-points 8").succeeds().printing("8 relative equilibria is shown by");
 }
 

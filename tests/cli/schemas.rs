@@ -81,7 +81,7 @@ fn assert_fits(name: &str, document: &Value) {
     assert_eq!(complaints(&schema, &schema, document, ""), Vec::<String>::new());
 }
 
-const PART: &str = "--inertia 0.30,0.21,0.17,0.01,0,-0.02 --com 0,0.02,0.15 --mass 2.5 --g 9.80665";
+const PART: &str = "--inertia 0.30,0.21,0.17,0.01,0,-0.02 --products tensor --com 0,0.02,0.15 --mass 2.5 --g 9.80665";
 
 #[test]
 fn documents_fit_their_schemas() {

@@ -84,9 +84,9 @@ fn starts_are_spread_over_all_components_and_both_sheets() {
     assert_eq!(list("component"), [0, 1, 0, 1, 0, 1, 0, 1]);
     assert_eq!(list("sheet").iter().sum::<i64>(), 0);
     // Another seed gives other starts; the same seed the same bytes.
-    let other = bifdiag(&format!("{CHAOS} --orbits 8 --crossings 2 --json --rng-seed 1")).succeeds().json();
+    let other = bifdiag(&format!("{CHAOS} --orbits 8 --crossings 2 --json --seed 1")).succeeds().json();
     assert_ne!(document["orbits"][0]["theta"], other["orbits"][0]["theta"]);
-    assert_eq!(document["starts"], json!({"orbits": 8, "rng_seed": 0}));
+    assert_eq!(document["starts"], json!({"orbits": 8, "seed": 0}));
 }
 
 #[test]
@@ -123,17 +123,17 @@ fn csv_goes_to_stdout_or_a_file() {
 #[test]
 fn seeds_are_the_users() {
     let place = tempfile::tempdir().unwrap();
-    fs::write(place.path().join("seeds.csv"), "theta,psi,sheet\n0.9,1.5,1\n# the other sheet\n2.9,pi/2,-1\n").unwrap();
-    let line = format!("{CHAOS} --crossings 5 --seeds seeds.csv --json");
+    fs::write(place.path().join("starts.csv"), "theta,psi,sheet\n0.9,1.5,1\n# the other sheet\n2.9,pi/2,-1\n").unwrap();
+    let line = format!("{CHAOS} --crossings 5 --starts starts.csv --json");
     let document = bifdiag(&line).inside(place.path()).succeeds().json();
     assert_eq!(document["starts"], json!({"orbits": 2}));
     assert_eq!((&document["orbits"][0]["theta"], &document["orbits"][1]["sheet"]), (&json!(0.9), &json!(-1)));
-    let points = fs::read_to_string(place.path().join("seeds.csv")).unwrap();
-    let piped = bifdiag(&line.replace("seeds.csv", "-")).reading(points).succeeds().json();
+    let points = fs::read_to_string(place.path().join("starts.csv")).unwrap();
+    let piped = bifdiag(&line.replace("starts.csv", "-")).reading(points).succeeds().json();
     assert_eq!(piped, document);
-    // What the program writes it can read: crossings as new seeds.
+    // What the program writes it can read: crossings as new starts.
     let csv = bifdiag(&format!("{CHAOS} --orbits 3 --crossings 4 --data -")).succeeds().stdout();
-    let again = bifdiag(&line.replace("seeds.csv", "-")).reading(csv).succeeds().json();
+    let again = bifdiag(&line.replace("starts.csv", "-")).reading(csv).succeeds().json();
     assert_eq!(again["orbits"].as_array().unwrap().len(), 15);
 }
 
@@ -219,7 +219,7 @@ fn a_regular_precession_is_recognised() {
     let mut found = 0;
     for sheet in ["+", "-"] {
         fs::write(place.path().join("seed.csv"), format!("theta,psi,sheet\n{theta:?},1,{sheet}\n")).unwrap();
-        let line = format!("section --A 1,1,0.6 --r 0,0,1 --h {h:?} --l {l:?} --seeds seed.csv --no-plot");
+        let line = format!("section --A 1,1,0.6 --r 0,0,1 --h {h:?} --l {l:?} --starts seed.csv --no-plot");
         let document = bifdiag(&format!("{line} --json --crossings 10")).inside(place.path()).succeeds().json();
         if document["orbits"][0]["end"] == "stays-on-section" {
             found += 1;

@@ -40,13 +40,9 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--body nobody", &["'nobody' for '--body <NAME>'", "kovalevskaya"]),
     ("--body katok:8", &["'katok:8' for '--body <NAME>'", "katok:7"]),
     // Real parts.
-    (
-        "--inertia 1,1,1,0,0,0 --mass 2 --g 9.81",
-        &["--com is missing", "--inertia also needs it", "--com 0,0.02,0.15 (m)"],
-    ),
-    ("--inertia 1,1,1,0,0,0 --com 0,0,1 --g 9.81", &["--mass is missing", "--mass 2.5 (kg)"]),
-    ("--inertia 1,1,1,0,0,0 --com 0,0,1 --mass 2", &["--g is missing", "--g 9.80665"]),
-    ("--mass 2", &["--inertia is missing", "--mass also needs it"]),
+    ("--inertia 1,1,1,0,0,0 --mass 2 --g 9.81", &["--com is missing", "--inertia also needs it", "--com 0,0.02,0.15"]),
+    ("--inertia 1,1,1,0,0,0 --com 0,0,1 --g 9.81", &["--mass is missing", "--mass 2.5"]),
+    ("--mass 2", &["--inertia or --inertia-com is missing", "--mass also needs it"]),
     (
         "--inertia 1,1,1 --com 0,0,1 --mass 2 --g 9.81",
         &["'1,1,1' for '--inertia", "3 numbers given", "Ixx,Iyy,Izz,Ixy,Ixz,Iyz"],
@@ -54,13 +50,16 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--inertia 1,1,1,0,q,0 --com 0,0,1 --mass 2 --g 9.81", &["Ixz: `q` is not a number"]),
     (
         "--inertia 1,1,1,2,0,0 --com 0,0,1 --mass 2 --g 9.81",
-        &["--inertia 1,1,1,2,0,0", "not positive definite", "2x2", "about the fixed point"],
+        &["--products is missing", "-1, 1, 3 with --products tensor", "∫ x y dm"],
     ),
     (
         "--inertia 1,1,1,0,0,0 --com 0,1 --mass 2 --g 9.81",
         &["'0,1' for '--com <x,y,z>'", "2 numbers given", "0,0.02,0.15"],
     ),
-    ("--inertia 1,1,1,0,0,0 --com 0,0,1 --mass 0 --g 9.81", &["'0' for '--mass <m>'", "greater than zero", "in kg"]),
+    (
+        "--inertia 1,1,1,0,0,0 --com 0,0,1 --mass 0 --g 9.81",
+        &["'0' for '--mass <m>'", "greater than zero", "such as kg"],
+    ),
     (
         "--inertia 1,1,1,0,0,0 --com 0,0,1 --mass 1 --g -9.81",
         &["'-9.81' for '--g <g>'", "must not be negative", "9.80665"],
@@ -73,7 +72,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("classify --body paper --h 1,5 --l 1", &["'1,5' for '--h <h>'", "write a decimal (1.1)"]),
     ("classify --body paper --h --l 1", &["--h has no value (--l follows it)"]),
     ("critical --body paper", &["--l is missing", "such as --l 3.25"]),
-    ("critical --body paper --l 1e", &["'1e' for '--l <l>'"]),
+    ("critical --body paper --l 1e", &["'1e' for '--l <l|a:b:n>'"]),
     ("critical --body paper --l 1 --h 2", &["unexpected argument '--h'"]),
     // Batches.
     ("classify --batch no/such/file", &["--batch no/such/file", "No such file", "- for stdin"]),
@@ -93,7 +92,12 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("--body paper --window 0:inf,0:4", &["hmax: `inf` is not finite"]),
     ("verify no-such-atlas.json", &["no-such-atlas.json", "give an atlas.json that can be read"]),
     ("verify", &["<ATLAS.json>"]),
-    ("--body paper --accuracy high", &["'high' for '--accuracy <ACCURACY>'", "draft, standard, certified"]),
+    ("--body paper --accuracy high", &["'high' for '--accuracy <ACCURACY>'", "exact, fast"]),
+    ("--body paper --accuracy certified", &["'certified' for '--accuracy <ACCURACY>'", "exact, fast", "--certificate"]),
+    ("classify --body paper --h 1 --l 1 --accuracy standard", &["'standard'", "exact, fast", "leave it out"]),
+    ("scan --family katok --samples 3 --out - --accuracy draft", &["'draft'", "exact, fast", "`fast`"]),
+    ("--body paper --certificate --window 0:4,0:3", &["--certificate speaks of the whole plane", "--window"]),
+    ("--body paper --certificate --accuracy fast", &["--certificate is a proof", "--accuracy fast"]),
     ("--body paper --format gif", &["'gif' for '--format <FORMAT>'", "svg, png, pdf"]),
     ("--body paper --out -", &["--out -", "a directory is needed", "--json"]),
     ("--body paper --out", &["a value is required for '--out <DIR>'"]),
@@ -158,7 +162,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("find --type M4 --moment-ratio 0.5", &["'0.5' for '--moment-ratio <R>'", "a number from 1 on"]),
     // Sections.
     ("section --h 1 --l 1", &["no body is given"]),
-    ("section --body paper --l 3.25", &["--h is missing", "--h 4.45", "--atlas FILE"]),
+    ("section --body paper --l 3.25", &["--h is missing", "--h 4.45", "--region R4"]),
     ("section --body paper --h 4.45", &["--l is missing", "--l 3.25"]),
     (
         "section --body paper --h 1.5 --l 3.25",
@@ -171,7 +175,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("section --body paper --h 4 --l 1e60", &["--l"]),
     ("section --body paper --h 4 --l 3 --orbits 0", &["'0' for '--orbits <N>'", "whole number from 1"]),
     ("section --body paper --h 4 --l 3 --crossings -5", &["'-5' for '--crossings <M>'", "whole number"]),
-    ("section --body paper --h 4 --l 3 --rng-seed x", &["'x' for '--rng-seed <K>'", "whole number"]),
+    ("section --body paper --h 4 --l 3 --seed x", &["'x' for '--seed <K>'", "whole number"]),
     ("section --body paper --h 4 --l 3 --max-time 0", &["'0' for '--max-time <T>'", "greater than zero"]),
     ("section --body paper --h 4 --l 3 --integrator euler", &["'euler' for '--integrator", "taylor, dop853, rk4"]),
     ("section --body paper --h 4.45 --l 3.25 --tol 1e-30", &["--tol 0.", "1e-18 to 1e-2"]),
@@ -188,14 +192,16 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("section --body paper --h 4 --l 3 --data points", &["'points' for '--data", "extension"]),
     ("section --body paper --h 4.45 --l 3.25 --data - --json", &["--data - and --json both want stdout"]),
     ("section --body paper --h 4.45 --l 3.25 --out -", &["--out -", "a directory is needed"]),
-    ("section --body paper --h 4 --l 3 --region R1", &["--region needs --atlas"]),
+    ("section --body paper --h 4 --l 3 --region R1", &["--region and --h both say where"]),
     ("section --atlas no/such --region R1", &["--atlas no/such", "No such file", "atlas.json"]),
     ("section --atlas - --body paper", &["--atlas and --body both say", "leave out --body"]),
     ("section --atlas - --h 3", &["--atlas and --h both say"]),
-    ("section --atlas -", &["--atlas - is not an atlas", "bifdiag atlas --json"]),
-    ("section --body paper --h 4.45 --l 3.25 --seeds no/such.csv", &["--seeds no/such.csv", "No such file"]),
-    ("section --body paper --h 4.45 --l 3.25 --seeds -", &["--seeds - holds no seed", "theta,psi,sheet"]),
-    ("section --body paper --h 4.45 --l 3.25 --seeds - --orbits 3", &["--orbits cannot be used with --seeds"]),
+    ("section --atlas -", &["--atlas - is no atlas of version 2", "bifdiag atlas --json"]),
+    ("section --body paper --h 4.45 --l 3.25 --starts no/such.csv", &["--starts no/such.csv", "No such file"]),
+    ("section --body paper --h 4.45 --l 3.25 --starts -", &["--starts - holds no start", "theta,psi,sheet"]),
+    ("section --body paper --h 4.45 --l 3.25 --starts - --orbits 3", &["--orbits cannot be used with --starts"]),
+    ("section --body paper --h 4.45 --l 3.25 --seeds x.csv", &["--seeds is gone; write --starts FILE.csv"]),
+    ("section --body paper --h 4.45 --l 3.25 --rng-seed=7", &["--rng-seed is gone; write --seed K"]),
     // Orbits.
     ("orbit --gamma 1,0,0 --omega 1,1,1", &["no body is given"]),
     ("orbit --body paper", &["no start is given", "--gamma 0.6,0,0.8", "--theta 1.2"]),
@@ -253,7 +259,7 @@ fn blanks_around_numbers_are_accepted_but_not_instead_of_commas() {
 
 #[test]
 fn wrong_lines_of_seeds_are_numbered() {
-    let line = "section --body paper --h 4.45 --l 3.25 --seeds -";
+    let line = "section --body paper --h 4.45 --l 3.25 --starts -";
     for (seeds, message) in [
         ("theta,psi\n1,2\n", "line 1: the heading `theta,psi` lacks sheet"),
         ("theta,psi,sheet\n1.2,1.5,1\n1,2\n", "line 3: 2 values, but the heading has 3"),
@@ -270,10 +276,7 @@ fn wrong_lines_of_seeds_are_numbered() {
 fn unknown_regions_are_told_with_those_that_are_there() {
     let atlas = bifdiag("--body kovalevskaya --json").succeeds().stdout();
     let done = bifdiag("section --atlas - --region R99").reading(atlas.clone()).refused();
-    done.telling("--region R99: the atlas has no such region; it has R1, R2").telling("or give all");
+    done.telling("--region R99: the body has no such region; it has R1, R2").telling("or give all");
     bifdiag("section --atlas - --data -").reading(atlas).refused().telling("several sections do not fit one table");
-    bifdiag("section --atlas -")
-        .reading("{\"schema_version\": \"1\"}")
-        .refused()
-        .telling("is not an atlas: missing field");
+    bifdiag("section --atlas -").reading("{\"schema_version\": \"2\"}").refused().telling("missing field `version`");
 }

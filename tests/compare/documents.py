@@ -6,9 +6,10 @@ import json
 import re
 import struct
 import zipfile
+from collections.abc import Callable
 from dataclasses import dataclass
 
-MISSING = object()
+MISSING = "(missing)"
 
 
 @dataclass(frozen=True)
@@ -19,6 +20,7 @@ class Allowed:
     tolerances: dict  # end of a path -> (relative tolerance, why)
     words: list  # (regular expression, replacement, why), for texts
     additions: bool  # fields that only the new program has
+    common: Callable = lambda old, new: (old, new)  # two documents, reduced to what both tell
 
     def ignores(self, path):
         return any(ends(path, pattern) for pattern in self.ignored)
@@ -37,10 +39,7 @@ def ends(path, pattern):
 
 
 def short(value):
-    if value is MISSING:
-        text = "(missing)"
-    else:
-        text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
     return text if len(text) <= 160 else text[:157] + "..."
 
 
@@ -87,7 +86,7 @@ def json_differences(old, new, allowed):
         documents = [json.loads(text) for text in (old, new)]
     except ValueError:
         return None
-    return list(differences(*documents, allowed))
+    return list(differences(*allowed.common(*documents), allowed))
 
 
 def text_differences(old, new, allowed, path):
@@ -115,9 +114,9 @@ def file_differences(name, old, new, allowed):
     if old is None or new is None:
         return [(name, "(no file)" if old is None else "a file", "(no file)" if new is None else "a file")]
     if name.endswith(".npz"):
-        return list(differences(arrays(old), arrays(new), allowed))
+        return list(differences(*allowed.common(arrays(old), arrays(new)), allowed))
     if name.endswith((".jsonl", ".csv")):
-        return list(differences(rows(name, old), rows(name, new), allowed))
+        return list(differences(*allowed.common(rows(name, old), rows(name, new)), allowed))
     if name.endswith(".parquet"):
         return [(name, f"{len(old)} bytes", f"{len(new)} other bytes")]
     return answer_differences(old, new, allowed, name)

@@ -54,11 +54,9 @@ def of_stratum(old, seed, name, count):
     if name in PROVABLE:
         # The first of the two energies, among the curves.
         proved = asked[:20:2] if name != "rational" else asked[:10]
-        tasks += batches(name, "classify certified", ["classify", "--accuracy", "certified"], proved)
-        tasks += [atlas(name, body, "--accuracy", "certified") for body in bodies[:8]]
+        tasks += batches(name, "classify proved", ["classify"], proved)
         tasks += [certificate(name, body) for body in bodies[8:12]]
     tasks += [atlas(name, body) for body in bodies[: count // 2]]
-    tasks += [atlas(name, body, "--accuracy", "draft") for body in bodies[:12]]
     if name != "scales":  # a window far beyond the body's own scale
         tasks += [atlas(name, body, "--window", "0:3,0.5:2") for body in bodies[:12]]
     tasks += motions(name, rng, bodies[:100], momenta, answers)
@@ -71,7 +69,7 @@ def atlas(stratum, body, *options):
 
 def certificate(stratum, body):
     """Each program's verifier on its own proof."""
-    make = [*of_body(body), "--accuracy", "certified", "--out", "proof", "--no-plot"]
+    make = [*of_body(body), "--certificate", "--out", "proof", "--no-plot"]
     return Task(stratum, "verify", ["verify", "proof/atlas.json"], before=[make])
 
 
@@ -81,7 +79,7 @@ SECTIONS = (
     "--integrator dop853 --data crossings.jsonl",
     "--condition angular-momentum --data crossings.csv --integrator rk4 --step 0.01",
     "--color rotation --max-time 60",
-    "--integrator splitting --step 0.01 --rng-seed 7",
+    "--integrator splitting --step 0.01 --seed 7",
 )
 ORBITS = ("--times 0:5:6", "--times -3:3:4 --integrator dop853", "--times 0:2:3 --data motion.npz")
 
@@ -110,7 +108,7 @@ def presets():
     for name in strata.PRESETS:
         body = ["--body", name]
         yield Task("presets", "table", [*body, "--no-plot", "--out", "made"], files=["made/atlas.json"])
-        for options in ("", "--accuracy draft", "--accuracy certified", "--window 0:3,0.5:2"):
+        for options in ("", "--window 0:3,0.5:2"):
             yield Task("presets", "atlas", [*body, "--json", *options.split()])
         yield Task("presets", "text", ["classify", *body, "--h", "2.1", "--l", "13/10"])
         yield Task("presets", "text", ["critical", *body, "--l", "1.3"])

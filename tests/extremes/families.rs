@@ -1,7 +1,7 @@
 //! Families of bodies and points that run into an extreme as ε → 0, and what the levels answer on the way.
 
 use dashu_ratio::RBig;
-use proof::CertifiedAtlas;
+use proof::{CertifiedAtlas, classify_exactly};
 use top::atlas::Atlas;
 use top::body::{Body, Number, Preset};
 use top::classify::{Components, classify};
@@ -163,7 +163,7 @@ fn point(body: Body, h: RBig, l: RBig) -> Question {
     Question::Point { body, h: Number::from_rational(h), l: Number::from_rational(l) }
 }
 
-/// What standard and certified answer; what is right is what is proved.
+/// What `f64` alone and the proof answer; what is right is what is proved.
 pub fn answers(question: &Question) -> [Answer; 2] {
     match question {
         Question::Regions(body) => {
@@ -171,8 +171,8 @@ pub fn answers(question: &Question) -> [Answer; 2] {
                 let all = atlas.region_ids().map(|region| atlas.components(region).map(<[Component]>::to_vec));
                 all.collect::<Option<Vec<_>>>().map(sorted)
             });
-            let certified = if proved.is_some() { Answer::Right } else { Answer::Undecided };
-            let standard = Atlas::new(body).map_or(Answer::Refused, |atlas| {
+            let exact = if proved.is_some() { Answer::Right } else { Answer::Undecided };
+            let fast = Atlas::new(body).map_or(Answer::Refused, |atlas| {
                 let all = atlas.regions().ids().map(|region| atlas.components(region).ok().map(<[Component]>::to_vec));
                 let whole = all.collect::<Option<Vec<_>>>().filter(|_| atlas.arrangement().undecided.is_empty());
                 match (whole.map(sorted), &proved) {
@@ -187,14 +187,13 @@ pub fn answers(question: &Question) -> [Answer; 2] {
                     }
                 }
             });
-            [standard, certified]
+            [fast, exact]
         }
         Question::Point { body, h, l } => {
-            let proved: Option<Components> = CertifiedAtlas::new(body)
-                .ok()
-                .and_then(|atlas| atlas.classify(h, l).components().map(<[Component]>::to_vec));
-            let certified = if proved.is_some() { Answer::Right } else { Answer::Undecided };
-            let standard = classify(body, h, l).map_or(Answer::Refused, |found| match (found.components(), &proved) {
+            let proved: Option<Components> =
+                classify_exactly(body, h, l).ok().and_then(|found| found.components().map(<[Component]>::to_vec));
+            let exact = if proved.is_some() { Answer::Right } else { Answer::Undecided };
+            let fast = classify(body, h, l).map_or(Answer::Refused, |found| match (found.components(), &proved) {
                 (None, Some(proved)) if !found.candidates().contains(proved) => Answer::Wrong,
                 (None, _) => Answer::Undecided,
                 (Some(_), None) => Answer::Untold,
@@ -206,7 +205,7 @@ pub fn answers(question: &Question) -> [Answer; 2] {
                     }
                 }
             });
-            [standard, certified]
+            [fast, exact]
         }
     }
 }

@@ -13,7 +13,7 @@ Examples:
   bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623
   bifdiag atlas --body katok:7 --window 0:4,0:3 --format png --out katok7
   bifdiag atlas --A 2,11/10,1 --r=-1,0,1/2 --json > atlas.json
-  bifdiag atlas --inertia 0.30,0.21,0.17,0.01,0,-0.02 --com 0,0.02,0.15 --mass 2.5 --g 9.80665 --no-plot";
+  bifdiag atlas --inertia 0.30,0.21,0.17,0.01,0,-0.02 --products tensor --com 0,0.02,0.15 --mass 2.5 --g 9.80665 --no-plot";
 
 /// `bifdiag atlas`.
 #[derive(Debug, Args)]
@@ -25,8 +25,11 @@ pub struct AtlasArguments {
     #[arg(help_heading = "Work")]
     pub window: Option<WindowDocument>,
     /// What the answer must be worth
-    #[arg(long, value_enum, default_value = "standard", help_heading = "Work")]
+    #[arg(long, value_parser = AccuracyArgument::parser(), default_value = "exact", help_heading = "Work")]
     pub accuracy: AccuracyArgument,
+    /// Prove every step and write down what `bifdiag verify` needs to check it
+    #[arg(long, help_heading = "Work")]
+    pub certificate: bool,
     /// Write atlas.json and the diagram to DIR (default: bifdiag-out; with --json: nowhere)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
@@ -36,6 +39,9 @@ pub struct AtlasArguments {
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
     pub no_plot: bool,
+    /// Leave the outlines of the regions out of atlas.json
+    #[arg(long, help_heading = "Output")]
+    pub no_polygons: bool,
     /// Print the atlas as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,

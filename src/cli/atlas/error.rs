@@ -2,14 +2,28 @@
 
 use proof::{NotProved, NotWritten};
 use thiserror::Error;
-use top::atlas::AtlasError;
 
-use crate::cli::failure::CommandError;
+use crate::cli::failure::{CommandError, Exit};
+
+/// The input is wrong.
+#[derive(Debug, Error)]
+pub enum AtlasInput {
+    #[error("--certificate speaks of the whole plane and --window of a part of it; leave out one of them")]
+    CertificateOfWindow,
+    #[error("--certificate is a proof and --accuracy fast does without; leave out one of them")]
+    FastCertificate,
+}
+
+impl CommandError for AtlasInput {
+    fn exit(&self) -> Exit {
+        Exit::WrongInput
+    }
+}
 
 #[derive(Debug, Error)]
 pub enum NoAtlas {
     #[error("the atlas could not be made")]
-    Atlas(#[from] AtlasError),
+    Atlas(#[from] proof::NoAtlas),
     #[error("the atlas could not be proved")]
     NotProved(#[from] NotProved),
     #[error("the proved atlas could not be written")]

@@ -2,8 +2,10 @@
 
 mod arguments;
 mod error;
+mod events;
 mod report;
 mod settings;
+mod stability;
 mod work;
 
 use plot::{DiagramOptions, draw};
@@ -30,6 +32,7 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
     if let Some(directory) = &settings.directory {
         let mut files = FileSet::new(directory);
         files.export("atlas", &document, &Json)?;
+        files.remove_pictures("diagram");
         if !settings.formats.is_empty() {
             let options = DiagramOptions { window: settings.window };
             let picture = timings

@@ -4,8 +4,10 @@ use std::path::PathBuf;
 
 use schema::{AtlasDocument, ComponentDocument, RegionDocument};
 
-use crate::cli::input::Subject;
+use super::stability;
+use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, significant};
+use documents::Subject;
 
 /// The table of regions fits a terminal of this width.
 const TABLE_WIDTH: usize = 100;
@@ -13,10 +15,18 @@ const TABLE_WIDTH: usize = 100;
 /// Everything that the terminal shows.
 pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) -> String {
     let mut report = Report::default();
-    subject.head(&mut report);
+    head(subject, &mut report);
     report.line("");
     report.line(region_table(&document.regions));
     report.line("");
+    if let Some(table) = super::events::table(&document.events) {
+        report.line(table);
+        report.line("");
+    }
+    if let Some(table) = stability::table(&document.stability_changes) {
+        report.line(table);
+        report.line("");
+    }
     let summary = &document.summary;
     let count = |n: usize, one: &str, many: &str| format!("{n} {}", if n == 1 { one } else { many });
     report.line(format!(
@@ -110,7 +120,7 @@ mod tests {
         RegionDocument {
             id: id.to_owned(),
             sample: SampleDocument { h: sample[0], l: sample[1], margin },
-            components: documents::candidate(components),
+            components: documents::components(components),
             signature: signature(components),
             bounded: true,
             l_range: [Some(sample[1] / 3.0), Some(sample[1] / 0.7)],
@@ -118,6 +128,7 @@ mod tests {
             boundary: Vec::new(),
             neighbours: Vec::new(),
             cells: Vec::new(),
+            polygon: None,
             clipped: false,
         }
     }

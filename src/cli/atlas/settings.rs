@@ -5,29 +5,43 @@ use std::path::PathBuf;
 use schema::{Accuracy, WindowDocument};
 
 use super::arguments::AtlasArguments;
+use super::error::AtlasInput;
 use crate::cli::export::{PictureFormat, directory};
 use crate::cli::failure::Failure;
-use crate::cli::input::Subject;
+use crate::cli::input::AccuracyArgument;
+use documents::Subject;
 
 pub struct Settings {
     pub subject: Subject,
     pub accuracy: Accuracy,
+    /// The atlas carries its certificate.
+    pub certificate: bool,
     pub window: Option<WindowDocument>,
     /// Where the files go, if any are wanted.
     pub directory: Option<PathBuf>,
     /// Of the diagram.
     pub formats: Vec<PictureFormat>,
+    /// Whether the document carries the outlines of the regions.
+    pub polygons: bool,
     pub json: bool,
 }
 
 impl Settings {
     pub fn new(arguments: &AtlasArguments) -> Result<Self, Failure> {
+        if arguments.certificate && arguments.window.is_some() {
+            return Err(AtlasInput::CertificateOfWindow.into());
+        }
+        if arguments.certificate && arguments.accuracy == AccuracyArgument::Fast {
+            return Err(AtlasInput::FastCertificate.into());
+        }
         Ok(Self {
             subject: arguments.body.subject()?,
             accuracy: arguments.accuracy.level(),
+            certificate: arguments.certificate,
             window: arguments.window,
             directory: directory(arguments.out.as_deref(), !arguments.json)?,
             formats: if arguments.no_plot { Vec::new() } else { arguments.format.clone() },
+            polygons: !arguments.no_polygons,
             json: arguments.json,
         })
     }

@@ -27,6 +27,16 @@ impl CommandError for BatchInput {
     }
 }
 
+/// Right questions had no answer.
+#[derive(Debug, Error)]
+#[error("{unanswered} of {lines} lines of the batch have no answer; see the lines with \"error\"")]
+pub struct Unanswered {
+    pub unanswered: usize,
+    pub lines: usize,
+}
+
+impl CommandError for Unanswered {}
+
 /// The batch could be read no further.
 #[derive(Debug, Error)]
 #[error("--batch {path}: reading stopped", path = path.display())]

@@ -1,6 +1,7 @@
 //! Lines of a file or a pipe, in chunks of what has arrived.
 
 use std::io::{self, BufRead, BufReader, Read};
+use std::ops::Range;
 
 /// The most lines of a chunk.
 const CHUNK: usize = 8192;
@@ -17,30 +18,58 @@ pub struct LineReader<R> {
     empty: usize,
 }
 
+/// Some lines, without their ends, in one buffer.
+#[derive(Default)]
+pub struct Chunk {
+    text: Vec<u8>,
+    lines: Vec<Range<usize>>,
+}
+
+impl Chunk {
+    /// The lines in order.
+    pub fn lines(&self) -> impl ExactSizeIterator<Item = &[u8]> {
+        self.lines.iter().map(|line| &self.text[line.clone()])
+    }
+
+    /// Number of lines.
+    pub fn len(&self) -> usize {
+        self.lines.len()
+    }
+
+    fn clear(&mut self) {
+        self.text.clear();
+        self.lines.clear();
+    }
+}
+
 impl<R: Read> LineReader<R> {
     pub fn new(source: R) -> Self {
         Self { source: BufReader::with_capacity(BUFFER, source), empty: 0 }
     }
 
-    /// The next lines without their ends: at least one, unless the end is reached, and no more than can be had
-    /// without waiting. Empty lines at the end do not count. A line longer than [`MAX_LINE`] is cut to one byte more.
-    pub fn next_chunk(&mut self) -> io::Result<Vec<Vec<u8>>> {
-        let mut lines = Vec::new();
-        while lines.len() < CHUNK && (lines.is_empty() || self.source.buffer().contains(&b'\n')) {
-            match self.next_line()? {
-                Some(line) if line.len() <= MAX_LINE && line.trim_ascii().is_empty() => self.empty += 1,
-                Some(line) => {
-                    lines.extend(std::iter::repeat_n(Vec::new(), std::mem::take(&mut self.empty)));
-                    lines.push(line);
-                }
-                None => break,
+    /// Reads the next lines: at least one, unless the end is reached, and no more than can be had without waiting. Empty
+    /// lines at the end do not count. A line longer than [`MAX_LINE`] is cut to one byte more.
+    pub fn next_chunk(&mut self, chunk: &mut Chunk) -> io::Result<()> {
+        chunk.clear();
+        while chunk.lines.len() < CHUNK && (chunk.lines.is_empty() || self.source.buffer().contains(&b'\n')) {
+            let from = chunk.text.len();
+            if !self.next_line(&mut chunk.text)? {
+                break;
             }
+            let line = &chunk.text[from..];
+            if line.len() <= MAX_LINE && line.trim_ascii().is_empty() {
+                self.empty += 1;
+                continue;
+            }
+            chunk.lines.extend(std::iter::repeat_n(from..from, std::mem::take(&mut self.empty)));
+            chunk.lines.push(from..chunk.text.len());
         }
-        Ok(lines)
+        Ok(())
     }
 
-    fn next_line(&mut self) -> io::Result<Option<Vec<u8>>> {
-        let mut line = Vec::new();
+    /// Adds a line to `text`; false at the end of the source.
+    fn next_line(&mut self, text: &mut Vec<u8>) -> io::Result<bool> {
+        let from = text.len();
         let mut anything = false;
         loop {
             let available = match self.source.fill_buf() {
@@ -48,16 +77,16 @@ impl<R: Read> LineReader<R> {
                 available => available?,
             };
             if available.is_empty() {
-                return Ok(anything.then_some(line));
+                return Ok(anything);
             }
             anything = true;
             let end = available.iter().position(|byte| *byte == b'\n');
             let taken = end.unwrap_or(available.len());
-            let kept = taken.min((MAX_LINE + 1).saturating_sub(line.len()));
-            line.extend_from_slice(&available[..kept]);
+            let kept = taken.min((MAX_LINE + 1).saturating_sub(text.len() - from));
+            text.extend_from_slice(&available[..kept]);
             self.source.consume(taken + usize::from(end.is_some()));
             if end.is_some() {
-                return Ok(Some(line));
+                return Ok(true);
             }
         }
     }
@@ -69,13 +98,13 @@ mod tests {
 
     fn lines(text: &[u8]) -> Vec<Vec<u8>> {
         let mut reader = LineReader::new(text);
-        let mut all = Vec::new();
+        let (mut all, mut chunk) = (Vec::new(), Chunk::default());
         loop {
-            let chunk = reader.next_chunk().unwrap();
-            if chunk.is_empty() {
+            reader.next_chunk(&mut chunk).unwrap();
+            if chunk.len() == 0 {
                 return all;
             }
-            all.extend(chunk);
+            all.extend(chunk.lines().map(<[u8]>::to_vec));
         }
     }
 
@@ -106,6 +135,8 @@ mod tests {
                 Ok(2)
             }
         }
-        assert_eq!(LineReader::new(OneLine(false)).next_chunk().unwrap(), [b"a".to_vec()]);
+        let mut chunk = Chunk::default();
+        LineReader::new(OneLine(false)).next_chunk(&mut chunk).unwrap();
+        assert!(chunk.lines().eq([b"a"]));
     }
 }

@@ -5,23 +5,24 @@ mod error;
 mod lines;
 mod query;
 
-use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 use schema::BatchErrorDocument;
 
 use super::export::ExportError;
-use super::failure::Failure;
-use super::input::Subject;
+use super::failure::{CommandError, Exit, Failure};
 use super::terminal::{Progress, print, say};
-use error::BatchRead;
-use lines::LineReader;
+use documents::Subject;
+use error::{BatchRead, Unanswered};
+use lines::{Chunk, LineReader};
 
 pub use arguments::BatchArguments;
 pub use error::BatchInput;
+use query::QueryReader;
 pub use query::{Query, Wanted};
 
 /// A batch that is to be answered.
@@ -30,7 +31,7 @@ pub struct Batch<'a> {
     /// A wrong line makes the whole batch wrong input.
     pub strict: bool,
     /// The body of lines that name none.
-    pub subject: Option<Subject>,
+    pub subject: Option<Arc<Subject>>,
     pub wanted: Wanted,
     pub quiet: bool,
 }
@@ -40,23 +41,32 @@ pub struct Batch<'a> {
 struct Tally {
     bytes: u64,
     lines: usize,
+    /// Wrong lines.
     bad: usize,
+    /// Right questions without an answer.
+    unanswered: usize,
     unphysical: usize,
 }
+
+/// So many lines are read one after the other: what is known of a body is used again for the next line.
+const BLOCK: usize = 256;
 
 impl Batch<'_> {
     /// Answers every line and writes the answers to stdout.
     ///
     /// What has arrived is answered before more is waited for, so that a program can write a line and read its answer.
-    pub fn run<E: Display>(&self, mut answer: impl FnMut(&[Query]) -> Vec<Result<String, E>>) -> Result<(), Failure> {
+    pub fn run<E: CommandError>(
+        &self,
+        mut answer: impl FnMut(&[Query]) -> Vec<Result<Vec<u8>, E>>,
+    ) -> Result<(), Failure> {
         let (source, bytes) =
             open(self.path).map_err(|source| BatchInput::File { path: self.path.to_owned(), source })?;
         let mut reader = LineReader::new(source);
         let progress = Progress::of_bytes(bytes, self.quiet);
-        let mut tally = Tally::default();
+        let (mut tally, mut chunk) = (Tally::default(), Chunk::default());
         loop {
-            let chunk = reader.next_chunk().map_err(|source| BatchRead { path: self.path.to_owned(), source })?;
-            if chunk.is_empty() {
+            reader.next_chunk(&mut chunk).map_err(|source| BatchRead { path: self.path.to_owned(), source })?;
+            if chunk.len() == 0 {
                 break;
             }
             print(self.answers(&chunk, &mut tally, &mut answer).map_err(ExportError::from)?)?;
@@ -68,34 +78,42 @@ impl Batch<'_> {
     }
 
     /// A line for each line.
-    fn answers<E: Display>(
+    fn answers<E: CommandError>(
         &self,
-        chunk: &[Vec<u8>],
+        chunk: &Chunk,
         tally: &mut Tally,
-        answer: &mut impl FnMut(&[Query]) -> Vec<Result<String, E>>,
+        answer: &mut impl FnMut(&[Query]) -> Vec<Result<Vec<u8>, E>>,
     ) -> Result<Vec<u8>, serde_json::Error> {
-        let subject = self.subject.as_ref();
-        let parsed: Vec<_> = chunk.par_iter().map(|line| Query::parse(line, self.wanted, subject)).collect();
+        let lines: Vec<&[u8]> = chunk.lines().collect();
+        let blocks: Vec<Vec<_>> = lines
+            .par_chunks(BLOCK)
+            .map(|lines| {
+                let mut reader = QueryReader::new(self.wanted, self.subject.as_ref());
+                lines.iter().map(|line| reader.read(line)).collect()
+            })
+            .collect();
         let mut queries = Vec::with_capacity(chunk.len());
         let mut refused = Vec::with_capacity(chunk.len());
-        for query in parsed {
+        for query in blocks.into_iter().flatten() {
             refused.push(query.map(|query| queries.push(query)).err());
         }
         tally.unphysical += queries.iter().filter(|query| query.unphysical).count();
         let mut answers = answer(&queries).into_iter();
         let mut out = Vec::new();
-        for (line, refused) in chunk.iter().zip(refused) {
+        for (line, refused) in lines.into_iter().zip(refused) {
             tally.lines += 1;
             // One more for the end of the line.
             tally.bytes += line.len() as u64 + 1;
             let answered = match refused {
-                None => answers.next().transpose().map(Option::unwrap_or_default).map_err(|error| error.to_string()),
-                Some(error) => Err(error.to_string()),
+                Some(error) => Err((error.to_string(), Exit::WrongInput)),
+                None => answers.next().transpose().map_err(|error| (error.to_string(), error.exit())),
             };
             match answered {
-                Ok(text) => out.extend_from_slice(text.as_bytes()),
-                Err(error) => {
-                    tally.bad += 1;
+                Ok(text) => out.extend(text.unwrap_or_default()),
+                Err((error, exit)) => {
+                    let wrong = exit == Exit::WrongInput;
+                    tally.bad += usize::from(wrong);
+                    tally.unanswered += usize::from(!wrong);
                     serde_json::to_writer(&mut out, &BatchErrorDocument { error, line: tally.lines })?;
                 }
             }
@@ -104,7 +122,7 @@ impl Batch<'_> {
         Ok(out)
     }
 
-    fn conclude(&self, &Tally { lines, bad, unphysical, .. }: &Tally) -> Result<(), Failure> {
+    fn conclude(&self, &Tally { lines, bad, unanswered, unphysical, .. }: &Tally) -> Result<(), Failure> {
         if unphysical > 0 {
             tracing::warn!("{unphysical} of {lines} lines have A that violates the triangle inequality Ai + Aj >= Ak");
         }
@@ -114,7 +132,7 @@ impl Batch<'_> {
         if bad > 0 && !self.quiet {
             say(&format!("{bad} of {lines} lines of the batch are wrong; see the lines with \"error\""));
         }
-        Ok(())
+        if unanswered > 0 { Err(Unanswered { unanswered, lines }.into()) } else { Ok(()) }
     }
 }
 

@@ -1,13 +1,14 @@
 //! One line of a batch.
 
-use schema::InertiaDocument;
+use std::sync::Arc;
+
+use documents::Subject;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 use thiserror::Error;
 use top::body::{Body, BodyError, Number, ParseNumberError};
 
 use super::lines::MAX_LINE;
-use crate::cli::input::Subject;
 
 /// What a line must say besides the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,8 +22,7 @@ pub enum Wanted {
 /// What a line asks.
 #[derive(Clone, Debug)]
 pub struct Query {
-    pub body: Body,
-    pub inertia: Option<InertiaDocument>,
+    pub subject: Arc<Subject>,
     /// There if [`Wanted::Point`].
     pub h: Option<Number>,
     pub l: Number,
@@ -73,9 +73,30 @@ const CENTER: (&str, &str) = ("r", "\"r\": [0.94868, 0, 0.61623]");
 const ENERGY: (&str, &str) = ("h", "\"h\": 3.8");
 const MOMENTUM: (&str, &str) = ("l", "\"l\": 3.25");
 
-impl Query {
-    /// Reads a line; `subject` is the body of lines that name none.
-    pub fn parse(line: &[u8], wanted: Wanted, subject: Option<&Subject>) -> Result<Self, QueryError> {
+/// Reads line after line; a body that is written as in the line before is the same.
+pub struct QueryReader<'a> {
+    wanted: Wanted,
+    /// The body of lines that name none.
+    subject: Option<&'a Arc<Subject>>,
+    last: Option<LastBody>,
+}
+
+/// A body and its text.
+struct LastBody {
+    moments: String,
+    center: String,
+    subject: Arc<Subject>,
+    unphysical: bool,
+}
+
+impl<'a> QueryReader<'a> {
+    /// Nothing is read yet; `subject` is the body of lines that name none.
+    pub fn new(wanted: Wanted, subject: Option<&'a Arc<Subject>>) -> Self {
+        Self { wanted, subject, last: None }
+    }
+
+    /// Reads a line.
+    pub fn read(&mut self, line: &[u8]) -> Result<Query, QueryError> {
         if line.len() > MAX_LINE {
             return Err(QueryError::TooLong);
         }
@@ -89,21 +110,37 @@ impl Query {
             return Err(QueryError::NotAnObject);
         }
         let raw: RawQuery = serde_json::from_str(text).map_err(|error| json_error(&error))?;
-        let (body, inertia, unphysical) = match (raw.moments, raw.center, subject) {
-            (None, None, Some(subject)) => (subject.body.clone(), subject.inertia.clone(), false),
-            (moments, center, _) => {
-                let moments = list(MOMENTS, moments)?;
-                let body = Body::parse(&moments, &list(CENTER, center)?)?;
-                let unphysical = body.flags().unphysical;
-                (body, None, unphysical)
-            }
+        let (subject, unphysical) = match (raw.moments, raw.center, self.subject) {
+            (None, None, Some(subject)) => (Arc::clone(subject), false),
+            (moments, center, _) => self.body(moments, center)?,
         };
-        let h = match wanted {
+        let h = match self.wanted {
             Wanted::Point => Some(number(ENERGY, raw.h)?),
             Wanted::Momentum => None,
         };
         let l = number(MOMENTUM, raw.l)?;
-        Ok(Self { body, inertia, h, l, unphysical })
+        Ok(Query { subject, h, l, unphysical })
+    }
+
+    /// The body of a line, and whether no mass distribution has its moments.
+    fn body(
+        &mut self,
+        moments: Option<&RawValue>,
+        center: Option<&RawValue>,
+    ) -> Result<(Arc<Subject>, bool), QueryError> {
+        let same = |last: &&LastBody| {
+            moments.is_some_and(|raw| raw.get() == last.moments) && center.is_some_and(|raw| raw.get() == last.center)
+        };
+        if let Some(last) = self.last.as_ref().filter(same) {
+            return Ok((Arc::clone(&last.subject), last.unphysical));
+        }
+        let body = Body::parse(&list(MOMENTS, moments)?, &list(CENTER, center)?)?;
+        let unphysical = body.flags().unphysical;
+        let subject = Arc::new(Subject::from(body));
+        let text = |raw: Option<&RawValue>| raw.map_or_else(String::new, |raw| raw.get().to_owned());
+        let (moments, center) = (text(moments), text(center));
+        self.last = Some(LastBody { moments, center, subject: Arc::clone(&subject), unphysical });
+        Ok((subject, unphysical))
     }
 }
 
@@ -154,16 +191,16 @@ mod tests {
     use super::*;
 
     fn parse(line: &str) -> Result<Query, QueryError> {
-        Query::parse(line.as_bytes(), Wanted::Point, None)
+        QueryReader::new(Wanted::Point, None).read(line.as_bytes())
     }
 
     #[test]
     fn numbers_are_the_decimals_that_are_written() {
         let query =
             parse(r#"{"A": [2, 1.10, "11/10"], "r": [-1e-3, 0, 0], "h": 0.1000000000000000055, "l": 3}"#).unwrap();
-        let texts = query.body.moments().each_ref().map(Number::text);
+        let texts = query.subject.body.moments().each_ref().map(Number::text);
         assert_eq!(texts, ["2", "1.10", "11/10"]);
-        assert_eq!(query.body.moments()[1], query.body.moments()[2]);
+        assert_eq!(query.subject.body.moments()[1], query.subject.body.moments()[2]);
         assert_eq!(query.h.as_ref().map(Number::text), Some("0.1000000000000000055"));
         assert_ne!(query.h, Some("0.1".parse().unwrap()));
     }
@@ -176,12 +213,12 @@ mod tests {
     #[test]
     fn a_line_without_a_body_takes_that_of_the_command_line() {
         let body = Body::parse(&["3", "2", "1"], &["0", "0", "1"]).unwrap();
-        let subject = Subject { body: body.clone(), inertia: None };
+        let subject = Arc::new(Subject::from(body.clone()));
         let line = br#"{"l": 1}"#;
-        let query = Query::parse(line, Wanted::Momentum, Some(&subject)).unwrap();
-        assert_eq!(query.body, body);
+        let query = QueryReader::new(Wanted::Momentum, Some(&subject)).read(line).unwrap();
+        assert_eq!(query.subject.body, body);
         let half = br#"{"A": [1, 1, 1], "l": 1}"#;
-        let error = Query::parse(half, Wanted::Momentum, Some(&subject)).unwrap_err();
+        let error = QueryReader::new(Wanted::Momentum, Some(&subject)).read(half).unwrap_err();
         assert!(matches!(error, QueryError::Missing { key: "r", .. }));
     }
 
@@ -189,7 +226,7 @@ mod tests {
         /// Whatever a line holds, it is read or refused with a message; none of it stops the program.
         #[test]
         fn any_bytes_are_read_or_refused(line in prop::collection::vec(any::<u8>(), 0..200)) {
-            if let Err(error) = Query::parse(&line, Wanted::Point, None) {
+            if let Err(error) = QueryReader::new(Wanted::Point, None).read(&line) {
                 prop_assert!(!error.to_string().is_empty());
             }
         }
@@ -201,7 +238,7 @@ mod tests {
         ) {
             let line = format!(r#"{{"A":[{a},1,1],"r":[1,0,0],"h":{h},"l":"{h}"}}"#);
             match parse(&line) {
-                Ok(query) => prop_assert!(query.body.moments_f64().iter().all(|a| *a > 0.0)),
+                Ok(query) => prop_assert!(query.subject.body.moments_f64().iter().all(|a| *a > 0.0)),
                 Err(error) => prop_assert!(!error.to_string().is_empty()),
             }
         }
@@ -212,7 +249,7 @@ mod tests {
             let query = parse(&format!(r#"{{"A":[1.{digits},1,1],"r":[1,0,0],"h":0.{digits},"l":1}}"#)).unwrap();
             let exact: Number = format!("{digits}/1{}", "0".repeat(digits.len())).parse().unwrap();
             prop_assert_eq!(query.h, Some(exact));
-            prop_assert_eq!(query.body.moments()[0].text(), format!("1.{digits}"));
+            prop_assert_eq!(query.subject.body.moments()[0].text(), format!("1.{digits}"));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Why a point has no answer.
 
-use proof::NotProved;
+use proof::Unanswered;
 use thiserror::Error;
 use top::atlas::MomentumError;
 use top::classify::ClassifyError;
@@ -12,16 +12,14 @@ pub enum PointError {
     #[error("--l: {0}")]
     Momentum(MomentumError),
     #[error("the point could not be classified")]
-    Classify(#[source] ClassifyError),
-    #[error("the atlas could not be proved")]
-    NotProved(#[from] NotProved),
+    Unanswered(#[source] Unanswered),
 }
 
-impl From<ClassifyError> for PointError {
-    fn from(error: ClassifyError) -> Self {
+impl From<Unanswered> for PointError {
+    fn from(error: Unanswered) -> Self {
         match error {
-            ClassifyError::Momentum(error) => Self::Momentum(error),
-            error => Self::Classify(error),
+            Unanswered::Classify(ClassifyError::Momentum(error)) => Self::Momentum(error),
+            error => Self::Unanswered(error),
         }
     }
 }
@@ -30,7 +28,7 @@ impl CommandError for PointError {
     fn exit(&self) -> Exit {
         match self {
             Self::Momentum(_) => Exit::WrongInput,
-            Self::Classify(_) | Self::NotProved(_) => Exit::Failed,
+            Self::Unanswered(_) => Exit::Failed,
         }
     }
 }

@@ -2,19 +2,21 @@
 
 mod arguments;
 mod error;
+mod grid;
 mod preparation;
 mod report;
 mod settings;
 
-use proof::CertifiedAtlas;
+use std::sync::Arc;
+
+use documents::{Located, Subject};
+use proof::{Prepared, classify};
 use schema::{Accuracy, ClassificationDocument};
 use top::body::Number;
-use top::classify::classify;
 
 use super::batch::{Batch, Wanted};
 use super::export::answer;
 use super::failure::Failure;
-use super::input::Subject;
 use super::terminal::Timings;
 use error::PointError;
 use preparation::Preparation;
@@ -24,25 +26,31 @@ pub use arguments::{ClassifyArguments, EXAMPLES};
 
 pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     match Settings::new(arguments)? {
-        Settings::Point { subject, h, l, accuracy, json } => {
-            let document = timings.stage("classify", || point(&subject, h, l, accuracy))?;
+        Settings::Point { subject, h, l, accuracy, regions, json } => {
+            let document = timings.stage("classify", || point(&subject, h, l, accuracy, regions))?;
             Ok(answer(json, &document, || report::text(&subject, &document))?)
         }
-        Settings::Batch { path, strict, subject, accuracy } => {
-            let mut preparation = Preparation::default();
-            Batch { path, strict, subject, wanted: Wanted::Point, quiet }
-                .run(|queries| timings.stage("chunk", || preparation.answer(queries, accuracy)))
+        Settings::Grid { subject, grid, accuracy, out } => grid::run(&subject, grid, accuracy, &out, timings),
+        Settings::Batch { path, strict, subject, accuracy, regions } => {
+            let mut preparation = Preparation::new(accuracy, regions);
+            Batch { path, strict, subject: subject.map(Arc::new), wanted: Wanted::Point, quiet }
+                .run(|queries| timings.stage("chunk", || preparation.answer(queries)))
         }
     }
 }
 
-fn point(subject: &Subject, h: &Number, l: &Number, accuracy: Accuracy) -> Result<ClassificationDocument, PointError> {
-    let answer = if accuracy == Accuracy::Certified {
-        CertifiedAtlas::new(&subject.body)?.classify(h, l)
+fn point(
+    subject: &Subject,
+    h: &Number,
+    l: &Number,
+    accuracy: Accuracy,
+    regions: bool,
+) -> Result<ClassificationDocument, PointError> {
+    let (found, prepared) = if regions {
+        let prepared = Prepared::new(subject.body.clone(), accuracy.into());
+        (prepared.classify(h, l)?, Some(prepared))
     } else {
-        classify(&subject.body, h, l)?
+        (classify(&subject.body, h, l, accuracy.into())?, None)
     };
-    let mut document = documents::classification(&subject.body, h, l, &answer, accuracy);
-    document.inertia.clone_from(&subject.inertia);
-    Ok(document)
+    Ok(documents::classification(subject, h, l, &found, accuracy, Located::of(prepared.as_ref())))
 }

@@ -1,45 +1,52 @@
 //! Points of the same body in a row.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
-use proof::{CertifiedAtlas, NotProved};
+use documents::{Located, Subject};
+use proof::{Prepared, Unanswered, classify};
 use rayon::prelude::*;
 use schema::Accuracy;
 use thiserror::Error;
-use top::atlas::Atlas;
-use top::body::{Body, Number};
-use top::classify::{Classification, ClassifyError, classify};
+use top::body::Number;
+use top::classify::{Classification, ClassifyError};
 
 use crate::cli::batch::Query;
+use crate::cli::failure::{CommandError, Exit};
 
-/// So many points of one body in a row are answered cold before the body is prepared: about what preparing costs.
-/// The choice depends on the lines alone, never on how they arrive, so that equal input gives equal output.
+/// So many points of one body in a row are answered cold before the body is prepared, where no regions are wanted: about
+/// what preparing costs. The choice depends on the lines alone, never on how they arrive, so that equal input gives equal
+/// output.
 const COLD_POINTS: usize = 4;
+
+/// Room for an answer, so that it is not moved while it is written.
+const LINE: usize = 1024;
 
 /// Why a line of a batch has no answer.
 #[derive(Debug, Error)]
-pub enum Unanswered {
+pub enum LineError {
     #[error(transparent)]
-    NotProved(#[from] NotProved),
-    #[error(transparent)]
-    Classify(#[from] ClassifyError),
+    Unanswered(#[from] Unanswered),
     #[error(transparent)]
     Json(#[from] serde_json::Error),
 }
 
-/// Points of the same body in a row; after the first few the body is prepared, once. A proof is made once in any case.
-#[derive(Debug, Default)]
-pub struct Preparation {
-    body: Option<Body>,
-    length: usize,
-    prepared: Arc<Prepared>,
+impl CommandError for LineError {
+    fn exit(&self) -> Exit {
+        match self {
+            Self::Unanswered(Unanswered::Classify(ClassifyError::Momentum(_))) => Exit::WrongInput,
+            Self::Unanswered(_) | Self::Json(_) => Exit::Failed,
+        }
+    }
 }
 
-/// What answers further points of a body, made when first asked for.
-#[derive(Debug, Default)]
-struct Prepared {
-    atlas: OnceLock<Option<Atlas>>,
-    proof: OnceLock<Result<CertifiedAtlas, NotProved>>,
+/// Points of the same body in a row; after the first few the body is prepared, once.
+#[derive(Debug)]
+pub struct Preparation {
+    accuracy: Accuracy,
+    /// Whether the ids of regions are wanted.
+    regions: bool,
+    length: usize,
+    last: Option<(Arc<Subject>, Arc<Prepared>)>,
 }
 
 /// A query and what is, or will be, prepared of its body.
@@ -51,40 +58,46 @@ struct Job<'a> {
 }
 
 impl Preparation {
+    /// Nothing is prepared yet.
+    pub fn new(accuracy: Accuracy, regions: bool) -> Self {
+        Self { accuracy, regions, length: 0, last: None }
+    }
+
     /// Answers queries in parallel, in their order.
-    pub fn answer(&mut self, queries: &[Query], accuracy: Accuracy) -> Vec<Result<String, Unanswered>> {
+    pub fn answer(&mut self, queries: &[Query]) -> Vec<Result<Vec<u8>, LineError>> {
         let jobs: Vec<_> = queries.iter().map(|query| self.job(query)).collect();
+        let (accuracy, regions) = (self.accuracy, self.regions);
         jobs.par_iter()
             .map(|job| {
-                let Query { body, l, .. } = job.query;
+                let Query { subject, l, .. } = job.query;
                 let h = job.query.h.clone().unwrap_or_else(|| Number::from_rational(0.into()));
-                let answer = job.answer(&h, accuracy)?;
-                let mut document = documents::classification(body, &h, l, &answer, accuracy);
-                document.inertia.clone_from(&job.query.inertia);
-                Ok(serde_json::to_string(&document)?)
+                let found = job.answer(&h)?;
+                let located = Located::of(regions.then_some(&*job.prepared));
+                let mut text = Vec::with_capacity(LINE);
+                serde_json::to_writer(
+                    &mut text,
+                    &documents::classification(subject, &h, l, &found, accuracy, located),
+                )?;
+                Ok(text)
             })
             .collect()
     }
 
     fn job<'a>(&mut self, query: &'a Query) -> Job<'a> {
-        if self.body.as_ref() == Some(&query.body) {
-            self.length += 1;
-        } else {
-            *self = Self { body: Some(query.body.clone()), length: 1, prepared: Arc::default() };
-        }
-        Job { query, prepared: Arc::clone(&self.prepared), cold: self.length <= COLD_POINTS }
+        let subject = &query.subject;
+        let same = |known: &Arc<Subject>| Arc::ptr_eq(known, subject) || known.body == subject.body;
+        let known = self.last.take().filter(|(known, _)| same(known)).map(|(_, prepared)| prepared);
+        self.length = if known.is_some() { self.length + 1 } else { 1 };
+        let fresh = || Arc::new(Prepared::new(subject.body.clone(), self.accuracy.into()));
+        let prepared = known.unwrap_or_else(fresh);
+        self.last = Some((Arc::clone(subject), Arc::clone(&prepared)));
+        Job { query, prepared, cold: !self.regions && self.length <= COLD_POINTS }
     }
 }
 
 impl Job<'_> {
-    fn answer(&self, h: &Number, accuracy: Accuracy) -> Result<Classification, Unanswered> {
-        let Query { body, l, .. } = self.query;
-        if accuracy == Accuracy::Certified {
-            let proof = self.prepared.proof.get_or_init(|| CertifiedAtlas::new(body));
-            return Ok(proof.as_ref().map_err(Clone::clone)?.classify(h, l));
-        }
-        // A body of which no atlas can be made is still answered point by point.
-        let atlas = if self.cold { None } else { self.prepared.atlas.get_or_init(|| Atlas::new(body).ok()).as_ref() };
-        Ok(atlas.map_or_else(|| classify(body, h, l), |atlas| atlas.classify(h, l))?)
+    fn answer(&self, h: &Number) -> Result<Classification, Unanswered> {
+        let (body, l) = (&self.query.subject.body, &self.query.l);
+        if self.cold { classify(body, h, l, self.prepared.accuracy()) } else { self.prepared.classify(h, l) }
     }
 }

@@ -2,20 +2,24 @@
 
 use schema::{ClassificationDocument, ComponentDocument, Status};
 
-use crate::cli::input::Subject;
+use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, significant};
+use documents::Subject;
 
 pub fn text(subject: &Subject, document: &ClassificationDocument) -> String {
     let mut report = Report::default();
-    subject.head(&mut report);
+    head(subject, &mut report);
     report.line(format!("h = {}", document.h));
     report.line(format!("l = {}", document.l));
     report.line("");
+    if let Some(region) = &document.region {
+        report.line(format!("region {region}"));
+    }
     report.line(match document.status {
         Status::Regular => "regular",
         Status::Forbidden => "forbidden: h is below the minimum of the effective potential, U is empty",
-        Status::Critical => "critical: exactly on a curve; the classes that meet there are",
-        Status::Undecided => "undecided: closer to a curve than the error bound; the possible classes are",
+        Status::Critical => "critical: exactly on a curve; there meet",
+        Status::Undecided => "undecided: closer to a curve than the error bound; possible are",
     });
     if let Some(components) = document.components.as_ref().filter(|components| !components.is_empty()) {
         report.line("");
@@ -23,8 +27,12 @@ pub fn text(subject: &Subject, document: &ClassificationDocument) -> String {
     }
     for (i, candidate) in document.candidates.iter().enumerate() {
         report.line("");
-        report.line(format!("({})", i + 1));
-        report.line(component_table(candidate));
+        report.line(match (&candidate.region, candidate.status) {
+            (Some(region), _) => format!("region {region}"),
+            (None, Status::Forbidden) => "the forbidden region".to_owned(),
+            (None, _) => format!("class {}", i + 1),
+        });
+        report.line(component_table(&candidate.components));
     }
     report.line("");
     let margin = &document.margin;

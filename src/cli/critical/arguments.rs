@@ -1,15 +1,16 @@
 //! The options of `bifdiag critical`.
 
-use clap::Args;
-use top::body::Number;
-
+use super::momenta::Momenta;
 use crate::cli::batch::BatchArguments;
-use crate::cli::input::{BodyArguments, values};
+use crate::cli::export::DataTarget;
+use crate::cli::input::BodyArguments;
+use clap::Args;
 
 pub const EXAMPLES: &str = "\
 Examples:
   bifdiag critical --A 2,1.1,1 --r 0.94868,0,0.61623 --l 3.25
   bifdiag critical --body katok:6 --l 7/3 --json
+  bifdiag critical --body lagrange --l 0:4:401 --out lagrange.npz
   bifdiag critical --batch momenta.jsonl --threads 4 > equilibria.jsonl
 
 Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"l\": 3.25}, numbers or strings; a line
@@ -21,13 +22,16 @@ same order; a wrong line gives {\"error\": …, \"line\": n}.";
 pub struct CriticalArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Vertical angular momentum; its sign is that of omega
-    #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number)]
+    /// Vertical angular momentum, or a range a:b:n of n momenta; its sign is that of omega
+    #[arg(long = "l", value_name = "l|a:b:n", allow_hyphen_values = true, value_parser = Momenta::parse)]
     #[arg(help_heading = "Momentum")]
-    pub momentum: Option<Number>,
+    pub momentum: Option<Momenta>,
     #[command(flatten)]
     pub batch: BatchArguments,
     /// Print the answer as JSON (a batch always is)
     #[arg(long, help_heading = "Output")]
     pub json: bool,
+    /// Write the table of a range to FILE (.npz, .csv, .jsonl; default: CSV to stdout)
+    #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
+    pub out: Option<DataTarget>,
 }

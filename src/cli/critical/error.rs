@@ -3,14 +3,33 @@
 use thiserror::Error;
 use top::critical::CriticalError;
 
-use crate::cli::failure::CommandError;
+use super::table::NoTable;
+use crate::cli::failure::{CommandError, Exit};
 
 /// Why there is no answer.
 #[derive(Debug, Error)]
 #[error("the relative equilibria could not be found")]
-pub struct NotFound(#[from] CriticalError);
+pub enum NotFound {
+    Critical(#[from] CriticalError),
+    Table(#[from] NoTable),
+}
 
 impl CommandError for NotFound {}
+
+/// Options that do not fit together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum RangeInput {
+    #[error("--out needs a range of momenta, such as --l 0:4:401; at one momentum --json writes to stdout")]
+    OutWithoutRange,
+    #[error("--json at a range of momenta: give --out FILE.jsonl instead (one object for each relative equilibrium)")]
+    JsonOfRange,
+}
+
+impl CommandError for RangeInput {
+    fn exit(&self) -> Exit {
+        Exit::WrongInput
+    }
+}
 
 /// Why a line of a batch has no answer.
 #[derive(Debug, Error)]
@@ -19,4 +38,13 @@ pub enum Unanswered {
     Critical(#[from] CriticalError),
     #[error(transparent)]
     Json(#[from] serde_json::Error),
+}
+
+impl CommandError for Unanswered {
+    fn exit(&self) -> Exit {
+        match self {
+            Self::Critical(CriticalError::Momentum(_)) => Exit::WrongInput,
+            Self::Critical(CriticalError::Equilibria(_)) | Self::Json(_) => Exit::Failed,
+        }
+    }
 }

@@ -1,18 +1,22 @@
 //! What the terminal shows of relative equilibria.
 
-use schema::{CriticalDocument, Multiplicity, Stability};
+use std::path::PathBuf;
 
-use crate::cli::input::Subject;
+use schema::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Verdict};
+
+use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, fixed, significant};
+use documents::Subject;
 
 /// Significant digits of the table.
 const DIGITS: usize = 10;
 
 pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
-    let mut table = Table::new(&["h", "gamma", "omega", "index", "mult", "stability", "branch"]);
+    let mut places = Table::new(&["h", "gamma", "omega", "index", "mult", "curve", "branch"]);
+    let mut motions = Table::new(&["curve", "type", "stable", "small motions"]);
     for point in &document.critical {
         let [x, y, z] = point.gamma.map(|x| fixed(x, 6));
-        table.row([
+        places.row([
             significant(point.h, DIGITS),
             format!("({x:>9}, {y:>9}, {z:>9})"),
             significant(point.omega, 6),
@@ -22,19 +26,31 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
                 Multiplicity::Circle => "circle".to_owned(),
                 Multiplicity::Sphere => "sphere".to_owned(),
             },
-            stability_name(point.stability).to_owned(),
             point.branch.clone(),
+            point.branch_name.clone(),
+        ]);
+        motions.row([
+            point.branch.clone(),
+            point.stability.word().to_owned(),
+            verdict(point.stable).to_owned(),
+            motion(point),
         ]);
     }
     let mut report = Report::default();
-    subject.head(&mut report);
+    head(subject, &mut report);
     report.line(format!("l = {}", document.l));
     report.line("");
-    report.line(table.text());
+    report.line(places.text());
     report.line("");
+    report.line(motions.text());
+    report.line("");
+    report.line("period: of a small oscillation; growth: the time in which a small deviation grows by the factor e");
+    if document.critical.iter().any(|point| point.stable == Verdict::Spectrum) {
+        report.line("spectrally stable is not stable: all eigenvalues are imaginary, and nothing more is known");
+    }
     report.line(format!("error bound of h: {}", significant(document.error_bound, 2)));
     if !document.complete {
-        report.line("there may be more: l is within rounding of a cusp or beyond what f64 can decide");
+        report.line("there may be more: l lies beside cusps closer than 2^-4000");
     }
     if let Some(note) = &document.note {
         report.line(format!("note: {note}"));
@@ -42,12 +58,38 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     report.text()
 }
 
-fn stability_name(stability: Stability) -> &'static str {
-    match stability {
-        Stability::Elliptic => "elliptic",
-        Stability::SaddleCentre => "saddle-centre",
-        Stability::Saddle => "saddle",
-        Stability::Complex => "complex",
-        Stability::Degenerate => "degenerate",
+/// What was written of a table.
+pub fn written(rows: usize, files: &[PathBuf]) -> String {
+    let mut report = Report::default();
+    report.line(format!("{rows} relative equilibria"));
+    for path in files {
+        report.line(format!("written: {}", path.display()));
     }
+    report.text()
+}
+
+fn verdict(stable: Verdict) -> &'static str {
+    match stable {
+        Verdict::Energy => "by energy",
+        Verdict::Integral => "by an integral",
+        Verdict::Spectrum => "spectrally only",
+        Verdict::Unstable => "no",
+        Verdict::Open => "open",
+    }
+}
+
+/// The eigenvalues as periods and growth times.
+fn motion(point: &RelativeEquilibriumDocument) -> String {
+    let [first, second] = point.eigenvalues;
+    let part = |[re, im]: [f64; 2]| {
+        let growth = format!("growth {}", significant(1.0 / re, 6));
+        let period = format!("period {}", significant(std::f64::consts::TAU / im, 6));
+        match (re > 0.0, im > 0.0) {
+            (true, true) => format!("{growth} with {period}"),
+            (true, false) => growth,
+            (false, true) => period,
+            (false, false) => "zero".to_owned(),
+        }
+    };
+    if first == second { format!("{}, twice", part(first)) } else { format!("{}, {}", part(first), part(second)) }
 }

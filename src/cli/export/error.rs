@@ -44,6 +44,8 @@ pub enum FilesError {
     Write { path: PathBuf, source: io::Error },
     #[error("cannot write {path}: a directory of this name is in the way; nothing was changed", path = path.display())]
     Occupied { path: PathBuf },
+    #[error("cannot remove {path}, which tells of an earlier run: {source}", path = path.display())]
+    Remove { path: PathBuf, source: io::Error },
     #[error("cannot replace {path}: {source}", path = path.display())]
     Replace { path: PathBuf, source: io::Error },
 }

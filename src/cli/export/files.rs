@@ -4,6 +4,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use clap::ValueEnum;
 use plot::Picture;
 use tempfile::NamedTempFile;
 
@@ -18,12 +19,14 @@ use crate::cli::terminal::interrupt::{unfinished, uninterrupted};
 pub struct FileSet {
     directory: PathBuf,
     files: Vec<(PathBuf, Vec<u8>)>,
+    /// Files of earlier runs.
+    stale: Vec<PathBuf>,
 }
 
 impl FileSet {
     /// Nothing yet, for this directory.
     pub fn new(directory: &Path) -> Self {
-        Self { directory: directory.to_owned(), files: Vec::new() }
+        Self { directory: directory.to_owned(), files: Vec::new(), stale: Vec::new() }
     }
 
     /// Adds a file of the directory; nothing is written yet.
@@ -42,6 +45,13 @@ impl FileSet {
         Ok(())
     }
 
+    /// Names the pictures of earlier runs, which go unless they are written anew.
+    pub fn remove_pictures(&mut self, stem: &str) {
+        for format in PictureFormat::value_variants() {
+            self.remove(format!("{stem}.{}", PictureExporter { format: *format, resolution: 1.0 }.ending()));
+        }
+    }
+
     /// Adds a picture in several formats.
     pub fn pictures(
         &mut self,
@@ -55,6 +65,11 @@ impl FileSet {
             let exporter = PictureExporter { format, resolution };
             timings.stage(exporter.ending(), || self.export(stem, picture, &exporter))
         })
+    }
+
+    /// Names a file of the directory that tells of an earlier run and goes when the others are written.
+    pub fn remove(&mut self, name: impl AsRef<Path>) {
+        self.stale.push(self.directory.join(name));
     }
 
     /// Writes every file under a temporary name in its directory and, when all are whole and on the disk, renames
@@ -92,6 +107,9 @@ impl FileSet {
             written.push(path);
         }
         unfinished.clear();
+        for path in self.stale.into_iter().filter(|path| !written.contains(path) && path.is_file()) {
+            fs::remove_file(&path).map_err(|source| FilesError::Remove { path, source })?;
+        }
         Ok(written)
     }
 }

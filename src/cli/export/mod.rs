@@ -11,10 +11,11 @@ mod npz;
 mod picture;
 mod target;
 
-pub use columns::{Columns, Values};
+pub use columns::{Column, Columns, Values};
 pub use error::ExportError;
 pub use exporter::Exporter;
 pub use files::FileSet;
 pub use json::{Json, answer};
+pub use npz::Archive;
 pub use picture::{PictureFormat, RESOLUTION};
 pub use target::{DataFormat, DataTarget, directory};

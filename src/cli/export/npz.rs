@@ -15,54 +15,90 @@ use super::error::ExportError;
 /// Entries larger than this need ZIP's 64-bit fields.
 const LARGE: usize = 1 << 31;
 
-/// The whole archive.
+/// An archive in the making.
+pub struct Archive(ZipWriter<Cursor<Vec<u8>>>);
+
+impl Archive {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Self(ZipWriter::new(Cursor::new(Vec::new())))
+    }
+
+    /// Adds an array; `kind` is NumPy's name of its type, `shape` as Python writes it.
+    fn add(&mut self, name: &str, kind: &str, shape: &str, data: &[u8]) -> Result<(), ZipError> {
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Stored)
+            .last_modified_time(DateTime::DEFAULT)
+            .unix_permissions(0o644)
+            .large_file(data.len() > LARGE);
+        self.0.start_file(format!("{name}.npy"), options)?;
+        self.0.write_all(&header(kind, shape))?;
+        self.0.write_all(data)?;
+        Ok(())
+    }
+
+    /// Adds a column.
+    fn column(&mut self, name: &str, values: &Values) -> Result<(), ZipError> {
+        let (rows, width) = (values.len(), values.parts().len());
+        let shape = if width == 1 { format!("({rows},)") } else { format!("({rows}, {width})") };
+        match values {
+            Values::Int8(values) => {
+                self.add(name, "|i1", &shape, &values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>())
+            }
+            Values::Int32(values) => self.integers(name, &shape, values),
+            Values::Float { values, .. } => {
+                self.add(name, "<f8", &shape, &values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>())
+            }
+        }
+    }
+
+    /// Adds integers in rows of equal length.
+    pub fn matrix(&mut self, name: &str, rows: usize, values: &[i32]) -> Result<(), ZipError> {
+        self.integers(name, &format!("({rows}, {})", values.len() / rows.max(1)), values)
+    }
+
+    fn integers(&mut self, name: &str, shape: &str, values: &[i32]) -> Result<(), ZipError> {
+        let mut data = Vec::with_capacity(size_of_val(values));
+        for value in values {
+            data.extend_from_slice(&value.to_le_bytes());
+        }
+        self.add(name, "<i4", shape, &data)
+    }
+
+    /// Adds doubles.
+    pub fn floats(&mut self, name: &str, values: &[f64]) -> Result<(), ZipError> {
+        self.column(name, &Values::floats(values.iter().copied()))
+    }
+
+    /// Adds strings.
+    pub fn texts(&mut self, name: &str, texts: &[String]) -> Result<(), ZipError> {
+        let width = texts.iter().map(|text| text.chars().count()).max().unwrap_or(0).max(1);
+        let padded =
+            |text: &String| text.chars().map(u32::from).chain(std::iter::repeat(0)).take(width).collect::<Vec<_>>();
+        let data: Vec<u8> = texts.iter().flat_map(padded).flat_map(u32::to_le_bytes).collect();
+        self.add(name, &format!("<U{width}"), &format!("({},)", texts.len()), &data)
+    }
+
+    /// Adds a string as an array without axes: `str(data["meta"])` in Python.
+    pub fn text(&mut self, name: &str, text: &str) -> Result<(), ZipError> {
+        let data: Vec<u8> = text.chars().flat_map(|c| u32::from(c).to_le_bytes()).collect();
+        self.add(name, &format!("<U{}", text.chars().count()), "()", &data)
+    }
+
+    /// The whole archive.
+    pub fn bytes(self) -> Result<Vec<u8>, ZipError> {
+        Ok(self.0.finish()?.into_inner())
+    }
+}
+
+/// A table and what it means as an archive.
 pub fn archive(table: &Columns) -> Result<Vec<u8>, ExportError> {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let mut archive = Archive::new();
     for column in &table.columns {
-        add(&mut zip, column.name, &array(&column.values))?;
+        archive.column(column.name, &column.values)?;
     }
-    add(&mut zip, "meta", &text(&table.meta))?;
-    Ok(zip.finish()?.into_inner())
-}
-
-fn add(zip: &mut ZipWriter<Cursor<Vec<u8>>>, name: &str, array: &[u8]) -> Result<(), ZipError> {
-    let options = SimpleFileOptions::default()
-        .compression_method(CompressionMethod::Stored)
-        .last_modified_time(DateTime::DEFAULT)
-        .unix_permissions(0o644)
-        .large_file(array.len() > LARGE);
-    zip.start_file(format!("{name}.npy"), options)?;
-    zip.write_all(array)?;
-    Ok(())
-}
-
-/// A column as an NPY file.
-fn array(values: &Values) -> Vec<u8> {
-    let (rows, width) = (values.len(), values.parts().len());
-    let shape = if width == 1 { format!("({rows},)") } else { format!("({rows}, {width})") };
-    let mut out;
-    match values {
-        Values::Int8(values) => {
-            out = header("|i1", &shape);
-            out.extend(values.iter().flat_map(|x| x.to_le_bytes()));
-        }
-        Values::Int32(values) => {
-            out = header("<i4", &shape);
-            out.extend(values.iter().flat_map(|x| x.to_le_bytes()));
-        }
-        Values::Float { values, .. } => {
-            out = header("<f8", &shape);
-            out.extend(values.iter().flat_map(|x| x.to_le_bytes()));
-        }
-    }
-    out
-}
-
-/// A string as an NPY array without axes: `str(data["meta"])` in Python.
-fn text(text: &str) -> Vec<u8> {
-    let mut out = header(&format!("<U{}", text.chars().count()), "()");
-    out.extend(text.chars().flat_map(|c| u32::from(c).to_le_bytes()));
-    out
+    archive.text("meta", &table.meta)?;
+    Ok(archive.bytes()?)
 }
 
 /// Magic, version, and the dictionary padded so that the data begin at a multiple of 64 bytes.

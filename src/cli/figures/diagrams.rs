@@ -2,7 +2,7 @@
 
 use documents::DocumentOptions;
 use plot::{DiagramOptions, Picture, draw};
-use top::atlas::Atlas;
+use proof::{Accuracy, atlas_of};
 use top::body::Preset;
 
 use super::figure::Figure;
@@ -30,7 +30,7 @@ pub fn figures() -> impl Iterator<Item = Figure> {
 }
 
 fn diagram(preset: &Preset, timings: &Timings) -> Result<Picture, Failure> {
-    let atlas = Atlas::new(&preset.body()).map_err(NoAtlas::from)?;
+    let atlas = atlas_of(&preset.body(), Accuracy::Exact).map_err(NoAtlas::from)?;
     let document = documents::atlas::document(&atlas, &DocumentOptions::default());
     let picture = timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &DiagramOptions::default()));
     Ok(picture.map_err(ExportError::from)?)

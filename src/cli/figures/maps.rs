@@ -38,7 +38,7 @@ fn rows(family: Family, vary: &[&str]) -> Result<Vec<Row>, Failure> {
     }
     let design =
         Design::new(family, ranges, None, 0).map_err(|source| ScanInput::Design { option: "--vary", source })?;
-    Ok((0..design.count()).into_par_iter().map(|n| Row::of(n, design.values(n), Accuracy::Standard)).collect())
+    Ok((0..design.count()).into_par_iter().map(|n| Row::of(n, design.values(n), Accuracy::Exact)).collect())
 }
 
 fn classes_of(family: Family, vary: &[&str], axes: [Parameter; 2]) -> Result<Map, Failure> {

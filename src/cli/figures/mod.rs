@@ -7,6 +7,7 @@ mod figure;
 mod maps;
 mod schemes;
 mod sections;
+mod spheres;
 mod tradeoff;
 mod typical;
 
@@ -24,6 +25,7 @@ const RESOLUTION: f64 = 144.0;
 fn figures() -> Vec<Figure> {
     diagrams::figures()
         .chain(schemes::figures())
+        .chain(spheres::figures())
         .chain(sections::figures())
         .chain(maps::figures())
         .chain(tradeoff::figures())

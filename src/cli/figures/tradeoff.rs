@@ -80,8 +80,14 @@ fn names(names: &[&str]) -> Vec<String> {
 const OPEN: [&str; 2] = ["undecided", "failed"];
 
 fn classify() -> Result<Picture, ExportError> {
-    const METHODS: [&str; 6] =
-        ["standard", "certified", "companion matrix", "flood fill 32x64", "flood fill 96x192", "flood fill 256x512"];
+    const METHODS: [&str; 6] = [
+        "fast",
+        "proof of the whole plane",
+        "companion matrix",
+        "flood fill 32x64",
+        "flood fill 96x192",
+        "flood fill 256x512",
+    ];
     let table = Table::new(CLASSIFY)?;
     let beside =
         |row: &StringRecord| table.text(row, "stratum") == "generic" && !table.text(row, "distance").is_empty();
@@ -114,11 +120,10 @@ fn classify() -> Result<Picture, ExportError> {
 }
 
 fn atlas() -> Result<Picture, ExportError> {
-    const METHODS: [&str; 8] = [
+    const METHODS: [&str; 7] = [
         "regions alone",
-        "draft",
-        "standard",
-        "certified",
+        "fast",
+        "proof",
         "companion matrix: cusps alone",
         "flood fill 12x12 points of 32x64",
         "flood fill 24x24 points of 48x96",
@@ -171,23 +176,20 @@ fn orbits() -> Result<Picture, ExportError> {
 }
 
 fn polylines() -> Result<Picture, ExportError> {
-    const LEVELS: [&str; 2] = ["draft", "standard"];
     let table = Table::new(POLYLINES)?;
     let panel = |title: &str, column: &'static str, label: &str| ChartPanel {
         title: title.to_owned(),
         x: axis("tolerance, relative to the picture", Scale::Descending),
         y: axis(label, Scale::Logarithmic),
-        series: table.series(
-            "accuracy",
-            &LEVELS,
-            true,
-            |_| true,
-            |row| [table.number(row, "tolerance"), table.number(row, column)],
-        ),
+        series: vec![Series {
+            name: 0,
+            points: table.rows.iter().map(|row| [table.number(row, "tolerance"), table.number(row, column)]).collect(),
+            joined: true,
+        }],
     };
     Ok(draw_chart(&Chart {
         title: "Polylines: tolerance against deviation, size and time".to_owned(),
-        names: names(&LEVELS),
+        names: names(&["polylines of an atlas"]),
         panels: vec![
             panel("deviation that is left", "deviation_largest", "largest of 24 bodies, relative to the picture"),
             panel("size", "json_bytes", "bytes of atlas.json (median)"),

@@ -4,9 +4,13 @@ mod accuracy;
 mod body;
 mod file;
 mod integrator;
+mod part;
+mod part_file;
 pub mod values;
 
 pub use accuracy::AccuracyArgument;
-pub use body::{BodyArguments, BodyInput, Subject};
+pub use body::{BodyArguments, BodyInput, head};
 pub use file::read;
 pub use integrator::{IntegratorArguments, IntegratorInput};
+pub use part::{GivenPart, PartArguments, PartInput, shown};
+pub use part_file::edges;

@@ -3,6 +3,9 @@
 use std::num::{NonZeroU32, NonZeroUsize};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use dashu_ratio::RBig;
+use documents::GridAxis;
+use part::{Units, UnitsError};
 use schema::WindowDocument;
 use thiserror::Error;
 use top::body::{Body, BodyError, Number, ParseNumberError, Preset};
@@ -14,9 +17,23 @@ const MAX_THREADS: usize = 1024;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triple(pub [Number; 3]);
 
-/// I_xx, I_yy, I_zz, I_xy, I_xz, I_yz.
+impl Triple {
+    /// The exact values.
+    pub fn values(&self) -> [RBig; 3] {
+        self.0.each_ref().map(|x| x.value().clone())
+    }
+}
+
+/// I_xx, I_yy, I_zz, I_xy, I_xz, I_yz, in either convention of the products.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tensor(pub [Number; 6]);
+pub struct Entries(pub [Number; 6]);
+
+impl Entries {
+    /// The exact values.
+    pub fn values(&self) -> [RBig; 6] {
+        self.0.each_ref().map(|x| x.value().clone())
+    }
+}
 
 /// Three numbers of which only the nearest doubles are needed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,18 +46,26 @@ pub enum ValueError {
     Moments(BodyError),
     #[error("{0}; write three numbers with commas between them, such as 0.94868,0,0.61623")]
     Center(BodyError),
-    #[error("{count} numbers given; write the three coordinates in m, such as 0,0.02,0.15")]
+    #[error("{count} numbers given; write three coordinates, such as 0,0.02,0.15")]
     CenterOfMassCount { count: usize },
-    #[error("{count} numbers given; write the six matrix entries Ixx,Iyy,Izz,Ixy,Ixz,Iyz in kg m²")]
+    #[error("{count} numbers given; write six: Ixx,Iyy,Izz,Ixy,Ixz,Iyz")]
     TensorCount { count: usize },
     #[error("{name}: {source}")]
     Entry { name: &'static str, source: ParseNumberError },
     #[error("{0}")]
     Number(#[from] ParseNumberError),
-    #[error("a mass must be greater than zero; give it in kg")]
+    #[error("{0}")]
+    Units(#[from] UnitsError),
+    #[error("a mass must be greater than zero; give it in the unit of --units, such as kg")]
     Mass,
     #[error("the acceleration of gravity must not be negative; give its magnitude in m/s², such as 9.80665")]
     Gravity,
+    #[error("a grid is written hmin:hmax:n,lmin:lmax:m, such as -1:6:200,0:4:200")]
+    GridShape,
+    #[error("{points} points; a grid has at most {most}")]
+    GridSize { points: usize, most: usize },
+    #[error("a tolerance is a share from 0 to 50%, such as 1% or 0.01")]
+    Tolerance,
     #[error("a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4")]
     WindowShape,
     #[error("{name}: {source}; a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4")]
@@ -90,9 +115,9 @@ pub fn center_of_mass(text: &str) -> Result<Triple, ValueError> {
     Ok(Triple(numbers))
 }
 
-pub fn tensor(text: &str) -> Result<Tensor, ValueError> {
+pub fn tensor(text: &str) -> Result<Entries, ValueError> {
     const NAMES: [&str; 6] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
-    Ok(Tensor(entries(text, &NAMES, |count| ValueError::TensorCount { count })?))
+    Ok(Entries(entries(text, &NAMES, |count| ValueError::TensorCount { count })?))
 }
 
 fn entries<const N: usize>(
@@ -109,6 +134,10 @@ fn entries<const N: usize>(
         numbers.push(part.parse().map_err(|source| ValueError::Entry { name, source })?);
     }
     numbers.try_into().map_err(|numbers: Vec<Number>| wrong_count(numbers.len()))
+}
+
+pub fn units(text: &str) -> Result<Units, ValueError> {
+    Ok(text.parse()?)
 }
 
 pub fn mass(text: &str) -> Result<Number, ValueError> {
@@ -141,6 +170,31 @@ fn interval(text: &str, low: &'static str, high: &'static str) -> Result<([f64; 
     } else {
         Err(ValueError::WindowEmpty { low, high, from: from.text().to_owned(), to: to.text().to_owned() })
     }
+}
+
+/// The energies and the momenta of a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    pub h: GridAxis,
+    pub l: GridAxis,
+}
+
+pub fn grid(text: &str) -> Result<Grid, ValueError> {
+    /// The most points of a grid.
+    const MOST: usize = 100_000_000;
+    let (h, l) = text.split_once(',').ok_or(ValueError::GridShape)?;
+    let (h, l) = (axis(h)?, axis(l)?);
+    if h.count.saturating_mul(l.count) > MOST {
+        return Err(ValueError::GridSize { points: h.count.saturating_mul(l.count), most: MOST });
+    }
+    Ok(Grid { h, l })
+}
+
+fn axis(text: &str) -> Result<GridAxis, ValueError> {
+    let parts: Vec<&str> = text.split(':').collect();
+    let [from, to, count] = parts[..] else { return Err(ValueError::GridShape) };
+    let count = count.parse().ok().filter(|count| *count > 0).ok_or(ValueError::GridShape)?;
+    Ok(GridAxis { from: from.parse()?, to: to.parse()?, count })
 }
 
 pub fn threads(text: &str) -> Result<NonZeroUsize, ValueError> {

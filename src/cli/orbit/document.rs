@@ -21,6 +21,8 @@ pub fn of(settings: &Settings, motion: &Motion) -> Result<MotionDocument, OrbitF
     let [start_sample] = at_start[..] else { unreachable!("time 0 is the start itself") };
     Ok(MotionDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
+        version: documents::version(),
+        command: command(settings),
         moments: documents::texts(subject.body.moments()),
         center: documents::texts(subject.body.center()),
         h: top.energy(start),
@@ -38,8 +40,17 @@ pub fn of(settings: &Settings, motion: &Motion) -> Result<MotionDocument, OrbitF
         },
         samples: None,
         notes: notes(report),
-        inertia: subject.inertia.clone(),
+        part: subject.part.clone(),
     })
+}
+
+/// The motion from its start γ, l.
+fn command(settings: &Settings) -> String {
+    let Settings { subject, start, phi, method, given_times, .. } = settings;
+    let list = |v: [f64; 3]| v.map(|x| x.to_string()).join(",");
+    let line = subject.command("orbit").option("gamma", list(start.gamma)).option("l-vector", list(start.l));
+    let line = line.option_if("phi", (*phi != 0.0).then_some(phi)).option("times", given_times);
+    documents::integrator_options(line, &documents::integrator(*method)).json()
 }
 
 /// What is to be said about the samples.

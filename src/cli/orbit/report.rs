@@ -5,15 +5,16 @@ use std::path::PathBuf;
 use dynamics::motion::MotionSample;
 use schema::MotionDocument;
 
-use crate::cli::input::Subject;
+use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, significant};
+use documents::Subject;
 
 /// Samples that are listed; those beyond, and all where they are written, are in the data.
 const LISTED: usize = 40;
 
 pub fn text(subject: &Subject, document: &MotionDocument, samples: &[MotionSample], written: &[PathBuf]) -> String {
     let mut report = Report::default();
-    subject.head(&mut report);
+    head(subject, &mut report);
     report.line(format!("h = {}, l = {}", significant(document.h, 10), significant(document.l, 10)));
     report.line("");
     if written.is_empty() {

@@ -6,9 +6,10 @@ use dynamics::integrator::Method;
 use super::arguments::OrbitArguments;
 use super::error::OrbitInput;
 use super::start;
+use super::times::Times;
 use crate::cli::export::DataTarget;
 use crate::cli::failure::Failure;
-use crate::cli::input::Subject;
+use documents::Subject;
 
 pub struct Settings<'a> {
     pub subject: Subject,
@@ -17,6 +18,8 @@ pub struct Settings<'a> {
     /// Euler's angle φ at the start.
     pub phi: f64,
     pub times: Vec<f64>,
+    /// The times as the option says them.
+    pub given_times: &'a Times,
     pub method: Method,
     pub data: Option<&'a DataTarget>,
     pub json: bool,
@@ -33,6 +36,7 @@ impl<'a> Settings<'a> {
         let start = start::of(arguments, &top)?;
         let times = arguments.times.list()?;
         let method = arguments.integrator.method(&top, top.energy(&start))?;
-        Ok(Self { subject, top, start, phi: arguments.phi, times, method, data, json })
+        let (phi, given_times) = (arguments.phi, &arguments.times);
+        Ok(Self { subject, top, start, phi, times, given_times, method, data, json })
     }
 }

@@ -1,5 +1,6 @@
 //! The times at which the motion is wanted.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
@@ -30,6 +31,15 @@ pub enum TimesError {
     Count { value: String },
     #[error("t0 = {from} is above t1 = {to}; write the earlier time first")]
     Falling { from: f64, to: f64 },
+}
+
+impl fmt::Display for Times {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Range { from, to, count } => write!(f, "{from}:{to}:{count}"),
+            Self::File(path) => write!(f, "{}", path.display()),
+        }
+    }
 }
 
 impl Times {

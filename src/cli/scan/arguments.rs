@@ -98,7 +98,7 @@ pub struct SampleArguments {
     #[arg(long, value_name = "i/n", help_heading = "Work")]
     pub shard: Option<Shard>,
     /// What the answers must be worth
-    #[arg(long, value_enum, default_value = "standard", help_heading = "Work")]
+    #[arg(long, value_parser = AccuracyArgument::parser(), default_value = "exact", help_heading = "Work")]
     pub accuracy: AccuracyArgument,
     /// Begin anew, although FILE.partial holds the beginning of a scan
     #[arg(long, help_heading = "Work")]
@@ -174,7 +174,7 @@ pub struct BorderArguments {
     #[arg(long, value_name = "A2=FROM:TO", value_delimiter = ',', help_heading = "Border")]
     pub vary: Vec<Range>,
     /// What the answers must be worth
-    #[arg(long, value_enum, default_value = "standard", help_heading = "Work")]
+    #[arg(long, value_parser = AccuracyArgument::parser(), default_value = "exact", help_heading = "Work")]
     pub accuracy: AccuracyArgument,
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]

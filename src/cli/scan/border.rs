@@ -41,7 +41,11 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
     let options = BorderOptions { accuracy: arguments.accuracy.level().into(), ..BorderOptions::default() };
     let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
     let border = border::find(&segment, &options).map_err(|error| wrong(format!("--vary: {error}")))?;
-    let document = documents::border(&border, &segment, &arguments.vary);
+    let text = |range: &Range| format!("{}={}:{}", range.parameter, range.from.text(), range.to.text());
+    let vary: Vec<String> = arguments.vary.iter().map(text).collect();
+    let command = subject.command("scan border").option("vary", vary.join(","));
+    let command = command.option_if("accuracy", documents::accuracy_option(arguments.accuracy.level()));
+    let document = documents::border(&border, &segment, &arguments.vary, command);
     Ok(answer(arguments.json, &document, || report(&document, &arguments.vary))?)
 }
 

@@ -220,11 +220,11 @@ mod tests {
 
     fn identity(samples: u64) -> Identity {
         let design = Design::new(Family::General, Vec::new(), Some(samples), 0).unwrap();
-        Identity::new(design, [0, samples], Accuracy::Standard)
+        Identity::new(design, [0, samples], Accuracy::Exact)
     }
 
     fn rows(range: std::ops::Range<u64>) -> Vec<RowDocument> {
-        let row = |n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], proof::Accuracy::Standard);
+        let row = |n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], proof::Accuracy::Exact);
         range.map(|n| documents::scan::row(&row(n))).collect()
     }
 

@@ -5,7 +5,7 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use documents::scan::{ScanFile, design, read_design, read_row, scan_summary};
-use schema::{RowDocument, SCHEMA_VERSION, ScanSummaryDocument};
+use schema::{RowDocument, ScanSummaryDocument};
 use survey::scan::Summary;
 
 use super::error::{ScanFailure, ScanInput};
@@ -92,13 +92,7 @@ pub fn write(
 /// The summary beside a file with rows.
 pub fn read_summary(rows: &Path) -> Result<ScanSummaryDocument, ScanInput> {
     let text = fs::read_to_string(summary_path(rows)).map_err(|error| no_summary(rows, &error))?;
-    let document: ScanSummaryDocument = serde_json::from_str(&text).map_err(|error| no_summary(rows, &error))?;
-    if document.schema_version == SCHEMA_VERSION {
-        Ok(document)
-    } else {
-        let reason = format!("schema_version {} is not {SCHEMA_VERSION}", document.schema_version);
-        Err(no_summary(rows, &reason))
-    }
+    documents::reading::scan_summary(&text, &rows.to_string_lossy()).map_err(|error| no_summary(rows, &error))
 }
 
 /// Which scan a file with rows belongs to, by its summary.

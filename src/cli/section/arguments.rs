@@ -19,10 +19,11 @@ Examples:
   bifdiag section --body paper --h 2.6 --l 3.25 --integrator splitting --step 0.01 --json
   bifdiag section --body paper --h 5.3 --l 3.25 --condition angular-momentum --projection sphere
   bifdiag section --body paper --h 4.45 --l 3.25 --color lyapunov --format png
-  bifdiag section --atlas bifdiag-out/atlas.json --region R4
+  bifdiag section --body paper --region R4
+  bifdiag section --atlas bifdiag-out/atlas.json --region all --out sections
 
---seeds FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line; --data writes for each
-crossing orbit, index, time, gamma, l, sheet, s_dot, theta, psi (index 0 is the seed). At the first Ctrl-C the run
+--starts FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line; --data writes for each
+crossing orbit, index, time, gamma, l, sheet, s_dot, theta, psi (index 0 is the start). At the first Ctrl-C the run
 ends, what was finished is written and marked as incomplete, and the exit status is 1.";
 
 /// Which function vanishes on the section.
@@ -91,7 +92,7 @@ pub struct SectionArguments {
     /// Take the body and the points from an atlas.json (-: stdin), instead of body, --h and --l
     #[arg(long, value_name = "FILE", help_heading = "Point")]
     pub atlas: Option<PathBuf>,
-    /// Regions of the atlas at whose samples sections are made: an id such as R4, or all (the default)
+    /// Instead of --h and --l: the sample of a region such as R4, or of all (with --atlas: the default)
     #[arg(long, value_name = "ID|all", help_heading = "Point")]
     pub region: Option<String>,
     /// Number of orbits, spread evenly over all components of the section (default: 24)
@@ -100,10 +101,10 @@ pub struct SectionArguments {
     pub orbits: Option<NonZeroU32>,
     /// Another choice of the starting points, equally spread (default: 0)
     #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = values::seed, help_heading = "Orbits")]
-    pub rng_seed: Option<u64>,
+    pub seed: Option<u64>,
     /// Start at the points of FILE (-: stdin) instead: CSV with the heading theta,psi,sheet
     #[arg(long, value_name = "FILE.csv", help_heading = "Orbits")]
-    pub seeds: Option<PathBuf>,
+    pub starts: Option<PathBuf>,
     /// Crossings of each orbit
     #[arg(long, value_name = "M", default_value = "500", allow_hyphen_values = true)]
     #[arg(value_parser = values::crossings, help_heading = "Orbits")]

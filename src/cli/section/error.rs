@@ -3,7 +3,9 @@
 use std::io;
 use std::path::PathBuf;
 
+use documents::reading::ReadError;
 use dynamics::poincare::PoincareError;
+use schema::SCHEMA_VERSION;
 use thiserror::Error;
 use top::atlas::MomentumError;
 use top::classify::ClassifyError;
@@ -63,29 +65,29 @@ pub enum SectionInput {
     Momentum(MomentumError),
     #[error("{0}")]
     NoSection(PoincareError),
-    #[error("{missing} is missing; give {example}, or --atlas FILE for the samples of an atlas")]
+    #[error("{missing} is missing; give {example}, or --region R4 for the sample of a region")]
     NoPoint { missing: &'static str, example: &'static str },
-    #[error(
-        "--atlas and {option} both say what to integrate; leave out {option}, or give body, --h and --l without --atlas"
-    )]
+    #[error("--atlas and {option} both say what to integrate; leave out {option}, or leave out --atlas")]
     AtlasAnd { option: &'static str },
-    #[error("--region needs --atlas: it names a region of an atlas; add --atlas FILE, or give --h and --l instead")]
-    RegionWithoutAtlas,
+    #[error("--region and {option} both say where; leave out one of them")]
+    RegionAnd { option: &'static str },
+    #[error(transparent)]
+    NoAtlas(proof::NoAtlas),
     #[error("--atlas {path}: {source}; give an atlas.json that can be read, or - for stdin", path = path.display())]
     AtlasFile { path: PathBuf, source: io::Error },
-    #[error("--atlas {path} is not an atlas: {source}; bifdiag atlas --json writes one", path = path.display())]
-    NotAnAtlas { path: PathBuf, source: serde_json::Error },
+    #[error("--atlas {path} is no atlas of version {SCHEMA_VERSION} (bifdiag atlas --json writes one): {source}", path = path.display())]
+    NotAnAtlas { path: PathBuf, source: ReadError },
     #[error("--atlas {path}: its body is not one: {source}", path = path.display())]
     AtlasBody { path: PathBuf, source: top::body::BodyError },
-    #[error("--region {region}: the atlas has no such region; it has {known}, or give all", known = known.join(", "))]
+    #[error("--region {region}: the body has no such region; it has {known}, or give all", known = known.join(", "))]
     UnknownRegion { region: String, known: Vec<String> },
-    #[error("--{given} cannot be used with --seeds: the file says where the orbits start; leave out one of them")]
+    #[error("--{given} cannot be used with --starts: the file says where the orbits start; leave out one of them")]
     SpreadWithSeeds { given: &'static str },
-    #[error("--seeds {path}: {source}; give a file that can be read, or - for stdin", path = path.display())]
+    #[error("--starts {path}: {source}; give a file that can be read, or - for stdin", path = path.display())]
     SeedsFile { path: PathBuf, source: io::Error },
-    #[error("--seeds {path}, line {line}: {problem}", path = path.display())]
+    #[error("--starts {path}, line {line}: {problem}", path = path.display())]
     SeedLine { path: PathBuf, line: usize, problem: SeedProblem },
-    #[error("--seeds {path} holds no seed; write the heading theta,psi,sheet and one seed on each line", path = path.display())]
+    #[error("--starts {path} holds no start; write the heading theta,psi,sheet and one start on each line", path = path.display())]
     NoSeeds { path: PathBuf },
     #[error("--data - and --json both want stdout; give --data FILE.npz")]
     TwoOnStdout,
@@ -93,7 +95,7 @@ pub enum SectionInput {
     ManyOnStdout,
 }
 
-/// What is wrong with a line of a file of seeds.
+/// What is wrong with a line of a file of starts.
 #[derive(Debug, Error)]
 pub enum SeedProblem {
     #[error("the heading `{0}` lacks {1}; write theta,psi,sheet")]

@@ -9,6 +9,7 @@ use super::work::{Done, Sections};
 use super::{picture, report, table};
 use crate::cli::export::{Columns, DataFormat, DataTarget, ExportError, Exporter, FileSet, Json, RESOLUTION, answer};
 use crate::cli::failure::Failure;
+use crate::cli::input::head;
 use crate::cli::terminal::interrupt::Stoppable;
 use crate::cli::terminal::{Report, Timings, print};
 
@@ -33,6 +34,7 @@ pub fn write(settings: &Settings, sections: &Sections, work: &Stoppable, timings
                 None => "section".to_owned(),
             };
             files.export(&stem, &section.document, &Json)?;
+            files.remove_pictures(&stem);
             if outputs.data.is_none() {
                 files.export(&stem, &columns(section)?, &DataFormat::Npz)?;
             }
@@ -52,7 +54,11 @@ pub fn write(settings: &Settings, sections: &Sections, work: &Stoppable, timings
         [section] if !outputs.list => answer(outputs.json, &section.document, text),
         done => {
             let all = done.iter().map(|section| section.document.clone()).collect();
-            answer(outputs.json, &documents::sections(all, sections.skipped.clone(), sections.complete), text)
+            answer(
+                outputs.json,
+                &documents::sections(&settings.sites.subject, all, sections.skipped.clone(), sections.complete),
+                text,
+            )
         }
     }?)
 }
@@ -71,7 +77,7 @@ fn of_region(path: &Path, document: &SectionDocument) -> PathBuf {
 
 fn text(settings: &Settings, sections: &Sections, written: &[PathBuf]) -> String {
     let mut lines = Report::default();
-    settings.sites.subject.head(&mut lines);
+    head(&settings.sites.subject, &mut lines);
     for section in &sections.done {
         report::add(&mut lines, &section.document);
     }

@@ -9,7 +9,7 @@ use plot::Projection;
 use super::arguments::{ColorArgument, SectionArguments};
 use super::error::{SectionFailure, SectionInput};
 use super::seeds::{self, Seed};
-use super::sites::Sites;
+use super::sites::{ALL, Sites};
 use crate::cli::export::{DataTarget, PictureFormat, directory};
 use crate::cli::failure::Failure;
 use crate::cli::input::IntegratorArguments;
@@ -33,7 +33,7 @@ pub struct Settings<'a> {
 /// Where the orbits start.
 pub enum Starts<'a> {
     /// So many, spread evenly.
-    Spread { orbits: usize, rng_seed: u64 },
+    Spread { orbits: usize, seed: u64 },
     /// At the points of a file.
     Given { path: &'a Path, seeds: Vec<Seed> },
 }
@@ -56,7 +56,7 @@ pub struct Outputs<'a> {
     /// Of the pictures.
     pub formats: &'a [PictureFormat],
     pub json: bool,
-    /// The sites come from an atlas: JSON is a list.
+    /// The sites come from an atlas, or are all regions: JSON is a list.
     pub list: bool,
 }
 
@@ -97,16 +97,16 @@ fn outputs(arguments: &SectionArguments, sites: usize) -> Result<Outputs<'_>, Fa
         directory: directory(arguments.out.as_deref(), wanted)?,
         formats: if arguments.no_plot { &[] } else { &arguments.format },
         json,
-        list: arguments.atlas.is_some(),
+        list: arguments.atlas.is_some() || arguments.region.as_deref() == Some(ALL),
     })
 }
 
 fn starts(arguments: &SectionArguments) -> Result<Starts<'_>, SectionInput> {
-    let Some(path) = &arguments.seeds else {
+    let Some(path) = &arguments.starts else {
         let orbits = arguments.orbits.map_or(ORBITS, std::num::NonZeroU32::get) as usize;
-        return Ok(Starts::Spread { orbits, rng_seed: arguments.rng_seed.unwrap_or_default() });
+        return Ok(Starts::Spread { orbits, seed: arguments.seed.unwrap_or_default() });
     };
-    let spread = [("orbits", arguments.orbits.is_some()), ("rng-seed", arguments.rng_seed.is_some())];
+    let spread = [("orbits", arguments.orbits.is_some()), ("seed", arguments.seed.is_some())];
     match spread.into_iter().find(|(_, given)| *given) {
         Some((given, _)) => Err(SectionInput::SpreadWithSeeds { given }),
         None => Ok(Starts::Given { path, seeds: seeds::load(path)? }),

@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
-use schema::AtlasDocument;
+use documents::Subject;
+use proof::{Accuracy, atlas_of};
 use top::body::{Body, Number};
 
 use super::arguments::SectionArguments;
 use super::error::SectionInput;
-use crate::cli::input::{Subject, read};
+use crate::cli::input::read;
 
 /// A point at which a section is wanted.
 #[derive(Clone, Debug)]
@@ -30,45 +31,67 @@ pub struct Sites {
 impl Sites {
     /// Of the options.
     pub fn new(arguments: &SectionArguments) -> Result<Self, SectionInput> {
+        let point = [("--h", arguments.energy.is_some()), ("--l", arguments.momentum.is_some())];
+        let point = || point.into_iter().filter(|(_, given)| *given).map(|(option, _)| option);
         if let Some(path) = &arguments.atlas {
-            return Self::of_atlas(arguments, path);
-        }
-        if arguments.region.is_some() {
-            return Err(SectionInput::RegionWithoutAtlas);
+            return match arguments.body.given().chain(point()).next() {
+                Some(option) => Err(SectionInput::AtlasAnd { option }),
+                None => Self::of_file(path, arguments.region.as_deref().unwrap_or(ALL)),
+            };
         }
         let subject = arguments.body.subject()?;
+        if let Some(region) = &arguments.region {
+            return match point().next() {
+                Some(option) => Err(SectionInput::RegionAnd { option }),
+                None => Self::of_body(subject, region),
+            };
+        }
         let missing = |missing, example| SectionInput::NoPoint { missing, example };
         let h = arguments.energy.clone().ok_or(missing("--h", "the energy, such as --h 4.45"))?;
         let l = arguments.momentum.clone().ok_or(missing("--l", "the momentum, such as --l 3.25"))?;
         Ok(Self { subject, list: vec![Site { region: None, h, l }], all: false })
     }
 
-    fn of_atlas(arguments: &SectionArguments, path: &Path) -> Result<Self, SectionInput> {
-        let point = [("--h", arguments.energy.is_some()), ("--l", arguments.momentum.is_some())];
-        let point = point.into_iter().filter(|(_, given)| *given).map(|(option, _)| option);
-        if let Some(option) = arguments.body.given().chain(point).next() {
-            return Err(SectionInput::AtlasAnd { option });
-        }
-        let text = read(path).map_err(|source| SectionInput::AtlasFile { path: path.to_owned(), source })?;
-        let atlas: AtlasDocument =
-            serde_json::from_str(&text).map_err(|source| SectionInput::NotAnAtlas { path: path.to_owned(), source })?;
-        let moments = Body::parse(&atlas.body.moments, &atlas.body.center)
-            .map_err(|source| SectionInput::AtlasBody { path: path.to_owned(), source })?;
-        let subject = Subject { body: moments, inertia: atlas.body.inertia };
-        let wanted = arguments.region.as_deref().filter(|region| *region != "all");
-        let known: Vec<String> = atlas.regions.iter().map(|region| region.id.clone()).collect();
-        let mut list = Vec::new();
-        for region in atlas.regions {
-            if wanted.is_none_or(|wanted| wanted == region.id) {
-                // The samples of an atlas are finite.
-                if let (Ok(h), Ok(l)) = (Number::from_f64(region.sample.h), Number::from_f64(region.sample.l)) {
-                    list.push(Site { region: Some(region.id), h, l });
-                }
-            }
-        }
-        match wanted {
-            Some(region) if list.is_empty() => Err(SectionInput::UnknownRegion { region: region.to_owned(), known }),
-            _ => Ok(Self { subject, list, all: wanted.is_none() }),
-        }
+    /// The samples of a body's own atlas.
+    fn of_body(subject: Subject, wanted: &str) -> Result<Self, SectionInput> {
+        let atlas = atlas_of(&subject.body, Accuracy::Exact).map_err(SectionInput::NoAtlas)?;
+        let samples = atlas.regions().ids().map(|region| {
+            let sample = atlas.sample(region);
+            (region.to_string(), sample.h, sample.l)
+        });
+        let list = chosen(samples.collect(), wanted)?;
+        Ok(Self { subject, list, all: wanted == ALL })
     }
+
+    /// The samples of an atlas.json.
+    fn of_file(path: &Path, wanted: &str) -> Result<Self, SectionInput> {
+        let text = read(path).map_err(|source| SectionInput::AtlasFile { path: path.to_owned(), source })?;
+        let atlas = documents::reading::atlas(&text, &path.to_string_lossy())
+            .map_err(|source| SectionInput::NotAnAtlas { path: path.to_owned(), source })?;
+        let body = Body::parse(&atlas.body.moments, &atlas.body.center)
+            .map_err(|source| SectionInput::AtlasBody { path: path.to_owned(), source })?;
+        let subject = Subject { body, part: atlas.body.part };
+        let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
+        let list = chosen(samples.collect(), wanted)?;
+        Ok(Self { subject, list, all: wanted == ALL })
+    }
+}
+
+/// What `--region` says for every region.
+pub const ALL: &str = "all";
+
+/// The wanted ones of regions with their samples.
+fn chosen(samples: Vec<(String, f64, f64)>, wanted: &str) -> Result<Vec<Site>, SectionInput> {
+    let known: Vec<String> = samples.iter().map(|(id, ..)| id.clone()).collect();
+    let chosen = samples.into_iter().filter(|(id, ..)| wanted == ALL || wanted == id);
+    // The samples of an atlas are finite.
+    let site = |(id, h, l)| {
+        let [h, l] = [h, l].map(Number::from_f64);
+        Some(Site { region: Some(id), h: h.ok()?, l: l.ok()? })
+    };
+    let list: Vec<Site> = chosen.filter_map(site).collect();
+    if list.is_empty() {
+        return Err(SectionInput::UnknownRegion { region: wanted.to_owned(), known });
+    }
+    Ok(list)
 }

@@ -64,9 +64,9 @@ pub fn compute(settings: &Settings, monitor: &Monitor) -> Result<Sections, Secti
 fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Done, SectionFailure> {
     let subject = &settings.sites.subject;
     let setting = Setting::new(&subject.body, &site.h, &site.l)?;
-    let (starts, rng_seed) = match &settings.starts {
+    let (starts, seed) = match &settings.starts {
         Starts::Given { path, seeds } => (accessible(&setting, path, seeds)?, None),
-        Starts::Spread { orbits, rng_seed } => (setting.spread_watched(*orbits, *rng_seed, monitor)?, Some(*rng_seed)),
+        Starts::Spread { orbits, seed } => (setting.spread_watched(*orbits, *seed, monitor)?, Some(*seed)),
     };
     let method = settings.integrator.method(setting.torus().top(), setting.h()).map_err(SectionInput::from)?;
     let options = SweepOptions {
@@ -76,7 +76,7 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
         condition: settings.condition,
         ..SweepOptions::default()
     };
-    let mut section = setting.run(&starts, rng_seed, &options, monitor)?;
+    let mut section = setting.run(&starts, seed, &options, monitor)?;
     if settings.color != ColorArgument::Orbit {
         let mut chaos = ChaosOptions::default();
         if let Method::Taylor { tolerance } = options.method {
@@ -84,9 +84,7 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
         }
         setting.measure(&mut section, &chaos, monitor).map_err(PoincareError::from)?;
     }
-    let mut document = documents::section(&section);
-    document.region.clone_from(&site.region);
-    document.inertia.clone_from(&subject.inertia);
+    let document = documents::section(subject, &section, site.region.as_deref());
     let (h, l) = (setting.h(), setting.l());
     Ok(Done { h, l, document, whole_orbits: section.whole_orbits(), orbits: section.orbits })
 }

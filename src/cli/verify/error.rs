@@ -3,6 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
+use documents::reading::ReadError;
+use schema::SCHEMA_VERSION;
 use thiserror::Error;
 use verify::Refused;
 
@@ -12,9 +14,9 @@ use crate::cli::failure::{CommandError, Exit};
 pub enum VerifyError {
     #[error("{path}: {source}; give an atlas.json that can be read, or - for stdin", path = path.display())]
     File { path: PathBuf, source: io::Error },
-    #[error("{path} is no atlas: {source}; give an atlas.json that bifdiag has written", path = path.display())]
-    NoAtlas { path: PathBuf, source: serde_json::Error },
-    #[error("{path} is refused: its bytes are not those that bifdiag writes for a certified atlas", path = path.display())]
+    #[error("{path} is no atlas of version {SCHEMA_VERSION}: {source}", path = path.display())]
+    NoAtlas { path: PathBuf, source: ReadError },
+    #[error("{path} is refused: its bytes are not those that bifdiag writes for an atlas with certificate", path = path.display())]
     Damaged { path: PathBuf },
     #[error("the atlas is refused")]
     Refused(#[from] Refused),

@@ -1,12 +1,16 @@
-//! What the tests, examples and benchmarks of several packages share: random bodies of every stratum, a flood fill as an
-//! independent method, and the files of `data/`.
+//! What the tests, examples and benchmarks of several packages share: bodies of every stratum that shrink, points planted
+//! beside their curves, random bodies for campaigns and benchmarks, a flood fill as an independent method, and the files of
+//! `data/`.
 
 // A panic is a failed test.
 #![allow(clippy::missing_panics_doc)]
 
+pub mod aim;
 pub mod bodies;
 pub mod flood_fill;
+pub mod property;
 pub mod random;
+pub mod strata;
 
 /// The text of a file of the repository's folder `data/`.
 #[must_use]

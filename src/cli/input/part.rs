@@ -1,0 +1,300 @@
+//! The real part that the options describe.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use numbers::symmetric::PrincipalAxes;
+use numbers::{Number, decimal};
+use part::{Existence, MassError, MassProperties, Part, Products, Units, tensor_of};
+use schema::PartDocument;
+use thiserror::Error;
+use top::body::{PrincipalForm, Tensor, TensorError};
+
+use super::part_file::{self, FileOptions, PartFileError};
+use super::values::{self, Entries, Triple};
+use crate::cli::terminal::significant;
+
+/// Standard gravity in m/s², exact.
+const STANDARD_GRAVITY: &str = "9.80665";
+
+/// What the products of inertia are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ProductsArgument {
+    /// Entries of the tensor: Ixy = -∫ x y dm
+    Tensor,
+    /// The integrals: Ixy = +∫ x y dm
+    Integral,
+}
+
+impl From<ProductsArgument> for Products {
+    fn from(argument: ProductsArgument) -> Self {
+        match argument {
+            ProductsArgument::Tensor => Self::Tensor,
+            ProductsArgument::Integral => Self::Integral,
+        }
+    }
+}
+
+/// A real part.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "A real part")]
+pub struct PartArguments {
+    /// Tensor of inertia about the fixed point (with --com and --mass)
+    #[arg(long, value_name = "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", allow_hyphen_values = true, value_parser = values::tensor)]
+    pub inertia: Option<Entries>,
+    /// Tensor of inertia about the centre of mass (with --com and --mass)
+    #[arg(long, value_name = "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", allow_hyphen_values = true, value_parser = values::tensor)]
+    pub inertia_com: Option<Entries>,
+    /// A mesh (.stl, .obj, .ply; with --density or --mass) or an inertial block (.urdf, MJCF .xml)
+    #[arg(long = "part", value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// Which link of a .urdf or .xml
+    #[arg(long, value_name = "NAME")]
+    pub link: Option<String>,
+    /// Density of a mesh, in the units of mass and length of --units
+    #[arg(long, value_name = "density", allow_hyphen_values = true, value_parser = values::mass)]
+    pub density: Option<Number>,
+    /// What the products of inertia are; needed when one of them is not 0
+    #[arg(long, value_name = "tensor|integral", value_enum)]
+    pub products: Option<ProductsArgument>,
+    /// Centre of mass; from the fixed point, or with --pivot in the same axes as that
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::center_of_mass)]
+    pub com: Option<Triple>,
+    /// Mass
+    #[arg(long, value_name = "m", allow_hyphen_values = true, value_parser = values::mass)]
+    pub mass: Option<Number>,
+    /// Units of mass, length and time, of the part and of all results (default: kg,m,s)
+    #[arg(long, value_name = "kg,mm,s", value_parser = values::units)]
+    pub units: Option<Units>,
+    /// Acceleration of gravity, always in m/s² (default: 9.80665)
+    #[arg(long = "g", value_name = "g", allow_hyphen_values = true, value_parser = values::gravity)]
+    pub gravity: Option<Number>,
+    /// The fixed point, in the axes in which the part is described (default: their origin)
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::center_of_mass)]
+    pub pivot: Option<Triple>,
+    /// Accept a part that no distribution of mass has
+    #[arg(long)]
+    pub unphysical: bool,
+}
+
+/// The options describe no part.
+#[derive(Debug, Error)]
+pub enum PartInput {
+    #[error("{first} and {second} both say what the part is; give one of --inertia, --inertia-com, --part")]
+    TwoParts { first: &'static str, second: &'static str },
+    #[error("{missing} is missing: {given} also needs it, such as {example}")]
+    Incomplete { given: &'static str, missing: &'static str, example: &'static str },
+    #[error(
+        "--products is missing: a product of inertia in {option} is not 0, and programs differ in its sign. The principal \
+         moments would be {tensor} with --products tensor (Ixy = -∫ x y dm), {integral} with --products integral \
+         (Ixy = +∫ x y dm); {hint}"
+    )]
+    Products { option: &'static str, tensor: String, integral: String, hint: &'static str },
+    #[error("--part {}: {source}", path.display())]
+    File { path: PathBuf, source: PartFileError },
+    #[error("{option} does nothing {with}")]
+    Useless { option: &'static str, with: &'static str },
+    #[error("--pivot with --inertia: that tensor is about the fixed point already; give --inertia-com, or no --pivot")]
+    PivotOfPivot,
+    #[error("--mass: {0}")]
+    Mass(#[from] MassError),
+    #[error("{option}: this part cannot exist: about its centre of mass {inequality} ({unit}). {hint}")]
+    Impossible { option: &'static str, inequality: String, unit: String, hint: String },
+    #[error("{option}: {source}")]
+    Tensor { option: &'static str, source: TensorError },
+}
+
+/// A part, and its body.
+pub struct GivenPart {
+    /// The option that gave it.
+    pub option: &'static str,
+    pub part: Part,
+    pub principal: PrincipalForm,
+}
+
+impl GivenPart {
+    /// The block of the documents.
+    pub fn document(&self) -> PartDocument {
+        documents::part(&self.part, &self.principal)
+    }
+}
+
+impl PartArguments {
+    /// The options that are given, by name.
+    pub fn given(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let options = [
+            ("--inertia", self.inertia.is_some()),
+            ("--inertia-com", self.inertia_com.is_some()),
+            ("--part", self.file.is_some()),
+            ("--link", self.link.is_some()),
+            ("--density", self.density.is_some()),
+            ("--products", self.products.is_some()),
+            ("--com", self.com.is_some()),
+            ("--mass", self.mass.is_some()),
+            ("--units", self.units.is_some()),
+            ("--g", self.gravity.is_some()),
+            ("--pivot", self.pivot.is_some()),
+            ("--unphysical", self.unphysical),
+        ];
+        options.into_iter().filter(|(_, given)| *given).map(|(name, _)| name)
+    }
+
+    /// The part of the options, or `None` if none of them was given. One that cannot exist is refused without
+    /// `--unphysical`.
+    pub fn part(&self) -> Result<Option<GivenPart>, PartInput> {
+        let Some(given) = self.shown()? else { return Ok(None) };
+        let GivenPart { option, part, .. } = &given;
+        if let (Existence::Impossible(inequality), false) = (part.properties.existence(), self.unphysical) {
+            let (inequality, unit) = (inequality.to_string(), part.units.moment());
+            return Err(PartInput::Impossible { option, inequality, unit, hint: self.hint(&part.properties) });
+        }
+        Ok(Some(given))
+    }
+
+    /// The part of the options, also when it cannot exist.
+    pub fn shown(&self) -> Result<Option<GivenPart>, PartInput> {
+        let Some(given) = self.given().next() else { return Ok(None) };
+        let (option, properties) = self.properties(given)?;
+        if self.gravity.is_none() {
+            tracing::warn!("--g is not given: standard gravity is taken, {STANDARD_GRAVITY} m/s²");
+        }
+        let standard = || STANDARD_GRAVITY.parse().unwrap_or_else(|_| unreachable!("a number"));
+        let gravity: Number = self.gravity.clone().unwrap_or_else(standard);
+        let units = self.units.clone().unwrap_or_default();
+        let part = Part { properties, gravity: gravity.value().clone(), units };
+        let tensor = Tensor::new(part.properties.tensor_about_origin(), part.weighted_center());
+        let principal = tensor.and_then(|tensor| tensor.principal());
+        let principal = principal.map_err(|source| PartInput::Tensor { option, source })?;
+        Ok(Some(GivenPart { option, part, principal }))
+    }
+
+    /// The mass properties seen from the fixed point, and the option that gave them.
+    fn properties(&self, given: &'static str) -> Result<(&'static str, MassProperties), PartInput> {
+        if let Some(path) = &self.file {
+            return Ok(("--part", self.of_file(path)?));
+        }
+        let of_files = [("--link", self.link.is_some()), ("--density", self.density.is_some())];
+        if let Some((option, _)) = of_files.into_iter().find(|(_, given)| *given) {
+            return Err(PartInput::Useless { option, with: "without --part" });
+        }
+        let missing = |missing, example| PartInput::Incomplete { given, missing, example };
+        let (option, list) = match (&self.inertia, &self.inertia_com) {
+            (Some(_), Some(_)) => return Err(PartInput::TwoParts { first: "--inertia", second: "--inertia-com" }),
+            (Some(list), None) => ("--inertia", list),
+            (None, Some(list)) => ("--inertia-com", list),
+            (None, None) => {
+                return Err(missing("--inertia or --inertia-com", "--inertia-com 0.24,0.15,0.17,0,0,0"));
+            }
+        };
+        let com = self.com.as_ref().ok_or(missing("--com", "--com 0,0.02,0.15"))?;
+        let mass = self.mass.as_ref().ok_or(missing("--mass", "--mass 2.5"))?;
+        let (mass, com) = (mass.value().clone(), com.values());
+        if self.inertia.is_some() {
+            if self.pivot.is_some() {
+                return Err(PartInput::PivotOfPivot);
+            }
+            let read = |products| {
+                Ok(MassProperties::about_origin(mass.clone(), com.clone(), &tensor_of(list.values(), products))?)
+            };
+            return Ok((option, self.with_products(option, list, read)?));
+        }
+        let read =
+            |products| Ok(MassProperties::about_com(mass.clone(), com.clone(), tensor_of(list.values(), products))?);
+        let properties = self.with_products(option, list, read)?;
+        Ok((option, self.pivot.iter().fold(properties, |properties, pivot| properties.seen_from(&pivot.values()))))
+    }
+
+    /// The mass properties of a file, seen from the pivot, in the units of the part.
+    fn of_file(&self, path: &Path) -> Result<MassProperties, PartInput> {
+        let others = [("--inertia", self.inertia.is_some()), ("--inertia-com", self.inertia_com.is_some())];
+        if let Some((second, _)) = others.into_iter().find(|(_, given)| *given) {
+            return Err(PartInput::TwoParts { first: "--part", second });
+        }
+        let useless = [("--com", self.com.is_some()), ("--products", self.products.is_some())];
+        if let Some((option, _)) = useless.into_iter().find(|(_, given)| *given) {
+            return Err(PartInput::Useless { option, with: "with --part: the file says it" });
+        }
+        let wanted =
+            FileOptions { link: self.link.as_deref(), density: self.density.as_ref(), mass: self.mass.as_ref() };
+        let read =
+            part_file::read(path, &wanted).map_err(|source| PartInput::File { path: path.to_owned(), source })?;
+        let pivot = self.pivot.iter().fold(read.properties, |properties, pivot| properties.seen_from(&pivot.values()));
+        // A mesh is in the units of the part, an inertial block in its own.
+        Ok(match (&self.units, read.units) {
+            (Some(units), Some(own)) => pivot.in_units(&own, units),
+            _ => pivot,
+        })
+    }
+
+    /// A tensor in the convention of its products, which must be given where it matters.
+    fn with_products(
+        &self,
+        option: &'static str,
+        list: &Entries,
+        read: impl Fn(Products) -> Result<MassProperties, PartInput>,
+    ) -> Result<MassProperties, PartInput> {
+        let matters = list.0[3..].iter().any(|product| product.to_f64() != 0.0);
+        if let (true, None) = (matters, self.products) {
+            let [tensor, integral] = [read(Products::Tensor)?, read(Products::Integral)?];
+            let hint = match [&tensor, &integral].map(|reading| reading.existence().is_possible()) {
+                [true, false] => "with --products integral the part could not exist",
+                [false, true] => "with --products tensor the part could not exist",
+                _ => "compare them with those that your program prints, or look up its convention",
+            };
+            let [tensor, integral] = [Products::Tensor, Products::Integral].map(|products| moments(list, products));
+            return Err(PartInput::Products { option, tensor, integral, hint });
+        }
+        read(self.products.map_or(Products::Tensor, Products::from))
+    }
+
+    /// What may be wrong with a part that cannot exist.
+    fn hint(&self, properties: &MassProperties) -> String {
+        let other = |products| match (&self.inertia, &self.inertia_com) {
+            (Some(list), _) => {
+                let tensor = tensor_of(list.values(), products);
+                MassProperties::about_origin(properties.mass.clone(), properties.com.clone(), &tensor).ok()
+            }
+            (_, Some(list)) => {
+                let tensor = tensor_of(list.values(), products);
+                MassProperties::about_com(properties.mass.clone(), properties.com.clone(), tensor).ok()
+            }
+            _ => None,
+        };
+        let possible = |reading: Option<MassProperties>| reading.is_some_and(|p| p.existence().is_possible());
+        let flipped = match self.products {
+            Some(ProductsArgument::Tensor) => Some((Products::Integral, "integral")),
+            Some(ProductsArgument::Integral) => Some((Products::Tensor, "tensor")),
+            None => None,
+        };
+        if let Some((_, name)) = flipped.filter(|(products, _)| possible(other(*products))) {
+            return format!("With --products {name} it could exist. Or give --unphysical");
+        }
+        let about_com = self.inertia.as_ref().and_then(|list| {
+            let tensor = tensor_of(list.values(), self.products.map_or(Products::Tensor, Products::from));
+            MassProperties::about_com(properties.mass.clone(), properties.com.clone(), tensor).ok()
+        });
+        if possible(about_com) {
+            return "The tensor is possible about the centre of mass: if it is that, give it as --inertia-com; else check \
+                    the units of length and mass. Or give --unphysical"
+                .to_owned();
+        }
+        "Check digits, units and reference point of the tensor, or give --unphysical".to_owned()
+    }
+}
+
+/// The principal moments of a list of entries, as text.
+fn moments(list: &Entries, products: Products) -> String {
+    let zero = || dashu_ratio::RBig::ZERO;
+    let axes = PrincipalAxes::new(&tensor_of(list.values(), products), &[zero(), zero(), zero()], 20);
+    axes.values.each_ref().map(|value| significant(value.to_f64(), 7)).join(", ")
+}
+
+/// A rational as it is shown: exactly where that is short.
+pub fn shown(text: &str) -> String {
+    const LONG: usize = 24;
+    if text.len() <= LONG {
+        return text.to_owned();
+    }
+    let value: Option<Number> = text.parse().ok();
+    value.map_or_else(|| text.to_owned(), |value| format!("{}…", decimal::rounded(value.value(), 17, false)))
+}

@@ -1,0 +1,186 @@
+//! `bifdiag show`: a region, a curve or an event of a body in words.
+
+mod words;
+
+use clap::Args;
+use documents::DocumentOptions;
+use proof::{Accuracy, NoAtlas, atlas_of};
+use schema::{AtlasDocument, CurveDocument, EventDocument, EventKind, RegionDocument};
+use thiserror::Error;
+
+use super::failure::{CommandError, Exit, Failure};
+use super::input::{BodyArguments, head};
+use super::terminal::{Report, print, significant};
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag show R5 --body paper
+  bifdiag show G2.1 --A 2,1.1,1 --r 0.94868,0,0.61623
+  bifdiag show E3 --body katok:6
+
+The ids are those of `bifdiag atlas`: regions R1, R2, …, curves such as G0.1 or P+, events E1, E2, … by rising l.";
+
+/// `bifdiag show`.
+#[derive(Debug, Args)]
+pub struct ShowArguments {
+    /// A region, a curve or an event of the body
+    #[arg(value_name = "ID")]
+    pub id: String,
+    #[command(flatten)]
+    pub body: BodyArguments,
+}
+
+/// Why nothing can be shown.
+#[derive(Debug, Error)]
+enum NotShown {
+    #[error("the atlas could not be made")]
+    NoAtlas(#[from] NoAtlas),
+    #[error("ID {id}: the body has no such thing; it has the regions {regions}, the curves {curves}{events}")]
+    Unknown { id: String, regions: String, curves: String, events: String },
+}
+
+impl CommandError for NotShown {
+    fn exit(&self) -> Exit {
+        match self {
+            Self::NoAtlas(_) => Exit::Failed,
+            Self::Unknown { .. } => Exit::WrongInput,
+        }
+    }
+}
+
+/// Significant digits.
+const DIGITS: usize = 6;
+
+pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let atlas = atlas_of(&subject.body, Accuracy::Exact).map_err(NotShown::from)?;
+    let options = DocumentOptions { polygons: false, ..DocumentOptions::default() };
+    let document = documents::atlas::document(&atlas, &options);
+    let mut report = Report::default();
+    head(&subject, &mut report);
+    report.line("");
+    let event = arguments.id.strip_prefix('E').and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
+    if let Some(region) = document.regions.iter().find(|region| region.id == arguments.id) {
+        show_region(&mut report, &document, region);
+    } else if let Some(curve) = document.curves.iter().find(|curve| curve.id == arguments.id) {
+        show_curve(&mut report, &document, curve);
+    } else if let Some(event) = event.and_then(|place| document.events.get(place)) {
+        show_event(&mut report, &document, event);
+    } else {
+        return Err(unknown(&arguments.id, &document).into());
+    }
+    Ok(print(report.text())?)
+}
+
+fn unknown(id: &str, document: &AtlasDocument) -> NotShown {
+    let curves: Vec<&str> = document.curves.iter().map(|curve| curve.id.as_str()).collect();
+    let up_to = |letter: &str, count: usize| {
+        if count == 1 { format!("{letter}1") } else { format!("{letter}1 to {letter}{count}") }
+    };
+    let events = match document.events.len() {
+        0 => " and no events".to_owned(),
+        count => format!(" and the events {}", up_to("E", count)),
+    };
+    NotShown::Unknown {
+        id: id.to_owned(),
+        regions: up_to("R", document.regions.len()),
+        curves: curves.join(", "),
+        events,
+    }
+}
+
+fn range([from, to]: [Option<f64>; 2]) -> String {
+    let from = significant(from.unwrap_or(0.0), DIGITS);
+    to.map_or_else(|| format!("l > {from}"), |to| format!("{from} < l < {}", significant(to, DIGITS)))
+}
+
+fn show_region(report: &mut Report, document: &AtlasDocument, region: &RegionDocument) {
+    let signature = region.signature.as_ref().map_or_else(String::new, |signature| format!(", sections {signature}"));
+    report.line(format!("region {}{signature}", region.id));
+    let width = region.h_width.map_or_else(
+        || "unbounded in h".to_owned(),
+        |width| format!("at most {} wide in h", significant(width, DIGITS)),
+    );
+    report.line(format!("  {}, {width}", range(region.l_range)));
+    let sample = &region.sample;
+    report.line(format!(
+        "  well inside: h = {}, l = {} ({} in h to {})",
+        significant(sample.h, DIGITS),
+        significant(sample.l, DIGITS),
+        significant(sample.margin.h, 3),
+        sample.margin.nearest
+    ));
+    report.line("");
+    for component in &region.components {
+        for line in words::component(component) {
+            report.line(line);
+        }
+    }
+    report.line("");
+    report.line("its sides:");
+    for neighbour in &region.neighbours {
+        let curve = document.curves.iter().find(|curve| curve.id == neighbour.curve);
+        let other = document.regions.iter().find(|other| Some(&other.id) == neighbour.region.as_ref());
+        let Some(curve) = curve else { continue };
+        let upwards = other.is_some_and(|other| words::lies_below(region, other, &curve.id));
+        let (name, h) = match (other, upwards) {
+            (Some(other), true) => (other.id.as_str(), "rising"),
+            (Some(other), false) => (other.id.as_str(), "falling"),
+            (None, _) => ("the forbidden region", "falling"),
+        };
+        report.line(format!("  {h} h, across {} ({}), to {name}:", curve.id, words::motion(curve)));
+        let to = other.map_or(&[][..], |other| &other.components);
+        report.line(format!("    {}", words::crossing(curve, &region.components, to, upwards)));
+    }
+}
+
+fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument) {
+    report.line(format!("curve {}: {}", curve.id, words::motion(curve)));
+    report.line(format!("  {}", range(curve.l_range)));
+    if !curve.coincides_with.is_empty() {
+        report.line(format!("  at the same (h, l): {}", curve.coincides_with.join(", ")));
+    }
+    for span in &curve.stability {
+        report.line(format!("  {}: {}", range([Some(span.l_from), span.l_to]), words::stability(span.stability)));
+    }
+    report.line("");
+    report.line("with rising h:");
+    for below in &document.regions {
+        for neighbour in below.neighbours.iter().filter(|neighbour| neighbour.curve == curve.id) {
+            let above = document.regions.iter().find(|other| Some(&other.id) == neighbour.region.as_ref());
+            let (from, from_components, above) = match above {
+                Some(above) if words::lies_below(below, above, &curve.id) => {
+                    (below.id.as_str(), &below.components[..], above)
+                }
+                // Below lies the forbidden region.
+                None => ("the forbidden region", &[][..], below),
+                Some(_) => continue,
+            };
+            let change = words::crossing(curve, from_components, &above.components, true);
+            report.line(format!("  from {from} to {}: {change}", above.id));
+        }
+    }
+}
+
+fn show_event(report: &mut Report, document: &AtlasDocument, event: &EventDocument) {
+    let what = match event.kind {
+        EventKind::Cusp => "cusp: two relative equilibria meet and vanish",
+        EventKind::Pitchfork => "pitchfork: a symmetric pair leaves a curve",
+        EventKind::Crossing => "crossing: two curves have the same energy, at different places of the sphere",
+    };
+    report.line(what);
+    let value = |x: f64, error: f64| format!("{} (± {})", significant(x, 12), significant(error, 1));
+    report.line(format!("  h = {}, l = {}", value(event.h, event.h_error), value(event.l, event.l_error)));
+    for id in &event.curves {
+        if let Some(curve) = document.curves.iter().find(|curve| curve.id == *id) {
+            report.line(format!("  {id}: {}", words::motion(curve)));
+        }
+    }
+    let near: Vec<&str> = document
+        .regions
+        .iter()
+        .filter(|region| words::touches(region, event))
+        .map(|region| region.id.as_str())
+        .collect();
+    report.line(format!("  regions that meet there: {}", near.join(", ")));
+}

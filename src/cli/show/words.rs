@@ -1,0 +1,134 @@
+//! Topology and motions in words.
+
+use schema::{ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Stability};
+
+/// What lies over one component of U.
+pub fn component(component: &ComponentDocument) -> [String; 3] {
+    let poles = match component.poles.as_deref() {
+        None => String::new(),
+        Some([]) => ", without poles".to_owned(),
+        Some([pole]) => format!(", with the pole {pole}r̂"),
+        Some(_) => ", with both poles".to_owned(),
+    };
+    let shape = match component.boundary_circles {
+        0 => "the whole sphere".to_owned(),
+        1 => "a disc".to_owned(),
+        2 => "an annulus".to_owned(),
+        circles => format!("a sphere without {circles} discs"),
+    };
+    let surface = match component.boundary_circles {
+        0 => "the rotations of space".to_owned(),
+        1 => "a three-sphere".to_owned(),
+        2 => "a sphere times a circle".to_owned(),
+        circles => format!("{} of them, summed", circles - 1),
+    };
+    let section = match (&component.section, component.genus) {
+        (Some(name), Some(0)) => format!("P: {name}, a sphere"),
+        (Some(name), Some(1)) => format!("P: {name}, a torus"),
+        (Some(name), Some(genus)) => format!("P: {name}, a surface of genus {genus}"),
+        _ => "P: none, since r = 0".to_owned(),
+    };
+    [
+        format!("U: {}, {shape}{poles}", component.accessible_region),
+        format!("  E: {}, {surface}", component.energy_surface),
+        format!("  {section}"),
+    ]
+}
+
+/// The motions on a curve.
+pub fn motion(curve: &CurveDocument) -> String {
+    let what = match curve.kind {
+        CurveKind::PolePlus => return "the centre of mass can hang straight down".to_owned(),
+        CurveKind::PoleMinus => return "the centre of mass can stand straight up".to_owned(),
+        CurveKind::Generic => "a permanent rotation",
+        CurveKind::Pair => "a symmetric pair of permanent rotations",
+        CurveKind::Circle => "a circle of regular precessions",
+        CurveKind::Axis => "rotation about a principal axis",
+        CurveKind::Sphere => "any rotation",
+    };
+    let kind = match curve.index {
+        Some(0) => ", minima of U_l",
+        Some(1) => ", saddles of U_l",
+        Some(_) => ", maxima of U_l",
+        None => "",
+    };
+    format!("{what} of branch {}, {}{kind}", curve.branch, curve.branch_name)
+}
+
+/// What a linear type means.
+pub fn stability(kind: Stability) -> String {
+    let meaning = match kind {
+        kind if kind.is_unstable() => "unstable",
+        Stability::Elliptic => "all eigenvalues imaginary (spectrally stable is not stable)",
+        _ => "not decided by the linear terms alone",
+    };
+    format!("{}, {meaning}", kind.word())
+}
+
+/// True when the regions meet along a curve of which `below` is on the side of lower h.
+pub fn lies_below(below: &RegionDocument, above: &RegionDocument, curve: &str) -> bool {
+    let end = |end: Option<f64>| end.unwrap_or(f64::INFINITY);
+    below.cells.iter().filter(|cell| cell.upper.as_deref() == Some(curve)).any(|lower| {
+        above
+            .cells
+            .iter()
+            .filter(|cell| cell.lower == curve)
+            .any(|upper| end(lower.l_range[0]) < end(upper.l_range[1]) && end(upper.l_range[0]) < end(lower.l_range[1]))
+    })
+}
+
+/// True when the region reaches an event.
+pub fn touches(region: &RegionDocument, event: &EventDocument) -> bool {
+    region.cells.iter().any(|cell| {
+        let ends = cell.l_range.map(|l| l.unwrap_or(f64::INFINITY));
+        let at_end = ends.iter().any(|l| (l - event.l).abs() <= 1e-12 * event.l);
+        let on = |curve: Option<&String>| curve.is_some_and(|curve| event.curves.contains(curve));
+        at_end && (on(Some(&cell.lower)) || on(cell.upper.as_ref()))
+    })
+}
+
+/// What happens to U, E and P on the way from one side of a curve to the other.
+pub fn crossing(curve: &CurveDocument, from: &[ComponentDocument], to: &[ComponentDocument], upwards: bool) -> String {
+    let (below, above) = if upwards { (from, to) } else { (to, from) };
+    let times = if curve.multiplicity == 2 { " (twice)" } else { "" };
+    let surgery = match (curve.kind, curve.index) {
+        (CurveKind::PolePlus | CurveKind::PoleMinus, _) => {
+            let pole = if curve.kind == CurveKind::PolePlus { "+r̂" } else { "-r̂" };
+            let way = if upwards { "enters" } else { "leaves" };
+            let genus = if upwards { "rises" } else { "falls" };
+            format!("the pole {pole} {way} U; E stays as it is, the genus of P {genus} by one")
+        }
+        (CurveKind::Sphere, _) => format!("all of U {}", if upwards { "appears" } else { "vanishes" }),
+        (CurveKind::Circle, Some(0)) => format!("an annulus of U {}", if upwards { "appears" } else { "vanishes" }),
+        (_, Some(0)) => {
+            format!(
+                "a disc of U{times} {}, and with it a three-sphere of E",
+                if upwards { "appears" } else { "vanishes" }
+            )
+        }
+        (_, Some(1)) if curve.multiplicity == 2 && above.len() + 1 == below.len() => {
+            let (join, more) = if upwards { ("join", "one more") } else { ("part", "one less") };
+            format!("at two saddles: components of U {join}, those of E with them, and there is {more} boundary circle")
+        }
+        (_, Some(1)) if above.len() < below.len() => {
+            format!(
+                "at a saddle{times} components of U {}, and those of E with them",
+                if upwards { "join" } else { "part" }
+            )
+        }
+        (_, Some(1)) => {
+            let change = if upwards { "gets one more boundary circle" } else { "loses a boundary circle" };
+            format!("at a saddle{times} a component of U {change}")
+        }
+        _ => format!("a hole of U{times} {}", if upwards { "closes" } else { "opens" }),
+    };
+    format!("{surgery} ({} to {})", names(from), names(to))
+}
+
+/// The components of U, or that there are none.
+fn names(components: &[ComponentDocument]) -> String {
+    if components.is_empty() {
+        return "empty".to_owned();
+    }
+    components.iter().map(|component| component.accessible_region.as_str()).collect::<Vec<_>>().join(" + ")
+}

@@ -1,0 +1,64 @@
+//! `bifdiag sphere`: U on the Poisson sphere at one point, as a picture.
+
+mod arguments;
+mod error;
+mod scene;
+mod site;
+
+use documents::component;
+use plot::Picture;
+use proof::{Accuracy, classify};
+use top::body::Body;
+use top::classify::Answer;
+
+use super::export::{ExportError, FileSet, RESOLUTION, directory};
+use super::failure::Failure;
+use super::input::head;
+use super::input::values::Vector;
+use super::terminal::{Report, Timings, print};
+use error::SphereError;
+
+pub use arguments::{EXAMPLES, SphereArguments};
+pub use site::Site;
+
+pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let directory = directory(arguments.out.as_deref(), true)?.unwrap_or_default();
+    let site = Site::new(arguments, &subject)?;
+    let (picture, caption) = timings.stage("picture", || draw(&subject.body, &site, arguments.view.as_ref()))?;
+    let mut files = FileSet::new(&directory);
+    files.pictures("sphere", &picture, &arguments.format, RESOLUTION, timings)?;
+    let written = timings.stage("files", || files.write())?;
+    let mut report = Report::default();
+    head(&subject, &mut report);
+    report.line(caption);
+    for path in written {
+        report.line(format!("written: {}", path.display()));
+    }
+    Ok(print(report.text())?)
+}
+
+/// The picture, and what it says of the point.
+pub fn draw(body: &Body, site: &Site, view: Option<&Vector>) -> Result<(Picture, String), Failure> {
+    let found = classify(body, &site.h, &site.l, Accuracy::Exact).map_err(SphereError::from)?;
+    let components = match &found.answer {
+        Answer::Regular(components) => components.iter().map(component).collect(),
+        Answer::Forbidden => return Err(SphereError::Empty { h: site.h.text().to_owned() }.into()),
+        // On a curve the parts touch: they are shown as one.
+        Answer::Critical(_) | Answer::Undecided(_) => Vec::new(),
+    };
+    let caption = caption(site, &found.answer);
+    let picture = scene::draw(body, site, &components, &caption, view)?;
+    Ok((picture.map_err(ExportError::from)?, caption))
+}
+
+/// The point, its region and what is special about it.
+fn caption(site: &Site, answer: &Answer) -> String {
+    let region = site.region.as_ref().map_or_else(String::new, |region| format!(",  region {region}"));
+    let special = match answer {
+        Answer::Critical(_) => ",  on a curve: U changes here",
+        Answer::Undecided(_) => ",  not decided",
+        Answer::Regular(_) | Answer::Forbidden => "",
+    };
+    format!("U(γ) ≤ h on the Poisson sphere:  h = {},  l = {}{region}{special}", site.h.text(), site.l.text())
+}

@@ -1,0 +1,76 @@
+//! What the picture needs of a body at one point.
+
+use dynamics::field::dot;
+use plot::{Picture, PlotError, SphereEquilibrium, SphereScene, draw_sphere};
+use schema::ComponentDocument;
+use top::accessible::{AccessibleRegion, component_of};
+use top::body::Body;
+use top::critical::{Multiplicity, critical};
+
+use super::error::SphereError;
+use super::site::Site;
+use crate::cli::input::values::Vector;
+use crate::cli::terminal::significant;
+
+/// Draws U; without components (on a curve) all of it in one tint.
+pub fn draw(
+    body: &Body,
+    site: &Site,
+    components: &[ComponentDocument],
+    caption: &str,
+    view: Option<&Vector>,
+) -> Result<Result<Picture, PlotError>, SphereError> {
+    let (h, l) = (site.h.to_f64(), site.l.to_f64());
+    let (moments, center) = (body.moments_f64(), body.center_f64());
+    let potential_above = |gamma: [f64; 3]| {
+        let j = dot(gamma, [0, 1, 2].map(|k| moments[k] * gamma[k]));
+        l * l / (2.0 * j) - dot(gamma, center) - h
+    };
+    let r = dot(center, center).sqrt();
+    let r_hat = (r > 0.0).then(|| center.map(|c| c / r));
+    let axis = r_hat.unwrap_or_else(|| symmetry_axis(moments));
+    let found = critical(body, &site.l)?;
+    let equilibria: Vec<SphereEquilibrium> = found
+        .list
+        .iter()
+        .map(|point| {
+            let circle_about = (point.multiplicity == Multiplicity::Circle).then_some(axis);
+            SphereEquilibrium { gamma: point.gamma, index: point.index, circle_about }
+        })
+        .collect();
+    let region = AccessibleRegion::new(body, h, l)?;
+    let partition = if components.len() > 1 { region.partition()? } else { None };
+    let component_of = |gamma| match &partition {
+        Some(partition) => component_of(partition, gamma),
+        None => Some(0),
+    };
+    Ok(draw_sphere(&SphereScene {
+        title: &title(body),
+        caption,
+        potential_above: &potential_above,
+        r_hat,
+        components,
+        component_of: &component_of,
+        equilibria: &equilibria,
+        view: view.map(|Vector(direction)| *direction),
+    }))
+}
+
+/// A and r with as many digits as a title holds.
+fn title(body: &Body) -> String {
+    let join = |numbers: [f64; 3]| numbers.map(|x| significant(x, 6)).join(", ");
+    format!("A = ({}),  r = ({})", join(body.moments_f64()), join(body.center_f64())).replace('-', "−")
+}
+
+/// The principal axis of a body with two equal moments.
+fn symmetry_axis(moments: [f64; 3]) -> [f64; 3] {
+    let [a, b, c] = moments;
+    // Circles of equilibria need two equal moments.
+    if a == b {
+        [0.0, 0.0, 1.0]
+    } else if a == c {
+        [0.0, 1.0, 0.0]
+    } else {
+        [1.0, 0.0, 0.0]
+    }
+}

@@ -1,0 +1,145 @@
+//! `bifdiag critical-spin`.
+
+use documents::Subject;
+use schema::{CriticalSpinDocument, SCHEMA_VERSION};
+use top::atlas::Atlas;
+use top::body::Number;
+use top::permanent::{AxisRotation, SpinType};
+
+use super::arguments::CriticalSpinArguments;
+use super::direction::second;
+use super::rotation::{Axis, rotation};
+use crate::cli::export::answer;
+use crate::cli::failure::Failure;
+use crate::cli::input::head;
+use crate::cli::terminal::{Report, Table, Timings, significant};
+
+pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let document = timings.stage("spins", || document(&subject, arguments.axis.0, arguments.tolerance.as_ref()));
+    Ok(answer(arguments.json, &document, || text(&subject, &document))?)
+}
+
+/// The spins at which rotation about an axis changes.
+fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&Number>) -> CriticalSpinDocument {
+    let found = Axis::of(subject, axis);
+    let (permanent, nearest) = match found {
+        Axis::Permanent { nearest, .. } => (true, nearest),
+        Axis::Other { nearest } => (false, nearest),
+    };
+    let mut document = CriticalSpinDocument {
+        schema_version: SCHEMA_VERSION.to_owned(),
+        version: documents::version(),
+        command: subject
+            .command("critical-spin")
+            .option("axis", axis.map(|x| format!("{x:?}")).join(","))
+            .option_if("tolerance", tolerance.map(Number::text))
+            .json(),
+        moments: documents::texts(subject.body.moments()),
+        center: documents::texts(subject.body.center()),
+        axis,
+        permanent,
+        nearest: (nearest.angle_deg > 0.0).then_some(nearest),
+        slow: None,
+        changes: Vec::new(),
+        tolerance: None,
+        note: None,
+        part: subject.part.clone(),
+    };
+    let Axis::Permanent { axis, sign, .. } = found else { return document };
+    let atlas = Atlas::new(&subject.body);
+    if atlas.is_err() {
+        document.note =
+            Some("the regions of this body were not found: only changes of stability are listed".to_owned());
+    }
+    let second = second(subject.part.as_ref());
+    let mut slow = Vec::new();
+    let mut rotations = Vec::new();
+    for (up, sign) in [("+axis", sign), ("-axis", -sign)] {
+        let Some(rotation) = rotation(subject, axis, sign) else { continue };
+        document.changes.extend(documents::spin_changes(&rotation, up, atlas.as_ref().ok(), second));
+        slow.push(at_slow_spins(&rotation).name().to_owned());
+        rotations.push((up, rotation));
+    }
+    document.tolerance = tolerance.map(|tolerance| documents::tolerance(&rotations, tolerance, second));
+    document.slow = slow.try_into().ok();
+    document
+}
+
+/// The type at the slowest spins.
+fn at_slow_spins(rotation: &AxisRotation) -> SpinType {
+    let changes = rotation.changes();
+    let any = || rotation.type_at_spin(1.0).unwrap_or(SpinType::Elliptic);
+    changes.first().map_or_else(any, |first| first.from)
+}
+
+fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
+    let mut report = Report::default();
+    head(subject, &mut report);
+    let [x, y, z] = document.axis.map(|x| significant(x, 6));
+    report.line(format!("axis ({x}, {y}, {z})"));
+    report.line("");
+    if let Some(nearest) = &document.nearest {
+        let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
+        let angle = significant(nearest.angle_deg, 3);
+        let spin = match (&nearest.spin, document.permanent) {
+            (_, true) => ", which is taken".to_owned(),
+            (Some(spin), _) => format!(", at {} rpm only", significant(spin.rpm, 6)),
+            (None, _) => String::new(),
+        };
+        report.line(format!("the nearest permanent axis is ({x}, {y}, {z}), {angle}° away{spin}"));
+    }
+    if !document.permanent {
+        report.line("rotation about this axis is not permanent: the body would leave it at any spin");
+        return report.text();
+    }
+    if let Some([plus, minus]) = &document.slow {
+        report.line(format!("at slow spins: +axis up {plus}, -axis up {minus}"));
+    }
+    if document.changes.is_empty() {
+        report.line("nothing changes with the spin");
+        return report.text();
+    }
+    let mut table = Table::new(&["up", "rpm", "rad/s", "below", "above", "regions", "h", "l", "error (rad/s)"]);
+    for change in &document.changes {
+        table.row([
+            change.up.clone(),
+            significant(change.spin.rpm, 8),
+            significant(change.spin.rad_per_s, 8),
+            change.from.clone(),
+            change.to.clone(),
+            change.event.clone().unwrap_or_else(|| "same".to_owned()),
+            significant(change.h, 6),
+            significant(change.l, 6),
+            significant(change.error_bound, 1),
+        ]);
+    }
+    report.line(table.text());
+    tolerance_text(&mut report, document);
+    if let Some(note) = &document.note {
+        report.line(format!("note: {note}"));
+    }
+    report.text()
+}
+
+fn tolerance_text(report: &mut Report, document: &CriticalSpinDocument) {
+    let Some(tolerance) = &document.tolerance else { return };
+    let (relative, parts) = (&tolerance.relative, tolerance.sampled_parts);
+    report.line("");
+    report.line(format!("with moments and weight known to {relative} of their values, over {parts} sampled parts:"));
+    if !tolerance.same_changes {
+        report.line("  not all of them have these changes in this order");
+    }
+    for range in &tolerance.ranges {
+        report.line(format!(
+            "  {} up, {} to {}: {} to {} rpm; the {} matters most ({} %)",
+            range.up,
+            range.from,
+            range.to,
+            significant(range.rpm[0], 6),
+            significant(range.rpm[1], 6),
+            range.most,
+            significant(100.0 * range.most_change, 2),
+        ));
+    }
+}

@@ -1,0 +1,197 @@
+//! `bifdiag state`: where a state lies, and what it is.
+
+use documents::Subject;
+use schema::{SCHEMA_VERSION, SpinChangeDocument, StateDocument, SteadyDocument};
+use top::atlas::{Atlas, Place};
+use top::body::Number;
+use top::classify::classify;
+
+use super::arguments::StateArguments;
+use super::direction::{second, to_principal};
+use super::error::{StateFailure, StateInput};
+use super::rotation::{Axis, rotation};
+use crate::cli::export::answer;
+use crate::cli::failure::Failure;
+use crate::cli::input::head;
+use crate::cli::terminal::{Report, Timings, significant};
+
+/// A state in the frame of the question, in seconds.
+struct State {
+    omega: [f64; 3],
+    vertical: [f64; 3],
+}
+
+pub fn run(arguments: &StateArguments, timings: &Timings) -> Result<(), Failure> {
+    let state = State::of(arguments)?;
+    let subject = arguments.body.subject()?;
+    let document = timings.stage("state", || state.document(&subject)).map_err(StateFailure)?;
+    Ok(answer(arguments.json, &document, || text(&subject, &document))?)
+}
+
+impl State {
+    fn of(arguments: &StateArguments) -> Result<Self, StateInput> {
+        match (&arguments.spin, arguments.axis, arguments.omega) {
+            (Some(_), _, Some(_)) => Err(StateInput::Two { first: "--spin", second: "--omega" }),
+            (_, Some(_), Some(_)) => Err(StateInput::Two { first: "--axis", second: "--omega" }),
+            (Some(_), None, None) => Err(missing("--spin", "--axis", "--axis z")),
+            (None, Some(_), None) => Err(missing("--axis", "--spin", "--spin \"3000 rpm\"")),
+            (None, None, None) => Err(StateInput::Nothing),
+            (None, None, Some(omega)) => {
+                let vertical = arguments.vertical.ok_or(missing("--omega", "--vertical", "--vertical 0,0,1"))?;
+                Ok(Self { omega: omega.0, vertical: vertical.0 })
+            }
+            (Some(spin), Some(axis), None) => {
+                let vertical = arguments.vertical.unwrap_or(axis);
+                Ok(Self { omega: axis.0.map(|x| x * spin.rad_per_s()), vertical: vertical.0 })
+            }
+        }
+    }
+
+    fn document(&self, subject: &Subject) -> Result<StateDocument, top::body::ParseNumberError> {
+        let part = subject.part.as_ref();
+        let second = second(part);
+        let omega = to_principal(part, self.omega).map(|x| x / second);
+        let up = to_principal(part, self.vertical);
+        let dot = |v: [f64; 3], w: [f64; 3]| v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
+        let (a, r) = (subject.body.moments_f64(), subject.body.center_f64());
+        let momentum: [f64; 3] = std::array::from_fn(|k| a[k] * omega[k]);
+        // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, of which the sign does not matter.
+        let (h, l) = (0.5 * dot(omega, momentum) + dot(up, r), dot(momentum, up));
+        let spin = dot(self.omega, self.omega).sqrt();
+        let mut document = StateDocument {
+            schema_version: SCHEMA_VERSION.to_owned(),
+            version: documents::version(),
+            command: subject
+                .command("state")
+                .option("omega", self.omega.map(|x| format!("{x:?}")).join(","))
+                .option("vertical", self.vertical.map(|x| format!("{x:?}")).join(","))
+                .json(),
+            moments: documents::texts(subject.body.moments()),
+            center: documents::texts(subject.body.center()),
+            omega: self.omega,
+            vertical: self.vertical,
+            spin: documents::spin(spin),
+            h,
+            l,
+            steady: None,
+            region: None,
+            margin: None,
+            nearest: None,
+            part: subject.part.clone(),
+        };
+        let atlas = Atlas::new(&subject.body).ok();
+        if let (true, Axis::Permanent { axis, sign, .. }) = (self.is_upright(), Axis::of(subject, self.vertical)) {
+            document.steady = steady(subject, axis, sign, spin, atlas.as_ref());
+            return Ok(document);
+        }
+        if let Axis::Other { nearest } = Axis::of(subject, self.vertical) {
+            document.nearest = Some(nearest);
+        }
+        let (h, l) = (Number::from_f64(h)?, Number::from_f64(l)?);
+        if let Ok(found) = classify(&subject.body, &h, &l) {
+            document.margin = Some(documents::margin(&found.margin));
+        }
+        document.region = atlas.and_then(|atlas| region_at(&atlas, document.h, document.l));
+        Ok(document)
+    }
+
+    /// The angular velocity is along the vertical.
+    fn is_upright(&self) -> bool {
+        let [o, v] = [self.omega, self.vertical];
+        let cross = [o[1] * v[2] - o[2] * v[1], o[2] * v[0] - o[0] * v[2], o[0] * v[1] - o[1] * v[0]];
+        let size = |x: [f64; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
+        size(cross) <= 1e-9 * size(o) * size(v)
+    }
+}
+
+fn missing(given: &'static str, missing: &'static str, example: &'static str) -> StateInput {
+    StateInput::Incomplete { given, missing, example }
+}
+
+/// The region of a point that lies clearly inside one.
+fn region_at(atlas: &Atlas, h: f64, l: f64) -> Option<String> {
+    match atlas.locate(h, l).ok()?.place {
+        Place::Region(region) => Some(region.to_string()),
+        Place::Forbidden | Place::Undecided(_) => None,
+    }
+}
+
+/// Steady rotation about a principal axis, answered along its curve.
+fn steady(subject: &Subject, axis: usize, sign: i8, spin: f64, atlas: Option<&Atlas>) -> Option<SteadyDocument> {
+    let second = second(subject.part.as_ref());
+    let rotation = rotation(subject, axis, sign)?;
+    let omega = spin / second;
+    let found = rotation.type_at_spin(omega)?;
+    let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
+    let changes = documents::spin_changes(&rotation, if sign > 0 { "+axis" } else { "-axis" }, atlas, second);
+    let below = changes.iter().rev().find(|change| change.spin.rad_per_s < spin).cloned();
+    let above = changes.iter().find(|change| change.spin.rad_per_s > spin).cloned();
+    let (h, l) = (rotation.h(omega), rotation.l(omega));
+    let step = 1e-9 * (h.abs() + 0.5 * l.abs() * omega);
+    let beside = |h: f64| atlas.and_then(|atlas| region_at(atlas, h, l));
+    Some(SteadyDocument {
+        stability: found.name().to_owned(),
+        stable: found.is_stable(),
+        frequencies_hz: frequencies.map(|frequency| part::Spin::hertz(frequency * second)),
+        growth_time_s: (!found.is_stable()).then(|| 1.0 / (growth * second)),
+        below,
+        above,
+        regions: [beside(h - step), beside(h + step)],
+    })
+}
+
+fn text(subject: &Subject, document: &StateDocument) -> String {
+    let mut report = Report::default();
+    head(subject, &mut report);
+    let spin = &document.spin;
+    report.line(format!("spin {} rpm = {} rad/s", significant(spin.rpm, 8), significant(spin.rad_per_s, 8)));
+    report.line(format!("h = {}, l = {}", significant(document.h, 10), significant(document.l, 10)));
+    report.line("");
+    match &document.steady {
+        Some(steady) => steady_text(&mut report, steady),
+        None => other_text(&mut report, document),
+    }
+    report.text()
+}
+
+fn other_text(report: &mut Report, document: &StateDocument) {
+    let region = document.region.as_deref().unwrap_or("none: too near to a curve");
+    report.line(format!("the motion is not steady; its (h, l) lies in the region {region}"));
+    if let Some(margin) = &document.margin {
+        report.line(format!("the nearest curve is {} in h away ({})", significant(margin.h, 6), margin.nearest));
+    }
+    let Some(nearest) = &document.nearest else { return };
+    let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
+    let spin = nearest.spin.map_or_else(String::new, |spin| format!(", at {} rpm", significant(spin.rpm, 6)));
+    let angle = significant(nearest.angle_deg, 3);
+    report.line(format!("the permanent axis nearest to the vertical is ({x}, {y}, {z}), {angle}° away{spin}"));
+}
+
+fn steady_text(report: &mut Report, steady: &SteadyDocument) {
+    let verdict = if steady.stable { "stable" } else { "unstable" };
+    report.line(format!("steady rotation, {verdict}: {}", steady.stability));
+    let frequencies = steady.frequencies_hz.map(|frequency| significant(frequency, 6)).join(" Hz, ");
+    report.line(format!("frequencies of small oscillations, seen from the turning body: {frequencies} Hz"));
+    if let Some(time) = steady.growth_time_s {
+        report.line(format!("a deviation grows by e in {} s", significant(time, 4)));
+    }
+    let [below, above] = steady.regions.each_ref().map(|region| region.as_deref().unwrap_or("none"));
+    report.line(format!("regions beside it: {below} below, {above} above in h"));
+    let change = |name: &str, change: &Option<SpinChangeDocument>| match change {
+        Some(change) => {
+            let what = if change.from == change.to {
+                "regions change".to_owned()
+            } else {
+                format!("{} to {}", change.from, change.to)
+            };
+            format!(
+                "next change at {name} spin: {} rpm = {} rad/s, {what}",
+                significant(change.spin.rpm, 8),
+                significant(change.spin.rad_per_s, 8)
+            )
+        }
+        None => format!("no change at any {name} spin"),
+    };
+    report.line(change("smaller", &steady.below));
+    report.line(change("larger", &steady.above));
+}

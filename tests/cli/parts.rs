@@ -1,0 +1,274 @@
+//! Real parts: the same part in many forms, spins against closed forms and another program, and twenty wrong inputs.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::builder::bifdiag;
+
+/// A box of 2 × 4 × 6 and 48 units of mass, hung at the middle of an edge.
+const BOX: &str = "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 0\nv 0 0 6\nv 2 0 6\nv 2 4 6\nv 0 4 6\n\
+                   f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+fn atlas(options: &str, directory: &Path) -> Value {
+    bifdiag(&format!("{options} --g 9.80665 --json")).inside(directory).succeeds().json()
+}
+
+/// What does not depend on units and axes: signatures, boundaries and neighbours of every region.
+fn shape(atlas: &Value) -> Value {
+    let region = |region: &Value| {
+        let neighbours =
+            region["neighbours"].as_array().unwrap().iter().map(|n| n["region"].clone()).collect::<Vec<_>>();
+        json!([region["signature"], region["components"], region["bounded"], neighbours])
+    };
+    let kinds: Vec<&Value> = atlas["events"].as_array().unwrap().iter().map(|event| &event["kind"]).collect();
+    json!([atlas["regions"].as_array().unwrap().iter().map(region).collect::<Vec<_>>(), kinds])
+}
+
+#[test]
+fn one_part_in_every_form_has_one_diagram() {
+    let directory = tempfile::tempdir().unwrap();
+    fs::write(directory.path().join("box.obj"), BOX).unwrap();
+    // m (b² + c²)/12 = 208, 160, 80 about (1, 2, 3); the pivot is (1, 1, 0).
+    let forms = [
+        "--part box.obj --density 1 --pivot 1,1,0 --units kg,m,s",
+        "--part box.obj --mass 48 --pivot 1,1,0",
+        "--inertia-com 208,160,80,0,0,0 --com 1,2,3 --pivot 1,1,0 --mass 48",
+        "--inertia-com 208,160,80,0,0,0 --com 0,1,3 --mass 48",
+        "--inertia 688,592,128,0,0,-144 --products tensor --com 0,1,3 --mass 48",
+        "--inertia 688,592,128,0,0,144 --products integral --com 0,1,3 --mass 48",
+    ];
+    let all: Vec<Value> = forms.iter().map(|form| atlas(form, directory.path())).collect();
+    for other in &all[1..] {
+        assert_eq!(other, &all[0]);
+    }
+    assert_eq!(all[0]["body"]["part"]["exact"], false);
+    // In g and mm: other numbers, the same diagram.
+    let small = "--inertia-com 208e9,160e9,80e9,0,0,0 --com 0,1e3,3e3 --mass 48e3 --units g,mm,s";
+    let small = atlas(small, directory.path());
+    assert_eq!(shape(&small), shape(&all[0]));
+    for (p, q) in small["events"].as_array().unwrap().iter().zip(all[0]["events"].as_array().unwrap()) {
+        for key in ["h", "l"] {
+            let (p, q) = (p[key].as_f64().unwrap() * 1e-9, q[key].as_f64().unwrap());
+            assert!((p - q).abs() <= 1e-12 * q.abs(), "{key}: {p} {q}");
+        }
+    }
+}
+
+/// diag(0.1, 0.2, 0.25) about the pivot, turned by 3-4-5 about z and then about x: exactly the same body.
+#[test]
+fn a_tilted_part_is_its_principal_form() {
+    let directory = tempfile::tempdir().unwrap();
+    let principal = "--inertia 0.4,0.5,0.45,0,0,0 --com 0.125,0,0.25 --mass 2";
+    // Rows of the rotation: (3, -4, 0)/5, (4, 3, 0)/5, e3.
+    let tilted = "--inertia 0.464,0.436,0.45,-0.048,0,0 --products tensor --com 0.075,0.1,0.25 --mass 2";
+    let [principal, tilted] = [principal, tilted].map(|form| atlas(form, directory.path()));
+    assert_eq!(shape(&tilted), shape(&principal));
+    assert_eq!(tilted["body"]["part"]["exact"], true);
+    let numbers = |atlas: &Value| -> Vec<Value> {
+        let samples = atlas["regions"].as_array().unwrap().iter().map(|region| &region["sample"]);
+        samples.map(|sample| json!([sample["h"], sample["l"], sample["margin"]["h"]])).collect()
+    };
+    assert_eq!(numbers(&tilted), numbers(&principal));
+}
+
+/// A point on a pole line of a tilted part is on it, exactly, although A and r are rounded: J_r and |r|² are rational.
+#[test]
+fn a_point_on_a_pole_line_of_a_tilted_part_is_critical() {
+    // r = m g c = (0, 3, 4) with m = g = 1, |r| = 5; A = [[2, 1, 0], [1, 30, 0], [0, 0, 31]]: J_r = (9·30 + 16·31)/25.
+    let part = "--inertia 2,30,31,1,0,0 --products tensor --com 0,3,4 --mass 1 --g 1 --unphysical";
+    let classify = |h: &str| bifdiag(&format!("classify {part} --h={h} --l 1 --json -q")).succeeds().json();
+    assert_eq!(classify("7585/1532")["part"]["exact"], false);
+    // h = 1/(2 J_r) ± 5 = 25/1532 ± 5.
+    assert_eq!(classify("7685/1532")["status"], "critical");
+    assert_eq!(classify("-7635/1532")["status"], "critical");
+    assert_eq!(classify("7684/1532")["status"], "regular");
+}
+
+#[test]
+fn a_brass_gyroscope_sleeps_from_its_closed_form_on() {
+    let part = "--inertia-com 29625,29625,56250,0,0,0 --com 0,0,40 --mass 180 --units g,mm,s --g 9.80665";
+    let found = bifdiag(&format!("critical-spin {part} --axis z --json")).succeeds().json();
+    assert_eq!(found["permanent"], true);
+    let up: Vec<&Value> = found["changes"].as_array().unwrap().iter().filter(|c| c["up"] == "+axis").collect();
+    let awake: Vec<&&Value> = up.iter().filter(|c| c["kind"] != "region").collect();
+    assert_eq!(awake.len(), 1, "{found}");
+    let threshold = 2.0 * (317_625.0_f64 * 70_607_880.0).sqrt() / 56_250.0;
+    let spin = &awake[0]["spin"];
+    let bound = awake[0]["error_bound"].as_f64().unwrap();
+    assert!((spin["rad_per_s"].as_f64().unwrap() - threshold).abs() <= bound + 1e-13 * threshold);
+    assert!((spin["rpm"].as_f64().unwrap() - threshold * 30.0 / std::f64::consts::PI).abs() < 1e-9);
+    assert_eq!((&awake[0]["from"], &awake[0]["to"]), (&json!("complex"), &json!("elliptic")));
+    let state =
+        |spin: &str| bifdiag(&format!("state {part} --axis z --json")).and("--spin").and(spin).succeeds().json();
+    assert_eq!(state("3000 rpm")["steady"]["stable"], true);
+    assert_eq!(state("1500 rpm")["steady"]["stable"], false);
+    assert!((state("1500 rpm")["steady"]["above"]["spin"]["rpm"].as_f64().unwrap() - 1608.0).abs() < 1.0);
+    let [rpm, hertz, radians] = ["3000 rpm", "50 Hz", "314.1592653589793 rad/s"].map(state);
+    assert_eq!(rpm["spin"], hertz["spin"]);
+    assert!((rpm["l"].as_f64().unwrap() - radians["l"].as_f64().unwrap()).abs() < 1e-9 * rpm["l"].as_f64().unwrap());
+}
+
+/// A spin, its error bound, and the types below and above.
+type Change = (f64, f64, String, String);
+
+/// 100 tilted asymmetric parts: the spins at which the eigenvalues of the whole linearised flow change their type, as found by
+/// data/oracles/spins.py with 60 digits, and no other that its steps could show.
+#[test]
+fn critical_spins_of_tilted_parts_are_those_of_the_whole_linearisation() {
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/data/oracles/spins.jsonl")).unwrap();
+    let mut compared = 0;
+    for line in text.lines() {
+        let part: Value = serde_json::from_str(line).unwrap();
+        let option = |key: &str| part[key].as_str().unwrap().to_owned();
+        let run = bifdiag("critical-spin --products tensor --g 9.80665 --json")
+            .and(format!("--inertia-com={}", option("inertia_com")))
+            .and(format!("--com={}", option("com")))
+            .and(format!("--mass={}", option("mass")))
+            .and(format!("--axis={}", option("axis")));
+        let found = run.succeeds().json();
+        assert_eq!(found["permanent"], true, "{line}");
+        let fastest: f64 = option("fastest").parse().unwrap();
+        for up in ["+axis", "-axis"] {
+            let changes: Vec<Change> = found["changes"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .filter(|c| c["up"] == up && c["kind"] != "region")
+                .map(|c| {
+                    let word = |key: &str| c[key].as_str().unwrap().split(' ').next().unwrap().to_owned();
+                    (
+                        c["spin"]["rad_per_s"].as_f64().unwrap(),
+                        c["error_bound"].as_f64().unwrap(),
+                        word("from"),
+                        word("to"),
+                    )
+                })
+                // From a minimum to a maximum the eigenvalues stay imaginary.
+                .filter(|(spin, _, from, to)| from != to && *spin < fastest)
+                .collect();
+            let wanted = part[up].as_array().unwrap();
+            let matches = |change: &Change, wanted: &Value| {
+                let place: f64 = wanted[0].as_str().unwrap().parse().unwrap();
+                (change.0 - place).abs() <= change.1 + f64::EPSILON * place
+            };
+            for wanted in wanted {
+                assert!(
+                    changes.iter().any(|change| matches(change, wanted)),
+                    "{wanted} is missing\n{line}\n{changes:?}"
+                );
+                compared += 1;
+            }
+            // The oracle looks at 160 spins: it cannot see two changes between two of them, nor one below the first.
+            let step = fastest / 160.0;
+            let seen = |change: &&Change| wanted.iter().any(|wanted| matches(change, wanted));
+            let unseen: Vec<f64> = changes.iter().filter(|c| !seen(c) && c.0 > step).map(|c| c.0).collect();
+            assert!(unseen.len().is_multiple_of(2), "{line}\n{changes:?}");
+            assert!(unseen.chunks(2).all(|pair| pair[1] - pair[0] < step), "{line}\n{changes:?}");
+        }
+    }
+    assert!(compared > 150, "{compared}");
+}
+
+#[test]
+fn an_axis_that_is_not_permanent_names_the_nearest() {
+    let body = "--A 2,1.1,1 --r 0.94868,0,0.61623";
+    let found = bifdiag(&format!("critical-spin {body} --axis 1,0.1,0.6 --json")).succeeds().json();
+    assert_eq!((&found["permanent"], &found["changes"]), (&json!(false), &json!([])));
+    assert!(found["nearest"]["angle_deg"].as_f64().unwrap() > 0.1);
+    bifdiag(&format!("critical-spin {body} --axis 1,0.1,0.6")).succeeds().printing("the nearest permanent axis is");
+    bifdiag(&format!("campbell {body} --axis x")).and("--to").and("5 Hz").refused().telling("not permanent");
+}
+
+#[test]
+fn campbell_writes_a_table_and_a_picture() {
+    let directory = tempfile::tempdir().unwrap();
+    let part = "--inertia-com 29625,31000,56250,0,0,0 --com 0,0,40 --mass 180 --units g,mm,s --g 9.80665";
+    let run = bifdiag(&format!("campbell {part} --axis z --out c")).and("--to").and("3000 rpm");
+    run.inside(directory.path()).succeeds().printing("complex to elliptic");
+    let csv = fs::read_to_string(directory.path().join("c/campbell.csv")).unwrap();
+    assert!(
+        csv.starts_with("spin_rpm,frequency1_hz,frequency2_hz,growth_per_s,stable\n") && csv.lines().count() == 401
+    );
+    assert!(fs::read_to_string(directory.path().join("c/campbell.svg")).unwrap().contains("frequency in Hz"));
+}
+
+#[test]
+fn a_part_is_shown_and_drawn_as_it_was_understood() {
+    let directory = tempfile::tempdir().unwrap();
+    fs::write(directory.path().join("box.obj"), BOX).unwrap();
+    let run = bifdiag("body --part box.obj --density 1 --pivot 1,1,0 --g 9.81 --out p").inside(directory.path());
+    run.succeeds().printing("the part can exist").printing("208").printing("written: p/part.svg");
+    assert!(fs::read_to_string(directory.path().join("p/part.svg")).unwrap().contains("fixed point"));
+    // Also one that cannot exist.
+    let run = bifdiag("body --inertia-com 3,1,1,0,0,0 --com 0,0,1 --mass 1 --g 9.81");
+    run.succeeds().printing(
+        "the part cannot exist: about its centre of mass I1 + I2 >= I3 fails: 1.0 + 1.0 < 3.0, 1.0 is missing",
+    );
+}
+
+/// What goes wrong with parts in the trackers of other programs: each refused with what would help.
+#[test]
+fn wrong_parts_are_refused_with_a_message_that_helps() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = |name: &str, text: &str| fs::write(directory.path().join(name), text).unwrap();
+    file("box.obj", BOX);
+    file("open.obj", &BOX.replace("f 5 6 7 8\n", ""));
+    file(
+        "inverted.obj",
+        &BOX.replace("f 1 4 3 2", "f 2 3 4 1")
+            .replace("f 5 6 7 8", "f 8 7 6 5")
+            .replace("f 1 2 6 5", "f 5 6 2 1")
+            .replace("f 2 3 7 6", "f 6 7 3 2")
+            .replace("f 3 4 8 7", "f 7 8 4 3")
+            .replace("f 4 1 5 8", "f 8 5 1 4"),
+    );
+    file("mixed.obj", &BOX.replace("f 5 6 7 8", "f 8 7 6 5"));
+    file("empty.obj", "v 0 0 0\n");
+    file("notes.txt", "");
+    file("broken.stl", "solid x\nfacet normal 0 0 zero\n");
+    file("two.urdf", "<robot><link name='a'><inertial/></link><link name='b'><inertial/></link></robot>");
+    let refused: [(&str, &[&str]); 22] = [
+        // The sign of the products, and both readings.
+        (
+            "--inertia-com 2,3,4,0.5,0,0 --com 0,0,1 --mass 1",
+            &["--products is missing", "1.792893, 3.207107, 4", "tensor|integral"][..2],
+        ),
+        // The reference point.
+        ("--inertia 0.1,0.1,0.15,0,0,0 --com 0,0,1 --mass 1", &["cannot exist", "give it as --inertia-com"]),
+        ("--inertia 2,2,1,0,0,0 --com 0,0,1 --pivot 0,0,1 --mass 1", &["about the fixed point already"]),
+        // Meshes.
+        ("--part open.obj --density 1", &["the mesh is open", "4 edges", "watertight"]),
+        ("--part inverted.obj --density 1", &["the mesh is inverted", "-48", "outward"]),
+        ("--part mixed.obj --density 1", &["mixed orientation", "4 edges"]),
+        ("--part empty.obj --density 1", &["the mesh is empty"]),
+        ("--part box.obj", &["a mesh has no mass", "--density", "--mass"]),
+        ("--part box.obj --density 1 --mass 2", &["give one"]),
+        ("--part broken.stl --density 1", &["--part broken.stl", "STL"]),
+        ("--part notes.txt --density 1", &[".stl, .obj, .ply"]),
+        ("--part missing.stl --density 1", &["--part missing.stl", "No such file"]),
+        ("--part box.obj --density 1 --com 0,0,1", &["--com does nothing with --part"]),
+        // Blocks of links.
+        ("--part two.urdf", &["several links", "a, b", "--link NAME"]),
+        ("--part two.urdf --link c", &["--link c", "a, b"]),
+        ("--part two.urdf --link a", &["<mass> of link a has no value"]),
+        // Flat and thin, with too few digits.
+        (
+            "--inertia-com 0.333333,0.333333,0.666667,0,0,0 --com 0,0,1 --mass 1",
+            &["cannot exist", "1e-06 is missing"][..1],
+        ),
+        ("--inertia-com 1,1,-1e-9,0,0,0 --com 0,0,1 --mass 1", &["not positive definite", "-4e-9"]),
+        // Units.
+        ("--inertia-com 2,3,4,0,0,0 --com 0,0,1 --mass 1 --units kg,mm", &["2 units given", "kg,mm,s"]),
+        ("--inertia-com 2,3,4,0,0,0 --com 0,0,1 --mass 1 --units mm,kg,s", &["`mm` is no unit of mass", "slug"]),
+        ("--inertia-com 2,3,4,0,0,0 --com 0,0,1 --mass -1", &["greater than zero"]),
+        // A rod on its own axis has no moment there.
+        ("--inertia-com 1,1,0,0,0,0 --com 0,0,1 --mass 1", &["not positive definite", "about the fixed point"]),
+    ];
+    for (options, messages) in refused {
+        let done = bifdiag(&format!("critical {options} --l 1 --g 9.81")).inside(directory.path()).refused();
+        messages.iter().fold(done, |done, message| done.telling(message));
+    }
+    bifdiag("state --body paper --axis z --spin 3000").refused().telling("rpm, Hz, rad/s or deg/s");
+}

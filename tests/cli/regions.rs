@@ -1,0 +1,139 @@
+//! One name for each thing: regions in answers, candidates, pictures and words.
+
+use std::fs;
+use std::io::{Cursor, Read};
+
+use serde_json::{Value, json};
+
+use crate::builder::bifdiag;
+
+/// The words of a command that a document says, without the name of the program.
+fn command(document: &Value) -> String {
+    let text = document["command"].as_str().expect("a document has a command");
+    text.strip_prefix("bifdiag ").expect("it is a command of bifdiag").to_owned()
+}
+
+#[test]
+fn the_command_of_a_document_makes_the_same_bytes() {
+    for line in [
+        "classify --body paper --h 3.8 --l -3.25 --json",
+        "classify --A 2,11/10,1 --r=-1,0,1/2 --h=-1/4 --l 1 --no-region --accuracy fast --json",
+        "critical --body katok:6 --l 7/3 --json",
+        "atlas --body kovalevskaya --window 0:4,0:3 --no-polygons --json",
+        "section --body paper --region R8 --orbits 2 --crossings 3 --seed 7 --condition angular-momentum --json",
+        "orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1 --times 0:1:3 --json",
+        "bodies --json",
+    ] {
+        let done = bifdiag(line).succeeds();
+        assert_eq!(bifdiag(&command(&done.json())).succeeds().stdout(), done.stdout(), "{line}");
+        assert_eq!(done.json()["version"], env!("CARGO_PKG_VERSION"), "{line}");
+    }
+}
+
+#[test]
+fn every_sample_lies_in_its_region_and_its_polygon() {
+    for body in ["paper", "katok:6", "lagrange"] {
+        let atlas = bifdiag(&format!("--body {body} --json")).succeeds().json();
+        let view = &atlas["view"]["everything"];
+        for region in atlas["regions"].as_array().unwrap() {
+            let [h, l] = ["h", "l"].map(|key| region["sample"][key].as_f64().unwrap());
+            let found = bifdiag(&format!("classify --body {body} --h={h} --l={l} --json")).succeeds().json();
+            assert_eq!(found["region"], region["id"], "{body}");
+            let outlines: Vec<Vec<[f64; 2]>> = serde_json::from_value(region["polygon"].clone()).unwrap();
+            assert!(outlines.iter().all(|outline| outline.first() == outline.last()), "{body} {}", region["id"]);
+            let inside = |key: &str, x: f64| view[key][0].as_f64().unwrap() < x && x < view[key][1].as_f64().unwrap();
+            if inside("h", h) && inside("l", l) {
+                assert!(winds_around(&outlines, [h, l]), "{body} {}", region["id"]);
+            }
+        }
+    }
+}
+
+/// The even-odd rule.
+fn winds_around(outlines: &[Vec<[f64; 2]>], [h, l]: [f64; 2]) -> bool {
+    let crosses = |pair: &[[f64; 2]]| {
+        let ([ha, la], [hb, lb]) = (pair[0], pair[1]);
+        (la > l) != (lb > l) && h < ha + (l - la) / (lb - la) * (hb - ha)
+    };
+    outlines.iter().map(|outline| outline.windows(2).filter(|pair| crosses(pair)).count()).sum::<usize>() % 2 == 1
+}
+
+#[test]
+fn candidates_are_the_regions_that_meet() {
+    // Kovalevskaya's top: γ = e1 is critical with h = l²/4 − 1, an exact equality.
+    let document = bifdiag("classify --body kovalevskaya --h=-3/4 --l 1 --json").succeeds().json();
+    assert_eq!((&document["status"], &document["region"]), (&json!("critical"), &Value::Null));
+    let candidates = document["candidates"].as_array().unwrap();
+    assert_eq!(candidates[0], json!({"region": null, "status": "forbidden", "components": []}));
+    assert_eq!((&candidates[1]["region"], &candidates[1]["status"]), (&json!("R1"), &json!("regular")));
+    assert_eq!(candidates.len(), 2, "{document}");
+    let bare = bifdiag("classify --body kovalevskaya --h=-3/4 --l 1 --no-region --json").succeeds().json();
+    assert!(bare["candidates"].as_array().unwrap().iter().all(|candidate| candidate["region"].is_null()));
+}
+
+#[test]
+fn a_grid_says_what_points_say() {
+    let place = tempfile::tempdir().unwrap();
+    let line = "classify --body kovalevskaya --grid -2:4:7,0:3:4 --out grid.npz";
+    bifdiag(line).inside(place.path()).succeeds().printing("written: grid.npz");
+    let mut zip = zip::ZipArchive::new(Cursor::new(fs::read(place.path().join("grid.npz")).unwrap())).unwrap();
+    let mut data = |name: &str| {
+        let mut bytes = Vec::new();
+        zip.by_name(name).unwrap().read_to_end(&mut bytes).unwrap();
+        bytes.split_off(10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]])))
+    };
+    let codes: Vec<i32> =
+        data("region.npy").chunks(4).map(|word| i32::from_le_bytes(word.try_into().unwrap())).collect();
+    assert_eq!(codes.len(), 28);
+    for (row, l) in (0..4).enumerate() {
+        for (column, h) in (-2..5).enumerate() {
+            let found = bifdiag(&format!("classify --body kovalevskaya --h={h} --l {l} --json")).succeeds().json();
+            let wanted = match found["status"].as_str().unwrap() {
+                "forbidden" => -1,
+                "critical" => -2,
+                _ => found["region"].as_str().unwrap()[1..].parse::<i32>().unwrap() - 1,
+            };
+            assert_eq!(codes[7 * row + column], wanted, "h = {h}, l = {l}");
+        }
+    }
+    assert!(codes.contains(&-1) && codes.contains(&-2) && codes.iter().any(|code| *code > 0));
+    bifdiag(&line.replace("npz", "png")).inside(place.path()).succeeds();
+    assert!(fs::read(place.path().join("grid.png")).unwrap().starts_with(b"\x89PNG"));
+    bifdiag("classify --body paper --grid 0:1:2,0:1:2").refused().telling("--grid needs --out FILE.npz");
+    bifdiag("classify --body paper --grid 0:1,0:1:2 --out g.npz").refused().telling("a grid is written hmin:hmax:n");
+    bifdiag("classify --body paper --grid 0:1:2,0:1:2 --out g.csv").refused().telling("give FILE.npz or FILE.png");
+}
+
+#[test]
+fn things_are_shown_in_words() {
+    let region = bifdiag("show R5 --body paper").succeeds().telling_nothing();
+    let region = region.printing("region R5, sections S2+T2").printing("P: T2, a torus").printing("its sides:");
+    region.printing("components of U");
+    bifdiag("show P+ --body paper").succeeds().printing("the pole +r̂ enters U");
+    bifdiag("show E1 --body paper").succeeds().printing("regions that meet there: R");
+    bifdiag("show R99 --body paper").refused().telling("it has the regions R1 to R9").telling("E1 to E5");
+}
+
+#[test]
+fn forms_that_are_nearly_right_are_answered_with_the_right_one() {
+    bifdiag("--A 2 1.1 1 --r 1,0,0").refused().telling("--A 2,1.1,1");
+    bifdiag("classify --A 2,1.1,1 --r -1 0 0 --h 1 --l 1").refused().telling("--r -1,0,0");
+    bifdiag("paper").refused().telling("bifdiag --body paper");
+}
+
+#[test]
+fn no_picture_of_another_body_is_left() {
+    let place = tempfile::tempdir().unwrap();
+    bifdiag("--body paper --out o").inside(place.path()).succeeds();
+    assert!(place.path().join("o/diagram.svg").exists());
+    bifdiag("--body euler --out o --no-plot").inside(place.path()).succeeds();
+    assert!(!place.path().join("o/diagram.svg").exists());
+    assert!(place.path().join("o/atlas.json").exists());
+}
+
+#[test]
+fn another_section_condition_has_no_signature() {
+    let line = "section --body paper --h 5.3 --l 3.25 --orbits 1 --crossings 2 --json";
+    assert_eq!(bifdiag(line).succeeds().json()["signature"], "M2");
+    assert!(bifdiag(&format!("{line} --condition angular-momentum")).succeeds().json()["signature"].is_null());
+}
