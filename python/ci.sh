@@ -1,14 +1,66 @@
 #!/usr/bin/env bash
-# Builds the wheel, installs it into a clean environment and runs its tests against the command line's answers.
+# Builds the wheel, installs it into a clean environment, and runs everything that is said about it.
 set -euo pipefail
 cd "$(dirname "$0")"
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/../target}"
-
-(cd .. && cargo build --release)
 environment="$CARGO_TARGET_DIR/python"
-rm -rf "$environment"
-python3 -m venv "$environment"
-"$environment/bin/pip" install --quiet --disable-pip-version-check "maturin>=1.16,<2" pytest
-"$environment/bin/maturin" build --quiet --release --out "$environment/wheels"
-"$environment/bin/pip" install --quiet --disable-pip-version-check --no-index "$environment"/wheels/*.whl
-"$environment/bin/pytest" -q tests
+bin="$environment/bin"
+
+step() {
+    local name="$1" begin=$SECONDS
+    shift
+    echo "== python: $name"
+    "$@"
+    echo "== python: $name: $((SECONDS - begin)) s"
+}
+
+install() {
+    rm -rf "$environment"
+    python3 -m venv "$environment"
+    "$bin/pip" install --quiet --disable-pip-version-check -r requirements-ci.txt
+}
+
+wheel() {
+    "$bin/maturin" build --quiet --release --out "$environment/wheels"
+    local size
+    size=$(stat -c %s "$environment"/wheels/*.whl)
+    echo "the wheel has $size bytes"
+    [ "$size" -le 12000000 ]
+    "$bin/pip" install --quiet --disable-pip-version-check --no-index --no-deps "$environment"/wheels/*.whl
+    "$bin/twine" check --strict "$environment"/wheels/*.whl
+    "$bin/abi3audit" --strict --summary "$environment"/wheels/*.whl
+}
+
+# The source distribution carries the workspace: cargo finds every package that it needs.
+source_distribution() {
+    "$bin/maturin" sdist --out "$environment/sdist"
+    tar -xzf "$environment"/sdist/*.tar.gz -C "$environment/sdist"
+    (cd "$environment"/sdist/*/ && cargo metadata --offline --format-version 1 >/dev/null)
+}
+
+types() {
+    "$bin/mypy"
+    "$bin/stubtest" bifdiag._core --ignore-disjoint-bases
+    "$bin/basedpyright" --pythonpath "$bin/python" --level error
+}
+
+style() {
+    "$bin/ruff" format --check package tests examples docs
+    "$bin/ruff" check package tests examples docs
+}
+
+# The oldest numpy that there is a wheel of for this interpreter.
+oldest_numpy() {
+    "$bin/pip" install --quiet --disable-pip-version-check --target "$environment/oldest" --no-deps "numpy==1.23.5"
+    PYTHONPATH="$environment/oldest" "$bin/pytest" tests/test_atlas.py tests/test_body.py
+}
+
+step "environment" install
+step "style" style
+step "wheel" wheel
+step "source distribution" source_distribution
+step "types" types
+step "tests" "$bin/pytest"
+step "doctests" "$bin/pytest" --doctest-modules --doctest-glob='*.rst' --pyargs bifdiag docs
+step "oldest numpy" oldest_numpy
+step "reference" "$bin/sphinx-build" --quiet --fail-on-warning --builder html docs "$environment/docs"

@@ -1,92 +1,114 @@
-//! Atlases and their regions.
+//! Atlases.
 
-use bifdiag::top::atlas::Place;
-use bifdiag::top::diagram::RegionId;
-use bifdiag::top::topology::signature;
-use bifdiag::{documents, top};
+use std::sync::atomic::AtomicBool;
+
+use bifdiag::documents::{self, DocumentOptions, Located, Subject, atlas::document};
+use bifdiag::proof::Prepared;
+use bifdiag::schema::Accuracy;
+use bifdiag::{plot, top};
+use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
-use crate::answers::Component;
-use crate::body::{Body, number};
-use crate::errors;
+use crate::body::{json, number};
+use crate::{errors, places, work};
+
+/// A level of accuracy by its name.
+pub fn accuracy(level: &str) -> PyResult<Accuracy> {
+    match level {
+        "exact" => Ok(Accuracy::Exact),
+        "fast" => Ok(Accuracy::Fast),
+        _ => Err(errors::wrong(format!("accuracy = {level:?}: the levels are \"exact\" and \"fast\""))),
+    }
+}
 
 /// Every region of the (h, l) half-plane of one body, ready to answer further points.
-#[pyclass(frozen, module = "bifdiag")]
+#[pyclass(frozen, module = "bifdiag._core")]
 pub struct Atlas {
-    inner: top::atlas::Atlas,
+    subject: Subject,
+    prepared: Prepared,
 }
 
 impl Atlas {
-    pub fn of(python: Python<'_>, body: &top::body::Body) -> PyResult<Self> {
-        let inner = python.detach(|| top::atlas::Atlas::new(body)).map_err(errors::range)?;
-        Ok(Self { inner })
+    /// An atlas that was made.
+    pub fn of(python: Python<'_>, subject: &Subject, accuracy: Accuracy) -> PyResult<Self> {
+        let atlas = Self::unmade(subject, accuracy);
+        if python.detach(|| atlas.prepared.atlas().is_none()) {
+            let missing = python.detach(|| bifdiag::atlas_of(&subject.body, accuracy.into()));
+            return Err(missing.map_or_else(|error| errors::range(&error), |_| errors::wrong("there is no atlas")));
+        }
+        Ok(atlas)
+    }
+
+    /// One that is made when it is needed; without it points are still answered.
+    pub fn unmade(subject: &Subject, accuracy: Accuracy) -> Self {
+        Self { subject: subject.clone(), prepared: Prepared::new(subject.body.clone(), accuracy.into()) }
+    }
+
+    fn atlas(&self) -> &top::atlas::Atlas {
+        self.prepared.atlas().expect("an atlas in the hands of Python is made")
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        self.prepared.accuracy().into()
+    }
+
+    fn document(&self, options: &DocumentOptions) -> bifdiag::schema::AtlasDocument {
+        let mut document = document(self.atlas(), &DocumentOptions { accuracy: self.accuracy(), ..*options });
+        documents::atlas::attach_part(&mut document, &self.subject);
+        document
     }
 }
 
 #[pymethods]
 impl Atlas {
-    #[getter]
-    fn body(&self) -> Body {
-        Body { inner: self.inner.body().clone() }
-    }
-
-    /// The regions, in the order of their ids.
-    #[getter]
-    fn regions(&self) -> Vec<Region> {
-        self.inner.regions().ids().map(|number| Region::of(&self.inner, number)).collect()
-    }
-
-    /// The id of the region of a point; None when forbidden or not decided.
-    fn region(&self, h: &Bound<'_, PyAny>, l: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
-        let (h, l) = (number(h)?.to_f64(), number(l)?.to_f64());
-        let location = self.inner.locate(h, l).map_err(errors::input)?;
-        Ok(if let Place::Region(region) = location.place { Some(region.to_string()) } else { None })
+    /// The document without what is drawn, on one line.
+    fn outline(&self, python: Python<'_>) -> PyResult<String> {
+        let options = DocumentOptions { polylines: false, polygons: false, ..DocumentOptions::default() };
+        python.detach(|| json(&self.document(&options)))
     }
 
     /// The text of atlas.json, as the command line writes it.
     fn to_json(&self, python: Python<'_>) -> PyResult<String> {
-        let text = python.detach(|| {
-            documents::layout::text(&documents::atlas::document(&self.inner, &documents::DocumentOptions::default()))
+        let text = python.detach(|| documents::layout::text(&self.document(&DocumentOptions::default())));
+        text.map_err(|error| errors::range(&error))
+    }
+
+    /// The picture of the command line.
+    fn svg(&self, python: Python<'_>) -> PyResult<String> {
+        let picture = python.detach(|| {
+            let document = self.document(&DocumentOptions::default());
+            plot::draw(&document, None, &plot::DiagramOptions::default())
         });
-        text.map_err(errors::range)
+        picture.map(|picture| picture.svg).map_err(|error| errors::range(&error))
     }
 
-    fn __repr__(&self) -> String {
-        let regions = self.regions().iter().map(Region::line).collect::<Vec<_>>();
-        format!("Atlas of {} regions: {}", regions.len(), regions.join(", "))
-    }
-}
-
-/// A region of the (h, l) half-plane.
-#[pyclass(frozen, get_all, module = "bifdiag")]
-pub struct Region {
-    id: String,
-    signature: Option<String>,
-    components: Option<Vec<Component>>,
-    /// A point (h, l) inside.
-    sample: (f64, f64),
-}
-
-impl Region {
-    fn of(atlas: &top::atlas::Atlas, number: RegionId) -> Self {
-        let components = atlas.components(number).ok();
-        let sample = atlas.sample(number);
-        Self {
-            id: number.to_string(),
-            signature: components.and_then(signature),
-            components: components.map(Component::list),
-            sample: (sample.h, sample.l),
-        }
+    /// The type at one point: the document.
+    pub fn classify(&self, python: Python<'_>, h: &str, l: &str) -> PyResult<String> {
+        let (h, l) = (number(h)?, number(l)?);
+        let found = python.detach(|| self.prepared.classify(&h, &l)).map_err(|error| errors::range(&error))?;
+        let located = Located::of(Some(&self.prepared));
+        json(&documents::classification(&self.subject, &h, &l, &found, self.accuracy(), located))
     }
 
-    fn line(&self) -> String {
-        format!("{} {}", self.id, self.signature.as_deref().unwrap_or("-"))
+    /// The place of each point (h, l) of two equally long arrays of doubles.
+    fn places<'py>(
+        &self,
+        python: Python<'py>,
+        h: &Bound<'py, PyArray1<f64>>,
+        l: &Bound<'py, PyArray1<f64>>,
+        threads: usize,
+    ) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        let (h, l) = (h.readonly(), l.readonly());
+        let (h, l) = (h.as_slice()?, l.as_slice()?);
+        let stop = AtomicBool::new(false);
+        let found = work::run(python, threads, &stop, || places::of_points(&self.prepared, h, l, &stop))?;
+        let found = found.expect("an atlas in the hands of Python is made");
+        Ok(found.map_err(|error| errors::range(&error))?.into_pyarray(python))
     }
-}
 
-#[pymethods]
-impl Region {
-    fn __repr__(&self) -> String {
-        format!("Region({})", self.line())
+    /// The place of one point of exact texts.
+    fn place(&self, python: Python<'_>, h: &str, l: &str) -> PyResult<i64> {
+        let (h, l) = (number(h)?, number(l)?);
+        python.detach(|| places::of_point(&self.prepared, &h, &l)).map_err(|error| errors::range(&error))
     }
 }

@@ -1,6 +1,6 @@
 //! Errors of the library as the exceptions of the package.
 
-use std::fmt::Display;
+use std::error::Error;
 
 use pyo3::prelude::*;
 use pyo3::types::PyType;
@@ -13,17 +13,41 @@ fn exception(name: &str, message: String) -> PyErr {
     class.unwrap_or_else(|missing| missing)
 }
 
+/// An error with its causes, those left out that its own message repeats.
+fn told(error: &dyn Error) -> String {
+    let mut message = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        let text = error.to_string();
+        if !message.contains(&text) {
+            message = format!("{message}: {text}");
+        }
+        cause = error.source();
+    }
+    message
+}
+
 /// What the caller gave is wrong.
-pub fn input(error: impl Display) -> PyErr {
-    exception("InputError", error.to_string())
+pub fn input(error: &dyn Error) -> PyErr {
+    exception("InputError", told(error))
+}
+
+/// The same, in words.
+pub fn wrong(message: impl Into<String>) -> PyErr {
+    exception("InputError", message.into())
 }
 
 /// Not a body.
-pub fn body(error: impl Display) -> PyErr {
-    exception("BodyError", error.to_string())
+pub fn body(error: &dyn Error) -> PyErr {
+    exception("BodyError", told(error))
 }
 
 /// A right question without an answer.
-pub fn range(error: impl Display) -> PyErr {
-    exception("RangeError", error.to_string())
+pub fn range(error: &dyn Error) -> PyErr {
+    exception("RangeError", told(error))
+}
+
+/// A document that says something wrong.
+pub fn refused(error: &dyn Error) -> PyErr {
+    exception("VerifyError", told(error))
 }

@@ -1,25 +1,38 @@
-//! The Python package: a thin guest of the library.
+//! The compiled part of the Python package, a thin guest of the library: it takes exact texts and arrays, and gives arrays
+//! and the texts of documents. What users see stands in `package/bifdiag`.
 
 use pyo3::prelude::*;
 
-mod answers;
 mod atlas;
 mod body;
+mod command;
 mod errors;
+mod motion;
+mod places;
+mod section;
+mod survey;
+mod work;
 
 /// The compiled part of the package `bifdiag`.
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use crate::answers::{Classification, Component, Equilibrium};
-    #[pymodule_export]
-    use crate::atlas::{Atlas, Region};
+    use crate::atlas::Atlas;
     #[pymodule_export]
     use crate::body::Body;
+    #[pymodule_export]
+    use crate::command::run;
+    #[pymodule_export]
+    use crate::motion::motion;
+    #[pymodule_export]
+    use crate::section::section;
+    #[pymodule_export]
+    use crate::survey::{find, verify};
     use pyo3::prelude::*;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("SCHEMA_VERSION", bifdiag::schema::SCHEMA_VERSION)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

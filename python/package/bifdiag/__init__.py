@@ -1,18 +1,61 @@
-"""Bifurcation diagrams and energy-surface topology of any heavy rigid body."""
+"""Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body.
 
-from ._core import Atlas, Body, Classification, Component, Equilibrium, Region, __version__
-from .errors import BifdiagError, BodyError, InputError, RangeError
+A body is its principal moments A and its centre of mass r; everything about it at energy h and vertical angular momentum l
+follows from exact numbers.
+
+Examples
+--------
+>>> import bifdiag
+>>> body = bifdiag.Body.preset("paper")
+>>> atlas = body.atlas()
+>>> [region.signature for region in atlas.regions][:3]
+['S2', 'T2', 'M2']
+"""
+
+from ._core import __version__
+from .atlas import Atlas
+from .body import Body
+from .errors import BifdiagError, BodyError, InputError, RangeError, VerifyError
+from .motion import Motion
+from .records import (
+    Candidate,
+    Classification,
+    Component,
+    Curve,
+    Event,
+    Margin,
+    Neighbour,
+    Region,
+    Sample,
+    StabilityChange,
+)
+from .section import Section
+from .survey import Witness, find, merge, scan, verify
 
 __all__ = [
     "Atlas",
     "BifdiagError",
     "Body",
     "BodyError",
+    "Candidate",
     "Classification",
     "Component",
-    "Equilibrium",
+    "Curve",
+    "Event",
     "InputError",
+    "Margin",
+    "Motion",
+    "Neighbour",
     "RangeError",
     "Region",
+    "Sample",
+    "Section",
+    "StabilityChange",
+    "VerifyError",
+    "Witness",
     "__version__",
+    "find",
+    "merge",
+    "scan",
+    "verify",
 ]

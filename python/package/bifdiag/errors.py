@@ -6,12 +6,16 @@ class BifdiagError(Exception):
 
 
 class InputError(BifdiagError, ValueError):
-    """Something that the caller gave is wrong: the message says what would be right."""
+    """Something that the caller gave is wrong: the message names it and says what would be right."""
 
 
 class BodyError(InputError):
-    """Moments and centre of mass that are not a body."""
+    """Moments and centre of mass that are no body."""
 
 
 class RangeError(BifdiagError, ArithmeticError):
     """A right question that cannot be answered."""
+
+
+class VerifyError(BifdiagError):
+    """A document that says something wrong, or something that could not be confirmed."""

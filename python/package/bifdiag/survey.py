@@ -1,0 +1,305 @@
+"""Many bodies: scans, searches, and the check of atlases."""
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from . import _core, exact
+from .errors import BifdiagError, InputError
+from .records import Component, Document, Margin
+
+if TYPE_CHECKING:
+    from .atlas import Atlas
+    from .body import Body
+
+
+def scan(
+    family: str = "general",
+    samples: int | None = None,
+    out: str | os.PathLike[str] = "scan.parquet",
+    *,
+    shard: tuple[int, int] | None = None,
+    threads: int | None = None,
+    seed: int = 0,
+    vary: "list[str] | tuple[str, ...]" = (),
+    body: "Body | None" = None,
+) -> Document:
+    """Computes the diagrams of many bodies into a file, with the same bytes as the command line.
+
+    The work is done by the package's command line in a process of its own; after an interrupt the same call goes on where
+    it stopped.
+
+    Parameters
+    ----------
+    family : {"general", "positive", "katok"}
+        Which bodies.
+    samples : int
+        Their number.
+    out : path
+        The file; its suffix says the format: ``.parquet``, ``.csv`` or ``.jsonl``.
+    shard : (int, int), optional
+        ``(i, n)``: only the i-th of n equal parts, i from 1.
+    threads : int, optional
+        None: one; 0: as many as there are cores. The file does not depend on it.
+    seed : int
+        Where the sequence of bodies starts.
+    vary : list of str
+        Ranges of parameters, such as ``"A2=1:2:101"``, about `body`.
+    body : Body, optional
+        The body whose parameters are varied, instead of a family.
+
+    Returns
+    -------
+    dict
+        The summary of the scan.
+
+    Raises
+    ------
+    InputError
+        If the command line refuses an argument.
+    BifdiagError
+        If the scan fails.
+    """
+    arguments = ["scan", "--json", "--out", os.fspath(out)]
+    if body is None:
+        arguments += ["--family", family]
+    else:
+        arguments += [f"--A={','.join(body.A)}", f"--r={','.join(body.r)}"]
+    if samples is not None:
+        arguments += ["--samples", str(exact.whole(samples, "samples", 1))]
+    if shard is not None:
+        part, of = shard
+        arguments += ["--shard", f"{part}/{of}"]
+    if seed:
+        arguments += ["--seed", str(exact.whole(seed, "seed", 0))]
+    for values in vary:
+        arguments += ["--vary", values]
+    count = exact.threads(threads)
+    arguments += ["--threads", str(count or os.cpu_count() or 1)]
+    document: Document = json.loads(command(*arguments))
+    return document
+
+
+def merge(shards: Iterable[str | os.PathLike[str]], out: str | os.PathLike[str], *, threads: int | None = None) -> Document:
+    """Joins the shards of a scan into a file with the bytes of the scan in one piece.
+
+    Parameters
+    ----------
+    shards : list of paths
+        The files of all shards, in any order, each beside its ``.summary.json``.
+    out : path
+        The file.
+    threads : int, optional
+        None: one; 0: as many as there are cores.
+
+    Returns
+    -------
+    dict
+        The summary of the scan.
+
+    Raises
+    ------
+    InputError
+        If the shards do not belong together, or one is missing.
+    """
+    count = exact.threads(threads) or os.cpu_count() or 1
+    files = [os.fspath(shard) for shard in shards]
+    document: Document = json.loads(
+        command("scan", "merge", *files, "--out", os.fspath(out), "--json", "--threads", str(count))
+    )
+    return document
+
+
+def command(*arguments: str) -> str:
+    """Runs the package's command line in a process of its own; what it prints.
+
+    Raises
+    ------
+    InputError
+        If it ends with exit status 2, with its message.
+    BifdiagError
+        If it ends with exit status 1.
+    """
+    line = [sys.executable, "-m", "bifdiag", *arguments]
+    with subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8") as process:
+        try:
+            printed, told = process.communicate()
+        except BaseException:
+            process.terminate()
+            raise
+    if process.returncode == 2:
+        raise InputError(told.strip())
+    if process.returncode != 0:
+        raise BifdiagError(told.strip())
+    return printed
+
+
+@dataclass(frozen=True, slots=True)
+class Witness:
+    """What a search found.
+
+    Attributes
+    ----------
+    found : bool
+        Whether a body shows what was sought.
+    exists : bool or None
+        False if a theorem says that no body shows it; `why` names it.
+    why : str or None
+        The theorem.
+    body : Body or None
+        The body.
+    h, l : str or None
+        The point, exact.
+    components : tuple of Component
+        The components of U there.
+    margin : Margin or None
+        The distance to the nearest curve.
+    tried : int
+        Number of bodies that were looked at.
+    document : dict
+        Everything that the command line prints with ``--json``.
+    """
+
+    found: bool
+    exists: bool | None
+    why: str | None
+    body: "Body | None"
+    h: str | None
+    l: str | None
+    components: tuple[Component, ...]
+    margin: Margin | None
+    tried: int
+    document: Document
+
+    @classmethod
+    def of(cls, document: Document) -> "Witness":
+        from .body import Body
+
+        there = document.get("witness") or document
+        found = document["found"]
+        return cls(
+            found,
+            document.get("exists"),
+            document.get("why"),
+            Body(there["A"], there["r"]) if found else None,
+            there["h"] if found else None,
+            there["l"] if found else None,
+            Component.all_of(there["components"]) or () if found else (),
+            Margin.of(there["margin"]) if found else None,
+            document["tried"],
+            document,
+        )
+
+    def __bool__(self) -> bool:
+        return self.found
+
+
+def find(
+    kind: str | None = None,
+    *,
+    circles: int | None = None,
+    poles: int | None = None,
+    signature: str | None = None,
+    critical_points: int | None = None,
+    physical: bool = False,
+    samples: int = 20_000,
+    seed: int | None = None,
+    accuracy: str = "exact",
+    threads: int | None = None,
+) -> Witness:
+    """A body and a point that show what is wanted.
+
+    Parameters
+    ----------
+    kind : str, optional
+        A component by its section, such as ``"M4"``, or by circles and poles, such as ``"k3n1"``.
+    circles, poles : int, optional
+        Boundary circles and poles of a component of U.
+    signature : str, optional
+        The sections of a region, such as ``"S2+T2"``, in any order.
+    critical_points : int, optional
+        So many relative equilibria at one l, or more.
+    physical : bool
+        Only bodies that exist: A_i + A_j ≥ A_k.
+    samples : int
+        The most bodies that are tried.
+    seed : int, optional
+        Where the sequence of bodies starts; search, although something is known.
+    accuracy : {"exact", "fast"}
+        What the answer must be worth.
+    threads : int, optional
+        None: one; 0: as many as there are cores. The answer does not depend on it.
+
+    Returns
+    -------
+    Witness
+        True if found.
+
+    Raises
+    ------
+    InputError
+        If nothing, or nothing that is known, is sought.
+
+    Examples
+    --------
+    >>> import bifdiag
+    >>> witness = bifdiag.find("M4")
+    >>> witness.body.classify(witness.h, witness.l).status
+    'regular'
+    >>> bifdiag.find("k0n1").exists
+    False
+    """
+    given = [kind is not None, circles is not None or poles is not None, signature is not None]
+    given.append(critical_points is not None)
+    if sum(given) != 1:
+        raise InputError("say what is sought by one of kind, circles and poles, signature, critical_points")
+    wanted = {
+        "kind": kind,
+        "circles": None if circles is None else exact.whole(circles, "circles", 0, 2**32 - 1),
+        "poles": None if poles is None else exact.whole(poles, "poles", 0, 2),
+        "signature": signature,
+        "critical_points": None if critical_points is None else exact.whole(critical_points, "critical_points", 0, 99),
+    }
+    found = _core.find(
+        wanted,
+        bool(physical),
+        exact.whole(samples, "samples", 1),
+        None if seed is None else exact.whole(seed, "seed", 0),
+        accuracy,
+        exact.threads(threads),
+    )
+    return Witness.of(json.loads(found))
+
+
+def verify(atlas: "str | os.PathLike[str] | Document | Atlas") -> int:
+    """Re-checks an atlas that carries a certificate, by other means than those that made it.
+
+    Parameters
+    ----------
+    atlas : path, dict or Atlas
+        A file, a document, or an atlas.
+
+    Returns
+    -------
+    int
+        The number of regions that were confirmed: all.
+
+    Raises
+    ------
+    VerifyError
+        With the first thing that is wrong or could not be confirmed.
+    InputError
+        If it is no atlas.
+    """
+    from .atlas import Atlas
+
+    if isinstance(atlas, dict):
+        return _core.verify(json.dumps(atlas), "atlas.json")
+    if isinstance(atlas, Atlas):
+        return _core.verify(atlas.to_json(), "atlas.json")
+    return _core.verify(Path(atlas).read_text(encoding="utf-8"), os.fspath(atlas))

@@ -1,0 +1,138 @@
+"""Columns of equal length: what sections and motions have in common."""
+
+import io
+import json
+import os
+import zipfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import InputError
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+
+AnyTable = TypeVar("AnyTable", bound="Table")
+
+
+class Table:
+    """Columns of equal length with a document that says what they mean; every column is an attribute.
+
+    Attributes
+    ----------
+    meta : dict
+        The document of the run: body, point, parameters, and how it went.
+    """
+
+    NAMES: ClassVar[tuple[str, ...]] = ()
+    """The columns of a file."""
+
+    meta: dict[str, Any]
+
+    def __init__(self, columns: dict[str, npt.NDArray[Any]], meta: str) -> None:
+        self._columns = columns
+        self._meta = meta
+        self.meta = json.loads(meta)
+
+    def __getattr__(self, name: str) -> npt.NDArray[Any]:
+        columns = self.__dict__.get("_columns", {})
+        if name not in columns:
+            raise AttributeError(f"{type(self).__name__} has no column {name!r}; it has {', '.join(columns)}")
+        column: npt.NDArray[Any] = columns[name]
+        return column
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._columns]
+
+    def __len__(self) -> int:
+        return len(next(iter(self._columns.values())))
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names of the columns."""
+        return tuple(self._columns)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the file that the command line writes with ``--data FILE.npz``, byte for byte."""
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
+            for name, column in [*self._columns.items(), ("meta", np.array(self._meta))]:
+                buffer = io.BytesIO()
+                np.lib.format.write_array(buffer, np.asarray(column), version=(1, 0), allow_pickle=False)
+                entry = zipfile.ZipInfo(f"{name}.npy", (1980, 1, 1, 0, 0, 0))
+                entry.create_system, entry.create_version, entry.extract_version = 3, 10, 10
+                entry.external_attr = 0o100644 << 16
+                archive.writestr(entry, buffer.getvalue())
+
+    @classmethod
+    def load(cls: type[AnyTable], path: str | os.PathLike[str]) -> AnyTable:
+        """Reads a file of `save`, or of the command line's ``--data FILE.npz``.
+
+        Raises
+        ------
+        InputError
+            If the file is no such archive.
+        """
+        try:
+            with np.load(Path(path), allow_pickle=False) as archive:
+                arrays = {name: archive[name] for name in archive.files}
+        except (ValueError, zipfile.BadZipFile, TypeError) as error:
+            raise InputError(f"{path} is no archive of arrays: {error}") from error
+        missing = [name for name in (*cls.NAMES, "meta") if name not in arrays]
+        if missing:
+            raise InputError(f"{path} is no {cls.__name__.lower()}: it has no array {missing[0]!r}")
+        return cls(arrays, str(arrays.pop("meta")))
+
+    def flat(self) -> dict[str, npt.NDArray[Any]]:
+        """The columns, those of vectors taken apart: ``gamma_1``, ``gamma_2``, ``gamma_3``."""
+        out: dict[str, npt.NDArray[Any]] = {}
+        for name, column in self._columns.items():
+            if column.ndim == 1:
+                out[name] = column
+            else:
+                parts = "wxyz" if column.shape[1] == 4 else "123"
+                out |= {f"{name}_{part}": column[:, place] for place, part in enumerate(parts)}
+        return out
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """A DataFrame with the columns of `flat`; needs pandas."""
+        import pandas as pd
+
+        frame = pd.DataFrame(self.flat())
+        frame.attrs.update(self.meta)
+        return frame
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """A Dataset with the columns over the dimension ``row`` (and ``axis`` for vectors); needs xarray."""
+        import xarray as xr
+
+        axes = {1: ("row",), 2: ("row", "axis")}
+        variables = {}
+        for name, column in self._columns.items():
+            dimensions = ("row", "component") if column.ndim == 2 and column.shape[1] == 4 else axes[column.ndim]
+            variables[name] = (dimensions, column)
+        return xr.Dataset(variables, attrs={"meta": self._meta})
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        """The columns as a stream of Arrow, for polars, duckdb and their like; needs pyarrow."""
+        import pyarrow as pa
+
+        columns = {name: np.ascontiguousarray(column) for name, column in self.flat().items()}
+        return pa.table(columns).__arrow_c_stream__(requested_schema)
+
+    def __eq__(self, other: object) -> bool:
+        if type(self) is not type(other) or not isinstance(other, Table):
+            return NotImplemented
+        same = self.columns == other.columns and self._meta == other._meta
+        return same and all(
+            np.array_equal(column, other._columns[name], equal_nan=True) for name, column in self._columns.items()
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._columns, self._meta)

@@ -1,0 +1,91 @@
+"""Bodies are exact, whatever they are made from."""
+
+import copy
+import pickle
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import bifdiag
+
+
+@pytest.mark.parametrize(
+    ("given", "text"),
+    [
+        (2, "2"),
+        ("11/10", "11/10"),
+        (" 1e-3", "1e-3"),
+        (Fraction(1, 3), "1/3"),
+        (Decimal("0.10"), "0.10"),
+        (0.1, "0.1"),
+        (1e22, "1e+22"),
+        (np.float64(0.1), "0.1"),
+        (np.float32(0.1), "0.1"),
+        (np.int32(7), "7"),
+        (np.array(0.3), "0.3"),
+        (10**30, str(10**30)),
+    ],
+)
+def test_numbers_are_taken_as_they_are_meant(given, text):
+    assert bifdiag.Body([given, "1e22", "1e22"], [0, 1, 2]).A[0] == text
+
+
+@given(st.floats(1e-6, 1e6))
+def test_a_float_is_its_shortest_decimal(value):
+    body = bifdiag.Body([value, 1, 1], [0, 0, 1])
+    assert float(body.A[0]) == value
+    assert body == bifdiag.Body([Decimal(repr(value)), 1, 1], [0, 0, 1])
+
+
+def test_equal_numbers_are_equal_bodies():
+    first, second = bifdiag.Body([2, 1.1, 1], [1, 0, 0]), bifdiag.Body(["2.0", Fraction(11, 10), "1"], [1, 0, "0.0"])
+    assert first == second and hash(first) == hash(second)
+    assert first != bifdiag.Body([2, 1.1000001, 1], [1, 0, 0])
+    assert first != "Body"
+
+
+def test_the_repr_makes_the_body_known(paper):
+    assert repr(paper) == "Body(A=[2, 11/10, 1], r=[0.94868, 0, 0.61623])"
+    assert "11/10" in paper._repr_html_()
+
+
+def test_bodies_are_pickled_and_copied(paper):
+    assert pickle.loads(pickle.dumps(paper)) == paper == copy.deepcopy(paper)
+
+
+@pytest.mark.parametrize(
+    ("moments", "center", "error", "message"),
+    [
+        ([1, -1, 1], [1, 0, 0], bifdiag.BodyError, "A2"),
+        ([1, 1], [1, 0, 0], bifdiag.InputError, "three"),
+        ([1, float("nan"), 1], [1, 0, 0], bifdiag.InputError, "A2 = nan"),
+        ([1, 1, 1], [1, 0, float("inf")], bifdiag.InputError, "r3 = inf"),
+        ([True, 1, 1], [1, 0, 0], bifdiag.InputError, "bool"),
+        ([1, 1, None], [1, 0, 0], bifdiag.InputError, "A3 = None is a NoneType"),
+        ([1, 1, 1j], [1, 0, 0], bifdiag.InputError, "complex"),
+        (["x", 1, 1], [1, 0, 0], ValueError, "`x` is not a number"),
+        ("2,1,1", [1, 0, 0], bifdiag.InputError, "three numbers"),
+        (5, [1, 0, 0], bifdiag.InputError, "three numbers"),
+        ([[1, 2], 1, 1], [1, 0, 0], bifdiag.InputError, "list"),
+    ],
+)
+def test_wrong_bodies_are_told(moments, center, error, message):
+    with pytest.raises(error, match=message):
+        bifdiag.Body(moments, center)
+
+
+def test_unknown_presets_name_the_known_ones():
+    with pytest.raises(bifdiag.InputError, match="paper"):
+        bifdiag.Body.preset("nothing")
+
+
+def test_errors_have_their_bases():
+    assert issubclass(bifdiag.BodyError, bifdiag.InputError)
+    assert issubclass(bifdiag.InputError, ValueError)
+    assert issubclass(bifdiag.RangeError, ArithmeticError)
+    for error in (bifdiag.InputError, bifdiag.RangeError, bifdiag.VerifyError):
+        assert issubclass(error, bifdiag.BifdiagError)

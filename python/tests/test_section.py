@@ -1,0 +1,133 @@
+"""Sections and motions as arrays."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import bifdiag
+
+
+def test_a_section_has_its_columns(section):
+    assert section.columns == ("orbit", "index", "time", "gamma", "l", "sheet", "s_dot", "theta", "psi")
+    assert len(section) == 6 * 41 and section.gamma.shape == section.l.shape == (246, 3)
+    assert section.gamma.flags.c_contiguous and section.orbit.dtype == np.int32
+    assert np.allclose((section.gamma**2).sum(axis=1), 1)
+    assert np.allclose((section.gamma * section.l).sum(axis=1), 3.25)
+    assert section.signature == "S2+T2" and set(section.sheet) == {-1, 1}
+    with pytest.raises(AttributeError, match="it has orbit, index"):
+        section.nothing  # noqa: B018
+
+
+def test_the_file_is_the_command_lines(section, command, tmp_path):
+    body = ["--A=2,11/10,1", "--r=0.94868,0,0.61623"]
+    point = ["--h=3.8", "--l=3.25", "--orbits=6", "--crossings=40"]
+    command("section", *body, *point, "--no-plot", "--data", tmp_path / "theirs.npz")
+    section.save(tmp_path / "ours.npz")
+    assert (tmp_path / "ours.npz").read_bytes() == (tmp_path / "theirs.npz").read_bytes()
+    loaded = bifdiag.Section.load(tmp_path / "theirs.npz")
+    assert loaded == section == pickle.loads(pickle.dumps(section))
+    loaded.save(tmp_path / "again.npz")
+    assert (tmp_path / "again.npz").read_bytes() == (tmp_path / "theirs.npz").read_bytes()
+    assert loaded != paper_section(seed=1)
+
+
+def paper_section(**options):
+    return bifdiag.Body.preset("paper").section(3.8, 3.25, **({"orbits": 6, "crossings": 40} | options))
+
+
+def test_threads_change_nothing():
+    assert paper_section(threads=3, orbits=20) == paper_section(orbits=20)
+
+
+def test_starts_are_followed(section):
+    first = section.index == 0
+    starts = np.stack([section.theta[first], section.psi[first], section.sheet[first]], axis=1)
+    again = paper_section(starts=starts)
+    assert np.allclose(again.gamma[again.index == 0], section.gamma[first], atol=1e-12)
+    with pytest.raises(bifdiag.InputError, match="sheet"):
+        paper_section(starts=[[1, 1, 0]])
+    with pytest.raises(bifdiag.InputError, match="shape"):
+        paper_section(starts=[1, 1, 1])
+
+
+def test_chaos_gives_exponents():
+    found = paper_section(orbits=2, crossings=300, chaos=True)
+    assert found.lyapunov.shape == found.time.shape
+    for orbit in found.meta["orbits"]:
+        exponents = set(found.lyapunov[found.orbit == orbit["orbit"]])
+        assert exponents == {orbit["chaos"]["lyapunov"]["exponent"]}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"h": -5, "l": 3}, "forbidden"),
+        ({"h": float("nan"), "l": 3}, "h = nan"),
+        ({"h": 3.8, "l": 3.25, "orbits": 0}, "orbits = 0"),
+        ({"h": 3.8, "l": 3.25, "crossings": 2.5}, "crossings = 2.5"),
+        ({"h": 3.8, "l": 3.25, "condition": "x"}, "angular-momentum"),
+        ({"h": 3.8, "l": 3.25, "tolerance": -1}, "1e-18 to 1e-2"),
+        ({"h": 3.8, "l": 3.25, "threads": -1}, "threads"),
+    ],
+)
+def test_wrong_sections_are_told(paper, arguments, message):
+    with pytest.raises(bifdiag.InputError, match=message):
+        paper.section(**arguments)
+
+
+def test_files_that_are_none_are_told(tmp_path):
+    (tmp_path / "x.npz").write_text("x")
+    with pytest.raises(bifdiag.InputError, match="archive"):
+        bifdiag.Section.load(tmp_path / "x.npz")
+    np.savez(tmp_path / "y.npz", orbit=[1], meta="{}")
+    with pytest.raises(bifdiag.InputError, match="no array 'index'"):
+        bifdiag.Section.load(tmp_path / "y.npz")
+
+
+def test_tables_are_handed_on(section):
+    pd, xr, pa = (pytest.importorskip(name) for name in ("pandas", "xarray", "pyarrow"))
+    frame = section.to_pandas()
+    assert isinstance(frame, pd.DataFrame) and frame["gamma_2"].to_numpy().tolist() == section.gamma[:, 1].tolist()
+    data = section.to_xarray()
+    assert isinstance(data, xr.Dataset) and json.loads(data.attrs["meta"]) == section.meta
+    table = pa.table(section)
+    assert table.num_rows == len(section) and table["psi"].to_pylist() == section.psi.tolist()
+
+
+def test_a_motion_turns_the_vertical_up(paper):
+    times = np.linspace(-2, 5, 71)
+    motion = paper.orbit(gamma=[3, 0, 4], omega=[1, 0.3, 1], t=times)
+    assert motion.time.tolist() == times.tolist()
+    start = np.searchsorted(times, 0)
+    assert np.allclose(motion.gamma[start], [0.6, 0, 0.8]) and np.allclose(motion.l[start], [2, 0.33, 1])
+    axes = motion.axes()
+    assert np.allclose(np.einsum("nij,nj->ni", axes, motion.gamma), [0, 0, 1], atol=1e-12)
+    assert np.allclose(np.linalg.det(axes), 1)
+    assert np.array_equal(motion.attitude(scalar_first=False)[:, 3], motion.quaternion[:, 0])
+    assert pickle.loads(pickle.dumps(motion)) == motion
+
+
+def test_motions_agree_with_the_command_line(paper, command):
+    text = command("orbit", "--A=2,11/10,1", "--r=0.94868,0,0.61623", "--gamma=0.6,0,0.8", "--l-vector=1,0.3,1",
+                   "--times=0:3:7", "--json")  # fmt: skip
+    samples = json.loads(text)["samples"]
+    motion = paper.orbit(gamma=[0.6, 0, 0.8], l=[1, 0.3, 1], t=[sample["time"] for sample in samples])
+    assert motion.gamma.tolist() == [sample["gamma"] for sample in samples]
+    assert motion.quaternion.tolist() == [sample["attitude"] for sample in samples]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"gamma": [0, 0, 0], "l": [1, 0, 0], "t": 1}, "no direction"),
+        ({"gamma": [0, 0, 1], "t": 1}, "either l"),
+        ({"gamma": [0, 0, 1], "l": [1, 0], "t": 1}, "shape"),
+        ({"gamma": [0, 0, 1], "l": [1, 0, 0], "t": [2, 1]}, "rise"),
+        ({"gamma": [0, 0, 1], "l": [1, 0, np.inf], "t": 1}, "finite"),
+    ],
+)
+def test_wrong_motions_are_told(paper, arguments, message):
+    with pytest.raises(bifdiag.InputError, match=message):
+        paper.orbit(**arguments)
