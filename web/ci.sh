@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
-# Builds the module and its glue, and compares its answers with the command line's under Node.
+# Builds the explorer and tests it: units, the module against the command line, the page in Debian's Chromium.
 set -euo pipefail
 cd "$(dirname "$0")"
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/../target}"
 
+rustup target add wasm32-unknown-unknown
+if ! command -v "${CHROMIUM:-chromium}" >/dev/null; then
+    apt-get update -qq
+    apt-get install -y -qq chromium >/dev/null
+fi
+npm ci
 (cd .. && cargo build --release)
-cargo build --profile wasm -p bifdiag-web --target wasm32-unknown-unknown
-cargo run --quiet -p bifdiag-web-glue -- \
-    "$CARGO_TARGET_DIR/wasm32-unknown-unknown/wasm/bifdiag_web.wasm" nodejs "$CARGO_TARGET_DIR/web"
-node --test test/*.test.mjs
+npm run build
+npm test

@@ -1,0 +1,40 @@
+//! The command line's documents.
+
+use bifdiag::proof::Prepared;
+use bifdiag::{Accuracy, Atlas, atlas_of, documents};
+
+use crate::body::{Refused, body, number};
+
+fn text(document: &impl serde::Serialize) -> Result<String, Refused> {
+    documents::layout::text(document).map_err(|error| Refused::Json(error.to_string()))
+}
+
+/// `bifdiag --json`.
+pub fn atlas(of: &str) -> Result<String, Refused> {
+    let atlas = atlas_of(&body(of)?, Accuracy::Exact)?;
+    text(&documents::atlas::document(&atlas, &documents::DocumentOptions::default()))
+}
+
+/// `bifdiag --accuracy fast --no-polygons --json` of an atlas that is there.
+pub fn sketch(atlas: &Atlas) -> Result<String, Refused> {
+    let accuracy = Accuracy::Fast.into();
+    let options = documents::DocumentOptions { accuracy, polygons: false, ..documents::DocumentOptions::default() };
+    text(&documents::atlas::document(atlas, &options))
+}
+
+/// `bifdiag classify --json`.
+pub fn classify(of: &str, h: &str, l: &str) -> Result<String, Refused> {
+    let (body, h, l) = (body(of)?, number("h", h)?, number("l", l)?);
+    let subject = documents::Subject::from(body.clone());
+    let prepared = Prepared::new(body, Accuracy::Exact);
+    let found = prepared.classify(&h, &l)?;
+    let located = documents::Located::of(Some(&prepared));
+    text(&documents::classification(&subject, &h, &l, &found, Accuracy::Exact.into(), located))
+}
+
+/// `bifdiag critical --json`.
+pub fn critical(of: &str, l: &str) -> Result<String, Refused> {
+    let (body, l) = (body(of)?, number("l", l)?);
+    let found = bifdiag::critical(&body, &l)?;
+    text(&documents::critical(&body.into(), &l, &found))
+}

@@ -1,0 +1,34 @@
+/** `window.bifdiag`: what tests and tools ask of the page. */
+import { AT, ROW } from "./state/orbits";
+import type { Session } from "./state/session";
+
+export interface Crossings {
+  orbit: number[];
+  index: number[];
+  theta: number[];
+  psi: number[];
+  sheet: number[];
+}
+
+declare global {
+  interface Window {
+    bifdiag: { atlas: () => string; frames: () => number[]; crossings: () => Crossings; rate: () => number };
+  }
+}
+
+export function api(session: Session): void {
+  window.bifdiag = {
+    atlas: () => session.text,
+    frames: () => [...session.frames],
+    crossings: () => {
+      const found: Crossings = { orbit: [], index: [], theta: [], psi: [], sheet: [] };
+      for (const rows of session.orbits.rows) {
+        for (let at = 0; at < rows.length; at += ROW) {
+          for (const name of ["orbit", "index", "theta", "psi", "sheet"] as const) found[name].push(rows[at + AT[name]]!);
+        }
+      }
+      return found;
+    },
+    rate: () => session.orbits.count / session.orbits.seconds,
+  };
+}

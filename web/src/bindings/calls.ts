@@ -1,0 +1,56 @@
+/** What a worker can be asked, and what it answers. */
+import type { Window } from "../state/state";
+import type { Portrait } from "./documents";
+
+export interface Drawing {
+  /** The fast document, as text. */
+  text: string;
+  window: Window;
+  /** The rows of the picture from the lowest l: see `Diagram.columns`. */
+  rows: Float64Array;
+  rowCount: number;
+  /** Names of curves, and their points as `Diagram.curves` has them. */
+  names: string[];
+  curves: Float64Array;
+}
+
+export interface Place {
+  region: number;
+  distance: number;
+  nearest: string;
+}
+
+export interface Opened {
+  axes: Float64Array;
+  starts: Float64Array;
+  portrait: Portrait;
+}
+
+/** The name of a call to its arguments and its answer. */
+export interface Calls {
+  presets: [[], string[]];
+  draw: [[body: string, view: Window | null, from: Window | null, height: number, width: number], Drawing];
+  locate: [[body: string, h: number, l: number], Place];
+  atlas: [[body: string], string];
+  classify: [[body: string, h: string, l: string], string];
+  critical: [[body: string, l: string], string];
+  open: [[body: string, h: string, l: string, orbits: number, seed: number], Opened];
+  follow: [[starts: Float64Array, first: number, crossings: number], Float64Array];
+  measure: [[starts: Float64Array, crossings: number], string];
+  parts: [[gammas: Float64Array], Int32Array];
+  motion: [[theta: number, psi: number, sheet: number, times: Float64Array], Float64Array];
+  border: [[from: Float64Array, to: Float64Array], { t: number; error: number; text: string }];
+  classes: [[bodies: Float64Array], { found: Int32Array; names: string[] }];
+}
+
+export type Name = keyof Calls;
+export type Arguments<N extends Name> = Calls[N][0];
+export type Answer<N extends Name> = Calls[N][1];
+
+export interface Question {
+  id: number;
+  name: Name;
+  values: unknown[];
+}
+
+export type Reply = { id: number; value: unknown } | { id: number; error: string; trapped: boolean };

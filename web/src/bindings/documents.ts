@@ -1,0 +1,106 @@
+/** The parts of the command line's documents that the page reads. */
+
+import type { Window } from "../state/state";
+
+export type Triple = [string, string, string];
+
+export interface Component {
+  boundary_circles: number;
+  poles: ("+" | "-")[] | null;
+  accessible_region: string;
+  energy_surface: string;
+  section: string | null;
+  genus: number | null;
+}
+
+export interface StabilitySpan {
+  l_from: number;
+  l_to: number;
+  stability: string;
+}
+
+export interface Curve {
+  id: string;
+  kind: string;
+  branch: string;
+  index: number | null;
+  multiplicity: number;
+  coincides_with: string[];
+  l_range: [number | null, number | null];
+  stability: StabilitySpan[];
+  polyline: [number, number][];
+}
+
+export interface AtlasEvent {
+  kind: string;
+  l: number;
+  h: number;
+  curves: string[];
+}
+
+export interface Region {
+  id: string;
+  sample: { h: number; l: number };
+  components: Component[];
+  signature: string | null;
+  bounded: boolean;
+  l_range: [number | null, number | null];
+  h_width: number | null;
+}
+
+export interface Flags {
+  unphysical: boolean;
+  symmetric: boolean;
+  axis: boolean;
+  euler: boolean;
+}
+
+export interface Atlas {
+  accuracy: string;
+  command?: string;
+  body: { A: Triple; r: Triple } & Flags;
+  /** Where the diagram is seen. */
+  view: { everything: Window; main: Window };
+  curves: Curve[];
+  events: AtlasEvent[];
+  regions: Region[];
+  summary: { regions: number; complete: boolean };
+}
+
+export interface Classification {
+  h: string;
+  l: string;
+  status: "regular" | "forbidden" | "critical" | "undecided";
+  region: string | null;
+  margin: { h: number; nearest: string; error_bound: number };
+  components: Component[] | null;
+  note?: string;
+}
+
+export interface Equilibrium {
+  h: number;
+  gamma: [number, number, number];
+  omega: number;
+  index: number;
+  multiplicity: number | string;
+  stability: string;
+  stable?: string | false | null;
+  eigenvalues?: [number, number][];
+  branch: string | null;
+}
+
+export interface Critical {
+  l: string | number;
+  critical: Equilibrium[];
+}
+
+export type Loop = [number, number][];
+
+/** What the two halves of the section look like before any orbit; each pair is [T⁻, T⁺]. */
+export interface Portrait {
+  accessible: Loop[];
+  incoming: [Loop[], Loop[]];
+  boundary: Loop[];
+  tangency: [Loop[], Loop[]];
+  sphere: [number, number, number][][];
+}

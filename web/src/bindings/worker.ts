@@ -1,0 +1,94 @@
+/** One worker: the module and what is kept of the last question. It answers in the order in which it is asked. */
+import type { Answer, Arguments, Drawing, Name, Question, Reply } from "./calls";
+import type { Window } from "../state/state";
+import type { Atlas, Portrait } from "./documents";
+import { towards } from "./view";
+import init, * as guest from "./generated/bifdiag_web.js";
+
+const PORTRAIT_ROWS = 90;
+
+let diagram: { body: string; of: guest.Diagram } | undefined;
+let section: guest.Section | undefined;
+let classes: guest.Classes | undefined;
+
+function diagramOf(body: string): guest.Diagram {
+  if (diagram?.body !== body) {
+    const of = new guest.Diagram(body);
+    diagram?.of.free();
+    diagram = { body, of };
+  }
+  return diagram.of;
+}
+
+function opened(): guest.Section {
+  if (!section) throw new Error("no section is open");
+  return section;
+}
+
+/** `view`: what is to be seen, if that was chosen; `from`: what was seen before, if the picture is to glide. */
+function draw(body: string, view: Window | null, from: Window | null, height: number, width: number): Drawing {
+  const of = diagramOf(body);
+  const text = of.document();
+  const document = JSON.parse(text) as Atlas;
+  const suited = view ?? document.view.main;
+  const window = from && !view ? towards(from, suited) : suited;
+  const { h, l } = window;
+  const names = document.curves.map((curve) => curve.id);
+  const curves = of.curves(names, Math.max(0, l[0]), l[1], (h[1] - h[0]) / width / 3);
+  return { text, window, rows: of.columns(l[0], l[1], height), rowCount: height, names, curves };
+}
+
+const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> } = {
+  presets: () => guest.presets(),
+  draw,
+  locate(body, h, l) {
+    const of = diagramOf(body);
+    const [region, distance] = of.locate(h, l) as unknown as [number, number];
+    return { region, distance, nearest: of.nearest(h, l) };
+  },
+  atlas: (body) => guest.atlas(body),
+  classify: (body, h, l) => guest.classify(body, h, l),
+  critical: (body, l) => guest.critical(body, l),
+  open(body, h, l, orbits, seed) {
+    section?.free();
+    section = undefined;
+    section = new guest.Section(body, h, l);
+    const portrait = JSON.parse(section.portrait(PORTRAIT_ROWS)) as Portrait;
+    return { axes: section.axes(), starts: section.starts(orbits, seed), portrait };
+  },
+  follow: (starts, first, crossings) => opened().follow(starts, first, crossings),
+  measure: (starts, crossings) => opened().measure(starts, crossings),
+  parts: (gammas) => opened().components(gammas),
+  motion: (theta, psi, sheet, times) => opened().motion(theta, psi, sheet, times),
+  border(from, to) {
+    const [t, error, text] = guest.border(from, to) as [string, string, string];
+    return { t: Number(t), error: Number(error), text };
+  },
+  classes(bodies) {
+    classes ??= new guest.Classes();
+    const found = classes.of(bodies);
+    const names: string[] = [];
+    for (let name = classes.name(0); name !== undefined; name = classes.name(names.length)) names.push(name);
+    return { found, names };
+  },
+};
+
+let begun: Promise<unknown> | undefined;
+
+self.onmessage = async ({ data }: MessageEvent<Question | { module: WebAssembly.Module }>) => {
+  if ("module" in data) {
+    begun = init({ module_or_path: data.module });
+    return;
+  }
+  let reply: Reply;
+  try {
+    await begun;
+    const answer = answers[data.name] as (...values: unknown[]) => unknown;
+    reply = { id: data.id, value: answer(...data.values) };
+  } catch (error) {
+    // After a trap the module's memory cannot be trusted.
+    const trapped = error instanceof WebAssembly.RuntimeError;
+    reply = { id: data.id, error: error instanceof Error ? error.message : String(error), trapped };
+  }
+  self.postMessage(reply);
+};

@@ -1,0 +1,100 @@
+/** A canvas as sharp as the screen, and pictures of it as files. */
+
+export interface Size {
+  width: number;
+  height: number;
+}
+
+export type Pen = CanvasRenderingContext2D;
+
+/** A panel's canvas: it calls `paint` when it was asked to, once a frame, in CSS pixels. */
+export class Sheet {
+  readonly pen: Pen;
+  size: Size = { width: 0, height: 0 };
+  private asked = false;
+
+  constructor(
+    readonly element: HTMLCanvasElement,
+    private readonly paint: (pen: Pen, size: Size) => void,
+  ) {
+    this.pen = element.getContext("2d")!;
+    new ResizeObserver(() => this.resize()).observe(element);
+  }
+
+  /** Paints with the next frame. */
+  ask(): void {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => this.now());
+  }
+
+  /** Paints at once. */
+  now(): void {
+    this.asked = false;
+    if (this.size.width === 0) this.measure();
+    if (this.size.width === 0) return;
+    const scale = this.element.width / this.size.width;
+    this.pen.setTransform(scale, 0, 0, scale, 0, 0);
+    this.pen.clearRect(0, 0, this.size.width, this.size.height);
+    this.paint(this.pen, this.size);
+  }
+
+  /** Paints on another pen, such as one that writes SVG. */
+  onto(pen: Pen): void {
+    this.paint(pen, this.size);
+  }
+
+  /** The place of a pointer in CSS pixels of the canvas. */
+  place(event: { clientX: number; clientY: number }): [number, number] {
+    const box = this.element.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  private measure(): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    const scale = Math.min(2, window.devicePixelRatio || 1);
+    this.size = { width, height };
+    this.element.width = Math.round(width * scale);
+    this.element.height = Math.round(height * scale);
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (width === this.size.width && height === this.size.height) return;
+    this.measure();
+    this.now();
+  }
+}
+
+/** Follows a pointer from its press to its release; `move` gets places in CSS pixels of the element. */
+export function drag(element: HTMLElement, handlers: { start?: (event: PointerEvent) => boolean; move: (event: PointerEvent) => void; end?: () => void }): void {
+  let held: number | undefined;
+  element.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0 || (handlers.start && !handlers.start(event))) return;
+    held = event.pointerId;
+    element.setPointerCapture(event.pointerId);
+    handlers.move(event);
+  });
+  element.addEventListener("pointermove", (event) => held === event.pointerId && handlers.move(event));
+  const stop = (event: PointerEvent) => {
+    if (held !== event.pointerId) return;
+    held = undefined;
+    handlers.end?.();
+  };
+  element.addEventListener("pointerup", stop);
+  element.addEventListener("pointercancel", stop);
+}
+
+/** Round numbers for an axis: about `count` of them in [from, to], and the text of each with digits enough to tell them apart. */
+export function ticks(from: number, to: number, count: number): { value: number; text: string }[] {
+  const raw = (to - from) / count;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= raw) ?? 10);
+  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const list: { value: number; text: string }[] = [];
+  for (let k = Math.ceil(from / step); k * step <= to; k++) {
+    const value = k * step;
+    list.push({ value, text: digits > 20 ? value.toExponential(4) : value.toFixed(digits).replace("-", "−") });
+  }
+  return list;
+}

@@ -1,0 +1,26 @@
+/** Elements in one line. */
+
+type Child = Node | string | null | undefined | false;
+type Properties<K extends keyof HTMLElementTagNameMap> = Partial<Omit<HTMLElementTagNameMap[K], "dataset" | "style" | "attributes">> & {
+  data?: Record<string, string>;
+  attributes?: Record<string, string>;
+};
+
+export function make<K extends keyof HTMLElementTagNameMap>(name: K, properties: Properties<K> = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+  const element = document.createElement(name);
+  const { data, attributes, ...rest } = properties;
+  Object.assign(element, rest);
+  Object.assign(element.dataset, data);
+  for (const [key, value] of Object.entries(attributes ?? {})) element.setAttribute(key, value);
+  for (const child of children) if (child) element.append(child);
+  return element;
+}
+
+export const button = (label: string, title: string, onclick: () => void, data: Record<string, string> = {}): HTMLButtonElement =>
+  make("button", { type: "button", title, onclick, data }, label);
+
+/** A titled panel with a body. */
+export function panel(title: string, help: string, ...children: Child[]): HTMLElement {
+  const heading = make("h2", { title: help }, title);
+  return make("section", { className: "panel", attributes: { "aria-label": title } }, make("header", {}, heading), ...children);
+}

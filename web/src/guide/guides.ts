@@ -1,0 +1,94 @@
+/** Tour, lessons and glossary as cards over the page. */
+import { save } from "../export/files";
+import { button, make } from "../draw/dom";
+import type { Session } from "../state/session";
+import { FIRST, type State } from "../state/state";
+import { GLOSSARY } from "./glossary";
+import { LESSONS, worksheetOf, type Lesson, type Task } from "./lessons";
+import { TOUR } from "./tour";
+
+/** A state over the first one; what the reader chose to look at stays. */
+const over = ({ theme, embed }: State, change: Partial<State>): State => ({ ...FIRST, theme, embed, ...change });
+
+export function guides(session: Session): { card: HTMLElement; buttons: HTMLElement[] } {
+  const card = make("aside", { className: "card", hidden: true, attributes: { "aria-live": "polite" }, data: { testid: "guide" } });
+  const close = () => session.update({ tour: null, lesson: null }, "guide");
+  const go = (number: number) => session.set(over(session.state, { ...TOUR[number - 1]!.state, tour: number }));
+  const show = () => {
+    const { tour, lesson } = session.state;
+    const chosen = LESSONS.find(({ id }) => id === lesson);
+    card.hidden = tour === null && !chosen && lesson !== "list";
+    if (tour !== null) card.replaceChildren(...tourCard(tour, go, close));
+    else if (chosen) card.replaceChildren(...lessonCard(session, chosen, close));
+    else if (lesson === "list") card.replaceChildren(...lessonList(session, close));
+  };
+  session.on(["guide"], show);
+  addEventListener("keydown", (event) => event.key === "Escape" && !card.hidden && close());
+  const glossary = glossaryDialog();
+  document.body.append(glossary);
+  return {
+    card,
+    buttons: [
+      button("Tour", "Eight steps through the paper", () => go(1), { testid: "tour" }),
+      button("Lessons", "Three lessons for a class", () => session.update({ lesson: "list", tour: null }, "guide"), { testid: "lessons" }),
+      button("Words", "What the words mean", () => glossary.showModal(), { testid: "glossary" }),
+    ],
+  };
+}
+
+const head = (title: string, close: () => void) => make("header", {}, make("h2", {}, title), button("×", "Close (Escape)", close));
+
+function tourCard(number: number, go: (number: number) => void, close: () => void): HTMLElement[] {
+  const step = TOUR[number - 1]!;
+  const previous = button("Back", "The step before", () => go(number - 1));
+  previous.disabled = number === 1;
+  const last = number === TOUR.length;
+  const next = button(last ? "End" : "Next", last ? "End the tour" : "The next step", () => (last ? close() : go(number + 1)), { testid: "tour-next" });
+  return [head(`${number}. ${step.title}`, close), make("p", {}, step.text), make("p", { className: "attempt" }, step.attempt), make("div", { className: "row" }, previous, make("span", { className: "note" }, `${number} of ${TOUR.length}`), next)];
+}
+
+function lessonList(session: Session, close: () => void): HTMLElement[] {
+  const rows = LESSONS.map((lesson) => button(`${lesson.title} (${lesson.minutes} minutes)`, lesson.objectives.join(" "), () => session.update({ lesson: lesson.id }, "guide")));
+  return [head("Lessons: predict first, then see", close), make("div", { className: "stack" }, ...rows)];
+}
+
+function lessonCard(session: Session, lesson: Lesson, close: () => void): HTMLElement[] {
+  const place = make("div", {});
+  const turn = (number: number) => place.replaceChildren(taskCard(session, lesson, number, turn));
+  turn(0);
+  return [
+    head(lesson.title, close),
+    make("details", {}, make("summary", {}, "What you will be able to do"), make("ul", {}, ...lesson.objectives.map((objective) => make("li", {}, objective)))),
+    place,
+    make("div", { className: "row" }, button("Worksheet", "A page to print", () => save(`${lesson.id}.html`, worksheetOf(lesson), "text/html"), { testid: "worksheet" })),
+  ];
+}
+
+function taskCard(session: Session, lesson: Lesson, number: number, turn: (number: number) => void): HTMLElement {
+  const task = lesson.tasks[number]!;
+  const outcome = make("div", {});
+  const choices = task.choices.map((choice, i) =>
+    button(choice, "My prediction", () => {
+      for (const one of choices) one.disabled = true;
+      choices[i]!.setAttribute("aria-pressed", "true");
+      outcome.replaceChildren(...answer(task, i));
+      if (number + 1 < lesson.tasks.length) outcome.append(button("Next question", "", () => turn(number + 1)));
+      session.set(over(session.state, { ...task.state, lesson: null }));
+      // The lesson stays open as it is, with the answer in sight.
+      session.state = { ...session.state, lesson: lesson.id };
+    }),
+  );
+  return make("div", { className: "stack" }, make("p", {}, `${number + 1}. ${task.question}`), ...choices, outcome);
+}
+
+const answer = ({ choices, right, explanation }: Task, chosen: number): HTMLElement[] => [
+  make("p", { className: "attempt" }, chosen === right ? "As you predicted; see for yourself." : `Look: ${choices[right]!.toLowerCase()}.`),
+  make("p", {}, explanation),
+];
+
+function glossaryDialog(): HTMLDialogElement {
+  const dialog = make("dialog", { attributes: { "aria-label": "What the words mean" } });
+  const list = make("dl", {}, ...GLOSSARY.flatMap(([word, meaning]) => [make("dt", {}, word), make("dd", {}, meaning)]));
+  dialog.append(head("What the words mean", () => dialog.close()), list);
+  return dialog;
+}

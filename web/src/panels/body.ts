@@ -1,0 +1,91 @@
+/** The body: exact texts, presets, and two points to drag, A in the triangle of bodies and r on an octant of the sphere. */
+import type { Flags, Triple } from "../bindings/documents";
+import { make, panel } from "../draw/dom";
+import { rounded, valueOf } from "../state/numbers";
+import type { Session } from "../state/session";
+import { octant } from "./octant";
+import { triangle } from "./triangle";
+
+export interface Preset {
+  name: string;
+  note: string;
+  A: Triple;
+  r: Triple;
+}
+
+/** `presets()` of the module as a list. */
+export function presetsOf(texts: string[]): Preset[] {
+  const list: Preset[] = [];
+  for (let at = 0; at < texts.length; at += 8) {
+    const [name, note, ...numbers] = texts.slice(at, at + 8) as [string, string, ...string[]];
+    list.push({ name, note, A: numbers.slice(0, 3) as Triple, r: numbers.slice(3) as Triple });
+  }
+  return list;
+}
+
+function field(name: string, hint: string, change: (text: string) => void): HTMLInputElement {
+  const input = make("input", { type: "text", inputMode: "decimal", spellcheck: false, autocomplete: "off", title: hint, attributes: { "aria-label": name }, data: { testid: `input-${name}` } });
+  input.addEventListener("change", () => change(input.value.trim()));
+  // A step with the arrow keys, in the last digit that is written.
+  input.addEventListener("keydown", (event) => {
+    if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
+    event.preventDefault();
+    const digits = input.value.split("/")[0]!.split(".")[1]?.length ?? 0;
+    const step = 10 ** -Math.max(2, digits) * (event.shiftKey ? 10 : 1);
+    input.value = rounded(valueOf(input.value) + (event.key === "ArrowUp" ? step : -step), step);
+    change(input.value);
+  });
+  return input;
+}
+
+export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
+  const inputs = (name: "A" | "r", hint: string) =>
+    [0, 1, 2].map((axis) =>
+      field(`${name}${axis + 1}`, hint, (text) => {
+        const numbers = [...session.state[name]] as Triple;
+        numbers[axis] = text;
+        session.body(name === "A" ? numbers : session.state.A, name === "r" ? numbers : session.state.r);
+      }),
+    );
+  const moments = inputs("A", "A principal moment of inertia: a decimal or a quotient such as 11/10, read exactly");
+  const center = inputs("r", "The centre of mass along a principal axis, times the weight: a decimal or a quotient, read exactly");
+  const choice = make("select", { title: "Bodies with a name", attributes: { "aria-label": "preset" }, data: { testid: "presets" } });
+  choice.append(make("option", { value: "" }, "another body"));
+  for (const { name, note } of presets) choice.append(make("option", { value: name, title: note }, `${name}: ${note}`));
+  choice.addEventListener("change", () => {
+    const preset = presets.find(({ name }) => name === choice.value);
+    if (!preset) return;
+    session.state = { ...session.state, point: null };
+    session.body(preset.A, preset.r);
+  });
+  const notes = make("p", { className: "note" });
+  const show = () => {
+    const { A, r } = session.state;
+    moments.forEach((input, i) => (input.value = A[i]!));
+    center.forEach((input, i) => (input.value = r[i]!));
+    choice.value = presets.find((preset) => preset.A.join() === A.join() && preset.r.join() === r.join())?.name ?? "";
+  };
+  session.on(["body"], show);
+  session.on(["atlas"], () => (notes.textContent = session.atlas ? remarks(session.atlas.body) : ""));
+  return panel(
+    "The body",
+    "Principal moments of inertia A and centre of mass r, both about the fixed point",
+    make("div", { className: "body-controls" },
+      choice,
+      make("div", { className: "numbers" }, make("b", {}, "A"), ...moments),
+      make("div", { className: "numbers" }, make("b", {}, "r"), ...center),
+      make("div", { className: "pair" }, triangle(session), octant(session)),
+      notes,
+    ),
+  );
+}
+
+/** What is special about a body, in words; the document knows. */
+function remarks(flags: Flags): string {
+  const said: string[] = [];
+  if (flags.euler) said.push("No weight acts (r = 0): Euler's case. There are no poles and no section; regions are told apart by U and E alone.");
+  else if (flags.axis) said.push("The centre of mass lies on a principal axis.");
+  if (flags.symmetric) said.push("Two moments are equal: steady rotations can come in whole circles.");
+  if (flags.unphysical) said.push("No real body has these moments and this centre of mass. The diagram is computed all the same.");
+  return said.join(" ");
+}

@@ -1,0 +1,65 @@
+/** The point (h, l): exact texts, and what is known of it in words. */
+import { make, panel } from "../draw/dom";
+import { shown, surface } from "../state/numbers";
+import type { Known } from "../state/known";
+import type { Session } from "../state/session";
+
+const STATUS: Record<Known["status"], string> = {
+  open: "Click into the diagram to choose an energy h and a vertical angular momentum l.",
+  regular: "",
+  forbidden: "Below the lowest possible energy: the body cannot move like this.",
+  critical: "Exactly on a curve: here the shape changes.",
+  undecided: "Too near to a curve for quick arithmetic to tell.",
+};
+
+export function pointPanel(session: Session): HTMLElement {
+  const input = (name: "h" | "l", meaning: string) => {
+    const element = make("input", { type: "text", inputMode: "decimal", spellcheck: false, autocomplete: "off", title: meaning, attributes: { "aria-label": name }, data: { testid: `input-${name}` } });
+    element.addEventListener("change", () => change());
+    return element;
+  };
+  const h = input("h", "energy");
+  const l = input("l", "vertical angular momentum");
+  const change = () => {
+    const [energy, momentum] = [h.value.trim(), l.value.trim()];
+    if (energy && momentum) session.point({ h: energy, l: momentum });
+    else if (!energy && !momentum) session.point(null);
+  };
+  const status = make("span", { data: { testid: "point-status", status: "" } });
+  const region = make("b", { data: { testid: "point-region", region: "" } });
+  const signature = make("span", { data: { testid: "point-signature", signature: "" } });
+  const margin = make("span", { className: "note" });
+  const parts = make("div", { className: "components" });
+  const sentence = make("p", { className: "sentence", attributes: { "aria-live": "polite" }, data: { testid: "surgery" } });
+  const show = () => {
+    const { known, state } = session;
+    if (document.activeElement !== h) h.value = state.point?.h ?? "";
+    if (document.activeElement !== l) l.value = state.point?.l ?? "";
+    status.dataset.status = known.status === "open" ? "" : known.status;
+    status.textContent = known.status === "regular" ? `${known.exact ? "decided exactly" : "while moving"}` : STATUS[known.status];
+    region.dataset.region = known.region ?? "";
+    region.textContent = known.region ?? "";
+    signature.dataset.signature = known.signature;
+    signature.textContent = known.signature ? `P = ${known.signature.split("+").map(surface).join(" + ")}` : "";
+    margin.textContent = known.margin && state.point ? `${shown(known.margin.h)} in h from ${known.margin.nearest}` : "";
+    parts.replaceChildren(
+      ...(known.components ?? []).map((component, i) => {
+        const poles = component.poles?.map((pole) => `${pole}r̂`).join(", ");
+        const text = `U = ${surface(component.accessible_region)}${poles ? ` with ${poles}` : ""}, E = ${surface(component.energy_surface)}, P = ${component.section ? `${surface(component.section)}, genus ${component.genus}` : "none"}`;
+        const element = make("div", { tabIndex: 0 }, text);
+        element.addEventListener("pointerenter", () => session.pointAt({ component: i }));
+        element.addEventListener("pointerleave", () => session.pointAt({}));
+        return element;
+      }),
+    );
+    sentence.textContent = session.sentence;
+  };
+  session.on(["point", "body"], show);
+  return panel(
+    "The point",
+    "Energy h and vertical angular momentum l, both conserved",
+    make("div", { className: "point" }, make("label", {}, "h ", h), make("label", {}, "l ", l), region, signature, status, margin),
+    parts,
+    sentence,
+  );
+}

@@ -1,0 +1,172 @@
+/** The accessible region U on the Poisson sphere: all directions γ of the vertical, seen from the body, that the energy allows. */
+import { castBall, apply, lookingAt, turned, unit, type Turn, type Vec } from "../draw/ball";
+import { drag, Sheet, type Pen, type Size } from "../draw/canvas";
+import { make, panel } from "../draw/dom";
+import { ink, type Ink } from "../draw/theme";
+import { valueOf } from "../state/numbers";
+import type { Session } from "../state/session";
+import { Labels } from "./labels";
+
+/** U_l(γ) = l²/(2⟨γ,Aγ⟩) − ⟨γ,r⟩, Eq. (Ul) of the paper. */
+export const potential = (a: Vec, r: Vec, l: number) => (g: Vec): number =>
+  (0.5 * l * l) / (a[0] * g[0] * g[0] + a[1] * g[1] * g[1] + a[2] * g[2] * g[2]) - g[0] * r[0] - g[1] * r[1] - g[2] * r[2];
+
+const PARTS: Vec[] = [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [230, 159, 0]];
+/** Level lines between the lowest and the highest energy on the sphere. */
+const LEVELS = 14;
+
+export function spherePanel(session: Session): { element: HTMLElement; sheet: Sheet } {
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Accessible region on the sphere of directions: drag or use the arrow keys to turn" }, data: { testid: "sphere" } });
+  let turn: Turn = lookingAt([1, 0.7, 0.5], [0, 0, 1]);
+  const labels = new Labels(session);
+  const sheet = new Sheet(canvas, (pen, size) => paint(pen, size, session, turn, labels));
+  labels.ready = () => sheet.ask();
+  let last: [number, number] | null = null;
+  const rotate = (dx: number, dy: number) => {
+    const size = Math.hypot(dx, dy);
+    if (size > 0) turn = turned(turn, [dy / size, dx / size, 0], size);
+    sheet.ask();
+  };
+  drag(canvas, {
+    start: (event) => ((last = sheet.place(event)), true),
+    move: (event) => {
+      const now = sheet.place(event);
+      const radius = 0.45 * Math.min(sheet.size.width, sheet.size.height);
+      if (last) rotate((now[0] - last[0]) / radius, (now[1] - last[1]) / radius);
+      last = now;
+    },
+    end: () => (last = null),
+  });
+  canvas.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    rotate(step[0]!, step[1]!);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    if (event.buttons !== 0) return;
+    const part = labels.at(directionAt(sheet, turn, event));
+    if (part !== session.hover.component) session.pointAt(part === undefined || part < 0 ? {} : { component: part });
+  });
+  canvas.addEventListener("pointerleave", () => session.pointAt({}));
+  session.on(["body"], () => labels.forget());
+  session.on(["section"], () => labels.learn());
+  session.on(["point", "body", "hover", "theme", "section"], () => sheet.ask());
+  session.on(["motion"], () => sheet.ask());
+  const element = panel("Accessible directions U", "The sphere of all directions of the vertical, seen from the body; coloured where the energy allows it", make("div", { className: "stage" }, canvas));
+  return { element, sheet };
+}
+
+function directionAt(sheet: Sheet, turn: Turn, event: PointerEvent): Vec | null {
+  const [px, py] = sheet.place(event);
+  const radius = 0.45 * Math.min(sheet.size.width, sheet.size.height);
+  const [x, y] = [(px - sheet.size.width / 2) / radius, (sheet.size.height / 2 - py) / radius];
+  const rest = 1 - x * x - y * y;
+  if (rest < 0) return null;
+  const z = Math.sqrt(rest);
+  return [0, 1, 2].map((i) => x * turn[0][i]! + y * turn[1][i]! + z * turn[2][i]!) as Vec;
+}
+
+let scratch: HTMLCanvasElement | undefined;
+
+function paint(pen: Pen, size: Size, session: Session, turn: Turn, labels: Labels): void {
+  const colors = ink();
+  const { point, A, r } = session.state;
+  const side = Math.floor(Math.min(size.width, size.height));
+  const radius = 0.45 * side;
+  const u = potential(A.map(valueOf) as Vec, r.map(valueOf) as Vec, point ? valueOf(point.l) : 0);
+  const h = point ? valueOf(point.h) : NaN;
+  const image = new ImageData(side, side);
+  const extremes = [Infinity, -Infinity] as [number, number];
+  for (const { h: value } of session.critical) extremes.splice(0, 2, Math.min(extremes[0], value), Math.max(extremes[1], value));
+  const step = Number.isFinite(extremes[0]) && extremes[1] > extremes[0] ? (extremes[1] - extremes[0]) / LEVELS : Infinity;
+  const dark = colors.dark;
+  castBall(image, radius, turn, (g, light, out, at) => {
+    const value = u(g);
+    const inside = value <= h;
+    const part = inside ? (labels.at(g) ?? 0) : -1;
+    const base = inside ? PARTS[Math.max(0, part) % PARTS.length]! : dark ? [64, 72, 82] : [214, 219, 225];
+    const band = step < Infinity && Math.abs(value / step - Math.round(value / step)) < 0.06 ? 0.86 : 1;
+    const lit = session.hover.component === undefined || session.hover.component === part ? 1 : 0.6;
+    const shade = (inside ? 0.75 + 0.35 * light : 0.85 + 0.2 * light) * band * (inside ? lit : 1);
+    for (let i = 0; i < 3; i++) out[at + i] = Math.min(255, base[i]! * shade + (inside ? 38 * light : 0));
+    out[at + 3] = 255;
+  });
+  scratch ??= document.createElement("canvas");
+  scratch.width = scratch.height = side;
+  scratch.getContext("2d")!.putImageData(image, 0, 0);
+  const [left, top] = [(size.width - side) / 2, (size.height - side) / 2];
+  pen.drawImage(scratch, left, top, side, side);
+  pen.strokeStyle = colors.faint;
+  pen.lineWidth = 1;
+  pen.beginPath();
+  pen.arc(size.width / 2, size.height / 2, radius, 0, 2 * Math.PI);
+  pen.stroke();
+  const place = (v: Vec): { at: [number, number]; front: boolean } => {
+    const [x, y, z] = apply(turn, v);
+    return { at: [size.width / 2 + radius * x, size.height / 2 - radius * y], front: z >= 0 };
+  };
+  paintBoundary(pen, session, place, colors);
+  paintMarks(pen, session, place, colors);
+  if (!point) {
+    pen.fillStyle = colors.text;
+    pen.textAlign = "center";
+    pen.font = "13px system-ui";
+    pen.fillText("Choose a point (h, l) in the diagram.", size.width / 2, size.height - 8);
+  }
+}
+
+type Placed = (v: Vec) => { at: [number, number]; front: boolean };
+
+function paintBoundary(pen: Pen, session: Session, place: Placed, colors: Ink): void {
+  pen.strokeStyle = colors.dark ? "#f2f5f8" : "#10161d";
+  pen.lineWidth = 1.6;
+  for (const line of session.orbits.portrait?.sphere ?? []) {
+    pen.beginPath();
+    let drawing = false;
+    for (const vector of [...line, line[0]!]) {
+      const { at, front } = place(vector);
+      if (front && drawing) pen.lineTo(...at);
+      else if (front) pen.moveTo(...at);
+      drawing = front;
+    }
+    pen.stroke();
+  }
+}
+
+/** Poles ±r̂, and critical points with their Morse index. */
+function paintMarks(pen: Pen, session: Session, place: Placed, colors: Ink): void {
+  const mark = (vector: Vec, text: string, shape: "dot" | "cross") => {
+    const { at, front } = place(vector);
+    pen.globalAlpha = front ? 1 : 0.28;
+    pen.fillStyle = pen.strokeStyle = colors.dark ? "#ffffff" : "#10161d";
+    pen.lineWidth = 1.5;
+    pen.beginPath();
+    const [x, y] = at;
+    if (shape === "dot") pen.arc(x, y, 3, 0, 2 * Math.PI);
+    else {
+      pen.moveTo(x - 4, y - 4);
+      pen.lineTo(x + 4, y + 4);
+      pen.moveTo(x + 4, y - 4);
+      pen.lineTo(x - 4, y + 4);
+    }
+    if (shape === "dot") pen.fill();
+    else pen.stroke();
+    pen.font = "11px system-ui, sans-serif";
+    pen.textAlign = "left";
+    pen.fillText(text, x + 6, y - 4);
+    pen.globalAlpha = 1;
+  };
+  const r = session.state.r.map(valueOf) as Vec;
+  const poles = Math.hypot(...r) > 0 ? ([["+r̂", unit(r)], ["−r̂", unit(r.map((x) => -x) as Vec)]] as [string, Vec][]) : [];
+  for (const [name, pole] of poles) {
+    const rest = session.critical.find(({ gamma, multiplicity }) => typeof multiplicity === "number" && Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
+    mark(pole, rest ? `${name}, ${KINDS[rest.index]}` : name, "cross");
+  }
+  for (const { gamma, index, multiplicity } of session.critical) {
+    const atPole = poles.some(([, pole]) => Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
+    if (typeof multiplicity === "number") mark(gamma, atPole ? "" : KINDS[index]!, "dot");
+  }
+}
+
+const KINDS = ["min", "saddle", "max"];

@@ -1,0 +1,70 @@
+/** Take it away: the address, the documents, pictures, data, and the lines that give the same. */
+import { crossingsCsv, crossingsNpz, pictureOf, save, svgOf } from "../export/files";
+import { record } from "../export/video";
+import type { Sheet } from "../draw/canvas";
+import { button, make, panel } from "../draw/dom";
+import { valueOf } from "../state/numbers";
+import type { Session } from "../state/session";
+import type { Point } from "../state/state";
+
+export type Sheets = Record<string, Sheet>;
+
+export function commandLines({ A, r }: { A: string[]; r: string[] }, point: Point | null): string {
+  const body = `--A=${A.join(",")} --r=${r.join(",")}`;
+  const lines = [`bifdiag ${body}`];
+  if (point) lines.push(`bifdiag classify ${body} --h=${point.h} --l=${point.l}`, `bifdiag section ${body} --h=${point.h} --l=${point.l}`);
+  return lines.join("\n");
+}
+
+export function pythonLines({ A, r }: { A: string[]; r: string[] }, point: Point | null): string {
+  const list = (numbers: string[]) => `[${numbers.map((number) => `"${number}"`).join(", ")}]`;
+  const lines = ["import bifdiag", `body = bifdiag.Body(A=${list(A)}, r=${list(r)})`, "atlas = body.atlas()"];
+  if (point) lines.push(`body.classify("${point.h}", "${point.l}")`, `body.section("${point.h}", "${point.l}")`);
+  return lines.join("\n");
+}
+
+export function takePanel(session: Session, sheets: Sheets): HTMLElement {
+  const link = make("a", { href: "#", data: { testid: "permalink" } }, "Address of all this");
+  link.addEventListener("click", (event) => {
+    event.preventDefault();
+    void navigator.clipboard?.writeText(location.href).then(() => (link.textContent = "Copied to the clipboard"));
+  });
+  const shell = make("code", { data: { testid: "command-line" } });
+  const python = make("code", { data: { testid: "python-lines" } });
+  const refresh = () => {
+    link.href = location.href;
+    link.textContent = "Address of all this";
+    const { state } = session;
+    shell.textContent = commandLines(state, state.point);
+    python.textContent = pythonLines(state, state.point);
+  };
+  session.on(["body", "point", "atlas", "drawing", "theme"], refresh);
+  const json = button("Atlas as JSON", "The document that bifdiag --json prints, byte for byte", () => save(`${nameOf(session)}.json`, session.text, "application/json"), { testid: "export-json" });
+  const choice = make("select", { attributes: { "aria-label": "panel" } }, ...Object.keys(sheets).map((name) => make("option", { value: name }, name)));
+  const svg = button("SVG", "The chosen panel as SVG", async () => save(`${choice.value}.svg`, await svgOf(sheets[choice.value]!), "image/svg+xml"), { testid: "export-svg" });
+  const png = button("PNG", "The chosen panel as PNG", async () => save(`${choice.value}.png`, await pictureOf(sheets[choice.value]!)), { testid: "export-png" });
+  let finish: (() => void) | null = null;
+  const video = button("Record", "A video of the chosen panel; press again to end it", () => {
+    try {
+      if (finish) finish();
+      finish = finish ? null : record(sheets[choice.value]!, choice.value);
+    } catch (error) {
+      session.fail(error instanceof Error ? error.message : String(error));
+    }
+    video.textContent = finish ? "End and save" : "Record";
+    choice.disabled = finish !== null;
+  }, { testid: "export-video" });
+  const csv = button("Crossings as CSV", "One line for each crossing", () => save("section.csv", crossingsCsv(session.orbits.rows), "text/csv"), { testid: "export-csv" });
+  const npz = button("Crossings as NPZ", "Arrays for numpy.load", async () => save("section.npz", await crossingsNpz(session)), { testid: "export-npz" });
+  return panel(
+    "Take it away",
+    "Addresses, documents, pictures and data",
+    make("div", { className: "take" },
+      make("div", {}, make("div", { className: "row" }, link, json), make("h3", {}, "Picture of"), make("div", { className: "row" }, choice, svg, png, video), make("h3", {}, "Section"), make("div", { className: "row" }, csv, npz)),
+      make("div", {}, make("h3", {}, "The same on the command line"), shell),
+      make("div", {}, make("h3", {}, "The same in Python"), python),
+    ),
+  );
+}
+
+const nameOf = ({ state }: Session): string => `atlas-${[...state.A, ...state.r].map((text) => valueOf(text)).join("_")}`;

@@ -1,0 +1,87 @@
+/** The state as the part of an address behind `#`, and back. */
+import { FIRST, type Coloring, type Panel, type State, type Theme, type Window } from "./state";
+import type { Triple } from "../bindings/documents";
+
+const PANELS: readonly Panel[] = ["diagram", "section", "motion"];
+const THEMES: readonly Theme[] = ["dark", "light"];
+const COLORINGS: readonly Coloring[] = ["orbit", "lyapunov", "rotation"];
+
+export function format(state: State): string {
+  const parts = [`A=${state.A.join(",")}`, `r=${state.r.join(",")}`];
+  if (state.point) parts.push(`h=${state.point.h}`, `l=${state.point.l}`);
+  if (state.view) parts.push(`view=${[...state.view.h, ...state.view.l].join(",")}`);
+  for (const name of ["orbits", "crossings", "seed", "coloring"] as const) {
+    if (state[name] !== FIRST[name]) parts.push(`${name}=${state[name]}`);
+  }
+  for (const name of ["theme", "embed", "tour", "lesson"] as const) {
+    if (state[name] !== null) parts.push(`${name}=${state[name]}`);
+  }
+  return parts.join("&");
+}
+
+/** Reads a hash; `named` finds preset bodies for `body=NAME`. Throws an error that names what is wrong. */
+export function parse(hash: string, named: (name: string) => Pick<State, "A" | "r"> | undefined): State {
+  const state: State = { ...FIRST };
+  let h: string | undefined;
+  let l: string | undefined;
+  const text = hash.replace(/^#/, "");
+  for (const part of text === "" ? [] : text.split("&")) {
+    const [name, value] = split(part);
+    if (name === "h") h = value;
+    else if (name === "l") l = value;
+    else if (name === "body") Object.assign(state, found(value, named(value)));
+    else read(state, name, value);
+  }
+  if ((h === undefined) !== (l === undefined)) throw new Error(`${h === undefined ? "h" : "l"} is missing: a point needs both, such as h=3.8&l=3.25`);
+  if (h !== undefined && l !== undefined) state.point = { h, l };
+  return state;
+}
+
+function split(part: string): [string, string] {
+  const at = part.indexOf("=");
+  if (at < 0) throw new Error(`“${part}” has no value; write name=value, such as h=3.8`);
+  return [decodeURIComponent(part.slice(0, at)), decodeURIComponent(part.slice(at + 1)).trim()];
+}
+
+function found(name: string, body: Pick<State, "A" | "r"> | undefined): Pick<State, "A" | "r"> {
+  if (!body) throw new Error(`body = ${name}: there is no preset of this name`);
+  return body;
+}
+
+function read(state: State, name: string, value: string): void {
+  if (name === "A" || name === "r") state[name] = triple(name, value);
+  else if (name === "view") state.view = window(value);
+  else if (name === "orbits") state.orbits = count(name, value, 1, 500);
+  else if (name === "crossings") state.crossings = count(name, value, 1, 20_000);
+  else if (name === "seed") state.seed = count(name, value, 0, 2 ** 32 - 1);
+  else if (name === "coloring") state.coloring = word(name, value, COLORINGS);
+  else if (name === "theme") state.theme = word(name, value, THEMES);
+  else if (name === "embed") state.embed = word(name, value, PANELS);
+  else if (name === "tour") state.tour = count(name, value, 1, 8);
+  else if (name === "lesson") state.lesson = value;
+  // Keys of later versions are passed over.
+}
+
+function triple(name: string, value: string): Triple {
+  const parts = value.split(",").map((part) => part.trim());
+  if (parts.length !== 3) throw new Error(`${name} = ${value}: three numbers with commas between them are needed, such as ${name}=2,1.1,1`);
+  return parts as Triple;
+}
+
+function window(value: string): Window {
+  const [h0, h1, l0, l1, ...rest] = value.split(",").map(Number) as [number, number, number, number];
+  if (rest.length > 0 || !(h0 < h1 && l0 < l1)) throw new Error(`view = ${value}: hmin,hmax,lmin,lmax are needed, each minimum below its maximum`);
+  return { h: [h0, h1], l: [l0, l1] };
+}
+
+function count(name: string, value: string, least: number, most: number): number {
+  const number = Number(value);
+  if (!Number.isInteger(number) || number < least || number > most) throw new Error(`${name} = ${value}: a whole number from ${least} to ${most} is needed`);
+  return number;
+}
+
+function word<W extends string>(name: string, value: string, words: readonly W[]): W {
+  const known = words.find((known) => known === value);
+  if (known === undefined) throw new Error(`${name} = ${value}: one of ${words.join(", ")} is needed`);
+  return known;
+}

@@ -1,0 +1,166 @@
+/** The section at the present point: its orbits, as they are computed, and the motion behind one of them. */
+import { Channel, Superseded } from "../bindings/client";
+import type { Portrait } from "../bindings/documents";
+import type { Vec } from "../draw/ball";
+import type { Emitter } from "./emitter";
+import type { Point, State } from "./state";
+
+/** Numbers of a crossing, as `Section.follow` gives them. */
+export const ROW = 13;
+export const AT = { orbit: 0, index: 1, time: 2, gamma: 3, l: 6, sheet: 9, rate: 10, theta: 11, psi: 12 } as const;
+/** Numbers of a moment of a motion: time, γ, l, ω, ϑ, ψ, φ, q. */
+export const MOMENT = 17;
+/** Orbits that are followed at a time: what is finished is drawn. */
+const CHUNK = 4;
+/** A motion is shown over so many crossings, with so many moments between two. */
+const CROSSINGS_SHOWN = 60;
+const MOMENTS = 40;
+
+export interface Measures {
+  lyapunov: number | null;
+  rotation: number | null;
+}
+
+export class Orbits {
+  /** Why there is no section; empty while there is one. */
+  reason = "";
+  axes: [Vec, Vec, Vec] | null = null;
+  portrait: Portrait | null = null;
+  starts: [number, number, number][] = [];
+  /** The crossings of each orbit, a row after the other. */
+  rows: Float64Array[] = [];
+  measures: (Measures | null)[] = [];
+  selected = 0;
+  motion: Float64Array | null = null;
+  /** Seconds that the crossings took to compute. */
+  seconds = 0;
+  running = false;
+  /** Counts what is opened, so that answers to an older question are known. */
+  private opening = 0;
+  private readonly channel = new Channel(120);
+
+  constructor(private readonly session: Emitter) {}
+
+  get count(): number {
+    return this.rows.reduce((sum, rows) => sum + rows.length / ROW, 0);
+  }
+
+  close(reason = ""): void {
+    this.opening++;
+    Object.assign(this, { reason, axes: null, portrait: null, starts: [], rows: [], measures: [], motion: null, running: false, seconds: 0 });
+    this.channel.reset();
+    this.session.emit("section");
+    this.session.emit("orbits");
+    this.session.emit("motion");
+  }
+
+  async open(body: string, { h, l }: Point, { orbits, seed, crossings, coloring }: State): Promise<void> {
+    this.close();
+    const opening = ++this.opening;
+    const current = () => opening === this.opening;
+    try {
+      const opened = await this.channel.ask("open", body, h, l, orbits, seed);
+      if (!current()) return;
+      const [x, y, z] = [0, 3, 6].map((at) => [...opened.axes.subarray(at, at + 3)] as Vec);
+      this.axes = [x!, y!, z!];
+      this.portrait = opened.portrait;
+      for (let at = 0; at < opened.starts.length; at += 3) this.starts.push([...opened.starts.subarray(at, at + 3)] as [number, number, number]);
+      this.selected = 0;
+      this.session.emit("section");
+      this.running = true;
+      for (let first = 0; first < orbits && current(); first += CHUNK) await this.follow(first, CHUNK, crossings, current);
+      if (!current()) return;
+      this.running = false;
+      await this.play(current);
+      if (coloring !== "orbit") await this.measure(crossings);
+    } catch (error) {
+      if (error instanceof Superseded || !current()) return;
+      this.running = false;
+      this.reason = error instanceof Error ? error.message : String(error);
+      this.session.emit("section");
+    }
+    this.session.emit("orbits");
+  }
+
+  /** Starts another orbit at a point of the section. */
+  async start(theta: number, psi: number, sheet: number, crossings: number): Promise<void> {
+    const opening = this.opening;
+    const current = () => opening === this.opening;
+    const orbit = this.starts.length;
+    this.starts.push([theta, psi, sheet]);
+    try {
+      await this.follow(orbit, 1, crossings, current);
+      if (!current()) return;
+      this.select(orbit);
+    } catch (error) {
+      if (error instanceof Superseded) return;
+      this.starts.splice(orbit, 1);
+      throw error;
+    }
+  }
+
+  select(orbit: number): void {
+    if (orbit === this.selected && this.motion) return;
+    this.selected = orbit;
+    this.session.emit("selection");
+    const opening = this.opening;
+    void this.play(() => opening === this.opening && this.selected === orbit).catch(() => undefined);
+  }
+
+  stop(): void {
+    this.opening++;
+    this.running = false;
+    this.channel.reset();
+    this.session.emit("orbits");
+  }
+
+  /** Lyapunov exponents and rotation numbers of all orbits. */
+  async measure(crossings: number): Promise<void> {
+    const opening = this.opening;
+    for (let first = 0; first < this.starts.length && opening === this.opening; first += CHUNK) {
+      const text = await this.channel.ask("measure", this.flat(first, CHUNK), crossings);
+      if (opening !== this.opening) return;
+      const found = JSON.parse(text) as { chaos?: { lyapunov: { exponent: number } | null; rotation: { number: number } | null } }[];
+      found.forEach(({ chaos }, i) => {
+        this.measures[first + i] = { lyapunov: chaos?.lyapunov?.exponent ?? null, rotation: chaos?.rotation?.number ?? null };
+      });
+      this.session.emit("orbits");
+    }
+  }
+
+  /** In which component of U vectors γ lie. */
+  parts = (gammas: Float64Array): Promise<Int32Array> => this.channel.ask("parts", gammas);
+
+  private flat = (first: number, count: number) => Float64Array.from(this.starts.slice(first, first + count).flat());
+
+  private async follow(first: number, count: number, crossings: number, current: () => boolean): Promise<void> {
+    const starts = this.flat(first, count);
+    const begun = performance.now();
+    const found = await this.channel.ask("follow", starts, first, crossings);
+    if (!current()) return;
+    this.seconds += (performance.now() - begun) / 1000;
+    let from = 0;
+    for (let at = 0; at <= found.length; at += ROW) {
+      if (at < found.length && found[at] === found[from]) continue;
+      if (at > from) this.rows[found[from]!] = found.subarray(from, at);
+      from = at;
+    }
+    for (let orbit = first; orbit < first + starts.length / 3; orbit++) this.rows[orbit] ??= new Float64Array(0);
+    this.session.emit("orbits");
+  }
+
+  private async play(current: () => boolean): Promise<void> {
+    const start = this.starts[this.selected];
+    const rows = this.rows[this.selected];
+    if (!start || !rows) return;
+    const crossings = rows.length / ROW;
+    const last = Math.min(crossings, CROSSINGS_SHOWN) - 1;
+    const end = last > 0 ? rows[last * ROW + AT.time]! : 20;
+    const count = Math.max(200, MOMENTS * Math.max(1, last));
+    const times = Float64Array.from({ length: count + 1 }, (_, i) => (end * i) / count);
+    const motion = await this.channel.ask("motion", start[0], start[1], start[2], times);
+    if (!current()) return;
+    this.motion = motion;
+    this.session.emit("motion");
+  }
+}

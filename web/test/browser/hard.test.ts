@@ -1,0 +1,94 @@
+/** What goes wrong, what is slow, what is not there. */
+import { expect, test } from "vitest";
+import { data, go, open, picture, ready, serve } from "./open";
+
+serve();
+
+const PAPER = "A=2,1.1,1&r=0.94868,0,0.61623";
+
+test.each([
+  ["A=2,0,1&r=1,0,0", "A2 = 0"],
+  ["A=2,cow,1&r=1,0,0", "cow"],
+  ["A=2,1&r=1,0,0", "three numbers"],
+  [`${PAPER}&h=3&l=x`, "x"],
+  [`${PAPER}&h=3`, "l is missing"],
+])("%s is told, and mended", async (hash, words) => {
+  const page = await open(hash);
+  expect(await page.getByTestId("error").textContent()).toContain(words);
+  await go(page, PAPER);
+  expect(await page.getByTestId("error").count()).toBe(0);
+  expect(await page.getByTestId("region-row").count()).toBe(9);
+  await page.close();
+});
+
+test("where there is no section, a sentence says why, and that is no error", async () => {
+  for (const hash of ["A=2,1.5,1&r=0,0,0&h=0.6&l=1", `${PAPER}&h=-9&l=1`]) {
+    const page = await open(hash);
+    expect(await page.getByTestId("error").count()).toBe(0);
+    expect(await page.getByTestId("crossing-count").textContent()).toBe("0");
+    expect(await page.locator("[data-panel=section] .note").textContent()).toMatch(/section|forbidden/);
+    await page.close();
+  }
+});
+
+test("without a network the page goes on working, exports too", async () => {
+  const page = await open(`${PAPER}&h=3.8&l=3.25`);
+  await page.waitForTimeout(4000);
+  await page.context().setOffline(true);
+  await go(page, "body=kovalevskaya&h=2&l=1");
+  expect(await data(page, "point-region", "region")).toBe("R2");
+  for (const id of ["export-svg", "export-npz"]) {
+    const [file] = await Promise.all([page.waitForEvent("download"), page.getByTestId(id).click()]);
+    expect(await file.path()).not.toBeNull();
+  }
+  await page.close();
+});
+
+test("nothing is fetched from anywhere else", async () => {
+  const page = await open("");
+  const elsewhere = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => new URL(name)).filter(({ origin, protocol }) => protocol !== "data:" && origin !== location.origin).map(String));
+  expect(elsewhere).toEqual([]);
+  await page.close();
+});
+
+test("a new question while an old one runs wins", async () => {
+  const page = await open(PAPER);
+  await page.evaluate(() => {
+    location.hash = "A=1,0.7,0.5&r=1,0,0&h=4&l=1.3&orbits=400&crossings=5000";
+  });
+  await page.waitForTimeout(300);
+  await go(page, `${PAPER}&h=3.8&l=3.25`);
+  expect(await data(page, "point-region", "region")).toBe("R5");
+  expect(Number(await page.getByTestId("crossing-count").textContent())).toBe(12024);
+  await page.close();
+});
+
+test("frames while a hand drags r", async () => {
+  const page = await open("A=2,1.5,1.2&r=0.5,0.6,0.7&view=-1.2,6,0,4");
+  const box = (await page.getByTestId("octant").boundingBox())!;
+  const at = (turn: number) => [box.x + box.width * (0.5 + 0.2 * Math.cos(turn)), box.y + box.height * (0.5 + 0.2 * Math.sin(turn))] as const;
+  const before = await picture(page, "diagram");
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  for (let k = 1; k <= 150; k++) {
+    await page.mouse.move(...at(k / 20));
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+  }
+  const frames = (await page.evaluate(() => window.bifdiag.frames())).sort((a, b) => a - b);
+  await page.mouse.up();
+  await ready(page);
+  expect(await picture(page, "diagram")).not.toBe(before);
+  const [median, late] = [frames[Math.floor(frames.length / 2)]!, frames[Math.floor(frames.length * 0.95)]!];
+  console.log(`frames while dragging r: ${frames.length} drawn, median ${median.toFixed(1)} ms, 95 % within ${late.toFixed(1)} ms`);
+  // Figures are printed, not asserted: a test must not depend on what else the machine does.
+  expect(frames.length).toBeGreaterThan(10);
+  await page.close();
+});
+
+test("first paint, and what it loads", async () => {
+  const page = await open("");
+  const paint = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? Infinity);
+  console.log(`first paint after ${paint.toFixed(0)} ms`);
+  expect(paint).toBeLessThan(Infinity);
+  await page.close();
+});

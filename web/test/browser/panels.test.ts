@@ -1,0 +1,208 @@
+/** Each panel under a hand. */
+import { readFile } from "node:fs/promises";
+import { expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import { TOUR } from "../../src/guide/tour";
+import { bifdiag } from "../program";
+import { colors, data, go, open, picture, ready, serve, SIZE } from "./open";
+
+serve();
+
+const POINT = "A=2,1.1,1&r=0.94868,0,0.61623&h=3.8&l=3.25";
+const PANELS = ["diagram", "region-row", "point-status", "point-signature", "point-region", "sphere", "section", "motion", "bodies-map", "crossing-count", "export-json", "export-svg", "permalink"];
+
+const crossings = (page: Page): Promise<number> => page.getByTestId("crossing-count").textContent().then(Number);
+
+test("all panels are there, and diagram, sphere and section stand inside the window", async () => {
+  const page = await open(POINT);
+  for (const id of PANELS) expect(await page.getByTestId(id).count(), id).toBeGreaterThan(0);
+  for (const id of ["diagram", "sphere", "section"]) {
+    const box = (await page.getByTestId(id).boundingBox())!;
+    expect(box.y >= 0 && box.y + box.height <= SIZE.height && box.x >= 0 && box.x + box.width <= SIZE.width, id).toBe(true);
+    expect(Math.min(box.width, box.height), id).toBeGreaterThan(150);
+    expect(await colors(page, id), id).toBeGreaterThan(20);
+  }
+  expect(await page.getByTestId("error").count()).toBe(0);
+  await page.close();
+});
+
+test("the section: orbits of the command line's starts, and one more where it is clicked", async () => {
+  const page = await open(POINT);
+  const before = await crossings(page);
+  const native = JSON.parse(bifdiag("section", "--body=paper", "--h=3.8", "--l=3.25", "--json", "--no-plot")) as { summary: { crossings: number }; orbits: { theta: number; psi: number }[] };
+  // The starts lie on the section: each is the orbit's crossing 0.
+  expect(before).toBe(native.summary.crossings + native.orbits.length);
+  const found = await page.evaluate(() => window.bifdiag.crossings());
+  expect(Object.values(found).map((list) => list.length)).toEqual([before, before, before, before, before]);
+  native.orbits.forEach(({ theta, psi }, orbit) => {
+    const first = found.orbit.indexOf(orbit);
+    expect([found.theta[first], found.psi[first], found.index[first]]).toEqual([expect.closeTo(theta, 12), expect.closeTo(psi, 12), 0]);
+  });
+  const box = (await page.getByTestId("section").boundingBox())!;
+  await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.25 * box.height);
+  await page.waitForFunction((before) => Number(document.querySelector("[data-testid=crossing-count]")!.textContent) > before, before);
+  expect(await crossings(page)).toBe(before + 501);
+  await page.close();
+});
+
+test("the sphere turns under the hand, and its components are told", async () => {
+  const page = await open(POINT);
+  const before = await picture(page, "sphere");
+  const box = (await page.getByTestId("sphere").boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 70, y + 20, { steps: 4 });
+  await page.mouse.up();
+  await expect.poll(() => picture(page, "sphere")).not.toBe(before);
+  await page.close();
+});
+
+test("the body moves, and pauses", async () => {
+  const page = await open(POINT);
+  const before = await picture(page, "motion");
+  await expect.poll(() => picture(page, "motion")).not.toBe(before);
+  await page.getByTestId("play").click();
+  await page.waitForTimeout(200);
+  const paused = await picture(page, "motion");
+  await page.waitForTimeout(300);
+  expect(await picture(page, "motion")).toBe(paused);
+  await page.close();
+});
+
+test("a click into the diagram chooses a point; the address holds it and gives it back", async () => {
+  const page = await open("A=2,1.1,1&r=0.94868,0,0.61623");
+  const box = (await page.getByTestId("diagram").boundingBox())!;
+  await page.mouse.click(box.x + 0.6 * box.width, box.y + 0.6 * box.height);
+  await page.waitForFunction(() => location.hash.includes("&h="));
+  await ready(page);
+  expect(await data(page, "point-region", "region")).toBe("R4");
+  const link = (await page.getByTestId("permalink").getAttribute("href"))!;
+  expect(link).toBe(page.url());
+  const again = await open(link.split("#")[1]!);
+  expect(await data(again, "point-region", "region")).toBe("R4");
+  expect(await again.getByTestId("input-h").inputValue()).toBe(await page.getByTestId("input-h").inputValue());
+  expect(await crossings(again)).toBe(await crossings(page));
+  await page.close();
+  await again.close();
+});
+
+test("dragging the point over a curve tells the surgery", async () => {
+  const page = await open("A=2,1.1,1&r=0.94868,0,0.61623&h=3.53&l=2.862&view=2.6,4.6,2.3,3.4");
+  const box = (await page.getByTestId("diagram").boundingBox())!;
+  const place = (h: number, l: number) => [box.x + 46 + ((h - 2.6) / 2) * (box.width - 56), box.y + 8 + (1 - (l - 2.3) / 1.1) * (box.height - 44)] as const;
+  await page.mouse.move(...place(3.53, 2.862));
+  await page.mouse.down();
+  await page.mouse.move(...place(3.2, 2.868), { steps: 12 });
+  await expect.poll(() => page.getByTestId("surgery").textContent()).toMatch(/falls into two.*S² and T²/);
+  await page.mouse.up();
+  await ready(page);
+  expect(await data(page, "point-region", "region")).toBe("R5");
+  await page.close();
+});
+
+test("keys move the point, turn the body's axis and zoom", async () => {
+  const page = await open(POINT);
+  await page.getByTestId("diagram").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => !location.hash.includes("h=3.8&"));
+  await ready(page);
+  await page.keyboard.press("+");
+  await page.waitForFunction(() => location.hash.includes("view="));
+  await page.getByTestId("octant").focus();
+  await page.keyboard.press("ArrowUp");
+  await page.waitForFunction(() => !location.hash.includes("r=0.94868"));
+  await ready(page);
+  await page.close();
+});
+
+test("a view 1e-6 wide still shows curves, refined, and regions", async () => {
+  const critical = (JSON.parse(bifdiag("critical", "--body=paper", "--l=3.25", "--json")) as { critical: { h: number }[] }).critical[1]!.h;
+  const page = await open(`A=2,1.1,1&r=0.94868,0,0.61623&view=${critical - 5e-7},${critical + 5e-7},3.2499999,3.2500001`);
+  const seen = await page.getByTestId("diagram").evaluate((element) => {
+    const canvas = element as HTMLCanvasElement;
+    const row = canvas.getContext("2d")!.getImageData(0, Math.floor(canvas.height / 2), canvas.width, 1);
+    return new Set(new Uint32Array(row.data.buffer)).size;
+  });
+  // Two grounds, the curve and its soft edges.
+  expect(seen).toBeGreaterThan(3);
+  await page.close();
+});
+
+test("files: atlas, SVG, PNG, CSV, NPZ, video", async () => {
+  const page = await open(POINT);
+  const download = async (id: string): Promise<Buffer> => {
+    const [file] = await Promise.all([page.waitForEvent("download"), page.getByTestId(id).click()]);
+    return readFile((await file.path())!);
+  };
+  expect((await download("export-json")).toString()).toBe(bifdiag("--body=paper", "--json"));
+  const svg = (await download("export-svg")).toString();
+  expect(svg).toMatch(/^<svg/);
+  expect(svg).toContain("energy h");
+  expect((await download("export-png")).subarray(1, 4).toString()).toBe("PNG");
+  const csv = (await download("export-csv")).toString().trim().split("\n");
+  expect(csv.length).toBe((await crossings(page)) + 1);
+  const npz = await download("export-npz");
+  expect(npz.subarray(0, 2).toString()).toBe("PK");
+  expect(npz.includes("s_dot.npy")).toBe(true);
+  await page.getByTestId("export-video").click();
+  await page.waitForTimeout(1500);
+  expect((await download("export-video")).length).toBeGreaterThan(1000);
+  await page.close();
+});
+
+test("each step of the tour shows what it promises", async () => {
+  const page = await open("tour=1");
+  for (const [number, { title, state }] of TOUR.entries()) {
+    expect(await page.getByTestId("guide").textContent()).toContain(title);
+    expect(await page.getByTestId("error").count()).toBe(0);
+    if (state.point) expect(await data(page, "point-status", "status")).toBe("regular");
+    if (state.point) expect(await crossings(page)).toBeGreaterThan(1000);
+    if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/tour-${number + 1}.png` });
+    await page.getByTestId("tour-next").click();
+    if (number + 1 < TOUR.length) await page.waitForFunction((step) => location.hash.includes(`tour=${step}`), number + 2);
+    await ready(page);
+  }
+  expect(await page.getByTestId("guide").isVisible()).toBe(false);
+  await page.close();
+});
+
+test("lessons ask first and show then", async () => {
+  const page = await open("");
+  await page.getByTestId("lessons").click();
+  await page.getByRole("button", { name: /sleeping top/ }).click();
+  await page.getByRole("button", { name: "The whole sphere" }).click();
+  await ready(page);
+  expect(await page.getByTestId("guide").textContent()).toContain("As you predicted");
+  expect(await page.getByTestId("input-l").inputValue()).toBe("1.5");
+  await page.close();
+});
+
+test("one panel alone for lecture pages", async () => {
+  for (const name of ["diagram", "section", "motion"]) {
+    const page = await open(`${POINT}&embed=${name}`, { viewport: { width: 600, height: 420 } });
+    for (const id of ["diagram", "sphere", "section", "motion"]) expect(await page.getByTestId(id).isVisible(), `${id} in ${name}`).toBe(id === name);
+    expect(await colors(page, name)).toBeGreaterThan(20);
+    await page.close();
+  }
+});
+
+test("dark and light", async () => {
+  const page = await open(POINT, { colorScheme: "dark" });
+  const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const dark = await ground();
+  await page.getByTestId("theme").click();
+  await expect.poll(ground).not.toBe(dark);
+  expect(page.url()).toContain("theme=light");
+  await go(page, `${POINT}&theme=dark`);
+  expect(await ground()).toBe(dark);
+  await page.close();
+});
+
+test("the map of bodies fills when it is looked at", async () => {
+  const page = await open("body=katok:6");
+  await page.getByTestId("bodies-map").scrollIntoViewIfNeeded();
+  await expect.poll(() => page.getByText(/Here: \d+ regions, class [0-9a-f]{12}/).count(), { timeout: 60_000 }).toBe(1);
+  expect(await colors(page, "bodies-map")).toBeGreaterThan(8);
+  await page.close();
+});

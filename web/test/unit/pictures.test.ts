@@ -1,0 +1,80 @@
+import { describe, expect, test } from "vitest";
+import type { Component } from "../../src/bindings/documents";
+import { towards } from "../../src/bindings/view";
+import { apply, back, castBall, composed, lookingAt, rotation, turned, type Vec } from "../../src/draw/ball";
+import { ticks } from "../../src/draw/canvas";
+import { LESSONS } from "../../src/guide/lessons";
+import { npy } from "../../src/export/files";
+import { bodyAt, FAMILIES } from "../../src/panels/families";
+import { surgery } from "../../src/state/surgery";
+
+const near = (a: Vec, b: Vec) => a.forEach((x, i) => expect(x).toBeCloseTo(b[i]!, 12));
+
+describe("turning", () => {
+  test("what is looked at stands in front", () => near(apply(lookingAt([1, 2, 2], [0, 0, 1]), [1 / 3, 2 / 3, 2 / 3]), [0, 0, 1]));
+  test("back undoes apply", () => {
+    const turn = turned(lookingAt([1, 0.3, 0.2], [0, 0, 1]), [0.6, 0.8, 0], 0.7);
+    near(back(turn, apply(turn, [0.1, 0.2, 0.3])), [0.1, 0.2, 0.3]);
+  });
+  test("a quaternion of a quarter turn about axis 3", () => {
+    const turn = rotation(Math.SQRT1_2, 0, 0, Math.SQRT1_2);
+    near(apply(turn, [1, 0, 0]), [0, 1, 0]);
+    near(apply(composed(turn, turn), [1, 0, 0]), [-1, 0, 0]);
+  });
+  test("each pixel of a ball gets its direction", () => {
+    const image = { width: 3, height: 3, data: new Uint8ClampedArray(36) } as unknown as ImageData;
+    const seen: Vec[] = [];
+    castBall(image, 2, lookingAt([1, 0, 0], [0, 0, 1]), (direction) => seen.push([...direction]));
+    near(seen[4]!, [1, 0, 0]);
+    for (const direction of seen) expect(Math.hypot(...direction)).toBeCloseTo(1, 12);
+  });
+});
+
+test("ticks are round and told apart, also in a narrow view", () => {
+  expect(ticks(0, 10, 5).map(({ text }) => text)).toEqual(["0", "2", "4", "6", "8", "10"]);
+  const narrow = ticks(1.2345678, 1.2345688, 4).map(({ text }) => text);
+  expect(new Set(narrow).size).toBe(narrow.length);
+});
+
+test("an array of NumPy begins its data at a multiple of 64", () => {
+  const bytes = npy("<i4", "(2,)", new Uint8Array(8));
+  expect((bytes.length - 8) % 64).toBe(0);
+  expect(new TextDecoder().decode(bytes.subarray(1, 6))).toBe("NUMPY");
+});
+
+describe("the sentence of a surgery", () => {
+  const part = (boundary_circles: number, poles: ("+" | "-")[] = []): Component => ({ boundary_circles, poles, accessible_region: "", energy_surface: "", section: `M${boundary_circles + poles.length - 1}`, genus: boundary_circles + poles.length - 1 });
+  test.each([
+    [[part(1), part(1, ["+"])], [part(2, ["+"])], "merge"],
+    [[part(2, ["+"])], [part(1), part(1, ["+"])], "falls into two"],
+    [[part(1)], [part(1, ["+"])], "gains one handle"],
+    [[part(1)], [], "is gone"],
+    [[], [part(1)], "is born"],
+    [[part(1, ["+", "-"])], [part(0, ["+", "-"])], "closes at a maximum"],
+  ])("%#", (before, after, words) => expect(surgery(before, after)).toContain(words));
+  test("nothing happens where nothing changes", () => expect(surgery([part(1)], [part(1)])).toBeNull());
+});
+
+test("a view glides towards another", () => {
+  let view = { h: [0, 1] as [number, number], l: [0, 1] as [number, number] };
+  const to = { h: [2, 3] as [number, number], l: [0, 4] as [number, number] };
+  expect(towards(view, to).l[1]).toBeCloseTo(1.6);
+  for (let k = 0; k < 80; k++) view = towards(view, to);
+  expect(view.h[0]).toBeCloseTo(2, 6);
+});
+
+describe("planes of bodies", () => {
+  test.each(FAMILIES)("$id: a body lies where its place says", (family) => {
+    const A: [string, string, string] = family.id === "eta" ? ["2", "1.3", "1"] : ["1", "0.7", "0.5"];
+    const body = { A, r: ["1", "0", "0"] as [string, string, string] };
+    const place = family.place(body)!;
+    const found = bodyAt(family, ...place, body)!;
+    const [x, y] = family.place(found)!;
+    expect(x).toBeCloseTo(place[0], 2);
+    expect(y).toBeCloseTo(place[1], 2);
+  });
+});
+
+test("each lesson's right choice is one of its choices", () => {
+  for (const { tasks } of LESSONS) for (const { right, choices } of tasks) expect(choices[right]).toBeDefined();
+});

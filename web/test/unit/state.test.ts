@@ -1,0 +1,45 @@
+import { describe, expect, test } from "vitest";
+import { format, parse } from "../../src/state/hash";
+import { rounded, shown, surface, valueOf } from "../../src/state/numbers";
+import { FIRST } from "../../src/state/state";
+
+const named = (name: string) => (name === "rod" ? { A: ["1/1000", "1", "1"] as [string, string, string], r: ["1", "0", "0"] as [string, string, string] } : undefined);
+
+describe("the hash", () => {
+  test("keeps numbers as they were written", () => {
+    const text = "A=11/10,1.10,1&r=0.94868,0,-1e-3&h=3.80&l=13/4";
+    expect(format(parse(`#${text}`, named))).toBe(text);
+  });
+
+  test("comes back whole", () => {
+    const state = { ...FIRST, point: { h: "1", l: "2" }, view: { h: [0, 1], l: [0.5, 2] } as const, orbits: 3, seed: 9, coloring: "lyapunov" as const, theme: "dark" as const, embed: "section" as const, tour: 3 };
+    expect(parse(format(state as never), named)).toEqual(state);
+  });
+
+  test("of nothing is the paper's body; presets have names", () => {
+    expect(parse("", named)).toEqual(FIRST);
+    expect(parse("#body=rod", named).A).toEqual(["1/1000", "1", "1"]);
+  });
+
+  test.each([
+    ["A=1,2", "A = 1,2: three numbers"],
+    ["h=1", "l is missing"],
+    ["l=1", "h is missing"],
+    ["body=cow", "body = cow"],
+    ["view=1,0,0,1", "view = 1,0,0,1"],
+    ["orbits=0", "orbits = 0"],
+    ["embed=sphere", "embed = sphere"],
+    ["nonsense", "“nonsense” has no value"],
+  ])("%s is refused", (text, message) => expect(() => parse(text, named)).toThrow(message));
+
+  test("keys of later versions are passed over", () => expect(parse("later=1", named)).toEqual(FIRST));
+});
+
+describe("numbers", () => {
+  test("a hand's number is short", () => {
+    expect([rounded(0.123456, 0.001), rounded(2, 0.01), rounded(-1e-9, 1e-3), rounded(1234.5, 10)]).toEqual(["0.123", "2", "0", "1235"]);
+  });
+  test("quotients have values", () => expect([valueOf("11/10"), valueOf("1e-3"), valueOf(""), valueOf("1/")]).toEqual([1.1, 1e-3, NaN, NaN]));
+  test("a few digits for reading", () => expect([shown(0.000012345), shown(3.14159), shown(0)]).toEqual(["1.234e-5", "3.142", "0"]));
+  test("surfaces", () => expect(["S2", "M3", "S2-2D2", "(S1xS2)#(S1xS2)", "RP3", "#3(S1xS2)"].map(surface)).toEqual(["S²", "M²₃", "S²−2D²", "(S¹×S²)#(S¹×S²)", "RP³", "#3(S¹×S²)"]));
+});
