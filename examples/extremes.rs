@@ -13,8 +13,11 @@ use top::body::{Body, Number};
 
 type Parts = [RBig; 6];
 
+/// A name, and the moments and centre of mass at a distance ε.
+type Family = (&'static str, fn(&RBig) -> Parts);
+
 /// A family of bodies that is special for ε = 0.
-const FAMILIES: [(&str, fn(&RBig) -> Parts); 12] = [
+const FAMILIES: [Family; 12] = [
     ("near-axis", |e| [n("2"), n("1.1"), n("1"), n("1"), e.clone(), n("2") * e]),
     ("near-axis-mid", |e| [n("1.3"), n("1"), n("0.7"), n("2") * e, n("1"), e.clone()]),
     ("near-plane", |e| [n("2"), n("1.1"), n("1"), n("0.94868"), e.clone(), n("0.61623")]),
