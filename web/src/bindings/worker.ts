@@ -47,6 +47,8 @@ const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> } = {
     return { region, distance, nearest: of.nearest(h, l) };
   },
   surgeries: (body, from, to) => diagramOf(body).surgeries(Float64Array.from(from), Float64Array.from(to)),
+  partOfFile: (...part) => guest.part_of_file(...part),
+  partOfTensor: (...part) => guest.part_of_tensor(...part),
   atlas: (body) => guest.atlas(body),
   classify: (body, h, l) => guest.classify(body, h, l),
   critical: (body, l) => guest.critical(body, l),

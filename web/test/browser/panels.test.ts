@@ -1,5 +1,7 @@
 /** Each panel under a hand. */
-import { readFile } from "node:fs/promises";
+import { mkdtemp, readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { TOUR } from "../../src/guide/tour";
@@ -95,6 +97,41 @@ test("dragging the point over a curve tells the surgery", async () => {
   await page.mouse.up();
   await ready(page);
   expect(await data(page, "point-region", "region")).toBe("R5");
+  await page.close();
+});
+
+const TETRAHEDRON = "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+test("a real part becomes the body, as the command line understands it", async () => {
+  const page = await open("");
+  await page.getByTestId("part").locator("summary").click();
+  await page.getByTestId("part-units").selectOption("g,mm,s");
+  const mesh = { name: "part.obj", mimeType: "model/obj", buffer: Buffer.from(TETRAHEDRON) };
+  await page.getByTestId("part-file").setInputFiles(mesh);
+  await expect.poll(() => page.getByTestId("error").textContent()).toContain("density");
+  await page.getByTestId("part-density").fill("0.5");
+  await page.getByTestId("part-file").setInputFiles(mesh);
+  await expect.poll(() => page.getByTestId("part-note").textContent()).toContain("g mm s");
+  await ready(page);
+  const folder = await mkdtemp(join(tmpdir(), "bifdiag-"));
+  await writeFile(join(folder, mesh.name), mesh.buffer);
+  const native = JSON.parse(bifdiag("body", `--part=${join(folder, mesh.name)}`, "--density=0.5", "--units=g,mm,s", "--json")) as { part: { A: string[]; r: string[] } };
+  expect(await page.getByTestId("input-A1").inputValue()).toBe(native.part.A[0]);
+  expect(await page.getByTestId("input-r3").inputValue()).toBe(native.part.r[2]);
+  expect(await page.getByTestId("error").count()).toBe(0);
+
+  await page.getByTestId("part-units").selectOption("kg,m,s");
+  await page.getByTestId("part-tensor").fill("2.1 1.8 1.2 0.3 -0.1 0.2");
+  await page.getByTestId("part-mass").fill("0.5");
+  await page.getByTestId("part-point").fill("0, 0.1, 0.2");
+  await page.getByTestId("part-take").click();
+  await expect.poll(() => page.getByTestId("error").textContent()).toContain("choose which one");
+  await page.getByTestId("part-products").selectOption("integral");
+  await page.getByTestId("part-take").click();
+  await expect.poll(() => page.getByTestId("part-note").textContent()).toContain("kg m s");
+  await ready(page);
+  const tensor = JSON.parse(bifdiag("body", "--inertia-com=2.1,1.8,1.2,0.3,-0.1,0.2", "--products=integral", "--com=0,0.1,0.2", "--mass=0.5", "--json")) as { part: { A: string[] } };
+  expect(await page.getByTestId("input-A1").inputValue()).toBe(tensor.part.A[0]);
   await page.close();
 });
 
