@@ -3,10 +3,8 @@
 use bifdiag::dynamics::motion::MotionError;
 use bifdiag::dynamics::poincare::PoincareError;
 use bifdiag::dynamics::section::SectionError;
-use bifdiag::part::file::FileError;
-use bifdiag::part::{MassError, UnitsError};
 use bifdiag::proof::NoAtlas;
-use bifdiag::top::body::{BodyError, Preset, TensorError};
+use bifdiag::top::body::{BodyError, Preset};
 use bifdiag::top::critical::CriticalError;
 use bifdiag::{Body, Number, Unanswered, numbers::ParseNumberError};
 use thiserror::Error;
@@ -24,21 +22,6 @@ pub enum Refused {
     Body(#[from] BodyError),
     #[error("{name}: {source}")]
     Number { name: &'static str, source: ParseNumberError },
-    #[error("{name} needs {wanted} numbers, {found} given")]
-    Count { name: &'static str, wanted: usize, found: usize },
-    #[error(transparent)]
-    Units(#[from] UnitsError),
-    #[error(transparent)]
-    Mass(#[from] MassError),
-    #[error(transparent)]
-    Tensor(#[from] TensorError),
-    #[error(transparent)]
-    File(#[from] FileError),
-    #[error(
-        "this part cannot exist: about its centre of mass {inequality} ({unit}); check digits, units, reference point and \
-         the sign of the products"
-    )]
-    Impossible { inequality: String, unit: String },
     #[error("{what} needs a multiple of {unit} numbers, {found} given")]
     Rows { what: &'static str, unit: usize, found: usize },
     #[error(transparent)]

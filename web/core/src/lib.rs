@@ -4,11 +4,9 @@
 mod body;
 mod diagram;
 mod map;
-mod part;
 mod section;
 mod texts;
 
-use bifdiag::part::Products;
 use bifdiag::top::body::Preset;
 use wasm_bindgen::prelude::*;
 
@@ -41,42 +39,6 @@ pub fn classify(body: &str, h: &str, l: &str) -> Result<String, JsError> {
 #[wasm_bindgen]
 pub fn critical(body: &str, l: &str) -> Result<String, JsError> {
     Ok(texts::critical(body, l)?)
-}
-
-/// The part of a mesh or an inertial block, a file by its name and its bytes, as the block `part` of the documents. Empty
-/// texts say nothing.
-///
-/// # Errors
-/// A file that gives no part, or a part that cannot exist.
-#[wasm_bindgen]
-pub fn part_of_file(
-    name: &str,
-    bytes: Vec<u8>,
-    density: &str,
-    mass: &str,
-    units: &str,
-    pivot: &str,
-) -> Result<String, JsError> {
-    let form = part::Form { density, mass, units, point: pivot };
-    Ok(texts::text(&part::of_file(name, bytes, &form)?)?)
-}
-
-/// The part of a tensor Ixx, Iyy, Izz, Ixy, Ixz, Iyz: `integral` products are +∫ x y dm, others entries of the tensor.
-///
-/// # Errors
-/// Numbers that are none, or a part that cannot exist.
-#[wasm_bindgen]
-pub fn part_of_tensor(
-    tensor: &str,
-    integral: bool,
-    about_com: bool,
-    com: &str,
-    mass: &str,
-    units: &str,
-) -> Result<String, JsError> {
-    let products = if integral { Products::Integral } else { Products::Tensor };
-    let form = part::Form { density: "", mass, units, point: com };
-    Ok(texts::text(&part::of_tensor(tensor, products, about_com, &form)?)?)
 }
 
 /// The named bodies: for each its name, its note, A1, A2, A3, r1, r2, r3.

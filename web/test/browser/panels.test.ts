@@ -115,9 +115,9 @@ test("a real part becomes the body, as the command line understands it", async (
   await ready(page);
   const folder = await mkdtemp(join(tmpdir(), "bifdiag-"));
   await writeFile(join(folder, mesh.name), mesh.buffer);
-  const native = JSON.parse(bifdiag("body", `--part=${join(folder, mesh.name)}`, "--density=0.5", "--units=g,mm,s", "--json")) as { part: { A: string[]; r: string[] } };
-  expect(await page.getByTestId("input-A1").inputValue()).toBe(native.part.A[0]);
-  expect(await page.getByTestId("input-r3").inputValue()).toBe(native.part.r[2]);
+  const native = JSON.parse(bifdiag("body", `--part=${join(folder, mesh.name)}`, "--density=0.5", "--units=g,mm,s", "--json")) as { A: string[]; r: string[] };
+  expect(await page.getByTestId("input-A1").inputValue()).toBe(native.A[0]);
+  expect(await page.getByTestId("input-r3").inputValue()).toBe(native.r[2]);
   expect(await page.getByTestId("error").count()).toBe(0);
 
   await page.getByTestId("part-units").selectOption("kg,m,s");
@@ -130,8 +130,8 @@ test("a real part becomes the body, as the command line understands it", async (
   await page.getByTestId("part-take").click();
   await expect.poll(() => page.getByTestId("part-note").textContent()).toContain("kg m s");
   await ready(page);
-  const tensor = JSON.parse(bifdiag("body", "--inertia-com=2.1,1.8,1.2,0.3,-0.1,0.2", "--products=integral", "--com=0,0.1,0.2", "--mass=0.5", "--json")) as { part: { A: string[] } };
-  expect(await page.getByTestId("input-A1").inputValue()).toBe(tensor.part.A[0]);
+  const tensor = JSON.parse(bifdiag("body", "--inertia-com=2.1,1.8,1.2,0.3,-0.1,0.2", "--products=integral", "--com=0,0.1,0.2", "--mass=0.5", "--json")) as { A: string[] };
+  expect(await page.getByTestId("input-A1").inputValue()).toBe(tensor.A[0]);
   await page.close();
 });
 

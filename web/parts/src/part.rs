@@ -1,14 +1,37 @@
-//! Real parts for the page: files and tensors as bodies.
+//! What a form of the page says of a part, and the part.
 
 use std::path::Path;
 
-use bifdiag::documents::Subject;
+use bifdiag::documents;
 use bifdiag::numbers::Number;
-use bifdiag::part::file::{FileOptions, of_bytes};
-use bifdiag::part::{Existence, MassProperties, Part, Products, Units, tensor_of};
+use bifdiag::numbers::ParseNumberError;
+use bifdiag::part::file::{FileError, FileOptions, of_bytes};
+use bifdiag::part::{Existence, MassError, MassProperties, Part, Products, Units, UnitsError, tensor_of};
 use bifdiag::schema::PartDocument;
+use bifdiag::top::body::TensorError;
+use thiserror::Error;
 
-use crate::body::{Refused, number};
+/// Why there is no part.
+#[derive(Debug, Error)]
+pub enum Refused {
+    #[error("{name}: {source}")]
+    Number { name: &'static str, source: ParseNumberError },
+    #[error("{name} needs {wanted} numbers, {found} given")]
+    Count { name: &'static str, wanted: usize, found: usize },
+    #[error(transparent)]
+    Units(#[from] UnitsError),
+    #[error(transparent)]
+    Mass(#[from] MassError),
+    #[error(transparent)]
+    Tensor(#[from] TensorError),
+    #[error(transparent)]
+    File(#[from] FileError),
+    #[error(
+        "this part cannot exist: about its centre of mass {inequality} ({unit}); check digits, units, reference point and \
+         the sign of the products"
+    )]
+    Impossible { inequality: String, unit: String },
+}
 
 /// Standard gravity in m/s².
 const GRAVITY: &str = "9.80665";
@@ -65,8 +88,12 @@ fn document(properties: MassProperties, units: Units) -> Result<PartDocument, Re
         return Err(Refused::Impossible { inequality: inequality.to_string(), unit: units.moment() });
     }
     let part = Part { properties, gravity: number("g", GRAVITY)?.value().clone(), units };
-    let subject = Subject::of_part(&part)?;
-    subject.part.ok_or(Refused::Missing("part"))
+    let principal = documents::principal(&part)?;
+    Ok(documents::part(&part, &principal))
+}
+
+fn number(name: &'static str, text: &str) -> Result<Number, Refused> {
+    text.parse().map_err(|source| Refused::Number { name, source })
 }
 
 fn list(name: &'static str, text: &str) -> Result<Vec<Number>, Refused> {
