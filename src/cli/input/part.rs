@@ -91,9 +91,9 @@ pub enum PartInput {
     )]
     Products { option: &'static str, tensor: String, integral: String, hint: &'static str },
     #[error("--part {}: {source}", path.display())]
-    File { path: PathBuf, source: FileError },
+    File { path: PathBuf, source: Box<FileError> },
     #[error("--part {}: {source}; give --density or --mass", path.display())]
-    Weight { path: PathBuf, source: FileError },
+    Weight { path: PathBuf, source: Box<FileError> },
     #[error("{option} does nothing {with}")]
     Useless { option: &'static str, with: &'static str },
     #[error("--pivot with --inertia: that tensor is about the fixed point already; give --inertia-com, or no --pivot")]
@@ -217,8 +217,8 @@ impl PartArguments {
         let wanted =
             FileOptions { link: self.link.as_deref(), density: self.density.as_ref(), mass: self.mass.as_ref() };
         let read = file::read(path, &wanted).map_err(|source| {
-            let path = path.to_owned();
-            match source {
+            let (path, source) = (path.to_owned(), Box::new(source));
+            match *source {
                 FileError::NoDensity | FileError::DensityAndMass => PartInput::Weight { path, source },
                 _ => PartInput::File { path, source },
             }
