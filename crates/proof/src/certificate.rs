@@ -106,11 +106,13 @@ impl CertifiedAtlas {
         stretch: &Stretch,
     ) -> CertifiedStretch {
         CertifiedStretch {
-            from: self.node(narrow, wide, curves, stretch.x[0], 0),
-            to: self.node(narrow, wide, curves, stretch.x[1], 1),
+            from: self.node(narrow, wide, curves, &stretch.x[0], 0),
+            to: self.node(narrow, wide, curves, &stretch.x[1], 1),
             sign: stretch.sign,
-            crossing: match stretch.proof {
-                Proof::Crossing(x) => Some(x.map(|x| self.node(narrow, wide, curves, Mark::At(x), 0))),
+            crossing: match &stretch.proof {
+                Proof::Crossing(x) => {
+                    Some(x.each_ref().map(|x| self.node(narrow, wide, curves, &Mark::At(x.clone()), 0)))
+                }
                 Proof::Constant => None,
             },
         }
@@ -136,14 +138,13 @@ impl CertifiedAtlas {
         narrow: &Evaluator<'_, Interval>,
         wide: &Evaluator<'_, Wide>,
         curves: [CurveId; 2],
-        mark: Mark,
+        mark: &Mark,
         side: usize,
     ) -> CertifiedNode {
         if let Mark::At(x) = mark {
-            let x = super::region::exact(x);
-            let places = curves.map(|c| place_over(narrow, c, &x).or_else(|| place_over(wide, c, &x)));
-            let [Some(p), Some(q)] = places else { return CertifiedNode { x: Some(decimal::exact(&x)), places: None } };
-            return CertifiedNode { x: Some(decimal::exact(&x)), places: Some([p, q]) };
+            let places = curves.map(|c| place_over(narrow, c, x).or_else(|| place_over(wide, c, x)));
+            let [Some(p), Some(q)] = places else { return CertifiedNode { x: Some(decimal::exact(x)), places: None } };
+            return CertifiedNode { x: Some(decimal::exact(x)), places: Some([p, q]) };
         }
         CertifiedNode { x: None, places: self.end_places(wide, curves, side) }
     }
