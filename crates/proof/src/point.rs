@@ -214,12 +214,14 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
 
     /// Two y around the solution of x(y) = x, from a guess.
     fn sides(&self, segment: &Segment, rising: bool, y: &E, x: &E) -> Option<[E; 2]> {
+        /// Beside a cusp x changes little with y; further away than this nothing is close.
+        const WIDEST: f64 = 0.05;
         let c = &self.c;
         let mut radius = E::resolution(c.precision);
         let outer = segment.ends.each_ref().map(|bound| self.bound(segment, bound));
         let (mut sides, mut done) = ([y.clone(), y.clone()], [false, false]);
         // sides[0] towards smaller x, sides[1] towards larger x.
-        for _ in 0..12 {
+        while radius < WIDEST {
             let reach = y.clone() * E::double(radius, c.precision);
             for side in [0, 1] {
                 if done[side] {
