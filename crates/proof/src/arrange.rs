@@ -186,7 +186,7 @@ pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<
     let plain = Evaluator::<Wide>::new(&model, curves, &[], STAGES[1]);
     let mut events = single_events(&plain, &meetings)?;
     let mut bits = 0;
-    let (pairs, crossings) = {
+    let (mut pairs, crossings) = {
         let known = known_meetings(curves, &events);
         let mut stages = Stages::new(&model, curves, &known);
         let mut pairs = Vec::new();
@@ -219,7 +219,7 @@ pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<
         (pairs, crossings)
     };
     events.extend(crossings);
-    bits = bits.max(told_apart(&mut events, &model, curves));
+    bits = bits.max(told_apart(&mut events, &mut pairs, &model, curves));
     events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
     let events = Table::from(events);
     let transitions = transitions(&events)?;
@@ -349,7 +349,7 @@ fn crossing_event(evaluator: &Evaluator<'_, Wide>, pair: [CurveId; 2], x: &[RBig
 }
 
 /// Narrows the boxes of crossings that overlap other events of their curves, with as many bits as it takes; which bits.
-fn told_apart(events: &mut [Event], model: &Model, curves: &Curves) -> usize {
+fn told_apart(events: &mut [Event], pairs: &mut [PairProof], model: &Model, curves: &Curves) -> usize {
     let overlaps = |p: &Event, q: &Event| {
         p.x[0] <= q.x[1] && q.x[0] <= p.x[1] && p.curves.iter().any(|curve| q.curves.contains(curve))
     };
@@ -367,6 +367,11 @@ fn told_apart(events: &mut [Event], model: &Model, curves: &Curves) -> usize {
         for n in open {
             let [Source::Crossing(pair)] = events[n].sources[..] else { continue };
             if let Some(x) = evaluator.narrowed(pair, &events[n].x) {
+                let proofs =
+                    pairs.iter_mut().filter(|proof| proof.curves == pair).flat_map(|proof| &mut proof.stretches);
+                for stretch in proofs.filter(|stretch| stretch.proof == Proof::Crossing(events[n].x.clone())) {
+                    stretch.proof = Proof::Crossing(x.clone());
+                }
                 events[n] = crossing_event(&evaluator, pair, &x);
             }
         }
