@@ -241,10 +241,10 @@ fn schemes_can_be_read() {
         (Scheme::BothSheetsNeeded, "outgoing, Ṡ > 0"),
         (Scheme::Cylinder, "ϑ′ = π"),
     ] {
-        let picture = draw_scheme(scheme).unwrap();
+        let picture = draw_scheme(scheme, plot::Theme::Light).unwrap();
         let texts = texts(&picture);
         assert!(has(&texts, wanted), "{wanted}");
         assert_texts_are_apart(&texts);
-        assert_eq!(picture, draw_scheme(scheme).unwrap());
+        assert_eq!(picture, draw_scheme(scheme, plot::Theme::Light).unwrap());
     }
 }

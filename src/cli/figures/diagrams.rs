@@ -1,7 +1,7 @@
 //! The bifurcation diagrams.
 
 use documents::DocumentOptions;
-use plot::{DiagramOptions, Picture, draw};
+use plot::{DiagramOptions, Picture, Theme, draw};
 use proof::{Accuracy, atlas_of};
 use top::body::Preset;
 
@@ -26,13 +26,16 @@ const DIAGRAMS: [(&str, &str); 9] = [
 
 pub fn figures() -> impl Iterator<Item = Figure> {
     let diagrams = DIAGRAMS.iter().filter_map(|(stem, name)| Some((*stem, Preset::find(name)?)));
-    diagrams.map(|(stem, preset)| Figure { stem, draw: Box::new(move |timings| diagram(preset, timings)) })
+    diagrams
+        .map(|(stem, preset)| Figure { stem, draw: Box::new(move |timings, theme| diagram(preset, timings, theme)) })
 }
 
-fn diagram(preset: &Preset, timings: &Timings) -> Result<Picture, Failure> {
+fn diagram(preset: &Preset, timings: &Timings, theme: Theme) -> Result<Picture, Failure> {
     let atlas = atlas_of(&preset.body(), Accuracy::Exact).map_err(NoAtlas::from)?;
     let document = documents::atlas::document(&atlas, &DocumentOptions::default());
-    let picture = timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &DiagramOptions::default()));
+    let picture = timings.stage(preset.name(), || {
+        draw(&document, Some(&Curves(&atlas)), &DiagramOptions { theme, ..DiagramOptions::default() })
+    });
     Ok(picture.map_err(ExportError::from)?)
 }
 

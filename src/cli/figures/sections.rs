@@ -1,7 +1,7 @@
 //! The Poincaré sections of the paper.
 
 use dynamics::section::{OrbitSection, Portrait, PortraitOptions, SectionCondition, TorusPoint};
-use plot::{Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
+use plot::{Picture, Projection, SectionOptions, SectionScene, Theme, draw_section_rows};
 use top::body::{Body, Preset};
 
 use super::error::FigureSection;
@@ -96,7 +96,9 @@ const FIGURES: [Sections; 6] = [
 ];
 
 pub fn figures() -> impl Iterator<Item = Figure> {
-    FIGURES.iter().map(|sections| Figure { stem: sections.stem, draw: Box::new(|timings| draw(sections, timings)) })
+    FIGURES
+        .iter()
+        .map(|sections| Figure { stem: sections.stem, draw: Box::new(|timings, theme| draw(sections, timings, theme)) })
 }
 
 fn body(name: &str) -> Option<Body> {
@@ -107,7 +109,7 @@ fn body(name: &str) -> Option<Body> {
     }
 }
 
-fn draw(sections: &Sections, timings: &Timings) -> Result<Picture, Failure> {
+fn draw(sections: &Sections, timings: &Timings, theme: Theme) -> Result<Picture, Failure> {
     let body = body(sections.body).expect("a test looks up every body");
     let options = PortraitOptions { condition: sections.condition, ..PortraitOptions::default() };
     let mut parts = Vec::new();
@@ -121,7 +123,8 @@ fn draw(sections: &Sections, timings: &Timings) -> Result<Picture, Failure> {
         .zip(sections.rows)
         .map(|((portrait, orbits), row)| SectionScene { portrait, orbits, values: None, caption: row.caption })
         .collect();
-    let options = SectionOptions { projection: sections.projection, raster_above: 4000, ..SectionOptions::default() };
+    let options =
+        SectionOptions { projection: sections.projection, raster_above: 4000, theme, ..SectionOptions::default() };
     Ok(draw_section_rows(&scenes, &options).map_err(ExportError::from)?)
 }
 

@@ -41,10 +41,10 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
         }
     }
     let map = map(&bodies, [arguments.x, arguments.y], arguments.show);
-    let picture = timings.stage("map", || draw_map(&map)).map_err(ExportError::from)?;
+    let picture = timings.stage("map", || draw_map(&map, arguments.picture.theme())).map_err(ExportError::from)?;
     let (directory, stem) = place(arguments)?;
     let mut files = FileSet::new(&directory);
-    files.pictures(&stem, &picture, &arguments.format, RESOLUTION, timings)?;
+    files.pictures(&stem, &picture, &arguments.picture.format, RESOLUTION, timings)?;
     Ok(print(Report::of_paths(&files.write()?).text())?)
 }
 

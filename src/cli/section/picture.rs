@@ -29,7 +29,8 @@ pub fn draw(settings: &Settings, section: &Done) -> Result<Picture, Failure> {
         values: values.as_ref().map(|(label, values)| OrbitValues { label, values }),
         caption: &caption(document),
     };
-    let options = SectionOptions { projection: settings.projection, ..SectionOptions::default() };
+    let options =
+        SectionOptions { projection: settings.projection, theme: settings.outputs.theme, ..SectionOptions::default() };
     Ok(draw_section(&scene, &options).map_err(ExportError::from)?)
 }
 

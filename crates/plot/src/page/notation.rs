@@ -36,6 +36,22 @@ pub(crate) fn body(moments: &[impl Display; 3], center: &[impl Display; 3]) -> S
     format!("A = ({a1}, {a2}, {a3}),  r = ({r1}, {r2}, {r3})")
 }
 
+/// A number with so many significant digits at most.
+pub(crate) fn short_number(value: f64, digits: usize) -> String {
+    // Rust prints exponents of ten beyond these as many zeros.
+    const PLAIN: std::ops::Range<i32> = -4..6;
+    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    match exponent.parse::<i32>() {
+        Ok(e) if PLAIN.contains(&e) || value == 0.0 => number(text.parse::<f64>().unwrap_or(value)),
+        Ok(e) => {
+            let mantissa: f64 = mantissa.parse().unwrap_or(value);
+            format!("{}·10{}", number(mantissa), superscript(e))
+        }
+        Err(_) => number(value),
+    }
+}
+
 /// A positive number with two significant digits.
 pub(crate) fn short(value: f64) -> String {
     let text = format!("{value:.1e}");
@@ -59,6 +75,7 @@ mod tests {
     #[test]
     fn numbers_are_short() {
         assert_eq!(superscript(-12), "⁻¹²");
+        assert_eq!([1.0 / 3.0, 2e-9, 0.0, -1234.567].map(|x| short_number(x, 4)), ["0.3333", "2·10⁻⁹", "0", "−1235"]);
         assert_eq!([2.34, 142.4, 4.7e5].map(short), ["2.3", "142", "4.7·10⁵"]);
     }
 }

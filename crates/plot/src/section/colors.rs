@@ -3,7 +3,7 @@
 use plotters::style::RGBColor;
 
 use super::scene::SectionScene;
-use crate::page::{Anchor, Canvas, INK, Ink, Page, Rect, rgb, rgbs, ticks};
+use crate::page::{Anchor, Canvas, INK, Ink, Rect, rgb, rgbs, ticks};
 
 /// Colours of orbits in turn: they differ in lightness where they differ little in hue, and all are dark enough for
 /// the shaded ground.
@@ -95,25 +95,23 @@ impl Bar {
     }
 
     /// Draws the bar with ticks and its label.
-    pub fn draw(&self, page: &mut Page, rect: Rect) {
+    pub fn draw(&self, canvas: &Canvas, rect: Rect) {
         let [from, to] = self.range;
         let ticks = ticks(&self.label, from, to, 6);
-        page.paint(|canvas| {
-            paint_scale(canvas, &rect);
-            canvas.outline(&rect.corners(), Ink { color: INK, width: 0.8 });
-            for (value, label) in ticks.values.iter().zip(&ticks.labels) {
-                let y = rect.y + rect.height * (1.0 - (value - from) / (to - from));
-                let right = rect.x + rect.width;
-                canvas.path(&[[right, y], [right + 4.0, y]], Ink { color: INK, width: 0.8 });
-                canvas.text(label, [right + 7.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::Start);
-            }
-            // Flush with the page's right margin, above the bar.
-            canvas.text(&ticks.quantity, [rect.x + 78.0, rect.y - 26.0], TICK_SIZE, INK, Anchor::End);
-        });
+        paint_scale(canvas, &rect);
+        canvas.outline(&rect.corners(), Ink { color: INK, width: 0.8 });
+        for (value, label) in ticks.values.iter().zip(&ticks.labels) {
+            let y = rect.y + rect.height * (1.0 - (value - from) / (to - from));
+            let right = rect.x + rect.width;
+            canvas.path(&[[right, y], [right + 4.0, y]], Ink { color: INK, width: 0.8 });
+            canvas.text(label, [right + 7.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::Start);
+        }
+        // Flush with the page's right margin, above the bar.
+        canvas.text(&ticks.quantity, [rect.x + 78.0, rect.y - 26.0], TICK_SIZE, INK, Anchor::End);
     }
 }
 
-fn paint_scale(canvas: &Canvas<'_>, rect: &Rect) {
+fn paint_scale(canvas: &Canvas, rect: &Rect) {
     for level in 0..LEVELS {
         // Each reaches to the upper end, and the next lies over it, so that no seam shows.
         let height = rect.height * (1.0 - level as f64 / LEVELS as f64);

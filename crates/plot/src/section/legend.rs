@@ -5,7 +5,7 @@ use plotters::style::RGBColor;
 use super::ground::{BOUNDARY, INCOMING, OUTGOING, POLAR, TANGENCY, pole_marker};
 
 use super::scene::{Projection, SectionScene};
-use crate::page::{Ink, Legend, Page, Path, Rect, hex, stroke};
+use crate::page::{Canvas, Ink, Legend, Path, Rect};
 use dynamics::section::SectionCondition;
 
 const SAMPLE: f64 = 26.0;
@@ -48,28 +48,26 @@ pub(super) fn legend(scenes: &[SectionScene<'_>], projection: Projection, width:
 }
 
 /// Draws a legend below `top`.
-pub(super) fn draw(legend: &Legend<Symbol>, page: &mut Page, top: f64) {
+pub(super) fn draw(legend: &Legend<Symbol>, canvas: &Canvas, top: f64) {
     for (symbol, [x, middle]) in legend.symbols([LEFT, top]) {
         let mut path = Path::default();
         match symbol {
             Symbol::Shade(color) => {
                 let swatch = Rect { x, y: middle - 6.0, width: SAMPLE, height: 12.0 };
                 path.line(&swatch.corners(), true);
-                path.draw(page, &format!("fill=\"{}\" stroke=\"#8A8A8A\" stroke-width=\"5\"", hex(*color)));
+                path.draw(canvas, &format!("{} stroke=\"#8A8A8A\" stroke-width=\"5\"", canvas.fill(*color)));
             }
             Symbol::Line(ink) => {
                 path.line(&[[x, middle], [x + SAMPLE, middle]], false);
-                path.draw(page, &stroke(*ink));
+                path.draw(canvas, &canvas.stroke(*ink));
             }
             Symbol::Pole(_) => {}
         }
     }
-    page.paint(|canvas| {
-        for (symbol, [x, middle]) in legend.symbols([LEFT, top]) {
-            if let Symbol::Pole(sign) = symbol {
-                pole_marker(canvas, *sign, [x + SAMPLE / 2.0, middle]);
-            }
+    for (symbol, [x, middle]) in legend.symbols([LEFT, top]) {
+        if let Symbol::Pole(sign) = symbol {
+            pole_marker(canvas, *sign, [x + SAMPLE / 2.0, middle]);
         }
-        legend.draw(canvas, [LEFT, top], |_, _| {});
-    });
+    }
+    legend.draw(canvas, [LEFT, top], |_, _| {});
 }

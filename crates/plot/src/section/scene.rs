@@ -1,5 +1,6 @@
 //! What a picture of sections shows.
 
+use crate::page::Theme;
 use dynamics::section::{OrbitSection, Portrait};
 
 /// A number for each orbit, by which it is coloured.
@@ -47,10 +48,12 @@ pub struct SectionOptions {
     pub raster_above: usize,
     /// The title; `None`: the body.
     pub title: Option<String>,
+    /// Colours.
+    pub theme: Theme,
 }
 
 impl Default for SectionOptions {
     fn default() -> Self {
-        Self { projection: Projection::Torus, point_size: None, raster_above: 20_000, title: None }
+        Self { projection: Projection::Torus, point_size: None, raster_above: 20_000, title: None, theme: Theme::Light }
     }
 }

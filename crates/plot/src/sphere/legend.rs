@@ -71,7 +71,7 @@ fn surface(name: &str) -> String {
 }
 
 /// Draws the legend with its top left corner at `at`.
-pub(super) fn draw(legend: &Legend<Symbol>, canvas: &Canvas<'_>, at: Point) {
+pub(super) fn draw(legend: &Legend<Symbol>, canvas: &Canvas, at: Point) {
     legend.draw(canvas, at, |symbol, [x, middle]| match symbol {
         Symbol::Tint(color) => {
             let swatch = Rect { x, y: middle - 6.0, width: SAMPLE, height: 12.0 };
