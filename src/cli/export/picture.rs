@@ -13,6 +13,8 @@ pub enum PictureFormat {
     Svg,
     Png,
     Pdf,
+    /// A LaTeX document of one TikZ picture
+    Tikz,
 }
 
 impl PictureFormat {
@@ -74,6 +76,7 @@ impl Exporter<Picture> for PictureExporter {
             PictureFormat::Svg => "svg",
             PictureFormat::Png => "png",
             PictureFormat::Pdf => "pdf",
+            PictureFormat::Tikz => "tikz",
         }
     }
 
@@ -82,6 +85,7 @@ impl Exporter<Picture> for PictureExporter {
             PictureFormat::Svg => picture.svg.clone().into_bytes(),
             PictureFormat::Png => picture.to_png(self.resolution)?,
             PictureFormat::Pdf => picture.to_pdf()?,
+            PictureFormat::Tikz => picture.to_tikz()?.into_bytes(),
         })
     }
 }

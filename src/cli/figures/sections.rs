@@ -1,7 +1,7 @@
 //! The Poincaré sections of the paper.
 
 use dynamics::section::{OrbitSection, Portrait, PortraitOptions, SectionCondition, TorusPoint};
-use plot::{Picture, Projection, SectionOptions, SectionScene, Theme, draw_section_rows};
+use plot::{OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, Theme, draw_section_rows};
 use top::body::{Body, Preset};
 
 use super::error::FigureSection;
@@ -9,6 +9,7 @@ use super::figure::Figure;
 use super::typical::{orbit, typical_orbits};
 use crate::cli::export::ExportError;
 use crate::cli::failure::Failure;
+use crate::cli::section::families::{NAMES, families};
 use crate::cli::terminal::Timings;
 
 /// A figure of sections.
@@ -116,12 +117,19 @@ fn draw(sections: &Sections, timings: &Timings, theme: Theme) -> Result<Picture,
     for row in sections.rows {
         let portrait = Portrait::new(&body, row.h, row.l, &options).map_err(FigureSection::from)?;
         let orbits = timings.stage(sections.stem, || orbits(&portrait, row))?;
-        parts.push((portrait, orbits));
+        let families = families(&body, row.h, row.l, &orbits);
+        parts.push((portrait, orbits, families));
     }
     let scenes: Vec<SectionScene<'_>> = parts
         .iter()
         .zip(sections.rows)
-        .map(|((portrait, orbits), row)| SectionScene { portrait, orbits, values: None, caption: row.caption })
+        .map(|((portrait, orbits, of), row)| SectionScene {
+            portrait,
+            orbits,
+            values: None,
+            families: Some(OrbitFamilies { of, names: &NAMES }),
+            caption: row.caption,
+        })
         .collect();
     let options =
         SectionOptions { projection: sections.projection, raster_above: 4000, theme, ..SectionOptions::default() };

@@ -56,7 +56,7 @@ fn names() -> String {
 fn place(arguments: &MapArguments) -> Result<(std::path::PathBuf, String), Failure> {
     let out = &arguments.out;
     let ending = out.extension().and_then(|ending| ending.to_str());
-    let stem = if ending.is_some_and(|ending| matches!(ending, "svg" | "png" | "pdf")) {
+    let stem = if ending.is_some_and(|ending| matches!(ending, "svg" | "png" | "pdf" | "tikz")) {
         out.file_stem()
     } else {
         out.file_name()

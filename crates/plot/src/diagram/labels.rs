@@ -1,6 +1,6 @@
 //! The labels of regions.
 
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, Point, Rect, subscript, superscript, text_width};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, Point, Rect, section_type, superscript, text_width};
 use schema::{AtlasDocument, RegionDocument};
 
 /// The energy.
@@ -93,14 +93,6 @@ impl Setting {
     }
 }
 
-/// A section's name as the paper prints it: `S2` is S², `T2` is T², `M3` (genus 3) is M²₃.
-fn section(name: &str) -> String {
-    match name.strip_prefix('M') {
-        Some(genus) => format!("M²{}", subscript(genus)),
-        None => superscript(name),
-    }
-}
-
 /// A component of the accessible region: `D2` is D², `S2-3D2` is S²∖3D².
 fn accessible_region(name: &str) -> String {
     match name.split_once('-') {
@@ -122,7 +114,7 @@ pub(super) fn accessible_regions(region: &RegionDocument) -> String {
 /// The type printed in a region: that of its section, or of its accessible region where no section exists.
 pub(super) fn region_type(region: &RegionDocument) -> String {
     if let Some(signature) = &region.signature {
-        return signature.split('+').map(section).collect::<Vec<_>>().join("+");
+        return section_type(signature);
     }
     if region.components.is_empty() {
         return "undecided".to_owned();
@@ -193,8 +185,6 @@ mod tests {
 
     #[test]
     fn names_are_printed_as_in_the_paper() {
-        assert_eq!(section("T2"), "T²");
-        assert_eq!(section("M3"), "M²₃");
         assert_eq!(accessible_region("S2-3D2"), "S²∖3D²");
     }
 }

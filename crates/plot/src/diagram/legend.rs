@@ -8,6 +8,7 @@ use super::outline::Ground;
 use super::palette::{BranchStyle, is_pole};
 use super::panel::Panel;
 use super::placement::Texts;
+use super::scene::Scene;
 use super::stroke::{self, Stroke, Verdict, WIDTH};
 use crate::page::{Canvas, FAINT_INK, Ink, Legend, Pattern, Point, Rect, pattern, short_number};
 use schema::{AtlasDocument, CurveKind, EventKind};
@@ -25,15 +26,17 @@ pub(super) enum Symbol {
     Region(Ground),
 }
 
-/// What the panels need explained, in rows of `width` pixels.
+/// What the panels need explained, in rows of `width` pixels; `dots` says what the dots are.
 pub(super) fn legend(
-    atlas: &AtlasDocument,
+    scene: &Scene<'_>,
     styles: &BTreeMap<&str, BranchStyle>,
     strokes: &[Stroke],
     panels: &[Panel],
     texts: &Texts,
+    dots: &str,
     width: f64,
 ) -> Legend<Symbol> {
+    let atlas = scene.atlas;
     let drawn: Vec<&Stroke> = strokes.iter().filter(|stroke| stroke::is_drawn(stroke, panels)).collect();
     let shows = |curve: usize| drawn.iter().any(|stroke| stroke.lines.iter().any(|line| line.curve == curve));
     let curves = || atlas.curves.iter().enumerate().filter(|(index, _)| shows(*index)).map(|(_, curve)| curve);
@@ -74,8 +77,8 @@ pub(super) fn legend(
             entries.push((Symbol::Event(kind), name.to_owned()));
         }
     }
-    if atlas.regions.iter().any(|region| seen(region.sample.h, region.sample.l)) {
-        entries.push((Symbol::Sample, "sample point of a region".to_owned()));
+    if scene.dots.iter().any(|dot| seen(dot.at[0], dot.at[1])) {
+        entries.push((Symbol::Sample, dots.to_owned()));
     }
     entries.extend(texts.key.iter().map(|&(region, labelled)| {
         let text = key_entry(atlas, region, labelled, &texts.names[region]);

@@ -28,7 +28,7 @@ mod view;
 mod window;
 
 pub(crate) use palette::tint;
-pub use scene::CurveSource;
+pub use scene::{CurveSource, MarkedPoints};
 
 use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, Theme, render};
 use insets::{Magnifications, magnifications};
@@ -52,6 +52,8 @@ pub struct DiagramOptions {
     /// The part of the (h, l) plane of the main panel; `None`: chosen so that every event and every unbounded region
     /// is inside.
     pub window: Option<WindowDocument>,
+    /// Points marked in place of the samples of the regions.
+    pub points: Option<MarkedPoints>,
     /// Colours.
     pub theme: Theme,
 }
@@ -69,7 +71,7 @@ pub fn draw(
     source: Option<&dyn CurveSource>,
     options: &DiagramOptions,
 ) -> Result<Picture, PlotError> {
-    let scene = Scene::new(atlas, source)?;
+    let scene = Scene::new(atlas, source, options.points.as_ref())?;
     let styles = branch_styles(atlas);
     let strokes = strokes(atlas, &styles);
     let (panels, magnified) = panels(&scene, options.window)?;
@@ -78,7 +80,8 @@ pub fn draw(
 
     let insets = panels.len() - 1;
     let width = page_width(insets);
-    let explained = |width| legend(atlas, &styles, &strokes, &panels, &texts, width);
+    let dots = options.points.as_ref().map_or("sample point of a region", |marked| marked.text.as_str());
+    let explained = |width| legend(&scene, &styles, &strokes, &panels, &texts, dots, width);
     let place = |(at, width)| (at, width, explained(width));
     let (mut legend_at, room, mut legend) = place(legend_place(insets));
     if legend.widest() > room {

@@ -85,11 +85,10 @@ impl Diagram<'_> {
     }
 
     fn mark_points(&self, canvas: &Canvas, panel: &Panel, frames: &[Frame], name: &str) {
-        for region in &self.scene.atlas.regions {
-            let point = panel.view.position([region.sample.h, region.sample.l]);
+        for dot in &self.scene.dots {
+            let point = panel.view.position(dot.at);
             if is_marked(point, panel, frames) {
-                let title = format!("sample of {}: h = {}, l = {}", region.id, region.sample.h, region.sample.l);
-                canvas.group(&format!("{name}-sample-{}", region.id), &title, || sample_dot(canvas, point));
+                canvas.group(&format!("{name}-sample-{}", dot.id), &dot.title, || sample_dot(canvas, point));
             }
         }
         // Markers of one kind on top of each other say no more than one.

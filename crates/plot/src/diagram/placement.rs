@@ -100,8 +100,7 @@ fn label(rooms: &mut [Room<'_>], region: usize, name: &Name) {
 fn free_room<'a>(scene: &Scene<'_>, panel: &'a Panel, frames: &[Frame], letters: &mut [Option<Rect>]) -> Room<'a> {
     let mut taken = Taken::default();
     let events = scene.atlas.events.iter().map(|event| [event.h, event.l]);
-    let samples = scene.atlas.regions.iter().map(|region| [region.sample.h, region.sample.l]);
-    let points = events.chain(samples).map(|point| panel.view.position(point));
+    let points = events.chain(scene.dots.iter().map(|dot| dot.at)).map(|point| panel.view.position(point));
     for point in points.filter(|point: &Point| is_marked(*point, panel, frames)) {
         taken.take_box(Rect::around(point, MARKER + 0.5));
     }

@@ -16,8 +16,10 @@ mod perception;
 mod picture;
 mod rows;
 mod stripes;
+mod tex;
 mod theme;
 mod ticks;
+mod tikz;
 
 pub(crate) use axes::{Axis, TICK_SIZE, draw_axes};
 pub(crate) use canvas::{Anchor, Canvas, render};
@@ -27,7 +29,8 @@ pub(crate) use geometry::{Point, Rect, clip_polygon, clip_polyline, distance, is
 pub(crate) use image::png;
 pub(crate) use ink::{FAINT_INK, INK, Ink, PAPER, POLE, rgb, rgbs};
 pub(crate) use legend::Legend;
-pub(crate) use notation::{body, number, short, short_number, subscript, superscript};
+pub use notation::section_type;
+pub(crate) use notation::{body, number, short, short_number, superscript};
 pub(crate) use path::Path;
 pub(crate) use pattern::Pattern;
 #[cfg(test)]

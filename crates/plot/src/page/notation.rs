@@ -24,6 +24,16 @@ pub(crate) fn subscript(text: &str) -> String {
     digits(text, SUBSCRIPTS)
 }
 
+/// The sections of a signature as the paper prints them: `S2+T2` is S²+T², `M3` (genus 3) is M²₃.
+#[must_use]
+pub fn section_type(signature: &str) -> String {
+    let section = |name: &str| match name.strip_prefix('M') {
+        Some(genus) => format!("M²{}", subscript(genus)),
+        None => superscript(name),
+    };
+    signature.split('+').map(section).collect::<Vec<_>>().join("+")
+}
+
 /// A number as its `Display` gives it, with a true minus sign.
 pub(crate) fn number(x: impl Display) -> String {
     x.to_string().replace('-', "−")
@@ -71,6 +81,12 @@ pub(crate) fn short(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sections_are_printed_as_in_the_paper() {
+        assert_eq!(section_type("T2+T2"), "T²+T²");
+        assert_eq!(section_type("M3"), "M²₃");
+    }
 
     #[test]
     fn numbers_are_short() {

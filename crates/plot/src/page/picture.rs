@@ -7,7 +7,7 @@ use resvg::usvg::{Options, Tree};
 
 use super::error::PlotError;
 use super::geometry::UNITS;
-use super::{font, image, pdf};
+use super::{font, image, pdf, tikz};
 
 /// Pixels of an SVG in an inch (CSS).
 const PIXELS_PER_INCH: f64 = 96.0;
@@ -94,6 +94,15 @@ impl Picture {
     /// [`PlotError::NoPdf`] in a build without the feature `pdf`, [`PlotError::Pdf`] where the writer fails.
     pub fn to_pdf(&self) -> Result<Vec<u8>, PlotError> {
         pdf::page(&self.tree()?)
+    }
+
+    /// The picture as a LaTeX document of one TikZ picture, text as text.
+    ///
+    /// # Errors
+    /// [`PlotError::TikzImage`] for a picture that holds images.
+    pub fn to_tikz(&self) -> Result<String, PlotError> {
+        let title = self.svg.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
+        tikz::document(&self.tree()?, title.map_or("", |(title, _)| title))
     }
 
     fn tree(&self) -> Result<Tree, PlotError> {

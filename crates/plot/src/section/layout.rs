@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::scene::{Projection, SectionScene};
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Point, Rect, number};
+use crate::page::{Anchor, Canvas, INK, Point, Rect, number};
 use dynamics::section::Chart;
 
 /// Plot area of a panel.
@@ -17,7 +17,7 @@ const BAR_WIDTH: f64 = 13.0;
 const TITLE: f64 = 34.0;
 /// Room above and below the panels of a row.
 const ABOVE: f64 = 30.0;
-const BELOW: f64 = 36.0;
+const BELOW: f64 = 42.0;
 const CAPTION_SIZE: f64 = 12.0;
 const TICK_SIZE: f64 = 11.0;
 
@@ -124,7 +124,7 @@ fn draw_ticks(canvas: &Canvas, panel: &SheetPanel) {
         let at = [rect.x + 0.25 * k as f64 * rect.width, rect.bottom() + 17.0];
         canvas.text(label, at, TICK_SIZE, INK, Anchor::Middle);
     }
-    let name = [rect.x + 0.375 * rect.width, rect.bottom() + 19.0];
+    let name = [rect.x + 0.5 * rect.width, rect.bottom() + 33.0];
     canvas.text(psi, name, CAPTION_SIZE, INK, Anchor::Middle);
     if panel.sheet > 0 {
         return;
@@ -133,6 +133,6 @@ fn draw_ticks(canvas: &Canvas, panel: &SheetPanel) {
         let at = [rect.x - 9.0, rect.y + 0.5 * k as f64 * rect.height + 0.36 * TICK_SIZE];
         canvas.text(label, at, TICK_SIZE, INK, Anchor::End);
     }
-    let name = [rect.x - 9.0, rect.y + 0.25 * rect.height + 0.36 * CAPTION_SIZE];
-    canvas.text(theta, name, CAPTION_SIZE, FAINT_INK, Anchor::End);
+    let name = [rect.x - 36.0, rect.y + 0.5 * rect.height + 0.36 * CAPTION_SIZE];
+    canvas.text(theta, name, CAPTION_SIZE, INK, Anchor::End);
 }

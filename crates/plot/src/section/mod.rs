@@ -12,7 +12,7 @@ mod points;
 mod raster;
 mod scene;
 
-pub use scene::{OrbitValues, Projection, SectionOptions, SectionScene};
+pub use scene::{OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
 
 use crate::page::{Anchor, INK, Picture, PlotError, body, render};
 use colors::Coloring;
