@@ -1,5 +1,7 @@
 /** Each panel under a hand. */
-import { readFile } from "node:fs/promises";
+import { mkdtemp, readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { TOUR } from "../../src/guide/tour";
@@ -40,8 +42,7 @@ test("the section: orbits of the command line's starts, and one more where it is
   });
   const box = (await page.getByTestId("section").boundingBox())!;
   await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.25 * box.height);
-  await page.waitForFunction((before) => Number(document.querySelector("[data-testid=crossing-count]")!.textContent) > before, before);
-  expect(await crossings(page)).toBe(before + 501);
+  await expect.poll(() => crossings(page)).toBe(before + 501);
   await page.close();
 });
 
@@ -63,10 +64,8 @@ test("the body moves, and pauses", async () => {
   const before = await picture(page, "motion");
   await expect.poll(() => picture(page, "motion")).not.toBe(before);
   await page.getByTestId("play").click();
-  await page.waitForTimeout(200);
-  const paused = await picture(page, "motion");
-  await page.waitForTimeout(300);
-  expect(await picture(page, "motion")).toBe(paused);
+  const later = () => page.waitForTimeout(300).then(() => picture(page, "motion"));
+  await expect.poll(async () => (await picture(page, "motion")) === (await later())).toBe(true);
   await page.close();
 });
 
@@ -88,16 +87,51 @@ test("a click into the diagram chooses a point; the address holds it and gives i
 });
 
 test("dragging the point over a curve tells the surgery", async () => {
-  const page = await open("A=2,1.1,1&r=0.94868,0,0.61623&h=3.53&l=2.862&view=2.6,4.6,2.3,3.4");
+  const page = await open("A=2,1.1,1&r=0.94868,0,0.61623&h=3.2&l=2.4&view=1.8,3.8,2,3.1");
   const box = (await page.getByTestId("diagram").boundingBox())!;
-  const place = (h: number, l: number) => [box.x + 46 + ((h - 2.6) / 2) * (box.width - 56), box.y + 8 + (1 - (l - 2.3) / 1.1) * (box.height - 44)] as const;
-  await page.mouse.move(...place(3.53, 2.862));
+  const place = (h: number, l: number) => [box.x + 46 + ((h - 1.8) / 2) * (box.width - 56), box.y + 8 + (1 - (l - 2) / 1.1) * (box.height - 44)] as const;
+  await page.mouse.move(...place(3.2, 2.4));
   await page.mouse.down();
-  await page.mouse.move(...place(3.2, 2.868), { steps: 12 });
-  await expect.poll(() => page.getByTestId("surgery").textContent()).toMatch(/falls into two.*S² and T²/);
+  await page.mouse.move(...place(2.25, 2.4), { steps: 3 });
+  await expect.poll(() => page.getByTestId("surgery").textContent()).toBe("R2 → R5 across G1.2: at a saddle components of U part, and those of E with them (D2 to D2 + D2).");
   await page.mouse.up();
   await ready(page);
   expect(await data(page, "point-region", "region")).toBe("R5");
+  await page.close();
+});
+
+const TETRAHEDRON = "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+test("a real part becomes the body, as the command line understands it", async () => {
+  const page = await open("");
+  await page.getByTestId("part").locator("summary").click();
+  await page.getByTestId("part-units").selectOption("g,mm,s");
+  const mesh = { name: "part.obj", mimeType: "model/obj", buffer: Buffer.from(TETRAHEDRON) };
+  await page.getByTestId("part-file").setInputFiles(mesh);
+  await expect.poll(() => page.getByTestId("error").textContent()).toContain("density");
+  await page.getByTestId("part-density").fill("0.5");
+  await page.getByTestId("part-file").setInputFiles(mesh);
+  await expect.poll(() => page.getByTestId("part-note").textContent()).toContain("g mm s");
+  await ready(page);
+  const folder = await mkdtemp(join(tmpdir(), "bifdiag-"));
+  await writeFile(join(folder, mesh.name), mesh.buffer);
+  const native = JSON.parse(bifdiag("body", `--part=${join(folder, mesh.name)}`, "--density=0.5", "--units=g,mm,s", "--json")) as { A: string[]; r: string[] };
+  expect(await page.getByTestId("input-A1").inputValue()).toBe(native.A[0]);
+  expect(await page.getByTestId("input-r3").inputValue()).toBe(native.r[2]);
+  expect(await page.getByTestId("error").count()).toBe(0);
+
+  await page.getByTestId("part-units").selectOption("kg,m,s");
+  await page.getByTestId("part-tensor").fill("2.1 1.8 1.2 0.3 -0.1 0.2");
+  await page.getByTestId("part-mass").fill("0.5");
+  await page.getByTestId("part-point").fill("0, 0.1, 0.2");
+  await page.getByTestId("part-take").click();
+  await expect.poll(() => page.getByTestId("error").textContent()).toContain("choose which one");
+  await page.getByTestId("part-products").selectOption("integral");
+  await page.getByTestId("part-take").click();
+  await expect.poll(() => page.getByTestId("part-note").textContent()).toContain("kg m s");
+  await ready(page);
+  const tensor = JSON.parse(bifdiag("body", "--inertia-com=2.1,1.8,1.2,0.3,-0.1,0.2", "--products=integral", "--com=0,0.1,0.2", "--mass=0.5", "--json")) as { A: string[] };
+  expect(await page.getByTestId("input-A1").inputValue()).toBe(tensor.A[0]);
   await page.close();
 });
 
