@@ -90,7 +90,7 @@ fn survey() -> Vec<(String, Body)> {
 fn random(count: usize) -> Vec<(String, Body)> {
     let mut rng = SplitMix64::new(20);
     // Every second body is special.
-    let stratum = |n: usize| if n % 2 == 0 { Stratum::Generic } else { STRATA[n / 2 % STRATA.len()] };
+    let stratum = |n: usize| if n.is_multiple_of(2) { Stratum::Generic } else { STRATA[n / 2 % STRATA.len()] };
     (0..count).map(|n| (format!("random-{n}"), random_body(&mut rng, stratum(n)))).collect()
 }
 

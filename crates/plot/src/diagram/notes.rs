@@ -22,7 +22,7 @@ pub(super) fn heading(atlas: &AtlasDocument, width: f64, size: f64) -> Heading {
     let mut metadata = format!("A = ({}), r = ({})", own.moments.join(", "), own.center.join(", "));
     for (name, value) in [("version", version), ("command", command)] {
         if !value.is_empty() {
-            metadata.push_str(&format!("; {name}: {value}"));
+            metadata.extend(["; ", name, ": ", value]);
         }
     }
     Heading { title: title.unwrap_or_else(|| rounded(1)), metadata }

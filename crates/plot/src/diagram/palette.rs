@@ -36,17 +36,15 @@ pub(super) struct Parts {
 impl Parts {
     pub(super) fn of(region: &RegionDocument) -> Self {
         let circles = region.components.iter().map(|part| part.boundary_circles).sum();
-        match &region.signature {
-            Some(signature) => Self { tints: section_tints(signature), circles },
-            None => {
-                let tint = |circles: u32| match circles {
-                    0 => 1,
-                    1 => 0,
-                    many => usize::try_from(many).unwrap_or(0).min(TINTS.len() - 1),
-                };
-                Self { tints: region.components.iter().map(|part| tint(part.boundary_circles)).collect(), circles }
-            }
+        if let Some(signature) = &region.signature {
+            return Self { tints: section_tints(signature), circles };
         }
+        let tint = |circles: u32| match circles {
+            0 => 1,
+            1 => 0,
+            many => usize::try_from(many).unwrap_or(0).min(TINTS.len() - 1),
+        };
+        Self { tints: region.components.iter().map(|part| tint(part.boundary_circles)).collect(), circles }
     }
 }
 

@@ -56,19 +56,15 @@ pub(super) struct Scene<'a> {
 /// The points that were asked for, else the samples of the regions.
 fn dots(atlas: &AtlasDocument, marked: Option<&MarkedPoints>) -> Vec<Dot> {
     let told = |[h, l]: [f64; 2]| format!("h = {h}, l = {l}");
-    match marked {
-        Some(marked) => {
-            let dot = |(number, &at): (usize, &[f64; 2])| Dot { at, id: (number + 1).to_string(), title: told(at) };
-            marked.points.iter().enumerate().map(dot).collect()
-        }
-        None => {
-            let dot = |region: &RegionDocument| {
-                let at = [region.sample.h, region.sample.l];
-                Dot { at, id: region.id.clone(), title: format!("sample of {}: {}", region.id, told(at)) }
-            };
-            atlas.regions.iter().map(dot).collect()
-        }
+    if let Some(marked) = marked {
+        let dot = |(number, &at): (usize, &[f64; 2])| Dot { at, id: (number + 1).to_string(), title: told(at) };
+        return marked.points.iter().enumerate().map(dot).collect();
     }
+    let dot = |region: &RegionDocument| {
+        let at = [region.sample.h, region.sample.l];
+        Dot { at, id: region.id.clone(), title: format!("sample of {}: {}", region.id, told(at)) }
+    };
+    atlas.regions.iter().map(dot).collect()
 }
 
 impl<'a> Scene<'a> {

@@ -26,9 +26,11 @@ pub(crate) fn tex(text: &str) -> String {
             out.push_str("}$");
         } else if characters.peek() == Some(&'\u{302}') {
             characters.next();
-            out.push_str(&format!("$\\hat{{{character}}}$"));
+            out.push_str("$\\hat{");
+            out.push(character);
+            out.push_str("}$");
         } else if let Some((_, command)) = SYMBOLS.iter().find(|(symbol, _)| *symbol == character) {
-            out.push_str(&format!("${command}$"));
+            out.extend(["$", command, "$"]);
         } else {
             match character {
                 '\\' => out.push_str("\\textbackslash{}"),

@@ -66,17 +66,12 @@ impl Coloring {
 
     /// Place in the palette of orbit number `index` of a scene.
     pub fn of(&self, scene: &SectionScene<'_>, index: usize) -> usize {
-        match (&self.bar, scene.values) {
-            (Some(bar), Some(values)) => match bar.level(values.values[index]) {
-                Some(level) => ORBITS + 1 + level,
-                None => ORBITS,
-            },
-            _ => {
-                let family = family(scene, index);
-                let before = (0..index).filter(|&other| self::family(scene, other) == family).count();
-                family % FAMILIES.len() * SHADES + before % SHADES
-            }
+        if let (Some(bar), Some(values)) = (&self.bar, scene.values) {
+            return bar.level(values.values[index]).map_or(ORBITS, |level| ORBITS + 1 + level);
         }
+        let own = family(scene, index);
+        let before = (0..index).filter(|&other| family(scene, other) == own).count();
+        own % FAMILIES.len() * SHADES + before % SHADES
     }
 }
 
@@ -178,6 +173,6 @@ mod tests {
         for color in FAMILIES.into_iter().flatten().chain([UNKNOWN, level_color(0), level_color(LEVELS - 1)]) {
             assert!(luminance(color) < 190.0, "{color:?}");
         }
-        assert!(ORBITS + 1 + LEVELS <= 255, "an image has room for one transparent and 255 other colours");
+        const { assert!(ORBITS + 1 + LEVELS <= 255, "an image has room for one transparent and 255 other colours") };
     }
 }

@@ -61,7 +61,7 @@ impl Layout {
                     self.boxes.push((id.to_owned(), path.abs_bounding_box()));
                 }
                 Node::Path(path) if id.contains("-frame-") => {
-                    self.frames.push((id.to_owned(), path.abs_bounding_box()))
+                    self.frames.push((id.to_owned(), path.abs_bounding_box()));
                 }
                 Node::Path(_) | Node::Image(_) => {}
             }
