@@ -650,6 +650,7 @@ fn few_bits(x: f64) -> f64 {
 }
 
 /// What the slopes tell of a stretch.
+#[derive(Clone, Copy, Debug)]
 enum Course {
     /// One sign.
     Constant(i8),
