@@ -34,7 +34,7 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         files.export("atlas", &document, &Json)?;
         files.remove_pictures("diagram");
         if !settings.formats.is_empty() {
-            let options = DiagramOptions { window: settings.window };
+            let options = DiagramOptions { window: settings.window, points: None, theme: settings.theme };
             let picture = timings
                 .stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))
                 .map_err(ExportError::from)?;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::cli::export::PictureFormat;
+use crate::cli::export::PictureArguments;
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -17,7 +17,6 @@ pub struct FiguresArguments {
     /// Write the figures to DIR
     #[arg(long, value_name = "DIR", default_value = "figures")]
     pub out: PathBuf,
-    /// Formats
-    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg")]
-    pub format: Vec<PictureFormat>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
 }

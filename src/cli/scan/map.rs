@@ -41,10 +41,10 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
         }
     }
     let map = map(&bodies, [arguments.x, arguments.y], arguments.show);
-    let picture = timings.stage("map", || draw_map(&map)).map_err(ExportError::from)?;
+    let picture = timings.stage("map", || draw_map(&map, arguments.picture.theme())).map_err(ExportError::from)?;
     let (directory, stem) = place(arguments)?;
     let mut files = FileSet::new(&directory);
-    files.pictures(&stem, &picture, &arguments.format, RESOLUTION, timings)?;
+    files.pictures(&stem, &picture, &arguments.picture.format, RESOLUTION, timings)?;
     Ok(print(Report::of_paths(&files.write()?).text())?)
 }
 
@@ -56,7 +56,7 @@ fn names() -> String {
 fn place(arguments: &MapArguments) -> Result<(std::path::PathBuf, String), Failure> {
     let out = &arguments.out;
     let ending = out.extension().and_then(|ending| ending.to_str());
-    let stem = if ending.is_some_and(|ending| matches!(ending, "svg" | "png" | "pdf")) {
+    let stem = if ending.is_some_and(|ending| matches!(ending, "svg" | "png" | "pdf" | "tikz")) {
         out.file_stem()
     } else {
         out.file_name()
