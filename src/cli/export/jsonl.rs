@@ -1,6 +1,8 @@
 //! JSON Lines: one object a row.
 
-use super::columns::Columns;
+use serde_json::Value;
+
+use super::columns::{Columns, Values};
 
 /// The whole file. Numbers that JSON does not have (NaN) are null.
 pub fn lines(table: &Columns) -> String {
@@ -12,7 +14,7 @@ pub fn lines(table: &Columns) -> String {
                 out.push_str(", ");
             }
             let entries: Vec<String> =
-                (0..column.values.parts().len()).map(|k| number(column.values.text(row, k))).collect();
+                (0..column.values.parts().len()).map(|k| entry(&column.values, row, k)).collect();
             let value = if entries.len() == 1 { entries.concat() } else { format!("[{}]", entries.join(", ")) };
             out.extend(["\"", column.name, "\": ", &value]);
         }
@@ -21,14 +23,21 @@ pub fn lines(table: &Columns) -> String {
     out
 }
 
-fn number(text: String) -> String {
-    if text.contains(['N', 'i']) { "null".to_owned() } else { text }
+fn entry(values: &Values, row: usize, k: usize) -> String {
+    let text = values.text(row, k);
+    match values {
+        Values::Words { words, .. } if words.iter().any(|word| word.as_str() == Some(&text)) => {
+            Value::from(text).to_string()
+        }
+        Values::Float { .. } if text.contains(['N', 'i']) => "null".to_owned(),
+        _ => text,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::export::columns::{Column, Values};
+    use crate::cli::export::columns::Column;
 
     #[test]
     fn each_row_is_an_object() {

@@ -46,6 +46,7 @@ impl Archive {
                 self.add(name, "|i1", &shape, &values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>())
             }
             Values::Int32(values) => self.integers(name, &shape, values),
+            Values::Words { places, .. } => self.column(name, places),
             Values::Float { values, .. } => {
                 self.add(name, "<f8", &shape, &values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>())
             }
