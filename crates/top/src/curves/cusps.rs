@@ -140,12 +140,13 @@ fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Form {
         }
         for j in i + 1..n {
             let product = squares[i].times(&squares[j]);
-            let factor = weight(i) * weight(j) * sign(i) * sign(j);
-            for m in [i, j] {
-                sum.add_scaled(factor * sign(m) * moment(m), &with_others(product.times(&lines[m]), &[i, j]));
-            }
             let d = frame.diff[active[i]][active[j]];
-            sum.add_scaled(factor * 4.0 * d * d, &with_others(product.times(&unit), &[i, j]));
+            let mut line = Form::zero(1);
+            line.add_scaled(sign(i) * moment(i), &lines[i]);
+            line.add_scaled(sign(j) * moment(j), &lines[j]);
+            line.add_scaled(4.0 * d * d, &unit);
+            let factor = weight(i) * weight(j) * sign(i) * sign(j);
+            sum.add_scaled(factor, &with_others(product.times(&line), &[i, j]));
         }
     }
     sum
