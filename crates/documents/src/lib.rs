@@ -16,6 +16,7 @@ mod section;
 mod spin;
 mod subject;
 mod witnesses;
+pub mod words;
 
 pub use atlas::{DocumentOptions, attach_part};
 pub use body::{all_bodies, flags, part, texts};

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use super::curves::{Curves, NotIsolated, Shape};
+use super::curves::{Curves, NotIsolated, ROOT_BITS, Shape};
 use super::id::{MeetingId, TransitionId};
 use super::model::Model;
 use super::pair::{Open, PairProof, Proof};
@@ -18,8 +18,6 @@ use top::table::{Id, Table};
 
 /// Bits of the second and third stage.
 pub(super) const STAGES: [usize; 2] = [128, 384];
-/// Bits to which roots are refined.
-const ROOT_BITS: usize = 420;
 
 /// What an event is.
 #[derive(Clone, Debug)]
@@ -179,25 +177,24 @@ fn is_family(curves: &Curves, curve: CurveId) -> bool {
 }
 
 /// The arrangement, as far as it can be proved.
-pub(super) fn arrange(model: Model) -> Result<Arrangement, Vec<Undecided>> {
+pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<Undecided>> {
     let roots = |_: NotIsolated| vec![Undecided::Roots];
-    let curves = Curves::new(&model, ROOT_BITS).map_err(roots)?;
     if !curves.degenerate.is_empty() {
         return Err(vec![Undecided::Degenerate]);
     }
-    let meetings = polar::meetings(&model, &curves, ROOT_BITS).map_err(roots)?;
-    let plain = Evaluator::<Wide>::new(&model, &curves, &[], STAGES[1]);
+    let meetings = polar::meetings(&model, curves, ROOT_BITS).map_err(roots)?;
+    let plain = Evaluator::<Wide>::new(&model, curves, &[], STAGES[1]);
     let mut events = single_events(&plain, &meetings)?;
     let mut bits = 0;
     let (pairs, crossings) = {
-        let known = known_meetings(&curves, &events);
-        let mut stages = Stages::new(&model, &curves, &known);
+        let known = known_meetings(curves, &events);
+        let mut stages = Stages::new(&model, curves, &known);
         let mut pairs = Vec::new();
         let mut crossings = Vec::new();
         let mut undecided = Vec::new();
         for b in curves.list.ids() {
             for a in curves.list.ids().take_while(|a| *a < b) {
-                let apart = [a, b].iter().any(|&c| !is_family(&curves, c) || curves.list[c].lowest);
+                let apart = [a, b].iter().any(|&c| !is_family(curves, c) || curves.list[c].lowest);
                 if apart {
                     continue;
                 }
@@ -225,11 +222,20 @@ pub(super) fn arrange(model: Model) -> Result<Arrangement, Vec<Undecided>> {
     events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
     let events = Table::from(events);
     let transitions = transitions(&events)?;
-    let mut stages = Stages::new(&model, &curves, &[]);
-    let slabs = slabs(&curves, &events, &transitions, &mut stages)?;
+    let mut stages = Stages::new(&model, curves, &[]);
+    let slabs = slabs(curves, &events, &transitions, &mut stages)?;
     bits = bits.max(stages.used);
-    let mut arrangement =
-        Arrangement { model, curves, meetings, pairs, events, transitions, slabs, region_count: 0, bits };
+    let mut arrangement = Arrangement {
+        model,
+        curves: curves.clone(),
+        meetings,
+        pairs,
+        events,
+        transitions,
+        slabs,
+        region_count: 0,
+        bits,
+    };
     arrangement.glue()?;
     Ok(arrangement)
 }
@@ -591,7 +597,8 @@ mod tests {
 
     fn arranged(body: &Body) -> Arrangement {
         let model = Model::new(body, &body.frame());
-        arrange(model).unwrap_or_else(|why| panic!("{body:?}: {why:?}"))
+        let curves = Curves::of(&model).unwrap();
+        arrange(model, &curves).unwrap_or_else(|why| panic!("{body:?}: {why:?}"))
     }
 
     #[test]

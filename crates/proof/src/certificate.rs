@@ -17,7 +17,7 @@ use schema::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
-use top::curves::{BranchName, CurveId, CurveName, End, Pole};
+use top::curves::{CurveId, CurveName, End, Pole};
 use top::table::Id;
 
 /// Digits of isolating ranges.
@@ -28,8 +28,7 @@ const NODE_DIGITS: usize = 24;
 impl CertifiedAtlas {
     /// Name of a curve.
     pub(super) fn name(&self, curve: CurveId) -> CurveName {
-        let curve = &self.arrangement.curves.list[curve];
-        CurveName::on(BranchName::of(&self.frame, curve.branch), curve.piece)
+        self.arrangement.curves.list[curve].name(&self.frame)
     }
 
     fn id(&self, curve: CurveId) -> String {

@@ -7,8 +7,12 @@ use dashu_ratio::RBig;
 use super::family::Half;
 use super::model::Model;
 use numbers::polynomial::{Polynomial, Root};
-use top::curves::{Branch, CurveId, CuspId, End, IntervalId, Orbit, PitchforkId, Pole};
+use top::body::Frame;
+use top::curves::{Branch, BranchName, CurveId, CurveName, CuspId, End, IntervalId, Orbit, PitchforkId, Pole};
 use top::table::{Id, Table};
+
+/// Bits to which the roots of a proof are refined.
+pub(super) const ROOT_BITS: usize = 420;
 
 /// A place on a half of a family.
 #[derive(Clone, Debug)]
@@ -249,7 +253,19 @@ impl Place {
     }
 }
 
+impl Curve {
+    /// Its name.
+    pub fn name(&self, frame: &Frame) -> CurveName {
+        CurveName::on(BranchName::of(frame, self.branch), self.piece)
+    }
+}
+
 impl Curves {
+    /// The curves of a body, with the bits of a proof.
+    pub fn of(model: &Model) -> Result<Self, NotIsolated> {
+        Self::new(model, ROOT_BITS)
+    }
+
     /// Isolates all cusps (to `bits` bits) and cuts the families.
     pub fn new(model: &Model, bits: usize) -> Result<Self, NotIsolated> {
         let mut curves = Self {

@@ -36,6 +36,8 @@ mod region;
 mod ridges;
 mod vertex;
 
+use std::fmt;
+
 use thiserror::Error;
 
 pub use accuracy::{Accuracy, NoAtlas, Unanswered, atlas_of, classify};
@@ -45,12 +47,13 @@ pub use plane::Open;
 pub use prepared::Prepared;
 
 use arrange::{Arrangement, Undecided};
+use curves::{Curves, NotIsolated};
 use model::Model;
 use region::Region;
 use top::body::{Body, Frame};
-use top::curves::{CurveId, EquilibriaError};
+use top::curves::{CurveId, CurveName, EquilibriaError};
 use top::diagram::RegionId;
-use top::table::{Id, Table};
+use top::table::Table;
 use top::topology::Component;
 
 /// A proved atlas.
@@ -66,8 +69,11 @@ pub struct CertifiedAtlas {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Obstacle {
     /// Roots that neither isolation nor gcd tells apart.
-    #[error("two special points of a branch (cusp, pitchfork or meeting with a pole line) cannot be told apart")]
-    Roots,
+    #[error("two roots of the polynomial of {of} cannot be told apart")]
+    Roots {
+        /// What its roots are.
+        of: Special,
+    },
     /// A degenerate critical point that is no ordinary cusp or pitchfork.
     #[error("the body has a degenerate relative equilibrium that is no ordinary cusp or pitchfork")]
     Degenerate,
@@ -75,15 +81,15 @@ pub enum Obstacle {
     #[error("the order of the curves {} and {} between l = {} and l = {}", curves[0], curves[1], l[0], l[1])]
     Order {
         /// Names of the curves.
-        curves: [String; 2],
+        curves: [CurveName; 2],
         /// Range of l.
         l: [f64; 2],
     },
     /// Two events on a common curve.
-    #[error("the order of two events of the curves {} between l = {} and l = {}", curves.join(", "), l[0], l[1])]
+    #[error("the order of two events of the curves {} between l = {} and l = {}", list(curves), l[0], l[1])]
     Events {
         /// Names of the curves.
-        curves: Vec<String>,
+        curves: Vec<CurveName>,
         /// Range of l.
         l: [f64; 2],
     },
@@ -95,9 +101,31 @@ pub enum Obstacle {
     },
 }
 
+fn list(names: &[CurveName]) -> String {
+    names.iter().map(CurveName::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// What the roots of a polynomial are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Special {
+    /// The cusps of the generic family, 4(q'D − 2qD')p − 3(p'D − 2pD')q.
+    Cusps,
+    /// The meetings of pole lines with critical curves, N² − r²p³D².
+    Meetings,
+}
+
+impl fmt::Display for Special {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Cusps => "cusps, 4(q'D - 2qD')p - 3(p'D - 2pD')q",
+            Self::Meetings => "meetings with pole lines, N^2 - r^2 p^3 D^2",
+        })
+    }
+}
+
 /// Why there is no certified atlas.
 #[derive(Clone, Debug, PartialEq, Error)]
-#[error("not proved with {} bits: {}", arrange::STAGES[arrange::STAGES.len() - 1], obstacles.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
+#[error("not proved with {} bits and {} points of each pair of curves: {}", arrange::STAGES[arrange::STAGES.len() - 1], pair::POINTS, obstacles.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
 pub struct NotProved {
     /// Each of them.
     pub obstacles: Vec<Obstacle>,
@@ -123,8 +151,11 @@ impl CertifiedAtlas {
     pub fn new(body: &Body) -> Result<Self, NotProved> {
         let frame = body.frame();
         let model = Model::new(body, &frame);
-        let arrangement = arrange::arrange(model)
-            .map_err(|undecided| NotProved { obstacles: undecided.iter().map(|u| obstacle(&frame, u)).collect() })?;
+        let curves = Curves::of(&model)
+            .map_err(|NotIsolated| NotProved { obstacles: vec![Obstacle::Roots { of: Special::Cusps }] })?;
+        let arrangement = arrange::arrange(model, &curves).map_err(|undecided| NotProved {
+            obstacles: undecided.iter().map(|u| obstacle(&frame, &curves, u)).collect(),
+        })?;
         let regions = region::regions(&arrangement, &frame);
         Ok(Self { body: body.clone(), frame, arrangement, regions })
     }
@@ -166,16 +197,16 @@ impl CertifiedAtlas {
     }
 }
 
-fn obstacle(frame: &Frame, undecided: &Undecided) -> Obstacle {
+fn obstacle(frame: &Frame, list: &Curves, undecided: &Undecided) -> Obstacle {
     let momentum = |x: f64| (2.0 * x).sqrt() * frame.momentum_unit;
-    let names = |curves: &[CurveId]| curves.iter().map(|c| format!("#{}", c.index())).collect::<Vec<_>>();
+    let name = |curve: CurveId| list.list[curve].name(frame);
     match undecided {
-        Undecided::Roots => Obstacle::Roots,
+        Undecided::Roots => Obstacle::Roots { of: Special::Meetings },
         Undecided::Degenerate => Obstacle::Degenerate,
-        Undecided::Pair { curves, x } => {
-            Obstacle::Order { curves: curves.map(|c| format!("#{}", c.index())), l: x.map(momentum) }
+        Undecided::Pair { curves, x } => Obstacle::Order { curves: curves.map(name), l: x.map(momentum) },
+        Undecided::Events { curves, x } => {
+            Obstacle::Events { curves: curves.iter().map(|&c| name(c)).collect(), l: x.map(momentum) }
         }
-        Undecided::Events { curves, x } => Obstacle::Events { curves: names(curves), l: x.map(momentum) },
         Undecided::Order { x } | Undecided::Gluing { x } => Obstacle::Heights { l: momentum(*x) },
     }
 }

@@ -18,6 +18,10 @@ const DEPTH: u32 = 48;
 /// How often x is multiplied by 8 on the way to infinity.
 const FAR: u32 = 90;
 
+/// How many points of curves the order of two curves may cost in one precision: a count of work, so that the answer does
+/// not depend on the machine.
+pub(super) const POINTS: u32 = 4000;
+
 /// What ends a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Mark {
@@ -89,6 +93,7 @@ enum Side<E: Enclosure> {
 impl<E: Enclosure> Evaluator<'_, E> {
     /// The order of curves a and b, neither of which is a line or structurally lowest. `None` when they have no common x.
     pub fn pair(&self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
+        self.allow(POINTS);
         let curves = [a, b];
         let anywhere = Open { x: [0.0, f64::INFINITY] };
         let lower = self.side(curves, 0).ok_or(anywhere)?;

@@ -1,5 +1,7 @@
 //! The point of a curve over x, enclosed, and the difference of two heights.
 
+use std::cell::Cell;
+
 use super::curves::{Bound, Curve, Curves, Segment, Shape};
 use super::estimate::Estimate;
 use super::family::{Half, State};
@@ -29,6 +31,8 @@ pub(super) struct Evaluator<'a, E: Enclosure> {
     /// x at the ends of each curve's segments, as estimates.
     ends: Table<CurveId, Vec<[f64; 2]>>,
     meetings: Vec<Passage>,
+    /// How many more points a question may ask for.
+    left: Cell<u32>,
 }
 
 /// A point of a curve over x.
@@ -88,7 +92,12 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                 _ => Vec::new(),
             })
             .collect();
-        Self { model, curves, c, estimate, ends, meetings: meetings.to_vec() }
+        Self { model, curves, c, estimate, ends, meetings: meetings.to_vec(), left: Cell::new(u32::MAX) }
+    }
+
+    /// The next question may ask for so many points.
+    pub fn allow(&self, points: u32) {
+        self.left.set(points);
     }
 
     /// It is proved that a curve passes through this end of another.
@@ -114,9 +123,10 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         number(&place.lo).hull(&number(&place.hi))
     }
 
-    /// The point of a curve over x. `None` when it cannot be enclosed with these bits, or x is not surely inside the
-    /// curve's range.
+    /// The point of a curve over x. `None` when it cannot be enclosed with these bits, x is not surely inside the
+    /// curve's range, or the question has asked for as many points as it may.
     pub fn point(&self, curve: CurveId, x: &E) -> Option<Point<E>> {
+        self.left.set(self.left.get().checked_sub(1)?);
         match &self.curves.list[curve].shape {
             Shape::Family(segments) => self.family_point(curve, segments, x),
             Shape::Pole(pole) => Some(self.line_point(&self.curves.list[curve], *pole, x)),

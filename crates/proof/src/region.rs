@@ -1,13 +1,16 @@
-//! Regions: a sample in each and the topology there, by the certified latitude sweep.
+//! Regions: a sample in each and the topology there, from the ridges over one exact point.
 
 use dashu_ratio::RBig;
 
-use super::arrange::Arrangement;
+use super::arrange::{Arrangement, STAGES, Slab};
+use super::plane::{Gap, Open, Plane};
+use super::point::Evaluator;
+use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::wide::Wide;
 use top::body::Frame;
 use top::diagram::{Cell, RegionId};
 use top::table::Table;
-use top::topology::latitude::{self, SweepError};
-use top::topology::{Component, Poles};
+use top::topology::Component;
 
 /// A point of a region: proved to lie between the curves around it.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,20 +30,8 @@ pub(super) struct Region {
     /// `None`: the region is thinner than doubles.
     pub sample: Option<Sample>,
     /// The components of U_hl, or why they are not proved.
-    pub components: Result<Vec<Component>, Unproved>,
+    pub components: Result<Vec<Component>, Open>,
 }
-
-/// Why a region's topology is not proved.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Unproved {
-    /// No double lies inside.
-    Thin,
-    /// The sweep ended without an answer.
-    Sweep(SweepError),
-}
-
-/// How many samples are tried.
-const ATTEMPTS: usize = 3;
 
 pub(super) fn regions(arrangement: &Arrangement, frame: &Frame) -> Table<RegionId, Region> {
     let mut cells = Table::<RegionId, Vec<Cell>>::filled(Vec::new(), arrangement.region_count);
@@ -53,27 +44,39 @@ pub(super) fn regions(arrangement: &Arrangement, frame: &Frame) -> Table<RegionI
 }
 
 fn region(arrangement: &Arrangement, frame: &Frame, cells: Vec<Cell>) -> Region {
-    let mut samples: Vec<(f64, Sample)> = cells.iter().filter_map(|&cell| sample(arrangement, cell)).collect();
-    samples.sort_by(|p, q| q.0.total_cmp(&p.0));
-    let mut components = Err(Unproved::Thin);
-    let mut chosen = samples.first().map(|(_, sample)| sample.clone());
-    for (_, sample) in samples.into_iter().take(ATTEMPTS) {
-        let strip = &arrangement.slabs[sample.cell.slab];
-        if sample.cell.position + 1 == strip.order.len() {
-            // Above the maximum of U.
-            components = Ok(vec![Component {
-                boundary_circles: 0,
-                poles: (!frame.is_euler()).then_some(Poles { plus: true, minus: true }),
-            }]);
-        } else if let Some(l) = strip.l {
-            components = latitude::components(frame, sample.h, l).map_err(Unproved::Sweep);
-        }
-        if components.is_ok() {
-            chosen = Some(sample);
-            break;
-        }
+    let samples = cells.iter().filter_map(|&cell| sample(arrangement, cell));
+    let best = samples.max_by(|p, q| p.0.total_cmp(&q.0)).map(|(_, sample)| sample);
+    let Cell { slab, position } = best.as_ref().map_or(cells[0], |sample| sample.cell);
+    let strip = &arrangement.slabs[slab];
+    let plane = Plane { model: &arrangement.model, frame };
+    let components = gap(arrangement, strip, position).and_then(|gap| plane.class(&strip.x, &gap));
+    Region { cells, sample: best, components }
+}
+
+/// The bounds of a cell, with as many bits as part them.
+fn gap(arrangement: &Arrangement, strip: &Slab, position: usize) -> Result<Gap, Open> {
+    let [low, high] = [position, position + 1].map(|place| strip.heights.get(place));
+    let narrow = |low: &[f64; 2], high: Option<&[f64; 2]>| {
+        let apart = high.is_none_or(|high| low[1] < high[0] && high[0].is_finite());
+        let at = |h: f64| RBig::try_from(h).ok();
+        (apart && low[1].is_finite()).then(|| Gap { low: at(low[1]), high: high.and_then(|high| at(high[0])) })
+    };
+    if let Some(gap) = low.and_then(|low| narrow(low, high)) {
+        return Ok(gap);
     }
-    Region { cells, sample: chosen, components }
+    STAGES.into_iter().find_map(|bits| wide_gap(arrangement, strip, position, bits)).ok_or(Open::Beside)
+}
+
+fn wide_gap(arrangement: &Arrangement, strip: &Slab, position: usize, bits: usize) -> Option<Gap> {
+    let evaluator = Evaluator::<Wide>::new(&arrangement.model, &arrangement.curves, &[], bits);
+    let x = Wide::rational(&strip.x, bits);
+    let height = |place: usize| evaluator.point(*strip.order.get(place)?, &x)?.h().exact_bounds();
+    let ([_, low], high) = (height(position)?, height(position + 1));
+    let high = match high {
+        None if position + 1 < strip.order.len() => return None,
+        high => high.map(|[high, _]| high),
+    };
+    high.as_ref().is_none_or(|high| low < *high).then_some(Gap { low: Some(low), high })
 }
 
 /// A sample of a cell and how well it lies: its distance to the curves relative to the energies there.

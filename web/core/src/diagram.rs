@@ -1,5 +1,7 @@
 //! The (h, l) diagram of one body as numbers to draw, for any part of the plane.
 
+use bifdiag::documents::words;
+use bifdiag::schema::AtlasDocument;
 use bifdiag::top::atlas::Place;
 use bifdiag::top::curves::CurveName;
 use bifdiag::top::table::Id;
@@ -13,6 +15,7 @@ use crate::texts;
 #[wasm_bindgen]
 pub struct Diagram {
     atlas: Atlas,
+    document: AtlasDocument,
 }
 
 #[wasm_bindgen]
@@ -23,7 +26,9 @@ impl Diagram {
     /// A body that is none, or one whose regions `f64` cannot tell apart.
     #[wasm_bindgen(constructor)]
     pub fn new(text: &str) -> Result<Self, JsError> {
-        Ok(Self { atlas: atlas_of(&body(text)?, Accuracy::Fast).map_err(Refused::from)? })
+        let atlas = atlas_of(&body(text)?, Accuracy::Fast).map_err(Refused::from)?;
+        let document = texts::sketch(&atlas);
+        Ok(Self { atlas, document })
     }
 
     /// The document of the atlas, as the fast accuracy gives it.
@@ -31,7 +36,7 @@ impl Diagram {
     /// # Errors
     /// None that a user could cause.
     pub fn document(&self) -> Result<String, JsError> {
-        Ok(texts::sketch(&self.atlas)?)
+        Ok(texts::text(&self.document)?)
     }
 
     /// Curves within l ∈ [from, to], off by at most `tolerance` in h: for each name its number of points, then h, l of each.
@@ -85,6 +90,16 @@ impl Diagram {
             Place::Undecided(_) => -2.0,
         };
         Ok(vec![region, found.distance, found.error_bound])
+    }
+
+    /// What happens on the straight way from one point to another: a sentence for each curve that it goes over.
+    ///
+    /// # Errors
+    /// l out of range.
+    pub fn surgeries(&self, from: &[f64], to: &[f64]) -> Result<Vec<String>, JsError> {
+        let point = |numbers: &[f64]| <[f64; 2]>::try_from(numbers).map_err(|_| JsError::new("a point is [h, l]"));
+        let passages = self.atlas.passages(point(from)?, point(to)?)?;
+        Ok(passages.iter().map(|passage| words::passage(&self.atlas, &self.document, passage)).collect())
     }
 
     /// The id of the curve nearest to (h, l) in h.

@@ -1,11 +1,13 @@
 //! The command line's documents.
 
 use bifdiag::proof::Prepared;
+use bifdiag::schema::AtlasDocument;
 use bifdiag::{Accuracy, Atlas, atlas_of, documents};
 
 use crate::body::{Refused, body, number};
 
-fn text(document: &impl serde::Serialize) -> Result<String, Refused> {
+/// A document as the command line prints it.
+pub fn text(document: &impl serde::Serialize) -> Result<String, Refused> {
     documents::layout::text(document).map_err(|error| Refused::Json(error.to_string()))
 }
 
@@ -16,10 +18,10 @@ pub fn atlas(of: &str) -> Result<String, Refused> {
 }
 
 /// `bifdiag --accuracy fast --no-polygons --json` of an atlas that is there.
-pub fn sketch(atlas: &Atlas) -> Result<String, Refused> {
+pub fn sketch(atlas: &Atlas) -> AtlasDocument {
     let accuracy = Accuracy::Fast.into();
     let options = documents::DocumentOptions { accuracy, polygons: false, ..documents::DocumentOptions::default() };
-    text(&documents::atlas::document(atlas, &options))
+    documents::atlas::document(atlas, &options)
 }
 
 /// `bifdiag classify --json`.

@@ -31,6 +31,7 @@ export interface Calls {
   presets: [[], string[]];
   draw: [[body: string, view: Window | null, from: Window | null, height: number, width: number], Drawing];
   locate: [[body: string, h: number, l: number], Place];
+  surgeries: [[body: string, from: [h: number, l: number], to: [h: number, l: number]], string[]];
   atlas: [[body: string], string];
   classify: [[body: string, h: string, l: string], string];
   critical: [[body: string, l: string], string];

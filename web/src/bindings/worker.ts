@@ -46,6 +46,7 @@ const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> } = {
     const [region, distance] = of.locate(h, l) as unknown as [number, number];
     return { region, distance, nearest: of.nearest(h, l) };
   },
+  surgeries: (body, from, to) => diagramOf(body).surgeries(Float64Array.from(from), Float64Array.from(to)),
   atlas: (body) => guest.atlas(body),
   classify: (body, h, l) => guest.classify(body, h, l),
   critical: (body, l) => guest.critical(body, l),

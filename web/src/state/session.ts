@@ -9,7 +9,6 @@ import { valueOf } from "./numbers";
 import { Orbits } from "./orbits";
 import { bodyText, FIRST, type Point, type State, type Window } from "./state";
 import { signatureOf } from "./signature";
-import { surgery } from "./surgery";
 
 /** Durations that are kept. */
 const FRAMES = 600;
@@ -65,10 +64,12 @@ export class Session extends Emitter {
   }
 
   point(point: Point | null): void {
+    const from = this.state.point;
     this.state = { ...this.state, point };
     this.emit("point");
-    if (this.dragging) void this.glance();
-    else void this.settle(false);
+    if (!this.dragging) return void this.settle(false);
+    if (from && point) void this.tell(from, point);
+    void this.glance();
   }
 
   view(view: Window | null): void {
@@ -193,6 +194,19 @@ export class Session extends Emitter {
     }
   }
 
+  /** Every curve that the point goes over is told, however far apart the places are where the hand was seen. */
+  private async tell(from: Point, to: Point): Promise<void> {
+    const place = ({ h, l }: Point): [number, number] => [valueOf(h), valueOf(l)];
+    try {
+      const sentences = await this.pencil.ask("surgeries", bodyText(this.state), place(from), place(to));
+      if (sentences.length === 0) return;
+      this.sentence = sentences.at(-1)!;
+      this.emit("point");
+    } catch (error) {
+      this.fail(error instanceof Error ? error.message : String(error));
+    }
+  }
+
   private async look(): Promise<void> {
     const { point } = this.state;
     if (!point || !this.drawn) return;
@@ -210,10 +224,6 @@ export class Session extends Emitter {
   }
 
   private learn(known: Known): void {
-    const before = this.known;
-    if (before.components && known.components && before.region !== known.region && this.dragging === "point") {
-      this.sentence = surgery(before.components, known.components) ?? this.sentence;
-    }
     this.known = known;
     this.emit("point");
   }

@@ -88,13 +88,13 @@ test("a click into the diagram chooses a point; the address holds it and gives i
 });
 
 test("dragging the point over a curve tells the surgery", async () => {
-  const page = await open("A=2,1.1,1&r=0.94868,0,0.61623&h=3.53&l=2.862&view=2.6,4.6,2.3,3.4");
+  const page = await open("A=2,1.1,1&r=0.94868,0,0.61623&h=3.2&l=2.4&view=1.8,3.8,2,3.1");
   const box = (await page.getByTestId("diagram").boundingBox())!;
-  const place = (h: number, l: number) => [box.x + 46 + ((h - 2.6) / 2) * (box.width - 56), box.y + 8 + (1 - (l - 2.3) / 1.1) * (box.height - 44)] as const;
-  await page.mouse.move(...place(3.53, 2.862));
+  const place = (h: number, l: number) => [box.x + 46 + ((h - 1.8) / 2) * (box.width - 56), box.y + 8 + (1 - (l - 2) / 1.1) * (box.height - 44)] as const;
+  await page.mouse.move(...place(3.2, 2.4));
   await page.mouse.down();
-  await page.mouse.move(...place(3.2, 2.868), { steps: 12 });
-  await expect.poll(() => page.getByTestId("surgery").textContent()).toMatch(/falls into two.*S² and T²/);
+  await page.mouse.move(...place(2.25, 2.4), { steps: 3 });
+  await expect.poll(() => page.getByTestId("surgery").textContent()).toBe("R2 → R5 across G1.2: at a saddle components of U part, and those of E with them (D2 to D2 + D2).");
   await page.mouse.up();
   await ready(page);
   expect(await data(page, "point-region", "region")).toBe("R5");

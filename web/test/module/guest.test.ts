@@ -43,6 +43,23 @@ test("crossings agree with native ones while rounding has not grown", () => {
   });
 });
 
+describe("a way through the plane is told curve by curve", () => {
+  const told = (body: string, from: [number, number], to: [number, number]) => new guest.Diagram(body).surgeries(Float64Array.from(from), Float64Array.from(to));
+  const passed = ["the forbidden region", "G2.1", "R1", "P+", "R2", "G1.3", "R5", "S2.1", "R6", "P-", "R7", "G1.1", "R3", "G0.1", "R4"];
+  test("however many curves lie between its ends", () => {
+    const names = told("body=paper", [-1, 2.868], [12, 2.868]).map((sentence) => sentence.split(":")[0]);
+    expect(names).toEqual([0, 1, 2, 3, 4, 5, 6].map((k) => `${passed[2 * k]} → ${passed[2 * k + 2]} across ${passed[2 * k + 1]}`));
+  });
+  test("and backwards", () => {
+    const names = told("body=paper", [12, 2.868], [-1, 2.868]).map((sentence) => sentence.split(":")[0]);
+    expect(names).toEqual([6, 5, 4, 3, 2, 1, 0].map((k) => `${passed[2 * k + 2]} → ${passed[2 * k]} across ${passed[2 * k + 1]}`));
+  });
+  test("a saddle that parts a disc is no birth of a disc, though both leave one more", () => {
+    expect(told("body=paper", [3.4, 2.4], [2.25, 2.4]).at(-1)).toBe("R2 → R5 across G1.2: at a saddle components of U part, and those of E with them (D2 to D2 + D2).");
+    expect(told("body=paper", [2.1, 2.4], [2.25, 2.4])).toEqual(["R2 → R5 across G1.3: a disc of U appears, and with it a three-sphere of E (D2 to D2 + D2)."]);
+  });
+});
+
 test("columns of a picture hold what points are told", () => {
   const diagram = new guest.Diagram("body=paper");
   const columns = diagram.columns(0, 8, 40);

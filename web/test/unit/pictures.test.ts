@@ -1,12 +1,10 @@
 import { describe, expect, test } from "vitest";
-import type { Component } from "../../src/bindings/documents";
 import { towards } from "../../src/bindings/view";
 import { apply, back, castBall, composed, lookingAt, rotation, turned, type Vec } from "../../src/draw/ball";
 import { ticks } from "../../src/draw/canvas";
 import { LESSONS } from "../../src/guide/lessons";
 import { npy } from "../../src/export/files";
 import { bodyAt, FAMILIES } from "../../src/panels/families";
-import { surgery } from "../../src/state/surgery";
 
 const near = (a: Vec, b: Vec) => a.forEach((x, i) => expect(x).toBeCloseTo(b[i]!, 12));
 
@@ -40,19 +38,6 @@ test("an array of NumPy begins its data at a multiple of 64", () => {
   const bytes = npy("<i4", "(2,)", new Uint8Array(8));
   expect((bytes.length - 8) % 64).toBe(0);
   expect(new TextDecoder().decode(bytes.subarray(1, 6))).toBe("NUMPY");
-});
-
-describe("the sentence of a surgery", () => {
-  const part = (boundary_circles: number, poles: ("+" | "-")[] = []): Component => ({ boundary_circles, poles, accessible_region: "", energy_surface: "", section: `M${boundary_circles + poles.length - 1}`, genus: boundary_circles + poles.length - 1 });
-  test.each([
-    [[part(1), part(1, ["+"])], [part(2, ["+"])], "merge"],
-    [[part(2, ["+"])], [part(1), part(1, ["+"])], "falls into two"],
-    [[part(1)], [part(1, ["+"])], "gains one handle"],
-    [[part(1)], [], "is gone"],
-    [[], [part(1)], "is born"],
-    [[part(1, ["+", "-"])], [part(0, ["+", "-"])], "closes at a maximum"],
-  ])("%#", (before, after, words) => expect(surgery(before, after)).toContain(words));
-  test("nothing happens where nothing changes", () => expect(surgery([part(1)], [part(1)])).toBeNull());
 });
 
 test("a view glides towards another", () => {

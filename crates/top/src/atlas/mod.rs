@@ -11,6 +11,7 @@ mod region;
 mod rows;
 mod sanity;
 mod view;
+mod way;
 mod width;
 mod window;
 
@@ -34,6 +35,7 @@ pub(crate) use region::{components_below, partition_below};
 pub use rows::Spot;
 pub use sanity::{Contradiction, Counts};
 pub use view::View;
+pub use way::Passage;
 pub use window::{SamplePoint, Window};
 
 pub use crate::topology::whole_sphere;

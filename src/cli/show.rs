@@ -1,9 +1,7 @@
 //! `bifdiag show`: a region, a curve or an event of a body in words.
 
-mod words;
-
 use clap::Args;
-use documents::DocumentOptions;
+use documents::{DocumentOptions, words};
 use proof::{Accuracy, NoAtlas, atlas_of};
 use schema::{AtlasDocument, CurveDocument, EventDocument, EventKind, RegionDocument};
 use thiserror::Error;

@@ -1,8 +1,13 @@
 //! Topology and motions in words.
 
-use schema::{ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Stability};
+use schema::{AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Stability};
+use top::atlas::{Atlas, Passage};
+use top::curves::CurveName;
+use top::diagram::RegionId;
+use top::table::Id;
 
 /// What lies over one component of U.
+#[must_use]
 pub fn component(component: &ComponentDocument) -> [String; 3] {
     let poles = match component.poles.as_deref() {
         None => String::new(),
@@ -36,6 +41,7 @@ pub fn component(component: &ComponentDocument) -> [String; 3] {
 }
 
 /// The motions on a curve.
+#[must_use]
 pub fn motion(curve: &CurveDocument) -> String {
     let what = match curve.kind {
         CurveKind::PolePlus => return "the centre of mass can hang straight down".to_owned(),
@@ -56,6 +62,7 @@ pub fn motion(curve: &CurveDocument) -> String {
 }
 
 /// What a linear type means.
+#[must_use]
 pub fn stability(kind: Stability) -> String {
     let meaning = match kind {
         kind if kind.is_unstable() => "unstable",
@@ -66,6 +73,7 @@ pub fn stability(kind: Stability) -> String {
 }
 
 /// True when the regions meet along a curve of which `below` is on the side of lower h.
+#[must_use]
 pub fn lies_below(below: &RegionDocument, above: &RegionDocument, curve: &str) -> bool {
     let end = |end: Option<f64>| end.unwrap_or(f64::INFINITY);
     below.cells.iter().filter(|cell| cell.upper.as_deref() == Some(curve)).any(|lower| {
@@ -78,6 +86,7 @@ pub fn lies_below(below: &RegionDocument, above: &RegionDocument, curve: &str) -
 }
 
 /// True when the region reaches an event.
+#[must_use]
 pub fn touches(region: &RegionDocument, event: &EventDocument) -> bool {
     region.cells.iter().any(|cell| {
         let ends = cell.l_range.map(|l| l.unwrap_or(f64::INFINITY));
@@ -88,6 +97,7 @@ pub fn touches(region: &RegionDocument, event: &EventDocument) -> bool {
 }
 
 /// What happens to U, E and P on the way from one side of a curve to the other.
+#[must_use]
 pub fn crossing(curve: &CurveDocument, from: &[ComponentDocument], to: &[ComponentDocument], upwards: bool) -> String {
     let (below, above) = if upwards { (from, to) } else { (to, from) };
     let times = if curve.multiplicity == 2 { " (twice)" } else { "" };
@@ -123,6 +133,33 @@ pub fn crossing(curve: &CurveDocument, from: &[ComponentDocument], to: &[Compone
         _ => format!("a hole of U{times} {}", if upwards { "closes" } else { "opens" }),
     };
     format!("{surgery} ({} to {})", names(from), names(to))
+}
+
+/// What happens where a way through the plane goes over a curve, as a sentence with the names of both sides.
+#[must_use]
+pub fn passage(atlas: &Atlas, document: &AtlasDocument, passage: &Passage) -> String {
+    let name = |region: Option<RegionId>| region.map_or_else(|| "the forbidden region".to_owned(), |id| id.to_string());
+    let of = |region: Option<RegionId>| region.and_then(|id| document.regions.get(id.index()));
+    let components = |region: Option<&RegionDocument>| region.map_or_else(Vec::new, |region| region.components.clone());
+    let (from, to) = (of(passage.from), of(passage.to));
+    let (before, after) = (components(from), components(to));
+    let way = format!("{} → {}", name(passage.from), name(passage.to));
+    let id = CurveName::of(&atlas.arrangement().set, passage.curve).to_string();
+    let between = |one: &RegionDocument, other: Option<&RegionDocument>| {
+        let other = other.map(|region| &region.id);
+        one.neighbours.iter().any(|neighbour| neighbour.curve == id && neighbour.region.as_ref() == other)
+    };
+    let adjacent = [(from, to), (to, from)].into_iter().any(|(one, other)| one.is_some_and(|one| between(one, other)));
+    match document.curves.iter().find(|curve| curve.id == id) {
+        Some(curve) if adjacent && curve.coincides_with.is_empty() => {
+            let upwards = match (from, to) {
+                (Some(from), Some(to)) => lies_below(from, to, &id),
+                (from, _) => from.is_none(),
+            };
+            format!("{way} across {id}: {}.", crossing(curve, &before, &after, upwards))
+        }
+        _ => format!("{way}: several things happen at once ({} to {}).", names(&before), names(&after)),
+    }
 }
 
 /// The components of U, or that there are none.
