@@ -38,7 +38,7 @@ pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failur
         let picture = (figure.draw)(timings)?;
         files.pictures(figure.stem, &picture, &arguments.format, RESOLUTION, timings)?;
     }
-    Ok(print(Report::of_paths(&files.write()?).text())?)
+    Ok(print(Report::written(&files.write()?).text())?)
 }
 
 #[cfg(test)]
