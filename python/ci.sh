@@ -20,6 +20,14 @@ install() {
     "$bin/pip" install --quiet --disable-pip-version-check -r requirements-ci.txt
 }
 
+# The explorer, which the wheel carries.
+page() {
+    rustup target add wasm32-unknown-unknown
+    (cd ../web && npm ci && npm run build)
+    rm -rf package/bifdiag/page
+    cp -r ../web/dist package/bifdiag/page
+}
+
 wheel() {
     "$bin/maturin" build --quiet --release --out "$environment/wheels"
     local size
@@ -57,6 +65,7 @@ oldest_numpy() {
 
 step "environment" install
 step "style" style
+step "page" page
 step "wheel" wheel
 step "source distribution" source_distribution
 step "types" types

@@ -17,8 +17,9 @@
 //! ```
 //!
 //! These names are what one needs for a start. Each layer below is a package of its own and is re-exported whole, in the
-//! order in which the data flows: [`numbers`], [`part`] (mass properties as engineers have them), [`top`] (one body), [`proof`], [`dynamics`] (motion in time), [`survey`]
-//! (many bodies), [`schema`] and [`documents`] (JSON), [`verify`], and `plot`.
+//! order in which the data flows: [`numbers`], [`part`] (mass properties as engineers have them), [`top`] (one body),
+//! [`proof`], [`dynamics`] (motion in time), [`survey`] (many bodies), [`schema`] and [`documents`] (JSON), [`verify`], and
+//! `plot`.
 
 #[cfg(feature = "cli")]
 pub mod cli;

@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 target="${CARGO_TARGET_DIR:-$PWD/target}"
 
 rm -rf "$target/package" "$target/published"
-cargo package --quiet --workspace --exclude bifdiag-python --exclude bifdiag-web --exclude bifdiag-web-glue \
+cargo package --quiet --workspace --exclude bifdiag-python --exclude bifdiag-web --exclude bifdiag-web-glue --exclude bifdiag-web-parts \
     --no-verify --allow-dirty
 mkdir -p "$target/published"
 for crate in "$target"/package/*.crate; do tar -xzf "$crate" -C "$target/published"; done

@@ -1,9 +1,11 @@
 import { defineConfig } from "vitest/config";
+import { offline } from "./tools/offline";
 
 export default defineConfig({
   // Relative, so that the built page works from any folder of any server.
   base: "./",
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 1000 },
   worker: { format: "es" },
-  test: { include: ["test/**/*.test.ts"], testTimeout: 120_000, hookTimeout: 120_000, fileParallelism: false },
+  plugins: [offline()],
+  test: { include: ["test/**/*.test.ts"], testTimeout: 120_000, hookTimeout: 120_000, fileParallelism: false, expect: { poll: { timeout: 30_000 } } },
 });

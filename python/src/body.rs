@@ -1,6 +1,7 @@
 //! Bodies, and the questions that are asked of them alone.
 
 use bifdiag::documents::{self, Subject};
+use bifdiag::schema::PartDocument;
 use bifdiag::{Number, top};
 use pyo3::prelude::*;
 
@@ -53,11 +54,20 @@ impl Body {
         documents::texts(self.subject.body.center())
     }
 
-    /// The exact values, whatever their texts.
-    fn values(&self) -> [String; 6] {
+    /// The exact values, whatever their texts; of a part also what it was made from.
+    fn values(&self) -> Vec<String> {
         let numbers = self.subject.body.moments().iter().chain(self.subject.body.center());
-        let values: Vec<String> = numbers.map(|number| number.value().to_string()).collect();
-        values.try_into().expect("three moments and three coordinates")
+        let values = numbers.map(|number| number.value().to_string());
+        let part = self.subject.part.iter().flat_map(|part| {
+            let PartDocument { inertia, com, mass, g, units, .. } = part;
+            inertia.iter().flatten().chain(com).chain([mass, g, units]).cloned()
+        });
+        values.chain(part).collect()
+    }
+
+    /// The block `part` of the documents, if the body is a real part.
+    fn part(&self) -> PyResult<Option<String>> {
+        self.subject.part.as_ref().map(json).transpose()
     }
 
     /// Every region of the (h, l) plane.

@@ -42,6 +42,11 @@ pub fn body(error: &dyn Error) -> PyErr {
     exception("BodyError", told(error))
 }
 
+/// The same, in words.
+pub fn no_body(message: impl Into<String>) -> PyErr {
+    exception("BodyError", message.into())
+}
+
 /// A right question without an answer.
 pub fn range(error: &dyn Error) -> PyErr {
     exception("RangeError", told(error))

@@ -8,6 +8,7 @@ mod body;
 mod command;
 mod errors;
 mod motion;
+mod part;
 mod places;
 mod section;
 mod survey;
@@ -24,6 +25,8 @@ mod _core {
     use crate::command::run;
     #[pymodule_export]
     use crate::motion::motion;
+    #[pymodule_export]
+    use crate::part::{body_of_file, body_of_tensor};
     #[pymodule_export]
     use crate::section::section;
     #[pymodule_export]

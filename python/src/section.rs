@@ -126,6 +126,10 @@ fn columns<'py>(python: Python<'py>, subject: &Subject, section: &PoincareSectio
         let chaos = |number: usize| document.orbits[number].chaos.as_ref();
         out.set_item("lyapunov", spread(&|number| Some(chaos(number)?.lyapunov?.exponent)))?;
         out.set_item("rotation", spread(&|number| Some(chaos(number)?.rotation?.number)))?;
+        out.set_item(
+            "exponent",
+            array(python, section.chaos.iter().flat_map(|measure| measure.running.iter().copied())),
+        )?;
     }
     out.set_item("meta", json(&document)?)?;
     Ok(out)

@@ -58,6 +58,18 @@ def test_chaos_gives_exponents():
     for orbit in found.meta["orbits"]:
         exponents = set(found.lyapunov[found.orbit == orbit["orbit"]])
         assert exponents == {orbit["chaos"]["lyapunov"]["exponent"]}
+    assert np.isnan(found.exponent[found.index == 0]).all() and np.isfinite(found.exponent[found.index > 0]).all()
+
+
+def test_verdicts_tell_regular_from_chaotic():
+    found = bifdiag.Body.preset("paper").section(5.3, 3.25, orbits=24, crossings=1000)
+    assert len(found.verdict) == len(found.reason) == 24
+    assert {"regular", "chaotic"} <= set(found.verdict) <= {"regular", "chaotic", "open"}
+    integrable = bifdiag.Body.preset("kovalevskaya").section(3.4, 2.87, orbits=24, crossings=500)
+    assert set(integrable.verdict) <= {"regular", "open"}
+    assert "linearly" in integrable.reason[integrable.verdict.index("regular")]
+    unasked = paper_section(orbits=2, crossings=10, chaos=False)
+    assert unasked.verdict == ("open", "open") and "not asked" in unasked.reason[0]
 
 
 @pytest.mark.parametrize(

@@ -181,7 +181,59 @@ fn measures_of_chaos_go_into_the_data() {
     let (orbit, lyapunov) = (integers(&archive, "orbit"), floats(&archive, "lyapunov"));
     assert!(orbit.iter().zip(&lyapunov).all(|(k, x)| *x == exponent(usize::try_from(*k).unwrap())));
     assert_eq!(floats(&archive, "rotation").len(), orbit.len());
+    // λ(t) runs from the start, where there is none.
+    let (index, running) = (integers(&archive, "index"), floats(&archive, "exponent"));
+    assert!(index.iter().zip(&running).all(|(index, x)| x.is_nan() == (*index == 0)));
     bifdiag(&line.replace("--json", "")).inside(place.path()).succeeds().printing("Lyapunov");
+}
+
+#[test]
+fn every_orbit_has_a_verdict_and_its_reason() {
+    let all = format!("{CHAOS} --orbits 16 --crossings 1000");
+    let document = bifdiag(&format!("{all} --json")).succeeds().json();
+    let verdicts = |document: &Value| -> Vec<String> {
+        let orbits = document["orbits"].as_array().unwrap();
+        orbits.iter().map(|orbit| orbit["verdict"].as_str().unwrap().to_owned()).collect()
+    };
+    let found = verdicts(&document);
+    assert!(found.iter().all(|verdict| ["regular", "chaotic", "open"].contains(&verdict.as_str())));
+    // Starts of the two components take turns.
+    assert!((0..16).step_by(2).all(|k| found[k] == "regular"), "{found:?}");
+    assert!((1..16).step_by(2).any(|k| found[k] == "chaotic"), "{found:?}");
+    for orbit in document["orbits"].as_array().unwrap() {
+        assert!(orbit["reason"].as_str().unwrap().len() > 20);
+        assert_eq!(orbit["verdict"] == "open", orbit["decided"].is_null());
+    }
+    let told = bifdiag(&format!("{all} --no-plot --out o")).inside(tempfile::tempdir().unwrap().path()).succeeds();
+    told.printing("verdict").printing("chaotic is not unstable");
+
+    let early = bifdiag(&format!("{all} --verdict early --json")).succeeds().json();
+    assert!(early["command"].as_str().unwrap().contains("--verdict early"));
+    let ended =
+        |k: usize| early["orbits"][k]["end"] == "decided" && early["orbits"][k]["crossings"].as_u64() < Some(1000);
+    assert!((0..16).any(ended));
+    let unasked = bifdiag(&format!("{all} --verdict none --json")).succeeds().json();
+    assert!(verdicts(&unasked).iter().all(|verdict| verdict == "open"));
+    assert_eq!(unasked["orbits"][0]["reason"], "it was not asked for");
+    bifdiag(&format!("{all} --verdict none --color rotation")).refused().telling("--color rotation");
+}
+
+/// Kovalevskaya's top is integrable.
+#[test]
+fn no_region_of_kovalevskayas_top_has_a_chaotic_orbit() {
+    let line = "section --body kovalevskaya --region all --orbits 24 --crossings 600 --json";
+    let document = bifdiag(line).succeeds().json();
+    let sections = document["sections"].as_array().unwrap();
+    assert_eq!((sections.len(), &document["skipped"]), (4, &json!([])));
+    let (mut regular, mut all) = (0, 0);
+    for section in sections {
+        for orbit in section["orbits"].as_array().unwrap() {
+            assert_ne!(orbit["verdict"], "chaotic", "{}: {orbit}", section["region"]);
+            regular += usize::from(orbit["verdict"] == "regular");
+            all += 1;
+        }
+    }
+    assert!(5 * regular > 4 * all, "{regular} of {all}");
 }
 
 #[test]

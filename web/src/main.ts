@@ -61,8 +61,8 @@ async function begin(): Promise<void> {
     read();
   });
   read();
-  // What is loaded when first used is fetched before that, so that the page goes on working without a network.
-  setTimeout(() => void Promise.allSettled([import("svgcanvas"), import("fflate")]), 3000);
+  // Where the address is no secure one there is no such thing, and the page needs its server when it is opened again.
+  if (import.meta.env.PROD) void navigator.serviceWorker?.register("./offline.js").catch(() => undefined);
   document.title = `bifdiag: ${bodyText(session.state)}`;
 }
 

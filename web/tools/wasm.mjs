@@ -12,6 +12,8 @@ const cargo = (args, environment = {}) =>
   execFileSync("cargo", args, { cwd: web, stdio: "inherit", env: { ...process.env, CARGO_TARGET_DIR: target, ...environment } });
 
 // Two orbits a register: every browser of the last three years has these instructions.
-cargo(["build", "--profile", profile, "-p", "bifdiag-web", "--target", triple], { RUSTFLAGS: "-C target-feature=+simd128" });
-const module = path.join(target, triple, profile, "bifdiag_web.wasm");
-cargo(["run", "--quiet", "--release", "-p", "bifdiag-web-glue", "--", module, "web", path.join(web, "src/bindings/generated")]);
+cargo(["build", "--profile", profile, "-p", "bifdiag-web", "-p", "bifdiag-web-parts", "--target", triple], { RUSTFLAGS: "-C target-feature=+simd128" });
+for (const name of ["bifdiag_web", "bifdiag_web_parts"]) {
+  const module = path.join(target, triple, profile, `${name}.wasm`);
+  cargo(["run", "--quiet", "--release", "-p", "bifdiag-web-glue", "--", module, "web", path.join(web, "src/bindings/generated")]);
+}

@@ -5,7 +5,7 @@ use numbers::symmetric::{PrincipalAxes, Real};
 use numbers::{Number, decimal};
 use part::Part;
 use schema::{BodiesDocument, Flags, PartDocument, PresetDocument, PrincipalDocument, SCHEMA_VERSION};
-use top::body::{Body, Preset, PrincipalForm};
+use top::body::{Body, Preset, PrincipalForm, Tensor, TensorError};
 
 use crate::command::{CommandLine, version};
 
@@ -20,6 +20,14 @@ pub fn texts<const N: usize>(numbers: &[Number; N]) -> [String; N] {
 pub fn flags(body: &Body) -> Flags {
     let top::body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
     Flags { unphysical, plate, symmetric, plane, axis, euler }
+}
+
+/// The body of a part about its fixed point.
+///
+/// # Errors
+/// [`TensorError`] for a tensor that is not positive definite.
+pub fn principal(part: &Part) -> Result<PrincipalForm, TensorError> {
+    Tensor::new(part.properties.tensor_about_origin(), part.weighted_center())?.principal()
 }
 
 /// A part as it was understood.

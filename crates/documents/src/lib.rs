@@ -19,7 +19,7 @@ mod witnesses;
 pub mod words;
 
 pub use atlas::{DocumentOptions, attach_part};
-pub use body::{all_bodies, flags, part, texts};
+pub use body::{all_bodies, flags, part, principal, texts};
 pub use border::border;
 pub use certified::{certified_atlas, seal};
 pub use classification::{Located, accuracy_option, classification, component, components, margin};

@@ -3,12 +3,13 @@
 use dynamics::field::Integrals;
 use dynamics::integrator::Method;
 use dynamics::poincare::PoincareSection;
-use dynamics::section::chaos::{ChaosMeasure, Rotation, RotationAngle};
+use dynamics::section::chaos::{ChaosMeasure, Judgement, Open, Rotation, RotationAngle, Verdict};
 use dynamics::section::{End, OrbitSection, SectionCondition, TorusPoint};
 use schema::{
-    ChaosDocument, ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, LyapunovDocument,
-    OrbitDocument, RotationAngleName, RotationDocument, SCHEMA_VERSION, SectionDocument, SectionSummaryDocument,
-    SectionsDocument, SkippedDocument, StartsDocument,
+    ChaosDocument, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument, IntegratorDocument,
+    IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SCHEMA_VERSION,
+    SectionDocument, SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName,
+    VerdictsName,
 };
 use top::topology::signature;
 
@@ -29,6 +30,7 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         })
         .collect();
     for (orbit, measure) in orbits.iter_mut().zip(&section.chaos) {
+        judge(orbit, &measure.judgement);
         orbit.chaos = Some(chaos(measure));
     }
     let followed = orbits.len() == section.starts.len() && section.whole_orbits() == orbits.len();
@@ -58,6 +60,11 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         starts: StartsDocument { orbits: section.starts.len(), seed: section.seed },
         crossings: options.crossings,
         max_time: options.max_time.is_finite().then_some(options.max_time),
+        verdicts: match (section.early, section.chaos.is_empty()) {
+            (true, _) => VerdictsName::Early,
+            (_, true) => VerdictsName::None,
+            _ => VerdictsName::Whole,
+        },
         complete: section.complete(),
         summary,
         notes,
@@ -73,12 +80,22 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
     document
 }
 
+/// Adds a verdict.
+fn judge(orbit: &mut OrbitDocument, judgement: &Judgement) {
+    orbit.verdict = match judgement.verdict {
+        Verdict::Regular => VerdictName::Regular,
+        Verdict::Chaotic => VerdictName::Chaotic,
+        Verdict::Open(_) => VerdictName::Open,
+    };
+    orbit.reason = judgement.to_string();
+    orbit.decided = judgement.decided.map(|(time, crossing)| DecidedDocument { time, crossing });
+}
+
 /// Adds the options that made a section, apart from its body and place.
 fn as_asked(line: CommandLine, document: &SectionDocument) -> CommandLine {
     /// A file whose points are those of the document's orbits.
     const STARTS: &str = "starts.csv";
     let condition = (document.condition == ConditionName::AngularMomentum).then_some("angular-momentum");
-    let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
     let line = match document.starts.seed {
         Some(seed) => line.option("orbits", document.starts.orbits).option("seed", seed),
         None => line.option("starts", STARTS),
@@ -87,7 +104,12 @@ fn as_asked(line: CommandLine, document: &SectionDocument) -> CommandLine {
         .option("crossings", document.crossings)
         .option_if("max-time", document.max_time)
         .option_if("condition", condition);
-    integrator_options(line, &document.integrator).option_if("color", measured.then_some("lyapunov"))
+    let verdicts = match document.verdicts {
+        VerdictsName::Whole => None,
+        VerdictsName::Early => Some("early"),
+        VerdictsName::None => Some("none"),
+    };
+    integrator_options(line, &document.integrator).option_if("verdict", verdicts)
 }
 
 /// Adds the integrator, unless it is the usual one.
@@ -185,6 +207,7 @@ fn end(end: End) -> EndName {
     match end {
         End::Crossings => EndName::Crossings,
         End::Time => EndName::Time,
+        End::Decided => EndName::Decided,
         End::StaysOnSection => EndName::StaysOnSection,
         End::Failed(_) => EndName::Failed,
         End::Interrupted => EndName::Interrupted,
@@ -207,6 +230,9 @@ fn orbit(orbit: &OrbitSection, start: TorusPoint, component: Option<usize>) -> O
         tangencies: report.tangencies,
         drift: drift(report.drift),
         residual: report.residual,
+        verdict: VerdictName::Open,
+        reason: Open::NotAsked.to_string(),
+        decided: None,
         chaos: None,
     }
 }
@@ -240,7 +266,18 @@ pub fn chaos(measure: &ChaosMeasure) -> ChaosDocument {
         time: found.time,
     });
     let found = measure.rotation.as_ref();
-    ChaosDocument { lyapunov, rotation: found.ok().map(rotation), no_rotation: found.err().map(ToString::to_string) }
+    let evidence = measure.judgement.evidence.map(|found| EvidenceDocument {
+        growth: found.growth,
+        late_growth: found.late_growth,
+        halves: found.halves,
+        quarters: found.quarters,
+    });
+    ChaosDocument {
+        lyapunov,
+        rotation: found.ok().map(rotation),
+        no_rotation: found.err().map(ToString::to_string),
+        evidence,
+    }
 }
 
 fn rotation(rotation: &Rotation) -> RotationDocument {

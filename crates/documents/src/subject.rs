@@ -1,8 +1,10 @@
 //! What a document is about.
 
+use part::Part;
 use schema::PartDocument;
-use top::body::Body;
+use top::body::{Body, TensorError};
 
+use crate::body::principal;
 use crate::command::CommandLine;
 
 /// A body, and the part from which it was computed.
@@ -21,6 +23,15 @@ impl From<Body> for Subject {
 }
 
 impl Subject {
+    /// The body of a part about its fixed point.
+    ///
+    /// # Errors
+    /// [`TensorError`] for a tensor that is not positive definite.
+    pub fn of_part(part: &Part) -> Result<Self, TensorError> {
+        let principal = principal(part)?;
+        Ok(Self { part: Some(crate::body::part(part, &principal)), body: principal.body })
+    }
+
     /// `bifdiag COMMAND` with the options that describe the body.
     #[must_use]
     pub fn command(&self, command: &str) -> CommandLine {

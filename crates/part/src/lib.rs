@@ -5,6 +5,8 @@
 
 mod existence;
 #[cfg(feature = "files")]
+pub mod file;
+#[cfg(feature = "files")]
 pub mod link;
 mod mass;
 #[cfg(feature = "files")]

@@ -43,9 +43,9 @@ pub use scan::{
     RecordDocument, RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,
 };
 pub use section::{
-    ChaosDocument, ConditionName, DriftDocument, EndName, IntegratorDocument, IntegratorName, LyapunovDocument,
-    OrbitDocument, RotationAngleName, RotationDocument, SectionDocument, SectionSummaryDocument, SectionsDocument,
-    SkippedDocument, StartsDocument,
+    ChaosDocument, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument, IntegratorDocument,
+    IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SectionDocument,
+    SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName, VerdictsName,
 };
 pub use spin::{
     CriticalSpinDocument, NearestAxisDocument, SpinChangeDocument, SpinDocument, SpinRangeDocument, StateDocument,

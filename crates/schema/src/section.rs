@@ -71,6 +71,8 @@ pub enum EndName {
     Crossings,
     /// Its time was up.
     Time,
+    /// Its verdict was found, and no more was asked for.
+    Decided,
     /// S ≡ 0 along it: a relative equilibrium, or a regular precession of Lagrange's top.
     StaysOnSection,
     /// The integrator could not go on.
@@ -124,6 +126,52 @@ pub enum RotationAngleName {
     Islands,
 }
 
+/// Is an orbit regular or chaotic? Chaotic is not unstable: an unstable periodic orbit is regular.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum VerdictName {
+    /// A tangent vector grows no faster than linearly, and averages over the orbit settle.
+    Regular,
+    /// A tangent vector grows exponentially and steadily, and averages over the orbit do not settle.
+    Chaotic,
+    /// Not decided, or not asked for.
+    Open,
+}
+
+/// How orbits were judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum VerdictsName {
+    /// Over the whole of each orbit.
+    Whole,
+    /// Each orbit was ended where its verdict was found.
+    Early,
+    /// Not at all.
+    None,
+}
+
+/// From when on a verdict was the same as over the whole orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DecidedDocument {
+    /// Time since the start.
+    pub time: f64,
+    /// Number of the crossing.
+    pub crossing: u32,
+}
+
+/// What a verdict rests on: means over the orbit with the weight exp(−1/(u(1−u))).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EvidenceDocument {
+    /// How much ln|δ| has grown in each quarter of the time: the mean of d ln|δ|/dt over it, times its length.
+    pub growth: [f64; 4],
+    /// The same for the second half of the time: about ln 2 where the growth is linear.
+    pub late_growth: f64,
+    /// How far the means of γ over the two halves are apart, in units of the spread of γ.
+    pub halves: f64,
+    /// The same for successive quarters, the smallest of the three.
+    pub quarters: f64,
+}
+
 /// How regular an orbit is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ChaosDocument {
@@ -134,6 +182,8 @@ pub struct ChaosDocument {
     /// Why there is no rotation number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_rotation: Option<String>,
+    /// What the verdict rests on; null for an orbit that was too short or not finished.
+    pub evidence: Option<EvidenceDocument>,
 }
 
 /// One orbit.
@@ -166,6 +216,13 @@ pub struct OrbitDocument {
     pub drift: DriftDocument,
     /// The largest |S| at a crossing.
     pub residual: f64,
+    /// Regular, chaotic, or open.
+    pub verdict: VerdictName,
+    /// Why, in words.
+    pub reason: String,
+    /// From when on the verdict was that; absent where it is open.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub decided: Option<DecidedDocument>,
     /// How regular it is, if that was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub chaos: Option<ChaosDocument>,
@@ -231,6 +288,8 @@ pub struct SectionDocument {
     /// Time after which each orbit was stopped; absent: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_time: Option<f64>,
+    /// How the orbits were judged.
+    pub verdicts: VerdictsName,
     /// False when the run was interrupted: orbits are then missing or shorter than asked for.
     pub complete: bool,
     /// Totals.

@@ -1,5 +1,6 @@
 """The compiled part: exact texts and arrays in, arrays and texts of documents out."""
 
+import os
 from collections.abc import Sequence
 from typing import Any, final
 
@@ -11,6 +12,8 @@ __all__ = [
     "Atlas",
     "Body",
     "__version__",
+    "body_of_file",
+    "body_of_tensor",
     "find",
     "motion",
     "run",
@@ -31,6 +34,7 @@ class Body:
     @property
     def center(self) -> list[str]: ...
     def values(self) -> list[str]: ...
+    def part(self) -> str | None: ...
     def atlas(self, level: str) -> Atlas: ...
     def classify(self, h: str, l: str, level: str) -> str: ...
     def critical(self, l: str) -> str: ...
@@ -44,6 +48,24 @@ class Atlas:
     def places(self, h: npt.NDArray[np.float64], l: npt.NDArray[np.float64], threads: int) -> npt.NDArray[np.int64]: ...
     def place(self, h: str, l: str) -> int: ...
 
+def body_of_tensor(
+    tensor: Sequence[Sequence[str]],
+    com: Sequence[str],
+    mass: str,
+    gravity: str,
+    about_com: bool,
+    units: str,
+    unphysical: bool,
+) -> Body: ...
+def body_of_file(
+    path: str | os.PathLike[str],
+    weight: Sequence[str | None],
+    link: str | None,
+    pivot: Sequence[str],
+    gravity: str,
+    units: str | None,
+    unphysical: bool,
+) -> Body: ...
 def section(body: Body, h: str, l: str, request: dict[str, Any], threads: int) -> dict[str, Any]: ...
 def motion(body: Body, request: dict[str, Any]) -> dict[str, Any]: ...
 def find(

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _core, exact, pictures
 from .errors import InputError
 from .exact import Number
+from .explorer import Explorer
 from .records import Classification, Curve, Document, Event, Region, StabilityChange
 
 if TYPE_CHECKING:
@@ -83,7 +84,7 @@ class Atlas:
                 f"{name} is an atlas of version {version}, and version {_core.SCHEMA_VERSION} is needed; make it anew "
                 f"with: {command}"
             )
-        body = Body(document["body"]["A"], document["body"]["r"])
+        body = Body._of_document(document["body"])
         atlas = cls(body, document["accuracy"])
         if document.get("window") is None and document.get("certificate") is None and atlas.to_json() != text:
             raise InputError(f"{name} does not say what this version of bifdiag computes for {body}; make it anew")
@@ -213,6 +214,26 @@ class Atlas:
     def svg(self) -> str:
         """The picture of the command line, as SVG."""
         return self._inner.svg()
+
+    def explore(self, h: Number | None = None, l: Number | None = None, *, height: int = 720) -> Explorer:
+        """The explorer's page with this body, in a cell of a notebook or at its ``url`` in a browser on this machine.
+
+        Parameters
+        ----------
+        h, l : number, optional
+            A point to begin with; both or none.
+        height : int
+            Height of the cell in pixels.
+
+        Raises
+        ------
+        BifdiagError
+            If the package was built without the page.
+        """
+        state = f"A={','.join(self.body.A)}&r={','.join(self.body.r)}"
+        if h is not None or l is not None:
+            state += f"&h={exact.text(h, 'h')}&l={exact.text(l, 'l')}"
+        return Explorer(state, height)
 
     def _repr_svg_(self) -> str:
         return self.svg()

@@ -1,6 +1,7 @@
 """Bodies."""
 
 import json
+import os
 from collections.abc import Iterable
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy.typing as npt
 from . import _core, exact
 from .atlas import Atlas
 from .critical import equilibria
+from .errors import InputError
 from .exact import Number
 from .motion import Motion
 from .records import Classification, table
@@ -74,9 +76,130 @@ class Body:
         >>> bifdiag.Body.preset("kovalevskaya")
         Body(A=[2, 2, 1], r=[1, 0, 0])
         """
+        return cls._of(_core.Body.preset(name))
+
+    @classmethod
+    def from_inertia(
+        cls,
+        tensor: Iterable[Iterable[Number]],
+        com: Iterable[Number],
+        mass: Number,
+        g: Number = "9.80665",
+        about: str = "fixed point",
+        *,
+        units: str = "kg,m,s",
+        unphysical: bool = False,
+    ) -> "Body":
+        """A real part, from its tensor of inertia, which is kept exactly: no rotation is recognised, nothing is rounded.
+
+        Parameters
+        ----------
+        tensor : 3 × 3 numbers
+            The symmetric matrix itself, with Ixy = −∫ x y dm beside the diagonal. Programs that print products of inertia
+            as +∫ x y dm need their signs turned.
+        com : three numbers
+            Centre of mass, from the fixed point, in the axes of the tensor.
+        mass : number
+            Mass.
+        g : number
+            Acceleration of gravity, always in m/s².
+        about : {"fixed point", "centre of mass"}
+            The point that the tensor is about.
+        units : str
+            Units of mass, length and time of everything that is given and of all results, such as ``"g,mm,s"``.
+        unphysical : bool
+            Accept a part that no distribution of mass has.
+
+        Raises
+        ------
+        BodyError
+            If the part cannot exist, or its mass is not positive.
+        InputError
+            If something is no number, the tensor is not symmetric, or a unit is unknown.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> top = bifdiag.Body.from_inertia(
+        ...     [[2, 0.1, 0], [0.1, 1.5, 0], [0, 0, 1]], com=[0, 0, 50], mass=0.25, about="centre of mass", units="kg,mm,s"
+        ... )
+        >>> top.part["principal_com"]["moments"]
+        [1.0, 1.4807418, 2.0192582]
+        """
+        if about not in ("fixed point", "centre of mass"):
+            raise InputError(f'about = {about!r}: the points are "fixed point" and "centre of mass"')
+        rows = [exact.triple(row, f"tensor[{place}]") for place, row in enumerate(tensor)]
+        if len(rows) != 3:
+            raise InputError(f"tensor needs three rows, {len(rows)} given")
+        place, weight, gravity = exact.triple(com, "com"), exact.text(mass, "mass"), exact.text(g, "g")
+        return cls._of(_core.body_of_tensor(rows, place, weight, gravity, about == "centre of mass", units, unphysical))
+
+    @classmethod
+    def from_part(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        density: Number | None = None,
+        mass: Number | None = None,
+        link: str | None = None,
+        pivot: Iterable[Number] = (0, 0, 0),
+        g: Number = "9.80665",
+        units: str | None = None,
+        unphysical: bool = False,
+    ) -> "Body":
+        """A real part, from a file.
+
+        Parameters
+        ----------
+        path : path
+            A mesh (``.stl``, ``.obj``, ``.ply``) or an inertial block (``.urdf``, MJCF ``.xml``).
+        density, mass : number, optional
+            One of them for a mesh, in `units`.
+        link : str, optional
+            Which link of a ``.urdf`` or ``.xml``.
+        pivot : three numbers
+            The fixed point, in the file's frame.
+        g : number
+            Acceleration of gravity, always in m/s².
+        units : str, optional
+            Units of mass, length and time, such as ``"kg,mm,s"``: of a mesh and of all results.
+        unphysical : bool
+            Accept a part that no distribution of mass has.
+
+        Raises
+        ------
+        BodyError
+            If the part cannot exist.
+        InputError
+            If the file gives no part: it is not there, the mesh is open or inside out, nothing says how heavy it is, …
+        """
+        weight = [
+            None if value is None else exact.text(value, name) for name, value in (("density", density), ("mass", mass))
+        ]
+        place, gravity = exact.triple(pivot, "pivot"), exact.text(g, "g")
+        return cls._of(_core.body_of_file(path, weight, link, place, gravity, units, unphysical))
+
+    @classmethod
+    def _of(cls, inner: _core.Body) -> "Body":
         body = cls.__new__(cls)
-        body._inner = _core.Body.preset(name)
+        body._inner = inner
         return body
+
+    @classmethod
+    def _of_document(cls, document: dict[str, Any]) -> "Body":
+        """The body of the block ``body`` of a document."""
+        part = document.get("part")
+        if part is None:
+            return cls(document["A"], document["r"])
+        return cls.from_inertia(
+            part["inertia"], part["com"], part["mass"], part["g"], units=part["units"], unphysical=not part["physical"]
+        )
+
+    @property
+    def part(self) -> dict[str, Any] | None:
+        """The real part as it was understood, as the block ``part`` of the documents has it; None for another body."""
+        text = self._inner.part()
+        return None if text is None else json.loads(text)
 
     @property
     def A(self) -> tuple[str, str, str]:
@@ -189,7 +312,7 @@ class Body:
         max_time: float | None = None,
         condition: str = "height",
         tolerance: float = 1e-15,
-        chaos: bool = False,
+        chaos: bool = True,
         threads: int | None = None,
     ) -> Section:
         """The Poincaré section S = d/dt ⟨γ, r⟩ = 0 at one point (h, l).
@@ -213,7 +336,8 @@ class Body:
         tolerance : float
             Error of a step relative to the size of the motion.
         chaos : bool
-            Compute Lyapunov exponent and rotation number of each orbit.
+            Compute verdict, Lyapunov exponent and rotation number of each orbit. Without them a section takes a quarter
+            of the time, and every verdict is ``"open"``.
         threads : int, optional
             None: one; 0: as many as there are cores. The result does not depend on it.
 
@@ -293,8 +417,8 @@ class Body:
     def __hash__(self) -> int:
         return hash(tuple(self._inner.values()))
 
-    def __reduce__(self) -> tuple[type["Body"], tuple[tuple[str, ...], tuple[str, ...]]]:
-        return Body, (self.A, self.r)
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Body._of_document, ({"A": self.A, "r": self.r, "part": self.part},)
 
     def __repr__(self) -> str:
         return f"Body(A=[{', '.join(self.A)}], r=[{', '.join(self.r)}])"

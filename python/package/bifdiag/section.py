@@ -36,7 +36,9 @@ class Section(Table):
     theta, psi : array (n,)
         The point on the PP-torus.
     lyapunov, rotation : array (n,)
-        Lyapunov exponent and rotation number of the row's orbit; only with ``chaos=True``.
+        Lyapunov exponent and rotation number of the row's orbit, NaN where there is none; not with ``chaos=False``.
+    exponent : array (n,)
+        λ(t), the Lyapunov exponent until then; NaN at the start.
     """
 
     NAMES = ("orbit", "index", "time", "gamma", "l", "sheet", "s_dot", "theta", "psi")
@@ -78,8 +80,16 @@ class Section(Table):
 
     @property
     def verdict(self) -> tuple[str, ...]:
-        """``"regular"``, ``"chaotic"`` or ``"open"`` for each orbit; the reasons are in ``meta["orbits"]``."""
+        """``"regular"``, ``"chaotic"`` or ``"open"`` for each orbit; `reason` tells why.
+
+        Chaotic is not unstable: an unstable periodic orbit is regular.
+        """
         return tuple(orbit["verdict"] for orbit in self.meta["orbits"])
+
+    @property
+    def reason(self) -> tuple[str, ...]:
+        """Why the verdict of each orbit is what it is."""
+        return tuple(orbit["reason"] for orbit in self.meta["orbits"])
 
     def plot(self, ax: "Axes | None" = None, projection: str = "torus", **options: Any) -> Any:
         """Draws the section with matplotlib.

@@ -5,7 +5,6 @@ mod body;
 mod file;
 mod integrator;
 mod part;
-mod part_file;
 pub mod values;
 
 pub use accuracy::AccuracyArgument;
@@ -13,4 +12,3 @@ pub use body::{BodyArguments, BodyInput, head};
 pub use file::read;
 pub use integrator::{IntegratorArguments, IntegratorInput};
 pub use part::{GivenPart, PartArguments, PartInput, shown};
-pub use part_file::edges;

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use numbers::symmetric::PrincipalAxes;
 use numbers::{Number, decimal};
+use part::file::{self, FileError, FileOptions};
 use part::{Existence, MassError, MassProperties, Part, Products, Units, tensor_of};
 use schema::PartDocument;
 use thiserror::Error;
-use top::body::{PrincipalForm, Tensor, TensorError};
+use top::body::{PrincipalForm, TensorError};
 
-use super::part_file::{self, FileOptions, PartFileError};
 use super::values::{self, Entries, Triple};
 use crate::cli::terminal::significant;
 
@@ -91,7 +91,9 @@ pub enum PartInput {
     )]
     Products { option: &'static str, tensor: String, integral: String, hint: &'static str },
     #[error("--part {}: {source}", path.display())]
-    File { path: PathBuf, source: PartFileError },
+    File { path: PathBuf, source: Box<FileError> },
+    #[error("--part {}: {source}; give --density or --mass", path.display())]
+    Weight { path: PathBuf, source: Box<FileError> },
     #[error("{option} does nothing {with}")]
     Useless { option: &'static str, with: &'static str },
     #[error("--pivot with --inertia: that tensor is about the fixed point already; give --inertia-com, or no --pivot")]
@@ -162,9 +164,7 @@ impl PartArguments {
         let gravity: Number = self.gravity.clone().unwrap_or_else(standard);
         let units = self.units.clone().unwrap_or_default();
         let part = Part { properties, gravity: gravity.value().clone(), units };
-        let tensor = Tensor::new(part.properties.tensor_about_origin(), part.weighted_center());
-        let principal = tensor.and_then(|tensor| tensor.principal());
-        let principal = principal.map_err(|source| PartInput::Tensor { option, source })?;
+        let principal = documents::principal(&part).map_err(|source| PartInput::Tensor { option, source })?;
         Ok(Some(GivenPart { option, part, principal }))
     }
 
@@ -216,14 +216,16 @@ impl PartArguments {
         }
         let wanted =
             FileOptions { link: self.link.as_deref(), density: self.density.as_ref(), mass: self.mass.as_ref() };
-        let read =
-            part_file::read(path, &wanted).map_err(|source| PartInput::File { path: path.to_owned(), source })?;
-        let pivot = self.pivot.iter().fold(read.properties, |properties, pivot| properties.seen_from(&pivot.values()));
-        // A mesh is in the units of the part, an inertial block in its own.
-        Ok(match (&self.units, read.units) {
-            (Some(units), Some(own)) => pivot.in_units(&own, units),
-            _ => pivot,
-        })
+        let read = file::read(path, &wanted).map_err(|source| {
+            let (path, source) = (path.to_owned(), Box::new(source));
+            match *source {
+                FileError::NoDensity | FileError::DensityAndMass => PartInput::Weight { path, source },
+                _ => PartInput::File { path, source },
+            }
+        })?;
+        let origin = || [dashu_ratio::RBig::ZERO, dashu_ratio::RBig::ZERO, dashu_ratio::RBig::ZERO];
+        let pivot = self.pivot.as_ref().map_or_else(origin, Triple::values);
+        Ok(read.seen_from(&pivot, self.units.clone()).0)
     }
 
     /// A tensor in the convention of its products, which must be given where it matters.

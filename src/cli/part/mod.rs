@@ -3,12 +3,13 @@
 mod arguments;
 mod report;
 
+use part::file::edges;
 use plot::{PartScene, draw_part};
 use thiserror::Error;
 
 use super::export::{ExportError, FileSet, RESOLUTION, answer};
 use super::failure::{CommandError, Exit, Failure};
-use super::input::{PartInput, edges};
+use super::input::PartInput;
 use super::terminal::Timings;
 
 pub use arguments::{BODY_EXAMPLES, PartBodyArguments};

@@ -19,7 +19,7 @@ Examples:
   bifdiag section --body paper --h 2.6 --l 3.25 --integrator splitting --step 0.01 --json
   bifdiag section --body paper --h 5.3 --l 3.25 --condition angular-momentum --projection sphere
   bifdiag section --body paper --h 4.45 --l 3.25 --color lyapunov --format png
-  bifdiag section --body paper --region R4
+  bifdiag section --body paper --region R4 --crossings 4000 --verdict early
   bifdiag section --atlas bifdiag-out/atlas.json --region all --out sections
 
 --starts FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line; --data writes for each
@@ -76,6 +76,17 @@ pub enum ColorArgument {
     Rotation,
 }
 
+/// How orbits are judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum VerdictArgument {
+    /// Over the whole of each orbit
+    Whole,
+    /// Each orbit ends where its verdict is found
+    Early,
+    /// Not at all, which takes a quarter of the time
+    None,
+}
+
 /// `bifdiag section`.
 #[derive(Debug, Args)]
 pub struct SectionArguments {
@@ -113,6 +124,9 @@ pub struct SectionArguments {
     #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = values::duration)]
     #[arg(help_heading = "Orbits")]
     pub max_time: Option<f64>,
+    /// Is each orbit regular, chaotic, or is that open? (default: whole; none where only --data is written)
+    #[arg(long, value_enum, help_heading = "Orbits")]
+    pub verdict: Option<VerdictArgument>,
     /// The section condition S = 0
     #[arg(long, value_enum, default_value = "height", help_heading = "Orbits")]
     pub condition: ConditionArgument,
@@ -127,7 +141,7 @@ pub struct SectionArguments {
     /// Where the picture shows the section
     #[arg(long, value_enum, default_value = "torus", help_heading = "Output")]
     pub projection: ProjectionArgument,
-    /// What the colours tell; lyapunov and rotation are computed for each orbit and go into the data, too
+    /// What the colours tell
     #[arg(long, value_enum, default_value = "orbit", help_heading = "Output")]
     pub color: ColorArgument,
     /// Formats of the picture

@@ -83,6 +83,10 @@ pub enum SectionInput {
     UnknownRegion { region: String, known: Vec<String> },
     #[error("--{given} cannot be used with --starts: the file says where the orbits start; leave out one of them")]
     SpreadWithSeeds { given: &'static str },
+    #[error(
+        "--verdict none and --color {color} contradict each other: the colour is measured with the verdict; leave out one of them"
+    )]
+    ColorWithoutVerdict { color: &'static str },
     #[error("--starts {path}: {source}; give a file that can be read, or - for stdin", path = path.display())]
     SeedsFile { path: PathBuf, source: io::Error },
     #[error("--starts {path}, line {line}: {problem}", path = path.display())]

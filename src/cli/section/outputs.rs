@@ -64,7 +64,7 @@ pub fn write(settings: &Settings, sections: &Sections, work: &Stoppable, timings
 }
 
 fn columns(section: &Done) -> Result<Columns, ExportError> {
-    Ok(table::of(&section.document, &section.orbits)?)
+    Ok(table::of(&section.document, &section.orbits, &section.chaos)?)
 }
 
 /// FILE-R4.npz for the region R4 of FILE.npz.

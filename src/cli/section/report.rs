@@ -1,6 +1,6 @@
 //! What the terminal shows of a section.
 
-use schema::{ChaosDocument, ConditionName, EndName, SectionDocument};
+use schema::{ChaosDocument, ConditionName, EndName, SectionDocument, VerdictName};
 
 use super::table as data;
 use crate::cli::terminal::{Report, Table, significant};
@@ -22,13 +22,15 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
     report.line(format!("P = {}", names(&|component| component.section.clone().unwrap_or_default())));
     report.line("");
     let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
-    let mut heading = vec!["orbit", "component", "theta", "psi", "sheet", "crossings", "end", "time", "drift"];
+    let mut heading = vec!["orbit", "component", "theta", "psi", "sheet", "crossings", "end", "time"];
     if measured {
-        heading.extend(["Lyapunov", "rotation"]);
+        // The deviations are below, too; a line has no room for all.
+        heading.extend(["Lyapunov", "rotation", "verdict"]);
+    } else {
+        heading.push("drift");
     }
     let mut table = Table::new(&heading);
     for orbit in document.orbits.iter().take(LISTED) {
-        let drift = orbit.drift.h.max(orbit.drift.l).max(orbit.drift.gamma);
         let mut row = vec![
             orbit.orbit.to_string(),
             orbit.component.map_or_else(|| "?".to_owned(), |component| component.to_string()),
@@ -38,13 +40,14 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
             orbit.crossings.to_string(),
             end_name(orbit.end).to_owned(),
             significant(orbit.time, 6),
-            significant(drift, 2),
         ];
         if measured {
             let cell = |value: fn(&ChaosDocument) -> Option<f64>| {
                 orbit.chaos.as_ref().and_then(value).map_or_else(|| "-".to_owned(), |value| significant(value, 4))
             };
-            row.extend([cell(data::lyapunov), cell(data::rotation)]);
+            row.extend([cell(data::lyapunov), cell(data::rotation), verdict_name(orbit.verdict).to_owned()]);
+        } else {
+            row.push(significant(orbit.drift.h.max(orbit.drift.l).max(orbit.drift.gamma), 2));
         }
         table.row(row);
     }
@@ -62,6 +65,12 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
         significant(summary.drift.gamma, 2),
         significant(summary.residual, 2),
     ));
+    if measured {
+        let counted = |name| document.orbits.iter().filter(|orbit| orbit.verdict == name).count();
+        let [regular, chaotic, open] = [VerdictName::Regular, VerdictName::Chaotic, VerdictName::Open].map(counted);
+        report.line(format!("verdicts: {regular} regular, {chaotic} chaotic, {open} open"));
+        report.line("chaotic is not unstable: an unstable periodic orbit is regular");
+    }
     for note in &document.notes {
         report.line(format!("note: {note}"));
     }
@@ -71,8 +80,17 @@ fn end_name(end: EndName) -> &'static str {
     match end {
         EndName::Crossings => "crossings",
         EndName::Time => "time",
+        EndName::Decided => "decided",
         EndName::StaysOnSection => "stays on S = 0",
         EndName::Failed => "failed",
         EndName::Interrupted => "interrupted",
+    }
+}
+
+fn verdict_name(verdict: VerdictName) -> &'static str {
+    match verdict {
+        VerdictName::Regular => "regular",
+        VerdictName::Chaotic => "chaotic",
+        VerdictName::Open => "open",
     }
 }

@@ -6,7 +6,7 @@ use dynamics::poincare::PoincareError;
 use dynamics::section::SectionCondition;
 use plot::Projection;
 
-use super::arguments::{ColorArgument, SectionArguments};
+use super::arguments::{ColorArgument, SectionArguments, VerdictArgument};
 use super::error::{SectionFailure, SectionInput};
 use super::seeds::{self, Seed};
 use super::sites::{ALL, Sites};
@@ -23,6 +23,7 @@ pub struct Settings<'a> {
     /// Of each orbit.
     pub crossings: usize,
     pub max_time: f64,
+    pub verdict: VerdictArgument,
     pub condition: SectionCondition,
     pub integrator: &'a IntegratorArguments,
     pub color: ColorArgument,
@@ -72,11 +73,28 @@ impl<'a> Settings<'a> {
             starts: starts(arguments)?,
             crossings: arguments.crossings.get(),
             max_time: arguments.max_time.unwrap_or(f64::INFINITY),
+            verdict: verdict(arguments)?,
             condition: arguments.condition.into(),
             integrator: &arguments.integrator,
             color: arguments.color,
             projection: arguments.projection.into(),
         })
+    }
+}
+
+/// Who wants nothing but data wants them fast.
+fn verdict(arguments: &SectionArguments) -> Result<VerdictArgument, SectionInput> {
+    let color = match arguments.color {
+        ColorArgument::Orbit => None,
+        ColorArgument::Lyapunov => Some("lyapunov"),
+        ColorArgument::Rotation => Some("rotation"),
+    };
+    let data_alone = arguments.data.is_some() && arguments.no_plot && !arguments.json;
+    match (arguments.verdict, color) {
+        (Some(VerdictArgument::None), Some(color)) => Err(SectionInput::ColorWithoutVerdict { color }),
+        (Some(verdict), _) => Ok(verdict),
+        (None, None) if data_alone => Ok(VerdictArgument::None),
+        (None, _) => Ok(VerdictArgument::Whole),
     }
 }
 

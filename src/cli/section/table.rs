@@ -1,12 +1,17 @@
 //! The points of a section as columns.
 
+use dynamics::section::chaos::ChaosMeasure;
 use dynamics::section::{OrbitSection, SectionPoint};
 use schema::{ChaosDocument, SectionDocument};
 
 use crate::cli::export::{Columns, Values};
 
 /// One row for each point; `meta` is the document on one line.
-pub fn of(document: &SectionDocument, orbits: &[OrbitSection]) -> Result<Columns, serde_json::Error> {
+pub fn of(
+    document: &SectionDocument,
+    orbits: &[OrbitSection],
+    chaos: &[ChaosMeasure],
+) -> Result<Columns, serde_json::Error> {
     let points: Vec<&SectionPoint> = orbits.iter().flat_map(|orbit| &orbit.points).collect();
     let floats = |value: fn(&SectionPoint) -> f64| Values::floats(points.iter().map(|p| value(p)));
     let vectors = |value: fn(&SectionPoint) -> [f64; 3]| Values::vectors(points.iter().map(|p| value(p)));
@@ -24,12 +29,16 @@ pub fn of(document: &SectionDocument, orbits: &[OrbitSection]) -> Result<Columns
         ("theta", floats(|p| p.theta)),
         ("psi", floats(|p| p.psi)),
     ];
-    Columns::new(columns.into_iter().chain(measures(document, orbits)), document)
+    Columns::new(columns.into_iter().chain(measures(document, orbits, chaos)), document)
 }
 
-/// The measures of a point's orbit, where they were asked for; NaN where there is none.
-fn measures(document: &SectionDocument, orbits: &[OrbitSection]) -> Vec<(&'static str, Values)> {
-    if document.orbits.iter().all(|orbit| orbit.chaos.is_none()) {
+/// The measures of a point's orbit, where they were asked for, and λ(t); NaN where there is none.
+fn measures(
+    document: &SectionDocument,
+    orbits: &[OrbitSection],
+    chaos: &[ChaosMeasure],
+) -> Vec<(&'static str, Values)> {
+    if chaos.is_empty() {
         return Vec::new();
     }
     let spread = |value: fn(&ChaosDocument) -> Option<f64>| {
@@ -39,7 +48,8 @@ fn measures(document: &SectionDocument, orbits: &[OrbitSection]) -> Vec<(&'stati
         });
         Values::floats(rows)
     };
-    vec![("lyapunov", spread(lyapunov)), ("rotation", spread(rotation))]
+    let running = Values::floats(chaos.iter().flat_map(|measure| measure.running.iter().copied()));
+    vec![("lyapunov", spread(lyapunov)), ("rotation", spread(rotation)), ("exponent", running)]
 }
 
 /// λ(T).

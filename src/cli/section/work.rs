@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use dynamics::integrator::Method;
-use dynamics::poincare::{PoincareError, Setting};
-use dynamics::section::chaos::ChaosOptions;
+use dynamics::poincare::{PoincareError, PoincareSection, Setting};
+use dynamics::section::chaos::{ChaosMeasure, ChaosOptions};
 use dynamics::section::{Monitor, OrbitSection, SectionError, SweepOptions, TorusPoint};
 use schema::{SectionDocument, SkippedDocument};
 
-use super::arguments::ColorArgument;
+use super::arguments::VerdictArgument;
 use super::error::{SectionFailure, SectionInput, SeedProblem};
 use super::seeds::Seed;
 use super::settings::{Settings, Starts};
@@ -20,6 +20,8 @@ pub struct Done {
     pub l: f64,
     pub document: SectionDocument,
     pub orbits: Vec<OrbitSection>,
+    /// How regular each of them is, if that was asked for.
+    pub chaos: Vec<ChaosMeasure>,
     /// Orbits that were not cut short by an interrupt.
     pub whole_orbits: usize,
 }
@@ -76,17 +78,33 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
         condition: settings.condition,
         ..SweepOptions::default()
     };
-    let mut section = setting.run(&starts, seed, &options, monitor)?;
-    if settings.color != ColorArgument::Orbit {
-        let mut chaos = ChaosOptions::default();
-        if let Method::Taylor { tolerance } = options.method {
-            chaos.tolerance = tolerance;
-        }
-        setting.measure(&mut section, &chaos, monitor).map_err(PoincareError::from)?;
-    }
+    let section = judged(settings, &setting, &starts, seed, &options, monitor)?;
     let document = documents::section(subject, &section, site.region.as_deref());
     let (h, l) = (setting.h(), setting.l());
-    Ok(Done { h, l, document, whole_orbits: section.whole_orbits(), orbits: section.orbits })
+    Ok(Done { h, l, document, whole_orbits: section.whole_orbits(), orbits: section.orbits, chaos: section.chaos })
+}
+
+/// The orbits, with verdicts if these are wanted.
+fn judged(
+    settings: &Settings,
+    setting: &Setting,
+    starts: &[TorusPoint],
+    seed: Option<u64>,
+    options: &SweepOptions,
+    monitor: &Monitor,
+) -> Result<PoincareSection, PoincareError> {
+    let mut chaos = ChaosOptions::default();
+    if let Method::Taylor { tolerance } = options.method {
+        chaos.tolerance = tolerance;
+    }
+    if settings.verdict == VerdictArgument::Early {
+        return setting.run_until_decided(starts, seed, options, &chaos, monitor);
+    }
+    let mut section = setting.run(starts, seed, options, monitor)?;
+    if settings.verdict == VerdictArgument::Whole {
+        setting.measure(&mut section, &chaos, monitor)?;
+    }
+    Ok(section)
 }
 
 /// The seeds of a file, if all of them are accessible.

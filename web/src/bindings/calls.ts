@@ -32,6 +32,8 @@ export interface Calls {
   draw: [[body: string, view: Window | null, from: Window | null, height: number, width: number], Drawing];
   locate: [[body: string, h: number, l: number], Place];
   surgeries: [[body: string, from: [h: number, l: number], to: [h: number, l: number]], string[]];
+  partOfFile: [[name: string, bytes: Uint8Array, density: string, mass: string, units: string, pivot: string], string];
+  partOfTensor: [[tensor: string, integral: boolean, aboutCom: boolean, com: string, mass: string, units: string], string];
   atlas: [[body: string], string];
   classify: [[body: string, h: string, l: string], string];
   critical: [[body: string, l: string], string];

@@ -67,6 +67,17 @@ export interface Atlas {
   summary: { regions: number; complete: boolean };
 }
 
+/** A real part as it was understood. */
+export interface PartBlock {
+  A: Triple;
+  r: Triple;
+  mass: string;
+  g: string;
+  units: string;
+  exact: boolean;
+  principal_com: { moments: [number, number, number] };
+}
+
 export interface Classification {
   h: string;
   l: string;

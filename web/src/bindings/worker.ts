@@ -3,6 +3,7 @@ import type { Answer, Arguments, Drawing, Name, Question, Reply } from "./calls"
 import type { Window } from "../state/state";
 import type { Atlas, Portrait } from "./documents";
 import { towards } from "./view";
+import partsUrl from "./generated/bifdiag_web_parts_bg.wasm?url";
 import init, * as guest from "./generated/bifdiag_web.js";
 
 const PORTRAIT_ROWS = 90;
@@ -10,6 +11,7 @@ const PORTRAIT_ROWS = 90;
 let diagram: { body: string; of: guest.Diagram } | undefined;
 let section: guest.Section | undefined;
 let classes: guest.Classes | undefined;
+let readers = false;
 
 function diagramOf(body: string): guest.Diagram {
   if (diagram?.body !== body) {
@@ -38,7 +40,18 @@ function draw(body: string, view: Window | null, from: Window | null, height: nu
   return { text, window, rows: of.columns(l[0], l[1], height), rowCount: height, names, curves };
 }
 
-const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> } = {
+/** The readers of parts, loaded when the first one is given. Fetched as bytes: no server needs to know its type. */
+async function parts(): Promise<typeof import("./generated/bifdiag_web_parts.js")> {
+  const module = await import("./generated/bifdiag_web_parts.js");
+  if (readers) return module;
+  const response = await fetch(partsUrl);
+  if (!response.ok) throw new Error(`the readers of parts could not be loaded: ${response.status} ${response.statusText}`);
+  await module.default({ module_or_path: await response.arrayBuffer() });
+  readers = true;
+  return module;
+}
+
+const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<Answer<N>> } = {
   presets: () => guest.presets(),
   draw,
   locate(body, h, l) {
@@ -47,6 +60,8 @@ const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> } = {
     return { region, distance, nearest: of.nearest(h, l) };
   },
   surgeries: (body, from, to) => diagramOf(body).surgeries(Float64Array.from(from), Float64Array.from(to)),
+  partOfFile: async (...part) => (await parts()).part_of_file(...part),
+  partOfTensor: async (...part) => (await parts()).part_of_tensor(...part),
   atlas: (body) => guest.atlas(body),
   classify: (body, h, l) => guest.classify(body, h, l),
   critical: (body, l) => guest.critical(body, l),
@@ -85,7 +100,7 @@ self.onmessage = async ({ data }: MessageEvent<Question | { module: WebAssembly.
   try {
     await begun;
     const answer = answers[data.name] as (...values: unknown[]) => unknown;
-    reply = { id: data.id, value: answer(...data.values) };
+    reply = { id: data.id, value: await answer(...data.values) };
   } catch (error) {
     // After a trap the module's memory cannot be trusted.
     const trapped = error instanceof WebAssembly.RuntimeError;

@@ -4,6 +4,7 @@ import { make, panel } from "../draw/dom";
 import { rounded, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { octant } from "./octant";
+import { partForm } from "./part";
 import { triangle } from "./triangle";
 
 export interface Preset {
@@ -67,7 +68,7 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
   };
   session.on(["body"], show);
   session.on(["atlas"], () => (notes.textContent = session.atlas ? remarks(session.atlas.body) : ""));
-  return panel(
+  const element = panel(
     "The body",
     "Principal moments of inertia A and centre of mass r, both about the fixed point",
     make("div", { className: "body-controls" },
@@ -78,6 +79,8 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
       notes,
     ),
   );
+  element.append(partForm(session, element));
+  return element;
 }
 
 /** What is special about a body, in words; the document knows. */

@@ -1,7 +1,7 @@
 /** The state and everything that was computed of it. Panels read from here and ask here; workers are asked only here. */
 import { Channel, Superseded } from "../bindings/client";
-import type { Place } from "../bindings/calls";
-import type { Atlas, Classification, Critical, Triple } from "../bindings/documents";
+import type { Arguments, Place } from "../bindings/calls";
+import type { Atlas, Classification, Critical, PartBlock, Triple } from "../bindings/documents";
 import { Emitter } from "./emitter";
 import { format } from "./hash";
 import { NOTHING, type Drawn, type Known } from "./known";
@@ -102,6 +102,10 @@ export class Session extends Emitter {
   locate = (h: number, l: number): Promise<Place> => this.pencil.latest("locate", bodyText(this.state), h, l);
 
   equilibria = async (l: string): Promise<Critical> => JSON.parse(await this.pencil.latest("critical", bodyText(this.state), l)) as Critical;
+
+  partOfFile = async (...part: Arguments<"partOfFile">): Promise<PartBlock> => JSON.parse(await this.pencil.ask("partOfFile", ...part)) as PartBlock;
+
+  partOfTensor = async (...part: Arguments<"partOfTensor">): Promise<PartBlock> => JSON.parse(await this.pencil.ask("partOfTensor", ...part)) as PartBlock;
 
   private write(): void {
     history.replaceState(null, "", `#${format(this.state)}`);

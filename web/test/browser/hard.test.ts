@@ -31,11 +31,15 @@ test("where there is no section, a sentence says why, and that is no error", asy
   }
 });
 
-test("without a network the page goes on working, exports too", async () => {
+test("without a network the page opens again and goes on working, exports too", async () => {
   const page = await open(`${PAPER}&h=3.8&l=3.25`);
-  await page.waitForTimeout(4000);
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   await page.context().setOffline(true);
   await go(page, "body=kovalevskaya&h=2&l=1");
+  expect(await data(page, "point-region", "region")).toBe("R2");
+  await page.reload();
+  await ready(page);
   expect(await data(page, "point-region", "region")).toBe("R2");
   for (const id of ["export-svg", "export-npz"]) {
     const [file] = await Promise.all([page.waitForEvent("download"), page.getByTestId(id).click()]);

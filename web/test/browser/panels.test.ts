@@ -1,5 +1,7 @@
 /** Each panel under a hand. */
-import { readFile } from "node:fs/promises";
+import { mkdtemp, readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { expect, test } from "vitest";
 import type { Page } from "playwright-core";
 import { TOUR } from "../../src/guide/tour";
@@ -40,8 +42,7 @@ test("the section: orbits of the command line's starts, and one more where it is
   });
   const box = (await page.getByTestId("section").boundingBox())!;
   await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.25 * box.height);
-  await page.waitForFunction((before) => Number(document.querySelector("[data-testid=crossing-count]")!.textContent) > before, before);
-  expect(await crossings(page)).toBe(before + 501);
+  await expect.poll(() => crossings(page)).toBe(before + 501);
   await page.close();
 });
 
@@ -63,10 +64,8 @@ test("the body moves, and pauses", async () => {
   const before = await picture(page, "motion");
   await expect.poll(() => picture(page, "motion")).not.toBe(before);
   await page.getByTestId("play").click();
-  await page.waitForTimeout(200);
-  const paused = await picture(page, "motion");
-  await page.waitForTimeout(300);
-  expect(await picture(page, "motion")).toBe(paused);
+  const later = () => page.waitForTimeout(300).then(() => picture(page, "motion"));
+  await expect.poll(async () => (await picture(page, "motion")) === (await later())).toBe(true);
   await page.close();
 });
 
@@ -98,6 +97,41 @@ test("dragging the point over a curve tells the surgery", async () => {
   await page.mouse.up();
   await ready(page);
   expect(await data(page, "point-region", "region")).toBe("R5");
+  await page.close();
+});
+
+const TETRAHEDRON = "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+test("a real part becomes the body, as the command line understands it", async () => {
+  const page = await open("");
+  await page.getByTestId("part").locator("summary").click();
+  await page.getByTestId("part-units").selectOption("g,mm,s");
+  const mesh = { name: "part.obj", mimeType: "model/obj", buffer: Buffer.from(TETRAHEDRON) };
+  await page.getByTestId("part-file").setInputFiles(mesh);
+  await expect.poll(() => page.getByTestId("error").textContent()).toContain("density");
+  await page.getByTestId("part-density").fill("0.5");
+  await page.getByTestId("part-file").setInputFiles(mesh);
+  await expect.poll(() => page.getByTestId("part-note").textContent()).toContain("g mm s");
+  await ready(page);
+  const folder = await mkdtemp(join(tmpdir(), "bifdiag-"));
+  await writeFile(join(folder, mesh.name), mesh.buffer);
+  const native = JSON.parse(bifdiag("body", `--part=${join(folder, mesh.name)}`, "--density=0.5", "--units=g,mm,s", "--json")) as { A: string[]; r: string[] };
+  expect(await page.getByTestId("input-A1").inputValue()).toBe(native.A[0]);
+  expect(await page.getByTestId("input-r3").inputValue()).toBe(native.r[2]);
+  expect(await page.getByTestId("error").count()).toBe(0);
+
+  await page.getByTestId("part-units").selectOption("kg,m,s");
+  await page.getByTestId("part-tensor").fill("2.1 1.8 1.2 0.3 -0.1 0.2");
+  await page.getByTestId("part-mass").fill("0.5");
+  await page.getByTestId("part-point").fill("0, 0.1, 0.2");
+  await page.getByTestId("part-take").click();
+  await expect.poll(() => page.getByTestId("error").textContent()).toContain("choose which one");
+  await page.getByTestId("part-products").selectOption("integral");
+  await page.getByTestId("part-take").click();
+  await expect.poll(() => page.getByTestId("part-note").textContent()).toContain("kg m s");
+  await ready(page);
+  const tensor = JSON.parse(bifdiag("body", "--inertia-com=2.1,1.8,1.2,0.3,-0.1,0.2", "--products=integral", "--com=0,0.1,0.2", "--mass=0.5", "--json")) as { A: string[] };
+  expect(await page.getByTestId("input-A1").inputValue()).toBe(tensor.A[0]);
   await page.close();
 });
 

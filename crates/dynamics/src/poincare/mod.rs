@@ -1,5 +1,6 @@
 //! The Poincaré section of one body at one (h, l): is there one, where do its orbits start, how did they go.
 
+mod decide;
 mod error;
 mod starts;
 
@@ -51,6 +52,8 @@ pub struct PoincareSection {
     pub component_of_start: Vec<Option<usize>>,
     /// How regular each of `orbits` is; empty if that was not asked for.
     pub chaos: Vec<ChaosMeasure>,
+    /// Orbits were ended where their verdict was found.
+    pub early: bool,
     /// The measurement of chaos was stopped.
     pub chaos_interrupted: bool,
 }
@@ -154,12 +157,26 @@ impl Setting {
         options: &SweepOptions,
         monitor: &Monitor,
     ) -> Result<PoincareSection, PoincareError> {
+        let mut section = self.begin(starts, seed, options)?;
         let mut states = Vec::with_capacity(starts.len());
         for start in starts {
             states.push(self.state(*start)?);
         }
-        let orbits = sweep(&self.torus, &states, options, monitor)?;
-        let gammas: Vec<[f64; 3]> = states.iter().map(|state| state.gamma).collect();
+        section.orbits = sweep(&self.torus, &states, options, monitor)?;
+        Ok(section)
+    }
+
+    /// A section of which no orbit was begun.
+    fn begin(
+        &self,
+        starts: &[TorusPoint],
+        seed: Option<u64>,
+        options: &SweepOptions,
+    ) -> Result<PoincareSection, PoincareError> {
+        let mut gammas = Vec::with_capacity(starts.len());
+        for start in starts {
+            gammas.push(self.state(*start)?.gamma);
+        }
         Ok(PoincareSection {
             body: self.body.clone(),
             h: self.energy.clone(),
@@ -168,14 +185,15 @@ impl Setting {
             starts: starts.to_vec(),
             seed,
             options: *options,
-            orbits,
+            orbits: Vec::new(),
             component_of_start: self.components_at(&gammas),
             chaos: Vec::new(),
+            early: false,
             chaos_interrupted: false,
         })
     }
 
-    /// Adds Lyapunov exponents and rotation numbers. The orbits are integrated once more; where `monitor` stops that,
+    /// Adds Lyapunov exponents, rotation numbers and verdicts. The orbits are integrated once more; where `monitor` stops that,
     /// they have no exponent and the section is not complete.
     ///
     /// # Errors

@@ -64,6 +64,8 @@ pub enum End {
     Crossings,
     /// Its time is up.
     Time,
+    /// Its verdict was found.
+    Decided,
     /// S ≡ 0 along it, within rounding: a relative equilibrium or a regular precession of Lagrange's top.
     StaysOnSection,
     /// The integrator could not go on.

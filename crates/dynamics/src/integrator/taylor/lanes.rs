@@ -136,6 +136,22 @@ impl<S: Simd> Lanes<S> {
         }
     }
 
+    /// ∫ γ dt over the step: Σ γ_k step^{k+1}/(k+1).
+    #[inline(always)]
+    pub fn gamma_integral(&self, simd: S) -> Vector<S> {
+        let t = self.step[0];
+        let term = |k: usize, i: usize| {
+            simd.mul_f64s(self.series.gamma[k][i], simd.splat_f64s(self.constants.reciprocal(k + 1)))
+        };
+        let mut sum = [term(self.order, 0), term(self.order, 1), term(self.order, 2)];
+        for k in (0..self.order).rev() {
+            for (i, sum) in sum.iter_mut().enumerate() {
+                *sum = simd.product_sum(*sum, t, term(k, i));
+            }
+        }
+        [simd.mul_f64s(sum[0], t), simd.mul_f64s(sum[1], t), simd.mul_f64s(sum[2], t)]
+    }
+
     /// Moves every lane to its step's end.
     #[inline(always)]
     pub fn commit(&mut self, simd: S) {

@@ -1,15 +1,14 @@
 //! The largest Lyapunov exponent of finite-time orbits, from the variational equations.
 
-use std::f64::consts::LN_2;
 use std::sync::atomic::Ordering;
 
 use pulp::{Simd, WithSimd};
 
-use super::average::bump;
 use super::direction::{momentum_unit, tangent_vector};
+use super::stretching::{Passed, Stretching};
 use crate::field::{Dimension, HeavyTop, State, Units};
 use crate::integrator::Method;
-use crate::integrator::taylor::{InstructionSet, Lanes, Tangent};
+use crate::integrator::taylor::{InstructionSet, Lanes, Tangent, lane_values};
 use crate::section::error::SectionError;
 use crate::section::workers::{Monitor, Turns, run_workers};
 
@@ -71,8 +70,61 @@ impl Lyapunov {
     }
 }
 
-/// The exponents of the orbits that begin at these states, each over its own time; None where the time is not a
-/// positive number, where the motion did not remain finite, and where the run was stopped.
+impl Growth {
+    /// That of a reduced top as that of the top as given.
+    fn restored(mut self, units: Units) -> Self {
+        for sample in &mut self.samples {
+            sample.integral = sample.integral.map(|x| units.restore(x, Dimension::TIME));
+        }
+        Self { lyapunov: self.lyapunov.map(|exponent| exponent.restored(units)), ..self }
+    }
+}
+
+/// An orbit along which a tangent vector is taken.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Course {
+    /// Its state at time 0.
+    pub start: State,
+    /// For how long it is followed.
+    pub time: f64,
+    /// Times at which samples are wanted, ascending.
+    pub at: Vec<f64>,
+}
+
+/// How a tangent vector has grown along a course.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Growth {
+    /// None where the time is not a positive number, where the motion did not remain finite, and where the run was
+    /// stopped.
+    pub lyapunov: Option<Lyapunov>,
+    /// At the times asked for, as far as the orbit came.
+    pub samples: Vec<Sample>,
+}
+
+/// An orbit at one time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample {
+    /// ln(|δ(t)|/|δ(0)|).
+    pub log: f64,
+    /// ∫₀ᵗ γ dt.
+    pub integral: [f64; 3],
+}
+
+/// The exponents of the orbits that begin at these states, each over its own time: [`growths`] without its samples.
+///
+/// # Errors
+/// Those of [`growths`].
+pub fn lyapunov_exponents(
+    top: &HeavyTop,
+    starts: &[(State, f64)],
+    options: &ChaosOptions,
+    monitor: &Monitor,
+) -> Result<Vec<Option<Lyapunov>>, SectionError> {
+    let courses: Vec<Course> = starts.iter().map(|&(start, time)| Course { start, time, at: Vec::new() }).collect();
+    Ok(growths(top, courses, options, monitor)?.into_iter().map(|growth| growth.lyapunov).collect())
+}
+
+/// The growth of a tangent vector along each course.
 ///
 /// The orbits are those of [`sweep`](crate::section::sweep) with the Taylor integrator of the same tolerance, step by
 /// step and bit for bit; the result does not depend on threads or instructions either.
@@ -80,49 +132,53 @@ impl Lyapunov {
 /// # Errors
 /// [`SectionError::Method`] for a tolerance out of range, [`SectionError::InstructionSet`] if this processor lacks the
 /// instructions, [`SectionError::Parameter`] for 2³² orbits or more.
-pub fn lyapunov_exponents(
+pub fn growths(
     top: &HeavyTop,
-    starts: &[(State, f64)],
+    mut courses: Vec<Course>,
     options: &ChaosOptions,
     monitor: &Monitor,
-) -> Result<Vec<Option<Lyapunov>>, SectionError> {
+) -> Result<Vec<Growth>, SectionError> {
     Method::Taylor { tolerance: options.tolerance }.check(top)?;
-    if u32::try_from(starts.len()).is_err() {
-        let (value, expected) = (starts.len() as f64, "fewer than 2^32 are possible");
+    if u32::try_from(courses.len()).is_err() {
+        let (value, expected) = (courses.len() as f64, "fewer than 2^32 are possible");
         return Err(SectionError::Parameter { name: "orbits", value, expected });
     }
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
     let units = top.units();
-    let reduced = |(state, time): &(State, f64)| (state.reduced(units), units.reduce(*time, Dimension::TIME));
-    let (top, starts) = (&top.reduced(), &starts.iter().map(reduced).collect::<Vec<_>>()[..]);
+    for course in &mut courses {
+        course.start = course.start.reduced(units);
+        course.time = units.reduce(course.time, Dimension::TIME);
+        course.at.iter_mut().for_each(|time| *time = units.reduce(*time, Dimension::TIME));
+    }
+    let (top, courses) = (&top.reduced(), &courses[..]);
     let turns = Turns::new(monitor);
     let tolerance = options.tolerance;
-    let found = run_workers(|| arch.dispatch(Worker { top, starts, turns: &turns, tolerance }));
-    let mut exponents = vec![None; starts.len()];
-    for (orbit, exponent) in found {
-        exponents[orbit as usize] = exponent.map(|exponent: Lyapunov| exponent.restored(units));
+    let found = run_workers(|| arch.dispatch(Worker { top, courses, turns: &turns, tolerance }));
+    let mut growths = vec![Growth::default(); courses.len()];
+    for (orbit, growth) in found {
+        growths[orbit as usize] = growth.restored(units);
     }
-    Ok(exponents)
+    Ok(growths)
 }
 
 /// One thread's share: fills its lanes from the list until that is empty.
 struct Worker<'a> {
     top: &'a HeavyTop,
-    starts: &'a [(State, f64)],
+    courses: &'a [Course],
     turns: &'a Turns<'a>,
     tolerance: f64,
 }
 
 impl Worker<'_> {
     fn pop(&self) -> Option<Stretching> {
-        let (orbit, (_, time)) = self.turns.next(self.starts)?;
-        Some(Stretching::new(orbit, *time))
+        let (orbit, course) = self.turns.next(self.courses)?;
+        Some(Stretching::new(orbit, course))
     }
 
     /// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
     #[inline(always)]
     fn load<S: Simd>(&self, lanes: &mut Lanes<S>, tangent: &mut Tangent<S>, lane: usize, orbit: u32) {
-        let start = &self.starts[orbit as usize].0;
+        let start = &self.courses[orbit as usize].start;
         let momentum_scale = self.top.momentum_scale(self.top.energy(start)).max(f64::MIN_POSITIVE.sqrt());
         lanes.load(lane, start, momentum_scale);
         let unit = momentum_unit(self.top, start);
@@ -131,7 +187,7 @@ impl Worker<'_> {
 }
 
 impl WithSimd for Worker<'_> {
-    type Output = Vec<(u32, Option<Lyapunov>)>;
+    type Output = Vec<(u32, Growth)>;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
@@ -148,9 +204,18 @@ impl WithSimd for Worker<'_> {
         while orbits.iter().any(Option::is_some) {
             lanes.expand(simd);
             tangent.advance(simd, &lanes);
+            let integrals = lanes.gamma_integral(simd);
+            let integrals = lane_values::<S>(&integrals);
             for (lane, slot) in orbits.iter_mut().enumerate() {
                 if let Some(orbit) = slot {
-                    orbit.take(lanes.end_of(lane), tangent.length_squared(lane), tangent.renormalise(lane));
+                    let course = &self.courses[orbit.orbit as usize];
+                    let step = Passed {
+                        time: lanes.end_of(lane),
+                        length_squared: tangent.length_squared(lane),
+                        power: tangent.renormalise(lane),
+                        integral: std::array::from_fn(|i| integrals[i * S::F64_LANES + lane]),
+                    };
+                    orbit.take(course, &step);
                 }
             }
             lanes.commit(simd);
@@ -167,87 +232,6 @@ impl WithSimd for Worker<'_> {
             }
         }
         done
-    }
-}
-
-/// How a tangent vector of length 1 has grown.
-struct Stretching {
-    orbit: u32,
-    whole: WeightedRate,
-    half: WeightedRate,
-    /// Time and ln|δ| at the last step's end.
-    time: f64,
-    log: f64,
-    /// ln of what was taken out of δ.
-    removed: f64,
-    exponent_half: Option<f64>,
-}
-
-impl Stretching {
-    fn new(orbit: u32, time: f64) -> Self {
-        let rate = |span| WeightedRate { span, sum: 0.0, weights: 0.0 };
-        Self {
-            orbit,
-            whole: rate(time),
-            half: rate(0.5 * time),
-            time: 0.0,
-            log: 0.0,
-            removed: 0.0,
-            exponent_half: None,
-        }
-    }
-
-    /// A step ends at `time`; δ is then scaled by 2^−power.
-    #[inline(always)]
-    fn take(&mut self, time: f64, length_squared: f64, power: i32) {
-        let log = self.removed + 0.5 * libm::log(length_squared);
-        for rate in [&mut self.whole, &mut self.half] {
-            rate.take(self.time, time, log - self.log);
-        }
-        (self.time, self.log) = (time, log);
-        self.removed += f64::from(power) * LN_2;
-        if self.exponent_half.is_none() && time >= self.half.span {
-            self.exponent_half = Some(log / time);
-        }
-    }
-
-    /// Has it the time asked for, or is there none to be had?
-    fn is_over(&self) -> bool {
-        let goes_on = self.time < self.whole.span && self.log.is_finite();
-        !goes_on || !self.whole.span.is_finite()
-    }
-
-    fn result(&self) -> Option<Lyapunov> {
-        let complete = self.whole.span > 0.0 && self.time >= self.whole.span && self.log.is_finite();
-        complete.then(|| Lyapunov {
-            exponent: self.log / self.time,
-            exponent_half: self.exponent_half.unwrap_or(f64::NAN),
-            mean_rate: self.whole.mean(),
-            mean_rate_half: self.half.mean(),
-            time: self.time,
-        })
-    }
-}
-
-/// ∫ w(t/T) d ln|δ| / ∫ w(t/T) dt with w at the middle of each step.
-struct WeightedRate {
-    /// T.
-    span: f64,
-    sum: f64,
-    weights: f64,
-}
-
-impl WeightedRate {
-    #[inline(always)]
-    fn take(&mut self, start: f64, end: f64, growth: f64) {
-        let weight = bump(f64::midpoint(start, end) / self.span);
-        self.sum += weight * growth;
-        self.weights += weight * (end - start);
-    }
-
-    /// NaN if no step has its middle in the span.
-    fn mean(&self) -> f64 {
-        self.sum / self.weights
     }
 }
 

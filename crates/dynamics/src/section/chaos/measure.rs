@@ -1,15 +1,16 @@
-//! Both measures of the orbits of a section.
+//! Both measures of the orbits of a section, and the verdict.
 
-use super::lyapunov::{ChaosOptions, Lyapunov, lyapunov_exponents};
+use super::lyapunov::{ChaosOptions, Course, Growth, Lyapunov, Sample, growths};
 use super::rotation::{Rotation, RotationUndefined, rotation_number};
+use super::verdict::{Judgement, Open, judge};
 use crate::field::State;
 use crate::section::error::SectionError;
-use crate::section::orbit::OrbitSection;
+use crate::section::orbit::{End, OrbitSection};
 use crate::section::torus::PpTorus;
 use crate::section::workers::Monitor;
 
 /// How regular an orbit is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ChaosMeasure {
     /// Number of the orbit.
     pub orbit: u32,
@@ -17,6 +18,11 @@ pub struct ChaosMeasure {
     pub lyapunov: Option<Lyapunov>,
     /// Of its incoming crossings, or why there is none.
     pub rotation: Result<Rotation, RotationUndefined>,
+    /// Regular, chaotic or open.
+    pub judgement: Judgement,
+    /// λ(t) = ln(|δ(t)|/|δ(0)|)/t at each crossing; NaN at the first one, where t = 0, and where the tangent vector did
+    /// not come.
+    pub running: Vec<f64>,
 }
 
 /// The measures of orbits found by [`sweep`](crate::section::sweep), in their order.
@@ -35,19 +41,33 @@ pub fn chaos_measures(
     monitor: &Monitor,
 ) -> Result<Vec<ChaosMeasure>, SectionError> {
     let course = |orbit: &OrbitSection| match orbit.points.first() {
-        Some(first) => (State { gamma: first.gamma, l: first.l }, orbit.report.time - first.time),
-        None => (State::default(), 0.0),
-    };
-    let courses: Vec<(State, f64)> = orbits.iter().map(course).collect();
-    let exponents = lyapunov_exponents(torus.top(), &courses, options, monitor)?;
-    let measure = |(orbit, lyapunov): (&OrbitSection, Option<Lyapunov>)| ChaosMeasure {
-        orbit: orbit.orbit,
-        lyapunov,
-        rotation: if monitor.is_stopped() {
-            Err(RotationUndefined::Interrupted)
-        } else {
-            rotation_number(&orbit.points)
+        Some(first) => Course {
+            start: State { gamma: first.gamma, l: first.l },
+            time: orbit.report.time - first.time,
+            at: orbit.points.iter().map(|point| point.time - first.time).collect(),
         },
+        None => Course::default(),
     };
-    Ok(orbits.iter().zip(exponents).map(measure).collect())
+    let growths = growths(torus.top(), orbits.iter().map(course).collect(), options, monitor)?;
+    let stopped = monitor.is_stopped();
+    let measure = |(orbit, growth): (&OrbitSection, Growth)| ChaosMeasure {
+        orbit: orbit.orbit,
+        lyapunov: growth.lyapunov,
+        rotation: if stopped { Err(RotationUndefined::Interrupted) } else { rotation_number(&orbit.points) },
+        judgement: match (orbit.report.end, growth.lyapunov) {
+            (End::StaysOnSection, _) => Judgement::open(Open::StaysOnSection),
+            (_, None) => Judgement::open(Open::Unfinished),
+            _ => judge(&orbit.points, &growth.samples),
+        },
+        running: running(orbit, &growth.samples),
+    };
+    Ok(orbits.iter().zip(growths).map(measure).collect())
+}
+
+/// λ(t) at each crossing.
+fn running(orbit: &OrbitSection, samples: &[Sample]) -> Vec<f64> {
+    let begin = orbit.points.first().map_or(0.0, |first| first.time);
+    let log = |i: usize| samples.get(i).map_or(f64::NAN, |sample| sample.log);
+    // At the beginning 0/0.
+    orbit.points.iter().enumerate().map(|(i, point)| log(i) / (point.time - begin)).collect()
 }

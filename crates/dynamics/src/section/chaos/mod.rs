@@ -1,4 +1,5 @@
-//! How regular an orbit is: a finite-time Lyapunov exponent and a rotation number, each with its convergence.
+//! How regular an orbit is: a finite-time Lyapunov exponent and a rotation number, each with its convergence, and a
+//! verdict.
 
 mod average;
 mod curve;
@@ -7,7 +8,10 @@ mod lyapunov;
 mod measure;
 mod plane;
 mod rotation;
+mod stretching;
+mod verdict;
 
-pub use lyapunov::{ChaosOptions, Lyapunov, lyapunov_exponents};
+pub use lyapunov::{ChaosOptions, Course, Growth, Lyapunov, Sample, growths, lyapunov_exponents};
 pub use measure::{ChaosMeasure, chaos_measures};
 pub use rotation::{Rotation, RotationAngle, RotationUndefined, rotation_number};
+pub use verdict::{Evidence, Judgement, Open, Verdict, judge};

@@ -1,0 +1,185 @@
+//! Verdicts: integrable orbits are never called chaotic, the paper's chaos is, islands and unstable periodic orbits are
+//! not.
+
+use dynamics::field::{HeavyTop, State, dot};
+use dynamics::poincare::Setting;
+use dynamics::section::chaos::{ChaosMeasure, ChaosOptions, Open, RotationAngle, Verdict, chaos_measures};
+use dynamics::section::{
+    End, Monitor, OrbitSection, PpTorus, StartOptions, SweepOptions, TorusPoint, spread_starts, sweep,
+};
+use top::body::{Body, Number};
+
+const PAPER: ([f64; 3], [f64; 3]) = ([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]);
+
+fn torus((moments, center): ([f64; 3], [f64; 3])) -> PpTorus {
+    PpTorus::new(&HeavyTop::new(&Body::from_f64(moments, center).unwrap())).unwrap()
+}
+
+fn starts(torus: &PpTorus, h: f64, l: f64, count: usize) -> Vec<State> {
+    let points = spread_starts(torus, h, l, &StartOptions { count, ..StartOptions::default() }).unwrap();
+    points.iter().map(|&point| torus.state(point, h, l).unwrap()).collect()
+}
+
+fn judged(torus: &PpTorus, starts: &[State], crossings: usize) -> Vec<ChaosMeasure> {
+    let options = SweepOptions { crossings, ..SweepOptions::default() };
+    let orbits = sweep(torus, starts, &options, &Monitor::default()).unwrap();
+    chaos_measures(torus, &orbits, &ChaosOptions::default(), &Monitor::default()).unwrap()
+}
+
+fn counted(measures: &[ChaosMeasure], verdict: fn(&Verdict) -> bool) -> usize {
+    measures.iter().filter(|measure| verdict(&measure.judgement.verdict)).count()
+}
+
+#[test]
+fn integrable_orbits_are_regular_or_open_never_chaotic() {
+    let kovalevskaya = ([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]);
+    let lagrange = ([1.0, 1.0, 0.6], [0.0, 0.0, 1.0]);
+    // A1 = A2 = 4 A3: integrable at l = 0.
+    let goryachev_chaplygin = ([4.0, 4.0, 1.0], [1.0, 0.0, 0.0]);
+    let cases: [(_, &[(f64, f64)]); 3] = [
+        (kovalevskaya, &[(3.4, 2.87), (2.79, 2.449), (1.5, 1.0), (0.5, 0.3), (5.0, 1.0), (2.2, 1.9), (4.0, 3.1)]),
+        (lagrange, &[(2.0, 1.3), (1.0, 0.4), (5.0, 2.0)]),
+        (goryachev_chaplygin, &[(0.5, 0.0), (0.9, 0.0), (1.05, 0.0), (1.5, 0.0), (3.0, 0.0)]),
+    ];
+    let (mut regular, mut all) = (0, 0);
+    for (body, places) in cases {
+        let torus = torus(body);
+        for &(h, l) in places {
+            let measures = judged(&torus, &starts(&torus, h, l, 64), 1000);
+            for measure in &measures {
+                assert_ne!(measure.judgement.verdict, Verdict::Chaotic, "{body:?} ({h}, {l}): {measure:?}");
+            }
+            regular += counted(&measures, |verdict| *verdict == Verdict::Regular);
+            all += measures.len();
+        }
+    }
+    println!("{regular} of {all} integrable orbits are seen to be regular");
+    // The others turn so slowly that their averages have not settled.
+    assert!(20 * regular > 18 * all);
+}
+
+#[test]
+fn the_papers_chaos_is_seen_and_its_islands_are_regular() {
+    let torus = torus(PAPER);
+    let measures = judged(&torus, &starts(&torus, 5.3, 3.25, 192), 2000);
+    let islands =
+        measures.iter().filter(|one| matches!(one.rotation, Ok(r) if matches!(r.angle, RotationAngle::Islands(_))));
+    let (mut chains, mut calm) = (0, 0);
+    for island in islands {
+        assert_ne!(island.judgement.verdict, Verdict::Chaotic, "{island:?}");
+        chains += 1;
+        calm += u32::from(island.judgement.verdict == Verdict::Regular);
+    }
+    assert!(chains > 0 && calm > 0, "{calm} of {chains}");
+    for measure in &measures {
+        let (lyapunov, judgement) = (measure.lyapunov.unwrap(), measure.judgement);
+        match judgement.verdict {
+            Verdict::Chaotic => assert!(lyapunov.mean_rate * lyapunov.time > 16.0, "{measure:?}"),
+            Verdict::Regular => assert!(lyapunov.mean_rate * lyapunov.time < 8.0, "{measure:?}"),
+            Verdict::Open(_) => assert_eq!(judgement.decided, None),
+        }
+        let length = |&(time, crossing): &(f64, u32)| time <= lyapunov.time && (32..=2000).contains(&crossing);
+        assert!(judgement.decided.iter().all(length), "{judgement:?}");
+        assert!(!judgement.to_string().is_empty());
+    }
+    let [chaotic, open] =
+        [|verdict: &Verdict| *verdict == Verdict::Chaotic, |verdict: &Verdict| matches!(verdict, Verdict::Open(_))]
+            .map(|kind| counted(&measures, kind));
+    println!("{chaotic} of {} chaotic, {open} open", measures.len());
+    assert!(chaotic > 48 && open < 16);
+    // Chaos is seen long before the end.
+    let early = measures.iter().filter_map(|one| Some((one.judgement.verdict, one.judgement.decided?.1)));
+    assert!(early.filter(|(verdict, crossing)| *verdict == Verdict::Chaotic && *crossing <= 1000).count() > 24);
+}
+
+#[test]
+fn an_unstable_periodic_orbit_is_not_chaotic() {
+    // A pendulum that turns over about the middle axis, which is unstable. γ₂ = ω₁ = ω₃ = 0 remain exactly 0, so that the
+    // computed motion stays on the periodic orbit, too.
+    let torus = torus(([2.0, 1.5, 1.0], [0.8, 0.0, 0.6]));
+    let start = State { gamma: [0.8, 0.0, 0.6], l: [0.0, 9.0, 0.0] };
+    for crossings in [100, 500, 2000] {
+        let measure = &judged(&torus, &[start], crossings)[0];
+        assert_eq!(measure.judgement.verdict, Verdict::Open(Open::GrowsButSettles), "{measure:?}");
+        assert!(measure.lyapunov.unwrap().exponent > 0.1);
+    }
+}
+
+#[test]
+fn what_cannot_be_judged_is_open_and_says_why() {
+    let torus = torus(PAPER);
+    let starts = starts(&torus, 4.45, 3.25, 2);
+    assert_eq!(judged(&torus, &starts, 40)[0].judgement.verdict, Verdict::Open(Open::TooShort { returns: 20 }));
+    // A relative equilibrium: uniform rotation about r̂ of Lagrange's top.
+    let lagrange = self::torus(([1.0, 1.0, 0.6], [0.0, 0.0, 1.0]));
+    let sleeping = State { gamma: [0.0, 0.0, 1.0], l: [0.0, 0.0, 3.0] };
+    assert_eq!(judged(&lagrange, &[sleeping], 40)[0].judgement.verdict, Verdict::Open(Open::StaysOnSection));
+    let stopped = Monitor::default();
+    let orbits = sweep(&torus, &starts, &SweepOptions::default(), &stopped).unwrap();
+    stopped.stop.store(true, std::sync::atomic::Ordering::Relaxed);
+    let measures = chaos_measures(&torus, &orbits, &ChaosOptions::default(), &stopped).unwrap();
+    assert_eq!(measures[0].judgement.verdict, Verdict::Open(Open::Unfinished));
+}
+
+#[test]
+fn the_running_exponent_ends_at_the_exponent() {
+    let torus = torus(PAPER);
+    for measure in judged(&torus, &starts(&torus, 4.45, 3.25, 4), 300) {
+        let (lyapunov, running) = (measure.lyapunov.unwrap(), measure.running);
+        assert_eq!(running.len(), 301);
+        assert!(running[0].is_nan() && running[1..].iter().all(|x| x.is_finite()));
+        // The last step ends a little after the last crossing.
+        assert!((running[300] - lyapunov.exponent).abs() < 0.02 * lyapunov.exponent.abs().max(0.05));
+    }
+}
+
+#[test]
+fn the_means_of_the_vertical_are_those_of_the_equations_of_motion() {
+    // l̇ = l×ω − γ×r has a mean that vanishes like 1/T, and ⟨γ, r⟩ = T − h: two ways to the mean of ⟨γ, r⟩.
+    let torus = torus(PAPER);
+    let start = starts(&torus, 4.45, 3.25, 1)[0];
+    let course = dynamics::section::chaos::Course { start, time: 50.0, at: vec![10.0, 40.0] };
+    let options = ChaosOptions::default();
+    let growth =
+        &dynamics::section::chaos::growths(torus.top(), vec![course], &options, &Monitor::default()).unwrap()[0];
+    let integral = |time: f64| {
+        let mut stepper =
+            dynamics::integrator::Method::RungeKutta4 { step: 1e-3 }.stepper(torus.top(), &start).unwrap();
+        let mut sum = 0.0;
+        loop {
+            let step = stepper.step().unwrap();
+            if step.end().seconds() > time + 5e-4 {
+                return sum;
+            }
+            sum += 1e-3 * dot(step.state(0.5).gamma, torus.top().center());
+        }
+    };
+    // Between the ends of steps a sample is interpolated.
+    for (sample, time) in growth.samples.iter().zip([10.0, 40.0]) {
+        let found = dot(sample.integral, torus.top().center());
+        assert!((found - integral(time)).abs() < 0.03, "{found} {}", integral(time));
+    }
+}
+
+#[test]
+fn orbits_can_end_where_they_are_decided() {
+    let body = Body::from_f64(PAPER.0, PAPER.1).unwrap();
+    let number = |x: f64| Number::from_f64(x).unwrap();
+    let setting = Setting::new(&body, &number(5.3), &number(3.25)).unwrap();
+    let starts: Vec<TorusPoint> = setting.spread(24, 0).unwrap();
+    let (options, chaos) = (SweepOptions { crossings: 3000, ..SweepOptions::default() }, ChaosOptions::default());
+    let monitor = Monitor::default();
+    let early = setting.run_until_decided(&starts, Some(0), &options, &chaos, &monitor).unwrap();
+    let whole = setting.run(&starts, Some(0), &options, &monitor).unwrap();
+    assert!(early.complete() && early.orbits.len() == 24 && early.chaos.len() == 24);
+    let mut lengths = std::collections::BTreeSet::new();
+    for ((orbit, measure), whole) in early.orbits.iter().zip(&early.chaos).zip(&whole.orbits) {
+        let OrbitSection { points, report, orbit } = orbit;
+        assert_eq!((*orbit, measure.orbit), (whole.orbit, whole.orbit));
+        assert_eq!(points[..], whole.points[..points.len()]);
+        let open = matches!(measure.judgement.verdict, Verdict::Open(_));
+        assert_eq!(report.end, if open || points.len() == 3001 { End::Crossings } else { End::Decided });
+        lengths.insert(points.len());
+    }
+    assert!(lengths.len() > 2, "{lengths:?}");
+}

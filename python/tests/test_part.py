@@ -1,0 +1,88 @@
+"""Real parts keep every digit, and say the same as the command line."""
+
+import json
+import pickle
+from fractions import Fraction
+
+import pytest
+
+import bifdiag
+
+TENSOR = [["2.1", "0.3", "-0.1"], ["0.3", "1.8", "0.2"], ["-0.1", "0.2", "1.2"]]
+OPTIONS = ["--products=tensor", "--units=kg,mm,s", "--g=9.81"]
+
+TETRAHEDRON = """v 0 0 0
+v 3 0 0
+v 0 2 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
+"""
+
+LINK = """<robot name="top"><link name="body"><inertial><origin xyz="0 0 0.1"/><mass value="2"/>
+<inertia ixx="0.02" iyy="0.03" izz="0.04" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"""
+
+
+def test_a_tensor_about_either_point_is_the_command_lines(command):
+    for about, option in (("centre of mass", "--inertia-com"), ("fixed point", "--inertia")):
+        part = bifdiag.Body.from_inertia(TENSOR, [0, "0.1", "0.2"], "0.5", "9.81", about, units="kg,mm,s")
+        line = ["--json", f"{option}=2.1,1.8,1.2,0.3,-0.1,0.2", "--com=0,0.1,0.2", "--mass=0.5", *OPTIONS]
+        assert part.atlas().to_json() == command(*line)
+        assert part.critical(1).size == len(json.loads(command("critical", *line, "--l=1"))["critical"])
+
+
+def test_meshes_and_inertial_blocks_are_the_command_lines(command, tmp_path):
+    mesh, link = tmp_path / "part.obj", tmp_path / "top.urdf"
+    mesh.write_text(TETRAHEDRON)
+    link.write_text(LINK)
+    body = bifdiag.Body.from_part(mesh, density="0.5", pivot=[0, 0, -1], units="g,mm,s")
+    line = ["body", "--json", f"--part={mesh}", "--density=0.5", "--pivot=0,0,-1", "--units=g,mm,s"]
+    assert body.part == json.loads(command(*line))
+    body = bifdiag.Body.from_part(link, link="body", units="kg,mm,s")
+    assert body.part == json.loads(command("body", "--json", f"--part={link}", "--units=kg,mm,s"))
+
+
+def test_a_part_is_pickled_saved_and_loaded_with_every_digit(tmp_path):
+    third = Fraction(1, 3)
+    part = bifdiag.Body.from_inertia([[2, third, 0], [third, 2, 0], [0, 0, 1]], [0, 0, third], 1)
+    assert part.part["exact"] and part.part["inertia"][0][1] == "1/3"
+    again = pickle.loads(pickle.dumps(part))
+    assert again == part and again.part == part.part and hash(again) == hash(part)
+    part.atlas().save(tmp_path / "atlas.json")
+    assert bifdiag.Atlas.load(tmp_path / "atlas.json").body == part
+    assert bifdiag.Body(part.A, part.r) != part and bifdiag.Body(part.A, part.r).part is None
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "words"),
+    [
+        ({"tensor": [[1, 0, 0], [0, 1, 0], [0, 0, 3]]}, bifdiag.BodyError, "cannot exist"),
+        ({"tensor": [[1, 0.1, 0], [0.2, 1, 0], [0, 0, 1]]}, bifdiag.InputError, "1,2 is 0.1, entry 2,1 is 0.2"),
+        ({"tensor": [[1, 0, 0], [0, 1, 0]]}, bifdiag.InputError, "three rows, 2 given"),
+        ({"mass": 0}, bifdiag.BodyError, "not positive"),
+        ({"mass": float("nan")}, bifdiag.InputError, "mass"),
+        ({"units": "kg,mm"}, bifdiag.InputError, "2 units given"),
+        ({"about": "pivot"}, bifdiag.InputError, "centre of mass"),
+    ],
+)
+def test_what_is_no_part_is_told(change, error, words):
+    given = {"tensor": [[2, 0, 0], [0, 2, 0], [0, 0, 1]], "com": [0, 0, 1], "mass": 1, "about": "centre of mass"}
+    with pytest.raises(error, match=words):
+        bifdiag.Body.from_inertia(**{**given, **change})
+
+
+def test_a_file_that_gives_no_part_is_told(tmp_path):
+    mesh = tmp_path / "part.obj"
+    mesh.write_text(TETRAHEDRON)
+    with pytest.raises(bifdiag.InputError, match="density"):
+        bifdiag.Body.from_part(mesh)
+    mesh.write_text(TETRAHEDRON.replace("f 2 3 4\n", ""))
+    with pytest.raises(bifdiag.InputError, match="open"):
+        bifdiag.Body.from_part(mesh, mass=1)
+    with pytest.raises(bifdiag.InputError, match="nothing"):
+        bifdiag.Body.from_part(tmp_path / "nothing.stl", mass=1)
+    with pytest.raises(bifdiag.BodyError, match="cannot exist"):
+        bifdiag.Body.from_inertia([[1, 0, 0], [0, 1, 0], [0, 0, 3]], [0, 0, 1], 1, about="centre of mass")
+    assert bifdiag.Body.from_inertia([[1, 0, 0], [0, 1, 0], [0, 0, 3]], [0, 0, 0.1], 1, unphysical=True).part
