@@ -32,7 +32,7 @@ const ORDER: [(&str, &str); 11] = [
     (
         "crates/documents/src",
         "command layout body subject classification critical grid atlas certified scan reading border find witnesses \
-         section spin",
+         section spin words",
     ),
     (
         "crates/verify/src",

@@ -27,7 +27,7 @@ pub struct LinearTypes<'a> {
 enum Way {
     Quick(Table<CurveId, Along>),
     /// `None`: roots closer than 2^-4000.
-    Exact(Option<StabilityProfile>),
+    Exact(Option<Box<StabilityProfile>>),
 }
 
 /// One curve, by rising x: the type at its start and its collisions; nothing of a pole line.
@@ -53,7 +53,8 @@ impl<'a> LinearTypes<'a> {
     /// Decides the type along every curve.
     #[must_use]
     pub fn new(body: &Body, set: &'a CriticalSet) -> Self {
-        let way = quick(body, set).map_or_else(|| Way::Exact(StabilityProfile::new(body, set)), Way::Quick);
+        let way =
+            quick(body, set).map_or_else(|| Way::Exact(StabilityProfile::new(body, set).map(Box::new)), Way::Quick);
         Self { set, way }
     }
 
