@@ -70,6 +70,32 @@ struct MainArguments {
     common: CommonArguments,
 }
 
+/// Commands that work on one thread: they take --threads, and do not show it.
+const ON_ONE_THREAD: [&str; 12] = [
+    "show",
+    "sphere",
+    "orbit",
+    "verify",
+    "body",
+    "state",
+    "critical-spin",
+    "campbell",
+    "bodies",
+    "schema",
+    "completions",
+    "man",
+];
+
+/// A command with its options, of which those of every command are shown only where they do something.
+fn with_options<T: Args>(command: clap::Command) -> clap::Command {
+    let command = T::augment_args(command);
+    if !ON_ONE_THREAD.contains(&command.get_name()) {
+        return command;
+    }
+    let threads = clap::Arg::new("threads").long("threads").value_name("N").allow_hyphen_values(true);
+    command.arg(threads.value_parser(values::threads).hide(true))
+}
+
 /// Declares the commands: with clap's derive the options of all of them would be made at every start, which takes longer
 /// than many an answer.
 macro_rules! commands {
@@ -86,7 +112,7 @@ macro_rules! commands {
                 $(
                     let mut command = clap::Command::new($name);
                     if wanted($name) {
-                        command = <$arguments as Args>::augment_args(command);
+                        command = with_options::<$arguments>(command);
                     }
                     let about = $about.trim_start();
                     main = main.subcommand(command.about(about).long_about(None::<&str>).after_help($examples));

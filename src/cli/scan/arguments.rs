@@ -21,8 +21,8 @@ Examples:
   bifdiag scan map katok.csv --x A2 --y A3 --out maps
   bifdiag scan border --body katok:2 --vary A3=0.7:0.8
 
-One row for each body: A, r, the class of its diagram, numbers of regions, events and relative equilibria, types found.
-FILE.summary.json tells what all have in common. A scan that was stopped goes on where it was when it is started again,
+One row for each body: A, r, the class of its diagram, numbers of regions, events and relative equilibria, types found. \
+FILE.summary.json tells what all have in common. A scan that was stopped goes on where it was when it is started again, \
 and its files are byte for byte those of an unbroken one.";
 
 const MERGE_EXAMPLES: &str = "\

@@ -225,7 +225,7 @@ impl Strand {
             return None;
         }
         let state = self.state(exact, at, from.hull(&to));
-        let is_imaginary = Reduced::new(exact, &state).signs()[0]? == 1;
+        let is_imaginary = self.reduced(c, at).signs()[0]? == 1;
         Some(Collision { at, place: state.place(exact, frame), is_imaginary, apart_above: above? == 1 })
     }
 }
