@@ -1,7 +1,7 @@
 //! Campbell's diagram: frequencies of small oscillations over the spin.
 
 use crate::page::{
-    Anchor, Axis, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, draw_axes, pattern, render, rgb, ticks,
+    Anchor, Axis, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, draw_axes, pattern, render, rgb, ticks,
 };
 
 /// Frequencies over the spin, and the spins at which the type changes.
@@ -21,14 +21,14 @@ const TEXT: f64 = 12.0;
 ///
 /// # Errors
 /// [`PlotError`].
-pub fn draw_campbell(campbell: &Campbell) -> Result<Picture, PlotError> {
+pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotError> {
     let spin = campbell.rows.last().map_or(1.0, |row| row.0);
     let highest = campbell.rows.iter().flat_map(|row| row.1).fold(0.0, f64::max);
     let top = if highest > 0.0 { 1.05 * highest } else { 1.0 };
     let at =
         |rpm: f64, hertz: f64| [RECT.x + RECT.width * rpm / spin, RECT.bottom() - RECT.height * (hertz / top).min(1.0)];
     let (below, left) = (ticks("spin in rpm", 0.0, spin, 8), ticks("frequency in Hz, seen from the body", 0.0, top, 8));
-    render([650.0, 456.0], "Frequencies over the spin", |canvas| {
+    render([650.0, 456.0], "Frequencies over the spin", theme, |canvas| {
         let axes = [Axis { range: [0.0, spin], ticks: &below }, Axis { range: [0.0, top], ticks: &left }];
         draw_axes(canvas, &RECT, [24.0, 52.0], axes);
         // Once per turn: the spin itself.

@@ -1,7 +1,7 @@
 //! Charts of measurements: markers and lines over logarithmic or linear axes, panels side by side above one legend.
 
 use crate::page::{
-    Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Rows, render, rgb, rgbs, superscript,
+    Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Rows, Theme, render, rgb, rgbs, superscript,
     text_width,
 };
 use plotters::style::RGBColor;
@@ -80,12 +80,12 @@ const COLORS: [RGBColor; 8] =
 ///
 /// # Errors
 /// A failure of the drawing library.
-pub fn draw_chart(chart: &Chart) -> Result<Picture, PlotError> {
+pub fn draw_chart(chart: &Chart, theme: Theme) -> Result<Picture, PlotError> {
     let width = chart.panels.len() as f64 * (LEFT + WIDTH + RIGHT);
     let entries = chart.names.iter().map(|name| text_width(name, SIZE) + 44.0);
     let entries = Rows::new(entries, 0.0, width - LEFT - RIGHT, LEGEND_ROW);
     let legend = TOP + HEIGHT + BELOW;
-    render([width, legend + entries.height + 10.0], &chart.title, |canvas| {
+    render([width, legend + entries.height + 10.0], chart.title.as_str(), theme, |canvas| {
         for (number, panel) in chart.panels.iter().enumerate() {
             let left = number as f64 * (LEFT + WIDTH + RIGHT) + LEFT;
             draw_panel(canvas, panel, left);
@@ -104,7 +104,7 @@ fn color(name: usize) -> RGBColor {
 }
 
 /// A marker whose shape tells the method.
-fn mark(canvas: &Canvas<'_>, name: usize, at: Point) {
+fn mark(canvas: &Canvas, name: usize, at: Point) {
     let place = |dx: f64, dy: f64| [at[0] + dx * MARK, at[1] + dy * MARK];
     let color = color(name);
     match name % 6 {
@@ -163,7 +163,7 @@ impl Range {
     }
 }
 
-fn draw_panel(canvas: &Canvas<'_>, panel: &ChartPanel, left: f64) {
+fn draw_panel(canvas: &Canvas, panel: &ChartPanel, left: f64) {
     let all = |k: usize| panel.series.iter().flat_map(move |series| series.points.iter().map(move |p| p[k]));
     let (x, y) = (Range::new(panel.x.scale, all(0)), Range::new(panel.y.scale, all(1)));
     let bottom = TOP + HEIGHT;

@@ -11,7 +11,7 @@ use crate::page::{FAINT_INK, INK, PAPER, PlotError, png};
 pub fn draw_codes(width: usize, codes: &[i32], kinds: &[String]) -> Result<Vec<u8>, PlotError> {
     /// Colours that are no regions.
     const OTHERS: usize = 3;
-    let regions = kinds.iter().take(usize::from(u8::MAX) + 1 - OTHERS).map(|kind| tint(kind, 0));
+    let regions = kinds.iter().take(usize::from(u8::MAX) + 1 - OTHERS).map(|kind| tint(kind));
     let colors: Vec<u8> =
         [PAPER, INK, FAINT_INK].into_iter().chain(regions).flat_map(|color| [color.0, color.1, color.2]).collect();
     let index = |code: i32| match code {

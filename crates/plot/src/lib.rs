@@ -19,10 +19,12 @@ mod sphere;
 pub use campbell::{Campbell, draw_campbell};
 pub use chart::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
 pub use codes::draw_codes;
-pub use diagram::{CurveSource, DiagramOptions, draw};
+pub use diagram::{CurveSource, DiagramOptions, MarkedPoints, draw};
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
-pub use page::{Picture, PlotError};
+pub use page::{Picture, PlotError, Theme, section_type};
 pub use part::{PartScene, draw_part};
 pub use schematic::{Scheme, draw_scheme};
-pub use section::{OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows};
+pub use section::{
+    OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,
+};
 pub use sphere::{SphereEquilibrium, SphereScene, draw_sphere};

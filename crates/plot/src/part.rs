@@ -2,7 +2,9 @@
 
 use schema::PartDocument;
 
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, POLE, Picture, PlotError, Point, number, render, rgb, short};
+use crate::page::{
+    Anchor, Canvas, FAINT_INK, INK, Ink, POLE, Picture, PlotError, Point, Theme, number, render, rgb, short,
+};
 
 const VIEW: f64 = 250.0;
 const MARGIN: f64 = 34.0;
@@ -74,11 +76,11 @@ fn value(text: &str) -> f64 {
 ///
 /// # Errors
 /// [`PlotError`].
-pub fn draw_part(part: &PartDocument, scene: &PartScene) -> Result<Picture, PlotError> {
+pub fn draw_part(part: &PartDocument, scene: &PartScene, theme: Theme) -> Result<Picture, PlotError> {
     let ellipsoid = Ellipsoid::of(part);
     let reach = reach(&ellipsoid, scene);
     let size = [3.0 * VIEW + 4.0 * MARGIN, VIEW + 2.0 * MARGIN + 96.0];
-    render(size, "A part as it was understood", |canvas| {
+    render(size, "A part as it was understood", theme, |canvas| {
         for (k, view) in VIEWS.iter().enumerate() {
             let left = MARGIN + k as f64 * (VIEW + MARGIN);
             draw_view(canvas, [left, MARGIN], *view, &ellipsoid, scene, &reach);
@@ -118,7 +120,7 @@ fn reach(ellipsoid: &Ellipsoid, scene: &PartScene) -> ([f64; 3], f64) {
 }
 
 fn draw_view(
-    canvas: &Canvas<'_>,
+    canvas: &Canvas,
     corner: Point,
     (plane, names): ([usize; 2], [&str; 2]),
     ellipsoid: &Ellipsoid,
@@ -154,7 +156,7 @@ fn draw_view(
     canvas.text(&format!("width {width}"), [corner[0], corner[1] + VIEW + 16.0], TEXT, FAINT_INK, Anchor::Start);
 }
 
-fn legend(canvas: &Canvas<'_>, part: &PartDocument, ellipsoid: &Ellipsoid) {
+fn legend(canvas: &Canvas, part: &PartDocument, ellipsoid: &Ellipsoid) {
     let top = VIEW + 2.0 * MARGIN + 22.0;
     canvas.ring([MARGIN + 5.0, top - 4.0], 4.6, Ink { color: POLE, width: 2.2 });
     canvas.text("fixed point", [MARGIN + 16.0, top], TEXT, INK, Anchor::Start);

@@ -50,7 +50,7 @@ fn kovalevskayas_body_with_coincident_curves() {
     let fixture = kovalevskaya();
     let picture = picture("kovalevskaya", &fixture);
     assert_sound(&fixture, &picture);
-    assert!(texts(&picture).iter().any(|(text, _)| text == "coincident curves"));
+    assert!(texts(&picture).iter().any(|(text, _)| text == "side by side: curves that coincide"));
 }
 
 #[test]
@@ -148,7 +148,9 @@ fn pdf_names_the_feature_that_is_missing() {
 fn a_window_clips_the_picture_and_lists_what_lies_outside() {
     let fixture = paper();
     let window = WindowDocument { h: [3.0, 6.0], l: [3.0, 3.5] };
-    let picture = draw(&fixture.atlas, Some(&fixture), &DiagramOptions { window: Some(window) }).unwrap();
+    let picture =
+        draw(&fixture.atlas, Some(&fixture), &DiagramOptions { window: Some(window), ..DiagramOptions::default() })
+            .unwrap();
     let texts = texts(&picture);
     assert!(texts.iter().any(|(text, _)| text.starts_with("Outside the window:")));
     assert!(texts.iter().any(|(text, _)| text == "M²₃"));
@@ -172,7 +174,7 @@ fn documents_whose_parts_do_not_fit_are_refused() {
     bare.curves[0].polyline.clear();
     assert!(matches!(draw(&bare, None, &DiagramOptions::default()), Err(PlotError::NoPolyline { .. })));
     let window = WindowDocument { h: [1.0, 1.0], l: [0.0, 1.0] };
-    let empty = draw(&paper().atlas, None, &DiagramOptions { window: Some(window) });
+    let empty = draw(&paper().atlas, None, &DiagramOptions { window: Some(window), ..DiagramOptions::default() });
     assert!(matches!(empty, Err(PlotError::EmptyWindow { .. })));
 }
 

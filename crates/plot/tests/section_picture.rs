@@ -39,7 +39,7 @@ fn orbits(portrait: &Portrait, count: usize, crossings: usize) -> Vec<OrbitSecti
 }
 
 fn scene<'a>(portrait: &'a Portrait, orbits: &'a [OrbitSection]) -> SectionScene<'a> {
-    SectionScene { portrait, orbits, values: None, caption: "T²+T²" }
+    SectionScene { portrait, orbits, values: None, families: None, caption: "T²+T²" }
 }
 
 fn valued<'a>(portrait: &'a Portrait, orbits: &'a [OrbitSection], values: &'a [f64]) -> SectionScene<'a> {
@@ -241,10 +241,10 @@ fn schemes_can_be_read() {
         (Scheme::BothSheetsNeeded, "outgoing, Ṡ > 0"),
         (Scheme::Cylinder, "ϑ′ = π"),
     ] {
-        let picture = draw_scheme(scheme).unwrap();
+        let picture = draw_scheme(scheme, plot::Theme::Light).unwrap();
         let texts = texts(&picture);
         assert!(has(&texts, wanted), "{wanted}");
         assert_texts_are_apart(&texts);
-        assert_eq!(picture, draw_scheme(scheme).unwrap());
+        assert_eq!(picture, draw_scheme(scheme, plot::Theme::Light).unwrap());
     }
 }

@@ -1,6 +1,6 @@
 //! Pictures of U on the Poisson sphere.
 
-use plot::{SphereEquilibrium, SphereScene, draw_sphere};
+use plot::{SphereEquilibrium, SphereScene, Theme, draw_sphere};
 use schema::ComponentDocument;
 
 fn component(boundary_circles: u32) -> ComponentDocument {
@@ -41,15 +41,15 @@ fn boundary_lines(svg: &str) -> usize {
 #[test]
 fn a_cap_seen_from_above_has_one_circle_in_the_first_view() {
     let components = [component(1)];
-    let picture = draw_sphere(&scene(&components, &[])).unwrap();
+    let picture = draw_sphere(&scene(&components, &[]), Theme::Light).unwrap();
     assert_eq!(boundary_lines(&picture.svg), 1);
     assert!(picture.svg.contains("1: 1 boundary circle, pole +r̂;  E = S³, P = T² (genus 1)"), "{}", picture.svg);
-    assert_eq!(picture, draw_sphere(&scene(&components, &[])).unwrap());
+    assert_eq!(picture, draw_sphere(&scene(&components, &[]), Theme::Light).unwrap());
 }
 
 #[test]
 fn on_a_curve_no_component_is_named() {
-    let picture = draw_sphere(&scene(&[], &[])).unwrap();
+    let picture = draw_sphere(&scene(&[], &[]), Theme::Light).unwrap();
     assert!(picture.svg.contains("accessible: U(γ) ≤ h"));
     assert!(!picture.svg.contains("boundary circle"));
 }
@@ -61,7 +61,7 @@ fn a_circle_of_equilibria_is_drawn_as_one() {
     let point = SphereEquilibrium { circle_about: None, ..circle };
     let [with, without] = [circle, point].map(|equilibrium| {
         let components = [component(1)];
-        draw_sphere(&scene(&components, &[equilibrium])).unwrap().svg.matches("<polyline").count()
+        draw_sphere(&scene(&components, &[equilibrium]), Theme::Light).unwrap().svg.matches("<polyline").count()
     });
     assert_eq!(with, without + 1);
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use schema::WindowDocument;
 
-use crate::cli::export::PictureFormat;
+use crate::cli::export::PictureArguments;
 use crate::cli::input::{AccuracyArgument, BodyArguments, values};
 
 pub const EXAMPLES: &str = "\
@@ -33,9 +33,8 @@ pub struct AtlasArguments {
     /// Write atlas.json and the diagram to DIR (default: bifdiag-out; with --json: nowhere)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
-    /// Formats of the diagram
-    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
-    pub format: Vec<PictureFormat>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
     pub no_plot: bool,

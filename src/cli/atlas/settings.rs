@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use plot::Theme;
 use schema::{Accuracy, WindowDocument};
 
 use super::arguments::AtlasArguments;
@@ -21,6 +22,7 @@ pub struct Settings {
     pub directory: Option<PathBuf>,
     /// Of the diagram.
     pub formats: Vec<PictureFormat>,
+    pub theme: Theme,
     /// Whether the document carries the outlines of the regions.
     pub polygons: bool,
     pub json: bool,
@@ -40,7 +42,8 @@ impl Settings {
             certificate: arguments.certificate,
             window: arguments.window,
             directory: directory(arguments.out.as_deref(), !arguments.json)?,
-            formats: if arguments.no_plot { Vec::new() } else { arguments.format.clone() },
+            formats: if arguments.no_plot { Vec::new() } else { arguments.picture.format.clone() },
+            theme: arguments.picture.theme(),
             polygons: !arguments.no_polygons,
             json: arguments.json,
         })

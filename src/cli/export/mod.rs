@@ -17,5 +17,5 @@ pub use exporter::Exporter;
 pub use files::FileSet;
 pub use json::{Json, answer};
 pub use npz::Archive;
-pub use picture::{PictureFormat, RESOLUTION};
+pub use picture::{PictureArguments, PictureFormat, RESOLUTION};
 pub use target::{DataFormat, DataTarget, directory};

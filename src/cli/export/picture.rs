@@ -1,8 +1,8 @@
-//! Pictures as SVG, PNG and PDF.
+//! Pictures as SVG, PNG, PDF and TikZ.
 
-use clap::ValueEnum;
 use clap::builder::{EnumValueParser, TypedValueParser};
-use plot::{Picture, PlotError};
+use clap::{Args, ValueEnum};
+use plot::{Picture, PlotError, Theme};
 
 use super::error::ExportError;
 use super::exporter::Exporter;
@@ -13,6 +13,8 @@ pub enum PictureFormat {
     Svg,
     Png,
     Pdf,
+    /// A LaTeX document of one TikZ picture
+    Tikz,
 }
 
 impl PictureFormat {
@@ -22,6 +24,40 @@ impl PictureFormat {
             Self::Pdf if !Picture::MAKES_PDF => Err(PlotError::NoPdf),
             format => Ok(format),
         })
+    }
+}
+
+/// For what pictures are coloured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ThemeArgument {
+    /// Dark on white
+    Light,
+    /// Light on a dark ground
+    Dark,
+    /// For paper and photocopies: pale grounds, darker lines
+    Print,
+}
+
+/// How pictures are written; every command that draws has these options.
+#[derive(Clone, Debug, Args)]
+pub struct PictureArguments {
+    /// Formats of the picture
+    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
+    pub format: Vec<PictureFormat>,
+    /// Colours of the picture
+    #[arg(long, value_enum, default_value = "light", help_heading = "Output", hide_possible_values = true)]
+    #[arg(value_name = "light|dark|print")]
+    pub theme: ThemeArgument,
+}
+
+impl PictureArguments {
+    /// The colours.
+    pub fn theme(&self) -> Theme {
+        match self.theme {
+            ThemeArgument::Light => Theme::Light,
+            ThemeArgument::Dark => Theme::Dark,
+            ThemeArgument::Print => Theme::Print,
+        }
     }
 }
 
@@ -40,6 +76,7 @@ impl Exporter<Picture> for PictureExporter {
             PictureFormat::Svg => "svg",
             PictureFormat::Png => "png",
             PictureFormat::Pdf => "pdf",
+            PictureFormat::Tikz => "tikz",
         }
     }
 
@@ -48,6 +85,7 @@ impl Exporter<Picture> for PictureExporter {
             PictureFormat::Svg => picture.svg.clone().into_bytes(),
             PictureFormat::Png => picture.to_png(self.resolution)?,
             PictureFormat::Pdf => picture.to_pdf()?,
+            PictureFormat::Tikz => picture.to_tikz()?.into_bytes(),
         })
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::cli::export::PictureFormat;
+use crate::cli::export::PictureArguments;
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -20,7 +20,6 @@ pub struct FiguresArguments {
     /// Draw the charts of measured errors and times too
     #[arg(long)]
     pub charts: bool,
-    /// Formats
-    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg")]
-    pub format: Vec<PictureFormat>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
 }

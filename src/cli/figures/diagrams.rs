@@ -1,7 +1,7 @@
 //! The bifurcation diagrams.
 
 use documents::DocumentOptions;
-use plot::{DiagramOptions, Picture, draw};
+use plot::{DiagramOptions, MarkedPoints, Picture, Theme, draw};
 use proof::{Accuracy, atlas_of};
 use top::body::Preset;
 
@@ -26,13 +26,30 @@ const DIAGRAMS: [(&str, &str); 9] = [
 
 pub fn figures() -> impl Iterator<Item = Figure> {
     let diagrams = DIAGRAMS.iter().filter_map(|(stem, name)| Some((*stem, Preset::find(name)?)));
-    diagrams.map(|(stem, preset)| Figure { stem, draw: Box::new(move |timings| diagram(preset, timings)) })
+    diagrams
+        .map(|(stem, preset)| Figure { stem, draw: Box::new(move |timings, theme| diagram(preset, timings, theme)) })
 }
 
-fn diagram(preset: &Preset, timings: &Timings) -> Result<Picture, Failure> {
+/// The paper's examples of the nine regions.
+const DOTS: [[f64; 2]; 9] = [
+    [1.8, 3.25],
+    [2.6, 3.25],
+    [3.8, 3.25],
+    [4.45, 3.25],
+    [4.675, 3.25],
+    [5.3, 3.25],
+    [6.5, 3.25],
+    [3.1486, 2.72],
+    [14.0, 7.2],
+];
+
+fn diagram(preset: &Preset, timings: &Timings, theme: Theme) -> Result<Picture, Failure> {
     let atlas = atlas_of(&preset.body(), Accuracy::Exact).map_err(NoAtlas::from)?;
     let document = documents::atlas::document(&atlas, &DocumentOptions::default());
-    let picture = timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &DiagramOptions::default()));
+    let dots = MarkedPoints { points: DOTS.to_vec(), text: "the paper's example of a region".to_owned() };
+    let points = (preset.name() == "paper").then_some(dots);
+    let options = DiagramOptions { points, theme, ..DiagramOptions::default() };
+    let picture = timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &options));
     Ok(picture.map_err(ExportError::from)?)
 }
 

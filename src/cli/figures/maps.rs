@@ -26,7 +26,9 @@ pub fn figures() -> impl Iterator<Item = Figure> {
     ];
     maps.into_iter().map(|(stem, make)| Figure {
         stem,
-        draw: Box::new(move |timings| timings.stage(stem, || Ok(draw_map(&make()?).map_err(ExportError::from)?))),
+        draw: Box::new(move |timings, theme| {
+            timings.stage(stem, || Ok(draw_map(&make()?, theme).map_err(ExportError::from)?))
+        }),
     })
 }
 

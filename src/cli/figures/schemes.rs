@@ -15,6 +15,6 @@ const SCHEMES: [(&str, Scheme); 3] = [
 pub fn figures() -> impl Iterator<Item = Figure> {
     SCHEMES.into_iter().map(|(stem, scheme)| Figure {
         stem,
-        draw: Box::new(move |_| Ok(draw_scheme(scheme).map_err(ExportError::from)?)),
+        draw: Box::new(move |_, theme| Ok(draw_scheme(scheme, theme).map_err(ExportError::from)?)),
     })
 }

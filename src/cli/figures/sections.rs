@@ -1,7 +1,7 @@
 //! The Poincaré sections of the paper.
 
 use dynamics::section::{OrbitSection, Portrait, PortraitOptions, SectionCondition, TorusPoint};
-use plot::{Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
+use plot::{OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, Theme, draw_section_rows};
 use top::body::{Body, Preset};
 
 use super::error::FigureSection;
@@ -9,6 +9,7 @@ use super::figure::Figure;
 use super::typical::{orbit, typical_orbits};
 use crate::cli::export::ExportError;
 use crate::cli::failure::Failure;
+use crate::cli::section::families::{NAMES, families};
 use crate::cli::terminal::Timings;
 
 /// A figure of sections.
@@ -96,7 +97,9 @@ const FIGURES: [Sections; 6] = [
 ];
 
 pub fn figures() -> impl Iterator<Item = Figure> {
-    FIGURES.iter().map(|sections| Figure { stem: sections.stem, draw: Box::new(|timings| draw(sections, timings)) })
+    FIGURES
+        .iter()
+        .map(|sections| Figure { stem: sections.stem, draw: Box::new(|timings, theme| draw(sections, timings, theme)) })
 }
 
 fn body(name: &str) -> Option<Body> {
@@ -107,21 +110,29 @@ fn body(name: &str) -> Option<Body> {
     }
 }
 
-fn draw(sections: &Sections, timings: &Timings) -> Result<Picture, Failure> {
+fn draw(sections: &Sections, timings: &Timings, theme: Theme) -> Result<Picture, Failure> {
     let body = body(sections.body).expect("a test looks up every body");
     let options = PortraitOptions { condition: sections.condition, ..PortraitOptions::default() };
     let mut parts = Vec::new();
     for row in sections.rows {
         let portrait = Portrait::new(&body, row.h, row.l, &options).map_err(FigureSection::from)?;
         let orbits = timings.stage(sections.stem, || orbits(&portrait, row))?;
-        parts.push((portrait, orbits));
+        let families = families(&body, row.h, row.l, &orbits);
+        parts.push((portrait, orbits, families));
     }
     let scenes: Vec<SectionScene<'_>> = parts
         .iter()
         .zip(sections.rows)
-        .map(|((portrait, orbits), row)| SectionScene { portrait, orbits, values: None, caption: row.caption })
+        .map(|((portrait, orbits, of), row)| SectionScene {
+            portrait,
+            orbits,
+            values: None,
+            families: Some(OrbitFamilies { of, names: &NAMES }),
+            caption: row.caption,
+        })
         .collect();
-    let options = SectionOptions { projection: sections.projection, raster_above: 4000, ..SectionOptions::default() };
+    let options =
+        SectionOptions { projection: sections.projection, raster_above: 4000, theme, ..SectionOptions::default() };
     Ok(draw_section_rows(&scenes, &options).map_err(ExportError::from)?)
 }
 

@@ -48,6 +48,9 @@ pub fn figures() -> impl Iterator<Item = Figure> {
         let body = Body::parse(&sphere.moments, &sphere.center).ok()?;
         let [h, l] = [sphere.h, sphere.l].map(|text| text.parse::<Number>().ok());
         let site = Site { region: None, h: h?, l: l? };
-        Some(Figure { stem: sphere.stem, draw: Box::new(move |_| Ok(draw(&body, &site, sphere.view.as_ref())?.0)) })
+        Some(Figure {
+            stem: sphere.stem,
+            draw: Box::new(move |_, theme| Ok(draw(&body, &site, sphere.view.as_ref(), theme)?.0)),
+        })
     })
 }

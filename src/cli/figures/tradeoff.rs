@@ -1,7 +1,7 @@
 //! The charts of what accuracy costs, from the tables of `data/tradeoff/`.
 
 use csv::StringRecord;
-use plot::{Chart, ChartAxis, ChartPanel, Picture, Scale, Series, draw_chart};
+use plot::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
 
 use super::figure::Figure;
 use crate::cli::export::ExportError;
@@ -11,7 +11,7 @@ const ATLAS: &str = include_str!("../../../data/tradeoff/atlas.csv");
 const ORBITS: &str = include_str!("../../../data/tradeoff/orbits.csv");
 const POLYLINES: &str = include_str!("../../../data/tradeoff/polylines.csv");
 
-type Draw = fn() -> Result<Picture, ExportError>;
+type Draw = fn() -> Result<Chart, ExportError>;
 
 const CHARTS: [(&str, Draw); 4] = [
     ("tradeoff-classify", classify),
@@ -21,7 +21,10 @@ const CHARTS: [(&str, Draw); 4] = [
 ];
 
 pub fn figures() -> impl Iterator<Item = Figure> {
-    CHARTS.into_iter().map(|(stem, draw)| Figure { stem, draw: Box::new(move |_| Ok(draw()?)) })
+    CHARTS.into_iter().map(|(stem, draw)| Figure {
+        stem,
+        draw: Box::new(move |_, theme| Ok(draw_chart(&draw()?, theme).map_err(ExportError::from)?)),
+    })
 }
 
 /// A table with a head.
@@ -79,7 +82,7 @@ fn names(names: &[&str]) -> Vec<String> {
 /// What is not answered: undecided, or without any answer.
 const OPEN: [&str; 2] = ["undecided", "failed"];
 
-fn classify() -> Result<Picture, ExportError> {
+fn classify() -> Result<Chart, ExportError> {
     const METHODS: [&str; 6] = [
         "fast",
         "proof of the whole plane",
@@ -100,7 +103,7 @@ fn classify() -> Result<Picture, ExportError> {
             [table.number(row, "distance"), table.share(row, counted, "points")]
         }),
     };
-    Ok(draw_chart(&Chart {
+    Ok(Chart {
         title: "Classification of a point: wrong and open answers, and time".to_owned(),
         names: names(&METHODS),
         panels: vec![
@@ -116,10 +119,10 @@ fn classify() -> Result<Picture, ExportError> {
                 }),
             },
         ],
-    })?)
+    })
 }
 
-fn atlas() -> Result<Picture, ExportError> {
+fn atlas() -> Result<Chart, ExportError> {
     const METHODS: [&str; 7] = [
         "regions alone",
         "fast",
@@ -142,14 +145,14 @@ fn atlas() -> Result<Picture, ExportError> {
             |row| [table.number(row, "cpu_us_median"), table.share(row, counted, "bodies")],
         ),
     };
-    Ok(draw_chart(&Chart {
+    Ok(Chart {
         title: "Atlas of a body: wrong and open answers, and time".to_owned(),
         names: names(&METHODS),
         panels: vec![panel("wrong", &["wrong"]), panel("undecided", &OPEN)],
-    })?)
+    })
 }
 
-fn orbits() -> Result<Picture, ExportError> {
+fn orbits() -> Result<Chart, ExportError> {
     const METHODS: [&str; 4] = ["taylor", "dop853", "rk4", "splitting"];
     let table = Table::new(ORBITS)?;
     let panel = |title: &str, h: &'static str, column: &'static str, label: &str| ChartPanel {
@@ -164,7 +167,7 @@ fn orbits() -> Result<Picture, ExportError> {
             |row| [table.number(row, "cpu_us_per_crossing"), table.number(row, column)],
         ),
     };
-    Ok(draw_chart(&Chart {
+    Ok(Chart {
         title: "Orbits: error against time".to_owned(),
         names: vec!["Taylor".to_owned(), "DOP853".to_owned(), "Runge–Kutta 4".to_owned(), "splitting".to_owned()],
         panels: vec![
@@ -172,10 +175,10 @@ fn orbits() -> Result<Picture, ExportError> {
             panel("chaotic orbits, h = 4.45", "4.45", "error_100", "error of γ and l at crossing 100"),
             panel("chaotic orbits, h = 4.45", "4.45", "drift_energy", "drift of the energy over 100 crossings"),
         ],
-    })?)
+    })
 }
 
-fn polylines() -> Result<Picture, ExportError> {
+fn polylines() -> Result<Chart, ExportError> {
     let table = Table::new(POLYLINES)?;
     let panel = |title: &str, column: &'static str, label: &str| ChartPanel {
         title: title.to_owned(),
@@ -187,7 +190,7 @@ fn polylines() -> Result<Picture, ExportError> {
             joined: true,
         }],
     };
-    Ok(draw_chart(&Chart {
+    Ok(Chart {
         title: "Polylines: tolerance against deviation, size and time".to_owned(),
         names: names(&["polylines of an atlas"]),
         panels: vec![
@@ -195,7 +198,7 @@ fn polylines() -> Result<Picture, ExportError> {
             panel("size", "json_bytes", "bytes of atlas.json (median)"),
             panel("time", "document_us", "CPU time of curves and stability in µs (median)"),
         ],
-    })?)
+    })
 }
 
 #[cfg(test)]
@@ -205,7 +208,7 @@ mod tests {
     #[test]
     fn every_chart_finds_its_measurements() {
         for (stem, draw) in CHARTS {
-            let picture = draw().unwrap();
+            let picture = draw_chart(&draw().unwrap(), plot::Theme::Light).unwrap();
             assert!(picture.svg.contains("<polyline") || picture.svg.contains("<circle"), "{stem} is empty");
         }
         let table = Table::new(ORBITS).unwrap();

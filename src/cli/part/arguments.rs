@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::cli::export::PictureFormat;
+use crate::cli::export::PictureArguments;
 use crate::cli::input::PartArguments;
 
 pub const BODY_EXAMPLES: &str = "\
@@ -21,9 +21,8 @@ pub struct PartBodyArguments {
     /// Draw the part into DIR/part.svg
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
-    /// Formats of the picture
-    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
-    pub format: Vec<PictureFormat>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
     /// Print the part as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,

@@ -35,8 +35,8 @@ pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failu
     let mut written = Vec::new();
     if let Some(directory) = &arguments.out {
         let mut files = FileSet::new(directory);
-        let picture = draw_part(&document, &scene(arguments)).map_err(ExportError::from)?;
-        files.pictures("part", &picture, &arguments.format, RESOLUTION, timings)?;
+        let picture = draw_part(&document, &scene(arguments), arguments.picture.theme()).map_err(ExportError::from)?;
+        files.pictures("part", &picture, &arguments.picture.format, RESOLUTION, timings)?;
         written = files.write()?;
     }
     Ok(answer(arguments.json, &document, || report::text(&given, &document, &written))?)

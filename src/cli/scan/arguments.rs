@@ -7,7 +7,7 @@ use survey::scan::Shard;
 use survey::{Parameter, Range};
 
 use super::table::Format;
-use crate::cli::export::PictureFormat;
+use crate::cli::export::PictureArguments;
 use crate::cli::input::{AccuracyArgument, BodyArguments};
 
 pub const SCAN_EXAMPLES: &str = "\
@@ -160,9 +160,8 @@ pub struct MapArguments {
     /// Write map.svg, map.png, map.pdf to DIR
     #[arg(long, value_name = "DIR", default_value = "bifdiag-out", help_heading = "Output")]
     pub out: PathBuf,
-    /// Formats of the map
-    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
-    pub format: Vec<PictureFormat>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
 }
 
 /// `bifdiag scan border`.

@@ -8,7 +8,7 @@ use dynamics::section::SectionCondition;
 use plot::Projection;
 use top::body::Number;
 
-use crate::cli::export::{DataTarget, PictureFormat};
+use crate::cli::export::{DataTarget, PictureArguments};
 use crate::cli::input::{BodyArguments, IntegratorArguments, values};
 
 pub const EXAMPLES: &str = "\
@@ -144,9 +144,8 @@ pub struct SectionArguments {
     /// What the colours tell
     #[arg(long, value_enum, default_value = "orbit", help_heading = "Output")]
     pub color: ColorArgument,
-    /// Formats of the picture
-    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
-    pub format: Vec<PictureFormat>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
     pub no_plot: bool,

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod error;
+pub mod families;
 mod outputs;
 mod picture;
 mod report;

@@ -2,11 +2,12 @@
 
 use dynamics::poincare::PoincareError;
 use dynamics::section::{Portrait, PortraitOptions};
-use plot::{OrbitValues, Picture, SectionOptions, SectionScene, draw_section};
+use plot::{OrbitFamilies, OrbitValues, Picture, SectionOptions, SectionScene, draw_section, section_type};
 use schema::{ConditionName, SectionDocument};
 
 use super::arguments::ColorArgument;
 use super::error::SectionFailure;
+use super::families::{NAMES, families};
 use super::settings::Settings;
 use super::table;
 use super::work::Done;
@@ -23,13 +24,16 @@ pub fn draw(settings: &Settings, section: &Done) -> Result<Picture, Failure> {
         tracing::warn!("the boundary or the line of tangency of this section may be incomplete in the picture");
     }
     let values = values(settings.color, document);
+    let of = families(&settings.sites.subject.body, section.h, section.l, &section.orbits);
     let scene = SectionScene {
         portrait: &portrait,
         orbits: &section.orbits,
         values: values.as_ref().map(|(label, values)| OrbitValues { label, values }),
+        families: Some(OrbitFamilies { of: &of, names: &NAMES }),
         caption: &caption(document),
     };
-    let options = SectionOptions { projection: settings.projection, ..SectionOptions::default() };
+    let options =
+        SectionOptions { projection: settings.projection, theme: settings.outputs.theme, ..SectionOptions::default() };
     Ok(draw_section(&scene, &options).map_err(ExportError::from)?)
 }
 
@@ -37,7 +41,7 @@ pub fn draw(settings: &Settings, section: &Done) -> Result<Picture, Failure> {
 fn caption(document: &SectionDocument) -> String {
     // The type is that of the paper's section.
     let own = document.condition == ConditionName::Height;
-    let signature = document.signature.as_ref().filter(|_| own).map(|signature| signature.replace('+', " + "));
+    let signature = document.signature.as_ref().filter(|_| own).map(|signature| section_type(signature));
     let parts = [document.region.clone(), signature];
     parts.into_iter().flatten().collect::<Vec<_>>().join(",  ")
 }

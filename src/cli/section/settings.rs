@@ -13,6 +13,7 @@ use super::sites::{ALL, Sites};
 use crate::cli::export::{DataTarget, PictureFormat, directory};
 use crate::cli::failure::Failure;
 use crate::cli::input::IntegratorArguments;
+use plot::Theme;
 
 /// Orbits of a section if nothing else is said.
 const ORBITS: u32 = 24;
@@ -56,6 +57,7 @@ pub struct Outputs<'a> {
     pub directory: Option<PathBuf>,
     /// Of the pictures.
     pub formats: &'a [PictureFormat],
+    pub theme: Theme,
     pub json: bool,
     /// The sites come from an atlas, or are all regions: JSON is a list.
     pub list: bool,
@@ -113,7 +115,8 @@ fn outputs(arguments: &SectionArguments, sites: usize) -> Result<Outputs<'_>, Fa
     Ok(Outputs {
         data,
         directory: directory(arguments.out.as_deref(), wanted)?,
-        formats: if arguments.no_plot { &[] } else { &arguments.format },
+        formats: if arguments.no_plot { &[] } else { &arguments.picture.format },
+        theme: arguments.picture.theme(),
         json,
         list: arguments.atlas.is_some() || arguments.region.as_deref() == Some(ALL),
     })

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use top::body::Number;
 
-use crate::cli::export::PictureFormat;
+use crate::cli::export::PictureArguments;
 use crate::cli::input::BodyArguments;
 use crate::cli::input::values::{self, Vector};
 
@@ -41,7 +41,6 @@ pub struct SphereArguments {
     /// Write the picture to DIR
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
-    /// Formats of the picture
-    #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
-    pub format: Vec<PictureFormat>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
 }

@@ -6,7 +6,7 @@ mod scene;
 mod site;
 
 use documents::component;
-use plot::Picture;
+use plot::{Picture, Theme};
 use proof::{Accuracy, classify};
 use top::body::Body;
 use top::classify::Answer;
@@ -25,9 +25,10 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
     let subject = arguments.body.subject()?;
     let directory = directory(arguments.out.as_deref(), true)?.unwrap_or_default();
     let site = Site::new(arguments, &subject)?;
-    let (picture, caption) = timings.stage("picture", || draw(&subject.body, &site, arguments.view.as_ref()))?;
+    let (picture, caption) =
+        timings.stage("picture", || draw(&subject.body, &site, arguments.view.as_ref(), arguments.picture.theme()))?;
     let mut files = FileSet::new(&directory);
-    files.pictures("sphere", &picture, &arguments.format, RESOLUTION, timings)?;
+    files.pictures("sphere", &picture, &arguments.picture.format, RESOLUTION, timings)?;
     let written = timings.stage("files", || files.write())?;
     let mut report = Report::default();
     head(&subject, &mut report);
@@ -39,7 +40,7 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
 }
 
 /// The picture, and what it says of the point.
-pub fn draw(body: &Body, site: &Site, view: Option<&Vector>) -> Result<(Picture, String), Failure> {
+pub fn draw(body: &Body, site: &Site, view: Option<&Vector>, theme: Theme) -> Result<(Picture, String), Failure> {
     let found = classify(body, &site.h, &site.l, Accuracy::Exact).map_err(SphereError::from)?;
     let components = match &found.answer {
         Answer::Regular(components) => components.iter().map(component).collect(),
@@ -48,7 +49,7 @@ pub fn draw(body: &Body, site: &Site, view: Option<&Vector>) -> Result<(Picture,
         Answer::Critical(_) | Answer::Undecided(_) => Vec::new(),
     };
     let caption = caption(site, &found.answer);
-    let picture = scene::draw(body, site, &components, &caption, view)?;
+    let picture = scene::draw(body, site, &components, &caption, view, theme)?;
     Ok((picture.map_err(ExportError::from)?, caption))
 }
 

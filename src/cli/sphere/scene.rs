@@ -1,7 +1,7 @@
 //! What the picture needs of a body at one point.
 
 use dynamics::field::dot;
-use plot::{Picture, PlotError, SphereEquilibrium, SphereScene, draw_sphere};
+use plot::{Picture, PlotError, SphereEquilibrium, SphereScene, Theme, draw_sphere};
 use schema::ComponentDocument;
 use top::accessible::{AccessibleRegion, component_of};
 use top::body::Body;
@@ -19,6 +19,7 @@ pub fn draw(
     components: &[ComponentDocument],
     caption: &str,
     view: Option<&Vector>,
+    theme: Theme,
 ) -> Result<Result<Picture, PlotError>, SphereError> {
     let (h, l) = (site.h.to_f64(), site.l.to_f64());
     let (moments, center) = (body.moments_f64(), body.center_f64());
@@ -44,16 +45,19 @@ pub fn draw(
         Some(partition) => component_of(partition, gamma),
         None => Some(0),
     };
-    Ok(draw_sphere(&SphereScene {
-        title: &title(body),
-        caption,
-        potential_above: &potential_above,
-        r_hat,
-        components,
-        component_of: &component_of,
-        equilibria: &equilibria,
-        view: view.map(|Vector(direction)| *direction),
-    }))
+    Ok(draw_sphere(
+        &SphereScene {
+            title: &title(body),
+            caption,
+            potential_above: &potential_above,
+            r_hat,
+            components,
+            component_of: &component_of,
+            equilibria: &equilibria,
+            view: view.map(|Vector(direction)| *direction),
+        },
+        theme,
+    ))
 }
 
 /// A and r with as many digits as a title holds.

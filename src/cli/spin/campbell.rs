@@ -39,7 +39,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
                 .filter(|rpm| *rpm <= part::Spin::rpm(largest))
                 .collect(),
         };
-        let picture = draw_campbell(&scene).map_err(ExportError::from)?;
+        let picture = draw_campbell(&scene, plot::Theme::Light).map_err(ExportError::from)?;
         files.pictures("campbell", &picture, &[PictureFormat::Svg], RESOLUTION, timings)?;
     }
     let mut report = Report::default();

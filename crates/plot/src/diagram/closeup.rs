@@ -49,20 +49,27 @@ struct Station {
     h: [f64; 2],
 }
 
-/// Windows around the widest place of a region.
-pub(super) fn closeup(scene: &Scene<'_>, visible: &WindowDocument, region: usize) -> Result<Closeup, PlotError> {
+/// Windows around the widest place of a region, with sides of `largest` (in h and l) at most.
+pub(super) fn closeup(
+    scene: &Scene<'_>,
+    visible: &WindowDocument,
+    largest: [f64; 2],
+    region: usize,
+) -> Result<Closeup, PlotError> {
     let width = scene.atlas.regions[region].h_width.unwrap_or(f64::INFINITY).min(length(visible.h) / INSET[0]);
     if width < NARROWEST * length(visible.h) {
         return Ok(Closeup::TooSmall);
     }
-    let Some(widest) = widest_l(scene, region, &stations(scene, visible, region, width * 1e-3)?) else {
+    let Some(Station { l: widest, h: there }) = widest(scene, region, &stations(scene, visible, region, width * 1e-3)?)
+    else {
         return Ok(Closeup::Outside);
     };
+    let middle = [f64::midpoint(there[0], there[1]), widest];
     let cells = scene.cells[region].iter().filter(|cell| cell.l[0] < visible.l[1] && cell.l[1] > visible.l[0]);
     let ends = common(cells.map(|cell| cell.l).fold([f64::INFINITY, 0.0], hull), visible.l);
     let mut wide: Option<WindowDocument> = None;
     let mut best: Option<(WindowDocument, f64)> = None;
-    let mut reach = (widest - ends[0]).max(ends[1] - widest);
+    let mut reach = (widest - ends[0]).max(ends[1] - widest).min(largest[1] / 2.0);
     loop {
         let l = common(ends, [widest - reach, widest + reach]);
         let strip = WindowDocument { h: visible.h, l: common(l, visible.l) };
@@ -71,7 +78,7 @@ pub(super) fn closeup(scene: &Scene<'_>, visible: &WindowDocument, region: usize
             break;
         }
         let h = near.iter().map(|station| station.h).fold([f64::INFINITY, f64::NEG_INFINITY], hull);
-        let window = clipped(&around(h, l), visible);
+        let window = clipped(&cropped(&around(h, l), middle, largest), visible);
         let resolved = |[from, to]: [f64; 2]| to - from > RESOLUTION * from.abs().max(to.abs());
         if !(resolved(window.h) && resolved(window.l)) {
             break;
@@ -96,19 +103,25 @@ pub(super) fn closeup(scene: &Scene<'_>, visible: &WindowDocument, region: usize
 
 /// Where a region is widest. A strip that never ends is widest far out; the atlas' sample lies where it has something to
 /// show, and is preferred if it is wide there, too.
-fn widest_l(scene: &Scene<'_>, region: usize, stations: &[Station]) -> Option<f64> {
+fn widest(scene: &Scene<'_>, region: usize, stations: &[Station]) -> Option<Station> {
     let width = |station: &Station| length(station.h);
     let widest = stations.iter().max_by(|a, b| width(a).total_cmp(&width(b)))?;
     let from_sample = |station: &Station| (station.l - scene.atlas.regions[region].sample.l).abs();
     let near_sample = stations.iter().min_by(|a, b| from_sample(a).total_cmp(&from_sample(b)))?;
     let endless = scene.cells[region].iter().any(|cell| cell.l[1].is_infinite());
-    Some(if endless && width(near_sample) >= 0.3 * width(widest) { near_sample.l } else { widest.l })
+    Some(if endless && width(near_sample) >= 0.3 * width(widest) { *near_sample } else { *widest })
 }
 
 /// A window with free space around, not below l = 0.
 fn around(h: [f64; 2], l: [f64; 2]) -> WindowDocument {
     let (dh, dl) = (AROUND * length(h), AROUND * length(l));
     WindowDocument { h: [h[0] - dh, h[1] + dh], l: [(l[0] - dl).max(0.0), l[1] + dl] }
+}
+
+/// The part of a window at most half of `largest` from a point.
+fn cropped(window: &WindowDocument, [h, l]: [f64; 2], largest: [f64; 2]) -> WindowDocument {
+    let crop = |side, at: f64, largest: f64| common(side, [at - largest / 2.0, at + largest / 2.0]);
+    WindowDocument { h: crop(window.h, h, largest[0]), l: crop(window.l, l, largest[1]) }
 }
 
 /// The extents of a region inside a window by cells.

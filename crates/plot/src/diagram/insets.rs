@@ -2,6 +2,7 @@
 
 use super::closeup::{Closeup, closeup, depths};
 use super::grid::LEGIBLE;
+use super::layout::{INSET, MAIN};
 use super::panel::Panel;
 use super::ranges::{area, clipped, contains, hull, length};
 use super::scene::Scene;
@@ -10,6 +11,8 @@ use schema::WindowDocument;
 
 /// In the window that stands for it, a region's inscribed circle has at least this radius.
 const KEPT: f64 = 5.0;
+/// Insets magnify at least so many times in h and in l.
+const LEAST: f64 = 3.0;
 /// Insets magnified more than this against the main panel are led up to by a window between the two.
 const LEAP: f64 = 40.0;
 /// The most windows that lead up to others.
@@ -44,14 +47,16 @@ pub(super) fn magnifications(
     let mut candidates: Vec<Candidate> = Vec::new();
     let mut hidden: Vec<usize> = Vec::new();
     let visible = &main.view.window;
+    // The scale of the main panel, and that of an overview of everything in the first inset.
+    let shown = [(visible, MAIN), (everything, INSET)];
     for (region, depth) in main.grid.depths(scene.cells.len()).into_iter().enumerate() {
         if depth >= LEGIBLE {
             continue;
         }
-        let mut found = closeup(scene, visible, region)?;
+        let mut found = closeup(scene, visible, largest(shown[0]), region)?;
         let goes_on = scene.cells[region].iter().any(|cell| cell.l[1] > visible.l[1]);
         if !matches!(found, Closeup::Windows { .. }) && goes_on && everything != visible {
-            found = closeup(scene, everything, region)?;
+            found = closeup(scene, everything, largest(shown[1]), region)?;
         }
         match found {
             Closeup::Windows { wide, close, depth } => {
@@ -64,10 +69,21 @@ pub(super) fn magnifications(
         }
     }
     windows.extend(unions(candidates));
+    windows.retain(|window| {
+        let shown = if contains(visible, window) { shown[0] } else { shown[1] };
+        let [h, l] = largest(shown);
+        length(window.h) <= h * (1.0 + 1e-9) && length(window.l) <= l * (1.0 + 1e-9)
+    });
     result.windows = cover(scene, &windows, hidden)?;
     lead_up(&mut result.windows, visible);
     result.windows.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.l[0].total_cmp(&b.l[0])));
     Ok(result)
+}
+
+/// The sides of the largest window that an inset magnifies at least [`LEAST`] times against a window shown on a plot area of
+/// the given size.
+fn largest((window, size): (&WindowDocument, [f64; 2])) -> [f64; 2] {
+    [length(window.h) * INSET[0] / size[0] / LEAST, length(window.l) * INSET[1] / size[1] / LEAST]
 }
 
 /// Windows that together show all of `hidden`: again and again the one that shows most of those left, the larger of
@@ -106,7 +122,9 @@ fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument) {
         let led = windows
             .iter()
             .any(|other| *other != target && contains(other, &target) && scales(other)[0] * LEAP.sqrt() >= h.sqrt());
-        if h.min(l) < LEAP || led || added == STEPS_MAX || !contains(main, &target) {
+        let [least_h, least_l] = [0, 1].map(|side| LEAST * MAIN[side] / INSET[side]);
+        let magnifies = h.sqrt() >= least_h && l.sqrt() >= least_l;
+        if h.min(l) < LEAP || !magnifies || led || added == STEPS_MAX || !contains(main, &target) {
             continue;
         }
         let spread = |side: [f64; 2], scale: f64| {

@@ -1,6 +1,6 @@
 //! The labels of regions.
 
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, Point, Rect, subscript, superscript, text_width};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, Point, Rect, section_type, superscript, text_width};
 use schema::{AtlasDocument, RegionDocument};
 
 /// The energy.
@@ -12,38 +12,84 @@ pub(super) const L: &str = "l";
 const ID_SCALE: f64 = 0.78;
 /// Height of a line relative to the font size.
 const LINE: f64 = 1.2;
+/// Between the text of a boxed label and its box.
+const PADDING: f64 = 2.0;
+/// Length of the arrow head at the region's end of a leader.
+const ARROW: f64 = 5.0;
 
-/// The type and the id of a region.
+/// What is told of a region.
 #[derive(Clone, Debug)]
 pub(super) struct Name {
+    /// The type of the section.
     pub kind: String,
     pub id: String,
+    /// U, where another region has a section of the same type over another U.
+    pub accessible: Option<String>,
+}
+
+impl Name {
+    /// All of it in a line.
+    pub(super) fn sentence(&self) -> String {
+        match &self.accessible {
+            Some(accessible) => format!("{}, U = {accessible}", self.kind),
+            None => self.kind.clone(),
+        }
+    }
+}
+
+/// How much of a name a label says; the key tells the rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// Everything.
+    Full,
+    /// Type and id.
+    Short,
+    /// The id alone.
+    Id,
+}
+
+/// How a label is set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Setting {
+    pub form: Form,
+    /// Font size of the type.
+    pub size: f64,
+    /// Type and id share a line.
+    pub one_line: bool,
 }
 
 /// A placed label of a region.
 #[derive(Clone, Debug)]
 pub(super) struct Label {
     pub region: usize,
+    pub setting: Setting,
     pub rect: Rect,
-    /// Font size of the type.
-    pub size: f64,
-    /// True when type and id share a line.
-    pub one_line: bool,
     /// From the region to the label.
     pub leader: Option<[Point; 2]>,
 }
 
-/// Size of a label.
-pub(super) fn extent(name: &Name, size: f64, one_line: bool) -> [f64; 2] {
-    let (kind, id) = (text_width(&name.kind, size), text_width(&name.id, size * ID_SCALE));
-    if one_line { [kind + 0.4 * size + id, LINE * size] } else { [kind.max(id), LINE * size * (1.0 + ID_SCALE)] }
-}
+impl Setting {
+    /// The two texts, the second of which is smaller and may be empty.
+    fn texts(&self, name: &Name) -> [String; 2] {
+        match (self.form, &name.accessible) {
+            (Form::Full, Some(accessible)) => [name.kind.clone(), format!("{}, U = {accessible}", name.id)],
+            (Form::Full | Form::Short, _) => [name.kind.clone(), name.id.clone()],
+            (Form::Id, _) => [name.id.clone(), String::new()],
+        }
+    }
 
-/// A section's name as the paper prints it: `S2` is S², `T2` is T², `M3` (genus 3) is M²₃.
-fn section(name: &str) -> String {
-    match name.strip_prefix('M') {
-        Some(genus) => format!("M²{}", subscript(genus)),
-        None => superscript(name),
+    /// Size of a label.
+    pub(super) fn extent(&self, name: &Name) -> [f64; 2] {
+        let [first, second] = self.texts(name);
+        let (size, small) = (self.size, self.size * ID_SCALE);
+        let (first, second) = (text_width(&first, size), text_width(&second, small));
+        if second == 0.0 {
+            [first, LINE * size]
+        } else if self.one_line {
+            [first + 0.4 * size + second, LINE * size]
+        } else {
+            [first.max(second), LINE * size * (1.0 + ID_SCALE)]
+        }
     }
 }
 
@@ -68,7 +114,7 @@ pub(super) fn accessible_regions(region: &RegionDocument) -> String {
 /// The type printed in a region: that of its section, or of its accessible region where no section exists.
 pub(super) fn region_type(region: &RegionDocument) -> String {
     if let Some(signature) = &region.signature {
-        return signature.split('+').map(section).collect::<Vec<_>>().join("+");
+        return section_type(signature);
     }
     if region.components.is_empty() {
         return "undecided".to_owned();
@@ -76,37 +122,61 @@ pub(super) fn region_type(region: &RegionDocument) -> String {
     format!("U: {}", accessible_regions(region))
 }
 
-/// The names of all regions: the id with U where another region has a section of the same type over another U.
+/// The names of all regions.
 pub(super) fn names(atlas: &AtlasDocument) -> Vec<Name> {
     let types: Vec<[String; 2]> =
         atlas.regions.iter().map(|region| [region_type(region), accessible_regions(region)]).collect();
     let name = |(region, [kind, own]): (&RegionDocument, &[String; 2])| {
         let ambiguous = region.signature.is_some() && types.iter().any(|[other, u]| other == kind && u != own);
-        let id = if ambiguous { format!("{}, U = {own}", region.id) } else { region.id.clone() };
-        Name { kind: kind.clone(), id }
+        Name { kind: kind.clone(), id: region.id.clone(), accessible: ambiguous.then(|| own.clone()) }
     };
     atlas.regions.iter().zip(&types).map(name).collect()
 }
 
-/// Draws a label.
-pub(super) fn paint(canvas: &Canvas<'_>, label: &Label, name: &Name) {
-    if let Some([anchor, end]) = label.leader {
-        canvas.path(&[anchor, end], Ink { color: INK, width: 0.7 });
-        canvas.disc(anchor, 1.3, INK);
-        canvas.polygon(&label.rect.grown(1.5).corners(), PAPER);
-        canvas.outline(&label.rect.grown(1.5).corners(), Ink { color: FAINT_INK, width: 0.5 });
+/// The box that is drawn round a label with a leader.
+pub(super) fn boxed(rect: &Rect) -> Rect {
+    rect.grown(PADDING)
+}
+
+/// Draws a label as the group `id`.
+pub(super) fn paint(canvas: &Canvas, label: &Label, name: &Name, id: &str) {
+    if let Some(leader) = label.leader {
+        canvas.group(&format!("{id}-leader"), "", || paint_leader(canvas, leader));
     }
+    canvas.group(id, &format!("{}: {}", name.id, name.sentence()), || {
+        if label.leader.is_some() {
+            let frame = boxed(&label.rect).corners();
+            canvas.polygon(&frame, PAPER);
+            canvas.outline(&frame, Ink { color: FAINT_INK, width: 0.5 });
+        }
+        paint_texts(canvas, label, name);
+    });
+}
+
+fn paint_texts(canvas: &Canvas, label: &Label, name: &Name) {
+    let [first, second] = label.setting.texts(name);
     let Rect { x, y, width, .. } = label.rect;
-    let (size, id_size) = (label.size, label.size * ID_SCALE);
-    let base = y + 0.95 * size;
-    let (kind_x, id_at) = if label.one_line {
-        (x + text_width(&name.kind, size) / 2.0, [x + width - text_width(&name.id, id_size) / 2.0, base])
+    let (size, small) = (label.setting.size, label.setting.size * ID_SCALE);
+    let (middle, base) = (x + width / 2.0, y + 0.95 * size);
+    if second.is_empty() {
+        canvas.text(&first, [middle, base], size, INK, Anchor::Middle);
+    } else if label.setting.one_line {
+        canvas.text(&first, [x, base], size, INK, Anchor::Start);
+        canvas.text(&second, [x + width, base], small, FAINT_INK, Anchor::End);
     } else {
-        let middle = x + width / 2.0;
-        (middle, [middle, y + LINE * size + 0.9 * id_size])
-    };
-    canvas.text(&name.kind, [kind_x, base], size, INK, Anchor::Middle);
-    canvas.text(&name.id, id_at, id_size, FAINT_INK, Anchor::Middle);
+        canvas.text(&first, [middle, base], size, INK, Anchor::Middle);
+        canvas.text(&second, [middle, y + LINE * size + 0.9 * small], small, FAINT_INK, Anchor::Middle);
+    }
+}
+
+/// A line to the region, with an arrow head, since dots are sample points.
+fn paint_leader(canvas: &Canvas, [tip, end]: [Point; 2]) {
+    let ink = Ink { color: INK, width: 0.7 };
+    canvas.path(&[tip, end], ink);
+    let length = crate::page::distance(tip, end).max(1e-9);
+    let [x, y] = [(end[0] - tip[0]) / length, (end[1] - tip[1]) / length];
+    let wing = |side: f64| [tip[0] + ARROW * (x - side * 0.35 * y), tip[1] + ARROW * (y + side * 0.35 * x)];
+    canvas.polygon(&[tip, wing(1.0), wing(-1.0)], INK);
 }
 
 #[cfg(test)]
@@ -115,8 +185,6 @@ mod tests {
 
     #[test]
     fn names_are_printed_as_in_the_paper() {
-        assert_eq!(section("T2"), "T²");
-        assert_eq!(section("M3"), "M²₃");
         assert_eq!(accessible_region("S2-3D2"), "S²∖3D²");
     }
 }

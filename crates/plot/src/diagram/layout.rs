@@ -37,6 +37,34 @@ pub(super) fn inset_place(index: usize) -> Point {
     [LEFT + column as f64 * INSET_PITCH[0], top + row as f64 * INSET_PITCH[1]]
 }
 
+/// Where the legend goes when there are so many insets, and how wide it may be: into the places that the last row leaves
+/// free, else below everything.
+pub(super) fn legend_place(insets: usize) -> (Point, f64) {
+    let free = if insets < BESIDE { BESIDE - insets } else { (IN_A_ROW - (insets - BESIDE) % IN_A_ROW) % IN_A_ROW };
+    match insets {
+        0 => ([LEFT, TOP + MAIN[1] + BELOW + 6.0], MAIN[0]),
+        1 => (inset_place(1), INSET[0]),
+        _ if free > 0 => {
+            let at = inset_place(insets);
+            (at, free as f64 * INSET_PITCH[0] - LEFT)
+        }
+        _ => below_all(insets),
+    }
+}
+
+/// The place below everything, over the whole width.
+pub(super) fn below_all(insets: usize) -> (Point, f64) {
+    let last = inset_place(insets.saturating_sub(1))[1] + INSET[1];
+    ([LEFT, last.max(TOP + MAIN[1]) + BELOW + 6.0], page_width(insets) - LEFT - RIGHT)
+}
+
+/// The width of a page with so many insets.
+pub(super) fn page_width(insets: usize) -> f64 {
+    let beside = if insets > 0 { inset_place(0)[0] + INSET[0] } else { LEFT + MAIN[0] };
+    let below = if insets > BESIDE { LEFT + (IN_A_ROW - 1) as f64 * INSET_PITCH[0] + INSET[0] } else { 0.0 };
+    beside.max(below) + RIGHT
+}
+
 /// The letter of an inset: a … z, then aa, ab, …
 pub(super) fn letter(index: usize) -> String {
     let own = char::from(b'a' + u8::try_from(index % 26).unwrap_or(0));

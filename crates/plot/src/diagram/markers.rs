@@ -7,7 +7,7 @@ use schema::EventKind;
 pub(super) const MARKER: f64 = 4.0;
 
 /// Marks an event: a filled diamond at a cusp, a filled triangle at a pitchfork, a ring at a crossing.
-pub(super) fn event_marker(canvas: &Canvas<'_>, kind: EventKind, at: Point) {
+pub(super) fn event_marker(canvas: &Canvas, kind: EventKind, at: Point) {
     let [x, y] = at;
     let shape = match kind {
         EventKind::Crossing => return canvas.ring(at, MARKER - 1.0, Ink { color: INK, width: 1.1 }),
@@ -21,6 +21,6 @@ pub(super) fn event_marker(canvas: &Canvas<'_>, kind: EventKind, at: Point) {
 }
 
 /// Marks the sample point of a region.
-pub(super) fn sample_dot(canvas: &Canvas<'_>, at: Point) {
+pub(super) fn sample_dot(canvas: &Canvas, at: Point) {
     canvas.disc(at, 2.0, INK);
 }

@@ -13,11 +13,13 @@ mod layout;
 mod legend;
 mod markers;
 mod notes;
+mod outline;
 mod paint;
 mod palette;
 mod panel;
 mod placement;
 mod ranges;
+mod room;
 mod scene;
 mod space;
 mod stroke;
@@ -26,17 +28,16 @@ mod view;
 mod window;
 
 pub(crate) use palette::tint;
-pub use scene::CurveSource;
+pub use scene::{CurveSource, MarkedPoints};
 
-use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, render};
+use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, Theme, render};
 use insets::{Magnifications, magnifications};
-use layout::{BELOW, INSET, LEFT, MAIN, RIGHT, TOP, frames, inset_place};
+use layout::{BELOW, INSET, LEFT, MAIN, RIGHT, TOP, below_all, frames, inset_place, legend_place, page_width};
 use legend::{legend, paint_symbol};
-use notes::{NOTE_SIZE, notes, title};
+use notes::{NOTE_SIZE, heading, notes, remark, units};
 use paint::Diagram;
 use palette::branch_styles;
 use panel::Panel;
-use placement::place;
 use scene::Scene;
 use schema::{AtlasDocument, WindowDocument};
 use stroke::strokes;
@@ -51,6 +52,10 @@ pub struct DiagramOptions {
     /// The part of the (h, l) plane of the main panel; `None`: chosen so that every event and every unbounded region
     /// is inside.
     pub window: Option<WindowDocument>,
+    /// Points marked in place of the samples of the regions.
+    pub points: Option<MarkedPoints>,
+    /// Colours.
+    pub theme: Theme,
 }
 
 /// Draws the bifurcation diagram: h to the right, l upwards, each region tinted and labelled with the type of its
@@ -66,27 +71,37 @@ pub fn draw(
     source: Option<&dyn CurveSource>,
     options: &DiagramOptions,
 ) -> Result<Picture, PlotError> {
-    let scene = Scene::new(atlas, source)?;
+    let scene = Scene::new(atlas, source, options.points.as_ref())?;
     let styles = branch_styles(atlas);
+    let strokes = strokes(atlas, &styles);
     let (panels, magnified) = panels(&scene, options.window)?;
     let frames = frames(&panels);
-    let texts = place(&scene, &panels, &frames);
+    let texts = placement::place(&scene, &panels, &frames);
 
-    let farthest = |end: fn(&Rect) -> f64| panels.iter().map(|panel| end(&panel.view.rect)).fold(0.0, f64::max);
-    let width = farthest(Rect::right) + RIGHT;
-    let below = farthest(Rect::bottom) + BELOW + 6.0;
-    let legend = legend(atlas, &styles, width - LEFT - RIGHT);
-    let notes = notes(atlas, &magnified, &texts.unlabelled, width - LEFT - RIGHT);
-    let notes_from = below + legend.height();
-    let height = notes_from + notes.len() as f64 * NOTE_SIZE * 1.4 + 14.0;
-    let title = title(atlas);
-    let diagram = Diagram { scene, strokes: strokes(atlas, &styles), panels, frames, texts };
-    render([width, height.ceil()], &title, |canvas| {
-        canvas.text(&title, [LEFT, TOP - 34.0], TITLE_SIZE, INK, Anchor::Start);
+    let insets = panels.len() - 1;
+    let width = page_width(insets);
+    let dots = options.points.as_ref().map_or("sample point of a region", |marked| marked.text.as_str());
+    let explained = |width| legend(&scene, &styles, &strokes, &panels, &texts, dots, width);
+    let place = |(at, width)| (at, width, explained(width));
+    let (mut legend_at, room, mut legend) = place(legend_place(insets));
+    if legend.widest() > room {
+        (legend_at, _, legend) = place(below_all(insets));
+    }
+    let axes = panels.iter().map(|panel| panel.view.rect.bottom() + BELOW + 6.0);
+    let below = axes.fold(legend_at[1] + legend.height(), f64::max);
+    // What lies outside of the window is not in its key.
+    let notes = notes(atlas, &magnified, width - LEFT - RIGHT);
+    let height = below + notes.len() as f64 * NOTE_SIZE * 1.4 + 14.0;
+    let heading = heading(atlas, width - LEFT - RIGHT, TITLE_SIZE);
+    let title = heading.title.clone();
+    let diagram = Diagram { scene, strokes, panels, frames, texts, units: units(atlas) };
+    render([width, height.ceil()], heading, options.theme, |canvas| {
+        canvas.text(&title, [LEFT, 24.0], TITLE_SIZE, INK, Anchor::Start);
+        canvas.text(remark(atlas), [LEFT + MAIN[0], TOP - 12.0], NOTE_SIZE, FAINT_INK, Anchor::End);
         diagram.paint(canvas);
-        legend.draw(canvas, [LEFT, below], |symbol, at| paint_symbol(canvas, symbol, at));
+        canvas.group("legend", "", || legend.draw(canvas, legend_at, |symbol, at| paint_symbol(canvas, symbol, at)));
         for (row, note) in notes.iter().enumerate() {
-            let base = notes_from + (row as f64 + 1.0) * NOTE_SIZE * 1.4;
+            let base = below + (row as f64 + 1.0) * NOTE_SIZE * 1.4;
             canvas.text(note, [LEFT, base], NOTE_SIZE, FAINT_INK, Anchor::Start);
         }
     })

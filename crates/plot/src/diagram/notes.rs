@@ -1,52 +1,92 @@
-//! The title and what the picture cannot show, in words.
+//! The title, units, and what the picture cannot show, in words.
 
 use super::insets::Magnifications;
 use super::labels::{H, L, region_type};
-use crate::page::{body, text_width};
+use crate::page::{Heading, body, number, short_number, text_width};
 use schema::AtlasDocument;
 
 /// Font size of the notes.
 pub(super) const NOTE_SIZE: f64 = 11.0;
 
-/// The body in a line.
-pub(super) fn title(atlas: &AtlasDocument) -> String {
-    let mut title = body(&atlas.body.moments, &atlas.body.center);
-    if atlas.body.flags.unphysical {
-        title.push_str("   (unphysical: the triangle inequality is violated)");
+/// The body in a line of at most `width` pixels at this font size, its numbers rounded where that is needed, and all that
+/// is known of it for programs.
+pub(super) fn heading(atlas: &AtlasDocument, width: f64, size: f64) -> Heading {
+    let AtlasDocument { body: own, version, command, .. } = atlas;
+    let full = body(&own.moments, &own.center);
+    let rounded = |digits: usize| {
+        let [moments, center] = [&own.moments, &own.center].map(|of| of.each_ref().map(|text| shortened(text, digits)));
+        let line = body(&moments, &center);
+        if line == full { line } else { line.replace(" = ", " ≈ ") }
+    };
+    let title = DIGITS.iter().map(|&digits| rounded(digits)).find(|line| text_width(line, size) <= width);
+    let mut metadata = format!("A = ({}), r = ({})", own.moments.join(", "), own.center.join(", "));
+    for (name, value) in [("version", version), ("command", command)] {
+        if !value.is_empty() {
+            metadata.extend(["; ", name, ": ", value]);
+        }
     }
-    title
+    Heading { title: title.unwrap_or_else(|| rounded(1)), metadata }
+}
+
+/// Significant digits of the title's numbers, best first.
+const DIGITS: [usize; 5] = [6, 5, 4, 3, 2];
+
+/// The text of a number if it is short, else so many significant digits of it.
+fn shortened(text: &str, digits: usize) -> String {
+    if text.chars().count() <= digits + 2 {
+        return number(text);
+    }
+    let value = |text: &str| text.trim().parse::<f64>().ok();
+    let quotient = || text.split_once('/').and_then(|(p, q)| Some(value(p)? / value(q)?));
+    value(text).or_else(quotient).map_or_else(|| number(text), |value| short_number(value, digits))
+}
+
+/// What is said below the title: what is special about the body.
+pub(super) fn remark(atlas: &AtlasDocument) -> &'static str {
+    if atlas.body.flags.unphysical {
+        "no mass distribution has these moments: the triangle inequality is violated"
+    } else {
+        ""
+    }
+}
+
+/// Units of h and l of a real part; empty for a body of numbers.
+pub(super) fn units(atlas: &AtlasDocument) -> [String; 2] {
+    let Some(part) = &atlas.body.part else { return [String::new(), String::new()] };
+    match part.units.split(',').map(str::trim).collect::<Vec<_>>()[..] {
+        ["kg", "m", "s"] => ["J".to_owned(), "J s".to_owned()],
+        [mass, length, time] => {
+            let momentum = format!("{mass} {length}²/{time}");
+            [format!("{momentum}²"), momentum]
+        }
+        _ => [String::new(), String::new()],
+    }
 }
 
 /// What the picture cannot show, in lines of at most `width` pixels.
-pub(super) fn notes(
-    atlas: &AtlasDocument,
-    magnified: &Magnifications,
-    unlabelled: &[usize],
-    width: f64,
-) -> Vec<String> {
-    let known: Vec<usize> = magnified.invisible.iter().chain(&magnified.outside).copied().collect();
-    let crowded: Vec<usize> = unlabelled.iter().filter(|region| !known.contains(region)).copied().collect();
+pub(super) fn notes(atlas: &AtlasDocument, magnified: &Magnifications, width: f64) -> Vec<String> {
     let mut lines = Vec::new();
-    for (heading, regions) in [
-        ("Too narrow to be drawn:", &magnified.invisible),
-        ("Outside the window:", &magnified.outside),
-        ("Without room for a label:", &crowded),
-    ] {
+    for (heading, regions) in
+        [("Too narrow to be drawn:", &magnified.invisible), ("Outside the window:", &magnified.outside)]
+    {
         if regions.is_empty() {
             continue;
         }
         let items = regions.iter().map(|&index| {
             let region = &atlas.regions[index];
             let kind = region_type(region);
-            let wide = region.h_width.map_or_else(String::new, |wide| format!(", {wide:.1e} wide"));
-            format!("{} ({kind}) at {H} = {}, {L} = {}{wide}", region.id, region.sample.h, region.sample.l)
+            let wide = region.h_width.map_or_else(String::new, |wide| format!(", {} wide", short_number(wide, 2)));
+            let [h, l] = [region.sample.h, region.sample.l].map(|value| short_number(value, 8));
+            format!("{} ({kind}) at {H} = {h}, {L} = {l}{wide}", region.id)
         });
         wrap(heading, items, width, &mut lines);
     }
     let undecided = atlas.summary.undecided.len();
     if undecided > 0 {
-        let items =
-            atlas.summary.undecided.iter().map(|what| format!("{} near {H} = {}, {L} = {}", what.what, what.h, what.l));
+        let items = atlas.summary.undecided.iter().map(|what| {
+            let [h, l] = [what.h, what.l].map(|value| short_number(value, 8));
+            format!("{} near {H} = {h}, {L} = {l}", what.what)
+        });
         wrap(&format!("Undecided in f64 ({undecided}):"), items, width, &mut lines);
     }
     lines

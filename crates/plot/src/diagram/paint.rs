@@ -3,15 +3,15 @@
 use super::labels::{self, H, L};
 use super::layout::{BELOW, Frame, LEFT, LETTER_SIZE, frame, is_marked, letter};
 use super::markers::{event_marker, sample_dot};
-use super::palette::tint;
+use super::outline::{Ground, outline};
 use super::panel::Panel;
 use super::placement::Texts;
 use super::ranges::contains;
 use super::scene::Scene;
-use super::stroke::{self, Stroke};
+use super::stroke::{self, Line, Stroke, Verdict};
 use super::view::View;
 use crate::page::{Anchor, Axis, Canvas, INK, Ink, Point, TICK_SIZE, distance, draw_axes, short, text_width, ticks};
-use schema::{EventKind, RegionDocument};
+use schema::EventKind;
 
 const FRAME: Ink = Ink { color: INK, width: 0.9 };
 
@@ -23,61 +23,99 @@ pub(super) struct Diagram<'a> {
     /// The frames in each panel.
     pub frames: Vec<Vec<Frame>>,
     pub texts: Texts,
+    /// Units of h and l, empty where there are none.
+    pub units: [String; 2],
 }
 
 impl Diagram<'_> {
-    pub(super) fn paint(&self, canvas: &Canvas<'_>) {
-        for (index, (panel, frames)) in self.panels.iter().zip(&self.frames).enumerate() {
-            self.paint_regions(canvas, panel);
-            for stroke in &self.strokes {
-                stroke::draw(canvas, panel, stroke);
-            }
-            self.mark_points(canvas, panel, frames);
-            self.paint_frames(canvas, panel, frames);
-            for label in &self.texts.labels[index] {
-                labels::paint(canvas, label, &self.texts.names[label.region]);
-            }
-            paint_axes(canvas, panel, index == 0);
+    pub(super) fn paint(&self, canvas: &Canvas) {
+        for (index, panel) in self.panels.iter().enumerate() {
+            let (name, told) = match index {
+                0 => ("main".to_owned(), "the main panel".to_owned()),
+                inset => (letter(inset - 1), format!("inset ({})", letter(inset - 1))),
+            };
+            canvas.group(&name, &told, || self.paint_panel(canvas, index, panel, &name));
         }
         self.tell_scales(canvas);
     }
 
-    fn paint_regions(&self, canvas: &Canvas<'_>, panel: &Panel) {
-        for (region, cells) in self.scene.atlas.regions.iter().zip(&self.scene.cells) {
-            let circles = region.components.iter().map(|part| part.boundary_circles).sum();
-            let color = tint(&tint_key(region), circles);
-            for cell in cells {
-                canvas.polygon(&panel.cell_polygon(cell), color);
-            }
+    fn paint_panel(&self, canvas: &Canvas, index: usize, panel: &Panel, name: &str) {
+        let frames = &self.frames[index];
+        canvas.group(&format!("{name}-regions"), "", || self.paint_regions(canvas, panel, name));
+        canvas.group(&format!("{name}-curves"), "", || self.paint_curves(canvas, panel, name));
+        canvas.group(&format!("{name}-points"), "", || self.mark_points(canvas, panel, frames, name));
+        self.paint_frames(canvas, panel, frames, name);
+        for label in &self.texts.labels[index] {
+            let region = &self.texts.names[label.region];
+            labels::paint(canvas, label, region, &format!("{name}-label-{}", region.id));
+        }
+        canvas.group(&format!("{name}-axes"), "", || paint_axes(canvas, panel, index == 0, &self.units));
+    }
+
+    fn paint_regions(&self, canvas: &Canvas, panel: &Panel, name: &str) {
+        let names = &self.texts.names;
+        for ((region, cells), told) in self.scene.atlas.regions.iter().zip(&self.scene.cells).zip(names) {
+            let path = outline(cells.iter().map(|cell| panel.cell_polygon(cell)));
+            let title = format!("{}: {}", told.id, told.sentence());
+            Ground::of(region).paint(canvas, &path, &format!("{name}-{}", region.id), &title);
         }
     }
 
-    fn mark_points(&self, canvas: &Canvas<'_>, panel: &Panel, frames: &[Frame]) {
-        for region in &self.scene.atlas.regions {
-            let point = panel.view.position([region.sample.h, region.sample.l]);
+    /// Each stretch of a curve as a group, since curves upon each other are several paths.
+    fn paint_curves(&self, canvas: &Canvas, panel: &Panel, name: &str) {
+        for (number, stroke) in self.strokes.iter().enumerate() {
+            if !stroke::is_drawn(stroke, std::slice::from_ref(panel)) {
+                continue;
+            }
+            let told: Vec<String> = stroke.lines.iter().map(|line| self.tell_line(line)).collect();
+            let id = format!("{name}-curve-{}-{}", self.scene.atlas.curves[stroke.curve].id, number + 1);
+            canvas.group(&id, &told.join("; "), || stroke::draw(canvas, panel, stroke));
+        }
+    }
+
+    fn tell_line(&self, line: &Line) -> String {
+        let curve = &self.scene.atlas.curves[line.curve];
+        let stability = match line.verdict {
+            Some(Verdict::Stable) => ", eigenvalues imaginary",
+            Some(Verdict::Unstable) => ", unstable",
+            Some(Verdict::Open) => ", an eigenvalue zero",
+            None => "",
+        };
+        format!("{}: {}{stability}", curve.id, curve.branch_name)
+    }
+
+    fn mark_points(&self, canvas: &Canvas, panel: &Panel, frames: &[Frame], name: &str) {
+        for dot in &self.scene.dots {
+            let point = panel.view.position(dot.at);
             if is_marked(point, panel, frames) {
-                sample_dot(canvas, point);
+                canvas.group(&format!("{name}-sample-{}", dot.id), &dot.title, || sample_dot(canvas, point));
             }
         }
         // Markers of one kind on top of each other say no more than one.
         let mut marked: Vec<(EventKind, Point)> = Vec::new();
-        for event in &self.scene.atlas.events {
+        for (number, event) in self.scene.atlas.events.iter().enumerate() {
             let point = panel.view.position([event.h, event.l]);
             let hidden = marked.iter().any(|(kind, other)| *kind == event.kind && distance(*other, point) < 5.0);
             if is_marked(point, panel, frames) && !hidden {
-                event_marker(canvas, event.kind, point);
+                let kind = format!("{:?}", event.kind).to_lowercase();
+                let title = format!("{kind}: h = {}, l = {}", event.h, event.l);
+                let id = format!("{name}-event-{}", number + 1);
+                canvas.group(&id, &title, || event_marker(canvas, event.kind, point));
                 marked.push((event.kind, point));
             }
         }
     }
 
     /// The frames of insets with their letters, and that of the main panel in an overview.
-    fn paint_frames(&self, canvas: &Canvas<'_>, panel: &Panel, frames: &[Frame]) {
+    fn paint_frames(&self, canvas: &Canvas, panel: &Panel, frames: &[Frame], name: &str) {
         for frame in frames {
-            canvas.outline(&frame.rect.corners(), FRAME);
+            let letter = letter(frame.inset);
+            canvas.group(&format!("{name}-frame-{letter}"), &format!("inset ({letter})"), || {
+                canvas.outline(&frame.rect.corners(), FRAME);
+            });
             if let Some(place) = self.texts.letters[frame.inset] {
                 let base = [place.x + place.width / 2.0, place.y + 0.82 * place.height];
-                canvas.text(&letter(frame.inset), base, LETTER_SIZE, INK, Anchor::Middle);
+                canvas.text(&letter, base, LETTER_SIZE, INK, Anchor::Middle);
             }
         }
         let main = &self.panels[0];
@@ -87,7 +125,7 @@ impl Diagram<'_> {
     }
 
     /// Above each inset, how much it is magnified.
-    fn tell_scales(&self, canvas: &Canvas<'_>) {
+    fn tell_scales(&self, canvas: &Canvas) {
         let [main, insets @ ..] = &self.panels[..] else { return };
         let overview = insets.first().filter(|inset| shows(inset, main));
         for (index, inset) in insets.iter().enumerate() {
@@ -113,16 +151,8 @@ fn shows(outer: &Panel, inner: &Panel) -> bool {
     contains(&outer.view.window, &inner.view.window)
 }
 
-/// The type that decides a region's tint.
-fn tint_key(region: &RegionDocument) -> String {
-    region.signature.clone().unwrap_or_else(|| {
-        let parts: Vec<&str> = region.components.iter().map(|part| part.accessible_region.as_str()).collect();
-        parts.join("+")
-    })
-}
-
 /// The axes of a panel and its frame; those of the main panel tell what h and l are.
-fn paint_axes(canvas: &Canvas<'_>, panel: &Panel, is_main: bool) {
+fn paint_axes(canvas: &Canvas, panel: &Panel, is_main: bool, units: &[String; 2]) {
     const SIZE: f64 = TICK_SIZE + 1.0;
     let View { window, rect } = panel.view;
     let spacing = if is_main { 70.0 } else { 58.0 };
@@ -133,11 +163,15 @@ fn paint_axes(canvas: &Canvas<'_>, panel: &Panel, is_main: bool) {
     let [h, l] = [(window.h, &h_ticks), (window.l, &l_ticks)].map(|(range, ticks)| Axis { range, ticks });
     draw_axes(canvas, &rect, [BELOW, LEFT], [h, l]);
     // In full where the labels are not scaled, in the main panel.
-    let name = |quantity: &str, meaning: &str| match quantity {
-        H | L if is_main => format!("{meaning} {quantity}"),
-        scaled => scaled.to_owned(),
+    let name = |quantity: &str, meaning: &str, unit: &str| {
+        let unit = if unit.is_empty() { String::new() } else { format!(" in {unit}") };
+        match quantity {
+            H | L if is_main => format!("{meaning} {quantity}{unit}"),
+            scaled => format!("{scaled}{}", if is_main { &unit } else { "" }),
+        }
     };
-    let (h_name, l_name) = (name(&h_ticks.quantity, "energy"), name(&l_ticks.quantity, "vertical angular momentum"));
+    let h_name = name(&h_ticks.quantity, "energy", &units[0]);
+    let l_name = name(&l_ticks.quantity, "vertical angular momentum", &units[1]);
     canvas.text(&h_name, [rect.x + rect.width / 2.0, rect.bottom() + 36.0], SIZE, INK, Anchor::Middle);
     let l_at = [(rect.x - 12.0 - text_width(&l_name, SIZE)).max(rect.x - LEFT + 14.0), rect.y - 12.0];
     canvas.text(&l_name, l_at, SIZE, INK, Anchor::Start);

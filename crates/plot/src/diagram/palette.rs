@@ -1,52 +1,91 @@
-//! Colours: apart in print and for colour-blind readers, with the paper's associations.
+//! Colours: apart in print and for colour-blind readers, with the paper's associations. Grounds say what a section consists
+//! of: one tint for each component, in stripes where there are several.
 
 use std::collections::BTreeMap;
 
 use plotters::style::RGBColor;
 
 use crate::page::{FAINT_INK, rgb, rgbs};
-use schema::{AtlasDocument, CurveDocument, CurveKind};
+use schema::{AtlasDocument, CurveDocument, CurveKind, RegionDocument};
 
 /// The branch of the global minimum.
-const RED: RGBColor = rgb(0xc2_14_2d);
+const RED: RGBColor = rgb(0xa3_0d_18);
 /// The branch that starts at −r̂.
-const BLUE: RGBColor = rgb(0x12_50_a8);
+const BLUE: RGBColor = rgb(0x0f_3a_8a);
 /// A symmetric pair.
-const GREEN: RGBColor = rgb(0x00_8a_5e);
+const GREEN: RGBColor = rgb(0x00_80_5c);
 /// The branch with a cusp in the paper's body.
-const YELLOW: RGBColor = rgb(0xc9_a8_00);
+const YELLOW: RGBColor = rgb(0xd2_b4_00);
 /// Branches beyond the paper's four.
-const FURTHER: [RGBColor; 5] = rgbs([0x8e_3b_9e, 0x1f_a3_c4, 0x7a_4a_21, 0xd4_6a_a0, 0x6b_6b_6b]);
+const FURTHER: [RGBColor; 4] = rgbs([0xa0_40_f0, 0x00_b4_f0, 0x3a_1c_10, 0xe8_3c_b4]);
 
-/// Light grounds of the regions, one for each type of section.
-const TINTS: [(&str, u32); 12] = [
-    ("S2", 0xdf_eb_f7),
-    ("T2", 0xe6_f3_d8),
-    ("M2", 0xff_f1_c9),
-    ("M3", 0xfb_dd_d3),
-    ("M4", 0xe9_d6_d6),
-    ("S2+S2", 0xd0_e8_ee),
-    ("S2+T2", 0xdd_d9_f0),
-    ("T2+T2", 0xf5_dd_ee),
-    ("M2+S2", 0xea_e4_d0),
-    ("M2+T2", 0xd5_ef_e2),
-    ("M3+S2", 0xf7_e2_c0),
-    ("S2+S2+T2", 0xe3_e3_e3),
-];
+/// The tints of components: S² or D², T² or the whole sphere, then with rising genus or number of circles.
+const TINTS: [RGBColor; 6] = rgbs([0xd4_de_f8, 0xdd_f3_e0, 0xf9_f0_b8, 0xf6_cf_ba, 0xd9_c2_f2, 0xf4_b7_c9]);
+/// Ground of a region of which nothing is known.
+const UNKNOWN: RGBColor = rgb(0xe3_e3_e3);
 
-/// The ground of a region whose printed type is `signature` (a signature, or components of U joined by `+`), with
-/// `circles` boundary circles of U: regions with sections of one type and different U differ a little.
-pub(crate) fn tint(signature: &str, circles: u32) -> RGBColor {
-    let mut parts: Vec<&str> = signature.split('+').collect();
-    parts.sort_unstable();
-    let name = parts.join("+");
-    let sum: usize = name.bytes().enumerate().map(|(place, byte)| (place + 1) * usize::from(byte)).sum();
-    let known = TINTS.iter().find(|(known, _)| *known == name);
-    let RGBColor(red, green, blue) = rgb(known.unwrap_or(&TINTS[sum % TINTS.len()]).1);
+/// What a region consists of, as far as its ground tells it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Parts {
+    /// The places of the components in [`TINTS`].
+    tints: Vec<usize>,
+    /// Boundary circles of U.
+    circles: u32,
+}
+
+impl Parts {
+    pub(super) fn of(region: &RegionDocument) -> Self {
+        let circles = region.components.iter().map(|part| part.boundary_circles).sum();
+        if let Some(signature) = &region.signature {
+            return Self { tints: section_tints(signature), circles };
+        }
+        let tint = |circles: u32| match circles {
+            0 => 1,
+            1 => 0,
+            many => usize::try_from(many).unwrap_or(0).min(TINTS.len() - 1),
+        };
+        Self { tints: region.components.iter().map(|part| tint(part.boundary_circles)).collect(), circles }
+    }
+}
+
+/// The tints of the sections joined by `+`.
+fn section_tints(signature: &str) -> Vec<usize> {
+    let tint = |name: &str| match name {
+        "S2" => Some(0),
+        "T2" => Some(1),
+        name => name.strip_prefix('M')?.parse().ok().map(|genus: usize| genus.min(TINTS.len() - 1)),
+    };
+    signature.split('+').filter_map(tint).collect()
+}
+
+/// The ground of a region: one colour, or those of its stripes. Regions with sections of one type and different U differ a
+/// little, and so do components of one type.
+pub(super) fn ground(parts: &Parts) -> Vec<RGBColor> {
     // In parts of 32, so that bytes suffice.
-    let shade = [32, 30, 31][(circles % 3) as usize];
-    let darker = |byte: u8| u8::try_from(u16::from(byte) * shade / 32).unwrap_or(byte);
-    RGBColor(darker(red), darker(green), darker(blue))
+    let shade = |color: RGBColor, shade: u16| {
+        let darker = |byte: u8| u8::try_from(u16::from(byte) * shade / 32).unwrap_or(byte);
+        RGBColor(darker(color.0), darker(color.1), darker(color.2))
+    };
+    let by_circles = [32, 30, 31][(parts.circles % 3) as usize];
+    let mut colors: Vec<RGBColor> = Vec::new();
+    for tint in &parts.tints {
+        let mut color = shade(TINTS[*tint], by_circles);
+        while colors.contains(&color) {
+            color = shade(color, 30);
+        }
+        colors.push(color);
+    }
+    if colors.is_empty() { vec![UNKNOWN] } else { colors }
+}
+
+/// One colour for the sections of a signature, such as `S2+T2`: the mean of its ground.
+pub(crate) fn tint(signature: &str) -> RGBColor {
+    let colors = ground(&Parts { tints: section_tints(signature), circles: 0 });
+    let mean = |channel: fn(&RGBColor) -> u8| {
+        let sum: usize = colors.iter().map(|color| usize::from(channel(color))).sum();
+        u8::try_from(sum / colors.len()).unwrap_or(u8::MAX)
+    };
+    RGBColor(mean(|color| color.0), mean(|color| color.1), mean(|color| color.2))
 }
 
 /// True for a line where a pole enters U_hl.
@@ -97,4 +136,59 @@ pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle
         }
     }
     styles
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::POLE;
+    use crate::page::sight::{SIGHTS, apart};
+
+    fn assert_apart(colors: &[RGBColor], least: f64) {
+        for sight in SIGHTS {
+            for (place, one) in colors.iter().enumerate() {
+                for other in &colors[..place] {
+                    let distance = apart(sight, *one, *other);
+                    assert!(distance >= least, "{one:?} and {other:?} are {distance:.1} apart with {sight:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn curves_are_told_apart_by_every_reader() {
+        // Ten is a clear difference of patches; lines are thin.
+        let colors: Vec<RGBColor> = [RED, BLUE, GREEN, YELLOW, POLE].into_iter().chain(FURTHER).collect();
+        assert_apart(&colors, 18.0);
+    }
+
+    #[test]
+    fn grounds_are_told_apart_by_every_reader() {
+        // Three times what is just seen on large areas.
+        assert_apart(&TINTS, 6.0);
+    }
+
+    #[test]
+    fn lines_stand_out_from_grounds_in_every_theme() {
+        use crate::page::{INK, Theme, contrast};
+        for theme in [Theme::Light, Theme::Dark, Theme::Print] {
+            for ground in TINTS.into_iter().chain([rgb(0xff_ff_ff)]) {
+                let against = |color: RGBColor| contrast(theme.color(color), theme.color(ground));
+                assert!(against(INK) > 7.0, "text in {theme:?} on {ground:?}: {}", against(INK));
+                for color in [RED, BLUE, GREEN, POLE] {
+                    assert!(against(color) > 1.8, "{color:?} in {theme:?} on {ground:?}: {}", against(color));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn components_show_in_the_ground() {
+        let of = |signature: &str| ground(&Parts { tints: section_tints(signature), circles: 1 });
+        assert_eq!(of("S2+T2").len(), 2);
+        assert_eq!(of("S2+S2+T2").len(), 3);
+        let twins = of("T2+T2");
+        assert!(twins.len() == 2 && twins[0] != twins[1], "{twins:?}");
+        assert_ne!(of("S2+S2"), of("M3"));
+    }
 }

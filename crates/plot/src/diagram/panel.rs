@@ -24,27 +24,26 @@ impl Panel {
         Ok(Self { view, traces, grid })
     }
 
-    /// The polygon of a region's cell inside the view, and a little beyond its ends in l: cells of one region overlap,
-    /// so that no seam shows.
+    /// The polygon of a region's cell inside the view.
     pub(super) fn cell_polygon(&self, cell: &Cell) -> Vec<Point> {
         let window = &self.view.window;
         let [from, to] = common(cell.l, window.l);
         if from >= to {
             return Vec::new();
         }
-        let overlap = 0.3 * self.view.l_per_pixel();
-        let widened = |mut points: Vec<[f64; 2]>| {
+        // The sides of two cells that meet at one l lie exactly upon each other.
+        let completed = |mut points: Vec<[f64; 2]>| {
             if let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) {
-                points.insert(0, [first[0], first[1] - overlap]);
-                points.push([last[0], last[1] + overlap]);
+                points.insert(0, [first[0], from]);
+                points.push([last[0], to]);
             }
             points
         };
-        let mut outline = widened(self.traces[cell.lower].part(from, to));
+        let mut outline = completed(self.traces[cell.lower].part(from, to));
         let upper = match cell.upper {
-            Some(upper) => widened(self.traces[upper].part(from, to)),
+            Some(upper) => completed(self.traces[upper].part(from, to)),
             // Unbounded: up to far outside of the view.
-            None => [from - overlap, to + overlap].map(|l| [window.h[1] * 2.0 - window.h[0], l]).to_vec(),
+            None => [from, to].map(|l| [window.h[1] * 2.0 - window.h[0], l]).to_vec(),
         };
         if outline.is_empty() || upper.is_empty() {
             return Vec::new();

@@ -1,11 +1,13 @@
 //! The places of all text in all panels of a diagram.
 
 use super::grid::LEGIBLE;
-use super::labels::{Label, Name, names};
+use super::labels::{Form, Label, Name, names};
 use super::layout::{CROWDED, Frame, LETTER_SIZE, is_marked, letter};
+use super::markers::MARKER;
 use super::panel::Panel;
+use super::room::Room;
 use super::scene::Scene;
-use super::space::Space;
+use super::space::Taken;
 use crate::page::{Point, Rect, text_width};
 
 /// The text of a diagram.
@@ -16,63 +18,103 @@ pub(super) struct Texts {
     pub labels: Vec<Vec<Label>>,
     /// The place of each inset's letter at its frame.
     pub letters: Vec<Option<Rect>>,
-    /// Regions that found no place.
-    pub unlabelled: Vec<usize>,
+    /// Regions that no label tells in full, and whether they have a label at all: the key tells them.
+    pub key: Vec<(usize, bool)>,
 }
+
+/// How a region is labelled: where, and in which form; the best first.
+const TRIES: [(bool, Form); 6] = [
+    (true, Form::Full),
+    (true, Form::Short),
+    (false, Form::Full),
+    (true, Form::Id),
+    (false, Form::Short),
+    (false, Form::Id),
+];
 
 /// Finds the places: inside the regions first, in every panel, then beside those that are left.
 pub(super) fn place(scene: &Scene<'_>, panels: &[Panel], frames: &[Vec<Frame>]) -> Texts {
     let names = names(scene.atlas);
     let mut letters = vec![None; panels.len()];
-    let keep_free = |(panel, frames): (_, &Vec<Frame>)| free_space(scene, panel, frames, &mut letters);
-    let mut spaces: Vec<Space<'_>> = panels.iter().zip(frames).map(keep_free).collect();
-    let mut labelled = vec![false; names.len()];
-    for space in &mut spaces {
-        space.label_inside(&names, &mut labelled);
-    }
-    let sample = |region: usize, panel: &Panel| {
-        let sample = &scene.atlas.regions[region].sample;
-        panel.view.position([sample.h, sample.l])
-    };
-    let mut unlabelled = Vec::new();
-    for region in (0..names.len()).filter(|&region| !labelled[region]) {
-        // The first panel that shows it well, else the one that shows it best.
-        let depths: Vec<f64> = spaces.iter().map(|space| space.depth(region)).collect();
-        let deepest = (0..depths.len()).max_by(|&a, &b| depths[a].total_cmp(&depths[b]).then(b.cmp(&a)));
-        let best = depths.iter().position(|depth| *depth >= LEGIBLE).or(deepest);
-        if !best.is_some_and(|best| spaces[best].label_beside(region, &names[region], sample(region, &panels[best]))) {
-            unlabelled.push(region);
-        }
-    }
-    // What can be seen in a panel is named there too.
-    for (space, panel) in spaces.iter_mut().zip(panels) {
-        for region in (0..names.len()).filter(|&region| labelled[region]) {
-            if space.depth(region) >= LEGIBLE && !space.has_label(region) {
-                space.label_beside(region, &names[region], sample(region, panel));
+    let room = |(panel, frames): (_, &Vec<Frame>)| free_room(scene, panel, frames, &mut letters);
+    let mut rooms: Vec<Room<'_>> = panels.iter().zip(frames).map(room).collect();
+    for room in &mut rooms {
+        for (region, name) in names.iter().enumerate() {
+            if room.depth(region) >= LEGIBLE {
+                room.label_inside(region, name, &[Form::Full]);
             }
         }
     }
-    Texts { names, labels: spaces.into_iter().map(Space::into_labels).collect(), letters, unlabelled }
-}
-
-/// The space of a panel that markers, frames and their letters leave to labels; tells `letters` where the letters are.
-fn free_space<'a>(scene: &Scene<'_>, panel: &'a Panel, frames: &[Frame], letters: &mut [Option<Rect>]) -> Space<'a> {
-    let mut space = Space::new(panel, scene.cells.len());
-    let events = scene.atlas.events.iter().map(|event| [event.h, event.l]);
-    let samples = scene.atlas.regions.iter().map(|region| [region.sample.h, region.sample.l]);
-    let points = events.chain(samples).map(|point| panel.view.position(point));
-    for point in points.filter(|point: &Point| is_marked(*point, panel, frames)) {
-        space.take(&Rect::around(point, 4.5));
-    }
-    for frame in frames {
-        space.take_outline(&frame.rect);
-        if frame.rect.width < CROWDED || frame.rect.height < CROWDED {
-            space.take(&frame.rect);
+    for (region, name) in names.iter().enumerate() {
+        if !rooms.iter().any(|room| room.has_label(region)) {
+            label(&mut rooms, region, name);
         }
     }
+    // What can be seen in a panel is named there too.
+    for room in &mut rooms {
+        for (region, name) in names.iter().enumerate() {
+            if room.depth(region) >= LEGIBLE && !room.has_label(region) {
+                let _no_room = room.label_inside(region, name, &[Form::Short, Form::Id])
+                    || room.label_beside(region, name, Form::Id);
+            }
+        }
+    }
+    let labels: Vec<Vec<Label>> = rooms.into_iter().map(Room::into_labels).collect();
+    let key = names.iter().enumerate().filter_map(|(region, name)| {
+        let own = || labels.iter().flatten().filter(|label| label.region == region);
+        let is_told = |label: &Label| match label.setting.form {
+            Form::Full => true,
+            Form::Short => name.accessible.is_none(),
+            Form::Id => false,
+        };
+        (!own().any(is_told)).then(|| (region, own().next().is_some()))
+    });
+    let key = key.collect();
+    Texts { names, labels, letters, key }
+}
+
+/// Labels a region once, in the best way for which there is room: in the first panel that shows it well, else in the one
+/// that shows it best.
+fn label(rooms: &mut [Room<'_>], region: usize, name: &Name) {
+    let mut order: Vec<usize> = (0..rooms.len()).filter(|&room| rooms[room].depth(region) > 0.0).collect();
+    order.sort_by(|&a, &b| {
+        let depth = |room: usize| rooms[room].depth(region).min(LEGIBLE);
+        depth(b).total_cmp(&depth(a)).then(a.cmp(&b))
+    });
+    for (inside, form) in TRIES {
+        for &room in &order {
+            let room = &mut rooms[room];
+            let placed = if inside {
+                room.depth(region) >= LEGIBLE && room.label_inside(region, name, &[form])
+            } else {
+                room.label_beside(region, name, form)
+            };
+            if placed {
+                return;
+            }
+        }
+    }
+}
+
+/// The room of a panel that markers, frames and their letters leave to labels; tells `letters` where the letters are.
+fn free_room<'a>(scene: &Scene<'_>, panel: &'a Panel, frames: &[Frame], letters: &mut [Option<Rect>]) -> Room<'a> {
+    let mut taken = Taken::default();
+    let events = scene.atlas.events.iter().map(|event| [event.h, event.l]);
+    let points = events.chain(scene.dots.iter().map(|dot| dot.at)).map(|point| panel.view.position(point));
+    for point in points.filter(|point: &Point| is_marked(*point, panel, frames)) {
+        taken.take_box(Rect::around(point, MARKER + 0.5));
+    }
+    for frame in frames {
+        if frame.rect.width < CROWDED || frame.rect.height < CROWDED {
+            taken.take_box(frame.rect);
+        } else {
+            taken.take_outline(&frame.rect);
+        }
+    }
+    let mut room = Room::new(panel, scene.cells.len(), taken);
     for frame in frames {
         let text = letter(frame.inset);
-        letters[frame.inset] = space.beside(&frame.rect, [text_width(&text, LETTER_SIZE), LETTER_SIZE]);
+        letters[frame.inset] = room.beside(&frame.rect, [text_width(&text, LETTER_SIZE), LETTER_SIZE]);
     }
-    space
+    room
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::ranges::l_range;
 use crate::page::PlotError;
-use schema::AtlasDocument;
+use schema::{AtlasDocument, RegionDocument};
 
 /// Where polylines denser than those of the document come from.
 pub trait CurveSource {
@@ -24,16 +24,55 @@ pub(super) struct Cell {
     pub upper: Option<usize>,
 }
 
+/// Points that a diagram marks in place of the samples of the regions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MarkedPoints {
+    /// [h, l] of each.
+    pub points: Vec<[f64; 2]>,
+    /// What the legend says they are.
+    pub text: String,
+}
+
+/// A point that is marked by a dot.
+pub(super) struct Dot {
+    /// [h, l].
+    pub at: [f64; 2],
+    /// Its id among the dots of a panel.
+    pub id: String,
+    /// What is told when one points at it.
+    pub title: String,
+}
+
 /// What is drawn.
 pub(super) struct Scene<'a> {
     pub atlas: &'a AtlasDocument,
     pub source: Option<&'a dyn CurveSource>,
     /// The cells of every region, in the order of the regions.
     pub cells: Vec<Vec<Cell>>,
+    /// Points that are marked.
+    pub dots: Vec<Dot>,
+}
+
+/// The points that were asked for, else the samples of the regions.
+fn dots(atlas: &AtlasDocument, marked: Option<&MarkedPoints>) -> Vec<Dot> {
+    let told = |[h, l]: [f64; 2]| format!("h = {h}, l = {l}");
+    if let Some(marked) = marked {
+        let dot = |(number, &at): (usize, &[f64; 2])| Dot { at, id: (number + 1).to_string(), title: told(at) };
+        return marked.points.iter().enumerate().map(dot).collect();
+    }
+    let dot = |region: &RegionDocument| {
+        let at = [region.sample.h, region.sample.l];
+        Dot { at, id: region.id.clone(), title: format!("sample of {}: {}", region.id, told(at)) }
+    };
+    atlas.regions.iter().map(dot).collect()
 }
 
 impl<'a> Scene<'a> {
-    pub(super) fn new(atlas: &'a AtlasDocument, source: Option<&'a dyn CurveSource>) -> Result<Self, PlotError> {
+    pub(super) fn new(
+        atlas: &'a AtlasDocument,
+        source: Option<&'a dyn CurveSource>,
+        marked: Option<&MarkedPoints>,
+    ) -> Result<Self, PlotError> {
         let curves: BTreeMap<&str, usize> =
             atlas.curves.iter().enumerate().map(|(index, curve)| (curve.id.as_str(), index)).collect();
         let cells = atlas.regions.iter().map(|region| {
@@ -50,6 +89,6 @@ impl<'a> Scene<'a> {
             });
             cells.collect::<Result<Vec<Cell>, PlotError>>()
         });
-        Ok(Self { atlas, source, cells: cells.collect::<Result<_, _>>()? })
+        Ok(Self { atlas, source, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, marked) })
     }
 }

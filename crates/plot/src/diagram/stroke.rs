@@ -1,5 +1,5 @@
 //! Line styles: solid where all eigenvalues are imaginary, dashed where unstable, dotted where an eigenvalue is zero or
-//! nothing is known, both colours where curves coincide.
+//! nothing is known; curves that coincide run side by side.
 
 use std::collections::BTreeMap;
 
@@ -8,23 +8,33 @@ use plotters::style::RGBColor;
 use super::palette::{BranchStyle, is_pole};
 use super::panel::Panel;
 use super::ranges::l_range;
-use crate::page::{Canvas, FAINT_INK, POLE, Pattern, clip_polyline, pattern};
+use crate::page::{Canvas, FAINT_INK, POLE, Path, Pattern, Point, clip_polyline, distance, pattern};
 use schema::{AtlasDocument, CurveDocument, CurveKind, Stability, StabilitySpan};
 
-/// Width of a simple curve in pixels.
+/// Width of every curve in pixels.
 pub(super) const WIDTH: f64 = 1.5;
-/// Width of a double curve.
-pub(super) const DOUBLE_WIDTH: f64 = 2.4;
+/// Distance of lines that stand for curves upon each other.
+pub(super) const APART: f64 = 2.4;
 
-/// A stretch of a curve drawn in one style.
+/// A stretch of a curve, or of several upon each other, each drawn in one style.
 #[derive(Clone, Debug)]
 pub(super) struct Stroke {
     /// Index of the curve that gives the course.
     pub curve: usize,
     /// From this l to that; the upper end may be infinite.
     pub l: [f64; 2],
+    /// One for each curve that looks different.
+    pub lines: Vec<Line>,
+}
+
+/// One of the lines of a stroke.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Line {
+    /// Index of its curve.
+    pub curve: usize,
     pub pattern: Pattern,
-    pub width: f64,
+    /// `None` for a line where a pole enters U.
+    pub verdict: Option<Verdict>,
 }
 
 /// What the spectrum says of the stability of a curve.
@@ -53,14 +63,12 @@ pub(super) fn verdict(span: &StabilitySpan) -> Verdict {
     }
 }
 
-/// The pattern of a curve in `colors` that coincide.
-pub(super) fn curve_pattern(colors: &[RGBColor], verdict: Verdict) -> Pattern {
-    let gapped = |on: f64, off: f64| colors.iter().flat_map(|color| [(Some(*color), on), (None, off)]).collect();
-    match (colors, verdict) {
-        ([color], Verdict::Stable) => vec![(Some(*color), 1.0)],
-        (_, Verdict::Stable) => colors.iter().map(|color| (Some(*color), 9.0)).collect(),
-        (_, Verdict::Open) => gapped(1.6, 2.4),
-        (_, Verdict::Unstable) => gapped(5.0, 3.0),
+/// The pattern of a curve.
+pub(super) fn curve_pattern(color: RGBColor, verdict: Verdict) -> Pattern {
+    match verdict {
+        Verdict::Stable => vec![(Some(color), 1.0)],
+        Verdict::Open => vec![(Some(color), 1.6), (None, 2.4)],
+        Verdict::Unstable => vec![(Some(color), 5.0), (None, 3.0)],
     }
 }
 
@@ -91,7 +99,7 @@ pub(super) fn coincidences(atlas: &AtlasDocument) -> Vec<Vec<usize>> {
 
 /// How every curve of the atlas is drawn, pole lines last.
 pub(super) fn strokes(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>) -> Vec<Stroke> {
-    let mut strokes: Vec<(bool, Stroke)> = Vec::new();
+    let mut strokes: Vec<Stroke> = Vec::new();
     for set in coincidences(atlas) {
         let mut ends: Vec<f64> = Vec::new();
         for &index in &set {
@@ -103,51 +111,68 @@ pub(super) fn strokes(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle
         ends.dedup();
         strokes.extend(ends.windows(2).filter_map(|pair| stroke(atlas, styles, &set, [pair[0], pair[1]])));
     }
-    strokes.sort_by_key(|(pole, _)| *pole);
-    strokes.into_iter().map(|(_, stroke)| stroke).collect()
+    strokes.sort_by_key(|stroke| stroke.lines.iter().all(|line| line.verdict.is_none()));
+    strokes
 }
 
-/// How the coincident curves of a set are drawn between two of their ends, and whether all of them are pole lines;
-/// `None` where none of them runs.
-fn stroke(
-    atlas: &AtlasDocument,
-    styles: &BTreeMap<&str, BranchStyle>,
-    set: &[usize],
-    l: [f64; 2],
-) -> Option<(bool, Stroke)> {
+/// How the coincident curves of a set are drawn between two of their ends; `None` where none of them runs.
+fn stroke(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>, set: &[usize], l: [f64; 2]) -> Option<Stroke> {
     let middle = if l[1].is_finite() { l[0] + (l[1] - l[0]) / 2.0 } else { l[0] + 1.0 };
-    let mut active = set.to_vec();
-    active.retain(|&index| {
-        let [from, to] = l_range(atlas.curves[index].l_range);
+    let runs = |index: &usize| {
+        let [from, to] = l_range(atlas.curves[*index].l_range);
         middle >= from && middle <= to
-    });
-    let first = *active.first()?;
-    let mut colors: Vec<RGBColor> = Vec::new();
-    let mut verdict: Option<Verdict> = None;
-    for curve in active.iter().map(|&index| &atlas.curves[index]) {
-        let color = if is_pole(curve) {
-            POLE
+    };
+    let mut lines: Vec<Line> = Vec::new();
+    for index in set.iter().copied().filter(runs) {
+        let curve = &atlas.curves[index];
+        let line = if is_pole(curve) {
+            Line { curve: index, pattern: pole_pattern(curve.kind), verdict: None }
         } else {
-            verdict = verdict.max(Some(verdict_at(curve, middle)));
-            styles.get(curve.branch.as_str()).map_or(FAINT_INK, |style| style.color)
+            let verdict = verdict_at(curve, middle);
+            let color = styles.get(curve.branch.as_str()).map_or(FAINT_INK, |style| style.color);
+            Line { curve: index, pattern: curve_pattern(color, verdict), verdict: Some(verdict) }
         };
-        if !colors.contains(&color) {
-            colors.push(color);
+        // Two curves that look the same are one line.
+        if !lines.iter().any(|other| other.pattern == line.pattern) {
+            lines.push(line);
         }
     }
-    let pattern = match verdict {
-        Some(verdict) => curve_pattern(&colors, verdict),
-        None => pole_pattern(atlas.curves[first].kind),
-    };
-    let double = active.iter().any(|&index| atlas.curves[index].multiplicity > 1);
-    let width = if double { DOUBLE_WIDTH } else { WIDTH };
-    Some((verdict.is_none(), Stroke { curve: first, l, pattern, width }))
+    Some(Stroke { curve: lines.first()?.curve, l, lines })
 }
 
-/// Draws a stroke in a panel.
-pub(super) fn draw(canvas: &Canvas<'_>, panel: &Panel, stroke: &Stroke) {
+/// The visible parts of a stroke in a panel.
+fn parts(panel: &Panel, stroke: &Stroke) -> Vec<Vec<Point>> {
     let points = panel.traces[stroke.curve].part(stroke.l[0], stroke.l[1]);
-    for part in clip_polyline(&panel.view.positions(&points), &panel.view.rect) {
-        pattern::draw(canvas, &part, &stroke.pattern, stroke.width);
+    clip_polyline(&panel.view.positions(&points), &panel.view.rect)
+}
+
+/// Whether anything of a stroke is seen.
+pub(super) fn is_drawn(stroke: &Stroke, panels: &[Panel]) -> bool {
+    panels.iter().any(|panel| parts(panel, stroke).iter().any(|part| part.len() > 1))
+}
+
+/// Draws a stroke in a panel, one path for each of its lines.
+pub(super) fn draw(canvas: &Canvas, panel: &Panel, stroke: &Stroke) {
+    let parts = parts(panel, stroke);
+    for (place, line) in stroke.lines.iter().enumerate() {
+        let shift = APART * (place as f64 - (stroke.lines.len() - 1) as f64 / 2.0);
+        let mut path = Path::default();
+        for part in &parts {
+            let beside = if shift == 0.0 { part.clone() } else { shifted(part, shift) };
+            path.line(&beside, false);
+        }
+        pattern::draw_path(canvas, &path, &line.pattern, WIDTH);
     }
+}
+
+/// A line beside a line.
+fn shifted(points: &[Point], by: f64) -> Vec<Point> {
+    let last = points.len().saturating_sub(1);
+    let place = |index: usize| {
+        let (before, after) = (points[index.saturating_sub(1)], points[(index + 1).min(last)]);
+        let length = distance(before, after).max(1e-9);
+        let [x, y] = [(after[0] - before[0]) / length, (after[1] - before[1]) / length];
+        [points[index][0] - by * y, points[index][1] + by * x]
+    };
+    (0..points.len()).map(place).collect()
 }

@@ -5,8 +5,8 @@ use super::legend::{Legend, SIZE, SMALL, line_pattern};
 use super::model::{Map, MapBodies, MapLine, MapNote};
 use super::places::widest;
 use crate::page::{
-    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Picture, PlotError, Point, Rect, draw_axes, is_proper, pattern,
-    render, text_width, ticks,
+    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Picture, PlotError, Point, Rect, Theme, draw_axes, is_proper,
+    pattern, render, text_width, ticks,
 };
 
 const SIDE: f64 = 560.0;
@@ -37,7 +37,7 @@ impl View {
 ///
 /// # Errors
 /// [`PlotError::EmptyWindow`] when a range is empty, else what the drawing library reports.
-pub fn draw_map(map: &Map) -> Result<Picture, PlotError> {
+pub fn draw_map(map: &Map, theme: Theme) -> Result<Picture, PlotError> {
     if !is_proper(map.x.range) || !is_proper(map.y.range) {
         return Err(PlotError::EmptyWindow { h: map.x.range, l: map.y.range });
     }
@@ -46,7 +46,7 @@ pub fn draw_map(map: &Map) -> Result<Picture, PlotError> {
     let height = TOP + (SIDE + BELOW).max(legend.height() + 10.0);
     let rect = Rect { x: LEFT, y: TOP, width: SIDE, height: SIDE };
     let view = View { x: map.x.range, y: map.y.range, rect };
-    render([width.ceil(), height.ceil()], &map.title, |canvas| {
+    render([width.ceil(), height.ceil()], map.title.as_str(), theme, |canvas| {
         canvas.text(&map.title, [LEFT, 24.0], 15.0, INK, Anchor::Start);
         canvas.text(&map.subtitle, [LEFT, 41.0], SIZE, FAINT_INK, Anchor::Start);
         bodies(canvas, map, &view);
@@ -59,7 +59,7 @@ pub fn draw_map(map: &Map) -> Result<Picture, PlotError> {
     })
 }
 
-fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) {
+fn bodies(canvas: &Canvas, map: &Map, view: &View) {
     match &map.bodies {
         MapBodies::Grid { columns, entries } => {
             let rows = entries.len() / (*columns).max(1);
@@ -91,7 +91,7 @@ fn bodies(canvas: &Canvas<'_>, map: &Map, view: &View) {
 }
 
 /// A line as far as it lies in the map.
-fn draw_line(canvas: &Canvas<'_>, line: &MapLine, view: &View) {
+fn draw_line(canvas: &Canvas, line: &MapLine, view: &View) {
     let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
     for run in points.split(|point| view.rect.nearest(*point) != *point) {
         pattern::draw(canvas, run, &line_pattern(line.dashed), 1.2);
@@ -99,7 +99,7 @@ fn draw_line(canvas: &Canvas<'_>, line: &MapLine, view: &View) {
 }
 
 /// The marks of the entries where there is room, and the notes.
-fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) {
+fn marks(canvas: &Canvas, map: &Map, view: &View) {
     if let MapBodies::Grid { columns, entries } = &map.bodies {
         let rows = (entries.len() / (*columns).max(1)).max(1);
         let (wide, high) = (view.rect.width / *columns as f64, view.rect.height / rows as f64);
@@ -117,7 +117,7 @@ fn marks(canvas: &Canvas<'_>, map: &Map, view: &View) {
     }
 }
 
-fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) {
+fn draw_note(canvas: &Canvas, note: &MapNote, view: &View) {
     const RING: f64 = 4.5;
     let place = view.at(note.at);
     let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
@@ -138,7 +138,7 @@ fn draw_note(canvas: &Canvas<'_>, note: &MapNote, view: &View) {
     }
 }
 
-fn axes(canvas: &Canvas<'_>, map: &Map, view: &View) {
+fn axes(canvas: &Canvas, map: &Map, view: &View) {
     let rect = &view.rect;
     let x_ticks = ticks(&map.x.name, view.x[0], view.x[1], 8);
     let y_ticks = ticks(&map.y.name, view.y[0], view.y[1], 10);

@@ -67,7 +67,7 @@ impl Legend {
         ROW * (self.lines.len() as f64 + 0.5)
     }
 
-    pub(super) fn draw(&self, canvas: &Canvas<'_>, [x, y]: Point) {
+    pub(super) fn draw(&self, canvas: &Canvas, [x, y]: Point) {
         for (number, line) in self.lines.iter().enumerate() {
             line.draw(canvas, [x, y + ROW * number as f64]);
         }
@@ -86,7 +86,7 @@ impl Line {
         }
     }
 
-    fn draw(&self, canvas: &Canvas<'_>, at: Point) {
+    fn draw(&self, canvas: &Canvas, at: Point) {
         let base = at[1] + 0.5 * ROW + 0.36 * SIZE;
         match self {
             Self::Entry { fill, text, note } => {

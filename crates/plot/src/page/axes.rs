@@ -5,7 +5,7 @@ use std::ops::Range;
 use plotters::chart::ChartBuilder;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
-use super::canvas::{Canvas, style, text_style};
+use super::canvas::Canvas;
 use super::geometry::{Rect, to_units};
 use super::ink::{INK, Ink};
 use super::ticks::Ticks;
@@ -48,21 +48,20 @@ impl ValueFormatter<f64> for Axis<'_> {
 }
 
 /// Draws axes below and on the left of `rect`, where their labels may take so many pixels, and a frame round it.
-pub(crate) fn draw_axes(canvas: &Canvas<'_>, rect: &Rect, [below, left]: [f64; 2], [x, y]: [Axis<'_>; 2]) {
-    let area = canvas.area().clone().shrink(
-        (to_units(rect.x - left), to_units(rect.y)),
-        (to_units(rect.width + left), to_units(rect.height + below)),
-    );
+pub(crate) fn draw_axes(canvas: &Canvas, rect: &Rect, [below, left]: [f64; 2], [x, y]: [Axis<'_>; 2]) {
     let frame = Ink { color: INK, width: 0.9 };
-    let draw = || {
+    canvas.plotters(|area| {
+        let area = area.clone().shrink(
+            (to_units(rect.x - left), to_units(rect.y)),
+            (to_units(rect.width + left), to_units(rect.height + below)),
+        );
         let mut chart = ChartBuilder::on(&area)
             .x_label_area_size(to_units(below))
             .y_label_area_size(to_units(left))
             .build_cartesian_2d(x, y)?;
         let mut mesh = chart.configure_mesh();
-        let mesh = mesh.disable_mesh().axis_style(style(frame)).set_all_tick_mark_size(to_units(4.0));
-        mesh.label_style(text_style(TICK_SIZE, INK)).draw()
-    };
-    canvas.keep(draw());
+        let mesh = mesh.disable_mesh().axis_style(canvas.style(frame)).set_all_tick_mark_size(to_units(4.0));
+        mesh.label_style(canvas.text_style(TICK_SIZE, INK)).draw()
+    });
     canvas.outline(&rect.corners(), frame);
 }

@@ -1,7 +1,9 @@
-//! A thin layer over plotters' SVG backend with coordinates in tenths of a pixel.
+//! What pictures are drawn on: a thin layer over plotters' SVG backend with coordinates in tenths of a pixel, and elements
+//! of SVG beside what plotters draws.
 //!
 //! plotters rounds every coordinate to an integer; drawing on a canvas ten times too large and scaling it down with a
-//! `viewBox` leaves a tenth of a pixel.
+//! `viewBox` leaves a tenth of a pixel. plotters knows no groups, titles, dashes and images; these are elements of their
+//! own between what it draws.
 
 use std::cell::RefCell;
 
@@ -16,7 +18,9 @@ use super::error::PlotError;
 use super::font;
 use super::geometry::{Point, UNITS, length_units, to_units};
 use super::ink::{Ink, PAPER};
-use super::picture::Picture;
+use super::picture::{Heading, Picture, escaped};
+use super::stripes::Stripes;
+use super::theme::Theme;
 
 /// A drawing area of plotters in canvas units.
 pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -37,61 +41,33 @@ pub(crate) enum Anchor {
 
 /// Where a picture is drawn; all positions and sizes in pixels. The first failure is kept for the end, so that what draws
 /// need not look for it.
-pub(crate) struct Canvas<'a> {
-    area: Area<'a>,
-    outcome: RefCell<Outcome>,
-}
-
-/// Draws a picture of `size` pixels on a white ground.
-pub(crate) fn render(size: [f64; 2], title: &str, paint: impl FnOnce(&Canvas<'_>)) -> Result<Picture, PlotError> {
-    let mut page = Page::new(size);
-    page.paint(|canvas| {
-        canvas.keep(canvas.area.fill(&PAPER));
-        paint(canvas);
-    });
-    page.finish(title)
-}
-
-/// A picture in the making: layers of what plotters draws and of plain SVG, the lowest first.
-pub(crate) struct Page {
+pub(crate) struct Canvas {
     size: [f64; 2],
-    layers: String,
-    outcome: Result<(), PlotError>,
+    theme: Theme,
+    body: RefCell<String>,
+    /// Patterns that areas refer to.
+    stripes: RefCell<Vec<Stripes>>,
+    outcome: RefCell<Result<(), PlotError>>,
 }
 
-impl Page {
-    /// An empty page of `size` pixels.
-    pub(crate) fn new(size: [f64; 2]) -> Self {
-        Self { size, layers: String::new(), outcome: font::register() }
+/// Draws a picture of `size` pixels on the theme's paper.
+pub(crate) fn render(
+    size: [f64; 2],
+    heading: impl Into<Heading>,
+    theme: Theme,
+    paint: impl FnOnce(&Canvas),
+) -> Result<Picture, PlotError> {
+    let outcome = RefCell::new(font::register());
+    let canvas = Canvas { size, theme, body: RefCell::default(), stripes: RefCell::default(), outcome };
+    canvas.element(&format!("<rect width=\"100%\" height=\"100%\" {}/>", canvas.fill(PAPER)));
+    paint(&canvas);
+    canvas.outcome.replace(Ok(()))?;
+    let mut elements = String::new();
+    for (number, stripes) in canvas.stripes.borrow().iter().enumerate() {
+        elements.push_str(&stripes.definition(number, |color| canvas.hex(color)));
     }
-
-    /// Adds a layer.
-    pub(crate) fn paint(&mut self, paint: impl FnOnce(&Canvas<'_>)) {
-        let mut body = String::new();
-        {
-            let units = (length_units(self.size[0]), length_units(self.size[1]));
-            let area = SVGBackend::with_string(&mut body, units).into_drawing_area();
-            let canvas = Canvas { area, outcome: RefCell::new(Ok(())) };
-            paint(&canvas);
-            canvas.keep(canvas.area.present());
-            if self.outcome.is_ok() {
-                self.outcome = canvas.outcome.into_inner().map_err(PlotError::from);
-            }
-        }
-        let inner = body.split_once('>').map_or("", |(_, inner)| inner);
-        self.layers.push_str(inner.trim_start().strip_suffix("</svg>\n").unwrap_or(inner));
-    }
-
-    /// Adds an SVG element whose lengths are in canvas units.
-    pub(crate) fn element(&mut self, element: &str) {
-        self.layers.push_str(element);
-        self.layers.push('\n');
-    }
-
-    /// The picture, or the first failure.
-    pub(crate) fn finish(self, title: &str) -> Result<Picture, PlotError> {
-        self.outcome.map(|()| Picture::from_canvas(&self.layers, self.size, title))
-    }
+    elements.push_str(&canvas.body.borrow());
+    Ok(Picture::from_canvas(&elements, size, &heading.into()))
 }
 
 /// A position in canvas units.
@@ -105,25 +81,81 @@ fn positions(points: &[Point]) -> Vec<(i32, i32)> {
     positions
 }
 
-impl<'a> Canvas<'a> {
-    /// The plotters area below, for axes.
-    pub(crate) fn area(&self) -> &Area<'a> {
-        &self.area
+impl Canvas {
+    /// Draws with plotters.
+    pub(crate) fn plotters(&self, draw: impl FnOnce(&Area<'_>) -> Outcome) {
+        let mut document = String::new();
+        let outcome = {
+            let units = (length_units(self.size[0]), length_units(self.size[1]));
+            let area = SVGBackend::with_string(&mut document, units).into_drawing_area();
+            draw(&area).and_then(|()| area.present())
+        };
+        self.keep(outcome.map_err(PlotError::from));
+        // Between the tags of plotters' document stand its elements.
+        let inner = document.split_once('>').map_or("", |(_, inner)| inner).trim_start();
+        self.body.borrow_mut().push_str(inner.strip_suffix("</svg>\n").unwrap_or(inner));
     }
 
     /// Keeps the first failure.
-    pub(crate) fn keep(&self, outcome: Outcome) {
+    pub(crate) fn keep(&self, outcome: Result<(), PlotError>) {
         let mut first = self.outcome.borrow_mut();
         if first.is_ok() {
             *first = outcome;
         }
     }
 
+    /// Adds an SVG element whose lengths are in canvas units.
+    pub(crate) fn element(&self, element: &str) {
+        let mut body = self.body.borrow_mut();
+        body.push_str(element);
+        body.push('\n');
+    }
+
+    /// Draws a group with an id of its own in the picture, and what is told when one points at it.
+    pub(crate) fn group(&self, id: &str, title: &str, paint: impl FnOnce()) {
+        let title = if title.is_empty() { String::new() } else { format!("<title>{}</title>", escaped(title)) };
+        self.element(&format!("<g id=\"{}\">{title}", escaped(id)));
+        paint();
+        self.element("</g>");
+    }
+
+    /// A colour as the theme shows it.
+    pub(crate) fn color(&self, color: RGBColor) -> RGBColor {
+        self.theme.color(color)
+    }
+
+    /// The attributes of an area.
+    pub(crate) fn fill(&self, color: RGBColor) -> String {
+        format!("fill=\"{}\"", self.hex(color))
+    }
+
+    /// The attributes of a line.
+    pub(crate) fn stroke(&self, ink: Ink) -> String {
+        let width = (ink.width * UNITS).round();
+        format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\"", self.hex(ink.color))
+    }
+
+    /// The attributes of a striped area.
+    pub(crate) fn stripes(&self, stripes: &Stripes) -> String {
+        let mut known = self.stripes.borrow_mut();
+        let number = known.iter().position(|other| other == stripes).unwrap_or_else(|| {
+            known.push(stripes.clone());
+            known.len() - 1
+        });
+        Stripes::fill(number)
+    }
+
+    /// A colour as SVG writes it.
+    pub(crate) fn hex(&self, color: RGBColor) -> String {
+        let RGBColor(red, green, blue) = self.color(color);
+        format!("#{red:02X}{green:02X}{blue:02X}")
+    }
+
     /// An open polyline.
     pub(crate) fn path(&self, points: &[Point], ink: Ink) {
         let positions = positions(points);
         if positions.len() > 1 {
-            self.keep(self.area.draw(&PathElement::new(positions, style(ink))));
+            self.plotters(|area| area.draw(&PathElement::new(positions, self.style(ink))));
         }
     }
 
@@ -131,7 +163,7 @@ impl<'a> Canvas<'a> {
     pub(crate) fn polygon(&self, points: &[Point], color: RGBColor) {
         let positions = positions(points);
         if positions.len() > 2 {
-            self.keep(self.area.draw(&Polygon::new(positions, color.filled())));
+            self.plotters(|area| area.draw(&Polygon::new(positions, self.color(color).filled())));
         }
     }
 
@@ -144,13 +176,15 @@ impl<'a> Canvas<'a> {
 
     /// A filled disc.
     pub(crate) fn disc(&self, center: Point, radius: f64, color: RGBColor) {
-        self.keep(self.area.draw(&Circle::new(position(&center), length_units(radius), color.filled())));
+        let disc = Circle::new(position(&center), length_units(radius), self.color(color).filled());
+        self.plotters(|area| area.draw(&disc));
     }
 
     /// A circle, empty in the colour of the page.
     pub(crate) fn ring(&self, center: Point, radius: f64, ink: Ink) {
         self.disc(center, radius, PAPER);
-        self.keep(self.area.draw(&Circle::new(position(&center), length_units(radius), style(ink))));
+        let circle = Circle::new(position(&center), length_units(radius), self.style(ink));
+        self.plotters(|area| area.draw(&circle));
     }
 
     /// A line of text with its base line at `at`.
@@ -161,17 +195,17 @@ impl<'a> Canvas<'a> {
             Anchor::End => HPos::Right,
         };
         // The backend's only shift in units of the font size alone: the base line lies 0.76 em below "top".
-        let style = text_style(size, color).pos(Pos::new(horizontal, VPos::Top));
-        self.keep(self.area.draw_text(text, &style, position(&[at[0], at[1] - 0.76 * size])));
+        let style = self.text_style(size, color).pos(Pos::new(horizontal, VPos::Top));
+        self.plotters(|area| area.draw_text(text, &style, position(&[at[0], at[1] - 0.76 * size])));
     }
-}
 
-/// plotters' style of text of `size` pixels.
-pub(crate) fn text_style(size: f64, color: RGBColor) -> plotters::style::TextStyle<'static> {
-    (font::FAMILY, size * UNITS * font::PLOTTERS_SCALE).into_font().color(&color)
-}
+    /// plotters' style of text of `size` pixels.
+    pub(crate) fn text_style(&self, size: f64, color: RGBColor) -> plotters::style::TextStyle<'static> {
+        (font::FAMILY, size * UNITS * font::PLOTTERS_SCALE).into_font().color(&self.color(color))
+    }
 
-/// plotters' style of a line.
-pub(crate) fn style(ink: Ink) -> ShapeStyle {
-    ink.color.stroke_width(length_units(ink.width))
+    /// plotters' style of a line.
+    pub(crate) fn style(&self, ink: Ink) -> ShapeStyle {
+        self.color(ink.color).stroke_width(length_units(ink.width))
+    }
 }

@@ -64,6 +64,9 @@ pub enum PlotError {
     /// PDF is asked of a build without the feature `pdf`.
     #[error("PDF needs the feature `pdf`: build with --features pdf, or use svg or png")]
     NoPdf,
+    /// TikZ is asked of a picture with so many points that they are an image.
+    #[error("TikZ holds no images, as which many points are drawn: use svg, png or pdf, or fewer crossings")]
+    TikzImage,
     /// The picture's size is none that a PDF page can have.
     #[error("a page of {width} × {height} points cannot be made")]
     Page {

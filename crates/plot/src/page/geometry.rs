@@ -13,6 +13,11 @@ pub(crate) fn to_units(pixels: f64) -> i32 {
     units
 }
 
+/// The pixel coordinate of canvas units.
+pub(crate) fn to_pixels(units: i32) -> f64 {
+    f64::from(units) / UNITS
+}
+
 /// Canvas units of a length in pixels.
 pub(crate) fn length_units(pixels: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the range of i32")]
@@ -101,6 +106,11 @@ fn clip_segment(a: Point, b: Point, rect: &Rect) -> Option<[f64; 2]> {
         }
     }
     (from <= to).then_some([from, to])
+}
+
+/// Whether a segment meets a rectangle.
+pub(crate) fn meets(a: Point, b: Point, rect: &Rect) -> bool {
+    clip_segment(a, b, rect).is_some()
 }
 
 /// The parts of a polyline inside `rect`.

@@ -9,7 +9,7 @@ pub(crate) const FAINT_INK: RGBColor = rgb(0x59_59_59);
 /// The ground of the page and of labels.
 pub(crate) const PAPER: RGBColor = rgb(0xff_ff_ff);
 /// The two pole lines.
-pub(crate) const POLE: RGBColor = rgb(0xe6_76_00);
+pub(crate) const POLE: RGBColor = rgb(0xdc_72_26);
 
 /// Colour and width of a line, in pixels.
 #[derive(Clone, Copy, Debug)]

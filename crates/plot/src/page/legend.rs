@@ -27,6 +27,12 @@ impl<S> Legend<S> {
         Self { entries, symbol_width, rows }
     }
 
+    /// Width of the widest entry.
+    pub(crate) fn widest(&self) -> f64 {
+        let width = |(symbol, name): &(S, String)| (self.symbol_width)(symbol) + GAP + text_width(name, SIZE);
+        self.entries.iter().map(width).fold(0.0, f64::max)
+    }
+
     pub(crate) fn height(&self) -> f64 {
         self.rows.height
     }
@@ -38,7 +44,7 @@ impl<S> Legend<S> {
     }
 
     /// Draws each symbol with `paint`, and its name.
-    pub(crate) fn draw(&self, canvas: &Canvas<'_>, at: Point, paint: impl Fn(&S, Point)) {
+    pub(crate) fn draw(&self, canvas: &Canvas, at: Point, paint: impl Fn(&S, Point)) {
         for ((symbol, [x, middle]), (_, name)) in self.symbols(at).zip(&self.entries) {
             paint(symbol, [x, middle]);
             let base = [x + (self.symbol_width)(symbol) + GAP, middle + 0.36 * SIZE];

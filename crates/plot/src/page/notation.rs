@@ -24,6 +24,16 @@ pub(crate) fn subscript(text: &str) -> String {
     digits(text, SUBSCRIPTS)
 }
 
+/// The sections of a signature as the paper prints them: `S2+T2` is S²+T², `M3` (genus 3) is M²₃.
+#[must_use]
+pub fn section_type(signature: &str) -> String {
+    let section = |name: &str| match name.strip_prefix('M') {
+        Some(genus) => format!("M²{}", subscript(genus)),
+        None => superscript(name),
+    };
+    signature.split('+').map(section).collect::<Vec<_>>().join("+")
+}
+
 /// A number as its `Display` gives it, with a true minus sign.
 pub(crate) fn number(x: impl Display) -> String {
     x.to_string().replace('-', "−")
@@ -34,6 +44,22 @@ pub(crate) fn body(moments: &[impl Display; 3], center: &[impl Display; 3]) -> S
     let [a1, a2, a3] = moments.each_ref().map(number);
     let [r1, r2, r3] = center.each_ref().map(number);
     format!("A = ({a1}, {a2}, {a3}),  r = ({r1}, {r2}, {r3})")
+}
+
+/// A number with so many significant digits at most.
+pub(crate) fn short_number(value: f64, digits: usize) -> String {
+    // Rust prints exponents of ten beyond these as many zeros.
+    const PLAIN: std::ops::Range<i32> = -4..6;
+    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    match exponent.parse::<i32>() {
+        Ok(e) if PLAIN.contains(&e) || value == 0.0 => number(text.parse::<f64>().unwrap_or(value)),
+        Ok(e) => {
+            let mantissa: f64 = mantissa.parse().unwrap_or(value);
+            format!("{}·10{}", number(mantissa), superscript(e))
+        }
+        Err(_) => number(value),
+    }
 }
 
 /// A positive number with two significant digits.
@@ -57,8 +83,15 @@ mod tests {
     use super::*;
 
     #[test]
+    fn sections_are_printed_as_in_the_paper() {
+        assert_eq!(section_type("T2+T2"), "T²+T²");
+        assert_eq!(section_type("M3"), "M²₃");
+    }
+
+    #[test]
     fn numbers_are_short() {
         assert_eq!(superscript(-12), "⁻¹²");
+        assert_eq!([1.0 / 3.0, 2e-9, 0.0, -1234.567].map(|x| short_number(x, 4)), ["0.3333", "2·10⁻⁹", "0", "−1235"]);
         assert_eq!([2.34, 142.4, 4.7e5].map(short), ["2.3", "142", "4.7·10⁵"]);
     }
 }

@@ -1,11 +1,9 @@
 //! SVG path data in canvas units: whole numbers, relative where that is shorter.
 
-use super::canvas::Page;
-use super::geometry::{Point, UNITS, to_units};
-use super::ink::Ink;
+use super::canvas::Canvas;
+use super::geometry::{Point, to_units};
+use super::picture::escaped;
 use std::fmt::Write;
-
-use plotters::style::RGBColor;
 
 /// Path data of polylines.
 #[derive(Clone, Debug, Default)]
@@ -63,26 +61,30 @@ impl Path {
         let _always_ok = write!(self.data, "{x}{separator}{y}");
     }
 
-    /// Puts the path on a page unless it is empty, with further attributes.
-    pub fn draw(&self, page: &mut Page, attributes: &str) {
+    /// Puts the path on a canvas unless it is empty, with further attributes.
+    pub fn draw(&self, canvas: &Canvas, attributes: &str) {
         if !self.data.is_empty() {
-            page.element(&self.element(attributes));
+            canvas.element(&self.element(attributes));
+        }
+    }
+
+    /// Puts the path on a canvas with further attributes, and a text for when one points at it.
+    pub fn titled(&self, canvas: &Canvas, attributes: &str, title: &str) {
+        if !self.data.is_empty() {
+            let title = escaped(title);
+            canvas.element(&format!("<path d=\"{}\" {attributes}><title>{title}</title></path>", self.data));
         }
     }
 
     fn element(&self, attributes: &str) -> String {
         format!("<path d=\"{}\" {attributes}/>", self.data)
     }
-}
 
-/// The attributes of a line.
-pub(crate) fn stroke(ink: Ink) -> String {
-    format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", hex(ink.color), (ink.width * UNITS).round())
-}
-
-/// A colour as SVG writes it.
-pub(crate) fn hex(RGBColor(red, green, blue): RGBColor) -> String {
-    format!("#{red:02X}{green:02X}{blue:02X}")
+    /// The path as SVG writes it.
+    #[cfg(test)]
+    pub fn data(&self) -> &str {
+        &self.data
+    }
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
-//! Dashed lines.
+//! Dashed lines: one path for each colour, which SVG dashes.
 
 use plotters::style::RGBColor;
 
 use super::canvas::Canvas;
-use super::geometry::{Point, between, distance};
+use super::geometry::{Point, UNITS};
 use super::ink::Ink;
+use super::path::Path;
 
 /// A length in pixels with its colour, or empty.
 pub(crate) type Dash = (Option<RGBColor>, f64);
@@ -13,58 +14,75 @@ pub(crate) type Dash = (Option<RGBColor>, f64);
 pub(crate) type Pattern = Vec<Dash>;
 
 /// Draws a polyline in a pattern.
-pub(crate) fn draw(canvas: &Canvas<'_>, points: &[Point], pattern: &[Dash], width: f64) {
-    for (color, dash) in dashes(points, pattern) {
-        canvas.path(&dash, Ink { color, width });
+pub(crate) fn draw(canvas: &Canvas, points: &[Point], pattern: &[Dash], width: f64) {
+    let mut path = Path::default();
+    path.line(points, false);
+    draw_path(canvas, &path, pattern, width);
+}
+
+/// Draws a path in a pattern, which begins anew with each of its lines.
+pub(crate) fn draw_path(canvas: &Canvas, path: &Path, pattern: &[Dash], width: f64) {
+    for color in colors(pattern) {
+        let dashes = match &intervals(pattern, color)[..] {
+            // Solid.
+            [_] => String::new(),
+            [offset, lengths @ ..] => {
+                let lengths: Vec<String> = lengths.iter().map(f64::to_string).collect();
+                let shift = if *offset > 0.0 { format!(" stroke-dashoffset=\"-{offset}\"") } else { String::new() };
+                format!(" stroke-dasharray=\"{}\"{shift}", lengths.join(" "))
+            }
+            [] => continue,
+        };
+        path.draw(canvas, &format!("{}{dashes}", canvas.stroke(Ink { color, width })));
     }
 }
 
-/// Cuts a polyline into the coloured pieces of a pattern.
-fn dashes(points: &[Point], pattern: &[Dash]) -> Vec<(RGBColor, Vec<Point>)> {
-    if let [(Some(color), _)] = *pattern {
-        return vec![(color, points.to_vec())];
-    }
-    let mut pieces = Vec::new();
-    let Some(&start) = points.first() else { return pieces };
-    let mut phase = pattern.iter().cycle();
-    let Some(&(mut color, mut left)) = phase.next() else { return pieces };
-    let mut piece = vec![start];
-    for pair in points.windows(2) {
-        let length = distance(pair[0], pair[1]);
-        let mut done = 0.0;
-        while done + left < length {
-            done += left;
-            let end = between(pair[0], pair[1], done / length);
-            piece.push(end);
-            if let Some(color) = color {
-                pieces.push((color, std::mem::take(&mut piece)));
-            }
-            piece = vec![end];
-            if let Some(next) = phase.next() {
-                (color, left) = *next;
-            }
+/// The colours of a pattern, each once.
+fn colors(pattern: &[Dash]) -> Vec<RGBColor> {
+    let mut colors: Vec<RGBColor> = Vec::new();
+    for color in pattern.iter().filter_map(|(color, _)| *color) {
+        if !colors.contains(&color) {
+            colors.push(color);
         }
-        left -= length - done;
-        piece.push(pair[1]);
     }
-    if let Some(color) = color {
-        pieces.push((color, piece));
+    colors
+}
+
+/// Where in the pattern a colour begins, and from there in turn how long it is drawn and how long not, in canvas units;
+/// the beginning alone for a colour that is always drawn.
+fn intervals(pattern: &[Dash], color: RGBColor) -> Vec<f64> {
+    let is_own = |dash: &Dash| dash.0 == Some(color);
+    let Some(first) = pattern.iter().position(is_own) else { return Vec::new() };
+    let offset: f64 = pattern[..first].iter().map(|dash| dash.1).sum();
+    let mut intervals: Vec<f64> = vec![(offset * UNITS).round()];
+    let mut drawn = None;
+    for dash in pattern[first..].iter().chain(&pattern[..first]) {
+        let length = (dash.1 * UNITS).round();
+        match intervals.last_mut() {
+            Some(last) if drawn == Some(is_own(dash)) => *last += length,
+            _ => intervals.push(length),
+        }
+        drawn = Some(is_own(dash));
     }
-    pieces
+    if intervals.len() == 2 {
+        intervals.truncate(1);
+    }
+    intervals
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::ink::POLE;
+    use super::super::ink::{INK, POLE};
     use super::*;
 
     #[test]
-    fn dashes_fill_the_line_in_turn() {
-        let pattern = [(Some(POLE), 4.0), (None, 2.0)];
-        let pieces = dashes(&[[0.0, 0.0], [3.0, 0.0], [3.0, 10.0]], &pattern);
-        let lengths: Vec<f64> =
-            pieces.iter().map(|(_, piece)| piece.windows(2).map(|pair| distance(pair[0], pair[1])).sum()).collect();
-        assert_eq!(lengths, [4.0, 4.0, 1.0]);
-        assert_eq!(pieces[0].1, [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0]]);
+    fn every_colour_is_drawn_where_it_is_its_turn() {
+        assert_eq!(intervals(&[(Some(POLE), 1.0)], POLE), [0.0]);
+        assert_eq!(intervals(&[(Some(POLE), 4.0), (None, 2.0)], POLE), [0.0, 40.0, 20.0]);
+        let both = [(Some(INK), 9.0), (Some(POLE), 5.0), (None, 1.5)];
+        assert_eq!(intervals(&both, INK), [0.0, 90.0, 65.0]);
+        assert_eq!(intervals(&both, POLE), [90.0, 50.0, 105.0]);
+        let dots = [(Some(POLE), 9.0), (None, 2.0), (Some(POLE), 2.0), (None, 2.0)];
+        assert_eq!(intervals(&dots, POLE), [0.0, 90.0, 20.0, 20.0, 20.0]);
     }
 }

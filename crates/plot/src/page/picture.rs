@@ -1,11 +1,13 @@
 //! A finished picture and its file formats.
 
+use std::fmt::Display;
+
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
 use super::error::PlotError;
 use super::geometry::UNITS;
-use super::{font, image, pdf};
+use super::{font, image, pdf, tikz};
 
 /// Pixels of an SVG in an inch (CSS).
 const PIXELS_PER_INCH: f64 = 96.0;
@@ -20,15 +22,39 @@ pub struct Picture {
     pub svg: String,
 }
 
+/// What an SVG says of itself.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Heading {
+    /// In a line, numbers rounded.
+    pub title: String,
+    /// Whatever else, with all digits; may be empty.
+    pub metadata: String,
+}
+
+/// A text as XML writes it.
+pub(crate) fn escaped(text: impl Display) -> String {
+    text.to_string().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+impl From<&str> for Heading {
+    fn from(title: &str) -> Self {
+        Self { title: title.to_owned(), metadata: String::new() }
+    }
+}
+
 impl Picture {
     /// Whether this build makes PDF, which needs the feature `pdf`.
     pub const MAKES_PDF: bool = cfg!(feature = "pdf");
 
-    /// Puts the size in pixels, a title and the font's stand-ins on the elements of a canvas.
-    pub(crate) fn from_canvas(elements: &str, size: [f64; 2], title: &str) -> Self {
+    /// Puts the size in pixels, the heading and the font's stand-ins on the elements of a canvas.
+    pub(crate) fn from_canvas(elements: &str, size: [f64; 2], heading: &Heading) -> Self {
         let [width, height] = size;
         let [units_wide, units_high] = size.map(|side| (side * UNITS).round());
-        let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+        let title = escaped(&heading.title);
+        let metadata = match heading.metadata.as_str() {
+            "" => String::new(),
+            metadata => format!("<metadata>{}</metadata>\n", escaped(metadata)),
+        };
         // Viewers without the font fall back to Verdana, whose widths DejaVu Sans shares.
         let elements = elements.replace(
             &format!("font-family=\"{}\"", font::FAMILY),
@@ -36,7 +62,7 @@ impl Picture {
         );
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {units_wide} {units_high}\" stroke-linejoin=\"round\">\n<title>{title}</title>\n{elements}</svg>\n"
+             viewBox=\"0 0 {units_wide} {units_high}\" stroke-linejoin=\"round\">\n<title>{title}</title>\n{metadata}{elements}</svg>\n"
         );
         Self { svg }
     }
@@ -68,6 +94,15 @@ impl Picture {
     /// [`PlotError::NoPdf`] in a build without the feature `pdf`, [`PlotError::Pdf`] where the writer fails.
     pub fn to_pdf(&self) -> Result<Vec<u8>, PlotError> {
         pdf::page(&self.tree()?)
+    }
+
+    /// The picture as a LaTeX document of one TikZ picture, text as text.
+    ///
+    /// # Errors
+    /// [`PlotError::TikzImage`] for a picture that holds images.
+    pub fn to_tikz(&self) -> Result<String, PlotError> {
+        let title = self.svg.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
+        tikz::document(&self.tree()?, title.map_or("", |(title, _)| title))
     }
 
     fn tree(&self) -> Result<Tree, PlotError> {

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::shapes::arrow_head;
-use crate::page::{Anchor, Canvas, INK, Ink, POLE, Picture, PlotError, Point, render, rgb};
+use crate::page::{Anchor, Canvas, INK, Ink, POLE, Picture, PlotError, Point, Theme, render, rgb};
 
 /// How far the axis is tilted towards the viewer, in radians.
 const TILT: f64 = 0.42;
@@ -37,7 +37,7 @@ fn on_cylinder([psi, theta]: [f64; 2]) -> ([f64; 3], [f64; 3]) {
 }
 
 /// The hidden or the visible part of a curve in (ψ', ϑ') on a surface.
-fn curve(canvas: &Canvas<'_>, center: Point, surface: Surface, points: &[[f64; 2]], hidden: bool, ink: Ink) {
+fn curve(canvas: &Canvas, center: Point, surface: Surface, points: &[[f64; 2]], hidden: bool, ink: Ink) {
     let mut part: Vec<Point> = Vec::new();
     for &point in points {
         let (place, normal) = surface(point);
@@ -65,7 +65,7 @@ fn net() -> Vec<Vec<[f64; 2]>> {
 }
 
 /// Fig. cylinder.
-pub(super) fn draw() -> Result<Picture, PlotError> {
+pub(super) fn draw(theme: Theme) -> Result<Picture, PlotError> {
     let (left, right) = ([140.0, 170.0], [430.0, 170.0]);
     // The rim of an inaccessible disc, the same on both.
     let rim = sampled(|t| {
@@ -74,7 +74,7 @@ pub(super) fn draw() -> Result<Picture, PlotError> {
     });
     let surfaces: [(Point, Surface); 2] = [(left, on_sphere), (right, on_cylinder)];
     let faint_pole = Ink { color: rgb(0xf2_c9_97), width: 3.0 };
-    render([580.0, 346.0], "The sphere without its poles is a cylinder", |canvas| {
+    render([580.0, 346.0], "The sphere without its poles is a cylinder", theme, |canvas| {
         // What is behind first.
         for hidden in [true, false] {
             let (net_ink, rim_ink) = if hidden { (BACK, CURVE_BACK) } else { (FRONT, CURVE) };

@@ -1,6 +1,6 @@
 //! Schematic pictures of what a section is: nothing in them is computed from a body.
 
-use crate::page::{Picture, PlotError};
+use crate::page::{Picture, PlotError, Theme};
 mod cylinder;
 mod shapes;
 mod sheets;
@@ -20,10 +20,10 @@ pub enum Scheme {
 ///
 /// # Errors
 /// A failure of the drawing library.
-pub fn draw_scheme(scheme: Scheme) -> Result<Picture, PlotError> {
+pub fn draw_scheme(scheme: Scheme, theme: Theme) -> Result<Picture, PlotError> {
     match scheme {
-        Scheme::Sheets => sheets::both_divisions(),
-        Scheme::BothSheetsNeeded => sheets::near_tangency(),
-        Scheme::Cylinder => cylinder::draw(),
+        Scheme::Sheets => sheets::both_divisions(theme),
+        Scheme::BothSheetsNeeded => sheets::near_tangency(theme),
+        Scheme::Cylinder => cylinder::draw(theme),
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn arc(center: Point, radius: f64, from: f64, to: f64) -> Vec<Point> 
 }
 
 /// An arrow head at `tip` that comes along `along`.
-pub(super) fn arrow_head(canvas: &Canvas<'_>, tip: Point, along: Point, ink: Ink) {
+pub(super) fn arrow_head(canvas: &Canvas, tip: Point, along: Point, ink: Ink) {
     const SIZE: f64 = 8.0;
     let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
     let [x, y] = along.map(|c| c / length * SIZE);

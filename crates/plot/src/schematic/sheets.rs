@@ -6,7 +6,7 @@
 use plotters::style::RGBColor;
 
 use super::shapes::{arc, arrow_head, direction, polar};
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, render, rgb};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, render, rgb};
 
 const RADIUS: f64 = 84.0;
 /// Where the flow touches the circle, in degrees.
@@ -23,9 +23,9 @@ const FLOW_INK: Ink = Ink { color: FAINT_INK, width: 1.1 };
 const GUIDE: Ink = Ink { color: rgb(0xb0_b0_b0), width: 0.7 };
 
 /// Fig. schema12: sheets by the sign of Ṡ and by the sign of Δ.
-pub(super) fn both_divisions() -> Result<Picture, PlotError> {
+pub(super) fn both_divisions(theme: Theme) -> Result<Picture, PlotError> {
     let centers = [[138.0, 172.0], [468.0, 172.0]];
-    render([720.0, 330.0], "The section and its projections", |canvas| {
+    render([720.0, 330.0], "The section and its projections", theme, |canvas| {
         for (center, by_delta) in centers.into_iter().zip([false, true]) {
             for at in if by_delta { [90.0, -90.0] } else { TANGENCIES } {
                 guide(canvas, center, at, BARS[1]);
@@ -51,9 +51,9 @@ pub(super) fn both_divisions() -> Result<Picture, PlotError> {
 }
 
 /// Fig. schema3: orbits near tangency meet one sheet only.
-pub(super) fn near_tangency() -> Result<Picture, PlotError> {
+pub(super) fn near_tangency(theme: Theme) -> Result<Picture, PlotError> {
     let center = [138.0, 128.0];
-    render([400.0, 272.0], "Orbits near tangency meet one sheet only", |canvas| {
+    render([400.0, 272.0], "Orbits near tangency meet one sheet only", theme, |canvas| {
         // Through the circle at 35° ± 22° and 215° ± 22°.
         let reach = RADIUS * libm::cos(22.0_f64.to_radians());
         let crossings = [(13.0, 1), (57.0, 1), (193.0, 0), (237.0, 0)];
@@ -76,7 +76,7 @@ pub(super) fn near_tangency() -> Result<Picture, PlotError> {
 }
 
 /// The circle, coloured by the direction in which the flow crosses it.
-fn circle(canvas: &Canvas<'_>, center: Point) {
+fn circle(canvas: &Canvas, center: Point) {
     let [first, second] = TANGENCIES;
     canvas.path(&arc(center, RADIUS, first, second), Ink { color: OUTGOING, width: 3.0 });
     canvas.path(&arc(center, RADIUS, second, first + 360.0), Ink { color: INCOMING, width: 3.0 });
@@ -84,7 +84,7 @@ fn circle(canvas: &Canvas<'_>, center: Point) {
 }
 
 /// A trajectory at a signed distance from the centre, on the side of the first tangency if positive.
-fn flow_line(canvas: &Canvas<'_>, center: Point, offset: f64) {
+fn flow_line(canvas: &Canvas, center: Point, offset: f64) {
     let foot = polar(center, offset, TANGENCIES[0]);
     let reach = 0.5 * RADIUS + (RADIUS * RADIUS - offset * offset).max(0.0).sqrt();
     let (tail, tip) = (polar(foot, -reach, FLOW), polar(foot, reach, FLOW));
@@ -93,31 +93,31 @@ fn flow_line(canvas: &Canvas<'_>, center: Point, offset: f64) {
 }
 
 /// Where the sheets by Δ meet.
-fn squares(canvas: &Canvas<'_>, center: Point) {
+fn squares(canvas: &Canvas, center: Point) {
     for at in [90.0, -90.0] {
         canvas.polygon(&Rect::around(polar(center, RADIUS, at), 5.0).corners(), INK);
     }
 }
 
-fn guide(canvas: &Canvas<'_>, center: Point, at: f64, bar: f64) {
+fn guide(canvas: &Canvas, center: Point, at: f64, bar: f64) {
     let from = polar(center, RADIUS, at);
     canvas.path(&[from, [center[0] + bar, from[1]]], GUIDE);
 }
 
 /// A part of a bar between the heights of two points of the circle.
-fn bar(canvas: &Canvas<'_>, center: Point, x: f64, [from, to]: [f64; 2], color: RGBColor) {
+fn bar(canvas: &Canvas, center: Point, x: f64, [from, to]: [f64; 2], color: RGBColor) {
     let y = |at: f64| polar(center, RADIUS, at)[1];
     canvas.path(&[[center[0] + x, y(from)], [center[0] + x, y(to)]], Ink { color, width: 4.0 });
 }
 
-fn names(canvas: &Canvas<'_>, center: Point) {
+fn names(canvas: &Canvas, center: Point) {
     for (x, name) in BARS.into_iter().zip(["S⁻", "S⁺"]) {
         canvas.text(name, [center[0] + x, center[1] + RADIUS + 24.0], TEXT + 1.0, INK, Anchor::Middle);
     }
 }
 
 /// Bars by the sign of Ṡ: two strands where two points of the circle have the same image.
-fn divided_by_rate(canvas: &Canvas<'_>, center: Point) {
+fn divided_by_rate(canvas: &Canvas, center: Point) {
     let [upper, lower] = TANGENCIES;
     for (x, color, once, twice) in
         [(BARS[0], INCOMING, [lower, upper], [-90.0, lower]), (BARS[1], OUTGOING, [lower, upper], [upper, 90.0])]
@@ -131,7 +131,7 @@ fn divided_by_rate(canvas: &Canvas<'_>, center: Point) {
 }
 
 /// Bars by the sign of Δ: the left and the right half of the circle.
-fn divided_by_delta(canvas: &Canvas<'_>, center: Point) {
+fn divided_by_delta(canvas: &Canvas, center: Point) {
     let [upper, lower] = TANGENCIES;
     bar(canvas, center, BARS[0], [90.0, lower], OUTGOING);
     bar(canvas, center, BARS[0], [lower, -90.0], INCOMING);
@@ -140,7 +140,7 @@ fn divided_by_delta(canvas: &Canvas<'_>, center: Point) {
     names(canvas, center);
 }
 
-fn legend(canvas: &Canvas<'_>, [x, y]: Point) {
+fn legend(canvas: &Canvas, [x, y]: Point) {
     for (x, color, text) in [(x, INCOMING, "incoming, Ṡ < 0"), (x + 160.0, OUTGOING, "outgoing, Ṡ > 0")] {
         canvas.path(&[[x, y - 4.0], [x + 26.0, y - 4.0]], Ink { color, width: 3.0 });
         canvas.text(text, [x + 34.0, y], TEXT, INK, Anchor::Start);

@@ -3,14 +3,20 @@
 use plotters::style::RGBColor;
 
 use super::scene::SectionScene;
-use crate::page::{Anchor, Canvas, INK, Ink, Page, Rect, rgb, rgbs, ticks};
+use crate::page::{Anchor, Canvas, INK, Ink, Rect, rgb, rgbs, ticks};
 
-/// Colours of orbits in turn: they differ in lightness where they differ little in hue, and all are dark enough for
-/// the shaded ground.
-const ORBITS: [RGBColor; 12] = rgbs([
-    0x00_5f_a8, 0xcf_4a_00, 0x00_7a_55, 0x9b_1f_6a, 0x2a_9f_d8, 0xd9_8e_00, 0x2f_22_7d, 0xc9_6a_a0, 0x5c_3a_1e,
-    0x3f_a3_5a, 0x8a_12_1f, 0x1c_1c_1c,
-]);
+/// Shades of each hue, by which orbits of a family are told apart.
+const SHADES: usize = 4;
+/// Hues of families: apart for colour-blind readers too, and dark enough for the shaded ground.
+const FAMILIES: [[RGBColor; SHADES]; 5] = [
+    rgbs([0x1f_6f_c2, 0x0b_3c_7d, 0x3f_96_e0, 0x08_20_4d]),
+    rgbs([0xd6_5a_00, 0x8a_35_00, 0xf0_8a_24, 0x5e_1f_00]),
+    rgbs([0x00_8f_66, 0x00_52_3c, 0x2a_b5_86, 0x00_30_1f]),
+    rgbs([0x8f_3f_c7, 0x5a_16_87, 0xb9_7b_e0, 0x35_0a_52]),
+    rgbs([0x94_80_00, 0x5f_52_00, 0xb8_a0_18, 0x3a_32_00]),
+];
+/// Colours of orbits by family and shade.
+const ORBITS: usize = FAMILIES.len() * SHADES;
 /// An orbit without a value.
 const UNKNOWN: RGBColor = rgb(0x8a_8a_8a);
 /// The scale of values, from the lowest to the highest.
@@ -55,19 +61,33 @@ impl Coloring {
     /// The colours that an image of this picture can need.
     pub fn palette(&self) -> Vec<RGBColor> {
         let scale = (0..LEVELS).map(level_color);
-        ORBITS.into_iter().chain([UNKNOWN]).chain(scale.filter(|_| self.bar.is_some())).collect()
+        FAMILIES.into_iter().flatten().chain([UNKNOWN]).chain(scale.filter(|_| self.bar.is_some())).collect()
     }
 
     /// Place in the palette of orbit number `index` of a scene.
     pub fn of(&self, scene: &SectionScene<'_>, index: usize) -> usize {
-        match (&self.bar, scene.values) {
-            (Some(bar), Some(values)) => match bar.level(values.values[index]) {
-                Some(level) => ORBITS.len() + 1 + level,
-                None => ORBITS.len(),
-            },
-            _ => scene.orbits[index].orbit as usize % ORBITS.len(),
+        if let (Some(bar), Some(values)) = (&self.bar, scene.values) {
+            return bar.level(values.values[index]).map_or(ORBITS, |level| ORBITS + 1 + level);
         }
+        let own = family(scene, index);
+        let before = (0..index).filter(|&other| family(scene, other) == own).count();
+        own % FAMILIES.len() * SHADES + before % SHADES
     }
+}
+
+/// The family of an orbit.
+pub(super) fn family(scene: &SectionScene<'_>, index: usize) -> usize {
+    scene.families.and_then(|families| families.of.get(index).copied()).unwrap_or(0)
+}
+
+/// The shades of a family.
+pub(super) fn shades(family: usize) -> [RGBColor; SHADES] {
+    FAMILIES[family % FAMILIES.len()]
+}
+
+/// Where no value is known.
+pub(super) const fn unknown() -> RGBColor {
+    UNKNOWN
 }
 
 /// The colour of a level of the scale.
@@ -95,25 +115,23 @@ impl Bar {
     }
 
     /// Draws the bar with ticks and its label.
-    pub fn draw(&self, page: &mut Page, rect: Rect) {
+    pub fn draw(&self, canvas: &Canvas, rect: Rect) {
         let [from, to] = self.range;
         let ticks = ticks(&self.label, from, to, 6);
-        page.paint(|canvas| {
-            paint_scale(canvas, &rect);
-            canvas.outline(&rect.corners(), Ink { color: INK, width: 0.8 });
-            for (value, label) in ticks.values.iter().zip(&ticks.labels) {
-                let y = rect.y + rect.height * (1.0 - (value - from) / (to - from));
-                let right = rect.x + rect.width;
-                canvas.path(&[[right, y], [right + 4.0, y]], Ink { color: INK, width: 0.8 });
-                canvas.text(label, [right + 7.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::Start);
-            }
-            // Flush with the page's right margin, above the bar.
-            canvas.text(&ticks.quantity, [rect.x + 78.0, rect.y - 26.0], TICK_SIZE, INK, Anchor::End);
-        });
+        paint_scale(canvas, &rect);
+        canvas.outline(&rect.corners(), Ink { color: INK, width: 0.8 });
+        for (value, label) in ticks.values.iter().zip(&ticks.labels) {
+            let y = rect.y + rect.height * (1.0 - (value - from) / (to - from));
+            let right = rect.x + rect.width;
+            canvas.path(&[[right, y], [right + 4.0, y]], Ink { color: INK, width: 0.8 });
+            canvas.text(label, [right + 7.0, y + 0.36 * TICK_SIZE], TICK_SIZE, INK, Anchor::Start);
+        }
+        // Flush with the page's right margin, above the bar.
+        canvas.text(&ticks.quantity, [rect.x + 78.0, rect.y - 26.0], TICK_SIZE, INK, Anchor::End);
     }
 }
 
-fn paint_scale(canvas: &Canvas<'_>, rect: &Rect) {
+fn paint_scale(canvas: &Canvas, rect: &Rect) {
     for level in 0..LEVELS {
         // Each reaches to the upper end, and the next lies over it, so that no seam shows.
         let height = rect.height * (1.0 - level as f64 / LEVELS as f64);
@@ -124,6 +142,7 @@ fn paint_scale(canvas: &Canvas<'_>, rect: &Rect) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::sight::{SIGHTS, apart};
 
     /// Relative luminance, the one that colour blindness leaves.
     fn luminance(color: RGBColor) -> f64 {
@@ -138,10 +157,22 @@ mod tests {
     }
 
     #[test]
+    fn families_are_told_apart_by_every_reader() {
+        for sight in SIGHTS {
+            for (place, one) in FAMILIES.iter().enumerate() {
+                for other in &FAMILIES[..place] {
+                    let distance = apart(sight, one[0], other[0]);
+                    assert!(distance > 12.0, "{:?} and {:?} are {distance:.1} apart with {sight:?}", one[0], other[0]);
+                }
+            }
+        }
+    }
+
+    #[test]
     fn every_colour_stands_out_from_the_ground() {
-        for color in ORBITS.into_iter().chain([UNKNOWN, level_color(0), level_color(LEVELS - 1)]) {
+        for color in FAMILIES.into_iter().flatten().chain([UNKNOWN, level_color(0), level_color(LEVELS - 1)]) {
             assert!(luminance(color) < 190.0, "{color:?}");
         }
-        assert!(ORBITS.len() + 1 + LEVELS <= 255, "an image has room for one transparent and 255 other colours");
+        const { assert!(ORBITS + 1 + LEVELS <= 255, "an image has room for one transparent and 255 other colours") };
     }
 }

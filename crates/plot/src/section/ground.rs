@@ -4,7 +4,7 @@ use plotters::style::RGBColor;
 
 use super::layout::SheetPanel;
 
-use crate::page::{Canvas, INK, Ink, Page, Path, Point, Rect, hex, rgb, stroke};
+use crate::page::{Canvas, INK, Ink, Path, Point, Rect, rgb};
 use dynamics::section::{Chart, Portrait};
 
 /// Ground where Ṡ < 0 and where Ṡ > 0.
@@ -18,7 +18,7 @@ pub(super) const BOUNDARY: Ink = Ink { color: INK, width: 1.2 };
 pub(super) const POLAR: Ink = Ink { color: INK, width: 3.0 };
 
 /// Shades the areas.
-pub(super) fn shade(page: &mut Page, portrait: &Portrait, panel: &SheetPanel) {
+pub(super) fn shade(canvas: &Canvas, portrait: &Portrait, panel: &SheetPanel) {
     for (area, color) in
         [(portrait.accessible(panel.chart), OUTGOING), (portrait.incoming(panel.chart, panel.sheet), INCOMING)]
     {
@@ -26,20 +26,20 @@ pub(super) fn shade(page: &mut Page, portrait: &Portrait, panel: &SheetPanel) {
         for polygon in &area.loops {
             path.line(&panel.positions(polygon), true);
         }
-        path.draw(page, &format!("fill=\"{}\" fill-rule=\"evenodd\"", hex(color)));
+        path.draw(canvas, &format!("{} fill-rule=\"evenodd\"", canvas.fill(color)));
     }
 }
 
 /// Draws the lines, the poles and the frame.
-pub(super) fn outline(page: &mut Page, portrait: &Portrait, panel: &SheetPanel) {
+pub(super) fn outline(canvas: &Canvas, portrait: &Portrait, panel: &SheetPanel) {
     for (lines, ink) in [(portrait.tangency(panel.sheet), TANGENCY), (portrait.boundary(), BOUNDARY)] {
         let mut path = Path::default();
         for piece in lines.iter().flat_map(|line| portrait.in_chart(panel.chart, line)) {
             path.line(&panel.positions(&piece), false);
         }
-        path.draw(page, &stroke(ink));
+        path.draw(canvas, &canvas.stroke(ink));
     }
-    frame(&panel.rect).draw(page, &stroke(Ink { color: INK, width: 0.9 }));
+    frame(&panel.rect).draw(canvas, &canvas.stroke(Ink { color: INK, width: 0.9 }));
     let poles: Vec<i8> = [1, -1].into_iter().filter(|&sign| portrait.has_pole(sign)).collect();
     match panel.chart {
         Chart::Torus => {
@@ -48,16 +48,16 @@ pub(super) fn outline(page: &mut Page, portrait: &Portrait, panel: &SheetPanel) 
                 let y = if sign > 0 { panel.rect.y } else { panel.rect.bottom() };
                 rims.line(&[[panel.rect.x, y], [panel.rect.right(), y]], false);
             }
-            rims.draw(page, &stroke(POLAR));
+            rims.draw(canvas, &canvas.stroke(POLAR));
         }
-        Chart::Sphere => page.paint(|canvas| {
+        Chart::Sphere => {
             let [.., r_hat] = portrait.torus().axes();
             for sign in poles {
                 let gamma = r_hat.map(|x| f64::from(sign) * x);
                 let at = panel.position(portrait.position(Chart::Sphere, gamma));
                 pole_marker(canvas, sign, at);
             }
-        }),
+        }
     }
 }
 
@@ -77,7 +77,7 @@ fn frame(rect: &Rect) -> Path {
 }
 
 /// The mark of +r̂ (`sign` > 0) or −r̂ on a sphere.
-pub(super) fn pole_marker(canvas: &Canvas<'_>, sign: i8, at: Point) {
+pub(super) fn pole_marker(canvas: &Canvas, sign: i8, at: Point) {
     canvas.ring(at, 4.0, Ink { color: INK, width: 1.0 });
     if sign > 0 {
         canvas.disc(at, 1.2, INK);

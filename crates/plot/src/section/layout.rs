@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::scene::{Projection, SectionScene};
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Page, Point, Rect, number};
+use crate::page::{Anchor, Canvas, INK, Point, Rect, number};
 use dynamics::section::Chart;
 
 /// Plot area of a panel.
@@ -17,7 +17,7 @@ const BAR_WIDTH: f64 = 13.0;
 const TITLE: f64 = 34.0;
 /// Room above and below the panels of a row.
 const ABOVE: f64 = 30.0;
-const BELOW: f64 = 36.0;
+const BELOW: f64 = 42.0;
 const CAPTION_SIZE: f64 = 12.0;
 const TICK_SIZE: f64 = 11.0;
 
@@ -93,30 +93,28 @@ impl Layout {
     }
 
     /// Names of the panels, (h, l) of the scenes, and ticks.
-    pub fn draw_captions(&self, page: &mut Page, scenes: &[SectionScene<'_>]) {
-        page.paint(|canvas| {
-            let mut captioned = None;
-            for panel in &self.panels {
-                let rect = panel.rect;
-                let above = rect.y - 9.0;
-                canvas.text(panel.name(), [rect.center()[0], above], CAPTION_SIZE + 1.0, INK, Anchor::Middle);
-                let scene = &scenes[panel.scene];
-                if captioned != Some(panel.scene) {
-                    captioned = Some(panel.scene);
-                    let (h, l) = scene.portrait.energy_momentum();
-                    let place = format!("h = {},  l = {}", number(h), number(l));
-                    canvas.text(&place, [rect.x, above], CAPTION_SIZE, INK, Anchor::Start);
-                    let other = [self.panels[0].rect.x + 2.0 * PANEL[0] + BETWEEN, above];
-                    canvas.text(scene.caption, other, CAPTION_SIZE, INK, Anchor::End);
-                }
-                draw_ticks(canvas, panel);
+    pub fn draw_captions(&self, canvas: &Canvas, scenes: &[SectionScene<'_>]) {
+        let mut captioned = None;
+        for panel in &self.panels {
+            let rect = panel.rect;
+            let above = rect.y - 9.0;
+            canvas.text(panel.name(), [rect.center()[0], above], CAPTION_SIZE + 1.0, INK, Anchor::Middle);
+            let scene = &scenes[panel.scene];
+            if captioned != Some(panel.scene) {
+                captioned = Some(panel.scene);
+                let (h, l) = scene.portrait.energy_momentum();
+                let place = format!("h = {},  l = {}", number(h), number(l));
+                canvas.text(&place, [rect.x, above], CAPTION_SIZE, INK, Anchor::Start);
+                let other = [self.panels[0].rect.x + 2.0 * PANEL[0] + BETWEEN, above];
+                canvas.text(scene.caption, other, CAPTION_SIZE, INK, Anchor::End);
             }
-        });
+            draw_ticks(canvas, panel);
+        }
     }
 }
 
 /// Labels of the ticks below a panel, and beside it if it is the left one.
-fn draw_ticks(canvas: &Canvas<'_>, panel: &SheetPanel) {
+fn draw_ticks(canvas: &Canvas, panel: &SheetPanel) {
     let rect = panel.rect;
     let (psi, theta) = match panel.chart {
         Chart::Torus => ("ψ′", "ϑ′"),
@@ -126,7 +124,7 @@ fn draw_ticks(canvas: &Canvas<'_>, panel: &SheetPanel) {
         let at = [rect.x + 0.25 * k as f64 * rect.width, rect.bottom() + 17.0];
         canvas.text(label, at, TICK_SIZE, INK, Anchor::Middle);
     }
-    let name = [rect.x + 0.375 * rect.width, rect.bottom() + 19.0];
+    let name = [rect.x + 0.5 * rect.width, rect.bottom() + 33.0];
     canvas.text(psi, name, CAPTION_SIZE, INK, Anchor::Middle);
     if panel.sheet > 0 {
         return;
@@ -135,6 +133,6 @@ fn draw_ticks(canvas: &Canvas<'_>, panel: &SheetPanel) {
         let at = [rect.x - 9.0, rect.y + 0.5 * k as f64 * rect.height + 0.36 * TICK_SIZE];
         canvas.text(label, at, TICK_SIZE, INK, Anchor::End);
     }
-    let name = [rect.x - 9.0, rect.y + 0.25 * rect.height + 0.36 * CAPTION_SIZE];
-    canvas.text(theta, name, CAPTION_SIZE, FAINT_INK, Anchor::End);
+    let name = [rect.x - 36.0, rect.y + 0.5 * rect.height + 0.36 * CAPTION_SIZE];
+    canvas.text(theta, name, CAPTION_SIZE, INK, Anchor::End);
 }

@@ -12,9 +12,9 @@ mod points;
 mod raster;
 mod scene;
 
-pub use scene::{OrbitValues, Projection, SectionOptions, SectionScene};
+pub use scene::{OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
 
-use crate::page::{Anchor, INK, Page, Picture, PlotError, body};
+use crate::page::{Anchor, INK, Picture, PlotError, body, render};
 use colors::Coloring;
 use dynamics::section::{Portrait, SectionCondition};
 use layout::Layout;
@@ -50,22 +50,22 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
     let layout = Layout::new(scenes, options.projection, coloring.bar.is_some());
     let legend = legend::legend(scenes, options.projection, layout.width);
     let title = options.title.clone().unwrap_or_else(|| body_line(scenes[0].portrait));
-    let mut page = Page::new([layout.width, (layout.bottom + legend.height() + 10.0).ceil()]);
-    page.element("<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>");
+    let size = [layout.width, (layout.bottom + legend.height() + 10.0).ceil()];
     let style = points::Style::new(scenes, options);
-    for panel in &layout.panels {
-        let scene = &scenes[panel.scene];
-        ground::shade(&mut page, scene.portrait, panel);
-        points::draw(&mut page, scene, panel, &coloring, &style)?;
-        ground::outline(&mut page, scene.portrait, panel);
-    }
-    page.paint(|canvas| canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start));
-    layout.draw_captions(&mut page, scenes);
-    if let Some(bar) = &coloring.bar {
-        bar.draw(&mut page, layout.bar());
-    }
-    legend::draw(&legend, &mut page, layout.bottom);
-    page.finish(&title)
+    render(size, title.as_str(), options.theme, |canvas| {
+        for panel in &layout.panels {
+            let scene = &scenes[panel.scene];
+            ground::shade(canvas, scene.portrait, panel);
+            canvas.keep(points::draw(canvas, scene, panel, &coloring, &style));
+            ground::outline(canvas, scene.portrait, panel);
+        }
+        canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start);
+        layout.draw_captions(canvas, scenes);
+        if let Some(bar) = &coloring.bar {
+            bar.draw(canvas, layout.bar());
+        }
+        legend::draw(&legend, canvas, layout.bottom);
+    })
 }
 
 /// The body of a portrait in a line, and its condition if it is not the usual one.

@@ -4,7 +4,7 @@ use super::colors::Coloring;
 use super::layout::SheetPanel;
 use super::raster::Raster;
 use super::scene::{SectionOptions, SectionScene};
-use crate::page::{Ink, Page, Path, PlotError, stroke};
+use crate::page::{Canvas, Ink, Path, PlotError};
 
 /// Diameters of points in pixels.
 const SMALLEST: f64 = 0.8;
@@ -32,7 +32,7 @@ impl Style {
 
 /// Draws the crossings of one sheet.
 pub(super) fn draw(
-    page: &mut Page,
+    canvas: &Canvas,
     scene: &SectionScene<'_>,
     panel: &SheetPanel,
     coloring: &Coloring,
@@ -44,19 +44,20 @@ pub(super) fn draw(
         (coloring.of(scene, index), own)
     });
     let palette = coloring.palette();
+    let shown: Vec<_> = palette.iter().map(|color| canvas.color(*color)).collect();
     if style.as_image {
         let mut raster = Raster::new(panel.rect);
         for (color, points) in orbits {
             points.for_each(|at| raster.dot(at, style.diameter, color));
         }
-        page.element(&raster.element(&palette)?);
+        canvas.element(&raster.element(&shown)?);
         return Ok(());
     }
     for (color, points) in orbits {
         let mut path = Path::default();
         points.for_each(|at| path.dot(at));
         let ink = Ink { color: palette[color], width: style.diameter };
-        path.draw(page, &format!("{} stroke-linecap=\"round\"", stroke(ink)));
+        path.draw(canvas, &format!("{} stroke-linecap=\"round\"", canvas.stroke(ink)));
     }
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! What a picture of sections shows.
 
+use crate::page::Theme;
 use dynamics::section::{OrbitSection, Portrait};
 
 /// A number for each orbit, by which it is coloured.
@@ -11,6 +12,15 @@ pub struct OrbitValues<'a> {
     pub values: &'a [f64],
 }
 
+/// Families of orbits, each with a hue of its own; shades of it tell the orbits of a family apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OrbitFamilies<'a> {
+    /// The family of each orbit of the scene, in the same order: a place in `names`.
+    pub of: &'a [usize],
+    /// What the legend says of each; the same for all scenes of a picture.
+    pub names: &'a [&'a str],
+}
+
 /// A section and the orbits on it.
 #[derive(Clone, Copy, Debug)]
 pub struct SectionScene<'a> {
@@ -18,8 +28,10 @@ pub struct SectionScene<'a> {
     pub portrait: &'a Portrait,
     /// Its orbits.
     pub orbits: &'a [OrbitSection],
-    /// What colours the orbits; `None`: each has a colour of its own, by its number.
+    /// What colours the orbits; `None`: their families.
     pub values: Option<OrbitValues<'a>>,
+    /// The families of the orbits; `None`: one.
+    pub families: Option<OrbitFamilies<'a>>,
     /// What is printed beside (h, l), such as the section's type.
     pub caption: &'a str,
 }
@@ -47,10 +59,12 @@ pub struct SectionOptions {
     pub raster_above: usize,
     /// The title; `None`: the body.
     pub title: Option<String>,
+    /// Colours.
+    pub theme: Theme,
 }
 
 impl Default for SectionOptions {
     fn default() -> Self {
-        Self { projection: Projection::Torus, point_size: None, raster_above: 20_000, title: None }
+        Self { projection: Projection::Torus, point_size: None, raster_above: 20_000, title: None, theme: Theme::Light }
     }
 }

@@ -6,7 +6,7 @@ use schema::ComponentDocument;
 use super::ink::{BOUNDARY, FORBIDDEN, LEVEL, tint};
 use super::marks::{self, Mark};
 use super::scene::SphereScene;
-use crate::page::{Canvas, Ink, Legend, Point, Rect, superscript};
+use crate::page::{Canvas, Ink, Legend, Point, Rect, section_type};
 
 const SAMPLE: f64 = 24.0;
 
@@ -56,22 +56,13 @@ fn sentence(number: usize, component: &ComponentDocument) -> String {
         .section
         .as_ref()
         .zip(component.genus)
-        .map_or_else(String::new, |(section, genus)| format!(", P = {} (genus {genus})", surface(section)));
+        .map_or_else(String::new, |(section, genus)| format!(", P = {} (genus {genus})", section_type(section)));
     let energy = component.energy_surface.replace("S1xS2", "S¹×S²").replace("RP3", "RP³").replace("S3", "S³");
     format!("{number}: {circles}{poles};  E = {energy}{section}")
 }
 
-/// `T2` as T²; of genus 2 and more the name counts handles: `M3` as M²₃.
-fn surface(name: &str) -> String {
-    match name.split_at_checked(1) {
-        Some(("M", genus)) => format!("M²{}", crate::page::subscript(genus)),
-        Some((letter, dimension)) => format!("{letter}{}", superscript(dimension)),
-        None => name.to_owned(),
-    }
-}
-
 /// Draws the legend with its top left corner at `at`.
-pub(super) fn draw(legend: &Legend<Symbol>, canvas: &Canvas<'_>, at: Point) {
+pub(super) fn draw(legend: &Legend<Symbol>, canvas: &Canvas, at: Point) {
     legend.draw(canvas, at, |symbol, [x, middle]| match symbol {
         Symbol::Tint(color) => {
             let swatch = Rect { x, y: middle - 6.0, width: SAMPLE, height: 12.0 };

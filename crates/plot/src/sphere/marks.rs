@@ -25,7 +25,7 @@ pub(super) enum Mark {
     Axis,
 }
 
-pub(super) fn draw(canvas: &Canvas<'_>, mark: Mark, at: Point) {
+pub(super) fn draw(canvas: &Canvas, mark: Mark, at: Point) {
     let thin = Ink { color: EQUILIBRIUM, width: 1.8 };
     match mark {
         Mark::Equilibrium(0) => {
@@ -52,7 +52,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, mark: Mark, at: Point) {
 }
 
 /// Draws the ends of the principal axes, the poles and the equilibria that a view shows.
-pub(super) fn draw_all(canvas: &Canvas<'_>, view: &View, r_hat: Option<Vector>, equilibria: &[SphereEquilibrium]) {
+pub(super) fn draw_all(canvas: &Canvas, view: &View, r_hat: Option<Vector>, equilibria: &[SphereEquilibrium]) {
     let poles: Vec<Vector> = r_hat.into_iter().flat_map(|r| [r, r.map(|c| -c)]).collect();
     for (axis, names) in [["e₁", "−e₁"], ["e₂", "−e₂"], ["e₃", "−e₃"]].into_iter().enumerate() {
         for (sign, name) in [1.0, -1.0].into_iter().zip(names) {
@@ -85,7 +85,7 @@ pub(super) fn draw_all(canvas: &Canvas<'_>, view: &View, r_hat: Option<Vector>, 
 }
 
 /// The visible part of the circle on which γ turns about an axis.
-fn circle(canvas: &Canvas<'_>, view: &View, gamma: Vector, axis: Vector) {
+fn circle(canvas: &Canvas, view: &View, gamma: Vector, axis: Vector) {
     const STEPS: u32 = 180;
     let step = std::f64::consts::TAU / f64::from(STEPS);
     let places = (0..=STEPS).map(|k| view.position(turned(gamma, axis, step * f64::from(k))));
@@ -97,7 +97,7 @@ fn circle(canvas: &Canvas<'_>, view: &View, gamma: Vector, axis: Vector) {
 }
 
 /// A name beside a mark, with a rim of paper: away from the middle of the view, but inwards next to its outline.
-fn label(canvas: &Canvas<'_>, view: &View, at: Point, name: &str, color: RGBColor) {
+fn label(canvas: &Canvas, view: &View, at: Point, name: &str, color: RGBColor) {
     let from_middle = at[0] - view.center[0];
     let to_the_right = (from_middle >= 0.0) == (from_middle.abs() < 0.86 * view.radius);
     let (x, anchor) = if to_the_right { (at[0] + 11.0, Anchor::Start) } else { (at[0] - 11.0, Anchor::End) };

@@ -11,7 +11,7 @@ mod view;
 
 pub use scene::{SphereEquilibrium, SphereScene};
 
-use crate::page::{Anchor, FAINT_INK, INK, Ink, PAPER, Page, Path, Picture, PlotError, hex, stroke};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Path, Picture, PlotError, Theme, render};
 use grid::Grid;
 use ink::{BOUNDARY, FORBIDDEN, LEVEL, tint};
 use parts::Parts;
@@ -32,7 +32,7 @@ const RIM: Ink = Ink { color: FAINT_INK, width: 0.9 };
 ///
 /// # Errors
 /// A failure of the drawing library.
-pub fn draw_sphere(scene: &SphereScene<'_>) -> Result<Picture, PlotError> {
+pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, PlotError> {
     let middle = 66.0 + RADIUS;
     let centers = [[MARGIN + RADIUS, middle], [WIDTH - MARGIN - RADIUS, middle]];
     let views = View::pair(scene.view, scene.r_hat, centers, RADIUS);
@@ -41,13 +41,12 @@ pub fn draw_sphere(scene: &SphereScene<'_>) -> Result<Picture, PlotError> {
     let levels = levels(&grids);
     let legend = legend::legend(scene, WIDTH - 2.0 * MARGIN);
     let below = middle + RADIUS + 34.0;
-    let mut page = Page::new([WIDTH, (below + legend.height() + 12.0).ceil()]);
-    page.element(&format!("<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>", hex(PAPER)));
-    for (view, grid) in grids.iter().enumerate() {
-        ground(&mut page, &views[view], grid, |node| parts.component(view, node), scene.components.len());
-        lines(&mut page, &views[view], grid, &levels);
-    }
-    page.paint(|canvas| {
+    let title = format!("{}; {}", scene.title, scene.caption);
+    render([WIDTH, (below + legend.height() + 12.0).ceil()], title.as_str(), theme, |canvas| {
+        for (view, grid) in grids.iter().enumerate() {
+            ground(canvas, &views[view], grid, |node| parts.component(view, node), scene.components.len());
+            lines(canvas, &views[view], grid, &levels);
+        }
         for &(component, (view, node)) in &parts.deepest {
             let at = grids[view].place(node);
             canvas.text(&(component + 1).to_string(), [at[0] + 12.0, at[1] - 10.0], NUMBER_SIZE, INK, Anchor::Start);
@@ -61,8 +60,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>) -> Result<Picture, PlotError> {
         canvas.text(scene.title, [MARGIN, 26.0], TITLE_SIZE, INK, Anchor::Start);
         canvas.text(scene.caption, [MARGIN, 46.0], CAPTION_SIZE, INK, Anchor::Start);
         legend::draw(&legend, canvas, [MARGIN, below]);
-    });
-    page.finish(&format!("{}; {}", scene.title, scene.caption))
+    })
 }
 
 /// Levels other than h that cut the sphere into parts of about equal area, as differences from h.
@@ -74,24 +72,24 @@ fn levels(grids: &[Grid<'_>; 2]) -> Vec<f64> {
 
 /// The disc in the colour of what is not accessible, and the components over it.
 fn ground(
-    page: &mut Page,
+    canvas: &Canvas,
     view: &View,
     grid: &Grid<'_>,
     component: impl Fn(grid::Node) -> Option<usize>,
     components: usize,
 ) {
-    rim(view).draw(page, &format!("fill=\"{}\"", hex(FORBIDDEN)));
+    rim(view).draw(canvas, &canvas.fill(FORBIDDEN));
     // On a curve no components are told: what is accessible has one tint.
     for place in 0..components.max(1) {
-        let color = hex(tint(place));
+        let color = canvas.hex(tint(place));
         // A hair of the same colour closes the seams between cells.
         let attributes = format!("fill=\"{color}\" stroke=\"{color}\" stroke-width=\"4\"");
-        grid.area(0.0, |node| component(node) == Some(place)).draw(page, &attributes);
+        grid.area(0.0, |node| component(node) == Some(place)).draw(canvas, &attributes);
     }
 }
 
 /// Level lines, ∂U and the rim.
-fn lines(page: &mut Page, view: &View, grid: &Grid<'_>, levels: &[f64]) {
+fn lines(canvas: &Canvas, view: &View, grid: &Grid<'_>, levels: &[f64]) {
     let drawn = |levels: &[f64]| {
         let mut path = Path::default();
         for line in levels.iter().flat_map(|level| grid.level_lines(*level)) {
@@ -99,9 +97,9 @@ fn lines(page: &mut Page, view: &View, grid: &Grid<'_>, levels: &[f64]) {
         }
         path
     };
-    drawn(levels).draw(page, &stroke(LEVEL));
-    drawn(&[0.0]).draw(page, &stroke(BOUNDARY));
-    rim(view).draw(page, &stroke(RIM));
+    drawn(levels).draw(canvas, &canvas.stroke(LEVEL));
+    drawn(&[0.0]).draw(canvas, &canvas.stroke(BOUNDARY));
+    rim(view).draw(canvas, &canvas.stroke(RIM));
 }
 
 /// The outline of the sphere.

@@ -1,0 +1,207 @@
+//! TikZ of a picture from its SVG: a LaTeX document of one picture, with text as text, that other documents can `\input` with
+//! the package `standalone`.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use resvg::tiny_skia::{PathSegment, Point, Transform};
+use resvg::usvg::{Color, Group, Node, Paint, Path, Stroke, Text, TextAnchor, Tree};
+
+use super::error::PlotError;
+use super::tex::tex;
+
+/// Lengths of the file are in points of a PDF, of which a pixel has so many; y runs downwards as in the SVG.
+const POINTS: f32 = 0.75;
+
+/// The document.
+pub(crate) fn document(tree: &Tree, title: &str) -> Result<String, PlotError> {
+    let mut writer = Writer::default();
+    writer.group(tree.root(), 1)?;
+    let mut out = String::from("\\documentclass[border=0pt]{standalone}\n");
+    out.push_str("\\usepackage{tikz}\n\\usetikzlibrary{patterns.meta}\n\\begin{document}\n");
+    let _ok = writeln!(out, "% {}", title.replace('\n', " "));
+    for (color, name) in &writer.colors {
+        let _ok = writeln!(out, "\\definecolor{{{name}}}{{HTML}}{{{color}}}");
+    }
+    let _ok = writeln!(out, "\\begin{{tikzpicture}}[x={POINTS}bp, y=-{POINTS}bp, font=\\sffamily, line join=round]");
+    let (width, height) = (tree.size().width(), tree.size().height());
+    let _ok = writeln!(out, "  \\useasboundingbox (0,0) rectangle ({},{});", length(width), length(height));
+    out.push_str(&writer.body);
+    out.push_str("\\end{tikzpicture}\n\\end{document}\n");
+    Ok(out)
+}
+
+#[derive(Default)]
+struct Writer {
+    body: String,
+    /// Names of colours by their six digits.
+    colors: BTreeMap<String, String>,
+}
+
+/// A number without superfluous digits.
+fn length(value: f32) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+fn place(point: Point, transform: Transform) -> String {
+    let mut point = point;
+    transform.map_point(&mut point);
+    format!("({},{})", length(point.x), length(point.y))
+}
+
+/// How much longer a length is on the page.
+fn scale(transform: Transform) -> f32 {
+    transform.get_scale().0
+}
+
+impl Writer {
+    fn line(&mut self, depth: usize, text: &str) {
+        let _ok = writeln!(self.body, "{}{text}", "  ".repeat(depth));
+    }
+
+    fn color(&mut self, color: Color) -> String {
+        let digits = format!("{:02X}{:02X}{:02X}", color.red, color.green, color.blue);
+        let next = format!("bif{}", self.colors.len());
+        self.colors.entry(digits).or_insert(next).clone()
+    }
+
+    fn group(&mut self, group: &Group, depth: usize) -> Result<(), PlotError> {
+        for node in group.children() {
+            match node {
+                Node::Group(inner) if inner.id().is_empty() => self.group(inner, depth)?,
+                Node::Group(inner) => {
+                    self.line(depth, &format!("\\begin{{scope}} % {}", inner.id()));
+                    self.group(inner, depth + 1)?;
+                    self.line(depth, "\\end{scope}");
+                }
+                Node::Path(path) => self.path(path, depth),
+                Node::Text(text) => self.text(text, depth),
+                Node::Image(_) => return Err(PlotError::TikzImage),
+            }
+        }
+        Ok(())
+    }
+
+    fn path(&mut self, path: &Path, depth: usize) {
+        let transform = path.abs_transform();
+        let mut course = String::new();
+        for segment in path.data().segments() {
+            let at = |point| place(point, transform);
+            let _ok = match segment {
+                PathSegment::MoveTo(p) => write!(course, "{}{}", if course.is_empty() { "" } else { " " }, at(p)),
+                PathSegment::LineTo(p) => write!(course, "--{}", at(p)),
+                PathSegment::CubicTo(a, b, p) => write!(course, "..controls {} and {}..{}", at(a), at(b), at(p)),
+                // As one of the third degree would be: two thirds of the way to the control point. None is drawn.
+                PathSegment::QuadTo(c, p) => write!(course, "..controls {}..{}", at(c), at(p)),
+                PathSegment::Close => write!(course, "--cycle"),
+            };
+        }
+        let mut options: Vec<String> = Vec::new();
+        if let Some(fill) = path.fill() {
+            match fill.paint() {
+                Paint::Color(color) => options.push(format!("fill={}", self.color(*color))),
+                Paint::Pattern(pattern) => self.stripes(pattern.root(), &course, depth),
+                Paint::LinearGradient(_) | Paint::RadialGradient(_) => {}
+            }
+        }
+        if let Some(stroke) = path.stroke() {
+            options.extend(self.stroke(stroke, scale(transform)));
+        }
+        if !options.is_empty() {
+            options.push("even odd rule".to_owned());
+            self.line(depth, &format!("\\path[{}] {course};", options.join(", ")));
+        }
+    }
+
+    fn stroke(&mut self, stroke: &Stroke, scale: f32) -> Vec<String> {
+        let Paint::Color(color) = stroke.paint() else { return Vec::new() };
+        let points = |value: f32| format!("{}bp", length(value * scale * POINTS));
+        let mut options = vec![format!("draw={}", self.color(*color))];
+        options.push(format!("line width={}", points(stroke.width().get())));
+        if stroke.linecap() == resvg::usvg::LineCap::Round {
+            options.push("line cap=round".to_owned());
+        }
+        if let Some(dashes) = stroke.dasharray() {
+            let pattern: Vec<String> = dashes
+                .iter()
+                .enumerate()
+                .map(|(place, dash)| format!("{} {}", if place % 2 == 0 { "on" } else { "off" }, points(*dash)))
+                .collect();
+            options.push(format!("dash pattern={}", pattern.join(" ")));
+            let phase = stroke.dashoffset().rem_euclid(dashes.iter().sum::<f32>());
+            if phase > 0.0 {
+                options.push(format!("dash phase={}", points(phase)));
+            }
+        }
+        options
+    }
+
+    /// A striped ground: the first colour, and over it lines in each of the others.
+    fn stripes(&mut self, pattern: &Group, course: &str, depth: usize) {
+        let mut stripes: Vec<(Color, [f32; 2])> = Vec::new();
+        collect_stripes(pattern, &mut stripes);
+        let Some(((ground, [_, period]), stripes)) = stripes.split_first() else { return };
+        let ground = self.color(*ground);
+        self.line(depth, &format!("\\path[fill={ground}, even odd rule] {course};"));
+        let width = period / (stripes.len().max(1)) as f32;
+        for (place, (color, _)) in stripes.iter().enumerate().skip(1) {
+            let color = self.color(*color);
+            let points = |value: f32| format!("{}bp", length(value * POINTS));
+            let lines = format!(
+                "Lines[angle=45, distance={}, line width={}, xshift={}]",
+                points(*period),
+                points(width),
+                points(width * place as f32 * std::f32::consts::SQRT_2)
+            );
+            let line = format!("\\path[pattern={{{lines}}}, pattern color={color}, even odd rule] {course};");
+            self.line(depth, &line);
+        }
+    }
+
+    fn text(&mut self, text: &Text, depth: usize) {
+        let transform = text.abs_transform();
+        // The base line is shifted against the position that is given.
+        let shift = text.dy().first().copied().unwrap_or(0.0);
+        for chunk in text.chunks() {
+            let Some(span) = chunk.spans().first() else { continue };
+            let (Some(x), Some(y)) = (chunk.x(), chunk.y()) else { continue };
+            let anchor = match chunk.anchor() {
+                TextAnchor::Start => "base west",
+                TextAnchor::Middle => "base",
+                TextAnchor::End => "base east",
+            };
+            let color = match span.fill().map(resvg::usvg::Fill::paint) {
+                Some(Paint::Color(color)) => self.color(*color),
+                _ => continue,
+            };
+            let size = span.font_size().get() * scale(transform) * POINTS;
+            let at = place(Point::from_xy(x, y + shift), transform);
+            let size = format!("\\fontsize{{{}bp}}{{{}bp}}\\selectfont", length(size), length(1.2 * size));
+            let content = tex(chunk.text().trim());
+            self.line(
+                depth,
+                &format!(
+                    "\\node[anchor={anchor}, inner sep=0pt, outer sep=0pt, text={color}] at {at} {{{size} {content}}};"
+                ),
+            );
+        }
+    }
+}
+
+/// The rectangles of a striped pattern: their colours, left sides and widths.
+fn collect_stripes(group: &Group, stripes: &mut Vec<(Color, [f32; 2])>) {
+    for node in group.children() {
+        match node {
+            Node::Group(inner) => collect_stripes(inner, stripes),
+            Node::Path(path) => {
+                if let Some(Paint::Color(color)) = path.fill().map(resvg::usvg::Fill::paint) {
+                    let area = path.abs_bounding_box();
+                    stripes.push((*color, [area.left(), area.width()]));
+                }
+            }
+            Node::Text(_) | Node::Image(_) => {}
+        }
+    }
+}

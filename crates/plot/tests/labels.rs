@@ -1,0 +1,172 @@
+//! Labels of diagrams: of every class of the survey, the presets, random bodies, rods and real parts, none meets another
+//! thing, and every region is told.
+#![allow(clippy::disallowed_methods, clippy::cast_precision_loss)]
+
+mod picture_layout;
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use documents::DocumentOptions;
+use numbers::Number;
+use numbers::symmetric::Symmetric;
+use picture_layout::Layout;
+use plot::{CurveSource, DiagramOptions, Picture, draw};
+use schema::AtlasDocument;
+use serde_json::Value;
+use support::bodies::{STRATA, Stratum, random_body};
+use support::random::SplitMix64;
+use top::atlas::Atlas;
+use top::body::{Body, Preset, Tensor};
+
+/// Polylines as fine as a magnification needs.
+struct Curves(Atlas);
+
+impl CurveSource for Curves {
+    fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
+        self.0.polyline(curve.parse().ok()?, l, tolerance)
+    }
+}
+
+fn drawn(body: &Body) -> (AtlasDocument, Picture) {
+    let atlas = Curves(Atlas::new(body).expect("the body has an atlas"));
+    let options = DocumentOptions { polygons: false, ..DocumentOptions::default() };
+    let document = documents::atlas::document(&atlas.0, &options);
+    let picture = draw(&document, Some(&atlas), &DiagramOptions::default()).expect("the diagram can be drawn");
+    (document, picture)
+}
+
+/// What is wrong with the picture of a body.
+fn faults(name: &str, body: &Body) -> Vec<String> {
+    let (atlas, picture) = drawn(body);
+    // For the eye: set PLOT_OUT to a directory.
+    if let Some(out) = std::env::var_os("PLOT_OUT").map(std::path::PathBuf::from) {
+        std::fs::write(out.join(format!("{name}.svg")), &picture.svg).unwrap();
+    }
+    let layout = Layout::of(&picture);
+    let mut faults = layout.collisions();
+    for region in &atlas.regions {
+        let told = |text: &str| {
+            let rest = text.strip_prefix(&region.id);
+            // In a label, in the key, or in a note on what cannot be drawn.
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", U = ") || rest.starts_with(": "))
+                || text.contains(&format!("{} (", region.id))
+        };
+        if !layout.texts.iter().any(|(text, _, _)| told(text)) {
+            faults.push(format!("{} is not told", region.id));
+        }
+    }
+    for (text, _, _) in &layout.texts {
+        for (sign, rest) in ["h ×", "l ×"].into_iter().filter_map(|sign| Some((sign, text.split_once(sign)?.1))) {
+            // Powers of ten begin at thousands.
+            let number: String = rest.chars().take_while(|c| c.is_ascii_digit() || *c == '.').collect();
+            if !rest[number.len()..].starts_with("·10") && number.parse::<f64>().unwrap() < 2.95 {
+                faults.push(format!("an inset magnifies {sign}{number} only"));
+            }
+        }
+    }
+    faults.into_iter().map(|fault| format!("{name}: {fault}")).collect()
+}
+
+fn triple(value: &Value) -> [f64; 3] {
+    std::array::from_fn(|k| value[k].as_f64().unwrap())
+}
+
+/// The first body of each class that the survey met, and those with most regions among bodies that cannot exist.
+fn survey() -> Vec<(String, Body)> {
+    let mut bodies = Vec::new();
+    for (survey, least) in [("general", 0), ("positive", 24)] {
+        let summary: Value = serde_json::from_str(&support::data(&format!("survey/{survey}.summary.json"))).unwrap();
+        let classes = summary["classes"].as_array().unwrap();
+        for class in classes.iter().filter(|class| class["regions"].as_u64().unwrap() >= least) {
+            let first = &class["first"];
+            let body = Body::from_f64(triple(&first["A"]), triple(&first["r"])).unwrap();
+            bodies.push((format!("class-{survey}-{}", class["class"].as_str().unwrap()), body));
+        }
+    }
+    bodies
+}
+
+fn random(count: usize) -> Vec<(String, Body)> {
+    let mut rng = SplitMix64::new(20);
+    // Every second body is special.
+    let stratum = |n: usize| if n.is_multiple_of(2) { Stratum::Generic } else { STRATA[n / 2 % STRATA.len()] };
+    (0..count).map(|n| (format!("random-{n}"), random_body(&mut rng, stratum(n)))).collect()
+}
+
+/// Thin rods whose centre of mass lies near their axis.
+fn rods(count: u32) -> Vec<(String, Body)> {
+    let mut rng = SplitMix64::new(7);
+    let body = |n: u32| {
+        let thickness = rng.power_of_ten(-6.0, -1.0);
+        let moments = [thickness, 1.0, 1.0 + 0.9 * thickness * rng.unit()];
+        let center = [1.0, rng.power_of_ten(-4.0, -1.0), rng.power_of_ten(-4.0, -1.0)];
+        (format!("rod-{n}"), Body::from_f64(moments, center).unwrap())
+    };
+    (0..count).map(body).collect()
+}
+
+/// Point masses of a few kilograms on turned frames, in SI units: numbers with many digits on every scale.
+fn parts(count: u32) -> Vec<(String, Body)> {
+    let mut rng = SplitMix64::new(11);
+    let body = |n: u32| {
+        let size = rng.power_of_ten(-3.0, 0.0);
+        let masses: Vec<(f64, [f64; 3])> =
+            (0..6).map(|_| (rng.between(0.1, 2.0), [0.0; 3].map(|_| size * rng.between(-1.0, 1.0)))).collect();
+        let mut rows = [[0.0; 3]; 3];
+        let mut center = [0.0; 3];
+        for (mass, at) in &masses {
+            let square: f64 = at.iter().map(|x| x * x).sum();
+            for i in 0..3 {
+                center[i] += 9.80665 * mass * at[i];
+                for j in 0..3 {
+                    rows[i][j] += mass * (if i == j { square } else { 0.0 } - at[i] * at[j]);
+                }
+            }
+        }
+        let exact = |x: f64| Number::from_f64(x).unwrap().value().clone();
+        let upper = [rows[0][0], rows[1][1], rows[2][2], rows[0][1], rows[0][2], rows[1][2]].map(exact);
+        let tensor = Tensor::new(Symmetric::new(upper), center.map(exact)).unwrap();
+        (format!("part-{n}"), tensor.principal().unwrap().body)
+    };
+    (0..count).map(body).collect()
+}
+
+#[test]
+fn no_label_of_four_hundred_diagrams_meets_anything() {
+    let presets = Preset::all().iter().map(|preset| (preset.name().replace(':', "-"), preset.body()));
+    let mut bodies: Vec<(String, Body)> = presets.collect();
+    bodies.extend(survey());
+    bodies.extend(random(200));
+    bodies.extend(rods(60));
+    bodies.extend(parts(60));
+    assert!(bodies.len() > 400, "{} bodies", bodies.len());
+    let next = AtomicUsize::new(0);
+    let found: Mutex<Vec<String>> = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                while let Some((name, body)) = bodies.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    found.lock().unwrap().extend(faults(name, body));
+                }
+            });
+        }
+    });
+    let found = found.into_inner().unwrap();
+    assert!(found.is_empty(), "{} faults in {} diagrams:\n{}", found.len(), bodies.len(), found.join("\n"));
+}
+
+#[test]
+fn a_collision_is_found() {
+    let (_, picture) = drawn(&Preset::find("paper").unwrap().body());
+    assert_eq!(Layout::of(&picture).collisions(), Vec::<String>::new());
+    // The first label with a box moves to the middle of another region's text.
+    let layout = Layout::of(&picture);
+    let [one, other] = [&layout.texts[layout.texts.len() - 1].0, &layout.texts[0].0];
+    assert_ne!(one, other);
+    let mut moved = Layout::of(&picture);
+    let place = moved.boxes[0].1;
+    moved.texts[0].1 = place;
+    moved.leaders[0].1 = [[place.left() - 5.0, place.top() + 1.0], [place.right() + 5.0, place.bottom() - 1.0]];
+    assert!(moved.collisions().len() >= 2);
+}
