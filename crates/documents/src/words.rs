@@ -52,11 +52,13 @@ pub fn motion(curve: &CurveDocument) -> String {
         CurveKind::Axis => "rotation about a principal axis",
         CurveKind::Sphere => "any rotation",
     };
-    let kind = match curve.index {
-        Some(0) => ", minima of U_l",
-        Some(1) => ", saddles of U_l",
-        Some(_) => ", maxima of U_l",
-        None => "",
+    // A circle of index 1 falls off on both of its sides.
+    let kind = match (curve.kind, curve.index) {
+        (_, Some(0)) => ", minima of U_l",
+        (CurveKind::Circle, Some(_)) => ", maxima of U_l",
+        (_, Some(1)) => ", saddles of U_l",
+        (_, Some(_)) => ", maxima of U_l",
+        (_, None) => "",
     };
     format!("{what} of branch {}, {}{kind}", curve.branch, curve.branch_name)
 }
@@ -103,13 +105,16 @@ pub fn crossing(curve: &CurveDocument, from: &[ComponentDocument], to: &[Compone
     let times = if curve.multiplicity == 2 { " (twice)" } else { "" };
     let surgery = match (curve.kind, curve.index) {
         (CurveKind::PolePlus | CurveKind::PoleMinus, _) => {
-            let pole = if curve.kind == CurveKind::PolePlus { "+r̂" } else { "-r̂" };
+            let pole = pole_name(curve.kind);
             let way = if upwards { "enters" } else { "leaves" };
             let genus = if upwards { "rises" } else { "falls" };
             format!("the pole {pole} {way} U; E stays as it is, the genus of P {genus} by one")
         }
         (CurveKind::Sphere, _) => format!("all of U {}", if upwards { "appears" } else { "vanishes" }),
         (CurveKind::Circle, Some(0)) => format!("an annulus of U {}", if upwards { "appears" } else { "vanishes" }),
+        (CurveKind::Circle, _) => {
+            format!("along a whole circle of maxima U {}", if upwards { "closes" } else { "opens" })
+        }
         (_, Some(0)) => {
             format!(
                 "a disc of U{times} {}, and with it a three-sphere of E",
@@ -144,22 +149,47 @@ pub fn passage(atlas: &Atlas, document: &AtlasDocument, passage: &Passage) -> St
     let (from, to) = (of(passage.from), of(passage.to));
     let (before, after) = (components(from), components(to));
     let way = format!("{} → {}", name(passage.from), name(passage.to));
-    let id = CurveName::of(&atlas.arrangement().set, passage.curve).to_string();
-    let between = |one: &RegionDocument, other: Option<&RegionDocument>| {
+    let nearest = CurveName::of(&atlas.arrangement().set, passage.curve).to_string();
+    let alone = document.curves.iter().find(|curve| curve.id == nearest).and_then(|curve| at_once(document, curve));
+    let between = |one: &RegionDocument, other: Option<&RegionDocument>, id: &str| {
         let other = other.map(|region| &region.id);
         one.neighbours.iter().any(|neighbour| neighbour.curve == id && neighbour.region.as_ref() == other)
     };
-    let adjacent = [(from, to), (to, from)].into_iter().any(|(one, other)| one.is_some_and(|one| between(one, other)));
-    match document.curves.iter().find(|curve| curve.id == id) {
-        Some(curve) if adjacent && curve.coincides_with.is_empty() => {
+    let adjacent = |id: &str| {
+        [(from, to), (to, from)].into_iter().any(|(one, other)| one.is_some_and(|one| between(one, other, id)))
+    };
+    match alone.filter(|(curve, _)| adjacent(&curve.id)) {
+        Some((curve, pole)) => {
             let upwards = match (from, to) {
-                (Some(from), Some(to)) => lies_below(from, to, &id),
+                (Some(from), Some(to)) => lies_below(from, to, &curve.id),
                 (from, _) => from.is_none(),
             };
-            format!("{way} across {id}: {}.", crossing(curve, &before, &after, upwards))
+            let pole = pole.map_or_else(String::new, |pole| format!(", at the pole {}", pole_name(pole)));
+            format!("{way} across {}{pole}: {}.", curve.id, crossing(curve, &before, &after, upwards))
         }
-        _ => format!("{way}: several things happen at once ({} to {}).", names(&before), names(&after)),
+        None => format!("{way}: several things happen at once ({} to {}).", names(&before), names(&after)),
     }
+}
+
+/// The one critical curve at the place of a curve, and the pole line there; `None` where several critical curves lie there.
+fn at_once<'a>(
+    document: &'a AtlasDocument,
+    curve: &'a CurveDocument,
+) -> Option<(&'a CurveDocument, Option<CurveKind>)> {
+    let is_line = |curve: &CurveDocument| matches!(curve.kind, CurveKind::PolePlus | CurveKind::PoleMinus);
+    let others = document.curves.iter().filter(|other| curve.coincides_with.contains(&other.id));
+    let there: Vec<&CurveDocument> = std::iter::once(curve).chain(others).collect();
+    let line = there.iter().find(|curve| is_line(curve)).map(|curve| curve.kind);
+    let critical: Vec<&CurveDocument> = there.into_iter().filter(|curve| !is_line(curve)).collect();
+    match (&critical[..], line) {
+        ([], Some(_)) => Some((curve, None)),
+        ([critical], line) => Some((critical, line)),
+        _ => None,
+    }
+}
+
+fn pole_name(kind: CurveKind) -> &'static str {
+    if kind == CurveKind::PolePlus { "+r̂" } else { "-r̂" }
 }
 
 /// The components of U, or that there are none.

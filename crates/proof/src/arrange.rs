@@ -186,7 +186,7 @@ pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<
     let plain = Evaluator::<Wide>::new(&model, curves, &[], STAGES[1]);
     let mut events = single_events(&plain, &meetings)?;
     let mut bits = 0;
-    let (pairs, crossings) = {
+    let (mut pairs, crossings) = {
         let known = known_meetings(curves, &events);
         let mut stages = Stages::new(&model, curves, &known);
         let mut pairs = Vec::new();
@@ -202,7 +202,7 @@ pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<
                     Ok(None) => {}
                     Ok(Some(proof)) => {
                         for stretch in &proof.stretches {
-                            if let Proof::Crossing(x) = stretch.proof {
+                            if let Proof::Crossing(x) = &stretch.proof {
                                 crossings.push(crossing_event(&plain, [a, b], x));
                             }
                         }
@@ -219,6 +219,7 @@ pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<
         (pairs, crossings)
     };
     events.extend(crossings);
+    bits = bits.max(told_apart(&mut events, &mut pairs, &model, curves));
     events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
     let events = Table::from(events);
     let transitions = transitions(&events)?;
@@ -337,15 +338,45 @@ fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<Passage> {
     known
 }
 
-fn crossing_event(evaluator: &Evaluator<'_, Wide>, pair: [CurveId; 2], x: [f64; 2]) -> Event {
+fn crossing_event(evaluator: &Evaluator<'_, Wide>, pair: [CurveId; 2], x: &[RBig; 2]) -> Event {
     // h rises with x.
-    let height = |x: f64| {
-        let point = evaluator.point(pair[0], &Wide::double(x, evaluator.c.precision));
+    let height = |x: &RBig| {
+        let point = evaluator.point(pair[0], &Wide::rational(x, evaluator.c.precision));
         point.map_or([f64::NEG_INFINITY, f64::INFINITY], |point| point.h().bounds())
     };
-    let h = [height(x[0])[0], height(x[1])[1]];
-    let exact = x.map(|x| RBig::try_from(x).unwrap_or(RBig::ZERO));
-    Event { sources: vec![Source::Crossing(pair)], curves: pair.to_vec(), x: exact, h }
+    let h = [height(&x[0])[0], height(&x[1])[1]];
+    Event { sources: vec![Source::Crossing(pair)], curves: pair.to_vec(), x: x.clone(), h }
+}
+
+/// Narrows the boxes of crossings that overlap other events of their curves, with as many bits as it takes; which bits.
+fn told_apart(events: &mut [Event], pairs: &mut [PairProof], model: &Model, curves: &Curves) -> usize {
+    let overlaps = |p: &Event, q: &Event| {
+        p.x[0] <= q.x[1] && q.x[0] <= p.x[1] && p.curves.iter().any(|curve| q.curves.contains(curve))
+    };
+    let mut used = 0;
+    for bits in STAGES {
+        let open: Vec<usize> = (0..events.len())
+            .filter(|&n| matches!(events[n].sources[..], [Source::Crossing(_)]))
+            .filter(|&n| (0..events.len()).any(|m| m != n && overlaps(&events[n], &events[m])))
+            .collect();
+        if open.is_empty() {
+            break;
+        }
+        used = bits;
+        let evaluator = Evaluator::<Wide>::new(model, curves, &[], bits);
+        for n in open {
+            let [Source::Crossing(pair)] = events[n].sources[..] else { continue };
+            if let Some(x) = evaluator.narrowed(pair, &events[n].x) {
+                let proofs =
+                    pairs.iter_mut().filter(|proof| proof.curves == pair).flat_map(|proof| &mut proof.stretches);
+                for stretch in proofs.filter(|stretch| stretch.proof == Proof::Crossing(events[n].x.clone())) {
+                    stretch.proof = Proof::Crossing(x.clone());
+                }
+                events[n] = crossing_event(&evaluator, pair, &x);
+            }
+        }
+    }
+    used
 }
 
 /// Groups of events whose x cannot be told apart; each group must consist of events on different curves.

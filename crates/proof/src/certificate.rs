@@ -21,8 +21,11 @@ use top::curves::{CurveId, CurveName, End, Pole};
 use top::table::Id;
 
 /// Digits of isolating ranges.
-const ROOT_DIGITS: usize = 40;
-/// Digits of the places of nodes.
+const ROOT_DIGITS: usize = 66;
+/// Digits of events, which may lie close together, and of the places of nodes that are known better than to doubles:
+/// fewer than of roots, so that a second arithmetic confirms them.
+const FINE_DIGITS: usize = 44;
+/// Digits of the places of nodes that are known to doubles.
 const NODE_DIGITS: usize = 24;
 
 impl CertifiedAtlas {
@@ -79,7 +82,7 @@ impl CertifiedAtlas {
                 .map(|event| CertifiedEvent {
                     sources: event.sources.iter().map(source).collect(),
                     curves: names(&event.curves),
-                    x: decimal::outward(&widened(&event.x), NODE_DIGITS),
+                    x: decimal::outward(&widened(&event.x), FINE_DIGITS),
                     h: decimal::outward(&event.h.map(super::region::exact), NODE_DIGITS),
                 })
                 .collect(),
@@ -90,7 +93,7 @@ impl CertifiedAtlas {
                 .pairs()
                 .filter_map(|(id, region)| {
                     let sample = region.sample.as_ref()?;
-                    let h = decimal::exact(&super::region::exact(sample.h));
+                    let h = decimal::exact(&sample.h);
                     Some(CertifiedSample { region: id.to_string(), slab: sample.cell.slab.index(), h })
                 })
                 .collect(),
@@ -106,11 +109,13 @@ impl CertifiedAtlas {
         stretch: &Stretch,
     ) -> CertifiedStretch {
         CertifiedStretch {
-            from: self.node(narrow, wide, curves, stretch.x[0], 0),
-            to: self.node(narrow, wide, curves, stretch.x[1], 1),
+            from: self.node(narrow, wide, curves, &stretch.x[0], 0),
+            to: self.node(narrow, wide, curves, &stretch.x[1], 1),
             sign: stretch.sign,
-            crossing: match stretch.proof {
-                Proof::Crossing(x) => Some(x.map(|x| self.node(narrow, wide, curves, Mark::At(x), 0))),
+            crossing: match &stretch.proof {
+                Proof::Crossing(x) => {
+                    Some(x.each_ref().map(|x| self.node(narrow, wide, curves, &Mark::At(x.clone()), 0)))
+                }
                 Proof::Constant => None,
             },
         }
@@ -136,14 +141,13 @@ impl CertifiedAtlas {
         narrow: &Evaluator<'_, Interval>,
         wide: &Evaluator<'_, Wide>,
         curves: [CurveId; 2],
-        mark: Mark,
+        mark: &Mark,
         side: usize,
     ) -> CertifiedNode {
         if let Mark::At(x) = mark {
-            let x = super::region::exact(x);
-            let places = curves.map(|c| place_over(narrow, c, &x).or_else(|| place_over(wide, c, &x)));
-            let [Some(p), Some(q)] = places else { return CertifiedNode { x: Some(decimal::exact(&x)), places: None } };
-            return CertifiedNode { x: Some(decimal::exact(&x)), places: Some([p, q]) };
+            let places = curves.map(|c| place_over(narrow, c, x).or_else(|| place_over(wide, c, x)));
+            let [Some(p), Some(q)] = places else { return CertifiedNode { x: Some(decimal::exact(x)), places: None } };
+            return CertifiedNode { x: Some(decimal::exact(x)), places: Some([p, q]) };
         }
         CertifiedNode { x: None, places: self.end_places(wide, curves, side) }
     }
@@ -167,7 +171,7 @@ impl CertifiedAtlas {
         let end = wide.end_point(curves[ending], side)?;
         let opposite = wide.point(curves[1 - ending], &end.x)?;
         // The place opposite must hold x of the whole range in which the end is isolated.
-        let (p, q) = (document(&end.place?, ROOT_DIGITS)?, document(&opposite.place?, NODE_DIGITS)?);
+        let (p, q) = (document(&end.place?, ROOT_DIGITS)?, document(&opposite.place?, FINE_DIGITS)?);
         Some(if ending == 0 { [p, q] } else { [q, p] })
     }
 }
@@ -183,7 +187,7 @@ fn source(source: &Source) -> String {
 
 /// A little room, so that a second arithmetic with roundings of its own can confirm the enclosure.
 fn widened([lo, hi]: &[RBig; 2]) -> [RBig; 2] {
-    let room = hi / RBig::from(IBig::ONE << 80);
+    let room = hi / RBig::from(IBig::ONE << 140);
     [lo - &room, hi + room]
 }
 
@@ -191,7 +195,11 @@ fn widened([lo, hi]: &[RBig; 2]) -> [RBig; 2] {
 fn place_over<E: Enclosure>(evaluator: &Evaluator<'_, E>, curve: CurveId, x: &RBig) -> Option<PlaceDocument> {
     let Shape::Family(_) = evaluator.curves.list[curve].shape else { return None };
     let point = evaluator.point(curve, &E::rational(x, evaluator.c.precision))?;
-    document(point.place.as_ref()?, NODE_DIGITS)
+    let place = point.place.as_ref()?;
+    let [lo, hi] = place.1.exact_bounds()?;
+    // Rounding must not reach beyond the end of a curve that is near.
+    let is_coarse = (hi.clone() - lo) * RBig::from(IBig::from(10).pow(NODE_DIGITS - 4)) > hi;
+    document(place, if is_coarse { NODE_DIGITS } else { FINE_DIGITS })
 }
 
 fn document<E: Enclosure>((half, y): &(Half, E), digits: usize) -> Option<PlaceDocument> {

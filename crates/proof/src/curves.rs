@@ -45,6 +45,15 @@ pub(super) struct Segment {
 }
 
 impl Segment {
+    /// x rises with y.
+    pub fn is_rising(&self) -> bool {
+        match &self.ends {
+            [Bound::Zero, _] | [_, Bound::Infinity] => true,
+            [Bound::Infinity, _] | [_, Bound::Zero] => false,
+            [Bound::At(from), Bound::At(to)] => from.lo < to.lo,
+        }
+    }
+
     /// Where h − x/a goes when the segment ends at infinity on the generic family.
     fn limit(&self) -> Option<Limit> {
         match self.half {

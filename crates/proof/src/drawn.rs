@@ -95,7 +95,13 @@ impl CertifiedAtlas {
                 |sample| {
                     let strip = &proved.slabs[sample.cell.slab];
                     let nearest = map[strip.order[sample.cell.position]];
-                    atlas::Sample { x: double(&strip.x), h: sample.h, margin: sample.margin, error: 0.0, nearest }
+                    atlas::Sample {
+                        x: double(&strip.x),
+                        h: double(&sample.h),
+                        margin: sample.margin,
+                        error: 0.0,
+                        nearest,
+                    }
                 },
             );
             atlas::Region {

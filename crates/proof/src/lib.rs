@@ -26,6 +26,7 @@ mod exact;
 mod family;
 mod heights;
 mod id;
+mod mirror;
 mod model;
 mod pair;
 mod plane;

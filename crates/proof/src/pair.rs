@@ -3,12 +3,15 @@
 //!
 //! On a stretch the slopes 1/J lie between their end values (J is monotone but for one known place). If they are
 //! disjoint, the gap is monotone and its signs at the ends tell whether the curves cross, once. Otherwise the gap is
-//! bounded from one end, or by the identity of [`Evaluator::range_sign`]; otherwise the stretch is halved. Both ends of
+//! bounded from one end, by the identity of [`Evaluator::range_sign`], or by the lemmas of `mirror`; otherwise the stretch is halved. Both ends of
 //! the half-line are closed by limits: a common cusp by the monotony of J through it, a common pitchfork by curvature,
 //! x → ∞ by the limits of slope and of h − x/a.
 
+use dashu_ratio::RBig;
+
 use super::curves::{Place, Shape};
 use super::family::Half;
+use super::plane::rounded;
 use super::point::{Evaluator, Passage, Point};
 use numbers::enclosure::Enclosure;
 use top::curves::{CurveId, End, PitchforkId};
@@ -23,16 +26,16 @@ const FAR: u32 = 90;
 pub(super) const POINTS: u32 = 4000;
 
 /// What ends a stretch.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Mark {
     /// The lower or upper end of the common range.
     End,
     /// This x.
-    At(f64),
+    At(RBig),
 }
 
 /// A stretch with a proved sign of h_a − h_b, or with one crossing.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Stretch {
     pub x: [Mark; 2],
     /// Sign at the lower end.
@@ -40,12 +43,12 @@ pub(super) struct Stretch {
     pub proof: Proof,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Proof {
     /// One sign all along.
     Constant,
     /// The gap is monotone and vanishes once, between these two.
-    Crossing([f64; 2]),
+    Crossing([RBig; 2]),
 }
 
 /// Everything about one pair.
@@ -65,16 +68,17 @@ pub(super) struct Open {
 #[derive(Clone, Debug)]
 struct Node<E: Enclosure> {
     x: E,
-    mark: Mark,
+    /// One of the two curves ends here.
+    is_end: bool,
     at: [Point<E>; 2],
     sign: Option<i8>,
     gap: E,
 }
 
 impl<E: Enclosure> Node<E> {
-    fn double(&self) -> f64 {
-        let [lo, hi] = self.x.bounds();
-        0.5 * (lo + hi)
+    fn mark(&self) -> Mark {
+        let at = self.x.exact_bounds().filter(|_| !self.is_end);
+        at.map_or(Mark::End, |[at, _]| Mark::At(at))
     }
 }
 
@@ -217,14 +221,14 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let opposite = self.point(curves[other], &end.x)?;
         let at = if ending == 0 { [end, opposite] } else { [opposite, end] };
         let x = at[ending].x.clone();
-        let node = self.node_of(x, Mark::End, at);
+        let node = self.node_of(x, true, at);
         let meet = self.meet_at(Passage { curve: curves[ending], side, other: curves[other] });
         Some(Some(Side::Node(Box::new(if meet { self.meeting(node) } else { node }))))
     }
 
-    fn node_of(&self, x: E, mark: Mark, at: [Point<E>; 2]) -> Node<E> {
+    fn node_of(&self, x: E, is_end: bool, at: [Point<E>; 2]) -> Node<E> {
         let gap = self.gap(&at[0], &at[1]);
-        Node { x, mark, sign: gap.sign(), gap, at }
+        Node { x, is_end, sign: gap.sign(), gap, at }
     }
 
     /// A node at which the curves are known to meet.
@@ -232,18 +236,35 @@ impl<E: Enclosure> Evaluator<'_, E> {
         Node { sign: Some(0), gap: self.c.small(0), ..node }
     }
 
-    /// The node at x, or at a number with few bits next to it.
-    fn node_near(&self, curves: [CurveId; 2], x: f64, between: [f64; 2]) -> Option<Node<E>> {
-        const DROPPED: u32 = 30;
-        let short = f64::from_bits((x.to_bits() >> DROPPED) << DROPPED);
-        let inside = between[0] < short && short < between[1];
-        self.node(curves, if inside { short } else { x })
+    /// The node over this x.
+    fn node(&self, curves: [CurveId; 2], x: &E) -> Option<Node<E>> {
+        let at = [self.point(curves[0], x)?, self.point(curves[1], x)?];
+        Some(self.node_of(x.clone(), false, at))
     }
 
-    fn node(&self, curves: [CurveId; 2], x: f64) -> Option<Node<E>> {
-        let set = E::double(x, self.c.precision);
-        let at = [self.point(curves[0], &set)?, self.point(curves[1], &set)?];
-        Some(self.node_of(set, Mark::At(x), at))
+    /// The node over a number with few bits near low + t (high − low).
+    fn node_within(&self, curves: [CurveId; 2], low: &E, high: &E, t: f64) -> Option<Node<E>> {
+        self.node(curves, &self.place_within(low, high, t)?)
+    }
+
+    /// A number with few bits near low + t (high − low), strictly between the two.
+    fn place_within(&self, low: &E, high: &E, t: f64) -> Option<E> {
+        let precision = self.c.precision;
+        let place = (low.clone() + (high.clone() - low.clone()) * E::double(t, precision)).middle();
+        let double = place.bounds().into_iter().sum::<f64>() * 0.5;
+        let few = E::double(few_bits(double), precision);
+        let inside = |x: &E| (low.is_below(x) && x.is_below(high)) || (high.is_below(x) && x.is_below(low));
+        if inside(&few) {
+            return Some(few);
+        }
+        let short = place.exact_bounds().zip(low.exact_bounds().zip(high.exact_bounds()));
+        let short = short.map(|([place, _], ([low, _], [high, _]))| {
+            let room = [&place - low, high - &place].map(|d| if d < RBig::ZERO { -d } else { d });
+            let room = room.into_iter().min().unwrap_or(RBig::ONE);
+            E::rational(&rounded(place, &room), precision)
+        });
+        let is_point = |x: &E| x.exact_bounds().is_some_and(|[lo, hi]| lo == hi);
+        short.into_iter().chain([place]).find(|x| is_point(x) && inside(x))
     }
 
     /// The first node with a proved gap, and the stretch before it.
@@ -257,22 +278,19 @@ impl<E: Enclosure> Evaluator<'_, E> {
         match lower {
             Side::Node(node) => Ok(Some((**node).clone())),
             Side::Cusp(x) | Side::Pitchfork(x) => {
-                let from = x.bounds()[1];
-                let to = position(upper).map_or(f64::INFINITY, |x| x.bounds()[0]);
-                let mut step = if to.is_finite() { 0.5 * (to - from) } else { from };
-                let open = Open { x: [from, from + step] };
+                let from = x.upper();
+                let to = position(upper).map_or_else(|| from.clone() * self.c.small(2), |x| x.lower());
+                let open = Open { x: [from.bounds()[0], to.bounds()[1]] };
+                let mut t = if position(upper).is_some() { 0.5 } else { 1.0 };
                 for _ in 0..DEPTH {
                     let found = self
-                        .node_near(curves, from + step, [from, to])
+                        .node_within(curves, &from, &to, t)
                         .and_then(|node| self.sign_beside(curves, lower, &node, 0).map(|sign| (sign, node)));
                     if let Some((sign, node)) = found {
-                        stretches.push(Stretch { x: [Mark::End, node.mark], sign, proof: Proof::Constant });
+                        stretches.push(Stretch { x: [Mark::End, node.mark()], sign, proof: Proof::Constant });
                         return Ok(Some(node));
                     }
-                    step *= 0.25;
-                    if from + step <= from {
-                        break;
-                    }
+                    t *= 0.25;
                 }
                 Err(open)
             }
@@ -288,23 +306,22 @@ impl<E: Enclosure> Evaluator<'_, E> {
         first: &Node<E>,
         stretches: &mut Vec<Stretch>,
     ) -> Result<Node<E>, Open> {
-        let to = position(upper).map_or(f64::INFINITY, |x| x.bounds()[0]);
-        let from = first.double();
-        let mut step = 0.5 * (to - from);
+        let from = first.x.upper();
+        let to = position(upper).map(|x| x.lower());
+        let open = Open { x: [from.bounds()[0], to.as_ref().map_or(f64::INFINITY, |to| to.bounds()[1])] };
+        let to = to.ok_or(open)?;
+        let mut t = 0.5;
         for _ in 0..DEPTH {
             let found = self
-                .node_near(curves, to - step, [from, to])
+                .node_within(curves, &to, &from, t)
                 .and_then(|node| self.sign_beside(curves, upper, &node, 1).map(|sign| (sign, node)));
             if let Some((sign, node)) = found {
-                stretches.push(Stretch { x: [node.mark, Mark::End], sign, proof: Proof::Constant });
+                stretches.push(Stretch { x: [node.mark(), Mark::End], sign, proof: Proof::Constant });
                 return Ok(node);
             }
-            step *= 0.25;
-            if to - step >= to {
-                break;
-            }
+            t *= 0.25;
         }
-        Err(Open { x: [from, to] })
+        Err(open)
     }
 
     /// The sign of the gap between a common cusp or pitchfork and a node.
@@ -414,7 +431,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     ) -> Result<(), Open> {
         let open = Open { x: [from.x.bounds()[0], to.x.bounds()[1]] };
         if let Some((sign, proof)) = self.settled(curves, from, to).ok_or(open)? {
-            stretches.push(Stretch { x: [from.mark, to.mark], sign, proof });
+            stretches.push(Stretch { x: [from.mark(), to.mark()], sign, proof });
             return Ok(());
         }
         let depth = depth.checked_sub(1).ok_or(open)?;
@@ -427,46 +444,52 @@ impl<E: Enclosure> Evaluator<'_, E> {
     /// a crossing cannot be found.
     #[allow(clippy::option_option)]
     fn settled(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>) -> Option<Option<(i8, Proof)>> {
-        let constant = |sign: i8| Some(Some((sign, Proof::Constant)));
-        if let Some(slopes) = self.slopes(curves, from, Some(to)) {
-            let reach = (to.x.clone() - from.x.clone()).hull(&self.c.small(0));
-            // The gap at the lower end, then at the upper end, with the range of the difference of slopes.
-            if let Some(sign) = strict(&(from.gap.clone() + slopes.clone() * reach.clone())) {
-                return constant(sign);
-            }
-            if let Some(sign) = strict(&(to.gap.clone() - slopes.clone() * reach)) {
-                return constant(sign);
-            }
-            if strict(&slopes).is_some() {
-                match (from.sign, to.sign) {
-                    (Some(p), Some(q)) if p == q && p != 0 => return constant(p),
-                    // They meet at one end, which is proved elsewhere.
-                    (Some(0), Some(q)) | (Some(q), Some(0)) if q != 0 => return constant(q),
-                    (Some(p), Some(q)) if p * q < 0 => {
-                        let at = self.crossing(curves, from, to, p)?;
-                        return Some(Some((p, Proof::Crossing(at))));
-                    }
-                    _ => {}
-                }
-            }
+        if let Some(found) = self.slopes(curves, from, Some(to)).and_then(|slopes| self.by_slopes(from, to, &slopes)) {
+            return self.resolved(curves, from, to, found).map(Some);
         }
-        Some(self.sign_over(from, to).map(|sign| (sign, Proof::Constant)))
+        if let Some(sign) = self.sign_over(from, to) {
+            return Some(Some((sign, Proof::Constant)));
+        }
+        let edges = [from, to].map(|node| (&node.x, &node.at));
+        Some(self.mirrored_sign(curves, edges[0], Some(edges[1])).map(|sign| (sign, Proof::Constant)))
+    }
+
+    /// The course of the gap between two nodes with the range of the difference of slopes.
+    fn by_slopes(&self, from: &Node<E>, to: &Node<E>, slopes: &E) -> Option<Course> {
+        let reach = (to.x.clone() - from.x.clone()).hull(&self.c.small(0));
+        // The gap at the lower end, then at the upper end.
+        let ends = [from.gap.clone() + slopes.clone() * reach.clone(), to.gap.clone() - slopes.clone() * reach];
+        if let Some(sign) = ends.iter().find_map(strict) {
+            return Some(Course::Constant(sign));
+        }
+        strict(slopes)?;
+        match (from.sign?, to.sign?) {
+            (p, q) if p == q && p != 0 => Some(Course::Constant(p)),
+            // They meet at one end, which is proved elsewhere.
+            (0, q) | (q, 0) if q != 0 => Some(Course::Constant(q)),
+            (p, q) if p * q < 0 => Some(Course::Crossing(p)),
+            _ => None,
+        }
+    }
+
+    /// What slopes tell, with the box of the crossing; `None` when that cannot be found.
+    fn resolved(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, found: Course) -> Option<(i8, Proof)> {
+        match found {
+            Course::Constant(sign) => Some((sign, Proof::Constant)),
+            Course::Crossing(sign) => Some((sign, Proof::Crossing(self.crossing(curves, from, to, sign)?))),
+        }
     }
 
     /// A node between two others: at the first of several places that gives a sure sign.
     fn middle(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>) -> Option<Node<E>> {
-        let (low, high) = (from.x.bounds()[1], to.x.bounds()[0]);
-        [0.5, 0.4, 0.61]
-            .into_iter()
-            .map(|t| {
-                if high > 4.0 * low && low > 0.0 {
-                    low.sqrt() * high.sqrt() * (0.9 + 0.2 * t)
-                } else {
-                    low + t * (high - low)
-                }
-            })
-            .filter(|x| *x > low && *x < high)
-            .find_map(|x| self.node_near(curves, x, [low, high]).filter(|node| node.sign.is_some_and(|sign| sign != 0)))
+        let (low, high) = (from.x.upper(), to.x.lower());
+        let (near, far) = (low.bounds()[1], high.bounds()[0]);
+        // Far apart, halve the logarithm.
+        let share =
+            if far > 4.0 * near && near > 0.0 { ((near / far).sqrt() - near / far) / (1.0 - near / far) } else { 0.5 };
+        [1.0, 0.8, 1.22].into_iter().find_map(|t| {
+            self.node_within(curves, &low, &high, share * t).filter(|node| node.sign.is_some_and(|sign| sign != 0))
+        })
     }
 
     /// The sign from the identity over the ranges of both curves.
@@ -480,68 +503,93 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// A small box around the one crossing between two nodes.
-    fn crossing(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, sign: i8) -> Option<[f64; 2]> {
-        let value = |node: &Node<E>| {
-            let [lo, hi] = node.gap.bounds();
+    fn crossing(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, sign: i8) -> Option<[RBig; 2]> {
+        self.boxed(curves, [from.x.upper(), to.x.lower()], [&from.gap, &to.gap], sign)
+    }
+
+    /// A box of the crossing inside another one, at whose ends the gap has these signs: as small as these bits make it.
+    pub fn narrowed(&self, curves: [CurveId; 2], x: &[RBig; 2]) -> Option<[RBig; 2]> {
+        self.allow(POINTS);
+        let ends = x.each_ref().map(|x| E::rational(x, self.c.precision));
+        let nodes = [self.node(curves, &ends[0])?, self.node(curves, &ends[1])?];
+        let [Some(p), Some(q)] = nodes.each_ref().map(|node| node.sign) else { return None };
+        let found = (p * q < 0).then(|| self.boxed(curves, ends, [&nodes[0].gap, &nodes[1].gap], p))??;
+        (found[0] >= x[0] && found[1] <= x[1]).then_some(found)
+    }
+
+    fn boxed(&self, curves: [CurveId; 2], [mut low, mut high]: [E; 2], gaps: [&E; 2], sign: i8) -> Option<[RBig; 2]> {
+        let value = |gap: &E| {
+            let [lo, hi] = gap.bounds();
             0.5 * (lo + hi)
         };
-        let (mut low, mut high) = (from.x.bounds()[1], to.x.bounds()[0]);
-        let (mut at_low, mut at_high) = (value(from), value(to));
+        let [mut at_low, mut at_high] = gaps.map(value);
+        let close = self.c.small(4) * E::double(E::resolution(self.c.precision), self.c.precision);
         // Illinois' variant of the secant rule: the sign of an end that stays is damped.
-        for _ in 0..60 {
-            if high - low <= 8.0 * f64::EPSILON * high {
+        for _ in 0..80 {
+            if (high.clone() - low.clone()).is_below(&(high.clone() * close.clone())) {
                 break;
             }
-            let secant = low + (high - low) * (at_low / (at_low - at_high));
-            let fenced = secant.clamp(low + 1e-3 * (high - low) * 1e-12, high);
-            let x = if fenced > low && fenced < high { fenced } else { 0.5 * (low + high) };
-            let node = self.node(curves, x)?;
+            let secant = at_low / (at_low - at_high);
+            let share = if secant > 1e-12 && secant < 1.0 { secant } else { 0.5 };
+            let between = (low.clone() + (high.clone() - low.clone()) * E::double(share, self.c.precision)).middle();
+            let inside = low.is_below(&between) && between.is_below(&high);
+            let x = if inside { between } else { low.hull(&high).middle() };
+            let node = self.node(curves, &x)?;
             match node.sign {
                 Some(s) if s == sign => {
                     low = x;
-                    at_low = value(&node);
+                    at_low = value(&node.gap);
                     at_high *= 0.5;
                 }
                 Some(s) if s == -sign => {
                     high = x;
-                    at_high = value(&node);
+                    at_high = value(&node.gap);
                     at_low *= 0.5;
                 }
                 _ => {
-                    // The sign is hidden here: look for sure signs close by, on both sides.
-                    let mut reach = 4.0 * f64::EPSILON * x;
-                    for _ in 0..40 {
-                        let sure = |at: f64, wanted: i8| {
-                            at > low && at < high && self.node(curves, at).is_some_and(|node| node.sign == Some(wanted))
-                        };
-                        let below =
-                            (x - reach <= low).then_some(low).or_else(|| sure(x - reach, sign).then_some(x - reach));
-                        let above =
-                            (x + reach >= high).then_some(high).or_else(|| sure(x + reach, -sign).then_some(x + reach));
-                        if let (Some(p), Some(q)) = (below, above) {
-                            return Some([p, q]);
-                        }
-                        reach *= 2.0;
+                    let around = self.around(curves, &x, [&low, &high], sign);
+                    if let Some(ends) = around {
+                        [low, high] = ends;
                     }
                     break;
                 }
             }
         }
-        Some([low, high])
+        let [at, _] = low.exact_bounds()?;
+        let [_, end] = high.exact_bounds()?;
+        Some([at, end])
+    }
+
+    /// The sign is hidden at x: sure signs close by, on both sides.
+    fn around(&self, curves: [CurveId; 2], x: &E, [low, high]: [&E; 2], sign: i8) -> Option<[E; 2]> {
+        let precision = self.c.precision;
+        let sure = |at: &E, wanted: i8| self.node(curves, at).is_some_and(|node| node.sign == Some(wanted));
+        let mut reach = E::resolution(precision);
+        for _ in 0..60 {
+            let step = x.clone() * E::double(reach, precision);
+            let (down, up) = ((x.clone() - step.clone()).lower(), (x.clone() + step).upper());
+            let below = if low.is_below(&down) { sure(&down, sign).then_some(down) } else { Some(low.clone()) };
+            let above = if up.is_below(high) { sure(&up, -sign).then_some(up) } else { Some(high.clone()) };
+            if let (Some(below), Some(above)) = (below, above) {
+                return Some([below, above]);
+            }
+            reach *= 2.0;
+        }
+        None
     }
 
     fn to_infinity(&self, curves: [CurveId; 2], first: Node<E>, stretches: &mut Vec<Stretch>) -> Result<(), Open> {
         let mut node = first;
         for _ in 0..FAR {
             if let Some(sign) = self.far_sign(curves, &node) {
-                stretches.push(Stretch { x: [node.mark, Mark::End], sign, proof: Proof::Constant });
+                stretches.push(Stretch { x: [node.mark(), Mark::End], sign, proof: Proof::Constant });
                 return Ok(());
             }
             let from = node.x.bounds()[1];
             let next = [8.0, 7.0, 10.0]
                 .into_iter()
                 .find_map(|factor| {
-                    self.node_near(curves, factor * from, [2.0 * from, f64::INFINITY])
+                    self.node(curves, &E::double(few_bits(factor * from), self.c.precision))
                         .filter(|node| node.sign.is_some_and(|sign| sign != 0))
                 })
                 .ok_or(Open { x: [from, f64::INFINITY] })?;
@@ -553,6 +601,9 @@ impl<E: Enclosure> Evaluator<'_, E> {
 
     /// The sign all the way to infinity.
     fn far_sign(&self, curves: [CurveId; 2], node: &Node<E>) -> Option<i8> {
+        if let Some(sign) = self.mirrored_sign(curves, (&node.x, &node.at), None) {
+            return Some(sign);
+        }
         let gap = node.sign.filter(|sign| *sign != 0)?;
         if self.slopes(curves, node, None).and_then(|slopes| strict(&slopes)) == Some(gap) {
             return Some(gap);
@@ -592,6 +643,21 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 }
 
+/// A double near this one with few bits.
+fn few_bits(x: f64) -> f64 {
+    const DROPPED: u32 = 30;
+    f64::from_bits((x.to_bits() >> DROPPED) << DROPPED)
+}
+
+/// What the slopes tell of a stretch.
+#[derive(Clone, Copy, Debug)]
+enum Course {
+    /// One sign.
+    Constant(i8),
+    /// From this sign to the opposite one, once.
+    Crossing(i8),
+}
+
 fn strict<E: Enclosure>(set: &E) -> Option<i8> {
     set.sign().filter(|sign| *sign != 0)
 }
@@ -628,8 +694,8 @@ mod tests {
                 }
                 if let Some(proof) = evaluator.pair(a, b).unwrap_or_else(|open| panic!("{body:?} {a:?} {b:?} {open:?}"))
                 {
-                    found.extend(proof.stretches.iter().filter_map(|s| match s.proof {
-                        Proof::Crossing(x) => Some(x),
+                    found.extend(proof.stretches.iter().filter_map(|s| match &s.proof {
+                        Proof::Crossing(x) => Some(x.clone().map(|x| x.to_f64().value())),
                         Proof::Constant => None,
                     }));
                 }

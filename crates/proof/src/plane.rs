@@ -1,5 +1,6 @@
 //! The (h, l) plane of a body: its curves by name, its cells with their classes.
 
+use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 use numbers::enclosure::Enclosure;
@@ -128,16 +129,12 @@ impl Plane<'_> {
 }
 
 /// A number with few bits, less than a sixteenth of `room` from this one.
-fn rounded(value: RBig, room: &RBig) -> RBig {
-    let mut grid = RBig::ONE;
-    let two = RBig::from(2);
-    let sixteenth = room / RBig::from(16);
-    while grid > sixteenth {
-        grid = &grid / &two;
-    }
-    while &grid * &two <= sixteenth {
-        grid = &grid * &two;
-    }
+pub(super) fn rounded(value: RBig, room: &RBig) -> RBig {
+    // A power of two, at most a sixteenth of the room and more than a 64th.
+    let up = room.denominator().bit_len() + 5;
+    let down = room.numerator().bit_len();
+    let power = |bits: usize| RBig::from(IBig::ONE << bits);
+    let grid = if up > down { RBig::ONE / power(up - down) } else { power(down - up) };
     let steps: IBig = (value / &grid).round();
     RBig::from(steps) * grid
 }

@@ -195,15 +195,33 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
             Bound::At(place) => 0.5 * (place.lo.to_f64().value() + place.hi.to_f64().value()),
         };
         let y_ends = segment.ends.each_ref().map(limit);
-        let rising = y_ends[0] < y_ends[1];
+        let rising = segment.is_rising();
         let guess = self.guess(half, y_ends, ends, target);
-        let c = &self.c;
+        if !self.holds(segment, x) {
+            return None;
+        }
         let y = self.refined(half, guess, x);
+        let sides = self.sides(segment, rising, &y, x);
+        let sides = sides.or_else(|| self.sides(segment, rising, &self.bisected(segment, rising, x)?, x))?;
+        let range = sides[0].hull(&sides[1]);
+        let over = self.state(half, &range);
+        let at = self.state(half, &range.middle());
+        let one = self.c.small(1);
+        let slopes = one.clone() / over.j.clone() - one / at.j.clone();
+        let correction = (x.clone() - at.x.clone()) * slopes;
+        Some(Point { x: x.clone(), place: Some((half, range)), at, over, correction, critical: true })
+    }
+
+    /// Two y around the solution of x(y) = x, from a guess.
+    fn sides(&self, segment: &Segment, rising: bool, y: &E, x: &E) -> Option<[E; 2]> {
+        /// Beside a cusp x changes little with y; further away than this nothing is close.
+        const WIDEST: f64 = 0.05;
+        let c = &self.c;
         let mut radius = E::resolution(c.precision);
         let outer = segment.ends.each_ref().map(|bound| self.bound(segment, bound));
         let (mut sides, mut done) = ([y.clone(), y.clone()], [false, false]);
         // sides[0] towards smaller x, sides[1] towards larger x.
-        for _ in 0..12 {
+        while radius < WIDEST {
             let reach = y.clone() * E::double(radius, c.precision);
             for side in [0, 1] {
                 if done[side] {
@@ -225,25 +243,16 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                 if candidate.sign() != Some(1) {
                     return None;
                 }
-                let reached = self.state(half, &candidate).x;
+                let reached = self.state(segment.half, &candidate).x;
                 done[side] = if side == 0 { reached.is_below(x) } else { x.is_below(&reached) };
                 sides[side] = candidate;
             }
             if done == [true, true] {
-                break;
+                return Some(sides);
             }
             radius *= 16.0;
         }
-        if done != [true, true] || !self.holds(segment, x) {
-            return None;
-        }
-        let range = sides[0].hull(&sides[1]);
-        let over = self.state(half, &range);
-        let at = self.state(half, &range.middle());
-        let one = c.small(1);
-        let slopes = one.clone() / over.j.clone() - one / at.j.clone();
-        let correction = (x.clone() - at.x.clone()) * slopes;
-        Some(Point { x: x.clone(), place: Some((half, range)), at, over, correction, critical: true })
+        None
     }
 
     /// y of x, not proved: Newton's method doubles the digits of a guess good to ten.
@@ -259,6 +268,44 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
             digits *= digits;
         }
         y
+    }
+
+    /// y of x, not proved, where doubles do not tell it from an end of the segment: Newton's method inside a bracket.
+    fn bisected(&self, segment: &Segment, rising: bool, x: &E) -> Option<E> {
+        const STEPS: usize = 600;
+        let c = &self.c;
+        let [small, large] = if rising { [0, 1] } else { [1, 0] };
+        let side = |which: usize| self.bound(segment, &segment.ends[which]).map(|y| y.middle());
+        let mut low = side(small).unwrap_or_else(|| c.small(0));
+        let mut high = side(large);
+        let target = x.middle();
+        let mut next: Option<E> = None;
+        for _ in 0..STEPS {
+            let middle = || match &high {
+                Some(high) if low.sign() == Some(0) => (high.clone() * E::double(0.0625, c.precision)).middle(),
+                Some(high) => low.hull(high).middle(),
+                None => (low.clone() * c.small(16) + c.small(1)).middle(),
+            };
+            let inside = |y: &E| low.is_below(y) && high.as_ref().is_none_or(|high| y.is_below(high));
+            let y = next.take().filter(inside).unwrap_or_else(middle);
+            if y.sign() != Some(1) {
+                return None;
+            }
+            let state = self.state(segment.half, &y);
+            let residual = target.clone() / state.x.clone() - c.small(1);
+            let step = (residual.clone() / state.log_slope).middle();
+            let [lo, hi] = (step.clone() / y.clone()).bounds();
+            if lo.abs().max(hi.abs()) < 16.0 * E::resolution(c.precision) {
+                return Some((y + step).middle());
+            }
+            match residual.sign() {
+                Some(sign) if (sign > 0) == rising => low = y.clone(),
+                Some(_) => high = Some(y.clone()),
+                None => return Some(y),
+            }
+            next = Some((y + step).middle());
+        }
+        None
     }
 
     /// x lies between the x of the segment's ends (up to the enclosure of an end itself).

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 
 use super::arrange::{Arrangement, STAGES, Slab};
-use super::plane::{Gap, Open, Plane};
+use super::plane::{Gap, Open, Plane, rounded};
 use super::point::Evaluator;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::wide::Wide;
@@ -16,9 +16,9 @@ use top::topology::Component;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sample {
     pub cell: Cell,
-    /// Energy; a double.
-    pub h: f64,
-    /// Distances to the proved heights around, rounded down.
+    /// Energy: a double, unless the region is thinner than doubles are apart.
+    pub h: RBig,
+    /// Distance to the proved heights around, rounded down; 0 where no double lies between them.
     pub margin: f64,
 }
 
@@ -27,7 +27,7 @@ pub(super) struct Sample {
 pub(super) struct Region {
     /// By rising slab.
     pub cells: Vec<Cell>,
-    /// `None`: the region is thinner than doubles.
+    /// `None`: the heights around it are not told apart.
     pub sample: Option<Sample>,
     /// The components of U_hl, or why they are not proved.
     pub components: Result<Vec<Component>, Open>,
@@ -49,8 +49,15 @@ fn region(arrangement: &Arrangement, frame: &Frame, cells: Vec<Cell>) -> Region 
     let Cell { slab, position } = best.as_ref().map_or(cells[0], |sample| sample.cell);
     let strip = &arrangement.slabs[slab];
     let plane = Plane { model: &arrangement.model, frame };
-    let components = gap(arrangement, strip, position).and_then(|gap| plane.class(&strip.x, &gap));
-    Region { cells, sample: best, components }
+    let found = gap(arrangement, strip, position);
+    let thin = || {
+        let Ok(Gap { low: Some(low), high: Some(high) }) = &found else { return None };
+        let half = (high - low) / RBig::from(2);
+        Some(Sample { cell: Cell { slab, position }, h: rounded(low + &half, &half), margin: 0.0 })
+    };
+    let sample = best.or_else(thin);
+    let components = found.and_then(|gap| plane.class(&strip.x, &gap));
+    Region { cells, sample, components }
 }
 
 /// The bounds of a cell, with as many bits as part them.
@@ -101,7 +108,7 @@ fn sample(arrangement: &Arrangement, cell: Cell) -> Option<(f64, Sample)> {
     let inside = low[1] < h && strip.heights.get(position + 1).is_none_or(|high| h < high[0]);
     inside.then(|| {
         let margin = (h - low[1]).min(strip.heights.get(position + 1).map_or(f64::INFINITY, |high| high[0] - h));
-        (margin / scale, Sample { cell, h, margin })
+        (margin / scale, Sample { cell, h: exact(h), margin })
     })
 }
 

@@ -116,6 +116,14 @@ impl Fixed {
         (lo <= hi).then(|| Self { lo: lo.clone(), hi: hi.clone() })
     }
 
+    pub fn lower(&self) -> Self {
+        Self { lo: self.lo.clone(), hi: self.lo.clone() }
+    }
+
+    pub fn upper(&self) -> Self {
+        Self { lo: self.hi.clone(), hi: self.hi.clone() }
+    }
+
     pub fn middle(&self) -> Self {
         let sum = &self.lo + &self.hi;
         let middle: IBig = sum >> 1usize;

@@ -28,6 +28,7 @@ mod gap;
 mod gluing;
 mod interval;
 mod meetings;
+mod mirror;
 mod morse;
 mod node;
 mod number;

@@ -4,6 +4,7 @@ use schema::{CertificateDocument, CertifiedPair, CertifiedStretch};
 
 use super::Refused;
 use super::fixed::Fixed;
+use super::mirror;
 use super::node::{self, Node};
 use super::orders::Orders;
 use super::pieces::{Branch, End};
@@ -92,7 +93,10 @@ fn stretch(orders: &Orders, curves: [usize; 2], stretch: &CertifiedStretch) -> R
         };
     }
     let holds = match (&from, &to) {
-        (Some(from), Some(to)) => rules::keeps_order(orders, curves, [from, to], sign),
+        (Some(from), Some(to)) => {
+            rules::keeps_order(orders, curves, [from, to], sign)
+                || mirror::orders_branches(orders, curves, from, Some(to), sign)
+        }
         (Some(from), None) => beyond(orders, curves, from, 1, sign),
         (None, Some(to)) => beyond(orders, curves, to, 0, sign),
         (None, None) => false,
@@ -104,7 +108,9 @@ fn stretch(orders: &Orders, curves: [usize; 2], stretch: &CertifiedStretch) -> R
 fn beyond(orders: &Orders, curves: [usize; 2], node: &Node, side: usize, sign: i8) -> bool {
     match orders.pieces.list[curves[0]].ends[side] {
         End::Infinity => {
-            rules::parts_for_ever(orders, curves, node, sign) || rules::tends_to_one_axis(orders, curves, node, sign)
+            rules::parts_for_ever(orders, curves, node, sign)
+                || rules::tends_to_one_axis(orders, curves, node, sign)
+                || mirror::orders_branches(orders, curves, node, None, sign)
         }
         End::Cusp(_) => rules::leaves_cusp(orders, curves, node, side, sign),
         End::Pitchfork(_) => rules::leaves_pitchfork(orders, curves, node, side, sign),

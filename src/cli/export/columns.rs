@@ -69,6 +69,58 @@ impl Values {
         }
     }
 
+    /// The column itself; of words their places.
+    pub fn numbers(&self) -> &Self {
+        match self {
+            Self::Words { places, .. } => places.numbers(),
+            _ => self,
+        }
+    }
+
+    /// Bytes of a row.
+    pub fn row_bytes(&self) -> usize {
+        match self {
+            Self::Words { places, .. } => places.row_bytes(),
+            Self::Int8(_) => 1,
+            Self::Int32(_) => 4,
+            Self::Float { parts, .. } => 8 * parts.len(),
+        }
+    }
+
+    /// The numbers in little-endian bytes.
+    pub fn bytes(&self) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(self.len() * self.row_bytes());
+        match self {
+            Self::Words { places, .. } => return places.bytes(),
+            Self::Int8(values) => bytes.extend(values.iter().map(|x| x.cast_unsigned())),
+            Self::Int32(values) => values.iter().for_each(|x| bytes.extend_from_slice(&x.to_le_bytes())),
+            Self::Float { values, .. } => values.iter().for_each(|x| bytes.extend_from_slice(&x.to_le_bytes())),
+        }
+        bytes
+    }
+
+    /// Adds the numbers of [`bytes`](Self::bytes).
+    pub fn extend_from_bytes(&mut self, bytes: &[u8]) {
+        match self {
+            Self::Words { places, .. } => places.extend_from_bytes(bytes),
+            Self::Int8(values) => values.extend(bytes.iter().map(|x| x.cast_signed())),
+            Self::Int32(values) => values.extend(bytes.as_chunks().0.iter().map(|x| i32::from_le_bytes(*x))),
+            Self::Float { values, .. } => values.extend(bytes.as_chunks().0.iter().map(|x| f64::from_le_bytes(*x))),
+        }
+    }
+
+    /// The same kind of numbers, none of them.
+    fn without_rows(&self) -> Self {
+        match self {
+            Self::Words { words, places } => {
+                Self::Words { words: words.clone(), places: Box::new(places.without_rows()) }
+            }
+            Self::Int8(_) => Self::Int8(Vec::new()),
+            Self::Int32(_) => Self::Int32(Vec::new()),
+            Self::Float { parts, .. } => Self::Float { parts, values: Vec::new() },
+        }
+    }
+
     /// The text of entry `k` of a row.
     pub fn text(&self, row: usize, k: usize) -> String {
         match self {
@@ -82,6 +134,13 @@ impl Values {
             // The shortest text that reads back as the same double.
             Self::Float { parts, values } => format!("{:?}", values[row * parts.len() + k]),
         }
+    }
+}
+
+impl Column {
+    /// Its name and kind.
+    pub fn without_rows(&self) -> Self {
+        Self { name: self.name, values: self.values.without_rows() }
     }
 }
 

@@ -1,15 +1,25 @@
 //! JSON Lines: one object a row.
 
+use std::io::Write;
+
 use serde_json::Value;
 
-use super::columns::{Columns, Values};
+use super::columns::{Column, Values};
+use super::error::ExportError;
+use super::pieces::Pieces;
 
-/// The whole file. Numbers that JSON does not have (NaN) are null.
-pub fn lines(table: &Columns) -> String {
+/// Writes the whole file. Numbers that JSON does not have (NaN) are null.
+pub fn write(table: &mut impl Pieces, mut out: impl Write) -> Result<(), ExportError> {
+    table.pieces(&mut |columns| out.write_all(lines(columns).as_bytes())).map_err(ExportError::Table)?;
+    out.flush().map_err(ExportError::Table)?;
+    Ok(())
+}
+
+fn lines(columns: &[Column]) -> String {
     let mut out = String::new();
-    for row in 0..table.rows() {
+    for row in 0..columns.first().map_or(0, |column| column.values.len()) {
         out.push('{');
-        for (i, column) in table.columns.iter().enumerate() {
+        for (i, column) in columns.iter().enumerate() {
             if i > 0 {
                 out.push_str(", ");
             }
@@ -37,7 +47,7 @@ fn entry(values: &Values, row: usize, k: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::export::columns::Column;
+    use crate::cli::export::columns::Columns;
 
     #[test]
     fn each_row_is_an_object() {
@@ -48,7 +58,7 @@ mod tests {
             ],
             meta: String::new(),
         };
-        let text = lines(&table);
+        let text = lines(&table.columns);
         let rows: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
         assert_eq!(rows[0], serde_json::json!({"time": 0.5, "gamma": [1.0, 0.0, -1e-9]}));
         assert!(rows[1]["time"].is_null());

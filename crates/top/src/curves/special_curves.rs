@@ -89,15 +89,17 @@ impl CriticalSet {
                 let state = family.at(&self.frame, t);
                 (t, Point::over(&self.frame, state.x, state.gamma, state.j))
             });
+            // dx/ds has the sign of a + 3R̂/s²: x falls up to the cusp and rises beyond it, also where rounding hides that.
             let push = |set: &mut Self, piece, from: (f64, f64, f64), to: (f64, f64, f64), mut ends: [End; 2]| {
                 let (mut t, mut x, mut slope) = ([from.0, to.0], [from.1, to.1], [from.2, to.2]);
-                let rising = x[0] < x[1];
+                let rising = !matches!(ends[1], End::Cusp(_));
                 if !rising {
                     t.reverse();
                     x.reverse();
                     slope.reverse();
                     ends.reverse();
                 }
+                x[0] = x[0].min(x[1]);
                 let index = index::symmetric(&set.frame, &family, t, rising, orbit);
                 let arcs = vec![Arc { shape: Shape::Symmetric { family, t }, x, slope }];
                 let index = Some(index);
