@@ -21,10 +21,10 @@ const ORDER: [(&str, &str); 11] = [
         "crates/top/src",
         "table body curves stability continuation topology diagram atlas class classify critical permanent accessible",
     ),
-    ("crates/part/src", "units spin existence products mass mesh link"),
+    ("crates/part/src", "units spin existence products mass mesh link file"),
     (
         "crates/proof/src",
-        "id model family curves estimate point pair polar arrange region certificate drawn ridges heights plane vertex exact \
+        "id model family curves estimate point pair polar arrange ridges heights plane region certificate drawn vertex exact \
          accuracy prepared",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
@@ -32,14 +32,14 @@ const ORDER: [(&str, &str); 11] = [
     (
         "crates/documents/src",
         "command layout body subject classification critical grid atlas certified scan reading border find witnesses \
-         section spin",
+         section spin words",
     ),
     (
         "crates/verify/src",
         "refused number interval cube classes component body sturm fixed spaces place equilibria roots pieces meetings \
          stand orders node rules pairs events slabs gluing regions gap morse sphere topology",
     ),
-    ("crates/plot/src", "page chart campbell diagram codes map schematic section sphere part"),
+    ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
     (
         "src/cli",
         "failure terminal input export batch bodies part spin pages schema atlas show classify critical verify section sphere \

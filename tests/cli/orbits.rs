@@ -89,3 +89,21 @@ fn passing_the_pole_is_told() {
     assert!(document["summary"]["at_pole"].as_u64().unwrap() > 0);
     assert!(document["summary"]["attitude_difference"].as_f64().unwrap() < 1e-11);
 }
+
+#[test]
+fn a_motion_becomes_a_moving_picture() {
+    let place = tempfile::tempdir().unwrap();
+    let line = "orbit --body paper --h 4.45 --l 3.25 --theta 1.2 --psi pi/2 --times 0:20:3 --animate";
+    bifdiag(&format!("{line} m.svg")).inside(place.path()).succeeds().printing("written: m.svg");
+    let svg = std::fs::read_to_string(place.path().join("m.svg")).unwrap();
+    assert!(svg.starts_with("<svg") && svg.contains("T⁺") && svg.matches("calcMode=\"discrete\"").count() > 10);
+    assert!(svg.len() < 600_000, "{} bytes", svg.len());
+    bifdiag(&format!("{line} m.html")).inside(place.path()).succeeds();
+    let page = std::fs::read_to_string(place.path().join("m.html")).unwrap();
+    assert!(page.contains(svg.trim_end()) && !page.contains("http://localhost"));
+    // Without weight there is no section, but a body that turns.
+    let free = "orbit --body euler --gamma 0,0,1 --omega 1,0.1,0.2 --times 0:20:3 --animate f.svg";
+    bifdiag(free).inside(place.path()).succeeds();
+    assert!(!std::fs::read_to_string(place.path().join("f.svg")).unwrap().contains("T⁺"));
+    bifdiag(&format!("{line} m.gif")).refused().telling("FILE.svg or FILE.html");
+}

@@ -282,3 +282,48 @@ fn a_regular_precession_is_recognised() {
     }
     assert_eq!(found, 1, "one of the two sheets has this precession");
 }
+
+const LONG: &str = "section --body paper --h 4.45 --l 3.25 --orbits 7 --crossings 300 --no-plot";
+
+#[test]
+fn streamed_data_are_those_from_memory() {
+    let place = tempfile::tempdir().unwrap();
+    for (ending, rest) in [("npz", ""), ("csv", "--condition angular-momentum"), ("jsonl", "--integrator rk4")] {
+        let line = format!("{LONG} {rest} --verdict none");
+        bifdiag(&format!("{line} --data s.{ending}")).inside(place.path()).succeeds().printing("written: s.");
+        bifdiag(&format!("{line} --data m.{ending} --out o")).inside(place.path()).succeeds();
+        let read = |name: &str| fs::read(place.path().join(format!("{name}.{ending}"))).unwrap();
+        assert!(read("s") == read("m"), "{ending}");
+        assert!(!place.path().join(format!("s.{ending}.partial")).exists());
+    }
+}
+
+#[test]
+fn a_journal_cut_anywhere_leads_to_the_same_bytes_and_that_of_another_section_is_refused() {
+    let place = tempfile::tempdir().unwrap();
+    let file = |name: &str| place.path().join(name);
+    let line = format!("{LONG} --data s.npz");
+    bifdiag(&line).inside(place.path()).succeeds();
+    let whole = fs::read(file("s.npz")).unwrap();
+    // An interrupt leaves the journal; so does a directory in the way of the file.
+    fs::remove_file(file("s.npz")).unwrap();
+    fs::create_dir(file("s.npz")).unwrap();
+    bifdiag(&line).inside(place.path()).fails().telling("directory");
+    fs::remove_dir(file("s.npz")).unwrap();
+    let journal = fs::read(file("s.npz.partial")).unwrap();
+    for cut in [0, 10, journal.len() / 3, journal.len() / 2 + 1, journal.len() - 1, journal.len()] {
+        fs::write(file("s.npz.partial"), &journal[..cut]).unwrap();
+        bifdiag(&line).inside(place.path()).succeeds();
+        assert!(fs::read(file("s.npz")).unwrap() == whole, "{cut}");
+        assert!(!file("s.npz.partial").exists());
+    }
+    let mut altered = journal.clone();
+    let last = altered.len() - 100;
+    altered[last] ^= 1;
+    fs::write(file("s.npz.partial"), &altered).unwrap();
+    bifdiag(&line).inside(place.path()).succeeds();
+    assert!(fs::read(file("s.npz")).unwrap() == whole);
+    fs::write(file("s.npz.partial"), &journal).unwrap();
+    bifdiag(&line.replace("300", "301")).inside(place.path()).refused().telling("another section");
+    assert_eq!(fs::read(file("s.npz.partial")).unwrap(), journal);
+}

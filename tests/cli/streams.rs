@@ -246,3 +246,38 @@ fn an_interrupted_run_leaves_all_files_or_none() {
         }
     }
 }
+
+/// A streamed section that is interrupted, and killed, and interrupted, goes on to the bytes of one that was not.
+#[cfg(unix)]
+#[test]
+fn a_streamed_section_goes_on_where_it_was_stopped() {
+    let place = tempfile::tempdir().unwrap();
+    let line = |name: &str| {
+        let data = place.path().join(name).to_string_lossy().into_owned();
+        let words = "section --body paper --h 4.45 --l 3.25 --orbits 3 --crossings 150000 --threads 1 --no-plot --data";
+        words.split(' ').map(str::to_owned).chain([data]).collect::<Vec<String>>()
+    };
+    let words = |line: &[String]| -> Vec<String> { line.to_vec() };
+    let run = |line: &[String]| spawn(&words(line).iter().map(String::as_str).collect::<Vec<_>>());
+    assert!(run(&line("whole.npz")).wait_with_output().unwrap().status.success());
+    let mut stops = 0;
+    for attempt in 0.. {
+        assert!(attempt < 200, "it never ends");
+        let child = run(&line("cut.npz"));
+        std::thread::sleep(Duration::from_millis(150 + 40 * (attempt % 5)));
+        signal(&child, if attempt % 2 == 0 { "-INT" } else { "-KILL" });
+        let output = child.wait_with_output().unwrap();
+        if output.status.success() {
+            break;
+        }
+        stops += 1;
+        if attempt % 2 == 0 && output.status.code() == Some(1) {
+            assert!(stderr(&output).contains("the same command goes on"), "{}", stderr(&output));
+        }
+        assert!(!place.path().join("cut.npz").exists());
+    }
+    println!("stopped {stops} times");
+    let read = |name: &str| fs::read(place.path().join(name)).unwrap();
+    assert!(read("whole.npz") == read("cut.npz"));
+    assert_eq!(names(place.path()).unwrap(), ["cut.npz", "whole.npz"]);
+}

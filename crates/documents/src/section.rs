@@ -222,7 +222,7 @@ fn orbit(orbit: &OrbitSection, start: TorusPoint, component: Option<usize>) -> O
         theta: start.theta,
         psi: start.psi,
         sheet: start.sheet,
-        crossings: orbit.points.iter().filter(|point| point.index > 0).count(),
+        crossings: report.crossings as usize,
         end: end(report.end),
         failure: if let End::Failed(error) = report.end { Some(error.to_string()) } else { None },
         time: report.time,

@@ -4,8 +4,8 @@ use dynamics::field::{HeavyTop, Integrals, State, dot, kovalevskaya};
 use dynamics::integrator::taylor::InstructionSet;
 use dynamics::integrator::{Method, MethodError};
 use dynamics::section::{
-    End, Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, StartOptions, SweepOptions,
-    TorusPoint, spread_starts, sweep,
+    End, Halt, Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, StartOptions,
+    SweepOptions, Task, TorusPoint, spread_starts, sweep, sweep_on,
 };
 use top::body::Body;
 
@@ -423,4 +423,44 @@ fn no_crossing_is_missed() {
     }
     println!("{brackets} crossings, {pairs} pairs between samples");
     assert!(brackets > 8000 && pairs < 20);
+}
+
+#[test]
+fn orbits_that_are_halted_go_on_bit_for_bit() {
+    // Also in units that are not the body's own, on the other section, and from starts on and off the section.
+    let bodies = [([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]), ([2e40, 1.1e40, 1e40], [0.94868, 0.0, 0.61623])];
+    for (moments, center) in bodies {
+        for condition in [SectionCondition::Height, SectionCondition::AngularMomentum] {
+            let torus = PpTorus::new(&HeavyTop::new(&Body::from_f64(moments, center).unwrap())).unwrap();
+            let l = 3.25 * (moments[2]).sqrt();
+            let points =
+                spread_starts(&torus, 4.45, l, &StartOptions { count: 11, ..StartOptions::default() }).unwrap();
+            let starts: Vec<State> = points.iter().map(|&point| torus.state(point, 4.45, l).unwrap()).collect();
+            let options = SweepOptions { crossings: 150, condition, ..SweepOptions::default() };
+            let whole = sweep(&torus, &starts, &options, &Monitor::default()).unwrap();
+            let mut tasks: Vec<Task> =
+                starts.iter().zip(0..).map(|(&start, orbit)| Task { orbit, start, halt: None }).collect();
+            let mut pieces: Vec<Vec<_>> = vec![Vec::new(); starts.len()];
+            let mut rounds = 0;
+            while !tasks.is_empty() {
+                rounds += 1;
+                let legs = sweep_on(&torus, &tasks, &options, 40, &Monitor::default()).unwrap();
+                for (leg, halt) in legs {
+                    let orbit = leg.orbit as usize;
+                    pieces[orbit].extend(leg.points);
+                    let task = tasks.iter().position(|task| task.orbit == leg.orbit).unwrap();
+                    if let Some(halt) = halt {
+                        tasks[task].halt = Some(Halt::from_words(halt.words()));
+                    } else {
+                        tasks.remove(task);
+                        assert_eq!(leg.report, whole[orbit].report);
+                    }
+                }
+            }
+            assert_eq!(rounds, 4);
+            for (points, whole) in pieces.iter().zip(&whole) {
+                assert_eq!(points, &whole.points);
+            }
+        }
+    }
 }

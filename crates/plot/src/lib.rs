@@ -5,6 +5,7 @@
 //! nothing is computed here that these do not say already. Every picture is drawn on a `page`, which knows nothing of what
 //! it shows, and becomes a [`Picture`].
 
+mod animation;
 mod campbell;
 mod chart;
 mod codes;
@@ -16,6 +17,7 @@ mod schematic;
 mod section;
 mod sphere;
 
+pub use animation::{AnimatedCrossing, AnimationScene, draw_animation};
 pub use campbell::{Campbell, draw_campbell};
 pub use chart::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
 pub use codes::draw_codes;

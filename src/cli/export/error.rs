@@ -22,6 +22,8 @@ pub enum ExportError {
     Plot(#[from] PlotError),
     #[error("the archive of arrays could not be made")]
     Archive(#[from] zip::result::ZipError),
+    #[error("the table could not be written")]
+    Table(#[source] io::Error),
     #[error("the table could not be written as CSV")]
     Csv(#[from] csv::Error),
 }

@@ -1,7 +1,7 @@
 //! Files that appear whole and together, or not at all.
 
-use std::fs;
-use std::io::{self, Write};
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
@@ -14,11 +14,20 @@ use super::picture::{PictureExporter, PictureFormat};
 use crate::cli::terminal::Timings;
 use crate::cli::terminal::interrupt::{unfinished, uninterrupted};
 
+/// What a file is to hold.
+enum Contents {
+    Whole(Vec<u8>),
+    /// This writes it.
+    Written(Box<Writing>),
+}
+
+/// Writes a file.
+type Writing = dyn FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>;
+
 /// Contents for files, most of them in one directory.
-#[derive(Debug)]
 pub struct FileSet {
     directory: PathBuf,
-    files: Vec<(PathBuf, Vec<u8>)>,
+    files: Vec<(PathBuf, Contents)>,
     /// Files of earlier runs.
     stale: Vec<PathBuf>,
 }
@@ -31,12 +40,21 @@ impl FileSet {
 
     /// Adds a file of the directory; nothing is written yet.
     pub fn add(&mut self, name: impl AsRef<Path>, contents: impl Into<Vec<u8>>) {
-        self.files.push((self.directory.join(name), contents.into()));
+        self.files.push((self.directory.join(name), Contents::Whole(contents.into())));
     }
 
     /// Adds a file at a place of its own.
     pub fn add_at(&mut self, path: &Path, contents: impl Into<Vec<u8>>) {
-        self.files.push((path.to_owned(), contents.into()));
+        self.files.push((path.to_owned(), Contents::Whole(contents.into())));
+    }
+
+    /// Adds a file that may be too long for the memory, at a place of its own.
+    pub fn add_written(
+        &mut self,
+        path: &Path,
+        write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()> + 'static,
+    ) {
+        self.files.push((path.to_owned(), Contents::Written(Box::new(write))));
     }
 
     /// Adds a result in a format; the name of its file is `stem` with the format's ending.
@@ -95,7 +113,7 @@ impl FileSet {
             if path.is_dir() {
                 return Err(FilesError::Occupied { path });
             }
-            match write_temporary(directory, &contents) {
+            match write_temporary(directory, contents) {
                 Ok(file) => whole.push((file, path)),
                 Err(source) => return Err(FilesError::Write { path, source }),
             }
@@ -115,7 +133,7 @@ impl FileSet {
 }
 
 /// A whole file under a temporary name, which vanishes unless it is persisted.
-fn write_temporary(directory: &Path, contents: &[u8]) -> io::Result<NamedTempFile> {
+fn write_temporary(directory: &Path, contents: Contents) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".bifdiag-");
     #[cfg(unix)]
@@ -130,7 +148,14 @@ fn write_temporary(directory: &Path, contents: &[u8]) -> io::Result<NamedTempFil
         unfinished.insert(0, file.path().to_owned());
         file
     };
-    file.write_all(contents)?;
+    match contents {
+        Contents::Whole(bytes) => file.write_all(&bytes)?,
+        Contents::Written(write) => {
+            let mut writer = BufWriter::with_capacity(1 << 20, file.as_file_mut());
+            write(&mut writer)?;
+            writer.flush()?;
+        }
+    }
     // A full disk may show only now.
     file.as_file().sync_all()?;
     Ok(file)

@@ -9,6 +9,7 @@ mod json;
 mod jsonl;
 mod npz;
 mod picture;
+mod pieces;
 mod target;
 
 pub use columns::{Column, Columns, Values};
@@ -18,4 +19,5 @@ pub use files::FileSet;
 pub use json::{Json, answer};
 pub use npz::Archive;
 pub use picture::{PictureArguments, PictureFormat, RESOLUTION};
+pub use pieces::Pieces;
 pub use target::{DataFormat, DataTarget, directory};

@@ -3,66 +3,82 @@
 //! The same table gives the same bytes: entries carry the first date that ZIP knows. Bytes are not compressed
 //! because the low bits of chaotic motion are random.
 
-use std::io::{Cursor, Write};
+use std::io::{Cursor, Seek, Write};
 
 use zip::result::ZipError;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-use super::columns::{Columns, Values};
+use super::columns::Values;
 use super::error::ExportError;
+use super::pieces::Pieces;
 
 /// Entries larger than this need ZIP's 64-bit fields.
 const LARGE: usize = 1 << 31;
 
 /// An archive in the making.
-pub struct Archive(ZipWriter<Cursor<Vec<u8>>>);
+pub struct Archive<W: Write + Seek = Cursor<Vec<u8>>>(ZipWriter<W>);
 
 impl Archive {
-    /// Nothing yet.
+    /// Nothing yet, in memory.
     pub fn new() -> Self {
-        Self(ZipWriter::new(Cursor::new(Vec::new())))
+        Self::onto(Cursor::new(Vec::new()))
+    }
+
+    /// The whole archive.
+    pub fn bytes(self) -> Result<Vec<u8>, ZipError> {
+        Ok(self.0.finish()?.into_inner())
+    }
+}
+
+impl<W: Write + Seek> Archive<W> {
+    /// Nothing yet.
+    fn onto(out: W) -> Self {
+        Self(ZipWriter::new(out))
     }
 
     /// Adds an array; `kind` is NumPy's name of its type, `shape` as Python writes it.
     fn add(&mut self, name: &str, kind: &str, shape: &str, data: &[u8]) -> Result<(), ZipError> {
-        let options = SimpleFileOptions::default()
-            .compression_method(CompressionMethod::Stored)
-            .last_modified_time(DateTime::DEFAULT)
-            .unix_permissions(0o644)
-            .large_file(data.len() > LARGE);
-        self.0.start_file(format!("{name}.npy"), options)?;
-        self.0.write_all(&header(kind, shape))?;
+        self.begin(name, kind, shape, data.len())?;
         self.0.write_all(data)?;
         Ok(())
     }
 
+    /// Begins an array of so many bytes, which are to follow.
+    fn begin(&mut self, name: &str, kind: &str, shape: &str, bytes: usize) -> Result<(), ZipError> {
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Stored)
+            .last_modified_time(DateTime::DEFAULT)
+            .unix_permissions(0o644)
+            .large_file(bytes > LARGE);
+        self.0.start_file(format!("{name}.npy"), options)?;
+        self.0.write_all(&header(kind, shape))?;
+        Ok(())
+    }
+
+    /// Begins a column of so many rows, which are to follow.
+    fn begin_column(&mut self, name: &str, values: &Values, rows: usize) -> Result<(), ZipError> {
+        let width = values.parts().len();
+        let shape = if width == 1 { format!("({rows},)") } else { format!("({rows}, {width})") };
+        let kind = match values.numbers() {
+            Values::Int8(_) => "|i1",
+            Values::Int32(_) => "<i4",
+            Values::Words { .. } | Values::Float { .. } => "<f8",
+        };
+        self.begin(name, kind, &shape, rows * values.row_bytes())
+    }
+
     /// Adds a column.
     fn column(&mut self, name: &str, values: &Values) -> Result<(), ZipError> {
-        let (rows, width) = (values.len(), values.parts().len());
-        let shape = if width == 1 { format!("({rows},)") } else { format!("({rows}, {width})") };
-        match values {
-            Values::Int8(values) => {
-                self.add(name, "|i1", &shape, &values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>())
-            }
-            Values::Int32(values) => self.integers(name, &shape, values),
-            Values::Float { values, .. } => {
-                self.add(name, "<f8", &shape, &values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>())
-            }
-        }
+        self.begin_column(name, values, values.len())?;
+        self.0.write_all(&values.bytes())?;
+        Ok(())
     }
 
     /// Adds integers in rows of equal length.
     pub fn matrix(&mut self, name: &str, rows: usize, values: &[i32]) -> Result<(), ZipError> {
-        self.integers(name, &format!("({rows}, {})", values.len() / rows.max(1)), values)
-    }
-
-    fn integers(&mut self, name: &str, shape: &str, values: &[i32]) -> Result<(), ZipError> {
-        let mut data = Vec::with_capacity(size_of_val(values));
-        for value in values {
-            data.extend_from_slice(&value.to_le_bytes());
-        }
-        self.add(name, "<i4", shape, &data)
+        let shape = format!("({rows}, {})", values.len() / rows.max(1));
+        self.add(name, "<i4", &shape, &Values::Int32(values.to_vec()).bytes())
     }
 
     /// Adds doubles.
@@ -84,21 +100,19 @@ impl Archive {
         let data: Vec<u8> = text.chars().flat_map(|c| u32::from(c).to_le_bytes()).collect();
         self.add(name, &format!("<U{}", text.chars().count()), "()", &data)
     }
-
-    /// The whole archive.
-    pub fn bytes(self) -> Result<Vec<u8>, ZipError> {
-        Ok(self.0.finish()?.into_inner())
-    }
 }
 
-/// A table and what it means as an archive.
-pub fn archive(table: &Columns) -> Result<Vec<u8>, ExportError> {
-    let mut archive = Archive::new();
-    for column in &table.columns {
-        archive.column(column.name, &column.values)?;
+/// Writes a table and what it means as an archive.
+pub fn write(table: &mut impl Pieces, out: impl Write + Seek) -> Result<(), ExportError> {
+    let mut archive = Archive::onto(out);
+    let rows = table.rows();
+    for (number, column) in table.columns().iter().enumerate() {
+        archive.begin_column(column.name, &column.values, rows)?;
+        table.column(number, &mut |bytes| archive.0.write_all(bytes)).map_err(ZipError::from)?;
     }
-    archive.text("meta", &table.meta)?;
-    Ok(archive.bytes()?)
+    archive.text("meta", table.meta())?;
+    archive.0.finish()?.flush().map_err(ZipError::from)?;
+    Ok(())
 }
 
 /// Magic, version, and the dictionary padded so that the data begin at a multiple of 64 bytes.
@@ -121,7 +135,13 @@ mod tests {
     use std::io::Read;
 
     use super::*;
-    use crate::cli::export::columns::Column;
+    use crate::cli::export::columns::{Column, Columns};
+
+    fn archive(table: &Columns) -> Vec<u8> {
+        let mut out = Cursor::new(Vec::new());
+        write(&mut &*table, &mut out).unwrap();
+        out.into_inner()
+    }
 
     fn table() -> Columns {
         Columns {
@@ -136,7 +156,7 @@ mod tests {
 
     #[test]
     fn arrays_are_where_numpy_looks_for_them() {
-        let bytes = archive(&table()).unwrap();
+        let bytes = archive(&table());
         let mut zip = zip::ZipArchive::new(Cursor::new(bytes)).unwrap();
         let mut entry = |name: &str| {
             let mut bytes = Vec::new();
@@ -159,6 +179,6 @@ mod tests {
 
     #[test]
     fn the_same_table_gives_the_same_bytes() {
-        assert_eq!(archive(&table()).unwrap(), archive(&table()).unwrap());
+        assert_eq!(archive(&table()), archive(&table()));
     }
 }

@@ -1,5 +1,6 @@
 //! Where results go.
 
+use std::io::{Cursor, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
@@ -8,6 +9,7 @@ use thiserror::Error;
 use super::columns::Columns;
 use super::error::ExportError;
 use super::exporter::Exporter;
+use super::pieces::Pieces;
 use super::{csv, jsonl, npz};
 use crate::cli::failure::{CommandError, Exit};
 
@@ -55,10 +57,19 @@ impl Exporter<Columns> for DataFormat {
     }
 
     fn bytes(&self, columns: &Columns) -> Result<Vec<u8>, ExportError> {
+        let mut out = Cursor::new(Vec::new());
+        self.write(&mut &*columns, &mut out)?;
+        Ok(out.into_inner())
+    }
+}
+
+impl DataFormat {
+    /// Writes a table, however long.
+    pub fn write(self, table: &mut impl Pieces, out: impl Write + Seek) -> Result<(), ExportError> {
         match self {
-            Self::Npz => npz::archive(columns),
-            Self::Csv => csv::table(columns),
-            Self::Jsonl => Ok(jsonl::lines(columns).into_bytes()),
+            Self::Npz => npz::write(table, out),
+            Self::Csv => csv::write(table, out),
+            Self::Jsonl => jsonl::write(table, out),
         }
     }
 }

@@ -3,6 +3,7 @@
 use clap::Args;
 use top::body::Number;
 
+use super::target::AnimationTarget;
 use super::times::Times;
 use crate::cli::export::DataTarget;
 use crate::cli::input::values::{self, Vector};
@@ -14,6 +15,7 @@ Examples:
   bifdiag orbit --body paper --h 4.45 --l 3.25 --theta 1.2 --psi pi/2 --times 0:20:2001 --data m.csv
   bifdiag orbit --A 1,1,0.6 --r 0,0,1 --gamma 0,0,1 --l-vector 0.01,0,3 --times -5:5:11 --json
   bifdiag orbit --body kovalevskaya --gamma 1,0,0 --omega 1.5,0,0.1 --times 0:99:991 --data m.npz
+  bifdiag orbit --body paper --h 4.45 --l 3.25 --theta 1.2 --psi pi/2 --times 0:60:2 --animate m.svg
 
 The start, at time 0, is gamma with the angular momentum l or the angular velocity omega = l/A, in the body's axes; or a
 point of the section: (h, l), theta, psi and sheet of its PP-torus, as `bifdiag section` writes them. The attitude is a
@@ -69,6 +71,9 @@ pub struct OrbitArguments {
     /// Write the samples to FILE.csv, FILE.npz or FILE.jsonl (-: CSV to stdout)
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
+    /// Write a moving picture of the body, the trace of its axis, and the section that fills, to FILE.svg or FILE.html
+    #[arg(long, value_name = "FILE", value_parser = AnimationTarget::parse, help_heading = "Output")]
+    pub animate: Option<AnimationTarget>,
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,

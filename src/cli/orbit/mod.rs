@@ -1,5 +1,6 @@
 //! `bifdiag orbit`: the body's motion in space.
 
+mod animate;
 mod arguments;
 mod document;
 mod error;
@@ -7,6 +8,7 @@ mod report;
 mod settings;
 mod start;
 mod table;
+mod target;
 mod times;
 
 use std::path::Path;
@@ -49,9 +51,14 @@ fn output(settings: &Settings, motion: &Motion, timings: &Timings) -> Result<(),
     let mut document = document::of(settings, motion)?;
     let mut files = FileSet::new(Path::new("."));
     let columns = || table::of(&document, &motion.samples).map_err(ExportError::from);
+    if let Some(target) = settings.animation.filter(|_| !motion.report.interrupted) {
+        files.add_at(target.path(), timings.stage("animation", || animate::text(settings, target))?);
+    }
     match settings.data {
         Some(DataTarget::Stdout) => {
-            return Ok(print(DataFormat::Csv.bytes(&columns()?)?)?);
+            let csv = DataFormat::Csv.bytes(&columns()?)?;
+            timings.stage("files", || files.write())?;
+            return Ok(print(csv)?);
         }
         Some(DataTarget::File { path, format }) => files.add_at(path, format.bytes(&columns()?)?),
         None => document.samples = Some(document::samples(motion)),

@@ -6,6 +6,7 @@ use dynamics::integrator::Method;
 use super::arguments::OrbitArguments;
 use super::error::OrbitInput;
 use super::start;
+use super::target::AnimationTarget;
 use super::times::Times;
 use crate::cli::export::DataTarget;
 use crate::cli::failure::Failure;
@@ -22,6 +23,7 @@ pub struct Settings<'a> {
     pub given_times: &'a Times,
     pub method: Method,
     pub data: Option<&'a DataTarget>,
+    pub animation: Option<&'a AnimationTarget>,
     pub json: bool,
 }
 
@@ -37,6 +39,17 @@ impl<'a> Settings<'a> {
         let times = arguments.times.list()?;
         let method = arguments.integrator.method(&top, top.energy(&start))?;
         let (phi, given_times) = (arguments.phi, &arguments.times);
-        Ok(Self { subject, top, start, phi, times, given_times, method, data, json })
+        Ok(Self {
+            subject,
+            top,
+            start,
+            phi,
+            times,
+            given_times,
+            method,
+            data,
+            animation: arguments.animate.as_ref(),
+            json,
+        })
     }
 }

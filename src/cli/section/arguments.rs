@@ -24,7 +24,8 @@ Examples:
 
 --starts FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line; --data writes for each
 crossing orbit, index, time, gamma, l, sheet, s_dot, theta, psi (index 0 is the start). At the first Ctrl-C the run
-ends, what was finished is written and marked as incomplete, and the exit status is 1.";
+ends, what was finished is written and marked as incomplete, and the exit status is 1. With --data FILE --no-plot alone
+crossings go to FILE.partial as they are found, in constant memory, and after an interrupt the same command goes on there.";
 
 /// Which function vanishes on the section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

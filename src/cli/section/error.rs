@@ -24,6 +24,14 @@ pub enum SectionFailure {
         "interrupted: {finished} of {wanted} orbits are complete; what was finished is kept and marked as incomplete"
     )]
     Interrupted { finished: usize, wanted: usize },
+    #[error(
+        "interrupted: {finished} of {wanted} orbits are complete; {journal} holds what was found, and the same command goes on \
+         from there",
+        journal = journal.display()
+    )]
+    Halted { finished: usize, wanted: usize, journal: PathBuf },
+    #[error("cannot use {path}: {source}", path = path.display())]
+    Journal { path: PathBuf, source: io::Error },
 }
 
 impl From<PoincareError> for SectionFailure {
@@ -43,7 +51,7 @@ impl CommandError for SectionFailure {
     fn exit(&self) -> Exit {
         match self {
             Self::Input(_) => Exit::WrongInput,
-            Self::Poincare(_) | Self::Interrupted { .. } => Exit::Failed,
+            Self::Poincare(_) | Self::Interrupted { .. } | Self::Halted { .. } | Self::Journal { .. } => Exit::Failed,
         }
     }
 }
@@ -93,6 +101,10 @@ pub enum SectionInput {
     SeedLine { path: PathBuf, line: usize, problem: SeedProblem },
     #[error("--starts {path} holds no start; write the heading theta,psi,sheet and one start on each line", path = path.display())]
     NoSeeds { path: PathBuf },
+    #[error("--data: {journal} is in use by another process; wait for it, or give another FILE", journal = journal.display())]
+    Busy { journal: PathBuf },
+    #[error("--data: {journal} holds the beginning of another section; finish that, take the file away, or give another FILE", journal = journal.display())]
+    OtherJournal { journal: PathBuf },
     #[error("--data - and --json both want stdout; give --data FILE.npz")]
     TwoOnStdout,
     #[error("--data -: several sections do not fit one table; give --data FILE.npz, or one --region")]

@@ -9,6 +9,7 @@ mod report;
 mod seeds;
 mod settings;
 mod sites;
+mod stream;
 mod table;
 mod work;
 
@@ -35,11 +36,18 @@ pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Resu
     let sections =
         progress.watching(&monitor.crossings, || timings.stage("orbits", || work::compute(&settings, &monitor)))?;
     interruptible.over();
-    outputs::write(&settings, &sections, &interruptible, timings)?;
+    let complete = sections.complete;
+    let finished = sections.done.iter().map(|section| section.whole_orbits).sum();
+    if complete || settings.streamed().is_none() {
+        outputs::write(&settings, sections, &interruptible, timings)?;
+    }
     drop(interruptible);
-    if sections.complete {
+    if complete {
         return Ok(());
     }
-    let finished = sections.done.iter().map(|section| section.whole_orbits).sum();
-    Err(SectionFailure::Interrupted { finished, wanted }.into())
+    Err(match settings.streamed() {
+        Some((path, _)) => SectionFailure::Halted { finished, wanted, journal: stream::journal(path) },
+        None => SectionFailure::Interrupted { finished, wanted },
+    }
+    .into())
 }

@@ -1,9 +1,9 @@
 //! What a run writes: data, documents and pictures.
 
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
-use schema::SectionDocument;
-
+use super::error::SectionFailure;
 use super::settings::Settings;
 use super::work::{Done, Sections};
 use super::{picture, report, table};
@@ -14,16 +14,22 @@ use crate::cli::terminal::interrupt::Stoppable;
 use crate::cli::terminal::{Report, Timings, print};
 
 /// Writes the files, all or none, and then prints. An interrupted run draws no more pictures.
-pub fn write(settings: &Settings, sections: &Sections, work: &Stoppable, timings: &Timings) -> Result<(), Failure> {
+pub fn write(settings: &Settings, mut sections: Sections, work: &Stoppable, timings: &Timings) -> Result<(), Failure> {
     let outputs = &settings.outputs;
     let mut files = FileSet::new(outputs.directory.as_deref().unwrap_or(Path::new(".")));
     let mut csv = None;
-    for section in &sections.done {
+    let mut journals = Vec::new();
+    for section in &mut sections.done {
+        if let (Some(streamed), Some((_, format))) = (section.streamed.take(), settings.streamed()) {
+            let (path, mut journal) = streamed.close(&section.document).map_err(ExportError::from)?;
+            journals.push(journal.path().to_owned());
+            files.add_written(&path, move |out| format.write(&mut journal, out).map_err(io::Error::other));
+            continue;
+        }
         match outputs.data {
             Some(DataTarget::Stdout) => csv = Some(DataFormat::Csv.bytes(&columns(section)?)?),
             Some(DataTarget::File { path, format }) => {
-                let name =
-                    if settings.sites.list.len() > 1 { of_region(path, &section.document) } else { path.clone() };
+                let name = settings.file_of(path, section.document.region.as_deref());
                 files.add_at(&name, format.bytes(&columns(section)?)?);
             }
             None => {}
@@ -45,10 +51,13 @@ pub fn write(settings: &Settings, sections: &Sections, work: &Stoppable, timings
         }
     }
     let written = timings.stage("files", || files.write())?;
+    for path in journals {
+        fs::remove_file(&path).map_err(|source| SectionFailure::Journal { path, source })?;
+    }
     if let Some(csv) = csv {
         return Ok(print(csv)?);
     }
-    let text = || text(settings, sections, &written);
+    let text = || text(settings, &sections, &written);
     Ok(match &sections.done[..] {
         // One document for one point, a list for an atlas.
         [section] if !outputs.list => answer(outputs.json, &section.document, text),
@@ -65,14 +74,6 @@ pub fn write(settings: &Settings, sections: &Sections, work: &Stoppable, timings
 
 fn columns(section: &Done) -> Result<Columns, ExportError> {
     Ok(table::of(&section.document, &section.orbits, &section.chaos)?)
-}
-
-/// FILE-R4.npz for the region R4 of FILE.npz.
-fn of_region(path: &Path, document: &SectionDocument) -> PathBuf {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let region = document.region.as_deref().unwrap_or_default();
-    let extension = path.extension().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!("{stem}-{region}.{extension}"))
 }
 
 fn text(settings: &Settings, sections: &Sections, written: &[PathBuf]) -> String {

@@ -10,7 +10,7 @@ use super::arguments::{ColorArgument, SectionArguments, VerdictArgument};
 use super::error::{SectionFailure, SectionInput};
 use super::seeds::{self, Seed};
 use super::sites::{ALL, Sites};
-use crate::cli::export::{DataTarget, PictureFormat, directory};
+use crate::cli::export::{DataFormat, DataTarget, PictureFormat, directory};
 use crate::cli::failure::Failure;
 use crate::cli::input::IntegratorArguments;
 use plot::Theme;
@@ -61,6 +61,28 @@ pub struct Outputs<'a> {
     pub json: bool,
     /// The sites come from an atlas, or are all regions: JSON is a list.
     pub list: bool,
+}
+
+impl Settings<'_> {
+    /// The file into which crossings go as they are found: where nothing else needs them.
+    pub fn streamed(&self) -> Option<(&Path, DataFormat)> {
+        match self.outputs.data {
+            Some(DataTarget::File { path, format })
+                if self.outputs.directory.is_none() && self.verdict == VerdictArgument::None =>
+            {
+                Some((path, *format))
+            }
+            _ => None,
+        }
+    }
+
+    /// The data file of a site: `FILE`, or with several regions FILE-R4.npz for the region R4 of FILE.npz.
+    pub fn file_of(&self, path: &Path, region: Option<&str>) -> PathBuf {
+        let Some(region) = region.filter(|_| self.sites.list.len() > 1) else { return path.to_owned() };
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let extension = path.extension().unwrap_or_default().to_string_lossy();
+        path.with_file_name(format!("{stem}-{region}.{extension}"))
+    }
 }
 
 impl<'a> Settings<'a> {

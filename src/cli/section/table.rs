@@ -13,12 +13,17 @@ pub fn of(
     chaos: &[ChaosMeasure],
 ) -> Result<Columns, serde_json::Error> {
     let points: Vec<&SectionPoint> = orbits.iter().flat_map(|orbit| &orbit.points).collect();
+    Columns::new(columns(&points).into_iter().chain(measures(document, orbits, chaos)), document)
+}
+
+/// What each crossing is.
+pub fn columns(points: &[&SectionPoint]) -> [(&'static str, Values); 9] {
     let floats = |value: fn(&SectionPoint) -> f64| Values::floats(points.iter().map(|p| value(p)));
     let vectors = |value: fn(&SectionPoint) -> [f64; 3]| Values::vectors(points.iter().map(|p| value(p)));
     // The options allow no more than fit.
     let counts =
         |value: fn(&SectionPoint) -> u32| Values::Int32(points.iter().map(|p| value(p).cast_signed()).collect());
-    let columns = [
+    [
         ("orbit", counts(|p| p.orbit)),
         ("index", counts(|p| p.index)),
         ("time", floats(|p| p.time)),
@@ -28,8 +33,7 @@ pub fn of(
         ("s_dot", floats(|p| p.s_dot)),
         ("theta", floats(|p| p.theta)),
         ("psi", floats(|p| p.psi)),
-    ];
-    Columns::new(columns.into_iter().chain(measures(document, orbits, chaos)), document)
+    ]
 }
 
 /// The measures of a point's orbit, where they were asked for, and λ(t); NaN where there is none.

@@ -13,6 +13,7 @@ use super::error::{SectionFailure, SectionInput, SeedProblem};
 use super::seeds::Seed;
 use super::settings::{Settings, Starts};
 use super::sites::Site;
+use super::stream::{self, Streamed};
 
 /// A section that was computed.
 pub struct Done {
@@ -22,6 +23,8 @@ pub struct Done {
     pub orbits: Vec<OrbitSection>,
     /// How regular each of them is, if that was asked for.
     pub chaos: Vec<ChaosMeasure>,
+    /// Its crossings, where they are not in memory.
+    pub streamed: Option<Streamed>,
     /// Orbits that were not cut short by an interrupt.
     pub whole_orbits: usize,
 }
@@ -78,10 +81,25 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
         condition: settings.condition,
         ..SweepOptions::default()
     };
-    let section = judged(settings, &setting, &starts, seed, &options, monitor)?;
+    let (section, streamed) = match settings.streamed() {
+        Some((path, _)) => {
+            let path = settings.file_of(path, site.region.as_deref());
+            let streamed = stream::follow(&path, &setting, (&starts, seed), &options, monitor)?;
+            (streamed.section.clone(), Some(streamed))
+        }
+        None => (judged(settings, &setting, &starts, seed, &options, monitor)?, None),
+    };
     let document = documents::section(subject, &section, site.region.as_deref());
     let (h, l) = (setting.h(), setting.l());
-    Ok(Done { h, l, document, whole_orbits: section.whole_orbits(), orbits: section.orbits, chaos: section.chaos })
+    Ok(Done {
+        h,
+        l,
+        document,
+        whole_orbits: section.whole_orbits(),
+        orbits: section.orbits,
+        chaos: section.chaos,
+        streamed,
+    })
 }
 
 /// The orbits, with verdicts if these are wanted.

@@ -167,7 +167,10 @@ impl Setting {
     }
 
     /// A section of which no orbit was begun.
-    fn begin(
+    ///
+    /// # Errors
+    /// [`PoincareError::Section`] for inaccessible points.
+    pub fn begin(
         &self,
         starts: &[TorusPoint],
         seed: Option<u64>,

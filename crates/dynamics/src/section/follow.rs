@@ -2,6 +2,7 @@
 
 use pulp::Simd;
 
+use super::halt::{Halt, LANE};
 use super::orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::polish::polished;
 use super::readings::{Gauge, Reading, Readings};
@@ -68,7 +69,7 @@ pub(super) struct Follower {
 }
 
 impl Follower {
-    pub fn new(torus: &PpTorus, options: &SweepOptions, orbit: u32, start: &State) -> Self {
+    pub fn new(torus: &PpTorus, options: &SweepOptions, most: usize, orbit: u32, start: &State) -> Self {
         let top = torus.top();
         let integrals = Integrals::of(top, start);
         let value = options.condition.value(top, start);
@@ -86,7 +87,7 @@ impl Follower {
             last_flat: 0,
             integrals,
             // Room for what was asked for, unless that is a way of saying "many".
-            points: Vec::with_capacity(options.crossings.min(1 << 16) + 1),
+            points: Vec::with_capacity(options.crossings.min(most).min(1 << 16) + 1),
             crossings: 0,
             told: 0,
             steps: 0,
@@ -100,6 +101,38 @@ impl Follower {
             follower.record(torus, Instant::default(), start, &Reading::new(torus, options.condition, start));
         }
         follower
+    }
+
+    /// Goes on where it was halted.
+    pub fn resume(&mut self, halt: &Halt) {
+        let [.., energy, vertical_momentum, gamma_squared, residual, time] = halt.numbers;
+        let [crossings, steps, tangencies, flat_steps, last_flat] = halt.counts;
+        // Counts of `u32` were kept as more.
+        let narrow = |count: u64| u32::try_from(count).unwrap_or(u32::MAX);
+        self.points.clear();
+        self.start_value = halt.value();
+        self.drift = Integrals { energy, vertical_momentum, gamma_squared };
+        (self.residual, self.time) = (residual, time);
+        (self.crossings, self.told) = (narrow(crossings), narrow(crossings));
+        (self.steps, self.tangencies) = (steps, narrow(tangencies));
+        (self.flat_steps, self.last_flat) = (narrow(flat_steps), last_flat);
+    }
+
+    /// What it needs to go on, with what its lane and the scan know: S there.
+    pub fn halt(&self, lane: [f64; LANE], value: f64) -> Halt {
+        let Integrals { energy, vertical_momentum, gamma_squared } = self.drift;
+        let more = [value, energy, vertical_momentum, gamma_squared, self.residual, self.time];
+        let counts = [self.crossings, self.tangencies, self.flat_steps].map(u64::from);
+        Halt {
+            numbers: std::array::from_fn(|k| if k < LANE { lane[k] } else { more[k - LANE] }),
+            counts: [counts[0], self.steps, counts[1], counts[2], self.last_flat],
+        }
+    }
+
+    /// Has it so many points?
+    #[inline(always)]
+    pub fn has(&self, most: usize) -> bool {
+        self.points.len() >= most
     }
 
     /// Counts a step that ends at `time`.
@@ -269,6 +302,7 @@ impl Follower {
             points: self.points,
             report: OrbitReport {
                 end: self.end.unwrap_or(End::Interrupted),
+                crossings: self.crossings,
                 steps: self.steps,
                 time: self.time,
                 tangencies: self.tangencies,

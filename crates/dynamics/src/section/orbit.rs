@@ -79,6 +79,8 @@ pub enum End {
 pub struct OrbitReport {
     /// Why it ended.
     pub end: End,
+    /// Crossings since the start, which is not counted.
+    pub crossings: u32,
     /// Steps of the integrator.
     pub steps: u64,
     /// Time at the last step's end.
@@ -121,13 +123,20 @@ impl OrbitSection {
             given(&mut point.s_dot, value.rate());
             point.l.iter_mut().for_each(|x| given(x, Dimension::MOMENTUM));
         }
-        let report = &mut self.report;
-        if let End::Failed(error) = &mut report.end {
+        self.report = self.report.restored(units, condition);
+        self
+    }
+}
+
+impl OrbitReport {
+    /// That of a reduced top as that of the top as given.
+    pub(super) fn restored(mut self, units: Units, condition: SectionCondition) -> Self {
+        if let End::Failed(error) = &mut self.end {
             *error = error.restored(units);
         }
-        given(&mut report.time, Dimension::TIME);
-        given(&mut report.residual, value);
-        report.drift = report.drift.restored(units);
+        self.time = units.restore(self.time, Dimension::TIME);
+        self.residual = units.restore(self.residual, condition.dimension());
+        self.drift = self.drift.restored(units);
         self
     }
 }

@@ -184,6 +184,11 @@ impl<S: Simd> Scan<S> {
         lane_values_mut::<S>(&mut self.flat)[lane] = flat;
     }
 
+    /// S at the start of a lane's next step.
+    pub fn start_of(&self, lane: usize) -> f64 {
+        lane_values::<S>(&self.start)[lane]
+    }
+
     /// The next step begins where this one ends.
     #[inline(always)]
     pub fn commit(&mut self) {

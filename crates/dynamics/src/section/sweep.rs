@@ -6,6 +6,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use super::error::SectionError;
 use super::follow::{Follower, News};
+use super::halt::{Halt, Task};
 use super::orbit::{End, OrbitSection, SweepOptions};
 use super::readings::Gauge;
 use super::scan::Scan;
@@ -33,14 +34,34 @@ pub fn sweep(
     options: &SweepOptions,
     monitor: &Monitor,
 ) -> Result<Vec<OrbitSection>, SectionError> {
-    options.method.check(torus.top())?;
-    if u32::try_from(starts.len()).is_err() {
+    let tasks: Vec<Task> =
+        starts.iter().zip(0_u32..).map(|(&start, orbit)| Task { orbit, start, halt: None }).collect();
+    if tasks.len() < starts.len() {
         return Err(SectionError::Parameter {
             name: "orbits",
             value: starts.len() as f64,
             expected: "fewer than 2^32 are possible",
         });
     }
+    Ok(sweep_on(torus, &tasks, options, usize::MAX, monitor)?.into_iter().map(|(orbit, _)| orbit).collect())
+}
+
+/// Follows orbits from their starts or from where they were halted, and halts them when they have so many points, or a
+/// few more, or when the run is stopped. The points of an orbit that goes on follow those before.
+///
+/// Orbits come back in the order of their numbers, each with where to go on; None where it has ended. Only the Taylor
+/// integrator can be halted: other methods follow each orbit to its end, or begin anew.
+///
+/// # Errors
+/// Those of [`sweep`].
+pub fn sweep_on(
+    torus: &PpTorus,
+    tasks: &[Task],
+    options: &SweepOptions,
+    most: usize,
+    monitor: &Monitor,
+) -> Result<Vec<(OrbitSection, Option<Halt>)>, SectionError> {
+    options.method.check(torus.top())?;
     if options.max_time.is_nan() || options.max_time <= 0.0 {
         return Err(SectionError::Parameter {
             name: "max_time",
@@ -51,43 +72,53 @@ pub fn sweep(
     let arch = options.instructions.arch().ok_or(SectionError::InstructionSet(options.instructions))?;
     let units = torus.top().units();
     if units.are_one() {
-        return Ok(followed(arch, torus, starts, options, monitor));
+        return Ok(followed(arch, torus, tasks, options, most, monitor));
     }
-    let starts: Vec<State> = starts.iter().map(|state| state.reduced(units)).collect();
-    let orbits = followed(arch, &torus.reduced(), &starts, &options.reduced(units), monitor);
-    Ok(orbits.into_iter().map(|orbit| orbit.restored(units, options.condition)).collect())
+    let tasks: Vec<Task> = tasks.iter().map(|task| Task { start: task.start.reduced(units), ..*task }).collect();
+    let orbits = followed(arch, &torus.reduced(), &tasks, &options.reduced(units), most, monitor);
+    Ok(orbits.into_iter().map(|(orbit, halt)| (orbit.restored(units, options.condition), halt)).collect())
 }
+
+/// An orbit's points, and where it goes on.
+type Leg = (OrbitSection, Option<Halt>);
 
 /// The orbits of a top in its own units.
 fn followed(
     arch: Arch,
     torus: &PpTorus,
-    starts: &[State],
+    tasks: &[Task],
     options: &SweepOptions,
+    most: usize,
     monitor: &Monitor,
-) -> Vec<OrbitSection> {
-    let queue = Queue { torus, starts, options, turns: Turns::new(monitor) };
+) -> Vec<Leg> {
+    let queue = Queue { torus, tasks, options, most, turns: Turns::new(monitor) };
     let mut orbits = match options.method {
         Method::Taylor { tolerance } => run_workers(|| arch.dispatch(TaylorWorker { queue: &queue, tolerance })),
         _ => run_workers(|| queue.work_stepwise()),
     };
-    orbits.sort_by_key(|orbit| orbit.orbit);
+    orbits.sort_by_key(|(orbit, _)| orbit.orbit);
     orbits
 }
 
 /// The orbits still to be done, shared by the workers.
 struct Queue<'a> {
     torus: &'a PpTorus,
-    starts: &'a [State],
+    tasks: &'a [Task],
     options: &'a SweepOptions,
+    /// Points after which an orbit is halted.
+    most: usize,
     turns: Turns<'a>,
 }
 
 impl Queue<'_> {
     /// The next orbit.
-    fn pop(&self) -> Option<Follower> {
-        let (orbit, start) = self.turns.next(self.starts)?;
-        Some(Follower::new(self.torus, self.options, orbit, start))
+    fn pop(&self) -> Option<(Follower, Option<Halt>)> {
+        let (_, task) = self.turns.next(self.tasks)?;
+        let mut follower = Follower::new(self.torus, self.options, self.most, task.orbit, &task.start);
+        if let Some(halt) = &task.halt {
+            follower.resume(halt);
+        }
+        Some((follower, task.halt))
     }
 
     fn monitor(&self) -> &Monitor {
@@ -95,14 +126,14 @@ impl Queue<'_> {
     }
 
     /// One worker of the methods that follow one orbit at a time.
-    fn work_stepwise(&self) -> Vec<OrbitSection> {
+    fn work_stepwise(&self) -> Vec<Leg> {
         let mut done = Vec::new();
-        while let Some(mut follower) = self.pop() {
+        while let Some((mut follower, _)) = self.pop() {
             match self.options.method.stepper(self.torus.top(), &follower.start) {
                 Ok(mut stepper) => self.follow(&mut follower, stepper.as_mut()),
                 Err(_) => unreachable!("sweep() has checked the method"),
             }
-            self.close(follower, &mut done);
+            self.close(follower, None, &mut done);
         }
         done
     }
@@ -122,10 +153,12 @@ impl Queue<'_> {
         }
     }
 
-    fn close(&self, mut follower: Follower, done: &mut Vec<OrbitSection>) {
+    fn close(&self, mut follower: Follower, halt: Option<Halt>, done: &mut Vec<Leg>) {
         self.tell(&mut follower);
-        self.monitor().orbits.fetch_add(1, Ordering::Relaxed);
-        done.push(follower.finish());
+        if halt.is_none() {
+            self.monitor().orbits.fetch_add(1, Ordering::Relaxed);
+        }
+        done.push((follower.finish(), halt));
     }
 
     fn tell(&self, follower: &mut Follower) {
@@ -140,7 +173,7 @@ struct TaylorWorker<'a> {
 }
 
 impl WithSimd for TaylorWorker<'_> {
-    type Output = Vec<OrbitSection>;
+    type Output = Vec<Leg>;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
@@ -151,8 +184,7 @@ impl WithSimd for TaylorWorker<'_> {
         let gauge = Gauge::<S>::new(simd, queue.torus, queue.options.condition);
         let mut followers: Vec<Option<Follower>> = Vec::new();
         for lane in 0..S::F64_LANES {
-            followers.push(queue.pop());
-            load(&mut lanes, &mut scan, lane, followers[lane].as_ref());
+            followers.push(load(&mut lanes, &mut scan, lane, queue.pop()));
         }
         let mut steps = 0_u32;
         while followers.iter().any(Option::is_some) {
@@ -182,11 +214,14 @@ impl WithSimd for TaylorWorker<'_> {
             scan.commit();
             let stopped = queue.monitor().is_stopped();
             for (lane, slot) in followers.iter_mut().enumerate() {
-                if let Some(mut follower) = slot.take_if(|follower| follower.is_over(queue.options) || stopped) {
+                let ends =
+                    |follower: &mut Follower| follower.is_over(queue.options) || follower.has(queue.most) || stopped;
+                if let Some(mut follower) = slot.take_if(ends) {
+                    let goes_on = follower.end.is_none();
+                    let halt = goes_on.then(|| follower.halt(lanes.saved(lane), scan.start_of(lane)));
                     follower.end.get_or_insert(End::Interrupted);
-                    queue.close(follower, &mut done);
-                    *slot = queue.pop();
-                    load(&mut lanes, &mut scan, lane, slot.as_ref());
+                    queue.close(follower, halt, &mut done);
+                    *slot = load(&mut lanes, &mut scan, lane, queue.pop());
                 }
             }
         }
@@ -196,9 +231,17 @@ impl WithSimd for TaylorWorker<'_> {
 
 /// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
 #[inline(always)]
-fn load<S: Simd>(lanes: &mut Lanes<S>, scan: &mut Scan<S>, lane: usize, follower: Option<&Follower>) {
-    if let Some(follower) = follower {
-        lanes.load(lane, &follower.start, follower.momentum_scale);
-        scan.load(lane, follower.start_value, follower.flat);
+fn load<S: Simd>(
+    lanes: &mut Lanes<S>,
+    scan: &mut Scan<S>,
+    lane: usize,
+    task: Option<(Follower, Option<Halt>)>,
+) -> Option<Follower> {
+    let (follower, halt) = task?;
+    lanes.load(lane, &follower.start, follower.momentum_scale);
+    if let Some(halt) = halt {
+        lanes.restore(lane, &halt.lane());
     }
+    scan.load(lane, follower.start_value, follower.flat);
+    Some(follower)
 }

@@ -71,6 +71,30 @@ impl<S: Simd> Lanes<S> {
         lane_values_mut::<S>(&mut self.time_low)[lane] = 0.0;
     }
 
+    /// What a lane knows of its orbit, between two steps: γ, l, what they leave out, the time in two parts.
+    pub fn saved(&self, lane: usize) -> [f64; 14] {
+        let of = |register: S::f64s| lane_values::<S>(&[register])[lane];
+        let vectors = [self.series.gamma[0], self.series.l[0], self.low[0], self.low[1]];
+        std::array::from_fn(|k| match k {
+            0..12 => of(vectors[k / 3][k % 3]),
+            12 => of(self.time[0]),
+            _ => of(self.time_low[0]),
+        })
+    }
+
+    /// Puts what was [`saved`](Self::saved) into a lane that was loaded with the orbit's start.
+    pub fn restore(&mut self, lane: usize, saved: &[f64; 14]) {
+        let [low_gamma, low_l] = &mut self.low;
+        let vectors = [&mut self.series.gamma[0], &mut self.series.l[0], low_gamma, low_l];
+        for (vector, numbers) in vectors.into_iter().zip(saved.chunks(3)) {
+            for i in 0..3 {
+                lane_values_mut::<S>(&mut vector[i..=i])[lane] = numbers[i];
+            }
+        }
+        lane_values_mut::<S>(&mut self.time)[lane] = saved[12];
+        lane_values_mut::<S>(&mut self.time_low)[lane] = saved[13];
+    }
+
     /// Order of the series.
     #[inline(always)]
     pub fn order(&self) -> usize {

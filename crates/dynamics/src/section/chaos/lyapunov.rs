@@ -5,8 +5,9 @@ use std::sync::atomic::Ordering;
 use pulp::{Simd, WithSimd};
 
 use super::direction::{momentum_unit, tangent_vector};
+use super::growth::{Course, Growth, Lyapunov};
 use super::stretching::{Passed, Stretching};
-use crate::field::{Dimension, HeavyTop, State, Units};
+use crate::field::{Dimension, HeavyTop, State};
 use crate::integrator::Method;
 use crate::integrator::taylor::{InstructionSet, Lanes, Tangent, lane_values};
 use crate::section::error::SectionError;
@@ -25,89 +26,6 @@ impl Default for ChaosOptions {
     fn default() -> Self {
         Self { tolerance: 1e-15, instructions: InstructionSet::Best }
     }
-}
-
-/// The largest Lyapunov exponent of an orbit over a finite time, per unit of time.
-///
-/// A tangent vector δ = (δγ, δl) is taken along by the variational equations. It starts tangent to the energy surface
-/// and to ⟨γ,γ⟩ = 1, ⟨γ,l⟩ = l and so remains. The flow on that surface has the exponents λ, 0, −λ, so that one vector
-/// tells all of them. Lengths are |δ|² = |δγ|² + |δl|²/(2 A_max (h + 2|r|)), without units.
-///
-/// Regular orbits shear: |δ| grows like t, and `exponent` falls like ln(T)/T, `mean_rate` like 2/T. An exponent that
-/// does not exceed a few times that is not chaos that this time can show.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lyapunov {
-    /// λ(T) = ln(|δ(T)|/|δ(0)|)/T.
-    pub exponent: f64,
-    /// λ(T/2).
-    pub exponent_half: f64,
-    /// The mean of d ln|δ|/dt over [0, T] with the weight exp(−1/(u(1−u))), u = t/T. It forgets the choice of δ(0) and
-    /// the phase at T, so that for regular orbits it is the sharper of the two.
-    pub mean_rate: f64,
-    /// The same over [0, T/2].
-    pub mean_rate_half: f64,
-    /// T: the end of the first step that reaches the time asked for.
-    pub time: f64,
-}
-
-impl Lyapunov {
-    /// |λ(T) − λ(T/2)|: how far `exponent` has converged.
-    #[must_use]
-    pub fn error(&self) -> f64 {
-        (self.exponent - self.exponent_half).abs()
-    }
-
-    /// That of a reduced top as that of the top as given.
-    fn restored(self, units: Units) -> Self {
-        let rate = |x| units.restore(x, Dimension::FREQUENCY);
-        Self {
-            exponent: rate(self.exponent),
-            exponent_half: rate(self.exponent_half),
-            mean_rate: rate(self.mean_rate),
-            mean_rate_half: rate(self.mean_rate_half),
-            time: units.restore(self.time, Dimension::TIME),
-        }
-    }
-}
-
-impl Growth {
-    /// That of a reduced top as that of the top as given.
-    fn restored(mut self, units: Units) -> Self {
-        for sample in &mut self.samples {
-            sample.integral = sample.integral.map(|x| units.restore(x, Dimension::TIME));
-        }
-        Self { lyapunov: self.lyapunov.map(|exponent| exponent.restored(units)), ..self }
-    }
-}
-
-/// An orbit along which a tangent vector is taken.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Course {
-    /// Its state at time 0.
-    pub start: State,
-    /// For how long it is followed.
-    pub time: f64,
-    /// Times at which samples are wanted, ascending.
-    pub at: Vec<f64>,
-}
-
-/// How a tangent vector has grown along a course.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Growth {
-    /// None where the time is not a positive number, where the motion did not remain finite, and where the run was
-    /// stopped.
-    pub lyapunov: Option<Lyapunov>,
-    /// At the times asked for, as far as the orbit came.
-    pub samples: Vec<Sample>,
-}
-
-/// An orbit at one time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sample {
-    /// ln(|δ(t)|/|δ(0)|).
-    pub log: f64,
-    /// ∫₀ᵗ γ dt.
-    pub integral: [f64; 3],
 }
 
 /// The exponents of the orbits that begin at these states, each over its own time: [`growths`] without its samples.

@@ -1,6 +1,7 @@
 //! Both measures of the orbits of a section, and the verdict.
 
-use super::lyapunov::{ChaosOptions, Course, Growth, Lyapunov, Sample, growths};
+use super::growth::{Course, Growth, Lyapunov, Sample};
+use super::lyapunov::{ChaosOptions, growths};
 use super::rotation::{Rotation, RotationUndefined, rotation_number};
 use super::verdict::{Judgement, Open, judge};
 use crate::field::State;

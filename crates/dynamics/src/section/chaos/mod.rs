@@ -4,6 +4,7 @@
 mod average;
 mod curve;
 mod direction;
+mod growth;
 mod lyapunov;
 mod measure;
 mod plane;
@@ -11,7 +12,8 @@ mod rotation;
 mod stretching;
 mod verdict;
 
-pub use lyapunov::{ChaosOptions, Course, Growth, Lyapunov, Sample, growths, lyapunov_exponents};
+pub use growth::{Course, Growth, Lyapunov, Sample};
+pub use lyapunov::{ChaosOptions, growths, lyapunov_exponents};
 pub use measure::{ChaosMeasure, chaos_measures};
 pub use rotation::{Rotation, RotationAngle, RotationUndefined, rotation_number};
 pub use verdict::{Evidence, Judgement, Open, Verdict, judge};

@@ -3,7 +3,7 @@
 use std::f64::consts::LN_2;
 
 use super::average::bump;
-use super::lyapunov::{Course, Growth, Lyapunov, Sample};
+use super::growth::{Course, Growth, Lyapunov, Sample};
 
 /// How a tangent vector of length 1 has grown.
 pub(super) struct Stretching {

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::average::bump;
-use super::lyapunov::Sample;
+use super::growth::Sample;
 use crate::field::{add, norm, scale, sub};
 use crate::section::orbit::SectionPoint;
 

@@ -1,0 +1,98 @@
+//! The motion as a moving picture.
+
+use std::sync::atomic::AtomicBool;
+
+use dynamics::field::{HeavyTop, State, dot};
+use dynamics::motion::{MotionOptions, follow};
+use dynamics::section::{Chart, End, Monitor, Portrait, PortraitOptions, PpTorus, SweepOptions, sweep};
+use plot::{AnimatedCrossing, AnimationScene, draw_animation};
+
+use super::error::OrbitFailure;
+use super::settings::Settings;
+use super::target::AnimationTarget;
+
+/// Frames of an animation.
+const FRAMES: u32 = 241;
+/// How long it plays.
+const SECONDS: f64 = 20.0;
+/// Most crossings that are shown.
+const CROSSINGS: usize = 2000;
+
+/// What goes into the file.
+///
+/// # Errors
+/// When the motion cannot be followed.
+pub fn text(settings: &Settings, target: &AnimationTarget) -> Result<String, OrbitFailure> {
+    let svg = animation(settings)?;
+    Ok(if target.is_page() { page(&svg) } else { svg })
+}
+
+/// Frames at equal times from the first one to the last.
+fn animation(settings: &Settings) -> Result<String, OrbitFailure> {
+    let Settings { subject, top, start, phi, method, times, .. } = settings;
+    let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
+    let frame_time = |k: u32| first + (last - first) * f64::from(k) / f64::from(FRAMES - 1);
+    let frame_times: Vec<f64> = (0..FRAMES).map(frame_time).collect();
+    let never = AtomicBool::new(false);
+    let motion = follow(top, start, &frame_times, &MotionOptions { method: *method, phi: *phi, stop: &never })?;
+    let unit = |k: usize| std::array::from_fn(|i| f64::from(u8::from(i == k)));
+    let frames: Vec<[[f64; 3]; 3]> =
+        motion.samples.iter().map(|sample| [0, 1, 2].map(|k| sample.attitude.rotate(unit(k)))).collect();
+    let begin = motion.samples.first().map(|sample| State { gamma: sample.gamma, l: sample.l });
+    let crossings = begin.and_then(|begin| crossings(top, &begin, last - first));
+    let (h, l) = (top.energy(start), dot(start.gamma, start.l));
+    let accessible = match &crossings {
+        Some(_) => Portrait::new(&subject.body, h, l, &PortraitOptions::default())
+            .map(|portrait| portrait.accessible(Chart::Torus).loops)
+            .unwrap_or_default(),
+        None => Vec::new(),
+    };
+    let text = |numbers: [String; 3]| numbers.join(", ");
+    let title = format!(
+        "A = ({}), r = ({}), h = {h:.6}, l = {l:.6}, t from {first} to {last}",
+        text(documents::texts(subject.body.moments())),
+        text(documents::texts(subject.body.center())),
+    );
+    Ok(draw_animation(&AnimationScene {
+        frames: &frames,
+        moments: top.moments(),
+        axis: top.r_hat().unwrap_or([0.0, 0.0, 1.0]),
+        crossings: crossings.as_deref(),
+        accessible: &accessible,
+        title: &title,
+        seconds: SECONDS,
+    }))
+}
+
+/// The crossings within a time; `None` where there is no section.
+fn crossings(top: &HeavyTop, start: &State, time: f64) -> Option<Vec<AnimatedCrossing>> {
+    let torus = PpTorus::new(top).ok()?;
+    let options = SweepOptions { crossings: CROSSINGS, max_time: time, ..SweepOptions::default() };
+    let orbits = sweep(&torus, &[*start], &options, &Monitor::default()).ok()?;
+    let orbit = orbits.first().filter(|orbit| orbit.report.end != End::StaysOnSection)?;
+    let shown = orbit.points.iter().map(|point| AnimatedCrossing {
+        at: point.time / time,
+        sheet: point.sheet,
+        theta: point.theta,
+        psi: point.psi,
+    });
+    Some(shown.collect())
+}
+
+/// A page that holds the picture, to stop it and to go to a time.
+fn page(svg: &str) -> String {
+    format!(
+        "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>bifdiag orbit</title>\n\
+         <style>body{{margin:1em auto;max-width:60em;font-family:sans-serif}}input{{width:70%}}</style>\n{svg}\
+         <p><button id=\"stop\">stop</button> <input id=\"time\" type=\"range\" min=\"0\" max=\"{SECONDS}\" step=\"0.01\" \
+         value=\"0\" aria-label=\"time\"></p>\n\
+         <script>\n\
+         const svg = document.querySelector(\"svg\"), stop = document.getElementById(\"stop\");\n\
+         const time = document.getElementById(\"time\");\n\
+         stop.onclick = () => {{\n  const paused = svg.animationsPaused();\n  paused ? svg.unpauseAnimations() : svg.pauseAnimations();\n\
+         \x20 stop.textContent = paused ? \"stop\" : \"go on\";\n}};\n\
+         time.oninput = () => svg.setCurrentTime(Number(time.value));\n\
+         setInterval(() => {{ if (!svg.animationsPaused()) time.value = svg.getCurrentTime() % {SECONDS}; }}, 100);\n\
+         </script></html>\n"
+    )
+}

@@ -1,0 +1,297 @@
+//! The journal of a streamed section: the crossings that were found survive the end of the process.
+//!
+//! `FILE.partial` begins with a line that tells which section it belongs to. Blocks follow: an orbit's next crossings,
+//! what the orbit was like until then, and where it goes on, closed by their SHA-256. What does not end in a whole block
+//! is cut off when the section is taken up again.
+
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use dynamics::field::Integrals;
+use dynamics::section::{End, Halt, OrbitReport, OrbitSection};
+use sha2::{Digest, Sha256};
+
+use super::super::error::{SectionFailure, SectionInput};
+use crate::cli::export::{Column, Columns, Pieces};
+use crate::cli::section::table;
+
+/// Words before the rows of a block: orbit, end and number of rows; the report; the halt.
+const HEAD: usize = 3 + REPORT + Halt::WORDS;
+/// Words of a report.
+const REPORT: usize = 8;
+/// Bytes after the rows.
+const SEAL: usize = 32;
+
+/// How far an orbit has come.
+#[derive(Clone, Copy, Debug)]
+pub struct Standing {
+    pub report: OrbitReport,
+    /// Where it goes on; `None` where it has ended.
+    pub halt: Option<Halt>,
+}
+
+/// Crossings of one orbit in the journal.
+#[derive(Clone, Copy, Debug)]
+struct Block {
+    orbit: u32,
+    rows: usize,
+    /// Where the rows begin.
+    offset: u64,
+}
+
+/// An open journal.
+pub struct Journal {
+    path: PathBuf,
+    file: File,
+    end: u64,
+    blocks: Vec<Block>,
+    standings: Vec<Option<Standing>>,
+    /// The columns without rows, and the parameters of the run.
+    columns: Vec<Column>,
+    pub meta: String,
+}
+
+impl Journal {
+    /// The journal of an output file.
+    pub fn path_for(out: &Path) -> PathBuf {
+        let mut name = out.as_os_str().to_owned();
+        name.push(".partial");
+        PathBuf::from(name)
+    }
+
+    /// Opens the journal beside an output file for so many orbits: takes up what is there, or begins. `identity` is a text
+    /// on one line.
+    pub fn open(out: &Path, identity: &str, orbits: usize) -> Result<Self, SectionFailure> {
+        let path = Self::path_for(out);
+        let failed = |source: io::Error| SectionFailure::Journal { path: path.clone(), source };
+        if let Some(directory) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+            std::fs::create_dir_all(directory).map_err(failed)?;
+        }
+        let file =
+            OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(SectionInput::Busy { journal: path }.into()),
+            Err(TryLockError::Error(source)) => return Err(failed(source)),
+        }
+        let columns = table::columns(&[]);
+        let columns = columns.into_iter().map(|(name, values)| Column { name, values }).collect();
+        let (blocks, standings) = (Vec::new(), vec![None; orbits]);
+        let mut journal = Self { path: path.clone(), file, end: 0, blocks, standings, columns, meta: String::new() };
+        let line = format!("{identity}\n").into_bytes();
+        let mut found = vec![0; line.len()];
+        match journal.file.read_exact(&mut found) {
+            Ok(()) if found == line => journal.end = line.len() as u64,
+            // Nothing, or the process ended while it wrote the first line.
+            Err(error) if error.kind() == io::ErrorKind::UnexpectedEof && !found.contains(&b'\n') => {
+                journal.file.set_len(0).map_err(failed)?;
+                journal.file.seek(SeekFrom::Start(0)).map_err(failed)?;
+                journal.file.write_all(&line).map_err(failed)?;
+                journal.end = line.len() as u64;
+                return Ok(journal);
+            }
+            Ok(()) => return Err(SectionInput::OtherJournal { journal: path }.into()),
+            Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
+                return Err(SectionInput::OtherJournal { journal: path }.into());
+            }
+            Err(error) => return Err(failed(error)),
+        }
+        journal.read_whole_blocks().map_err(failed)?;
+        journal.file.set_len(journal.end).map_err(failed)?;
+        journal.file.seek(SeekFrom::End(0)).map_err(failed)?;
+        Ok(journal)
+    }
+
+    /// How far each orbit has come; `None` where it was not begun.
+    pub fn standings(&self) -> &[Option<Standing>] {
+        &self.standings
+    }
+
+    /// Bytes of a row.
+    fn width(&self) -> usize {
+        self.columns.iter().map(|column| column.values.row_bytes()).sum()
+    }
+
+    fn read_whole_blocks(&mut self) -> io::Result<()> {
+        let width = self.width();
+        let length = self.file.metadata()?.len();
+        let mut reader = BufReader::with_capacity(1 << 20, self.file.try_clone()?);
+        let mut head = [0; 8 * HEAD];
+        let mut room = vec![0; 1 << 16];
+        loop {
+            if self.end + ((8 * HEAD + SEAL) as u64) > length {
+                return Ok(());
+            }
+            reader.read_exact(&mut head)?;
+            let words = words(&head);
+            let (Ok(orbit), Ok(rows)) = (u32::try_from(words[0]), usize::try_from(words[2])) else { return Ok(()) };
+            let bytes = words[2].checked_mul(width as u64).filter(|bytes| *bytes <= length);
+            let fits = bytes.filter(|bytes| self.end + ((8 * HEAD + SEAL) as u64) + bytes <= length);
+            let (Some(bytes), true) = (fits, (orbit as usize) < self.standings.len()) else { return Ok(()) };
+            let mut digest = Sha256::new();
+            digest.update(head);
+            let mut left = bytes;
+            while left > 0 {
+                let part = room.len().min(usize::try_from(left).unwrap_or(usize::MAX));
+                reader.read_exact(&mut room[..part])?;
+                digest.update(&room[..part]);
+                left -= part as u64;
+            }
+            let mut seal = [0; SEAL];
+            reader.read_exact(&mut seal)?;
+            if seal[..] != digest.finalize()[..] {
+                return Ok(());
+            }
+            self.take(&words, orbit, rows);
+            self.end += (8 * HEAD + SEAL) as u64 + bytes;
+        }
+    }
+
+    /// Notes a block that begins at the end.
+    fn take(&mut self, words: &[u64; HEAD], orbit: u32, rows: usize) {
+        // An orbit that failed is followed once more, so that the reason is told.
+        if let Some(standing) = standing(words) {
+            self.standings[orbit as usize] = Some(standing);
+            let offset = self.end + (8 * HEAD) as u64;
+            self.blocks.push(Block { orbit, rows, offset });
+        }
+    }
+
+    /// Adds an orbit's next crossings.
+    pub fn append(&mut self, orbit: &OrbitSection, halt: Option<Halt>) -> Result<(), SectionFailure> {
+        let mut words = [0; HEAD];
+        words[..3].copy_from_slice(&[
+            u64::from(orbit.orbit),
+            end_code(orbit.report.end, halt),
+            orbit.points.len() as u64,
+        ]);
+        words[3..3 + REPORT].copy_from_slice(&report_words(&orbit.report));
+        words[3 + REPORT..].copy_from_slice(&halt.unwrap_or_default().words());
+        let mut block: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        let points: Vec<_> = orbit.points.iter().collect();
+        for (_, values) in table::columns(&points) {
+            block.extend(values.bytes());
+        }
+        let seal = Sha256::digest(&block);
+        block.extend_from_slice(&seal);
+        self.file.write_all(&block).map_err(|source| SectionFailure::Journal { path: self.path.clone(), source })?;
+        let offset = self.end + (8 * HEAD) as u64;
+        self.blocks.push(Block { orbit: orbit.orbit, rows: orbit.points.len(), offset });
+        self.standings[orbit.orbit as usize] = Some(Standing { report: orbit.report, halt });
+        self.end += block.len() as u64;
+        Ok(())
+    }
+
+    /// The section is whole: blocks stand in the order of the orbits.
+    pub fn close(&mut self, meta: String) {
+        self.meta = meta;
+        self.blocks.sort_by_key(|block| block.orbit);
+    }
+
+    /// Its file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The bytes of some columns of a block.
+    fn read(&mut self, block: Block, columns: std::ops::Range<usize>, room: &mut Vec<u8>) -> io::Result<()> {
+        let size = |columns: &[Column]| columns.iter().map(|column| column.values.row_bytes()).sum::<usize>();
+        let (before, within) = (size(&self.columns[..columns.start]), size(&self.columns[columns]));
+        room.resize(block.rows * within, 0);
+        self.file.seek(SeekFrom::Start(block.offset + (block.rows * before) as u64))?;
+        self.file.read_exact(room)
+    }
+}
+
+impl Pieces for Journal {
+    fn columns(&self) -> Vec<Column> {
+        self.columns.clone()
+    }
+
+    fn rows(&self) -> usize {
+        self.blocks.iter().map(|block| block.rows).sum()
+    }
+
+    fn meta(&self) -> &str {
+        &self.meta
+    }
+
+    fn column(&mut self, number: usize, take: &mut dyn FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
+        let mut room = Vec::new();
+        for k in 0..self.blocks.len() {
+            self.read(self.blocks[k], number..number + 1, &mut room)?;
+            take(&room)?;
+        }
+        Ok(())
+    }
+
+    fn pieces(&mut self, take: &mut dyn FnMut(&[Column]) -> io::Result<()>) -> io::Result<()> {
+        let mut room = Vec::new();
+        for k in 0..self.blocks.len() {
+            let block = self.blocks[k];
+            self.read(block, 0..self.columns.len(), &mut room)?;
+            let mut rest = &room[..];
+            let mut piece = Columns { columns: self.columns.clone(), meta: String::new() };
+            for column in &mut piece.columns {
+                let (bytes, after) = rest.split_at(block.rows * column.values.row_bytes());
+                column.values.extend_from_bytes(bytes);
+                rest = after;
+            }
+            take(&piece.columns)?;
+        }
+        Ok(())
+    }
+}
+
+fn words(bytes: &[u8; 8 * HEAD]) -> [u64; HEAD] {
+    let mut words = [0; HEAD];
+    for (word, bytes) in words.iter_mut().zip(bytes.as_chunks::<8>().0) {
+        *word = u64::from_le_bytes(*bytes);
+    }
+    words
+}
+
+/// The ends that are kept.
+const ENDS: [End; 3] = [End::Crossings, End::Time, End::StaysOnSection];
+/// An orbit that goes on, and one that failed.
+const GOES_ON: u64 = 100;
+const FAILED: u64 = 101;
+
+fn end_code(end: End, halt: Option<Halt>) -> u64 {
+    match (halt, ENDS.iter().position(|one| *one == end)) {
+        (Some(_), _) => GOES_ON,
+        (None, Some(place)) => place as u64,
+        (None, None) => FAILED,
+    }
+}
+
+fn report_words(report: &OrbitReport) -> [u64; REPORT] {
+    let Integrals { energy, vertical_momentum, gamma_squared } = report.drift;
+    let floats = [report.time, energy, vertical_momentum, gamma_squared, report.residual].map(f64::to_bits);
+    let [a, b, c, d, e] = floats;
+    [u64::from(report.crossings), report.steps, u64::from(report.tangencies), a, b, c, d, e]
+}
+
+/// How far the orbit of a block has come; `None` where it failed.
+fn standing(words: &[u64; HEAD]) -> Option<Standing> {
+    let mut halt = [0; Halt::WORDS];
+    halt.copy_from_slice(&words[3 + REPORT..]);
+    let (halt, end) = match words[1] {
+        GOES_ON => (Some(Halt::from_words(halt)), End::Interrupted),
+        code => (None, *ENDS.get(usize::try_from(code).ok()?)?),
+    };
+    let word = |k: usize| words[3 + k];
+    let float = |k: usize| f64::from_bits(word(k));
+    let drift = Integrals { energy: float(4), vertical_momentum: float(5), gamma_squared: float(6) };
+    let report = OrbitReport {
+        end,
+        crossings: u32::try_from(word(0)).ok()?,
+        steps: word(1),
+        time: float(3),
+        tangencies: u32::try_from(word(2)).ok()?,
+        drift,
+        residual: float(7),
+    };
+    Some(Standing { report, halt })
+}

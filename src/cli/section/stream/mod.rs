@@ -1,0 +1,115 @@
+//! Sections longer than memory: crossings go to `FILE.partial` as they are found, and from there into FILE.
+
+mod journal;
+
+use std::path::{Path, PathBuf};
+
+use dynamics::poincare::{PoincareSection, Setting};
+use dynamics::section::{Monitor, OrbitReport, OrbitSection, SweepOptions, Task, TorusPoint, sweep_on};
+use schema::SectionDocument;
+
+use self::journal::{Journal, Standing};
+use super::error::SectionFailure;
+
+/// The journal of an output file.
+pub fn journal(out: &Path) -> PathBuf {
+    Journal::path_for(out)
+}
+
+/// Crossings in memory at one time, about.
+const CROSSINGS: usize = 1 << 18;
+/// Fewest orbits that are followed at one time, so that no lane is idle.
+const ORBITS: usize = 128;
+
+/// A section whose crossings lie in a journal.
+pub struct Streamed {
+    pub out: PathBuf,
+    pub section: PoincareSection,
+    journal: Journal,
+}
+
+/// Follows the orbits of a section into the journal of a file, from where an earlier run has left them. Interrupted, it
+/// is not complete, and the same again goes on.
+///
+/// # Errors
+/// When the journal cannot be read or written, or belongs to another section.
+pub fn follow(
+    out: &Path,
+    setting: &Setting,
+    (starts, seed): (&[TorusPoint], Option<u64>),
+    options: &SweepOptions,
+    monitor: &Monitor,
+) -> Result<Streamed, SectionFailure> {
+    let mut section = setting.begin(starts, seed, options)?;
+    let mut journal = Journal::open(out, &identity(&section), starts.len())?;
+    let mut states = Vec::with_capacity(starts.len());
+    for start in starts {
+        states.push(setting.state(*start).map_err(dynamics::poincare::PoincareError::from)?);
+    }
+    let known = |standing: &Option<Standing>| standing.map_or(0, |standing| u64::from(standing.report.crossings));
+    let before = journal.standings().iter().map(known).sum();
+    monitor.crossings.fetch_add(before, std::sync::atomic::Ordering::Relaxed);
+    let at_once = (CROSSINGS / options.crossings.saturating_add(1)).max(ORBITS);
+    while !monitor.is_stopped() {
+        let goes_on = |standing: &Option<Standing>| standing.is_none_or(|standing| standing.halt.is_some());
+        let pending =
+            journal.standings().iter().zip(&states).zip(0_u32..).filter(|((standing, _), _)| goes_on(standing));
+        let tasks: Vec<Task> = pending
+            .take(at_once)
+            .map(|((standing, start), orbit)| Task {
+                orbit,
+                start: *start,
+                halt: standing.and_then(|known| known.halt),
+            })
+            .collect();
+        if tasks.is_empty() {
+            break;
+        }
+        let most = (CROSSINGS / tasks.len()).max(1);
+        let legs = sweep_on(setting.torus(), &tasks, options, most, monitor)
+            .map_err(dynamics::poincare::PoincareError::from)?;
+        for (orbit, halt) in legs {
+            // Methods that cannot be halted begin anew.
+            if halt.is_some() || orbit.report.end != dynamics::section::End::Interrupted {
+                journal.append(&orbit, halt)?;
+            }
+        }
+    }
+    let report = |(standing, orbit): (&Option<Standing>, u32)| -> Option<OrbitSection> {
+        let report: OrbitReport = standing.as_ref()?.report;
+        Some(OrbitSection { points: Vec::new(), report, orbit })
+    };
+    section.orbits = journal.standings().iter().zip(0_u32..).filter_map(report).collect();
+    Ok(Streamed { out: out.to_owned(), section, journal })
+}
+
+/// Which section it is: the starts, and all that is asked of them.
+fn identity(section: &PoincareSection) -> String {
+    let PoincareSection { body, h, l, starts, options, .. } = section;
+    let [moments, center] = [body.moments(), body.center()].map(|numbers| documents::texts(numbers).join(","));
+    let starts: Vec<String> =
+        starts.iter().map(|start| format!("{:?} {:?} {}", start.theta, start.psi, start.sheet)).collect();
+    format!(
+        "bifdiag {} section A={moments} r={center} h={} l={} crossings={} max_time={:?} method={:?} condition={:?} starts={}",
+        env!("CARGO_PKG_VERSION"),
+        h.text(),
+        l.text(),
+        options.crossings,
+        options.max_time,
+        options.method,
+        options.condition,
+        starts.join(";"),
+    )
+}
+
+impl Streamed {
+    /// The rows in the order of the orbits, with the document that tells what they mean, and the journal's file.
+    ///
+    /// # Errors
+    /// When the document cannot be written as JSON.
+    pub fn close(self, document: &SectionDocument) -> Result<(PathBuf, Journal), serde_json::Error> {
+        let mut journal = self.journal;
+        journal.close(serde_json::to_string(document)?);
+        Ok((self.out, journal))
+    }
+}
