@@ -202,7 +202,8 @@ fn scaling_by_powers_of_two_changes_nothing_but_the_scale() {
             for (h, l) in [("0", "0"), ("0.3", "0.4"), ("1.1", "0.7"), ("-0.2", "0.1"), ("4", "1.5")] {
                 let (h, l) = (number(h).value().clone(), number(l).value().clone());
                 // h scales as r, l as √(A r).
-                let place = |p: i32, q: i32| [&h * power(q), &l * power((p + q) / 2)].map(Number::from_rational);
+                let place =
+                    |p: i32, q: i32| [&h * power(q), &l * power(i32::midpoint(p, q))].map(Number::from_rational);
                 let [plain, moved] = [(0, 0), (p, q)].map(|(p, q)| place(p, q));
                 let plain = classify(&bodies[0], &plain[0], &plain[1], Accuracy::Exact).unwrap();
                 let moved = classify(&bodies[1], &moved[0], &moved[1], Accuracy::Exact).unwrap();
