@@ -42,31 +42,14 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     }
     let map = map(&bodies, [arguments.x, arguments.y], arguments.show);
     let picture = timings.stage("map", || draw_map(&map, arguments.picture.theme())).map_err(ExportError::from)?;
-    let (directory, stem) = place(arguments)?;
-    let mut files = FileSet::new(&directory);
-    files.pictures(&stem, &picture, &arguments.picture.format, RESOLUTION, timings)?;
-    Ok(print(Report::of_paths(&files.write()?).text())?)
+    let mut files = FileSet::new(&arguments.out);
+    files.remove_pictures("map");
+    files.pictures("map", &picture, &arguments.picture.format, RESOLUTION, timings)?;
+    Ok(print(Report::written(&files.write()?).text())?)
 }
 
 fn names() -> String {
     Parameter::ALL.map(Parameter::name).join(", ")
-}
-
-/// Directory and name without ending.
-fn place(arguments: &MapArguments) -> Result<(std::path::PathBuf, String), Failure> {
-    let out = &arguments.out;
-    let ending = out.extension().and_then(|ending| ending.to_str());
-    let stem = if ending.is_some_and(|ending| matches!(ending, "svg" | "png" | "pdf" | "tikz")) {
-        out.file_stem()
-    } else {
-        out.file_name()
-    };
-    let Some(stem) = stem.and_then(|stem| stem.to_str()) else {
-        let reason = "a file name is needed, such as --out map".to_owned();
-        return Err(ScanInput::Axis { option: "--out", name: out.display().to_string(), reason }.into());
-    };
-    let directory = out.parent().filter(|parent| !parent.as_os_str().is_empty());
-    Ok((directory.unwrap_or_else(|| std::path::Path::new(".")).to_owned(), stem.to_owned()))
 }
 
 /// What a body shows by its colour.
