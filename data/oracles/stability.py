@@ -2,6 +2,7 @@
 """Relative equilibria and their eigenvalues, with 60 digits, by other means than the program's.
 
     python3 data/oracles/stability.py > data/oracles/stability.jsonl
+    python3 data/oracles/stability.py 2000 > generic.jsonl      # a campaign: so many generic bodies
 
 For each body and l the critical points of U_l are found from Staude's equation by sign changes of
 l(mu) - l on a dense grid, refined with 60 digits (mpmath), and from the equation of the pairs; each is put into the full
@@ -225,8 +226,17 @@ def cases():
             yield A, ["0", "0", "0"], l
 
 
+def generic(count):
+    """Generic bodies for a campaign, one l each."""
+    rng = random.Random(2000)
+    digits = lambda x, n=5: f"{x:.{n}f}"
+    for _ in range(count):
+        A = [digits(rng.uniform(0.2, 2)) for _ in range(3)]
+        yield A, [digits(rng.gauss(0, 1)) for _ in range(3)], digits(10 ** rng.uniform(-1.5, 1.3), 4)
+
+
 def main():
-    for A, r, l in cases():
+    for A, r, l in generic(int(sys.argv[1])) if len(sys.argv) > 1 else cases():
         print(json.dumps(solved(A, r, l)))
         sys.stdout.flush()
 

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::num::NonZeroUsize;
 
 use clap::parser::ValueSource;
-use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser};
 use thiserror::Error;
 use top::body::{Number, Preset};
 
@@ -45,6 +45,14 @@ Numbers are decimals, decimals with exponent or rationals (1.1, 11e-1, 11/10) an
 Exit status: 0 done; 2 the input is wrong; 1 anything else.";
 
 /// The whole command line.
+#[derive(Debug)]
+pub struct Options {
+    pub atlas: AtlasArguments,
+    pub common: CommonArguments,
+    pub command: Option<Command>,
+}
+
+/// What stands before the commands.
 #[derive(Debug, Parser)]
 #[command(
     name = "bifdiag",
@@ -55,75 +63,113 @@ Exit status: 0 done; 2 the input is wrong; 1 anything else.";
     disable_help_subcommand = true,
     max_term_width = 100
 )]
-pub struct Options {
+struct MainArguments {
     #[command(flatten)]
-    pub atlas: AtlasArguments,
+    atlas: AtlasArguments,
     #[command(flatten)]
-    pub common: CommonArguments,
-    #[command(subcommand)]
-    pub command: Option<Command>,
+    common: CommonArguments,
 }
 
-/// The commands; without one, `atlas` is meant.
-#[derive(Debug, Subcommand)]
-pub enum Command {
+/// Commands that work on one thread: they take --threads, and do not show it.
+const ON_ONE_THREAD: [&str; 12] = [
+    "show",
+    "sphere",
+    "orbit",
+    "verify",
+    "body",
+    "state",
+    "critical-spin",
+    "campbell",
+    "bodies",
+    "schema",
+    "completions",
+    "man",
+];
+
+/// A command with its options, of which those of every command are shown only where they do something.
+fn with_options<T: Args>(command: clap::Command) -> clap::Command {
+    let command = T::augment_args(command);
+    if !ON_ONE_THREAD.contains(&command.get_name()) {
+        return command;
+    }
+    let threads = clap::Arg::new("threads").long("threads").value_name("N").allow_hyphen_values(true);
+    command.arg(threads.value_parser(values::threads).hide(true))
+}
+
+/// Declares the commands: with clap's derive the options of all of them would be made at every start, which takes longer
+/// than many an answer.
+macro_rules! commands {
+    ($(#[doc = $about:literal] $variant:ident($arguments:ty) = $name:literal, $examples:expr;)+) => {
+        /// The commands; without one, `atlas` is meant.
+        #[derive(Debug)]
+        pub enum Command {
+            $(#[doc = $about] $variant($arguments)),+
+        }
+
+        impl Command {
+            /// Adds the commands to the main one; only those that are `wanted` with their options.
+            fn add_to(mut main: clap::Command, wanted: impl Fn(&str) -> bool) -> clap::Command {
+                $(
+                    let mut command = clap::Command::new($name);
+                    if wanted($name) {
+                        command = with_options::<$arguments>(command);
+                    }
+                    let about = $about.trim_start();
+                    main = main.subcommand(command.about(about).long_about(None::<&str>).after_help($examples));
+                )+
+                main
+            }
+
+            /// The command with this name.
+            fn named(name: &str, matches: &mut clap::ArgMatches) -> Result<Option<Self>, clap::Error> {
+                Ok(match name {
+                    $($name => Some(Self::$variant(<$arguments as FromArgMatches>::from_arg_matches_mut(matches)?)),)+
+                    _ => None,
+                })
+            }
+        }
+    };
+}
+
+commands! {
     /// Find every region of the (h, l) plane with its topology (the default)
-    #[command(after_help = atlas::EXAMPLES)]
-    Atlas(AtlasArguments),
+    Atlas(AtlasArguments) = "atlas", atlas::EXAMPLES;
     /// Tell the type of U, E and P at one point (h, l), or at many
-    #[command(after_help = classify::EXAMPLES)]
-    Classify(ClassifyArguments),
+    Classify(ClassifyArguments) = "classify", classify::EXAMPLES;
     /// List all relative equilibria at one l, or at many
-    #[command(after_help = critical::EXAMPLES)]
-    Critical(CriticalArguments),
+    Critical(CriticalArguments) = "critical", critical::EXAMPLES;
     /// Look at many bodies: which classes of diagrams they have
-    #[command(after_help = scan::SCAN_EXAMPLES)]
-    Scan(Box<ScanArguments>),
+    Scan(Box<ScanArguments>) = "scan", scan::SCAN_EXAMPLES;
     /// Search for a body and a point that show a wanted type
-    #[command(after_help = find::FIND_EXAMPLES)]
-    Find(FindArguments),
+    Find(FindArguments) = "find", find::FIND_EXAMPLES;
     /// Explain a region, a curve or an event in words
-    #[command(after_help = show::EXAMPLES)]
-    Show(ShowArguments),
+    Show(ShowArguments) = "show", show::EXAMPLES;
     /// Compute a Poincaré section on the PP-torus
-    #[command(after_help = section::EXAMPLES)]
-    Section(SectionArguments),
+    Section(SectionArguments) = "section", section::EXAMPLES;
     /// Draw U on the Poisson sphere at one point: its components, their boundaries and poles
-    #[command(after_help = sphere::EXAMPLES)]
-    Sphere(SphereArguments),
+    Sphere(SphereArguments) = "sphere", sphere::EXAMPLES;
     /// Follow the body's motion in space: attitude, Euler's angles, angular velocity
-    #[command(after_help = orbit::EXAMPLES)]
-    Orbit(OrbitArguments),
+    Orbit(OrbitArguments) = "orbit", orbit::EXAMPLES;
     /// Check an atlas by other means than those that made it
-    #[command(after_help = verify::EXAMPLES)]
-    Verify(VerifyArguments),
+    Verify(VerifyArguments) = "verify", verify::EXAMPLES;
     /// Show and draw a real part as it was understood
-    #[command(after_help = part::BODY_EXAMPLES)]
-    Body(PartBodyArguments),
+    Body(PartBodyArguments) = "body", part::BODY_EXAMPLES;
     /// Tell where a state lies: its (h, l), its region or curve, and whether it is stable
-    #[command(after_help = spin::STATE_EXAMPLES)]
-    State(Box<StateArguments>),
+    State(Box<StateArguments>) = "state", spin::STATE_EXAMPLES;
     /// List the spins at which rotation about an axis changes its stability or its regions
-    #[command(after_help = spin::CRITICAL_SPIN_EXAMPLES)]
-    CriticalSpin(Box<CriticalSpinArguments>),
+    CriticalSpin(Box<CriticalSpinArguments>) = "critical-spin", spin::CRITICAL_SPIN_EXAMPLES;
     /// Draw the frequencies of small oscillations over the spin of a permanent axis
-    #[command(after_help = spin::CAMPBELL_EXAMPLES)]
-    Campbell(Box<CampbellArguments>),
+    Campbell(Box<CampbellArguments>) = "campbell", spin::CAMPBELL_EXAMPLES;
     /// List the named bodies
-    #[command(after_help = bodies::EXAMPLES)]
-    Bodies(BodiesArguments),
+    Bodies(BodiesArguments) = "bodies", bodies::EXAMPLES;
     /// Print the JSON Schemas of the documents
-    #[command(after_help = schema::EXAMPLES)]
-    Schema(SchemaArguments),
+    Schema(SchemaArguments) = "schema", schema::EXAMPLES;
     /// Print the completions of a shell
-    #[command(after_help = pages::COMPLETIONS_EXAMPLES)]
-    Completions(CompletionsArguments),
+    Completions(CompletionsArguments) = "completions", pages::COMPLETIONS_EXAMPLES;
     /// Print the manual page, or write the pages of all commands
-    #[command(after_help = pages::MAN_EXAMPLES)]
-    Man(ManArguments),
+    Man(ManArguments) = "man", pages::MAN_EXAMPLES;
     /// Draw every figure of the paper and of the documentation
-    #[command(after_help = figures::EXAMPLES)]
-    Figures(FiguresArguments),
+    Figures(FiguresArguments) = "figures", figures::EXAMPLES;
 }
 
 /// Options of every command.
@@ -164,21 +210,27 @@ pub enum Refusal {
 impl Options {
     /// The clap command, for completions and manual pages.
     pub fn command() -> clap::Command {
-        <Self as CommandFactory>::command()
+        Command::add_to(MainArguments::command(), |_| true)
     }
 
     /// The options of a command line; the first argument is the name of the program.
     pub fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, Refusal> {
         let arguments: Vec<OsString> = arguments.into_iter().collect();
-        let command = Self::command();
-        check_gone(&command, &arguments)?;
+        let is_named = |name: &str| arguments.iter().any(|argument| argument == name);
+        let mut command = Command::add_to(MainArguments::command(), is_named);
+        check_gone(&arguments)?;
         check_forms(&command, &arguments)?;
         check_values(&command, &arguments)?;
-        let matches = command.clone().try_get_matches_from(arguments)?;
-        if let Some(name) = matches.subcommand_name() {
-            check_no_stray_option(&command, &matches, name)?;
-        }
-        Ok(Self::from_arg_matches(&matches)?)
+        let mut matches = command.try_get_matches_from_mut(arguments)?;
+        let MainArguments { atlas, common } = MainArguments::from_arg_matches(&matches)?;
+        let command = match matches.remove_subcommand() {
+            None => None,
+            Some((name, mut of_command)) => {
+                check_no_stray_option(&command, &matches, &name)?;
+                Command::named(&name, &mut of_command)?
+            }
+        };
+        Ok(Self { atlas, common, command })
     }
 }
 
@@ -186,14 +238,13 @@ impl Options {
 const GONE: [(&str, &str); 2] = [("rng-seed", "--seed K"), ("seeds", "--starts FILE.csv")];
 
 /// An option of an earlier version is named with its successor, unless some command still has it.
-fn check_gone(command: &clap::Command, arguments: &[OsString]) -> Result<(), Refusal> {
+fn check_gone(arguments: &[OsString]) -> Result<(), Refusal> {
     let long = |text: &OsString| Some(text.to_str()?.strip_prefix("--")?.split('=').next()?.to_owned());
-    let known = |name: &str| {
-        let mut everywhere = command.get_subcommands().chain([command]).flat_map(clap::Command::get_arguments);
-        everywhere.any(|argument| argument.get_long() == Some(name))
-    };
-    for name in arguments.iter().filter_map(long).filter(|name| !known(name)) {
-        if let Some((option, successor)) = GONE.into_iter().find(|(option, _)| *option == name) {
+    for name in arguments.iter().filter_map(long) {
+        let Some((option, successor)) = GONE.into_iter().find(|(option, _)| *option == name) else { continue };
+        let command = Options::command();
+        let mut everywhere = command.get_subcommands().chain([&command]).flat_map(clap::Command::get_arguments);
+        if !everywhere.any(|argument| argument.get_long() == Some(option)) {
             return Err(Refusal::Gone { option: format!("--{option}"), successor });
         }
     }

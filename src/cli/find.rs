@@ -21,8 +21,8 @@ Examples:
   bifdiag find --signature T2+S2
   bifdiag find --critical-points 8 --samples 20000
 
-A type of the witnesses that come with bifdiag is answered at once; --search looks for another, and so do --seed and --all.
-Nothing found (exit status 1) means that so many bodies were tried, and how near the best one came; that there is none is said only where a theorem
+A type of the witnesses that come with bifdiag is answered at once; --search looks for another, and so do --seed and --all. \
+Nothing found (exit status 1) means that so many bodies were tried, and how near the best one came; that there is none is said only where a theorem \
 says so.";
 
 /// `bifdiag find`.

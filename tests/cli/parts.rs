@@ -244,7 +244,7 @@ fn wrong_parts_are_refused_with_a_message_that_helps() {
         ("--part mixed.obj --density 1", &["mixed orientation", "4 edges"]),
         ("--part empty.obj --density 1", &["the mesh is empty"]),
         ("--part box.obj", &["a mesh has no mass", "--density", "--mass"]),
-        ("--part box.obj --density 1 --mass 2", &["give one"]),
+        ("--part box.obj --density 1 --mass 2", &["one of them is enough"]),
         ("--part broken.stl --density 1", &["--part broken.stl", "STL"]),
         ("--part notes.txt --density 1", &[".stl, .obj, .ply"]),
         ("--part missing.stl --density 1", &["--part missing.stl", "No such file"]),

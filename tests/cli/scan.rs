@@ -68,8 +68,8 @@ fn katok_bodies_of_a_grid_have_seven_classes() {
     let summary = bifdiag(grid).inside(place.path()).succeeds().json();
     assert_eq!((summary["rows"].as_u64(), summary["classes"].as_array().unwrap().len()), (Some(900), 7));
     assert_eq!(summary["undecided"], 0);
-    bifdiag("scan map katok.parquet --x A2 --y A3 --out maps/katok --format svg,png").inside(place.path()).succeeds();
-    let svg = fs::read_to_string(place.path().join("maps/katok.svg")).unwrap();
+    bifdiag("scan map katok.parquet --x A2 --y A3 --out maps --format svg,png").inside(place.path()).succeeds();
+    let svg = fs::read_to_string(place.path().join("maps/map.svg")).unwrap();
     assert!(svg.contains("7 classes") && svg.contains("katok:5"));
     for show in ["regions", "critical-points"] {
         bifdiag(&format!("scan map katok.parquet --x A2 --y A3 --show {show}")).inside(place.path()).succeeds();
@@ -268,6 +268,8 @@ fn katoks_borders_come_out_exactly() {
         assert_eq!((&found["reached"], &found["event"]["kind"]), (&Value::Bool(true), &Value::from(kind)), "{line}");
         assert!(found["event"]["text"].as_str().unwrap().contains(text), "{line}: {}", found["event"]["text"]);
     }
+    let told = bifdiag("scan border --body katok:2 --vary A3=0.7:0.8").succeeds();
+    told.printing("A3 = 0.75, exactly").printing("at h = 3, l = 2,");
 }
 
 #[test]

@@ -39,6 +39,7 @@ fn event(event: &BorderEvent) -> BorderEventDocument {
         curves: event.curves.iter().map(ToString::to_string).collect(),
         h: event.place.map(|place| place.h),
         l: event.place.map(|place| place.l),
+        error_bound: event.place.map(|place| place.error),
         vanish: event.vanish.iter().map(ToString::to_string).collect(),
         appear: event.appear.iter().map(ToString::to_string).collect(),
     }

@@ -92,7 +92,7 @@ pub fn classification(
     let asked = !matches!(located, Located::NotAsked);
     let unnamed = asked && !matches!(found.answer, Answer::Forbidden) && places.is_none();
     let notes = [
-        (body.flags().euler, "r = 0: the poles ±r̂ do not exist and S vanishes identically, so P_hl is not defined"),
+        (body.is_euler(), "r = 0: the poles ±r̂ do not exist and S vanishes identically, so P_hl is not defined"),
         (unnamed, "the ids of the regions are not known: the atlas of this body was not finished within its budget"),
     ];
     let notes: Vec<&str> = notes.iter().filter(|(applies, _)| *applies).map(|(_, note)| *note).collect();

@@ -28,12 +28,14 @@ impl CommandLine {
     pub fn option(mut self, name: &str, value: impl Display) -> Self {
         let value = value.to_string();
         // A shell reads these as they stand.
-        let plain = |c: char| c.is_ascii_alphanumeric() || "+-./:=,_".contains(c);
+        let plain = |c: u8| c.is_ascii_alphanumeric() || b"+-./:=,_".contains(&c);
         // After a blank, a value that starts with a hyphen could be taken for an option.
         let separator = if value.starts_with('-') { "=" } else { " " };
-        let quote = if !value.is_empty() && value.chars().all(plain) { "" } else { "'" };
-        let value = value.replace('\'', r"'\''");
-        self.0.extend([" --", name, separator, quote, &value, quote]);
+        if !value.is_empty() && value.bytes().all(plain) {
+            self.0.extend([" --", name, separator, &value]);
+        } else {
+            self.0.extend([" --", name, separator, "'", &value.replace('\'', r"'\''"), "'"]);
+        }
         self
     }
 

@@ -1,7 +1,8 @@
 //! JSON for people: what fits a line stands on one line.
 
+use std::ops::Range;
+
 use serde::Serialize;
-use serde_json::Value;
 
 /// Lines are broken when they would become longer.
 const WIDTH: usize = 110;
@@ -11,101 +12,199 @@ const WIDTH: usize = 110;
 /// # Errors
 /// When the document cannot be written as JSON.
 pub fn text(document: &impl Serialize) -> Result<String, serde_json::Error> {
-    let value = serde_json::to_value(document)?;
-    let mut out = String::new();
-    write(&mut out, &value, 0);
-    out.push('\n');
-    Ok(out)
+    let compact = serde_json::to_string(document)?;
+    let mut outline = Outline { text: &compact, at: 0, nodes: Vec::with_capacity(compact.len() / 8) };
+    outline.value(0..0);
+    let mut page = Page {
+        text: &compact,
+        nodes: &outline.nodes,
+        out: String::with_capacity(compact.len() + compact.len() / 4),
+        line: 0,
+    };
+    page.write(0, 0);
+    page.out.push('\n');
+    Ok(page.out)
 }
 
-fn write(out: &mut String, value: &Value, indent: usize) {
-    if let Some(line) = on_one_line(value, room(out)) {
-        out.push_str(&line);
-        return;
+/// A value in the compact text.
+struct Node {
+    text: Range<usize>,
+    /// Its key in an object, colon included.
+    key: Range<usize>,
+    kind: Kind,
+    /// On one line.
+    width: usize,
+    /// A scalar, or a list of scalars.
+    is_small: bool,
+    /// The number of the node that follows what is inside.
+    next: usize,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Scalar,
+    Array,
+    Object,
+}
+
+/// The values of a compact text in order, each before what is inside.
+struct Outline<'a> {
+    text: &'a str,
+    at: usize,
+    nodes: Vec<Node>,
+}
+
+impl Outline<'_> {
+    fn byte(&self) -> u8 {
+        self.text.as_bytes()[self.at]
     }
-    let Some((open, items, close)) = parts(value) else { return out.push_str(&value.to_string()) };
-    out.push(open);
-    // Numbers, texts and points of an array fill lines; anything else has its own.
-    let mut fill = false;
-    for (i, (key, item)) in items.into_iter().enumerate() {
-        out.push_str(if i > 0 { "," } else { "" });
-        let small = key.is_none() && is_small(item);
-        if fill && small && on_one_line(item, room(out).saturating_sub(1)).is_some() {
-            out.push(' ');
-        } else {
-            new_line(out, indent + 1);
+
+    /// Passes a string.
+    fn string(&mut self) {
+        self.at += 1;
+        while self.byte() != b'"' {
+            self.at += if self.byte() == b'\\' { 2 } else { 1 };
         }
-        fill = small;
-        push_key(out, key);
-        write(out, item, indent + 1);
+        self.at += 1;
     }
-    new_line(out, indent);
-    out.push(close);
-}
 
-/// Items of an array, or of an object with their keys.
-type Items<'a> = Vec<(Option<&'a str>, &'a Value)>;
-
-/// The brackets of an array or an object, and what stands between.
-fn parts(value: &Value) -> Option<(char, Items<'_>, char)> {
-    match value {
-        Value::Array(items) => Some(('[', items.iter().map(|item| (None, item)).collect(), ']')),
-        Value::Object(items) => Some(('{', items.iter().map(|(key, item)| (Some(key.as_str()), item)).collect(), '}')),
-        _ => None,
-    }
-}
-
-/// A scalar, or a list of scalars.
-fn is_small(item: &Value) -> bool {
-    let composed = |item: &Value| item.is_array() || item.is_object();
-    item.as_array().map_or(!composed(item), |items| !items.iter().any(composed))
-}
-
-fn push_key(out: &mut String, key: Option<&str>) {
-    if let Some(key) = key {
-        out.push_str(&Value::from(key).to_string());
-        out.push_str(": ");
-    }
-}
-
-fn new_line(out: &mut String, indent: usize) {
-    out.push('\n');
-    out.extend(std::iter::repeat_n("  ", indent));
-}
-
-/// What is left of the line.
-fn room(out: &str) -> usize {
-    WIDTH.saturating_sub(out.len() - out.rfind('\n').map_or(0, |at| at + 1))
-}
-
-/// The value on one line, if it is at most `room` wide.
-fn on_one_line(value: &Value, room: usize) -> Option<String> {
-    let mut out = String::new();
-    inline(&mut out, value, room).then_some(out)
-}
-
-/// Adds the value; false as soon as the line is longer than `room`.
-fn inline(out: &mut String, value: &Value, room: usize) -> bool {
-    if let Some((open, items, close)) = parts(value) {
-        out.push(open);
-        for (i, (key, item)) in items.into_iter().enumerate() {
-            out.push_str(if i > 0 { ", " } else { "" });
-            push_key(out, key);
-            if !inline(out, item, room) {
-                return false;
+    /// Enters the value that begins here; the number of its node.
+    fn value(&mut self, key: Range<usize>) -> usize {
+        let (number, from) = (self.nodes.len(), self.at);
+        let kind = match self.byte() {
+            b'[' => Kind::Array,
+            b'{' => Kind::Object,
+            _ => Kind::Scalar,
+        };
+        self.nodes.push(Node { text: from..from, key, kind, width: 0, is_small: kind != Kind::Object, next: 0 });
+        match self.byte() {
+            b'[' | b'{' => self.inside(number),
+            b'"' => self.string(),
+            _ => {
+                let rest = &self.text.as_bytes()[from..];
+                self.at += rest.iter().position(|byte| b",]}".contains(byte)).unwrap_or(rest.len());
             }
         }
-        out.push(close);
-    } else {
-        out.push_str(&value.to_string());
+        let next = self.nodes.len();
+        let node = &mut self.nodes[number];
+        (node.text, node.next) = (from..self.at, next);
+        if kind == Kind::Scalar {
+            node.width = node.text.len();
+        }
+        number
     }
-    out.len() <= room
+
+    /// Enters what is inside the brackets that begin here.
+    fn inside(&mut self, number: usize) {
+        let is_object = self.nodes[number].kind == Kind::Object;
+        let (mut width, mut is_small) = (2, !is_object);
+        self.at += 1;
+        while !b"]}".contains(&self.byte()) {
+            if self.byte() == b',' {
+                self.at += 1;
+                width += 2;
+            }
+            let from = self.at;
+            if is_object {
+                self.string();
+                // The colon; a blank will follow it.
+                self.at += 1;
+                width += self.at - from + 1;
+            }
+            let inner = self.value(from..self.at);
+            width += self.nodes[inner].width;
+            is_small &= self.nodes[inner].kind == Kind::Scalar;
+        }
+        self.at += 1;
+        (self.nodes[number].width, self.nodes[number].is_small) = (width, is_small);
+    }
+}
+
+/// What is laid out so far.
+struct Page<'a> {
+    text: &'a str,
+    nodes: &'a [Node],
+    out: String,
+    /// Where the last line begins.
+    line: usize,
+}
+
+impl Page<'_> {
+    fn write(&mut self, number: usize, indent: usize) {
+        let node = &self.nodes[number];
+        if node.kind == Kind::Scalar || node.width <= self.room() {
+            return self.inline(number);
+        }
+        self.bracket(node.text.start);
+        // Numbers, texts and points of an array fill lines; anything else has its own.
+        let mut fill = false;
+        let mut inner = number + 1;
+        while inner < node.next {
+            let item = &self.nodes[inner];
+            if inner > number + 1 {
+                self.out.push(',');
+            }
+            let small = node.kind == Kind::Array && item.is_small;
+            if fill && small && item.width < self.room() {
+                self.out.push(' ');
+            } else {
+                self.new_line(indent + 1);
+            }
+            fill = small;
+            self.key(inner);
+            self.write(inner, indent + 1);
+            inner = item.next;
+        }
+        self.new_line(indent);
+        self.bracket(node.text.end - 1);
+    }
+
+    fn inline(&mut self, number: usize) {
+        let node = &self.nodes[number];
+        if node.kind == Kind::Scalar {
+            return self.out.push_str(&self.text[node.text.clone()]);
+        }
+        self.bracket(node.text.start);
+        let mut inner = number + 1;
+        while inner < node.next {
+            if inner > number + 1 {
+                self.out.push_str(", ");
+            }
+            self.key(inner);
+            self.inline(inner);
+            inner = self.nodes[inner].next;
+        }
+        self.bracket(node.text.end - 1);
+    }
+
+    fn bracket(&mut self, at: usize) {
+        self.out.push_str(&self.text[at..=at]);
+    }
+
+    fn key(&mut self, number: usize) {
+        let key = self.nodes[number].key.clone();
+        if !key.is_empty() {
+            self.out.push_str(&self.text[key]);
+            self.out.push(' ');
+        }
+    }
+
+    fn new_line(&mut self, indent: usize) {
+        self.out.push('\n');
+        self.line = self.out.len();
+        self.out.extend(std::iter::repeat_n("  ", indent));
+    }
+
+    /// What is left of the line.
+    fn room(&self) -> usize {
+        WIDTH.saturating_sub(self.out.len() - self.line)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     use super::*;
 

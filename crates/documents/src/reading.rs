@@ -1,9 +1,8 @@
 //! Documents that come back: those of this version are read, older ones refused with the command that makes them anew.
 
 use numbers::Number;
-use schema::{AtlasDocument, DesignDocument, FamilyDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument};
+use schema::{AtlasDocument, DesignDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument};
 use serde::Deserialize;
-use survey::scan::Shard;
 use thiserror::Error;
 
 /// Why a text is no document of this version.
@@ -135,32 +134,7 @@ fn is_nought(text: &str) -> bool {
 }
 
 fn scan_command(OldScan { design, range }: &OldScan, rows: &str) -> String {
-    let bodies = match &design.family {
-        FamilyDocument::General => "--family general".to_owned(),
-        FamilyDocument::Positive => "--family positive".to_owned(),
-        FamilyDocument::Katok => "--family katok".to_owned(),
-        FamilyDocument::Body { moments, center } => of_body(moments, center),
-    };
-    let mut words = vec!["bifdiag scan".to_owned(), bodies];
-    for range in &design.vary {
-        let steps = range.steps.map_or_else(String::new, |steps| format!(":{steps}"));
-        let name = format!("{:?}", range.parameter).replace('R', "r");
-        words.push(format!("--vary {name}={}:{}{steps}", range.from, range.to));
-    }
-    words.extend(design.samples.map(|samples| format!("--samples {samples}")));
-    words.extend((design.seed != 0).then(|| format!("--seed {}", design.seed)));
-    words.extend(shard(design, *range).map(|shard| format!("--shard {shard}")));
-    words.push(format!("--out {}", quoted(rows)));
-    words.join(" ")
-}
-
-/// The shard with these bodies; `None` for the whole scan.
-fn shard(design: &DesignDocument, range: [u64; 2]) -> Option<String> {
-    const MOST: u64 = 4096;
-    let bodies = crate::scan::read_design(design).ok()?.count();
-    let parts = (1..=MOST).flat_map(|count| (1..=count).map(move |number| format!("{number}/{count}")));
-    let mut parts = parts.filter(|part| part.parse::<Shard>().is_ok_and(|shard| shard.range(bodies) == range));
-    parts.next().filter(|part| part != "1/1")
+    crate::scan::command(design, *range).option("out", rows).text()
 }
 
 #[cfg(test)]
@@ -198,7 +172,7 @@ mod tests {
         let ReadError::Superseded { command, .. } = scan_summary(old, "part.csv").unwrap_err() else { panic!() };
         assert_eq!(
             command,
-            "bifdiag scan --A 2,1,1 --r=1,0,0 --vary r2=-1:1 --samples 10 --seed 5 --shard 2/3 --out part.csv"
+            "bifdiag scan --A 2,1,1 --r 1,0,0 --vary r2=-1:1 --samples 10 --seed 5 --shard 2/3 --out part.csv"
         );
     }
 

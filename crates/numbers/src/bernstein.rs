@@ -7,27 +7,23 @@
 
 use super::UNIT_ROUNDOFF;
 
-/// Largest degree that is needed: the cusp polynomial of three distinct moments.
-pub const MAX_DEGREE: usize = 10;
-const SIZE: usize = MAX_DEGREE + 1;
-
-/// A homogeneous polynomial Σ c_k v^(n−k) u^k whose coefficients are sums of products of non-negative numbers, hence
-/// known to a few units of roundoff; `magnitude` bounds the sum of the absolute values of what was added.
+/// A homogeneous polynomial Σ c_k v^(n−k) u^k of degree less than `SIZE`, built of sums and products; `magnitude` bounds
+/// the sum of the absolute values of what was added, relative to which rounding is counted.
 #[derive(Clone, Copy, Debug)]
-pub struct Form {
+pub struct Form<const SIZE: usize> {
     degree: usize,
     coefficients: [f64; SIZE],
     magnitude: [f64; SIZE],
 }
 
-impl Form {
+impl<const SIZE: usize> Form<SIZE> {
     /// The zero form of a degree.
     ///
     /// # Panics
-    /// When `degree` exceeds [`MAX_DEGREE`].
+    /// When `degree` is not less than `SIZE`.
     #[must_use]
     pub fn zero(degree: usize) -> Self {
-        assert!(degree <= MAX_DEGREE, "forms have degree at most {MAX_DEGREE}");
+        assert!(degree < SIZE, "these forms have degree less than {SIZE}");
         Self { degree, coefficients: [0.0; SIZE], magnitude: [0.0; SIZE] }
     }
 
@@ -38,6 +34,12 @@ impl Form {
         form.coefficients[..2].copy_from_slice(&[at_zero, at_one]);
         form.magnitude[..2].copy_from_slice(&[at_zero.abs(), at_one.abs()]);
         form
+    }
+
+    /// n.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.degree
     }
 
     /// The product of two forms.
@@ -65,16 +67,15 @@ impl Form {
         }
     }
 
-    /// Isolates the roots in 0 < u < 1.
+    /// Isolates the roots in 0 < u < 1; on no path to a coefficient, from the exact numbers on, are there more than
+    /// `roundings`.
     #[must_use]
-    pub fn isolate_roots(&self) -> Vec<Isolation> {
-        // Degree-10 products of rounded linear forms, summed: fewer than 64 roundings on any path.
-        const ROUNDINGS: f64 = 64.0;
+    pub fn isolate_roots(&self, roundings: f64) -> Vec<Isolation> {
         let mut binomial = 1.0;
-        let mut bernstein = Bernstein { degree: self.degree, b: [0.0; SIZE], error: [0.0; SIZE] };
+        let mut bernstein = Bernstein::<SIZE> { degree: self.degree, b: [0.0; SIZE], error: [0.0; SIZE] };
         for k in 0..=self.degree {
             bernstein.b[k] = self.coefficients[k] / binomial;
-            bernstein.error[k] = ROUNDINGS * UNIT_ROUNDOFF * self.magnitude[k] / binomial;
+            bernstein.error[k] = roundings * UNIT_ROUNDOFF * self.magnitude[k] / binomial;
             binomial = binomial * (self.degree - k) as f64 / (k + 1) as f64;
         }
         let mut found = Vec::new();
@@ -119,13 +120,13 @@ pub struct Isolation {
 }
 
 #[derive(Clone, Copy)]
-struct Bernstein {
+struct Bernstein<const SIZE: usize> {
     degree: usize,
     b: [f64; SIZE],
     error: [f64; SIZE],
 }
 
-impl Bernstein {
+impl<const SIZE: usize> Bernstein<SIZE> {
     fn sign(&self, k: usize) -> Option<bool> {
         (self.b[k].abs() > self.error[k]).then(|| self.b[k] > 0.0)
     }
@@ -212,8 +213,10 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    const SIZE: usize = 11;
+
     /// Π (u − root_k) as a form; each factor is −root v + (1 − root) u.
-    fn with_roots(roots: &[f64]) -> Form {
+    fn with_roots(roots: &[f64]) -> Form<SIZE> {
         roots.iter().fold(Form { degree: 0, coefficients: one(), magnitude: one() }, |form, &root| {
             form.times(&Form::linear(-root, 1.0 - root))
         })
@@ -234,7 +237,7 @@ mod tests {
             prop_assume!(roots.windows(2).all(|pair| pair[1] - pair[0] > 1e-2));
             prop_assume!(roots.iter().all(|r| r.abs() > 1e-2 && (r - 1.0).abs() > 1e-2));
             let inside: Vec<f64> = roots.iter().copied().filter(|r| (0.0..1.0).contains(r)).collect();
-            let mut found = with_roots(&roots).isolate_roots();
+            let mut found = with_roots(&roots).isolate_roots(64.0);
             found.sort_by(|a, b| a.cell.u[0].total_cmp(&b.cell.u[0]));
             prop_assert_eq!(found.len(), inside.len());
             for (isolation, root) in found.iter().zip(&inside) {
@@ -246,7 +249,7 @@ mod tests {
 
     #[test]
     fn a_double_root_is_a_cluster_not_a_guess() {
-        let found = with_roots(&[0.3, 0.3, 0.8]).isolate_roots();
+        let found = with_roots(&[0.3, 0.3, 0.8]).isolate_roots(64.0);
         assert_eq!(found.iter().filter(|i| i.cluster.is_none()).count(), 1);
         let clusters: Vec<_> = found.iter().filter(|i| i.cluster.is_some()).collect();
         assert!(!clusters.is_empty());
@@ -256,7 +259,7 @@ mod tests {
     #[test]
     fn roots_of_very_different_size_are_isolated() {
         let roots = [1e-14, 1e-9, 1e-4, 0.5];
-        let found = with_roots(&roots).isolate_roots();
+        let found = with_roots(&roots).isolate_roots(64.0);
         assert_eq!(found.len(), 4);
         assert!(found.iter().zip(roots).all(|(i, root)| i.cell.u[0] <= root && root <= i.cell.u[1]));
     }

@@ -151,6 +151,10 @@ impl Mul for Interval {
         if self.is_zero() || other.is_zero() {
             return Self::ZERO;
         }
+        // What `span` gives where it is known which products are least and greatest.
+        if self.lo >= 0.0 && other.lo >= 0.0 && self.hi < f64::INFINITY && other.hi < f64::INFINITY {
+            return Self { lo: down(self.lo * other.lo), hi: up(self.hi * other.hi) };
+        }
         span([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
     }
 }
@@ -170,6 +174,9 @@ impl Div for Interval {
         }
         if self.is_zero() {
             return self;
+        }
+        if self.lo >= 0.0 && other.lo > 0.0 && self.hi < f64::INFINITY && other.hi < f64::INFINITY {
+            return Self { lo: down(self.lo / other.hi), hi: up(self.hi / other.lo) };
         }
         span([self.lo / other.lo, self.lo / other.hi, self.hi / other.lo, self.hi / other.hi])
     }

@@ -170,8 +170,8 @@ impl FromStr for Number {
         if trimmed.is_empty() {
             return Err(ParseNumberError::Empty);
         }
-        let bare = trimmed.trim_start_matches(['+', '-']).to_ascii_lowercase();
-        if matches!(bare.as_str(), "inf" | "infinity" | "nan") {
+        let bare = trimmed.trim_start_matches(['+', '-']);
+        if ["inf", "infinity", "nan"].iter().any(|word| bare.eq_ignore_ascii_case(word)) {
             return Err(ParseNumberError::NotFinite { text: trimmed.to_owned() });
         }
         let value = match trimmed.split_once('/') {
@@ -185,7 +185,8 @@ impl FromStr for Number {
             }
             None => parse_decimal(trimmed, trimmed)?,
         };
-        let nearest = value.to_f64().value();
+        // Of a decimal the standard library knows the nearest double, sooner than the quotient does.
+        let nearest = trimmed.parse().unwrap_or_else(|_rational| value.to_f64().value());
         let in_range = (1e-150..=1e150).contains(&nearest.abs()) || value.is_zero();
         if in_range {
             Ok(Self { text: trimmed.to_owned(), value, nearest })
@@ -217,7 +218,11 @@ impl PartialOrd for Number {
 
 impl Ord for Number {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.value.cmp(&other.value)
+        // Rounding keeps the order, but for what it makes equal.
+        match self.nearest.partial_cmp(&other.nearest) {
+            Some(order) if order.is_ne() => order,
+            _ => self.value.cmp(&other.value),
+        }
     }
 }
 

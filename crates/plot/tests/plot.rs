@@ -205,3 +205,61 @@ fn sections_of_one_type_over_different_regions_are_told_apart() {
         assert!(texts.iter().any(|(text, _)| text.ends_with(wanted)), "{wanted} is not printed");
     }
 }
+
+#[test]
+fn every_part_of_the_svg_can_be_found_and_says_what_it_is() {
+    let fixture = paper();
+    let svg = picture("paper", &fixture).svg;
+    let ids: Vec<&str> = svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    let distinct: std::collections::BTreeSet<&&str> = ids.iter().collect();
+    assert_eq!(ids.len(), distinct.len(), "an id occurs twice");
+    for region in &fixture.atlas.regions {
+        let id = format!("id=\"main-{}\"", region.id);
+        let own = svg.lines().find(|line| line.contains(&id)).unwrap_or_else(|| panic!("{id} is missing"));
+        assert!(own.contains(&format!("<title>{}: ", region.id)) && own.ends_with("</path>"), "{own}");
+        assert!(own.matches('z').count() >= 1, "{} is not closed", region.id);
+    }
+    assert!(svg.contains("id=\"main-curve-"), "curves have ids");
+    assert!(svg.contains("stroke-dasharray"), "dashes are attributes");
+    // Dashes as lines of their own would be hundreds.
+    assert!(svg.matches("<polyline").count() + svg.matches("<path").count() < 200, "many paths");
+    assert!(svg.contains("<metadata>A = (2, 1.1, 1), r = (0.94868, 0, 0.61623)"));
+}
+
+#[test]
+fn tikz_is_a_document_with_the_same_parts() {
+    let fixture = paper();
+    let tikz = picture("paper", &fixture).to_tikz().unwrap();
+    assert!(tikz.starts_with("\\documentclass") && tikz.ends_with("\\end{document}\n"));
+    assert_eq!(tikz.matches("\\begin{scope}").count(), tikz.matches("\\end{scope}").count());
+    assert!(tikz.contains("M$^{2}_{3}$") && tikz.contains("+$\\hat{r}$ enters U"), "texts are formulas");
+    assert!(tikz.contains("% main-R1\n") || tikz.contains("% main-regions\n"), "groups are named");
+    for line in tikz.lines().map(str::trim).filter(|line| line.starts_with("\\path") || line.starts_with("\\node")) {
+        assert!(line.ends_with(';'), "{line}");
+        assert_eq!(line.matches('{').count(), line.matches('}').count(), "{line}");
+        assert!(!line.contains("NaN") && line.is_ascii(), "{line}");
+    }
+    let used: Vec<&str> = tikz.split("draw=").skip(1).filter_map(|rest| rest.split([',', ']']).next()).collect();
+    assert!(used.iter().all(|name| tikz.contains(&format!("\\definecolor{{{name}}}"))), "a colour is not defined");
+}
+
+#[test]
+fn themes_change_colours_and_nothing_else() {
+    let fixture = paper();
+    let with = |theme| {
+        let options = DiagramOptions { theme, ..DiagramOptions::default() };
+        draw(&fixture.atlas, Some(&fixture), &options).unwrap().svg
+    };
+    let [light, dark, print] = [plot::Theme::Light, plot::Theme::Dark, plot::Theme::Print].map(with);
+    let colorless = |svg: &str| -> String {
+        let mut parts = svg.split('#');
+        let first = parts.next().unwrap_or_default().to_owned();
+        let rest = |part: &str| if part.starts_with("stripes") { part.to_owned() } else { part[6..].to_owned() };
+        parts.fold(first, |text, part| text + "#" + &rest(part))
+    };
+    assert!(light != dark && dark != print && light != print);
+    assert_eq!(colorless(&light), colorless(&dark));
+    assert_eq!(colorless(&light), colorless(&print));
+    assert!(light.contains("height=\"100%\" fill=\"#FFFFFF\""));
+    assert!(!dark.contains("height=\"100%\" fill=\"#FFFFFF\""));
+}

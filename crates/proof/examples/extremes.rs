@@ -1,8 +1,8 @@
 //! Bodies and points on the way into each extreme: what `exact` answers, and how long it takes.
 //!
-//! `cargo run --release --example extremes [family] [exponents]` prints one line for each family and distance ε = 10⁻ᵏ:
-//! the atlas of f64 (`all` decided, `open`, `none`), the proved atlas, one point in each of its thinnest cells, and the
-//! milliseconds of CPU of each. `data/extremes.txt` is the recorded result.
+//! `cargo run --release -p bifdiag-proof --example extremes [family] [exponents]` prints one line for each family and distance ε = 10⁻ᵏ:
+//! the atlas of f64 (`all` decided, `open`, `none`), the exact one, the proved one, a point, and the milliseconds
+//! of each. `data/extremes.txt` is the recorded result.
 
 use std::time::Instant;
 

@@ -5,9 +5,14 @@
 
 mod ties;
 
+use std::cell::RefCell;
+
 use dashu_ratio::RBig;
 use proof::{Accuracy, classify, classify_exactly};
+use proptest::prelude::*;
+use support::property::holds_for_bodies;
 use support::random::SplitMix64;
+use support::strata::STRATA;
 use ties::{KINDS, Kind, Tie};
 use top::body::{Body, Number};
 use top::classify::{Answer, Classification};
@@ -179,6 +184,58 @@ fn a_tie_beside_another_curve_names_the_right_curve_and_every_class() {
     assert!(matches!(found.answer, Answer::Critical(_)), "{found:?}");
     assert!(found.candidates().len() >= 2, "{found:?}");
     assert!(!found.margin.nearest.unwrap().to_string().starts_with('P'), "{found:?}");
+}
+
+/// section --A 0.3,0.21,0.17 --r 0,1e60,1e60 --h 0 --l 0 and its like: scaling by powers of two changes the scale alone.
+#[test]
+fn scaling_by_powers_of_two_changes_nothing_but_the_scale() {
+    let power = |k: i32| {
+        let two = RBig::from(2).pow(isize::try_from(k.abs()).unwrap());
+        if k < 0 { RBig::ONE / two } else { two }
+    };
+    let exact = |texts: [&str; 3]| texts.map(|text| number(text).value().clone());
+    for (a, r) in [(["0.3", "0.21", "0.17"], ["0", "1", "1"]), (["2", "1.1", "1"], ["0.2", "0.3", "0.6"])] {
+        let (a, r) = (exact(a), exact(r));
+        for (p, q) in [(200, 0), (0, 200), (-200, 0), (0, -200), (100, -300)] {
+            let scaled = |list: &[RBig; 3], k: i32| list.clone().map(|x| Number::from_rational(x * power(k)));
+            let bodies = [(0, 0), (p, q)].map(|(p, q)| Body::new(scaled(&a, p), scaled(&r, q)).unwrap());
+            for (h, l) in [("0", "0"), ("0.3", "0.4"), ("1.1", "0.7"), ("-0.2", "0.1"), ("4", "1.5")] {
+                let (h, l) = (number(h).value().clone(), number(l).value().clone());
+                // h scales as r, l as √(A r).
+                let place =
+                    |p: i32, q: i32| [&h * power(q), &l * power(i32::midpoint(p, q))].map(Number::from_rational);
+                let [plain, moved] = [(0, 0), (p, q)].map(|(p, q)| place(p, q));
+                let plain = classify(&bodies[0], &plain[0], &plain[1], Accuracy::Exact).unwrap();
+                let moved = classify(&bodies[1], &moved[0], &moved[1], Accuracy::Exact).unwrap();
+                assert_eq!(plain.answer, moved.answer, "2^{p}, 2^{q} at ({h}, {l})");
+                assert_eq!((plain.margin.h * power(q).to_f64().value()).to_bits(), moved.margin.h.to_bits());
+            }
+        }
+    }
+}
+
+/// The answers of `f64` with bounds are those of the proof, for every body and point that the strata give.
+#[test]
+fn without_the_f64_filter_the_answers_are_the_same() {
+    let compared = RefCell::new(0);
+    for stratum in STRATA {
+        holds_for_bodies(stratum, 3, |body| {
+            let frame = body.frame();
+            for (h, l) in [(-0.6, 0.3), (0.2, 0.7), (0.9, 1.3), (1.4, 1.9), (2.5, 3.1)] {
+                let place = [h * frame.energy_unit, l * frame.momentum_unit].map(|x| Number::from_f64(x).unwrap());
+                let filtered = classify(body, &place[0], &place[1], Accuracy::Exact);
+                let proved = classify_exactly(body, &place[0], &place[1]);
+                if let (Ok(filtered), Ok(proved)) = (&filtered, &proved) {
+                    prop_assert_eq!(&filtered.answer, &proved.answer, "({}, {})", h, l);
+                    *compared.borrow_mut() += 1;
+                } else {
+                    prop_assert!(stratum.is_planted(), "{filtered:?} {proved:?}");
+                }
+            }
+            Ok(())
+        });
+    }
+    assert!(compared.into_inner() > 200);
 }
 
 #[test]

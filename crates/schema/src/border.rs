@@ -48,6 +48,8 @@ pub struct BorderEventDocument {
     pub h: Option<f64>,
     /// Vertical angular momentum there.
     pub l: Option<f64>,
+    /// Estimate of the error of both.
+    pub error_bound: Option<f64>,
     /// Events that only the lower side of the border has.
     pub vanish: Vec<String>,
     /// Events that only the upper side has.
@@ -62,7 +64,7 @@ pub struct BorderValueDocument {
     pub parameter: ParameterName,
     /// Where the class changes.
     pub value: f64,
-    /// Estimate of the error of `value`.
+    /// Estimate of the error of `value`; 0 where the border is at just this value.
     pub error: f64,
     /// Values with the one and with the other class; the bodies between are undecided, or were not looked at.
     pub enclosure: [f64; 2],

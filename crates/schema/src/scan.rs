@@ -227,7 +227,13 @@ pub struct RecordDocument {
 pub struct ScanSummaryDocument {
     /// Version of this document.
     pub schema_version: String,
-    /// Version of the program.
+    /// Version of the program that made it.
+    #[serde(default)]
+    pub version: String,
+    /// The command that makes it: canonical, from the design.
+    #[serde(default)]
+    pub command: String,
+    /// The program and its version, as in the rows that a stopped scan leaves.
     pub program: String,
     /// What the answers are worth.
     #[serde(default)]

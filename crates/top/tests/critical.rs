@@ -26,8 +26,10 @@ struct Point {
     eigenvalues: [[String; 2]; 2],
 }
 
+/// The cases of the repository, or those of the file that STABILITY_CASES names.
 fn cases() -> Vec<Case> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/oracles/stability.jsonl");
+    let path = std::env::var("STABILITY_CASES").unwrap_or_else(|_| path.to_owned());
     let text = std::fs::read_to_string(path).unwrap();
     text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
 }
@@ -81,7 +83,7 @@ fn types_and_eigenvalues_are_those_of_the_whole_linearisation() {
             }
         }
     }
-    assert!(bodies > 600 && seen.len() == 7, "{bodies} {seen:?}");
+    assert!(bodies > 600 && (seen.len() == 7 || std::env::var_os("STABILITY_CASES").is_some()), "{bodies} {seen:?}");
     assert!(worst < 1e-6, "{worst:e}");
     println!("{bodies} cases, {seen:?}, largest relative error bound {worst:e}");
 }

@@ -33,7 +33,8 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         let mut files = FileSet::new(directory);
         files.export("atlas", &document, &Json)?;
         files.remove_pictures("diagram");
-        if !settings.formats.is_empty() {
+        // A window without a region would be an empty frame.
+        if !settings.formats.is_empty() && !document.regions.is_empty() {
             let options = DiagramOptions { window: settings.window, points: None, theme: settings.theme };
             let picture = timings
                 .stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))

@@ -17,7 +17,11 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
     let mut report = Report::default();
     head(subject, &mut report);
     report.line("");
-    report.line(region_table(&document.regions));
+    if document.regions.is_empty() && document.summary.undecided.is_empty() {
+        report.line("no point of the window is accessible: all of it lies below the lowest curve; there is no picture");
+    } else {
+        report.line(region_table(&document.regions));
+    }
     report.line("");
     if let Some(table) = super::events::table(&document.events) {
         report.line(table);

@@ -17,8 +17,8 @@ Examples:
   bifdiag classify --batch points.jsonl > types.jsonl
   echo '{\"h\": 3.8, \"l\": \"13/4\"}' | bifdiag classify --body paper --batch -
 
-Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"h\": 3.8, \"l\": 3.25}, numbers or strings; a
-line without A and r means the body of the command line, other keys are ignored. One line is written for each, in
+Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"h\": 3.8, \"l\": 3.25}, numbers or strings; a \
+line without A and r means the body of the command line, other keys are ignored. One line is written for each, in \
 the same order; a wrong line gives {\"error\": …, \"line\": n}.";
 
 /// `bifdiag classify`.

@@ -13,8 +13,8 @@ Examples:
   bifdiag critical --body lagrange --l 0:4:401 --out lagrange.npz
   bifdiag critical --batch momenta.jsonl --threads 4 > equilibria.jsonl
 
-Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"l\": 3.25}, numbers or strings; a line
-without A and r means the body of the command line, other keys are ignored. One line is written for each, in the
+Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"l\": 3.25}, numbers or strings; a line \
+without A and r means the body of the command line, other keys are ignored. One line is written for each, in the \
 same order; a wrong line gives {\"error\": …, \"line\": n}.";
 
 /// `bifdiag critical`.

@@ -68,6 +68,7 @@ pub fn of(body: &Body, [from, to]: [&Number; 2], count: u32) -> Result<Columns, 
         error_bound: rows.error_bound,
         complete: !rows.incomplete,
     };
+    let ids: Vec<&str> = meta.branches.iter().map(|(id, _)| id.as_str()).collect();
     let eigenvalues = Values::Float { parts: &["1_re", "1_im", "2_re", "2_im"], values: rows.eigenvalues };
     let columns = [
         ("l_index", Values::Int32(rows.index_of_l)),
@@ -76,11 +77,11 @@ pub fn of(body: &Body, [from, to]: [&Number; 2], count: u32) -> Result<Columns, 
         ("gamma", Values::vectors(rows.gamma.into_iter())),
         ("omega", Values::floats(rows.omega.into_iter())),
         ("index", Values::Int8(rows.index)),
-        ("multiplicity", Values::Int8(rows.multiplicity)),
-        ("stability", Values::Int8(rows.stability)),
-        ("stable", Values::Int8(rows.stable)),
+        ("multiplicity", Values::words(&meta.multiplicity, Values::Int8(rows.multiplicity))?),
+        ("stability", Values::words(&meta.stability, Values::Int8(rows.stability))?),
+        ("stable", Values::words(&meta.stable, Values::Int8(rows.stable))?),
         ("eigenvalues", eigenvalues),
-        ("branch", Values::Int32(rows.branch)),
+        ("branch", Values::words(&ids, Values::Int32(rows.branch))?),
     ];
     Ok(Columns::new(columns, &meta)?)
 }

@@ -1,6 +1,7 @@
 //! Columns of numbers.
 
 use serde::Serialize;
+use serde_json::Value;
 
 /// A named column of a table; all columns of a table have as many rows.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +17,8 @@ pub enum Values {
     Int8(Vec<i8>),
     /// Counts and numbers of things.
     Int32(Vec<i32>),
+    /// Words: the places of each row's in a list of words, as integers. Tables of text say the words.
+    Words { words: Vec<Value>, places: Box<Self> },
     /// Measures, or the parts of vectors: a row for each list of parts.
     Float { parts: &'static [&'static str], values: Vec<f64> },
 }
@@ -36,10 +39,22 @@ impl Values {
         Self::Float { parts: &["_w", "_x", "_y", "_z"], values: values.flatten().collect() }
     }
 
+    /// Words, as they are in JSON, and the place of each row's among them.
+    ///
+    /// # Errors
+    /// When a word cannot be written as JSON.
+    pub fn words(words: &impl Serialize, places: Self) -> Result<Self, serde_json::Error> {
+        let words = match serde_json::to_value(words)? {
+            Value::Array(words) => words,
+            word => vec![word],
+        };
+        Ok(Self::Words { words, places: Box::new(places) })
+    }
+
     /// What is added to the column's name for each number in a row.
     pub fn parts(&self) -> &'static [&'static str] {
         match self {
-            Self::Int8(_) | Self::Int32(_) => &[""],
+            Self::Int8(_) | Self::Int32(_) | Self::Words { .. } => &[""],
             Self::Float { parts, .. } => parts,
         }
     }
@@ -49,13 +64,23 @@ impl Values {
         match self {
             Self::Int8(values) => values.len(),
             Self::Int32(values) => values.len(),
+            Self::Words { places, .. } => places.len(),
             Self::Float { parts, values } => values.len() / parts.len(),
+        }
+    }
+
+    /// The column itself; of words their places.
+    pub fn numbers(&self) -> &Self {
+        match self {
+            Self::Words { places, .. } => places.numbers(),
+            _ => self,
         }
     }
 
     /// Bytes of a row.
     pub fn row_bytes(&self) -> usize {
         match self {
+            Self::Words { places, .. } => places.row_bytes(),
             Self::Int8(_) => 1,
             Self::Int32(_) => 4,
             Self::Float { parts, .. } => 8 * parts.len(),
@@ -66,6 +91,7 @@ impl Values {
     pub fn bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(self.len() * self.row_bytes());
         match self {
+            Self::Words { places, .. } => return places.bytes(),
             Self::Int8(values) => bytes.extend(values.iter().map(|x| x.cast_unsigned())),
             Self::Int32(values) => values.iter().for_each(|x| bytes.extend_from_slice(&x.to_le_bytes())),
             Self::Float { values, .. } => values.iter().for_each(|x| bytes.extend_from_slice(&x.to_le_bytes())),
@@ -76,6 +102,7 @@ impl Values {
     /// Adds the numbers of [`bytes`](Self::bytes).
     pub fn extend_from_bytes(&mut self, bytes: &[u8]) {
         match self {
+            Self::Words { places, .. } => places.extend_from_bytes(bytes),
             Self::Int8(values) => values.extend(bytes.iter().map(|x| x.cast_signed())),
             Self::Int32(values) => values.extend(bytes.as_chunks().0.iter().map(|x| i32::from_le_bytes(*x))),
             Self::Float { values, .. } => values.extend(bytes.as_chunks().0.iter().map(|x| f64::from_le_bytes(*x))),
@@ -85,6 +112,9 @@ impl Values {
     /// The same kind of numbers, none of them.
     fn without_rows(&self) -> Self {
         match self {
+            Self::Words { words, places } => {
+                Self::Words { words: words.clone(), places: Box::new(places.without_rows()) }
+            }
             Self::Int8(_) => Self::Int8(Vec::new()),
             Self::Int32(_) => Self::Int32(Vec::new()),
             Self::Float { parts, .. } => Self::Float { parts, values: Vec::new() },
@@ -96,6 +126,11 @@ impl Values {
         match self {
             Self::Int8(values) => values[row].to_string(),
             Self::Int32(values) => values[row].to_string(),
+            Self::Words { words, places } => match places.text(row, k).parse().ok().and_then(|at: usize| words.get(at))
+            {
+                Some(Value::String(word)) => word.clone(),
+                word => word.unwrap_or(&Value::Null).to_string(),
+            },
             // The shortest text that reads back as the same double.
             Self::Float { parts, values } => format!("{:?}", values[row * parts.len() + k]),
         }

@@ -2,7 +2,9 @@
 
 use std::io::Write;
 
-use super::columns::Column;
+use serde_json::Value;
+
+use super::columns::{Column, Values};
 use super::error::ExportError;
 use super::pieces::Pieces;
 
@@ -22,7 +24,7 @@ fn lines(columns: &[Column]) -> String {
                 out.push_str(", ");
             }
             let entries: Vec<String> =
-                (0..column.values.parts().len()).map(|k| number(column.values.text(row, k))).collect();
+                (0..column.values.parts().len()).map(|k| entry(&column.values, row, k)).collect();
             let value = if entries.len() == 1 { entries.concat() } else { format!("[{}]", entries.join(", ")) };
             out.extend(["\"", column.name, "\": ", &value]);
         }
@@ -31,14 +33,21 @@ fn lines(columns: &[Column]) -> String {
     out
 }
 
-fn number(text: String) -> String {
-    if text.contains(['N', 'i']) { "null".to_owned() } else { text }
+fn entry(values: &Values, row: usize, k: usize) -> String {
+    let text = values.text(row, k);
+    match values {
+        Values::Words { words, .. } if words.iter().any(|word| word.as_str() == Some(&text)) => {
+            Value::from(text).to_string()
+        }
+        Values::Float { .. } if text.contains(['N', 'i']) => "null".to_owned(),
+        _ => text,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::export::columns::{Columns, Values};
+    use crate::cli::export::columns::Columns;
 
     #[test]
     fn each_row_is_an_object() {

@@ -60,10 +60,10 @@ impl<W: Write + Seek> Archive<W> {
     fn begin_column(&mut self, name: &str, values: &Values, rows: usize) -> Result<(), ZipError> {
         let width = values.parts().len();
         let shape = if width == 1 { format!("({rows},)") } else { format!("({rows}, {width})") };
-        let kind = match values {
+        let kind = match values.numbers() {
             Values::Int8(_) => "|i1",
             Values::Int32(_) => "<i4",
-            Values::Float { .. } => "<f8",
+            Values::Words { .. } | Values::Float { .. } => "<f8",
         };
         self.begin(name, kind, &shape, rows * values.row_bytes())
     }

@@ -17,6 +17,9 @@ pub struct FiguresArguments {
     /// Write the figures to DIR
     #[arg(long, value_name = "DIR", default_value = "figures")]
     pub out: PathBuf,
+    /// Draw the charts of measured errors and times too
+    #[arg(long)]
+    pub charts: bool,
     #[command(flatten)]
     pub picture: PictureArguments,
 }

@@ -87,7 +87,7 @@ fn add_exact_borders(map: &mut Map) {
     let exact = "exact borders: Aj = A1, Aj = ¾ A1, 4(1/√k2 − 1) = 1/k3";
     for value in katok::LINES {
         for points in [vec![[value, 0.3], [value, 1.7]], vec![[0.3, value], [1.7, value]]] {
-            map.lines.push(MapLine { points: dense(&points), dashed: false, text: exact.to_owned() });
+            map.lines.push(MapLine { points: dense(&points), dashed: false, hue: 0, text: exact.to_owned() });
         }
     }
     let curve: Vec<[f64; 2]> = (0..=400)
@@ -96,11 +96,11 @@ fn add_exact_borders(map: &mut Map) {
         .collect();
     let mirrored = curve.iter().map(|[p, q]| [*q, *p]).collect();
     for points in [curve, mirrored] {
-        map.lines.push(MapLine { points, dashed: false, text: exact.to_owned() });
+        map.lines.push(MapLine { points, dashed: false, hue: 0, text: exact.to_owned() });
     }
     let physical = "bodies exist between these lines: |A2 − A3| ≤ A1 ≤ A2 + A3";
     for points in [vec![[0.3, 0.7], [0.7, 0.3]], vec![[0.3, 1.3], [0.7, 1.7]], vec![[1.3, 0.3], [1.7, 0.7]]] {
-        map.lines.push(MapLine { points: dense(&points), dashed: true, text: physical.to_owned() });
+        map.lines.push(MapLine { points: dense(&points), dashed: true, hue: 0, text: physical.to_owned() });
     }
 }
 
@@ -149,16 +149,27 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
     map.x = MapAxis { name: "η".to_owned(), range: ETA };
     map.y = MapAxis { name: "l".to_owned(), range: L };
     add_events(&mut map);
+    map.lines.push(MapLine {
+        points: dense(&[[1.0, L[0]], [1.0, L[1]]]),
+        dashed: true,
+        hue: 4,
+        text: "η = 1: Lagrange's top, two moments equal; no border of classes".to_owned(),
+    });
+    map.notes.push(MapNote { at: [1.0, L[1] - 0.08], text: "1".to_owned(), ring: false });
     for (eta, event) in borders(&found) {
         map.lines.push(MapLine {
             points: dense(&[[eta, L[0]], [eta, L[1]]]),
             dashed: true,
+            hue: 0,
             text: format!("η = {eta:.4}: {event}"),
         });
         map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), ring: false });
     }
     Ok(map)
 }
+
+/// Kinds of events, in the order of their colours.
+const EVENTS: [&str; 3] = ["pitchfork", "cusp", "crossing"];
 
 /// Draws the momenta of all events over η, one line for each event's name.
 fn add_events(map: &mut Map) {
@@ -175,7 +186,10 @@ fn add_events(map: &mut Map) {
     let mut boxes: Vec<[f64; 4]> = Vec::new();
     for (name, points) in &lines {
         for run in points.chunk_by(|p, q| q[0] - p[0] < 0.006) {
-            map.lines.push(MapLine { points: run.to_vec(), dashed: false, text: String::new() });
+            let (hue, kind) =
+                EVENTS.iter().enumerate().find(|(_, kind)| name.starts_with(**kind)).unwrap_or((3, &"event"));
+            let text = format!("momentum of a {kind}");
+            map.lines.push(MapLine { points: run.to_vec(), dashed: false, hue: hue + 1, text });
             let inside = |at: &&[f64; 2]| at[1] > L[0] + 0.05 && at[1] < L[1] - 0.2;
             let inside: Vec<&[f64; 2]> = run.iter().filter(inside).collect();
             if let Some(at) = free_place(&inside, name, ETA, L, &mut boxes) {

@@ -26,13 +26,13 @@ pub enum Integrator {
 #[command(next_help_heading = "Integrator")]
 pub struct IntegratorArguments {
     /// How to integrate
-    #[arg(long, value_enum, default_value = "taylor")]
+    #[arg(long, value_enum, default_value = "taylor", hide_short_help = true)]
     pub integrator: Integrator,
     /// Error of a step relative to the size of the motion, for taylor (default: 1e-15) and dop853 (1e-13)
-    #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = values::float)]
+    #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = values::float, hide_short_help = true)]
     pub tol: Option<f64>,
     /// Length of a step in time, for rk4 and splitting (default: a 200th of the fastest turn)
-    #[arg(long, value_name = "DT", allow_hyphen_values = true, value_parser = values::float)]
+    #[arg(long, value_name = "DT", allow_hyphen_values = true, value_parser = values::float, hide_short_help = true)]
     pub step: Option<f64>,
 }
 

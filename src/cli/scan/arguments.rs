@@ -18,11 +18,11 @@ Examples:
   bifdiag scan --family general --samples 200 --shard 3/16 --out shard-3.parquet
   bifdiag scan --family katok --samples 5 --format csv --out -
   bifdiag scan merge shard-*.parquet --out general.parquet
-  bifdiag scan map katok.csv --x A2 --y A3 --out katok
+  bifdiag scan map katok.csv --x A2 --y A3 --out maps
   bifdiag scan border --body katok:2 --vary A3=0.7:0.8
 
-One row for each body: A, r, the class of its diagram, numbers of regions, events and relative equilibria, types found.
-FILE.summary.json tells what all have in common. A scan that was stopped goes on where it was when it is started again,
+One row for each body: A, r, the class of its diagram, numbers of regions, events and relative equilibria, types found. \
+FILE.summary.json tells what all have in common. A scan that was stopped goes on where it was when it is started again, \
 and its files are byte for byte those of an unbroken one.";
 
 const MERGE_EXAMPLES: &str = "\
@@ -34,8 +34,8 @@ A shard is its file with rows and its FILE.summary.json. The result is byte for 
 
 const MAP_EXAMPLES: &str = "\
 Examples:
-  bifdiag scan map katok.parquet --x A2 --y A3 --out katok
-  bifdiag scan map general.csv --x A1 --y r3 --format svg,png --out general";
+  bifdiag scan map katok.parquet --x A2 --y A3
+  bifdiag scan map general.csv --x A1 --y r3 --format svg,png --out maps";
 
 const BORDER_EXAMPLES: &str = "\
 Examples:
@@ -157,8 +157,8 @@ pub struct MapArguments {
     /// What the colours show
     #[arg(long, value_enum, default_value = "class", help_heading = "Map")]
     pub show: Shown,
-    /// Write the map to FILE.svg, FILE.png, FILE.pdf
-    #[arg(long, value_name = "FILE", default_value = "scan-map", help_heading = "Output")]
+    /// Write map.svg, map.png, map.pdf to DIR
+    #[arg(long, value_name = "DIR", default_value = "bifdiag-out", help_heading = "Output")]
     pub out: PathBuf,
     #[command(flatten)]
     pub picture: PictureArguments,

@@ -9,7 +9,10 @@ use super::arguments::BorderArguments;
 use super::error::ScanInput;
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
-use crate::cli::terminal::Report;
+use crate::cli::terminal::{Report, significant};
+
+/// Significant digits of a place.
+const DIGITS: usize = 12;
 
 pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
@@ -53,7 +56,11 @@ fn report(document: &BorderDocument, vary: &[Range]) -> String {
     let mut report = Report::default();
     for (value, range) in document.border.iter().zip(vary) {
         let [from, to] = value.enclosure;
-        report.line(format!("{} = {} ± {:.0e}", range.parameter, value.value, value.error));
+        if value.error == 0.0 {
+            report.line(format!("{} = {}, exactly", range.parameter, value.value));
+        } else {
+            report.line(format!("{} = {} ± {:.0e}", range.parameter, value.value, value.error));
+        }
         report.line(format!("  bodies with the one class up to {from}, with the other from {to} on"));
     }
     if !document.reached {
@@ -63,6 +70,7 @@ fn report(document: &BorderDocument, vary: &[Range]) -> String {
     report.line(format!("class {below} below, {above} above"));
     report.line(format!("event: {}", document.event.text));
     if let (Some(h), Some(l)) = (document.event.h, document.event.l) {
+        let [h, l] = [h, l].map(|x| significant(x, DIGITS));
         report.line(format!("  at h = {h}, l = {l}, of the curves {}", document.event.curves.join(", ")));
     }
     for (word, labels) in [("gone above", &document.event.vanish), ("new above", &document.event.appear)] {

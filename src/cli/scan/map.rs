@@ -13,7 +13,7 @@ use super::error::ScanInput;
 use super::output;
 use crate::cli::export::{ExportError, FileSet, RESOLUTION};
 use crate::cli::failure::Failure;
-use crate::cli::terminal::{Report, Timings, print};
+use crate::cli::terminal::{Report, Timings, print, significant};
 
 pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     if arguments.x == arguments.y {
@@ -42,31 +42,14 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     }
     let map = map(&bodies, [arguments.x, arguments.y], arguments.show);
     let picture = timings.stage("map", || draw_map(&map, arguments.picture.theme())).map_err(ExportError::from)?;
-    let (directory, stem) = place(arguments)?;
-    let mut files = FileSet::new(&directory);
-    files.pictures(&stem, &picture, &arguments.picture.format, RESOLUTION, timings)?;
-    Ok(print(Report::of_paths(&files.write()?).text())?)
+    let mut files = FileSet::new(&arguments.out);
+    files.remove_pictures("map");
+    files.pictures("map", &picture, &arguments.picture.format, RESOLUTION, timings)?;
+    Ok(print(Report::written(&files.write()?).text())?)
 }
 
 fn names() -> String {
     Parameter::ALL.map(Parameter::name).join(", ")
-}
-
-/// Directory and name without ending.
-fn place(arguments: &MapArguments) -> Result<(std::path::PathBuf, String), Failure> {
-    let out = &arguments.out;
-    let ending = out.extension().and_then(|ending| ending.to_str());
-    let stem = if ending.is_some_and(|ending| matches!(ending, "svg" | "png" | "pdf" | "tikz")) {
-        out.file_stem()
-    } else {
-        out.file_name()
-    };
-    let Some(stem) = stem.and_then(|stem| stem.to_str()) else {
-        let reason = "a file name is needed, such as --out map".to_owned();
-        return Err(ScanInput::Axis { option: "--out", name: out.display().to_string(), reason }.into());
-    };
-    let directory = out.parent().filter(|parent| !parent.as_os_str().is_empty());
-    Ok((directory.unwrap_or_else(|| std::path::Path::new(".")).to_owned(), stem.to_owned()))
 }
 
 /// What a body shows by its colour.
@@ -92,6 +75,8 @@ impl fmt::Display for Shows {
 pub struct Seen {
     /// The two parameters.
     pub at: [f64; 2],
+    /// A1, A2, A3, r1, r2, r3.
+    pub values: [[f64; 3]; 2],
     /// What the body shows.
     pub shows: Option<Shows>,
     /// Number of regions.
@@ -108,7 +93,7 @@ impl Seen {
             Shown::Regions => Shows::Count(counts.regions),
             Shown::CriticalPoints => Shows::Count(counts.critical_points),
         });
-        Self { at, shows, regions: counts.map_or(0, |counts| counts.regions) }
+        Self { at, values: row.values, shows, regions: counts.map_or(0, |counts| counts.regions) }
     }
 }
 
@@ -133,18 +118,36 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
         Shown::Regions => "number of regions".to_owned(),
         Shown::CriticalPoints => "relative equilibria at one l, at most".to_owned(),
     };
+    let shown = match show {
+        Shown::Class => "Classes of bifurcation diagrams",
+        Shown::Regions => "Regions of bifurcation diagrams",
+        Shown::CriticalPoints => "Relative equilibria",
+    };
     let [x, y] = axes.map(|parameter| parameter.name().to_owned());
     Map {
-        title: format!("Classes of bifurcation diagrams over {x} and {y}"),
-        subtitle: format!("{} bodies, {what}", bodies.len()),
+        title: format!("{shown} over {x} and {y}"),
+        subtitle: format!("{} bodies, {what}{}", bodies.len(), fixed(bodies, axes)),
         x: MapAxis { name: x, range: ranges[0] },
         y: MapAxis { name: y, range: ranges[1] },
         entries: entries(&order, bodies.len()),
+        ordered: show != Shown::Class,
         unknown: "undecided or failed".to_owned(),
         bodies: bodies_drawn,
         lines: Vec::new(),
         notes: Vec::new(),
     }
+}
+
+/// The parameters that are the same for all bodies, in words; empty where there are none.
+fn fixed(bodies: &[Seen], axes: [Parameter; 2]) -> String {
+    let value = |body: &Seen, parameter: Parameter| body.values.as_flattened()[parameter.place()];
+    let told = Parameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter)).filter_map(|parameter| {
+        let first = value(bodies.first()?, parameter);
+        let same = bodies.iter().all(|body| value(body, parameter) == first);
+        same.then(|| format!("{} = {}", parameter.name(), significant(first, 6)))
+    });
+    let told: Vec<String> = told.collect();
+    if told.is_empty() { String::new() } else { format!("; {}", told.join(", ")) }
 }
 
 /// The legend: what is shown, by how many of the bodies, with how many regions.

@@ -17,7 +17,7 @@ Examples:
   bifdiag state --A 2,1.1,1 --r 0.94868,0,0.61623 --spin \"2 rad/s\" --axis 0,1,1 --vertical 0,0,1
   bifdiag state --A 2,1.1,1 --r 0.94868,0,0.61623 --omega 1,0,2 --vertical 0,0,1 --json
 
-A body turns about a fixed point; --vertical points up, in the part's frame (without a part: in principal axes). With --spin
+A body turns about a fixed point; --vertical points up, in the part's frame (without a part: in principal axes). With --spin \
 and --axis the default is: the axis points up.";
 
 pub const CRITICAL_SPIN_EXAMPLES: &str = "\

@@ -15,9 +15,9 @@ impl Report {
         self.lines.push(text.to_string().trim_end().to_owned());
     }
 
-    /// The paths, one on each line.
-    pub fn of_paths(paths: &[PathBuf]) -> Self {
-        Self { lines: paths.iter().map(|path| path.display().to_string()).collect() }
+    /// The files that were written, one on each line.
+    pub fn written(paths: &[PathBuf]) -> Self {
+        Self { lines: paths.iter().map(|path| format!("written: {}", path.display())).collect() }
     }
 
     /// All lines, each with its end.

@@ -18,7 +18,7 @@ Examples:
   bifdiag --body paper --certificate && bifdiag verify bifdiag-out/atlas.json
   bifdiag --body katok:6 --certificate --json | bifdiag verify -
 
-The certificate is checked as a proof, by separate code. Exit status: 0 verified; 1 refused, with the first thing that
+The certificate is checked as a proof, by separate code. Exit status: 0 verified; 1 refused, with the first thing that \
 is wrong, or no certificate; 2 the file is no atlas of this version.";
 
 /// `bifdiag verify`.

@@ -22,7 +22,7 @@ pub fn part_of_file(
     pivot: &str,
 ) -> Result<String, JsError> {
     let form = part::Form { density, mass, units, point: pivot };
-    Ok(text(&part::of_file(name, bytes, &form)?)?)
+    text(&part::of_file(name, bytes, &form)?)
 }
 
 /// The part of a tensor Ixx, Iyy, Izz, Ixy, Ixz, Iyz: `integral` products are +∫ x y dm, others entries of the tensor.
@@ -40,7 +40,7 @@ pub fn part_of_tensor(
 ) -> Result<String, JsError> {
     let products = if integral { Products::Integral } else { Products::Tensor };
     let form = part::Form { density: "", mass, units, point: com };
-    Ok(text(&part::of_tensor(tensor, products, about_com, &form)?)?)
+    text(&part::of_tensor(tensor, products, about_com, &form)?)
 }
 
 fn text(part: &PartDocument) -> Result<String, JsError> {

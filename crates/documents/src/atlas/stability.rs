@@ -3,25 +3,25 @@
 use schema::{StabilityChangeDocument, StabilitySpan, UndecidedDocument};
 use top::atlas::{Atlas, Window};
 use top::curves::{CurveId, CurveName};
-use top::stability::StabilityProfile;
+use top::stability::LinearTypes;
 
 use crate::critical::{change, stability};
 
 /// What is known of the stability of a body's curves.
 pub(super) struct Stability<'a> {
     atlas: &'a Atlas,
-    profile: Option<StabilityProfile>,
+    types: LinearTypes<'a>,
 }
 
 impl<'a> Stability<'a> {
     pub fn new(atlas: &'a Atlas) -> Self {
-        Self { atlas, profile: StabilityProfile::new(atlas.body(), &atlas.arrangement().set) }
+        Self { atlas, types: LinearTypes::new(atlas.body(), &atlas.arrangement().set) }
     }
 
     /// The types along a curve; what is missing is entered as undecided.
     pub fn spans(&self, id: CurveId, undecided: &mut Vec<UndecidedDocument>) -> Vec<StabilitySpan> {
         let set = &self.atlas.arrangement().set;
-        let Some(spans) = self.profile.as_ref().and_then(|profile| profile.spans(set, id)) else {
+        let Some(spans) = self.types.spans(id) else {
             let curve = &set.curves[id];
             let [from, to] = curve.x();
             let x = if to.is_finite() { 0.5 * (from + to) } else { 2.0 * from.max(1.0) };
@@ -44,7 +44,7 @@ impl<'a> Stability<'a> {
     /// Every change of the linear type along a branch.
     pub fn changes(&self, window: Option<&Window>) -> Vec<StabilityChangeDocument> {
         let set = &self.atlas.arrangement().set;
-        let changes = self.profile.as_ref().map(|profile| profile.changes(set)).unwrap_or_default();
+        let changes = self.types.changes();
         let seen = changes.iter().filter(|found| window.is_none_or(|window| window.contains(found.h, found.l)));
         seen.map(|found| StabilityChangeDocument {
             l: found.l,

@@ -2,10 +2,12 @@
 
 use numbers::Number;
 use schema::{DesignDocument, FamilyDocument, ParameterName, RangeDocument};
+use survey::scan::Shard;
 use survey::{Design, Family, Parameter, Range};
 
 use super::error::ReadScanError;
 use crate::body::texts;
+use crate::command::CommandLine;
 
 /// The parameters with their names.
 const PARAMETERS: [(Parameter, ParameterName); 6] = [
@@ -72,6 +74,35 @@ pub fn read_design(document: &DesignDocument) -> Result<Design, ReadScanError> {
     };
     let vary = document.vary.iter().map(read_range).collect::<Result<_, _>>()?;
     Ok(Design::new(family, vary, document.samples, document.seed)?)
+}
+
+/// The command line of a scan, or of the shard with these bodies, but for where its rows go.
+#[must_use]
+pub fn command(design: &DesignDocument, range: [u64; 2]) -> CommandLine {
+    let line = CommandLine::new("scan");
+    let mut line = match &design.family {
+        FamilyDocument::General => line.option("family", "general"),
+        FamilyDocument::Positive => line.option("family", "positive"),
+        FamilyDocument::Katok => line.option("family", "katok"),
+        FamilyDocument::Body { moments, center } => line.option("A", moments.join(",")).option("r", center.join(",")),
+    };
+    for range in &design.vary {
+        let steps = range.steps.map_or_else(String::new, |steps| format!(":{steps}"));
+        let name = read_parameter(range.parameter);
+        line = line.option("vary", format!("{name}={}:{}{steps}", range.from, range.to));
+    }
+    line.option_if("samples", design.samples)
+        .option_if("seed", (design.seed != 0).then_some(design.seed))
+        .option_if("shard", shard(design, range))
+}
+
+/// The shard with these bodies; `None` for the whole scan.
+fn shard(design: &DesignDocument, range: [u64; 2]) -> Option<String> {
+    const MOST: u64 = 4096;
+    let bodies = read_design(design).ok()?.count();
+    let parts = (1..=MOST).flat_map(|count| (1..=count).map(move |number| format!("{number}/{count}")));
+    let mut parts = parts.filter(|part| part.parse::<Shard>().is_ok_and(|shard| shard.range(bodies) == range));
+    parts.next().filter(|part| part != "1/1")
 }
 
 #[cfg(test)]

@@ -1,5 +1,8 @@
 //! Summaries of scans.
 
+use crate::classification::accuracy_option;
+use crate::command::version;
+use crate::scan::command;
 use schema::{
     Accuracy, BodyRecordDocument, ClassRecordDocument, DesignDocument, RecordDocument, SCHEMA_VERSION,
     ScanSummaryDocument,
@@ -31,6 +34,11 @@ pub fn scan_summary(summary: &Summary, file: ScanFile) -> ScanSummaryDocument {
     let by_number = |(key, of): (&u32, &Record)| (*key, record(of));
     ScanSummaryDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command: command(&design, range)
+            .option_if("accuracy", accuracy_option(accuracy))
+            .option("out", format!("scan.{format}"))
+            .json(),
         program,
         accuracy,
         design,

@@ -74,9 +74,14 @@ pub fn draw(
     let scene = Scene::new(atlas, source, options.points.as_ref())?;
     let styles = branch_styles(atlas);
     let strokes = strokes(atlas, &styles);
-    let (panels, magnified) = panels(&scene, options.window)?;
+    let (panels, mut magnified) = panels(&scene, options.window)?;
     let frames = frames(&panels);
-    let texts = placement::place(&scene, &panels, &frames);
+    let mut texts = placement::place(&scene, &panels, &frames);
+    // A region that a label points at is drawn, and one that a note tells is not in the key.
+    let is_unlabelled = |region: &usize| !texts.labels.iter().flatten().any(|label| label.region == *region);
+    magnified.invisible.retain(is_unlabelled);
+    magnified.outside.retain(is_unlabelled);
+    texts.key.retain(|(region, _)| !magnified.invisible.contains(region) && !magnified.outside.contains(region));
 
     let insets = panels.len() - 1;
     let width = page_width(insets);
@@ -89,7 +94,6 @@ pub fn draw(
     }
     let axes = panels.iter().map(|panel| panel.view.rect.bottom() + BELOW + 6.0);
     let below = axes.fold(legend_at[1] + legend.height(), f64::max);
-    // What lies outside of the window is not in its key.
     let notes = notes(atlas, &magnified, width - LEFT - RIGHT);
     let height = below + notes.len() as f64 * NOTE_SIZE * 1.4 + 14.0;
     let heading = heading(atlas, width - LEFT - RIGHT, TITLE_SIZE);

@@ -1,6 +1,7 @@
 //! Colours for many entries, apart in print and for colour-blind readers as far as that is possible.
 
-use crate::page::{rgb, rgbs};
+use super::model::Map;
+use crate::page::{INK, rgb, rgbs};
 use plotters::style::RGBColor;
 
 /// Where nothing is known.
@@ -12,9 +13,38 @@ const CHOSEN: [RGBColor; 14] = rgbs([
     0xd9_e6_7f, 0x7f_a8_d1, 0xd9_93_5a, 0x7d_b3_6b, 0xc9_7f_91,
 ]);
 
-/// The colour of a body that shows an entry, or nothing that is known.
-pub(super) fn fill(entry: Option<usize>) -> RGBColor {
-    entry.map_or(UNKNOWN, color)
+/// Ends and middle of the scale of an ordered quantity, the lowest first.
+const SCALE: [RGBColor; 3] = rgbs([0xf7_f4_c4, 0x63_b6_a6, 0x20_4a_87]);
+
+/// Colours of lines: the text's, then for kinds of events.
+const LINES: [RGBColor; 5] = [INK, rgb(0xa3_0d_18), rgb(0x0f_3a_8a), rgb(0x00_80_5c), rgb(0x8a_24_c0)];
+
+/// The colour of a line.
+pub(super) fn line(hue: usize) -> RGBColor {
+    LINES[hue % LINES.len()]
+}
+
+/// The colour of a body that shows an entry of a map, or nothing that is known.
+pub(super) fn fill(map: &Map, entry: Option<usize>) -> RGBColor {
+    match entry {
+        None => UNKNOWN,
+        Some(entry) if map.ordered => level(entry, map.entries.len()),
+        Some(entry) => color(entry),
+    }
+}
+
+/// The colour of a place in an order.
+fn level(entry: usize, count: usize) -> RGBColor {
+    let place = 2.0 * entry as f64 / (count.max(2) - 1) as f64;
+    let [from, to] = if place < 1.0 { [SCALE[0], SCALE[1]] } else { [SCALE[1], SCALE[2]] };
+    let share = if place < 1.0 { place } else { place - 1.0 };
+    let mix = |a: u8, b: u8| {
+        let value = f64::from(a) + share * (f64::from(b) - f64::from(a));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between two bytes")]
+        let byte = value.round() as u8;
+        byte
+    };
+    RGBColor(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))
 }
 
 /// The colour of an entry. Beyond the chosen ones hues follow the golden section.
@@ -34,4 +64,20 @@ fn color(entry: usize) -> RGBColor {
         value
     };
     RGBColor(channel(0.0), channel(2.0 / 3.0), channel(1.0 / 3.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_of_a_quantity_grow_darker() {
+        let luminance =
+            |color: RGBColor| 0.2126 * f64::from(color.0) + 0.7152 * f64::from(color.1) + 0.0722 * f64::from(color.2);
+        for count in [2, 5, 17] {
+            for entry in 1..count {
+                assert!(luminance(level(entry, count)) < luminance(level(entry - 1, count)), "{entry} of {count}");
+            }
+        }
+    }
 }

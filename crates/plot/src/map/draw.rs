@@ -1,9 +1,9 @@
 //! The drawing.
 
-use super::colors::fill;
+use super::colors::{fill, line as line_color};
 use super::legend::{Legend, SIZE, SMALL, line_pattern};
 use super::model::{Map, MapBodies, MapLine, MapNote};
-use super::places::widest;
+use super::places::{patches, widest};
 use crate::page::{
     Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Picture, PlotError, Point, Rect, Theme, draw_axes, is_proper,
     pattern, render, text_width, ticks,
@@ -16,7 +16,7 @@ const BELOW: f64 = 56.0;
 /// Between map and legend, and behind the legend.
 const GAP: f64 = 26.0;
 /// A mark needs so many pixels of room on each side.
-const ROOM: f64 = 8.0;
+const ROOM: f64 = 6.5;
 
 /// Where parameters lie on the page.
 struct View {
@@ -76,7 +76,7 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
                     let bottom = view.rect.bottom() - row as f64 * high;
                     let top = bottom - high - more(row + 1 == rows);
                     let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
-                    canvas.polygon(&corners, fill(line[from]));
+                    canvas.polygon(&corners, fill(map, line[from]));
                     from = to;
                 }
             }
@@ -84,7 +84,7 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
         MapBodies::Points(points) => {
             let radius = (0.4 * SIDE / (points.len().max(1) as f64).sqrt()).clamp(0.8, 6.0);
             for (at, entry) in points {
-                canvas.disc(view.at(*at), radius, fill(*entry));
+                canvas.disc(view.at(*at), radius, fill(map, *entry));
             }
         }
     }
@@ -94,7 +94,7 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
 fn draw_line(canvas: &Canvas, line: &MapLine, view: &View) {
     let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
     for run in points.split(|point| view.rect.nearest(*point) != *point) {
-        pattern::draw(canvas, run, &line_pattern(line.dashed), 1.2);
+        pattern::draw(canvas, run, &line_pattern(line.dashed, line_color(line.hue)), 1.4);
     }
 }
 
@@ -103,9 +103,10 @@ fn marks(canvas: &Canvas, map: &Map, view: &View) {
     if let MapBodies::Grid { columns, entries } = &map.bodies {
         let rows = (entries.len() / (*columns).max(1)).max(1);
         let (wide, high) = (view.rect.width / *columns as f64, view.rect.height / rows as f64);
-        for (entry, place) in map.entries.iter().zip(widest(*columns, entries, map.entries.len())) {
-            let Some((column, row, half)) = place else { continue };
-            let needed = (0.5 * text_width(&entry.mark, SIZE) + 2.0).max(ROOM);
+        let (patch, shown) = patches(*columns, entries);
+        for (entry, place) in shown.iter().zip(widest(*columns, &patch, shown.len())) {
+            let (Some(entry), Some((column, row, half))) = (map.entries.get(*entry), place) else { continue };
+            let needed = (0.5 * text_width(&entry.mark, SIZE) + 1.0).max(ROOM);
             if half * wide >= needed && half * high >= ROOM {
                 let at = [view.rect.x + column * wide, view.rect.bottom() - row * high];
                 canvas.text(&entry.mark, [at[0], at[1] + 0.36 * SIZE], SIZE, INK, Anchor::Middle);

@@ -2,7 +2,7 @@
 
 use plotters::style::RGBColor;
 
-use super::colors::fill;
+use super::colors::{fill, line as line_color};
 use super::model::{Map, MapBodies, MapEntry};
 use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Pattern, Point, Rect, pattern, text_width};
 
@@ -11,13 +11,14 @@ const ROW: f64 = 19.0;
 pub(super) const SIZE: f64 = 11.5;
 pub(super) const SMALL: f64 = 10.0;
 const SWATCH: f64 = 14.0;
-/// Entries that the legend lists; the rest is counted.
-const LISTED: usize = 27;
+/// Lines in a column, and between columns.
+const LINES: usize = 29;
+const BETWEEN: f64 = 22.0;
 const WIDTH_MIN: f64 = 120.0;
 
 /// How a line is drawn.
-pub(super) fn line_pattern(dashed: bool) -> Pattern {
-    if dashed { vec![(Some(INK), 6.0), (None, 4.0)] } else { vec![(Some(INK), 1.0)] }
+pub(super) fn line_pattern(dashed: bool, color: RGBColor) -> Pattern {
+    if dashed { vec![(Some(color), 6.0), (None, 4.0)] } else { vec![(Some(color), 1.0)] }
 }
 
 /// The lines of a legend.
@@ -27,49 +28,55 @@ pub(super) struct Legend {
 
 enum Line {
     Entry { fill: RGBColor, text: String, note: String },
-    Stroke { dashed: bool, text: String },
-    Text(String),
+    Stroke { dashed: bool, color: RGBColor, text: String },
 }
 
 impl Legend {
     pub(super) fn new(map: &Map) -> Self {
         let entry = |(number, entry): (usize, &MapEntry)| Line::Entry {
-            fill: fill(Some(number)),
+            fill: fill(map, Some(number)),
             text: if entry.mark == entry.name { entry.name.clone() } else { format!("{}  {}", entry.mark, entry.name) },
             note: entry.note.clone(),
         };
-        let mut lines: Vec<Line> = map.entries.iter().enumerate().take(LISTED).map(entry).collect();
-        if map.entries.len() > LISTED {
-            lines.push(Line::Text(format!("and {} more", map.entries.len() - LISTED)));
-        }
+        let mut lines: Vec<Line> = map.entries.iter().enumerate().map(entry).collect();
         let unknown = match &map.bodies {
             MapBodies::Grid { entries, .. } => entries.iter().any(Option::is_none),
             MapBodies::Points(points) => points.iter().any(|(_, entry)| entry.is_none()),
         };
         if unknown {
-            lines.push(Line::Entry { fill: fill(None), text: map.unknown.clone(), note: String::new() });
+            lines.push(Line::Entry { fill: fill(map, None), text: map.unknown.clone(), note: String::new() });
         }
         let mut told: Vec<&str> = Vec::new();
         for line in &map.lines {
             if !line.text.is_empty() && !told.contains(&line.text.as_str()) {
                 told.push(&line.text);
-                lines.push(Line::Stroke { dashed: line.dashed, text: line.text.clone() });
+                lines.push(Line::Stroke { dashed: line.dashed, color: line_color(line.hue), text: line.text.clone() });
             }
         }
         Self { lines }
     }
 
+    /// The columns with their widths.
+    fn columns(&self) -> impl Iterator<Item = (&[Line], f64)> {
+        let width = |lines: &[Line]| lines.iter().map(Line::width).fold(WIDTH_MIN, f64::max);
+        self.lines.chunks(LINES).map(move |lines| (lines, width(lines)))
+    }
+
     pub(super) fn width(&self) -> f64 {
-        self.lines.iter().map(Line::width).fold(WIDTH_MIN, f64::max)
+        let widths: Vec<f64> = self.columns().map(|(_, width)| width).collect();
+        widths.iter().sum::<f64>() + BETWEEN * widths.len().saturating_sub(1) as f64
     }
 
     pub(super) fn height(&self) -> f64 {
-        ROW * (self.lines.len() as f64 + 0.5)
+        ROW * (self.lines.len().min(LINES) as f64 + 0.5)
     }
 
-    pub(super) fn draw(&self, canvas: &Canvas, [x, y]: Point) {
-        for (number, line) in self.lines.iter().enumerate() {
-            line.draw(canvas, [x, y + ROW * number as f64]);
+    pub(super) fn draw(&self, canvas: &Canvas, [mut x, y]: Point) {
+        for (lines, width) in self.columns() {
+            for (number, line) in lines.iter().enumerate() {
+                line.draw(canvas, [x, y + ROW * number as f64]);
+            }
+            x += width + BETWEEN;
         }
     }
 }
@@ -82,7 +89,6 @@ impl Line {
                 SWATCH + 8.0 + text_width(text, SIZE) + note
             }
             Self::Stroke { text, .. } => 2.0 * SWATCH + 8.0 + text_width(text, SIZE),
-            Self::Text(text) => text_width(text, SIZE),
         }
     }
 
@@ -98,13 +104,12 @@ impl Line {
                 canvas.text(text, [x, base], SIZE, INK, Anchor::Start);
                 canvas.text(note, [x + text_width(text, SIZE) + 8.0, base], SMALL, FAINT_INK, Anchor::Start);
             }
-            Self::Stroke { dashed, text } => {
+            Self::Stroke { dashed, color, text } => {
                 let middle = at[1] + 0.5 * ROW;
                 let ends = [[at[0], middle], [at[0] + 2.0 * SWATCH, middle]];
-                pattern::draw(canvas, &ends, &line_pattern(*dashed), 1.2);
+                pattern::draw(canvas, &ends, &line_pattern(*dashed, *color), 1.4);
                 canvas.text(text, [at[0] + 2.0 * SWATCH + 8.0, base], SIZE, INK, Anchor::Start);
             }
-            Self::Text(text) => canvas.text(text, [at[0], base], SIZE, FAINT_INK, Anchor::Start),
         }
     }
 }

@@ -41,6 +41,8 @@ pub struct MapLine {
     pub points: Vec<[f64; 2]>,
     /// Dashed lines are borders of another kind.
     pub dashed: bool,
+    /// Which colour it has: 0 is that of text.
+    pub hue: usize,
     /// What the legend says; lines with the same text share an entry.
     pub text: String,
 }
@@ -69,6 +71,8 @@ pub struct Map {
     pub y: MapAxis,
     /// What bodies show, in the order of the legend.
     pub entries: Vec<MapEntry>,
+    /// Whether the entries are values of a quantity, by rising value: their colours grow darker then.
+    pub ordered: bool,
     /// What stands in the legend for bodies that show nothing that is known.
     pub unknown: String,
     /// The bodies.

@@ -10,10 +10,10 @@ const SHADES: usize = 4;
 /// Hues of families: apart for colour-blind readers too, and dark enough for the shaded ground.
 const FAMILIES: [[RGBColor; SHADES]; 5] = [
     rgbs([0x1f_6f_c2, 0x0b_3c_7d, 0x3f_96_e0, 0x08_20_4d]),
-    rgbs([0xd6_5a_00, 0x8a_35_00, 0xf0_8a_24, 0x5e_1f_00]),
-    rgbs([0x00_8f_66, 0x00_52_3c, 0x2a_b5_86, 0x00_30_1f]),
-    rgbs([0x8f_3f_c7, 0x5a_16_87, 0xb9_7b_e0, 0x35_0a_52]),
-    rgbs([0x94_80_00, 0x5f_52_00, 0xb8_a0_18, 0x3a_32_00]),
+    rgbs([0xc8_50_00, 0x8a_35_00, 0xf0_8a_24, 0x5e_1f_00]),
+    rgbs([0x00_52_3c, 0x00_8f_66, 0x2a_b5_86, 0x00_30_1f]),
+    rgbs([0xc0_78_f0, 0x8f_3f_c7, 0x5a_16_87, 0x35_0a_52]),
+    rgbs([0xb8_a0_18, 0x94_80_00, 0x5f_52_00, 0x3a_32_00]),
 ];
 /// Colours of orbits by family and shade.
 const ORBITS: usize = FAMILIES.len() * SHADES;

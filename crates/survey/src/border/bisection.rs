@@ -81,11 +81,15 @@ pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, Border
         bracket.look(t);
     }
     let Bracket { low, high, wanted, atlases, .. } = bracket;
-    let (event, vanishing) = difference::between(low.atlas.arrangement(), high.atlas.arrangement());
+    let (mut event, vanishing) = difference::between(low.atlas.arrangement(), high.atlas.arrangement());
     let enclosure = [low.t, high.t];
     let by_class = Root { t: 0.5 * (low.t + high.t), error: 0.5 * (high.t - low.t) };
     let inside = |root: &Root| enclosure[0] <= root.t && root.t <= enclosure[1];
-    let Root { t, error } = vanishing::root(segment, &vanishing, enclosure).filter(inside).unwrap_or(by_class);
+    let by_zero = vanishing::root(segment, &vanishing, enclosure).filter(inside);
+    if let Some(place) = by_zero.as_ref().and_then(|root| vanishing::place(segment, &vanishing, root)) {
+        event.place = Some(place);
+    }
+    let Root { t, error } = by_zero.unwrap_or(by_class);
     let reached = error <= wanted;
     Ok(Border { enclosure, t, error, classes: [low.class, high.class], reached, event, atlases })
 }

@@ -27,6 +27,8 @@ pub struct Place {
     pub h: f64,
     /// Vertical angular momentum.
     pub l: f64,
+    /// Estimate of the error of both.
+    pub error: f64,
 }
 
 /// How an event of one curve comes upon another curve.

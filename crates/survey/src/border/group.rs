@@ -38,7 +38,11 @@ impl<'a> Group<'a> {
         let x = self.events.iter().map(|event| event.x).sum::<f64>() / n;
         let h = self.events.iter().map(|event| event.h).sum::<f64>() / n;
         let frame = &self.side.set.frame;
-        Place { h: h * frame.energy_unit, l: (2.0 * x).sqrt() * frame.momentum_unit }
+        let spread = |of: &dyn Fn(&Event) -> f64| self.events.iter().map(of).fold(0.0, f64::max);
+        let momentum = |x: f64| (2.0 * x).sqrt() * frame.momentum_unit;
+        let h_error = spread(&|event| (event.h - h).abs() + event.h_error) * frame.energy_unit;
+        let l_error = spread(&|event| (momentum(event.x) - momentum(x)).abs());
+        Place { h: h * frame.energy_unit, l: momentum(x), error: h_error.max(l_error) }
     }
 
     /// The curves that take part, each once.

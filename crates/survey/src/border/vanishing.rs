@@ -6,6 +6,7 @@
 
 use dashu_ratio::RBig;
 
+use super::event::Place;
 use super::segment::Segment;
 use top::body::Frame;
 use top::curves::{Branch, CriticalSet, CurveId, Gap, Point};
@@ -51,7 +52,7 @@ impl Neighbourhood {
     }
 }
 
-/// A value of t with an estimate of its error.
+/// A value of t with an estimate of its error, which is 0 only for an exact zero.
 pub(super) struct Root {
     pub t: f64,
     pub error: f64,
@@ -76,11 +77,39 @@ fn special(segment: &Segment, t: [f64; 2]) -> Option<Root> {
             return None;
         }
         let root = (&from / (&from - to)).to_f64().value();
-        (t[0] <= root && root <= t[1]).then_some(Root { t: root, error: f64::EPSILON * root.abs() })
+        let error = if of(root).is_zero() { 0.0 } else { f64::EPSILON * root.abs() };
+        (t[0] <= root && root <= t[1]).then_some(Root { t: root, error })
     };
     let moments = [(0, 1), (1, 2), (0, 2)];
     let equal = moments.into_iter().find_map(|(i, j)| zero(&|t| at(i, t) - at(j, t)));
     equal.or_else(|| (3..6).find_map(|place| zero(&|t| at(place, t))))
+}
+
+/// The point (in the body's units) at which it happens to the body at the border, with a bound on the error of both: a
+/// cusp or pitchfork, which that body has for itself.
+pub(super) fn place(segment: &Segment, vanishing: &Vanishing, root: &Root) -> Option<Place> {
+    let set = CriticalSet::new(segment.body(root.t).frame()).ok()?;
+    let point = match vanishing {
+        Vanishing::Excess(axis) | Vanishing::PitchforkOnCurve { axis, .. } => pitchfork(&set, *axis)?,
+        Vanishing::CuspOnCurve { cusp, near, .. } => nearest_cusp(&set, *cusp, near)?,
+        _ => return None,
+    };
+    let frame = &set.frame;
+    let l = (2.0 * point.x).sqrt() * frame.momentum_unit;
+    let h = point.h() * frame.energy_unit;
+    // Between these the point moves by as much as the border is uncertain, and a little.
+    let rounding = 64.0 * f64::EPSILON * (l.abs() + h.abs() + point.rho_scale * frame.energy_unit);
+    Some(Place { h, l, error: rounding + 1e3 * root.error * (l.abs() + h.abs()) })
+}
+
+fn pitchfork(set: &CriticalSet, axis: usize) -> Option<Point> {
+    set.pitchforks.iter().find(|found| found.axis == axis).map(|found| found.point)
+}
+
+fn nearest_cusp(set: &CriticalSet, branch: Branch, near: &Neighbourhood) -> Option<Point> {
+    let far = |point: &Point| near.distance(&set.frame, point.x, point.h());
+    let on_branch = set.cusps.iter().filter(|found| set.curves[found.curves[0]].branch == branch);
+    on_branch.map(|found| found.point).min_by(|p, q| far(p).total_cmp(&far(q)))
 }
 
 fn value(segment: &Segment, vanishing: &Vanishing, t: f64) -> Option<Gap> {
@@ -93,18 +122,8 @@ fn value(segment: &Segment, vanishing: &Vanishing, t: f64) -> Option<Gap> {
     }
     let set = CriticalSet::new(frame).ok()?;
     match vanishing {
-        Vanishing::CuspOnCurve { cusp, curve, near } => {
-            let found =
-                set.cusps.iter().filter(|found| set.curves[found.curves[0]].branch == *cusp).min_by(|p, q| {
-                    let far = |point: &Point| near.distance(&set.frame, point.x, point.h());
-                    far(&p.point).total_cmp(&far(&q.point))
-                })?;
-            height(&set, &found.point, *curve)
-        }
-        Vanishing::PitchforkOnCurve { axis, curve } => {
-            let found = set.pitchforks.iter().find(|found| found.axis == *axis)?;
-            height(&set, &found.point, *curve)
-        }
+        Vanishing::CuspOnCurve { cusp, curve, near } => height(&set, &nearest_cusp(&set, *cusp, near)?, *curve),
+        Vanishing::PitchforkOnCurve { axis, curve } => height(&set, &pitchfork(&set, *axis)?, *curve),
         Vanishing::CurveOnCrossing { crossing, curve, near } => {
             let arrangement = Arrangement::new(set);
             let set = &arrangement.set;
@@ -154,6 +173,9 @@ fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -
             Some(order) if Some(order) == first.order() => low = t,
             Some(_) => high = t,
             None => {
+                if found == (Gap { value: 0.0, error: 0.0 }) {
+                    return Some(Root { t, error: 0.0 });
+                }
                 let t = t - found.value / slope;
                 return Some(Root { t, error: 2.0 * found.error / slope.abs() + f64::EPSILON * t.abs() });
             }

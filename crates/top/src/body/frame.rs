@@ -1,7 +1,8 @@
 //! The body in the frame in which everything is computed: sorted, rotated and scaled.
 
+use dashu_base::Sign;
 use dashu_int::{IBig, UBig};
-use dashu_ratio::{RBig, Relaxed};
+use dashu_ratio::Relaxed;
 
 use super::rigid_body::Body;
 use numbers::Number;
@@ -67,18 +68,23 @@ fn power_of_two(e: i32) -> f64 {
     f64::from_bits(u64::from((1023 + e).unsigned_abs()) << 52)
 }
 
-/// x · 4^(−k), exactly. From here on fractions are not reduced: that costs more than it saves.
-fn scaled(x: &RBig, k: i32) -> Relaxed {
-    let x = x.clone().relax();
-    if k == 0 {
-        return x;
-    }
-    let factor = IBig::from(UBig::ONE << (2 * k.unsigned_abs() as usize));
-    if k > 0 { x / Relaxed::from(factor) } else { x * Relaxed::from(factor) }
+/// x · 4^(−k), exactly.
+fn scaled(x: &Relaxed, k: i32) -> Relaxed {
+    let factor = Relaxed::from(IBig::from(UBig::ONE << (2 * k.unsigned_abs() as usize)));
+    if k > 0 { x / factor } else { x * factor }
 }
 
-fn nearest(x: &Relaxed) -> f64 {
-    x.to_f64().value()
+/// x · 4^(−k), rounded once.
+fn nearest(x: &Relaxed, k: i32) -> f64 {
+    // Far from the ends of the range of f64 a power of two rounds nothing.
+    const LARGE: f64 = 1e140;
+    let is_safe = |y: f64| (1.0 / LARGE..LARGE).contains(&y.abs());
+    let rounded = x.to_f64().value();
+    if k.unsigned_abs() < 200 && is_safe(rounded) {
+        rounded * power_of_two(-2 * k)
+    } else {
+        scaled(x, k).to_f64().value()
+    }
 }
 
 impl Body {
@@ -94,35 +100,42 @@ impl Frame {
         let largest = |numbers: &[Number; 3]| numbers.iter().fold(0.0, |m: f64, x| m.max(x.to_f64().abs()));
         let a_exponent = quarter_exponent(largest(body.moments()));
         let r_exponent = quarter_exponent(largest(body.center()));
-        let a = body.moments().each_ref().map(|x| scaled(x.value(), a_exponent));
-        let r = body.center().each_ref().map(|x| scaled(x.value(), r_exponent));
+        // Fractions are not reduced: that costs more than it saves.
+        let a = body.moments().each_ref().map(|x| x.value().clone().relax());
+        let r = body.center().each_ref().map(|x| x.value().clone().relax());
 
         let mut order = [0, 1, 2];
-        order.sort_by(|&i, &j| a[i].cmp(&a[j]));
+        order.sort_by(|&i, &j| body.moments()[i].cmp(&body.moments()[j]));
         let mut group = [0; 3];
         for k in 1..3 {
-            group[k] = group[k - 1] + usize::from(a[order[k]] != a[order[k - 1]]);
+            group[k] = group[k - 1] + usize::from(body.moments()[order[k]] != body.moments()[order[k - 1]]);
         }
         let r_squared = r.each_ref().map(|x| x * x);
-        let (r_frame, to_body) = rotate(&order, &group, &r, &r_squared);
+        let (r_frame, to_body) = rotate(&order, &group, &r, &r_squared, r_exponent);
 
-        let diff = std::array::from_fn(|i| std::array::from_fn(|j| nearest(&(&a[order[i]] - &a[order[j]]))));
+        let mut diff = [[0.0; 3]; 3];
+        for (i, j) in [(1, 0), (2, 0), (2, 1)] {
+            if group[i] != group[j] {
+                diff[i][j] = nearest(&(&a[order[i]] - &a[order[j]]), a_exponent);
+                diff[j][i] = -diff[i][j];
+            }
+        }
         let norm_squared = &r_squared[0] + &r_squared[1] + &r_squared[2];
         let (j_r, offset) = if norm_squared.is_zero() {
             (f64::NAN, [f64::NAN; 3])
         } else {
             let j_r = (0..3).fold(Relaxed::ZERO, |sum, i| sum + &r_squared[i] * &a[i]) / &norm_squared;
-            (nearest(&j_r), order.map(|i| nearest(&(&a[i] - &j_r))))
+            (nearest(&j_r, a_exponent), order.map(|i| nearest(&(&a[i] - &j_r), a_exponent)))
         };
         Self {
-            a: order.map(|i| nearest(&a[i])),
+            a: order.map(|i| nearest(&a[i], a_exponent)),
             r: r_frame,
             diff,
             group,
-            r_norm: nearest(&norm_squared).sqrt(),
+            r_norm: nearest(&norm_squared, 2 * r_exponent).sqrt(),
             j_r,
             offset,
-            symmetric_sums: symmetric_sums(&order, &group, &a, &r_squared),
+            symmetric_sums: symmetric_sums(&order, &group, &a, &r_squared, [a_exponent, r_exponent]),
             to_body,
             energy_unit: power_of_two(2 * r_exponent),
             momentum_unit: power_of_two(a_exponent + r_exponent),
@@ -162,6 +175,7 @@ fn symmetric_sums(
     group: &[usize; 3],
     a: &[Relaxed; 3],
     r_squared: &[Relaxed; 3],
+    [a_exponent, r_exponent]: [i32; 2],
 ) -> [SymmetricSums; 3] {
     std::array::from_fn(|k| {
         let (eigenspace, others): (Vec<usize>, Vec<usize>) = (0..3).partition(|&m| group[m] == group[k]);
@@ -176,8 +190,9 @@ fn symmetric_sums(
             p_sum += &term / gap;
             r_sum += term;
         }
-        let cusp_excess = nearest(&(&r_sum * Relaxed::from(-3) - moment * p_sum));
-        SymmetricSums { r_sum: nearest(&r_sum), cusp_excess }
+        let excess = &r_sum * Relaxed::from(-3) - moment * p_sum;
+        let exponent = 2 * r_exponent - a_exponent;
+        SymmetricSums { r_sum: nearest(&r_sum, exponent), cusp_excess: nearest(&excess, exponent) }
     })
 }
 
@@ -187,6 +202,7 @@ fn rotate(
     group: &[usize; 3],
     r: &[Relaxed; 3],
     r_squared: &[Relaxed; 3],
+    exponent: i32,
 ) -> ([f64; 3], [[f64; 3]; 3]) {
     let mut r_frame = [0.0; 3];
     let mut to_body = [[0.0; 3]; 3];
@@ -194,12 +210,12 @@ fn rotate(
     while first < 3 {
         let axes: Vec<usize> = (first..3).filter(|&k| group[k] == group[first]).map(|k| order[k]).collect();
         let squared = axes.iter().fold(Relaxed::ZERO, |sum, &i| sum + &r_squared[i]);
-        let basis = eigenspace_basis(&axes, r);
+        let basis = eigenspace_basis(&axes, r, exponent);
         let single = axes.iter().filter(|&&i| !r[i].is_zero()).count() <= 1;
         r_frame[first] = if single {
-            axes.iter().map(|&i| nearest(&r[i]).abs()).fold(0.0, f64::max)
+            axes.iter().map(|&i| nearest(&r[i], exponent).abs()).fold(0.0, f64::max)
         } else {
-            nearest(&squared).sqrt()
+            nearest(&squared, 2 * exponent).sqrt()
         };
         for (k, vector) in basis.iter().enumerate() {
             for i in 0..3 {
@@ -212,10 +228,11 @@ fn rotate(
 }
 
 /// An orthonormal basis of the span of `axes` whose first vector points along the projection of r.
-fn eigenspace_basis(axes: &[usize], r: &[Relaxed; 3]) -> Vec<[f64; 3]> {
+fn eigenspace_basis(axes: &[usize], r: &[Relaxed; 3], exponent: i32) -> Vec<[f64; 3]> {
     let mut lead = [0.0; 3];
     for &i in axes {
-        lead[i] = nearest(&r[i]);
+        // Of a single axis only the sign counts.
+        lead[i] = if axes.len() == 1 { sign(&r[i]) } else { nearest(&r[i], exponent) };
     }
     let mut basis: Vec<[f64; 3]> = Vec::with_capacity(axes.len());
     if let Some(unit) = normalised(lead) {
@@ -241,6 +258,14 @@ fn eigenspace_basis(axes: &[usize], r: &[Relaxed; 3]) -> Vec<[f64; 3]> {
         }
     }
     basis
+}
+
+fn sign(x: &Relaxed) -> f64 {
+    match x.sign() {
+        _ if x.is_zero() => 0.0,
+        Sign::Positive => 1.0,
+        Sign::Negative => -1.0,
+    }
 }
 
 fn normalised(v: [f64; 3]) -> Option<[f64; 3]> {

@@ -130,6 +130,12 @@ impl Body {
         self.center.each_ref().map(Number::to_f64)
     }
 
+    /// r = 0: Euler's case.
+    #[must_use]
+    pub fn is_euler(&self) -> bool {
+        self.center.iter().all(|x| x.value().is_zero())
+    }
+
     /// What is special about this body.
     #[must_use]
     pub fn flags(&self) -> Flags {
@@ -151,7 +157,7 @@ impl Body {
             flags.unphysical = !second.is_positive_semidefinite();
             flags.plate = !flags.unphysical && second.determinant().is_zero();
         }
-        flags.euler = r.iter().all(|x| x.is_zero());
+        flags.euler = self.is_euler();
         let moment_of_first = (0..3).find(|&i| !r[i].is_zero()).map(|i| a[i]);
         flags.axis = moment_of_first.is_some_and(|first| (0..3).all(|i| r[i].is_zero() || a[i] == first));
         flags

@@ -2,8 +2,14 @@
 
 use super::generic::{GenericState, Mu};
 use crate::body::Frame;
-use numbers::bernstein::{Cell, Form, Isolation};
+use numbers::bernstein::{Cell, Form as FormOf, Isolation};
 use numbers::root::itp;
+
+/// Of degree 10 at most: the cusp polynomial of three distinct moments.
+type Form = FormOf<11>;
+
+/// Degree-10 products of rounded linear forms, summed: fewer than 64 roundings on any path.
+const ROUNDINGS: f64 = 64.0;
 
 /// An interval of μ between neighbouring moments that carry r.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +49,57 @@ impl MuInterval {
         }
     }
 
+    /// The simple root of `value` in an isolating cell, to full precision in δ.
+    pub(crate) fn polish(&self, frame: &Frame, isolation: &Isolation, value: impl Fn(Mu) -> f64) -> Mu {
+        let mut cell = isolation.cell;
+        let mut from_left = self.left.is_some();
+        if let (Some(left), Some(right)) = (self.left, self.right) {
+            if cell.u[0] >= 0.5 {
+                from_left = false;
+            } else if cell.v[1] < 0.5 {
+                let middle = Mu { base: left, delta: 0.5 * frame.diff[right][left] };
+                from_left = (value(middle) > 0.0) == isolation.rising;
+                if from_left {
+                    (cell.u[1], cell.v[1]) = (0.5, 0.5);
+                } else {
+                    (cell.u[0], cell.v[0]) = (0.5, 0.5);
+                }
+            }
+        }
+        let (base, sign, distance) = self.side(frame, &cell, from_left);
+        let at = bracket_by_ratio(distance, |y| (value(Mu { base, delta: sign * y }) > 0.0) == isolation.rising);
+        let f = |y: f64| value(Mu { base, delta: sign * y });
+        let [a, b] = at;
+        let (fa, fb) = (f(a), f(b));
+        let y = if (fa > 0.0) == (fb > 0.0) {
+            // Both ends are rounding-close to the root.
+            if fa.abs() < fb.abs() { a } else { b }
+        } else {
+            itp(a, b, fa, fb, 0.0, f).at
+        };
+        Mu { base, delta: sign * y }
+    }
+
+    /// The interval between active moments with this number, from μ = −∞.
+    pub(crate) fn numbered(active: &[usize], n: usize) -> Self {
+        Self { left: n.checked_sub(1).map(|left| active[left]), right: active.get(n).copied() }
+    }
+
+    /// The differences μ − a_k up to a common factor, and that factor, each linear: at u = 0 and at u = 1. Not on the
+    /// interval that ends at +∞.
+    pub(crate) fn lines(&self, frame: &Frame) -> ([[f64; 2]; 3], [f64; 2]) {
+        match (self.left, self.right) {
+            (Some(left), Some(right)) => {
+                (std::array::from_fn(|k| [frame.diff[left][k], frame.diff[right][k]]), [1.0, 1.0])
+            }
+            (_, right) => {
+                let first = right.unwrap_or(0);
+                let scale = outer_scale(frame, first);
+                (std::array::from_fn(|k| [-scale, -frame.diff[k][first]]), [0.0, 1.0])
+            }
+        }
+    }
+
     /// Sign of μ − a_k inside the interval.
     fn sign(&self, k: usize) -> f64 {
         if self.right.is_some_and(|right| k >= right) { -1.0 } else { 1.0 }
@@ -60,17 +117,9 @@ fn outer_scale(frame: &Frame, first: usize) -> f64 {
 /// P²V = Σ_{i<j} r_i² r_j² (a_i − a_j)²/(τ_i³ τ_j³) with τ = μ − a; every |τ| is linear in u and of one sign, so that
 /// each summand is a product of non-negative forms.
 fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Form {
-    let (lines, unit): (Vec<Form>, Form) = match (interval.left, interval.right) {
-        (Some(left), Some(right)) => (
-            active.iter().map(|&k| Form::linear(frame.diff[left][k].abs(), frame.diff[right][k].abs())).collect(),
-            Form::linear(1.0, 1.0),
-        ),
-        (_, right) => {
-            let first = right.unwrap_or(0);
-            let scale = outer_scale(frame, first);
-            (active.iter().map(|&k| Form::linear(scale, frame.diff[k][first])).collect(), Form::linear(0.0, 1.0))
-        }
-    };
+    let (lines, [at_zero, at_one]) = interval.lines(frame);
+    let unit = Form::linear(at_zero, at_one);
+    let lines: Vec<Form> = active.iter().map(|&k| Form::linear(lines[k][0].abs(), lines[k][1].abs())).collect();
     let squares: Vec<Form> = lines.iter().map(|line| line.times(line)).collect();
     let fifths: Vec<Form> = squares.iter().zip(&lines).map(|(square, line)| square.times(square).times(line)).collect();
     let n = active.len();
@@ -91,12 +140,13 @@ fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Form {
         }
         for j in i + 1..n {
             let product = squares[i].times(&squares[j]);
-            let factor = weight(i) * weight(j) * sign(i) * sign(j);
-            for m in [i, j] {
-                sum.add_scaled(factor * sign(m) * moment(m), &with_others(product.times(&lines[m]), &[i, j]));
-            }
             let d = frame.diff[active[i]][active[j]];
-            sum.add_scaled(factor * 4.0 * d * d, &with_others(product.times(&unit), &[i, j]));
+            let mut line = Form::zero(1);
+            line.add_scaled(sign(i) * moment(i), &lines[i]);
+            line.add_scaled(sign(j) * moment(j), &lines[j]);
+            line.add_scaled(4.0 * d * d, &unit);
+            let factor = weight(i) * weight(j) * sign(i) * sign(j);
+            sum.add_scaled(factor, &with_others(product.times(&line), &[i, j]));
         }
     }
     sum
@@ -112,12 +162,12 @@ pub fn cusps(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Cusps {
     if interval.right.is_none() || active.len() < 2 {
         return found;
     }
-    let mut isolations = cusp_form(frame, interval, active).isolate_roots();
+    let mut isolations = cusp_form(frame, interval, active).isolate_roots(ROUNDINGS);
     isolations.sort_by(|a, b| a.cell.u[0].total_cmp(&b.cell.u[0]));
     // On the outer interval u = 0 is μ = −∞ and u = 1 is the moment, so u rises with μ on every interval.
     for isolation in isolations {
         if isolation.cluster.is_none() {
-            found.at.push(polish(frame, interval, &isolation));
+            found.at.push(interval.polish(frame, &isolation, |mu| GenericState::at(frame, mu).cusp_function()));
         } else {
             let from_left = interval.left.is_some() && isolation.cell.u[0] < 0.5;
             let (base, sign, distance) = interval.side(frame, &isolation.cell, from_left);
@@ -126,38 +176,6 @@ pub fn cusps(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Cusps {
         }
     }
     found
-}
-
-/// The simple cusp in an isolating cell, to full precision in δ.
-fn polish(frame: &Frame, interval: &MuInterval, isolation: &Isolation) -> Mu {
-    let value = |mu: Mu| GenericState::at(frame, mu).cusp_function();
-    let mut cell = isolation.cell;
-    let mut from_left = interval.left.is_some();
-    if let (Some(left), Some(right)) = (interval.left, interval.right) {
-        if cell.u[0] >= 0.5 {
-            from_left = false;
-        } else if cell.v[1] < 0.5 {
-            let middle = Mu { base: left, delta: 0.5 * frame.diff[right][left] };
-            from_left = (value(middle) > 0.0) == isolation.rising;
-            if from_left {
-                (cell.u[1], cell.v[1]) = (0.5, 0.5);
-            } else {
-                (cell.u[0], cell.v[0]) = (0.5, 0.5);
-            }
-        }
-    }
-    let (base, sign, distance) = interval.side(frame, &cell, from_left);
-    let at = bracket_by_ratio(distance, |y| (value(Mu { base, delta: sign * y }) > 0.0) == isolation.rising);
-    let f = |y: f64| value(Mu { base, delta: sign * y });
-    let [a, b] = at;
-    let (fa, fb) = (f(a), f(b));
-    let y = if (fa > 0.0) == (fb > 0.0) {
-        // Both ends are rounding-close to the root.
-        if fa.abs() < fb.abs() { a } else { b }
-    } else {
-        itp(a, b, fa, fb, 0.0, f).at
-    };
-    Mu { base, delta: sign * y }
 }
 
 /// Narrows [first, second] (one may be 0, one ∞) to a ratio of at most 4; `beyond(y)` tells whether the root lies

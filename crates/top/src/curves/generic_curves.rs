@@ -41,8 +41,7 @@ impl CriticalSet {
     pub(super) fn add_generic(&mut self, active: &[usize], passive: &[usize]) {
         let bend = if active.len() == 3 { inflection(&self.frame) } else { None };
         for n in 0..=active.len() {
-            let interval =
-                MuInterval { left: n.checked_sub(1).map(|left| active[left]), right: active.get(n).copied() };
+            let interval = MuInterval::numbered(active, n);
             let found = cusps(&self.frame, &interval, active);
             for &mu in &found.clusters {
                 let state = GenericState::at(&self.frame, mu);

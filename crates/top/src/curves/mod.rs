@@ -23,6 +23,7 @@ pub use asymptote::Asymptote;
 pub use at_momentum::{EquilibriaAt, RelativeEquilibrium};
 pub use critical_set::{CriticalSet, Cusp, CuspCluster, EquilibriaError, Pitchfork};
 pub use curve::{Branch, Curve, End, Orbit, Pole};
+pub(crate) use cusps::MuInterval;
 pub use generic::{GenericState, Mu};
 pub use id::{ClusterId, CurveId, CuspId, IntervalId, PitchforkId};
 pub use name::{BranchName, CurveName, ParseCurveNameError, branch_words};

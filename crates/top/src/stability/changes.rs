@@ -8,7 +8,6 @@ use crate::body::Body;
 use crate::curves::{Branch, CriticalSet, Curve, CurveId, Orbit, Pole};
 use crate::table::Id;
 use numbers::Number;
-use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::polynomial::{Polynomial, Root};
 use numbers::wide::Wide;
 
@@ -201,14 +200,7 @@ impl StabilityProfile {
     fn place(&self, set: &CriticalSet, strand: &Strand, root: &Root) -> [(f64, f64); 2] {
         let c: Constants<Wide> = self.body.constants(BITS);
         let state: State<Wide> = strand.state(&self.body, &c, &mut root.clone(), BITS);
-        let x = state.x(&c);
-        let l = (x.clone() * c.small(2)).sqrt();
-        let h = x / state.j.clone() - state.potential(&c);
-        [(l, set.frame.momentum_unit), (h, set.frame.energy_unit)].map(|(value, unit)| {
-            let [lo, hi] = value.bounds();
-            let middle = lo + 0.5 * (hi - lo);
-            (middle * unit, (hi - middle).max(middle - lo) * unit)
-        })
+        state.place(&c, &set.frame)
     }
 
     /// The type of a rotation without weight: λ² = −Ω² and −Ω²(a_k − a_i)(a_k − a_j)/(a_i a_j).

@@ -2,11 +2,13 @@
 //!
 //! At a relative equilibrium (γ, ω = Ωγ, l = AΩγ) the linearised flow on the six-dimensional (γ, l) space has two zero
 //! eigenvalues (the Casimirs ⟨γ,γ⟩ and ⟨γ,l⟩); the other four are the roots of λ⁴ + bλ² + c with b and c in closed form
-//! ([`Reduced`]). An equilibrium that f64 found is enclosed ([`Place`]); where intervals leave its type open, and for
-//! the changes of type along whole families, integer polynomials decide ([`StabilityProfile`]). The eigenvalues of the
+//! ([`Reduced`]). An equilibrium that f64 found is enclosed ([`Place`]), and so are the changes of type along the curves
+//! ([`LinearTypes`]); where intervals leave something open integer polynomials decide ([`StabilityProfile`]). The eigenvalues of the
 //! whole 6×6 matrix are the second way (`whole_spectrum`, with the feature `spectrum`).
 
+mod along;
 mod changes;
+mod collisions;
 mod constants;
 mod enclosed;
 mod equilibrium;
@@ -18,6 +20,7 @@ mod reduced;
 mod spectrum;
 mod state;
 
+pub use along::LinearTypes;
 pub use changes::{ChangeKind, StabilityChange, StabilityProfile};
 pub use constants::Constants;
 pub use enclosed::Place;

@@ -70,6 +70,12 @@ impl<E: Enclosure> Reduced<E> {
         self
     }
 
+    /// β² − 4χ.
+    #[must_use]
+    pub fn discriminant(&self) -> &E {
+        &self.discriminant
+    }
+
     /// The signs that are certain.
     #[must_use]
     pub fn signs(&self) -> [Option<i8>; 3] {

@@ -1,6 +1,7 @@
 //! A relative equilibrium as the linearisation sees it, enclosed: squares of γ, gaps to the multiplier, J and Ω².
 
 use super::constants::Constants;
+use crate::body::Frame;
 use numbers::enclosure::Enclosure;
 
 /// A relative equilibrium (Theorem 3.2 and Theorem 3.3 of docs/mathematics.md), or all those over a range of the parameter.
@@ -67,6 +68,19 @@ impl<E: Enclosure> State<E> {
     #[must_use]
     pub fn x(&self, c: &Constants<E>) -> E {
         self.s.clone() * self.j.square() / c.small(2)
+    }
+
+    /// l and h in the body's units, each with a bound on its error.
+    #[must_use]
+    pub fn place(&self, c: &Constants<E>, frame: &Frame) -> [(f64, f64); 2] {
+        let x = self.x(c);
+        let l = (x.clone() * c.small(2)).sqrt();
+        let h = x / self.j.clone() - self.potential(c);
+        [(l, frame.momentum_unit), (h, frame.energy_unit)].map(|(value, unit)| {
+            let [lo, hi] = value.bounds();
+            let middle = lo + 0.5 * (hi - lo);
+            (middle * unit, (hi - middle).max(middle - lo) * unit)
+        })
     }
 
     /// −d ln x/dμ on the generic family: T + 4V/J (Lemma 3.5 of docs/mathematics.md).
