@@ -10,7 +10,9 @@ import bifdiag
 
 
 def test_a_section_has_its_columns(section):
-    assert section.columns == ("orbit", "index", "time", "gamma", "l", "sheet", "s_dot", "theta", "psi")
+    own = ("orbit", "index", "time", "gamma", "l", "sheet", "s_dot", "theta", "psi")
+    assert section.columns == (*own, "lyapunov", "rotation", "exponent")
+    assert paper_section(chaos=False).columns == own
     assert len(section) == 6 * 41 and section.gamma.shape == section.l.shape == (246, 3)
     assert section.gamma.flags.c_contiguous and section.orbit.dtype == np.int32
     assert np.allclose((section.gamma**2).sum(axis=1), 1)
@@ -23,7 +25,7 @@ def test_a_section_has_its_columns(section):
 def test_the_file_is_the_command_lines(section, command, tmp_path):
     body = ["--A=2,11/10,1", "--r=0.94868,0,0.61623"]
     point = ["--h=3.8", "--l=3.25", "--orbits=6", "--crossings=40"]
-    command("section", *body, *point, "--no-plot", "--data", tmp_path / "theirs.npz")
+    command("section", *body, *point, "--no-plot", "--verdict=whole", "--data", tmp_path / "theirs.npz")
     section.save(tmp_path / "ours.npz")
     assert (tmp_path / "ours.npz").read_bytes() == (tmp_path / "theirs.npz").read_bytes()
     loaded = bifdiag.Section.load(tmp_path / "theirs.npz")

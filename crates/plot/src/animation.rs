@@ -26,6 +26,8 @@ pub struct AnimationScene<'a> {
     pub moments: [f64; 3],
     /// The axis whose trace is drawn, in the body: r̂.
     pub axis: [f64; 3],
+    /// Its tip in space at equal times, the first and the last those of the frames.
+    pub trace: &'a [[f64; 3]],
     /// Crossings in the order of time; `None` where the body has no section.
     pub crossings: Option<&'a [AnimatedCrossing]>,
     /// Outlines of the accessible area on T⁻ and T⁺, as loops of (ψ′, ϑ′).
@@ -39,7 +41,9 @@ pub struct AnimationScene<'a> {
 /// Half the width of the view of the body.
 const RADIUS: f64 = 150.0;
 /// Points of each circle on the body.
-const CIRCLE: usize = 36;
+const CIRCLE: usize = 24;
+/// Of so many points of the trace one tells how much of it is seen.
+const TOLD: usize = 8;
 /// A sheet of the section: its width, ψ′ ∈ [0, 2π], and its height, ϑ′ ∈ [0, π].
 const SHEET: [f64; 2] = [300.0, 150.0];
 const LEFT: f64 = 380.0;
@@ -144,14 +148,15 @@ fn body(scene: &AnimationScene, out: &mut String) {
 
 /// The tip of the axis so far.
 fn trace(scene: &AnimationScene, out: &mut String) {
-    let tips: Vec<[f64; 2]> = scene.frames.iter().map(|frame| seen(turned(frame, scene.axis))).collect();
+    let tips: Vec<[f64; 2]> = scene.trace.iter().map(|tip| seen(*tip)).collect();
     let mut lengths = vec![0.0];
     for pair in tips.windows(2) {
         let [dx, dy] = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
         lengths.push(lengths[lengths.len() - 1] + (dx * dx + dy * dy).sqrt());
     }
     let whole = lengths[lengths.len() - 1].max(f64::MIN_POSITIVE);
-    let offsets: Vec<String> = lengths.iter().map(|length| format!("{:.4}", 1.0 - length / whole)).collect();
+    let offsets: Vec<String> =
+        lengths.iter().step_by(TOLD).map(|length| format!("{:.4}", 1.0 - length / whole)).collect();
     let _infallible = writeln!(
         out,
         "<path d=\"{}\" fill=\"none\" stroke=\"#d55e00\" stroke-width=\"0.8\" pathLength=\"1\" stroke-dasharray=\"1\">\
@@ -209,6 +214,7 @@ mod tests {
             frames,
             moments: [2.0, 1.5, 1.0],
             axis: [0.0, 0.0, 1.0],
+            trace: &[[0.0, 0.0, 1.0], [0.0, 0.6, 0.8]],
             crossings,
             accessible: &[],
             title: "A < B & C",

@@ -12,7 +12,9 @@ use super::settings::Settings;
 use super::target::AnimationTarget;
 
 /// Frames of an animation.
-const FRAMES: u32 = 241;
+const FRAMES: u32 = 361;
+/// Points of the trace from one frame to the next.
+const FINER: u32 = 8;
 /// How long it plays.
 const SECONDS: f64 = 20.0;
 /// Most crossings that are shown.
@@ -31,13 +33,20 @@ pub fn text(settings: &Settings, target: &AnimationTarget) -> Result<String, Orb
 fn animation(settings: &Settings) -> Result<String, OrbitFailure> {
     let Settings { subject, top, start, phi, method, times, .. } = settings;
     let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
-    let frame_time = |k: u32| first + (last - first) * f64::from(k) / f64::from(FRAMES - 1);
-    let frame_times: Vec<f64> = (0..FRAMES).map(frame_time).collect();
+    let points = (FRAMES - 1) * FINER;
+    let time = |k: u32| first + (last - first) * f64::from(k) / f64::from(points);
+    let at: Vec<f64> = (0..=points).map(time).collect();
     let never = AtomicBool::new(false);
-    let motion = follow(top, start, &frame_times, &MotionOptions { method: *method, phi: *phi, stop: &never })?;
+    let motion = follow(top, start, &at, &MotionOptions { method: *method, phi: *phi, stop: &never })?;
     let unit = |k: usize| std::array::from_fn(|i| f64::from(u8::from(i == k)));
-    let frames: Vec<[[f64; 3]; 3]> =
-        motion.samples.iter().map(|sample| [0, 1, 2].map(|k| sample.attitude.rotate(unit(k)))).collect();
+    let frames: Vec<[[f64; 3]; 3]> = motion
+        .samples
+        .iter()
+        .step_by(FINER as usize)
+        .map(|sample| [0, 1, 2].map(|k| sample.attitude.rotate(unit(k))))
+        .collect();
+    let axis = top.r_hat().unwrap_or([0.0, 0.0, 1.0]);
+    let trace: Vec<[f64; 3]> = motion.samples.iter().map(|sample| sample.attitude.rotate(axis)).collect();
     let begin = motion.samples.first().map(|sample| State { gamma: sample.gamma, l: sample.l });
     let crossings = begin.and_then(|begin| crossings(top, &begin, last - first));
     let (h, l) = (top.energy(start), dot(start.gamma, start.l));
@@ -56,7 +65,8 @@ fn animation(settings: &Settings) -> Result<String, OrbitFailure> {
     Ok(draw_animation(&AnimationScene {
         frames: &frames,
         moments: top.moments(),
-        axis: top.r_hat().unwrap_or([0.0, 0.0, 1.0]),
+        axis,
+        trace: &trace,
         crossings: crossings.as_deref(),
         accessible: &accessible,
         title: &title,
