@@ -24,7 +24,7 @@ const ORDER: [(&str, &str); 11] = [
     ("crates/part/src", "units spin existence products mass mesh link file"),
     (
         "crates/proof/src",
-        "id model family curves estimate point mirror pair polar arrange ridges heights plane region certificate drawn vertex exact \
+        "id model family curves estimate point ridges heights plane mirror pair polar arrange region certificate drawn vertex exact \
          accuracy prepared",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
@@ -37,7 +37,7 @@ const ORDER: [(&str, &str); 11] = [
     (
         "crates/verify/src",
         "refused number interval cube classes component body sturm fixed spaces place equilibria roots pieces meetings \
-         stand orders node rules pairs events slabs gluing regions gap morse sphere topology",
+         stand orders node rules mirror pairs events slabs gluing regions gap morse sphere topology",
     ),
     ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
     (
