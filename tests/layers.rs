@@ -24,7 +24,7 @@ const ORDER: [(&str, &str); 11] = [
     ("crates/part/src", "units spin existence products mass mesh link file"),
     (
         "crates/proof/src",
-        "id model family curves estimate point mirror ridges heights plane pair polar arrange region certificate drawn vertex exact \
+        "id model family curves estimate point ridges heights plane mirror pair polar arrange region certificate drawn vertex exact \
          accuracy prepared",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
