@@ -34,7 +34,7 @@ pub struct ChaosMeasure {
 /// `monitor` counts orbits and can stop the work; what was not finished then has no exponent and no rotation number.
 ///
 /// # Errors
-/// Those of [`lyapunov_exponents`].
+/// Those of [`growths`].
 pub fn chaos_measures(
     torus: &PpTorus,
     orbits: &[OrbitSection],
