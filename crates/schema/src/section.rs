@@ -126,7 +126,7 @@ pub enum RotationAngleName {
     Islands,
 }
 
-/// Is an orbit regular or chaotic? Chaotic is not unstable: an unstable periodic orbit is regular.
+/// Is an orbit regular or chaotic? Chaotic is not unstable: an unstable periodic orbit is not chaotic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum VerdictName {

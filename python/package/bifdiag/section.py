@@ -82,7 +82,7 @@ class Section(Table):
     def verdict(self) -> tuple[str, ...]:
         """``"regular"``, ``"chaotic"`` or ``"open"`` for each orbit; `reason` tells why.
 
-        Chaotic is not unstable: an unstable periodic orbit is regular.
+        Chaotic is not unstable: an unstable periodic orbit is not chaotic.
         """
         return tuple(orbit["verdict"] for orbit in self.meta["orbits"])
 

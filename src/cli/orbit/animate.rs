@@ -10,6 +10,8 @@ use plot::{AnimatedCrossing, AnimationScene, draw_animation};
 use super::error::OrbitFailure;
 use super::settings::Settings;
 use super::target::AnimationTarget;
+use crate::cli::input::shown;
+use crate::cli::terminal::significant;
 
 /// Frames of an animation.
 const FRAMES: u32 = 361;
@@ -56,11 +58,13 @@ fn animation(settings: &Settings) -> Result<String, OrbitFailure> {
             .unwrap_or_default(),
         None => Vec::new(),
     };
-    let text = |numbers: [String; 3]| numbers.join(", ");
+    let text = |numbers: [String; 3]| numbers.map(|number| shown(&number)).join(", ");
     let title = format!(
-        "A = ({}), r = ({}), h = {h:.6}, l = {l:.6}, t from {first} to {last}",
+        "A = ({}), r = ({}), h = {}, l = {}, t from {first} to {last}",
         text(documents::texts(subject.body.moments())),
         text(documents::texts(subject.body.center())),
+        significant(h, 7),
+        significant(l, 7),
     );
     Ok(draw_animation(&AnimationScene {
         frames: &frames,

@@ -69,7 +69,7 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
         let counted = |name| document.orbits.iter().filter(|orbit| orbit.verdict == name).count();
         let [regular, chaotic, open] = [VerdictName::Regular, VerdictName::Chaotic, VerdictName::Open].map(counted);
         report.line(format!("verdicts: {regular} regular, {chaotic} chaotic, {open} open"));
-        report.line("chaotic is not unstable: an unstable periodic orbit is regular");
+        report.line("chaotic is not unstable: an unstable periodic orbit is not chaotic");
     }
     for note in &document.notes {
         report.line(format!("note: {note}"));
