@@ -9,7 +9,8 @@ fn main() -> Result<()> {
         bail!("write: bifdiag-web-glue MODULE.wasm nodejs|web DIRECTORY");
     };
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(module).typescript(true);
+    // Names of functions are a twentieth of the module, and only a trap would show them.
+    bindgen.input_path(module).typescript(true).remove_name_section(true).remove_producers_section(true);
     match target.as_str() {
         "nodejs" => bindgen.nodejs(true)?,
         "web" => bindgen.web(true)?,
