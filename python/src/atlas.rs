@@ -9,7 +9,7 @@ use bifdiag::{plot, top};
 use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
-use crate::body::{json, number};
+use crate::texts::{json, number};
 use crate::{errors, places, work};
 
 /// A level of accuracy by its name.

@@ -2,16 +2,12 @@
 
 use bifdiag::documents::{self, Subject};
 use bifdiag::schema::PartDocument;
-use bifdiag::{Number, top};
+use bifdiag::top;
 use pyo3::prelude::*;
 
 use crate::atlas::{Atlas, accuracy};
 use crate::errors;
-
-/// A number of an exact text.
-pub fn number(text: &str) -> PyResult<Number> {
-    text.parse().map_err(|error: bifdiag::numbers::ParseNumberError| errors::input(&error))
-}
+use crate::texts::{json, number};
 
 /// A heavy rigid body with a fixed point: principal moments A and centre of mass r, exact.
 #[pyclass(frozen, module = "bifdiag._core")]
@@ -88,9 +84,4 @@ impl Body {
             python.detach(|| bifdiag::critical(&self.subject.body, &l)).map_err(|error| errors::range(&error))?;
         json(&documents::critical(&self.subject, &l, &found))
     }
-}
-
-/// A document on one line.
-pub fn json(document: &impl serde::Serialize) -> PyResult<String> {
-    serde_json::to_string(document).map_err(|error| errors::range(&error))
 }

@@ -12,6 +12,7 @@ mod part;
 mod places;
 mod section;
 mod survey;
+mod texts;
 mod work;
 
 /// The compiled part of the package `bifdiag`.

@@ -9,8 +9,9 @@ use bifdiag::part::{Existence, MassProperties, Part, Units};
 use dashu_ratio::RBig;
 use pyo3::prelude::*;
 
-use crate::body::{Body, number};
+use crate::body::Body;
 use crate::errors;
+use crate::texts::number;
 
 /// The body of a tensor, its rows as texts, about the centre of mass or about the fixed point.
 #[pyfunction]

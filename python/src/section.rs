@@ -10,7 +10,8 @@ use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::body::{Body, json, number};
+use crate::body::Body;
+use crate::texts::{json, number};
 use crate::{errors, work};
 
 /// How a section is made.

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::atlas::accuracy;
-use crate::body::json;
+use crate::texts::json;
 use crate::{errors, work};
 
 /// What a search looks for; one of these is given.

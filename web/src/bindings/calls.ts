@@ -1,6 +1,5 @@
 /** What a worker can be asked, and what it answers. */
-import type { Window } from "../state/state";
-import type { Portrait } from "./documents";
+import type { Portrait, Window } from "./documents";
 
 export interface Drawing {
   /** The fast document, as text. */

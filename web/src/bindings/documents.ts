@@ -1,8 +1,12 @@
 /** The parts of the command line's documents that the page reads. */
 
-import type { Window } from "../state/state";
-
 export type Triple = [string, string, string];
+
+/** A part of the (h, l) plane. */
+export interface Window {
+  h: [number, number];
+  l: [number, number];
+}
 
 export interface Component {
   boundary_circles: number;

@@ -1,4 +1,4 @@
-import type { Window } from "../state/state";
+import type { Window } from "./documents";
 
 /** A part of the way to another window, so that a picture under the hand does not leap. */
 export function towards(from: Window, to: Window): Window {

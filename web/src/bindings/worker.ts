@@ -1,7 +1,6 @@
 /** One worker: the module and what is kept of the last question. It answers in the order in which it is asked. */
 import type { Answer, Arguments, Drawing, Name, Question, Reply } from "./calls";
-import type { Window } from "../state/state";
-import type { Atlas, Portrait } from "./documents";
+import type { Atlas, Portrait, Window } from "./documents";
 import { towards } from "./view";
 import partsUrl from "./generated/bifdiag_web_parts_bg.wasm?url";
 import init, * as guest from "./generated/bifdiag_web.js";

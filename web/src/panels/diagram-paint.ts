@@ -4,7 +4,7 @@ import { branchColors, ink, tint, type Ink, type Rgb } from "../draw/theme";
 import { surface, valueOf } from "../state/numbers";
 import type { Drawn } from "../state/known";
 import type { Session } from "../state/session";
-import type { Window } from "../state/state";
+import type { Window } from "../bindings/documents";
 import { deepest, type Place } from "./places";
 import { circlesOf, typeOf } from "./regions";
 

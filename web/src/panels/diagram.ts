@@ -3,7 +3,7 @@ import { Sheet, type Pen, type Size } from "../draw/canvas";
 import { make, panel } from "../draw/dom";
 import { rounded, shown, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
-import type { Window } from "../state/state";
+import type { Window } from "../bindings/documents";
 import { paintDiagram, placeOf, plot, valueAt } from "./diagram-paint";
 import { gestures } from "./gestures";
 

@@ -2,7 +2,7 @@
 import type { Vec } from "../draw/ball";
 import { valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
-import { potential } from "./sphere";
+import { potential } from "./potential";
 
 /** Cells along an edge of each face of the cube round the sphere. */
 const EDGE = 48;

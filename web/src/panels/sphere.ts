@@ -6,10 +6,7 @@ import { ink, type Ink } from "../draw/theme";
 import { valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import { Labels } from "./labels";
-
-/** U_l(γ) = l²/(2⟨γ,Aγ⟩) − ⟨γ,r⟩, Eq. (Ul) of the paper. */
-export const potential = (a: Vec, r: Vec, l: number) => (g: Vec): number =>
-  (0.5 * l * l) / (a[0] * g[0] * g[0] + a[1] * g[1] * g[1] + a[2] * g[2] * g[2]) - g[0] * r[0] - g[1] * r[1] - g[2] * r[2];
+import { potential } from "./potential";
 
 const PARTS: Vec[] = [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [230, 159, 0]];
 /** Level lines between the lowest and the highest energy on the sphere. */

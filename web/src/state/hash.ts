@@ -1,6 +1,6 @@
 /** The state as the part of an address behind `#`, and back. */
-import { FIRST, type Coloring, type Panel, type State, type Theme, type Window } from "./state";
-import type { Triple } from "../bindings/documents";
+import { FIRST, type Coloring, type Panel, type State, type Theme } from "./state";
+import type { Triple, Window } from "../bindings/documents";
 
 const PANELS: readonly Panel[] = ["diagram", "section", "motion"];
 const THEMES: readonly Theme[] = ["dark", "light"];

@@ -1,6 +1,5 @@
 /** What was computed of the state. */
-import type { Atlas, Classification, Component } from "../bindings/documents";
-import type { Window } from "./state";
+import type { Atlas, Classification, Component, Window } from "../bindings/documents";
 
 /** What the diagram draws. */
 export interface Drawn {

@@ -1,13 +1,13 @@
 /** The state and everything that was computed of it. Panels read from here and ask here; workers are asked only here. */
 import { Channel, Superseded } from "../bindings/client";
 import type { Arguments, Place } from "../bindings/calls";
-import type { Atlas, Classification, Critical, PartBlock, Triple } from "../bindings/documents";
+import type { Atlas, Classification, Critical, PartBlock, Triple, Window } from "../bindings/documents";
 import { Emitter } from "./emitter";
 import { format } from "./hash";
 import { NOTHING, type Drawn, type Known } from "./known";
 import { valueOf } from "./numbers";
 import { Orbits } from "./orbits";
-import { bodyText, FIRST, type Point, type State, type Window } from "./state";
+import { bodyText, FIRST, type Point, type State } from "./state";
 import { signatureOf } from "./signature";
 
 /** Durations that are kept. */

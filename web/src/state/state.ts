@@ -1,10 +1,5 @@
 /** What the page shows: everything that a permalink carries. */
-import type { Triple } from "../bindings/documents";
-
-export interface Window {
-  h: [number, number];
-  l: [number, number];
-}
+import type { Triple, Window } from "../bindings/documents";
 
 /** A point of the diagram, as exact texts. */
 export interface Point {
