@@ -15,7 +15,7 @@ const ORDER: [(&str, &str); 11] = [
     ),
     (
         "crates/schema/src",
-        "number part certificate classification critical atlas checksum find grid listing section motion spin scan border",
+        "number part certificate classification critical atlas checksum find grid listing section motion spin scan border classes",
     ),
     (
         "crates/top/src",
@@ -28,10 +28,10 @@ const ORDER: [(&str, &str); 11] = [
          accuracy prepared",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
-    ("crates/survey/src", "parameter range design signature scan border katok search"),
+    ("crates/survey/src", "digits parameter range design signature scan border graph katok search"),
     (
         "crates/documents/src",
-        "command layout body subject classification critical grid atlas certified scan reading border find witnesses \
+        "command layout body subject classification critical grid atlas certified scan reading border classes find witnesses \
          section spin words",
     ),
     (
@@ -43,7 +43,7 @@ const ORDER: [(&str, &str); 11] = [
     (
         "src/cli",
         "failure terminal input export batch bodies part spin pages schema atlas show classify critical verify section sphere \
-         orbit scan find figures arguments",
+         orbit scan find classes figures arguments",
     ),
 ];
 

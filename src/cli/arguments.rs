@@ -10,6 +10,7 @@ use top::body::{Number, Preset};
 
 use super::atlas::{self, AtlasArguments};
 use super::bodies::{self, BodiesArguments};
+use super::classes::{self, ClassArguments, ClassesArguments};
 use super::classify::{self, ClassifyArguments};
 use super::critical::{self, CriticalArguments};
 use super::figures::{self, FiguresArguments};
@@ -71,7 +72,9 @@ struct MainArguments {
 }
 
 /// Commands that work on one thread: they take --threads, and do not show it.
-const ON_ONE_THREAD: [&str; 12] = [
+const ON_ONE_THREAD: [&str; 14] = [
+    "classes",
+    "class",
     "show",
     "sphere",
     "orbit",
@@ -142,6 +145,10 @@ commands! {
     Scan(Box<ScanArguments>) = "scan", scan::SCAN_EXAMPLES;
     /// Search for a body and a point that show a wanted type
     Find(FindArguments) = "find", find::FIND_EXAMPLES;
+    /// List the classes of bodies, or tell where a body stands among them
+    Classes(Box<ClassesArguments>) = "classes", classes::CLASSES_EXAMPLES;
+    /// Show one class of bodies: its types, a body of it, the classes beside it
+    Class(ClassArguments) = "class", classes::CLASS_EXAMPLES;
     /// Explain a region, a curve or an event in words
     Show(ShowArguments) = "show", show::EXAMPLES;
     /// Compute a Poincaré section on the PP-torus

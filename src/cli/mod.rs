@@ -8,6 +8,7 @@ mod arguments;
 mod atlas;
 mod batch;
 mod bodies;
+mod classes;
 mod classify;
 mod critical;
 mod export;
@@ -134,6 +135,8 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Schema(arguments)) => schema::run(arguments),
         Some(Command::Completions(arguments)) => pages::completions(arguments, Options::command()),
         Some(Command::Man(arguments)) => pages::man(arguments, Options::command()),
+        Some(Command::Classes(arguments)) => classes::run(arguments),
+        Some(Command::Class(arguments)) => classes::class(arguments, &timings),
         Some(Command::Find(arguments)) => find::run(arguments, quiet),
         Some(Command::Scan(arguments)) => scan::run(arguments, &timings, quiet),
         Some(Command::Figures(arguments)) => figures::run(arguments, &timings),

@@ -2,8 +2,9 @@
 
 use clap::{Args, ValueEnum};
 use schema::{
-    AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassificationDocument, CriticalDocument,
-    FindDocument, GridDocument, MotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument,
+    AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
+    ClassificationDocument, CriticalDocument, FindDocument, GridDocument, MotionDocument, RowDocument,
+    ScanSummaryDocument, SectionDocument, SectionsDocument, StandingDocument,
 };
 use schemars::{Schema, schema_for};
 
@@ -57,6 +58,12 @@ pub enum Name {
     ScanBorder,
     /// The answer of `bifdiag find --json`
     Find,
+    /// data/classes.json, the answer of `bifdiag classes --json`
+    Classes,
+    /// The answer of `bifdiag class NAME --json`
+    Class,
+    /// The answer of `bifdiag classes --at --json`
+    ClassesAt,
 }
 
 impl Name {
@@ -75,6 +82,9 @@ impl Name {
             Self::ScanSummary => schema_for!(ScanSummaryDocument),
             Self::ScanBorder => schema_for!(BorderDocument),
             Self::Find => schema_for!(FindDocument),
+            Self::Classes => schema_for!(ClassesDocument),
+            Self::Class => schema_for!(ClassDocument),
+            Self::ClassesAt => schema_for!(StandingDocument),
         }
     }
 }

@@ -4,6 +4,7 @@ mod answers;
 mod attacks;
 mod batches;
 mod builder;
+mod classes;
 mod files;
 mod orbits;
 mod pages;

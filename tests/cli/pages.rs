@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::builder::bifdiag;
 
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 14] = [
     "atlas",
     "classify",
     "critical",
@@ -12,6 +12,8 @@ const COMMANDS: [&str; 12] = [
     "orbit",
     "scan",
     "find",
+    "classes",
+    "class",
     "bodies",
     "schema",
     "completions",

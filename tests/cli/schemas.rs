@@ -108,6 +108,9 @@ fn documents_fit_their_schemas() {
     assert_fits("find", &bifdiag("find --type M3 --json").succeeds().json());
     assert_fits("find", &bifdiag("find --type k3n0 --json").succeeds().json());
     assert_fits("find", &bifdiag("find --critical-points 12 --samples 50 --json").fails().json());
+    assert_fits("classes", &bifdiag("classes --physical --json").succeeds().json());
+    assert_fits("class", &bifdiag("class 01036ac4a504 --json").succeeds().json());
+    assert_fits("classes-at", &bifdiag("classes --at --body paper --lines 2 --json").succeeds().json());
     assert_fits("scan-border", &bifdiag("scan border --body katok:2 --vary A3=0.7:0.8 --json").succeeds().json());
     let scan = "scan --body paper --vary r2=0:0.5:3,r3=0:0.5:3 --format jsonl --out -";
     for row in bifdiag(scan).succeeds().json_lines() {
@@ -148,6 +151,9 @@ fn all_schemas_come_in_one_object() {
         "scan-summary",
         "scan-border",
         "find",
+        "classes",
+        "class",
+        "classes-at",
     ];
     for name in names {
         assert_eq!(all[name], schema(name));

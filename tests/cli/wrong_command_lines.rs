@@ -154,6 +154,13 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("scan border --body katok:2 --vary A3=0.8:0.85", &["--vary", "both ends have the class"]),
     ("scan border --body katok:2 --vary A3=-1:0.85", &["--vary", "A3 = -1 is not positive"]),
     // Searches.
+    ("classes --body paper", &["--body", "add --at"]),
+    ("classes --at", &["no body is given", "--A 2,1.1,1"]),
+    ("classes --lines 5", &["--at"]),
+    ("classes --at --body paper --lines 0", &["0 is not in 1..=1000000"]),
+    ("class", &["<NAME>"]),
+    ("class xyz", &["NAME xyz", "`bifdiag classes` lists them", "bifdiag classes --at"]),
+    ("class 0", &["NAME 0", "classes begin so", "give more digits"]),
     ("find", &["nothing says what is sought", "--type M4", "--circles 3 --poles 1"]),
     ("find --type X4", &["--type", "`X4` is no type", "M4", "k3n1"]),
     ("find --signature S2+X", &["--signature", "`X` is no section", "S2+T2"]),

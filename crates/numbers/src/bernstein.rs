@@ -102,9 +102,9 @@ impl Cell {
 
     /// Too narrow, relative to the distance from either end of (0, 1), to be split further in `f64`.
     fn is_exhausted(&self) -> bool {
-        let width = self.u[1] - self.u[0];
-        let near = self.u[1].min(self.v[0]);
-        width <= 8.0 * f64::EPSILON * near || near < 1e-290
+        // In the coordinate of the nearer end, which alone has the digits: near 1 a cell may be one bit of u wide for ever.
+        let [far, near] = if self.u[1] < self.v[0] { self.u } else { [self.v[1], self.v[0]] };
+        (near - far).abs() <= 8.0 * f64::EPSILON * near || near < 1e-290
     }
 }
 
@@ -226,6 +226,21 @@ mod tests {
         let mut c = [0.0; SIZE];
         c[0] = 1.0;
         c
+    }
+
+    #[test]
+    fn a_double_root_near_one_comes_to_an_end() {
+        for gap in [0.0, 1e-3, 0.03, 0.04, 0.06, 0.3] {
+            for offset in [0.0, 1e-17, 1e-16] {
+                let found = with_roots(&[1.0 - gap, 1.0 - gap - offset, 0.2, -0.3]).isolate_roots(64.0);
+                assert!(found.len() <= 64, "{gap}: {}", found.len());
+            }
+        }
+        // A cell of one bit of u near 1, where v tells much more.
+        let u = [1.0 - f64::EPSILON, 1.0 - f64::EPSILON / 2.0];
+        let wide = Cell { u, v: [2e-16, 1e-16] };
+        assert!(!wide.is_exhausted());
+        assert!(Cell { v: [2e-16, 2e-16 * (1.0 - 4.0 * f64::EPSILON)], ..wide }.is_exhausted());
     }
 
     proptest! {

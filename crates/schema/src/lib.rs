@@ -7,6 +7,7 @@ mod atlas;
 mod border;
 mod certificate;
 mod checksum;
+mod classes;
 mod classification;
 mod critical;
 mod find;
@@ -30,6 +31,9 @@ pub use certificate::{
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
 pub use checksum::checksum;
+pub use classes::{
+    ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument, ClassesDocument, StandingDocument,
+};
 pub use classification::{CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
 pub use find::{FindDocument, NearestDocument, WitnessDocument};

@@ -1,7 +1,9 @@
-//! Many bodies: scans, the borders between classes, the search for types.
+//! Many bodies: scans, the borders between classes, the graph of classes, the search for types.
 
 pub mod border;
 mod design;
+mod digits;
+pub mod graph;
 pub mod katok;
 mod parameter;
 mod range;

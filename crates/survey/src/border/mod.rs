@@ -18,4 +18,4 @@ pub use bisection::{Border, BorderError, BorderOptions, find};
 pub use event::{BorderEvent, BorderEventKind, Encounter, Place};
 pub use label::{EventLabel, named_events};
 pub use segment::Segment;
-pub use side::{End, NoClass};
+pub use side::{End, NoClass, class_of};

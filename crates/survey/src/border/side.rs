@@ -7,6 +7,7 @@ use thiserror::Error;
 use super::segment::Segment;
 use proof::{Accuracy, NoAtlas, atlas_of};
 use top::atlas::Atlas;
+use top::body::Body;
 use top::class::{Class, Unclassified};
 
 /// An end of a segment.
@@ -44,8 +45,17 @@ pub(super) struct Side {
 
 impl Side {
     pub(super) fn of(segment: &Segment, t: f64, accuracy: Accuracy) -> Result<Self, NoClass> {
-        let atlas = atlas_of(&segment.body(t), accuracy)?;
-        let class = Class::of(&atlas)?;
+        let (atlas, class) = class_of(&segment.body(t), accuracy)?;
         Ok(Self { t, atlas, class })
     }
+}
+
+/// The atlas and the class of a body.
+///
+/// # Errors
+/// [`NoClass`].
+pub fn class_of(body: &Body, accuracy: Accuracy) -> Result<(Atlas, Class), NoClass> {
+    let atlas = atlas_of(body, accuracy)?;
+    let class = Class::of(&atlas)?;
+    Ok((atlas, class))
 }

@@ -1,6 +1,6 @@
 //! Coordinates in which a body is improved: logarithms of ratios, so that near-axis and near-symmetric bodies are ordinary.
 
-use super::digits::{DIGITS, rounded};
+use crate::digits::{DIGITS, rounded};
 
 /// Coordinates around a body; components of r that are 0 stay 0, and units stay the same.
 #[derive(Clone, Debug)]

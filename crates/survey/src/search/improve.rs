@@ -4,9 +4,9 @@ use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
 
 use super::chart::Chart;
-use super::digits::{DIGITS, rounded};
 use super::score::{Domain, Score, look};
 use super::target::Target;
+use crate::digits::{DIGITS, rounded};
 
 /// First steps of the simplex in logarithms.
 const STEP: f64 = 0.08;

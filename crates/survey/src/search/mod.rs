@@ -9,7 +9,6 @@
 mod answer;
 #[cfg(feature = "search")]
 mod chart;
-mod digits;
 mod exclusion;
 #[cfg(feature = "search")]
 mod find;

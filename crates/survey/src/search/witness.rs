@@ -4,9 +4,9 @@ use std::fmt;
 
 use thiserror::Error;
 
-use super::digits::{DIGITS, rounded};
 use super::score::{Domain, Score, look};
 use super::target::Target;
+use crate::digits::{DIGITS, rounded};
 use numbers::Number;
 use proof::{Accuracy, Unanswered, classify};
 use top::body::{Body, BodyError};

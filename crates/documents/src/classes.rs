@@ -1,0 +1,144 @@
+//! The graph of classes as a document, and the one that comes with the program.
+
+use std::collections::BTreeMap;
+
+use proof::Accuracy;
+use schema::{
+    ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument, ClassesDocument, SCHEMA_VERSION,
+    StandingDocument,
+};
+use survey::border::class_of;
+use survey::graph::{ClassGraph, Domain, Nearest, Node};
+use top::body::{Body, BodyError};
+use top::class::ClassName;
+
+use crate::body::texts;
+use crate::command::{CommandLine, version};
+
+/// `data/classes.json` of the repository without the texts, which are most of it; a test keeps the two the same.
+const SHIPPED: &str = include_str!("../data/classes.json");
+
+/// The classes that come with the program, without their texts.
+///
+/// # Panics
+/// Never: the file is a part of this package.
+#[must_use]
+pub fn shipped_classes() -> ClassesDocument {
+    serde_json::from_str(SHIPPED).expect("the shipped classes are whole")
+}
+
+/// Gives a class its text: that of its witness.
+///
+/// # Panics
+/// Never: the witness of a shipped class has a class.
+pub fn add_text(class: &mut ClassDocument) {
+    let body = Body::parse(&class.witness.moments, &class.witness.center).expect("the shipped classes are whole");
+    let (_, found) = class_of(&body, Accuracy::Exact).expect("the witness of a shipped class has a class");
+    found.text().clone_into(&mut class.text);
+}
+
+/// How often classes were met among bodies drawn at random: by bodies that exist, and among all A > 0.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ClassCounts {
+    /// Bodies of each class that exist, of so many.
+    pub existing: (BTreeMap<ClassName, u64>, u64),
+    /// Bodies of each class, of so many.
+    pub all: (BTreeMap<ClassName, u64>, u64),
+}
+
+/// The graph, with measures from counts.
+///
+/// # Errors
+/// [`BodyError`] for a witness that is no body.
+pub fn classes(graph: &ClassGraph, counts: &ClassCounts) -> Result<ClassesDocument, BodyError> {
+    let classes = graph.nodes.iter().map(|(name, node)| class(name, node, graph, counts)).collect::<Result<_, _>>()?;
+    Ok(ClassesDocument { schema_version: SCHEMA_VERSION.to_owned(), classes })
+}
+
+fn class(name: &ClassName, node: &Node, graph: &ClassGraph, counts: &ClassCounts) -> Result<ClassDocument, BodyError> {
+    let (bodies, all) = if node.physical { &counts.existing } else { &counts.all };
+    let (bodies, all) = (bodies.get(name).copied().unwrap_or_default() as f64, (*all).max(1) as f64);
+    let measure = bodies / all;
+    let error = if bodies == 0.0 { 1.0 / all } else { (measure * (1.0 - measure) / all).sqrt() };
+    let beside = graph.edges.iter().filter_map(|((between, event), edge)| {
+        let class = match between {
+            [one, other] if one == name => other,
+            [other, one] if one == name => other,
+            _ => return None,
+        };
+        let physical = edge.place.is_in(Domain::Existing);
+        Some(ClassNeighbourDocument { class: class.to_string(), event: event.clone(), physical })
+    });
+    let mut neighbours: Vec<ClassNeighbourDocument> = beside.collect();
+    neighbours.sort_by(|p, q| (&p.class, &p.event).cmp(&(&q.class, &q.event)));
+    let body = Body::from_f64(node.witness[0], node.witness[1])?;
+    Ok(ClassDocument {
+        name: name.to_string(),
+        text: node.class.text().to_owned(),
+        regions: node.regions,
+        types: node.types.iter().map(ToString::to_string).collect(),
+        physical: node.physical,
+        witness: ClassWitnessDocument { moments: texts(body.moments()), center: texts(body.center()) },
+        distance: node.distance,
+        measure,
+        measure_error: error,
+        neighbours,
+    })
+}
+
+/// Where a body stands among the classes.
+#[must_use]
+pub fn standing(name: Option<&ClassName>, borders: &[Nearest], command: CommandLine) -> StandingDocument {
+    let known = |name: &ClassName| shipped_classes().classes.iter().any(|class| class.name == name.as_str());
+    let border = |border: &Nearest| ClassBorderDocument {
+        class: border.class.name().to_string(),
+        event: border.event.to_string(),
+        distance: border.distance,
+        moments: border.place.a,
+        center: border.place.r,
+    };
+    StandingDocument {
+        schema_version: SCHEMA_VERSION.to_owned(),
+        version: version(),
+        command: command.json(),
+        name: name.map(ToString::to_string),
+        known: name.is_some_and(known),
+        borders: borders.iter().map(border).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn the_published_file_is_the_shipped_one() {
+        let published = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/classes.json");
+        // A packaged crate stands alone.
+        if let Ok(text) = std::fs::read_to_string(published) {
+            let mut published: ClassesDocument = serde_json::from_str(&text).unwrap();
+            for class in &mut published.classes {
+                assert!(class.text.starts_with("map 1\n"), "{}", class.name);
+                class.text.clear();
+            }
+            assert!(published == shipped_classes(), "write both anew: data/classes.sh");
+        }
+    }
+
+    #[test]
+    fn neighbours_are_symmetric_classes_of_the_file() {
+        let classes = shipped_classes().classes;
+        assert!(classes.windows(2).all(|pair| pair[0].name < pair[1].name));
+        let arrows: BTreeSet<[&str; 3]> = classes
+            .iter()
+            .flat_map(|class| {
+                class.neighbours.iter().map(|n| [class.name.as_str(), n.class.as_str(), n.event.as_str()])
+            })
+            .collect();
+        assert!(!arrows.is_empty());
+        for [from, to, event] in &arrows {
+            assert!(arrows.contains(&[*to, *from, *event]), "{from} {to} {event}");
+        }
+    }
+}

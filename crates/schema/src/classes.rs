@@ -1,0 +1,107 @@
+//! `data/classes.json`: the classes of bodies and the borders between them.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Number;
+
+/// A body by its moments and its centre of mass.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "ClassWitness")]
+pub struct ClassWitnessDocument {
+    /// A1, A2, A3.
+    #[serde(rename = "A")]
+    #[schemars(with = "[Number; 3]")]
+    pub moments: [String; 3],
+    /// r1, r2, r3.
+    #[serde(rename = "r")]
+    #[schemars(with = "[Number; 3]")]
+    pub center: [String; 3],
+}
+
+/// A class beside another one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "ClassNeighbour")]
+pub struct ClassNeighbourDocument {
+    /// The class beyond the border.
+    pub class: String,
+    /// What happens on the border.
+    pub event: String,
+    /// True when a body that exists was met on the border.
+    pub physical: bool,
+}
+
+/// A class of bodies.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "Class")]
+pub struct ClassDocument {
+    /// Its name.
+    pub name: String,
+    /// The canonical form of its diagram, of which the name is the beginning of the SHA-256. (The list inside the program
+    /// has none: its witness has it.)
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub text: String,
+    /// Number of regions of the diagram.
+    pub regions: usize,
+    /// Types of the components that the regions show, such as `k2n1`.
+    pub types: Vec<String>,
+    /// True when there are bodies that exist of this class.
+    pub physical: bool,
+    /// A body of it far from other classes, one that exists if there is any.
+    pub witness: ClassWitnessDocument,
+    /// How far the witness is from the nearest body of another class that was found: √(|ΔA|² + ∠²), for A with the sum 2
+    /// and the angle between the two r.
+    pub distance: f64,
+    /// Its share of all bodies that exist; if none of them has it, of all bodies with A > 0. Second moments of mass (or A
+    /// itself) are uniform on a simplex, r̂ on the sphere.
+    pub measure: f64,
+    /// Standard error of `measure`; if no body of the sample has the class, the share of one body.
+    pub measure_error: f64,
+    /// The classes beside it, by name and event.
+    pub neighbours: Vec<ClassNeighbourDocument>,
+}
+
+/// The classes of bodies.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ClassesDocument {
+    /// Version of this document.
+    pub schema_version: String,
+    /// The classes, by rising names.
+    pub classes: Vec<ClassDocument>,
+}
+
+/// A border of the class of a body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "ClassBorder")]
+pub struct ClassBorderDocument {
+    /// The class beyond it.
+    pub class: String,
+    /// What happens on it.
+    pub event: String,
+    /// How far the nearest body on it is that was found: √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the
+    /// two r.
+    pub distance: f64,
+    /// That body, in the axes of A1 ≤ A2 ≤ A3 with the sum 2, and r of length 1.
+    #[serde(rename = "A")]
+    pub moments: [f64; 3],
+    /// r1, r2, r3.
+    #[serde(rename = "r")]
+    pub center: [f64; 3],
+}
+
+/// The answer of `classes --at`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StandingDocument {
+    /// Version of this document.
+    pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from body and settings.
+    pub command: String,
+    /// The class of the body; `null` when it is not decided.
+    pub name: Option<String>,
+    /// True when the class is one of those that come with the program.
+    pub known: bool,
+    /// The borders of the class around the body, by rising distance; none for a body without a class.
+    pub borders: Vec<ClassBorderDocument>,
+}

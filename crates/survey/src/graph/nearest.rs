@@ -1,0 +1,225 @@
+//! The borders around a body.
+
+use std::collections::BTreeMap;
+
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::SeedableRng;
+
+use super::chart::Chart;
+use super::chord::{Wall, chord};
+use super::place::{Domain, Place};
+use crate::border::BorderEventKind;
+use top::class::{Class, ClassName};
+
+/// How borders are sought.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearestOptions {
+    /// Random lines through the body.
+    pub lines: u32,
+    /// Borders whose distance is improved, the nearest first.
+    pub improved: usize,
+    /// Where lines end.
+    pub domain: Domain,
+    /// Chooses the lines.
+    pub seed: u64,
+}
+
+impl Default for NearestOptions {
+    fn default() -> Self {
+        Self { lines: 48, improved: 6, domain: Domain::All, seed: 0 }
+    }
+}
+
+/// A border of the class of a body, as near to the body as it was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nearest {
+    /// The class beyond.
+    pub class: Class,
+    /// What happens there.
+    pub event: BorderEventKind,
+    /// How far it is: √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the two r.
+    pub distance: f64,
+    /// The body on the border.
+    pub place: Place,
+    /// Coordinates of its direction in the body's [`Chart`], of length 1.
+    pub direction: Vec<f64>,
+}
+
+/// The borders of a body's class that are met by random lines through it, each at the place that is nearest to the body,
+/// in the order of their distances. What is special about the body stays so on each line.
+///
+/// Each distance is that of a body on the border: the border is as near, and a nearer part of it may be unknown.
+#[must_use]
+pub fn nearest(place: Place, options: &NearestOptions) -> Vec<Nearest> {
+    let search = Search { chart: Chart::new(place), domain: options.domain };
+    let mut rng = SplitMix64::seed_from_u64(options.seed);
+    let mut found: BTreeMap<(ClassName, String), Nearest> = BTreeMap::new();
+    for _ in 0..options.lines {
+        let direction = search.chart.random(&mut rng);
+        let Some(direction) = unit(direction) else { break };
+        for sign in [1.0, -1.0] {
+            let direction: Vec<f64> = direction.iter().map(|x| sign * x).collect();
+            let Some(wall) = search.first(&direction) else { continue };
+            let key = (wall.class.name().clone(), wall.event.to_string());
+            if found.get(&key).is_none_or(|known| wall.distance < known.distance) {
+                found.insert(key, wall);
+            }
+        }
+    }
+    let mut found: Vec<Nearest> = found.into_values().collect();
+    found.sort_by(|p, q| p.distance.total_cmp(&q.distance));
+    for wall in found.iter_mut().take(options.improved) {
+        search.improve(wall);
+    }
+    found.sort_by(|p, q| p.distance.total_cmp(&q.distance));
+    found
+}
+
+struct Search {
+    chart: Chart,
+    domain: Domain,
+}
+
+/// Improvements of a distance.
+const STEPS: i32 = 5;
+
+impl Search {
+    /// The first wall in a direction.
+    fn first(&self, direction: &[f64]) -> Option<Nearest> {
+        let line = self.chart.line(direction, self.domain)?;
+        let wall = chord(&line, &line.nodes(true, 0.5), true).walls.into_iter().next()?;
+        Some(Nearest::new(wall, |s| line.distance(s), direction))
+    }
+
+    /// A wall with the same event to the same class in another direction, near to s.
+    fn again(&self, like: &Nearest, direction: &[f64], s: f64) -> Option<(f64, Nearest)> {
+        let line = self.chart.line(direction, self.domain)?;
+        let nodes: Vec<f64> =
+            [0.5, 0.9, 1.1, 1.5, 2.5].into_iter().map(|share| share * s).filter(|s| *s < line.reach()[1]).collect();
+        let wall = chord(&line, &nodes, true).walls.into_iter().next()?;
+        let same = wall.classes[1] == like.class && wall.event == like.event;
+        same.then(|| (wall.s, Nearest::new(wall, |s| line.distance(s), direction)))
+    }
+
+    /// Goes to the foot of the perpendicular: the plane through places of the border in as many directions as there are
+    /// parameters has a foot, near to which the border's own lies.
+    fn improve(&self, wall: &mut Nearest) {
+        let Some((mut s, _)) = self.again(wall, &wall.direction.clone(), wall.distance) else { return };
+        for step in 0..STEPS {
+            let tilt = 0.2 * 0.5_f64.powi(step);
+            let direction = wall.direction.clone();
+            let mut places = vec![direction.iter().map(|x| s * x).collect::<Vec<f64>>()];
+            for tangent in tangents(&direction) {
+                let tilted = direction.iter().zip(&tangent).map(|(x, t)| x + tilt * t).collect();
+                let Some(tilted) = unit(tilted) else { return };
+                let Some((s, _)) = self.again(wall, &tilted, s) else { return };
+                places.push(tilted.iter().map(|x| s * x).collect());
+            }
+            // ⟨n, p⟩ = 1 on the plane.
+            let ones = vec![1.0; places.len()];
+            let Some(normal) = solved(places, ones) else { return };
+            let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let Some(foot) = unit(normal) else { return };
+            let Some((foot_s, better)) = self.again(wall, &foot, 1.0 / length) else { return };
+            if better.distance >= wall.distance {
+                return;
+            }
+            let gained = wall.distance - better.distance;
+            s = foot_s;
+            *wall = better;
+            if gained < 1e-6 * wall.distance {
+                return;
+            }
+        }
+    }
+}
+
+impl Nearest {
+    fn new(wall: Wall, distance: impl Fn(f64) -> f64, direction: &[f64]) -> Self {
+        let [_, class] = wall.classes;
+        let distance = distance(wall.s);
+        Self { class, event: wall.event, distance, place: wall.place, direction: direction.to_vec() }
+    }
+}
+
+/// A vector of length 1; `None` for none.
+pub(super) fn unit(v: Vec<f64>) -> Option<Vec<f64>> {
+    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    (length > 0.0 && length.is_finite()).then(|| v.into_iter().map(|x| x / length).collect())
+}
+
+/// Unit vectors that are orthogonal to a direction and to one another.
+fn tangents(direction: &[f64]) -> Vec<Vec<f64>> {
+    let n = direction.len();
+    let largest = (0..n).max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs())).unwrap_or_default();
+    let mut known: Vec<Vec<f64>> = vec![direction.to_vec()];
+    for k in (0..n).filter(|&k| k != largest) {
+        let mut v: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i == k))).collect();
+        for other in &known {
+            let share: f64 = v.iter().zip(other).map(|(x, y)| x * y).sum();
+            v.iter_mut().zip(other).for_each(|(x, y)| *x -= share * y);
+        }
+        known.extend(unit(v));
+    }
+    known.split_off(1)
+}
+
+/// The solution of a small linear system, by elimination with pivots; `None` for a singular one.
+fn solved(mut rows: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
+    let n = rows.len();
+    for k in 0..n {
+        let pivot = (k..n).max_by(|&i, &j| rows[i][k].abs().total_cmp(&rows[j][k].abs()))?;
+        if rows[pivot][k] == 0.0 {
+            return None;
+        }
+        rows.swap(k, pivot);
+        right.swap(k, pivot);
+        for i in (0..n).filter(|&i| i != k) {
+            let factor = rows[i][k] / rows[k][k];
+            for j in k..n {
+                rows[i][j] -= factor * rows[k][j];
+            }
+            right[i] -= factor * right[k];
+        }
+    }
+    Some((0..n).map(|k| right[k] / rows[k][k]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tangents_and_systems() {
+        let direction = unit(vec![0.1, -0.7, 0.3, 0.2]).unwrap();
+        let tangents = tangents(&direction);
+        assert_eq!(tangents.len(), 3);
+        let product = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(x, y)| x * y).sum::<f64>();
+        assert!(tangents.iter().all(|t| product(t, &direction).abs() < 1e-15 && (product(t, t) - 1.0).abs() < 1e-15));
+        let solution = solved(vec![vec![0.0, 2.0], vec![3.0, 1.0]], vec![4.0, 5.0]).unwrap();
+        assert!((solution[0] - 1.0).abs() < 1e-15 && (solution[1] - 2.0).abs() < 1e-15);
+        assert_eq!(solved(vec![vec![1.0, 1.0], vec![1.0, 1.0]], vec![1.0, 2.0]), None);
+    }
+
+    /// Where the border is known: J_r = A2 is a cone over r, and the nearest of its bodies is sought by other means.
+    #[test]
+    fn the_distance_to_the_middle_moment_is_found() {
+        let place = Place::of([[0.5, 0.6, 0.9], [0.6, 0.12, 0.45]]);
+        let options = NearestOptions { lines: 8, ..NearestOptions::default() };
+        let borders = nearest(place, &options);
+        let border = borders.iter().find(|border| matches!(border.event, BorderEventKind::PoleLinesAtInfinity { .. }));
+        let border = border.unwrap();
+        let excess = |place: &Place| (0..3).map(|k| (place.a[k] - place.a[1]) * place.r[k] * place.r[k]).sum::<f64>();
+        assert!(excess(&border.place).abs() < 1e-8, "{border:?}");
+        // First order: |excess| over the length of its gradient along the chart.
+        let chart = Chart::new(place);
+        let step = 1e-6;
+        let slope = |k: usize| {
+            let mut y = vec![0.0; 4];
+            y[k] = step;
+            (excess(&chart.body(&y, Domain::All).unwrap()) - excess(&place)) / step
+        };
+        let estimate = excess(&place).abs() / (0..4).map(|k| slope(k) * slope(k)).sum::<f64>().sqrt();
+        assert!((border.distance / estimate - 1.0).abs() < 0.2, "{} {estimate}", border.distance);
+    }
+}

@@ -1,0 +1,137 @@
+"""The widest room for four boundary circles among bodies that exist: python3 four_circles.py SEED STEPS
+
+U has the critical points gamma = (mu - A)^-1 r / s, s = sqrt(P), at x = s J^2 / 2 (docs/mathematics.md); they are found here by
+sign changes on a grid in mu and bisection, their kinds by the second derivative of U on the sphere: nothing is shared
+with the program. A component with four boundary circles and n poles is there for h between the highest of all that must lie below
+(every saddle and minimum, and n of the energies of the poles) and the lowest of all that must lie above (four maxima,
+and the other energies of poles). The room is the length of that interval over |r|. An evolution strategy (one parent, one child, the 1/5 rule)
+makes it as large as it can from the published witnesses, over A, r and x; each line is one run.
+"""
+
+import math
+import random
+import sys
+
+
+def state(a, r, mu):
+    u = [mu - x for x in a]
+    p = sum((x / y) ** 2 for x, y in zip(r, u))
+    phi = sum(x * x / y for x, y in zip(r, u))
+    j = sum(z * (x / y) ** 2 for x, y, z in zip(r, u, a)) / p
+    s = math.sqrt(p)
+    return s * j * j / 2, j, phi / s, [x / y / s for x, y in zip(r, u)]
+
+
+def grid(a, n=90):
+    """mu on the four intervals, dense at their ends."""
+    for k in range(n):
+        yield 0, a[0] - math.exp(-16 + 21 * k / (n - 1))
+    for i in (0, 1):
+        for k in range(n):
+            t = 1 / (1 + math.exp(15 - 30 * k / (n - 1)))
+            yield 1 + i, a[i] + t * (a[i + 1] - a[i])
+    for k in range(n):
+        yield 3, a[2] + math.exp(-16 + 21 * k / (n - 1))
+
+
+def is_maximum(a, x, gamma, j, r):
+    """Both eigenvalues of the Hessian of U on the sphere are negative."""
+    g = [2 * x * z * y / (j * j) for z, y in zip(a, gamma)]  # minus the gradient of x/J
+    radial = -sum(y * (p + q) for y, p, q in zip(gamma, g, r))
+
+    def second(u, v):
+        ag_u = sum(z * y * w for z, y, w in zip(a, gamma, u))
+        ag_v = sum(z * y * w for z, y, w in zip(a, gamma, v))
+        straight = sum(z * p * q for z, p, q in zip(a, u, v))
+        return -2 * x * straight / j**2 + 8 * x * ag_u * ag_v / j**3 - radial * sum(p * q for p, q in zip(u, v))
+
+    k = min(range(3), key=lambda i: abs(gamma[i]))
+    e = [float(i == k) - gamma[k] * gamma[i] for i in range(3)]
+    n = math.sqrt(sum(y * y for y in e))
+    e = [y / n for y in e]
+    f = [gamma[1] * e[2] - gamma[2] * e[1], gamma[2] * e[0] - gamma[0] * e[2], gamma[0] * e[1] - gamma[1] * e[0]]
+    p, q, m = second(e, e), second(f, f), second(e, f)
+    return p + q < 0 and p * q > m * m
+
+
+def room(a, r, x, poles):
+    """The room over |r|, and the number of maxima; a negative room is what is missing."""
+    size = math.sqrt(sum(y * y for y in r))
+    maxima, others, last = [], [], None
+    for interval, mu in grid(a):
+        value = state(a, r, mu)[0] - x
+        if last and last[0] == interval and (last[2] > 0) != (value > 0):
+            low, high, rising = last[1], mu, value > 0
+            for _ in range(60):
+                middle = (low + high) / 2
+                if (state(a, r, middle)[0] > x) == rising:
+                    high = middle
+                else:
+                    low = middle
+            _, j, l, gamma = state(a, r, (low + high) / 2)
+            (maxima if is_maximum(a, x, gamma, j, r) else others).append(x / j - l)
+        last = (interval, mu, value)
+    j_r = sum(z * y * y for z, y in zip(a, r)) / size**2
+    below, above = [x / j_r - size], []
+    (below if poles == 2 else above).append(x / j_r + size)
+    maxima.sort(reverse=True)
+    if len(maxima) < 4:
+        return -1.0, len(maxima), None
+    top, bottom = min(above + [maxima[3]]), max(below + others + maxima[4:])
+    return (top - bottom) / size, len(maxima), (top + bottom) / 2
+
+
+START = {
+    1: ((1, 1.05, 2.02), (1e-4, 0.0665, 1.0), 1.59526),
+    2: ((1, 1.08, 2.06), (2e-4, 0.101, 1.0), 1.602408),
+}
+
+
+def body(v):
+    """Coordinates: logarithms of A2/A1 - 1, of what A3 lacks to A1 + A2, of r1/r3 and r2/r3."""
+    a2 = 1 + math.exp(v[0])
+    return (1.0, a2, 1 + a2 - math.exp(v[1])), (math.exp(v[2]), math.exp(v[3]), 1.0)
+
+
+def best_x(a, r, x, poles):
+    """The room at the best x near the one given, by halving steps."""
+    best = room(a, r, x, poles)
+    step = 2e-4 * x
+    while step > 1e-9 * x:
+        for trial in (x + step, x - step):
+            found = room(a, r, trial, poles)
+            if found[0] > best[0]:
+                best, x = found, trial
+                break
+        else:
+            step /= 3
+    return best, x
+
+
+def main(seed, steps):
+    rng = random.Random(seed)
+    for poles, (a, r, x) in START.items():
+        v = [math.log(a[1] - 1), math.log(1 + a[1] - a[2]), math.log(r[0]), math.log(r[1])]
+        best, x = best_x(*body(v), x, poles)
+        sigma = 0.05
+        for _ in range(steps):
+            # Each coordinate alone, or all together; the first three may run away towards a limit.
+            one = rng.randrange(6)
+            trial = [y + sigma * s * rng.gauss(0, 1) * (one in (k, 4, 5)) for k, (y, s) in enumerate(zip(v, (1, 4, 4, 1)))]
+            a, r = body(trial)
+            # x goes with the square of J and the size of r, so that its best value moves with the body.
+            guess = x * (math.hypot(*r) * (a[2] / body(v)[0][2]) ** 2) / math.hypot(*body(v)[1])
+            found, x_found = max((best_x(a, r, y, poles) for y in (x, guess)), key=lambda b: b[0][0])
+            if found[0] > best[0]:
+                best, v, x, sigma = found, trial, x_found, min(sigma * 1.5, 1.0)
+            else:
+                sigma = max(sigma * 0.95, 1e-5)
+        a, r = body(v)
+        print(
+            f"k4n{poles} seed {seed}: room {best[0]:.6e}, A = {a}, r = {r}, x = {x!r}, l = {math.sqrt(2 * x)!r}, "
+            f"h = {best[2]!r}, A1 + A2 - A3 = {math.exp(v[1]):.3e}",
+            flush=True,
+        )
+
+
+main(int(sys.argv[1]), int(sys.argv[2]))

@@ -1,0 +1,177 @@
+//! The campaign that makes `data/classes.json`: walks, deep witnesses, measures.
+//!
+//! ```sh
+//! cargo run --release --example classes -- grow STATE existing|all SEED STEPS WALLS [i/n] [SUMMARY.json …]
+//! cargo run --release --example classes -- join STATE SHARD …
+//! cargo run --release --example classes -- deepen STATE STEPS [i/n]
+//! cargo run --release --example classes -- write STATE GENERAL.summary.json POSITIVE.summary.json PUBLISHED SHIPPED
+//! cargo run --release --example classes -- pages data/classes.json docs/classes
+//! cargo run --release --example classes -- extremes data/classes.json
+//! ```
+//!
+//! `grow` begins with the classes of STATE, and those of the first bodies of scans, and lets each of them walk STEPS steps
+//! again and again, until no new class was met on WALLS walls; STATE is written after each round, and the same command
+//! goes on from there. A shard walks from a part of the classes; `join` adds shards to STATE. `deepen` looks for witnesses far from all borders, `pages` writes the
+//! catalogue. `data/classes.sh` has the
+//! commands that made what is published.
+
+mod extremes;
+mod map;
+mod pages;
+mod sketch;
+mod state;
+
+use std::path::Path;
+
+use rayon::prelude::*;
+use schema::ClassesDocument;
+use survey::graph::{Domain, NearestOptions, Place, Walk, centre, deepen, plain};
+use survey::scan::Shard;
+use top::class::ClassName;
+
+use state::{Round, State, Summary};
+
+type Failure = Box<dyn std::error::Error>;
+
+fn main() -> Result<(), Failure> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words[..] {
+        ["grow", state, domain, seed, steps, walls, ref rest @ ..] => {
+            let (shard, summaries) = shard(rest)?;
+            let domain = if domain == "all" { Domain::All } else { Domain::Existing };
+            grow(Path::new(state), domain, [seed.parse()?, steps.parse()?, walls.parse()?], shard, summaries)
+        }
+        ["join", state, ref shards @ ..] => {
+            let mut whole = State::read_or_new(Path::new(state))?;
+            for shard in shards {
+                whole.join(State::read(Path::new(shard))?);
+            }
+            whole.write(Path::new(state))
+        }
+        ["deepen", state, steps, ref rest @ ..] => deepen_all(Path::new(state), steps.parse()?, shard(rest)?.0),
+        ["write", state, general, positive, published, shipped] => {
+            let state = State::read(Path::new(state))?;
+            let counts = documents::ClassCounts { existing: counts(general)?, all: counts(positive)? };
+            let mut document = documents::classes(&state.graph, &counts)?;
+            std::fs::write(published, lines(&document)?)?;
+            document.classes.iter_mut().for_each(|class| class.text.clear());
+            Ok(std::fs::write(shipped, lines(&document)?)?)
+        }
+        ["extremes", classes] => extremes::extremes(classes),
+        ["pages", classes, folder] => pages::pages(classes, Path::new(folder)),
+        _ => Err("see the head of examples/classes/main.rs".into()),
+    }
+}
+
+/// One class a line.
+fn lines(document: &ClassesDocument) -> Result<String, Failure> {
+    let classes = document.classes.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?;
+    let version = serde_json::to_string(&document.schema_version)?;
+    Ok(format!("{{\"schema_version\":{version},\"classes\":[\n{}\n]}}\n", classes.join(",\n")))
+}
+
+/// A shard, if the first word is one, and the rest.
+fn shard<'a>(words: &'a [&'a str]) -> Result<(Shard, &'a [&'a str]), Failure> {
+    match words {
+        [first, rest @ ..] if first.contains('/') && first.parse::<Shard>().is_ok() => Ok((first.parse()?, rest)),
+        _ => Ok(("1/1".parse()?, words)),
+    }
+}
+
+/// Part of a list.
+fn part<T: Clone>(list: &[T], shard: Shard) -> Vec<T> {
+    let [from, to] = shard.range(list.len() as u64).map(|n| usize::try_from(n).unwrap_or(usize::MAX));
+    list[from..to].to_vec()
+}
+
+fn counts(path: &str) -> Result<(std::collections::BTreeMap<ClassName, u64>, u64), Failure> {
+    let summary = Summary::read(path)?;
+    let classes = summary.classes.iter().map(|class| Ok((class.class.parse()?, class.bodies)));
+    Ok((classes.collect::<Result<_, Failure>>()?, summary.classified))
+}
+
+fn grow(
+    path: &Path,
+    domain: Domain,
+    [seed, steps, walls]: [u64; 3],
+    shard: Shard,
+    summaries: &[&str],
+) -> Result<(), Failure> {
+    let mut state = State::read_or_new(path)?;
+    for summary in summaries {
+        for class in Summary::read(summary)?.classes {
+            state.graph.add_body(Place::of([class.first.moments, class.first.center]).values());
+        }
+    }
+    let same = |round: &&Round| round.domain == state::word(domain) && round.seed == seed;
+    let mut quiet = state.rounds.iter().filter(same).fold(0, |quiet, round| round.after(quiet));
+    let mut number = state.rounds.iter().filter(same).count() as u64;
+    while quiet < walls {
+        let known: Vec<(ClassName, Place)> = state
+            .graph
+            .nodes
+            .iter()
+            .filter(|(_, node)| domain == Domain::All || node.physical)
+            .map(|(name, node)| (name.clone(), Place::of(node.witness)))
+            .collect();
+        let seed_here = seed.wrapping_mul(1 << 20).wrapping_add(number);
+        let walks: Vec<_> = part(&known, shard)
+            .into_par_iter()
+            .map(|(name, place)| {
+                let mut walk = Walk::new(name, place, domain, seed_here);
+                (0..steps).map_while(|_| walk.step()).collect::<Vec<_>>()
+            })
+            .collect();
+        let mut round = Round::new(domain, seed, number);
+        for step in walks.iter().flatten() {
+            round.add(step, &mut state.graph, domain);
+        }
+        quiet = round.after(quiet);
+        number += 1;
+        let unseen = state.graph.unseen(domain);
+        eprintln!(
+            "{round} {quiet} quiet, {} classes, {} borders, {unseen:?}",
+            state.graph.nodes.len(),
+            state.graph.edges.len()
+        );
+        state.rounds.push(round);
+        state.write(path)?;
+    }
+    Ok(())
+}
+
+/// Lines on which a witness goes to the middle of its class, before it is made deeper.
+const LINES: u32 = 10;
+
+/// Classes between two writings of the state.
+const BLOCK: usize = 16;
+
+/// Makes the witnesses of a part of the classes deeper, those whose distance is not known; STATE is written again and again.
+fn deepen_all(path: &Path, steps: u32, shard: Shard) -> Result<(), Failure> {
+    let mut state = State::read(path)?;
+    let names: Vec<ClassName> = state.graph.nodes.keys().cloned().collect();
+    let shallow: Vec<ClassName> =
+        part(&names, shard).into_iter().filter(|name| state.graph.nodes[name].distance == 0.0).collect();
+    for block in shallow.chunks(BLOCK) {
+        let found: Vec<_> = block
+            .par_iter()
+            .map(|name| {
+                let node = &state.graph.nodes[name];
+                let domain = if node.physical { Domain::Existing } else { Domain::All };
+                let options = NearestOptions { lines: 8, improved: 3, domain, seed: 1 };
+                let place = centre(Place::of(node.witness), name, LINES, domain, 1);
+                let (place, distance) = deepen(place, name, steps, &options);
+                (name, plain(place, name, distance, &NearestOptions { seed: 2, ..options }))
+            })
+            .collect();
+        for (name, (values, distance)) in found {
+            eprintln!("{name} {distance:.3e} {values:?}");
+            if let Some(node) = state.graph.nodes.get_mut(name) {
+                (node.witness, node.distance) = (values, distance);
+            }
+        }
+        state.write(path)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,106 @@
+//! `bifdiag class NAME`: one class in words, with the diagram of its witness.
+
+use std::path::PathBuf;
+
+use documents::DocumentOptions;
+use plot::{DiagramOptions, draw};
+use proof::{Accuracy, NoAtlas, atlas_of};
+use schema::{AtlasDocument, ClassDocument};
+use thiserror::Error;
+use top::atlas::Atlas;
+use top::body::{Body, BodyError};
+
+use super::arguments::{ClassArguments, ClassesInput};
+use super::share;
+use crate::cli::atlas::Curves;
+use crate::cli::export::{ExportError, FileSet, RESOLUTION, answer, directory};
+use crate::cli::failure::{CommandError, Failure};
+use crate::cli::terminal::{Report, Table, Timings, significant};
+
+/// The witness of a class that comes with the program has no diagram: a defect.
+#[derive(Debug, Error)]
+pub enum WitnessFailure {
+    #[error("the witness of the class is no body")]
+    Body(#[from] BodyError),
+    #[error("the witness of the class has no atlas")]
+    NoAtlas(#[from] NoAtlas),
+}
+
+impl CommandError for WitnessFailure {}
+
+pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure> {
+    let mut class = find(&arguments.name)?;
+    if arguments.json {
+        documents::add_text(&mut class);
+    }
+    let directory = directory(arguments.out.as_deref(), !arguments.json && !arguments.no_plot)?;
+    if arguments.json && directory.is_none() {
+        return Ok(answer(true, &class, String::new)?);
+    }
+    let (atlas, document) = timings.stage("regions", || witness(&class))?;
+    let mut written = Vec::new();
+    if let Some(directory) = directory.filter(|_| !arguments.no_plot) {
+        let mut files = FileSet::new(&directory);
+        let name = format!("class-{}", class.name);
+        let options = DiagramOptions { window: None, points: None, theme: arguments.picture.theme() };
+        let picture =
+            timings.stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options)).map_err(ExportError::from)?;
+        files.pictures(&name, &picture, &arguments.picture.format, RESOLUTION, timings)?;
+        written = timings.stage("files", || files.write())?;
+    }
+    Ok(answer(arguments.json, &class, || report(&class, &document, &written))?)
+}
+
+/// The class whose name begins so.
+fn find(name: &str) -> Result<ClassDocument, ClassesInput> {
+    let mut found: Vec<ClassDocument> = documents::shipped_classes().classes;
+    found.retain(|class| !name.is_empty() && class.name.starts_with(name));
+    let count = found.len();
+    match found.into_iter().next() {
+        None => Err(ClassesInput::Unknown { name: name.to_owned() }),
+        Some(first) if count > 1 => Err(ClassesInput::Several { name: name.to_owned(), count, first: first.name }),
+        Some(only) => Ok(only),
+    }
+}
+
+/// The diagram of the witness.
+fn witness(class: &ClassDocument) -> Result<(Atlas, AtlasDocument), WitnessFailure> {
+    let body = Body::parse(&class.witness.moments, &class.witness.center)?;
+    let atlas = atlas_of(&body, Accuracy::Exact)?;
+    let document = documents::atlas::document(&atlas, &DocumentOptions::default());
+    Ok((atlas, document))
+}
+
+fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) -> String {
+    let mut report = Report::default();
+    let (whose, of) = if class.physical {
+        ("a class of bodies that exist", "bodies that exist")
+    } else {
+        ("a class that no body that exists is known to have", "bodies with A > 0")
+    };
+    report.line(format!("class {}: {} regions; {whose}", class.name, class.regions));
+    let sections: Vec<&str> = document.regions.iter().filter_map(|region| region.signature.as_deref()).collect();
+    report.line(format!("sections of its regions: {}", sections.join(", ")));
+    report.line(format!("types of components: {}", class.types.join(", ")));
+    report.line(format!("share of {of}: {} (± {}%)", share(class), significant(100.0 * class.measure_error, 1)));
+    report.line("a body of it:");
+    let (moments, center) = (class.witness.moments.join(","), class.witness.center.join(","));
+    report.line(format!("  bifdiag --A {moments} --r {center}"));
+    let distance = significant(class.distance, 3);
+    report.line(format!("  the nearest body of another class that is known is {distance} away"));
+    report.line("");
+    if class.neighbours.is_empty() {
+        report.line("no class is known to lie beside it");
+    } else {
+        let mut table = Table::new(&["class beside it", "what happens on the border"]);
+        for neighbour in &class.neighbours {
+            let only = if class.physical && !neighbour.physical { " (among bodies that do not exist)" } else { "" };
+            table.row([neighbour.class.clone(), format!("{}{only}", neighbour.event)]);
+        }
+        report.line(table.text());
+    }
+    for path in written {
+        report.line(format!("written: {}", path.display()));
+    }
+    report.text()
+}

@@ -1,0 +1,65 @@
+//! `bifdiag classes --at`: where a body stands among the classes.
+
+use proof::Accuracy;
+use schema::StandingDocument;
+use survey::border::class_of;
+use survey::graph::{Domain, NearestOptions, Place, nearest};
+
+use super::arguments::ClassesArguments;
+use crate::cli::export::answer;
+use crate::cli::failure::Failure;
+use crate::cli::input::head;
+use crate::cli::terminal::{Report, Table, significant};
+
+pub fn run(arguments: &ClassesArguments) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let usual = NearestOptions::default();
+    let options = NearestOptions {
+        lines: arguments.lines.unwrap_or(usual.lines),
+        seed: arguments.seed.unwrap_or(usual.seed),
+        domain: if arguments.physical { Domain::Existing } else { Domain::All },
+        ..usual
+    };
+    let class = class_of(&subject.body, Accuracy::Exact).map(|(_, class)| class);
+    let place = Place::of_body(&subject.body);
+    let borders = match &class {
+        Ok(_) => nearest(place, &options),
+        Err(_) => Vec::new(),
+    };
+    let command = subject
+        .command("classes")
+        .flag("at", true)
+        .flag("physical", arguments.physical)
+        .option_if("lines", arguments.lines.filter(|lines| *lines != usual.lines))
+        .option_if("seed", arguments.seed.filter(|seed| *seed != usual.seed));
+    let document = documents::standing(class.as_ref().ok().map(top::class::Class::name), &borders, command);
+    Ok(answer(arguments.json, &document, || {
+        let mut text = Report::default();
+        head(&subject, &mut text);
+        match &class {
+            Ok(_) => report(&mut text, &document),
+            Err(error) => text.line(format!("the body has no class: {error}")),
+        }
+        text.text()
+    })?)
+}
+
+fn report(report: &mut Report, document: &StandingDocument) {
+    let name = document.name.as_deref().unwrap_or_default();
+    report.line(format!("class {name}"));
+    if document.known {
+        report.line(format!("  bifdiag class {name} tells more"));
+    } else {
+        report.line("  it is none of the classes that come with bifdiag, which are those of generic bodies");
+    }
+    if document.borders.is_empty() {
+        report.line("no border was met on the lines through it");
+        return;
+    }
+    report.line("");
+    let mut table = Table::new(&["distance", "class beyond", "what happens on the border"]);
+    for border in &document.borders {
+        table.row([significant(border.distance, 4), border.class.clone(), border.event.clone()]);
+    }
+    report.line(table.text());
+}

@@ -1,0 +1,93 @@
+//! Every class in `data/classes.json` is what it says: a sample in each run, all of them in a campaign
+//! (`cargo test --release --test classes -- --ignored`).
+
+use proof::{Accuracy, CertifiedAtlas, atlas_of};
+use schema::{ClassDocument, ClassesDocument};
+use survey::graph::{Domain, Node, Place};
+use survey::{ComponentType, scan};
+use top::body::Body;
+
+fn classes() -> Vec<ClassDocument> {
+    serde_json::from_str::<ClassesDocument>(&support::data("classes.json")).unwrap().classes
+}
+
+fn body(class: &ClassDocument) -> Body {
+    Body::parse(&class.witness.moments, &class.witness.center).unwrap()
+}
+
+/// The class of the witness, by f64 and exactly, and all that is said of it.
+fn check(class: &ClassDocument) {
+    let body = body(class);
+    let node = Node::of([body.moments_f64(), body.center_f64()]).unwrap();
+    assert_eq!(node.class.name().as_str(), class.name);
+    assert_eq!(node.class.text(), class.text, "{}", class.name);
+    assert_eq!((node.regions, node.physical), (class.regions, class.physical), "{}", class.name);
+    assert_eq!(node.types.iter().map(ComponentType::to_string).collect::<Vec<_>>(), class.types, "{}", class.name);
+    assert!(Place::of_body(&body).is_in(if class.physical { Domain::Existing } else { Domain::All }));
+    assert!(!body.flags().degenerate() && class.distance > 0.0, "{}", class.name);
+}
+
+/// The arrangement and the topology of the witness are proved, and its document is confirmed by the verifier.
+fn prove(class: &ClassDocument) {
+    let proof = CertifiedAtlas::new(&body(class)).unwrap_or_else(|error| panic!("{}: {error}", class.name));
+    assert_eq!(proof.region_count(), class.regions, "{}", class.name);
+    let mut types: Vec<ComponentType> = Vec::new();
+    for region in proof.region_ids() {
+        let components = proof.components(region).unwrap_or_else(|| panic!("{}: {region}", class.name));
+        types.extend(components.iter().map(ComponentType::of));
+    }
+    types.sort();
+    types.dedup();
+    assert_eq!(types.iter().map(ComponentType::to_string).collect::<Vec<_>>(), class.types, "{}", class.name);
+    let drawn = proof.drawn().unwrap();
+    let document = documents::certified_atlas(&proof, &drawn, &documents::DocumentOptions::default()).unwrap();
+    verify::verify(&document).unwrap_or_else(|refused| panic!("{}: {refused}", class.name));
+}
+
+#[test]
+fn every_witness_has_its_class() {
+    for class in classes().iter().step_by(5) {
+        check(class);
+    }
+}
+
+#[test]
+fn some_witnesses_are_proved_and_verified() {
+    for class in classes().iter().step_by(29) {
+        prove(class);
+    }
+}
+
+#[test]
+#[ignore = "a campaign of minutes"]
+fn all_witnesses_are_what_they_say_and_are_proved_and_verified() {
+    for class in &classes() {
+        check(class);
+        prove(class);
+    }
+}
+
+/// The classes that a million random bodies have shown are among them, with their shares.
+#[test]
+fn the_classes_of_the_survey_are_there() {
+    let survey: serde_json::Value = serde_json::from_str(&support::data("survey/general.summary.json")).unwrap();
+    let known = classes();
+    let met = survey["classes"].as_array().unwrap();
+    assert_eq!(met.len(), 43);
+    for seen in met {
+        let class = known.iter().find(|class| class.name == seen["class"].as_str().unwrap()).unwrap();
+        assert!(class.physical, "{}", class.name);
+        assert_eq!(class.measure, seen["bodies"].as_f64().unwrap() / survey["classified"].as_f64().unwrap());
+    }
+}
+
+/// The bodies that have names of their own are special, but for those that are not.
+#[test]
+fn generic_presets_have_a_known_class() {
+    let names: Vec<String> = classes().into_iter().map(|class| class.name).collect();
+    for (name, preset) in scan::known_classes() {
+        let generic = !preset.body().flags().degenerate();
+        assert!(!generic || names.contains(&name.to_string()), "{}", preset.name());
+        assert!(atlas_of(&preset.body(), Accuracy::Exact).is_ok());
+    }
+}

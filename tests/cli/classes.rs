@@ -1,0 +1,76 @@
+//! The classes of bodies: the list, one of them, and where a body stands.
+
+use serde_json::Value;
+use tempfile::tempdir;
+
+use crate::builder::bifdiag;
+
+/// The most frequent class of bodies that exist.
+const FREQUENT: &str = "01036ac4a504";
+
+#[test]
+fn the_list_is_the_published_one() {
+    let printed = bifdiag("classes --json").succeeds().telling_nothing().json();
+    let published: Value = serde_json::from_str(&support::data("classes.json")).unwrap();
+    assert_eq!(printed, published);
+    let all = printed["classes"].as_array().unwrap();
+    let physical = bifdiag("classes --physical --json").succeeds().json();
+    let physical = physical["classes"].as_array().unwrap();
+    assert!(physical.iter().all(|class| class["physical"] == true) && physical.len() < all.len());
+    let text = format!("{} classes, {} of them of bodies that exist", all.len(), physical.len());
+    bifdiag("classes").succeeds().printing(&text).printing(FREQUENT);
+}
+
+#[test]
+fn a_class_is_told_in_words_with_the_picture_of_its_witness() {
+    let place = tempdir().unwrap();
+    let json = bifdiag(&format!("class {FREQUENT} --json")).inside(place.path()).succeeds().json();
+    let list = bifdiag("classes --json").succeeds().json();
+    assert!(list["classes"].as_array().unwrap().contains(&json));
+    assert!(place.path().read_dir().unwrap().next().is_none());
+    let neighbour = json["neighbours"][0]["class"].as_str().unwrap();
+    bifdiag(&format!("class {FREQUENT}")).inside(place.path()).succeeds().printing(neighbour).printing("written: ");
+    let picture = place.path().join(format!("bifdiag-out/class-{FREQUENT}.svg"));
+    assert!(std::fs::read_to_string(picture).unwrap().contains("<svg"));
+    // The beginning of its name is enough, and --no-plot writes nothing.
+    let other = tempdir().unwrap();
+    bifdiag("class 01036 --no-plot").inside(other.path()).succeeds().printing(&format!("class {FREQUENT}"));
+    assert!(other.path().read_dir().unwrap().next().is_none());
+}
+
+#[test]
+fn a_witness_stands_in_its_class_as_far_from_its_borders_as_is_said() {
+    let class = bifdiag(&format!("class {FREQUENT} --json")).succeeds().json();
+    let list = |name: &str| {
+        let numbers = class["witness"][name].as_array().unwrap();
+        numbers.iter().map(|number| number.as_str().unwrap()).collect::<Vec<_>>().join(",")
+    };
+    let line = format!("classes --at --A {} --r {} --physical --lines 6", list("A"), list("r"));
+    let found = bifdiag(&format!("{line} --json")).succeeds().json();
+    assert_eq!((&found["name"], &found["known"]), (&class["name"], &Value::from(true)));
+    let borders = found["borders"].as_array().unwrap();
+    assert!(!borders.is_empty());
+    let distances: Vec<f64> = borders.iter().map(|border| border["distance"].as_f64().unwrap()).collect();
+    assert!(distances.is_sorted() && distances[0] >= 0.99 * class["distance"].as_f64().unwrap(), "{distances:?}");
+    // Each border is told from the other side, too.
+    let neighbours = class["neighbours"].as_array().unwrap();
+    for border in borders {
+        let told = |n: &&Value| n["class"] == border["class"] && n["event"] == border["event"];
+        assert!(neighbours.iter().any(|n| told(&n)), "{border}");
+    }
+    bifdiag(&line).succeeds().printing(&format!("class {FREQUENT}")).printing("what happens on the border");
+    assert_eq!(bifdiag(&format!("{line} --json --threads 1")).succeeds().json(), found);
+}
+
+#[test]
+fn a_special_body_keeps_what_is_special_about_it() {
+    // r in a principal plane: its class is that of the plane's bodies, and so are the classes beside it.
+    let found = bifdiag("classes --at --body paper --lines 4 --json").succeeds().json();
+    assert_eq!(found["name"], "4b99dc25201f");
+    for border in found["borders"].as_array().unwrap() {
+        assert_eq!(border["r"].as_array().unwrap().iter().filter(|x| x.as_f64() == Some(0.0)).count(), 1, "{border}");
+    }
+    // Nothing about a ball can change.
+    let ball = bifdiag("classes --at --A 1,1,1 --r 0,0,1 --json").succeeds().json();
+    assert!(ball["name"].is_string() && ball["borders"].as_array().unwrap().is_empty());
+}
