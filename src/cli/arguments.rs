@@ -12,6 +12,7 @@ use super::atlas::{self, AtlasArguments};
 use super::bodies::{self, BodiesArguments};
 use super::classify::{self, ClassifyArguments};
 use super::critical::{self, CriticalArguments};
+use super::explore::{self, ExploreArguments};
 use super::figures::{self, FiguresArguments};
 use super::find::{self, FindArguments};
 use super::input::values;
@@ -71,10 +72,11 @@ struct MainArguments {
 }
 
 /// Commands that work on one thread: they take --threads, and do not show it.
-const ON_ONE_THREAD: [&str; 12] = [
+const ON_ONE_THREAD: [&str; 13] = [
     "show",
     "sphere",
     "orbit",
+    "explore",
     "verify",
     "body",
     "state",
@@ -150,6 +152,8 @@ commands! {
     Sphere(SphereArguments) = "sphere", sphere::EXAMPLES;
     /// Follow the body's motion in space: attitude, Euler's angles, angular velocity
     Orbit(OrbitArguments) = "orbit", orbit::EXAMPLES;
+    /// Open the explorer, a page for the browser, on this machine
+    Explore(Box<ExploreArguments>) = "explore", explore::EXAMPLES;
     /// Check an atlas by other means than those that made it
     Verify(VerifyArguments) = "verify", verify::EXAMPLES;
     /// Show and draw a real part as it was understood

@@ -139,7 +139,8 @@ function paintNames(pen: Pen, area: Area, { document }: Drawn, colors: Ink, plac
     pen.font = "12px system-ui, sans-serif";
     const wide = Math.max(...lines.map((line) => pen.measureText(line).width)) / 2;
     const [x, y] = [area.x + place.x, area.y + place.y];
-    if (place.depth > Math.min(wide, 26)) {
+    // A box of two lines in a strip that leans.
+    if (place.depth > 0.8 * Math.hypot(Math.min(wide, 26), 15)) {
       pen.fillText(lines[0]!, x, y - 3);
       pen.fillText(lines[1]!, x, y + 12);
     } else if (place.depth > 9) pen.fillText(lines[0]!, x, y + 4);

@@ -1,6 +1,7 @@
 /** The (h, l) diagram: regions tinted by type, curves by branch, events, the point. Click, drag, wheel and pinch. */
 import { Sheet, type Pen, type Size } from "../draw/canvas";
 import { make, panel } from "../draw/dom";
+import { tipAt } from "../draw/tip";
 import { rounded, shown, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import type { Window } from "../bindings/documents";
@@ -112,10 +113,7 @@ async function hover(session: Session, sheet: Sheet, tip: HTMLElement, x: number
   else lines.push(place.region === -1 ? "no motion at so low an energy" : "on a curve, as far as quick arithmetic tells");
   lines.push(`${shown(place.distance)} in h from ${place.nearest}`);
   if (curve) lines.push(...(await curveLines(session, curve, h, l)));
-  tip.replaceChildren(...lines.map((line) => make("div", {}, line)));
-  tip.hidden = false;
-  tip.style.left = `${Math.min(x + 14, sheet.size.width - tip.offsetWidth - 4)}px`;
-  tip.style.top = `${y + 16 + tip.offsetHeight > sheet.size.height ? y - tip.offsetHeight - 8 : y + 16}px`;
+  tipAt(tip, sheet.size, [x, y], lines);
 }
 
 /** Stability of the steady motion on a curve. */

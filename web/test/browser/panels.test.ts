@@ -46,6 +46,50 @@ test("the section: orbits of the command line's starts, and one more where it is
   await page.close();
 });
 
+test("verdicts are the command line's, in its words", async () => {
+  // Orbits differ in their last bits, so that a chaotic one ends elsewhere and the numbers of a reason differ with it.
+  const words = (reason: string) => reason.replace(/[-\d.e]+/g, "#");
+  for (const [h, l] of [["3.8", "3.25"], ["6", "2"]] as const) {
+    const page = await open(`A=2,1.1,1&r=0.94868,0,0.61623&h=${h}&l=${l}&coloring=verdict`);
+    const native = JSON.parse(bifdiag("section", "--body=paper", `--h=${h}`, `--l=${l}`, "--json", "--no-plot")) as { orbits: { verdict: string; reason: string }[] };
+    for (const verdict of ["regular", "chaotic", "open"]) expect(Number(await data(page, "verdicts", verdict)), verdict).toBe(native.orbits.filter((orbit) => orbit.verdict === verdict).length);
+    for (const orbit of [0, 5, 23]) {
+      await page.getByTestId("orbit").selectOption(String(orbit));
+      const told = page.getByTestId("verdict");
+      await expect.poll(() => told.textContent()).toContain(`Orbit ${orbit} is ${native.orbits[orbit]!.verdict}`);
+      expect(words((await told.textContent())!)).toContain(words(native.orbits[orbit]!.reason));
+    }
+    await page.close();
+  }
+});
+
+test("the verdict of the orbit under the pointer is told beside it", async () => {
+  const page = await open(`${POINT}&orbits=1`);
+  const box = (await page.getByTestId("section").boundingBox())!;
+  const at = await page.evaluate(() => {
+    const { theta, psi, sheet } = window.bifdiag.crossings();
+    return { theta: theta[9]!, psi: psi[9]!, sheet: sheet[9]! };
+  });
+  const each = (box.width - 64) / 2;
+  await page.mouse.move(box.x + 30 + (at.sheet > 0 ? 0 : each + 26) + (at.psi / (2 * Math.PI)) * each, box.y + 22 + (at.theta / Math.PI) * (box.height - 52));
+  await expect.poll(() => page.getByTestId("orbit-tip").textContent()).toMatch(/^orbit 0: (regular|chaotic|open)/);
+  await page.close();
+});
+
+test("after a stop the section goes on where it is clicked", async () => {
+  const page = await open(POINT);
+  await go(page, `${POINT}&theme=dark`);
+  await page.evaluate(() => (location.hash = "A=2,1.1,1&r=0.94868,0,0.61623&h=6&l=2&orbits=400&crossings=20000"));
+  await page.getByRole("button", { name: "Stop" }).click();
+  await expect.poll(() => page.getByRole("button", { name: "Stop" }).isVisible()).toBe(false);
+  const before = await crossings(page);
+  const box = (await page.getByTestId("section").boundingBox())!;
+  await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.5 * box.height);
+  await expect.poll(() => crossings(page)).toBe(before + 20001);
+  await expect.poll(() => page.getByTestId("verdict").textContent()).toMatch(/^Orbit \d+ is (regular|chaotic|open)/);
+  await page.close();
+});
+
 test("the sphere turns under the hand, and its components are told", async () => {
   const page = await open(POINT);
   const before = await picture(page, "sphere");
@@ -56,6 +100,12 @@ test("the sphere turns under the hand, and its components are told", async () =>
   await page.mouse.move(x + 70, y + 20, { steps: 4 });
   await page.mouse.up();
   await expect.poll(() => picture(page, "sphere")).not.toBe(before);
+  const lit = page.locator(".components .lit");
+  await page.mouse.move(x + 70, y + 19);
+  await expect.poll(() => lit.count()).toBe(1);
+  expect(await lit.textContent()).toMatch(/^U = D²/);
+  await page.mouse.move(2, 2);
+  await expect.poll(() => lit.count()).toBe(0);
   await page.close();
 });
 
