@@ -21,8 +21,9 @@ impl Mesh {
         if let Some(at) = self.corners().iter().position(|corner| !corner.iter().all(|x| x.is_finite())) {
             return Err(MeshError::NotFinite { corner: at + 1 });
         }
-        closed::check(self)?;
+        closed::check_edges(self)?;
         crossing::check(self)?;
+        closed::check_sides(self)?;
         Ok(VolumeIntegrals::over(self, self.triangles()))
     }
 }
