@@ -61,9 +61,13 @@ impl Atlas {
 
 #[pymethods]
 impl Atlas {
-    /// The regions of the document, without their outlines.
+    /// The regions of the document, without their outlines and cells.
     fn regions(&self, python: Python<'_>) -> PyResult<String> {
-        python.detach(|| json(&documents::atlas::regions(self.atlas())))
+        python.detach(|| {
+            let mut regions = documents::atlas::regions(self.atlas());
+            regions.iter_mut().for_each(|region| region.cells.clear());
+            json(&regions)
+        })
     }
 
     /// The events of the document.

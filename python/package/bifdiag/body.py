@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, exact
+from . import _core, exact, pictures
 from .atlas import Atlas
 from .critical import equilibria
 from .errors import InputError
@@ -409,6 +409,14 @@ class Body:
         (3, 4)
         """
         return Motion.compute(self._inner, gamma, l, omega, t, phi, tolerance)
+
+    def plot(self, ax: Any = None, **options: Any) -> Any:
+        """Draws the body with matplotlib: its ellipsoid of inertia and its centre of mass; see `bifdiag.pictures.body`."""
+        return pictures.body(self, ax, **options)
+
+    def plot_sphere(self, h: float, l: float, ax: Any = None, **options: Any) -> Any:
+        """Draws U at one point on the Poisson sphere with matplotlib; see `bifdiag.pictures.sphere`."""
+        return pictures.sphere(self, h, l, ax, **options)
 
     # Equal bodies have equal numbers, whatever their texts.
     def __eq__(self, other: object) -> bool:
