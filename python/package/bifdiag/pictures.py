@@ -32,6 +32,9 @@ TINTS = {
 }
 """Grounds of the regions by their signature, in alphabetical order; others take one of these."""
 
+VERDICTS = {"regular": "#0072b2", "chaotic": "#d55e00", "open": "#aab4bd"}
+"""Colours of orbits by their verdict."""
+
 CELLS = np.array([160, 120])
 """Cells along h and l in which room for the names of regions is sought."""
 
@@ -99,7 +102,7 @@ def _name(atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, fl
     energies = h[0] + (np.arange(columns) + 0.5) / columns * (h[1] - h[0])
     momenta = l[0] + (np.arange(rows) + 0.5) / rows * (l[1] - l[0])
     found = atlas.region(energies[:, None], momenta)
-    points = ax.get_window_extent().size / ax.figure.dpi * 72
+    points = np.asarray(ax.get_window_extent().size) / ax.figure.dpi * 72
     size = FontProperties(size="small").get_size_in_points()
     for number, region in enumerate(atlas.regions):
         names = [region.id] if region.signature is None else [f"{region.id}\n{pretty(region.signature)}", region.id]
@@ -122,7 +125,8 @@ def _deepest(inside: npt.NDArray[np.bool_], room: npt.NDArray[np.int_]) -> tuple
         if w > inside.shape[0] or d > inside.shape[1]:
             return np.empty((0, 2), dtype=np.intp)
         full = sums[w:, d:] - sums[:-w, d:] - sums[w:, :-d] + sums[:-w, :-d] == w * d
-        return np.argwhere(full) + [a, b]
+        cells: npt.NDArray[np.intp] = np.argwhere(full) + np.array([a, b])
+        return cells
 
     best = None
     for more in range(max(inside.shape)):
@@ -177,7 +181,7 @@ def section(
     projection : {"torus", "sphere"}
         The angles (θ, ψ) of the PP-torus, or γ on the Poisson sphere seen from +r̂ and −r̂ in equal areas.
     color : str or array (n,), optional
-        The name of a column, or a value for each point; by default the orbit.
+        The name of a column, ``"verdict"``, or a value for each point; by default the orbit.
     **points
         Whatever ``Axes.scatter`` knows.
 
@@ -186,6 +190,7 @@ def section(
     array of two Axes
     """
     import matplotlib.pyplot as plt
+    from matplotlib.colors import ListedColormap
 
     if projection not in ("torus", "sphere"):
         from .errors import InputError
@@ -194,9 +199,15 @@ def section(
     if ax is None:
         ax = plt.subplots(1, 2, layout="constrained", figsize=(9, 4.5), sharex=True, sharey=True)[1]
     panels = np.atleast_1d(np.asarray(ax, dtype=object)).reshape(-1)
-    values = getattr(found, color) if isinstance(color, str) else found.orbit if color is None else np.asarray(color)
-    style = {"s": 1.0, "linewidths": 0, "vmin": np.nanmin(values), "vmax": np.nanmax(values)}
-    style |= {"cmap": "turbo"} | points
+    style: dict[str, Any] = {"s": 1.0, "linewidths": 0, "cmap": "turbo"}
+    if isinstance(color, str) and color == "verdict":
+        values = np.array([list(VERDICTS).index(verdict) for verdict in found.verdict])[found.orbit]
+        style["cmap"] = ListedColormap(list(VERDICTS.values()))
+        style |= {"vmin": 0, "vmax": len(VERDICTS) - 1}
+    else:
+        values = getattr(found, color) if isinstance(color, str) else found.orbit if color is None else np.asarray(color)
+        style |= {"vmin": np.nanmin(values), "vmax": np.nanmax(values)}
+    style |= points
     x, y = (found.psi, found.theta) if projection == "torus" else _disc(found)
     for panel, sheet in zip(panels[[0, -1]], (1, -1), strict=True):
         here = found.sheet == sheet
@@ -207,6 +218,10 @@ def section(
         else:
             panel.set_aspect("equal")
             panel.axis("off")
+    if isinstance(color, str) and color == "verdict":
+        for name, tone in VERDICTS.items():
+            panels[-1].scatter([], [], c=tone, s=12, label=name)
+        panels[-1].legend(loc="upper right", fontsize="small")
     return panels
 
 
@@ -270,7 +285,8 @@ def body(given: "Body", ax: Any = None, **surface: Any) -> Any:
     style = {"color": (0.35, 0.6, 0.9, 0.35), "linewidth": 0, "rcount": 60, "ccount": 60} | surface
     ax.plot_surface(*np.moveaxis(_directions() * half, -1, 0), **style)
     for axis in np.eye(3):
-        ax.plot(*np.outer(axis * half * 1.25, [-1, 1]), color="0.5", linewidth=1)
+        x, y, z = np.outer(axis * half * 1.25, [-1, 1])
+        ax.plot(x, y, z, color="0.5", linewidth=1)
         ax.text(*(axis * half * 1.35), f"$A_{1 + int(np.argmax(axis))}$", ha="center", va="center")
     length = float(np.linalg.norm(center))
     if length > 0:
@@ -313,7 +329,7 @@ def plane(
     >>> import bifdiag, bifdiag.pictures
     >>> ax = bifdiag.pictures.plane(lambda x, y: bifdiag.Body([1, x, y], [1, 0, 0]), [0.5, 1.5], [0.7, 1.3])
     >>> ax.collections[0].get_array().tolist()
-    [[2.0, 2.0], [5.0, 2.0]]
+    [[6.0, 5.0], [5.0, 4.0]]
     """
     from .errors import RangeError
 
@@ -330,7 +346,8 @@ def plane(
     values = [[found(float(place), float(height)) for place in across] for height in up]
     texts = sorted({cell for row in values for cell in row if isinstance(cell, str)})
     numbers = [[np.nan if v is None else texts.index(v) if isinstance(v, str) else v for v in row] for row in values]
-    image = ax.pcolormesh(across, up, np.array(numbers, dtype=float), **({"cmap": "viridis"} | mesh))
+    style: dict[str, Any] = {"cmap": "viridis"} | mesh
+    image = ax.pcolormesh(across, up, np.array(numbers, dtype=float), **style)
     bar = ax.figure.colorbar(image, ax=ax)
     if texts:
         bar.set_ticks(range(len(texts)), labels=texts)
