@@ -65,7 +65,9 @@ impl Atlas {
     fn regions(&self, python: Python<'_>) -> PyResult<String> {
         python.detach(|| {
             let mut regions = documents::atlas::regions(self.atlas());
-            regions.iter_mut().for_each(|region| region.cells.clear());
+            for region in &mut regions {
+                region.cells.clear();
+            }
             json(&regions)
         })
     }
