@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::builder::bifdiag;
+use crate::builder::{Run, bifdiag};
 
 /// All commands, from the first page.
 fn commands() -> Vec<String> {
@@ -53,7 +53,7 @@ fn the_examples_of_the_help_pages_work() {
             let line = line.split("   ").next().unwrap_or_default().split(['|', '>', '&']).next().unwrap_or_default();
             // Only a shell knows what an asterisk stands for.
             if !line.contains('*') && !line.contains("--batch") && !line.contains('~') {
-                let run = words(line).iter().fold(bifdiag(""), |run, word| run.and(word));
+                let run = words(line).iter().fold(bifdiag(""), Run::and);
                 run.inside(place.path()).succeeds();
                 tried += 1;
             }
