@@ -11,6 +11,7 @@ mod bodies;
 mod classes;
 mod classify;
 mod critical;
+mod explore;
 mod export;
 mod failure;
 mod figures;
@@ -126,6 +127,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
         Some(Command::Sphere(arguments)) => sphere::run(arguments, &timings),
         Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
+        Some(Command::Explore(arguments)) => explore::run(arguments),
         Some(Command::Verify(arguments)) => verify::run(arguments, &timings),
         Some(Command::Body(arguments)) => part::run(arguments, &timings),
         Some(Command::State(arguments)) => spin::state(arguments, &timings),

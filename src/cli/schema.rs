@@ -2,9 +2,15 @@
 
 use clap::{Args, ValueEnum};
 use schema::{
+<<<<<<< HEAD
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
     ClassificationDocument, CriticalDocument, FindDocument, GridDocument, MotionDocument, RowDocument,
     ScanSummaryDocument, SectionDocument, SectionsDocument, StandingDocument,
+=======
+    AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassificationDocument, CriticalDocument,
+    CriticalSpinDocument, FindDocument, GridDocument, MotionDocument, PartAnswerDocument, RowDocument,
+    ScanSummaryDocument, SectionDocument, SectionsDocument, StateDocument,
+>>>>>>> main
 };
 use schemars::{Schema, schema_for};
 
@@ -46,6 +52,12 @@ pub enum Name {
     Sections,
     /// The answer of `bifdiag orbit --json`, and the `meta` of its data
     Orbit,
+    /// The answer of `bifdiag body --json`
+    Body,
+    /// The answer of `bifdiag state --json`
+    State,
+    /// The answer of `bifdiag critical-spin --json`
+    CriticalSpin,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// What stands for a wrong line of a batch
@@ -76,6 +88,9 @@ impl Name {
             Self::Section => schema_for!(SectionDocument),
             Self::Sections => schema_for!(SectionsDocument),
             Self::Orbit => schema_for!(MotionDocument),
+            Self::Body => schema_for!(PartAnswerDocument),
+            Self::State => schema_for!(StateDocument),
+            Self::CriticalSpin => schema_for!(CriticalSpinDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
             Self::ScanRow => schema_for!(RowDocument),
