@@ -73,13 +73,9 @@ struct MainArguments {
 }
 
 /// Commands that work on one thread: they take --threads, and do not show it.
-<<<<<<< HEAD
-const ON_ONE_THREAD: [&str; 14] = [
+const ON_ONE_THREAD: [&str; 15] = [
     "classes",
     "class",
-=======
-const ON_ONE_THREAD: [&str; 13] = [
->>>>>>> main
     "show",
     "sphere",
     "orbit",

@@ -2,15 +2,10 @@
 
 use clap::{Args, ValueEnum};
 use schema::{
-<<<<<<< HEAD
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
-    ClassificationDocument, CriticalDocument, FindDocument, GridDocument, MotionDocument, RowDocument,
-    ScanSummaryDocument, SectionDocument, SectionsDocument, StandingDocument,
-=======
-    AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassificationDocument, CriticalDocument,
-    CriticalSpinDocument, FindDocument, GridDocument, MotionDocument, PartAnswerDocument, RowDocument,
-    ScanSummaryDocument, SectionDocument, SectionsDocument, StateDocument,
->>>>>>> main
+    ClassificationDocument, CriticalDocument, CriticalSpinDocument, FindDocument, GridDocument, MotionDocument,
+    PartAnswerDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, StandingDocument,
+    StateDocument,
 };
 use schemars::{Schema, schema_for};
 

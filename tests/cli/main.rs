@@ -4,11 +4,8 @@ mod answers;
 mod attacks;
 mod batches;
 mod builder;
-<<<<<<< HEAD
 mod classes;
-=======
 mod explorer;
->>>>>>> main
 mod files;
 mod orbits;
 mod pages;

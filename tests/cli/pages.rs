@@ -4,24 +4,6 @@ use std::fs;
 
 use crate::builder::{Run, bifdiag};
 
-<<<<<<< HEAD
-const COMMANDS: [&str; 14] = [
-    "atlas",
-    "classify",
-    "critical",
-    "section",
-    "orbit",
-    "scan",
-    "find",
-    "classes",
-    "class",
-    "bodies",
-    "schema",
-    "completions",
-    "man",
-    "figures",
-];
-=======
 /// All commands, from the first page.
 fn commands() -> Vec<String> {
     let page = bifdiag("--help").succeeds().stdout();
@@ -32,7 +14,6 @@ fn commands() -> Vec<String> {
     assert!(names.len() > 20, "{names:?}");
     names
 }
->>>>>>> main
 
 #[test]
 fn every_help_page_has_examples_and_fits_100_columns() {
