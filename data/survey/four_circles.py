@@ -5,7 +5,7 @@ sign changes on a grid in mu and bisection, their kinds by the second derivative
 with the program. A component with four boundary circles and n poles is there for h between the highest of all that must lie below
 (every saddle and minimum, and n of the energies of the poles) and the lowest of all that must lie above (four maxima,
 and the other energies of poles). The room is the length of that interval over |r|. An evolution strategy (one parent, one child, the 1/5 rule)
-makes it as large as it can from the published witnesses, over A, r and x; each line is one run.
+makes it as large as it can over A, r and x; each line is one run.
 """
 
 import math
@@ -81,9 +81,11 @@ def room(a, r, x, poles):
     return (top - bottom) / size, len(maxima), (top + bottom) / 2
 
 
+# Plates, with r almost in the principal plane: where runs from the published witnesses, the first lines of the results, led to, and a
+# scan over r2 and x.
 START = {
-    1: ((1, 1.05, 2.02), (1e-4, 0.0665, 1.0), 1.59526),
-    2: ((1, 1.08, 2.06), (2e-4, 0.101, 1.0), 1.602408),
+    1: ((1, 1.0513317953821117, 2.0513317899191503), (9.8e-8, 0.06846931395568527, 1.0), 1.5743802190901117),
+    2: ((1, 1.082, 2.0819999), (1e-6, 0.104, 1.0), 1.5898199951136627),
 }
 
 

@@ -75,7 +75,7 @@ pub fn map(classes: &[ClassDocument]) -> String {
         }
     }
     for (k, class) in classes.iter().enumerate() {
-        let size = 2.2 + 0.7 * (7.0 + class.measure.max(1e-7).log10());
+        let size = 2.2 + 0.7 * (7.0 + libm::log10(class.measure.max(1e-7)));
         let _always = write!(
             out,
             "<a href=\"{0}.md\"><circle cx=\"{1:.0}\" cy=\"{2:.0}\" r=\"{size:.1}\" fill=\"#222\"><title>{0}</title></circle></a>",

@@ -4,10 +4,7 @@ use rand_xoshiro::SplitMix64;
 use rand_xoshiro::rand_core::RngCore;
 
 use super::line::Line;
-use super::place::{Domain, Place, dot, norm};
-
-/// A change of A and of r.
-type Change = [[f64; 3]; 2];
+use super::place::{Change, Domain, Place, dot};
 
 /// An orthonormal basis of the directions at a body: A keeps its sum and its equal moments, r its length and its zeros.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,11 +128,6 @@ fn product(p: &Change, q: &Change) -> f64 {
 
 fn combined(p: &Change, factor: f64, q: &Change) -> Change {
     std::array::from_fn(|part| std::array::from_fn(|k| p[part][k] + factor * q[part][k]))
-}
-
-/// The length of a change.
-pub(super) fn length(change: &Change) -> f64 {
-    norm(change[0]).hypot(norm(change[1]))
 }
 
 #[cfg(test)]

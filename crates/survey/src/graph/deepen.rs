@@ -76,7 +76,10 @@ pub fn plain(place: Place, class: &ClassName, distance: f64, options: &NearestOp
         borders.chain(special).fold(f64::INFINITY, f64::min)
     };
     // With fewer digits the body is likely to leave its class.
-    let first = (1..DIGITS).find(|digits| 0.1_f64.powi(*digits as i32) <= distance).unwrap_or(DIGITS);
+    let first = (1..DIGITS)
+        .zip([0.1, 1e-2, 1e-3, 1e-4, 1e-5])
+        .find(|(_, unit)| *unit <= distance)
+        .map_or(DIGITS, |(digits, _)| digits);
     for digits in first..=DIGITS {
         let values = place.values().map(|part| part.map(|x| rounded(x, digits)));
         let same_kind = Chart::new(Place::of(values)).dimensions() == Chart::new(place).dimensions();

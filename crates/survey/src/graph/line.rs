@@ -1,7 +1,6 @@
 //! Straight lines through the space of bodies.
 
-use super::chart::length;
-use super::place::{Domain, Place, norm};
+use super::place::{Domain, Place, length, norm};
 
 /// A(s) = A + s a, r(s) = r + s d with d ⊥ r, so that r̂ runs on a great circle; |a|² + |d|² = 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,7 +63,7 @@ impl Line {
     #[must_use]
     pub fn distance(&self, s: f64) -> f64 {
         let [da, dr] = self.change;
-        (s * norm(da)).hypot(libm::atan(s * norm(dr)))
+        libm::hypot(s * norm(da), libm::atan(s * norm(dr)))
     }
 
     /// Values of s on one side of 0, growing in size, as dense at both ends as in logarithms: those of the logistic

@@ -81,7 +81,7 @@ struct Search {
 }
 
 /// Improvements of a distance.
-const STEPS: i32 = 5;
+const STEPS: u32 = 5;
 
 impl Search {
     /// The first wall in a direction.
@@ -105,8 +105,9 @@ impl Search {
     /// parameters has a foot, near to which the border's own lies.
     fn improve(&self, wall: &mut Nearest) {
         let Some((mut s, _)) = self.again(wall, &wall.direction.clone(), wall.distance) else { return };
-        for step in 0..STEPS {
-            let tilt = 0.2 * 0.5_f64.powi(step);
+        let mut tilt = 0.4;
+        for _ in 0..STEPS {
+            tilt *= 0.5;
             let direction = wall.direction.clone();
             let mut places = vec![direction.iter().map(|x| s * x).collect::<Vec<f64>>()];
             for tangent in tangents(&direction) {

@@ -33,7 +33,7 @@ impl Place {
         a = a.map(|x| 2.0 * x / sum);
         for (i, j) in [(0, 1), (1, 2)] {
             if a[i] == a[j] {
-                r[j] = r[i].hypot(r[j]);
+                r[j] = libm::hypot(r[i], r[j]);
                 r[i] = 0.0;
             }
         }
@@ -69,6 +69,14 @@ impl Place {
     pub fn is_in(&self, domain: Domain) -> bool {
         self.a[0] > 0.0 && (domain == Domain::All || self.a[2] <= self.a[0] + self.a[1])
     }
+}
+
+/// A change of A and of r.
+pub(super) type Change = [[f64; 3]; 2];
+
+/// The length of a change.
+pub(super) fn length(change: &Change) -> f64 {
+    libm::hypot(norm(change[0]), norm(change[1]))
 }
 
 /// |v|.
