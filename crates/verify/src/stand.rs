@@ -119,16 +119,14 @@ impl Coordinate {
             let middle = y.middle();
             let (at, over) = (state(&middle)?, state(&y)?);
             let slope = over.slopes.as_ref().map(|[log_slope, _]| &over.x * log_slope);
-            let next = match slope.and_then(|slope| (&at.x - x).over(&slope)) {
-                Some(step) => {
-                    steps += 1;
-                    y.meet(&(&middle - &step))?
-                }
-                None => {
-                    halvings += 1;
-                    let Some(next) = self.halved(&y, &middle, &at.x, x) else { break };
-                    next
-                }
+            let newton = slope.and_then(|slope| (&at.x - x).over(&slope));
+            let next = if let Some(step) = newton {
+                steps += 1;
+                y.meet(&(&middle - &step))?
+            } else {
+                halvings += 1;
+                let Some(next) = self.halved(&y, &middle, &at.x, x) else { break };
+                next
             };
             if next == y {
                 break;
