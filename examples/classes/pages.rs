@@ -29,7 +29,7 @@ pub fn pages(classes: &str, folder: &Path) -> Result<(), Failure> {
         let mut page = head(class);
         page.push_str("| region | sections | components |\n| --- | --- | --- |\n");
         for (region, known) in atlas.regions().pairs() {
-            let components = known.components.as_ref().map_err(|error| error.to_string())?;
+            let components = known.components.as_ref().map_err(ToString::to_string)?;
             let signature = top::topology::signature(components).unwrap_or_default();
             let types: Vec<String> = components.iter().map(|c| ComponentType::of(c).to_string()).collect();
             writeln!(page, "| {region} | {signature} | {} |", types.join(", "))?;
