@@ -1,6 +1,6 @@
 """Prints the figures of the installed package: ``python measure.py``, on a machine as quiet as it gets.
 
-CPU time of one thread but for interrupts, which are waited for. ``--calls`` is the number of calls over which memory is watched.
+CPU time of one thread but for interrupts, which are waited for. Memory is watched over ``--calls`` bodies.
 """
 
 import _thread
@@ -51,10 +51,12 @@ def waited(work: Callable[[], object]) -> float:
 
 
 def say(what: str, value: str) -> None:
+    """One line."""
     print(f"{what:58} {value}", flush=True)
 
 
 def arrays(atlas: bifdiag.Atlas) -> None:
+    """Regions of many points."""
     h, l = np.linspace(-1, 9, 1000), np.linspace(0.01, 6, 1000)
     say("10^6 points of a grid", f"{best(lambda: atlas.region(h[:, None], l)):.3f} s (goal 0.15)")
     rng = np.random.default_rng(0)
@@ -63,6 +65,7 @@ def arrays(atlas: bifdiag.Atlas) -> None:
 
 
 def bodies(count: int) -> None:
+    """Atlases of bodies that exist."""
     draw = random.Random(1)
     numbers = []
     for _ in range(count):
@@ -82,6 +85,7 @@ def bodies(count: int) -> None:
 
 
 def interrupts(paper: bifdiag.Body) -> None:
+    """How soon work ends."""
     line = bifdiag.Body.preset("kovalevskaya").atlas()
     l = np.arange(1, 2_000_001) * 1e-6
     h = (l * l / 4 - 1).round(14)
@@ -92,10 +96,14 @@ def interrupts(paper: bifdiag.Body) -> None:
         "equilibria at many l": lambda: paper.critical(np.linspace(0.01, 4, 10**7)),
     }
     for name, work in works.items():
-        say(f"Ctrl-C during {name}, the longest of {ROUNDS}", f"{max(waited(work) for _ in range(ROUNDS)):.3f} s (goal 0.2)")
+        say(
+            f"Ctrl-C during {name}, the longest of {ROUNDS}", f"{max(waited(work) for _ in range(ROUNDS)):.3f} s (goal 0.2)"
+        )
 
 
 def memory(calls: int) -> None:
+    """Whether the process grows."""
+
     def resident() -> int:
         return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
@@ -115,6 +123,7 @@ def memory(calls: int) -> None:
 
 
 def main() -> None:
+    """Prints all of them."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--bodies", type=int, default=10**5)
     parser.add_argument("--calls", type=int, default=10**5)

@@ -61,9 +61,15 @@ impl Atlas {
 
 #[pymethods]
 impl Atlas {
-    /// The regions of the document, without their outlines.
+    /// The regions of the document, without their outlines and cells.
     fn regions(&self, python: Python<'_>) -> PyResult<String> {
-        python.detach(|| json(&documents::atlas::regions(self.atlas())))
+        python.detach(|| {
+            let mut regions = documents::atlas::regions(self.atlas());
+            for region in &mut regions {
+                region.cells.clear();
+            }
+            json(&regions)
+        })
     }
 
     /// The events of the document.

@@ -25,7 +25,7 @@ Examples:
   bifdiag explore --body paper --h 3.8 --l 3.25
   bifdiag explore --page web/dist --no-open
 
-The page is built in web/ of the sources (`npm ci && npm run build`); wheels and released programs carry it. It is served to
+The page is built in web/ of the sources (`npm ci && npm run build`); wheels and released programs carry it. It is served to \
 this machine alone, until Ctrl-C.";
 
 /// `bifdiag explore`.

@@ -2,7 +2,7 @@
 import { Sheet, type Pen, type Size } from "../draw/canvas";
 import { make, panel } from "../draw/dom";
 import { tipAt } from "../draw/tip";
-import { rounded, shown, valueOf } from "../state/numbers";
+import { rounded, shown, surface, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import type { Window } from "../bindings/documents";
 import { paintDiagram, placeOf, plot, valueAt } from "./diagram-paint";
@@ -58,7 +58,7 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   session.on(["point", "hover", "theme"], () => sheet.ask());
   new ResizeObserver(() => {
     session.resolution = plot(sheet.size);
-    if (session.drawn) void session.draw().catch(() => undefined);
+    if (session.drawn) void session.redraw();
   }).observe(canvas);
   const tools = make("div", { className: "tools" },
     tool("+", "Zoom in", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 0.5)),
@@ -109,7 +109,7 @@ async function hover(session: Session, sheet: Sheet, tip: HTMLElement, x: number
   const curve = pixels < 6 ? place.nearest : undefined;
   session.pointAt({ ...(region && { region: region.id }), ...(curve && { curve }) });
   const lines = [`h = ${shown(h)}, l = ${shown(l)}`];
-  if (region) lines.push(`${region.id}: P = ${region.signature ?? "none"}, U = ${region.components.map((c) => c.accessible_region).join(" + ")}`, `E = ${region.components.map((c) => c.energy_surface).join(" + ")}, genus ${region.components.map((c) => c.genus ?? "–").join(", ")}`);
+  if (region) lines.push(`${region.id}: P = ${region.signature?.split("+").map(surface).join(" + ") ?? "none"}, U = ${region.components.map((c) => surface(c.accessible_region)).join(" + ")}`, `E = ${region.components.map((c) => surface(c.energy_surface)).join(" + ")}, genus ${region.components.map((c) => c.genus ?? "–").join(", ")}`);
   else lines.push(place.region === -1 ? "no motion at so low an energy" : "on a curve, as far as quick arithmetic tells");
   lines.push(`${shown(place.distance)} in h from ${place.nearest}`);
   if (curve) lines.push(...(await curveLines(session, curve, h, l)));

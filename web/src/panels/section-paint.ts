@@ -20,7 +20,7 @@ export interface Half {
 
 export function halves({ width, height }: Size): [Half, Half] {
   const [gap, left, top, bottom] = [26, 30, 22, 30];
-  const each = (width - left - gap - 8) / 2;
+  const each = (width - left - gap - 12) / 2;
   const box = { y: top, width: Math.max(20, each), height: Math.max(20, height - top - bottom) };
   return [{ sheet: 1, x: left, ...box }, { sheet: -1, x: left + each + gap, ...box }];
 }

@@ -18,7 +18,7 @@ export function verdicts(session: Session): { legend: HTMLElement; choice: HTMLE
   const { orbits } = session;
   const legend = make("span", { className: "legend", data: { testid: "verdicts" } });
   const choice = make("select", { title: "The orbit that the body follows", attributes: { "aria-label": "orbit" }, data: { testid: "orbit" } });
-  const reason = make("p", { className: "note reason", attributes: { "aria-live": "polite" }, data: { testid: "verdict" } });
+  const reason = make("p", { className: "reason", attributes: { "aria-live": "polite" }, data: { testid: "verdict" } });
   choice.addEventListener("change", () => orbits.select(Number(choice.value)));
   const chosen = () => {
     choice.value = String(orbits.selected);
