@@ -145,6 +145,12 @@ pub enum Refused {
         /// By this check.
         found: String,
     },
+    /// A region whose topology this check cannot decide, or that the atlas leaves open.
+    #[error("the topology of region {region} is not confirmed")]
+    Open {
+        /// Which.
+        region: String,
+    },
     /// The summary.
     #[error("the summary says {claimed} {what}, but there are {found}")]
     Summary {
