@@ -336,7 +336,8 @@ mod tests {
     #[test]
     fn a_symmetric_part_has_neighbours_of_another_class() {
         let classes = |a: [&str; 3], tolerance: RBig| {
-            let rotation = AxisRotation::new(&Body::parse(&a, &["0", "0", "1"]).unwrap(), 2, -1).unwrap();
+            let body = Body::parse(&a, &["0", "0", "1"]).unwrap();
+            let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], -1).unwrap();
             sampled_classes(&rotation, &alike(&tolerance))
         };
         let one = classes(["1", "1", "0.6"], RBig::ZERO);
