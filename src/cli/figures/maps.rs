@@ -55,9 +55,10 @@ fn body_family(moments: [&str; 3], center: [&str; 3]) -> Result<Family, Failure>
     Ok(Family::Body { moments: body.moments().clone(), center: body.center().clone() })
 }
 
-/// The Katok plane. The grid avoids the lines on which bodies are special: A_j = 1, A2 = A3.
+/// The Katok plane. The grid and its halves, quarters and eighths avoid the lines on which bodies are special: A_j = 1,
+/// A_j = 3/4, A2 = A3.
 fn katok_plane() -> Result<Map, Failure> {
-    let vary = ["A2=0.3:1.7:72", "A3=0.3025:1.6975:72"];
+    let vary = ["A2=0.3:1.69:72", "A3=0.305:1.7:72"];
     let mut map = classes_of(Family::Katok, &vary, [Parameter::A2, Parameter::A3])?;
     let known: BTreeMap<String, &str> =
         known_classes().into_iter().map(|(class, preset)| (class.to_string(), preset.name())).collect();
@@ -78,14 +79,17 @@ fn katok_plane() -> Result<Map, Failure> {
     reorder(&mut map, &renamed);
     map.title = String::from("Tops with the centre of mass on a principal axis: Katok's seven classes");
     map.subtitle = String::from("A = (A1, A2, A3), r = (1, 0, 0); colours: class computed for each of 5184 bodies");
-    map.x = MapAxis { name: "A2/A1".to_owned(), range: [0.3, 1.7] };
-    map.y = MapAxis { name: "A3/A1".to_owned(), range: [0.3025, 1.6975] };
+    map.x = MapAxis { name: "A2/A1".to_owned(), range: [0.3, 1.69] };
+    map.y = MapAxis { name: "A3/A1".to_owned(), range: [0.305, 1.7] };
     add_exact_borders(&mut map);
     Ok(map)
 }
 
-/// Katok's borders, and the lines between which bodies exist.
+/// Katok's borders in the place of those that were found, and the lines between which bodies exist.
 fn add_exact_borders(map: &mut Map) {
+    if let MapBodies::Areas { borders, .. } = &mut map.bodies {
+        borders.clear();
+    }
     let exact = "exact borders: Aj = A1, Aj = ¾ A1, 4(1/√k2 − 1) = 1/k3";
     for value in katok::LINES {
         for points in [vec![[value, 0.3], [value, 1.7]], vec![[0.3, value], [1.7, value]]] {
