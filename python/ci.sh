@@ -53,8 +53,8 @@ types() {
 }
 
 style() {
-    "$bin/ruff" format --check package tests examples docs
-    "$bin/ruff" check package tests examples docs
+    "$bin/ruff" format --check package tests examples docs measure.py
+    "$bin/ruff" check package tests examples docs measure.py
 }
 
 # The oldest numpy that there is a wheel of for this interpreter.

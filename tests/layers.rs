@@ -43,7 +43,7 @@ const ORDER: [(&str, &str); 11] = [
     (
         "src/cli",
         "failure terminal input export batch bodies part spin pages schema atlas show classify critical verify section sphere \
-         orbit scan find figures arguments",
+         orbit explore scan find figures arguments",
     ),
 ];
 

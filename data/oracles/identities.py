@@ -966,6 +966,33 @@ def _():
         zero(series - (-sign * r + e * (l**2 / (4 * a1) + sign * r) + e**2 * l**2 / (8 * a1)))
 
 
+@check("Proposition 13.7")
+def _():
+    s, rho = sp.symbols("s rho")
+    A, B, C = sp.symbols("A B C", positive=True)
+    KA, KB = rho + s * (C - A), rho + s * (C - B)
+    b, c = s * (A + B - C) ** 2 + A * KA + B * KB, A * B * KA * KB
+    quadratic = C**2 * (A + B - C) ** 2 * s**2 - 2 * rho * (A + B - C) * (C * (A + B) - 4 * A * B) * s + rho**2 * (A - B) ** 2
+    zero(b**2 - 4 * c - quadratic)
+    p, q = 2 * A - C, 2 * B - C
+    zero((C * (A + B) - 4 * A * B) ** 2 - C**2 * (A - B) ** 2 - 4 * A * B * p * q)
+    for _ in range(50):
+        # The roots at random moments with p and q of one sign.
+        for sign in (1, -1):
+            k, x, y = rational(1, 99), rational(1, 99), rational(1, 99)
+            a, d = k * x**2, k * y**2
+            cc = 2 * a - sign * d
+            bb = (cc + sign * rational(1, 99)) / 2
+            if cc <= 0 or bb <= 0:
+                continue
+            pp, qq = 2 * a - cc, 2 * bb - cc
+            product, total = a * abs(qq) * bb * abs(pp), abs(pp) + abs(qq)
+            for branch in (1, -1):
+                root = -2 * (a * abs(qq) + bb * abs(pp) + branch * 2 * sp.sqrt(product)) / (cc**2 * total)
+                value = quadratic.subs({A: a, B: bb, C: cc, rho: 1, s: root})
+                assert sp.simplify(value) == 0
+
+
 @check("Example 15.1")
 def _():
     X = lambda y: y * (1 + y**-2) ** 2 / 2

@@ -61,10 +61,20 @@ impl Atlas {
 
 #[pymethods]
 impl Atlas {
-    /// The document without what is drawn, on one line.
-    fn outline(&self, python: Python<'_>) -> PyResult<String> {
-        let options = DocumentOptions { polylines: false, polygons: false, ..DocumentOptions::default() };
-        python.detach(|| json(&self.document(&options)))
+    /// The regions of the document, without their outlines and cells.
+    fn regions(&self, python: Python<'_>) -> PyResult<String> {
+        python.detach(|| {
+            let mut regions = documents::atlas::regions(self.atlas());
+            for region in &mut regions {
+                region.cells.clear();
+            }
+            json(&regions)
+        })
+    }
+
+    /// The events of the document.
+    fn events(&self, python: Python<'_>) -> PyResult<String> {
+        python.detach(|| json(&documents::atlas::events(self.atlas())))
     }
 
     /// The text of atlas.json, as the command line writes it.

@@ -88,6 +88,19 @@ def test_ties_are_critical(atlas):
     assert kovalevskaya.region(np.array([-0.99, -0.99]), np.array([0.2, 0.2])).tolist() == [-2, -2]
 
 
+def test_ten_thousand_cells_answer_as_scalars_do():
+    kovalevskaya = bifdiag.Body.preset("kovalevskaya").atlas()
+    # Every cell twice: as doubles, and as fractions, of which those on a pole line are ties.
+    l = [Fraction(k, 40) for k in range(1, 101)]
+    h = [Fraction(k, 40) ** 2 / 4 - 1 for k in range(1, 101)]
+    exact = kovalevskaya.region(np.array(h, dtype=object)[:, None], np.array(l, dtype=object))
+    doubles = kovalevskaya.region(np.array(h, dtype=float)[:, None], np.array(l, dtype=float))
+    assert exact.shape == doubles.shape == (100, 100)
+    assert exact.tolist() == [[place(kovalevskaya, x, y) for y in l] for x in h]
+    assert doubles.tolist() == [[place(kovalevskaya, float(x), float(y)) for y in l] for x in h]
+    assert (np.diag(exact) == -2).all() and (exact >= 0).any() and (exact == -1).any()
+
+
 @settings(max_examples=40, deadline=None)
 @given(
     st.tuples(*[st.integers(1, 40)] * 3, *[st.integers(-20, 20)] * 3).filter(lambda numbers: any(numbers[3:])),

@@ -12,6 +12,7 @@ use super::atlas::{self, AtlasArguments};
 use super::bodies::{self, BodiesArguments};
 use super::classify::{self, ClassifyArguments};
 use super::critical::{self, CriticalArguments};
+use super::explore::{self, ExploreArguments};
 use super::figures::{self, FiguresArguments};
 use super::find::{self, FindArguments};
 use super::input::values;
@@ -30,15 +31,15 @@ const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré
 
 const MAIN_EXAMPLES: &str = "\
 Examples:
-  bifdiag --A 2,1.1,1 --r 0.94868,0,0.61623        all regions of the (h, l) plane
+  bifdiag --A 2,1.1,1 --r 0.94868,0,0.61623        all regions of (h, l)
   bifdiag --body kovalevskaya --format svg,png --out kovalevskaya
   bifdiag --body paper --json | jq .summary
-  bifdiag classify --body paper --h 3.8 --l 3.25   the type of U, E and P at one point
-  bifdiag critical --body paper --l 3.25           all relative equilibria at one l
+  bifdiag classify --body paper --h 3.8 --l 3.25   U, E and P at one point
+  bifdiag critical --body paper --l 3.25           relative equilibria at one l
   bifdiag show R5 --body paper                     a region in words
-  bifdiag sphere --body paper --h 4.45 --l 3.25    U on the Poisson sphere, as a picture
-  bifdiag section --body paper --region R5         a Poincaré section: regular or chaotic
-  bifdiag orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1   the motion in space
+  bifdiag sphere --body paper --region R5          a picture of U
+  bifdiag section --body paper --region R5         regular or chaotic?
+  bifdiag orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1
   bifdiag bodies                                   the named bodies
 
 Numbers are decimals, decimals with exponent or rationals (1.1, 11e-1, 11/10) and are read exactly.
@@ -71,10 +72,11 @@ struct MainArguments {
 }
 
 /// Commands that work on one thread: they take --threads, and do not show it.
-const ON_ONE_THREAD: [&str; 12] = [
+const ON_ONE_THREAD: [&str; 13] = [
     "show",
     "sphere",
     "orbit",
+    "explore",
     "verify",
     "body",
     "state",
@@ -146,10 +148,12 @@ commands! {
     Show(ShowArguments) = "show", show::EXAMPLES;
     /// Compute a Poincaré section on the PP-torus
     Section(SectionArguments) = "section", section::EXAMPLES;
-    /// Draw U on the Poisson sphere at one point: its components, their boundaries and poles
+    /// Draw U on the Poisson sphere at one point
     Sphere(SphereArguments) = "sphere", sphere::EXAMPLES;
     /// Follow the body's motion in space: attitude, Euler's angles, angular velocity
     Orbit(OrbitArguments) = "orbit", orbit::EXAMPLES;
+    /// Open the explorer, a page for the browser, on this machine
+    Explore(Box<ExploreArguments>) = "explore", explore::EXAMPLES;
     /// Check an atlas by other means than those that made it
     Verify(VerifyArguments) = "verify", verify::EXAMPLES;
     /// Show and draw a real part as it was understood
@@ -175,7 +179,7 @@ commands! {
 /// Options of every command.
 #[derive(Debug, Args)]
 pub struct CommonArguments {
-    /// Use N threads for batches and sections (default: one for each core)
+    /// Use N threads for batches, scans and sections (default: all cores)
     #[arg(long, value_name = "N", global = true, allow_hyphen_values = true, value_parser = values::threads)]
     #[arg(help_heading = "General")]
     pub threads: Option<NonZeroUsize>,
@@ -320,6 +324,23 @@ mod tests {
         for command in root.get_subcommands().chain([&root]) {
             let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
             assert!(help.starts_with("Examples:\n  bifdiag"), "{}", command.get_name());
+        }
+    }
+
+    /// Examples can be copied from a terminal of 80 columns; paragraphs are wrapped by the terminal's width alone.
+    #[test]
+    fn help_is_wrapped_once() {
+        let root = Options::command();
+        let scan = root.find_subcommand("scan").unwrap();
+        for command in root.get_subcommands().chain(scan.get_subcommands()).chain([&root]) {
+            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let (examples, prose) = help.split_once("\n\n").unwrap_or((&help, ""));
+            assert!(examples.lines().all(|line| line.chars().count() <= 80), "{}: {examples}", command.get_name());
+            let broken = |pair: &[&str]| !pair[0].is_empty() && !pair[1].is_empty() && !pair[1].starts_with(' ');
+            let lines: Vec<&str> = prose.lines().collect();
+            // What stands for itself on a line ends with a full stop.
+            let broken = lines.windows(2).find(|pair| broken(pair) && !pair[0].ends_with('.'));
+            assert_eq!(broken, None, "{}", command.get_name());
         }
     }
 }

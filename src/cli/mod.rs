@@ -10,6 +10,7 @@ mod batch;
 mod bodies;
 mod classify;
 mod critical;
+mod explore;
 mod export;
 mod failure;
 mod figures;
@@ -125,6 +126,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Section(arguments)) => section::run(arguments, &timings, quiet),
         Some(Command::Sphere(arguments)) => sphere::run(arguments, &timings),
         Some(Command::Orbit(arguments)) => orbit::run(arguments, &timings),
+        Some(Command::Explore(arguments)) => explore::run(arguments),
         Some(Command::Verify(arguments)) => verify::run(arguments, &timings),
         Some(Command::Body(arguments)) => part::run(arguments, &timings),
         Some(Command::State(arguments)) => spin::state(arguments, &timings),

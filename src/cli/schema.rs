@@ -3,7 +3,8 @@
 use clap::{Args, ValueEnum};
 use schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassificationDocument, CriticalDocument,
-    FindDocument, GridDocument, MotionDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument,
+    CriticalSpinDocument, FindDocument, GridDocument, MotionDocument, PartAnswerDocument, RowDocument,
+    ScanSummaryDocument, SectionDocument, SectionsDocument, StateDocument,
 };
 use schemars::{Schema, schema_for};
 
@@ -45,6 +46,12 @@ pub enum Name {
     Sections,
     /// The answer of `bifdiag orbit --json`, and the `meta` of its data
     Orbit,
+    /// The answer of `bifdiag body --json`
+    Body,
+    /// The answer of `bifdiag state --json`
+    State,
+    /// The answer of `bifdiag critical-spin --json`
+    CriticalSpin,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// What stands for a wrong line of a batch
@@ -69,6 +76,9 @@ impl Name {
             Self::Section => schema_for!(SectionDocument),
             Self::Sections => schema_for!(SectionsDocument),
             Self::Orbit => schema_for!(MotionDocument),
+            Self::Body => schema_for!(PartAnswerDocument),
+            Self::State => schema_for!(StateDocument),
+            Self::CriticalSpin => schema_for!(CriticalSpinDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
             Self::ScanRow => schema_for!(RowDocument),

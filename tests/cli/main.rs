@@ -4,6 +4,7 @@ mod answers;
 mod attacks;
 mod batches;
 mod builder;
+mod explorer;
 mod files;
 mod orbits;
 mod pages;

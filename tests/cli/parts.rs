@@ -11,6 +11,18 @@ use crate::builder::bifdiag;
 const BOX: &str = "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 0\nv 0 0 6\nv 2 0 6\nv 2 4 6\nv 0 4 6\n\
                    f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
+/// A box moved by (1, 1, 1), its corners numbered from `corners` + 1 on.
+fn moved(text: &str, corners: usize) -> String {
+    let line = |line: &str| {
+        let (kind, numbers) = line.split_at(1);
+        let step = if kind == "v" { 1 } else { corners };
+        let moved: Vec<String> =
+            numbers.split_whitespace().map(|n| (n.parse::<usize>().unwrap() + step).to_string()).collect();
+        format!("{kind} {}\n", moved.join(" "))
+    };
+    text.lines().map(line).collect()
+}
+
 fn atlas(options: &str, directory: &Path) -> Value {
     bifdiag(&format!("{options} --g 9.80665 --json")).inside(directory).succeeds().json()
 }
@@ -225,11 +237,12 @@ fn wrong_parts_are_refused_with_a_message_that_helps() {
             .replace("f 4 1 5 8", "f 8 5 1 4"),
     );
     file("mixed.obj", &BOX.replace("f 5 6 7 8", "f 8 7 6 5"));
+    file("cutting.obj", &format!("{BOX}{}", moved(BOX, 8)));
     file("empty.obj", "v 0 0 0\n");
     file("notes.txt", "");
     file("broken.stl", "solid x\nfacet normal 0 0 zero\n");
     file("two.urdf", "<robot><link name='a'><inertial/></link><link name='b'><inertial/></link></robot>");
-    let refused: [(&str, &[&str]); 22] = [
+    let refused: [(&str, &[&str]); 23] = [
         // The sign of the products, and both readings.
         (
             "--inertia-com 2,3,4,0.5,0,0 --com 0,0,1 --mass 1",
@@ -242,6 +255,7 @@ fn wrong_parts_are_refused_with_a_message_that_helps() {
         ("--part open.obj --density 1", &["the mesh is open", "4 edges", "watertight"]),
         ("--part inverted.obj --density 1", &["the mesh is inverted", "-48", "outward"]),
         ("--part mixed.obj --density 1", &["mixed orientation", "4 edges"]),
+        ("--part cutting.obj --density 1", &["the mesh cuts itself", "unite the bodies"]),
         ("--part empty.obj --density 1", &["the mesh is empty"]),
         ("--part box.obj", &["a mesh has no mass", "--density", "--mass"]),
         ("--part box.obj --density 1 --mass 2", &["one of them is enough"]),

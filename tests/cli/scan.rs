@@ -261,12 +261,12 @@ fn katoks_borders_come_out_exactly() {
     ];
     for (line, parameter, expected, kind, text) in cases {
         let found = bifdiag(&format!("scan border {line} --json")).succeeds().json();
-        let border = &found["border"][0];
-        assert_eq!(border["parameter"], parameter, "{line}");
-        let value = border["value"].as_f64().unwrap();
+        let border = &found["borders"][0];
+        assert_eq!(border["at"][0]["parameter"], parameter, "{line}");
+        let value = border["at"][0]["value"].as_f64().unwrap();
         assert!((value - expected).abs() < 1e-10, "{line}: {value} for {expected}");
-        assert_eq!((&found["reached"], &found["event"]["kind"]), (&Value::Bool(true), &Value::from(kind)), "{line}");
-        assert!(found["event"]["text"].as_str().unwrap().contains(text), "{line}: {}", found["event"]["text"]);
+        assert_eq!((&border["reached"], &border["kind"]), (&Value::Bool(true), &Value::from(kind)), "{line}");
+        assert!(border["text"].as_str().unwrap().contains(text), "{line}: {}", border["text"]);
     }
     let told = bifdiag("scan border --body katok:2 --vary A3=0.7:0.8").succeeds();
     told.printing("A3 = 0.75, exactly").printing("at h = 3, l = 2,");
@@ -283,7 +283,7 @@ fn classes_are_the_same_at_both_levels() {
         assert!(!exact[0]["class"].is_null());
     }
     let border = bifdiag("scan border --body katok:2 --vary A3=0.7:0.8 --accuracy fast --json").succeeds().json();
-    assert!((border["border"][0]["value"].as_f64().unwrap() - 0.75).abs() < 1e-12);
+    assert!((border["borders"][0]["at"][0]["value"].as_f64().unwrap() - 0.75).abs() < 1e-12);
 }
 
 #[test]

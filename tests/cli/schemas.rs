@@ -104,6 +104,14 @@ fn documents_fit_their_schemas() {
         let orbit = format!("orbit {more} --gamma 0.6,0,0.8 --omega 1,0.3,1 --json");
         assert_fits("orbit", &bifdiag(&orbit).succeeds().json());
     }
+    assert_fits("body", &bifdiag(&format!("body {PART} --json")).succeeds().json());
+    for state in ["--spin 1Hz --axis z", "--omega 1,0,2 --vertical 0,0,1"] {
+        assert_fits("state", &bifdiag(&format!("state {PART} {state} --json")).succeeds().json());
+        assert_fits("state", &bifdiag(&format!("state --A 2,1.1,1 --r 0,0,1 {state} --json")).succeeds().json());
+    }
+    for axis in ["--A 2,1.1,1 --r 0,0,1 --axis z --tolerance 1%", "--body euler --axis x", "--body paper --axis x"] {
+        assert_fits("critical-spin", &bifdiag(&format!("critical-spin {axis} --json")).succeeds().json());
+    }
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
     assert_fits("find", &bifdiag("find --type M3 --json").succeeds().json());
     assert_fits("find", &bifdiag("find --type k3n0 --json").succeeds().json());
@@ -142,6 +150,9 @@ fn all_schemas_come_in_one_object() {
         "section",
         "sections",
         "orbit",
+        "body",
+        "state",
+        "critical-spin",
         "bodies",
         "batch-error",
         "scan-row",

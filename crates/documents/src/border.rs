@@ -1,6 +1,8 @@
 //! Borders between classes as documents.
 
-use schema::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, SCHEMA_VERSION};
+use schema::{
+    BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument, SCHEMA_VERSION,
+};
 use survey::Range;
 use survey::border::{Border, BorderEvent, BorderEventKind, Segment};
 
@@ -24,10 +26,12 @@ pub fn border(border: &Border, segment: &Segment, vary: &[Range], command: Comma
         version: version(),
         command: command.json(),
         vary: vary.iter().map(range).collect(),
-        border: vary.iter().map(value).collect(),
-        reached: border.reached,
-        classes: border.classes.each_ref().map(|class| class.name().to_string()),
-        event: event(&border.event),
+        borders: vec![FoundBorderDocument {
+            at: vary.iter().map(value).collect(),
+            event: event(&border.event),
+            classes: border.classes.each_ref().map(|class| class.name().to_string()),
+            reached: border.reached,
+        }],
         atlases: border.atlases,
     }
 }

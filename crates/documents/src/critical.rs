@@ -45,7 +45,7 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
             Multiplicity::Sphere => schema::Multiplicity::Sphere,
         },
         stability: stability(found.stability),
-        stable: VERDICTS[verdict_code(found.verdict).unsigned_abs() as usize],
+        stable: verdict(found.verdict),
         eigenvalues: found.eigenvalues.pairs,
         eigenvalue_error: found.eigenvalues.error,
         branch: found.curve.map_or_else(String::new, |curve| curve.to_string()),
@@ -97,6 +97,12 @@ pub fn verdict_code(verdict: Verdict) -> i8 {
         Verdict::Unstable => 3,
         Verdict::Open => 4,
     }
+}
+
+/// The word for a verdict.
+#[must_use]
+pub fn verdict(verdict: Verdict) -> schema::Verdict {
+    VERDICTS[verdict_code(verdict).unsigned_abs() as usize]
 }
 
 /// The word for a linear type.

@@ -24,7 +24,7 @@ pub use border::border;
 pub use certified::{certified_atlas, seal};
 pub use classification::{Located, accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, version};
-pub use critical::{LINEAR_TYPES, VERDICTS, critical, type_code, verdict_code};
+pub use critical::{LINEAR_TYPES, VERDICTS, critical, type_code, verdict, verdict_code};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use section::{chaos, drift, integrator, integrator_options, section, sections};

@@ -4,7 +4,7 @@ use numbers::Number;
 use part::Spin;
 use schema::{SpinChangeDocument, SpinDocument, SpinRangeDocument, ToleranceDocument};
 use top::atlas::Atlas;
-use top::permanent::{AxisRotation, RegionChange, SpinChange, region_changes, spin_ranges};
+use top::permanent::{AxisRotation, RegionChange, SAMPLES, SpinChange, region_changes, spin_ranges};
 
 /// A rate of turning, from rad/s.
 #[must_use]
@@ -57,27 +57,26 @@ pub fn spin_changes(rotation: &AxisRotation, up: &str, atlas: Option<&Atlas>, se
         .collect()
 }
 
-/// What a relative tolerance does to the changes of stability of some rotations, each with the name of the end that is up.
+/// What relative tolerances of C, A, B and the weight do to the changes of stability of some rotations, each with the name of
+/// the end that is up.
 #[must_use]
-pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &Number, second: f64) -> ToleranceDocument {
-    let mut document = ToleranceDocument {
-        relative: relative.text().to_owned(),
-        sampled_parts: 0,
-        same_changes: true,
-        ranges: Vec::new(),
-    };
-    for (up, rotation) in rotations {
-        let found = spin_ranges(rotation, relative.value());
-        document.sampled_parts = found.parts;
-        document.same_changes &= found.same;
-        document.ranges.extend(found.changes.into_iter().map(|change| SpinRangeDocument {
+pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &[Number; 4], second: f64) -> ToleranceDocument {
+    let values = relative.each_ref().map(|relative| relative.value().clone());
+    let rpm = |omega: f64| Spin::rpm(omega * second);
+    let ranges = rotations.iter().flat_map(|(up, rotation)| {
+        spin_ranges(rotation, &values).into_iter().map(|range| SpinRangeDocument {
             up: (*up).to_owned(),
-            from: change.types[0].name().to_owned(),
-            to: change.types[1].name().to_owned(),
-            rpm: change.omega.map(|omega| Spin::rpm(omega * second)),
-            most: change.most.0.to_owned(),
-            most_change: change.most.1,
-        }));
+            from: range.from.map(|found| found.name().to_owned()),
+            to: range.to.map(|found| found.name().to_owned()),
+            rpm: range.omega.map(|omega| omega.is_finite().then(|| rpm(omega))),
+            between: range.between.iter().map(|found| found.name().to_owned()).collect(),
+            most: range.most.map(|(input, _)| input.to_owned()),
+            most_rpm: range.most.map(|(_, omega)| rpm(omega)),
+        })
+    });
+    ToleranceDocument {
+        relative: relative.each_ref().map(|relative| relative.text().to_owned()),
+        sampled_parts: SAMPLES,
+        ranges: ranges.collect(),
     }
-    document
 }

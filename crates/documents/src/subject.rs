@@ -1,11 +1,11 @@
 //! What a document is about.
 
 use part::Part;
-use schema::PartDocument;
+use schema::{PartAnswerDocument, PartDocument, SCHEMA_VERSION};
 use top::body::{Body, TensorError};
 
 use crate::body::principal;
-use crate::command::CommandLine;
+use crate::command::{CommandLine, version};
 
 /// A body, and the part from which it was computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +30,17 @@ impl Subject {
     pub fn of_part(part: &Part) -> Result<Self, TensorError> {
         let principal = principal(part)?;
         Ok(Self { part: Some(crate::body::part(part, &principal)), body: principal.body })
+    }
+
+    /// The answer of `bifdiag body`, of a subject that is a part.
+    #[must_use]
+    pub fn part_answer(&self) -> Option<PartAnswerDocument> {
+        Some(PartAnswerDocument {
+            schema_version: SCHEMA_VERSION.to_owned(),
+            version: version(),
+            command: self.command("body").json(),
+            part: self.part.clone()?,
+        })
     }
 
     /// `bifdiag COMMAND` with the options that describe the body.

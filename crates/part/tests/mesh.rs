@@ -167,6 +167,8 @@ fn what_is_no_closed_surface_is_refused() {
     assert!(matches!(error(turned(&whole)), MeshError::Inverted { triangles: 12, volume } if volume == -1.0));
     let inner = cuboid([0.25; 3], [0.5, 0.5, 0.5]);
     assert_eq!(error([whole.clone(), inner].concat()), MeshError::Nested { triangles: 12 });
+    let crossing = cuboid([0.5, 0.25, 0.75], [1.0, 2.0, 3.0]);
+    assert!(matches!(error([whole.clone(), crossing].concat()), MeshError::Crossing { .. }));
     let far = turned(&cuboid([5.0; 3], [1.0, 1.0, 1.0]));
     assert!(matches!(error([whole.clone(), far].concat()), MeshError::Inverted { .. }));
     assert!(matches!(error([whole.clone(), whole.clone()].concat()), MeshError::Branched { .. }));

@@ -7,7 +7,7 @@ use dashu_ratio::RBig;
 use super::family::Half;
 use super::model::Model;
 use numbers::polynomial::{Polynomial, Root};
-use top::body::Frame;
+use top::body::{Axis, Frame};
 use top::curves::{Branch, BranchName, CurveId, CurveName, CuspId, End, IntervalId, Orbit, PitchforkId, Pole};
 use top::table::{Id, Table};
 
@@ -548,7 +548,7 @@ fn rank(station: &Station) -> u8 {
     }
 }
 
-fn orbit(size: usize, axis: usize) -> Orbit {
+fn orbit(size: usize, axis: Axis) -> Orbit {
     match size {
         1 => Orbit::Pair(axis),
         2 => Orbit::Circle(axis),

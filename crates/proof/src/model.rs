@@ -5,7 +5,7 @@ use dashu_ratio::RBig;
 
 use numbers::enclosure::Arithmetic;
 use numbers::polynomial::{Polynomial, rational};
-use top::body::{Body, Frame, Number};
+use top::body::{Axis, Body, Frame, Number};
 
 /// One eigenspace of A.
 #[derive(Clone, Debug)]
@@ -33,7 +33,7 @@ pub(super) struct Model {
     /// Numbers of the others.
     pub passive: Vec<usize>,
     /// First axis of the frame in each group.
-    pub axis: Vec<usize>,
+    pub axis: Vec<Axis>,
 }
 
 /// A power of two, exactly.
@@ -59,7 +59,7 @@ impl Model {
         axes.sort();
         let mut groups: Vec<Group> = Vec::new();
         let mut axis = Vec::new();
-        for (k, (a, q)) in axes.into_iter().enumerate() {
+        for (k, (a, q)) in Axis::ALL.into_iter().zip(axes) {
             match groups.last_mut() {
                 Some(group) if group.a == a => {
                     group.q += q;

@@ -70,6 +70,21 @@ pub struct BorderValueDocument {
     pub enclosure: [f64; 2],
 }
 
+/// A border between two classes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "Border")]
+pub struct FoundBorderDocument {
+    /// Where the class changes: a value of each parameter that varies.
+    pub at: Vec<BorderValueDocument>,
+    /// What happens there.
+    #[serde(flatten)]
+    pub event: BorderEventDocument,
+    /// The classes at the two ends of the enclosure.
+    pub classes: [String; 2],
+    /// True when every error is at most 1e-10.
+    pub reached: bool,
+}
+
 /// The answer of `scan border`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BorderDocument {
@@ -81,14 +96,8 @@ pub struct BorderDocument {
     pub command: String,
     /// The ranges that were searched.
     pub vary: Vec<RangeDocument>,
-    /// Where the class changes.
-    pub border: Vec<BorderValueDocument>,
-    /// True when every error is at most 1e-10.
-    pub reached: bool,
-    /// The classes at the two ends of the enclosure.
-    pub classes: [String; 2],
-    /// What happens there.
-    pub event: BorderEventDocument,
+    /// The borders that were found.
+    pub borders: Vec<FoundBorderDocument>,
     /// Bodies that were looked at.
     pub atlases: u32,
 }

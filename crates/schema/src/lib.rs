@@ -24,7 +24,7 @@ pub use atlas::{
     Flags, NeighbourDocument, RegionDocument, SampleDocument, StabilityChangeDocument, StabilityChangeKind,
     StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument, ViewDocument, WindowDocument,
 };
-pub use border::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument};
+pub use border::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument};
 pub use certificate::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
@@ -37,7 +37,7 @@ pub use grid::{GridAxisDocument, GridDocument};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 pub use number::Number;
-pub use part::{PartDocument, PrincipalDocument};
+pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};
 pub use scan::{
     BodyRecordDocument, ClassRecordDocument, DesignDocument, FamilyDocument, ParameterName, RangeDocument,
     RecordDocument, RowDocument, RowStatus, ScanIdentityDocument, ScanSummaryDocument,

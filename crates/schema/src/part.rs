@@ -12,6 +12,20 @@ pub struct PrincipalDocument {
     pub axes: [[f64; 3]; 3],
 }
 
+/// The answer of `body`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PartAnswerDocument {
+    /// Version of this document.
+    pub schema_version: String,
+    /// Version of the program that made it.
+    pub version: String,
+    /// The command that makes it: canonical, from the part.
+    pub command: String,
+    /// The part.
+    #[serde(flatten)]
+    pub part: PartDocument,
+}
+
 /// A part as it was understood.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PartDocument {

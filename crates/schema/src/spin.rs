@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{MarginDocument, PartDocument};
+use super::{MarginDocument, PartDocument, Verdict};
 
 /// A rate of turning in two units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -85,48 +85,59 @@ pub struct CriticalSpinDocument {
     pub part: Option<PartDocument>,
 }
 
-/// Changes of stability when the moments and the weight are known to a relative tolerance.
+/// Changes of stability when the moments and the weight are known to relative tolerances.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ToleranceDocument {
-    /// The relative tolerance of each moment and of the weight, as given.
-    pub relative: String,
-    /// How many parts were tried: each input less, nominal and more. A sample, not a bound.
+    /// The relative tolerances of the moment about the axis, of the two others and of the weight times its distance.
+    pub relative: [String; 4],
+    /// How many parts were tried for `between` and `most`: each input less, nominal and more.
     pub sampled_parts: usize,
-    /// All of them have the same changes in the same order; else `ranges` is empty.
-    pub same_changes: bool,
-    /// The changes over the parts that were tried.
+    /// Ranges of spins outside of which no part within the tolerances changes, by the end that is up, then by rising spin:
+    /// bounds by interval arithmetic, not samples. Between two of them all parts are of one type.
     pub ranges: Vec<SpinRangeDocument>,
 }
 
-/// One change over the parts that were tried.
+/// Spins at which a change may lie.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SpinRangeDocument {
     /// Which end of the axis is up.
     pub up: String,
-    /// The spectral type below.
-    pub from: String,
-    /// The spectral type above.
-    pub to: String,
-    /// Least and largest spin in rpm.
-    pub rpm: [f64; 2],
-    /// The input that moves it most by itself.
-    pub most: String,
-    /// By how much of the spin.
-    pub most_change: f64,
+    /// The spectral type of all parts below; `null` where the range begins at rest.
+    pub from: Option<String>,
+    /// The spectral type of all parts above; `null` where the range has no end.
+    pub to: Option<String>,
+    /// Bounds in rpm; an infinite end is `null`.
+    pub rpm: [Option<f64>; 2],
+    /// Types other than these that some of the sampled parts have inside.
+    pub between: Vec<String>,
+    /// The input that moves the change of the nominal part most by itself, from samples; `null` where it has none.
+    pub most: Option<String>,
+    /// How far it moves it, in rpm.
+    pub most_rpm: Option<f64>,
 }
 
-/// A relative equilibrium in numbers.
+/// A steady rotation in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SteadyDocument {
+    /// Its axis, a unit vector in the frame of the question, pointing up.
+    pub axis: [f64; 3],
+    /// The angle between it and the vertical of the question, in degrees; 0 where they are meant to be one.
+    pub angle_deg: f64,
+    /// Its energy, in the units of the body.
+    pub h: f64,
+    /// Its vertical angular momentum.
+    pub l: f64,
     /// The spectral type.
     pub stability: String,
     /// Not unstable in the linear terms.
     pub stable: bool,
+    /// What is known: stable by energy or by a further integral, spectrally stable, unstable, or open.
+    pub verdict: Verdict,
     /// Frequencies of small oscillations seen from the turning body, in Hz.
     pub frequencies_hz: [f64; 2],
     /// The time in which a deviation grows by e, in s; `null` when none does.
     pub growth_time_s: Option<f64>,
-    /// The change at the next smaller spin.
+    /// The change at the next smaller spin; `null` also for an axis that is permanent at its own spin only.
     pub below: Option<SpinChangeDocument>,
     /// The change at the next larger spin.
     pub above: Option<SpinChangeDocument>,
@@ -159,14 +170,14 @@ pub struct StateDocument {
     pub h: f64,
     /// The vertical angular momentum, in the units of the body.
     pub l: f64,
-    /// Steady rotation about a permanent axis; `null` for another motion.
+    /// The steady rotation that the state is; `null` for another motion.
     pub steady: Option<SteadyDocument>,
-    /// The region of (h, l); `null` on a curve.
+    /// The region of (h, l); `null` on a curve and below all of them.
     pub region: Option<String>,
     /// The distance of (h, l) to the nearest curve; `null` for a steady rotation, which lies on one.
     pub margin: Option<MarginDocument>,
-    /// The nearest permanent axis, where the motion is not steady.
-    pub nearest: Option<NearestAxisDocument>,
+    /// The steady rotation at this spin whose axis is nearest to the vertical, where the motion is not steady.
+    pub nearest: Option<SteadyDocument>,
     /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,

@@ -100,11 +100,6 @@ class Atlas:
         document: Document = json.loads(self._text)
         return document
 
-    @cached_property
-    def _outline(self) -> Document:
-        document: Document = json.loads(self._inner.outline())
-        return document
-
     @property
     def document(self) -> Document:
         """Everything that `to_json` tells, as a dict; not to be changed."""
@@ -117,12 +112,12 @@ class Atlas:
     @cached_property
     def regions(self) -> tuple[Region, ...]:
         """The regions, in the order of their ids: ``atlas.regions[4].id == "R5"``."""
-        return tuple(Region.of(document, self._outlines) for document in self._outline["regions"])
+        return tuple(Region.of(document, self._outlines) for document in json.loads(self._inner.regions()))
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
         """Points where curves meet, by rising l."""
-        return tuple(Event.of(document) for document in self._outline["events"])
+        return tuple(Event.of(document) for document in json.loads(self._inner.events()))
 
     @cached_property
     def curves(self) -> tuple[Curve, ...]:
@@ -137,7 +132,7 @@ class Atlas:
     @property
     def complete(self) -> bool:
         """Whether `regions` covers the whole half-plane l > 0."""
-        return bool(self._outline["summary"]["complete"])
+        return bool(self._document["summary"]["complete"])
 
     def to_json(self) -> str:
         """The text of the ``atlas.json`` that the command line writes, byte for byte."""

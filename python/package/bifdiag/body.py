@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, exact
+from . import _core, exact, pictures
 from .atlas import Atlas
 from .critical import equilibria
 from .errors import InputError
@@ -280,11 +280,27 @@ class Body:
         Returns
         -------
         structured array
-            A row for each relative equilibrium, by rising h, with the fields ``l``, ``h``, ``gamma`` (3), ``omega``,
-            ``index``, ``multiplicity`` (``"1"``, ``"2"``, ``"circle"``, ``"sphere"``), ``stability``, ``stable``
-            (``"energy"``, ``"integral"``, ``"spectrum"``, ``"false"``, ``"null"``), ``eigenvalues`` (2, complex),
-            ``eigenvalue_error``, ``branch`` and ``branch_name``. For an array of l there is the further field
-            ``l_index``, the position in ``np.ravel(l)``.
+            A row for each relative equilibrium, by rising h. For an array of l there is the further field ``l_index``, the
+            position in ``np.ravel(l)``.
+
+            ========================= ====================================================================================
+            ``l``, ``h``              Momentum and energy.
+            ``gamma`` (3)             The vertical, in the body's axes; the body turns about it.
+            ``omega``                 The angular velocity l/⟨γ, A γ⟩, signed as l.
+            ``index``                 Morse index of U_l: 0 minimum, 1 saddle, 2 maximum.
+            ``multiplicity``          ``"1"``; ``"2"`` where two meet; ``"circle"`` and ``"sphere"`` of them.
+            ``stability``             Linear type: ``"elliptic"`` (two imaginary pairs), ``"saddle-centre"`` (one
+                                      real, one imaginary), ``"saddle"`` (two real), ``"complex"`` (a quadruple),
+                                      ``"double-elliptic"``, ``"double-real"`` (a double pair), ``"zero"`` (an
+                                      eigenvalue 0).
+            ``stable``                Why it is stable: ``"energy"`` (a minimum), ``"integral"`` (by a further
+                                      integral), ``"spectrum"`` (imaginary eigenvalues; no more is claimed);
+                                      ``"false"``: it is unstable; ``"null"``: the linear terms do not decide.
+            ``eigenvalues`` (2)       Of the pairs ±λ₁, ±λ₂ of the flow reduced by l, with re ≥ 0 and im ≥ 0.
+            ``eigenvalue_error``      Bound on their error.
+            ``branch``                Id of the curve in the atlas.
+            ``branch_name``           Where the branch begins, such as ``"from +r̂"``.
+            ========================= ====================================================================================
 
         Raises
         ------
@@ -409,6 +425,14 @@ class Body:
         (3, 4)
         """
         return Motion.compute(self._inner, gamma, l, omega, t, phi, tolerance)
+
+    def plot(self, ax: Any = None, **options: Any) -> Any:
+        """Draws the body with matplotlib: its ellipsoid of inertia and its centre of mass; see `bifdiag.pictures.body`."""
+        return pictures.body(self, ax, **options)
+
+    def plot_sphere(self, h: float, l: float, ax: Any = None, **options: Any) -> Any:
+        """Draws U at one point on the Poisson sphere with matplotlib; see `bifdiag.pictures.sphere`."""
+        return pictures.sphere(self, h, l, ax, **options)
 
     # Equal bodies have equal numbers, whatever their texts.
     def __eq__(self, other: object) -> bool:

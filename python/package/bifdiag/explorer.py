@@ -21,6 +21,11 @@ class _Files(SimpleHTTPRequestHandler):
         """Nothing is printed into the notebook."""
 
 
+class _Server(ThreadingHTTPServer):
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """A browser that left before it had everything is no error of the notebook."""
+
+
 @cache
 def _address() -> str:
     """Serves the page until the process ends, on a port that is free."""
@@ -29,7 +34,7 @@ def _address() -> str:
             "this installation was built without the explorer's page; install a wheel, or in a clone run "
             "`npm ci && npm run build` in web/ and `cp -r web/dist python/package/bifdiag/page`, and install again"
         )
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Files, directory=str(PAGE)))
+    server = _Server(("127.0.0.1", 0), partial(_Files, directory=str(PAGE)))
     Thread(target=server.serve_forever, name="bifdiag explorer", daemon=True).start()
     return f"http://127.0.0.1:{server.server_port}/"
 

@@ -314,7 +314,9 @@ class StabilityChange:
     Attributes
     ----------
     kind : str
-        What changes.
+        ``"zero"``: a pair of eigenvalues goes through zero, at a cusp or pitchfork. ``"hamiltonian-hopf"``: two imaginary
+        pairs of opposite sign of energy meet and leave the axis. ``"real-collision"``: two real pairs meet and become a
+        complex quadruple. Others may follow.
     l, h : float
         The point.
     curve : str
@@ -355,7 +357,7 @@ class Curve:
     l_range : tuple of float
         Range of l.
     stability : tuple of (float, float, str)
-        Stretches of l and the spectral stability there.
+        Stretches of l and the linear type there, in the words of `Body.critical`.
     points : array (n, 2)
         Points [h, l] by rising l.
     """

@@ -1,6 +1,7 @@
 """Poincaré sections."""
 
 import math
+from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy.typing as npt
 from . import _core, exact, pictures
 from .errors import InputError
 from .exact import Number
+from .records import table
 from .tables import Table
 
 if TYPE_CHECKING:
@@ -108,6 +110,17 @@ class Section(Table):
         array of two Axes
         """
         return pictures.section(self, ax, projection, **options)
+
+    def _repr_html_(self) -> str:
+        verdicts = Counter(self.verdict)
+        return table(
+            [
+                ("section at (h, l)", f"({self.meta['h']}, {self.meta['l']})"),
+                ("surface", self.signature or "not that of the region"),
+                ("points", f"{len(self)} of {len(self.meta['orbits'])} orbits"),
+                ("orbits", ", ".join(f"{verdicts[name]} {name}" for name in ("regular", "chaotic", "open"))),
+            ]
+        )
 
     def __repr__(self) -> str:
         point = f"(h, l) = ({self.meta['h']}, {self.meta['l']})"

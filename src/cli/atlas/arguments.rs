@@ -13,7 +13,8 @@ Examples:
   bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623
   bifdiag atlas --body katok:7 --window 0:4,0:3 --format png --out katok7
   bifdiag atlas --A 2,11/10,1 --r=-1,0,1/2 --json > atlas.json
-  bifdiag atlas --inertia 0.30,0.21,0.17,0.01,0,-0.02 --products tensor --com 0,0.02,0.15 --mass 2.5 --g 9.80665 --no-plot";
+  bifdiag atlas --inertia 0.30,0.21,0.17,0.01,0,-0.02 --products tensor \\
+      --com 0,0.02,0.15 --mass 2.5 --g 9.80665 --no-plot";
 
 /// `bifdiag atlas`.
 #[derive(Debug, Args)]

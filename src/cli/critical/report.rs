@@ -6,7 +6,7 @@ use schema::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Verdic
 
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, fixed, significant};
-use documents::Subject;
+use documents::{Subject, words};
 
 /// Significant digits of the table.
 const DIGITS: usize = 10;
@@ -32,7 +32,7 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
         motions.row([
             point.branch.clone(),
             point.stability.word().to_owned(),
-            verdict(point.stable).to_owned(),
+            words::verdict(point.stable).to_owned(),
             motion(point),
         ]);
     }
@@ -66,16 +66,6 @@ pub fn written(rows: usize, files: &[PathBuf]) -> String {
         report.line(format!("written: {}", path.display()));
     }
     report.text()
-}
-
-fn verdict(stable: Verdict) -> &'static str {
-    match stable {
-        Verdict::Energy => "by energy",
-        Verdict::Integral => "by an integral",
-        Verdict::Spectrum => "spectrally only",
-        Verdict::Unstable => "no",
-        Verdict::Open => "open",
-    }
 }
 
 /// The eigenvalues as periods and growth times.

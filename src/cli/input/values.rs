@@ -64,7 +64,9 @@ pub enum ValueError {
     GridShape,
     #[error("{points} points; a grid has at most {most}")]
     GridSize { points: usize, most: usize },
-    #[error("a tolerance is a share from 0 to 50%, such as 1% or 0.01")]
+    #[error(
+        "a tolerance is a share from 0 to 50%, such as 1% or 0.01, or shares by name: axis=0.5%,across=1%,weight=2%"
+    )]
     Tolerance,
     #[error("a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4")]
     WindowShape,

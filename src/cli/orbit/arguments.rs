@@ -12,13 +12,13 @@ use crate::cli::input::{BodyArguments, IntegratorArguments};
 pub const EXAMPLES: &str = "\
 Examples:
   bifdiag orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1
-  bifdiag orbit --body paper --h 4.45 --l 3.25 --theta 1.2 --psi pi/2 --times 0:20:2001 --data m.csv
-  bifdiag orbit --A 1,1,0.6 --r 0,0,1 --gamma 0,0,1 --l-vector 0.01,0,3 --times -5:5:11 --json
-  bifdiag orbit --body kovalevskaya --gamma 1,0,0 --omega 1.5,0,0.1 --times 0:99:991 --data m.npz
-  bifdiag orbit --body paper --h 4.45 --l 3.25 --theta 1.2 --psi pi/2 --times 0:60:2 --animate m.svg
+  bifdiag orbit --body paper --h 4.45 --l 3.25 --theta 1.2 --psi pi/2 --data m.csv
+  bifdiag orbit --body lagrange --gamma 0,0.1,1 --l-vector 0,0,3 --times -5:5:11
+  bifdiag orbit --body kovalevskaya --gamma 1,0,0 --omega 1.5,0,0.1 --json
+  bifdiag orbit --body paper --gamma 0,0,1 --omega 1,0,2 --animate m.svg
 
-The start, at time 0, is gamma with the angular momentum l or the angular velocity omega = l/A, in the body's axes; or a
-point of the section: (h, l), theta, psi and sheet of its PP-torus, as `bifdiag section` writes them. The attitude is a
+The start, at time 0, is gamma with the angular momentum l or the angular velocity omega = l/A, in the body's axes; or a \
+point of the section: (h, l), theta, psi and sheet of its PP-torus, as `bifdiag section` writes them. The attitude is a \
 unit quaternion w,x,y,z that takes vectors of the body to space; theta, psi, phi are Euler's angles of the third axis.";
 
 /// `bifdiag orbit`.

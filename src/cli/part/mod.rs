@@ -3,6 +3,7 @@
 mod arguments;
 mod report;
 
+use documents::Subject;
 use part::file::edges;
 use plot::{PartScene, draw_part};
 use thiserror::Error;
@@ -39,7 +40,9 @@ pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failu
         files.pictures("part", &picture, &arguments.picture.format, RESOLUTION, timings)?;
         written = files.write()?;
     }
-    Ok(answer(arguments.json, &document, || report::text(&given, &document, &written))?)
+    let text = || report::text(&given, &document, &written);
+    let subject = Subject { body: given.principal.body.clone(), part: Some(document.clone()) };
+    Ok(answer(arguments.json, &subject.part_answer(), text)?)
 }
 
 /// The mesh behind the ellipsoid.

@@ -14,7 +14,7 @@ pub const SCAN_EXAMPLES: &str = "\
 Examples:
   bifdiag scan --family general --samples 200 --out general.parquet
   bifdiag scan --family katok --vary A2=0.3:1.7:15,A3=0.3:1.7:15 --out katok.csv
-  bifdiag scan --body paper --vary r2=0:0.5:9 --vary r3=0:0.5:9 --out paper.jsonl
+  bifdiag scan --body paper --vary r2=0:0.5:9,r3=0:0.5:9 --out paper.jsonl
   bifdiag scan --family general --samples 200 --shard 3/16 --out shard-3.parquet
   bifdiag scan --family katok --samples 5 --format csv --out -
   bifdiag scan merge shard-*.parquet --out general.parquet
@@ -27,7 +27,7 @@ and its files are byte for byte those of an unbroken one.";
 
 const MERGE_EXAMPLES: &str = "\
 Examples:
-  bifdiag scan merge shard-1.parquet shard-2.parquet shard-3.parquet --out all.parquet
+  bifdiag scan merge shard-1.parquet shard-2.parquet --out all.parquet
   bifdiag scan merge shard-*.csv --out all.csv
 
 A shard is its file with rows and its FILE.summary.json. The result is byte for byte that of the scan in one piece.";
@@ -40,7 +40,7 @@ Examples:
 const BORDER_EXAMPLES: &str = "\
 Examples:
   bifdiag scan border --body katok:2 --vary A3=0.7:0.8
-  bifdiag scan border --A 2,1.1,1 --r 0.94868,0,0.61623 --vary r2=0.1:0.4 --json";
+  bifdiag scan border --body paper --vary r2=0.01:0.4 --json";
 
 /// `bifdiag scan`.
 #[derive(Debug, Args)]
@@ -157,7 +157,7 @@ pub struct MapArguments {
     /// What the colours show
     #[arg(long, value_enum, default_value = "class", help_heading = "Map")]
     pub show: Shown,
-    /// Write map.svg, map.png, map.pdf to DIR
+    /// Write map.svg, or the other formats, to DIR
     #[arg(long, value_name = "DIR", default_value = "bifdiag-out", help_heading = "Output")]
     pub out: PathBuf,
     #[command(flatten)]

@@ -1,6 +1,6 @@
 //! `bifdiag scan border`: where the class changes between two bodies.
 
-use schema::BorderDocument;
+use schema::{BorderDocument, FoundBorderDocument};
 use survey::Range;
 use survey::border::{self, BorderOptions, Segment};
 use top::body::{Body, Number};
@@ -54,7 +54,14 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
 
 fn report(document: &BorderDocument, vary: &[Range]) -> String {
     let mut report = Report::default();
-    for (value, range) in document.border.iter().zip(vary) {
+    for border in &document.borders {
+        tell(&mut report, border, vary);
+    }
+    report.text()
+}
+
+fn tell(report: &mut Report, border: &FoundBorderDocument, vary: &[Range]) {
+    for (value, range) in border.at.iter().zip(vary) {
         let [from, to] = value.enclosure;
         if value.error == 0.0 {
             report.line(format!("{} = {}, exactly", range.parameter, value.value));
@@ -63,20 +70,20 @@ fn report(document: &BorderDocument, vary: &[Range]) -> String {
         }
         report.line(format!("  bodies with the one class up to {from}, with the other from {to} on"));
     }
-    if !document.reached {
+    if !border.reached {
         report.line("the border is not known to 1e-10: the bodies between these two are undecided at this accuracy");
     }
-    let [below, above] = &document.classes;
+    let [below, above] = &border.classes;
     report.line(format!("class {below} below, {above} above"));
-    report.line(format!("event: {}", document.event.text));
-    if let (Some(h), Some(l)) = (document.event.h, document.event.l) {
+    let event = &border.event;
+    report.line(format!("event: {}", event.text));
+    if let (Some(h), Some(l)) = (event.h, event.l) {
         let [h, l] = [h, l].map(|x| significant(x, DIGITS));
-        report.line(format!("  at h = {h}, l = {l}, of the curves {}", document.event.curves.join(", ")));
+        report.line(format!("  at h = {h}, l = {l}, of the curves {}", event.curves.join(", ")));
     }
-    for (word, labels) in [("gone above", &document.event.vanish), ("new above", &document.event.appear)] {
+    for (word, labels) in [("gone above", &event.vanish), ("new above", &event.appear)] {
         if !labels.is_empty() {
             report.line(format!("  {word}: {}", labels.join("; ")));
         }
     }
-    report.text()
 }

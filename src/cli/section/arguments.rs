@@ -14,17 +14,16 @@ use crate::cli::input::{BodyArguments, IntegratorArguments, values};
 pub const EXAMPLES: &str = "\
 Examples:
   bifdiag section --A 2,1.1,1 --r 0.94868,0,0.61623 --h 4.45 --l 3.25
-  bifdiag section --body paper --h 4.45 --l 3.25 --orbits 64 --crossings 2000 --data chaos.npz
-  bifdiag section --body kovalevskaya --h 3.4 --l 2.87 --json --no-plot | jq .summary
-  bifdiag section --body paper --h 2.6 --l 3.25 --integrator splitting --step 0.01 --json
-  bifdiag section --body paper --h 5.3 --l 3.25 --condition angular-momentum --projection sphere
+  bifdiag section --body paper --region R5 --crossings 2000 --data chaos.npz
+  bifdiag section --body kovalevskaya --h 3.4 --l 2.87 --json | jq .orbits
+  bifdiag section --body paper --h 5.3 --l 3.25 --condition angular-momentum
   bifdiag section --body paper --h 4.45 --l 3.25 --color lyapunov --format png
   bifdiag section --body paper --region R4 --crossings 4000 --verdict early
   bifdiag section --atlas bifdiag-out/atlas.json --region all --out sections
 
---starts FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line; --data writes for each
-crossing orbit, index, time, gamma, l, sheet, s_dot, theta, psi (index 0 is the start). At the first Ctrl-C the run
-ends, what was finished is written and marked as incomplete, and the exit status is 1. With --data FILE --no-plot alone
+--starts FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line; --data writes for each \
+crossing orbit, index, time, gamma, l, sheet, s_dot, theta, psi (index 0 is the start). At the first Ctrl-C the run \
+ends, what was finished is written and marked as incomplete, and the exit status is 1. With --data FILE --no-plot alone \
 crossings go to FILE.partial as they are found, in constant memory, and after an interrupt the same command goes on there.";
 
 /// Which function vanishes on the section.

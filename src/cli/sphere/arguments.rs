@@ -15,7 +15,7 @@ Examples:
   bifdiag sphere --body paper --region R4 --format svg,png
   bifdiag sphere --A 2,2,1 --r 1,0,0 --h 3.4 --l 2.87 --view 0,0,1 --out annulus
 
-The picture shows the Poisson sphere, on which γ is the direction of gravity in the body's axes, from two opposite sides.
+The picture shows the Poisson sphere, on which γ is the direction of gravity in the body's axes, from two opposite sides. \
 U is tinted: a component with k boundary circles and n of the poles ±r̂ has a section of genus k + n − 1 above it.";
 
 /// `bifdiag sphere`.

@@ -5,30 +5,32 @@ use std::path::PathBuf;
 use clap::Args;
 use part::Spin;
 
-use top::body::Number;
-
-use super::direction::{AxisArgument, axis, tolerance};
+use super::direction::{AxisArgument, axis};
+use super::tolerance::{ToleranceArgument, tolerance};
 use crate::cli::input::BodyArguments;
 use crate::cli::input::values::{self, Vector};
 
 pub const STATE_EXAMPLES: &str = "\
 Examples:
-  bifdiag state --inertia-com 8e-5,8e-5,1.2e-4,0,0,0 --com 0,0,0.04 --mass 0.2 --spin \"3000 rpm\" --axis z
-  bifdiag state --A 2,1.1,1 --r 0.94868,0,0.61623 --spin \"2 rad/s\" --axis 0,1,1 --vertical 0,0,1
-  bifdiag state --A 2,1.1,1 --r 0.94868,0,0.61623 --omega 1,0,2 --vertical 0,0,1 --json
+  bifdiag state --inertia-com 8e-5,8e-5,1.2e-4,0,0,0 --com 0,0,0.04 --mass 0.2 \\
+      --spin \"3000 rpm\" --axis z
+  bifdiag state --body paper --spin \"2 rad/s\" --axis 0,1,1 --vertical 0,0,1
+  bifdiag state --body paper --omega 1,0,2 --vertical 0,0,1 --json
 
 A body turns about a fixed point; --vertical points up, in the part's frame (without a part: in principal axes). With --spin \
 and --axis the default is: the axis points up.";
 
 pub const CRITICAL_SPIN_EXAMPLES: &str = "\
 Examples:
-  bifdiag critical-spin --inertia-com 8e-5,8e-5,1.2e-4,0,0,0 --com 0,0,0.04 --mass 0.2 --axis z
+  bifdiag critical-spin --inertia-com 8e-5,8e-5,1.2e-4,0,0,0 --com 0,0,0.04 --mass 0.2 \\
+      --axis z --tolerance 1%
   bifdiag critical-spin --A 2,1.1,1 --r 0,0,1 --axis 0,0,1 --json";
 
 pub const CAMPBELL_EXAMPLES: &str = "\
 Examples:
-  bifdiag campbell --inertia-com 8e-5,9e-5,1.2e-4,0,0,0 --com 0,0,0.04 --mass 0.2 --axis z --to \"4000 rpm\"
-  bifdiag campbell --A 2,1.1,1 --r 0,0,1 --axis=0,0,-1 --to \"5 rad/s\" --out campbell";
+  bifdiag campbell --inertia-com 8e-5,9e-5,1.2e-4,0,0,0 --com 0,0,0.04 --mass 0.2 \\
+      --axis z --to \"4000 rpm\"
+  bifdiag campbell --A 2,1.1,1 --r 0,0,1 --axis=-z --to \"5 rad/s\" --out campbell";
 
 /// `bifdiag state`.
 #[derive(Debug, Args)]
@@ -60,9 +62,10 @@ pub struct CriticalSpinArguments {
     /// The axis of rotation: x, y, z or a direction
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: AxisArgument,
-    /// How well moments and weight are known: 1% or 0.01; tells over which spins each change may lie
+    /// How well moments and weight are known: 1%, or axis=0.5%,across=1%,weight=2% (moments for the first two); bounds on the
+    /// spins at which such parts change
     #[arg(long, value_name = "1%", value_parser = tolerance, help_heading = "Rotation")]
-    pub tolerance: Option<Number>,
+    pub tolerance: Option<ToleranceArgument>,
     /// Print the spins as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,

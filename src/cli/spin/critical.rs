@@ -3,12 +3,12 @@
 use documents::Subject;
 use schema::{CriticalSpinDocument, SCHEMA_VERSION};
 use top::atlas::Atlas;
-use top::body::Number;
 use top::permanent::{AxisRotation, SpinType};
 
 use super::arguments::CriticalSpinArguments;
 use super::direction::second;
 use super::rotation::{Axis, rotation};
+use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
 use crate::cli::input::head;
@@ -21,7 +21,7 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
 }
 
 /// The spins at which rotation about an axis changes.
-fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&Number>) -> CriticalSpinDocument {
+fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&ToleranceArgument>) -> CriticalSpinDocument {
     let found = Axis::of(subject, axis);
     let (permanent, nearest) = match found {
         Axis::Permanent { nearest, .. } => (true, nearest),
@@ -33,7 +33,7 @@ fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&Number>) -> Cr
         command: subject
             .command("critical-spin")
             .option("axis", axis.map(|x| format!("{x:?}")).join(","))
-            .option_if("tolerance", tolerance.map(Number::text))
+            .option_if("tolerance", tolerance.map(ToleranceArgument::text))
             .json(),
         moments: documents::texts(subject.body.moments()),
         center: documents::texts(subject.body.center()),
@@ -61,7 +61,7 @@ fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&Number>) -> Cr
         slow.push(at_slow_spins(&rotation).name().to_owned());
         rotations.push((up, rotation));
     }
-    document.tolerance = tolerance.map(|tolerance| documents::tolerance(&rotations, tolerance, second));
+    document.tolerance = tolerance.map(|tolerance| documents::tolerance(&rotations, &tolerance.0, second));
     document.slow = slow.try_into().ok();
     document
 }
@@ -115,31 +115,9 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
         ]);
     }
     report.line(table.text());
-    tolerance_text(&mut report, document);
+    tolerance::report(&mut report, document);
     if let Some(note) = &document.note {
         report.line(format!("note: {note}"));
     }
     report.text()
-}
-
-fn tolerance_text(report: &mut Report, document: &CriticalSpinDocument) {
-    let Some(tolerance) = &document.tolerance else { return };
-    let (relative, parts) = (&tolerance.relative, tolerance.sampled_parts);
-    report.line("");
-    report.line(format!("with moments and weight known to {relative} of their values, over {parts} sampled parts:"));
-    if !tolerance.same_changes {
-        report.line("  not all of them have these changes in this order");
-    }
-    for range in &tolerance.ranges {
-        report.line(format!(
-            "  {} up, {} to {}: {} to {} rpm; the {} matters most ({} %)",
-            range.up,
-            range.from,
-            range.to,
-            significant(range.rpm[0], 6),
-            significant(range.rpm[1], 6),
-            range.most,
-            significant(100.0 * range.most_change, 2),
-        ));
-    }
 }

@@ -1,9 +1,6 @@
 //! Directions in the frame of the question: the part's, or principal axes.
 
-use dashu_ratio::RBig;
-use numbers::decimal;
 use schema::PartDocument;
-use top::body::Number;
 
 use crate::cli::input::values::{self, ValueError};
 
@@ -24,19 +21,6 @@ pub fn axis(text: &str) -> Result<AxisArgument, ValueError> {
     match named {
         Some(direction) => Ok(AxisArgument(direction)),
         None => values::direction(text).map(|direction| AxisArgument(direction.0)),
-    }
-}
-
-/// A relative tolerance: 1% or 0.01.
-pub fn tolerance(text: &str) -> Result<Number, ValueError> {
-    let (number, percent) = text.trim().strip_suffix('%').map_or((text, false), |number| (number, true));
-    let number = values::number(number)?;
-    let value = if percent { number.value() / RBig::from(100) } else { number.value().clone() };
-    // Beyond, moments would vanish.
-    if value >= RBig::ZERO && value <= RBig::from_parts(1.into(), 2u8.into()) {
-        Ok(values::number(&decimal::short(&value))?)
-    } else {
-        Err(ValueError::Tolerance)
     }
 }
 

@@ -7,6 +7,8 @@ mod direction;
 mod error;
 mod rotation;
 mod state;
+mod steady;
+mod tolerance;
 
 pub use arguments::{
     CAMPBELL_EXAMPLES, CRITICAL_SPIN_EXAMPLES, CampbellArguments, CriticalSpinArguments, STATE_EXAMPLES, StateArguments,

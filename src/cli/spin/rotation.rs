@@ -7,7 +7,7 @@ use top::permanent::{AxisRotation, nearest_axis, nearest_permanent, permanent_ax
 use super::direction::{from_principal, second, to_principal};
 
 /// An axis nearer to a principal one than this, in radians, is that axis: directions are given with some digits.
-const MEANT: f64 = 1e-6;
+pub const MEANT: f64 = 1e-6;
 
 /// What an axis is.
 pub enum Axis {

@@ -1,15 +1,16 @@
 //! `bifdiag state`: where a state lies, and what it is.
 
 use documents::Subject;
-use schema::{SCHEMA_VERSION, SpinChangeDocument, StateDocument, SteadyDocument};
-use top::atlas::{Atlas, Place};
+use schema::{SCHEMA_VERSION, StateDocument};
+use top::atlas::Atlas;
 use top::body::Number;
 use top::classify::classify;
 
 use super::arguments::StateArguments;
 use super::direction::{second, to_principal};
 use super::error::{StateFailure, StateInput};
-use super::rotation::{Axis, rotation};
+use super::rotation::Axis;
+use super::steady::{at_spin, changes, region_at, told};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
 use crate::cli::input::head;
@@ -80,18 +81,18 @@ impl State {
             part: subject.part.clone(),
         };
         let atlas = Atlas::new(&subject.body).ok();
-        if let (true, Axis::Permanent { axis, sign, .. }) = (self.is_upright(), Axis::of(subject, self.vertical)) {
-            document.steady = steady(subject, axis, sign, spin, atlas.as_ref());
-            return Ok(document);
+        let steady = at_spin(subject, self.vertical, spin, atlas.as_ref());
+        match steady {
+            Some(steady) if steady.angle_deg == 0.0 && self.is_upright() => document.steady = Some(steady),
+            other => {
+                document.nearest = other;
+                let (h, l) = (Number::from_f64(h)?, Number::from_f64(l)?);
+                if let Ok(found) = classify(&subject.body, &h, &l) {
+                    document.margin = Some(documents::margin(&found.margin));
+                }
+                document.region = atlas.and_then(|atlas| region_at(&atlas, document.h, document.l));
+            }
         }
-        if let Axis::Other { nearest } = Axis::of(subject, self.vertical) {
-            document.nearest = Some(nearest);
-        }
-        let (h, l) = (Number::from_f64(h)?, Number::from_f64(l)?);
-        if let Ok(found) = classify(&subject.body, &h, &l) {
-            document.margin = Some(documents::margin(&found.margin));
-        }
-        document.region = atlas.and_then(|atlas| region_at(&atlas, document.h, document.l));
         Ok(document)
     }
 
@@ -108,38 +109,6 @@ fn missing(given: &'static str, missing: &'static str, example: &'static str) ->
     StateInput::Incomplete { given, missing, example }
 }
 
-/// The region of a point that lies clearly inside one.
-fn region_at(atlas: &Atlas, h: f64, l: f64) -> Option<String> {
-    match atlas.locate(h, l).ok()?.place {
-        Place::Region(region) => Some(region.to_string()),
-        Place::Forbidden | Place::Undecided(_) => None,
-    }
-}
-
-/// Steady rotation about a principal axis, answered along its curve.
-fn steady(subject: &Subject, axis: usize, sign: i8, spin: f64, atlas: Option<&Atlas>) -> Option<SteadyDocument> {
-    let second = second(subject.part.as_ref());
-    let rotation = rotation(subject, axis, sign)?;
-    let omega = spin / second;
-    let found = rotation.type_at_spin(omega)?;
-    let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
-    let changes = documents::spin_changes(&rotation, if sign > 0 { "+axis" } else { "-axis" }, atlas, second);
-    let below = changes.iter().rev().find(|change| change.spin.rad_per_s < spin).cloned();
-    let above = changes.iter().find(|change| change.spin.rad_per_s > spin).cloned();
-    let (h, l) = (rotation.h(omega), rotation.l(omega));
-    let step = 1e-9 * (h.abs() + 0.5 * l.abs() * omega);
-    let beside = |h: f64| atlas.and_then(|atlas| region_at(atlas, h, l));
-    Some(SteadyDocument {
-        stability: found.name().to_owned(),
-        stable: found.is_stable(),
-        frequencies_hz: frequencies.map(|frequency| part::Spin::hertz(frequency * second)),
-        growth_time_s: (!found.is_stable()).then(|| 1.0 / (growth * second)),
-        below,
-        above,
-        regions: [beside(h - step), beside(h + step)],
-    })
-}
-
 fn text(subject: &Subject, document: &StateDocument) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
@@ -148,50 +117,40 @@ fn text(subject: &Subject, document: &StateDocument) -> String {
     report.line(format!("h = {}, l = {}", significant(document.h, 10), significant(document.l, 10)));
     report.line("");
     match &document.steady {
-        Some(steady) => steady_text(&mut report, steady),
+        Some(steady) => {
+            told(&mut report, steady);
+            let principal = matches!(Axis::of(subject, document.vertical), Axis::Permanent { .. });
+            if principal {
+                changes(&mut report, steady);
+            } else {
+                report.line("the axis is permanent at this spin only");
+            }
+        }
         None => other_text(&mut report, document),
     }
     report.text()
 }
 
 fn other_text(report: &mut Report, document: &StateDocument) {
-    let region = document.region.as_deref().unwrap_or("none: too near to a curve");
-    report.line(format!("the motion is not steady; its (h, l) lies in the region {region}"));
-    if let Some(margin) = &document.margin {
+    report.line(match (&document.region, &document.margin) {
+        (Some(region), _) => format!("the motion is not steady; its (h, l) lies in the region {region}"),
+        (None, Some(margin)) => {
+            format!(
+                "the motion is not steady; its (h, l) lies on the curve {}, or too near to it to say",
+                margin.nearest
+            )
+        }
+        (None, None) => "the motion is not steady; the region of its (h, l) is not known".to_owned(),
+    });
+    if let (Some(_), Some(margin)) = (&document.region, &document.margin) {
         report.line(format!("the nearest curve is {} in h away ({})", significant(margin.h, 6), margin.nearest));
     }
     let Some(nearest) = &document.nearest else { return };
     let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
-    let spin = nearest.spin.map_or_else(String::new, |spin| format!(", at {} rpm", significant(spin.rpm, 6)));
     let angle = significant(nearest.angle_deg, 3);
-    report.line(format!("the permanent axis nearest to the vertical is ({x}, {y}, {z}), {angle}° away{spin}"));
-}
-
-fn steady_text(report: &mut Report, steady: &SteadyDocument) {
-    let verdict = if steady.stable { "stable" } else { "unstable" };
-    report.line(format!("steady rotation, {verdict}: {}", steady.stability));
-    let frequencies = steady.frequencies_hz.map(|frequency| significant(frequency, 6)).join(" Hz, ");
-    report.line(format!("frequencies of small oscillations, seen from the turning body: {frequencies} Hz"));
-    if let Some(time) = steady.growth_time_s {
-        report.line(format!("a deviation grows by e in {} s", significant(time, 4)));
-    }
-    let [below, above] = steady.regions.each_ref().map(|region| region.as_deref().unwrap_or("none"));
-    report.line(format!("regions beside it: {below} below, {above} above in h"));
-    let change = |name: &str, change: &Option<SpinChangeDocument>| match change {
-        Some(change) => {
-            let what = if change.from == change.to {
-                "regions change".to_owned()
-            } else {
-                format!("{} to {}", change.from, change.to)
-            };
-            format!(
-                "next change at {name} spin: {} rpm = {} rad/s, {what}",
-                significant(change.spin.rpm, 8),
-                significant(change.spin.rad_per_s, 8)
-            )
-        }
-        None => format!("no change at any {name} spin"),
-    };
-    report.line(change("smaller", &steady.below));
-    report.line(change("larger", &steady.above));
+    report.line("");
+    report.line(format!(
+        "at this spin the axis of the nearest steady rotation is ({x}, {y}, {z}), {angle}° from the vertical"
+    ));
+    told(report, nearest);
 }

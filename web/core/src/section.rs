@@ -78,12 +78,12 @@ impl Section {
         Ok(points.flat_map(row).collect())
     }
 
-    /// How regular orbits are, as the section's document has it: JSON, a list of measures.
+    /// Verdicts on orbits, and what they rest on: JSON, the `orbits` of the section's document.
     ///
     /// # Errors
     /// Starts that are not accessible.
-    pub fn measure(&self, starts: &[f64], crossings: u32) -> Result<String, JsError> {
-        Ok(self.measures(starts, crossings)?)
+    pub fn judge(&self, starts: &[f64], crossings: u32) -> Result<String, JsError> {
+        Ok(self.judged(starts, crossings)?)
     }
 
     /// What the two halves look like before any orbit: JSON with accessible, incoming, boundary, tangency, sphere.
@@ -134,7 +134,7 @@ impl Section {
         Ok(sweep(self.setting.torus(), &states, &options(crossings), &Monitor::default())?)
     }
 
-    fn measures(&self, starts: &[f64], crossings: u32) -> Result<String, Refused> {
+    fn judged(&self, starts: &[f64], crossings: u32) -> Result<String, Refused> {
         let starts: Vec<TorusPoint> = points(starts)?.collect();
         let monitor = Monitor::default();
         let mut section = self.setting.run(&starts, None, &options(crossings), &monitor)?;

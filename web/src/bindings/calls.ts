@@ -1,5 +1,5 @@
 /** What a worker can be asked, and what it answers. */
-import type { Portrait, Window } from "./documents";
+import type { Orbit, Portrait, Window } from "./documents";
 
 export interface Drawing {
   /** The fast document, as text. */
@@ -25,6 +25,9 @@ export interface Opened {
   portrait: Portrait;
 }
 
+/** A body and a point that have a section. */
+export type Site = [body: string, h: string, l: string];
+
 /** The name of a call to its arguments and its answer. */
 export interface Calls {
   presets: [[], string[]];
@@ -36,11 +39,11 @@ export interface Calls {
   atlas: [[body: string], string];
   classify: [[body: string, h: string, l: string], string];
   critical: [[body: string, l: string], string];
-  open: [[body: string, h: string, l: string, orbits: number, seed: number], Opened];
-  follow: [[starts: Float64Array, first: number, crossings: number], Float64Array];
-  measure: [[starts: Float64Array, crossings: number], string];
-  parts: [[gammas: Float64Array], Int32Array];
-  motion: [[theta: number, psi: number, sheet: number, times: Float64Array], Float64Array];
+  open: [[site: Site, orbits: number, seed: number], Opened];
+  follow: [[site: Site, starts: Float64Array, first: number, crossings: number], Float64Array];
+  judge: [[site: Site, starts: Float64Array, crossings: number], Orbit[]];
+  parts: [[site: Site, gammas: Float64Array], Int32Array];
+  motion: [[site: Site, theta: number, psi: number, sheet: number, times: Float64Array], Float64Array];
   border: [[from: Float64Array, to: Float64Array], { t: number; error: number; text: string }];
   classes: [[bodies: Float64Array], { found: Int32Array; names: string[] }];
 }

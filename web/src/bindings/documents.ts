@@ -109,6 +109,16 @@ export interface Critical {
   critical: Equilibrium[];
 }
 
+export type Verdict = "regular" | "chaotic" | "open";
+
+/** An orbit of a section. */
+export interface Orbit {
+  orbit: number;
+  verdict: Verdict;
+  reason: string;
+  chaos?: { lyapunov: { exponent: number } | null; rotation: { number: number } | null };
+}
+
 export type Loop = [number, number][];
 
 /** What the two halves of the section look like before any orbit; each pair is [T⁻, T⁺]. */

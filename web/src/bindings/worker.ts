@@ -1,6 +1,6 @@
 /** One worker: the module and what is kept of the last question. It answers in the order in which it is asked. */
-import type { Answer, Arguments, Drawing, Name, Question, Reply } from "./calls";
-import type { Atlas, Portrait, Window } from "./documents";
+import type { Answer, Arguments, Drawing, Name, Question, Reply, Site } from "./calls";
+import type { Atlas, Orbit, Portrait, Window } from "./documents";
 import { towards } from "./view";
 import partsUrl from "./generated/bifdiag_web_parts_bg.wasm?url";
 import init, * as guest from "./generated/bifdiag_web.js";
@@ -8,7 +8,7 @@ import init, * as guest from "./generated/bifdiag_web.js";
 const PORTRAIT_ROWS = 90;
 
 let diagram: { body: string; of: guest.Diagram } | undefined;
-let section: guest.Section | undefined;
+let section: { site: string; of: guest.Section } | undefined;
 let classes: guest.Classes | undefined;
 let readers = false;
 
@@ -21,9 +21,14 @@ function diagramOf(body: string): guest.Diagram {
   return diagram.of;
 }
 
-function opened(): guest.Section {
-  if (!section) throw new Error("no section is open");
-  return section;
+function sectionOf(site: Site): guest.Section {
+  const name = site.join("&");
+  if (section?.site !== name) {
+    section?.of.free();
+    section = undefined;
+    section = { site: name, of: new guest.Section(...site) };
+  }
+  return section.of;
 }
 
 /** `view`: what is to be seen, if that was chosen; `from`: what was seen before, if the picture is to glide. */
@@ -64,17 +69,15 @@ const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<A
   atlas: (body) => guest.atlas(body),
   classify: (body, h, l) => guest.classify(body, h, l),
   critical: (body, l) => guest.critical(body, l),
-  open(body, h, l, orbits, seed) {
-    section?.free();
-    section = undefined;
-    section = new guest.Section(body, h, l);
-    const portrait = JSON.parse(section.portrait(PORTRAIT_ROWS)) as Portrait;
-    return { axes: section.axes(), starts: section.starts(orbits, seed), portrait };
+  open(site, orbits, seed) {
+    const of = sectionOf(site);
+    const portrait = JSON.parse(of.portrait(PORTRAIT_ROWS)) as Portrait;
+    return { axes: of.axes(), starts: of.starts(orbits, seed), portrait };
   },
-  follow: (starts, first, crossings) => opened().follow(starts, first, crossings),
-  measure: (starts, crossings) => opened().measure(starts, crossings),
-  parts: (gammas) => opened().components(gammas),
-  motion: (theta, psi, sheet, times) => opened().motion(theta, psi, sheet, times),
+  follow: (site, starts, first, crossings) => sectionOf(site).follow(starts, first, crossings),
+  judge: (site, starts, crossings) => JSON.parse(sectionOf(site).judge(starts, crossings)) as Orbit[],
+  parts: (site, gammas) => sectionOf(site).components(gammas),
+  motion: (site, theta, psi, sheet, times) => sectionOf(site).motion(theta, psi, sheet, times),
   border(from, to) {
     const [t, error, text] = guest.border(from, to) as [string, string, string];
     return { t: Number(t), error: Number(error), text };

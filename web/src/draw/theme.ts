@@ -1,5 +1,7 @@
 /** Colours: told apart by colour-blind readers, in the dark and in print; the tints are those of the command line's pictures. */
 
+import type { Verdict } from "../bindings/documents";
+
 export interface Ink {
   paper: string;
   panel: string;
@@ -78,6 +80,14 @@ export const orbitColor = (orbit: number, dark: boolean): string => {
   const colors = dark ? ORBITS.dark : ORBITS.light;
   return colors[orbit % colors.length]!;
 };
+
+export const openColor = (dark: boolean): string => (dark ? "#66727f" : "#aab4bd");
+
+/** Regular, chaotic or open, in Okabe and Ito's blue and vermilion. */
+export function verdictColor(verdict: Verdict, dark: boolean): string {
+  if (verdict === "open") return openColor(dark);
+  return (dark ? ORBITS.dark : ORBITS.light)[verdict === "regular" ? 0 : 1]!;
+}
 
 /** A scale from 0 to 1 that grows evenly in lightness (viridis, five stops). */
 const SCALE: Rgb[] = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];

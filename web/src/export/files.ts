@@ -54,8 +54,9 @@ export async function crossingsNpz(session: Session): Promise<Blob> {
   for (const [name, at] of [["time", AT.time], ["s_dot", AT.rate], ["theta", AT.theta], ["psi", AT.psi]] as const) files[`${name}.npy`] = npy("<f8", flat, bytes(column(at)));
   for (const [name, at] of [["gamma", AT.gamma], ["l", AT.l]] as const) files[`${name}.npy`] = npy("<f8", `(${count}, 3)`, bytes(column(at, 3)));
   files["sheet.npy"] = npy("|i1", flat, bytes(Int8Array.from(column(AT.sheet))));
-  const { A, r, point, orbits, crossings, seed } = session.state;
-  const meta = JSON.stringify({ A, r, ...point, orbits, crossings, seed, computed_by: "the explorer, without fused multiply-add" });
+  const { A, r, point, crossings, seed } = session.state;
+  const orbits = session.orbits.judged.filter((orbit) => orbit !== undefined);
+  const meta = JSON.stringify({ A, r, ...point, signature: session.known.signature || null, crossings, seed, orbits, computed_by: "the explorer, without fused multiply-add" });
   files["meta.npy"] = npy(`<U${[...meta].length}`, "()", bytes(Uint32Array.from(meta, (letter) => letter.codePointAt(0)!)));
   return new Blob([zipSync(files, { level: 0 }) as BlobPart]);
 }

@@ -18,6 +18,7 @@ export const GLOSSARY: [string, string][] = [
   ["Index", "How many directions lead downhill from a steady rotation in U_l: 0 minimum, 1 saddle, 2 maximum."],
   ["Stability", "From the eigenvalues of the motion near a steady rotation. Elliptic: neighbours stay near, to first order. Saddle: they leave."],
   ["Margin", "Distance in h to the nearest curve."],
+  ["Regular, chaotic, open", "What an orbit is, when two witnesses agree: how fast its neighbours leave it, and whether its averages settle. Open: they are silent or disagree."],
   ["Lyapunov exponent", "How fast two neighbouring motions part, per unit of time; near 0 for regular orbits, where it falls with the time observed."],
   ["Rotation number", "How far a regular orbit turns round its curve from one return to the next, as a part of a turn."],
   ["Class", "Two bodies are of one class when their diagrams have the same regions, joined in the same way."],

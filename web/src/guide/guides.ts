@@ -14,10 +14,14 @@ export function guides(session: Session): { card: HTMLElement; buttons: HTMLElem
   const card = make("aside", { className: "card", hidden: true, attributes: { "aria-live": "polite" }, data: { testid: "guide" } });
   const close = () => session.update({ tour: null, lesson: null }, "guide");
   const go = (number: number) => session.set(over(session.state, { ...TOUR[number - 1]!.state, tour: number }));
+  let open: Lesson | undefined;
   const show = () => {
     const { tour, lesson } = session.state;
     const chosen = LESSONS.find(({ id }) => id === lesson);
     card.hidden = tour === null && !chosen && lesson !== "list";
+    // A lesson that is under way stays as it is, with its answers in sight.
+    if (chosen && chosen === open) return;
+    open = chosen;
     if (tour !== null) card.replaceChildren(...tourCard(tour, go, close));
     else if (chosen) card.replaceChildren(...lessonCard(session, chosen, close));
     else if (lesson === "list") card.replaceChildren(...lessonList(session, close));
@@ -73,9 +77,7 @@ function taskCard(session: Session, lesson: Lesson, number: number, turn: (numbe
       choices[i]!.setAttribute("aria-pressed", "true");
       outcome.replaceChildren(...answer(task, i));
       if (number + 1 < lesson.tasks.length) outcome.append(button("Next question", "", () => turn(number + 1)));
-      session.set(over(session.state, { ...task.state, lesson: null }));
-      // The lesson stays open as it is, with the answer in sight.
-      session.state = { ...session.state, lesson: lesson.id };
+      session.set(over(session.state, { ...task.state, lesson: lesson.id }));
     }),
   );
   return make("div", { className: "stack" }, make("p", {}, `${number + 1}. ${task.question}`), ...choices, outcome);

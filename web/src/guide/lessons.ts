@@ -121,8 +121,8 @@ export const LESSONS: Lesson[] = [
         question: "The paper's body has no such quantity. At h = 6, l = 2, what do its orbits draw?",
         choices: ["Only curves", "Only clouds", "Curves and clouds side by side"],
         right: 2,
-        state: { point: { h: "6", l: "2" } },
-        explanation: "Most weak disturbances leave many curves whole; between them clouds appear. Colour by the Lyapunov exponent to see which orbits are which.",
+        state: { point: { h: "6", l: "2" }, coloring: "verdict" },
+        explanation: "Most weak disturbances leave many curves whole; between them clouds appear. The colours tell which orbits are regular and which chaotic; grey ones could not be decided.",
       },
       {
         question: "At h = −0.5, l = 0.5, a little above the lowest energy, what do you expect?",

@@ -58,8 +58,8 @@ export const TOUR: Step[] = [
   },
   {
     title: "Chaos in one click",
-    text: "Back to the paper's body, with more energy. Some orbits draw curves, others fill areas: there the motion is chaotic, and two motions that begin almost alike soon have nothing in common. The colours tell how fast they part.",
-    attempt: "Click into the cloud and into a curve, and compare the two motions.",
-    state: { point: { h: "6", l: "2" }, coloring: "lyapunov" },
+    text: "Back to the paper's body, with more energy. Some orbits draw curves, others fill areas: there the motion is chaotic, and two motions that begin almost alike soon have nothing in common. Two witnesses must agree before an orbit is called regular or chaotic; otherwise the question stays open.",
+    attempt: "Click into the cloud and into a curve: below the section stands what the orbit is, and why.",
+    state: { point: { h: "6", l: "2" }, coloring: "verdict" },
   },
 ];

@@ -5,10 +5,12 @@ import type { Session } from "../state/session";
 import { boxOf, paintBodies } from "./bodies-paint";
 import { bordersOf, type Border } from "./borders";
 import { Cells, FINEST } from "./cells";
-import { bodyAt, FAMILIES } from "./families";
+import { bodyAt, FAMILIES, isIn } from "./families";
 
 export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sheet } {
   let family = FAMILIES[0]!;
+  /** Until the reader chooses a plane: the first one in which the body lies. */
+  let chosen = false;
   let borders: Border[] = [];
   const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Map of classes of bodies: drag the point" }, data: { testid: "bodies-map" } });
   const text = make("div", { className: "note" });
@@ -39,6 +41,7 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
   const choice = make("select", { attributes: { "aria-label": "plane" } }, ...FAMILIES.map(({ id, title }) => make("option", { value: id }, title)));
   choice.addEventListener("change", () => {
     family = FAMILIES.find(({ id }) => id === choice.value)!;
+    chosen = true;
     void fill();
   });
   drag(canvas, {
@@ -56,8 +59,10 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
   let seen = false;
   let last = "";
   session.on(["atlas"], () => {
+    if (!chosen) family = FAMILIES.find((plane) => isIn(plane, session.state)) ?? family;
+    choice.value = family.id;
     // A plane through the present body is another plane when the body has moved out of it.
-    const key = family.id === "katok" || family.id === "eta" ? "" : family.id === "moments" ? session.state.r.join() : session.state.A.join();
+    const key = family.id === "katok" || family.id === "eta" ? family.id : family.id === "moments" ? session.state.r.join() : session.state.A.join();
     const stale = key !== last || cells.share === 0;
     last = key;
     if (stale) cells.clear();

@@ -129,7 +129,7 @@ function paintEvents(pen: Pen, area: Area, { document, window }: Drawn, colors: 
   }
 }
 
-function paintNames(pen: Pen, area: Area, { document }: Drawn, colors: Ink, places: Map<number, Place>): void {
+function paintNames(pen: Pen, area: Area, { document, rowCount }: Drawn, colors: Ink, places: Map<number, Place>): void {
   pen.textAlign = "center";
   pen.fillStyle = colors.text;
   for (const [number, place] of places) {
@@ -138,8 +138,9 @@ function paintNames(pen: Pen, area: Area, { document }: Drawn, colors: Ink, plac
     const lines = [region.id, typeOf(region).split("+").map(surface).join("+")];
     pen.font = "12px system-ui, sans-serif";
     const wide = Math.max(...lines.map((line) => pen.measureText(line).width)) / 2;
-    const [x, y] = [area.x + place.x, area.y + place.y];
-    if (place.depth > Math.min(wide, 26)) {
+    const [x, y] = [area.x + place.x, area.y + (place.y * area.height) / Math.max(1, rowCount)];
+    // A box of two lines in a strip that leans.
+    if (place.depth > 0.8 * Math.hypot(Math.min(wide, 26), 15)) {
       pen.fillText(lines[0]!, x, y - 3);
       pen.fillText(lines[1]!, x, y + 12);
     } else if (place.depth > 9) pen.fillText(lines[0]!, x, y + 4);

@@ -1,7 +1,8 @@
 /** The (h, l) diagram: regions tinted by type, curves by branch, events, the point. Click, drag, wheel and pinch. */
 import { Sheet, type Pen, type Size } from "../draw/canvas";
 import { make, panel } from "../draw/dom";
-import { rounded, shown, valueOf } from "../state/numbers";
+import { tipAt } from "../draw/tip";
+import { rounded, shown, surface, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
 import type { Window } from "../bindings/documents";
 import { paintDiagram, placeOf, plot, valueAt } from "./diagram-paint";
@@ -57,7 +58,7 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
   session.on(["point", "hover", "theme"], () => sheet.ask());
   new ResizeObserver(() => {
     session.resolution = plot(sheet.size);
-    if (session.drawn) void session.draw().catch(() => undefined);
+    if (session.drawn) void session.redraw();
   }).observe(canvas);
   const tools = make("div", { className: "tools" },
     tool("+", "Zoom in", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 0.5)),
@@ -108,14 +109,11 @@ async function hover(session: Session, sheet: Sheet, tip: HTMLElement, x: number
   const curve = pixels < 6 ? place.nearest : undefined;
   session.pointAt({ ...(region && { region: region.id }), ...(curve && { curve }) });
   const lines = [`h = ${shown(h)}, l = ${shown(l)}`];
-  if (region) lines.push(`${region.id}: P = ${region.signature ?? "none"}, U = ${region.components.map((c) => c.accessible_region).join(" + ")}`, `E = ${region.components.map((c) => c.energy_surface).join(" + ")}, genus ${region.components.map((c) => c.genus ?? "–").join(", ")}`);
+  if (region) lines.push(`${region.id}: P = ${region.signature?.split("+").map(surface).join(" + ") ?? "none"}, U = ${region.components.map((c) => surface(c.accessible_region)).join(" + ")}`, `E = ${region.components.map((c) => surface(c.energy_surface)).join(" + ")}, genus ${region.components.map((c) => c.genus ?? "–").join(", ")}`);
   else lines.push(place.region === -1 ? "no motion at so low an energy" : "on a curve, as far as quick arithmetic tells");
   lines.push(`${shown(place.distance)} in h from ${place.nearest}`);
   if (curve) lines.push(...(await curveLines(session, curve, h, l)));
-  tip.replaceChildren(...lines.map((line) => make("div", {}, line)));
-  tip.hidden = false;
-  tip.style.left = `${Math.min(x + 14, sheet.size.width - tip.offsetWidth - 4)}px`;
-  tip.style.top = `${y + 16 + tip.offsetHeight > sheet.size.height ? y - tip.offsetHeight - 8 : y + 16}px`;
+  tipAt(tip, sheet.size, [x, y], lines);
 }
 
 /** Stability of the steady motion on a curve. */

@@ -76,6 +76,13 @@ export const FAMILIES: Family[] = [
   },
 ];
 
+/** Whether a body lies in the part of a plane that the map shows. */
+export function isIn(family: Family, body: Body): boolean {
+  const place = family.place(body);
+  const inside = (value: number, [from, to]: [number, number]) => value >= from && value <= to;
+  return place !== null && inside(place[0], family.x) && inside(place[1], family.y);
+}
+
 /** The body at a place, as short texts. */
 export function bodyAt(family: Family, x: number, y: number, from: Body): Body | null {
   const numbers = family.numbers(x, y, from);

@@ -13,9 +13,15 @@ interface Handlers {
 
 type Place = [number, number];
 
+/** A finger that moves less than this, in pixels, lies still. */
+const SLIP = 4;
+
 export function gestures(canvas: HTMLCanvasElement, handlers: Handlers): void {
   const fingers = new Map<number, Place>();
   let mode: "point" | "view" | null = null;
+  /** A finger that lies still: the first of two, or one that will tap or drag. */
+  let still = false;
+  let touched: Place = [0, 0];
   const place = (event: MouseEvent): Place => {
     const box = canvas.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
@@ -28,6 +34,9 @@ export function gestures(canvas: HTMLCanvasElement, handlers: Handlers): void {
     if (!handlers.ready() || event.button === 2) return;
     canvas.setPointerCapture(event.pointerId);
     fingers.set(event.pointerId, place(event));
+    still = event.pointerType === "touch" && fingers.size === 1;
+    touched = place(event);
+    if (still) return;
     begin(fingers.size > 1 || event.shiftKey || event.button === 1 ? "view" : "point");
     if (mode === "point") handlers.point(...place(event));
   });
@@ -36,13 +45,25 @@ export function gestures(canvas: HTMLCanvasElement, handlers: Handlers): void {
     const before = fingers.get(event.pointerId);
     if (!before) return handlers.hover(...now);
     fingers.set(event.pointerId, now);
+    if (still) {
+      if (Math.hypot(now[0] - touched[0], now[1] - touched[1]) < SLIP) return;
+      still = false;
+      begin("point");
+    }
     if (mode === "point") handlers.point(...now);
     else if (fingers.size === 1) handlers.pan(now[0] - before[0], now[1] - before[1]);
     else pinch(fingers, event.pointerId, before, handlers);
   });
   const stop = (event: PointerEvent) => {
     if (!fingers.delete(event.pointerId) || fingers.size > 0) return;
+    if (still && event.type === "pointerup") {
+      begin("point");
+      handlers.point(...place(event));
+    }
+    const idle = mode === null;
+    still = false;
     mode = null;
+    if (idle) return;
     handlers.end();
   };
   canvas.addEventListener("pointerup", stop);

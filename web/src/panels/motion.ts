@@ -191,7 +191,15 @@ function paintGravity(pen: Pen, radius: number, view: Turn, colors: Ink): void {
   pen.lineWidth = 1.5;
   pen.beginPath();
   pen.moveTo(x, y);
-  pen.lineTo(x + length * right, y - length * up);
+  const tip = [x + length * right, y - length * up] as const;
+  pen.lineTo(...tip);
+  // Seen from its end an arrow has no head.
+  const seen = Math.hypot(right, up);
+  for (const side of seen > 0.2 ? [-1, 1] : []) {
+    const [a, b] = [right / seen, -up / seen];
+    pen.moveTo(...tip);
+    pen.lineTo(tip[0] - 6 * a - 3 * side * b, tip[1] - 6 * b + 3 * side * a);
+  }
   pen.stroke();
   pen.font = "11px system-ui";
   pen.textAlign = "left";

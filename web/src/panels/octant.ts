@@ -13,7 +13,7 @@ const AXES: Vec[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 export function octant(session: Session): HTMLElement {
   const canvas = make("canvas", { className: "control", tabIndex: 0, attributes: { role: "application", "aria-label": "Direction of the centre of mass: drag, or use the arrow keys" }, data: { testid: "octant" } });
-  const frame = ({ width, height }: Size) => ({ radius: 0.56 * Math.min(width, height), x: width / 2, y: height / 2 - 0.02 * height });
+  const frame = ({ width, height }: Size) => ({ radius: 0.52 * Math.min(width, height), x: width / 2, y: height / 2 + 0.03 * height });
   const length = () => Math.hypot(...session.state.r.map(valueOf)) || 1;
   const direction = (): Vec => unit((session.state.r.map((text) => Math.abs(valueOf(text))) as Vec).map((x) => x || 0) as Vec);
   const paint = (pen: Pen, size: Size) => {

@@ -20,7 +20,7 @@ export function partForm(session: Session, zone: HTMLElement): HTMLElement {
   const units = choice("units", ...["kg,m,s", "kg,mm,s", "g,mm,s", "g,cm,s"].map((name): [string, string] => [name, name.replace(/,/g, " ")]));
   const density = input("density", "density", "Density of a mesh, in the units of mass and length");
   const mass = input("mass", "or mass", "Mass of a mesh or of a tensor");
-  const point = input("point", "0, 0, 0", "A file: the fixed point in its frame. A tensor: the centre of mass, from the fixed point");
+  const point = input("point", "fixed point / centre of mass: 0, 0, 0", "A file: the fixed point in its frame. A tensor: the centre of mass, from the fixed point");
   const file = make("input", { type: "file", accept: ".stl,.obj,.ply,.urdf,.xml", attributes: { "aria-label": "file of a part" }, data: { testid: "part-file" } });
   const tensor = input("tensor", "Ixx, Iyy, Izz, Ixy, Ixz, Iyz", "The tensor of inertia in the units of mass and length²");
   const about = choice("about", ["com", "about the centre of mass"], ["point", "about the fixed point"]);

@@ -44,7 +44,7 @@ export function pointPanel(session: Session): HTMLElement {
     margin.textContent = known.margin && state.point ? `${shown(known.margin.h)} in h from ${known.margin.nearest}` : "";
     parts.replaceChildren(
       ...(known.components ?? []).map((component, i) => {
-        const poles = component.poles?.map((pole) => `${pole}r̂`).join(", ");
+        const poles = component.poles?.map((pole) => `${pole === "-" ? "−" : "+"}r̂`).join(", ");
         const text = `U = ${surface(component.accessible_region)}${poles ? ` with ${poles}` : ""}, E = ${surface(component.energy_surface)}, P = ${component.section ? `${surface(component.section)}, genus ${component.genus}` : "none"}`;
         const element = make("div", { tabIndex: 0 }, text);
         element.addEventListener("pointerenter", () => session.pointAt({ component: i }));
@@ -54,7 +54,9 @@ export function pointPanel(session: Session): HTMLElement {
     );
     sentence.textContent = session.sentence;
   };
+  const mark = () => [...parts.children].forEach((line, i) => line.classList.toggle("lit", session.hover.component === i));
   session.on(["point", "body"], show);
+  session.on(["point", "hover"], mark);
   return panel(
     "The point",
     "Energy h and vertical angular momentum l, both conserved",

@@ -1,32 +1,19 @@
 /** The Poincaré section on the PP-torus: two sheets T⁺ and T⁻ over the same angles, glued along ∂U; orbits as they are computed. */
 import { Sheet, type Pen, type Size } from "../draw/canvas";
 import { button, make, panel } from "../draw/dom";
-import { ink, orbitColor, scaled, type Ink } from "../draw/theme";
-import type { Loop } from "../bindings/documents";
-import { shown } from "../state/numbers";
+import { tipAt } from "../draw/tip";
 import { AT, ROW } from "../state/orbits";
 import type { Session } from "../state/session";
 import type { Coloring } from "../state/state";
 import type { Clock } from "./clock";
+import { scaleText } from "./orbit-colors";
+import { drawStill, halves, paintMoving, placeOf, TAU } from "./section-paint";
+import { orbitLine, verdicts } from "./verdicts";
 
-const TAU = 2 * Math.PI;
+/** A crossing no farther than this from the pointer, in pixels, is the one that is meant. */
+const REACH = 5;
 
-interface Half {
-  sheet: 1 | -1;
-  x: number;
-  y: number;
-  width: number;
-  height: number;
-}
-
-function halves({ width, height }: Size): [Half, Half] {
-  const [gap, left, top, bottom] = [26, 30, 22, 30];
-  const each = (width - left - gap - 8) / 2;
-  const box = { y: top, width: Math.max(20, each), height: Math.max(20, height - top - bottom) };
-  return [{ sheet: 1, x: left, ...box }, { sheet: -1, x: left + each + gap, ...box }];
-}
-
-const placeOf = (half: Half, psi: number, theta: number): [number, number] => [half.x + (psi / TAU) * half.width, half.y + (theta / Math.PI) * half.height];
+const COLORINGS: [Coloring, string][] = [["orbit", "colour: orbit"], ["verdict", "colour: verdict"], ["lyapunov", "colour: Lyapunov exponent"], ["rotation", "colour: rotation number"]];
 
 export function sectionPanel(session: Session, clock: Clock): { element: HTMLElement; sheet: Sheet } {
   const { orbits } = session;
@@ -48,11 +35,20 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
     const half = halves(sheet.size).find((half) => x >= half.x && x <= half.x + half.width && y >= half.y && y <= half.y + half.height);
     return half && { psi: ((x - half.x) / half.width) * TAU, theta: ((y - half.y) / half.height) * Math.PI, sheet: half.sheet };
   };
+  const tip = make("div", { className: "tip", hidden: true, data: { testid: "orbit-tip" } });
   canvas.addEventListener("pointermove", (event) => {
     cursor = angles(event) ?? null;
     sheet.ask();
+    const place = sheet.place(event);
+    const orbit = orbitAt(session, sheet.size, place);
+    const found = orbit === null ? undefined : orbits.judged[orbit];
+    tipAt(tip, sheet.size, place, found ? [orbitLine(found), found.reason] : []);
   });
-  canvas.addEventListener("pointerleave", () => ((cursor = null), sheet.ask()));
+  canvas.addEventListener("pointerleave", () => {
+    cursor = null;
+    tip.hidden = true;
+    sheet.ask();
+  });
   canvas.addEventListener("click", (event) => {
     const place = angles(event);
     if (!place || !orbits.portrait) return;
@@ -63,11 +59,8 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
   const note = make("span", { className: "note" });
   const stop = button("Stop", "Stop the computation", () => orbits.stop());
   const coloring = make("select", { title: "What the colours of the points tell", attributes: { "aria-label": "colours" } });
-  for (const [value, text] of [["orbit", "colour: orbit"], ["lyapunov", "colour: Lyapunov exponent"], ["rotation", "colour: rotation number"]] as const) coloring.append(make("option", { value }, text));
-  coloring.addEventListener("change", () => {
-    session.update({ coloring: coloring.value as Coloring }, "orbits");
-    if (coloring.value !== "orbit" && orbits.measures.length === 0) void orbits.measure(session.state.crossings).catch(() => undefined);
-  });
+  for (const [value, text] of COLORINGS) coloring.append(make("option", { value }, text));
+  coloring.addEventListener("change", () => session.update({ coloring: coloring.value as Coloring }, "orbits"));
   session.on(["orbits", "section"], () => {
     count.textContent = String(orbits.count);
     stop.hidden = !orbits.running;
@@ -79,145 +72,23 @@ export function sectionPanel(session: Session, clock: Clock): { element: HTMLEle
   session.on(["theme"], anew);
   new ResizeObserver(anew).observe(canvas);
   clock.on(() => sheet.ask());
-  const bar = make("div", { className: "bar" }, count, " crossings ", stop, coloring, note);
-  const element = panel("Poincaré section", "Each orbit leaves a dot whenever its centre of mass is highest or lowest; the two halves are glued along the dark line", make("div", { className: "stage" }, canvas), bar);
+  const { legend, choice, reason } = verdicts(session);
+  const bar = make("div", { className: "bar" }, count, " crossings ", stop, coloring, choice, note);
+  const element = panel("Poincaré section", "Each orbit leaves a dot whenever its centre of mass is highest or lowest; the two halves are glued along the dark line", make("div", { className: "stage" }, canvas, tip), bar, reason);
+  element.querySelector("header")!.append(legend);
   return { element, sheet };
 }
 
-/** Everything that does not move, on a canvas of its own: it is drawn anew only when there is news. */
-function drawStill(session: Session, size: Size, scale: number): HTMLCanvasElement {
-  const canvas = document.createElement("canvas");
-  canvas.width = Math.round(size.width * scale);
-  canvas.height = Math.round(size.height * scale);
-  const pen = canvas.getContext("2d")!;
-  pen.scale(scale, scale);
-  paintStill(pen, size, session);
-  return canvas;
-}
-
-export function paintStill(pen: Pen, size: Size, session: Session): void {
-  const colors = ink();
-  const { portrait } = session.orbits;
-  for (const half of halves(size)) {
-    const side = half.sheet > 0 ? 1 : 0;
-    pen.fillStyle = colors.forbidden;
-    pen.fillRect(half.x, half.y, half.width, half.height);
-    if (portrait) {
-      area(pen, half, portrait.accessible, colors.dark ? "#202a35" : "#ffffff");
-      area(pen, half, portrait.incoming[side], colors.dark ? "#2b3947" : "#eaf1f7");
-      lines(pen, half, portrait.tangency[side], colors.faint, 1, [4, 3]);
-    }
-    points(pen, half, session, colors);
-    if (portrait) lines(pen, half, portrait.boundary, colors.text, 1.6, []);
-    frame(pen, half, colors);
-  }
-}
-
-const outline = (pen: Pen, half: Half, loop: Loop) => loop.forEach(([psi, theta], i) => (i === 0 ? pen.moveTo(...placeOf(half, psi, theta)) : pen.lineTo(...placeOf(half, psi, theta))));
-
-function area(pen: Pen, half: Half, loops: Loop[], color: string): void {
-  pen.beginPath();
-  for (const loop of loops) {
-    outline(pen, half, loop);
-    pen.closePath();
-  }
-  pen.fillStyle = color;
-  pen.fill("evenodd");
-}
-
-function lines(pen: Pen, half: Half, list: Loop[], color: string, width: number, dash: number[]): void {
-  pen.strokeStyle = color;
-  pen.lineWidth = width;
-  pen.setLineDash(dash);
-  pen.beginPath();
-  for (const line of list) outline(pen, half, line);
-  pen.stroke();
-  pen.setLineDash([]);
-}
-
-function frame(pen: Pen, half: Half, colors: Ink): void {
-  pen.strokeStyle = colors.line;
-  pen.lineWidth = 1;
-  pen.strokeRect(half.x, half.y, half.width, half.height);
-  pen.fillStyle = colors.faint;
-  pen.font = "11px system-ui, sans-serif";
-  pen.textAlign = "center";
-  pen.fillText(half.sheet > 0 ? "T⁺ (Δ > 0)" : "T⁻ (Δ < 0)", half.x + half.width / 2, half.y - 7);
-  [["0", 0], ["π", 0.5], ["2π", 1]].forEach(([text, at]) => pen.fillText(text as string, half.x + (at as number) * half.width, half.y + half.height + 13));
-  pen.fillText("angle ψ′", half.x + half.width * 0.25, half.y + half.height + 24);
-  pen.textAlign = "right";
-  if (half.sheet > 0) [["0", 0], ["ϑ′", 0.5], ["π", 1]].forEach(([text, at]) => pen.fillText(text as string, half.x - 5, half.y + (at as number) * half.height + 4));
-}
-
-/** The values that the two ends of the scale stand for. */
-function scaleText(session: Session): string {
-  const { coloring } = session.state;
-  const known = session.orbits.measures.map((measure) => (coloring === "lyapunov" ? measure?.lyapunov : measure?.rotation) ?? null).filter((value) => value !== null);
-  if (coloring === "orbit" || known.length === 0) return "";
-  return `dark ${shown(Math.min(...known), 2)} to light ${shown(Math.max(...known), 2)}; grey: none`;
-}
-
-/** The colour of each orbit as it was asked for. */
-export function colorsOf(session: Session, dark: boolean): (orbit: number) => string {
-  const { coloring } = session.state;
-  const { measures } = session.orbits;
-  if (coloring === "orbit" || measures.length === 0) return (orbit) => orbitColor(orbit, dark);
-  const values = measures.map((measure) => (coloring === "lyapunov" ? measure?.lyapunov : measure?.rotation) ?? null);
-  const known = values.filter((value): value is number => value !== null);
-  const [low, high] = [Math.min(...known), Math.max(...known)];
-  return (orbit) => {
-    const value = values[orbit];
-    return value === null || value === undefined ? (dark ? "#66727f" : "#aab4bd") : scaled((value - low) / (high - low || 1));
-  };
-}
-
-function points(pen: Pen, half: Half, session: Session, colors: Ink): void {
-  const color = colorsOf(session, colors.dark);
+/** The orbit that has a crossing nearest to a place of the picture, if one is within reach. */
+function orbitAt(session: Session, size: Size, [px, py]: [number, number]): number | null {
+  let [best, found]: [number, number | null] = [REACH * REACH, null];
+  const [plus, minus] = halves(size);
   session.orbits.rows.forEach((rows, orbit) => {
-    pen.fillStyle = color(orbit);
-    const size = orbit === session.orbits.selected ? 1.9 : 1.3;
     for (let at = 0; at < rows.length; at += ROW) {
-      if (rows[at + AT.sheet]! > 0 !== half.sheet > 0) continue;
-      const [x, y] = placeOf(half, rows[at + AT.psi]!, rows[at + AT.theta]!);
-      pen.fillRect(x - size / 2, y - size / 2, size, size);
+      const [x, y] = placeOf(rows[at + AT.sheet]! > 0 ? plus : minus, rows[at + AT.psi]!, rows[at + AT.theta]!);
+      const distance = (x - px) ** 2 + (y - py) ** 2;
+      if (distance < best) [best, found] = [distance, orbit];
     }
   });
-}
-
-/** The crossing that the motion makes now, and the same place on the other half under the pointer. */
-function paintMoving(pen: Pen, size: Size, session: Session, clock: Clock, cursor: { psi: number; theta: number } | null): void {
-  const colors = ink();
-  const both = halves(size);
-  if (cursor) {
-    pen.strokeStyle = colors.faint;
-    pen.lineWidth = 1;
-    for (const half of both) {
-      const [x, y] = placeOf(half, cursor.psi, cursor.theta);
-      pen.beginPath();
-      pen.moveTo(x - 6, y);
-      pen.lineTo(x + 6, y);
-      pen.moveTo(x, y - 6);
-      pen.lineTo(x, y + 6);
-      pen.stroke();
-    }
-  }
-  const rows = session.orbits.rows[session.orbits.selected];
-  if (!rows || !session.orbits.motion) return;
-  for (let at = 0; at < rows.length && rows[at + AT.time]! <= clock.time; at += ROW) {
-    const age = clock.time - rows[at + AT.time]!;
-    if (age > clock.glow) continue;
-    const half = both[rows[at + AT.sheet]! > 0 ? 0 : 1]!;
-    const share = 1 - age / clock.glow;
-    pen.globalAlpha = share;
-    pen.strokeStyle = pen.fillStyle = colors.accent;
-    pen.lineWidth = 2;
-    pen.beginPath();
-    const [x, y] = placeOf(half, rows[at + AT.psi]!, rows[at + AT.theta]!);
-    pen.arc(x, y, 3 + 9 * (1 - share), 0, TAU);
-    pen.stroke();
-    pen.beginPath();
-    pen.arc(x, y, 3, 0, TAU);
-    pen.fill();
-    pen.globalAlpha = 1;
-  }
+  return found;
 }

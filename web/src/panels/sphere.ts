@@ -160,10 +160,22 @@ function paintMarks(pen: Pen, session: Session, place: Placed, colors: Ink): voi
     const rest = session.critical.find(({ gamma, multiplicity }) => typeof multiplicity === "number" && Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
     mark(pole, rest ? `${name}, ${KINDS[rest.index]}` : name, "cross");
   }
-  for (const { gamma, index, multiplicity } of session.critical) {
+  for (const { gamma, index, multiplicity, branch } of session.critical) {
+    if (branch !== null && branch === session.hover.curve) ring(pen, place(gamma), colors);
     const atPole = poles.some(([, pole]) => Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
     if (typeof multiplicity === "number") mark(gamma, atPole ? "" : KINDS[index]!, "dot");
   }
+}
+
+/** Round the steady rotations of the curve under the pointer. */
+function ring(pen: Pen, { at, front }: ReturnType<Placed>, colors: Ink): void {
+  pen.globalAlpha = front ? 1 : 0.4;
+  pen.strokeStyle = colors.accent;
+  pen.lineWidth = 2.5;
+  pen.beginPath();
+  pen.arc(...at, 8, 0, 2 * Math.PI);
+  pen.stroke();
+  pen.globalAlpha = 1;
 }
 
 const KINDS = ["min", "saddle", "max"];

@@ -5,21 +5,31 @@ import type { Sheet } from "../draw/canvas";
 import { button, make, panel } from "../draw/dom";
 import { valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
-import type { Point } from "../state/state";
+import { FIRST, type State } from "../state/state";
 
 export type Sheets = Record<string, Sheet>;
 
-export function commandLines({ A, r }: { A: string[]; r: string[] }, point: Point | null): string {
+type Asked = Pick<State, "A" | "r" | "point" | "orbits" | "crossings" | "seed">;
+
+/** What was asked of the section beyond the usual. */
+const asked = (state: Asked, option: (name: string, value: number) => string): string =>
+  (["orbits", "crossings", "seed"] as const).filter((name) => state[name] !== FIRST[name]).map((name) => option(name, state[name])).join("");
+
+export function commandLines(state: Asked): string {
+  const { A, r, point } = state;
   const body = `--A=${A.join(",")} --r=${r.join(",")}`;
   const lines = [`bifdiag ${body}`];
-  if (point) lines.push(`bifdiag classify ${body} --h=${point.h} --l=${point.l}`, `bifdiag section ${body} --h=${point.h} --l=${point.l}`);
+  const options = asked(state, (name, value) => ` --${name}=${value}`);
+  if (point) lines.push(`bifdiag classify ${body} --h=${point.h} --l=${point.l}`, `bifdiag section ${body} --h=${point.h} --l=${point.l}${options}`);
   return lines.join("\n");
 }
 
-export function pythonLines({ A, r }: { A: string[]; r: string[] }, point: Point | null): string {
+export function pythonLines(state: Asked): string {
+  const { A, r, point } = state;
   const list = (numbers: string[]) => `[${numbers.map((number) => `"${number}"`).join(", ")}]`;
   const lines = ["import bifdiag", `body = bifdiag.Body(A=${list(A)}, r=${list(r)})`, "atlas = body.atlas()"];
-  if (point) lines.push(`body.classify("${point.h}", "${point.l}")`, `body.section("${point.h}", "${point.l}")`);
+  const options = asked(state, (name, value) => `, ${name}=${value}`);
+  if (point) lines.push(`body.classify("${point.h}", "${point.l}")`, `body.section("${point.h}", "${point.l}"${options})`);
   return lines.join("\n");
 }
 
@@ -34,9 +44,8 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
   const refresh = () => {
     link.href = location.href;
     link.textContent = "Address of all this";
-    const { state } = session;
-    shell.textContent = commandLines(state, state.point);
-    python.textContent = pythonLines(state, state.point);
+    shell.textContent = commandLines(session.state);
+    python.textContent = pythonLines(session.state);
   };
   session.on(["body", "point", "atlas", "drawing", "theme"], refresh);
   const json = button("Atlas as JSON", "The document that bifdiag --json prints, byte for byte", () => save(`${nameOf(session)}.json`, session.text, "application/json"), { testid: "export-json" });

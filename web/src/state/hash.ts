@@ -4,7 +4,7 @@ import type { Triple, Window } from "../bindings/documents";
 
 const PANELS: readonly Panel[] = ["diagram", "section", "motion"];
 const THEMES: readonly Theme[] = ["dark", "light"];
-const COLORINGS: readonly Coloring[] = ["orbit", "lyapunov", "rotation"];
+const COLORINGS: readonly Coloring[] = ["orbit", "verdict", "lyapunov", "rotation"];
 
 export function format(state: State): string {
   const parts = [`A=${state.A.join(",")}`, `r=${state.r.join(",")}`];

@@ -1,6 +1,7 @@
 /** The section at the present point: its orbits, as they are computed, and the motion behind one of them. */
 import { Channel, Superseded } from "../bindings/client";
-import type { Portrait } from "../bindings/documents";
+import type { Site } from "../bindings/calls";
+import type { Orbit, Portrait } from "../bindings/documents";
 import type { Vec } from "../draw/ball";
 import type { Emitter } from "./emitter";
 import type { Point, State } from "./state";
@@ -16,11 +17,6 @@ const CHUNK = 4;
 const CROSSINGS_SHOWN = 60;
 const MOMENTS = 40;
 
-export interface Measures {
-  lyapunov: number | null;
-  rotation: number | null;
-}
-
 export class Orbits {
   /** Why there is no section; empty while there is one. */
   reason = "";
@@ -29,7 +25,8 @@ export class Orbits {
   starts: [number, number, number][] = [];
   /** The crossings of each orbit, a row after the other. */
   rows: Float64Array[] = [];
-  measures: (Measures | null)[] = [];
+  /** Verdict and measures of each orbit, as far as they are known. */
+  judged: (Orbit | undefined)[] = [];
   selected = 0;
   motion: Float64Array | null = null;
   /** Seconds that the crossings took to compute. */
@@ -37,6 +34,7 @@ export class Orbits {
   running = false;
   /** Counts what is opened, so that answers to an older question are known. */
   private opening = 0;
+  private site: Site = ["", "", ""];
   private readonly channel = new Channel(120);
 
   constructor(private readonly session: Emitter) {}
@@ -47,19 +45,20 @@ export class Orbits {
 
   close(reason = ""): void {
     this.opening++;
-    Object.assign(this, { reason, axes: null, portrait: null, starts: [], rows: [], measures: [], motion: null, running: false, seconds: 0 });
+    Object.assign(this, { reason, axes: null, portrait: null, starts: [], rows: [], judged: [], motion: null, running: false, seconds: 0 });
     this.channel.reset();
     this.session.emit("section");
     this.session.emit("orbits");
     this.session.emit("motion");
   }
 
-  async open(body: string, { h, l }: Point, { orbits, seed, crossings, coloring }: State): Promise<void> {
+  async open(body: string, { h, l }: Point, { orbits, seed, crossings }: State): Promise<void> {
     this.close();
     const opening = ++this.opening;
     const current = () => opening === this.opening;
+    this.site = [body, h, l];
     try {
-      const opened = await this.channel.ask("open", body, h, l, orbits, seed);
+      const opened = await this.channel.ask("open", this.site, orbits, seed);
       if (!current()) return;
       const [x, y, z] = [0, 3, 6].map((at) => [...opened.axes.subarray(at, at + 3)] as Vec);
       this.axes = [x!, y!, z!];
@@ -69,10 +68,10 @@ export class Orbits {
       this.session.emit("section");
       this.running = true;
       for (let first = 0; first < orbits && current(); first += CHUNK) await this.follow(first, CHUNK, crossings, current);
+      await this.play(current);
+      for (let first = 0; first < orbits && current(); first += CHUNK) await this.judge(first, CHUNK, crossings, current);
       if (!current()) return;
       this.running = false;
-      await this.play(current);
-      if (coloring !== "orbit") await this.measure(crossings);
     } catch (error) {
       if (error instanceof Superseded || !current()) return;
       this.running = false;
@@ -92,6 +91,7 @@ export class Orbits {
       await this.follow(orbit, 1, crossings, current);
       if (!current()) return;
       this.select(orbit);
+      await this.judge(orbit, 1, crossings, current);
     } catch (error) {
       if (error instanceof Superseded) return;
       this.starts.splice(orbit, 1);
@@ -114,29 +114,15 @@ export class Orbits {
     this.session.emit("orbits");
   }
 
-  /** Lyapunov exponents and rotation numbers of all orbits. */
-  async measure(crossings: number): Promise<void> {
-    const opening = this.opening;
-    for (let first = 0; first < this.starts.length && opening === this.opening; first += CHUNK) {
-      const text = await this.channel.ask("measure", this.flat(first, CHUNK), crossings);
-      if (opening !== this.opening) return;
-      const found = JSON.parse(text) as { chaos?: { lyapunov: { exponent: number } | null; rotation: { number: number } | null } }[];
-      found.forEach(({ chaos }, i) => {
-        this.measures[first + i] = { lyapunov: chaos?.lyapunov?.exponent ?? null, rotation: chaos?.rotation?.number ?? null };
-      });
-      this.session.emit("orbits");
-    }
-  }
-
   /** In which component of U vectors γ lie. */
-  parts = (gammas: Float64Array): Promise<Int32Array> => this.channel.ask("parts", gammas);
+  parts = (gammas: Float64Array): Promise<Int32Array> => this.channel.ask("parts", this.site, gammas);
 
   private flat = (first: number, count: number) => Float64Array.from(this.starts.slice(first, first + count).flat());
 
   private async follow(first: number, count: number, crossings: number, current: () => boolean): Promise<void> {
     const starts = this.flat(first, count);
     const begun = performance.now();
-    const found = await this.channel.ask("follow", starts, first, crossings);
+    const found = await this.channel.ask("follow", this.site, starts, first, crossings);
     if (!current()) return;
     this.seconds += (performance.now() - begun) / 1000;
     let from = 0;
@@ -149,6 +135,14 @@ export class Orbits {
     this.session.emit("orbits");
   }
 
+  /** Their verdicts, from the same starts over as many crossings. */
+  private async judge(first: number, count: number, crossings: number, current: () => boolean): Promise<void> {
+    const found = await this.channel.ask("judge", this.site, this.flat(first, count), crossings);
+    if (!current()) return;
+    found.forEach((orbit, i) => (this.judged[first + i] = { ...orbit, orbit: first + i }));
+    this.session.emit("orbits");
+  }
+
   private async play(current: () => boolean): Promise<void> {
     const start = this.starts[this.selected];
     const rows = this.rows[this.selected];
@@ -158,7 +152,7 @@ export class Orbits {
     const end = last > 0 ? rows[last * ROW + AT.time]! : 20;
     const count = Math.max(200, MOMENTS * Math.max(1, last));
     const times = Float64Array.from({ length: count + 1 }, (_, i) => (end * i) / count);
-    const motion = await this.channel.ask("motion", start[0], start[1], start[2], times);
+    const motion = await this.channel.ask("motion", this.site, start[0], start[1], start[2], times);
     if (!current()) return;
     this.motion = motion;
     this.session.emit("motion");

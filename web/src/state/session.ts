@@ -34,6 +34,8 @@ export class Session extends Emitter {
   private readonly pencil = new Channel(20);
   private readonly scholar = new Channel(60);
   private generation = 0;
+  /** The drawing that was asked for last. */
+  private drawing: Promise<void> = Promise.resolve();
 
   constructor() {
     super();
@@ -75,7 +77,7 @@ export class Session extends Emitter {
   view(view: Window | null): void {
     this.state = { ...this.state, view };
     if (!this.dragging) this.write();
-    void this.draw();
+    void this.redraw();
   }
 
   /** Changes without new work: colours, embedding, guides. */
@@ -120,7 +122,7 @@ export class Session extends Emitter {
     try {
       if (newBody) {
         this.atlas = null;
-        await Promise.all([this.draw(), this.document(generation)]);
+        await Promise.all([this.picture(), this.document(generation)]);
       }
       if (generation === this.generation) await this.classify(generation);
     } catch (error) {
@@ -171,7 +173,31 @@ export class Session extends Emitter {
     if (this.frames.length > FRAMES) this.frames.shift();
   }
 
-  async draw(): Promise<void> {
+  /** The same body in another view or size. */
+  async redraw(): Promise<void> {
+    try {
+      await this.draw();
+    } catch (error) {
+      if (!(error instanceof Superseded)) this.fail(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  /** Until the present state is drawn, whoever asked for it last. */
+  private async picture(): Promise<void> {
+    for (let mine = this.draw(); ; mine = this.drawing) {
+      try {
+        return await mine;
+      } catch (error) {
+        if (!(error instanceof Superseded) || mine === this.drawing) throw error;
+      }
+    }
+  }
+
+  private draw(): Promise<void> {
+    return (this.drawing = this.drawOnce());
+  }
+
+  private async drawOnce(): Promise<void> {
     const { width, height } = this.resolution;
     const from = this.dragging === "body" ? (this.drawn?.window ?? null) : null;
     const drawing = await this.pencil.latest("draw", bodyText(this.state), this.state.view, from, Math.round(height), width);
@@ -185,6 +211,8 @@ export class Session extends Emitter {
     const { window, rows, rowCount } = drawing;
     this.drawn = { document: JSON.parse(drawing.text) as Atlas, window, rows, rowCount, curves };
     this.emit("drawing");
+    // The picture may have got another size while this was made.
+    if (rowCount !== Math.round(this.resolution.height)) await this.draw();
   }
 
   /** A quick look at the point while it moves. */

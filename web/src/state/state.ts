@@ -9,7 +9,7 @@ export interface Point {
 
 export type Panel = "diagram" | "section" | "motion";
 export type Theme = "dark" | "light";
-export type Coloring = "orbit" | "lyapunov" | "rotation";
+export type Coloring = "orbit" | "verdict" | "lyapunov" | "rotation";
 
 export interface State {
   A: Triple;

@@ -31,6 +31,17 @@ test("where there is no section, a sentence says why, and that is no error", asy
   }
 });
 
+test.each([
+  ["A=2,1.5,1&r=0,0,0", "Euler's case"],
+  ["body=lagrange", "whole circles"],
+  ["A=5,1,1&r=1,0.2,0.1", "No real body"],
+  ["A=1,1,1&r=1,0,0", "on a principal axis"],
+])("%s: a sentence tells what is special", async (hash, words) => {
+  const page = await open(hash);
+  await expect.poll(() => page.locator(".body-controls .note").textContent()).toContain(words);
+  await page.close();
+});
+
 test("without a network the page opens again and goes on working, exports too", async () => {
   const page = await open(`${PAPER}&h=3.8&l=3.25`);
   await page.evaluate(() => navigator.serviceWorker.ready);

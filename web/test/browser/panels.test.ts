@@ -46,6 +46,50 @@ test("the section: orbits of the command line's starts, and one more where it is
   await page.close();
 });
 
+test("verdicts are the command line's, in its words", async () => {
+  // Orbits differ in their last bits, so that a chaotic one ends elsewhere and the numbers of a reason differ with it.
+  const words = (reason: string) => reason.replace(/[-\d.e]+/g, "#");
+  for (const [h, l] of [["3.8", "3.25"], ["6", "2"]] as const) {
+    const page = await open(`A=2,1.1,1&r=0.94868,0,0.61623&h=${h}&l=${l}&coloring=verdict`);
+    const native = JSON.parse(bifdiag("section", "--body=paper", `--h=${h}`, `--l=${l}`, "--json", "--no-plot")) as { orbits: { verdict: string; reason: string }[] };
+    for (const verdict of ["regular", "chaotic", "open"]) expect(Number(await data(page, "verdicts", verdict)), verdict).toBe(native.orbits.filter((orbit) => orbit.verdict === verdict).length);
+    for (const orbit of [0, 5, 23]) {
+      await page.getByTestId("orbit").selectOption(String(orbit));
+      const told = page.getByTestId("verdict");
+      await expect.poll(() => told.textContent()).toContain(`Orbit ${orbit} is ${native.orbits[orbit]!.verdict}`);
+      expect(words((await told.textContent())!)).toContain(words(native.orbits[orbit]!.reason));
+    }
+    await page.close();
+  }
+});
+
+test("the verdict of the orbit under the pointer is told beside it", async () => {
+  const page = await open(`${POINT}&orbits=1`);
+  const box = (await page.getByTestId("section").boundingBox())!;
+  const at = await page.evaluate(() => {
+    const { theta, psi, sheet } = window.bifdiag.crossings();
+    return { theta: theta[9]!, psi: psi[9]!, sheet: sheet[9]! };
+  });
+  const each = (box.width - 68) / 2;
+  await page.mouse.move(box.x + 30 + (at.sheet > 0 ? 0 : each + 26) + (at.psi / (2 * Math.PI)) * each, box.y + 22 + (at.theta / Math.PI) * (box.height - 52));
+  await expect.poll(() => page.getByTestId("orbit-tip").textContent()).toMatch(/^orbit 0: (regular|chaotic|open)/);
+  await page.close();
+});
+
+test("after a stop the section goes on where it is clicked", async () => {
+  const page = await open(POINT);
+  await go(page, `${POINT}&theme=dark`);
+  await page.evaluate(() => (location.hash = "A=2,1.1,1&r=0.94868,0,0.61623&h=6&l=2&orbits=400&crossings=20000"));
+  await page.getByRole("button", { name: "Stop" }).click();
+  await expect.poll(() => page.getByRole("button", { name: "Stop" }).isVisible()).toBe(false);
+  const before = await crossings(page);
+  const box = (await page.getByTestId("section").boundingBox())!;
+  await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.5 * box.height);
+  await expect.poll(() => crossings(page)).toBe(before + 20001);
+  await expect.poll(() => page.getByTestId("verdict").textContent()).toMatch(/^Orbit \d+ is (regular|chaotic|open)/);
+  await page.close();
+});
+
 test("the sphere turns under the hand, and its components are told", async () => {
   const page = await open(POINT);
   const before = await picture(page, "sphere");
@@ -56,6 +100,12 @@ test("the sphere turns under the hand, and its components are told", async () =>
   await page.mouse.move(x + 70, y + 20, { steps: 4 });
   await page.mouse.up();
   await expect.poll(() => picture(page, "sphere")).not.toBe(before);
+  const lit = page.locator(".components .lit");
+  await page.mouse.move(x + 70, y + 19);
+  await expect.poll(() => lit.count()).toBe(1);
+  expect(await lit.textContent()).toMatch(/^U = D²/);
+  await page.mouse.move(2, 2);
+  await expect.poll(() => lit.count()).toBe(0);
   await page.close();
 });
 
@@ -132,6 +182,11 @@ test("a real part becomes the body, as the command line understands it", async (
   await ready(page);
   const tensor = JSON.parse(bifdiag("body", "--inertia-com=2.1,1.8,1.2,0.3,-0.1,0.2", "--products=integral", "--com=0,0.1,0.2", "--mass=0.5", "--json")) as { A: string[] };
   expect(await page.getByTestId("input-A1").inputValue()).toBe(tensor.A[0]);
+  // The address holds the part's body with all its digits.
+  const again = await open((await page.getByTestId("permalink").getAttribute("href"))!.split("#")[1]!);
+  expect(await again.getByTestId("input-A1").inputValue()).toBe(tensor.A[0]);
+  expect(await again.evaluate(() => window.bifdiag.atlas())).toBe(await page.evaluate(() => window.bifdiag.atlas()));
+  await again.close();
   await page.close();
 });
 
@@ -147,6 +202,35 @@ test("keys move the point, turn the body's axis and zoom", async () => {
   await page.keyboard.press("ArrowUp");
   await page.waitForFunction(() => !location.hash.includes("r=0.94868"));
   await ready(page);
+  await page.close();
+});
+
+test("a tablet: taps choose points and start orbits, two fingers zoom", async () => {
+  const page = await open(POINT, { viewport: { width: 1024, height: 768 }, hasTouch: true });
+  const box = (await page.getByTestId("diagram").boundingBox())!;
+  await page.touchscreen.tap(box.x + 0.8 * box.width, box.y + 0.7 * box.height);
+  await page.waitForFunction(() => !location.hash.includes("h=3.8&"));
+  await ready(page);
+  expect(await data(page, "point-region", "region")).toBe("R4");
+  const devtools = await page.context().newCDPSession(page);
+  const touch = (type: "touchStart" | "touchMove" | "touchEnd", apart: number) => {
+    const y = box.y + box.height / 2;
+    const touchPoints = type === "touchEnd" ? [] : [-1, 1].map((side, id) => ({ x: box.x + box.width / 2 + side * apart, y, id }));
+    return devtools.send("Input.dispatchTouchEvent", { type, touchPoints });
+  };
+  const hl = page.url().match(/h=[^&]*&l=[^&]*/)![0];
+  await touch("touchStart", 30);
+  for (let apart = 40; apart <= 120; apart += 20) await touch("touchMove", apart);
+  await touch("touchEnd", 0);
+  await page.waitForFunction(() => location.hash.includes("view="));
+  // Two fingers leave the point where it is.
+  expect(page.url()).toContain(hl);
+  await ready(page);
+  const before = await crossings(page);
+  await page.getByTestId("section").scrollIntoViewIfNeeded();
+  const section = (await page.getByTestId("section").boundingBox())!;
+  await page.touchscreen.tap(section.x + 0.25 * section.width, section.y + 0.5 * section.height);
+  await expect.poll(() => crossings(page)).toBe(before + 501);
   await page.close();
 });
 
@@ -208,7 +292,15 @@ test("lessons ask first and show then", async () => {
   await page.getByRole("button", { name: "The whole sphere" }).click();
   await ready(page);
   expect(await page.getByTestId("guide").textContent()).toContain("As you predicted");
-  expect(await page.getByTestId("input-l").inputValue()).toBe("1.5");
+  expect(await page.getByTestId("guide").isVisible()).toBe(true);
+  expect(page.url()).toContain("lesson=sleeping-top");
+  await page.getByRole("button", { name: "Next question" }).click();
+  await page.getByRole("button", { name: "The whole sphere again" }).click();
+  await ready(page);
+  expect(await page.getByTestId("guide").textContent()).toContain("Look: only a small cap");
+  const [sheet] = await Promise.all([page.waitForEvent("download"), page.getByTestId("worksheet").click()]);
+  expect(await readFile((await sheet.path())!, "utf8")).toContain("Predict first, then see");
+  expect(await page.getByTestId("input-l").inputValue()).toBe("2.1");
   await page.close();
 });
 

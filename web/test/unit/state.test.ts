@@ -2,6 +2,7 @@ import { describe, expect, test } from "vitest";
 import { format, parse } from "../../src/state/hash";
 import { rounded, shown, surface, valueOf } from "../../src/state/numbers";
 import { FIRST } from "../../src/state/state";
+import { commandLines, pythonLines } from "../../src/panels/take";
 
 const named = (name: string) => (name === "rod" ? { A: ["1/1000", "1", "1"] as [string, string, string], r: ["1", "0", "0"] as [string, string, string] } : undefined);
 
@@ -42,4 +43,10 @@ describe("numbers", () => {
   test("quotients have values", () => expect([valueOf("11/10"), valueOf("1e-3"), valueOf(""), valueOf("1/")]).toEqual([1.1, 1e-3, NaN, NaN]));
   test("a few digits for reading", () => expect([shown(0.000012345), shown(3.14159), shown(0)]).toEqual(["1.234e-5", "3.142", "0"]));
   test("surfaces", () => expect(["S2", "M3", "S2-2D2", "(S1xS2)#(S1xS2)", "RP3", "#3(S1xS2)"].map(surface)).toEqual(["S²", "M²₃", "S²−2D²", "(S¹×S²)#(S¹×S²)", "RP³", "#3(S¹×S²)"]));
+});
+
+test("the lines that give the same name what was asked beyond the usual", () => {
+  const state = { ...FIRST, point: { h: "3.80", l: "13/4" }, seed: 3 };
+  expect(commandLines(state).split("\n").at(-1)).toBe("bifdiag section --A=2,1.1,1 --r=0.94868,0,0.61623 --h=3.80 --l=13/4 --seed=3");
+  expect(pythonLines(state).split("\n").at(-1)).toBe('body.section("3.80", "13/4", seed=3)');
 });

@@ -9,7 +9,10 @@ mod undecided;
 
 use std::collections::BTreeMap;
 
-use schema::{AtlasDocument, BodyDocument, SCHEMA_VERSION, SummaryDocument, ViewDocument, WindowDocument};
+use schema::{
+    AtlasDocument, BodyDocument, EventDocument, RegionDocument, SCHEMA_VERSION, SummaryDocument, ViewDocument,
+    WindowDocument,
+};
 use top::atlas::{Atlas, View, Window};
 
 use crate::body::{flags, texts};
@@ -72,6 +75,18 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
         summary,
         certificate: None,
     }
+}
+
+/// The regions as the whole document has them, but for their outlines: sooner than the document, whose curves are traced.
+#[must_use]
+pub fn regions(atlas: &Atlas) -> Vec<RegionDocument> {
+    regions::documents(atlas, None, &mut Vec::new()).0
+}
+
+/// The events as the whole document has them.
+#[must_use]
+pub fn events(atlas: &Atlas) -> Vec<EventDocument> {
+    events::documents(atlas, None)
 }
 
 fn seen(Window { h, l }: Window) -> WindowDocument {

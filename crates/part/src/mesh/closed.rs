@@ -9,18 +9,12 @@ use super::error::MeshError;
 use super::integrals::VolumeIntegrals;
 use super::surface::Mesh;
 
-/// Checks that each edge belongs to two triangles that pass it in opposite directions, and that each closed surface is
-/// turned outward, or inward inside another one.
-pub(super) fn check(mesh: &Mesh) -> Result<(), MeshError> {
+/// Checks that each edge belongs to two triangles that pass it in opposite directions.
+pub(super) fn check_edges(mesh: &Mesh) -> Result<(), MeshError> {
     if mesh.triangles().is_empty() {
         return Err(MeshError::Empty);
     }
-    edges(mesh)?;
-    surfaces(mesh)
-}
-
-/// How often each edge is passed forward and backward.
-fn edges(mesh: &Mesh) -> Result<(), MeshError> {
+    // How often each edge is passed forward and backward.
     let mut passed: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new();
     for triangle in mesh.triangles() {
         for k in 0..3 {
@@ -45,8 +39,8 @@ fn edges(mesh: &Mesh) -> Result<(), MeshError> {
     Ok(())
 }
 
-/// Each closed surface with its orientation and what surrounds it.
-fn surfaces(mesh: &Mesh) -> Result<(), MeshError> {
+/// Checks that each closed surface is turned outward, or inward inside another one.
+pub(super) fn check_sides(mesh: &Mesh) -> Result<(), MeshError> {
     let mut joined = Partition::new(mesh.corners().len());
     for [a, b, c] in mesh.triangles() {
         joined.unite(*a, *b);

@@ -53,6 +53,19 @@ pub enum MeshError {
         /// Its other end.
         to: [f64; 3],
     },
+    /// Triangles that pass through one another.
+    #[error(
+        "the mesh cuts itself: {pairs} pairs of triangles pass through each other, such as at the edge from {from:?} to \
+         {to:?}; space inside would be counted twice or not at all: unite the bodies in the program that wrote it"
+    )]
+    Crossing {
+        /// How many.
+        pairs: usize,
+        /// One end of an edge that passes through a triangle.
+        from: [f64; 3],
+        /// Its other end.
+        to: [f64; 3],
+    },
     /// A surface that is inside out.
     #[error(
         "the mesh is inverted: a closed surface of {triangles} triangles encloses the volume {volume}, but lies in no other \

@@ -1,6 +1,7 @@
 //! Closed surfaces of triangles and the exact mass properties of what they enclose.
 
 mod closed;
+mod crossing;
 mod error;
 mod integrals;
 mod read;
@@ -15,12 +16,14 @@ impl Mesh {
     /// The integrals over the enclosed volume: exact for the coordinates as they are.
     ///
     /// # Errors
-    /// Every [`MeshError`]. That the surface does not cut itself is not checked.
+    /// Every [`MeshError`].
     pub fn integrals(&self) -> Result<VolumeIntegrals, MeshError> {
         if let Some(at) = self.corners().iter().position(|corner| !corner.iter().all(|x| x.is_finite())) {
             return Err(MeshError::NotFinite { corner: at + 1 });
         }
-        closed::check(self)?;
+        closed::check_edges(self)?;
+        crossing::check(self)?;
+        closed::check_sides(self)?;
         Ok(VolumeIntegrals::over(self, self.triangles()))
     }
 }

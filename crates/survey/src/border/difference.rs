@@ -8,6 +8,7 @@ use super::exchange::exchange;
 use super::group::{Finding, label};
 use super::label::{EventLabel, sort_by_text};
 use super::vanishing::Vanishing;
+use top::body::{Axis, BodyAxis};
 use top::curves::CriticalSet;
 use top::diagram::Arrangement;
 
@@ -40,7 +41,7 @@ pub(super) fn between(below: &Arrangement, above: &Arrangement) -> (BorderEvent,
     let Finding { kind, group, vanishing } = if vanish.is_empty() && appear.is_empty() {
         exchange(below)
     } else if offsets[0] * offsets[1] < 0.0 && vanish.len() == appear.len() && pole_lines_differ() {
-        let kind = BorderEventKind::PoleLinesAtInfinity { axis: axis_of_body(&below.set, 1) };
+        let kind = BorderEventKind::PoleLinesAtInfinity { axis: axis_of_body(&below.set, Axis::ALL[1]) };
         Finding::nowhere(kind, Vanishing::MiddleMoment)
     } else if vanish.len() > appear.len() {
         creation(&Surplus { side: below, more: &vanish, fewer: &appear, above: false })
@@ -53,7 +54,10 @@ pub(super) fn between(below: &Arrangement, above: &Arrangement) -> (BorderEvent,
 }
 
 /// The axis of the body along which an axis of the frame lies.
-fn axis_of_body(set: &CriticalSet, axis: usize) -> usize {
+fn axis_of_body(set: &CriticalSet, axis: Axis) -> BodyAxis {
     let rows = &set.frame.to_body;
-    (0..3).max_by(|&i, &j| rows[i][axis].abs().total_cmp(&rows[j][axis].abs())).unwrap_or_default()
+    BodyAxis::ALL
+        .into_iter()
+        .max_by(|&i, &j| rows[i][axis].abs().total_cmp(&rows[j][axis].abs()))
+        .unwrap_or(BodyAxis::ALL[0])
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::label::{EventLabel, joined};
+use top::body::BodyAxis;
 use top::curves::{BranchName, CurveName};
 
 /// What happens at a border.
@@ -93,7 +94,7 @@ pub enum BorderEventKind {
     /// J_r passes the middle moment of inertia: crossings of the pole lines go to infinity and come back.
     PoleLinesAtInfinity {
         /// The axis of the body with this moment, from 0.
-        axis: usize,
+        axis: BodyAxis,
     },
     /// A crossing comes from, or goes to, l = 0 or infinity.
     CrossingAtTheEdge {
@@ -131,7 +132,7 @@ impl fmt::Display for BorderEventKind {
             }
             Self::SymmetryBroken => f.write_str("the symmetry of a pair is broken: its pitchfork opens into a cusp"),
             Self::PoleLinesAtInfinity { axis } => {
-                write!(f, "J_r passes A{}: crossings of the pole lines go to infinity and come back", axis + 1)
+                write!(f, "J_r passes A{axis}: crossings of the pole lines go to infinity and come back")
             }
             Self::CrossingAtTheEdge { branches } => {
                 write!(f, "the {} comes from l = 0 or infinity", EventLabel::Crossing(*branches))

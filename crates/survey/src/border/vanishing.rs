@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 
 use super::event::Place;
 use super::segment::Segment;
-use top::body::Frame;
+use top::body::{Axis, Frame};
 use top::curves::{Branch, CriticalSet, CurveId, Gap, Point};
 use top::diagram::{Arrangement, Change};
 
@@ -16,13 +16,13 @@ use top::diagram::{Arrangement, Change};
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Vanishing {
     /// The excess of the pair over this axis of the frame, an exact fraction: its cusp reaches its pitchfork.
-    Excess(usize),
+    Excess(Axis),
     /// J_r − a of the middle axis, an exact fraction.
     MiddleMoment,
     /// The height of a cusp of one branch over a curve of another.
     CuspOnCurve { cusp: Branch, curve: Branch, near: Neighbourhood },
     /// The height of the pitchfork of the pair over an axis over a curve.
-    PitchforkOnCurve { axis: usize, curve: Branch },
+    PitchforkOnCurve { axis: Axis, curve: Branch },
     /// The height of a curve over the crossing of two others.
     CurveOnCrossing { crossing: [Branch; 2], curve: Branch, near: Neighbourhood },
     /// The squared difference of J at two cusps of one branch, which exist on one side only.
@@ -102,7 +102,7 @@ pub(super) fn place(segment: &Segment, vanishing: &Vanishing, root: &Root) -> Op
     Some(Place { h, l, error: rounding + 1e3 * root.error * (l.abs() + h.abs()) })
 }
 
-fn pitchfork(set: &CriticalSet, axis: usize) -> Option<Point> {
+fn pitchfork(set: &CriticalSet, axis: Axis) -> Option<Point> {
     set.pitchforks.iter().find(|found| found.axis == axis).map(|found| found.point)
 }
 

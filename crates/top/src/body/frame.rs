@@ -4,6 +4,7 @@ use dashu_base::Sign;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::Relaxed;
 
+use super::axis::Axis;
 use super::rigid_body::Body;
 use numbers::Number;
 
@@ -160,6 +161,21 @@ impl Frame {
     #[must_use]
     pub fn r_hat(&self) -> [f64; 3] {
         self.r.map(|x| x / self.r_norm)
+    }
+
+    /// The axes that carry r, by rising moment.
+    #[must_use]
+    pub fn active(&self) -> Vec<Axis> {
+        Axis::ALL.into_iter().filter(|&k| self.r[k] > 0.0).collect()
+    }
+
+    /// The first axis of each eigenspace on which r vanishes.
+    #[must_use]
+    pub fn passive(&self) -> Vec<Axis> {
+        let is_first = |k: Axis| k.index() == 0 || self.group[k.index() - 1] != self.group[k];
+        let active = self.active();
+        let carries = |k: Axis| active.iter().any(|&m| self.group[m] == self.group[k]);
+        Axis::ALL.into_iter().filter(|&k| is_first(k) && !carries(k)).collect()
     }
 
     /// True when r = 0: Euler's case.

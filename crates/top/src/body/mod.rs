@@ -1,5 +1,6 @@
 //! Bodies: exact input, validation, and the frame in which the rest of the crate computes.
 
+mod axis;
 mod error;
 mod frame;
 mod presets;
@@ -7,6 +8,7 @@ mod principal;
 mod rigid_body;
 mod tensor;
 
+pub use axis::{Axis, BodyAxis};
 pub use error::BodyError;
 pub use frame::{Frame, SymmetricSums};
 pub use numbers::{Number, ParseNumberError};

@@ -1,7 +1,7 @@
 //! The equations of relative equilibria along one branch, their linearisation and tangent.
 
 use super::options::Start;
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use crate::stability::RelativeEquilibrium;
 
 /// Which equations hold along the branch.
@@ -12,7 +12,7 @@ pub(super) enum Kind {
     /// r_i = 0 and B_i = 0 for this axis i, γ_i is free.
     Pair {
         /// i.
-        axis: usize,
+        axis: Axis,
     },
 }
 
@@ -24,7 +24,7 @@ pub(super) struct Point {
     /// Ω.
     pub omega: f64,
     /// The axis i whose gap is held; the others follow as B_j = B_i + s(A_i − A_j).
-    pub anchor: usize,
+    pub anchor: Axis,
     /// B_i.
     pub gap: f64,
 }
@@ -92,7 +92,7 @@ impl<'a> Branch<'a> {
             frame,
             kind,
             active,
-            frozen: std::array::from_fn(|j| !active[j] && start.pair_axis != Some(j)),
+            frozen: Axis::ALL.map(|j| !active[j] && start.pair_axis != Some(j)),
             sign: gamma.map(|x| if x < 0.0 { -1.0 } else { 1.0 }),
             omega_floor,
         }
@@ -116,8 +116,9 @@ impl<'a> Branch<'a> {
         }
     }
 
-    fn smallest_gap(&self, gaps: &[f64; 3]) -> usize {
-        (0..3).filter(|&j| self.active[j]).min_by(|&i, &j| gaps[i].abs().total_cmp(&gaps[j].abs())).unwrap_or(0)
+    fn smallest_gap(&self, gaps: &[f64; 3]) -> Axis {
+        let active = Axis::ALL.into_iter().filter(|&j| self.active[j]);
+        active.min_by(|&i, &j| gaps[i].abs().total_cmp(&gaps[j].abs())).unwrap_or(Axis::ALL[0])
     }
 
     pub fn gaps(&self, point: &Point) -> [f64; 3] {

@@ -2,6 +2,7 @@
 
 use super::branch::{Branch, Kind, Linear, Point, Tangent};
 use super::report::Effort;
+use crate::body::Axis;
 
 /// Newton updates below this size leave an error of the order of its square: below rounding.
 const CONVERGED: f64 = 2e-9;
@@ -17,7 +18,7 @@ pub(super) enum Condition<'a> {
     /// Ω = 0.
     Rest,
     /// γ_i = 0 on a pair.
-    Symmetric(usize),
+    Symmetric(Axis),
 }
 
 impl Branch<'_> {

@@ -6,6 +6,7 @@ use super::location::{Bracket, GOLDEN};
 use super::options::AtEvent;
 use super::report::{Pitchfork, StopReason, VertexKind};
 use super::tracker::{Step, Tracker};
+use crate::body::Axis;
 
 /// dl/(J Ω) along the tangent below which a step may hide a pair of cusps.
 const FOLD_SUSPECT: f64 = 0.2;
@@ -129,10 +130,10 @@ impl Tracker<'_> {
         let branch = self.branch;
         let (near, far) = (branch.gaps(&self.base), branch.gaps(&end));
         let frozen_sign = self.frozen_sign;
-        let crossed = |j: &usize| branch.frozen[*j] && far[*j] * frozen_sign[*j] < 0.0;
+        let crossed = |j: &Axis| branch.frozen[*j] && far[*j] * frozen_sign[*j] < 0.0;
         // The first one on the way; others at the same point (equal moments) go with it.
-        let share = |j: usize| near[j] / (near[j] - far[j]);
-        let Some(axis) = (0..3).filter(crossed).min_by(|&i, &j| share(i).total_cmp(&share(j))) else {
+        let share = |j: Axis| near[j] / (near[j] - far[j]);
+        let Some(axis) = Axis::ALL.into_iter().filter(crossed).min_by(|&i, &j| share(i).total_cmp(&share(j))) else {
             return Step::Rejected { factor: 0.5 };
         };
         let gap = |point: &Point| branch.gaps(point)[axis];
@@ -143,7 +144,8 @@ impl Tracker<'_> {
         let Some(point) = branch.locate(&self.base, &self.tangent, ends, end, gap, &mut self.effort) else {
             return Step::Rejected { factor: 0.5 };
         };
-        let meeting: Vec<usize> = (0..3).filter(crossed).filter(|&j| branch.frame.diff[axis][j] == 0.0).collect();
+        let meeting: Vec<Axis> =
+            Axis::ALL.into_iter().filter(crossed).filter(|&j| branch.frame.diff[axis][j] == 0.0).collect();
         let outcome = self.accept(point, VertexKind::Pitchfork);
         if matches!(outcome, Step::Accepted) {
             for axis in meeting {

@@ -1,6 +1,6 @@
 //! Where to start, how to go on, when to stop.
 
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use crate::stability::RelativeEquilibrium;
 
 /// Which way to leave the start. At a cusp both ways fall or both rise, and either may be taken.
@@ -25,7 +25,7 @@ pub enum AtEvent {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     pub(super) equilibrium: RelativeEquilibrium,
-    pub(super) pair_axis: Option<usize>,
+    pub(super) pair_axis: Option<Axis>,
 }
 
 impl Start {
@@ -33,14 +33,14 @@ impl Start {
     /// γ_i = 0 wherever r_i = 0.
     #[must_use]
     pub fn on(frame: &Frame, equilibrium: RelativeEquilibrium) -> Self {
-        let pair_axis = (0..3).find(|&i| frame.r[i] == 0.0 && equilibrium.gamma[i] != 0.0);
+        let pair_axis = Axis::ALL.into_iter().find(|&i| frame.r[i] == 0.0 && equilibrium.gamma[i] != 0.0);
         Self { equilibrium, pair_axis }
     }
 
     /// A start at a pitchfork (γ_i = 0 and B_i = 0 for `axis` i) on the pair that leaves it; of the two mirror images
     /// the one with γ_i > 0 is tracked.
     #[must_use]
-    pub fn leaving_pitchfork(equilibrium: RelativeEquilibrium, axis: usize) -> Self {
+    pub fn leaving_pitchfork(equilibrium: RelativeEquilibrium, axis: Axis) -> Self {
         Self { equilibrium, pair_axis: Some(axis) }
     }
 }

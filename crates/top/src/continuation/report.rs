@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::body::Axis;
 use crate::stability::RelativeEquilibrium;
 
 /// What is special about a vertex.
@@ -57,7 +58,7 @@ pub struct Pitchfork {
     /// Its vertex in the report.
     pub vertex: usize,
     /// The axis i with r_i = 0 = B_i: the pair leaves with ±γ_i.
-    pub axis: usize,
+    pub axis: Axis,
 }
 
 /// What a track has cost.

@@ -1,6 +1,7 @@
 //! The equilibria of one branch at one l: quickly, with bounds, or exactly.
 
 use super::{Equilibrium, Found, Multiplicity, Question, RelativeEquilibria};
+use crate::body::Axis;
 use crate::curves::{BranchName, Curve, CurveId, CurveName, Orbit, Point, Shape};
 use crate::stability::exact::{ExactPoint, Touch};
 use crate::stability::{LinearType, Place, Reduced, Setting};
@@ -46,13 +47,13 @@ impl RelativeEquilibria<'_> {
                 Place::Over { axis: family.axis, s: 2.0 * x / (point.j * point.j), r_sum: family.r_sum }
             }
             _ => {
-                let axis = point.gamma.iter().position(|g| *g != 0.0)?;
+                let axis = Axis::ALL.into_iter().find(|&k| point.gamma[k] != 0.0)?;
                 Place::About { axis, weight: point.gamma[axis] * frame.r[axis] }
             }
         };
         // l and its square are rounded.
         let state = place.enclosed(&self.constants, Interval::point(x).widened(4.0))?;
-        let global_minimum = mu.is_some_and(|mu| mu.minus_moment(frame, 2) >= 0.0);
+        let global_minimum = mu.is_some_and(|mu| mu.minus_moment(frame, Axis::ALL[2]) >= 0.0);
         let setting = Setting { index: curve.index?, global_minimum, integral: self.has_integral(curve) };
         let site =
             Site { point, orbit: curve.orbit, is_degenerate: false, curve: CurveName::of(&self.set, id), setting };

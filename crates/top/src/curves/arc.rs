@@ -3,7 +3,7 @@
 use super::generic::{GenericState, Mu};
 use super::point::Point;
 use super::symmetric::SymmetricFamily;
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use numbers::UNIT_ROUNDOFF;
 use numbers::root::{Bracket, newton_bracketed};
 
@@ -11,7 +11,7 @@ use numbers::root::{Bracket, newton_bracketed};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
     /// The moment from which δ is measured.
-    pub base: usize,
+    pub base: Axis,
     /// Sign of δ.
     pub sign: f64,
     /// |δ| at the lower and upper end in x; 0 and ∞ are limits.

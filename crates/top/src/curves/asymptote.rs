@@ -1,13 +1,13 @@
 //! Limits of arcs as l → ∞ (Proposition 6.2 of docs/mathematics.md).
 
 use super::arc::{Arc, Shape};
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 
 /// As x → ∞, h = x/J∞ − ρ∞ + O(1/x).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Asymptote {
     /// J∞ is the moment of this axis of the frame; `None`: J_r, of a pole line off the axes.
-    pub axis: Option<usize>,
+    pub axis: Option<Axis>,
     /// ρ∞ = lim ⟨γ, r⟩.
     pub rho: f64,
 }
@@ -33,7 +33,8 @@ impl Arc {
         match &self.shape {
             Shape::Straight { gamma, .. } => {
                 // A component may round to 1 while the others are not zero.
-                let axis = (0..3).find(|&k| (0..3).all(|j| (gamma[j] != 0.0) == (j == k)));
+                let axis =
+                    Axis::ALL.into_iter().find(|&k| Axis::ALL.into_iter().all(|j| (gamma[j] != 0.0) == (j == k)));
                 Asymptote { axis, rho: (0..3).map(|k| gamma[k] * frame.r[k]).sum() }
             }
             Shape::Generic(segments) => {

@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::curve::{Branch, Curve};
 use super::id::{ClusterId, CurveId, CuspId, IntervalId, PitchforkId};
 use super::point::Point;
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use crate::table::{Id, Table};
 use numbers::UNIT_ROUNDOFF;
 
@@ -26,7 +26,7 @@ pub struct Pitchfork {
     /// The point in the (x, h) plane.
     pub point: Point,
     /// The axis of the frame over which the pair lies.
-    pub axis: usize,
+    pub axis: Axis,
     /// The curve that is left, before and after, by rising x.
     pub through: [CurveId; 2],
     /// The curve of the pair that ends here (always there once the set is made).
@@ -77,11 +77,7 @@ impl CriticalSet {
         check_range(&frame)?;
         let mut set =
             Self { frame, curves: Table::new(), cusps: Table::new(), pitchforks: Table::new(), clusters: Table::new() };
-        let active: Vec<usize> = (0..3).filter(|&k| set.frame.r[k] > 0.0).collect();
-        let passive: Vec<usize> = (0..3)
-            .filter(|&k| k == 0 || set.frame.group[k - 1] != set.frame.group[k])
-            .filter(|&k| active.iter().all(|&m| set.frame.group[m] != set.frame.group[k]))
-            .collect();
+        let (active, passive) = (set.frame.active(), set.frame.passive());
         match active.len() {
             0 => set.add_euler(&passive),
             1 => {

@@ -3,7 +3,7 @@
 use super::arc::Arc;
 use super::id::{CuspId, IntervalId, PitchforkId};
 use super::point::Point;
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 
 /// One of the poles ±r̂ of the Poisson sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -22,7 +22,7 @@ pub enum Branch {
     /// Rotation about the only axis that carries r, with γ at this pole; straight.
     Axis(Pole),
     /// The pair, or circle, over the eigenspace of this axis of the frame.
-    Symmetric(usize),
+    Symmetric(Axis),
     /// A pole line off the critical curves.
     Pole(Pole),
 }
@@ -33,9 +33,9 @@ pub enum Orbit {
     /// One.
     Point,
     /// A symmetric pair ±γ_i, i the axis of the frame.
-    Pair(usize),
-    /// A circle in the plane of the axes i and i + 1 of the frame.
-    Circle(usize),
+    Pair(Axis),
+    /// A circle in the plane of the axis i and the next of the frame.
+    Circle(Axis),
     /// All of S².
     Sphere,
     /// None: a pole line off the critical curves.

@@ -1,7 +1,7 @@
 //! Cusps and the inflection of the generic family, isolated completely.
 
 use super::generic::{GenericState, Mu};
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use numbers::bernstein::{Cell, Form as FormOf, Isolation};
 use numbers::root::itp;
 
@@ -15,9 +15,9 @@ const ROUNDINGS: f64 = 64.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MuInterval {
     /// The moment at the left end; `None`: −∞.
-    pub left: Option<usize>,
+    pub left: Option<Axis>,
     /// The moment at the right end; `None`: ∞.
-    pub right: Option<usize>,
+    pub right: Option<Axis>,
 }
 
 /// What was found on one interval.
@@ -31,7 +31,7 @@ pub struct Cusps {
 
 impl MuInterval {
     /// The side of the interval on which the cell lies, as (base, sign of δ, [|δ|]).
-    fn side(&self, frame: &Frame, cell: &Cell, from_left: bool) -> (usize, f64, [f64; 2]) {
+    fn side(&self, frame: &Frame, cell: &Cell, from_left: bool) -> (Axis, f64, [f64; 2]) {
         match (self.left, self.right) {
             (Some(left), Some(right)) => {
                 let width = frame.diff[right][left];
@@ -81,7 +81,7 @@ impl MuInterval {
     }
 
     /// The interval between active moments with this number, from μ = −∞.
-    pub(crate) fn numbered(active: &[usize], n: usize) -> Self {
+    pub(crate) fn numbered(active: &[Axis], n: usize) -> Self {
         Self { left: n.checked_sub(1).map(|left| active[left]), right: active.get(n).copied() }
     }
 
@@ -89,11 +89,9 @@ impl MuInterval {
     /// interval that ends at +∞.
     pub(crate) fn lines(&self, frame: &Frame) -> ([[f64; 2]; 3], [f64; 2]) {
         match (self.left, self.right) {
-            (Some(left), Some(right)) => {
-                (std::array::from_fn(|k| [frame.diff[left][k], frame.diff[right][k]]), [1.0, 1.0])
-            }
+            (Some(left), Some(right)) => ([0, 1, 2].map(|k| [frame.diff[left][k], frame.diff[right][k]]), [1.0, 1.0]),
             (_, right) => {
-                let first = right.unwrap_or(0);
+                let first = right.unwrap_or(Axis::ALL[0]);
                 let scale = outer_scale(frame, first);
                 (std::array::from_fn(|k| [-scale, -frame.diff[k][first]]), [0.0, 1.0])
             }
@@ -101,13 +99,13 @@ impl MuInterval {
     }
 
     /// Sign of μ − a_k inside the interval.
-    fn sign(&self, k: usize) -> f64 {
+    fn sign(&self, k: Axis) -> f64 {
         if self.right.is_some_and(|right| k >= right) { -1.0 } else { 1.0 }
     }
 }
 
 /// The unit of |δ| left of all moments.
-fn outer_scale(frame: &Frame, first: usize) -> f64 {
+fn outer_scale(frame: &Frame, first: Axis) -> f64 {
     (0..3).filter(|&k| frame.r[k] > 0.0).map(|k| frame.diff[k][first]).fold(0.0, f64::max)
 }
 
@@ -116,7 +114,7 @@ fn outer_scale(frame: &Frame, first: usize) -> f64 {
 /// P²TJ = Σ_i a_i r_i⁴/τ_i⁵ + Σ_{i<j} r_i² r_j² (a_j τ_j + a_i τ_i)/(τ_i³ τ_j³) and
 /// P²V = Σ_{i<j} r_i² r_j² (a_i − a_j)²/(τ_i³ τ_j³) with τ = μ − a; every |τ| is linear in u and of one sign, so that
 /// each summand is a product of non-negative forms.
-fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Form {
+fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[Axis]) -> Form {
     let (lines, [at_zero, at_one]) = interval.lines(frame);
     let unit = Form::linear(at_zero, at_one);
     let lines: Vec<Form> = active.iter().map(|&k| Form::linear(lines[k][0].abs(), lines[k][1].abs())).collect();
@@ -157,7 +155,7 @@ fn cusp_form(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Form {
 /// On the interval that ends at +∞ both T and V are positive: no cusps (Proposition 4.6). With one active moment the
 /// family is a straight line: no cusps.
 #[must_use]
-pub fn cusps(frame: &Frame, interval: &MuInterval, active: &[usize]) -> Cusps {
+pub fn cusps(frame: &Frame, interval: &MuInterval, active: &[Axis]) -> Cusps {
     let mut found = Cusps::default();
     if interval.right.is_none() || active.len() < 2 {
         return found;
@@ -211,22 +209,23 @@ fn bracket_by_ratio(ends: [f64; 2], beyond: impl Fn(f64) -> bool) -> [f64; 2] {
 /// Returns the interval (1 or 2 of the four) and μ; `None` when the root falls on the middle moment.
 #[must_use]
 pub fn inflection(frame: &Frame) -> Option<(usize, Mu)> {
+    let [first, middle, last] = Axis::ALL;
     let [r1, r2, r3] = frame.r.map(|x| x * x);
     let d = &frame.diff;
     let c = [r2 * r3 * d[2][1] * d[2][1], r1 * r3 * d[2][0] * d[2][0], r1 * r2 * d[1][0] * d[1][0]];
     let f = |mu: Mu| {
-        let term = |k: usize| {
+        let term = |k: Axis| {
             let tau = mu.minus_moment(frame, k);
             c[k] * tau * tau * tau
         };
-        term(0) + term(1) + term(2)
+        term(first) + term(middle) + term(last)
     };
     // At the middle moment the sum has the sign of r3²(a2 − a1) − r1²(a3 − a2).
     let at_middle = r3 * d[1][0] - r1 * d[2][1];
     if at_middle == 0.0 {
         return None;
     }
-    let (interval, left, right) = if at_middle > 0.0 { (1, 0, 1) } else { (2, 1, 2) };
+    let (interval, left, right) = if at_middle > 0.0 { (1, first, middle) } else { (2, middle, last) };
     let half = 0.5 * d[right][left];
     let (base, sign) = if f(Mu { base: left, delta: half }) > 0.0 { (left, 1.0) } else { (right, -1.0) };
     let g = |y: f64| f(Mu { base, delta: sign * y });

@@ -1,12 +1,12 @@
 //! The generic family of relative equilibria γ(μ) ∝ (μ − A)⁻¹ r (Staude; Theorem 3.2 of docs/mathematics.md).
 
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 
 /// μ = a_base + δ. With δ kept apart, μ − a_base is exact however close μ comes to a moment of inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mu {
     /// Axis of the frame.
-    pub base: usize,
+    pub base: Axis,
     /// δ = μ − a_base.
     pub delta: f64,
 }
@@ -20,7 +20,7 @@ impl Mu {
 
     /// μ − a_k: one rounding, and no cancellation as long as `base` is the moment next to μ.
     #[must_use]
-    pub fn minus_moment(self, frame: &Frame, k: usize) -> f64 {
+    pub fn minus_moment(self, frame: &Frame, k: Axis) -> f64 {
         self.delta + frame.diff[self.base][k]
     }
 }
@@ -52,7 +52,7 @@ impl GenericState {
     pub fn at(frame: &Frame, mu: Mu) -> Self {
         let mut inverse = [0.0; 3];
         let mut g = [0.0; 3];
-        for k in 0..3 {
+        for k in Axis::ALL {
             if frame.r[k] > 0.0 {
                 inverse[k] = 1.0 / mu.minus_moment(frame, k);
                 g[k] = frame.r[k] * inverse[k];

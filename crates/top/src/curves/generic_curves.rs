@@ -8,14 +8,15 @@ use super::generic::{GenericState, Mu};
 use super::id::{CurveId, IntervalId};
 use super::index;
 use super::point::Point;
+use crate::body::Axis;
 use crate::table::Id;
 
 /// A place where the generic family is cut.
 #[derive(Clone, Copy)]
 enum Station {
-    End(Option<usize>),
+    End(Option<Axis>),
     Cusp(Mu),
-    Pitchfork(Mu, usize),
+    Pitchfork(Mu, Axis),
     Inflection(Mu),
 }
 
@@ -38,7 +39,7 @@ struct Node {
 
 impl CriticalSet {
     /// The generic family over every interval between active moments.
-    pub(super) fn add_generic(&mut self, active: &[usize], passive: &[usize]) {
+    pub(super) fn add_generic(&mut self, active: &[Axis], passive: &[Axis]) {
         let bend = if active.len() == 3 { inflection(&self.frame) } else { None };
         for n in 0..=active.len() {
             let interval = MuInterval::numbered(active, n);
@@ -56,7 +57,7 @@ impl CriticalSet {
                 }
             }
             stations.sort_by(|p, q| {
-                let key = |station: &Station| station.mu().map_or((0, 0.0), |mu| (mu.base, mu.delta));
+                let key = |station: &Station| station.mu().map_or((Axis::ALL[0], 0.0), |mu| (mu.base, mu.delta));
                 let (p, q) = (key(p), key(q));
                 p.0.cmp(&q.0).then(p.1.total_cmp(&q.1))
             });
@@ -67,7 +68,7 @@ impl CriticalSet {
     }
 
     /// μ = a_k of a moment without r, if it lies in the interval, measured from the nearer end.
-    fn passive_mu(&self, interval: &MuInterval, k: usize) -> Option<Mu> {
+    fn passive_mu(&self, interval: &MuInterval, k: Axis) -> Option<Mu> {
         let diff = &self.frame.diff;
         let inside = interval.left.is_none_or(|left| diff[k][left] > 0.0)
             && interval.right.is_none_or(|right| diff[k][right] < 0.0);
@@ -207,7 +208,7 @@ impl CriticalSet {
 /// The segment between two neighbouring stations on one side of an interval.
 fn segment(interval: &MuInterval, from: &Node, to: &Node) -> Segment {
     let base = [to, from].iter().find_map(|node| node.mu.map(|mu| mu.base));
-    let base = base.or(interval.right).or(interval.left).unwrap_or(0);
+    let base = base.or(interval.right).or(interval.left).unwrap_or(Axis::ALL[0]);
     let distance = |node: &Node| node.mu.map_or(f64::INFINITY, |mu| mu.delta.abs());
     let sign = if interval.left == Some(base) { 1.0 } else { -1.0 };
     let (mut x, mut ends) = ([from.x, to.x], [distance(from), distance(to)]);

@@ -9,12 +9,12 @@ use super::arc::{Arc, Segment, Shape};
 use super::curve::Orbit;
 use super::generic::{GenericState, Mu};
 use super::symmetric::SymmetricFamily;
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 
 /// Trace of the Hessian over s: Σ (μ−a) − Σ w (μ−a) + (4/J) Var_w(a), with its scale.
 fn trace(frame: &Frame, gamma: [f64; 3], j: f64, mu: Mu) -> (f64, f64) {
     let w = gamma.map(|g| g * g);
-    let tau = [0, 1, 2].map(|k| mu.minus_moment(frame, k));
+    let tau = Axis::ALL.map(|k| mu.minus_moment(frame, k));
     let pair = |i: usize, k: usize| w[i] * w[k] * frame.diff[i][k] * frame.diff[i][k];
     let variance = pair(0, 1) + pair(0, 2) + pair(1, 2);
     let free: f64 = (0..3).map(|k| (1.0 - w[k]) * tau[k]).sum();
@@ -41,7 +41,7 @@ pub(super) fn generic(frame: &Frame, arcs: &[Arc], x_rises: bool) -> u8 {
         })
         .flat_map(sample)
         .collect();
-    let negative = (0..3).filter(|&k| samples[0].minus_moment(frame, k) < 0.0).count();
+    let negative = Axis::ALL.into_iter().filter(|&k| samples[0].minus_moment(frame, k) < 0.0).count();
     let product_negative = negative % 2 == 1;
     // sign det = −sign(dx/dμ) · sign Π(μ − a_k).
     if x_rises != product_negative {
@@ -71,7 +71,7 @@ fn sample(segment: &Segment) -> [Mu; 2] {
 /// Index along a piece of the family over a_i, t from its lower to its upper end in x.
 pub(super) fn symmetric(frame: &Frame, family: &SymmetricFamily, t: [f64; 2], s_rises: bool, orbit: Orbit) -> u8 {
     let axis = family.axis;
-    let others: Vec<usize> = (0..3).filter(|&k| frame.group[k] != frame.group[axis]).collect();
+    let others: Vec<Axis> = Axis::ALL.into_iter().filter(|&k| frame.group[k] != frame.group[axis]).collect();
     let below = others.iter().filter(|&&k| frame.diff[axis][k] < 0.0).count();
     if matches!(orbit, Orbit::Circle(_)) {
         // One normal direction, with the sign of dx/ds · (a_i − a_j).
@@ -92,7 +92,7 @@ pub(super) fn symmetric(frame: &Frame, family: &SymmetricFamily, t: [f64; 2], s_
 }
 
 /// Index along the line γ = ±e_axis that carries r, for from < x < to.
-pub(super) fn on_axis(frame: &Frame, axis: usize, sign: f64, from: f64, to: f64) -> u8 {
+pub(super) fn on_axis(frame: &Frame, axis: Axis, sign: f64, from: f64, to: f64) -> u8 {
     let x = match (from > 0.0, to.is_finite()) {
         (true, true) => 0.5 * (from + to),
         (true, false) => 2.0 * from,
@@ -101,6 +101,7 @@ pub(super) fn on_axis(frame: &Frame, axis: usize, sign: f64, from: f64, to: f64)
     };
     let a = frame.a[axis];
     let delta = sign * 0.5 * frame.r[axis] * a * a / x;
-    let negative = (0..3).filter(|&k| k != axis && Mu { base: axis, delta }.minus_moment(frame, k) < 0.0).count();
+    let at = Mu { base: axis, delta };
+    let negative = axis.others().into_iter().filter(|&k| at.minus_moment(frame, k) < 0.0).count();
     u8::try_from(negative).unwrap_or(2)
 }

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use thiserror::Error;
 
 use super::{Branch, CriticalSet, CurveId, IntervalId, Orbit, Pole};
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use crate::table::Id;
 
 /// Name of a branch of relative equilibria, or of a pole line.
@@ -69,8 +69,8 @@ impl BranchName {
 #[must_use]
 pub fn branch_words(set: &CriticalSet, branch: Branch) -> String {
     let frame = &set.frame;
-    let active: Vec<usize> = (0..3).filter(|&k| frame.r[k] > 0.0).collect();
-    let axes = |k: usize| {
+    let active = frame.active();
+    let axes = |k: Axis| {
         let members: Vec<String> = match BranchName::of(frame, Branch::Symmetric(k)) {
             BranchName::Over(axes) => (1..=3).filter(|i| axes[i - 1]).map(|i| i.to_string()).collect(),
             _ => Vec::new(),

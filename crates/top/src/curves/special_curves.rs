@@ -7,12 +7,12 @@ use super::id::{CurveId, PitchforkId};
 use super::index;
 use super::point::Point;
 use super::symmetric::SymmetricFamily;
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use crate::table::Id;
 
 impl CriticalSet {
     /// r = 0: rotations about the principal axes, straight lines through the origin.
-    pub(super) fn add_euler(&mut self, passive: &[usize]) {
+    pub(super) fn add_euler(&mut self, passive: &[Axis]) {
         for &axis in passive {
             let dimension = eigenspace_dimension(&self.frame, axis);
             let orbit = match dimension {
@@ -36,12 +36,12 @@ impl CriticalSet {
     }
 
     /// r on an eigenspace: two straight lines γ = ±r̂, cut at the pitchforks of the other axes.
-    pub(super) fn add_axis(&mut self, axis: usize, passive: &[usize]) {
+    pub(super) fn add_axis(&mut self, axis: Axis, passive: &[Axis]) {
         let a = self.frame.a[axis];
         for (pole, sign) in [(Pole::Minus, -1.0), (Pole::Plus, 1.0)] {
             let gamma = unit(axis, sign);
             // μ = a ± r/s passes a_k at s = r/|a_k − a|, on the line on whose side a_k lies.
-            let mut cuts: Vec<(f64, usize)> = passive
+            let mut cuts: Vec<(f64, Axis)> = passive
                 .iter()
                 .filter(|&&k| self.frame.diff[k][axis] * sign > 0.0)
                 .map(|&k| (0.5 * a * a * self.frame.r[axis] / self.frame.diff[k][axis].abs(), k))
@@ -74,7 +74,7 @@ impl CriticalSet {
     }
 
     /// The pairs and circles over eigenspaces without r; their pitchforks are known by now.
-    pub(super) fn add_symmetric(&mut self, passive: &[usize]) {
+    pub(super) fn add_symmetric(&mut self, passive: &[Axis]) {
         for &axis in passive {
             let Some((number, pitchfork)) = self.pitchforks.pairs().find(|(_, p)| p.axis == axis) else {
                 continue;
@@ -137,13 +137,13 @@ impl CriticalSet {
     }
 }
 
-fn unit(axis: usize, sign: f64) -> [f64; 3] {
+fn unit(axis: Axis, sign: f64) -> [f64; 3] {
     let mut v = [0.0; 3];
     v[axis] = sign;
     v
 }
 
 /// Dimension of the eigenspace whose first axis is given.
-fn eigenspace_dimension(frame: &Frame, axis: usize) -> usize {
+fn eigenspace_dimension(frame: &Frame, axis: Axis) -> usize {
     (0..3).filter(|&k| frame.group[k] == frame.group[axis]).count()
 }

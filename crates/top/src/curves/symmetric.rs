@@ -1,13 +1,13 @@
 //! The extra family over μ = a_i where r vanishes on the whole eigenspace of a_i (Theorem 3.3 of docs/mathematics.md).
 
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 
 /// The family over a principal axis i without centre of mass: γ_j = r_j/(s (a_i − a_j)) for the other axes and
 /// γ_i = ±√(1 − …), one pair for every s ≥ ŝ = √P̂; a circle when a_i is a double moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SymmetricFamily {
     /// The first axis of the eigenspace.
-    pub axis: usize,
+    pub axis: Axis,
     /// R̂ = Σ r_j²/(a_i − a_j).
     pub r_sum: f64,
     /// ŝ = √(Σ r_j²/(a_i − a_j)²): the pitchfork. 0 when r = 0.
@@ -30,7 +30,7 @@ pub struct SymmetricState {
 impl SymmetricFamily {
     /// The family over an axis on whose eigenspace r vanishes.
     #[must_use]
-    pub fn over(frame: &Frame, axis: usize) -> Self {
+    pub fn over(frame: &Frame, axis: Axis) -> Self {
         let mut p_sum = 0.0;
         for k in 0..3 {
             if frame.r[k] > 0.0 {

@@ -13,9 +13,11 @@
 mod cone;
 mod regions;
 mod rotation;
+mod steady;
 mod tolerance;
 
 pub use cone::{NearestAxis, nearest_axis, nearest_permanent, permanent_axes};
 pub use regions::{RegionChange, region_changes};
 pub use rotation::{AxisRotation, SpinChange, SpinType, Squares};
-pub use tolerance::{SpinRange, SpinRanges, spin_ranges};
+pub use steady::{SteadyRotation, nearest_steady};
+pub use tolerance::{INPUTS, SAMPLES, SpinRange, spin_ranges};

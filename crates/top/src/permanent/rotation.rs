@@ -1,12 +1,15 @@
 //! Rotation about a principal axis through the centre of mass: its spectral type over the spin, exactly.
 
+use std::cmp::Ordering;
+
 use dashu_ratio::RBig;
 
 use crate::body::Body;
+use crate::stability::Verdict;
 use numbers::polynomial::{Polynomial, Root, rational};
 
 /// The spectral type of such a rotation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SpinType {
     /// Two imaginary pairs, and the energy is least: stable.
     Minimum,
@@ -15,6 +18,8 @@ pub enum SpinType {
     /// One real and one imaginary pair: unstable.
     SaddleCentre,
     /// Two real pairs: unstable.
+    Saddle,
+    /// A double real pair: unstable.
     DoubleReal,
     /// A complex quadruple: unstable.
     Complex,
@@ -34,6 +39,7 @@ impl SpinType {
             Self::Minimum => "elliptic (least energy)",
             Self::Elliptic => "elliptic",
             Self::SaddleCentre => "saddle-centre",
+            Self::Saddle => "saddle",
             Self::DoubleReal => "double-real",
             Self::Complex => "complex",
         }
@@ -111,9 +117,12 @@ impl AxisRotation {
         match (positive(&first), positive(&second)) {
             (true, true) => SpinType::Minimum,
             (true, false) | (false, true) => SpinType::SaddleCentre,
-            (false, false) if at(&self.discriminant()) < RBig::ZERO => SpinType::Complex,
-            (false, false) if positive(&whole) => SpinType::Elliptic,
-            (false, false) => SpinType::DoubleReal,
+            (false, false) => match (at(&self.discriminant()).cmp(&RBig::ZERO), positive(&whole)) {
+                (Ordering::Less, _) => SpinType::Complex,
+                (_, true) => SpinType::Elliptic,
+                (Ordering::Greater, false) => SpinType::Saddle,
+                (Ordering::Equal, false) => SpinType::DoubleReal,
+            },
         }
     }
 
@@ -156,6 +165,18 @@ impl AxisRotation {
     pub fn type_at_spin(&self, omega: f64) -> Option<SpinType> {
         let omega = RBig::try_from(omega).ok()?;
         (!omega.is_zero()).then(|| self.type_at(&(&omega * &omega)))
+    }
+
+    /// What is known of a rotation of this type (Proposition 13.6 of docs/mathematics.md).
+    #[must_use]
+    pub fn verdict(&self, found: SpinType) -> Verdict {
+        let [_, a, b] = &self.moments;
+        match found {
+            SpinType::Minimum => Verdict::Energy,
+            SpinType::Elliptic if a == b || self.weight.is_zero() => Verdict::Integral,
+            SpinType::Elliptic => Verdict::Spectrum,
+            SpinType::SaddleCentre | SpinType::Saddle | SpinType::DoubleReal | SpinType::Complex => Verdict::Unstable,
+        }
     }
 
     /// l at a spin.

@@ -131,7 +131,7 @@ impl<'a> LinearTypes<'a> {
 /// The types along all curves of a body with three distinct moments, r on no axis, if f64 decides them.
 fn quick(body: &Body, set: &CriticalSet) -> Option<Table<CurveId, Along>> {
     let frame = &set.frame;
-    let active: Vec<usize> = (0..3).filter(|&k| frame.r[k] > 0.0).collect();
+    let active = frame.active();
     if frame.group != [0, 1, 2] || active.len() < 2 || !set.clusters.is_empty() || is_extreme(frame) {
         return None;
     }

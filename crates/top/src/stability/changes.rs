@@ -82,7 +82,7 @@ impl StabilityProfile {
         }
         let forms = Forms::new(&body);
         let generic = (0..=body.active.len()).map(|n| Strand::generic(&body, &forms, n));
-        let over = body.passive().into_iter().map(|axis| Strand::over(&body, axis));
+        let over = body.passive.iter().map(|&axis| Strand::over(&body, axis));
         let strands: Option<Vec<_>> =
             generic.chain(over).map(|strand| Some((strand.clone(), Profile::new(&strand)?))).collect();
         Some(Self { strands: strands?, forms: Some(forms), body })
@@ -206,7 +206,7 @@ impl StabilityProfile {
     /// The type of a rotation without weight: λ² = −Ω² and −Ω²(a_k − a_i)(a_k − a_j)/(a_i a_j).
     fn without_weight(&self, curve: &Curve) -> LinearType {
         let (Orbit::Pair(axis), a) = (curve.orbit, &self.body.a) else { return Signs::transverse_type(1) };
-        let (i, j) = (&a[(axis + 1) % 3], &a[(axis + 2) % 3]);
+        let [i, j] = axis.others().map(|k| &a[k]);
         let product = (&a[axis] - i) * (&a[axis] - j);
         let sign = |x: &dashu_int::IBig| x.signum().try_into().unwrap_or(0);
         let apart = &product - i * j;

@@ -7,7 +7,7 @@
 use super::constants::Constants;
 use super::reduced::Reduced;
 use super::state::State;
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use crate::curves::{Mu, MuInterval, SymmetricFamily};
 use numbers::bernstein::{Form as FormOf, Isolation};
 use numbers::enclosure::{Arithmetic, Enclosure};
@@ -124,13 +124,14 @@ struct Lines {
 
 impl Strand {
     fn lines(&self, frame: &Frame) -> Lines {
-        let active = |k: usize| frame.r[k] > 0.0;
+        let active = |k: Axis| frame.r[k] > 0.0;
         match self {
             Self::Generic(interval) => {
                 let (ends, unit) = interval.lines(frame);
                 let line = ends.map(|[at_zero, at_one]| Form::linear(at_zero, at_one));
-                let weight = std::array::from_fn(|k| {
-                    let others = (0..3).filter(|&m| m != k && active(m)).map(|m| line[m].times(&line[m]));
+                let weight = Axis::ALL.map(|k| {
+                    let others =
+                        Axis::ALL.into_iter().filter(|&m| m != k && active(m)).map(|m| line[m].times(&line[m]));
                     let product = others.reduce(|product, square| product.times(&square));
                     product.filter(|_| active(k)).map(|product| {
                         let mut weight = Form::zero(product.degree());
@@ -142,8 +143,8 @@ impl Strand {
             }
             // γ_k² = (r_k/(a − a_k))² z and the rest of 1, with z = u/P̂.
             Self::Over(family) => {
-                let gap = |k: usize| frame.diff[family.axis][k];
-                let weight = std::array::from_fn(|k| {
+                let gap = |k: Axis| frame.diff[family.axis][k];
+                let weight = Axis::ALL.map(|k| {
                     let ratio = frame.r[k] / (gap(k) * family.s_pitchfork);
                     if k == family.axis {
                         Some(Form::linear(1.0, 0.0))
@@ -151,7 +152,7 @@ impl Strand {
                         active(k).then(|| Form::linear(0.0, ratio * ratio))
                     }
                 });
-                let line = std::array::from_fn(|k| Form::linear(gap(k), gap(k)));
+                let line = Axis::ALL.map(|k| Form::linear(gap(k), gap(k)));
                 Lines { unit: Form::linear(1.0, 1.0), line, weight }
             }
         }

@@ -2,6 +2,7 @@
 
 use super::constants::Constants;
 use super::state::State;
+use crate::body::Axis;
 use crate::curves::Mu;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
@@ -14,7 +15,7 @@ pub enum Place {
     /// Over a passive moment, with this s = Ω².
     Over {
         /// The axis of the frame.
-        axis: usize,
+        axis: Axis,
         /// Ω².
         s: f64,
         /// R̂ (Theorem 3.3 of docs/mathematics.md).
@@ -23,7 +24,7 @@ pub enum Place {
     /// Rotation about a principal axis of the frame.
     About {
         /// The axis.
-        axis: usize,
+        axis: Axis,
         /// ⟨γ, r⟩: r, −r or, without weight, 0.
         weight: f64,
     },

@@ -1,7 +1,7 @@
 //! A relative equilibrium as the linearisation sees it, enclosed: squares of γ, gaps to the multiplier, J and Ω².
 
 use super::constants::Constants;
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use numbers::enclosure::Enclosure;
 
 /// A relative equilibrium (Theorem 3.2 and Theorem 3.3 of docs/mathematics.md), or all those over a range of the parameter.
@@ -18,19 +18,21 @@ pub struct State<E> {
 }
 
 /// J about the moment a_base, which keeps it narrow where γ is near that axis.
-fn moment<E: Enclosure>(c: &Constants<E>, w: &[E; 3], base: usize) -> E {
-    let others = (0..3).filter(|&k| k != base);
-    others.fold(c.a[base].clone(), |j, k| j + w[k].clone() * c.diff[k][base].clone())
+fn moment<E: Enclosure>(c: &Constants<E>, w: &[E; 3], base: Axis) -> E {
+    Axis::ALL
+        .into_iter()
+        .filter(|&k| k != base)
+        .fold(c.a[base].clone(), |j, k| j + w[k].clone() * c.diff[k][base].clone())
 }
 
 impl<E: Enclosure> State<E> {
     /// The generic family at μ = a_base + δ; `base` is an active moment and δ holds no 0.
     #[must_use]
-    pub fn generic(c: &Constants<E>, base: usize, delta: &E) -> Self {
+    pub fn generic(c: &Constants<E>, base: Axis, delta: &E) -> Self {
         let tau: [E; 3] =
-            std::array::from_fn(|k| if k == base { delta.clone() } else { delta.clone() + c.diff[base][k].clone() });
+            Axis::ALL.map(|k| if k == base { delta.clone() } else { delta.clone() + c.diff[base][k].clone() });
         // Weights r_k² (τ_base/τ_k)², of which only the quotient may be small.
-        let weight: [Option<E>; 3] = std::array::from_fn(|k| {
+        let weight: [Option<E>; 3] = Axis::ALL.map(|k| {
             c.active[k].then(|| {
                 if k == base { c.rho[k].clone() } else { c.rho[k].clone() * (delta.clone() / tau[k].clone()).square() }
             })
@@ -44,10 +46,9 @@ impl<E: Enclosure> State<E> {
 
     /// The family over the passive moment a_axis at z = 1/s².
     #[must_use]
-    pub fn over(c: &Constants<E>, axis: usize, z: &E) -> Self {
-        let mut w: [E; 3] = std::array::from_fn(|k| {
-            if c.active[k] { z.clone() * c.rho[k].clone() / c.diff[axis][k].square() } else { c.small(0) }
-        });
+    pub fn over(c: &Constants<E>, axis: Axis, z: &E) -> Self {
+        let mut w: [E; 3] = Axis::ALL
+            .map(|k| if c.active[k] { z.clone() * c.rho[k].clone() / c.diff[axis][k].square() } else { c.small(0) });
         w[axis] = w.iter().fold(c.small(1), |rest, w| rest - w.clone());
         let j = moment(c, &w, axis);
         let s = (c.small(1) / z.clone()).sqrt();
@@ -57,10 +58,9 @@ impl<E: Enclosure> State<E> {
     /// Rotation about a principal axis, γ = ±e_axis, with Ω² = s > 0 and weight: τ_k = a_axis − a_k + `shift`, where the
     /// shift is ±r/s.
     #[must_use]
-    pub fn about(c: &Constants<E>, axis: usize, s: &E, shift: &E) -> Self {
-        let w = std::array::from_fn(|k| c.small(i32::from(k == axis)));
-        let tau =
-            std::array::from_fn(|k| if k == axis { shift.clone() } else { c.diff[axis][k].clone() + shift.clone() });
+    pub fn about(c: &Constants<E>, axis: Axis, s: &E, shift: &E) -> Self {
+        let w = Axis::ALL.map(|k| c.small(i32::from(k == axis)));
+        let tau = Axis::ALL.map(|k| if k == axis { shift.clone() } else { c.diff[axis][k].clone() + shift.clone() });
         Self { w, tau, j: c.a[axis].clone(), s: s.clone() }
     }
 

@@ -1,7 +1,7 @@
 //! The closed form of the relative equilibria, written a second time, in partial fractions about the nearest moment of
 //! inertia; random bodies; starts for the tracker.
 
-use top::body::{Body, Frame};
+use top::body::{Axis, Body, Frame};
 use top::continuation::{Direction, Start, TrackOptions, TrackReport, Vertex, VertexKind, track};
 use top::stability::RelativeEquilibrium;
 
@@ -85,11 +85,11 @@ pub fn closed(frame: &Frame, i: usize, delta: f64) -> Closed {
 }
 
 /// The pair over μ = A_i at squared angular velocity s, with γ_i ≥ 0: (γ, l, h).
-pub fn closed_pair(frame: &Frame, i: usize, s: f64) -> ([f64; 3], f64, f64) {
+pub fn closed_pair(frame: &Frame, i: Axis, s: f64) -> ([f64; 3], f64, f64) {
     let mut gamma = [0.0; 3];
     let mut r_tilde = 0.0;
     let mut rest = 1.0;
-    for j in (0..3).filter(|&j| j != i && frame.r[j] != 0.0) {
+    for j in Axis::ALL.into_iter().filter(|&j| j != i && frame.r[j] != 0.0) {
         gamma[j] = frame.r[j] / (s * frame.diff[i][j]);
         rest -= gamma[j] * gamma[j];
         r_tilde += frame.r[j] * frame.r[j] / frame.diff[i][j];
@@ -100,8 +100,9 @@ pub fn closed_pair(frame: &Frame, i: usize, s: f64) -> ([f64; 3], f64, f64) {
 }
 
 /// √P̂: the squared angular velocity at which the pair over A_i leaves the generic family.
-pub fn pair_start(frame: &Frame, i: usize) -> f64 {
-    (0..3)
+pub fn pair_start(frame: &Frame, i: Axis) -> f64 {
+    Axis::ALL
+        .into_iter()
         .filter(|&j| j != i && frame.r[j] != 0.0)
         .map(|j| frame.r[j] / frame.diff[i][j])
         .map(|x| x * x)

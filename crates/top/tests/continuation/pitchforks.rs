@@ -1,6 +1,6 @@
 //! Bodies with some r_i = 0: pitchforks, switching of branches, effort.
 
-use top::body::Body;
+use top::body::{Axis, Body};
 use top::continuation::{Direction, Effort, Start, StopReason, TrackOptions, VertexKind, track};
 use top::stability::RelativeEquilibrium;
 
@@ -31,7 +31,7 @@ fn bodies_in_a_symmetry_plane_switch_branches_at_pitchforks() {
                 met.extend(report.pitchforks.iter().map(|fork| (fork.axis, report.vertices[fork.vertex])));
             }
         }
-        let free: Vec<usize> = (0..3).filter(|&i| frame.r[i] == 0.0).collect();
+        let free: Vec<Axis> = Axis::ALL.into_iter().filter(|&i| frame.r[i] == 0.0).collect();
         let expected = free.iter().filter(|&&i| closed_pair(&frame, i, pair_start(&frame, i)).1 < l_max).count();
         assert_eq!(met.len(), expected, "{frame:?}");
         for (axis, vertex) in met {
@@ -39,7 +39,7 @@ fn bodies_in_a_symmetry_plane_switch_branches_at_pitchforks() {
             let s = pair_start(&frame, axis);
             let (gamma, l, h) = closed_pair(&frame, axis, s);
             worst = worst.max(((vertex.l - l) / l).abs()).max((vertex.h - h).abs() / (s * frame.a[2] + frame.r_norm));
-            for j in (0..3).filter(|&j| j != axis) {
+            for j in axis.others() {
                 worst = worst.max((vertex.equilibrium.gamma[j] - gamma[j]).abs());
             }
             let start = Start::leaving_pitchfork(vertex.equilibrium, axis);
@@ -51,7 +51,7 @@ fn bodies_in_a_symmetry_plane_switch_branches_at_pitchforks() {
                 let (gamma, l, h) = closed_pair(&frame, axis, point.omega * point.omega);
                 worst = worst.max(((vertex.l - l) / l).abs());
                 worst = worst.max((vertex.h - h).abs() / (0.5 * l * point.omega + frame.r_norm));
-                for j in (0..3).filter(|&j| j != axis) {
+                for j in axis.others() {
                     worst = worst.max((point.gamma[j] - gamma[j]).abs());
                 }
                 // γ_i = √(1 − …) is known to the square root of rounding where it vanishes.

@@ -1,6 +1,6 @@
 //! Pieces of special bodies, and tracks that end early.
 
-use top::body::{Body, Frame};
+use top::body::{Axis, Body, Frame};
 use top::continuation::{
     Direction, PieceEnd, PieceTrack, Start, StopReason, TrackError, TrackOptions, track, track_piece,
 };
@@ -44,7 +44,7 @@ fn pieces_of_kovalevskaya_end_at_pitchforks_and_cusps() {
     }
     // The tilted pair: from the pitchfork at s = 1 down to the cusp at s = √3, and up from there.
     let cusp = (16.0 * 3f64.sqrt() / 9.0).sqrt();
-    let axis = (0..3).find(|&i| frame.a[i] == 1.0).unwrap();
+    let axis = Axis::ALL.into_iter().find(|&i| frame.a[i] == 1.0).unwrap();
     for (s, ends, index) in [
         (1.3f64, [PieceEnd::Cusp(cusp), PieceEnd::Pitchfork(2.0)], 1),
         (3.0, [PieceEnd::Cusp(cusp), PieceEnd::Momentum(8.0)], 2),

@@ -1,6 +1,6 @@
 //! Enclosures of the curvature d²h/dx² of an arc.
 
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use crate::curves::{Arc, Shape, SymmetricFamily};
 use numbers::enclosure::Arithmetic;
 use numbers::interval::Interval;
@@ -34,8 +34,8 @@ pub(super) fn curvature(frame: &Frame, arc: &Arc, x: [f64; 2]) -> Option<Interva
     (enclosure.lo.is_finite() && enclosure.hi.is_finite()).then_some(enclosure)
 }
 
-fn generic(frame: &Frame, base: usize, delta: Interval) -> Interval {
-    let active: Vec<usize> = (0..3).filter(|&k| frame.r[k] > 0.0).collect();
+fn generic(frame: &Frame, base: Axis, delta: Interval) -> Interval {
+    let active = frame.active();
     let value = Interval::rounded;
     let tau: Vec<Interval> = active.iter().map(|&k| delta + value(frame.diff[base][k])).collect();
     let inverse: Vec<Interval> = tau.iter().map(|t| Interval::ONE / *t).collect();

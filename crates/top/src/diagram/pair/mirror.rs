@@ -7,7 +7,7 @@
 //! −r_i, then h_left − h_right = ∫ γ_i dε > 0: the left branch lies above the right one, by 2 r_i γ_i to first order,
 //! however small that is (Lemma 7.5 of docs/mathematics.md).
 
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use crate::curves::Mu;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
@@ -22,7 +22,7 @@ pub(super) struct MirrorPair {
 }
 
 /// True when the branch left of a_i is proved to lie above the branch right of it for all x in the range.
-pub(super) fn left_is_above(frame: &Frame, axis: usize, x: [f64; 2], ends: [MirrorPair; 2]) -> bool {
+pub(super) fn left_is_above(frame: &Frame, axis: Axis, x: [f64; 2], ends: [MirrorPair; 2]) -> bool {
     let curves = MirroredCurves::new(frame, axis);
     let v = |mu: Option<Mu>| mu.map_or(0.0, |mu| mu.delta.abs() / frame.r[axis]);
     let left = ends.map(|pair| v(pair.left));
@@ -34,7 +34,7 @@ pub(super) fn left_is_above(frame: &Frame, axis: usize, x: [f64; 2], ends: [Mirr
 #[derive(Clone, Copy)]
 struct MirroredCurves<'a> {
     frame: &'a Frame,
-    axis: usize,
+    axis: Axis,
     a: Interval,
     epsilon: Interval,
 }
@@ -46,7 +46,7 @@ struct Sums {
 }
 
 impl<'a> MirroredCurves<'a> {
-    fn new(frame: &'a Frame, axis: usize) -> Self {
+    fn new(frame: &'a Frame, axis: Axis) -> Self {
         let epsilon = Interval::between(-frame.r[axis], frame.r[axis]).widened(2.0);
         Self { frame, axis, a: Interval::rounded(frame.a[axis]), epsilon }
     }
@@ -101,7 +101,7 @@ impl<'a> MirroredCurves<'a> {
 
     fn sums(&self, v: Interval) -> Sums {
         let mut sums = Sums { p: [Interval::ZERO; 3], q: [Interval::ZERO; 3] };
-        for j in (0..3).filter(|&j| j != self.axis && self.frame.r[j] > 0.0) {
+        for j in Axis::ALL.into_iter().filter(|&j| j != self.axis && self.frame.r[j] > 0.0) {
             let value = Interval::rounded;
             let inverse = Interval::ONE / (value(self.frame.diff[self.axis][j]) + self.epsilon * v);
             let square = (value(self.frame.r[j]) * inverse).square();

@@ -8,7 +8,7 @@
 //!
 //! Near the other pole, −p, the kinetic parts are the same and U(p) − U(−p) = −2⟨p, r⟩.
 
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use crate::curves::{Gap, Mu, Point};
 use numbers::UNIT_ROUNDOFF as U;
 
@@ -45,7 +45,7 @@ fn gaps_beside(frame: &Frame, line: &Point, curve: &Point, mu: Mu, m: usize) -> 
         alpha += delta[j] * weight;
         alpha_error += error[j] * weight.abs() + 16.0 * U * delta[j].abs() * weight_scale;
     }
-    let tau = [0, 1, 2].map(|k| mu.minus_moment(frame, k));
+    let tau = Axis::ALL.map(|k| mu.minus_moment(frame, k));
     let quadratic = |weight: &dyn Fn(usize) -> f64| {
         let value: f64 = (0..3).map(|k| weight(k) * delta[k] * delta[k]).sum();
         let scale = |k: usize| weight(k).abs() * delta[k].abs() * (2.0 * error[k] + 8.0 * U * delta[k].abs());

@@ -4,7 +4,7 @@ use dashu_base::Gcd;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-use crate::body::{Body, Frame};
+use crate::body::{Axis, Body, Frame};
 use crate::stability::Constants;
 use numbers::Number;
 use numbers::enclosure::Arithmetic;
@@ -19,7 +19,9 @@ pub struct ExactBody {
     /// Number of the eigenspace of each axis.
     pub group: [usize; 3],
     /// The axes that carry r.
-    pub active: Vec<usize>,
+    pub active: Vec<Axis>,
+    /// The axes, one for each eigenspace, on which r vanishes.
+    pub passive: Vec<Axis>,
     unit_a: UBig,
     unit_r: UBig,
     moments: [RBig; 3],
@@ -52,20 +54,14 @@ impl ExactBody {
             a: moments.each_ref().map(|a| whole(a * &n)),
             rho: squares.each_ref().map(|x| whole(x * &m * &m)),
             group: frame.group,
-            active: (0..3).filter(|&k| !squares[k].is_zero()).collect(),
+            active: frame.active(),
+            passive: frame.passive(),
             unit_a,
             unit_r,
             moments,
             squares,
             momentum_unit: momentum,
         }
-    }
-
-    /// The axes, one for each eigenspace, on which r vanishes.
-    #[must_use]
-    pub fn passive(&self) -> Vec<usize> {
-        let first = |k: &usize| *k == 0 || self.group[k - 1] != self.group[*k];
-        (0..3).filter(first).filter(|&k| self.active.iter().all(|&m| self.group[m] != self.group[k])).collect()
     }
 
     /// x = l²/2 in the units of the integers.

@@ -4,6 +4,7 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::body::ExactBody;
+use crate::body::Axis;
 use numbers::polynomial::Polynomial;
 
 /// With P = p/D², Q = q/D² over the active axes: χ = `passive`·`cusp`/(p² det A), β = `swing`/(p q det A) and
@@ -30,12 +31,12 @@ impl Forms {
     pub fn new(body: &ExactBody) -> Self {
         let line = body.a.each_ref().map(Polynomial::linear);
         let one = Polynomial::constant(IBig::ONE);
-        let product_of = |axes: &mut dyn Iterator<Item = usize>| axes.fold(one.clone(), |p, k| p.times(&line[k]));
+        let product_of = |axes: &mut dyn Iterator<Item = Axis>| axes.fold(one.clone(), |p, k| p.times(&line[k]));
         let product = product_of(&mut body.active.iter().copied());
-        let passive = product_of(&mut (0..3).filter(|k| !body.active.contains(k)));
+        let passive = product_of(&mut Axis::ALL.into_iter().filter(|k| !body.active.contains(k)));
         // D² r_k²/τ_k²
         let zero = Polynomial::new(Vec::new());
-        let weight: [Polynomial; 3] = std::array::from_fn(|k| {
+        let weight: [Polynomial; 3] = Axis::ALL.map(|k| {
             let others = product_of(&mut body.active.iter().copied().filter(|&m| m != k));
             if body.active.contains(&k) { others.squared().scaled(&body.rho[k]) } else { zero.clone() }
         });

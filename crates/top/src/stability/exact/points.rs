@@ -6,6 +6,7 @@ use super::body::ExactBody;
 use super::forms::Forms;
 use super::profile::{Profile, StationKind, compare};
 use super::strand::Strand;
+use crate::body::Axis;
 use crate::stability::{Constants, LinearType, Reduced, Signs, State};
 use numbers::enclosure::Enclosure;
 use numbers::polynomial::{Polynomial, Root};
@@ -34,7 +35,7 @@ pub enum Touch {
     /// A cusp: a double point.
     Cusp,
     /// The pair over this axis leaves.
-    Pitchfork(usize),
+    Pitchfork(Axis),
 }
 
 /// Bits of the first attempt; four times as many when signs are left open, as often as it takes.

@@ -3,6 +3,7 @@
 use dashu_ratio::RBig;
 
 use super::strand::Strand;
+use crate::body::Axis;
 use crate::stability::{LinearType, Signs};
 use numbers::polynomial::{Polynomial, Root};
 
@@ -12,7 +13,7 @@ pub enum StationKind {
     /// c changes its sign, and l and h turn.
     Cusp,
     /// c changes its sign, and the pair over this axis (or the circle: then c only vanishes) leaves.
-    Pitchfork(usize),
+    Pitchfork(Axis),
     /// c vanishes without a cusp.
     Touch,
     /// b² − 4c changes its sign (`true`) or only vanishes.

@@ -5,6 +5,7 @@ use dashu_ratio::RBig;
 
 use super::body::ExactBody;
 use super::forms::Forms;
+use crate::body::Axis;
 use crate::stability::{Constants, State};
 use numbers::enclosure::Enclosure;
 use numbers::polynomial::{Polynomial, Root, rational};
@@ -15,20 +16,20 @@ pub enum Family {
     /// The generic family over an interval between active moments, numbered from μ = −∞.
     Generic(usize),
     /// The family over the passive moment of this axis.
-    Over(usize),
+    Over(Axis),
 }
 
 /// How t stands for the parameter.
 #[derive(Clone, Debug)]
 enum Chart {
     /// μ = a_first − t.
-    Left(usize),
+    Left(Axis),
     /// μ = a_left + (a_right − a_left) t, t < 1.
-    Inner(usize, usize),
+    Inner(Axis, Axis),
     /// μ = a_last + t.
-    Right(usize),
+    Right(Axis),
     /// z = 1/s² = z_max t, t < 1.
-    Over { axis: usize, z_max: RBig },
+    Over { axis: Axis, z_max: RBig },
 }
 
 /// A family on its coordinate.
@@ -44,7 +45,7 @@ pub struct Strand {
     /// Its factor that changes sign at cusps.
     pub cusp: Polynomial,
     /// Where the pairs over passive moments leave the family: the axis and t.
-    pub pitchforks: Vec<(usize, RBig)>,
+    pub pitchforks: Vec<(Axis, RBig)>,
     /// Of the sign of b.
     pub swing: Polynomial,
     /// Of the sign of b² − 4c.
@@ -60,9 +61,9 @@ impl Strand {
         let chart = match (left, right) {
             (Some(left), Some(right)) => Chart::Inner(left, right),
             (Some(last), None) => Chart::Right(last),
-            (None, right) => Chart::Left(right.unwrap_or(0)),
+            (None, right) => Chart::Left(right.unwrap_or(Axis::ALL[0])),
         };
-        let pitchforks = body.passive().into_iter().filter_map(|k| chart.coordinate(body, k).map(|t| (k, t))).collect();
+        let pitchforks = body.passive.iter().filter_map(|&k| chart.coordinate(body, k).map(|t| (k, t))).collect();
         let map = |p: &Polynomial| chart.mapped(body, p);
         let (zero, cusp) = (map(&forms.zero()), map(&forms.cusp));
         let (swing, collision) = (map(&forms.swing), map(&forms.collision));
@@ -72,16 +73,16 @@ impl Strand {
 
     /// The family over a passive moment; needs r ≠ 0.
     #[must_use]
-    pub fn over(body: &ExactBody, axis: usize) -> Self {
+    pub fn over(body: &ExactBody, axis: Axis) -> Self {
         let number = |x: &IBig| RBig::from(x.clone());
-        let gap = |k: usize| number(&(&body.a[axis] - &body.a[k]));
+        let gap = |k: Axis| number(&(&body.a[axis] - &body.a[k]));
         let sums = |power: isize| {
             body.active.iter().fold(RBig::ZERO, |sum, &k| sum + number(&body.rho[k]) / gap(k).pow(power))
         };
         let (r_sum, p_sum) = (sums(1), sums(2));
         let z_max = RBig::ONE / p_sum;
         // w_k linear in t; J = Σ w a.
-        let mut w: [Vec<RBig>; 3] = std::array::from_fn(|k| {
+        let mut w: [Vec<RBig>; 3] = Axis::ALL.map(|k| {
             if body.active.contains(&k) {
                 vec![RBig::ZERO, number(&body.rho[k]) * &z_max / gap(k).pow(2)]
             } else {
@@ -97,8 +98,8 @@ impl Strand {
         let determinant = number(&(&body.a[0] * &body.a[1] * &body.a[2]));
         let trace = number(&(&body.a[0] + &body.a[1] + &body.a[2]));
         let g = rational::sub(&rational::scale(&j, &trace), &rational::scale(&squared, &RBig::from(2)));
-        let swing = (0..3).fold(rational::mul(&g, &g), |sum, i| {
-            let (n, m) = ((i + 1) % 3, (i + 2) % 3);
+        let swing = Axis::ALL.into_iter().fold(rational::mul(&g, &g), |sum, i| {
+            let [n, m] = i.others();
             let hanging = rational::add(&rational::scale(&w[m], &gap(n)), &rational::scale(&w[n], &gap(m)));
             let apart = number(&(&body.a[n] - &body.a[m]));
             let coupled = rational::scale(&rational::mul(&w[n], &w[m]), &(RBig::from(4) * &apart * &apart));
@@ -106,7 +107,7 @@ impl Strand {
             rational::add(&sum, &rational::scale(&both, &(&determinant / number(&body.a[i]))))
         });
         // χ det A = w_i τ_j τ_k (a_i + 3zR̂).
-        let across = [(axis + 1) % 3, (axis + 2) % 3].map(gap);
+        let across = axis.others().map(gap);
         let cusp = vec![number(&body.a[axis]), RBig::from(3) * r_sum * &z_max];
         let zero = rational::scale(&rational::mul(&w[axis], &cusp), &(&across[0] * &across[1]));
         let collision = rational::sub(
@@ -169,7 +170,7 @@ impl Strand {
 
 impl Chart {
     fn mapped(&self, body: &ExactBody, p: &Polynomial) -> Polynomial {
-        let number = |k: &usize| RBig::from(body.a[*k].clone());
+        let number = |k: &Axis| RBig::from(body.a[*k].clone());
         match self {
             Self::Left(first) => p.composed(&number(first), &RBig::from(-1)),
             Self::Inner(left, right) => p.composed(&number(left), &(number(right) - number(left))),
@@ -179,8 +180,8 @@ impl Chart {
     }
 
     /// t of μ = a_k, if that is on the family.
-    fn coordinate(&self, body: &ExactBody, k: usize) -> Option<RBig> {
-        let gap = |i: usize, j: usize| RBig::from(&body.a[i] - &body.a[j]);
+    fn coordinate(&self, body: &ExactBody, k: Axis) -> Option<RBig> {
+        let gap = |i: Axis, j: Axis| RBig::from(&body.a[i] - &body.a[j]);
         let t = match *self {
             Self::Left(first) => gap(first, k),
             Self::Inner(left, right) => gap(k, left) / gap(right, left),
@@ -192,7 +193,7 @@ impl Chart {
     }
 
     /// The nearest active moment and μ − a_base at the ends of the root's range, in the frame's units.
-    fn distance(&self, body: &ExactBody, root: &mut Root, bits: usize) -> (usize, [RBig; 2]) {
+    fn distance(&self, body: &ExactBody, root: &mut Root, bits: usize) -> (Axis, [RBig; 2]) {
         root.refine(bits);
         let (base, scale, from) = match *self {
             Self::Left(first) => (first, RBig::from(-1), RBig::ZERO),

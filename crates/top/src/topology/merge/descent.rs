@@ -2,6 +2,7 @@
 
 use super::super::potential::{Potential, Vector, combination, dot, normalised};
 use super::slide::slide;
+use crate::body::Axis;
 
 /// A minimum of U, or a circle of minima in the plane of two axes.
 #[derive(Clone, Copy, Debug)]
@@ -9,21 +10,22 @@ pub(super) struct Floor {
     /// A minimum.
     pub gamma: Vector,
     /// For a circle: its axes are this one and the next.
-    pub circle: Option<usize>,
+    pub circle: Option<Axis>,
 }
 
 impl Floor {
     /// The point of the floor in the direction of γ.
     fn towards(&self, gamma: Vector) -> Vector {
         let Some(axis) = self.circle else { return self.gamma };
-        let radius = |v: Vector| (v[axis] * v[axis] + v[axis + 1] * v[axis + 1]).sqrt();
+        let next = axis.next();
+        let radius = |v: Vector| (v[axis] * v[axis] + v[next] * v[next]).sqrt();
         let scale = radius(self.gamma) / radius(gamma);
         if !scale.is_finite() {
             return self.gamma;
         }
         let mut point = self.gamma;
         point[axis] = scale * gamma[axis];
-        point[axis + 1] = scale * gamma[axis + 1];
+        point[next] = scale * gamma[next];
         point
     }
 }

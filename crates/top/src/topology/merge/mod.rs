@@ -10,7 +10,7 @@ pub use partition::Partition;
 
 use super::component::{Component, Poles};
 use super::potential::{Potential, Vector};
-use crate::body::Frame;
+use crate::body::{Axis, Frame};
 use descent::{Floor, descend, is_nearly_critical, kick, sides_of_saddle};
 use slide::sides_of_ridge;
 
@@ -21,7 +21,7 @@ pub enum Extent {
     Point,
     /// A circle of critical points around an axis, in the plane of this axis of the frame and the next; `index` counts
     /// its one normal direction.
-    Circle(usize),
+    Circle(Axis),
     /// All of S².
     Sphere,
 }

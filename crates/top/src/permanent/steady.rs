@@ -1,0 +1,180 @@
+//! Steady rotations at one spin: every relative equilibrium with angular velocity Ωγ.
+//!
+//! (sA − ν)γ = −r with s = Ω² and |γ| = 1 (Proposition 3.1 of docs/mathematics.md): γ_k = r_k/(ν − sA_k), where ν is a
+//! root of Σ r_k²/(ν − sA_k)² = 1, or ν = sA_k for an axis with r_k = 0, along which γ has what is missing of its length.
+
+use crate::body::{Body, Number};
+use crate::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
+
+/// A steady rotation, and what is known of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadyRotation {
+    /// The direction of gravity in principal axes.
+    pub gamma: [f64; 3],
+    /// The angle between −γ and the direction of the question, in radians.
+    pub angle: f64,
+    /// l at this spin.
+    pub l: f64,
+    /// The relative equilibrium, with its stability.
+    pub equilibrium: Equilibrium,
+}
+
+/// The steady rotation at the spin Ω whose upward direction −γ is nearest to `up`, in principal axes; `None` where numbers
+/// leave the range of `f64`.
+#[must_use]
+pub fn nearest_steady(body: &Body, omega: f64, up: [f64; 3]) -> Option<SteadyRotation> {
+    let a = body.moments_f64();
+    let up = unit(up);
+    let down = up.map(|x| -x);
+    let candidates = directions(a, body.center_f64(), omega * omega, down);
+    let (gamma, angle) =
+        candidates.into_iter().map(|gamma| (gamma, angle(gamma, down))).min_by(|(_, p), (_, q)| p.total_cmp(q))?;
+    let l = omega * (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
+    let all = RelativeEquilibria::new(body).ok()?.at(&Number::from_f64(l).ok()?).ok()?;
+    let h = 0.5 * omega * l - dot(gamma, body.center_f64());
+    let size = 0.5 * (omega * l).abs() + dot(body.center_f64(), body.center_f64()).sqrt();
+    let distance = |found: &Equilibrium| {
+        // A circle or sphere is told by one of its points.
+        let apart = match found.multiplicity {
+            Multiplicity::Points(_) => (0..3).map(|k| (found.gamma[k] - gamma[k]).abs()).fold(0.0, f64::max),
+            Multiplicity::Circle | Multiplicity::Sphere => 0.0,
+        };
+        (found.h - h).abs() / size.max(f64::MIN_POSITIVE) + apart
+    };
+    let equilibrium = all.list.into_iter().min_by(|p, q| distance(p).total_cmp(&distance(q)))?;
+    (distance(&equilibrium) < 1e-6).then_some(SteadyRotation { gamma, angle, l, equilibrium })
+}
+
+fn dot(v: [f64; 3], w: [f64; 3]) -> f64 {
+    v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let size = dot(v, v).sqrt();
+    v.map(|x| x / size)
+}
+
+/// The angle between two unit vectors, also when it is small.
+fn angle(v: [f64; 3], w: [f64; 3]) -> f64 {
+    let cross = [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]];
+    libm::atan2(dot(cross, cross).sqrt(), dot(v, w))
+}
+
+/// All γ with (sA − ν)γ = −r for some ν; of a circle or sphere of them the one nearest to `down`.
+fn directions(a: [f64; 3], r: [f64; 3], s: f64, down: [f64; 3]) -> Vec<[f64; 3]> {
+    let poles = a.map(|a| s * a);
+    let mut found: Vec<[f64; 3]> = multipliers(poles, r)
+        .into_iter()
+        .map(|nu| unit(std::array::from_fn(|k| if r[k] == 0.0 { 0.0 } else { r[k] / (nu - poles[k]) })))
+        .collect();
+    for axis in (0..3).filter(|&k| r[k] == 0.0) {
+        // Axes with the same pole share what is missing; one of them is active: no finite ν.
+        let nu = poles[axis];
+        let shares: Vec<usize> = (0..3).filter(|&k| poles[k] == nu).collect();
+        if shares.iter().any(|&k| r[k] != 0.0) {
+            continue;
+        }
+        let fixed: [f64; 3] = std::array::from_fn(|k| if shares.contains(&k) { 0.0 } else { r[k] / (nu - poles[k]) });
+        let missing = 1.0 - dot(fixed, fixed);
+        if missing < 0.0 {
+            continue;
+        }
+        let along: [f64; 3] = std::array::from_fn(|k| if shares.contains(&k) { down[k] } else { 0.0 });
+        let along = if dot(along, along) > 0.0 {
+            unit(along)
+        } else {
+            std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 })
+        };
+        for sign in [1.0, -1.0] {
+            found.push(std::array::from_fn(|k| fixed[k] + sign * missing.sqrt() * along[k]));
+        }
+    }
+    found
+}
+
+/// The roots ν of Σ r_k²/(ν − p_k)² = 1: one beyond the poles on each side, and two, one or none between neighbours, where
+/// the function is convex.
+fn multipliers(poles: [f64; 3], r: [f64; 3]) -> Vec<f64> {
+    let mut active: Vec<(f64, f64)> = Vec::new();
+    for k in (0..3).filter(|&k| r[k] != 0.0) {
+        match active.iter_mut().find(|(pole, _)| *pole == poles[k]) {
+            Some((_, square)) => *square += r[k] * r[k],
+            None => active.push((poles[k], r[k] * r[k])),
+        }
+    }
+    active.sort_by(|p, q| p.0.total_cmp(&q.0));
+    let (Some(&(least, _)), Some(&(most, _))) = (active.first(), active.last()) else { return Vec::new() };
+    let value = |nu: f64| active.iter().map(|(pole, square)| square / ((nu - pole) * (nu - pole))).sum::<f64>() - 1.0;
+    let slope =
+        |nu: f64| -active.iter().map(|(pole, square)| square / ((nu - pole) * (nu - pole) * (nu - pole))).sum::<f64>();
+    let far = active.iter().map(|(_, square)| square).sum::<f64>().sqrt();
+    // Beyond the poles the root lies at |r| from the last one at most.
+    let mut found = vec![bisected(least, least - 2.0 * far, &value), bisected(most, most + 2.0 * far, &value)];
+    for pair in active.windows(2) {
+        let [(low, _), (high, _)] = [pair[0], pair[1]];
+        let lowest = bisected(high, low, &slope);
+        if value(lowest) <= 0.0 {
+            found.extend([bisected(low, lowest, &value), bisected(high, lowest, &value)]);
+        }
+    }
+    found
+}
+
+/// Where a function that is positive beside `plus` and negative beside `minus` changes its sign.
+fn bisected(mut plus: f64, mut minus: f64, value: &impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..200 {
+        let middle = 0.5 * (plus + minus);
+        if middle == plus || middle == minus {
+            break;
+        }
+        if value(middle) > 0.0 { plus = middle } else { minus = middle }
+    }
+    minus
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// s Aγ + r is along γ, and every relative equilibrium at the l of a steady rotation is one at its own spin.
+    #[test]
+    fn steady_rotations_are_all_relative_equilibria_of_their_spin() {
+        let bodies = [
+            (["2", "1.1", "1"], ["0.94868", "0", "0.61623"]),
+            (["2", "1", "1.5"], ["0.3", "0.4", "0.5"]),
+            (["1", "1", "0.6"], ["0", "0", "1"]),
+            (["2", "1", "1.5"], ["0", "0.7", "0"]),
+        ];
+        let mut compared = 0;
+        for (a, r) in bodies {
+            let body = Body::parse(&a, &r).unwrap();
+            let (moments, center) = (body.moments_f64(), body.center_f64());
+            let prepared = RelativeEquilibria::new(&body).unwrap();
+            for l in ["0.3", "1.1", "2.2", "3.7"] {
+                for point in prepared.at(&l.parse().unwrap()).unwrap().list {
+                    let up = point.gamma.map(|x| -x);
+                    let found = nearest_steady(&body, point.omega, up).unwrap();
+                    assert!(found.angle < 1e-7, "{a:?} {r:?} {point:?} {found:?}");
+                    assert_eq!(found.equilibrium.stability, point.stability, "{found:?}");
+                    compared += 1;
+                    for gamma in directions(moments, center, point.omega * point.omega, point.gamma) {
+                        let force: [f64; 3] =
+                            std::array::from_fn(|k| point.omega * point.omega * moments[k] * gamma[k] + center[k]);
+                        let along = dot(force, gamma);
+                        let size = dot(force, force).sqrt();
+                        assert!((0..3).all(|k| (force[k] - along * gamma[k]).abs() < 1e-7 * size), "{a:?} {gamma:?}");
+                    }
+                }
+            }
+        }
+        assert!(compared > 50, "{compared}");
+    }
+
+    #[test]
+    fn at_rest_the_body_hangs_or_stands() {
+        let body = Body::parse(&["2", "1.1", "1"], &["3", "0", "4"]).unwrap();
+        let found = nearest_steady(&body, 0.0, [0.1, 0.0, -1.0]).unwrap();
+        assert!((found.gamma[0] - 0.6).abs() < 1e-15 && (found.gamma[2] - 0.8).abs() < 1e-15);
+        assert_eq!(found.l, 0.0);
+    }
+}

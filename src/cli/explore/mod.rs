@@ -1,0 +1,121 @@
+//! `bifdiag explore`: the explorer's page, served to this machine alone.
+
+mod folder;
+mod server;
+
+use std::env;
+use std::io;
+use std::net::{Ipv4Addr, TcpListener};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use clap::Args;
+use documents::Subject;
+use thiserror::Error;
+use top::body::Number;
+
+use super::failure::{CommandError, Exit, Failure};
+use super::input::{BodyArguments, values};
+use super::terminal::{print, say};
+use folder::Folder;
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag explore
+  bifdiag explore --body paper --h 3.8 --l 3.25
+  bifdiag explore --page web/dist --no-open
+
+The page is built in web/ of the sources (`npm ci && npm run build`); wheels and released programs carry it. It is served to \
+this machine alone, until Ctrl-C.";
+
+/// `bifdiag explore`.
+#[derive(Debug, Args)]
+pub struct ExploreArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// Energy to begin with
+    #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number)]
+    #[arg(requires = "momentum", help_heading = "Point")]
+    pub energy: Option<Number>,
+    /// Vertical angular momentum to begin with
+    #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number)]
+    #[arg(requires = "energy", help_heading = "Point")]
+    pub momentum: Option<Number>,
+    /// The built page (default: `page` beside the program, else web/dist here)
+    #[arg(long, value_name = "DIR", help_heading = "Page")]
+    pub page: Option<PathBuf>,
+    /// The port to serve at (default: one that is free)
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, help_heading = "Page")]
+    pub port: u16,
+    /// Print the address only, and open no browser
+    #[arg(long, help_heading = "Page")]
+    pub no_open: bool,
+}
+
+/// Why there is nothing to explore.
+#[derive(Debug, Error)]
+enum NotServed {
+    #[error("--page {}: {source}; give the folder that `npm run build` makes in web/", page.display())]
+    Page { page: PathBuf, source: io::Error },
+    #[error(
+        "this program has no page beside it; give --page DIR, the folder that `npm ci && npm run build` makes in web/ of the sources, or install the wheel, which carries it"
+    )]
+    NoPage,
+    #[error("--port {port}: {source}; leave it out to take one that is free")]
+    Port { port: u16, source: io::Error },
+    #[error("the page could not be served")]
+    Serve(#[source] io::Error),
+}
+
+impl CommandError for NotServed {
+    fn exit(&self) -> Exit {
+        match self {
+            Self::Serve(_) => Exit::Failed,
+            _ => Exit::WrongInput,
+        }
+    }
+}
+
+pub fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
+    let subject = arguments.body.optional_subject()?;
+    let page = arguments.page.clone().map_or_else(|| found().ok_or(NotServed::NoPage), Ok)?;
+    let folder = Folder::read(&page).map_err(|source| NotServed::Page { page, source })?;
+    let port = arguments.port;
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|source| NotServed::Port { port, source })?;
+    let address = listener.local_addr().map_err(NotServed::Serve)?;
+    let point = arguments.energy.as_ref().zip(arguments.momentum.as_ref());
+    let url = format!("http://{address}/{}", state(subject.as_ref(), point));
+    print(format!("{url}\n"))?;
+    if !arguments.no_open && !opened(&url) {
+        say("no browser could be opened; open the address in one");
+    }
+    Ok(server::serve(&listener, &folder).map_err(NotServed::Serve)?)
+}
+
+/// What the page's address says of a body and a point.
+fn state(subject: Option<&Subject>, point: Option<(&Number, &Number)>) -> String {
+    let join = |numbers: &[Number; 3]| numbers.each_ref().map(Number::text).join(",");
+    let body = subject.map(|Subject { body, .. }| format!("A={}&r={}", join(body.moments()), join(body.center())));
+    let point = point.map(|(h, l)| format!("h={}&l={}", h.text(), l.text()));
+    let parts: Vec<String> = body.into_iter().chain(point).collect();
+    if parts.is_empty() { String::new() } else { format!("#{}", parts.join("&")) }
+}
+
+/// The page that belongs to this program.
+fn found() -> Option<PathBuf> {
+    let beside = env::current_exe().ok().and_then(|program| Some(program.parent()?.join("page")));
+    beside.into_iter().chain([Path::new("web").join("dist")]).find(|page| page.join("index.html").is_file())
+}
+
+/// Asks the system to show an address; whether it took it.
+fn opened(url: &str) -> bool {
+    let (program, first): (&str, &[&str]) = if cfg!(target_os = "macos") {
+        ("open", &[])
+    } else if cfg!(windows) {
+        ("rundll32", &["url.dll,FileProtocolHandler"])
+    } else {
+        ("xdg-open", &[])
+    };
+    let mut command = Command::new(program);
+    command.args(first).arg(url).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().is_ok()
+}

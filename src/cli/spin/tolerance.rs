@@ -1,0 +1,160 @@
+//! How well the moments and the weight are known.
+
+use dashu_ratio::RBig;
+use numbers::decimal;
+use schema::{CriticalSpinDocument, SpinRangeDocument};
+use top::body::Number;
+
+use crate::cli::input::values::{self, ValueError};
+use crate::cli::terminal::{Report, Table, significant};
+
+/// Relative tolerances of the moment about the axis, of the two others, and of the weight times its distance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToleranceArgument(pub [Number; 4]);
+
+/// Digits of a bound.
+const DIGITS: usize = 6;
+
+/// Half a unit of the last digit, relative to the smallest number that has so many.
+const ROUNDING: f64 = 5e-6;
+
+/// What can be given a tolerance of its own, and which of the four it stands for.
+const NAMES: [(&str, [bool; 4]); 4] = [
+    ("axis", [true, false, false, false]),
+    ("across", [false, true, true, false]),
+    ("moments", [true, true, true, false]),
+    ("weight", [false, false, false, true]),
+];
+
+impl ToleranceArgument {
+    /// The canonical text.
+    pub fn text(&self) -> String {
+        let [axis, first, second, weight] = &self.0;
+        if [first, second, weight].iter().all(|other| *other == axis) {
+            return axis.text().to_owned();
+        }
+        format!("axis={},across={},weight={}", axis.text(), first.text(), weight.text())
+    }
+}
+
+/// One for all, 1% or 0.01, or each by name: axis=0.5%,across=1%,weight=2%; what is not named is exact.
+pub fn tolerance(text: &str) -> Result<ToleranceArgument, ValueError> {
+    if !text.contains('=') {
+        let one = relative(text)?;
+        return Ok(ToleranceArgument(std::array::from_fn(|_| one.clone())));
+    }
+    let zero = values::number("0")?;
+    let mut all: [Number; 4] = std::array::from_fn(|_| zero.clone());
+    for item in text.split(',') {
+        let (name, value) = item.split_once('=').ok_or(ValueError::Tolerance)?;
+        let (_, which) = NAMES.iter().find(|(known, _)| *known == name.trim()).ok_or(ValueError::Tolerance)?;
+        let value = relative(value)?;
+        for (tolerance, _) in all.iter_mut().zip(which).filter(|(_, named)| **named) {
+            *tolerance = value.clone();
+        }
+    }
+    Ok(ToleranceArgument(all))
+}
+
+/// 1% or 0.01.
+fn relative(text: &str) -> Result<Number, ValueError> {
+    let text = text.trim();
+    let (number, percent) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
+    let number = values::number(number)?;
+    let value = if percent { number.value() / RBig::from(100) } else { number.value().clone() };
+    // Beyond, moments would vanish.
+    if value >= RBig::ZERO && value <= RBig::from_parts(1.into(), 2u8.into()) {
+        Ok(values::number(&decimal::short(&value))?)
+    } else {
+        Err(ValueError::Tolerance)
+    }
+}
+
+/// The ranges as a table, and at which spins every part is stable.
+pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
+    let Some(tolerance) = &document.tolerance else { return };
+    report.line("");
+    let [axis, first, second, weight] = &tolerance.relative;
+    report.line(if [first, second, weight].iter().all(|other| *other == axis) {
+        format!("every part whose moments and weight differ by a factor of 1 ± {axis} at most (bounds, not samples):")
+    } else {
+        format!(
+            "every part within 1 ± {axis} of the moment about the axis, 1 ± {first} of the others, 1 ± {weight} of the weight \
+             (bounds, not samples):"
+        )
+    });
+    if tolerance.ranges.is_empty() {
+        report.line("none changes at any spin");
+        return;
+    }
+    let mut table = Table::new(&["up", "rpm", "below", "above", "inside too", "matters most", "moves it by"]);
+    for range in &tolerance.ranges {
+        let word = |found: &Option<String>| found.clone().unwrap_or_else(|| "-".to_owned());
+        table.row([
+            range.up.clone(),
+            format!("{} .. {}", low(range.rpm[0]), high(range.rpm[1])),
+            word(&range.from),
+            word(&range.to),
+            if range.between.is_empty() { "-".to_owned() } else { range.between.join(", ") },
+            word(&range.most),
+            range.most_rpm.map_or_else(|| "-".to_owned(), |rpm| format!("{} rpm", significant(rpm, 3))),
+        ]);
+    }
+    report.line(table.text());
+    for up in ["+axis", "-axis"] {
+        if let Some(line) = certainly(up, &tolerance.ranges) {
+            report.line(line);
+        }
+    }
+    report.line(format!(
+        "what is found inside a range, and which input alone moves it most, are from {} sampled parts",
+        tolerance.sampled_parts
+    ));
+}
+
+/// A lower bound, rounded down.
+fn low(rpm: Option<f64>) -> String {
+    rpm.map_or_else(|| "-inf".to_owned(), |rpm| significant(rpm * (1.0 - ROUNDING), DIGITS))
+}
+
+/// An upper bound, rounded up.
+fn high(rpm: Option<f64>) -> String {
+    rpm.map_or_else(|| "inf".to_owned(), |rpm| significant(rpm * (1.0 + ROUNDING), DIGITS))
+}
+
+/// At which spins all parts are linearly stable, in words.
+fn certainly(up: &str, ranges: &[SpinRangeDocument]) -> Option<String> {
+    let ranges: Vec<&SpinRangeDocument> = ranges.iter().filter(|range| range.up == up).collect();
+    let stable = |found: &Option<String>| found.as_deref().is_some_and(|word| word.starts_with("elliptic"));
+    let first = ranges.first()?;
+    let mut stretches: Vec<String> = Vec::new();
+    if stable(&first.from) {
+        stretches.push(format!("up to {} rpm", low(first.rpm[0])));
+    }
+    for (number, range) in ranges.iter().enumerate().filter(|(_, range)| stable(&range.to)) {
+        let from = high(range.rpm[1]);
+        stretches.push(match ranges.get(number + 1) {
+            Some(next) => format!("from {from} to {} rpm", low(next.rpm[0])),
+            None => format!("from {from} rpm on"),
+        });
+    }
+    let stretches = if stretches.is_empty() { "at no spin".to_owned() } else { stretches.join(", ") };
+    Some(format!("{up} up, none of these parts is unstable {stretches}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tolerances_are_read_exactly_and_by_name() {
+        let texts = |text: &str| tolerance(text).unwrap().0.map(|number| number.text().to_owned());
+        assert_eq!(texts("1%"), ["0.01"; 4]);
+        assert_eq!(texts("axis=0.5%, across=1%,weight=0.02"), ["0.005", "0.01", "0.01", "0.02"]);
+        assert_eq!(texts("moments=1%"), ["0.01", "0.01", "0.01", "0"]);
+        assert_eq!(tolerance("moments=1%").unwrap().text(), "axis=0.01,across=0.01,weight=0");
+        for wrong in ["80%", "-1%", "mass=1%", "axis=1%,2%"] {
+            assert!(matches!(tolerance(wrong), Err(ValueError::Tolerance)), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,97 @@
+// Prints the figures that docs/explorer.md states: `npm run measure`, on a machine as quiet as it gets, after `npm run build`
+// and `cargo build --release`. CHROMIUM and BIFDIAG name other programs, as in the tests.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { brotliCompressSync } from "node:zlib";
+import { chromium } from "playwright-core";
+import { preview } from "vite";
+import init, * as guest from "../src/bindings/generated/bifdiag_web.js";
+
+const web = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "..");
+const program = process.env.BIFDIAG ?? path.join(process.env.CARGO_TARGET_DIR ?? path.join(web, "../target"), "release/bifdiag");
+const ROUNDS = 5;
+const BODIES = 1000;
+
+const sorted = (list) => [...list].sort((a, b) => a - b);
+const part = (list, share) => sorted(list)[Math.floor(share * (list.length - 1))];
+const say = (what, value) => console.log(`${what.padEnd(62)} ${value}`);
+
+say("machine", `${os.cpus()[0].model}, ${os.cpus().length} processors, load ${os.loadavg()[0].toFixed(1)}`);
+
+// The same points of the same bodies, each with its atlas, in one thread and on one line of JSON: what differs is the machine code.
+let seed = 7;
+const next = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
+const asked = Array.from({ length: BODIES }, () => {
+  const [x, y, z] = [next() + 0.05, next() + 0.05, next() + 0.05];
+  return { A: [y + z, z + x, x + y].map((a) => a.toFixed(4)), r: [next(), next(), next()].map((v) => (2 * v - 1).toFixed(4)), h: (3 * next()).toFixed(3), l: (2 * next()).toFixed(3) };
+});
+const batch = path.join(mkdtempSync(path.join(os.tmpdir(), "bifdiag-")), "points.jsonl");
+const native = (lines) => {
+  writeFileSync(batch, lines.map((line) => JSON.stringify(line)).join("\n"));
+  const from = process.hrtime.bigint();
+  execFileSync(program, ["classify", "--batch", batch, "--threads=1"], { maxBuffer: 1 << 28 });
+  return Number(process.hrtime.bigint() - from) / 1e6;
+};
+await init({ module_or_path: readFileSync(path.join(web, "src/bindings/generated/bifdiag_web_bg.wasm")) });
+const wasm = () => {
+  const from = performance.now();
+  for (const { A, r, h, l } of asked) guest.classify(`A=${A}&r=${r}`, h, l);
+  return performance.now() - from;
+};
+const times = Array.from({ length: ROUNDS }, () => [native(asked) - native(asked.slice(0, 1)), wasm()].map((ms) => (1000 * ms) / BODIES));
+const [here, there] = [0, 1].map((side) => Math.min(...times.map((pair) => pair[side])));
+say("an atlas with a point of it, native", `${here.toFixed(0)} µs`);
+say("an atlas with a point of it, WebAssembly", `${there.toFixed(0)} µs, ${(there / here).toFixed(2)} times native (goal 2)`);
+
+const server = await preview({ root: web, preview: { port: 0, host: "127.0.0.1" }, logLevel: "error" });
+const address = server.resolvedUrls.local[0];
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+async function open(hash, told = () => undefined) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, serviceWorkers: "block" });
+  const page = await context.newPage();
+  page.on("request", told);
+  await page.goto(`${address}${hash}`);
+  await page.waitForFunction(() => document.documentElement.dataset.ready === "true");
+  return page;
+}
+
+const paints = [];
+let files = new Set();
+for (let round = 0; round < ROUNDS; round++) {
+  files = new Set();
+  const page = await open("", (request) => request.url().startsWith(address) && files.add(new URL(request.url()).pathname.slice(1) || "index.html"));
+  paints.push(await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime));
+  await page.context().close();
+}
+say("first paint, median", `${part(paints, 0.5).toFixed(0)} ms (goal 1500)`);
+const sizes = [...files].map((file) => brotliCompressSync(readFileSync(path.join(web, "dist", file))).length);
+say(`what it loads, ${files.size} files, brotli`, `${Math.round(sizes.reduce((sum, size) => sum + size, 0) / 1000)} kB (goal 700)`);
+
+const rates = [];
+for (let round = 0; round < ROUNDS; round++) {
+  const page = await open("#A=2,1.1,1&r=0.94868,0,0.61623&h=4.45&l=3.25&orbits=64&crossings=2000");
+  rates.push(await page.evaluate(() => window.bifdiag.rate()));
+  await page.context().close();
+}
+say("crossings a second in one worker, median, best", `${[part(rates, 0.5), Math.max(...rates)].map((rate) => `${Math.round(rate / 1000)} k`).join(", ")} (goal 300 k)`);
+
+const frames = [];
+for (let round = 0; round < ROUNDS; round++) {
+  const page = await open("#A=2,1.5,1.2&r=0.5,0.6,0.7&view=-1.2,6,0,4");
+  const box = await page.getByTestId("octant").boundingBox();
+  const at = (turn) => [box.x + box.width * (0.5 + 0.2 * Math.cos(turn)), box.y + box.height * (0.5 + 0.2 * Math.sin(turn))];
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  for (let k = 1; k <= 150; k++) {
+    await page.mouse.move(...at(k / 20));
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+  }
+  frames.push(...(await page.evaluate(() => window.bifdiag.frames())));
+  await page.context().close();
+}
+say(`dragging r, ${frames.length} frames: median, 95 %`, `${part(frames, 0.5).toFixed(1)} ms, ${part(frames, 0.95).toFixed(1)} ms (goals 16, 33)`);
+await browser.close();
+await server.close();
