@@ -176,16 +176,14 @@ fn verdicts(portrait: &Portrait, orbits: &[OrbitSection]) -> Result<Vec<Verdict>
 
 /// How many orbits are regular, chaotic and open.
 fn counted(verdicts: &[Verdict]) -> String {
-    let kinds: [(&str, fn(&Verdict) -> bool); 3] = [
-        ("regular", |verdict| *verdict == Verdict::Regular),
-        ("chaotic", |verdict| *verdict == Verdict::Chaotic),
-        ("open", |verdict| matches!(verdict, Verdict::Open(_))),
+    let count = |is: fn(&Verdict) -> bool| verdicts.iter().filter(|verdict| is(verdict)).count();
+    let counts = [
+        (count(|verdict| *verdict == Verdict::Regular), "regular"),
+        (count(|verdict| *verdict == Verdict::Chaotic), "chaotic"),
+        (count(|verdict| matches!(verdict, Verdict::Open(_))), "open"),
     ];
-    let count = |(word, is): (_, fn(&Verdict) -> bool)| {
-        let count = verdicts.iter().filter(|verdict| is(verdict)).count();
-        (count > 0).then(|| format!("{count} {word}"))
-    };
-    kinds.into_iter().filter_map(count).collect::<Vec<_>>().join(", ")
+    let told = counts.into_iter().filter(|(count, _)| *count > 0);
+    told.map(|(count, word)| format!("{count} {word}")).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -49,7 +49,7 @@ impl Legend {
         let mut lines: Vec<Line> = told.map(entry).collect();
         let unseen = seen.iter().filter(|seen| !**seen).count();
         if unseen > 0 {
-            lines.push(Line::Note(format!("and {unseen} more on less than {} pixels each", SEEN)));
+            lines.push(Line::Note(format!("and {unseen} more on less than {SEEN} pixels each")));
         }
         if unknown {
             lines.push(Line::Entry { fill: fill(map, None), text: map.unknown.clone(), note: String::new() });

@@ -104,7 +104,7 @@ fn runs(
             let same = |at: &usize| entries[cell(line, *at)] == entries[cell(line, from)];
             let to = from + (from..length).take_while(same).count();
             for at in from..to {
-                runs[cell(line, at)] = (at == (from + to) / 2, to - from);
+                runs[cell(line, at)] = (at == usize::midpoint(from, to), to - from);
             }
             from = to;
         }
