@@ -291,7 +291,7 @@ mod tests {
     struct Lands;
 
     fn land([x, y]: Place) -> u8 {
-        if (x - 0.4).powi(2) + (y - 0.55).powi(2) < 0.07 {
+        if (x - 0.4) * (x - 0.4) + (y - 0.55) * (y - 0.55) < 0.07 {
             0
         } else if x + 0.3 * y < 0.57 {
             1
