@@ -1,20 +1,22 @@
 """Critical spins of tilted asymmetric parts from the linearised Euler-Poisson equations, 60 digits.
 
-python3 data/oracles/spins.py > data/oracles/spins.jsonl
+pip install mpmath numpy; python3 data/oracles/spins.py > data/oracles/spins.jsonl
 
 For each part: a tensor about the centre of mass, tilted by a rational rotation, the centre of mass on a principal axis, and
 the spins at which the eigenvalues of the 6x6 matrix of (gamma, l) change their type while the body turns about that axis
 (up: its end is up). Knows nothing of the closed form: the characteristic polynomial of the whole matrix is computed by
 Faddeev and LeVerrier at each spin, and a change is a zero of its coefficient c or of its discriminant b^2 - 4c, found by
-bisection.
+bisection between neighbours of a grid of 2000 spins in geometric progression, from a ten-thousandth of the fastest on.
 """
 import json
 import random
 from fractions import Fraction
 
+import numpy
 from mpmath import mp, mpf, matrix, eye, sqrt
 
 mp.dps = 60
+STEPS = 2000
 
 
 def rotation(q):
@@ -60,23 +62,19 @@ def coefficients(inertia, r, gamma, omega):
     return found[2], found[4]
 
 
-def coarse(inertia, r, gamma):
-    """The same in floats, fast, to find where to look: b and c as functions of the spin."""
-    rows = lambda m, n: [[float(m[i, j]) for j in range(n)] for i in range(n)]
+def coarse(inertia, r, gamma, spins):
+    """The same in floats at many spins, to find where to look: b and c at each."""
+    rows = lambda m: numpy.array([[float(m[i, j]) for j in range(6)] for i in range(6)])
     # The matrix is linear in omega.
-    still, slope = rows(linearised(inertia, r, gamma, mpf(0)), 6), rows(linearised(inertia, r * 0, gamma, mpf(1)), 6)
-    fixed = rows(linearised(inertia, r * 0, gamma, mpf(0)), 6)
-
-    def at(omega):
-        a = [[still[i][j] + omega * (slope[i][j] - fixed[i][j]) for j in range(6)] for i in range(6)]
-        m, coefficient, found = [[0.0] * 6 for _ in range(6)], 1.0, []
-        for k in range(1, 5):
-            m = [[sum(a[i][p] * m[p][j] for p in range(6)) + coefficient * (i == j) for j in range(6)] for i in range(6)]
-            coefficient = -sum(a[i][p] * m[p][i] for i in range(6) for p in range(6)) / k
-            found.append(coefficient)
-        return found[1], found[3]
-
-    return at
+    still, fixed = rows(linearised(inertia, r, gamma, mpf(0))), rows(linearised(inertia, r * 0, gamma, mpf(0)))
+    slope = rows(linearised(inertia, r * 0, gamma, mpf(1))) - fixed
+    a = still + numpy.array([float(omega) for omega in spins])[:, None, None] * slope
+    m, coefficient, found = numpy.zeros_like(a), numpy.ones(len(a)), []
+    for k in range(1, 5):
+        m = a @ m + coefficient[:, None, None] * numpy.eye(6)
+        coefficient = -numpy.trace(a @ m, axis1=1, axis2=2) / k
+        found.append(coefficient)
+    return list(zip(found[1], found[3]))
 
 
 def kind(b, c):
@@ -84,18 +82,18 @@ def kind(b, c):
         return "saddle-centre"
     if b * b < 4 * c:
         return "complex"
-    return "elliptic" if b > 0 else "double-real"
+    return "elliptic" if b > 0 else "saddle"
 
 
 def changes(inertia, r, gamma, fastest):
     at = lambda omega: coefficients(inertia, r, gamma, omega)
     tests = [lambda b, c: c, lambda b, c: b * b - 4 * c]
-    found, steps = [], 160
-    rough = coarse(inertia, r, gamma)
-    values = [rough(float(fastest) * (k + 1 / 7) / steps) for k in range(steps + 1)]
+    found = []
+    grid = [fastest * mpf(10) ** (mpf(4 * k) / STEPS - 4) for k in range(STEPS + 1)]
+    values = coarse(inertia, r, gamma, grid)
     for test in tests:
-        for k in range(steps):
-            low, high = (fastest * (j + mpf(1) / 7) / steps for j in (k, k + 1))
+        for k in range(STEPS):
+            low, high = grid[k], grid[k + 1]
             if (test(*values[k]) > 0) == (test(*values[k + 1]) > 0):
                 continue
             first, last = test(*at(low)), test(*at(high))
@@ -117,7 +115,7 @@ def changes(inertia, r, gamma, fastest):
                     if side == -1:
                         last /= 2
                     side = -1
-            gap = fastest / steps / 1000
+            gap = (grid[k + 1] - grid[k]) / 1000
             before, after = kind(*at(middle - gap)), kind(*at(middle + gap))
             if before != after:
                 found.append((middle, before, after))

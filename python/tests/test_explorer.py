@@ -1,6 +1,9 @@
 """The page in a notebook."""
 
 import re
+import signal
+import subprocess
+import sys
 from urllib.request import urlopen
 
 import pytest
@@ -20,6 +23,20 @@ def test_the_page_is_served_with_the_body(atlas):
     with urlopen(address + script) as answer:
         assert answer.headers["Content-Type"] == "text/javascript"
     assert atlas.explore(3.8, "13/4").url == shown.url + "&h=3.8&l=13/4"
+
+
+def test_the_command_of_the_wheel_serves_its_page():
+    line = [sys.executable, "-m", "bifdiag", "explore", "--no-open", "--body=kovalevskaya", "--h=1/2", "--l=1"]
+    with subprocess.Popen(line, stdout=subprocess.PIPE, text=True) as served:
+        try:
+            url = served.stdout.readline().strip()
+            assert url.endswith("#A=2,2,1&r=1,0,0&h=1/2&l=1")
+            with urlopen(url.partition("#")[0]) as page:
+                assert page.read() == (explorer.PAGE / "index.html").read_bytes()
+        finally:
+            served.send_signal(signal.SIGINT)
+        # The status of a process that was interrupted.
+        assert served.wait(timeout=5) != 0
 
 
 def test_an_installation_without_the_page_says_how_to_get_it(atlas, monkeypatch, tmp_path):

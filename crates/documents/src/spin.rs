@@ -2,9 +2,9 @@
 
 use numbers::Number;
 use part::Spin;
-use schema::{SpinChangeDocument, SpinDocument, SpinRangeDocument, ToleranceDocument};
+use schema::{SampledClassDocument, SpinChangeDocument, SpinDocument, SpinRangeDocument, ToleranceDocument};
 use top::atlas::Atlas;
-use top::permanent::{AxisRotation, RegionChange, SAMPLES, SpinChange, region_changes, spin_ranges};
+use top::permanent::{AxisRotation, RegionChange, SAMPLES, SpinChange, region_changes, sampled_classes, spin_ranges};
 
 /// A rate of turning, from rad/s.
 #[must_use]
@@ -77,6 +77,12 @@ pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &[Number; 4], sec
     ToleranceDocument {
         relative: relative.each_ref().map(|relative| relative.text().to_owned()),
         sampled_parts: SAMPLES,
+        classes: rotations.first().map_or_else(Vec::new, |(_, rotation)| {
+            let classes = sampled_classes(rotation, &values).into_iter();
+            classes
+                .map(|(name, parts)| SampledClassDocument { class: name.map(|name| name.to_string()), parts })
+                .collect()
+        }),
         ranges: ranges.collect(),
     }
 }

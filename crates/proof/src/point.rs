@@ -230,11 +230,13 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                 let upward = (side == 1) == rising;
                 let candidate =
                     if upward { (y.clone() + reach.clone()).upper() } else { (y.clone() - reach.clone()).lower() };
-                let beyond = outer[side].as_ref().filter(|bound| {
-                    let inside = if upward { candidate.is_below(bound) } else { bound.is_below(&candidate) };
-                    !inside
-                });
-                if let Some(bound) = beyond {
+                let before =
+                    |bound: &E, up: bool| if up { candidate.is_below(bound) } else { bound.is_below(&candidate) };
+                // Behind the other end of the segment x is that of another curve.
+                if outer[1 - side].as_ref().is_some_and(|bound| !before(bound, !upward)) {
+                    continue;
+                }
+                if let Some(bound) = outer[side].as_ref().filter(|bound| !before(bound, upward)) {
                     // The solution lies before the end of the segment, if x lies before x of that end.
                     sides[side] = if upward { bound.upper() } else { bound.lower() };
                     done[side] = true;

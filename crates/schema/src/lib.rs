@@ -48,8 +48,8 @@ pub use section::{
     SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName, VerdictsName,
 };
 pub use spin::{
-    CriticalSpinDocument, NearestAxisDocument, SpinChangeDocument, SpinDocument, SpinRangeDocument, StateDocument,
-    SteadyDocument, ToleranceDocument,
+    CriticalSpinDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument, SpinDocument,
+    SpinRangeDocument, StateDocument, SteadyDocument, ToleranceDocument,
 };
 
 /// Version of every document in this module.

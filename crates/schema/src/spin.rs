@@ -90,11 +90,22 @@ pub struct CriticalSpinDocument {
 pub struct ToleranceDocument {
     /// The relative tolerances of the moment about the axis, of the two others and of the weight times its distance.
     pub relative: [String; 4],
-    /// How many parts were tried for `between` and `most`: each input less, nominal and more.
+    /// How many parts were tried for `classes`, `between` and `most`: each input less, nominal and more.
     pub sampled_parts: usize,
+    /// The classes of the diagrams of these parts, the most frequent first.
+    pub classes: Vec<SampledClassDocument>,
     /// Ranges of spins outside of which no part within the tolerances changes, by the end that is up, then by rising spin:
     /// bounds by interval arithmetic, not samples. Between two of them all parts are of one type.
     pub ranges: Vec<SpinRangeDocument>,
+}
+
+/// A class of diagrams among sampled parts.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct SampledClassDocument {
+    /// Its name; `null` for parts whose class is left open.
+    pub class: Option<String>,
+    /// How many of the sampled parts have it.
+    pub parts: usize,
 }
 
 /// Spins at which a change may lie.

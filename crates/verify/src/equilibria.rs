@@ -52,7 +52,7 @@ impl Spaces {
     /// Over a space without r: γ_k = √q_k/(s d_k) with s² = v = P̂ + y, and the rest of |γ|² = 1 in the space itself.
     fn pair(&self, base: usize, y: &Fixed) -> Option<Point> {
         let (r_sum, p_sum) = self.sums(base);
-        let v = &Fixed::of(&p_sum) + y;
+        let v = &self.set(&p_sum) + y;
         let s = v.root()?;
         let mut gamma = Vec::with_capacity(self.list.len());
         for (k, space) in self.list.iter().enumerate() {
@@ -64,7 +64,7 @@ impl Spaces {
                 Fixed::whole(0)
             });
         }
-        let r = Fixed::of(&r_sum);
+        let r = self.set(&r_sum);
         let shift = r.over(&v)?;
         let j = &self.list[base].a_set - &shift;
         let x = (&s * &j.square()).half();
@@ -76,7 +76,7 @@ impl Spaces {
     /// γ = ± r̂ over x; an equilibrium when r lies on an axis, with μ = a ± r/s and s = 2x/J².
     pub fn line(&self, plus: bool, x: &Fixed) -> Option<Point> {
         let sign = |e: Fixed| if plus { e } else { -&e };
-        let j = Fixed::of(&self.j_r());
+        let j = self.set(&self.j_r());
         let mut gamma = Vec::with_capacity(self.list.len());
         for space in &self.list {
             gamma.push(sign(space.root_q.over(&self.norm)?));

@@ -31,7 +31,7 @@ pub(super) struct Events {
 
 /// What makes an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Source {
+pub(super) enum Source {
     Cusp(usize),
     Pitchfork(usize),
     Meeting(usize),
@@ -40,7 +40,7 @@ enum Source {
 
 impl Source {
     /// A source with its number in canonical form, so that none has two names.
-    fn read(text: &str) -> Option<Self> {
+    pub fn read(text: &str) -> Option<Self> {
         let Some((kind, digits)) = text.split_once(':') else { return (text == "crossing").then_some(Self::Crossing) };
         let number: usize = digits.parse().ok().filter(|number: &usize| number.to_string() == digits)?;
         match kind {
@@ -52,7 +52,7 @@ impl Source {
     }
 
     /// The end of curves that it is.
-    fn end(self) -> Option<End> {
+    pub fn end(self) -> Option<End> {
         match self {
             Self::Cusp(cusp) => Some(End::Cusp(cusp)),
             Self::Pitchfork(fork) => Some(End::Pitchfork(fork)),
@@ -146,9 +146,8 @@ impl Events {
         let mut open: Vec<&Crossing> = crossings.iter().collect();
         for (at, pair) in &self.crossings {
             let [lo, hi] = &self.x[*at];
-            let place = Fixed::between(lo, hi).and_then(|claimed| {
-                open.iter().position(|(curves, boxed)| curves == pair && boxed.iter().all(|x| x.inside(&claimed)))
-            });
+            let place =
+                open.iter().position(|(curves, boxed)| curves == pair && boxed.iter().all(|x| x.lies_in(lo, hi)));
             let place = place.ok_or(Refused::Event { number: *at, why: "the curves do not cross there" })?;
             open.remove(place);
         }
@@ -193,7 +192,7 @@ fn gather(
         Source::Cusp(cusp) => {
             let place = pieces.cusps.get(cusp).ok_or(NO_SOURCE)?;
             gathered.add(&pieces.at_cusp(cusp));
-            gathered.points.extend(spaces.point(place.base, place.side, &place.y()));
+            gathered.points.extend(spaces.point(place.base, place.side, &place.y(spaces)));
         }
         Source::Pitchfork(fork) => {
             let fork = pieces.forks.get(fork).ok_or(NO_SOURCE)?;
@@ -202,7 +201,7 @@ fn gather(
         }
         Source::Meeting(meeting) => {
             let meeting = meetings.get(meeting).ok_or(NO_SOURCE)?;
-            let point = spaces.point(meeting.place.base, meeting.place.side, &meeting.place.y());
+            let point = spaces.point(meeting.place.base, meeting.place.side, &meeting.place.y(spaces));
             let point = point.ok_or("its place cannot be enclosed")?;
             gathered.add(&meeting.curves);
             gathered.add(&line(orders, meeting, &point.x, end)?);
@@ -224,7 +223,7 @@ fn gather(
 
 /// The claimed ranges of x and h hold the point.
 fn encloses(x: &[RBig; 2], h: &[RBig; 2], point: &Point) -> bool {
-    let holds = |[lo, hi]: &[RBig; 2], set: &Fixed| Fixed::between(lo, hi).is_some_and(|claimed| set.inside(&claimed));
+    let holds = |[lo, hi]: &[RBig; 2], set: &Fixed| set.lies_in(lo, hi);
     holds(x, &point.x) && Spaces::height(&point.x, point).is_some_and(|height| holds(h, &height))
 }
 

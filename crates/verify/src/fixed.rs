@@ -1,31 +1,22 @@
-//! Interval arithmetic on integers: both ends are multiples of 2⁻²⁵⁶.
+//! Interval arithmetic on integers: both ends are multiples of 2⁻ᵇ, where every set knows its b.
 //!
-//! Ends are of any size, so nothing overflows and no end is infinite. What has no value (a quotient whose divisor may
-//! be 0, the root of a negative set, the common part of disjoint sets) is `None`, and the check that needed it fails.
+//! Whole numbers have b = 0 and are exact; a result has the larger b of its operands. Ends are of any size, so nothing
+//! overflows and no end is infinite. What has no value (a quotient whose divisor may be 0, the root of a negative set,
+//! the common part of disjoint sets) is `None`, and the check that needed it fails.
 
+use std::borrow::Cow;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use dashu_base::{DivEuclid, Signed, SquareRoot};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-/// Fractional bits.
-const BITS: usize = 256;
-
-/// All reals between two multiples of 2⁻²⁵⁶.
+/// All reals between two multiples of 2⁻ᵇ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Fixed {
     lo: IBig,
     hi: IBig,
-}
-
-/// ⌊n/2²⁵⁶⌋: the shift of a negative number rounds down.
-fn floor_shift(n: IBig) -> IBig {
-    n >> BITS
-}
-
-fn ceil_shift(n: IBig) -> IBig {
-    -((-n) >> BITS)
+    bits: usize,
 }
 
 /// ⌊n/d⌋ for d > 0.
@@ -37,20 +28,41 @@ fn ceil_div(n: IBig, d: &IBig) -> IBig {
     -(-n).div_euclid(d)
 }
 
-impl Fixed {
-    pub fn of(x: &RBig) -> Self {
-        let (n, d) = (x.numerator() << BITS, IBig::from(x.denominator().clone()));
-        Self { lo: floor_div(n.clone(), &d), hi: ceil_div(n, &d) }
-    }
+/// ⌈n/2ᵇ⌉; a shift of a negative number rounds down.
+fn ceil_shift(n: IBig, bits: usize) -> IBig {
+    -((-n) >> bits)
+}
 
-    /// All numbers between two; `None` when they are not in order.
-    pub fn between(lo: &RBig, hi: &RBig) -> Option<Self> {
-        (lo <= hi).then(|| Self { lo: Self::of(lo).lo, hi: Self::of(hi).hi })
+impl Fixed {
+    /// A number within 2⁻ᵇ.
+    pub fn of(x: &RBig, bits: usize) -> Self {
+        let (n, d) = (x.numerator() << bits, IBig::from(x.denominator().clone()));
+        Self { lo: floor_div(n.clone(), &d), hi: ceil_div(n, &d), bits }
     }
 
     pub fn whole(n: i32) -> Self {
-        let n = IBig::from(n) << BITS;
-        Self { lo: n.clone(), hi: n }
+        let n = IBig::from(n);
+        Self { lo: n.clone(), hi: n, bits: 0 }
+    }
+
+    /// The same set with at least so many bits.
+    fn at(&self, bits: usize) -> Cow<'_, Self> {
+        if self.bits >= bits {
+            return Cow::Borrowed(self);
+        }
+        let shift = bits - self.bits;
+        Cow::Owned(Self { lo: &self.lo << shift, hi: &self.hi << shift, bits })
+    }
+
+    /// Two sets with the same bits.
+    fn aligned<'a>(&'a self, other: &'a Self) -> [Cow<'a, Self>; 2] {
+        [self.at(other.bits), other.at(self.bits)]
+    }
+
+    /// Both ends as exact numbers.
+    pub fn ends(&self) -> [RBig; 2] {
+        let step = IBig::ONE << self.bits;
+        [&self.lo, &self.hi].map(|end| RBig::from(end.clone()) / RBig::from(step.clone()))
     }
 
     /// 1, −1, or 0 for zero alone; `None` when the signs differ.
@@ -80,9 +92,12 @@ impl Fixed {
     pub fn over(&self, other: &Self) -> Option<Self> {
         match other.strict_sign()? {
             1 => {
+                let bits = self.bits.max(other.bits);
+                let shift = bits + other.bits - self.bits;
                 let least = if self.lo.is_negative() { &other.lo } else { &other.hi };
                 let greatest = if self.hi.is_negative() { &other.hi } else { &other.lo };
-                Some(Self { lo: floor_div(&self.lo << BITS, least), hi: ceil_div(&self.hi << BITS, greatest) })
+                let (lo, hi) = (floor_div(&self.lo << shift, least), ceil_div(&self.hi << shift, greatest));
+                Some(Self { lo, hi, bits })
             }
             _ => (-self).over(&-other),
         }
@@ -91,96 +106,107 @@ impl Fixed {
     /// The square root of a number that is known not to be negative; `None` when every number here is.
     pub fn root(&self) -> Option<Self> {
         let root = |n: &IBig| {
-            let (_, magnitude) = (n << BITS).max(IBig::ZERO).into_parts();
+            let (_, magnitude) = (n << self.bits).max(IBig::ZERO).into_parts();
             IBig::from(magnitude.sqrt())
         };
-        (!self.hi.is_negative()).then(|| Self { lo: root(&self.lo), hi: root(&self.hi) + IBig::ONE })
+        let set = || Self { lo: root(&self.lo), hi: root(&self.hi) + IBig::ONE, bits: self.bits };
+        (!self.hi.is_negative()).then(set)
     }
 
     pub fn square(&self) -> Self {
         let product = self * self;
-        Self { lo: product.lo.max(IBig::ZERO), hi: product.hi }
+        Self { lo: product.lo.max(IBig::ZERO), ..product }
     }
 
+    /// Exact for whole numbers.
     pub fn half(&self) -> Self {
-        Self { lo: &self.lo >> 1usize, hi: -((-&self.hi) >> 1usize) }
+        let set = self.at(1);
+        Self { lo: &set.lo >> 1usize, hi: ceil_shift(set.hi.clone(), 1), bits: set.bits }
     }
 
     pub fn hull(&self, other: &Self) -> Self {
-        Self { lo: (&self.lo).min(&other.lo).clone(), hi: (&self.hi).max(&other.hi).clone() }
+        let [p, q] = self.aligned(other);
+        Self { lo: (&p.lo).min(&q.lo).clone(), hi: (&p.hi).max(&q.hi).clone(), bits: p.bits }
     }
 
     /// Common part of two enclosures of one number; `None` when they contradict each other.
     pub fn meet(&self, other: &Self) -> Option<Self> {
-        let (lo, hi) = ((&self.lo).max(&other.lo), (&self.hi).min(&other.hi));
-        (lo <= hi).then(|| Self { lo: lo.clone(), hi: hi.clone() })
+        let [p, q] = self.aligned(other);
+        let (lo, hi) = ((&p.lo).max(&q.lo), (&p.hi).min(&q.hi));
+        (lo <= hi).then(|| Self { lo: lo.clone(), hi: hi.clone(), bits: p.bits })
     }
 
     pub fn lower(&self) -> Self {
-        Self { lo: self.lo.clone(), hi: self.lo.clone() }
+        Self { hi: self.lo.clone(), ..self.clone() }
     }
 
     pub fn upper(&self) -> Self {
-        Self { lo: self.hi.clone(), hi: self.hi.clone() }
+        Self { lo: self.hi.clone(), ..self.clone() }
     }
 
     pub fn middle(&self) -> Self {
-        let sum = &self.lo + &self.hi;
-        let middle: IBig = sum >> 1usize;
-        Self { lo: middle.clone(), hi: middle }
+        let middle: IBig = (&self.lo + &self.hi) >> 1usize;
+        Self { lo: middle.clone(), hi: middle, bits: self.bits }
     }
 
     /// Every number here is below every number there.
     pub fn below(&self, other: &Self) -> bool {
-        self.hi < other.lo
+        let [p, q] = self.aligned(other);
+        p.hi < q.lo
     }
 
     /// Every number here is at most every number there.
     pub fn at_most(&self, other: &Self) -> bool {
-        self.hi <= other.lo
+        let [p, q] = self.aligned(other);
+        p.hi <= q.lo
     }
 
     /// All of this lies in `other`.
     pub fn inside(&self, other: &Self) -> bool {
-        other.lo <= self.lo && self.hi <= other.hi
+        let [p, q] = self.aligned(other);
+        q.lo <= p.lo && p.hi <= q.hi
     }
 
-    /// The ends differ by less than 2⁻⁵⁰, as a double near 1 from the number that it stands for.
-    pub fn is_narrow(&self) -> bool {
-        ((&self.hi - &self.lo) >> (BITS - 50)).is_zero()
+    /// All of this lies between two numbers.
+    pub fn lies_in(&self, lo: &RBig, hi: &RBig) -> bool {
+        let [low, high] = self.ends();
+        *lo <= low && high <= *hi
     }
 
-    /// The double next to the middle: for messages and directions, not for bounds.
+    /// The double next to the middle: for messages, not for bounds.
     pub fn to_f64(&self) -> f64 {
-        let sum = RBig::from(&self.lo + &self.hi) / RBig::from(IBig::ONE << (BITS + 1));
-        sum.to_f64().value()
+        let [lo, hi] = self.ends();
+        ((lo + hi) / RBig::from(2)).to_f64().value()
     }
 }
 
 impl Add for &Fixed {
     type Output = Fixed;
     fn add(self, other: Self) -> Fixed {
-        Fixed { lo: &self.lo + &other.lo, hi: &self.hi + &other.hi }
+        let [p, q] = self.aligned(other);
+        Fixed { lo: &p.lo + &q.lo, hi: &p.hi + &q.hi, bits: p.bits }
     }
 }
 
 impl Sub for &Fixed {
     type Output = Fixed;
     fn sub(self, other: Self) -> Fixed {
-        Fixed { lo: &self.lo - &other.hi, hi: &self.hi - &other.lo }
+        let [p, q] = self.aligned(other);
+        Fixed { lo: &p.lo - &q.hi, hi: &p.hi - &q.lo, bits: p.bits }
     }
 }
 
 impl Neg for &Fixed {
     type Output = Fixed;
     fn neg(self) -> Fixed {
-        Fixed { lo: -&self.hi, hi: -&self.lo }
+        Fixed { lo: -&self.hi, hi: -&self.lo, bits: self.bits }
     }
 }
 
 impl Mul for &Fixed {
     type Output = Fixed;
     fn mul(self, other: Self) -> Fixed {
+        let (bits, surplus) = (self.bits.max(other.bits), self.bits.min(other.bits));
         let products = [&self.lo * &other.lo, &self.lo * &other.hi, &self.hi * &other.lo, &self.hi * &other.hi];
         let (mut least, mut greatest) = (products[0].clone(), products[0].clone());
         for product in &products[1..] {
@@ -191,7 +217,7 @@ impl Mul for &Fixed {
                 greatest.clone_from(product);
             }
         }
-        Fixed { lo: floor_shift(least), hi: ceil_shift(greatest) }
+        Fixed { lo: least >> surplus, hi: ceil_shift(greatest, surplus), bits }
     }
 }
 
@@ -216,15 +242,16 @@ mod tests {
 
     /// A set, some of one number, and a member of it.
     fn sets() -> impl Strategy<Value = (Fixed, RBig)> {
-        (rationals(), rationals(), rationals()).prop_map(|(p, q, x)| {
+        let bits = prop::sample::select(vec![0usize, 1, 64, 256, 1024]);
+        (rationals(), rationals(), rationals(), bits).prop_map(|(p, q, x, bits)| {
             let (lo, hi) = if p <= q { (p, q) } else { (q, p) };
             let x = x.clamp(lo.clone(), hi.clone());
-            (Fixed::between(&lo, &hi).expect("in order"), x)
+            (Fixed::of(&lo, bits).hull(&Fixed::of(&hi, bits)), x)
         })
     }
 
     fn holds(set: &Fixed, x: &RBig) -> bool {
-        let scaled = x * RBig::from(IBig::ONE << BITS);
+        let scaled = x * RBig::from(IBig::ONE << set.bits);
         set.lo <= set.hi && RBig::from(set.lo.clone()) <= scaled && scaled <= RBig::from(set.hi.clone())
     }
 
@@ -233,7 +260,7 @@ mod tests {
 
         #[test]
         fn operations_hold_every_result((a, x) in sets(), (b, y) in sets()) {
-            prop_assert!(holds(&a, &x) && holds(&Fixed::of(&x), &x));
+            prop_assert!(holds(&a, &x) && holds(&Fixed::of(&x, a.bits), &x));
             prop_assert!(holds(&(&a + &b), &(&x + &y)));
             prop_assert!(holds(&(&a - &b), &(&x - &y)));
             prop_assert!(holds(&(&a * &b), &(&x * &y)));
@@ -287,14 +314,6 @@ mod tests {
         assert_eq!(one.over(&(&one - &one)), None);
         assert_eq!((-&one).root(), None);
         assert_eq!(one.meet(&two), None);
-        assert_eq!(Fixed::between(&RBig::from(2), &RBig::ONE), None);
         assert_eq!(Fixed::whole(0).root().unwrap().lo, IBig::ZERO);
-    }
-
-    #[test]
-    fn narrow_sets_have_ends_that_doubles_hardly_tell_apart() {
-        let step = |bits: usize| RBig::from_parts(IBig::ONE, dashu_int::UBig::ONE << bits);
-        assert!(Fixed::between(&-step(52), &step(52)).unwrap().is_narrow());
-        assert!(!Fixed::between(&RBig::ZERO, &step(50)).unwrap().is_narrow());
     }
 }

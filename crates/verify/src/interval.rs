@@ -1,4 +1,4 @@
-//! Interval arithmetic on doubles, for the boxes on the sphere.
+//! Interval arithmetic on doubles, for paths on the sphere.
 //!
 //! Each end moves outward by one unit in the last place after each operation, which encloses the exact result in every
 //! rounding mode. The lower end is never +∞ and the upper end never −∞, so that sums cannot be ∞ − ∞; an infinite end
@@ -6,7 +6,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use dashu_ratio::RBig;
+use super::fixed::Fixed;
 
 /// The reals between `lo` and `hi`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,15 +27,10 @@ impl Interval {
         Self::between(x, x)
     }
 
-    /// A small enclosure of an exact number, which lies between the neighbours of its nearest double.
-    pub fn of(x: &RBig) -> Self {
-        let nearest = x.to_f64().value();
-        Self { lo: nearest.next_down(), hi: nearest.next_up() }
-    }
-
-    /// hi − lo.
-    pub fn width(self) -> f64 {
-        self.hi - self.lo
+    /// A small enclosure of a set, whose ends lie between the neighbours of their nearest doubles.
+    pub fn of(set: &Fixed) -> Self {
+        let [lo, hi] = set.ends().map(|end| end.to_f64().value());
+        Self { lo: lo.next_down(), hi: hi.next_up() }
     }
 
     pub fn middle(self) -> f64 {
@@ -112,6 +107,7 @@ impl Mul for Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dashu_ratio::RBig;
     use proptest::prelude::*;
 
     /// Doubles at which arithmetic overflows, underflows, changes sign or is exact, and ordinary ones.
@@ -192,7 +188,7 @@ mod tests {
         #[test]
         fn exact_numbers_are_enclosed(x in doubles(), y in doubles(), z in doubles()) {
             let number = if z == 0.0 { exact(x) * exact(y) } else { exact(x) * exact(y) / exact(z) };
-            let set = Interval::of(&number);
+            let set = Interval::of(&Fixed::of(&number, 64));
             prop_assert!(holds(set, &number), "{number} in {set:?}");
         }
     }

@@ -2,6 +2,9 @@
 //! one family, with ε in the place of r_i and μ = a_i + εv, and at fixed x dh/dε = −γ_i < 0. The proof that the solution
 //! stays in a box while ε runs from −r_i to r_i is made here anew; the certificate says nothing of it.
 
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
+
 use super::fixed::Fixed;
 use super::node::Node;
 use super::orders::Orders;
@@ -74,9 +77,9 @@ impl Mirrored<'_> {
         let Some(from) = from else { return false };
         let held = from.v.iter().chain(to.iter().flat_map(|edge| &edge.v)).cloned().reduce(|v, w| v.hull(&w));
         let Some(held) = held else { return false };
-        let narrower = |room: &Fixed| room.over(&Fixed::whole(16));
-        std::iter::successors(Some(Fixed::whole(1)), narrower).take(ROOMS).any(|room| {
-            let room = &Fixed::whole(1) + &room;
+        let spaces = self.spaces;
+        (0..ROOMS).any(|k| {
+            let room = spaces.set(&(RBig::ONE + RBig::from_parts(IBig::ONE, UBig::ONE << (4 * k))));
             let large = (&held * &room).upper();
             let small = match to {
                 Some(_) => held.over(&room).map(|small| small.lower()),

@@ -29,7 +29,7 @@ pub(super) fn read(
     side: usize,
 ) -> Result<Option<Node>, Refused> {
     if let Some(text) = &node.x {
-        let x = Fixed::of(&number::read(text)?);
+        let x = orders.spaces.set(&number::read(text)?);
         let place = |which: usize| node.places.as_ref().map(|places| &places[which]);
         let stands = [orders.stand(curves[0], place(0), &x)?, orders.stand(curves[1], place(1), &x)?];
         return compare(orders, curves, x, stands, false).map(Some);
@@ -106,7 +106,7 @@ pub(super) fn coordinate(orders: &Orders, curve: usize, point: &Point) -> Option
             // y/v = γ² and v = P̂ + y, so that v = P̂/(1 − γ²).
             let (_, p_sum) = orders.spaces.sums(base);
             let part = point.gamma[base].square();
-            let v = Fixed::of(&p_sum).over(&(&Fixed::whole(1) - &part))?;
+            let v = orders.spaces.set(&p_sum).over(&(&Fixed::whole(1) - &part))?;
             Some(&v * &part)
         }
         Branch::Line(_) | Branch::Rotation(_) => None,

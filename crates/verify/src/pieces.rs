@@ -274,7 +274,7 @@ impl Pieces {
         match (piece.ends[side], piece.branch) {
             (End::Cusp(cusp), _) => {
                 let place = &self.cusps[cusp];
-                spaces.point(place.base, place.side, &place.y())
+                spaces.point(place.base, place.side, &place.y(spaces))
             }
             (End::Pitchfork(fork), Branch::Over(_) | Branch::Line(_)) => {
                 spaces.point(self.forks[fork].base, Side::Over, &Fixed::whole(0))
@@ -282,7 +282,7 @@ impl Pieces {
             (End::Pitchfork(fork), Branch::Generic(number)) => {
                 let (base, side) = coordinates(spaces, number);
                 let mu = &spaces.list[self.forks[fork].base].a;
-                spaces.point(base, side, &Fixed::of(&distance(spaces, base, side, mu)))
+                spaces.point(base, side, &spaces.set(&distance(spaces, base, side, mu)))
             }
             _ => None,
         }

@@ -41,8 +41,8 @@ impl Place {
         (lo <= hi && document.base < spaces.list.len()).then_some(Self { base: document.base, side, lo, hi })
     }
 
-    pub fn y(&self) -> Fixed {
-        Fixed::of(&self.lo).hull(&Fixed::of(&self.hi))
+    pub fn y(&self, spaces: &Spaces) -> Fixed {
+        spaces.set(&self.lo).hull(&spaces.set(&self.hi))
     }
 
     /// The range of μ (of y over a space without r).

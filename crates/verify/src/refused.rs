@@ -145,6 +145,18 @@ pub enum Refused {
         /// By this check.
         found: String,
     },
+    /// A region whose topology this check cannot decide, or that the atlas leaves open.
+    #[error("the topology of region {region} is not confirmed")]
+    Open {
+        /// Which.
+        region: String,
+    },
+    /// A field of the document.
+    #[error("{field} is not what this check finds")]
+    Field {
+        /// Its name.
+        field: &'static str,
+    },
     /// The summary.
     #[error("the summary says {claimed} {what}, but there are {found}")]
     Summary {

@@ -104,7 +104,7 @@ pub(super) fn inflection(
     let range = place.range(spaces);
     let sturm = Sturm::new(&spaces.inflection_polynomial());
     let branch = (0..=spaces.active.len()).find(|&branch| lies_in(&range, spaces.interval(branch)));
-    let point = spaces.point(place.base, place.side, &place.y());
+    let point = spaces.point(place.base, place.side, &place.y(spaces));
     match branch.zip(point) {
         Some(found) if sturm.closed(&range[0], &range[1]) == 1 && sturm.roots(None, None) == 1 => Ok(Some(found)),
         _ => Err(Refused::Inflection),

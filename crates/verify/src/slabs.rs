@@ -104,7 +104,7 @@ fn slab(number: usize, claim: &CertifiedSlab, orders: &Orders, transitions: &Tra
         return Err(refuse("its abscissa does not lie between the events around it"));
     }
     let alive = transitions.alive(pieces, number);
-    let x_set = Fixed::of(&x);
+    let x_set = orders.spaces.set(&x);
     let mut levels: Vec<Level> = Vec::new();
     for height in &claim.curves {
         let curve = pieces.find(&height.curve)?;

@@ -19,8 +19,6 @@ pub(super) struct Space {
     pub a_set: Fixed,
     pub q_set: Fixed,
     pub root_q: Fixed,
-    /// Along its axes, rounded: the unit vector of the part of r in it, or the first axis where that is 0.
-    pub direction: Vec<f64>,
 }
 
 /// The body in the certificate's units.
@@ -30,37 +28,26 @@ pub(super) struct Spaces {
     pub list: Vec<Space>,
     /// Numbers of those that carry r.
     pub active: Vec<usize>,
-    pub r: [RBig; 3],
     pub r2: RBig,
     /// |r|.
     pub norm: Fixed,
     /// a_i − a_k.
     differences: Vec<Vec<Fixed>>,
+    /// Of the numbers here, and of all that are computed from them.
+    bits: usize,
 }
 
 impl Space {
-    fn new(a: RBig, axes: Vec<usize>, r: &[RBig; 3]) -> Option<Self> {
+    fn new(a: RBig, axes: Vec<usize>, r: &[RBig; 3], bits: usize) -> Option<Self> {
         let q = axes.iter().fold(RBig::ZERO, |sum, &axis| sum + &r[axis] * &r[axis]);
-        let q_set = Fixed::of(&q);
-        let direction = direction(&axes.iter().map(|&axis| r[axis].clone()).collect::<Vec<_>>());
-        Some(Self { a_set: Fixed::of(&a), root_q: q_set.root()?, q_set, a, q, axes, direction })
+        let q_set = Fixed::of(&q, bits);
+        Some(Self { a_set: Fixed::of(&a, bits), root_q: q_set.root()?, q_set, a, q, axes })
     }
 }
 
-/// The unit vector of r, rounded; the first axis for r = 0. Components relative to the largest neither overflow nor
-/// vanish together.
-fn direction(r: &[RBig]) -> Vec<f64> {
-    let size = |x: &RBig| x.clone().max(-x);
-    let largest = r.iter().map(size).max().filter(|largest| !largest.is_zero());
-    let Some(largest) = largest else { return (0..r.len()).map(|n| f64::from(u8::from(n == 0))).collect() };
-    let ratios: Vec<f64> = r.iter().map(|x| (x / &largest).to_f64().value()).collect();
-    let norm = ratios.iter().map(|x| x * x).sum::<f64>().sqrt();
-    ratios.iter().map(|x| x / norm).collect()
-}
-
 impl Spaces {
-    /// A in units of `moment`, r in units of `energy`.
-    pub fn new(body: &Body, moment: &RBig, energy: &RBig) -> Result<Self, Refused> {
+    /// A in units of `moment`, r in units of `energy`; sets have so many bits.
+    pub fn new(body: &Body, moment: &RBig, energy: &RBig, bits: usize) -> Result<Self, Refused> {
         let r = body.center.each_ref().map(|r| r / energy);
         let mut order = [0, 1, 2];
         order.sort_by(|&i, &j| body.moments[i].cmp(&body.moments[j]));
@@ -73,14 +60,19 @@ impl Spaces {
             }
         }
         let unbounded = || Refused::Unbounded { what: "the centre of mass".to_owned() };
-        let list: Option<Vec<Space>> = groups.into_iter().map(|(a, axes)| Space::new(a, axes, &r)).collect();
+        let list: Option<Vec<Space>> = groups.into_iter().map(|(a, axes)| Space::new(a, axes, &r, bits)).collect();
         let list = list.ok_or_else(unbounded)?;
         let r2 = r.iter().fold(RBig::ZERO, |sum, c| sum + c * c);
-        let norm = Fixed::of(&r2).root().ok_or_else(unbounded)?;
+        let norm = Fixed::of(&r2, bits).root().ok_or_else(unbounded)?;
         let active = (0..list.len()).filter(|&k| !list[k].q.is_zero()).collect();
-        let row = |i: &Space| list.iter().map(|k| Fixed::of(&(&i.a - &k.a))).collect();
+        let row = |i: &Space| list.iter().map(|k| Fixed::of(&(&i.a - &k.a), bits)).collect();
         let differences = list.iter().map(row).collect();
-        Ok(Self { list, active, r, r2, norm, differences })
+        Ok(Self { list, active, r2, norm, differences, bits })
+    }
+
+    /// An exact number as a set.
+    pub fn set(&self, x: &RBig) -> Fixed {
+        Fixed::of(x, self.bits)
     }
 
     /// Numbers of the spaces without r.
@@ -184,18 +176,5 @@ impl Spaces {
             let cube = (0..3).fold(vec![RBig::ONE], |cube, _| times(&cube, &self.factor(k)));
             plus(&sum, &cube, &(&self.list[i].q * &self.list[j].q * &d * &d))
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn directions_of_very_small_vectors_are_unit_vectors() {
-        let tiny = RBig::from_parts(3.into(), dashu_int::UBig::from(10u8).pow(400));
-        assert_eq!(direction(&[-&tiny]), [-1.0]);
-        assert_eq!(direction(&[&tiny * RBig::from(4), -&tiny * RBig::from(3)]), [0.8, -0.6]);
-        assert_eq!(direction(&[RBig::ZERO, RBig::ZERO]), [1.0, 0.0]);
     }
 }

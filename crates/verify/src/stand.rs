@@ -6,12 +6,14 @@ use schema::PlaceDocument;
 use super::Refused;
 use super::equilibria::Point;
 use super::fixed::Fixed;
-use super::pieces::{Branch, Pieces, coordinates, distance};
+use super::pieces::{Branch, Piece, Pieces, coordinates, distance};
 use super::place::{Place, Side};
 use super::spaces::Spaces;
 
 /// Newton steps that sharpen a place at most: each doubles its digits, and they end where it gains nothing.
 const STEPS: usize = 12;
+/// Halvings at most.
+const HALVINGS: usize = 256;
 
 /// A curve over one x.
 #[derive(Clone, Debug)]
@@ -25,6 +27,10 @@ pub(super) struct Stand {
 struct Coordinate {
     base: usize,
     side: Side,
+    /// x rises with y.
+    rising: bool,
+    /// Between these, of which one may be absent, y is surely on the curve.
+    inner: [Option<Fixed>; 2],
 }
 
 /// The equilibrium of a curve over x, from the place that the certificate names: x of both its ends must enclose x.
@@ -42,7 +48,7 @@ pub(super) fn stand(
         Branch::Generic(_) | Branch::Over(_) => place
             .and_then(|place| Place::read(place, spaces))
             .and_then(|place| enclosed(spaces, pieces, curve, &place, x))
-            .and_then(|(coordinate, y)| sharpened(spaces, &coordinate, y, x)),
+            .and_then(|(coordinate, y)| coordinate.sharpened(spaces, y, x)),
     };
     found.ok_or_else(|| Refused::Place { curve: piece.id.clone(), x: x.to_f64() })
 }
@@ -51,23 +57,26 @@ pub(super) fn stand(
 /// ends of the range lies on both sides.
 fn enclosed(spaces: &Spaces, pieces: &Pieces, curve: usize, place: &Place, x: &Fixed) -> Option<(Coordinate, Fixed)> {
     let piece = &pieces.list[curve];
-    let range = place.range(spaces);
+    // Digits are rounded outward, so that a place may reach beyond an end of its curve.
+    let [low, high] = place.range(spaces);
+    let clipped = |end: RBig, side: usize| match &piece.range[side] {
+        Some([outer, _]) if side == 0 => end.max(outer.clone()),
+        Some([_, outer]) => end.min(outer.clone()),
+        None => end,
+    };
+    let range = [clipped(low, 0), clipped(high, 1)];
     let [low, high] = &range;
-    let (coordinate, inside) = match piece.branch {
+    let (base, side, inside) = match piece.branch {
         Branch::Generic(number) if place.side != Side::Over => {
             let [left, right] = spaces.interval(number);
             let (base, side) = coordinates(spaces, number);
-            (Coordinate { base, side }, left.is_none_or(|a| low > a) && right.is_none_or(|a| high < a))
+            (base, side, left.is_none_or(|a| low > a) && right.is_none_or(|a| high < a))
         }
-        Branch::Over(base) if place.side == Side::Over && place.base == base => {
-            (Coordinate { base, side: Side::Over }, *low >= RBig::ZERO)
-        }
+        Branch::Over(base) if place.side == Side::Over && place.base == base => (base, Side::Over, *low >= RBig::ZERO),
         _ => return None,
     };
-    // The place lies between the outer ends of the enclosures in which the curve ends.
-    let before = piece.range[0].as_ref().is_some_and(|end| *low < end[0]);
-    let after = piece.range[1].as_ref().is_some_and(|end| *high > end[1]);
-    if before || after || !inside {
+    let coordinate = Coordinate::new(spaces, base, side, piece);
+    if low > high || !inside {
         return None;
     }
     let ends = range.each_ref().map(|parameter| coordinate.y(spaces, parameter));
@@ -88,29 +97,64 @@ fn enclosed(spaces: &Spaces, pieces: &Pieces, curve: usize, place: &Place, x: &F
     Some((coordinate, y))
 }
 
-/// Interval Newton steps on x(y) = x: none loses the solution, and an empty one is a contradiction.
-fn sharpened(spaces: &Spaces, coordinate: &Coordinate, mut y: Fixed, x: &Fixed) -> Option<Stand> {
-    let state = |y: &Fixed| spaces.point(coordinate.base, coordinate.side, y);
-    for _ in 0..STEPS {
-        let middle = y.middle();
-        let (at, over) = (state(&middle)?, state(&y)?);
-        let Some([log_slope, _]) = &over.slopes else { break };
-        let Some(step) = (&at.x - x).over(&(&over.x * log_slope)) else { break };
-        let next = y.meet(&(&middle - &step))?;
-        if next == y {
-            break;
-        }
-        y = next;
-    }
-    Some(Stand { point: state(&y)?, y: Some(y) })
-}
-
 impl Coordinate {
+    fn new(spaces: &Spaces, base: usize, side: Side, piece: &Piece) -> Self {
+        let mut coordinate = Self { base, side, rising: piece.rising, inner: [None, None] };
+        let [low, high] = &piece.range;
+        let inner = [low.as_ref().map(|end| &end[1]), high.as_ref().map(|end| &end[0])];
+        coordinate.inner = inner.map(|end| Some(coordinate.y(spaces, end?)));
+        if side == Side::Minus {
+            coordinate.rising = !coordinate.rising;
+            coordinate.inner.reverse();
+        }
+        coordinate
+    }
+
+    /// Interval Newton steps on x(y) = x, and halvings beside a cusp, where they do not exist: none loses the solution,
+    /// and an empty one is a contradiction.
+    fn sharpened(&self, spaces: &Spaces, mut y: Fixed, x: &Fixed) -> Option<Stand> {
+        let state = |y: &Fixed| spaces.point(self.base, self.side, y);
+        let (mut steps, mut halvings) = (0, 0);
+        while steps < STEPS && halvings < HALVINGS {
+            let middle = y.middle();
+            let (at, over) = (state(&middle)?, state(&y)?);
+            let slope = over.slopes.as_ref().map(|[log_slope, _]| &over.x * log_slope);
+            let newton = slope.and_then(|slope| (&at.x - x).over(&slope));
+            let next = if let Some(step) = newton {
+                steps += 1;
+                y.meet(&(&middle - &step))?
+            } else {
+                halvings += 1;
+                let Some(next) = self.halved(&y, &middle, &at.x, x) else { break };
+                next
+            };
+            if next == y {
+                break;
+            }
+            y = next;
+        }
+        Some(Stand { point: state(&y)?, y: Some(y) })
+    }
+
+    /// The half of a range that holds the solution, since x is monotone along a curve; `None` when x in the middle, which
+    /// must lie on the curve, does not tell.
+    fn halved(&self, y: &Fixed, middle: &Fixed, at: &Fixed, x: &Fixed) -> Option<Fixed> {
+        let [low, high] = &self.inner;
+        let on_curve =
+            low.as_ref().is_none_or(|low| low.below(middle)) && high.as_ref().is_none_or(|h| middle.below(h));
+        let upper = match (at.below(x), x.below(at)) {
+            (true, _) => self.rising,
+            (_, true) => !self.rising,
+            _ => return None,
+        };
+        on_curve.then(|| middle.hull(&if upper { y.upper() } else { y.lower() }))
+    }
+
     /// y of a μ; over a space without r the parameter is y itself.
     fn y(&self, spaces: &Spaces, parameter: &RBig) -> Fixed {
         match self.side {
-            Side::Over => Fixed::of(parameter),
-            side => Fixed::of(&distance(spaces, self.base, side, parameter)),
+            Side::Over => spaces.set(parameter),
+            side => spaces.set(&distance(spaces, self.base, side, parameter)),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 use numbers::decimal;
-use schema::{CriticalSpinDocument, SpinRangeDocument};
+use schema::{CriticalSpinDocument, SampledClassDocument, SpinRangeDocument, ToleranceDocument};
 use top::body::Number;
 
 use crate::cli::input::values::{self, ValueError};
@@ -85,6 +85,7 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     });
     if tolerance.ranges.is_empty() {
         report.line("none changes at any spin");
+        report.line(classes(tolerance));
         return;
     }
     let mut table = Table::new(&["up", "rpm", "below", "above", "inside too", "matters most", "moves it by"]);
@@ -106,10 +107,19 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
             report.line(line);
         }
     }
+    report.line(classes(tolerance));
     report.line(format!(
         "what is found inside a range, and which input alone moves it most, are from {} sampled parts",
         tolerance.sampled_parts
     ));
+}
+
+/// The classes of the diagrams of the sampled parts, in words.
+fn classes(tolerance: &ToleranceDocument) -> String {
+    let count =
+        |found: &SampledClassDocument| format!("{} ({})", found.class.as_deref().unwrap_or("open"), found.parts);
+    let list: Vec<String> = tolerance.classes.iter().map(count).collect();
+    format!("classes of diagrams of the {} sampled parts: {}", tolerance.sampled_parts, list.join(", "))
 }
 
 /// A lower bound, rounded down.

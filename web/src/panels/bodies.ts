@@ -1,6 +1,6 @@
 /** The space of bodies: a map of classes; the present body is a point to drag in it. */
 import { drag, Sheet } from "../draw/canvas";
-import { make, panel } from "../draw/dom";
+import { button, make, panel } from "../draw/dom";
 import type { Session } from "../state/session";
 import { boxOf, paintBodies } from "./bodies-paint";
 import { bordersOf, type Border } from "./borders";
@@ -16,6 +16,8 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
   const text = make("div", { className: "note" });
   const list = make("div", { className: "note", data: { testid: "borders" } });
   const cells = new Cells(() => show());
+  const stop = button("Stop", "Stop the computation", () => cells.stop(), { testid: "stop-map" });
+  stop.hidden = true;
   const sheet = new Sheet(canvas, (pen, size) => paintBodies(pen, size, session.state, family, cells, borders));
   const show = () => {
     const place = family.place(session.state);
@@ -23,6 +25,7 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
     const here = cell && cell.class >= 0 ? `Here: ${cell.regions} regions, class ${cells.names[cell.class]}.` : place ? (cell ? "Here: on a border, or not a body." : "") : "The present body does not lie in this plane.";
     text.textContent = cells.message || `${here} ${cells.classes} classes seen, ${cells.share < 0.999 ? `${Math.round(100 * cells.share)} %` : "complete"}`;
     list.textContent = borders.length > 0 ? `Borders beside it: ${borders.map((border) => border.text).join("; ")}` : "";
+    stop.hidden = !cells.running;
     sheet.ask();
   };
   const seek = async () => {
@@ -73,6 +76,6 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
     seen = entries.some((entry) => entry.isIntersecting);
     if (seen && cells.share === 0 && session.atlas) void fill();
   }).observe(canvas);
-  const element = panel("The space of bodies", "Bodies of one colour have diagrams of one shape", make("div", { className: "bar" }, choice), make("div", { className: "stage map" }, canvas), make("div", { className: "bar" }, text, list));
+  const element = panel("The space of bodies", "Bodies of one colour have diagrams of one shape", make("div", { className: "bar" }, choice, stop), make("div", { className: "stage map" }, canvas), make("div", { className: "bar" }, text, list));
   return { element, sheet };
 }

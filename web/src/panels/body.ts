@@ -14,6 +14,33 @@ export interface Preset {
   r: Triple;
 }
 
+/** A slider for a number of r; while it is held, its ends stay. */
+function slider(session: Session, axis: number): { element: HTMLInputElement; show: () => void } {
+  const element = make("input", { type: "range", step: "any", title: "The centre of mass along this axis", attributes: { "aria-label": `slider of r${axis + 1}` }, data: { testid: `slider-r${axis + 1}` } });
+  const reach = () => 2 ** Math.ceil(Math.log2(Math.max(1, ...session.state.r.map((text) => Math.abs(valueOf(text)))))) || 1;
+  element.addEventListener("input", () => {
+    const numbers = [...session.state.r] as Triple;
+    numbers[axis] = rounded(Number(element.value), Number(element.max) / 1000);
+    session.dragging = "body";
+    session.body(session.state.A, numbers);
+  });
+  element.addEventListener("change", () => session.release());
+  // A step with the arrow keys: a hundredth of the reach.
+  element.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    element.value = String(Number(element.value) + (step * Number(element.max)) / 100);
+    element.dispatchEvent(new Event("input"));
+    element.dispatchEvent(new Event("change"));
+  });
+  const show = () => {
+    if (!session.dragging) [element.min, element.max] = [String(-reach()), String(reach())];
+    element.value = String(valueOf(session.state.r[axis]!));
+  };
+  return { element, show };
+}
+
 /** `presets()` of the module as a list. */
 export function presetsOf(texts: string[]): Preset[] {
   const list: Preset[] = [];
@@ -50,6 +77,7 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
     );
   const moments = inputs("A", "A principal moment of inertia: a decimal or a quotient such as 11/10, read exactly");
   const center = inputs("r", "The centre of mass along a principal axis, times the weight: a decimal or a quotient, read exactly");
+  const sliders = [0, 1, 2].map((axis) => slider(session, axis));
   const choice = make("select", { title: "Bodies with a name", attributes: { "aria-label": "preset" }, data: { testid: "presets" } });
   choice.append(make("option", { value: "" }, "another body"));
   for (const { name, note } of presets) choice.append(make("option", { value: name, title: note }, `${name}: ${note}`));
@@ -64,6 +92,7 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
     const { A, r } = session.state;
     moments.forEach((input, i) => (input.value = A[i]!));
     center.forEach((input, i) => (input.value = r[i]!));
+    sliders.forEach(({ show }) => show());
     choice.value = presets.find((preset) => preset.A.join() === A.join() && preset.r.join() === r.join())?.name ?? "";
   };
   session.on(["body"], show);
@@ -74,7 +103,7 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
     make("div", { className: "body-controls" },
       choice,
       make("div", { className: "numbers" }, make("b", {}, "A"), ...moments),
-      make("div", { className: "numbers" }, make("b", {}, "r"), ...center),
+      make("div", { className: "numbers" }, make("b", {}, "r"), ...center, make("span"), ...sliders.map(({ element }) => element)),
       make("div", { className: "pair" }, triangle(session), octant(session)),
       notes,
     ),

@@ -19,6 +19,7 @@ export interface Cell {
 
 export class Cells {
   names: string[] = [];
+  running = false;
   message = "";
   readonly channel = new Channel(120);
   private cells = new Map<number, Cell>();
@@ -36,8 +37,17 @@ export class Cells {
 
   clear(): void {
     this.run++;
+    this.running = false;
     this.channel.reset();
     this.cells = new Map();
+    this.told();
+  }
+
+  /** Ends the work; what was found stays. */
+  stop(): void {
+    this.run++;
+    this.running = false;
+    this.channel.reset();
     this.told();
   }
 
@@ -45,6 +55,7 @@ export class Cells {
     this.clear();
     const own = this.run;
     this.message = "";
+    this.running = true;
     try {
       for (let size = COARSEST; size <= FINEST; size *= 2) {
         const wanted = this.missing(size);
@@ -53,8 +64,10 @@ export class Cells {
     } catch (error) {
       if (error instanceof Superseded) return;
       this.message = error instanceof Error ? error.message : String(error);
-      this.told();
     }
+    if (own !== this.run) return;
+    this.running = false;
+    this.told();
   }
 
   /** The cell of a number, or that of the finest level so far that covers it. */

@@ -202,6 +202,13 @@ test("keys move the point, turn the body's axis and zoom", async () => {
   await page.keyboard.press("ArrowUp");
   await page.waitForFunction(() => !location.hash.includes("r=0.94868"));
   await ready(page);
+  await go(page, POINT);
+  await page.getByTestId("slider-r2").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => location.hash.includes("r=0.94868,0.01,0.61623"));
+  await ready(page);
+  expect(await page.getByTestId("input-r2").inputValue()).toBe("0.01");
+  expect(await page.evaluate(() => window.bifdiag.atlas())).toBe(bifdiag("--A=2,1.1,1", "--r=0.94868,0.01,0.61623", "--json"));
   await page.close();
 });
 
@@ -330,5 +337,17 @@ test("the map of bodies fills when it is looked at", async () => {
   await page.getByTestId("bodies-map").scrollIntoViewIfNeeded();
   await expect.poll(() => page.getByText(/Here: \d+ regions, class [0-9a-f]{12}/).count(), { timeout: 60_000 }).toBe(1);
   expect(await colors(page, "bodies-map")).toBeGreaterThan(8);
+  await page.getByLabel("plane").selectOption("moments");
+  // At once: a quick machine would be done before a pointer is there.
+  await page.waitForFunction(() => {
+    const stop = document.querySelector<HTMLButtonElement>("[data-testid=stop-map]")!;
+    if (stop.hidden) return false;
+    stop.click();
+    return true;
+  });
+  const seen = await page.getByText(/classes seen, \d+ %/).textContent();
+  await page.waitForTimeout(700);
+  expect(await page.getByText(/classes seen, \d+ %/).textContent()).toBe(seen);
+  expect(await page.getByTestId("stop-map").isVisible()).toBe(false);
   await page.close();
 });

@@ -20,4 +20,4 @@ pub use cone::{NearestAxis, nearest_axis, nearest_permanent, permanent_axes};
 pub use regions::{RegionChange, region_changes};
 pub use rotation::{AxisRotation, SpinChange, SpinType, Squares};
 pub use steady::{SteadyRotation, nearest_steady};
-pub use tolerance::{INPUTS, SAMPLES, SpinRange, spin_ranges};
+pub use tolerance::{INPUTS, SAMPLES, SpinRange, sampled_classes, spin_ranges};

@@ -83,6 +83,17 @@ impl AxisRotation {
         Some(Self { axis, moments: [moment(axis), moment(others[0]), moment(others[1])], weight })
     }
 
+    /// The body that turns, its centre of mass at the end of the axis that points along γ.
+    pub(super) fn body(&self) -> Option<Body> {
+        let mut moments = [const { String::new() }; 3];
+        for (k, moment) in self.moments.iter().enumerate() {
+            moments[(self.axis + k) % 3] = moment.to_string();
+        }
+        let center: [String; 3] =
+            std::array::from_fn(|k| if k == self.axis { self.weight.to_string() } else { "0".to_owned() });
+        Body::parse(&moments.each_ref().map(String::as_str), &center.each_ref().map(String::as_str)).ok()
+    }
+
     /// The axis.
     #[must_use]
     pub fn axis(&self) -> usize {

@@ -8,11 +8,15 @@
 //! Over a box of parts each of them lies in an interval. Outside these intervals no root lies for any part of the box, and
 //! the box is connected: the type between two of them is that of one part.
 
+use std::collections::BTreeMap;
+
 use dashu_ratio::RBig;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 
 use super::rotation::{AxisRotation, SpinChange, SpinType};
+use crate::atlas::Atlas;
+use crate::class::{Class, ClassName};
 
 /// The inputs that are varied, as they are told.
 pub const INPUTS: [&str; 4] =
@@ -70,6 +74,22 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
     // Where discriminant and stiffness vanish together the ends round.
     found.retain(|range| range.from != range.to || !range.between.is_empty() || range.from.is_none());
     found
+}
+
+/// The classes of the diagrams of the sampled parts, each with how many of them have it, the most frequent first; `None`
+/// stands for those whose class f64 leaves open.
+#[must_use]
+pub fn sampled_classes(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<(Option<ClassName>, usize)> {
+    let mut counts: BTreeMap<Option<ClassName>, usize> = BTreeMap::new();
+    for number in 0..SAMPLES {
+        let body = varied(rotation, steps(number), tolerances).body();
+        let atlas = body.and_then(|body| Atlas::new(&body).ok());
+        let class = atlas.and_then(|atlas| Class::of(&atlas).ok());
+        *counts.entry(class.map(|class| class.name().clone())).or_default() += 1;
+    }
+    let mut counts: Vec<_> = counts.into_iter().collect();
+    counts.sort_by(|(p, p_count), (q, q_count)| q_count.cmp(p_count).then_with(|| p.cmp(q)));
+    counts
 }
 
 /// How many of the steps of a sampled part: −1, 0 or 1 tolerance for each input.
@@ -310,6 +330,20 @@ mod tests {
                 assert!(range.omega[1] - range.omega[0] < 1e-12 * change.omega, "{range:?}");
             }
         }
+    }
+
+    /// Among parts that are nearly symmetric are symmetric ones, which have other diagrams; all parts are counted.
+    #[test]
+    fn a_symmetric_part_has_neighbours_of_another_class() {
+        let classes = |a: [&str; 3], tolerance: RBig| {
+            let rotation = AxisRotation::new(&Body::parse(&a, &["0", "0", "1"]).unwrap(), 2, -1).unwrap();
+            sampled_classes(&rotation, &alike(&tolerance))
+        };
+        let one = classes(["1", "1", "0.6"], RBig::ZERO);
+        assert_eq!((one.len(), one[0].1), (1, SAMPLES));
+        let several = classes(["1", "1", "0.6"], percent(1));
+        assert!(several.len() > 1 && several.iter().any(|(name, _)| *name == one[0].0), "{several:?}");
+        assert_eq!(several.iter().map(|(_, count)| count).sum::<usize>(), SAMPLES);
     }
 
     /// A free body has no changes, but moments that may be equal leave its stability open.

@@ -1,13 +1,15 @@
 //! Bodies and points on the way into each extreme: what `exact` answers, and how long it takes.
 //!
-//! `cargo run --release -p bifdiag-proof --example extremes [family] [exponents]` prints one line for each family and distance ε = 10⁻ᵏ:
-//! the atlas of f64 (`all` decided, `open`, `none`), the exact one, the proved one, a point, and the milliseconds
-//! of each. `data/extremes.txt` is the recorded result.
+//! `cargo run --release --example extremes [family] [exponents]` prints one line for each family and distance ε = 10⁻ᵏ:
+//! the atlas of f64 (`all` decided, `open`, `none`), the exact one, the proved one, a point, whether `verify` confirms the
+//! certificate, and the milliseconds of each. `data/extremes.txt` is the recorded result.
 
 use std::time::Instant;
 
 use dashu_ratio::RBig;
+use documents::{DocumentOptions, certified_atlas};
 use proof::{Accuracy, CertifiedAtlas, atlas_of, classify_exactly};
+use schema::AtlasDocument;
 use top::atlas::Atlas;
 use top::body::{Body, Number};
 
@@ -46,6 +48,11 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     (result, start.elapsed().as_secs_f64() * 1e3)
 }
 
+fn document(proved: &CertifiedAtlas) -> Option<AtlasDocument> {
+    let options = DocumentOptions { polylines: false, ..DocumentOptions::default() };
+    certified_atlas(proved, &proved.drawn().ok()?, &options).ok()
+}
+
 fn main() {
     let mut arguments = std::env::args().skip(1);
     let wanted = arguments.next().unwrap_or_default();
@@ -65,6 +72,13 @@ fn main() {
             };
             let (answer, time) = timed(|| atlas_of(&body, Accuracy::Exact));
             let (proved, proof_time) = timed(|| CertifiedAtlas::new(&body));
+            let verified = proved.as_ref().ok().and_then(document).map_or_else(
+                || "no certificate".to_owned(),
+                |document| {
+                    let (found, time) = timed(|| verify::verify(&document));
+                    found.map_or_else(|refused| format!("REFUSED {refused}"), |_| format!("verified {time:.0} ms"))
+                },
+            );
             let proved = match &proved {
                 Ok(atlas) => {
                     let open = atlas.region_ids().filter(|&region| atlas.components(region).is_none()).count();
@@ -82,7 +96,7 @@ fn main() {
             let answer = answer
                 .map_or_else(|error| format!("ERROR {error}"), |atlas| format!("{} regions", atlas.regions().len()));
             println!(
-                "{name} 1e-{exponent} | f64 {fast} | exact {answer} {time:.0} ms | proof {proved} {proof_time:.0} ms | point {} {:.1} ms",
+                "{name} 1e-{exponent} | f64 {fast} | exact {answer} {time:.0} ms | proof {proved} {proof_time:.0} ms | point {} {:.1} ms | {verified}",
                 point.0.is_ok(),
                 point.1
             );
