@@ -28,7 +28,7 @@ const ORDER: [(&str, &str); 11] = [
          accuracy prepared",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
-    ("crates/survey/src", "digits parameter range design signature scan border graph katok search"),
+    ("crates/survey/src", "digits parameter range design signature scan border graph mosaic katok search"),
     (
         "crates/documents/src",
         "command layout body subject classification critical grid atlas certified scan reading border classes find witnesses \
@@ -37,7 +37,7 @@ const ORDER: [(&str, &str); 11] = [
     (
         "crates/verify/src",
         "refused number classes component body sturm fixed interval jet path spaces place equilibria roots pieces meetings \
-         stand orders node rules mirror pairs events slabs gluing regions gap morse landscape descent merging rings topology",
+         stand orders node rules mirror pairs events slabs gluing regions gap morse landscape descent merging rings topology courses listing totals",
     ),
     ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
     (

@@ -1,5 +1,6 @@
 //! A proved atlas in the terms of the `f64` one: its curves, and events and regions as proved.
 
+use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::arrange::{Event, Source};
@@ -56,7 +57,8 @@ impl CertifiedAtlas {
             let event = &proved.events[number];
             let x = middle(event);
             let (h, h_error) = (0.5 * (event.h[0] + event.h[1]), event.h[1] - event.h[0]);
-            let x_error = (double(&event.x[1]) - double(&event.x[0])).max(f64::EPSILON * x);
+            // x, its root and the product with a unit are rounded.
+            let x_error = (double(&event.x[1]) - double(&event.x[0])).max(4.0 * f64::EPSILON * x);
             event.sources.iter().map(move |source| diagram::Event {
                 change: change(&proved.curves, event, source, map),
                 x,
@@ -124,10 +126,15 @@ impl CertifiedAtlas {
     }
 
     fn enclosure(&self, event: &Event) -> EnclosureDocument {
-        let x = Wide::rational(&event.x[0], BITS).hull(&Wide::rational(&event.x[1], BITS));
+        // Room for the roundings of the certificate, which states x and h too.
+        let roomy = |[lo, hi]: [RBig; 2], bits: usize| {
+            let size = lo.clone().max(-lo.clone()).max(hi.clone()).max(-hi.clone());
+            let room = size / RBig::from(IBig::ONE << bits);
+            Wide::rational(&(lo - &room), BITS).hull(&Wide::rational(&(hi + room), BITS))
+        };
+        let x = roomy(event.x.clone(), 136);
         let l = (Wide::small(2, BITS) * x).sqrt() * Wide::double(self.frame.momentum_unit, BITS);
-        let h = Wide::double(event.h[0], BITS).hull(&Wide::double(event.h[1], BITS))
-            * Wide::double(self.frame.energy_unit, BITS);
+        let h = roomy(event.h.map(super::region::exact), 72) * Wide::double(self.frame.energy_unit, BITS);
         let text = |set: &Wide| {
             let bounds = set.exact_bounds();
             bounds.map_or(["-inf".to_owned(), "inf".to_owned()], |bounds| decimal::outward(&bounds, DIGITS))

@@ -5,6 +5,7 @@ mod design;
 mod digits;
 pub mod graph;
 pub mod katok;
+pub mod mosaic;
 mod parameter;
 mod range;
 pub mod scan;

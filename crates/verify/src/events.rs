@@ -31,7 +31,7 @@ pub(super) struct Events {
 
 /// What makes an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Source {
+pub(super) enum Source {
     Cusp(usize),
     Pitchfork(usize),
     Meeting(usize),
@@ -40,7 +40,7 @@ enum Source {
 
 impl Source {
     /// A source with its number in canonical form, so that none has two names.
-    fn read(text: &str) -> Option<Self> {
+    pub fn read(text: &str) -> Option<Self> {
         let Some((kind, digits)) = text.split_once(':') else { return (text == "crossing").then_some(Self::Crossing) };
         let number: usize = digits.parse().ok().filter(|number: &usize| number.to_string() == digits)?;
         match kind {
@@ -52,7 +52,7 @@ impl Source {
     }
 
     /// The end of curves that it is.
-    fn end(self) -> Option<End> {
+    pub fn end(self) -> Option<End> {
         match self {
             Self::Cusp(cusp) => Some(End::Cusp(cusp)),
             Self::Pitchfork(fork) => Some(End::Pitchfork(fork)),

@@ -15,11 +15,13 @@
 //! sturm → roots → pieces → meetings → events                      what there is, and that nothing is missing
 //! stand → orders → node → rules → pairs → slabs → gluing → regions         order of curves, faces
 //! interval → jet → path → landscape → descent, morse → merging, rings → topology  topology of each region
+//! courses, listing, totals                                        what a document says beside its certificate
 //! ```
 
 mod body;
 mod classes;
 mod component;
+mod courses;
 mod descent;
 mod equilibria;
 mod events;
@@ -29,6 +31,7 @@ mod gluing;
 mod interval;
 mod jet;
 mod landscape;
+mod listing;
 mod meetings;
 mod merging;
 mod mirror;
@@ -50,6 +53,7 @@ mod spaces;
 mod stand;
 mod sturm;
 mod topology;
+mod totals;
 
 use dashu_ratio::RBig;
 use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
@@ -89,6 +93,7 @@ pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
     if document.accuracy != Accuracy::Exact {
         return Err(Refused::Accuracy);
     }
+    totals::frame(document, &body)?;
     let check = |bits| certified(document, certificate, &body, bits);
     BITS[1..].iter().fold(check(BITS[0]), |found, &bits| found.or_else(|_undecided| check(bits)))
 }
@@ -112,6 +117,10 @@ fn certified(
     let slabs = slabs::slabs(certificate, &orders, &events, &crossings)?;
     gluing::check(&certificate.transitions, &events, &slabs)?;
     let cells = regions::regions(document, certificate, &pieces, &slabs)?;
+    courses::curves(document, certificate, &spaces, &pieces)?;
+    listing::events(document, certificate, &events, &pieces)?;
+    listing::ranges(document, certificate, &cells)?;
+    totals::totals(document, &orders, &slabs)?;
     topology::check(document, certificate, &orders, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }

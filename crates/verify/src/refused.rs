@@ -151,6 +151,12 @@ pub enum Refused {
         /// Which.
         region: String,
     },
+    /// A field of the document.
+    #[error("{field} is not what this check finds")]
+    Field {
+        /// Its name.
+        field: &'static str,
+    },
     /// The summary.
     #[error("the summary says {claimed} {what}, but there are {found}")]
     Summary {

@@ -1,0 +1,153 @@
+//! The events that a document lists, and the ranges of l of its cells, against the events of the certificate.
+
+use dashu_ratio::RBig;
+use schema::{AtlasDocument, CertificateDocument, EventDocument, EventKind, RegionDocument};
+
+use super::events::{Events, Source};
+use super::pieces::{End, Pieces};
+use super::regions::Cell;
+use super::{Refused, number};
+
+/// An event of a document, and what it is said to be.
+struct Listed<'a> {
+    document: &'a EventDocument,
+    /// The event of the certificate, and which of its sources this is.
+    number: usize,
+    source: Source,
+}
+
+/// Checks every event: its kind, its curves, and that l and h are within their errors and enclosures.
+pub(super) fn events(
+    document: &AtlasDocument,
+    certificate: &CertificateDocument,
+    events: &Events,
+    pieces: &Pieces,
+) -> Result<(), Refused> {
+    let l2 = number::read(&certificate.units.moment)? * number::read(&certificate.units.energy)? * RBig::from(2);
+    let energy = number::read(&certificate.units.energy)?;
+    for listed in listed(document, certificate) {
+        let refuse = |why| Refused::Event { number: listed.number, why };
+        let claim = &certificate.events[listed.number];
+        listed.is_of_its_kind(pieces, &events.curves[listed.number]).map_err(refuse)?;
+        let squares = claim.x.each_ref().map(|x| number::read(x).map(|x| x * &l2));
+        let heights = claim.h.each_ref().map(|h| number::read(h).map(|h| h * &energy));
+        let ([low, high], [h_low, h_high]) = (squares, heights);
+        let (squares, heights) = ([low?, high?], [h_low?, h_high?]);
+        let l = around(listed.document.l, listed.document.l_error).ok_or_else(|| refuse("its l is no number"))?;
+        let h = around(listed.document.h, listed.document.h_error).ok_or_else(|| refuse("its h is no number"))?;
+        if !holds_root(&l, &squares) || !holds(&h, &heights) {
+            return Err(refuse("its l or h in the list is further away than its error"));
+        }
+        let enclosure = listed.document.enclosure.as_ref().ok_or_else(|| refuse("it has no enclosure"))?;
+        let [l_low, l_high] = enclosure.l.each_ref().map(|text| number::read(text));
+        let [h_low, h_high] = enclosure.h.each_ref().map(|text| number::read(text));
+        if !holds_root(&[l_low?, l_high?], &squares) || !holds(&[h_low?, h_high?], &heights) {
+            return Err(refuse("its enclosure in the list does not hold it"));
+        }
+    }
+    Ok(())
+}
+
+/// Checks the ranges of l of every cell and region, which are those of the events, and what is bounded.
+pub(super) fn ranges(
+    document: &AtlasDocument,
+    certificate: &CertificateDocument,
+    cells: &[Vec<Cell>],
+) -> Result<(), Refused> {
+    let listed = listed(document, certificate);
+    let momentum = |transition: usize| {
+        let first = certificate.transitions.get(transition)?.first()?;
+        listed.iter().find(|listed| listed.number == *first).map(|listed| listed.document.l)
+    };
+    let last = certificate.transitions.len();
+    let start = |slab: usize| slab.checked_sub(1).map_or(Some(0.0), momentum);
+    let end = |slab: usize| if slab == last { None } else { momentum(slab) };
+    for (region, cells) in document.regions.iter().zip(cells) {
+        let refuse = |why| Refused::Region { region: region.id.clone(), why };
+        let right = region.cells.iter().zip(cells).all(|(cell, &(slab, _))| cell.l_range == [start(slab), end(slab)]);
+        let slabs = || cells.iter().map(|(slab, _)| *slab);
+        let whole = [slabs().min().and_then(start), slabs().max().and_then(end)];
+        if !right || region.l_range != whole {
+            return Err(refuse("its range of l is not that of its events"));
+        }
+        if region.bounded != is_bounded(region) {
+            return Err(refuse("it is not as bounded as it says"));
+        }
+    }
+    Ok(())
+}
+
+/// Between two values of l, and below a curve everywhere.
+fn is_bounded(region: &RegionDocument) -> bool {
+    region.l_range[1].is_some() && region.cells.iter().all(|cell| cell.upper.is_some())
+}
+
+/// The events of the document, which come by transition, each source one.
+fn listed<'a>(document: &'a AtlasDocument, certificate: &CertificateDocument) -> Vec<Listed<'a>> {
+    let sources = certificate.transitions.iter().flatten().flat_map(|&number| {
+        let sources = certificate.events.get(number).map(|event| &event.sources).into_iter().flatten();
+        sources.filter_map(move |text| Some((number, Source::read(text)?)))
+    });
+    document
+        .events
+        .iter()
+        .zip(sources)
+        .map(|(document, (number, source))| Listed { document, number, source })
+        .collect()
+}
+
+impl Listed<'_> {
+    fn is_of_its_kind(&self, pieces: &Pieces, together: &[usize]) -> Result<(), &'static str> {
+        let (kind, mut curves) = match self.source.end() {
+            Some(End::Cusp(cusp)) => (EventKind::Cusp, pieces.at_cusp(cusp)),
+            Some(End::Pitchfork(fork)) => (EventKind::Pitchfork, pieces.forks[fork].curves.clone()),
+            _ => (EventKind::Crossing, together.to_vec()),
+        };
+        if self.document.kind != kind {
+            return Err("it is of another kind");
+        }
+        let mut named: Vec<usize> = Vec::new();
+        for id in &self.document.curves {
+            named.push(pieces.find(id).map_err(|_unknown| "it names a curve that does not exist")?);
+        }
+        named.sort_unstable();
+        curves.sort_unstable();
+        // A meeting at a cusp or pitchfork names the line and one of the curves there.
+        let one_of_several = kind == EventKind::Crossing && curves.len() > 2;
+        let right = if one_of_several {
+            named.len() == 2 && named[0] != named[1] && named.iter().all(|curve| curves.contains(curve))
+        } else {
+            named == curves
+        };
+        if right { Ok(()) } else { Err("it names other curves") }
+    }
+}
+
+/// All numbers within an error.
+fn around(x: f64, error: f64) -> Option<[RBig; 2]> {
+    let (x, error) = (RBig::try_from(x).ok()?, RBig::try_from(error).ok()?);
+    Some([&x - &error, x + error])
+}
+
+fn holds([low, high]: &[RBig; 2], [from, to]: &[RBig; 2]) -> bool {
+    low <= from && to <= high
+}
+
+/// The range holds the positive roots of the numbers.
+fn holds_root([low, high]: &[RBig; 2], [from, to]: &[RBig; 2]) -> bool {
+    (*low <= RBig::ZERO || &(low * low) <= from) && *high >= RBig::ZERO && *to <= high * high
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_hold_roots_by_their_squares() {
+        let n = |n: i32| RBig::from(n);
+        assert!(holds_root(&[n(2), n(3)], &[n(4), n(9)]));
+        assert!(holds_root(&[n(-5), n(3)], &[n(4), n(9)]));
+        assert!(!holds_root(&[n(3), n(4)], &[n(4), n(9)]));
+        assert!(!holds_root(&[n(-4), n(-3)], &[n(9), n(9)]));
+    }
+}
