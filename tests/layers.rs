@@ -28,7 +28,7 @@ const ORDER: [(&str, &str); 11] = [
          accuracy prepared",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
-    ("crates/survey/src", "parameter range design signature scan border katok search"),
+    ("crates/survey/src", "parameter range design signature scan border mosaic katok search"),
     (
         "crates/documents/src",
         "command layout body subject classification critical grid atlas certified scan reading border find witnesses \

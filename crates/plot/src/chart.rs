@@ -35,6 +35,8 @@ pub struct Series {
     pub points: Vec<[f64; 2]>,
     /// Joined by a line.
     pub joined: bool,
+    /// Where y lies with the confidence that the axis names, for each point; empty where nothing is said.
+    pub intervals: Vec<[f64; 2]>,
 }
 
 /// One panel.
@@ -185,6 +187,11 @@ fn draw_panel(canvas: &Canvas, panel: &ChartPanel, left: f64) {
         let points: Vec<Point> = series.points.iter().filter_map(|p| place(*p)).collect();
         if series.joined {
             canvas.path(&points, Ink { color: color(series.name), width: 1.4 });
+        }
+        for (at, [from, to]) in series.points.iter().zip(&series.intervals) {
+            if let (Some(low), Some(high)) = (place([at[0], *from]), place([at[0], *to])) {
+                canvas.path(&[low, high], Ink { color: color(series.name), width: 1.0 });
+            }
         }
         for point in points {
             mark(canvas, series.name, point);

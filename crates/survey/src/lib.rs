@@ -3,6 +3,7 @@
 pub mod border;
 mod design;
 pub mod katok;
+pub mod mosaic;
 mod parameter;
 mod range;
 pub mod scan;

@@ -14,7 +14,8 @@ use top::body::{Body, Preset};
 use super::figure::Figure;
 use crate::cli::export::ExportError;
 use crate::cli::failure::Failure;
-use crate::cli::scan::map::{Seen, map};
+use crate::cli::scan::map::map;
+use crate::cli::scan::shown::Seen;
 use crate::cli::scan::{ScanInput, Shown};
 
 pub fn figures() -> impl Iterator<Item = Figure> {
@@ -23,6 +24,7 @@ pub fn figures() -> impl Iterator<Item = Figure> {
         ("map-lagrange-kovalevskaya", lagrange_to_kovalevskaya),
         ("map-paper-r2-r3", paper_off_the_axis),
         ("map-paper-a2-r3", paper_in_the_plane),
+        ("map-paper-a2-r3-near", paper_near_the_axis),
     ];
     maps.into_iter().map(|(stem, make)| Figure {
         stem,
@@ -53,9 +55,10 @@ fn body_family(moments: [&str; 3], center: [&str; 3]) -> Result<Family, Failure>
     Ok(Family::Body { moments: body.moments().clone(), center: body.center().clone() })
 }
 
-/// The Katok plane. The grid avoids the lines on which bodies are special: A_j = 1, A2 = A3.
+/// The Katok plane. The grid and its halves, quarters and eighths avoid the lines on which bodies are special: A_j = 1,
+/// A_j = 3/4, A2 = A3.
 fn katok_plane() -> Result<Map, Failure> {
-    let vary = ["A2=0.3025:1.6925:140", "A3=0.3075:1.6975:140"];
+    let vary = ["A2=0.3:1.69:72", "A3=0.305:1.7:72"];
     let mut map = classes_of(Family::Katok, &vary, [Parameter::A2, Parameter::A3])?;
     let known: BTreeMap<String, &str> =
         known_classes().into_iter().map(|(class, preset)| (class.to_string(), preset.name())).collect();
@@ -75,15 +78,18 @@ fn katok_plane() -> Result<Map, Failure> {
     };
     reorder(&mut map, &renamed);
     map.title = String::from("Tops with the centre of mass on a principal axis: Katok's seven classes");
-    map.subtitle = String::from("A = (A1, A2, A3), r = (1, 0, 0); colours: class computed for each of 19600 bodies");
-    map.x = MapAxis { name: "A2/A1".to_owned(), range: [0.3, 1.695] };
+    map.subtitle = String::from("A = (A1, A2, A3), r = (1, 0, 0); colours: class computed for each of 5184 bodies");
+    map.x = MapAxis { name: "A2/A1".to_owned(), range: [0.3, 1.69] };
     map.y = MapAxis { name: "A3/A1".to_owned(), range: [0.305, 1.7] };
     add_exact_borders(&mut map);
     Ok(map)
 }
 
-/// Katok's borders, and the lines between which bodies exist.
+/// Katok's borders in the place of those that were found, and the lines between which bodies exist.
 fn add_exact_borders(map: &mut Map) {
+    if let MapBodies::Areas { borders, .. } = &mut map.bodies {
+        borders.clear();
+    }
     let exact = "exact borders: Aj = A1, Aj = ¾ A1, 4(1/√k2 − 1) = 1/k3";
     for value in katok::LINES {
         for points in [vec![[value, 0.3], [value, 1.7]], vec![[0.3, value], [1.7, value]]] {
@@ -117,11 +123,7 @@ fn dense(ends: &[[f64; 2]]) -> Vec<[f64; 2]> {
 fn reorder(map: &mut Map, order: &[usize]) {
     map.entries = order.iter().map(|&entry| map.entries[entry].clone()).collect();
     let place: BTreeMap<usize, usize> = order.iter().enumerate().map(|(new, old)| (*old, new)).collect();
-    if let MapBodies::Grid { entries, .. } = &mut map.bodies {
-        for entry in entries.iter_mut().flatten() {
-            *entry = place.get(entry).copied().unwrap_or(*entry);
-        }
-    }
+    map.bodies.renumber(|entry| place.get(&entry).copied().unwrap_or(entry));
 }
 
 /// The range of η of the map from Lagrange to Kovalevskaya.
@@ -135,15 +137,11 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
     let family = body_family(["2", "1", "1"], ["1", "0", "0"])?;
     let vary = ["A2=0.8025:2.1975:280"];
     let found = rows(family, &vary)?;
-    // One row of cells from l = 0 upwards: the second parameter is not one of the body.
-    let seen: Vec<Seen> = found
-        .iter()
-        .flat_map(|row| {
-            let seen = Seen::new(row, [Parameter::A2, Parameter::A3], Shown::Class);
-            L.map(|l| Seen { at: [seen.at[0], l], ..seen.clone() })
-        })
-        .collect();
-    let mut map = map(&seen, [Parameter::A2, Parameter::A3], Shown::Class);
+    let axes = [Parameter::A2, Parameter::A3];
+    let seen: Vec<Seen> = found.iter().map(|row| Seen::new(row, axes, Shown::Class)).collect();
+    let mut map = map(&seen, axes, Shown::Class);
+    let borders = borders(&found);
+    map.bodies = strips(&map, &found, &borders);
     map.title = String::from("From Lagrange (η = 1) to Kovalevskaya (η = 2)");
     map.subtitle = String::from("A = (2, η, 1), r = (1, 0, 0); colours: class; lines: the momenta l of all events");
     map.x = MapAxis { name: "η".to_owned(), range: ETA };
@@ -156,7 +154,7 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
         text: "η = 1: Lagrange's top, two moments equal; no border of classes".to_owned(),
     });
     map.notes.push(MapNote { at: [1.0, L[1] - 0.08], text: "1".to_owned(), ring: false });
-    for (eta, event) in borders(&found) {
+    for (eta, event) in borders {
         map.lines.push(MapLine {
             points: dense(&[[eta, L[0]], [eta, L[1]]]),
             dashed: true,
@@ -166,6 +164,21 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
         map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), ring: false });
     }
     Ok(map)
+}
+
+/// The classes over η between their borders, over all of l, which is no parameter of the body.
+fn strips(map: &Map, found: &[Row], borders: &[(f64, BorderEventKind)]) -> MapBodies {
+    let mut ends = vec![ETA[0]];
+    ends.extend(borders.iter().map(|(eta, _)| *eta));
+    ends.push(ETA[1]);
+    let strip = |pair: &[f64]| {
+        let (from, to) = (pair[0], pair[1]);
+        let inside = found.iter().find(|row| (from..to).contains(&row.values[0][1]));
+        let class = inside.and_then(|row| row.class.as_ref()).map(ToString::to_string);
+        let entry = map.entries.iter().position(|entry| Some(&entry.name) == class.as_ref());
+        (entry, vec![[from, L[0]], [to, L[0]], [to, L[1]], [from, L[1]]])
+    };
+    MapBodies::Areas { pieces: ends.windows(2).map(strip).collect(), borders: Vec::new(), told: String::new() }
 }
 
 /// Kinds of events, in the order of their colours.
@@ -241,25 +254,36 @@ fn free_place(line: &[&[f64; 2]], name: &str, x: [f64; 2], y: [f64; 2], boxes: &
 /// The paper's body, r2 and r3 varied.
 fn paper_off_the_axis() -> Result<Map, Failure> {
     let family = body_family(["2", "1.1", "1"], ["0.94868", "0", "0"])?;
-    let vary = ["r2=0.00075:0.14925:100", "r3=0.0035:0.6965:100"];
+    let vary = ["r2=0.0002:0.15:70", "r3=0.001:0.7:70"];
     let mut map = classes_of(family, &vary, [Parameter::R2, Parameter::R3])?;
     map.title = String::from("Around the paper's body: the centre of mass leaves the axis");
     map.subtitle = String::from("A = (2, 1.1, 1), r = (0.94868, r2, r3); the paper's body has r2 = 0, r3 = 0.61623");
-    (map.x.range, map.y.range) = ([0.0, 0.15], [0.0, 0.7]);
     map.notes.push(MapNote { at: [0.0, 0.61623], text: "the paper's body".to_owned(), ring: true });
     Ok(map)
 }
 
-/// The paper's plane r2 = 0, A2 and r3 varied.
-fn paper_in_the_plane() -> Result<Map, Failure> {
+/// The plane r2 = 0 of the paper's body, A2 and r3 varied.
+fn plane(vary: [&str; 2]) -> Result<Map, Failure> {
     let paper = Preset::find("paper").map(Preset::body);
     let center = paper.map(|body| body.center()[0].text().to_owned()).unwrap_or_default();
     let family = body_family(["2", "1.1", "1"], [&center, "0", "0"])?;
-    let vary = ["A2=0.505:2.495:100", "r3=0.005:0.995:100"];
-    let mut map = classes_of(family, &vary, [Parameter::A2, Parameter::R3])?;
+    classes_of(family, &vary, [Parameter::A2, Parameter::R3])
+}
+
+/// Where the classes are few.
+fn paper_in_the_plane() -> Result<Map, Failure> {
+    let mut map = plane(["A2=0.5:2.5:60", "r3=0.13:1:60"])?;
     map.title = String::from("Around the paper's body: the plane r2 = 0");
     map.subtitle = String::from("A = (2, A2, 1), r = (0.94868, 0, r3); the paper's body has A2 = 1.1, r3 = 0.61623");
-    map.y.range = [0.0, 1.0];
     map.notes.push(MapNote { at: [1.1, 0.61623], text: "the paper's body".to_owned(), ring: true });
+    Ok(map)
+}
+
+/// Where they crowd.
+fn paper_near_the_axis() -> Result<Map, Failure> {
+    let mut map = plane(["A2=0.72:1.2:60", "r3=0.02:0.14:60"])?;
+    map.title = String::from("Around the paper's body: the plane r2 = 0 near the axis");
+    map.subtitle =
+        String::from("A = (2, A2, 1), r = (0.94868, 0, r3): the lower left of the map for larger r3, magnified");
     Ok(map)
 }

@@ -1,6 +1,7 @@
 //! The Poincaré sections of the paper.
 
-use dynamics::section::{OrbitSection, Portrait, PortraitOptions, SectionCondition, TorusPoint};
+use dynamics::section::chaos::{ChaosOptions, Verdict, chaos_measures};
+use dynamics::section::{Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, TorusPoint};
 use plot::{OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, Theme, draw_section_rows};
 use top::body::{Body, Preset};
 
@@ -35,11 +36,16 @@ enum Orbits {
     None,
     /// Typical ones, that keep off each other.
     Typical,
+    /// The same, and the caption counts their verdicts.
+    Judged,
     /// The one through this ϑ', ψ', sheet.
     Through(f64, f64, i8),
 }
 
-const FIGURES: [Sections; 6] = [
+/// Every region of Kovalevskaya's top with a section of it.
+const KOVALEVSKAYA: &str = "section-kovalevskaya";
+
+const FIGURES: [Sections; 7] = [
     Sections {
         stem: "section-projections",
         body: "kovalevskaya",
@@ -88,6 +94,18 @@ const FIGURES: [Sections; 6] = [
         ],
     },
     Sections {
+        stem: KOVALEVSKAYA,
+        body: "kovalevskaya",
+        condition: SectionCondition::Height,
+        projection: Projection::Torus,
+        rows: &[
+            Row { h: 0.5, l: 1.0, caption: "R1,  T²", orbits: Orbits::Judged },
+            Row { h: 4.4, l: 1.9, caption: "R2,  T²", orbits: Orbits::Judged },
+            Row { h: 1.7976, l: 1.8042, caption: "R3,  M²₃", orbits: Orbits::Judged },
+            Row { h: 2.8, l: 2.45, caption: "R4,  M²₃", orbits: Orbits::Judged },
+        ],
+    },
+    Sections {
         stem: "section-earlier-condition",
         body: "paper",
         condition: SectionCondition::AngularMomentum,
@@ -118,17 +136,20 @@ fn draw(sections: &Sections, timings: &Timings, theme: Theme) -> Result<Picture,
         let portrait = Portrait::new(&body, row.h, row.l, &options).map_err(FigureSection::from)?;
         let orbits = timings.stage(sections.stem, || orbits(&portrait, row))?;
         let families = families(&body, row.h, row.l, &orbits);
-        parts.push((portrait, orbits, families));
+        let caption = match row.orbits {
+            Orbits::Judged => format!("{};  {}", row.caption, counted(&verdicts(&portrait, &orbits)?)),
+            Orbits::None | Orbits::Typical | Orbits::Through(..) => row.caption.to_owned(),
+        };
+        parts.push((portrait, orbits, families, caption));
     }
     let scenes: Vec<SectionScene<'_>> = parts
         .iter()
-        .zip(sections.rows)
-        .map(|((portrait, orbits, of), row)| SectionScene {
+        .map(|(portrait, orbits, of, caption)| SectionScene {
             portrait,
             orbits,
             values: None,
             families: Some(OrbitFamilies { of, names: &NAMES }),
-            caption: row.caption,
+            caption,
         })
         .collect();
     let options =
@@ -139,7 +160,7 @@ fn draw(sections: &Sections, timings: &Timings, theme: Theme) -> Result<Picture,
 fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, FigureSection> {
     match row.orbits {
         Orbits::None => Ok(Vec::new()),
-        Orbits::Typical => typical_orbits(portrait),
+        Orbits::Typical | Orbits::Judged => typical_orbits(portrait),
         Orbits::Through(theta, psi, sheet) => {
             let state = portrait.torus().state(TorusPoint { theta, psi, sheet }, row.h, row.l)?;
             orbit(portrait, state, 0).map(|orbit| vec![orbit])
@@ -147,9 +168,54 @@ fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, FigureSec
     }
 }
 
+/// Whether each orbit is regular.
+fn verdicts(portrait: &Portrait, orbits: &[OrbitSection]) -> Result<Vec<Verdict>, FigureSection> {
+    let measures = chaos_measures(portrait.torus(), orbits, &ChaosOptions::default(), &Monitor::default())?;
+    Ok(measures.into_iter().map(|measure| measure.judgement.verdict).collect())
+}
+
+/// How many orbits are regular, chaotic and open.
+fn counted(verdicts: &[Verdict]) -> String {
+    let count = |is: fn(&Verdict) -> bool| verdicts.iter().filter(|verdict| is(verdict)).count();
+    let counts = [
+        (count(|verdict| *verdict == Verdict::Regular), "regular"),
+        (count(|verdict| *verdict == Verdict::Chaotic), "chaotic"),
+        (count(|verdict| matches!(verdict, Verdict::Open(_))), "open"),
+    ];
+    let told = counts.into_iter().filter(|(count, _)| *count > 0);
+    told.map(|(count, word)| format!("{count} {word}")).collect::<Vec<_>>().join(", ")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use plot::section_type;
+    use proof::{Accuracy, atlas_of};
+    use top::atlas::Place;
+    use top::topology::signature;
+
+    /// Kovalevskaya's tori are known to be integrable.
+    #[test]
+    fn kovalevskayas_regions_have_a_section_each_and_its_orbits_are_regular() {
+        let figure = FIGURES.iter().find(|figure| figure.stem == KOVALEVSKAYA).unwrap();
+        let body = body(figure.body).unwrap();
+        let atlas = atlas_of(&body, Accuracy::Exact).unwrap();
+        let mut shown = Vec::new();
+        for row in figure.rows {
+            let Place::Region(region) = atlas.locate(row.h, row.l).unwrap().place else { panic!("{}", row.caption) };
+            let signature = signature(atlas.components(region).unwrap()).unwrap();
+            assert_eq!(row.caption, format!("{region},  {}", section_type(&signature)));
+            shown.push(region);
+            let portrait = Portrait::new(&body, row.h, row.l, &PortraitOptions::default()).unwrap();
+            let verdicts = verdicts(&portrait, &typical_orbits(&portrait).unwrap()).unwrap();
+            assert!(!verdicts.contains(&Verdict::Chaotic), "{}", row.caption);
+            let regular = verdicts.iter().filter(|verdict| **verdict == Verdict::Regular).count();
+            // Near a separatrix an orbit turns too slowly for a verdict.
+            assert!(verdicts.len() >= 16 && 10 * regular >= 8 * verdicts.len(), "{}: {verdicts:?}", row.caption);
+        }
+        shown.sort();
+        assert_eq!(shown, atlas.regions().ids().collect::<Vec<_>>());
+    }
 
     #[test]
     fn every_body_exists() {

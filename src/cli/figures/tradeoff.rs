@@ -1,5 +1,7 @@
 //! The charts of what accuracy costs, from the tables of `data/tradeoff/`.
 
+use std::collections::BTreeMap;
+
 use csv::StringRecord;
 use plot::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
 
@@ -49,26 +51,75 @@ impl Table {
         self.text(row, column).parse().unwrap_or(f64::NAN)
     }
 
-    /// Per cent of the rows' points for which the columns count.
-    fn share(&self, row: &StringRecord, counted: &[&str], of: &str) -> f64 {
-        100.0 * counted.iter().map(|column| self.number(row, column)).sum::<f64>() / self.number(row, of)
-    }
-
-    /// A series for each name in a column, from the rows that are chosen.
+    /// A series for each name in a column, from the rows that are chosen. A line joins the points of a series where x goes
+    /// one way; where it does not, it is measured no better than the points lie apart.
     fn series(
         &self,
         column: &str,
         names: &[&str],
-        joined: bool,
         choose: impl Fn(&StringRecord) -> bool,
         point: impl Fn(&StringRecord) -> [f64; 2],
     ) -> Vec<Series> {
         let of = |name: usize| {
             let rows = self.rows.iter().filter(|row| self.text(row, column) == names[name] && choose(row));
-            Series { name, points: rows.map(&point).collect(), joined }
+            let points: Vec<[f64; 2]> = rows.map(&point).collect();
+            let joined = points.is_sorted_by(|p, q| p[0] <= q[0]) || points.is_sorted_by(|p, q| p[0] >= q[0]);
+            Series { name, points, joined, intervals: Vec::new() }
         };
         (0..names.len()).map(of).collect()
     }
+
+    /// For each method the share of what is counted in all rows of each group, with its confidence interval; x is the
+    /// geometric mean over the group, a little aside for each method where `aside` is not 0.
+    fn shares(
+        &self,
+        names: &[&str],
+        [counted, of]: [&[&str]; 2],
+        x: &str,
+        aside: f64,
+        group: impl Fn(&StringRecord) -> Option<i32>,
+    ) -> Vec<Series> {
+        let series = |name: usize| {
+            let mut groups: BTreeMap<i32, Vec<&StringRecord>> = BTreeMap::new();
+            for row in self.rows.iter().filter(|row| self.text(row, "method") == names[name]) {
+                if let Some(group) = group(row) {
+                    groups.entry(group).or_default().push(row);
+                }
+            }
+            let sum = |rows: &[&StringRecord], columns: &[&str]| {
+                rows.iter().flat_map(|row| columns.iter().map(|column| self.number(row, column))).sum::<f64>()
+            };
+            let shift = libm::exp10(aside * (name as f64 - 0.5 * (names.len() - 1) as f64));
+            let mut points = Vec::new();
+            let mut intervals = Vec::new();
+            for rows in groups.values() {
+                let logs: f64 = rows.iter().map(|row| libm::log(self.number(row, x))).sum();
+                let (count, all) = (sum(rows, counted), sum(rows, of));
+                points.push([libm::exp(logs / rows.len() as f64) * shift, 100.0 * count / all]);
+                intervals.push(wilson(count, all).map(|share| 100.0 * share));
+            }
+            Series { name, points, joined: false, intervals }
+        };
+        (0..names.len()).map(series).collect()
+    }
+
+    /// The names with the number of what each method was tried on.
+    fn counted(&self, names: &[&str], of: &str) -> Vec<String> {
+        let total = |name: &str| {
+            let rows = self.rows.iter().filter(|row| self.text(row, "method") == name);
+            rows.map(|row| self.number(row, of)).sum::<f64>()
+        };
+        names.iter().map(|name| format!("{name} ({})", total(name))).collect()
+    }
+}
+
+/// Wilson's 95 % confidence interval of a share of which `count` of `all` were seen.
+fn wilson(count: f64, all: f64) -> [f64; 2] {
+    const Z: f64 = 1.959_963_984_540_054;
+    let share = count / all;
+    let middle = share + Z * Z / (2.0 * all);
+    let half = Z * (share * (1.0 - share) / all + Z * Z / (4.0 * all * all)).sqrt();
+    [-half, half].map(|half| ((middle + half) / (1.0 + Z * Z / all)).clamp(0.0, 1.0))
 }
 
 fn axis(label: &str, scale: Scale) -> ChartAxis {
@@ -92,31 +143,37 @@ fn classify() -> Result<Chart, ExportError> {
         "flood fill 256x512",
     ];
     let table = Table::new(CLASSIFY)?;
-    let beside =
-        |row: &StringRecord| table.text(row, "stratum") == "generic" && !table.text(row, "distance").is_empty();
-    let random = |row: &StringRecord| table.text(row, "distance").is_empty();
+    // Two decades of the distance together: one alone has some six points.
+    let beside = |row: &StringRecord| {
+        let distance = libm::log10(table.number(row, "distance")).round();
+        #[expect(clippy::cast_possible_truncation, reason = "a few decades; a NaN is not finite")]
+        let decade = distance as i32;
+        (table.text(row, "stratum") == "generic" && distance.is_finite()).then_some((decade + 1).div_euclid(2))
+    };
+    let random = |row: &StringRecord| table.text(row, "distance").is_empty().then_some(0);
     let panel = |title: &str, counted: &'static [&'static str]| ChartPanel {
         title: title.to_owned(),
         x: axis("relative distance from a curve", Scale::Descending),
-        y: axis("per cent of the points", Scale::Percent),
-        series: table.series("method", &METHODS, true, beside, |row| {
-            [table.number(row, "distance"), table.share(row, counted, "points")]
-        }),
+        y: axis("per cent of the generic points; bars: 95 % confidence", Scale::Percent),
+        series: table.shares(&METHODS, [counted, &["points"]], "distance", 0.16, beside),
     };
     Ok(Chart {
         title: "Classification of a point: wrong and open answers, and time".to_owned(),
-        names: names(&METHODS),
+        names: table.counted(&METHODS, "points"),
         panels: vec![
-            panel("wrong answers", &["wrong"]),
-            panel("undecided", &OPEN),
+            panel("wrong answers, 13 or 14 points a mark", &["wrong"]),
+            panel("undecided, 13 or 14 points a mark", &OPEN),
             ChartPanel {
-                title: "random points of six strata".to_owned(),
+                title: "150 random points of six strata".to_owned(),
                 x: axis("CPU time of a point in µs (median)", Scale::Logarithmic),
-                y: axis("per cent without the right answer", Scale::Percent),
-                series: table.series("method", &METHODS, false, random, |row| {
-                    let share = table.share(row, &["wrong", "undecided", "failed"], "points");
-                    [table.number(row, "cpu_us_median"), share]
-                }),
+                y: axis("per cent without the right answer; bars: 95 % confidence", Scale::Percent),
+                series: table.shares(
+                    &METHODS,
+                    [&["wrong", "undecided", "failed"], &["points"]],
+                    "cpu_us_median",
+                    0.0,
+                    random,
+                ),
             },
         ],
     })
@@ -136,18 +193,12 @@ fn atlas() -> Result<Chart, ExportError> {
     let panel = |title: &str, counted: &'static [&'static str]| ChartPanel {
         title: title.to_owned(),
         x: axis("CPU time of a body in µs (median)", Scale::Logarithmic),
-        y: axis("per cent of the bodies of four strata", Scale::Percent),
-        series: table.series(
-            "method",
-            &METHODS,
-            false,
-            |_| true,
-            |row| [table.number(row, "cpu_us_median"), table.share(row, counted, "bodies")],
-        ),
+        y: axis("per cent of the bodies of four strata; bars: 95 % confidence", Scale::Percent),
+        series: table.shares(&METHODS, [counted, &["bodies"]], "cpu_us_median", 0.0, |_| Some(0)),
     };
     Ok(Chart {
         title: "Atlas of a body: wrong and open answers, and time".to_owned(),
-        names: names(&METHODS),
+        names: table.counted(&METHODS, "bodies"),
         panels: vec![panel("wrong", &["wrong"]), panel("undecided", &OPEN)],
     })
 }
@@ -162,7 +213,6 @@ fn orbits() -> Result<Chart, ExportError> {
         series: table.series(
             "method",
             &METHODS,
-            true,
             |row| table.text(row, "h") == h,
             |row| [table.number(row, "cpu_us_per_crossing"), table.number(row, column)],
         ),
@@ -188,6 +238,7 @@ fn polylines() -> Result<Chart, ExportError> {
             name: 0,
             points: table.rows.iter().map(|row| [table.number(row, "tolerance"), table.number(row, column)]).collect(),
             joined: true,
+            intervals: Vec::new(),
         }],
     };
     Ok(Chart {
@@ -204,6 +255,14 @@ fn polylines() -> Result<Chart, ExportError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn confidence_intervals_are_wilsons() {
+        assert!(wilson(0.0, 10.0)[0].abs() < 1e-15);
+        assert!((wilson(0.0, 10.0)[1] - 0.277_533).abs() < 1e-6);
+        let [low, high] = wilson(5.0, 10.0);
+        assert!((low - 0.236_593).abs() < 1e-6 && (high - 0.763_407).abs() < 1e-6);
+    }
 
     #[test]
     fn every_chart_finds_its_measurements() {

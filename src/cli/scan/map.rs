@@ -1,16 +1,16 @@
 //! `bifdiag scan map`: the class of each body over two parameters.
 
 use std::collections::BTreeMap;
-use std::fmt;
 
 use plot::{Map, MapAxis, MapBodies, MapEntry, draw_map};
 use survey::Parameter;
-use survey::scan::{Row, known_classes};
-use top::class::ClassName;
+use survey::mosaic::{Mosaic, divide};
+use survey::scan::known_classes;
 
 use super::arguments::{MapArguments, Shown};
 use super::error::ScanInput;
 use super::output;
+use super::shown::{Bodies, Seen, Shows};
 use crate::cli::export::{ExportError, FileSet, RESOLUTION};
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{Report, Timings, print, significant};
@@ -52,57 +52,17 @@ fn names() -> String {
     Parameter::ALL.map(Parameter::name).join(", ")
 }
 
-/// What a body shows by its colour.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Shows {
-    /// The class of its diagram.
-    Class(ClassName),
-    /// A number of something.
-    Count(u32),
-}
-
-impl fmt::Display for Shows {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Class(name) => write!(f, "{name}"),
-            Self::Count(count) => write!(f, "{count}"),
-        }
-    }
-}
-
-/// What the map needs of a row.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Seen {
-    /// The two parameters.
-    pub at: [f64; 2],
-    /// A1, A2, A3, r1, r2, r3.
-    pub values: [[f64; 3]; 2],
-    /// What the body shows.
-    pub shows: Option<Shows>,
-    /// Number of regions.
-    pub regions: u32,
-}
-
-impl Seen {
-    /// What a row shows.
-    pub fn new(row: &Row, axes: [Parameter; 2], show: Shown) -> Self {
-        let at = axes.map(|parameter| row.values.as_flattened()[parameter.place()]);
-        let counts = row.diagram.as_ref();
-        let shows = row.class.as_ref().zip(counts).map(|(class, counts)| match show {
-            Shown::Class => Shows::Class(class.clone()),
-            Shown::Regions => Shows::Count(counts.regions),
-            Shown::CriticalPoints => Shows::Count(counts.critical_points),
-        });
-        Self { at, values: row.values, shows, regions: counts.map_or(0, |counts| counts.regions) }
-    }
-}
-
 /// The map of some bodies, the most frequent class first.
 pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
-    let mut counts: BTreeMap<&Shows, (usize, u32)> = BTreeMap::new();
+    let grid = Grid::of(bodies);
+    let mosaic = grid.as_ref().and_then(|grid| grid.divided(bodies, axes, show));
+    // What is met between the bodies only is told, too.
+    let between = mosaic.iter().flat_map(|mosaic| &mosaic.pieces).filter_map(|(shown, _)| shown.as_ref());
+    let mut counts: BTreeMap<&Shows, (usize, u32)> = between.map(|shown| (shown, (0, 0))).collect();
     for body in bodies {
         if let Some(shown) = &body.shows {
-            counts.entry(shown).or_insert((0, body.regions)).0 += 1;
+            let count = counts.entry(shown).or_default();
+            *count = (count.0 + 1, body.regions);
         }
     }
     let mut order: Vec<(&Shows, usize, u32)> =
@@ -111,8 +71,18 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
         order.sort_by(|p, q| q.1.cmp(&p.1).then_with(|| p.0.cmp(q.0)));
     }
     let number: BTreeMap<&Shows, usize> = order.iter().enumerate().map(|(k, (name, _, _))| (*name, k)).collect();
-    let entry = |body: &Seen| body.shows.as_ref().and_then(|shown| number.get(shown).copied());
-    let (bodies_drawn, ranges) = placed(bodies, entry);
+    let entry = |shown: &Option<Shows>| shown.as_ref().and_then(|shown| number.get(shown).copied());
+    let (bodies_drawn, ranges) = match (&grid, &mosaic) {
+        (Some(grid), Some(mosaic)) => (areas(mosaic, entry, show), grid.ends(0.0)),
+        (Some(grid), None) => {
+            let entries = grid.cells.iter().map(|&body| entry(&bodies[body].shows)).collect();
+            (MapBodies::Grid { columns: grid.axes[0].len(), entries }, grid.ends(0.5))
+        }
+        (None, _) => {
+            let points = bodies.iter().map(|body| (body.at, entry(&body.shows))).collect();
+            (MapBodies::Points(points), [0, 1].map(|axis| margins(&values(bodies, axis))))
+        }
+    };
     let what = match show {
         Shown::Class => format!("{} classes", order.len()),
         Shown::Regions => "number of regions".to_owned(),
@@ -156,14 +126,16 @@ fn entries(order: &[(&Shows, usize, u32)], bodies: usize) -> Vec<MapEntry> {
         percent if percent < 0.05 => "below 0.1%".to_owned(),
         percent => format!("{percent:.1}%"),
     };
+    // The regions of a class that none of the bodies has were not counted.
+    let told = |regions: u32| if regions == 0 { String::new() } else { format!("{regions} regions, ") };
     let has_classes = order.iter().any(|(shown, _, _)| matches!(shown, Shows::Class(_)));
     let known = if has_classes { known_classes() } else { BTreeMap::new() };
     let entry = |(number, (shown, bodies, regions)): (usize, &(&Shows, usize, u32))| match shown {
         Shows::Class(class) => MapEntry {
             name: class.to_string(),
             note: match known.get(class) {
-                Some(preset) => format!("{regions} regions, {}; {}", share(*bodies), preset.name()),
-                None => format!("{regions} regions, {}", share(*bodies)),
+                Some(preset) => format!("{}{}; {}", told(*regions), share(*bodies), preset.name()),
+                None => format!("{}{}", told(*regions), share(*bodies)),
             },
             mark: (number + 1).to_string(),
         },
@@ -172,35 +144,77 @@ fn entries(order: &[(&Shows, usize, u32)], bodies: usize) -> Vec<MapEntry> {
     order.iter().enumerate().map(entry).collect()
 }
 
-/// Bodies as a grid if they are one with even steps, and the ranges that hold them all.
-fn placed(bodies: &[Seen], entry: impl Fn(&Seen) -> Option<usize>) -> (MapBodies, [[f64; 2]; 2]) {
-    let values = |place: usize| {
-        let mut values: Vec<f64> = bodies.iter().map(|body| body.at[place]).collect();
-        values.sort_by(f64::total_cmp);
-        values.dedup();
-        values
-    };
-    let axes = [values(0), values(1)];
-    let step = |values: &[f64]| (values[values.len() - 1] - values[0]) / (values.len().max(2) - 1) as f64;
-    let even = |values: &[f64]| {
-        values.len() > 1 && values.windows(2).all(|pair| ((pair[1] - pair[0]) / step(values) - 1.0).abs() < 1e-6)
-    };
-    let ends = |values: &[f64], more: f64| [values[0] - more, values[values.len() - 1] + more];
-    if axes.iter().all(|values| even(values)) && axes[0].len() * axes[1].len() == bodies.len() {
-        let columns = axes[0].len();
-        let mut cells: Vec<Option<Option<usize>>> = vec![None; bodies.len()];
-        for body in bodies {
+/// The values of a parameter, each once, by size.
+fn values(bodies: &[Seen], axis: usize) -> Vec<f64> {
+    let mut values: Vec<f64> = bodies.iter().map(|body| body.at[axis]).collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
+}
+
+/// A range that holds all values, with a margin.
+fn margins(values: &[f64]) -> [f64; 2] {
+    let (first, last) = (values[0], values[values.len() - 1]);
+    let margin = 0.02 * (last - first);
+    [first - margin, last + margin]
+}
+
+/// Bodies that are a grid with even steps.
+struct Grid {
+    axes: [Vec<f64>; 2],
+    /// The number of the body at each point, row by row from below.
+    cells: Vec<usize>,
+}
+
+/// Columns beyond which cells are too small for their borders to be seen in them.
+const COLUMNS_MAX: usize = 300;
+
+impl Grid {
+    fn of(bodies: &[Seen]) -> Option<Self> {
+        let axes = [values(bodies, 0), values(bodies, 1)];
+        let even = |values: &Vec<f64>| {
+            values.len() > 1 && values.windows(2).all(|pair| ((pair[1] - pair[0]) / step(values) - 1.0).abs() < 1e-6)
+        };
+        if !axes.iter().all(even) || axes[0].len() * axes[1].len() != bodies.len() {
+            return None;
+        }
+        let mut cells: Vec<Option<usize>> = vec![None; bodies.len()];
+        for (number, body) in bodies.iter().enumerate() {
             let place = |axis: usize| axes[axis].partition_point(|value| *value < body.at[axis]);
-            cells[place(1) * columns + place(0)] = Some(entry(body));
+            cells[place(1) * axes[0].len() + place(0)] = Some(number);
         }
         // A body twice leaves a hole elsewhere: no grid.
-        if cells.iter().all(Option::is_some) {
-            let entries = cells.into_iter().map(Option::flatten).collect();
-            let ranges = [0, 1].map(|axis| ends(&axes[axis], 0.5 * step(&axes[axis])));
-            return (MapBodies::Grid { columns, entries }, ranges);
-        }
+        Some(Self { cells: cells.into_iter().collect::<Option<_>>()?, axes })
     }
-    let points = bodies.iter().map(|body| (body.at, entry(body))).collect();
-    let margin = |values: &[f64]| 0.02 * (values[values.len() - 1] - values[0]);
-    (MapBodies::Points(points), [0, 1].map(|axis| ends(&axes[axis], margin(&axes[axis]))))
+
+    /// The ranges with so many steps more on each side.
+    fn ends(&self, more: f64) -> [[f64; 2]; 2] {
+        self.axes.each_ref().map(|values| {
+            let margin = more * step(values);
+            [values[0] - margin, values[values.len() - 1] + margin]
+        })
+    }
+
+    /// The plane of the bodies along its exact borders; none where other parameters vary too.
+    fn divided(&self, bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Option<Mosaic<Option<Shows>>> {
+        let steps = self.axes.each_ref().map(|values| step(values));
+        let plane = Bodies::of(bodies, axes, steps, show)?;
+        let shown: Vec<Option<Shows>> = self.cells.iter().map(|&body| bodies[body].shows.clone()).collect();
+        let is_coarse = self.axes.iter().all(|values| values.len() <= COLUMNS_MAX);
+        is_coarse.then(|| divide(&plane, self.axes.each_ref().map(Vec::as_slice), &shown))
+    }
+}
+
+fn step(values: &[f64]) -> f64 {
+    (values[values.len() - 1] - values[0]) / (values.len().max(2) - 1) as f64
+}
+
+/// The pieces of a mosaic.
+fn areas(mosaic: &Mosaic<Option<Shows>>, entry: impl Fn(&Option<Shows>) -> Option<usize>, show: Shown) -> MapBodies {
+    let pieces = mosaic.pieces.iter().map(|(shown, corners)| (entry(shown), corners.clone())).collect();
+    let told = match show {
+        Shown::Class => "borders between classes, as scan border finds them",
+        Shown::Regions | Shown::CriticalPoints => "borders at which the number changes",
+    };
+    MapBodies::Areas { pieces, borders: mosaic.borders.clone(), told: told.to_owned() }
 }

@@ -10,6 +10,7 @@ mod merge;
 mod output;
 mod report;
 mod sample;
+pub mod shown;
 mod table;
 
 pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand, Shown};

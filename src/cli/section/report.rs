@@ -10,6 +10,22 @@ const LISTED: usize = 48;
 
 pub fn add(report: &mut Report, document: &SectionDocument) {
     report.line("");
+    add_surfaces(report, document);
+    report.line("");
+    let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
+    report.line(orbits(document, measured).text());
+    if document.orbits.len() > LISTED {
+        report.line(format!("… and {} more", document.orbits.len() - LISTED));
+    }
+    report.line("");
+    add_summary(report, document, measured);
+    for note in &document.notes {
+        report.line(format!("note: {note}"));
+    }
+}
+
+/// The point, U and P.
+fn add_surfaces(report: &mut Report, document: &SectionDocument) {
     let region = document.region.as_ref().map_or_else(String::new, |region| format!("{region}: "));
     report.line(format!("{region}h = {}, l = {}", document.h, document.l));
     let names = |name: &dyn Fn(&schema::ComponentDocument) -> String| {
@@ -20,8 +36,10 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
         report.line("section S = <l, gamma x r> = 0");
     }
     report.line(format!("P = {}", names(&|component| component.section.clone().unwrap_or_default())));
-    report.line("");
-    let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
+}
+
+/// The orbits, the first of them.
+fn orbits(document: &SectionDocument, measured: bool) -> Table {
     let mut heading = vec!["orbit", "component", "theta", "psi", "sheet", "crossings", "end", "time"];
     if measured {
         // The deviations are below, too; a line has no room for all.
@@ -51,11 +69,11 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
         }
         table.row(row);
     }
-    report.line(table.text());
-    if document.orbits.len() > LISTED {
-        report.line(format!("… and {} more", document.orbits.len() - LISTED));
-    }
-    report.line("");
+    table
+}
+
+/// How far the orbits were followed, how well, and what they turned out to be.
+fn add_summary(report: &mut Report, document: &SectionDocument, measured: bool) {
     let summary = &document.summary;
     report.line(format!("{} crossings of {} orbits", summary.crossings, summary.orbits));
     report.line(format!(
@@ -70,9 +88,6 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
         let [regular, chaotic, open] = [VerdictName::Regular, VerdictName::Chaotic, VerdictName::Open].map(counted);
         report.line(format!("verdicts: {regular} regular, {chaotic} chaotic, {open} open"));
         report.line("chaotic is not unstable: an unstable periodic orbit is not chaotic");
-    }
-    for note in &document.notes {
-        report.line(format!("note: {note}"));
     }
 }
 

@@ -2,6 +2,7 @@
 
 use documents::Subject;
 use schema::NearestAxisDocument;
+use top::body::BodyAxis;
 use top::permanent::{AxisRotation, nearest_axis, nearest_permanent, permanent_axes};
 
 use super::direction::{from_principal, second, to_principal};
@@ -12,7 +13,7 @@ pub const MEANT: f64 = 1e-6;
 /// What an axis is.
 pub enum Axis {
     /// The principal axis of this number with this sign, permanent at every spin, and how far it is from the one given.
-    Permanent { axis: usize, sign: i8, nearest: NearestAxisDocument },
+    Permanent { axis: BodyAxis, sign: i8, nearest: NearestAxisDocument },
     /// None; the nearest one.
     Other { nearest: NearestAxisDocument },
 }
@@ -30,7 +31,7 @@ impl Axis {
             angle_deg: angle.to_degrees(),
             spin: omega.map(|omega| documents::spin(omega * second(part))),
         };
-        let unit = |axis: usize| std::array::from_fn(|k| if k == axis { f64::from(sign) } else { 0.0 });
+        let unit = |axis: BodyAxis| BodyAxis::ALL.map(|k| if k == axis { f64::from(sign) } else { 0.0 });
         let permanent = permanent_axes(&subject.body);
         if permanent.contains(&axis) && angle <= MEANT {
             return Self::Permanent { axis, sign, nearest: document(unit(axis), angle, None) };
@@ -44,14 +45,14 @@ impl Axis {
 }
 
 /// The rotation about a permanent axis with its end of this sign up.
-pub fn rotation(subject: &Subject, axis: usize, sign: i8) -> Option<AxisRotation> {
+pub fn rotation(subject: &Subject, axis: BodyAxis, sign: i8) -> Option<AxisRotation> {
     // γ points down.
     AxisRotation::new(&subject.body, axis, -sign)
 }
 
 /// The angle between a direction and an axis, also when it is small.
-fn angle_to_axis(direction: [f64; 3], axis: usize) -> f64 {
-    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+fn angle_to_axis(direction: [f64; 3], axis: BodyAxis) -> f64 {
+    let [i, j] = axis.others();
     let across = (direction[i] * direction[i] + direction[j] * direction[j]).sqrt();
     libm::atan2(across, direction[axis].abs())
 }

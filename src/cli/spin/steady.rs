@@ -4,6 +4,7 @@ use documents::{Subject, words};
 use part::Spin;
 use schema::{SpinChangeDocument, SteadyDocument, Verdict};
 use top::atlas::{Atlas, Place};
+use top::body::BodyAxis;
 use top::permanent::nearest_steady;
 
 use super::direction::{from_principal, second, to_principal};
@@ -33,7 +34,7 @@ fn beside(atlas: Option<&Atlas>, h: f64, l: f64, omega: f64) -> [Option<String>;
 }
 
 /// Rotation about a principal axis through the centre of mass, answered along its curve.
-fn about_axis(subject: &Subject, axis: usize, sign: i8, spin: f64, atlas: Option<&Atlas>) -> Option<SteadyDocument> {
+fn about_axis(subject: &Subject, axis: BodyAxis, sign: i8, spin: f64, atlas: Option<&Atlas>) -> Option<SteadyDocument> {
     let second = second(subject.part.as_ref());
     let rotation = rotation(subject, axis, sign)?;
     let omega = spin / second;
@@ -41,7 +42,7 @@ fn about_axis(subject: &Subject, axis: usize, sign: i8, spin: f64, atlas: Option
     let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
     let changes = documents::spin_changes(&rotation, if sign > 0 { "+axis" } else { "-axis" }, atlas, second);
     let (h, l) = (rotation.h(omega), rotation.l(omega));
-    let up = std::array::from_fn(|k| if k == axis { f64::from(sign) } else { 0.0 });
+    let up = BodyAxis::ALL.map(|k| if k == axis { f64::from(sign) } else { 0.0 });
     Some(SteadyDocument {
         axis: from_principal(subject.part.as_ref(), up),
         angle_deg: 0.0,

@@ -21,7 +21,6 @@ mod placement;
 mod ranges;
 mod room;
 mod scene;
-mod space;
 mod stroke;
 mod trace;
 mod view;

@@ -7,8 +7,7 @@ use super::markers::MARKER;
 use super::panel::Panel;
 use super::room::Room;
 use super::scene::Scene;
-use super::space::Taken;
-use crate::page::{Point, Rect, text_width};
+use crate::page::{Point, Rect, Taken, text_width};
 
 /// The text of a diagram.
 pub(super) struct Texts {

@@ -4,8 +4,7 @@
 use super::grid::{Grid, NOTHING};
 use super::labels::{Form, Label, Name, Setting, boxed};
 use super::panel::Panel;
-use super::space::Taken;
-use crate::page::{Point, Rect, distance};
+use crate::page::{Point, Rect, Taken, distance};
 
 /// Font sizes that are tried inside a region, best first.
 const SIZES: [f64; 3] = [14.0, 12.0, 10.5];

@@ -1,12 +1,15 @@
 //! The drawing.
 
 use super::colors::{fill, line as line_color};
-use super::legend::{Legend, SIZE, SMALL, line_pattern};
+use super::legend::{BORDER, LINE, Legend, SIZE, SMALL, line_pattern};
+use super::marks::{RING, marked, note_box};
 use super::model::{Map, MapBodies, MapLine, MapNote};
-use super::places::{patches, widest};
+use super::view::View;
+use std::collections::BTreeSet;
+
 use crate::page::{
-    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Picture, PlotError, Point, Rect, Theme, draw_axes, is_proper,
-    pattern, render, text_width, ticks,
+    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Path, Picture, PlotError, Point, Rect, Theme, draw_axes,
+    is_proper, pattern, render, text_width, ticks,
 };
 
 const SIDE: f64 = 560.0;
@@ -15,23 +18,6 @@ const TOP: f64 = 64.0;
 const BELOW: f64 = 56.0;
 /// Between map and legend, and behind the legend.
 const GAP: f64 = 26.0;
-/// A mark needs so many pixels of room on each side.
-const ROOM: f64 = 6.5;
-
-/// Where parameters lie on the page.
-struct View {
-    x: [f64; 2],
-    y: [f64; 2],
-    rect: Rect,
-}
-
-impl View {
-    fn at(&self, [x, y]: [f64; 2]) -> Point {
-        let share = |value: f64, [from, to]: [f64; 2]| (value - from) / (to - from);
-        let rect = &self.rect;
-        [rect.x + share(x, self.x) * rect.width, rect.y + rect.height * (1.0 - share(y, self.y))]
-    }
-}
 
 /// Draws a map.
 ///
@@ -41,11 +27,11 @@ pub fn draw_map(map: &Map, theme: Theme) -> Result<Picture, PlotError> {
     if !is_proper(map.x.range) || !is_proper(map.y.range) {
         return Err(PlotError::EmptyWindow { h: map.x.range, l: map.y.range });
     }
-    let legend = Legend::new(map);
-    let width = LEFT + SIDE + GAP + legend.width() + GAP;
-    let height = TOP + (SIDE + BELOW).max(legend.height() + 10.0);
     let rect = Rect { x: LEFT, y: TOP, width: SIDE, height: SIDE };
     let view = View { x: map.x.range, y: map.y.range, rect };
+    let legend = Legend::new(map, &view);
+    let width = LEFT + SIDE + GAP + legend.width() + GAP;
+    let height = TOP + (SIDE + BELOW).max(legend.height() + 10.0);
     render([width.ceil(), height.ceil()], map.title.as_str(), theme, |canvas| {
         canvas.text(&map.title, [LEFT, 24.0], 15.0, INK, Anchor::Start);
         canvas.text(&map.subtitle, [LEFT, 41.0], SIZE, FAINT_INK, Anchor::Start);
@@ -81,6 +67,25 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
                 }
             }
         }
+        MapBodies::Areas { pieces, borders, .. } => {
+            for entry in pieces.iter().map(|(entry, _)| *entry).collect::<BTreeSet<_>>() {
+                let mut path = Path::default();
+                for (_, corners) in pieces.iter().filter(|(other, _)| *other == entry) {
+                    path.line(&corners.iter().map(|corner| view.at(*corner)).collect::<Vec<_>>(), true);
+                }
+                let (id, title) = match entry.and_then(|entry| map.entries.get(entry)) {
+                    Some(entry) => (format!("area-{}", entry.mark), format!("{} {}", entry.name, entry.note)),
+                    None => ("area-unknown".to_owned(), map.unknown.clone()),
+                };
+                path.titled(canvas, &format!("id=\"{id}\" {}", canvas.fill(fill(map, entry))), &title);
+            }
+            let mut path = Path::default();
+            for border in borders {
+                path.line(&border.map(|end| view.at(end)), false);
+            }
+            let ink = canvas.stroke(Ink { color: INK, width: BORDER });
+            path.draw(canvas, &format!("id=\"borders\" stroke-linecap=\"round\" {ink}"));
+        }
         MapBodies::Points(points) => {
             let radius = (0.4 * SIDE / (points.len().max(1) as f64).sqrt()).clamp(0.8, 6.0);
             for (at, entry) in points {
@@ -94,24 +99,21 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
 fn draw_line(canvas: &Canvas, line: &MapLine, view: &View) {
     let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
     for run in points.split(|point| view.rect.nearest(*point) != *point) {
-        pattern::draw(canvas, run, &line_pattern(line.dashed, line_color(line.hue)), 1.4);
+        pattern::draw(canvas, run, &line_pattern(line.dashed, line_color(line.hue)), LINE);
     }
 }
 
-/// The marks of the entries where there is room, and the notes.
+/// The marks of the entries, and the notes.
 fn marks(canvas: &Canvas, map: &Map, view: &View) {
-    if let MapBodies::Grid { columns, entries } = &map.bodies {
-        let rows = (entries.len() / (*columns).max(1)).max(1);
-        let (wide, high) = (view.rect.width / *columns as f64, view.rect.height / rows as f64);
-        let (patch, shown) = patches(*columns, entries);
-        for (entry, place) in shown.iter().zip(widest(*columns, &patch, shown.len())) {
-            let (Some(entry), Some((column, row, half))) = (map.entries.get(*entry), place) else { continue };
-            let needed = (0.5 * text_width(&entry.mark, SIZE) + 1.0).max(ROOM);
-            if half * wide >= needed && half * high >= ROOM {
-                let at = [view.rect.x + column * wide, view.rect.bottom() - row * high];
-                canvas.text(&entry.mark, [at[0], at[1] + 0.36 * SIZE], SIZE, INK, Anchor::Middle);
-            }
+    for mark in marked(map, view) {
+        if let Some([tip, end]) = mark.leader {
+            canvas.path(&[tip, end], Ink { color: INK, width: 0.7 });
+            canvas.disc(tip, 1.5, INK);
+            canvas.polygon(&mark.rect.corners(), PAPER);
+            canvas.outline(&mark.rect.corners(), Ink { color: FAINT_INK, width: 0.5 });
         }
+        let (size, [x, y]) = (mark.size, mark.rect.center());
+        canvas.text(&map.entries[mark.entry].mark, [x, y + 0.36 * size], size, INK, Anchor::Middle);
     }
     for note in &map.notes {
         draw_note(canvas, note, view);
@@ -119,23 +121,12 @@ fn marks(canvas: &Canvas, map: &Map, view: &View) {
 }
 
 fn draw_note(canvas: &Canvas, note: &MapNote, view: &View) {
-    const RING: f64 = 4.5;
-    let place = view.at(note.at);
-    let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
-    let [left, right] = [view.rect.x, view.rect.right()];
-    let wanted = match note.ring {
-        false => place[0],
-        true if place[0] + 2.0 * RING + 2.0 * half <= right => place[0] + 2.0 * RING + half,
-        true => place[0] - 2.0 * RING - half,
-    };
-    // Inside of the map, as far as the text fits.
-    let at = [wanted.min(right - half).max(left + half), place[1]];
-    let (left, right) = (at[0] - half, at[0] + half);
-    let (top, bottom) = (at[1] - 0.5 * SMALL - 2.0, at[1] + 0.5 * SMALL + 2.0);
-    canvas.polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]], PAPER);
-    canvas.text(&note.text, [at[0], at[1] + 0.36 * SMALL], SMALL, INK, Anchor::Middle);
+    let rect = note_box(note, view);
+    canvas.polygon(&rect.corners(), PAPER);
+    let [x, y] = rect.center();
+    canvas.text(&note.text, [x, y + 0.36 * SMALL], SMALL, INK, Anchor::Middle);
     if note.ring {
-        canvas.ring(place, RING, Ink { color: INK, width: 1.4 });
+        canvas.ring(view.at(note.at), RING, Ink { color: INK, width: 1.4 });
     }
 }
 

@@ -4,6 +4,7 @@ use plotters::style::RGBColor;
 
 use super::colors::{fill, line as line_color};
 use super::model::{Map, MapBodies, MapEntry};
+use super::view::{SEEN, View};
 use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Pattern, Point, Rect, pattern, text_width};
 
 const ROW: f64 = 19.0;
@@ -11,6 +12,9 @@ const ROW: f64 = 19.0;
 pub(super) const SIZE: f64 = 11.5;
 pub(super) const SMALL: f64 = 10.0;
 const SWATCH: f64 = 14.0;
+/// Widths of lines, and of borders between areas.
+pub(super) const LINE: f64 = 1.4;
+pub(super) const BORDER: f64 = 0.8;
 /// Lines in a column, and between columns.
 const LINES: usize = 29;
 const BETWEEN: f64 = 22.0;
@@ -27,30 +31,40 @@ pub(super) struct Legend {
 }
 
 enum Line {
+    Note(String),
     Entry { fill: RGBColor, text: String, note: String },
-    Stroke { dashed: bool, color: RGBColor, text: String },
+    Stroke { dashed: bool, color: RGBColor, width: f64, text: String },
 }
 
 impl Legend {
-    pub(super) fn new(map: &Map) -> Self {
+    /// Entries of areas that are too small to be seen are told by their number.
+    pub(super) fn new(map: &Map, view: &View) -> Self {
+        let (seen, unknown) = map.bodies.seen(map.entries.len(), view);
         let entry = |(number, entry): (usize, &MapEntry)| Line::Entry {
             fill: fill(map, Some(number)),
             text: if entry.mark == entry.name { entry.name.clone() } else { format!("{}  {}", entry.mark, entry.name) },
             note: entry.note.clone(),
         };
-        let mut lines: Vec<Line> = map.entries.iter().enumerate().map(entry).collect();
-        let unknown = match &map.bodies {
-            MapBodies::Grid { entries, .. } => entries.iter().any(Option::is_none),
-            MapBodies::Points(points) => points.iter().any(|(_, entry)| entry.is_none()),
-        };
+        let told = map.entries.iter().enumerate().filter(|(number, _)| seen[*number]);
+        let mut lines: Vec<Line> = told.map(entry).collect();
+        let unseen = seen.iter().filter(|seen| !**seen).count();
+        if unseen > 0 {
+            lines.push(Line::Note(format!("and {unseen} more on less than {SEEN} pixels each")));
+        }
         if unknown {
             lines.push(Line::Entry { fill: fill(map, None), text: map.unknown.clone(), note: String::new() });
+        }
+        if let MapBodies::Areas { borders, told, .. } = &map.bodies
+            && !borders.is_empty()
+        {
+            lines.push(Line::Stroke { dashed: false, color: line_color(0), width: BORDER, text: told.clone() });
         }
         let mut told: Vec<&str> = Vec::new();
         for line in &map.lines {
             if !line.text.is_empty() && !told.contains(&line.text.as_str()) {
                 told.push(&line.text);
-                lines.push(Line::Stroke { dashed: line.dashed, color: line_color(line.hue), text: line.text.clone() });
+                let color = line_color(line.hue);
+                lines.push(Line::Stroke { dashed: line.dashed, color, width: LINE, text: line.text.clone() });
             }
         }
         Self { lines }
@@ -88,6 +102,7 @@ impl Line {
                 let note = if note.is_empty() { 0.0 } else { 8.0 + text_width(note, SMALL) };
                 SWATCH + 8.0 + text_width(text, SIZE) + note
             }
+            Self::Note(text) => text_width(text, SMALL),
             Self::Stroke { text, .. } => 2.0 * SWATCH + 8.0 + text_width(text, SIZE),
         }
     }
@@ -104,10 +119,11 @@ impl Line {
                 canvas.text(text, [x, base], SIZE, INK, Anchor::Start);
                 canvas.text(note, [x + text_width(text, SIZE) + 8.0, base], SMALL, FAINT_INK, Anchor::Start);
             }
-            Self::Stroke { dashed, color, text } => {
+            Self::Note(text) => canvas.text(text, [at[0], base], SMALL, FAINT_INK, Anchor::Start),
+            Self::Stroke { dashed, color, width, text } => {
                 let middle = at[1] + 0.5 * ROW;
                 let ends = [[at[0], middle], [at[0] + 2.0 * SWATCH, middle]];
-                pattern::draw(canvas, &ends, &line_pattern(*dashed, *color), 1.4);
+                pattern::draw(canvas, &ends, &line_pattern(*dashed, *color), *width);
                 canvas.text(text, [at[0] + 2.0 * SWATCH + 8.0, base], SIZE, INK, Anchor::Start);
             }
         }

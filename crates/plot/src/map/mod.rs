@@ -3,8 +3,10 @@
 mod colors;
 mod draw;
 mod legend;
+mod marks;
 mod model;
 mod places;
+mod view;
 
 pub use draw::draw_map;
 pub use model::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote};

@@ -1,5 +1,8 @@
 //! What a map shows.
 
+use super::view::{SEEN, View};
+use crate::page::Point;
+
 /// One of the two parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapAxis {
@@ -30,6 +33,15 @@ pub enum MapBodies {
         /// Entries, row by row.
         entries: Vec<Option<usize>>,
     },
+    /// Areas with their borders.
+    Areas {
+        /// What each area shows, and its corners.
+        pieces: Vec<(Option<usize>, Vec<[f64; 2]>)>,
+        /// The borders between areas, as straight parts.
+        borders: Vec<[[f64; 2]; 2]>,
+        /// What the legend says of the borders.
+        told: String,
+    },
     /// Points anywhere.
     Points(Vec<([f64; 2], Option<usize>)>),
 }
@@ -56,6 +68,39 @@ pub struct MapNote {
     pub text: String,
     /// Whether the place itself is marked by a ring; then the text stands beside it, else upon it.
     pub ring: bool,
+}
+
+impl MapBodies {
+    /// Which of so many entries can be seen, and whether something can that shows nothing that is known: not what covers too
+    /// few pixels.
+    pub(super) fn seen(&self, entries: usize, view: &View) -> (Vec<bool>, bool) {
+        let pieces = match self {
+            Self::Grid { entries: shown, .. } => return (vec![true; entries], shown.iter().any(Option::is_none)),
+            Self::Points(points) => return (vec![true; entries], points.iter().any(|(_, entry)| entry.is_none())),
+            Self::Areas { pieces, .. } => pieces,
+        };
+        let (mut areas, mut unknown) = (vec![0.0; entries], 0.0);
+        for (entry, corners) in pieces {
+            let corners: Vec<Point> = corners.iter().map(|corner| view.at(*corner)).collect();
+            let next = corners.iter().cycle().skip(1);
+            let twice: f64 = corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum();
+            let area = entry.and_then(|entry| areas.get_mut(entry)).unwrap_or(&mut unknown);
+            *area += 0.5 * twice.abs();
+        }
+        (areas.into_iter().map(|area| area >= SEEN).collect(), unknown >= SEEN)
+    }
+
+    /// Gives every entry another number.
+    pub fn renumber(&mut self, number: impl Fn(usize) -> usize) {
+        let entries: Box<dyn Iterator<Item = &mut Option<usize>> + '_> = match self {
+            Self::Grid { entries, .. } => Box::new(entries.iter_mut()),
+            Self::Areas { pieces, .. } => Box::new(pieces.iter_mut().map(|(entry, _)| entry)),
+            Self::Points(points) => Box::new(points.iter_mut().map(|(_, entry)| entry)),
+        };
+        for entry in entries.flatten() {
+            *entry = number(*entry);
+        }
+    }
 }
 
 /// Everything that a map shows.

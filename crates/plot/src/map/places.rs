@@ -58,6 +58,60 @@ pub(super) fn widest(columns: usize, entries: &[Option<usize>], count: usize) ->
     best.into_iter().map(|place| place.map(middle)).collect()
 }
 
+/// The most points told for an entry by [`inside`].
+const POINTS: usize = 32;
+/// A point lies well inside where its patch is so wide, compared to the entry's widest place.
+const WELL: f64 = 0.55;
+
+/// For each entry points well inside of what shows it, spread over it: (column, row).
+pub(super) fn inside(columns: usize, entries: &[Option<usize>], count: usize) -> Vec<Vec<(f64, f64)>> {
+    let rows = entries.len().checked_div(columns).unwrap_or(0);
+    let across = runs(entries, rows, columns, |row, column| row * columns + column);
+    let along = runs(entries, columns, rows, |column, row| row * columns + column);
+    let width = |cell: usize| across[cell].1.min(along[cell].1);
+    let mut widest = vec![0; count];
+    for (cell, entry) in entries.iter().enumerate() {
+        if let Some(most) = entry.and_then(|entry| widest.get_mut(entry)) {
+            *most = width(cell).max(*most);
+        }
+    }
+    let mut points: Vec<Vec<(f64, f64)>> = vec![Vec::new(); count];
+    for (cell, entry) in entries.iter().enumerate() {
+        let Some(entry) = entry.filter(|entry| *entry < count) else { continue };
+        let is_middle = across[cell].0 || along[cell].0;
+        if is_middle && width(cell) as f64 >= WELL * widest[entry] as f64 {
+            points[entry].push(((cell % columns) as f64 + 0.5, (cell / columns) as f64 + 0.5));
+        }
+    }
+    for own in &mut points {
+        let every = own.len().div_ceil(POINTS).max(1);
+        *own = own.iter().copied().step_by(every).collect();
+    }
+    points
+}
+
+/// For each cell whether it is the middle of its run of equal cells in a line, and the length of the run.
+fn runs(
+    entries: &[Option<usize>],
+    lines: usize,
+    length: usize,
+    cell: impl Fn(usize, usize) -> usize,
+) -> Vec<(bool, usize)> {
+    let mut runs = vec![(false, 0); entries.len()];
+    for line in 0..lines {
+        let mut from = 0;
+        while from < length {
+            let same = |at: &usize| entries[cell(line, *at)] == entries[cell(line, from)];
+            let to = from + (from..length).take_while(same).count();
+            for at in from..to {
+                runs[cell(line, at)] = (at == usize::midpoint(from, to), to - from);
+            }
+            from = to;
+        }
+    }
+    runs
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -68,6 +122,21 @@ mod tests {
         let (patch, shown) = patches(3, &[a, b, a, a, b, a]);
         assert_eq!(shown, [7, 3, 7]);
         assert_eq!(patch, [Some(0), Some(1), Some(2), Some(0), Some(1), Some(2)]);
+    }
+
+    #[test]
+    fn points_inside_keep_to_the_wide_part() {
+        let (a, b) = (Some(0), Some(1));
+        #[rustfmt::skip]
+        let entries = [
+            a, a, a, b, b,
+            a, a, a, b, b,
+            a, a, a, b, b,
+            b, a, b, b, b,
+        ];
+        let points = inside(5, &entries, 2);
+        assert!(points[0].contains(&(1.5, 1.5)) && !points[0].contains(&(1.5, 3.5)), "{points:?}");
+        assert!(points[1].iter().all(|(column, _)| *column > 3.0), "{points:?}");
     }
 
     #[test]

@@ -14,6 +14,9 @@ use top::class::{Class, ClassName};
 /// Where an interval is cut: not in the middle, where special bodies lie.
 const GOLDEN: f64 = 0.381_966_011_250_105_2;
 
+/// The most borders that [`all`] looks for.
+const BORDERS_MAX: usize = 32;
+
 /// How a border is sought.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BorderOptions {
@@ -92,6 +95,31 @@ pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, Border
     let Root { t, error } = by_zero.unwrap_or(by_class);
     let reached = error <= wanted;
     Ok(Border { enclosure, t, error, classes: [low.class, high.class], reached, event, atlases })
+}
+
+/// The borders of a segment in order: what [`find`] finds, and again behind it until the class is that of the upper end.
+/// None where an end has no class, or both have one.
+#[must_use]
+pub fn all(segment: &Segment, options: &BorderOptions) -> Vec<Border> {
+    let mut borders = Vec::new();
+    let Ok(last) = Side::of(segment, 1.0, options.accuracy) else { return borders };
+    let mut from = 0.0;
+    while borders.len() < BORDERS_MAX {
+        let rest = Segment::new(segment.body(from), segment.body(1.0));
+        let Ok(mut border) = find(&rest, options) else { break };
+        // The class below a border is that of the lower end; above it bisection may have met any other.
+        let whole = |t: f64| from + (1.0 - from) * t;
+        border.enclosure = border.enclosure.map(whole);
+        border.t = whole(border.t);
+        border.error *= 1.0 - from;
+        from = border.enclosure[1];
+        let is_last = border.classes[1] == last.class;
+        borders.push(border);
+        if is_last {
+            break;
+        }
+    }
+    borders
 }
 
 /// The part of a segment that holds the border.

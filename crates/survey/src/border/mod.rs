@@ -14,7 +14,7 @@ mod segment;
 mod side;
 mod vanishing;
 
-pub use bisection::{Border, BorderError, BorderOptions, find};
+pub use bisection::{Border, BorderError, BorderOptions, all, find};
 pub use event::{BorderEvent, BorderEventKind, Encounter, Place};
 pub use label::{EventLabel, named_events};
 pub use segment::Segment;

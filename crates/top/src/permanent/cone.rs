@@ -2,21 +2,24 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::body::Body;
+use crate::body::{Body, BodyAxis};
 
 /// The principal axis nearest to a direction in the body's principal axes, and the cosine of their angle with its sign.
 #[must_use]
-pub fn nearest_axis(direction: [f64; 3]) -> (usize, f64) {
+pub fn nearest_axis(direction: [f64; 3]) -> (BodyAxis, f64) {
     let norm = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let longest = (0..3).max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs())).unwrap_or(0);
+    let [first, ..] = BodyAxis::ALL;
+    let longest =
+        BodyAxis::ALL.into_iter().max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs())).unwrap_or(first);
     (longest, direction[longest] / norm)
 }
 
 /// The axes through the fixed point and the centre of mass that are principal: rotation about each is permanent at every
 /// spin. All three (of a basis) where r = 0.
 #[must_use]
-pub fn permanent_axes(body: &Body) -> Vec<usize> {
-    (0..3).filter(|&k| [(k + 1) % 3, (k + 2) % 3].iter().all(|&other| body.center()[other].value().is_zero())).collect()
+pub fn permanent_axes(body: &Body) -> Vec<BodyAxis> {
+    let carries = |k: BodyAxis| !body.center()[k].value().is_zero();
+    BodyAxis::ALL.into_iter().filter(|k| !k.others().into_iter().any(carries)).collect()
 }
 
 /// The permanent axis nearest to a direction.
@@ -102,8 +105,8 @@ mod tests {
     #[test]
     fn only_the_axis_of_the_centre_of_mass_is_permanent() {
         let axes = |r: [&str; 3]| permanent_axes(&Body::parse(&["1", "2", "3"], &r).unwrap());
-        assert_eq!(axes(["0", "1", "0"]), [1]);
-        assert_eq!(axes(["0", "0", "0"]), [0, 1, 2]);
+        assert_eq!(axes(["0", "1", "0"]), [BodyAxis::ALL[1]]);
+        assert_eq!(axes(["0", "0", "0"]), BodyAxis::ALL);
         assert!(axes(["0", "1", "1"]).is_empty());
     }
 

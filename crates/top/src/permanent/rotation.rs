@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use dashu_ratio::RBig;
 
-use crate::body::Body;
+use crate::body::{Body, BodyAxis};
 use crate::stability::Verdict;
 use numbers::polynomial::{Polynomial, Root, rational};
 
@@ -49,7 +49,7 @@ impl SpinType {
 /// Rotation about a principal axis through the centre of mass with the vertical at one of its ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxisRotation {
-    axis: usize,
+    axis: BodyAxis,
     /// C, A, B.
     pub(super) moments: [RBig; 3],
     /// ρ.
@@ -70,15 +70,15 @@ pub struct SpinChange {
 }
 
 impl AxisRotation {
-    /// Rotation about the principal axis `axis` (0, 1, 2) with γ = `gamma` e_axis, gamma = ±1; `None` when the centre of
+    /// Rotation about a principal axis with γ = `gamma` e_axis, gamma = ±1; `None` when the centre of
     /// mass does not lie on the axis.
     #[must_use]
-    pub fn new(body: &Body, axis: usize, gamma: i8) -> Option<Self> {
-        let others = [(axis + 1) % 3, (axis + 2) % 3];
+    pub fn new(body: &Body, axis: BodyAxis, gamma: i8) -> Option<Self> {
+        let others = axis.others();
         if others.iter().any(|&k| !body.center()[k].value().is_zero()) {
             return None;
         }
-        let moment = |k: usize| body.moments()[k].value().clone();
+        let moment = |k: BodyAxis| body.moments()[k].value().clone();
         let weight = body.center()[axis].value() * RBig::from(gamma);
         Some(Self { axis, moments: [moment(axis), moment(others[0]), moment(others[1])], weight })
     }
@@ -86,17 +86,18 @@ impl AxisRotation {
     /// The body that turns, its centre of mass at the end of the axis that points along γ.
     pub(super) fn body(&self) -> Option<Body> {
         let mut moments = [const { String::new() }; 3];
-        for (k, moment) in self.moments.iter().enumerate() {
-            moments[(self.axis + k) % 3] = moment.to_string();
+        let [second, third] = self.axis.others();
+        for (k, moment) in [self.axis, second, third].into_iter().zip(&self.moments) {
+            moments[k.index()] = moment.to_string();
         }
         let center: [String; 3] =
-            std::array::from_fn(|k| if k == self.axis { self.weight.to_string() } else { "0".to_owned() });
+            BodyAxis::ALL.map(|k| if k == self.axis { self.weight.to_string() } else { "0".to_owned() });
         Body::parse(&moments.each_ref().map(String::as_str), &center.each_ref().map(String::as_str)).ok()
     }
 
     /// The axis.
     #[must_use]
-    pub fn axis(&self) -> usize {
+    pub fn axis(&self) -> BodyAxis {
         self.axis
     }
 
@@ -259,7 +260,7 @@ mod tests {
     use super::*;
 
     fn rotation(a: [&str; 3], r: [&str; 3], axis: usize, gamma: i8) -> AxisRotation {
-        AxisRotation::new(&Body::parse(&a, &r).unwrap(), axis, gamma).unwrap()
+        AxisRotation::new(&Body::parse(&a, &r).unwrap(), BodyAxis::ALL[axis], gamma).unwrap()
     }
 
     /// Lagrange's upright top sleeps from C²Ω² = 4 A r on.

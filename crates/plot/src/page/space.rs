@@ -1,44 +1,44 @@
 //! What is taken on a panel, as shapes: boxes of text, marks and small frames, and lines that lead to boxes or frame insets.
 //! Nothing new may meet what is there.
 
-use crate::page::{Point, Rect, distance, meets};
+use super::geometry::{Point, Rect, distance, meets};
 
 /// Boxes and lines.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Taken {
+pub(crate) struct Taken {
     boxes: Vec<Rect>,
     lines: Vec<[Point; 2]>,
 }
 
 impl Taken {
     /// Keeps everything else away from a box.
-    pub(super) fn take_box(&mut self, rect: Rect) {
+    pub(crate) fn take_box(&mut self, rect: Rect) {
         self.boxes.push(rect);
     }
 
     /// Keeps everything else away from a line.
-    pub(super) fn take_line(&mut self, line: [Point; 2]) {
+    pub(crate) fn take_line(&mut self, line: [Point; 2]) {
         self.lines.push(line);
     }
 
     /// Keeps everything else away from the sides of a frame, but not from its inside.
-    pub(super) fn take_outline(&mut self, rect: &Rect) {
+    pub(crate) fn take_outline(&mut self, rect: &Rect) {
         let [a, b, c, d] = rect.corners();
         self.lines.extend([[a, b], [b, c], [c, d], [d, a]]);
     }
 
     /// Whether a box meets nothing.
-    pub(super) fn admits_box(&self, rect: &Rect) -> bool {
+    pub(crate) fn admits_box(&self, rect: &Rect) -> bool {
         !self.boxes.iter().any(|other| overlap(rect, other)) && !self.lines.iter().any(|line| passes(*line, rect))
     }
 
     /// Whether a line meets nothing but frames: those it may cross.
-    pub(super) fn admits_leader(&self, line: [Point; 2], leaders: &[[Point; 2]]) -> bool {
+    pub(crate) fn admits_leader(&self, line: [Point; 2], leaders: &[[Point; 2]]) -> bool {
         !self.boxes.iter().any(|rect| passes(line, rect)) && !leaders.iter().any(|other| near(line, *other))
     }
 
     /// Whether a point lies in a box.
-    pub(super) fn holds(&self, point: Point) -> bool {
+    pub(crate) fn holds(&self, point: Point) -> bool {
         self.boxes.iter().any(|rect| rect.contains(point))
     }
 }

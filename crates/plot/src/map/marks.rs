@@ -1,0 +1,202 @@
+//! Where the marks of entries stand: in each patch that has room, and for an entry without one beside its widest patch, with
+//! a leader.
+
+use super::legend::{SIZE, SMALL};
+use super::model::{Map, MapBodies, MapNote};
+use super::places::{inside, patches, widest};
+use super::view::View;
+use crate::page::{Point, Rect, Taken, distance, text_width};
+
+/// A mark inside needs so many pixels of room on each side.
+const ROOM: f64 = 6.5;
+/// Pixels of a cell by which areas are looked at.
+const FINE: f64 = 1.0;
+/// Radius of the ring of a note.
+pub(super) const RING: f64 = 4.5;
+/// Lengths of leaders, and the steps of the places that are tried for their marks.
+const LEADER: [f64; 2] = [9.0, 260.0];
+const STEP: f64 = 5.0;
+/// Font size of a mark with a leader.
+const LED: f64 = 9.0;
+
+/// A mark with its place.
+pub(super) struct Mark {
+    pub entry: usize,
+    pub size: f64,
+    pub rect: Rect,
+    /// From the patch to the mark.
+    pub leader: Option<[Point; 2]>,
+}
+
+/// The marks of a map; none for bodies that are points.
+pub(super) fn marked(map: &Map, view: &View) -> Vec<Mark> {
+    let (columns, cells) = match &map.bodies {
+        MapBodies::Grid { columns, entries } => (*columns, entries.clone()),
+        MapBodies::Areas { pieces, .. } => raster(pieces, view),
+        MapBodies::Points(_) => return Vec::new(),
+    };
+    let rows = (cells.len() / columns.max(1)).max(1);
+    let (wide, high) = (view.rect.width / columns as f64, view.rect.height / rows as f64);
+    let (patch, shown) = patches(columns, &cells);
+    let mut taken = Taken::default();
+    for note in &map.notes {
+        taken.take_box(note_box(note, view));
+    }
+    let mut marks: Vec<Mark> = Vec::new();
+    let on_page = |(column, row): (f64, f64)| [view.rect.x + column * wide, view.rect.bottom() - row * high];
+    for (entry, place) in shown.into_iter().zip(widest(columns, &patch, shown_count(&patch))) {
+        let (Some(shown), Some((column, row, half))) = (map.entries.get(entry), place) else { continue };
+        let at = on_page((column, row));
+        let room = [0.5 * text_width(&shown.mark, SIZE) + 1.0, ROOM];
+        let rect = Rect { x: at[0] - room[0], y: at[1] - room[1], width: 2.0 * room[0], height: 2.0 * room[1] };
+        if half * wide >= room[0].max(ROOM) && half * high >= ROOM && taken.admits_box(&rect) {
+            taken.take_box(rect);
+            marks.push(Mark { entry, size: SIZE, rect, leader: None });
+        }
+    }
+    let (seen, _) = map.bodies.seen(map.entries.len(), view);
+    let mut leaders = Vec::new();
+    for (entry, tips) in inside(columns, &cells, map.entries.len()).into_iter().enumerate() {
+        if !seen[entry] || marks.iter().any(|mark| mark.entry == entry) {
+            continue;
+        }
+        let tips: Vec<Point> = tips.into_iter().map(on_page).collect();
+        let size = [text_width(&map.entries[entry].mark, LED) + 4.0, LED + 3.0];
+        if let Some((rect, leader)) = beside(&tips, size, view, &taken, &leaders) {
+            taken.take_box(rect);
+            taken.take_line(leader);
+            leaders.push(leader);
+            marks.push(Mark { entry, size: LED, rect, leader: Some(leader) });
+        }
+    }
+    marks
+}
+
+/// The nearest free place for a box of this size in the map, and the leader to it from one of the tips.
+fn beside(
+    tips: &[Point],
+    [width, height]: [f64; 2],
+    view: &View,
+    taken: &Taken,
+    leaders: &[[Point; 2]],
+) -> Option<(Rect, [Point; 2])> {
+    let inner = view.rect.grown(-2.0);
+    let steps = |length: f64| (0..).map(|k| f64::from(k) * STEP).take_while(move |at| *at <= length);
+    let places = steps(inner.width - width)
+        .flat_map(|x| steps(inner.height - height).map(move |y| [x, y]))
+        .map(|[x, y]| Rect { x: inner.x + x, y: inner.y + y, width, height });
+    let free: Vec<Rect> = places.filter(|rect| taken.admits_box(&rect.grown(1.5))).collect();
+    let mut ways: Vec<(f64, Rect, Point)> = free
+        .iter()
+        .flat_map(|rect| tips.iter().map(|tip| (distance(*tip, rect.nearest(*tip)), *rect, *tip)))
+        .filter(|(length, ..)| (LEADER[0]..=LEADER[1]).contains(length))
+        .collect();
+    ways.sort_by(|p, q| p.0.total_cmp(&q.0));
+    ways.into_iter().find_map(|(_, rect, tip)| {
+        let leader = [tip, rect.nearest(tip)];
+        taken.admits_leader(leader, leaders).then_some((rect, leader))
+    })
+}
+
+fn shown_count(patch: &[Option<usize>]) -> usize {
+    patch.iter().flatten().max().map_or(0, |last| last + 1)
+}
+
+/// What areas show in small cells, row by row from below.
+fn raster(pieces: &[(Option<usize>, Vec<[f64; 2]>)], view: &View) -> (usize, Vec<Option<usize>>) {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
+    let [columns, rows] = [view.rect.width, view.rect.height].map(|length| (length / FINE) as usize);
+    let mut cells = vec![None; columns * rows];
+    for (entry, corners) in pieces {
+        let corners: Vec<Point> = corners.iter().map(|corner| view.at(*corner)).collect();
+        let heights = corners.iter().map(|corner| (view.rect.bottom() - corner[1]) / FINE);
+        let (least, most) = heights.fold((f64::INFINITY, 0.0_f64), |(least, most), y| (least.min(y), most.max(y)));
+        for row in cell_range(least, most, rows) {
+            let y = view.rect.bottom() - (row as f64 + 0.5) * FINE;
+            let next = corners.iter().cycle().skip(1);
+            let crossed = corners.iter().zip(next).filter(|(p, q)| (p[1] > y) != (q[1] > y));
+            let mut ends: Vec<f64> = crossed
+                .map(|(p, q)| (p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0]) - view.rect.x) / FINE)
+                .collect();
+            ends.sort_by(f64::total_cmp);
+            for pair in ends.chunks_exact(2) {
+                for column in cell_range(pair[0], pair[1], columns) {
+                    cells[row * columns + column] = *entry;
+                }
+            }
+        }
+    }
+    (columns, cells)
+}
+
+/// The cells whose middles lie between two places.
+fn cell_range(from: f64, to: f64, count: usize) -> std::ops::Range<usize> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the cells")]
+    let [from, to] = [from, to].map(|at| (at + 0.5).floor().clamp(0.0, count as f64) as usize);
+    from..to
+}
+
+/// The box of a note's text.
+pub(super) fn note_box(note: &MapNote, view: &View) -> Rect {
+    let place = view.at(note.at);
+    let half = 0.5 * text_width(&note.text, SMALL) + 3.0;
+    let [left, right] = [view.rect.x, view.rect.right()];
+    let wanted = match note.ring {
+        false => place[0],
+        true if place[0] + 2.0 * RING + 2.0 * half <= right => place[0] + 2.0 * RING + half,
+        true => place[0] - 2.0 * RING - half,
+    };
+    // Inside of the map, as far as the text fits.
+    let x = wanted.min(right - half).max(left + half);
+    Rect { x: x - half, y: place[1] - 0.5 * SMALL - 2.0, width: 2.0 * half, height: SMALL + 4.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::map::{MapAxis, MapEntry};
+
+    fn area(entry: usize, from: [f64; 2], to: [f64; 2]) -> (Option<usize>, Vec<[f64; 2]>) {
+        (Some(entry), vec![from, [to[0], from[1]], to, [from[0], to[1]]])
+    }
+
+    #[test]
+    fn narrow_areas_are_marked_beside_and_nothing_overlaps() {
+        let entry = |number: usize| MapEntry { name: String::new(), note: String::new(), mark: number.to_string() };
+        let axis = || MapAxis { name: String::new(), range: [0.0, 1.0] };
+        // Two wide areas, and between them ten strips of two pixels.
+        let mut pieces = vec![area(0, [0.0, 0.0], [0.4, 1.0]), area(1, [0.44, 0.0], [1.0, 1.0])];
+        let strip = |k: usize| 0.4 + 0.004 * k as f64;
+        pieces.extend((0..10).map(|k| area(2 + k, [strip(k), 0.0], [strip(k + 1), 1.0])));
+        let map = Map {
+            title: String::new(),
+            subtitle: String::new(),
+            x: axis(),
+            y: axis(),
+            entries: (0..12).map(entry).collect(),
+            ordered: false,
+            unknown: String::new(),
+            bodies: MapBodies::Areas { pieces, borders: Vec::new(), told: String::new() },
+            lines: Vec::new(),
+            notes: Vec::new(),
+        };
+        let rect = Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 };
+        let view = View { x: [0.0, 1.0], y: [0.0, 1.0], rect };
+        let marks = marked(&map, &view);
+        for entry in 0..12 {
+            let own: Vec<&Mark> = marks.iter().filter(|mark| mark.entry == entry).collect();
+            assert_eq!(own.len(), 1, "entry {entry}");
+            let tip = own[0].leader.map_or(own[0].rect.center(), |leader| leader[0]);
+            let inside = if entry < 2 { None } else { Some([500.0 * strip(entry - 2), 500.0 * strip(entry - 1)]) };
+            assert_eq!(own[0].leader.is_some(), inside.is_some());
+            assert!(inside.is_none_or(|[from, to]| (from..=to).contains(&tip[0])), "entry {entry} at {tip:?}");
+        }
+        for (place, one) in marks.iter().enumerate() {
+            for other in &marks[..place] {
+                let [a, b] = [one.rect, other.rect];
+                let apart = a.right() <= b.x || b.right() <= a.x || a.bottom() <= b.y || b.bottom() <= a.y;
+                assert!(apart, "{} and {}", one.entry, other.entry);
+            }
+        }
+    }
+}

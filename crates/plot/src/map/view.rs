@@ -1,0 +1,22 @@
+//! Where parameters lie on the page.
+
+use crate::page::{Point, Rect};
+
+/// Pixels that an area needs to be seen.
+pub(super) const SEEN: f64 = 12.0;
+
+/// The ranges of a map and its place on the page.
+pub(super) struct View {
+    pub x: [f64; 2],
+    pub y: [f64; 2],
+    pub rect: Rect,
+}
+
+impl View {
+    /// A point of the map on the page.
+    pub(super) fn at(&self, [x, y]: [f64; 2]) -> Point {
+        let share = |value: f64, [from, to]: [f64; 2]| (value - from) / (to - from);
+        let rect = &self.rect;
+        [rect.x + share(x, self.x) * rect.width, rect.y + rect.height * (1.0 - share(y, self.y))]
+    }
+}
