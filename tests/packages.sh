@@ -8,7 +8,8 @@ rm -rf "$target/package" "$target/published"
 cargo package --quiet --workspace --exclude bifdiag-python --exclude bifdiag-web --exclude bifdiag-web-glue --exclude bifdiag-web-parts \
     --no-verify --allow-dirty
 mkdir -p "$target/published"
-for crate in "$target"/package/*.crate; do tar -xzf "$crate" -C "$target/published"; done
+# Files in archives are old; extracted now, they count as changed.
+for crate in "$target"/package/*.crate; do tar -xmzf "$crate" -C "$target/published"; done
 cd "$target/published"
 {
     echo '[workspace]'
