@@ -120,8 +120,8 @@ fn certified(
     courses::curves(document, certificate, &spaces, &pieces)?;
     listing::events(document, certificate, &events, &pieces)?;
     listing::ranges(document, certificate, &cells)?;
-    totals::totals(document, &orders, &slabs)?;
     topology::check(document, certificate, &orders, &slabs, &cells)?;
+    totals::totals(document, &orders, &slabs)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }
 
