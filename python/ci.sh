@@ -39,11 +39,12 @@ wheel() {
     "$bin/abi3audit" --strict --summary "$environment"/wheels/*.whl
 }
 
-# The source distribution carries the workspace: cargo finds every package that it needs.
+# The source distribution carries the workspace: cargo finds every package that it needs, and every target that a manifest
+# names without a path. (`cargo metadata` does not look for the latter.)
 source_distribution() {
     "$bin/maturin" sdist --out "$environment/sdist"
     tar -xzf "$environment"/sdist/*.tar.gz -C "$environment/sdist"
-    (cd "$environment"/sdist/*/ && cargo metadata --offline --format-version 1 >/dev/null)
+    (cd "$environment"/sdist/*/ && cargo fetch --quiet --offline --target "$(rustc -vV | sed -n 's/host: //p')")
 }
 
 types() {
