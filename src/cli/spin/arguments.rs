@@ -22,14 +22,14 @@ and --axis the default is: the axis points up.";
 
 pub const CRITICAL_SPIN_EXAMPLES: &str = "\
 Examples:
-  bifdiag critical-spin --inertia-com 8e-5,8e-5,1.2e-4,0,0,0 --com 0,0,0.04 --mass 0.2 \\
-      --axis z --tolerance 1%
+  bifdiag critical-spin --inertia-com 8e-5,8e-5,1.2e-4,0,0,0 --com 0,0,0.04 \\
+      --mass 0.2 --axis z --tolerance 1%
   bifdiag critical-spin --A 2,1.1,1 --r 0,0,1 --axis 0,0,1 --json";
 
 pub const CAMPBELL_EXAMPLES: &str = "\
 Examples:
-  bifdiag campbell --inertia-com 8e-5,9e-5,1.2e-4,0,0,0 --com 0,0,0.04 --mass 0.2 \\
-      --axis z --to \"4000 rpm\"
+  bifdiag campbell --inertia-com 8e-5,9e-5,1.2e-4,0,0,0 --com 0,0,0.04 \\
+      --mass 0.2 --axis z --to \"4000 rpm\"
   bifdiag campbell --A 2,1.1,1 --r 0,0,1 --axis=-z --to \"5 rad/s\" --out campbell";
 
 /// `bifdiag state`.
