@@ -33,15 +33,23 @@ def test_a_tensor_about_either_point_is_the_command_lines(command):
         assert part.critical(1).size == len(json.loads(command("critical", *line, "--l=1"))["critical"])
 
 
+def part_of(document: str) -> dict:
+    """What `bifdiag body --json` says of a part, without the head of every document."""
+    part = json.loads(document)
+    for field in ("schema_version", "version", "command"):
+        del part[field]
+    return part
+
+
 def test_meshes_and_inertial_blocks_are_the_command_lines(command, tmp_path):
     mesh, link = tmp_path / "part.obj", tmp_path / "top.urdf"
     mesh.write_text(TETRAHEDRON)
     link.write_text(LINK)
     body = bifdiag.Body.from_part(mesh, density="0.5", pivot=[0, 0, -1], units="g,mm,s")
     line = ["body", "--json", f"--part={mesh}", "--density=0.5", "--pivot=0,0,-1", "--units=g,mm,s"]
-    assert body.part == json.loads(command(*line))
+    assert body.part == part_of(command(*line))
     body = bifdiag.Body.from_part(link, link="body", units="kg,mm,s")
-    assert body.part == json.loads(command("body", "--json", f"--part={link}", "--units=kg,mm,s"))
+    assert body.part == part_of(command("body", "--json", f"--part={link}", "--units=kg,mm,s"))
 
 
 def test_a_part_is_pickled_saved_and_loaded_with_every_digit(tmp_path):
