@@ -78,9 +78,7 @@ impl<const SIZE: usize> Form<SIZE> {
             bernstein.error[k] = roundings * UNIT_ROUNDOFF * self.magnitude[k] / binomial;
             binomial = binomial * (self.degree - k) as f64 / (k + 1) as f64;
         }
-        let mut found = Vec::new();
-        bernstein.isolate(Cell { u: [0.0, 1.0], v: [1.0, 0.0] }, &mut found);
-        found
+        bernstein.isolate()
     }
 }
 
@@ -183,28 +181,35 @@ impl<const SIZE: usize> Bernstein<SIZE> {
         (left, right)
     }
 
-    fn isolate(&self, cell: Cell, found: &mut Vec<Isolation>) {
-        let (fewest, most) = self.sign_changes();
-        if most == 0 {
-            return;
+    /// The roots, from left to right. What is still to be looked at lies in a list: towards an end of (0, 1) cells are halved
+    /// a thousand times, which is too deep for the stack of a browser.
+    fn isolate(self) -> Vec<Isolation> {
+        let mut found = Vec::new();
+        let mut open = vec![(self, Cell { u: [0.0, 1.0], v: [1.0, 0.0] })];
+        while let Some((form, cell)) = open.pop() {
+            let (fewest, most) = form.sign_changes();
+            if most == 0 {
+                continue;
+            }
+            if fewest == 1 && most == 1 {
+                found.push(Isolation { cell, cluster: None, rising: form.ends_positive() });
+                continue;
+            }
+            let all_unknown = (0..=form.degree).all(|k| form.sign(k).is_none());
+            if cell.is_exhausted() || all_unknown {
+                found.push(Isolation { cell, cluster: Some(most), rising: form.ends_positive() });
+                continue;
+            }
+            // A split at a root would leave its sign unknown on both sides: move aside.
+            let splits = [0.5, 0.4375, 0.5625, 0.375];
+            let halves = |t: &f64| (*t, form.split(*t));
+            let usable = splits.iter().map(halves).find(|(_, (_, right))| right.sign(0).is_some());
+            let (t, (left, right)) = usable.unwrap_or_else(|| halves(&0.5));
+            let (left_cell, right_cell) = cell.split(t);
+            open.push((right, right_cell));
+            open.push((left, left_cell));
         }
-        if fewest == 1 && most == 1 {
-            found.push(Isolation { cell, cluster: None, rising: self.ends_positive() });
-            return;
-        }
-        let all_unknown = (0..=self.degree).all(|k| self.sign(k).is_none());
-        if cell.is_exhausted() || all_unknown {
-            found.push(Isolation { cell, cluster: Some(most), rising: self.ends_positive() });
-            return;
-        }
-        // A split at a root would leave its sign unknown on both sides: move aside.
-        let splits = [0.5, 0.4375, 0.5625, 0.375];
-        let halves = |t: &f64| (*t, self.split(*t));
-        let usable = splits.iter().map(halves).find(|(_, (_, right))| right.sign(0).is_some());
-        let (t, (left, right)) = usable.unwrap_or_else(|| halves(&0.5));
-        let (left_cell, right_cell) = cell.split(t);
-        left.isolate(left_cell, found);
-        right.isolate(right_cell, found);
+        found
     }
 }
 
