@@ -186,14 +186,14 @@ fn report(document: &FindDocument) -> String {
         report.line("this does not say that there is none");
         return report.text();
     };
-    report.line(format!("{} is shown by", document.sought));
-    report.line(format!(
-        "  bifdiag classify --A {} --r {} --h={} --l {}",
-        witness.moments.join(","),
-        witness.center.join(","),
-        witness.h,
-        witness.l
-    ));
+    let body = format!("--A {} --r {}", witness.moments.join(","), witness.center.join(","));
+    let (is, command) = if witness.critical_points.is_some() {
+        ("are", format!("critical {body} --l {}", witness.l))
+    } else {
+        ("is", format!("classify {body} --h={} --l {}", witness.h, witness.l))
+    };
+    report.line(format!("{} {is} shown by", document.sought));
+    report.line(format!("  bifdiag {command}"));
     for component in &witness.components {
         report.line(format!(
             "  U: {:8} poles: {:4} section: {}",

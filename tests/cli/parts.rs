@@ -127,6 +127,52 @@ type Change = (f64, f64, String, String);
 
 /// 100 tilted asymmetric parts: the spins at which the eigenvalues of the whole linearised flow change their type, as found by
 /// data/oracles/spins.py with 60 digits, and no other that its steps could show.
+/// A gyroscope with an error in every number: the closed form of each of its symmetric corners lies in a range, the text of
+/// `command` makes the same document, and + - stands for ±.
+#[test]
+fn a_part_with_errors_in_its_numbers_has_bounds() {
+    let options = "--inertia-com 29625±1%,29625+-1%,56250+/-281.25,0±50,0±50,0±50 --com 0±0.05,0±0.05,40±0.1 --mass 180±0.5 \
+                   --units g,mm,s --g 9.80665 --axis z --json";
+    let document = bifdiag(&format!("critical-spin {options}")).succeeds().json();
+    let tolerance = &document["tolerance"];
+    let names: Vec<&str> =
+        tolerance["inputs"].as_array().unwrap().iter().map(|x| x["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz", "com x", "com y", "com z", "mass"]);
+    assert_eq!(tolerance["inputs"][2], json!({"name": "Izz", "value": "56250", "within": "281.25"}));
+    let ranges = tolerance["ranges"].as_array().unwrap();
+    let awake = |range: &&Value| range["up"] == "+axis" && range["to"] == "elliptic";
+    let [low, high] = [0, 1].map(|end| ranges.iter().find(awake).unwrap()["rpm"][end].as_f64().unwrap());
+    let sign = |corner: u32, bit: u32| if corner >> bit & 1 == 0 { -1.0 } else { 1.0 };
+    for corner in 0..16 {
+        let (across, along) = (29625.0 * (1.0 + 0.01 * sign(corner, 0)), 56250.0 + 281.25 * sign(corner, 1));
+        let (mass, arm) = (180.0 + 0.5 * sign(corner, 2), 40.0 + 0.1 * sign(corner, 3));
+        let rpm =
+            2.0 * ((across + mass * arm * arm) * mass * 9806.65 * arm).sqrt() / along * 30.0 / std::f64::consts::PI;
+        assert!(low <= rpm && rpm <= high, "{low} {rpm} {high}");
+    }
+    // The corners need 24 rpm on each side.
+    assert!(high - low < 250.0, "{low} {high}");
+    assert_eq!(ranges.iter().find(awake).unwrap()["most"], "Izz");
+    assert!(tolerance["tilt_deg"].as_f64().unwrap() < 10.0);
+    let command = document["command"].as_str().unwrap().strip_prefix("bifdiag ").unwrap().to_owned();
+    assert_eq!(bifdiag(&command).succeeds().json(), document);
+
+    for (options, messages) in [
+        ("critical --inertia 4±1,4,2,0,0,0 --com 0,0,1 --mass 1 --l 1", &["only `bifdiag critical-spin`"][..]),
+        ("body --inertia 4±1,4,2,0,0,0 --com 0,0,1 --mass 1", &["only `bifdiag critical-spin`"]),
+        (
+            "critical-spin --inertia 4±1,4,2,0,0,0 --com 0,0,1 --mass 1 --axis z --tolerance 1%",
+            &["--tolerance and ±", "leave out one"],
+        ),
+        ("critical-spin --inertia 4,4,2,0,0,0 --com 0,0,1 --mass 1±2 --axis z", &["--mass", "greater than zero"]),
+        ("critical-spin --inertia 4±-1,4,2,0,0,0 --com 0,0,1 --mass 1 --axis z", &["--inertia", "Ixx", "2±1%"]),
+        ("critical-spin --inertia 4±x,4,2,0,0,0 --com 0,0,1 --mass 1 --axis z", &["--inertia", "Ixx"]),
+    ] {
+        let done = bifdiag(&format!("{options} --g 9.81")).refused();
+        messages.iter().fold(done, |done, message| done.telling(message));
+    }
+}
+
 #[test]
 fn critical_spins_of_tilted_parts_are_those_of_the_whole_linearisation() {
     let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/data/oracles/spins.jsonl")).unwrap();

@@ -323,7 +323,7 @@ fn found_witnesses_are_what_they_say() {
         |options: &str| bifdiag(&format!("find --type M4 {options} --json")).succeeds().json()["tried"].as_u64();
     assert_eq!(tried(""), Some(0));
     assert!(tried("--search").is_some_and(|tried| tried > 0));
-    bifdiag("find --critical-points 8").succeeds().printing("8 relative equilibria is shown by");
+    bifdiag("find --critical-points 8").succeeds().printing("8 relative equilibria are shown by");
 }
 
 #[test]

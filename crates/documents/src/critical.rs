@@ -25,12 +25,18 @@ pub fn critical(subject: &Subject, l: &Number, found: &Equilibria) -> CriticalDo
         moments: texts(body.moments()),
         center: texts(body.center()),
         l: l.text().to_owned(),
-        critical: found.list.iter().map(equilibrium).collect(),
+        critical: equilibria(found),
         error_bound: found.error_bound,
         complete: found.complete,
         note,
         part: subject.part.clone(),
     }
+}
+
+/// Each of the relative equilibria.
+#[must_use]
+pub fn equilibria(found: &Equilibria) -> Vec<RelativeEquilibriumDocument> {
+    found.list.iter().map(equilibrium).collect()
 }
 
 fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {

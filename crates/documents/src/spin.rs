@@ -75,7 +75,9 @@ pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &[Number; 4], sec
         })
     });
     ToleranceDocument {
-        relative: relative.each_ref().map(|relative| relative.text().to_owned()),
+        relative: Some(relative.each_ref().map(|relative| relative.text().to_owned())),
+        inputs: Vec::new(),
+        tilt_deg: None,
         sampled_parts: SAMPLES,
         classes: rotations.first().map_or_else(Vec::new, |(_, rotation)| {
             let classes = sampled_classes(rotation, &values).into_iter();

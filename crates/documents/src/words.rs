@@ -1,24 +1,10 @@
 //! Topology and motions in words.
 
-use schema::{
-    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Stability, Verdict,
-};
+use schema::{AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Stability};
 use top::atlas::{Atlas, Passage};
 use top::curves::CurveName;
 use top::diagram::RegionId;
 use top::table::Id;
-
-/// By what a relative equilibrium is stable, in a table.
-#[must_use]
-pub fn verdict(stable: Verdict) -> &'static str {
-    match stable {
-        Verdict::Energy => "by energy",
-        Verdict::Integral => "by an integral",
-        Verdict::Spectrum => "spectrally only",
-        Verdict::Unstable => "no",
-        Verdict::Open => "open",
-    }
-}
 
 /// What lies over one component of U.
 #[must_use]

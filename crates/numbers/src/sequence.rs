@@ -34,7 +34,8 @@ pub fn point(n: u64, dimensions: usize, seed: u64) -> Vec<f64> {
 }
 
 /// The number k of the generator `SplitMix64` that is seeded with 0. (Its state is a multiple of the golden step.)
-fn random(k: u64) -> u64 {
+#[must_use]
+pub fn random(k: u64) -> u64 {
     SplitMix64::seed_from_u64(k.wrapping_sub(1).wrapping_mul(STEPS[0][0])).next_u64()
 }
 

@@ -9,6 +9,7 @@ pub mod file;
 #[cfg(feature = "files")]
 pub mod link;
 mod mass;
+mod measured;
 #[cfg(feature = "files")]
 pub mod mesh;
 mod products;
@@ -17,6 +18,7 @@ mod units;
 
 pub use existence::{Existence, Inequality};
 pub use mass::{MassError, MassProperties, Part};
+pub use measured::{INPUT_NAMES, INPUTS, Measured, MeasuredPart};
 pub use products::{Products, tensor_of};
 pub use spin::{Spin, SpinError, SpinUnit};
 pub use units::{Units, UnitsError};

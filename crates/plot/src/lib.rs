@@ -29,4 +29,4 @@ pub use schematic::{Scheme, draw_scheme};
 pub use section::{
     OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,
 };
-pub use sphere::{SphereEquilibrium, SphereScene, draw_sphere};
+pub use sphere::{SphereScene, draw_sphere};

@@ -1,7 +1,7 @@
 //! Pictures of U on the Poisson sphere.
 
-use plot::{SphereEquilibrium, SphereScene, Theme, draw_sphere};
-use schema::ComponentDocument;
+use plot::{SphereScene, Theme, draw_sphere};
+use schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
 
 fn component(boundary_circles: u32) -> ComponentDocument {
     ComponentDocument {
@@ -19,7 +19,7 @@ fn cap(gamma: [f64; 3]) -> f64 {
     0.5 - gamma[2]
 }
 
-fn scene<'a>(components: &'a [ComponentDocument], equilibria: &'a [SphereEquilibrium]) -> SphereScene<'a> {
+fn scene<'a>(components: &'a [ComponentDocument], equilibria: &'a [RelativeEquilibriumDocument]) -> SphereScene<'a> {
     SphereScene {
         title: "a body",
         caption: "a point",
@@ -28,6 +28,8 @@ fn scene<'a>(components: &'a [ComponentDocument], equilibria: &'a [SphereEquilib
         components,
         component_of: &|_| Some(0),
         equilibria,
+        axis: [0.0, 0.0, 1.0],
+        time_unit: "s",
         view: Some([0.0, 0.0, 1.0]),
     }
 }
@@ -54,14 +56,37 @@ fn on_a_curve_no_component_is_named() {
     assert!(!picture.svg.contains("boundary circle"));
 }
 
+/// An equilibrium with a period of two and a growth time of a quarter.
+fn equilibrium(multiplicity: Multiplicity) -> RelativeEquilibriumDocument {
+    RelativeEquilibriumDocument {
+        h: 0.25,
+        gamma: [0.6, 0.0, 0.8],
+        omega: 1.0,
+        index: 1,
+        multiplicity,
+        stability: Stability::SaddleCentre,
+        stable: Verdict::Unstable,
+        eigenvalues: [[4.0, 0.0], [0.0, std::f64::consts::PI]],
+        eigenvalue_error: 1e-15,
+        branch: "G1.1".to_owned(),
+        branch_name: "from −r̂".to_owned(),
+    }
+}
+
 #[test]
 fn a_circle_of_equilibria_is_drawn_as_one() {
-    let gamma = [0.6, 0.0, 0.8];
-    let circle = SphereEquilibrium { gamma, index: 0, circle_about: Some([0.0, 0.0, 1.0]) };
-    let point = SphereEquilibrium { circle_about: None, ..circle };
-    let [with, without] = [circle, point].map(|equilibrium| {
+    let lines = |multiplicity| {
         let components = [component(1)];
-        draw_sphere(&scene(&components, &[equilibrium]), Theme::Light).unwrap().svg.matches("<polyline").count()
-    });
-    assert_eq!(with, without + 1);
+        let equilibria = [equilibrium(multiplicity)];
+        draw_sphere(&scene(&components, &equilibria), Theme::Light).unwrap().svg.matches("<polyline").count()
+    };
+    assert_eq!(lines(Multiplicity::Circle), lines(Multiplicity::Points(1)) + 1);
+}
+
+#[test]
+fn periods_and_growth_times_stand_below() {
+    let picture = draw_sphere(&scene(&[component(1)], &[equilibrium(Multiplicity::Points(1))]), Theme::Light).unwrap();
+    for text in ["growth 0.25, period 2", "saddle-centre", "G1.1, from −r̂", "growth by the factor e in s"] {
+        assert!(picture.svg.contains(text), "{text}\n{}", picture.svg);
+    }
 }

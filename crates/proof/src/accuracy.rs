@@ -71,10 +71,21 @@ pub fn atlas_of(body: &Body, accuracy: Accuracy) -> Result<Atlas, NoAtlas> {
     if settled { Ok(quick?) } else { decided(CertifiedAtlas::new(body)?.drawn()?) }
 }
 
-/// The atlas that answers points: one that is made at once, and leaves nothing undecided at [`Accuracy::Exact`]. No proof
-/// of the whole plane is begun for a point.
-pub(crate) fn atlas_at_once(body: &Body, accuracy: Accuracy) -> Option<Atlas> {
+/// So many points of each pair of curves at each precision are spent on a proof of the whole plane for the sake of one point.
+const POINTS_AT_ONCE: u32 = 400;
+
+/// The atlas that answers points: that of `f64` if it leaves nothing undecided.
+pub(crate) fn quick_atlas(body: &Body, accuracy: Accuracy) -> Option<Atlas> {
     Atlas::new(body).ok().filter(|atlas| accuracy == Accuracy::Fast || is_decided(atlas))
+}
+
+/// The atlas that names the regions of points where that of `f64` leaves something undecided: one that is proved at once.
+pub(crate) fn proved_atlas(body: &Body, accuracy: Accuracy) -> Option<Atlas> {
+    if accuracy == Accuracy::Fast {
+        return None;
+    }
+    let proved = CertifiedAtlas::with_points(body, POINTS_AT_ONCE).ok()?;
+    decided(proved.drawn().ok()?).ok()
 }
 
 /// An atlas in which the components of every region are known.

@@ -5,7 +5,7 @@ use dashu_ratio::RBig;
 use super::curves::{Curves, NotIsolated, ROOT_BITS, Shape};
 use super::id::{MeetingId, TransitionId};
 use super::model::Model;
-use super::pair::{Open, PairProof, Proof};
+use super::pair::{Open, POINTS, PairProof, Proof};
 use super::point::{Evaluator, Passage, Point};
 use super::polar::{self, Meeting};
 use numbers::enclosure::{Arithmetic, Enclosure};
@@ -93,11 +93,14 @@ struct Stages<'a> {
     narrow: Evaluator<'a, Interval>,
     wide: Vec<Evaluator<'a, Wide>>,
     used: usize,
+    /// The most points of a pair of curves at each precision.
+    points: u32,
 }
 
 impl<'a> Stages<'a> {
-    fn new(model: &'a Model, curves: &'a Curves, meetings: &[Passage]) -> Self {
+    fn new(model: &'a Model, curves: &'a Curves, meetings: &[Passage], points: u32) -> Self {
         Self {
+            points,
             narrow: Evaluator::new(model, curves, meetings, ()),
             wide: STAGES.iter().map(|&bits| Evaluator::new(model, curves, meetings, bits)).collect(),
             used: 0,
@@ -105,13 +108,13 @@ impl<'a> Stages<'a> {
     }
 
     fn pair(&mut self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
-        let mut result = self.narrow.pair(a, b);
+        let mut result = self.narrow.pair(a, b, self.points);
         for (stage, evaluator) in self.wide.iter().enumerate() {
             if result.is_ok() {
                 break;
             }
             self.used = self.used.max(STAGES[stage]);
-            result = evaluator.pair(a, b);
+            result = evaluator.pair(a, b, self.points);
         }
         result
     }
@@ -176,8 +179,9 @@ fn is_family(curves: &Curves, curve: CurveId) -> bool {
     matches!(curves.list[curve].shape, Shape::Family(_))
 }
 
-/// The arrangement, as far as it can be proved.
-pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<Undecided>> {
+/// The arrangement, as far as it can be proved with so many points of each pair of curves. With fewer than [`POINTS`] the
+/// first pair that is left open ends it.
+pub(super) fn arrange(model: Model, curves: &Curves, points: u32) -> Result<Arrangement, Vec<Undecided>> {
     let roots = |_: NotIsolated| vec![Undecided::Roots];
     if !curves.degenerate.is_empty() {
         return Err(vec![Undecided::Degenerate]);
@@ -188,7 +192,7 @@ pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<
     let mut bits = 0;
     let (mut pairs, crossings) = {
         let known = known_meetings(curves, &events);
-        let mut stages = Stages::new(&model, curves, &known);
+        let mut stages = Stages::new(&model, curves, &known, points);
         let mut pairs = Vec::new();
         let mut crossings = Vec::new();
         let mut undecided = Vec::new();
@@ -208,6 +212,9 @@ pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<
                         }
                         pairs.push(proof);
                     }
+                    Err(open) if points < POINTS => {
+                        return Err(vec![Undecided::Pair { curves: [a, b], x: open.x }]);
+                    }
                     Err(open) => undecided.push(Undecided::Pair { curves: [a, b], x: open.x }),
                 }
             }
@@ -223,7 +230,7 @@ pub(super) fn arrange(model: Model, curves: &Curves) -> Result<Arrangement, Vec<
     events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
     let events = Table::from(events);
     let transitions = transitions(&events)?;
-    let mut stages = Stages::new(&model, curves, &[]);
+    let mut stages = Stages::new(&model, curves, &[], points);
     let slabs = slabs(curves, &events, &transitions, &mut stages)?;
     bits = bits.max(stages.used);
     let mut arrangement = Arrangement {

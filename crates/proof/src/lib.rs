@@ -150,11 +150,16 @@ impl CertifiedAtlas {
     /// [`NotProved`] when the order of curves or events is not proved with the largest precision. A region whose topology
     /// alone is not proved is no error: see [`Self::components`].
     pub fn new(body: &Body) -> Result<Self, NotProved> {
+        Self::with_points(body, pair::POINTS)
+    }
+
+    /// The same with no more points of each pair of curves.
+    pub(crate) fn with_points(body: &Body, points: u32) -> Result<Self, NotProved> {
         let frame = body.frame();
         let model = Model::new(body, &frame);
         let curves = Curves::of(&model)
             .map_err(|NotIsolated| NotProved { obstacles: vec![Obstacle::Roots { of: Special::Cusps }] })?;
-        let arrangement = arrange::arrange(model, &curves).map_err(|undecided| NotProved {
+        let arrangement = arrange::arrange(model, &curves, points).map_err(|undecided| NotProved {
             obstacles: undecided.iter().map(|u| obstacle(&frame, &curves, u)).collect(),
         })?;
         let regions = region::regions(&arrangement, &frame);

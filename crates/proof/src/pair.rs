@@ -96,8 +96,9 @@ enum Side<E: Enclosure> {
 
 impl<E: Enclosure> Evaluator<'_, E> {
     /// The order of curves a and b, neither of which is a line or structurally lowest. `None` when they have no common x.
-    pub fn pair(&self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
-        self.allow(POINTS);
+    /// Left open when more than so many `points` of the two would be needed.
+    pub fn pair(&self, a: CurveId, b: CurveId, points: u32) -> Result<Option<PairProof>, Open> {
+        self.allow(points);
         let curves = [a, b];
         let anywhere = Open { x: [0.0, f64::INFINITY] };
         let lower = self.side(curves, 0).ok_or(anywhere)?;
@@ -692,7 +693,8 @@ mod tests {
                 if !family(a) || !family(b) {
                     continue;
                 }
-                if let Some(proof) = evaluator.pair(a, b).unwrap_or_else(|open| panic!("{body:?} {a:?} {b:?} {open:?}"))
+                if let Some(proof) =
+                    evaluator.pair(a, b, POINTS).unwrap_or_else(|open| panic!("{body:?} {a:?} {b:?} {open:?}"))
                 {
                     found.extend(proof.stretches.iter().filter_map(|s| match &s.proof {
                         Proof::Crossing(x) => Some(x.clone().map(|x| x.to_f64().value())),

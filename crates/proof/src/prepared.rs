@@ -6,21 +6,22 @@ use top::atlas::{Atlas, Spot};
 use top::body::{Body, Number};
 use top::classify::{Answer, Classification, ClassifyError};
 
-use crate::accuracy::{Accuracy, Unanswered, atlas_at_once, classify};
+use crate::accuracy::{Accuracy, Unanswered, classify, proved_atlas, quick_atlas};
 
 /// A body and what is known of it.
 #[derive(Debug)]
 pub struct Prepared {
     body: Body,
     accuracy: Accuracy,
-    atlas: OnceLock<Option<Atlas>>,
+    quick: OnceLock<Option<Atlas>>,
+    proved: OnceLock<Option<Atlas>>,
 }
 
 impl Prepared {
     /// Nothing is computed yet.
     #[must_use]
     pub fn new(body: Body, accuracy: Accuracy) -> Self {
-        Self { body, accuracy, atlas: OnceLock::new() }
+        Self { body, accuracy, quick: OnceLock::new(), proved: OnceLock::new() }
     }
 
     /// The body.
@@ -37,7 +38,13 @@ impl Prepared {
 
     /// The atlas, or `None` where none is finished at once: points are then still answered one by one.
     pub fn atlas(&self) -> Option<&Atlas> {
-        self.atlas.get_or_init(|| atlas_at_once(&self.body, self.accuracy)).as_ref()
+        let proved = || self.proved.get_or_init(|| proved_atlas(&self.body, self.accuracy)).as_ref();
+        self.quick().or_else(proved)
+    }
+
+    /// That of `f64`, which answers points.
+    fn quick(&self) -> Option<&Atlas> {
+        self.quick.get_or_init(|| quick_atlas(&self.body, self.accuracy)).as_ref()
     }
 
     /// The type of a point, from the atlas where its error bounds suffice.
@@ -45,7 +52,7 @@ impl Prepared {
     /// # Errors
     /// [`Unanswered`].
     pub fn classify(&self, h: &Number, l: &Number) -> Result<Classification, Unanswered> {
-        match self.atlas().map(|atlas| atlas.classify(h, l)) {
+        match self.quick().map(|atlas| atlas.classify(h, l)) {
             Some(Ok(found)) if self.accuracy == Accuracy::Fast || found.components().is_some() => Ok(found),
             Some(Err(error)) if self.accuracy == Accuracy::Fast => Err(error.into()),
             _ => classify(&self.body, h, l, self.accuracy),

@@ -62,6 +62,20 @@ pub enum Verdict {
     Open,
 }
 
+impl Verdict {
+    /// By what it is stable, as tables say it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Energy => "by energy",
+            Self::Integral => "by an integral",
+            Self::Spectrum => "spectrally only",
+            Self::Unstable => "no",
+            Self::Open => "open",
+        }
+    }
+}
+
 impl Serialize for Verdict {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
@@ -227,4 +241,28 @@ pub struct CriticalDocument {
     /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,
+}
+
+/// Eigenvalues in words: periods of small oscillations, and the times in which small deviations grow by the factor e. `at`
+/// holds the pairs of one equilibrium, or of one and a later one of the same type on its curve; `number` writes a time.
+#[must_use]
+pub fn small_motions(at: &[[[f64; 2]; 2]], number: impl Fn(f64) -> String) -> String {
+    let Some(&[first, second]) = at.first() else { return String::new() };
+    let times =
+        |of: &dyn Fn(&[[f64; 2]; 2]) -> f64| at.iter().map(|pairs| number(of(pairs))).collect::<Vec<_>>().join(" … ");
+    let part = |k: usize, [re, im]: [f64; 2]| {
+        let growth = || format!("growth {}", times(&|pairs| 1.0 / pairs[k][0]));
+        let period = || format!("period {}", times(&|pairs| std::f64::consts::TAU / pairs[k][1]));
+        match (re > 0.0, im > 0.0) {
+            (true, true) => format!("{} with {}", growth(), period()),
+            (true, false) => growth(),
+            (false, true) => period(),
+            (false, false) => "zero".to_owned(),
+        }
+    };
+    if first == second {
+        format!("{}, twice", part(0, first))
+    } else {
+        format!("{}, {}", part(0, first), part(1, second))
+    }
 }

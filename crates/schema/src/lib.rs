@@ -35,7 +35,7 @@ pub use classes::{
     ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument, ClassesDocument, StandingDocument,
 };
 pub use classification::{CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
-pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
+pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict, small_motions};
 pub use find::{FindDocument, NearestDocument, WitnessDocument};
 pub use grid::{GridAxisDocument, GridDocument};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
@@ -52,8 +52,8 @@ pub use section::{
     SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName, VerdictsName,
 };
 pub use spin::{
-    CriticalSpinDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument, SpinDocument,
-    SpinRangeDocument, StateDocument, SteadyDocument, ToleranceDocument,
+    CriticalSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument,
+    SpinDocument, SpinRangeDocument, StateDocument, SteadyDocument, ToleranceDocument,
 };
 
 /// Version of every document in this module.

@@ -54,3 +54,11 @@ pub struct PartDocument {
     /// Some distribution of mass has these mass properties.
     pub physical: bool,
 }
+
+impl PartDocument {
+    /// The unit of every time of the document.
+    #[must_use]
+    pub fn time_unit(&self) -> &str {
+        self.units.rsplit(',').next().unwrap_or_default().trim()
+    }
+}

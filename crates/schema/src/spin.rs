@@ -88,15 +88,35 @@ pub struct CriticalSpinDocument {
 /// Changes of stability when the moments and the weight are known to relative tolerances.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ToleranceDocument {
-    /// The relative tolerances of the moment about the axis, of the two others and of the weight times its distance.
-    pub relative: [String; 4],
-    /// How many parts were tried for `classes`, `between` and `most`: each input less, nominal and more.
+    /// The relative tolerances of the moment about the axis, of the two others and of the weight times its distance; absent
+    /// where each number has its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub relative: Option<[String; 4]>,
+    /// The numbers of the part that are known to within so much; empty with `relative`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub inputs: Vec<MeasuredDocument>,
+    /// Outside the ranges each part has at every spin a steady rotation nearer to the axis than this, in degrees; absent with
+    /// `relative`, where the axis itself is permanent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tilt_deg: Option<f64>,
+    /// How many parts were tried for `classes`, and with `relative` for `between` and `most`.
     pub sampled_parts: usize,
     /// The classes of the diagrams of these parts, the most frequent first.
     pub classes: Vec<SampledClassDocument>,
     /// Ranges of spins outside of which no part within the tolerances changes, by the end that is up, then by rising spin:
     /// bounds by interval arithmetic, not samples. Between two of them all parts are of one type.
     pub ranges: Vec<SpinRangeDocument>,
+}
+
+/// A number of a part that is known to within so much.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct MeasuredDocument {
+    /// Ixx, …, com x, …, mass: as entries of the tensor, and from the fixed point.
+    pub name: String,
+    /// The nominal value, exact.
+    pub value: String,
+    /// The largest deviation, exact.
+    pub within: String,
 }
 
 /// A class of diagrams among sampled parts.
@@ -121,7 +141,8 @@ pub struct SpinRangeDocument {
     pub rpm: [Option<f64>; 2],
     /// Types other than these that some of the sampled parts have inside.
     pub between: Vec<String>,
-    /// The input that moves the change of the nominal part most by itself, from samples; `null` where it has none.
+    /// The input that moves the change most by itself: with `relative` that of the nominal part, from samples, else by bounds;
+    /// `null` where there is none.
     pub most: Option<String>,
     /// How far it moves it, in rpm.
     pub most_rpm: Option<f64>,

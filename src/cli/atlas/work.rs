@@ -3,8 +3,10 @@
 use documents::{DocumentOptions, Subject, attach_part, certified_atlas};
 use plot::CurveSource;
 use proof::{CertifiedAtlas, atlas_of};
-use schema::AtlasDocument;
+use schema::{AtlasDocument, RelativeEquilibriumDocument};
 use top::atlas::Atlas;
+use top::body::Number;
+use top::critical::critical;
 
 use super::error::NoAtlas;
 use super::settings::Settings;
@@ -41,5 +43,10 @@ pub struct Curves<'a>(pub &'a Atlas);
 impl CurveSource for Curves<'_> {
     fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
         self.0.polyline(curve.parse().ok()?, l, tolerance)
+    }
+
+    fn equilibria(&self, l: f64) -> Vec<RelativeEquilibriumDocument> {
+        let found = Number::from_f64(l).ok().and_then(|l| critical(self.0.body(), &l).ok());
+        found.map_or_else(Vec::new, |found| documents::equilibria(&found))
     }
 }

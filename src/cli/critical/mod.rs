@@ -7,13 +7,10 @@ mod report;
 mod settings;
 mod table;
 
-use documents::Subject;
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use schema::CriticalDocument;
-use top::body::Number;
-use top::critical::{CriticalError, critical};
+use top::critical::{CriticalError, RelativeEquilibria, critical};
 
 use super::batch::{Batch, Query, Wanted};
 use super::export::{DataFormat, DataTarget, Exporter, FileSet, answer};
@@ -27,13 +24,13 @@ pub use arguments::{CriticalArguments, EXAMPLES};
 pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     match Settings::new(arguments)? {
         Settings::Momentum { subject, l, json } => {
-            let found = timings.stage("critical", || equilibria(&subject, l));
-            let document = found.map_err(NotFound::from)?;
+            let found = timings.stage("critical", || critical(&subject.body, l));
+            let document = documents::critical(&subject, l, &found.map_err(NotFound::from)?);
             Ok(answer(json, &document, || report::text(&subject, &document))?)
         }
         Settings::Batch { path, strict, subject } => {
             Batch { path, strict, subject: subject.map(Arc::new), wanted: Wanted::Momentum, quiet }
-                .run(|queries| timings.stage("chunk", || queries.par_iter().map(line).collect()))
+                .run(|queries| timings.stage("chunk", || lines(queries)))
         }
         Settings::Momenta { subject, ends, count, target } => {
             let columns =
@@ -52,11 +49,23 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
     }
 }
 
-/// The answer to a line of a batch.
-fn line(query: &Query) -> Result<Vec<u8>, Unanswered> {
-    Ok(serde_json::to_vec(&equilibria(&query.subject, &query.l)?)?)
+/// The answers to lines of a batch; of lines in a row about one body its curves are found once.
+fn lines(queries: &[Query]) -> Vec<Result<Vec<u8>, Unanswered>> {
+    let same = |one: &Query, other: &Query| {
+        Arc::ptr_eq(&one.subject, &other.subject) || one.subject.body == other.subject.body
+    };
+    let of_one_body = |queries: &[Query]| -> Vec<Result<Vec<u8>, Unanswered>> {
+        let prepared = RelativeEquilibria::new(&queries[0].subject.body);
+        let line = |query: &Query| {
+            let found = prepared.as_ref().map_err(CriticalError::clone)?.at(&query.l)?;
+            let mut text = Vec::with_capacity(LINE);
+            serde_json::to_writer(&mut text, &documents::critical(&query.subject, &query.l, &found))?;
+            Ok(text)
+        };
+        queries.par_iter().map(line).collect()
+    };
+    queries.par_chunk_by(same).flat_map(of_one_body).collect()
 }
 
-fn equilibria(subject: &Subject, l: &Number) -> Result<CriticalDocument, CriticalError> {
-    Ok(documents::critical(subject, l, &critical(&subject.body, l)?))
-}
+/// Room for an answer, so that it is not moved while it is written.
+const LINE: usize = 2048;

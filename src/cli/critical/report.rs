@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use schema::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Verdict};
+use schema::{CriticalDocument, Multiplicity, Verdict, small_motions};
 
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, fixed, significant};
-use documents::{Subject, words};
+use documents::Subject;
 
 /// Significant digits of the table.
 const DIGITS: usize = 10;
@@ -32,8 +32,8 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
         motions.row([
             point.branch.clone(),
             point.stability.word().to_owned(),
-            words::verdict(point.stable).to_owned(),
-            motion(point),
+            point.stable.word().to_owned(),
+            small_motions(&[point.eigenvalues], |time| significant(time, 6)),
         ]);
     }
     let mut report = Report::default();
@@ -44,7 +44,10 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     report.line("");
     report.line(motions.text());
     report.line("");
-    report.line("period: of a small oscillation; growth: the time in which a small deviation grows by the factor e");
+    let unit = document.part.as_ref().map_or_else(String::new, |part| format!(", in {}", part.time_unit()));
+    report.line(format!(
+        "period: of a small oscillation; growth: the time in which a small deviation grows by the factor e{unit}"
+    ));
     if document.critical.iter().any(|point| point.stable == Verdict::Spectrum) {
         report.line("spectrally stable is not stable: all eigenvalues are imaginary, and nothing more is known");
     }
@@ -66,20 +69,4 @@ pub fn written(rows: usize, files: &[PathBuf]) -> String {
         report.line(format!("written: {}", path.display()));
     }
     report.text()
-}
-
-/// The eigenvalues as periods and growth times.
-fn motion(point: &RelativeEquilibriumDocument) -> String {
-    let [first, second] = point.eigenvalues;
-    let part = |[re, im]: [f64; 2]| {
-        let growth = format!("growth {}", significant(1.0 / re, 6));
-        let period = format!("period {}", significant(std::f64::consts::TAU / im, 6));
-        match (re > 0.0, im > 0.0) {
-            (true, true) => format!("{growth} with {period}"),
-            (true, false) => growth,
-            (false, true) => period,
-            (false, false) => "zero".to_owned(),
-        }
-    };
-    if first == second { format!("{}, twice", part(first)) } else { format!("{}, {}", part(first), part(second)) }
 }

@@ -1,5 +1,6 @@
 //! U on the Poisson sphere.
 
+use documents::Subject;
 use top::body::{Body, Number};
 
 use super::figure::Figure;
@@ -46,11 +47,12 @@ const SPHERES: [Sphere; 3] = [
 pub fn figures() -> impl Iterator<Item = Figure> {
     SPHERES.iter().filter_map(|sphere| {
         let body = Body::parse(&sphere.moments, &sphere.center).ok()?;
+        let subject = Subject::from(body);
         let [h, l] = [sphere.h, sphere.l].map(|text| text.parse::<Number>().ok());
         let site = Site { region: None, h: h?, l: l? };
         Some(Figure {
             stem: sphere.stem,
-            draw: Box::new(move |_, theme| Ok(draw(&body, &site, sphere.view.as_ref(), theme)?.0)),
+            draw: Box::new(move |_, theme| Ok(draw(&subject, &site, sphere.view.as_ref(), theme)?.0)),
         })
     })
 }

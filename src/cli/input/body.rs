@@ -2,11 +2,11 @@
 
 use clap::Args;
 use documents::Subject;
-use part::Units;
+use part::{MeasuredPart, Part, Units};
 use thiserror::Error;
 use top::body::{Body, BodyError, Number, Preset};
 
-use super::part::{PartArguments, PartInput, shown};
+use super::part::{GivenPart, PartArguments, PartInput, shown};
 use super::values::{self, Triple};
 use crate::cli::failure::{CommandError, Exit};
 use crate::cli::terminal::Report;
@@ -63,6 +63,18 @@ impl BodyArguments {
 
     /// The body of the options, or `None` if none of them was given.
     pub fn optional_subject(&self) -> Result<Option<Subject>, BodyInput> {
+        self.given_body(PartArguments::part).map(|given| given.map(|(subject, _)| subject))
+    }
+
+    /// The body of the options, and how its part was measured where its numbers are not exact.
+    pub fn measured_subject(&self) -> Result<(Subject, Option<(Part, MeasuredPart)>), BodyInput> {
+        self.given_body(PartArguments::measured_part)?.ok_or(BodyInput::NoBody)
+    }
+
+    fn given_body(
+        &self,
+        read: impl Fn(&PartArguments) -> Result<Option<GivenPart>, PartInput>,
+    ) -> Result<Option<(Subject, Option<(Part, MeasuredPart)>)>, BodyInput> {
         /// Which of the three ways an option belongs to.
         fn way(option: &str) -> usize {
             match option {
@@ -76,18 +88,23 @@ impl BodyArguments {
         {
             return Err(BodyInput::TwoBodies { first, second });
         }
+        let mut measured = None;
         let subject = match (&self.moments, &self.center, self.body) {
             (Some(_), None, _) => return Err(BodyInput::NoCenter),
             (None, Some(_), _) => return Err(BodyInput::NoMoments),
             (Some(moments), Some(center), _) => Body::new(moments.0.clone(), center.0.clone())?.into(),
             (None, None, Some(preset)) => preset.body().into(),
-            (None, None, None) => match self.part.part()? {
-                Some(part) => Subject { part: Some(part.document()), body: part.principal.body },
+            (None, None, None) => match read(&self.part)? {
+                Some(given) => {
+                    let document = given.document();
+                    measured = given.measured.map(|measured| (given.part, measured));
+                    Subject { part: Some(document), body: given.principal.body }
+                }
                 None => return Ok(None),
             },
         };
         warn(&subject);
-        Ok(Some(subject))
+        Ok(Some((subject, measured)))
     }
 
     /// The options that are given, by name.

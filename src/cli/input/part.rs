@@ -6,12 +6,12 @@ use clap::{Args, ValueEnum};
 use numbers::symmetric::PrincipalAxes;
 use numbers::{Number, decimal};
 use part::file::{self, FileError, FileOptions};
-use part::{Existence, MassError, MassProperties, Part, Products, Units, tensor_of};
+use part::{Existence, MassError, MassProperties, Measured, MeasuredPart, Part, Products, Units, tensor_of};
 use schema::PartDocument;
 use thiserror::Error;
 use top::body::{PrincipalForm, TensorError};
 
-use super::values::{self, Entries, Triple};
+use super::values::{self, Entries, MeasuredPoint, Triple};
 use crate::cli::terminal::significant;
 
 /// Standard gravity in m/s², exact.
@@ -39,7 +39,8 @@ impl From<ProductsArgument> for Products {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "A real part")]
 pub struct PartArguments {
-    /// Tensor of inertia about the fixed point (with --com and --mass)
+    /// Tensor of inertia about the fixed point (with --com and --mass); for critical-spin each number of these may be 2±0.02,
+    /// 2+-0.02 or 2±1%
     #[arg(long, value_name = "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", allow_hyphen_values = true, value_parser = values::tensor)]
     pub inertia: Option<Entries>,
     /// Tensor of inertia about the centre of mass (with --com and --mass)
@@ -58,11 +59,11 @@ pub struct PartArguments {
     #[arg(long, value_name = "tensor|integral", value_enum)]
     pub products: Option<ProductsArgument>,
     /// Centre of mass; from the fixed point, or with --pivot in the same axes as that
-    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::center_of_mass)]
-    pub com: Option<Triple>,
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::measured_point)]
+    pub com: Option<MeasuredPoint>,
     /// Mass
-    #[arg(long, value_name = "m", allow_hyphen_values = true, value_parser = values::mass)]
-    pub mass: Option<Number>,
+    #[arg(long, value_name = "m", allow_hyphen_values = true, value_parser = values::measured_mass)]
+    pub mass: Option<Measured>,
     /// Units of mass, length and time, of the part and of all results (default: kg,m,s)
     #[arg(long, value_name = "kg,mm,s", value_parser = values::units)]
     pub units: Option<Units>,
@@ -102,6 +103,15 @@ pub enum PartInput {
     Mass(#[from] MassError),
     #[error("{option}: this part cannot exist: about its centre of mass {inequality} ({unit}). {hint}")]
     Impossible { option: &'static str, inequality: String, unit: String, hint: String },
+    #[error(
+        "±: only `bifdiag critical-spin` answers for numbers that are known to within so much; leave out ± and what follows it"
+    )]
+    Measured,
+    #[error(
+        "--mass with ± and --part: tensor and weight of a file grow with its mass, so that no spin depends on it; leave out ± and \
+         what follows it"
+    )]
+    MeasuredFile,
     #[error("{option}: {source}")]
     Tensor { option: &'static str, source: TensorError },
 }
@@ -112,9 +122,16 @@ pub struct GivenPart {
     pub option: &'static str,
     pub part: Part,
     pub principal: PrincipalForm,
+    /// Its numbers, where some are known to within so much only.
+    pub measured: Option<MeasuredPart>,
 }
 
 impl GivenPart {
+    /// This part, unless it is known to within so much only.
+    fn exact(self) -> Result<Self, PartInput> {
+        if self.measured.is_some() { Err(PartInput::Measured) } else { Ok(self) }
+    }
+
     /// The block of the documents.
     pub fn document(&self) -> PartDocument {
         documents::part(&self.part, &self.principal)
@@ -144,7 +161,12 @@ impl PartArguments {
     /// The part of the options, or `None` if none of them was given. One that cannot exist is refused without
     /// `--unphysical`.
     pub fn part(&self) -> Result<Option<GivenPart>, PartInput> {
-        let Some(given) = self.shown()? else { return Ok(None) };
+        self.measured_part()?.map(GivenPart::exact).transpose()
+    }
+
+    /// The part of the options, also when its numbers are not exact.
+    pub fn measured_part(&self) -> Result<Option<GivenPart>, PartInput> {
+        let Some(given) = self.read()? else { return Ok(None) };
         let GivenPart { option, part, .. } = &given;
         if let (Existence::Impossible(inequality), false) = (part.properties.existence(), self.unphysical) {
             let (inequality, unit) = (inequality.to_string(), part.units.moment());
@@ -155,6 +177,10 @@ impl PartArguments {
 
     /// The part of the options, also when it cannot exist.
     pub fn shown(&self) -> Result<Option<GivenPart>, PartInput> {
+        self.read()?.map(GivenPart::exact).transpose()
+    }
+
+    fn read(&self) -> Result<Option<GivenPart>, PartInput> {
         let Some(given) = self.given().next() else { return Ok(None) };
         let (option, properties) = self.properties(given)?;
         if self.gravity.is_none() {
@@ -165,7 +191,32 @@ impl PartArguments {
         let units = self.units.clone().unwrap_or_default();
         let part = Part { properties, gravity: gravity.value().clone(), units };
         let principal = documents::principal(&part).map_err(|source| PartInput::Tensor { option, source })?;
-        Ok(Some(GivenPart { option, part, principal }))
+        Ok(Some(GivenPart { option, part, principal, measured: self.measured()? }))
+    }
+
+    /// The numbers as they were measured, from the fixed point; `None` where all are exact.
+    fn measured(&self) -> Result<Option<MeasuredPart>, PartInput> {
+        let exact = |measured: &Measured| measured.within.is_zero();
+        if self.file.is_some() {
+            return if self.mass.as_ref().is_none_or(exact) { Ok(None) } else { Err(PartInput::MeasuredFile) };
+        }
+        let list = self.inertia.as_ref().or(self.inertia_com.as_ref());
+        let (Some(list), Some(com), Some(mass)) = (list, &self.com, &self.mass) else { return Ok(None) };
+        let mut inputs = list.0.iter().chain(&com.0).chain([mass]).cloned();
+        let mut part = MeasuredPart {
+            about_com: self.inertia_com.is_some(),
+            inputs: std::array::from_fn(|_| inputs.next().unwrap_or_else(|| unreachable!("six, three and one"))),
+        };
+        if self.products == Some(ProductsArgument::Integral) {
+            for product in &mut part.inputs[3..6] {
+                product.value = -product.value.clone();
+            }
+        }
+        for (coordinate, pivot) in part.inputs[6..9].iter_mut().zip(self.pivot.iter().flat_map(Triple::values)) {
+            coordinate.value -= pivot;
+        }
+        let is_exact = part.uncertain().next().is_none();
+        Ok((!is_exact).then_some(part))
     }
 
     /// The mass properties seen from the fixed point, and the option that gave them.
@@ -188,7 +239,7 @@ impl PartArguments {
         };
         let com = self.com.as_ref().ok_or(missing("--com", "--com 0,0.02,0.15"))?;
         let mass = self.mass.as_ref().ok_or(missing("--mass", "--mass 2.5"))?;
-        let (mass, com) = (mass.value().clone(), com.values());
+        let (mass, com) = (mass.value.clone(), com.0.each_ref().map(|coordinate| coordinate.value.clone()));
         if self.inertia.is_some() {
             if self.pivot.is_some() {
                 return Err(PartInput::PivotOfPivot);
@@ -214,8 +265,9 @@ impl PartArguments {
         if let Some((option, _)) = useless.into_iter().find(|(_, given)| *given) {
             return Err(PartInput::Useless { option, with: "with --part: the file says it" });
         }
-        let wanted =
-            FileOptions { link: self.link.as_deref(), density: self.density.as_ref(), mass: self.mass.as_ref() };
+        let mass = self.mass.as_ref().map(|mass| decimal::short(&mass.value).parse::<Number>());
+        let mass = mass.transpose().unwrap_or_else(|_| unreachable!("the mass was a number"));
+        let wanted = FileOptions { link: self.link.as_deref(), density: self.density.as_ref(), mass: mass.as_ref() };
         let read = file::read(path, &wanted).map_err(|source| {
             let (path, source) = (path.to_owned(), Box::new(source));
             match *source {
@@ -235,7 +287,7 @@ impl PartArguments {
         list: &Entries,
         read: impl Fn(Products) -> Result<MassProperties, PartInput>,
     ) -> Result<MassProperties, PartInput> {
-        let matters = list.0[3..].iter().any(|product| product.to_f64() != 0.0);
+        let matters = list.0[3..].iter().any(|product| !product.value.is_zero());
         if let (true, None) = (matters, self.products) {
             let [tensor, integral] = [read(Products::Tensor)?, read(Products::Integral)?];
             let hint = match [&tensor, &integral].map(|reading| reading.existence().is_possible()) {
@@ -298,5 +350,5 @@ pub fn shown(text: &str) -> String {
         return text.to_owned();
     }
     let value: Option<Number> = text.parse().ok();
-    value.map_or_else(|| text.to_owned(), |value| format!("{}…", decimal::rounded(value.value(), 17, false)))
+    value.map_or_else(|| text.to_owned(), |value| format!("{}…", significant(value.to_f64(), 14)))
 }

@@ -5,7 +5,7 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use dashu_ratio::RBig;
 use documents::GridAxis;
-use part::{Units, UnitsError};
+use part::{Measured, Units, UnitsError};
 use schema::WindowDocument;
 use thiserror::Error;
 use top::body::{Body, BodyError, Number, ParseNumberError, Preset};
@@ -26,14 +26,18 @@ impl Triple {
 
 /// I_xx, I_yy, I_zz, I_xy, I_xz, I_yz, in either convention of the products.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Entries(pub [Number; 6]);
+pub struct Entries(pub [Measured; 6]);
 
 impl Entries {
-    /// The exact values.
+    /// The nominal values.
     pub fn values(&self) -> [RBig; 6] {
-        self.0.each_ref().map(|x| x.value().clone())
+        self.0.each_ref().map(|x| x.value.clone())
     }
 }
+
+/// A point whose coordinates may be known to within so much.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasuredPoint(pub [Measured; 3]);
 
 /// Three numbers of which only the nearest doubles are needed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,13 +55,15 @@ pub enum ValueError {
     #[error("{count} numbers given; write six: Ixx,Iyy,Izz,Ixy,Ixz,Iyz")]
     TensorCount { count: usize },
     #[error("{name}: {source}")]
-    Entry { name: &'static str, source: ParseNumberError },
+    Entry { name: &'static str, source: Box<ValueError> },
     #[error("{0}")]
     Number(#[from] ParseNumberError),
     #[error("{0}")]
     Units(#[from] UnitsError),
     #[error("a mass must be greater than zero; give it in the unit of --units, such as kg")]
     Mass,
+    #[error("what stands behind ± must not be negative; write 2±0.02, 2+-0.02 or 2±1%")]
+    Within,
     #[error("the acceleration of gravity must not be negative; give its magnitude in m/s², such as 9.80665")]
     Gravity,
     #[error("a grid is written hmin:hmax:n,lmin:lmax:m, such as -1:6:200,0:4:200")]
@@ -117,25 +123,64 @@ pub fn center_of_mass(text: &str) -> Result<Triple, ValueError> {
     Ok(Triple(numbers))
 }
 
+pub fn measured_point(text: &str) -> Result<MeasuredPoint, ValueError> {
+    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::CenterOfMassCount { count })?;
+    Ok(MeasuredPoint(numbers))
+}
+
 pub fn tensor(text: &str) -> Result<Entries, ValueError> {
     const NAMES: [&str; 6] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
     Ok(Entries(entries(text, &NAMES, |count| ValueError::TensorCount { count })?))
 }
 
-fn entries<const N: usize>(
+/// 1.2, or 1.2±0.01, 1.2+-0.01, 1.2±1%.
+fn measured(text: &str) -> Result<Measured, ValueError> {
+    let split = ["±", "+/-", "+-"].iter().find_map(|sign| text.split_once(sign));
+    let (value, within) = split.map_or((text, None), |(value, within)| (value, Some(within.trim())));
+    let value = number(value.trim())?.value().clone();
+    let Some(within) = within else { return Ok(Measured { value, within: RBig::ZERO }) };
+    let within = match within.strip_suffix('%') {
+        Some(percent) => {
+            let size = if value < RBig::ZERO { -value.clone() } else { value.clone() };
+            number(percent)?.value() * size / RBig::from(100)
+        }
+        None => number(within)?.value().clone(),
+    };
+    if within < RBig::ZERO { Err(ValueError::Within) } else { Ok(Measured { value, within }) }
+}
+
+impl FromEntry for Measured {
+    fn from_entry(text: &str) -> Result<Self, ValueError> {
+        measured(text)
+    }
+}
+
+impl FromEntry for Number {
+    fn from_entry(text: &str) -> Result<Self, ValueError> {
+        number(text)
+    }
+}
+
+/// What an entry of a list is read as.
+trait FromEntry: Sized {
+    fn from_entry(text: &str) -> Result<Self, ValueError>;
+}
+
+fn entries<T: FromEntry, const N: usize>(
     text: &str,
     names: &[&'static str; N],
     wrong_count: impl Fn(usize) -> ValueError,
-) -> Result<[Number; N], ValueError> {
+) -> Result<[T; N], ValueError> {
     let parts = parts(text);
     if parts.len() != N {
         return Err(wrong_count(parts.len()));
     }
     let mut numbers = Vec::with_capacity(N);
     for (&name, part) in names.iter().zip(parts) {
-        numbers.push(part.parse().map_err(|source| ValueError::Entry { name, source })?);
+        let wrong = |source| ValueError::Entry { name, source: Box::new(source) };
+        numbers.push(T::from_entry(part).map_err(wrong)?);
     }
-    numbers.try_into().map_err(|numbers: Vec<Number>| wrong_count(numbers.len()))
+    numbers.try_into().map_err(|numbers: Vec<T>| wrong_count(numbers.len()))
 }
 
 pub fn units(text: &str) -> Result<Units, ValueError> {
@@ -145,6 +190,11 @@ pub fn units(text: &str) -> Result<Units, ValueError> {
 pub fn mass(text: &str) -> Result<Number, ValueError> {
     let mass = number(text)?;
     if mass.to_f64() > 0.0 { Ok(mass) } else { Err(ValueError::Mass) }
+}
+
+pub fn measured_mass(text: &str) -> Result<Measured, ValueError> {
+    let mass = measured(text)?;
+    if mass.value > mass.within { Ok(mass) } else { Err(ValueError::Mass) }
 }
 
 pub fn gravity(text: &str) -> Result<Number, ValueError> {
@@ -215,7 +265,7 @@ pub fn duration(text: &str) -> Result<f64, ValueError> {
 }
 
 pub fn vector(text: &str) -> Result<Vector, ValueError> {
-    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::VectorCount { count })?;
+    let numbers: [Number; 3] = entries(text, &["x", "y", "z"], |count| ValueError::VectorCount { count })?;
     Ok(Vector(numbers.map(|number| number.to_f64())))
 }
 

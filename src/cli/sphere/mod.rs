@@ -5,10 +5,9 @@ mod error;
 mod scene;
 mod site;
 
-use documents::component;
+use documents::{Subject, component};
 use plot::{Picture, Theme};
 use proof::{Accuracy, classify};
-use top::body::Body;
 use top::classify::Answer;
 
 use super::export::{ExportError, FileSet, RESOLUTION, directory};
@@ -26,7 +25,7 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
     let directory = directory(arguments.out.as_deref(), true)?.unwrap_or_default();
     let site = Site::new(arguments, &subject)?;
     let (picture, caption) =
-        timings.stage("picture", || draw(&subject.body, &site, arguments.view.as_ref(), arguments.picture.theme()))?;
+        timings.stage("picture", || draw(&subject, &site, arguments.view.as_ref(), arguments.picture.theme()))?;
     let mut files = FileSet::new(&directory);
     files.pictures("sphere", &picture, &arguments.picture.format, RESOLUTION, timings)?;
     let written = timings.stage("files", || files.write())?;
@@ -40,8 +39,8 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
 }
 
 /// The picture, and what it says of the point.
-pub fn draw(body: &Body, site: &Site, view: Option<&Vector>, theme: Theme) -> Result<(Picture, String), Failure> {
-    let found = classify(body, &site.h, &site.l, Accuracy::Exact).map_err(SphereError::from)?;
+pub fn draw(subject: &Subject, site: &Site, view: Option<&Vector>, theme: Theme) -> Result<(Picture, String), Failure> {
+    let found = classify(&subject.body, &site.h, &site.l, Accuracy::Exact).map_err(SphereError::from)?;
     let components = match &found.answer {
         Answer::Regular(components) => components.iter().map(component).collect(),
         Answer::Forbidden => return Err(SphereError::Empty { h: site.h.text().to_owned() }.into()),
@@ -49,7 +48,7 @@ pub fn draw(body: &Body, site: &Site, view: Option<&Vector>, theme: Theme) -> Re
         Answer::Critical(_) | Answer::Undecided(_) => Vec::new(),
     };
     let caption = caption(site, &found.answer);
-    let picture = scene::draw(body, site, &components, &caption, view, theme)?;
+    let picture = scene::draw(subject, site, &components, &caption, view, theme)?;
     Ok((picture.map_err(ExportError::from)?, caption))
 }
 

@@ -1,11 +1,12 @@
 //! What the picture needs of a body at one point.
 
+use documents::Subject;
 use dynamics::field::dot;
-use plot::{Picture, PlotError, SphereEquilibrium, SphereScene, Theme, draw_sphere};
+use plot::{Picture, PlotError, SphereScene, Theme, draw_sphere};
 use schema::ComponentDocument;
 use top::accessible::{AccessibleRegion, component_of};
 use top::body::Body;
-use top::critical::{Multiplicity, critical};
+use top::critical::critical;
 
 use super::error::SphereError;
 use super::site::Site;
@@ -14,13 +15,14 @@ use crate::cli::terminal::significant;
 
 /// Draws U; without components (on a curve) all of it in one tint.
 pub fn draw(
-    body: &Body,
+    subject: &Subject,
     site: &Site,
     components: &[ComponentDocument],
     caption: &str,
     view: Option<&Vector>,
     theme: Theme,
 ) -> Result<Result<Picture, PlotError>, SphereError> {
+    let body = &subject.body;
     let (h, l) = (site.h.to_f64(), site.l.to_f64());
     let (moments, center) = (body.moments_f64(), body.center_f64());
     let potential_above = |gamma: [f64; 3]| {
@@ -29,16 +31,7 @@ pub fn draw(
     };
     let r = dot(center, center).sqrt();
     let r_hat = (r > 0.0).then(|| center.map(|c| c / r));
-    let axis = r_hat.unwrap_or_else(|| symmetry_axis(moments));
     let found = critical(body, &site.l)?;
-    let equilibria: Vec<SphereEquilibrium> = found
-        .list
-        .iter()
-        .map(|point| {
-            let circle_about = (point.multiplicity == Multiplicity::Circle).then_some(axis);
-            SphereEquilibrium { gamma: point.gamma, index: point.index, circle_about }
-        })
-        .collect();
     let region = AccessibleRegion::new(body, h, l)?;
     let partition = if components.len() > 1 { region.partition()? } else { None };
     let component_of = |gamma| match &partition {
@@ -53,7 +46,9 @@ pub fn draw(
             r_hat,
             components,
             component_of: &component_of,
-            equilibria: &equilibria,
+            equilibria: &documents::equilibria(&found),
+            axis: r_hat.unwrap_or_else(|| symmetry_axis(moments)),
+            time_unit: subject.part.as_ref().map_or("", |part| part.time_unit()),
             view: view.map(|Vector(direction)| *direction),
         },
         theme,

@@ -1,12 +1,15 @@
 //! `bifdiag critical-spin`.
 
-use documents::Subject;
+use documents::{CommandLine, Subject};
+use part::{MeasuredPart, Part};
 use schema::{CriticalSpinDocument, SCHEMA_VERSION};
 use top::atlas::Atlas;
+use top::body::BodyAxis;
 use top::permanent::{AxisRotation, SpinType};
 
 use super::arguments::CriticalSpinArguments;
-use super::direction::second;
+use super::direction::{from_principal, second};
+use super::error::StateInput;
 use super::rotation::{Axis, rotation};
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
@@ -15,13 +18,28 @@ use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, Timings, significant};
 
 pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), Failure> {
-    let subject = arguments.body.subject()?;
-    let document = timings.stage("spins", || document(&subject, arguments.axis.0, arguments.tolerance.as_ref()));
+    let (subject, measured) = arguments.body.measured_subject()?;
+    if measured.is_some() && arguments.tolerance.is_some() {
+        return Err(StateInput::TwoTolerances.into());
+    }
+    let known = match (&arguments.tolerance, &measured) {
+        (Some(tolerance), _) => Known::Relative(tolerance),
+        (None, Some((part, measured))) => Known::Measured(part, measured),
+        (None, None) => Known::Exactly,
+    };
+    let document = timings.stage("spins", || document(&subject, arguments.axis.0, &known));
     Ok(answer(arguments.json, &document, || text(&subject, &document))?)
 }
 
+/// How well the numbers of the body are known.
+enum Known<'a> {
+    Exactly,
+    Relative(&'a ToleranceArgument),
+    Measured(&'a Part, &'a MeasuredPart),
+}
+
 /// The spins at which rotation about an axis changes.
-fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&ToleranceArgument>) -> CriticalSpinDocument {
+fn document(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CriticalSpinDocument {
     let found = Axis::of(subject, axis);
     let (permanent, nearest) = match found {
         Axis::Permanent { nearest, .. } => (true, nearest),
@@ -30,11 +48,7 @@ fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&ToleranceArgum
     let mut document = CriticalSpinDocument {
         schema_version: SCHEMA_VERSION.to_owned(),
         version: documents::version(),
-        command: subject
-            .command("critical-spin")
-            .option("axis", axis.map(|x| format!("{x:?}")).join(","))
-            .option_if("tolerance", tolerance.map(ToleranceArgument::text))
-            .json(),
+        command: command(subject, axis, known).json(),
         moments: documents::texts(subject.body.moments()),
         center: documents::texts(subject.body.center()),
         axis,
@@ -46,7 +60,13 @@ fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&ToleranceArgum
         note: None,
         part: subject.part.clone(),
     };
-    let Axis::Permanent { axis, sign, .. } = found else { return document };
+    let Axis::Permanent { axis, sign, .. } = found else {
+        if !matches!(known, Known::Exactly) {
+            document.note =
+                Some("tolerances are told for an axis that is permanent for the nominal numbers".to_owned());
+        }
+        return document;
+    };
     let atlas = Atlas::new(&subject.body);
     if atlas.is_err() {
         document.note =
@@ -61,9 +81,31 @@ fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&ToleranceArgum
         slow.push(at_slow_spins(&rotation).name().to_owned());
         rotations.push((up, rotation));
     }
-    document.tolerance = tolerance.map(|tolerance| documents::tolerance(&rotations, &tolerance.0, second));
+    document.tolerance = match known {
+        Known::Exactly => None,
+        Known::Relative(tolerance) => Some(documents::tolerance(&rotations, &tolerance.0, second)),
+        Known::Measured(part, measured) => {
+            let unit = BodyAxis::ALL.map(|k| if k == axis { f64::from(sign) } else { 0.0 });
+            let up = from_principal(subject.part.as_ref(), unit);
+            let ends = [("+axis", up), ("-axis", up.map(|x| -x))];
+            Some(documents::measured_tolerance(part, measured, ends, second))
+        }
+    };
     document.slow = slow.try_into().ok();
     document
+}
+
+fn command(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CommandLine {
+    let axis = axis.map(|x| format!("{x:?}")).join(",");
+    match known {
+        Known::Measured(part, measured) => {
+            documents::measured_command("critical-spin", part, measured).option("axis", axis)
+        }
+        Known::Relative(tolerance) => {
+            subject.command("critical-spin").option("axis", axis).option("tolerance", tolerance.text())
+        }
+        Known::Exactly => subject.command("critical-spin").option("axis", axis),
+    }
 }
 
 /// The type at the slowest spins.
@@ -91,6 +133,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     }
     if !document.permanent {
         report.line("rotation about this axis is not permanent: the body would leave it at any spin");
+        note(&mut report, document);
         return report.text();
     }
     if let Some([plus, minus]) = &document.slow {
@@ -116,8 +159,12 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     }
     report.line(table.text());
     tolerance::report(&mut report, document);
+    note(&mut report, document);
+    report.text()
+}
+
+fn note(report: &mut Report, document: &CriticalSpinDocument) {
     if let Some(note) = &document.note {
         report.line(format!("note: {note}"));
     }
-    report.text()
 }

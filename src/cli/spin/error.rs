@@ -18,6 +18,8 @@ pub enum StateInput {
         "--axis: rotation about it is not permanent, so that it has no frequencies of its own; the nearest permanent axis is {axis}, {angle}° away"
     )]
     NotPermanent { axis: String, angle: String },
+    #[error("--tolerance and ± in the numbers of the part both say how well it is known; leave out one of them")]
+    TwoTolerances,
 }
 
 impl CommandError for StateInput {

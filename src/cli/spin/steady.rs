@@ -1,6 +1,6 @@
 //! Steady rotations: about a principal axis at every spin, about others at the spin that is asked about.
 
-use documents::{Subject, words};
+use documents::Subject;
 use part::Spin;
 use schema::{SpinChangeDocument, SteadyDocument, Verdict};
 use top::atlas::{Atlas, Place};
@@ -89,7 +89,7 @@ pub fn told(report: &mut Report, steady: &SteadyDocument) {
         Verdict::Unstable => "unstable".to_owned(),
         Verdict::Spectrum => "spectrally stable, of which nothing more is known".to_owned(),
         Verdict::Open => "its stability is not decided by the linear terms".to_owned(),
-        Verdict::Energy | Verdict::Integral => format!("stable {}", words::verdict(steady.verdict)),
+        Verdict::Energy | Verdict::Integral => format!("stable {}", steady.verdict.word()),
     };
     report.line(format!("steady rotation, {how}: {}", steady.stability));
     let frequencies = steady.frequencies_hz.map(|frequency| significant(frequency, 6)).join(" Hz, ");

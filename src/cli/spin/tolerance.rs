@@ -74,7 +74,10 @@ fn relative(text: &str) -> Result<Number, ValueError> {
 pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     let Some(tolerance) = &document.tolerance else { return };
     report.line("");
-    let [axis, first, second, weight] = &tolerance.relative;
+    let Some(relative) = &tolerance.relative else {
+        return measured(report, tolerance);
+    };
+    let [axis, first, second, weight] = relative;
     report.line(if [first, second, weight].iter().all(|other| *other == axis) {
         format!("every part whose moments and weight differ by a factor of 1 ± {axis} at most (bounds, not samples):")
     } else {
@@ -112,6 +115,38 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
         "what is found inside a range, and which input alone moves it most, are from {} sampled parts",
         tolerance.sampled_parts
     ));
+}
+
+/// The same where each number has its own ±.
+fn measured(report: &mut Report, tolerance: &ToleranceDocument) {
+    let inputs: Vec<String> =
+        tolerance.inputs.iter().map(|input| format!("{} {} ± {}", input.name, input.value, input.within)).collect();
+    report.line(format!("every part with {} (bounds, not samples):", inputs.join(", ")));
+    let tilt = tolerance.tilt_deg.map_or_else(String::new, |tilt| significant(tilt, 2));
+    report.line(format!("at each spin outside these ranges it has a steady rotation within {tilt}° of the axis"));
+    let mut table = Table::new(&["up", "rpm", "below", "above", "matters most", "moves it by"]);
+    for range in &tolerance.ranges {
+        let word = |found: &Option<String>| found.clone().unwrap_or_else(|| "-".to_owned());
+        table.row([
+            range.up.clone(),
+            format!("{} .. {}", low(range.rpm[0]), high(range.rpm[1])),
+            word(&range.from),
+            word(&range.to),
+            word(&range.most),
+            range.most_rpm.map_or_else(|| "-".to_owned(), |rpm| format!("{} rpm", significant(rpm, 3))),
+        ]);
+    }
+    if tolerance.ranges.is_empty() {
+        report.line("none changes at any spin");
+    } else {
+        report.line(table.text());
+    }
+    for up in ["+axis", "-axis"] {
+        if let Some(line) = certainly(up, &tolerance.ranges) {
+            report.line(line);
+        }
+    }
+    report.line(classes(tolerance));
 }
 
 /// The classes of the diagrams of the sampled parts, in words.

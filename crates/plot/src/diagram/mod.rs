@@ -12,6 +12,7 @@ mod labels;
 mod layout;
 mod legend;
 mod markers;
+mod motions;
 mod notes;
 mod outline;
 mod paint;
@@ -29,7 +30,7 @@ mod window;
 pub(crate) use palette::tint;
 pub use scene::{CurveSource, MarkedPoints};
 
-use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, Theme, render};
+use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, Theme, pattern, render};
 use insets::{Magnifications, magnifications};
 use layout::{BELOW, INSET, LEFT, MAIN, RIGHT, TOP, below_all, frames, inset_place, legend_place, page_width};
 use legend::{legend, paint_symbol};
@@ -92,17 +93,25 @@ pub fn draw(
         (legend_at, _, legend) = place(below_all(insets));
     }
     let axes = panels.iter().map(|panel| panel.view.rect.bottom() + BELOW + 6.0);
-    let below = axes.fold(legend_at[1] + legend.height(), f64::max);
+    let motions_at = [LEFT, axes.fold(legend_at[1] + legend.height(), f64::max) + 6.0];
+    let motions = motions::table(&scene, &strokes, &panels);
+    let below = motions_at[1] + motions.height();
     let notes = notes(atlas, &magnified, width - LEFT - RIGHT);
+    let page = width.max(LEFT + motions.width() + RIGHT).ceil();
     let height = below + notes.len() as f64 * NOTE_SIZE * 1.4 + 14.0;
     let heading = heading(atlas, width - LEFT - RIGHT, TITLE_SIZE);
     let title = heading.title.clone();
     let diagram = Diagram { scene, strokes, panels, frames, texts, units: units(atlas) };
-    render([width, height.ceil()], heading, options.theme, |canvas| {
+    render([page, height.ceil()], heading, options.theme, |canvas| {
         canvas.text(&title, [LEFT, 24.0], TITLE_SIZE, INK, Anchor::Start);
         canvas.text(remark(atlas), [LEFT + MAIN[0], TOP - 12.0], NOTE_SIZE, FAINT_INK, Anchor::End);
         diagram.paint(canvas);
         canvas.group("legend", "", || legend.draw(canvas, legend_at, |symbol, at| paint_symbol(canvas, symbol, at)));
+        canvas.group("motions", "", || {
+            motions.draw(canvas, motions_at, |line, [x, y]| {
+                pattern::draw(canvas, &[[x, y], [x + motions::SAMPLE, y]], line, stroke::WIDTH);
+            });
+        });
         for (row, note) in notes.iter().enumerate() {
             let base = below + (row as f64 + 1.0) * NOTE_SIZE * 1.4;
             canvas.text(note, [LEFT, base], NOTE_SIZE, FAINT_INK, Anchor::Start);

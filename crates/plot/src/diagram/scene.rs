@@ -4,13 +4,18 @@ use std::collections::BTreeMap;
 
 use super::ranges::l_range;
 use crate::page::PlotError;
-use schema::{AtlasDocument, RegionDocument};
+use schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument};
 
 /// Where polylines denser than those of the document come from.
 pub trait CurveSource {
     /// Points [h, l] of the curve by rising l that cover the common part of its range and `l`, such that the straight
     /// line between neighbours is off by at most `tolerance` in h. `None`: the document's polyline is used.
     fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>>;
+
+    /// The relative equilibria at l, for the table of small motions; none where it is not wanted.
+    fn equilibria(&self, _l: f64) -> Vec<RelativeEquilibriumDocument> {
+        Vec::new()
+    }
 }
 
 /// A piece of a region between two curves.

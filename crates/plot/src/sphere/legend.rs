@@ -27,11 +27,6 @@ pub(super) fn legend(scene: &SphereScene<'_>, width: f64) -> Legend<Symbol> {
     entries.push((Symbol::Tint(FORBIDDEN), "not accessible: U(γ) > h".to_owned()));
     entries.push((Symbol::Line(BOUNDARY), "∂U: U(γ) = h".to_owned()));
     entries.push((Symbol::Line(LEVEL), "other levels of U".to_owned()));
-    for (index, name) in [(0, "minimum"), (1, "saddle"), (2, "maximum")] {
-        if scene.equilibria.iter().any(|equilibrium| equilibrium.index == index) {
-            entries.push((Symbol::Mark(Mark::Equilibrium(index)), format!("relative equilibrium, {name} of U")));
-        }
-    }
     if scene.r_hat.is_some() {
         entries.push((Symbol::Mark(Mark::Pole(true)), "+r̂, hanging".to_owned()));
         entries.push((Symbol::Mark(Mark::Pole(false)), "−r̂, upright".to_owned()));

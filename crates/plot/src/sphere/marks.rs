@@ -1,14 +1,18 @@
 //! Poles, relative equilibria and principal axes.
 
-use super::scene::SphereEquilibrium;
+use super::motions::letter;
+use super::scene::SphereScene;
 use super::view::{Vector, View, turned};
 use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, POLE, Point, rgb};
 use plotters::style::RGBColor;
+use schema::Multiplicity;
 
 const LABEL: f64 = 12.0;
-const MARK: f64 = 4.2;
+pub(super) const MARK: f64 = 4.2;
 /// Round the mark of an equilibrium.
 const POLE_RING: f64 = 7.4;
+/// From the middle of the mark of an equilibrium to the base line of its letter; a pole's ring lies between.
+const LETTER_ABOVE: f64 = 10.0;
 /// Principal axes so near to a pole have no mark of their own.
 const NEAR: f64 = 0.1;
 /// Relative equilibria stand out from every tint and from the level lines.
@@ -52,7 +56,8 @@ pub(super) fn draw(canvas: &Canvas, mark: Mark, at: Point) {
 }
 
 /// Draws the ends of the principal axes, the poles and the equilibria that a view shows.
-pub(super) fn draw_all(canvas: &Canvas, view: &View, r_hat: Option<Vector>, equilibria: &[SphereEquilibrium]) {
+pub(super) fn draw_all(canvas: &Canvas, view: &View, scene: &SphereScene<'_>) {
+    let r_hat = scene.r_hat;
     let poles: Vec<Vector> = r_hat.into_iter().flat_map(|r| [r, r.map(|c| -c)]).collect();
     for (axis, names) in [["e₁", "−e₁"], ["e₂", "−e₂"], ["e₃", "−e₃"]].into_iter().enumerate() {
         for (sign, name) in [1.0, -1.0].into_iter().zip(names) {
@@ -74,12 +79,13 @@ pub(super) fn draw_all(canvas: &Canvas, view: &View, r_hat: Option<Vector>, equi
         }
     }
     // On top: an equilibrium at a pole lies inside its ring.
-    for equilibrium in equilibria {
-        if let Some(axis) = equilibrium.circle_about {
-            circle(canvas, view, equilibrium.gamma, axis);
+    for (place, equilibrium) in scene.equilibria.iter().enumerate() {
+        if equilibrium.multiplicity == Multiplicity::Circle {
+            circle(canvas, view, equilibrium.gamma, scene.axis);
         }
         if let Some(at) = view.position(equilibrium.gamma) {
             draw(canvas, Mark::Equilibrium(equilibrium.index), at);
+            rimmed(canvas, [at[0], at[1] - LETTER_ABOVE], &letter(place), EQUILIBRIUM, Anchor::Middle);
         }
     }
 }
@@ -101,7 +107,11 @@ fn label(canvas: &Canvas, view: &View, at: Point, name: &str, color: RGBColor) {
     let from_middle = at[0] - view.center[0];
     let to_the_right = (from_middle >= 0.0) == (from_middle.abs() < 0.86 * view.radius);
     let (x, anchor) = if to_the_right { (at[0] + 11.0, Anchor::Start) } else { (at[0] - 11.0, Anchor::End) };
-    let base = [x, at[1] + 0.36 * LABEL];
+    rimmed(canvas, [x, at[1] + 0.36 * LABEL], name, color, anchor);
+}
+
+/// A text with a rim of paper.
+fn rimmed(canvas: &Canvas, base: Point, name: &str, color: RGBColor, anchor: Anchor) {
     for [dx, dy] in [[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 1.0]] {
         canvas.text(name, [base[0] + dx, base[1] + dy], LABEL, PAPER, anchor);
     }

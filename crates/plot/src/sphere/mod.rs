@@ -5,11 +5,12 @@ mod grid;
 mod ink;
 mod legend;
 mod marks;
+mod motions;
 mod parts;
 mod scene;
 mod view;
 
-pub use scene::{SphereEquilibrium, SphereScene};
+pub use scene::SphereScene;
 
 use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Path, Picture, PlotError, Theme, render};
 use grid::Grid;
@@ -41,8 +42,11 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, Plo
     let levels = levels(&grids);
     let legend = legend::legend(scene, WIDTH - 2.0 * MARGIN);
     let below = middle + RADIUS + 34.0;
+    let motions = motions::table(scene);
+    let motions_at = [MARGIN, below + legend.height() + 8.0];
+    let size = [WIDTH.max(motions.width() + 2.0 * MARGIN), motions_at[1] + motions.height() + 12.0].map(f64::ceil);
     let title = format!("{}; {}", scene.title, scene.caption);
-    render([WIDTH, (below + legend.height() + 12.0).ceil()], title.as_str(), theme, |canvas| {
+    render(size, title.as_str(), theme, |canvas| {
         for (view, grid) in grids.iter().enumerate() {
             ground(canvas, &views[view], grid, |node| parts.component(view, node), scene.components.len());
             lines(canvas, &views[view], grid, &levels);
@@ -52,7 +56,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, Plo
             canvas.text(&(component + 1).to_string(), [at[0] + 12.0, at[1] - 10.0], NUMBER_SIZE, INK, Anchor::Start);
         }
         for view in &views {
-            marks::draw_all(canvas, view, scene.r_hat, scene.equilibria);
+            marks::draw_all(canvas, view, scene);
         }
         for (view, name) in views.iter().zip(["one side", "the other side"]) {
             canvas.text(name, [view.center[0], middle + RADIUS + 20.0], CAPTION_SIZE, FAINT_INK, Anchor::Middle);
@@ -60,6 +64,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, Plo
         canvas.text(scene.title, [MARGIN, 26.0], TITLE_SIZE, INK, Anchor::Start);
         canvas.text(scene.caption, [MARGIN, 46.0], CAPTION_SIZE, INK, Anchor::Start);
         legend::draw(&legend, canvas, [MARGIN, below]);
+        motions::draw(&motions, canvas, motions_at);
     })
 }
 

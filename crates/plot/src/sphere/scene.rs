@@ -1,17 +1,6 @@
 //! What a picture of U on the Poisson sphere shows.
 
-use schema::ComponentDocument;
-
-/// A relative equilibrium.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SphereEquilibrium {
-    /// The vertical in body coordinates.
-    pub gamma: [f64; 3],
-    /// Morse index of U_l: 0 minimum, 1 saddle, 2 maximum.
-    pub index: u8,
-    /// The unit vector about which `gamma` turns, where a whole circle of equilibria is meant.
-    pub circle_about: Option<[f64; 3]>,
-}
+use schema::{ComponentDocument, RelativeEquilibriumDocument};
 
 /// The accessible region U_hl = {γ ∈ S²: U_l(γ) ≤ h}.
 pub struct SphereScene<'a> {
@@ -27,8 +16,12 @@ pub struct SphereScene<'a> {
     pub components: &'a [ComponentDocument],
     /// The place in `components` of the component to which an accessible point belongs, where it can be told.
     pub component_of: &'a dyn Fn([f64; 3]) -> Option<usize>,
-    /// The relative equilibria at this l.
-    pub equilibria: &'a [SphereEquilibrium],
+    /// The relative equilibria at this l, by rising h.
+    pub equilibria: &'a [RelativeEquilibriumDocument],
+    /// The unit vector about which circles of equilibria turn.
+    pub axis: [f64; 3],
+    /// The unit of periods and growth times; empty for a body of numbers.
+    pub time_unit: &'a str,
     /// From where the first view is taken; `None`: from beside r̂, a little above.
     pub view: Option<[f64; 3]>,
 }

@@ -11,12 +11,14 @@
 //! (AB)²(b² − 4c), isolated exactly.
 
 mod cone;
+mod near;
 mod regions;
 mod rotation;
 mod steady;
 mod tolerance;
 
 pub use cone::{NearestAxis, nearest_axis, nearest_permanent, permanent_axes};
+pub use near::{BoxedBody, SettledTypes, Vector, settled_types};
 pub use regions::{RegionChange, region_changes};
 pub use rotation::{AxisRotation, SpinChange, SpinType, Squares};
 pub use steady::{SteadyRotation, nearest_steady};

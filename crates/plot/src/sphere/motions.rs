@@ -1,0 +1,59 @@
+//! The table of the relative equilibria: where each stands, whether it is stable, and how fast what starts beside it moves.
+
+use schema::{Multiplicity, RelativeEquilibriumDocument, small_motions};
+
+use super::marks::{self, MARK, Mark};
+use super::scene::SphereScene;
+use crate::page::{Canvas, Point, Table, short_number};
+
+const DIGITS: usize = 5;
+
+/// By what a mark and a row of the table are connected: a, b, …, by rising h.
+pub(super) fn letter(place: usize) -> String {
+    u8::try_from(place)
+        .ok()
+        .filter(|place| *place < 26)
+        .map_or_else(String::new, |place| char::from(b'a' + place).to_string())
+}
+
+/// One row for each relative equilibrium.
+pub(super) fn table(scene: &SphereScene<'_>) -> Table<Mark> {
+    let times = if scene.time_unit.is_empty() { String::new() } else { format!(" in {}", scene.time_unit) };
+    let heading = ["", "relative equilibrium", "h", "of U", "linear type", "stable"].map(str::to_owned);
+    let motions = format!("period of small oscillations, growth by the factor e{times}");
+    let heading = heading.into_iter().chain([motions]).collect();
+    let rows = scene.equilibria.iter().enumerate().map(|(place, point)| {
+        let cells = [
+            letter(place),
+            format!("{}, {}", point.branch, point.branch_name),
+            short_number(point.h, DIGITS),
+            kind(point).to_owned(),
+            point.stability.word().to_owned(),
+            point.stable.word().to_owned(),
+            small_motions(&[point.eigenvalues], time),
+        ];
+        (Mark::Equilibrium(point.index), cells.to_vec())
+    });
+    Table::new(2.0 * MARK, heading, rows.collect())
+}
+
+/// A time in a picture.
+fn time(value: f64) -> String {
+    if value.is_finite() { short_number(value, 4) } else { "∞".to_owned() }
+}
+
+fn kind(point: &RelativeEquilibriumDocument) -> &'static str {
+    match (point.multiplicity, point.index) {
+        (Multiplicity::Sphere, _) => "constant",
+        (Multiplicity::Circle, 0) => "circle of minima",
+        (Multiplicity::Circle, _) => "circle of maxima",
+        (Multiplicity::Points(_), 0) => "minimum",
+        (Multiplicity::Points(_), 1) => "saddle",
+        (Multiplicity::Points(_), _) => "maximum",
+    }
+}
+
+/// Draws the table with its top left corner at `at`.
+pub(super) fn draw(table: &Table<Mark>, canvas: &Canvas, at: Point) {
+    table.draw(canvas, at, |mark, [x, middle]| marks::draw(canvas, *mark, [x + MARK, middle]));
+}
