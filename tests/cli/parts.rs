@@ -142,7 +142,7 @@ fn a_part_with_errors_in_its_numbers_has_bounds() {
     let ranges = tolerance["ranges"].as_array().unwrap();
     let awake = |range: &&Value| range["up"] == "+axis" && range["to"] == "elliptic";
     let [low, high] = [0, 1].map(|end| ranges.iter().find(awake).unwrap()["rpm"][end].as_f64().unwrap());
-    let sign = |corner: u32, bit: u32| if corner >> bit & 1 == 0 { -1.0 } else { 1.0 };
+    let sign = |corner: u32, bit: u32| if (corner >> bit) & 1 == 0 { -1.0_f64 } else { 1.0 };
     for corner in 0..16 {
         let (across, along) = (29625.0 * (1.0 + 0.01 * sign(corner, 0)), 56250.0 + 281.25 * sign(corner, 1));
         let (mass, arm) = (180.0 + 0.5 * sign(corner, 2), 40.0 + 0.1 * sign(corner, 3));
