@@ -88,7 +88,7 @@ impl AxisRotation {
         let mut moments = [const { String::new() }; 3];
         let [second, third] = self.axis.others();
         for (k, moment) in [self.axis, second, third].into_iter().zip(&self.moments) {
-            moments[k.index()] = moment.to_string();
+            moments[k] = moment.to_string();
         }
         let center: [String; 3] =
             BodyAxis::ALL.map(|k| if k == self.axis { self.weight.to_string() } else { "0".to_owned() });
