@@ -1,6 +1,7 @@
 //! Steady rotations near an axis over a box of bodies, against those of single bodies of the box in their own principal axes.
 
 use dashu_ratio::RBig;
+use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 use numbers::symmetric::Symmetric;
@@ -120,7 +121,7 @@ fn exact_numbers_leave_the_changes_alone() {
         let case = Case { within: [0; 9], ..Case::random(&mut random) };
         let found = settled_types(&case.boxed(), [0.0, 0.0, 1.0]);
         let body = case.member(&mut random).0;
-        let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], -1).unwrap();
+        let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Negative).unwrap();
         // A diagonal tensor keeps its axes.
         for change in rotation.changes() {
             let range =

@@ -1,0 +1,24 @@
+//! Curves as fine as a picture needs them, for `plot`, which knows documents alone.
+
+use plot::CurveSource;
+use schema::RelativeEquilibriumDocument;
+use top::atlas::Atlas;
+use top::body::Number;
+use top::critical::critical;
+
+/// Polylines as fine as a magnification needs.
+pub struct Curves<'a>(
+    /// Whose curves.
+    pub &'a Atlas,
+);
+
+impl CurveSource for Curves<'_> {
+    fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
+        self.0.polyline(curve.parse().ok()?, l, tolerance)
+    }
+
+    fn equilibria(&self, l: f64) -> Vec<RelativeEquilibriumDocument> {
+        let found = Number::from_f64(l).ok().and_then(|l| critical(self.0.body(), &l).ok());
+        found.map_or_else(Vec::new, |found| documents::equilibria(&found))
+    }
+}
