@@ -21,7 +21,7 @@ const ORDER: [(&str, &str); 11] = [
         "crates/top/src",
         "table body curves stability continuation topology diagram atlas class classify critical permanent accessible",
     ),
-    ("crates/part/src", "units spin existence products mass mesh link file"),
+    ("crates/part/src", "units spin existence products mass measured mesh link file"),
     (
         "crates/proof/src",
         "id model family curves estimate point ridges heights plane mirror pair polar arrange region certificate drawn vertex exact \

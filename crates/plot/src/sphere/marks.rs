@@ -1,6 +1,5 @@
 //! Poles, relative equilibria and principal axes.
 
-use super::motions::letter;
 use super::scene::SphereScene;
 use super::view::{Vector, View, turned};
 use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, POLE, Point, rgb};
@@ -27,6 +26,14 @@ pub(super) enum Mark {
     Pole(bool),
     /// The end of a principal axis.
     Axis,
+}
+
+/// By what a mark and a row of the table are connected: a, b, …, by rising h.
+pub(super) fn letter(place: usize) -> String {
+    u8::try_from(place)
+        .ok()
+        .filter(|place| *place < 26)
+        .map_or_else(String::new, |place| char::from(b'a' + place).to_string())
 }
 
 pub(super) fn draw(canvas: &Canvas, mark: Mark, at: Point) {

@@ -2,19 +2,11 @@
 
 use schema::{Multiplicity, RelativeEquilibriumDocument, small_motions};
 
-use super::marks::{self, MARK, Mark};
+use super::marks::{self, MARK, Mark, letter};
 use super::scene::SphereScene;
 use crate::page::{Canvas, Point, Table, short_number};
 
 const DIGITS: usize = 5;
-
-/// By what a mark and a row of the table are connected: a, b, …, by rising h.
-pub(super) fn letter(place: usize) -> String {
-    u8::try_from(place)
-        .ok()
-        .filter(|place| *place < 26)
-        .map_or_else(String::new, |place| char::from(b'a' + place).to_string())
-}
 
 /// One row for each relative equilibrium.
 pub(super) fn table(scene: &SphereScene<'_>) -> Table<Mark> {

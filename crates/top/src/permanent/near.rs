@@ -263,24 +263,30 @@ impl Rotation<'_> {
             let unit = if p == q { multiplier } else { Interval::ZERO };
             [unit - s * turned + (s * coupled).twice().twice(), turned - coupled, turned]
         };
-        let ([k11, s11, a11], [k12, s12, _], [k22, s22, a22]) = (form(0, 0), form(0, 1), form(1, 1));
+        let ([k11, s11, a11], [k12, s12, a12], [k22, s22, a22]) = (form(0, 0), form(0, 1), form(1, 1));
         match ((k11 * k22 - k12.square()).is_positive()?, k11.is_positive()) {
             (false, _) => return Some(SpinType::SaddleCentre),
             (true, Some(true)) => return Some(SpinType::Minimum),
             (true, None) => return None,
             (true, Some(false)) => {}
         }
-        // tr A − 2 |Aγ|²/J
-        let bare = a11 + a22 - j - ((tangential[0].square() + tangential[1].square()) / j).twice();
-        let gyroscopic = s * bare.square();
+        // tr A − 2 |Aγ|²/J with the trace t of P = A′, d = |a|²/J and c = ⟨a, Pa⟩/J.
+        let [x, y] = tangential;
+        let (trace, d) = (a11 + a22, (x.square() + y.square()) / j);
+        let c = (x.square() * a11 + (x * y * a12).twice() + y.square() * a22) / j;
+        let gyroscopic = s * (trace - j - d.twice()).square();
+        // g² + 2 tr SK, in which most of both cancels: s (J² − (P₁₁ − P₂₂)² − 4 P₁₂² + 2Jd − 4td − 4d² + 10c) + 2⟨γ, r⟩(t − d).
+        let small = (j * d).twice() - (trace * d + d.square()).twice().twice() + c * Interval::point(10.0);
+        let turning = s * (j.square() - (a11 - a22).square() - a12.square().twice().twice() + small);
+        let excess = turning + (weight * dot(&gamma, &body.center) * (trace - d)).twice();
         // S K
         let product = [[s11 * k11 + s12 * k12, s11 * k12 + s12 * k22], [s12 * k11 + s22 * k12, s12 * k12 + s22 * k22]];
-        let sum = product[0][0] + product[1][1];
         // b² − 4c times (det S)², with (tr)² − 4 det = (p − v)² + 4 q u, which is small where both pairs are alike.
-        let discriminant = gyroscopic * (gyroscopic + sum.twice())
+        let discriminant = gyroscopic * excess
             + (product[0][0] - product[1][1]).square()
             + (product[0][1] * product[1][0]).twice().twice();
-        match (discriminant.is_positive()?, (gyroscopic + sum).is_positive()) {
+        // 2b det S = g² + (g² + 2 tr SK)
+        match (discriminant.is_positive()?, (gyroscopic + excess).is_positive()) {
             (false, _) => Some(SpinType::Complex),
             (true, Some(true)) => Some(SpinType::Elliptic),
             (true, Some(false)) => Some(SpinType::Saddle),
