@@ -2,15 +2,17 @@
 # Runs the tests of a wheel with other interpreters: interpreters.sh WHEEL [INTERPRETER ...]
 # An interpreter is a program, such as python3.10 or a path, which gets an environment of its own; or a version, such as 3.14,
 # which is unpacked from Debian's unstable distribution into a folder of its own together with its C library, and touches
-# nothing of the system (this needs apt and pip). By default every version from 3.10 on that runs here, pyenv's among them.
+# nothing of the system (this needs apt and pip). By default every version from 3.10 on that runs here beside
+# python3 itself, pyenv's among them.
 set -euo pipefail
 wheel="$(realpath "$1")"
 wanted=("${@:2}")
 if [ ${#wanted[@]} -eq 0 ]; then
-    declare -A found
+    version_of() { "$1" -c 'import sys; print(sys.version)' 2> /dev/null; }
+    declare -A found=(["$(version_of python3)"]=yes)
     for name in $(compgen -c python3. | sort -u) "${PYENV_ROOT:-$HOME/.pyenv}"/versions/*/bin/python3.*; do
         [[ "$name" =~ python3\.[1-9][0-9]$ ]] || continue
-        version="$("$name" -c 'import sys; print(sys.version)' 2> /dev/null)" || continue
+        version="$(version_of "$name")" || continue
         [ -n "${found[$version]-}" ] || wanted+=("$name")
         found[$version]=yes
     done
