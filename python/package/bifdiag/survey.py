@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from . import _core, exact
+from . import _core, exact, files
 from .errors import BifdiagError, InputError
 from .records import Component, Document, Margin
 
@@ -37,9 +37,10 @@ def scan(
     Parameters
     ----------
     family : {"general", "positive", "katok"}
-        Which bodies.
-    samples : int
-        Their number.
+        Which bodies: ``"general"`` all that exist, up to units; ``"positive"`` all with A_i > 0; ``"katok"`` with r along
+        the first axis.
+    samples : int, optional
+        Their number; it must be given unless `vary` gives the numbers of a grid.
     out : path
         The file; its suffix says the format: ``.parquet``, ``.csv`` or ``.jsonl``.
     shard : (int, int), optional
@@ -177,7 +178,7 @@ class Witness:
     document: Document
 
     @classmethod
-    def of(cls, document: Document) -> "Witness":
+    def _of(cls, document: Document) -> "Witness":
         from .body import Body
 
         there = document.get("witness") or document
@@ -186,11 +187,11 @@ class Witness:
             found,
             document.get("exists"),
             document.get("why"),
-            Body(there["A"], there["r"]) if found else None,
+            Body._of_document(there) if found else None,
             there["h"] if found else None,
             there["l"] if found else None,
-            Component.all_of(there["components"]) or () if found else (),
-            Margin.of(there["margin"]) if found else None,
+            Component._all_of(there["components"]) or () if found else (),
+            Margin._of(there["margin"]) if found else None,
             document["tried"],
             document,
         )
@@ -225,7 +226,7 @@ def find(
     critical_points : int, optional
         So many relative equilibria at one l, or more.
     physical : bool
-        Only bodies that exist: A_i + A_j ≥ A_k.
+        Only bodies that exist: A_i + A_j ≥ A_k, as `Body.physical` says.
     samples : int
         The most bodies that are tried.
     seed : int, optional
@@ -273,16 +274,16 @@ def find(
         accuracy,
         exact.threads(threads),
     )
-    return Witness.of(json.loads(found))
+    return Witness._of(json.loads(found))
 
 
 def verify(atlas: "str | os.PathLike[str] | Document | Atlas") -> int:
-    """Re-checks an atlas that carries a certificate, by other means than those that made it.
+    """Re-checks an atlas that carries a certificate, by other means than those that made it, as ``bifdiag verify``.
 
     Parameters
     ----------
     atlas : path, dict or Atlas
-        A file, a document, or an atlas.
+        A file, a document, or an atlas made with ``certificate=True``.
 
     Returns
     -------
@@ -292,14 +293,29 @@ def verify(atlas: "str | os.PathLike[str] | Document | Atlas") -> int:
     Raises
     ------
     VerifyError
-        With the first thing that is wrong or could not be confirmed.
+        With the first thing that is wrong or could not be confirmed; also if there is no certificate. Of a file every byte
+        counts.
     InputError
-        If it is no atlas.
+        If it is no atlas; the message says what it is.
+    OSError
+        If the file cannot be read.
+
+    Examples
+    --------
+    >>> import bifdiag
+    >>> atlas = bifdiag.Body.preset("paper").atlas(certificate=True)
+    >>> bifdiag.verify(atlas)
+    9
     """
     from .atlas import Atlas
 
     if isinstance(atlas, dict):
-        return _core.verify(json.dumps(atlas), "atlas.json")
+        try:
+            text = json.dumps(atlas)
+        except (TypeError, ValueError) as error:
+            raise InputError(f"the document is no JSON: {error}") from error
+        return _core.verify(text, "the document", False)
     if isinstance(atlas, Atlas):
-        return _core.verify(atlas.to_json(), "atlas.json")
-    return _core.verify(Path(atlas).read_text(encoding="utf-8"), os.fspath(atlas))
+        return _core.verify(atlas.to_json(), "the atlas", True)
+    files.require(atlas, "atlas")
+    return _core.verify(Path(atlas).read_text(encoding="utf-8"), os.fspath(atlas), True)
