@@ -293,6 +293,7 @@ def test_the_half_plane_is_mirrored(atlas):
 
 
 def test_reprs_name_what_can_be_had(atlas):
+    assert "R1: D2 + D2" in repr(bifdiag.Body.preset("euler").atlas())
     assert "9 regions" in repr(atlas) and "R5: S2+T2" in repr(atlas) and "stability_changes" in repr(atlas)
     assert "neighbours" in repr(atlas.regions[0]) and "stability" in repr(atlas.curves[0])
     assert atlas._repr_svg_().startswith("<svg")

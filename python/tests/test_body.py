@@ -84,6 +84,16 @@ def test_unknown_presets_name_the_known_ones():
         bifdiag.Body.preset("nothing")
 
 
+def test_the_documentation_names_all_presets():
+    with pytest.raises(bifdiag.InputError) as refused:
+        bifdiag.Body.preset("nothing")
+    names = str(refused.value).partition("named bodies are ")[2].split(", ")
+    assert len(names) > 10
+    for name in names:
+        family, _, number = name.partition(":")
+        assert f'``"{name}"``' in bifdiag.Body.preset.__doc__ or (family == "katok" and 1 < int(number) < 7)
+
+
 def test_errors_have_their_bases():
     assert issubclass(bifdiag.BodyError, bifdiag.InputError)
     assert issubclass(bifdiag.InputError, ValueError)

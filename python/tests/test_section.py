@@ -128,6 +128,9 @@ def test_missing_packages_name_their_extra(section, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
     with pytest.raises(ImportError, match=r"bifdiag\[plot\]"):
         section.plot()
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(ImportError, match=r"bifdiag\[plot\]"):
+        section.plot()
 
 
 def test_islands_are_counted(paper):

@@ -13,7 +13,7 @@ from . import _core, exact, files, pictures
 from .errors import InputError
 from .exact import Number
 from .explorer import Explorer
-from .records import Classification, Curve, Document, Event, Region, StabilityChange
+from .records import Classification, Curve, Document, Event, Region, StabilityChange, sections
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -306,9 +306,18 @@ class Atlas:
 
         Raises
         ------
+        InputError
+            If one of h and l is missing, or no number.
         BifdiagError
             If the package was built without the page.
+
+        Notes
+        -----
+        The page is served to this machine alone, at ``127.0.0.1``, until the process ends. A notebook on another machine
+        shows it if the port in ``url`` is forwarded: ``ssh -L PORT:127.0.0.1:PORT``.
         """
+        if (h is None) != (l is None):
+            raise InputError("give both h and l, or none of them")
         state = f"A={','.join(self.body.A)}&r={','.join(self.body.r)}"
         if h is not None or l is not None:
             state += f"&h={exact.text(h, 'h')}&l={exact.text(l, 'l')}"
@@ -333,7 +342,7 @@ class Atlas:
 
     def __repr__(self) -> str:
         lines = [f"Atlas of {self.body}: {len(self.regions)} regions, {len(self.events)} events"]
-        lines += [f"  {region.id}: {region.signature or len(region.components)}" for region in self.regions]
+        lines += [f"  {region.id}: {region.signature or sections(region.components)}" for region in self.regions]
         lines.append("  [regions, events, curves, stability_changes; region(h, l), classify(h, l), plot(), to_json()]")
         return "\n".join(lines)
 

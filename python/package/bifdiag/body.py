@@ -78,7 +78,10 @@ class Body:
         Parameters
         ----------
         name : str
-            ``"paper"``, ``"kovalevskaya"``, ``"lagrange"``, ``"euler"``, ``"katok:1"`` … ``"katok:7"``, …
+            ``"paper"`` (of 2008, with nine regions), ``"kovalevskaya"``, ``"goryachev-chaplygin"``, ``"lagrange"``,
+            ``"euler"`` (r = 0), ``"katok:1"`` … ``"katok:7"`` (one of each of Katok's classes), ``"projpm"`` and
+            ``"projections12"`` (of figures of the paper), ``"isotropic"`` (equal moments), ``"plate"``, ``"rod"``,
+            ``"ten"`` (with ten relative equilibria at one l).
 
         Raises
         ------
@@ -311,14 +314,15 @@ class Body:
         -------
         structured array
             A row for each relative equilibrium, by rising h. For an array of l there is the further field ``l_index``, the
-            position in ``np.ravel(l)``.
+            position in ``np.ravel(l)``. Angular velocities and eigenvalues are in radians per unit of time.
 
             ========================= ====================================================================================
             ``l``, ``h``              Momentum and energy.
             ``gamma`` (3)             The downward vertical, in the body's axes; the body turns about it.
             ``omega``                 The angular velocity l/⟨γ, A γ⟩, signed as l.
             ``index``                 Morse index of U_l: 0 minimum, 1 saddle, 2 maximum.
-            ``multiplicity``          ``"1"``; ``"2"`` where two meet; ``"circle"`` and ``"sphere"`` of them.
+            ``multiplicity``          ``"1"``; ``"2"`` where two meet; ``"circle"`` and ``"sphere"`` of them. Two that
+                                      are mirror images are two rows.
             ``stability``             Linear type: ``"elliptic"`` (two imaginary pairs), ``"saddle-centre"`` (one
                                       real, one imaginary), ``"saddle"`` (two real), ``"complex"`` (a quadruple),
                                       ``"double-elliptic"``, ``"double-real"`` (a double pair), ``"zero"`` (an
@@ -330,7 +334,7 @@ class Body:
             ``eigenvalues`` (2)       Of the pairs ±λ₁, ±λ₂ of the flow reduced by l, with re ≥ 0 and im ≥ 0; of a
                                       circle its transverse pair, then 0. A quadruple gives the same one twice.
             ``eigenvalue_error``      Bound on their error.
-            ``branch``                Id of the curve in the atlas.
+            ``branch``                Id of the curve in the atlas; the page "Conventions" explains ids.
             ``branch_name``           Where the branch begins, such as ``"from +r̂"``.
             ========================= ====================================================================================
 
@@ -373,7 +377,7 @@ class Body:
         orbits : int
             Number of orbits, spread evenly over all components of the section.
         crossings : int
-            Crossings of each orbit.
+            Crossings of each orbit, in both directions.
         seed : int
             Another choice of the starting points.
         starts : array (n, 3), optional
@@ -481,8 +485,20 @@ class Body:
     def __reduce__(self) -> tuple[Any, ...]:
         return Body._of_document, ({"A": self.A, "r": self.r, "part": self.part},)
 
+    def _told(self) -> tuple[str, str]:
+        """A and r, to read: of a part, whose texts have many digits, as doubles; the rest loses nothing."""
+
+        def told(texts: tuple[str, ...]) -> str:
+            return ", ".join(texts if self.part is None else [repr(float(exact.value(text))) for text in texts])
+
+        return told(self.A), told(self.r)
+
     def __repr__(self) -> str:
-        return f"Body(A=[{', '.join(self.A)}], r=[{', '.join(self.r)}])"
+        moments, center = self._told()
+        if self.part is None:
+            return f"Body(A=[{moments}], r=[{center}])"
+        return f"Body of a part in {self.part['units']}: A = [{moments}], r = [{center}] [A, r, part have all digits]"
 
     def _repr_html_(self) -> str:
-        return table([("A", ", ".join(self.A)), ("r", ", ".join(self.r))])
+        moments, center = self._told()
+        return table([("A", moments), ("r", center), *([("units", self.part["units"])] if self.part else [])])

@@ -10,7 +10,8 @@ import numpy as np
 Document = dict[str, Any]
 
 
-def _sections(components: "tuple[Component, ...] | None") -> str:
+def sections(components: "tuple[Component, ...] | None") -> str:
+    """The sections of components in words; where there are none, the parts of U."""
     if components is None:
         return "not decided"
     return " + ".join(component.section or component.accessible_region for component in components) or "nothing"
@@ -167,7 +168,7 @@ class Classification:
         )
 
     def _repr_html_(self) -> str:
-        rows = [("status", self.status), ("region", self.region or "–"), ("sections", _sections(self.components))]
+        rows = [("status", self.status), ("region", self.region or "–"), ("sections", sections(self.components))]
         rows.append(("distance to the nearest curve", f"{self.margin.h:.6g} to {self.margin.nearest}"))
         return table([("(h, l)", f"({self.h}, {self.l})"), *rows])
 
@@ -277,12 +278,12 @@ class Region:
 
     def __repr__(self) -> str:
         names = ", ".join(["polygon", *(field.name for field in fields(self) if field.name[0] != "_")])
-        sections = self.signature or _sections(self.components)
-        return f"Region {self.id}: {sections} at (h, l) = ({self.sample.h:.6g}, {self.sample.l:.6g}) [{names}]"
+        told = self.signature or sections(self.components)
+        return f"Region {self.id}: {told} at (h, l) = ({self.sample.h:.6g}, {self.sample.l:.6g}) [{names}]"
 
     def _repr_html_(self) -> str:
         at = f"({self.sample.h:.6g}, {self.sample.l:.6g})"
-        return table([("region", self.id), ("sections", _sections(self.components)), ("a point (h, l) inside", at)])
+        return table([("region", self.id), ("sections", sections(self.components)), ("a point (h, l) inside", at)])
 
 
 @dataclass(frozen=True, slots=True)

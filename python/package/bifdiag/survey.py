@@ -5,7 +5,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,7 +26,7 @@ def scan(
     shard: tuple[int, int] | None = None,
     threads: int | None = None,
     seed: int = 0,
-    vary: "list[str] | tuple[str, ...]" = (),
+    vary: "str | Iterable[str]" = (),
     body: "Body | None" = None,
 ) -> Document:
     """Computes the diagrams of many bodies into a file, with the same bytes as the command line.
@@ -49,15 +49,17 @@ def scan(
         None: one; 0: as many as there are cores. The file does not depend on it.
     seed : int
         Where the sequence of bodies starts.
-    vary : list of str
-        Ranges of parameters, such as ``"A2=1:2:101"``, about `body`.
+    vary : str or list of str
+        Ranges of the parameters ``A1``, ``A2``, ``A3``, ``r1``, ``r2``, ``r3``: ``"A2=1:2:101"`` is a grid of 101 values,
+        both ends included, ``"A2=1:2"`` is sampled. Of `body`, or of the family ``"katok"``.
     body : Body, optional
         The body whose parameters are varied, instead of a family.
 
     Returns
     -------
     dict
-        The summary of the scan.
+        The summary of the scan, which is written to ``FILE.summary.json`` too. The page "Files" tells its fields, and the
+        columns of the file.
 
     Raises
     ------
@@ -65,6 +67,18 @@ def scan(
         If the command line refuses an argument.
     BifdiagError
         If the scan fails.
+
+    Examples
+    --------
+    >>> import bifdiag, csv, os, tempfile
+    >>> lagrange = bifdiag.Body.preset("lagrange")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = os.path.join(folder, "lagrange.csv")
+    ...     summary = bifdiag.scan(body=lagrange, vary="A1=1:2:3", out=path)
+    ...     with open(path) as file:
+    ...         rows = list(csv.DictReader(file))
+    >>> summary["rows"], [(row["A1"], row["regions"]) for row in rows]
+    (3, [('1.0', '2'), ('1.5', '4'), ('2.0', '4')])
     """
     arguments = ["scan", "--json", "--out", os.fspath(out)]
     if body is None:
@@ -78,7 +92,7 @@ def scan(
         arguments += ["--shard", f"{part}/{of}"]
     if seed:
         arguments += ["--seed", str(exact.whole(seed, "seed", 0))]
-    for values in vary:
+    for values in [vary] if isinstance(vary, str) else vary:
         arguments += ["--vary", values]
     count = exact.threads(threads)
     arguments += ["--threads", str(count or os.cpu_count() or 1)]
@@ -133,10 +147,11 @@ def command(*arguments: str) -> str:
         except BaseException:
             process.terminate()
             raise
+    message = told.partition("\n\nFor more information")[0].strip().removeprefix("error: ")
     if process.returncode == 2:
-        raise InputError(told.strip())
+        raise InputError(message)
     if process.returncode != 0:
-        raise BifdiagError(told.strip())
+        raise BifdiagError(message)
     return printed
 
 
@@ -161,7 +176,7 @@ class Witness:
     margin : Margin or None
         The distance to the nearest curve.
     tried : int
-        Number of bodies that were looked at.
+        Number of bodies that were looked at; 0 if the answer was known.
     document : dict
         Everything that the command line prints with ``--json``.
     """
@@ -175,7 +190,7 @@ class Witness:
     components: tuple[Component, ...]
     margin: Margin | None
     tried: int
-    document: Document
+    document: Document = field(repr=False)
 
     @classmethod
     def _of(cls, document: Document) -> "Witness":

@@ -87,11 +87,13 @@ def section(
 
 def _colors(found: "Section", color: Any) -> tuple[npt.NDArray[Any], dict[str, Any]]:
     """A value for each point, and how values become colours."""
-    from matplotlib.colors import ListedColormap
-
     if isinstance(color, str) and color == "verdict":
         values = np.array([list(VERDICTS).index(verdict) for verdict in found.verdict], dtype=int)[found.orbit]
-        return values, {"cmap": ListedColormap(list(VERDICTS.values())), "vmin": 0, "vmax": len(VERDICTS) - 1}
+        return values, {
+            "cmap": needed("matplotlib.colors", "plot").ListedColormap(list(VERDICTS.values())),
+            "vmin": 0,
+            "vmax": len(VERDICTS) - 1,
+        }
     names = [name for name in found.columns if getattr(found, name).ndim == 1]
     if isinstance(color, str) and color not in names:
         raise InputError(f'color = {color!r}: give "verdict", one of the columns {", ".join(names)}, or an array')
