@@ -27,7 +27,7 @@ impl Prepared {
     /// One whose atlas is made already.
     #[must_use]
     pub fn of(atlas: Atlas, accuracy: Accuracy) -> Self {
-        Self { body: atlas.body().clone(), accuracy, atlas: OnceLock::from(Some(atlas)) }
+        Self { body: atlas.body().clone(), accuracy, quick: OnceLock::from(Some(atlas)), proved: OnceLock::new() }
     }
 
     /// The body.
@@ -48,7 +48,7 @@ impl Prepared {
         self.quick().or_else(proved)
     }
 
-    /// That of `f64`, which answers points.
+    /// The one that was given or that of `f64`: it answers points.
     fn quick(&self) -> Option<&Atlas> {
         self.quick.get_or_init(|| quick_atlas(&self.body, self.accuracy)).as_ref()
     }
