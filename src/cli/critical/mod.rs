@@ -49,23 +49,28 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
     }
 }
 
-/// The answers to lines of a batch; of lines in a row about one body its curves are found once.
+/// The answers to lines of a batch; of lines in a row about one body its curves are found once in each block.
 fn lines(queries: &[Query]) -> Vec<Result<Vec<u8>, Unanswered>> {
     let same = |one: &Query, other: &Query| {
         Arc::ptr_eq(&one.subject, &other.subject) || one.subject.body == other.subject.body
     };
-    let of_one_body = |queries: &[Query]| -> Vec<Result<Vec<u8>, Unanswered>> {
-        let prepared = RelativeEquilibria::new(&queries[0].subject.body);
-        let line = |query: &Query| {
-            let found = prepared.as_ref().map_err(CriticalError::clone)?.at(&query.l)?;
-            let mut text = Vec::with_capacity(LINE);
-            serde_json::to_writer(&mut text, &documents::critical(&query.subject, &query.l, &found))?;
-            Ok(text)
-        };
-        queries.par_iter().map(line).collect()
-    };
-    queries.par_chunk_by(same).flat_map(of_one_body).collect()
+    queries.par_chunks(BLOCK).flat_map_iter(|block| block.chunk_by(same).flat_map(of_one_body)).collect()
 }
+
+/// The answers to lines about one body.
+fn of_one_body(queries: &[Query]) -> Vec<Result<Vec<u8>, Unanswered>> {
+    let prepared = RelativeEquilibria::new(&queries[0].subject.body);
+    let line = |query: &Query| {
+        let found = prepared.as_ref().map_err(CriticalError::clone)?.at(&query.l)?;
+        let mut text = Vec::with_capacity(LINE);
+        serde_json::to_writer(&mut text, &documents::critical(&query.subject, &query.l, &found))?;
+        Ok(text)
+    };
+    queries.iter().map(line).collect()
+}
+
+/// Lines that one thread answers.
+const BLOCK: usize = 256;
 
 /// Room for an answer, so that it is not moved while it is written.
 const LINE: usize = 2048;
