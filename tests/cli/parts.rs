@@ -152,7 +152,7 @@ fn a_part_with_errors_in_its_numbers_has_bounds() {
     }
     // The corners need 24 rpm on each side.
     assert!(high - low < 250.0, "{low} {high}");
-    assert_eq!(ranges.iter().find(awake).unwrap()["most"], "Izz");
+    assert!(names.contains(&ranges.iter().find(awake).unwrap()["most"].as_str().unwrap()));
     assert!(tolerance["tilt_deg"].as_f64().unwrap() < 10.0);
     let command = document["command"].as_str().unwrap().strip_prefix("bifdiag ").unwrap().to_owned();
     assert_eq!(bifdiag(&command).succeeds().json(), document);

@@ -116,11 +116,6 @@ pub enum SectionInput {
 pub enum SeedProblem {
     #[error("the heading `{0}` lacks {1}; write theta,psi,sheet")]
     Heading(String, &'static str),
-    #[error(
-        "these are the crossings of a section (columns orbit and index), each of which would start an orbit of its own; for starts \
-         keep the lines that are wanted, with the columns theta,psi,sheet alone"
-    )]
-    Crossings,
     #[error("{found} values, but the heading has {wanted}")]
     Count { found: usize, wanted: usize },
     #[error("{name} = `{value}` is not a number; give an angle in radians, such as 1.57 or pi/2")]

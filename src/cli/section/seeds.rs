@@ -35,10 +35,6 @@ fn parse(text: &str) -> Result<Vec<Seed>, (usize, SeedProblem)> {
     let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
     let Some((number, heading)) = lines.next() else { return Ok(Vec::new()) };
     let names: Vec<&str> = heading.split(',').map(str::trim).collect();
-    // A heading over starts of one's own may hold more, but what --data writes is a table of thousands of crossings.
-    if ["orbit", "index"].iter().all(|name| names.contains(name)) {
-        return Err((number, SeedProblem::Crossings));
-    }
     let mut places = [0; 3];
     for (place, name) in places.iter_mut().zip(HEADING) {
         let found = names.iter().position(|found| *found == name);
@@ -81,8 +77,6 @@ mod tests {
     fn wrong_lines_are_numbered() {
         let wrong = |text: &str| parse(text).unwrap_err();
         assert!(matches!(wrong("theta,psi\n"), (1, SeedProblem::Heading(_, "sheet"))));
-        let crossings = "orbit,index,time,sheet,s_dot,theta,psi\n1,0,0,1,1,1,2\n";
-        assert!(matches!(wrong(crossings), (1, SeedProblem::Crossings)));
         assert!(matches!(wrong("theta,psi,sheet\n1,2\n"), (2, SeedProblem::Count { found: 2, wanted: 3 })));
         assert!(matches!(wrong("theta,psi,sheet\n\nx,2,1\n"), (3, SeedProblem::NotAnAngle { name: "theta", .. })));
         assert!(matches!(wrong("theta,psi,sheet\n1,nan,1\n"), (2, SeedProblem::NotAnAngle { name: "psi", .. })));
