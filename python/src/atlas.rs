@@ -39,11 +39,9 @@ pub struct Atlas {
 impl Atlas {
     /// An atlas that was made.
     pub fn of(python: Python<'_>, subject: &Subject, accuracy: Accuracy, certificate: bool) -> PyResult<Self> {
-        let mut atlas = Self::unmade(subject, accuracy);
-        if python.detach(|| atlas.prepared.atlas().is_none()) {
-            let missing = python.detach(|| bifdiag::atlas_of(&subject.body, accuracy.into()));
-            return Err(missing.map_or_else(|error| errors::range(&error), |_| errors::wrong("there is no atlas")));
-        }
+        let made = python.detach(|| bifdiag::atlas_of(&subject.body, accuracy.into()));
+        let prepared = Prepared::of(made.map_err(|error| errors::range(&error))?, accuracy.into());
+        let mut atlas = Self { subject: subject.clone(), prepared, proved: None };
         if certificate {
             let proof = python.detach(|| CertifiedAtlas::new(&subject.body)).map_err(|error| errors::range(&error))?;
             let drawn = proof.drawn().map_err(|error| errors::range(&error))?;

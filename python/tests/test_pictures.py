@@ -110,6 +110,16 @@ def test_wrong_colours_name_the_right_ones(section, paper):
     assert sum(len(panel.collections[0].get_offsets()) for panel in panels) == len(short)
 
 
+def test_curves_are_seen_in_every_style(atlas):
+    with plt.style.context("dark_background"):
+        bare = {line.get_color() for line in atlas.plot(regions=False, labels=False).lines}
+        ax = atlas.plot()
+    assert bare == {"white", "0.4"}
+    assert {line.get_color() for line in ax.lines} == {"black", "0.4"} and {text.get_color() for text in ax.texts} == {
+        "black"
+    }
+
+
 def test_a_section_is_drawn_on_both_sheets(section):
     for projection in ("torus", "sphere"):
         panels = section.plot(projection=projection)

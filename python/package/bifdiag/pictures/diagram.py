@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..exact import span
+from ..optional import needed
 from .axes import Array, axes
 
 if TYPE_CHECKING:
@@ -96,10 +97,12 @@ def diagram(
     window = atlas.document["view"]["main"]
     h, l = span(h or window["h"], "h"), span(l or window["l"], "l")
     ax = axes(ax)
+    # The grounds of regions are pale whatever the style sheet says.
+    ink = "black" if regions else needed("matplotlib", "plot").rcParams["text.color"]
     for region, outlines in zip(atlas.regions, atlas.outlines(h, l), strict=True) if regions else ():
         ax.add_patch(_patch(region, outlines))
     for curve in atlas.curves:
-        for low, high, style in _stretches(curve):
+        for low, high, style in _stretches(curve, ink):
             seen = max(low, l[0]), min(high, l[1])
             if seen[0] < seen[1]:
                 points = atlas.polyline(curve.id, seen, tolerance=(h[1] - h[0]) / CHORD)
@@ -107,19 +110,19 @@ def diagram(
                 ax.plot(points[:, 0], points[:, 1], gid=curve.id, **drawn)
     ax.set(xlim=h, ylim=l, xlabel="$h$", ylabel="$l$")
     if labels:
-        _name(atlas, ax, h, l)
+        _name(atlas, ax, h, l, ink)
     return ax
 
 
-def _stretches(curve: "Curve") -> Iterator[tuple[float, float, dict[str, Any]]]:
+def _stretches(curve: "Curve", ink: str) -> Iterator[tuple[float, float, dict[str, Any]]]:
     """The ranges of l over which a curve is drawn in one style."""
     if curve.kind in POLES:
         yield *curve.l_range, {"color": "0.4", "linestyle": POLES[curve.kind]}
     for low, high, stability in curve.stability:
-        yield low, high, {"color": "k", "linestyle": STRETCHES.get(stability, ":")}
+        yield low, high, {"color": ink, "linestyle": STRETCHES.get(stability, ":")}
 
 
-def _name(atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, float]) -> None:
+def _name(atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, float], ink: str) -> None:
     """Writes ids and signatures of the regions, or ids alone, deepest inside each region, where they fit."""
     from matplotlib.font_manager import FontProperties
 
@@ -137,7 +140,7 @@ def _name(atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, fl
             cell = _deepest(found == number, np.ceil(extent / points * CELLS / 2).astype(int))
             if cell is not None:
                 at = (energies[cell[0]], momenta[cell[1]])
-                ax.annotate(name, at, ha="center", va="center", fontsize="small", clip_on=True)
+                ax.annotate(name, at, ha="center", va="center", fontsize="small", color=ink, clip_on=True)
                 break
 
 
