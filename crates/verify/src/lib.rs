@@ -71,6 +71,9 @@ pub use refused::Refused;
 /// Fractional bits with which a certificate is checked, until it is confirmed.
 const BITS: [usize; 3] = [256, 512, 1024];
 
+/// The bits with which proofs are made.
+const PROOFS: [usize; 3] = [53, 128, 384];
+
 /// What was checked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
@@ -94,6 +97,9 @@ pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
     }
     if document.accuracy != Accuracy::Exact {
         return Err(Refused::Accuracy);
+    }
+    if !PROOFS.contains(&certificate.bits) {
+        return Err(Refused::Field { field: "certificate.bits" });
     }
     totals::frame(document, &body)?;
     let check = |bits| certified(document, certificate, &body, bits);

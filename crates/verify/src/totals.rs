@@ -11,10 +11,7 @@ use super::orders::Orders;
 use super::pieces::Branch;
 use super::slabs::Slab;
 
-/// The precisions of proofs.
-const BITS: [usize; 3] = [53, 128, 384];
-
-/// Checks versions, command and precision by their form, the flags of the body, and that nothing is left out.
+/// Checks versions and command by their form, the flags of the body, and that nothing is left out.
 pub(super) fn frame(document: &AtlasDocument, body: &Body) -> Result<(), Refused> {
     let refuse = |field| Err(Refused::Field { field });
     if document.schema_version != schema::SCHEMA_VERSION {
@@ -37,9 +34,6 @@ pub(super) fn frame(document: &AtlasDocument, body: &Body) -> Result<(), Refused
     }
     if document.body.degenerate != (flags.symmetric || flags.plane || flags.axis || flags.euler) {
         return refuse("body.degenerate");
-    }
-    if document.certificate.as_ref().is_some_and(|certificate| !BITS.contains(&certificate.bits)) {
-        return refuse("certificate.bits");
     }
     let summary = &document.summary;
     if document.window.is_some() || document.regions.iter().any(|region| region.clipped) {
