@@ -186,7 +186,7 @@ fn report(document: &FindDocument) -> String {
         report.line("this does not say that there is none");
         return report.text();
     };
-    let body = format!("--A {} --r {}", witness.moments.join(","), witness.center.join(","));
+    let body = format!("--A {} --r {}", witness.body.moments.join(","), witness.body.center.join(","));
     let (is, command) = if witness.critical_points.is_some() {
         ("are", format!("critical {body} --l {}", witness.l))
     } else {

@@ -2,7 +2,7 @@
 
 use documents::{CommandLine, Subject};
 use part::{MeasuredPart, Part};
-use schema::{CriticalSpinDocument, SCHEMA_VERSION};
+use schema::CriticalSpinDocument;
 use top::atlas::Atlas;
 use top::body::BodyAxis;
 use top::permanent::{AxisRotation, SpinType};
@@ -46,11 +46,8 @@ fn document(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CriticalSpi
         Axis::Other { nearest } => (false, nearest),
     };
     let mut document = CriticalSpinDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: documents::version(),
-        command: command(subject, axis, known).json(),
-        moments: documents::texts(subject.body.moments()),
-        center: documents::texts(subject.body.center()),
+        head: documents::head(command(subject, axis, known).json()),
+        body: documents::given(&subject.body),
         axis,
         permanent,
         nearest: (nearest.angle_deg > 0.0).then_some(nearest),
