@@ -1,7 +1,7 @@
 //! A campaign against the verdicts of sections: are orbits that were called regular or chaotic what they turn out to be?
 //!
 //! ```text
-//! cargo run --release --example verdict_campaign -- 400 7
+//! cargo run --release --example verdict_campaign -- 90 7
 //! ```
 //! Arguments: number of points (h, l), seed; 16 orbits each. Every orbit is followed for 20,000 crossings, and what it turns out
 //! to be is read off the tangent vector alone: *chaotic* if ln|δ| has gained more than 60 in all and 25 in the second half of the

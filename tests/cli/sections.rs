@@ -221,7 +221,7 @@ fn every_orbit_has_a_verdict_and_its_reason() {
 /// Kovalevskaya's top is integrable.
 #[test]
 fn no_region_of_kovalevskayas_top_has_a_chaotic_orbit() {
-    let line = "section --body kovalevskaya --region all --orbits 24 --crossings 600 --json";
+    let line = "section --body kovalevskaya --region all --orbits 24 --crossings 3000 --json";
     let document = bifdiag(line).succeeds().json();
     let sections = document["sections"].as_array().unwrap();
     assert_eq!((sections.len(), &document["skipped"]), (4, &json!([])));
