@@ -64,6 +64,11 @@ oldest_numpy() {
     PYTHONPATH="$environment/oldest" "$bin/pytest" tests/test_atlas.py tests/test_body.py
 }
 
+# One wheel serves all interpreters: those that this machine has.
+interpreters() {
+    ./interpreters.sh "$environment"/wheels/*.whl
+}
+
 step "environment" install
 step "style" style
 step "page" page
@@ -73,4 +78,5 @@ step "types" types
 step "tests" "$bin/pytest"
 step "doctests" "$bin/pytest" --doctest-modules --doctest-glob='*.rst' --pyargs bifdiag docs
 step "oldest numpy" oldest_numpy
+step "other interpreters" interpreters
 step "reference" "$bin/sphinx-build" --quiet --fail-on-warning --builder html docs "$environment/docs"

@@ -1,52 +1,95 @@
 #!/usr/bin/env bash
-# Runs the tests of a wheel with the newer interpreters of Debian's unstable distribution: interpreters.sh WHEEL [VERSION ...]
-# They are unpacked into a folder of their own together with their C library, and touch nothing of the system. Needs apt and pip.
+# Runs the tests of a wheel with other interpreters: interpreters.sh WHEEL [INTERPRETER ...]
+# An interpreter is a program, such as python3.10 or a path, which gets an environment of its own; or a version, such as 3.14,
+# which is unpacked from Debian's unstable distribution into a folder of its own together with its C library, and touches
+# nothing of the system (this needs apt and pip). By default every version from 3.10 on that runs here beside
+# python3 itself, pyenv's among them.
 set -euo pipefail
 wheel="$(realpath "$1")"
-versions=("${@:2}")
-[ ${#versions[@]} -gt 0 ] || versions=(3.13 3.14 3.15)
+wanted=("${@:2}")
+if [ ${#wanted[@]} -eq 0 ]; then
+    version_of() { "$1" -c 'import sys; print(sys.version)' 2> /dev/null; }
+    declare -A found=(["$(version_of python3)"]=yes)
+    for name in $(compgen -c python3. | sort -u) "${PYENV_ROOT:-$HOME/.pyenv}"/versions/*/bin/python3.*; do
+        [[ "$name" =~ python3\.[1-9][0-9]$ ]] || continue
+        version="$(version_of "$name")" || continue
+        [ -n "${found[$version]-}" ] || wanted+=("$name")
+        found[$version]=yes
+    done
+fi
 cd "$(dirname "$0")"
 place="$(mktemp -d)"
 trap 'rm -rf "$place"' EXIT
+failed=()
 
-mkdir -p "$place"/{lists/partial,archives/partial,root}
-echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian sid main" > "$place/sources.list"
-apt=(-qq -o "Dir::Etc::sourcelist=$place/sources.list" -o Dir::Etc::sourceparts=/dev/null -o "Dir::State::lists=$place/lists"
-    -o "Dir::Cache=$place" -o APT::Sandbox::User=root)
-apt-get "${apt[@]}" update
-packages=(libc6 libssl3t64 libffi8 libsqlite3-0 libexpat1 zlib1g libbz2-1.0 liblzma5 libzstd1 libuuid1 libgcc-s1 libstdc++6 libcrypt1)
-for version in "${versions[@]}"; do
-    packages+=("python$version-minimal" "libpython$version-stdlib" "libpython$version-minimal")
-done
-(cd "$place/archives" && apt-get "${apt[@]}" download "${packages[@]}")
-for package in "$place"/archives/*.deb; do dpkg -x "$package" "$place/root"; done
+needs=(numpy pytest pytest-timeout hypothesis)
+tests="
+import sys
+if len(sys.argv) > 1: sys.executable = sys.argv[1]
+import numpy, pytest
+print(sys.version, 'numpy', numpy.__version__)
+tests = ['atlas', 'body', 'critical', 'explorer', 'limits', 'part', 'section']
+sys.exit(pytest.main(['-p', 'no:cacheprovider', *(f'tests/test_{name}.py' for name in tests)]))"
 
-libraries="$place/root/usr/lib/x86_64-linux-gnu"
-failed=0
-for version in "${versions[@]}"; do
-    site="$place/site-$version"
-    abi="cp${version/./}"
+of_this_machine() {
+    local environment python
+    environment="$(mktemp -d "$place/environment-XXXX")"
+    "$1" -m venv "$environment"
+    python="$environment/bin/python"
+    "$python" -m pip install --quiet --disable-pip-version-check --only-binary=:all: "${needs[@]}" "$wheel"
+    "$python" -c "$tests"
+}
+
+fetch_from_debian() {
+    mkdir -p "$place"/{lists/partial,archives/partial,root}
+    echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian sid main" > "$place/sources.list"
+    local apt=(-qq -o "Dir::Etc::sourcelist=$place/sources.list" -o Dir::Etc::sourceparts=/dev/null
+        -o "Dir::State::lists=$place/lists" -o "Dir::Cache=$place" -o APT::Sandbox::User=root)
+    apt-get "${apt[@]}" update
+    local packages=(libc6 libssl3t64 libffi8 libsqlite3-0 libexpat1 zlib1g libbz2-1.0 liblzma5 libzstd1 libuuid1 libgcc-s1
+        libstdc++6 libcrypt1)
+    for version in "$@"; do
+        packages+=("python$version-minimal" "libpython$version-stdlib" "libpython$version-minimal")
+    done
+    (cd "$place/archives" && apt-get "${apt[@]}" download "${packages[@]}")
+    for package in "$place"/archives/*.deb; do dpkg -x "$package" "$place/root"; done
+}
+
+of_debian() {
+    local version="$1" site="$place/site-$1" abi="cp${1/./}" machine libraries loader program
+    machine="$(uname -m)"
+    libraries="$place/root/usr/lib/$(python3 -c 'import sysconfig; print(sysconfig.get_config_var("MULTIARCH"))')"
+    loader=("$libraries"/ld-linux*.so.*)
     # The pip at hand asks the registry for another interpreter; what a package says of the pip's own interpreter does not count.
     python3 -m pip install --quiet --disable-pip-version-check --ignore-requires-python --no-deps --only-binary=:all: \
         --target "$site" --python-version "$version" --implementation cp --abi "$abi" --abi abi3 --abi abi3t --abi none \
-        --platform manylinux_2_28_x86_64 --platform manylinux_2_27_x86_64 --platform manylinux_2_17_x86_64 \
-        --platform manylinux2014_x86_64 numpy pytest pytest-timeout pluggy iniconfig packaging pygments hypothesis sortedcontainers
+        --platform "manylinux_2_28_$machine" --platform "manylinux_2_27_$machine" --platform "manylinux_2_17_$machine" \
+        --platform "manylinux2014_$machine" "${needs[@]}" pluggy iniconfig packaging pygments sortedcontainers
     python3 -m zipfile -e "$wheel" "$site"
     # A program that starts itself again, as the tests of the command do.
     program="$place/python$version"
     cat > "$program" << END
 #!/bin/sh
 export PYTHONHOME="$place/root/usr" PYTHONPATH="$site"
-exec "$libraries/ld-linux-x86-64.so.2" --library-path "$libraries" "$place/root/usr/bin/python$version" "\$@"
+exec "${loader[0]}" --library-path "$libraries" "$place/root/usr/bin/python$version" "\$@"
 END
     chmod +x "$program"
-    echo "== python $version"
-    "$program" -c "
-import sys
-sys.executable = '$program'
-import numpy, pytest
-print(sys.version, 'numpy', numpy.__version__)
-tests = ['atlas', 'body', 'critical', 'explorer', 'limits', 'part', 'section']
-sys.exit(pytest.main(['-p', 'no:cacheprovider', *(f'tests/test_{name}.py' for name in tests)]))" || failed=1
+    "$program" -c "$tests" "$program"
+}
+
+versions=()
+for interpreter in "${wanted[@]}"; do
+    case "$interpreter" in
+        3.*) versions+=("$interpreter") ;;
+        *)
+            echo "== $interpreter"
+            of_this_machine "$interpreter" || failed+=("$interpreter")
+            ;;
+    esac
 done
-exit "$failed"
+[ ${#versions[@]} -eq 0 ] || fetch_from_debian "${versions[@]}"
+for version in "${versions[@]}"; do
+    echo "== Debian's $version"
+    of_debian "$version" || failed+=("$version")
+done
+[ ${#failed[@]} -eq 0 ] || { echo "failed: ${failed[*]}"; exit 1; }

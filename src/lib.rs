@@ -25,6 +25,11 @@
 pub mod cli;
 
 #[cfg(feature = "plot")]
+mod fine;
+
+#[cfg(feature = "plot")]
+pub use fine::Curves;
+#[cfg(feature = "plot")]
 pub use plot;
 pub use {documents, dynamics, numbers, part, proof, schema, survey, top, verify};
 

@@ -1,22 +1,27 @@
 #!/usr/bin/env bash
-# Mutation tests: every mutant of the topology and of the verifier that no test notices is listed. One argument takes a
-# part, such as 1/8; others go to cargo-mutants (`cargo install cargo-mutants`).
+# Mutation tests: every mutant of the topology, or of the verifier, that no test notices is listed (`cargo install
+# cargo-mutants`). A part such as 3/40 takes every fortieth mutant; further arguments go to cargo-mutants. Samples and
+# their results: data/mutants.txt.
 #
-#   tests/mutants.sh                     all of them, hours
-#   tests/mutants.sh 3/40                a sample
-#   tests/mutants.sh 0/1 --file crates/top/src/topology/component.rs
+#   tests/mutants.sh topology            all of them, hours
+#   tests/mutants.sh verify 3/40         a sample
+#   tests/mutants.sh topology 0/1 --re Partition
 set -euo pipefail
 cd "$(dirname "$0")/.."
-shard="${1:-0/1}"
-shift || true
-files=(--file 'crates/top/src/topology/**' --file 'crates/top/src/class/**' --file 'crates/verify/src/**')
-case " $* " in *" --file "*) files=() ;; esac
+subject="${1:?topology or verify}"
+shard="${2:-0/1}"
+shift "$(($# < 2 ? $# : 2))"
+case "$subject" in
+topology) chosen=(--file 'crates/top/src/topology/**' --file 'crates/top/src/class/**' --test-package bifdiag-top) ;;
+verify) chosen=(--file 'crates/verify/src/**' --test-package bifdiag --cargo-test-arg=--test=verify) ;;
+*) echo "mutants.sh: $subject is neither topology nor verify" >&2; exit 2 ;;
+esac
 
-out="${CARGO_TARGET_DIR:-$PWD/target}/mutants"
+out="${CARGO_TARGET_DIR:-$PWD/target}/mutants/$subject"
 mkdir -p "$out"
 status=0
-cargo mutants "${files[@]}" --shard "$shard" --baseline skip --timeout 120 --minimum-test-timeout 120 --jobs 1 \
-    --no-shuffle --profile mutants --output "$out" "$@" || status=$?
+cargo mutants --workspace "${chosen[@]}" --shard "$shard" --sharding round-robin --no-shuffle --baseline skip \
+    --timeout 600 --minimum-test-timeout 600 --jobs 1 --profile mutants --output "$out" "$@" || status=$?
 # 2: some were missed, 3: some ran out of time; both are results.
 case $status in 0 | 2 | 3) ;; *) exit "$status" ;; esac
 cat "$out/mutants.out/missed.txt"

@@ -28,29 +28,21 @@ fn certified(atlas: &CertifiedAtlas) -> AtlasDocument {
 
 #[test]
 fn bodies_of_every_stratum_are_verified() {
-    let (confirmed, unproved) = (RefCell::new(0), RefCell::new(0));
+    let unproved = RefCell::new(Vec::new());
     for stratum in STRATA {
         holds_for_bodies(stratum, 2, |body| {
-            let Ok(atlas) = CertifiedAtlas::new(body) else {
-                prop_assert!(stratum.is_planted(), "not proved");
-                *unproved.borrow_mut() += 1;
-                return Ok(());
-            };
-            match verify(&certified(&atlas)) {
-                Ok(_) => *confirmed.borrow_mut() += 1,
-                // Two events of a planted body may lie closer than the verifier's bits tell.
-                Err(refused) if stratum.is_planted() => {
-                    println!("{stratum:?}: {refused}\n  for {}", body_text(body));
-                    *unproved.borrow_mut() += 1;
+            match CertifiedAtlas::new(body) {
+                Ok(atlas) => {
+                    verify(&certified(&atlas)).map_err(|refused| TestCaseError::fail(refused.to_string()))?;
                 }
-                Err(refused) => return Err(TestCaseError::fail(refused.to_string())),
+                // Two curves of a planted body may lie closer than the prover's bits tell.
+                Err(_) if stratum.is_planted() => unproved.borrow_mut().push(body_text(body)),
+                Err(error) => return Err(TestCaseError::fail(error.to_string())),
             }
             Ok(())
         });
     }
-    let (confirmed, unproved) = (confirmed.into_inner(), unproved.into_inner());
-    println!("{confirmed} verified, {unproved} not");
-    assert!(unproved * 5 <= confirmed, "{unproved} not verified, {confirmed} verified");
+    assert!(unproved.borrow().len() <= 1, "not proved: {unproved:?}");
 }
 
 #[test]

@@ -3,14 +3,20 @@
 use std::sync::atomic::AtomicBool;
 
 use bifdiag::documents::{self, DocumentOptions, Located, Subject, atlas::document};
-use bifdiag::proof::Prepared;
-use bifdiag::schema::Accuracy;
-use bifdiag::{plot, top};
-use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
+use bifdiag::proof::{CertifiedAtlas, Prepared};
+use bifdiag::schema::{Accuracy, AtlasDocument, WindowDocument};
+use bifdiag::top::atlas::Window;
+use bifdiag::top::curves::CurveName;
+use bifdiag::{Curves, plot, top};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
+use crate::section::vectors;
 use crate::texts::{json, number};
 use crate::{errors, places, work};
+
+/// Ranges of h and l.
+type Ranges = [[f64; 2]; 2];
 
 /// A level of accuracy by its name.
 pub fn accuracy(level: &str) -> PyResult<Accuracy> {
@@ -26,22 +32,28 @@ pub fn accuracy(level: &str) -> PyResult<Accuracy> {
 pub struct Atlas {
     subject: Subject,
     prepared: Prepared,
+    /// The proof, and the atlas as it is proved, if the document is to carry a certificate.
+    proved: Option<(CertifiedAtlas, top::atlas::Atlas)>,
 }
 
 impl Atlas {
     /// An atlas that was made.
-    pub fn of(python: Python<'_>, subject: &Subject, accuracy: Accuracy) -> PyResult<Self> {
-        let atlas = Self::unmade(subject, accuracy);
-        if python.detach(|| atlas.prepared.atlas().is_none()) {
-            let missing = python.detach(|| bifdiag::atlas_of(&subject.body, accuracy.into()));
-            return Err(missing.map_or_else(|error| errors::range(&error), |_| errors::wrong("there is no atlas")));
+    pub fn of(python: Python<'_>, subject: &Subject, accuracy: Accuracy, certificate: bool) -> PyResult<Self> {
+        let made = python.detach(|| bifdiag::atlas_of(&subject.body, accuracy.into()));
+        let prepared = Prepared::of(made.map_err(|error| errors::range(&error))?, accuracy.into());
+        let mut atlas = Self { subject: subject.clone(), prepared, proved: None };
+        if certificate {
+            let proof = python.detach(|| CertifiedAtlas::new(&subject.body)).map_err(|error| errors::range(&error))?;
+            let drawn = proof.drawn().map_err(|error| errors::range(&error))?;
+            atlas.proved = Some((proof, drawn));
         }
         Ok(atlas)
     }
 
     /// One that is made when it is needed; without it points are still answered.
     pub fn unmade(subject: &Subject, accuracy: Accuracy) -> Self {
-        Self { subject: subject.clone(), prepared: Prepared::new(subject.body.clone(), accuracy.into()) }
+        let prepared = Prepared::new(subject.body.clone(), accuracy.into());
+        Self { subject: subject.clone(), prepared, proved: None }
     }
 
     fn atlas(&self) -> &top::atlas::Atlas {
@@ -52,11 +64,19 @@ impl Atlas {
         self.prepared.accuracy().into()
     }
 
-    fn document(&self, options: &DocumentOptions) -> bifdiag::schema::AtlasDocument {
+    fn document(&self, options: &DocumentOptions) -> PyResult<AtlasDocument> {
+        if let Some((proof, drawn)) = &self.proved {
+            let document = documents::certified_atlas_of(&self.subject, proof, drawn, options);
+            return document.map_err(|error| errors::range(&error));
+        }
         let mut document = document(self.atlas(), &DocumentOptions { accuracy: self.accuracy(), ..*options });
         documents::atlas::attach_part(&mut document, &self.subject);
-        document
+        Ok(document)
     }
+}
+
+fn window([h, l]: Ranges) -> WindowDocument {
+    WindowDocument { h, l }
 }
 
 #[pymethods]
@@ -74,22 +94,52 @@ impl Atlas {
 
     /// The events of the document.
     fn events(&self, python: Python<'_>) -> PyResult<String> {
-        python.detach(|| json(&documents::atlas::events(self.atlas())))
+        python.detach(|| {
+            if self.proved.is_none() {
+                return json(&documents::atlas::events(self.atlas()));
+            }
+            let options = DocumentOptions { polylines: false, polygons: false, ..DocumentOptions::default() };
+            json(&self.document(&options)?.events)
+        })
     }
 
     /// The text of atlas.json, as the command line writes it.
-    fn to_json(&self, python: Python<'_>) -> PyResult<String> {
-        let text = python.detach(|| documents::layout::text(&self.document(&DocumentOptions::default())));
+    fn to_json(&self, python: Python<'_>, ranges: Option<Ranges>, polygons: bool) -> PyResult<String> {
+        let options = DocumentOptions { window: ranges.map(window), polygons, ..DocumentOptions::default() };
+        let text = python.detach(|| Ok::<_, PyErr>(documents::layout::text(&self.document(&options)?)))?;
         text.map_err(|error| errors::range(&error))
     }
 
     /// The picture of the command line.
     fn svg(&self, python: Python<'_>) -> PyResult<String> {
         let picture = python.detach(|| {
-            let document = self.document(&DocumentOptions::default());
-            plot::draw(&document, None, &plot::DiagramOptions::default())
-        });
+            let document = self.document(&DocumentOptions::default())?;
+            Ok::<_, PyErr>(plot::draw(&document, Some(&Curves(self.atlas())), &plot::DiagramOptions::default()))
+        })?;
         picture.map(|picture| picture.svg).map_err(|error| errors::range(&error))
+    }
+
+    /// The outlines [h, l] of each region inside a window.
+    fn outlines<'py>(&self, python: Python<'py>, ranges: Ranges) -> PyResult<Vec<Vec<Bound<'py, PyArray2<f64>>>>> {
+        let [h, l] = ranges;
+        let found = python.detach(|| self.atlas().outlines(&Window { h, l }));
+        let arrays = |outlines: &Vec<Vec<[f64; 2]>>| {
+            outlines.iter().map(|outline| vectors(python, outline.iter().copied())).collect::<PyResult<_>>()
+        };
+        found.iter().map(arrays).collect()
+    }
+
+    /// Points [h, l] of a curve over a range of l, off by so much in h at most; `None` where it does not run.
+    fn polyline<'py>(
+        &self,
+        python: Python<'py>,
+        curve: &str,
+        l: [f64; 2],
+        tolerance: f64,
+    ) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
+        let name: CurveName = curve.parse().map_err(|error| errors::wrong(format!("{error}")))?;
+        let found = python.detach(|| self.atlas().polyline(name, l, tolerance));
+        found.map(|points| vectors(python, points.into_iter())).transpose()
     }
 
     /// The type at one point: the document.

@@ -1,7 +1,7 @@
 //! Bodies, and the questions that are asked of them alone.
 
 use bifdiag::documents::{self, Subject};
-use bifdiag::schema::PartDocument;
+use bifdiag::schema::{Accuracy, PartDocument};
 use bifdiag::top;
 use pyo3::prelude::*;
 
@@ -66,10 +66,21 @@ impl Body {
         self.subject.part.as_ref().map(json).transpose()
     }
 
-    /// Every region of the (h, l) plane.
+    /// Whether some distribution of mass has these moments.
+    fn physical(&self) -> bool {
+        self.subject.part.as_ref().map_or(!self.subject.body.flags().unphysical, |part| part.physical)
+    }
+
+    /// Every region of the (h, l) plane, with its proof if that is wanted.
     #[pyo3(name = "atlas")]
-    fn py_atlas(&self, python: Python<'_>, level: &str) -> PyResult<Atlas> {
-        Atlas::of(python, &self.subject, accuracy(level)?)
+    fn py_atlas(&self, python: Python<'_>, level: &str, certificate: bool) -> PyResult<Atlas> {
+        let accuracy = accuracy(level)?;
+        if certificate && accuracy == Accuracy::Fast {
+            return Err(errors::wrong(
+                "a certificate is a proof, and the accuracy \"fast\" does without; leave out one of them",
+            ));
+        }
+        Atlas::of(python, &self.subject, accuracy, certificate)
     }
 
     /// The type of U, E and P at one point: the document.

@@ -52,6 +52,13 @@ pub fn range(error: &dyn Error) -> PyErr {
     exception("RangeError", told(error))
 }
 
+/// A document that somebody changed.
+pub fn damaged(name: &str) -> PyErr {
+    let message =
+        format!("{name} is refused: its bytes are not those that bifdiag writes for an atlas with certificate");
+    exception("VerifyError", message)
+}
+
 /// A document that says something wrong.
 pub fn refused(error: &dyn Error) -> PyErr {
     exception("VerifyError", told(error))

@@ -31,12 +31,11 @@ mod _core {
     #[pymodule_export]
     use crate::section::section;
     #[pymodule_export]
-    use crate::survey::{find, verify};
+    use crate::survey::{find, readable, verify};
     use pyo3::prelude::*;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
-        module.add("SCHEMA_VERSION", bifdiag::schema::SCHEMA_VERSION)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use bifdiag::documents::{self, CommandLine};
+use bifdiag::schema::{AtlasDocument, SCHEMA_VERSION};
 use bifdiag::survey::search::{self, Domain, SearchOptions, Target};
 use bifdiag::verify::Refused;
 use pyo3::prelude::*;
@@ -80,11 +81,29 @@ pub fn find(
     json(&documents::find(&target, &found, command))
 }
 
-/// Checks the text of an atlas.json that `name` tells; the number of its regions.
+/// Checks the text of an atlas.json that `name` tells; the number of its regions. With `bytes` the text must be what bifdiag
+/// writes to the letter, as `bifdiag verify` wants it.
 #[pyfunction]
-pub fn verify(python: Python<'_>, text: &str, name: &str) -> PyResult<usize> {
-    let document = documents::reading::atlas(text, name).map_err(|error| errors::input(&error))?;
+pub fn verify(python: Python<'_>, text: &str, name: &str, bytes: bool) -> PyResult<usize> {
+    let document = read(text, name)?;
+    if bytes && document.certificate.is_some() {
+        let own = documents::layout::text(&document).map_err(|error| errors::range(&error))?;
+        if own.trim_end() != text.trim_end() {
+            return Err(errors::damaged(name));
+        }
+    }
     let report = work::run(python, 1, &AtomicBool::new(false), || bifdiag::verify::verify(&document))?;
     let report = report.map_err(|error: Refused| errors::refused(&error))?;
     Ok(report.regions)
+}
+
+/// Refuses the text of what is no atlas of this version; of an older one with the command that makes it anew.
+#[pyfunction]
+pub fn readable(text: &str, name: &str) -> PyResult<()> {
+    read(text, name).map(drop)
+}
+
+fn read(text: &str, name: &str) -> PyResult<AtlasDocument> {
+    documents::reading::atlas(text, name)
+        .map_err(|error| errors::wrong(format!("{name} is no atlas of version {SCHEMA_VERSION}: {error}")))
 }

@@ -23,6 +23,8 @@ def test_the_page_is_served_with_the_body(atlas):
     with urlopen(address + script) as answer:
         assert answer.headers["Content-Type"] == "text/javascript"
     assert atlas.explore(3.8, "13/4").url == shown.url + "&h=3.8&l=13/4"
+    with pytest.raises(bifdiag.InputError, match="both h and l"):
+        atlas.explore(3.8)
 
 
 def test_the_command_of_the_wheel_serves_its_page():

@@ -25,6 +25,13 @@ LINK = """<robot name="top"><link name="body"><inertial><origin xyz="0 0 0.1"/><
 <inertia ixx="0.02" iyy="0.03" izz="0.04" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"""
 
 
+def test_a_part_is_told_so_that_it_can_be_read():
+    part = bifdiag.Body.from_inertia(TENSOR, [0, "0.1", "0.2"], "0.5", units="kg,mm,s")
+    assert len(part.A[0]) > 100 and len(repr(part)) < 200 and "kg,mm,s" in repr(part)
+    assert all(repr(moment) in repr(part) for moment in part.part["principal"]["moments"])
+    assert "kg,mm,s" in part._repr_html_() and part.A[0] not in part._repr_html_()
+
+
 def test_a_tensor_about_either_point_is_the_command_lines(command):
     for about, option in (("centre of mass", "--inertia-com"), ("fixed point", "--inertia")):
         part = bifdiag.Body.from_inertia(TENSOR, [0, "0.1", "0.2"], "0.5", "9.81", about, units="kg,mm,s")

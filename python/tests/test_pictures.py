@@ -46,6 +46,80 @@ def test_a_diagram_takes_what_it_is_told(atlas):
     assert {line.get_color() for line in ax.lines} == {"red"}
 
 
+def test_unstable_stretches_are_dashed(atlas):
+    ax = atlas.plot()
+    words = {curve.id: curve for curve in atlas.curves}
+    drawn = {"-": 0, "--": 0}
+    for line in ax.lines:
+        curve = words[line.get_gid()]
+        if curve.kind.startswith("pole"):
+            assert line.get_color() == "0.4"
+            continue
+        middle = line.get_ydata()[[0, -1]].mean()
+        (word,) = {word for low, high, word in curve.stability if low < middle < high}
+        style = "-" if word in ("elliptic", "double-elliptic") else "--"
+        assert line.get_linestyle() == style
+        drawn[style] += 1
+    assert min(drawn.values()) > 0
+
+
+def test_a_magnified_picture_is_as_fine_as_its_axes(atlas):
+    event = atlas.events[0]
+    h, l = (event.h - 1e-4, event.h + 1e-4), (event.l - 1e-4, event.l + 1e-4)
+    ax = atlas.plot(h=h, l=l)
+    seen = [line for line in ax.lines if len(line.get_xdata()) > 1]
+    assert seen
+    for line in seen:
+        assert l[0] <= line.get_ydata().min() and line.get_ydata().max() <= l[1]
+    for patch in ax.patches:
+        corners = patch.get_path().vertices
+        assert not len(corners) or (corners[:, 0].min() >= h[0] and corners[:, 0].max() <= h[1])
+    for wrong in ((3, 1), (1, 1), (1, np.nan), (1, 2, 3)):
+        with pytest.raises(bifdiag.InputError, match="h"):
+            atlas.plot(h=wrong)
+
+
+def test_a_section_is_drawn_where_it_is_told(section):
+    _, ax = plt.subplots()
+    with pytest.raises(bifdiag.InputError, match="1 axes for 2 sheets"):
+        section.plot(ax)
+    for sheet in (1, -1):
+        _, ax = plt.subplots()
+        (panel,) = section.plot(ax, sheet=sheet)
+        assert panel is ax and len(ax.collections[0].get_offsets()) == (section.sheet == sheet).sum()
+    (panel,) = section.plot(sheet=1)
+    assert panel.get_title() == "T⁺"
+    with pytest.raises(bifdiag.InputError, match="sheets are 1 and -1"):
+        section.plot(sheet=2)
+
+
+def test_wrong_colours_name_the_right_ones(section, paper):
+    for color, message in [
+        ("nonsense", "lyapunov"),
+        ("gamma", "columns"),
+        ([1, 2], "shape"),
+        (["a"] * len(section), "dtype"),
+    ]:
+        with pytest.raises(bifdiag.InputError, match=message):
+            section.plot(color=color)
+    assert len(section.plot(color=section.theta)) == 2
+    # Orbits without a value are drawn all the same.
+    short = paper.section(3.8, 3.25, orbits=2, crossings=5)
+    assert np.isnan(short.rotation).all()
+    panels = short.plot(color="rotation")
+    assert sum(len(panel.collections[0].get_offsets()) for panel in panels) == len(short)
+
+
+def test_curves_are_seen_in_every_style(atlas):
+    with plt.style.context("dark_background"):
+        bare = {line.get_color() for line in atlas.plot(regions=False, labels=False).lines}
+        ax = atlas.plot()
+    assert bare == {"white", "0.4"}
+    assert {line.get_color() for line in ax.lines} == {"black", "0.4"} and {text.get_color() for text in ax.texts} == {
+        "black"
+    }
+
+
 def test_a_section_is_drawn_on_both_sheets(section):
     for projection in ("torus", "sphere"):
         panels = section.plot(projection=projection)
@@ -70,7 +144,13 @@ def test_a_body_and_its_sphere_are_drawn(paper):
     com = np.array(ax.lines[-1].get_data_3d())[:, -1]
     assert np.allclose(np.cross(com, [0.94868, 0, 0.61623]), 0)
     assert len(bifdiag.Body.preset("euler").plot().lines) == 3
-    assert paper.plot_sphere(3.8, 3.25).collections
+    assert paper.plot_sphere(3.8, "3.25").collections
+    with pytest.raises(bifdiag.InputError, match="forbidden"):
+        paper.plot_sphere(-5, 1)
+    # U may be smaller than the grid.
+    least = paper.critical(3.25)[0]
+    ax = paper.plot_sphere(float(least["h"]) + 1e-9, 3.25)
+    assert np.allclose(np.array(ax.lines[0].get_data_3d())[:, 0], least["gamma"])
 
 
 def test_a_plane_of_bodies_is_drawn():
@@ -86,6 +166,12 @@ def test_a_plane_of_bodies_is_drawn():
     named = pictures.plane(body_at, places, places, value=lambda atlas: atlas.regions[-1].signature)
     labels = [text.get_text() for text in named.figure.axes[1].get_yticklabels()]
     assert labels[int(named.collections[0].get_array()[0, 2])] == body_at(1.5, 0.5).atlas().regions[-1].signature
+
+
+def test_a_plane_has_room_for_bodies_that_cannot_exist():
+    # Any warning would be an error here.
+    ax = pictures.plane(lambda x, y: bifdiag.Body([1, x, y], [1, 0, 0]), [0.2, 1], [0.3, 1.1])
+    assert not np.ma.getmaskarray(ax.collections[0].get_array()).any()
 
 
 def test_notebooks_show_objects_by_themselves(paper, atlas, section):

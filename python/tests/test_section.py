@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import sys
 
 import numpy as np
 import pytest
@@ -93,11 +94,86 @@ def test_wrong_sections_are_told(paper, arguments, message):
 
 def test_files_that_are_none_are_told(tmp_path):
     (tmp_path / "x.npz").write_text("x")
-    with pytest.raises(bifdiag.InputError, match="archive"):
+    with pytest.raises(bifdiag.InputError, match="archive of `bifdiag section"):
         bifdiag.Section.load(tmp_path / "x.npz")
+    bifdiag.Body.preset("paper").atlas().save(tmp_path / "atlas.json")
+    with pytest.raises(bifdiag.InputError, match=r"is an atlas .JSON., no section: bifdiag.Atlas.load reads it"):
+        bifdiag.Section.load(tmp_path / "atlas.json")
+    with pytest.raises(bifdiag.InputError, match=r"no motion: bifdiag.Section.load"):
+        bifdiag.Motion.load(_saved(tmp_path))
+    np.savez(tmp_path / "other.npz", a=1)
+    with pytest.raises(bifdiag.InputError, match="other arrays"):
+        bifdiag.Section.load(tmp_path / "other.npz")
+    with pytest.raises(FileNotFoundError):
+        bifdiag.Section.load(tmp_path / "nothing.npz")
     np.savez(tmp_path / "y.npz", orbit=[1], meta="{}")
     with pytest.raises(bifdiag.InputError, match="no array 'index'"):
         bifdiag.Section.load(tmp_path / "y.npz")
+
+
+def _saved(folder):
+    paper_section(orbits=1, crossings=5).save(folder / "section.npz")
+    return folder / "section.npz"
+
+
+def test_missing_packages_name_their_extra(section, monkeypatch):
+    for module, hand_on in [
+        ("pandas", section.to_pandas),
+        ("xarray", section.to_xarray),
+        ("pyarrow", section.__arrow_c_stream__),
+    ]:
+        monkeypatch.setitem(sys.modules, module, None)
+        with pytest.raises(ImportError, match=rf"{module}: pip install 'bifdiag\[tables\]'"):
+            hand_on()
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
+    with pytest.raises(ImportError, match=r"bifdiag\[plot\]"):
+        section.plot()
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(ImportError, match=r"bifdiag\[plot\]"):
+        section.plot()
+
+
+def test_islands_are_counted(paper):
+    found = paper.section(5.3, 3.25, orbits=24, crossings=600)
+    chains = [orbit for orbit in found.meta["orbits"] if (orbit["chaos"]["rotation"] or {}).get("angle") == "islands"]
+    assert chains
+    for orbit in chains:
+        rotation = orbit["chaos"]["rotation"]
+        steps = rotation["number"] * rotation["islands"]
+        assert steps == pytest.approx(round(steps)) and set(found.rotation[found.orbit == orbit["orbit"]]) == {
+            rotation["number"]
+        }
+
+
+def test_the_section_at_minus_l_is_the_mirror_image(paper):
+    found = paper_section(chaos=False)
+    starts = np.stack([found.theta, found.psi, -found.sheet], axis=1)[found.index == 0]
+    mirrored = paper.section(3.8, -3.25, starts=starts, crossings=1, chaos=False)
+    first = mirrored.index == 0
+    assert np.allclose(mirrored.gamma[first], found.gamma[found.index == 0])
+    assert np.allclose(mirrored.l[first], -found.l[found.index == 0], atol=1e-12)
+
+
+def test_symbols_are_those_of_the_conventions(paper, section):
+    A, r = np.array([2, 1.1, 1]), np.array([0.94868, 0, 0.61623])
+    omega = section.l / A
+    energy = (section.l * omega).sum(axis=1) / 2 - section.gamma @ r
+    assert np.allclose(energy, 3.8)
+    speed = np.cross(section.gamma, omega)
+    assert np.allclose(speed @ r, 0, atol=1e-12)
+    change = np.cross(section.l, omega) - np.cross(section.gamma, r)
+    rate = (np.cross(speed, omega) + np.cross(section.gamma, change / A)) @ r
+    assert np.allclose(rate, section.s_dot)
+    delta = (np.cross(omega, section.gamma) * (np.cross(section.gamma, r) / A)).sum(axis=1)
+    assert (np.sign(delta) == section.sheet).all()
+    # (ϑ′, ψ′) about r̂, counted from the direction in which e₃ is seen.
+    r_hat = r / np.linalg.norm(r)
+    e_y = np.array([0, 0, 1]) - r_hat[2] * r_hat
+    e_y /= np.linalg.norm(e_y)
+    e_x = np.cross(e_y, r_hat)
+    theta, psi = section.theta[:, None], section.psi[:, None]
+    gamma = np.sin(theta) * (np.sin(psi) * e_x + np.cos(psi) * e_y) + np.cos(theta) * r_hat
+    assert np.allclose(gamma, section.gamma)
 
 
 def test_tables_are_handed_on(section):
@@ -121,6 +197,36 @@ def test_a_motion_turns_the_vertical_up(paper):
     assert np.allclose(np.linalg.det(axes), 1)
     assert np.array_equal(motion.attitude(scalar_first=False)[:, 3], motion.quaternion[:, 0])
     assert pickle.loads(pickle.dumps(motion)) == motion
+
+
+def test_euler_angles_are_those_of_the_conventions(paper):
+    motion = paper.orbit(gamma=[0.6, 0, 0.8], omega=[1, 0.3, 1], t=9, phi=0.4)
+    zero = np.zeros(len(motion))
+
+    def about(axis, angle):
+        c, s = np.cos(angle), np.sin(angle)
+        rows = {
+            "x": [[zero + 1, zero, zero], [zero, c, -s], [zero, s, c]],
+            "z": [[c, -s, zero], [s, c, zero], [zero, zero, zero + 1]],
+        }
+        return np.moveaxis(np.array(rows[axis]), -1, 0)
+
+    turned = about("z", motion.phi) @ about("x", motion.theta) @ about("z", motion.psi)
+    assert np.allclose(turned, motion.axes(), atol=1e-9) and motion.phi[0] == 0.4
+    assert np.allclose(motion.axes()[:, 2], motion.gamma, atol=1e-9)
+    # The attitude obeys dR/dt = R [ω]: by central differences of the rows in space.
+    speed = np.gradient(motion.axes(), motion.time, axis=0)[1:-1]
+    spin = np.cross(motion.omega[:, None, :], np.eye(3)[None]).transpose(0, 2, 1)[1:-1]
+    assert np.abs(speed - motion.axes()[1:-1] @ spin).max() < 0.01
+
+
+def test_times_may_be_a_single_number(paper):
+    state = {"gamma": [0, 0, 1], "omega": [1, 1, 1]}
+    forth, back, now = (paper.orbit(**state, t=t).time for t in (5, -5, 0))
+    assert (len(forth), forth[0], forth[-1]) == (201, 0, 5)
+    assert (len(back), back[0], back[-1]) == (201, -5, 0)
+    assert now.tolist() == [0]
+    assert paper.orbit(**state, t=[0, 0, 1]).time.tolist() == [0, 0, 1]
 
 
 def test_motions_agree_with_the_command_line(paper, command):

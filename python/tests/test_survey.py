@@ -15,7 +15,17 @@ def test_scans_write_the_command_lines_file(suffix, command, tmp_path):
     assert isinstance(summary, dict)
 
 
+def test_a_range_is_one_text_or_several(tmp_path, command):
+    body = bifdiag.Body.preset("lagrange")
+    told = [bifdiag.scan(body=body, vary=vary, out=tmp_path / "x.csv") for vary in ("A1=1:2:3", ["A1=1:2:3"])]
+    assert told[0] == told[1] and told[0]["rows"] == 3
+
+
 def test_wrong_scans_are_told(tmp_path):
+    with pytest.raises(bifdiag.InputError, match=r"^--samples is missing"):
+        bifdiag.scan(out=tmp_path / "x.csv")
+    with pytest.raises(bifdiag.InputError, match=r"a range is written.*\d$"):
+        bifdiag.scan(body=bifdiag.Body.preset("lagrange"), vary="A", out=tmp_path / "x.csv")
     with pytest.raises(bifdiag.InputError, match="family"):
         bifdiag.scan(family="nobody", samples=3, out=tmp_path / "x.csv")
     with pytest.raises(bifdiag.InputError, match="samples"):
@@ -27,6 +37,7 @@ def test_what_is_found_shows_what_was_sought():
     assert witness and witness.body is not None
     found = witness.body.classify(witness.h, witness.l)
     assert found.components == witness.components and "M4" in found.signature
+    assert "document" not in repr(witness) and witness.document["found"]
     assert bifdiag.find(signature="T2+S2", samples=2000, seed=3).found
 
 

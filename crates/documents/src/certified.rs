@@ -4,7 +4,7 @@ use proof::CertifiedAtlas;
 use schema::{Accuracy, AtlasDocument};
 use top::atlas::Atlas;
 
-use crate::atlas::{DocumentOptions, command, document};
+use crate::atlas::{DocumentOptions, attach_part, command, document};
 use crate::subject::Subject;
 
 /// The document with its certificate, sealed by its checksum. `drawn` is [`CertifiedAtlas::drawn`].
@@ -24,6 +24,24 @@ pub fn certified_atlas(
     document.command = command(&Subject::from(drawn.body().clone()), &options, true);
     document.certificate = Some(proved.certificate());
     seal(&mut document)?;
+    Ok(document)
+}
+
+/// The same of whatever the body was made from, which the document of a real part tells.
+///
+/// # Errors
+/// As [`certified_atlas`].
+pub fn certified_atlas_of(
+    subject: &Subject,
+    proved: &CertifiedAtlas,
+    drawn: &Atlas,
+    options: &DocumentOptions,
+) -> Result<AtlasDocument, serde_json::Error> {
+    let mut document = certified_atlas(proved, drawn, options)?;
+    if subject.part.is_some() {
+        attach_part(&mut document, subject);
+        seal(&mut document)?;
+    }
     Ok(document)
 }
 

@@ -22,7 +22,7 @@ pub mod words;
 pub use atlas::{DocumentOptions, attach_part};
 pub use body::{all_bodies, flags, part, principal, texts};
 pub use border::border;
-pub use certified::{certified_atlas, seal};
+pub use certified::{certified_atlas, certified_atlas_of, seal};
 pub use classes::{ClassCounts, add_text, classes, shipped_classes, standing};
 pub use classification::{Located, accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, version};

@@ -20,6 +20,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use dashu_ratio::RBig;
 
+use crate::Sign;
+
 /// The operations in which formulas are written.
 pub trait Arithmetic:
     Clone + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
@@ -56,8 +58,13 @@ pub trait Arithmetic:
 
 /// Intervals.
 pub trait Enclosure: Arithmetic {
-    /// The sign that all members share; `Some(0)` only for the point 0.
-    fn sign(&self) -> Option<i8>;
+    /// The sign that all members share; zero only for the point 0.
+    fn sign(&self) -> Option<Sign>;
+
+    /// The sign that all members share, if it is not zero.
+    fn strict_sign(&self) -> Option<Sign> {
+        self.sign()?.strict()
+    }
 
     /// The smallest interval that holds both.
     #[must_use]
@@ -86,6 +93,6 @@ pub trait Enclosure: Arithmetic {
 
     /// Every member is less than every member of `other`.
     fn is_below(&self, other: &Self) -> bool {
-        (other.clone() - self.clone()).sign() == Some(1)
+        (other.clone() - self.clone()).sign() == Some(Sign::Positive)
     }
 }

@@ -10,6 +10,7 @@ use dashu_ratio::RBig;
 
 use super::UNIT_ROUNDOFF;
 use super::enclosure::{Arithmetic, Enclosure};
+use crate::Sign;
 
 /// The reals from `lo` to `hi`, under the contract of [`Enclosure`]; `lo` ≤ `hi`, and neither is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -225,8 +226,12 @@ impl Arithmetic for Interval {
 }
 
 impl Enclosure for Interval {
-    fn sign(&self) -> Option<i8> {
-        if self.is_zero() { Some(0) } else { self.is_positive().map(|positive| if positive { 1 } else { -1 }) }
+    fn sign(&self) -> Option<Sign> {
+        if self.is_zero() {
+            Some(Sign::Zero)
+        } else {
+            self.is_positive().map(|positive| if positive { Sign::Positive } else { Sign::Negative })
+        }
     }
 
     fn hull(&self, other: &Self) -> Self {
@@ -290,6 +295,6 @@ mod tests {
         assert_eq!((Interval::point(0.1) + Interval::point(0.2) - Interval::point(0.3)).sign(), None);
         assert_eq!(Interval::between(0.0, 1.0).sign(), None);
         assert_eq!(Interval::between(1.0, 0.0).is_positive(), None);
-        assert_eq!(Interval::ZERO.sign(), Some(0));
+        assert_eq!(Interval::ZERO.sign(), Some(Sign::Zero));
     }
 }

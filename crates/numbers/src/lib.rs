@@ -11,10 +11,12 @@ pub mod polynomial;
 mod ring;
 pub mod root;
 pub mod sequence;
+mod sign;
 pub mod symmetric;
 pub mod wide;
 
 pub use number::{Number, ParseNumberError};
+pub use sign::Sign;
 
 /// Unit roundoff of `f64`: half the distance from 1 to the next double.
 pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;

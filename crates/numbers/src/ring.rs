@@ -92,7 +92,7 @@ mod tests {
             prop_assert_eq!(value(&p.minus(&q)), value(&p) - value(&q));
             prop_assert_eq!(value(&p.times(&q)), value(&p) * value(&q));
             prop_assert_eq!(value(&p.squared()), value(&p) * value(&p));
-            prop_assert_eq!(p.minus(&p).sign_at(&RBig::from(at)), 0);
+            prop_assert_eq!(p.minus(&p).sign_at(&RBig::from(at)), crate::Sign::Zero);
         }
     }
 }

@@ -3,12 +3,12 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use dashu_base::Approximation;
-use dashu_base::Sign;
 use dashu_float::round::mode::{Down, Up};
 use dashu_float::{Context, FBig, Repr};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
+use super::Sign;
 use super::enclosure::{Arithmetic, Enclosure};
 
 type End = Repr<2>;
@@ -40,7 +40,7 @@ impl Wide {
     }
 
     fn is_zero(&self) -> bool {
-        self.sign() == Some(0)
+        self.sign() == Some(Sign::Zero)
     }
 }
 
@@ -53,7 +53,7 @@ fn upper<E>(result: Result<Approximation<FBig<Up, 2>, dashu_float::round::Roundi
 }
 
 fn is_negative(end: &End) -> bool {
-    end.sign() == Sign::Negative && !is_nought(end)
+    end.sign() == dashu_base::Sign::Negative && !is_nought(end)
 }
 
 fn is_nought(end: &End) -> bool {
@@ -128,7 +128,7 @@ impl Div for Wide {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let bits = self.bits;
-        if matches!(other.sign(), None | Some(0)) {
+        if other.strict_sign().is_none() {
             return Self::line(bits);
         }
         if self.is_zero() {
@@ -202,14 +202,14 @@ impl Arithmetic for Wide {
 }
 
 impl Enclosure for Wide {
-    fn sign(&self) -> Option<i8> {
+    fn sign(&self) -> Option<Sign> {
         let (a, b) = self.ends.as_ref()?;
         if !is_negative(a) && !is_nought(a) {
-            Some(1)
+            Some(Sign::Positive)
         } else if is_negative(b) {
-            Some(-1)
+            Some(Sign::Negative)
         } else if is_nought(a) && is_nought(b) {
-            Some(0)
+            Some(Sign::Zero)
         } else {
             None
         }

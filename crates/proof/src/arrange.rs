@@ -8,6 +8,7 @@ use super::model::Model;
 use super::pair::{Open, PairProof, Proof};
 use super::point::{Evaluator, Passage, Point};
 use super::polar::{self, Meeting};
+use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 use numbers::partition::Partition;
@@ -155,7 +156,9 @@ fn order<E: Enclosure>(evaluator: &Evaluator<'_, E>, curves: &[CurveId], x: &RBi
     for _ in 0..points.len() {
         let mut changed = false;
         for k in 1..points.len() {
-            if !list[points[k - 1].0].lowest && evaluator.gap(&points[k].1, &points[k - 1].1).sign() == Some(-1) {
+            if !list[points[k - 1].0].lowest
+                && evaluator.gap(&points[k].1, &points[k - 1].1).sign() == Some(Sign::Negative)
+            {
                 points.swap(k - 1, k);
                 changed = true;
             }
@@ -164,8 +167,9 @@ fn order<E: Enclosure>(evaluator: &Evaluator<'_, E>, curves: &[CurveId], x: &RBi
             break;
         }
     }
-    let proved =
-        points.windows(2).all(|pair| list[pair[0].0].lowest || evaluator.gap(&pair[1].1, &pair[0].1).sign() == Some(1));
+    let proved = points
+        .windows(2)
+        .all(|pair| list[pair[0].0].lowest || evaluator.gap(&pair[1].1, &pair[0].1).sign() == Some(Sign::Positive));
     proved.then(|| Ordered {
         curves: points.iter().map(|p| p.0).collect(),
         heights: points.iter().map(|p| p.2).collect(),

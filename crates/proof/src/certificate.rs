@@ -9,6 +9,7 @@ use super::curves::{Place, Shape};
 use super::family::Half;
 use super::pair::{Mark, Proof, Stretch};
 use super::point::Evaluator;
+use numbers::Sign;
 use numbers::decimal;
 use numbers::enclosure::Enclosure;
 use numbers::interval::Interval;
@@ -111,7 +112,7 @@ impl CertifiedAtlas {
         CertifiedStretch {
             from: self.node(narrow, wide, curves, &stretch.x[0], 0),
             to: self.node(narrow, wide, curves, &stretch.x[1], 1),
-            sign: stretch.sign,
+            sign: stretch.sign.into(),
             crossing: match &stretch.proof {
                 Proof::Crossing(x) => {
                     Some(x.each_ref().map(|x| self.node(narrow, wide, curves, &Mark::At(x.clone()), 0)))
@@ -212,7 +213,7 @@ fn root(place: &Place) -> PlaceDocument {
 
 fn of_half(half: Half, y: [String; 2]) -> PlaceDocument {
     let (base, side) = match half {
-        Half::Generic { base, sign: 1 } => (base, "+"),
+        Half::Generic { base, sign: Sign::Positive } => (base, "+"),
         Half::Generic { base, .. } => (base, "-"),
         Half::Over { group } => (group, "over"),
     };

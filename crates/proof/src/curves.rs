@@ -6,6 +6,7 @@ use dashu_ratio::RBig;
 
 use super::family::Half;
 use super::model::Model;
+use numbers::Sign;
 use numbers::polynomial::{Polynomial, Root};
 use top::body::{Axis, Frame};
 use top::curves::{Branch, BranchName, CurveId, CurveName, CuspId, End, IntervalId, Orbit, PitchforkId, Pole};
@@ -83,8 +84,8 @@ pub(super) struct Curve {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Limit {
     pub group: usize,
-    /// 1 at +e, −1 at −e, 0 for a group without r.
-    pub side: i8,
+    /// Positive at +e, negative at −e, zero for a group without r.
+    pub side: Sign,
 }
 
 #[derive(Clone, Debug)]
@@ -149,12 +150,12 @@ fn charts(model: &Model, number: usize) -> Vec<Chart> {
         (Some(left), Some(right)) => {
             let middle = model.difference(right, left) / RBig::from(2);
             vec![
-                Chart { half: Half::Generic { base: left, sign: 1 }, limit: Some(middle.clone()) },
-                Chart { half: Half::Generic { base: right, sign: -1 }, limit: Some(middle) },
+                Chart { half: Half::Generic { base: left, sign: Sign::Positive }, limit: Some(middle.clone()) },
+                Chart { half: Half::Generic { base: right, sign: Sign::Negative }, limit: Some(middle) },
             ]
         }
-        (None, Some(base)) => vec![Chart { half: Half::Generic { base, sign: -1 }, limit: None }],
-        (Some(base), None) => vec![Chart { half: Half::Generic { base, sign: 1 }, limit: None }],
+        (None, Some(base)) => vec![Chart { half: Half::Generic { base, sign: Sign::Negative }, limit: None }],
+        (Some(base), None) => vec![Chart { half: Half::Generic { base, sign: Sign::Positive }, limit: None }],
         (None, None) => Vec::new(),
     }
 }
@@ -171,11 +172,11 @@ pub(super) fn roots_in_interval(
     for chart in charts(model, number) {
         let Half::Generic { base, sign } = chart.half else { continue };
         let scale = chart.limit.clone().unwrap_or(RBig::ONE);
-        let oriented = if sign > 0 { scale.clone() } else { -scale.clone() };
+        let oriented = sign.orient(scale.clone());
         let local = polynomial.composed(model.a(base), &oriented);
         let mut roots =
             if chart.limit.is_some() { local.roots_in_unit() } else { local.positive_roots() }.ok_or(NotIsolated)?;
-        if chart.limit.is_some() && sign > 0 && local.sign_at(&RBig::ONE) == 0 {
+        if chart.limit.is_some() && sign == Sign::Positive && local.sign_at(&RBig::ONE) == Sign::Zero {
             roots.push(Root::exact(&local, RBig::ONE));
         }
         let mut places: Vec<(Place, bool)> = roots
@@ -187,7 +188,7 @@ pub(super) fn roots_in_interval(
                 (Place { half: chart.half, lo, hi, root: Some(Arc::new(root)) }, odd)
             })
             .collect();
-        if sign < 0 {
+        if sign == Sign::Negative {
             places.reverse();
         }
         found.extend(places);
@@ -255,7 +256,7 @@ impl Place {
     /// The range of μ.
     pub fn mu(&self, model: &Model) -> [RBig; 2] {
         match self.half {
-            Half::Generic { base, sign: 1 } => [model.a(base) + &self.lo, model.a(base) + &self.hi],
+            Half::Generic { base, sign: Sign::Positive } => [model.a(base) + &self.lo, model.a(base) + &self.hi],
             Half::Generic { base, .. } => [model.a(base) - &self.hi, model.a(base) - &self.lo],
             Half::Over { group } => [model.a(group).clone(), model.a(group).clone()],
         }
@@ -494,7 +495,7 @@ impl Curves {
             let orbit = orbit(model.groups[group].size, axis);
             let first = self.list.next_id();
             let lowest = group + 1 == model.groups.len();
-            let limit = Some(Limit { group, side: 0 });
+            let limit = Some(Limit { group, side: Sign::Zero });
             let curve = |piece, ends: [Bound; 2], marks, limit| Curve {
                 branch: Branch::Symmetric(axis),
                 piece,
@@ -562,7 +563,7 @@ pub(super) fn passive_place(model: &Model, number: usize, group: usize) -> Optio
     charts(model, number).into_iter().find_map(|chart| {
         let Half::Generic { base, sign } = chart.half else { return None };
         let delta = mu - model.a(base);
-        let y = if sign > 0 { delta } else { -delta };
+        let y = sign.orient(delta);
         let inside = y > RBig::ZERO && chart.limit.is_none_or(|limit| y <= limit);
         inside.then(|| Place::exact(chart.half, y))
     })

@@ -8,6 +8,7 @@ use super::heights::{Heights, Level};
 use super::model::Model;
 use super::plane::{Gap, Open, Plane};
 use super::vertex;
+use numbers::Sign;
 
 /// The type of one point, decided: regular, forbidden, or proved to lie on a curve.
 ///
@@ -27,7 +28,7 @@ pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classific
     let levels = Heights::new(&model, x.clone()).against(&energy).map_err(|none| plane.open(none, &x))?;
     let margin = margin(&plane, &levels, &x);
     let gap = Gap::around(&levels);
-    if levels.iter().any(|level| level.sign == 0) {
+    if levels.iter().any(|level| level.sign == Sign::Zero) {
         let candidates = vertex::candidates(&plane, &x, &energy, &gap)?;
         return Ok(Classification::open(true, candidates, margin));
     }

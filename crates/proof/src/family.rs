@@ -4,13 +4,14 @@
 //! |μ − a_base| on the generic family, v − P̂ with v = s² over a group without r. However small y is, nothing cancels.
 
 use super::model::{Constants, Model};
+use numbers::Sign;
 use numbers::enclosure::Arithmetic;
 
 /// A half of a family with its coordinate y > 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Half {
     /// μ = a_base + sign · y.
-    Generic { base: usize, sign: i8 },
+    Generic { base: usize, sign: Sign },
     /// v = s² = P̂ + y over a group that carries no r.
     Over { group: usize },
 }
@@ -42,9 +43,9 @@ impl<E: Arithmetic> State<E> {
         }
     }
 
-    fn generic(model: &Model, c: &Constants<E>, base: usize, sign: i8, y: &E) -> Self {
+    fn generic(model: &Model, c: &Constants<E>, base: usize, sign: Sign, y: &E) -> Self {
         let zero = c.small(0);
-        let delta = if sign > 0 { y.clone() } else { -y.clone() };
+        let delta = sign.orient(y.clone());
         let n = model.groups.len();
         let tau: Vec<E> =
             (0..n).map(|k| if k == base { delta.clone() } else { delta.clone() + c.diff[base][k].clone() }).collect();
@@ -63,11 +64,10 @@ impl<E: Arithmetic> State<E> {
         let distance = y.clone();
         let s = root.clone() / distance.clone();
         let w: Vec<E> = weight.iter().map(|g| g.as_ref().map_or(zero.clone(), |g| g.clone() / total.clone())).collect();
-        let oriented = |e: E| if sign > 0 { e } else { -e };
         let gamma: Vec<E> = (0..n)
             .map(|k| {
                 let Some(t) = &ratio[k] else { return zero.clone() };
-                oriented(c.root_q[k].clone() * t.clone() / root.clone())
+                sign.orient(c.root_q[k].clone() * t.clone() / root.clone())
             })
             .collect();
         let j = mean(&w, c);
@@ -178,7 +178,7 @@ mod tests {
             let model = Model::new(&body, &frame);
             let c = Constants::<E>::new(&model, precision);
             for &base in &model.active {
-                for sign in [-1i8, 1] {
+                for sign in Sign::BOTH {
                     for y in [1e-9, 0.03, 0.2] {
                         let state = State::at(&model, &c, Half::Generic { base, sign }, &E::double(y, precision));
                         let mu = Mu { base: model.axis[base], delta: f64::from(sign) * y };

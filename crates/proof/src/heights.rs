@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use dashu_ratio::RBig;
+use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::polynomial::{Polynomial, Root, rational};
 use numbers::wide::Wide;
@@ -33,8 +34,8 @@ pub(super) enum Source {
 pub(super) struct Level {
     pub source: Source,
     pub height: Wide,
-    /// The sign of h − height; 0 is proved.
-    pub sign: i8,
+    /// The sign of h − height; zero is proved.
+    pub sign: Sign,
     /// Bounds of |h − height|.
     pub distance: [f64; 2],
 }
@@ -120,7 +121,7 @@ impl<'a> Heights<'a> {
         let local = difference.composed(&p_sum, &RBig::ONE);
         let half = Half::Over { group };
         let mut places = Vec::new();
-        if local.sign_at(&RBig::ZERO) == 0 {
+        if local.sign_at(&RBig::ZERO) == Sign::Zero {
             places.push(Place::exact(half, RBig::ZERO));
         }
         for mut root in local.positive_roots().ok_or(NoHeights::Roots)? {
@@ -141,10 +142,11 @@ impl<'a> Heights<'a> {
     fn level(&mut self, mut source: Source, h: &RBig) -> Result<Level, NoHeights> {
         /// A distance is known to this relative accuracy.
         const ACCURACY: f64 = 1e-12;
-        let equal =
-            |source: Source| Ok(Level { source, height: Wide::rational(h, STAGES[0]), sign: 0, distance: [0.0; 2] });
+        let equal = |source: Source| {
+            Ok(Level { source, height: Wide::rational(h, STAGES[0]), sign: Sign::Zero, distance: [0.0; 2] })
+        };
         let straight = self.straight_sign(&source, h);
-        if straight == Some(0) {
+        if straight == Some(Sign::Zero) {
             return equal(source);
         }
         let mut decided = None;
@@ -158,7 +160,7 @@ impl<'a> Heights<'a> {
             let (refined, height) = self.enclosure(source, stage);
             source = refined;
             let difference = Wide::rational(h, bits) - height.clone();
-            let Some(sign) = difference.sign().filter(|sign| *sign != 0) else { continue };
+            let Some(sign) = difference.strict_sign() else { continue };
             let [lo, hi] = difference.bounds().map(f64::abs);
             let distance = [lo.min(hi), lo.max(hi)];
             decided = Some(Level { source: source.clone(), height, sign, distance });
@@ -170,20 +172,19 @@ impl<'a> Heights<'a> {
     }
 
     /// The sign of h against a straight line, which rational arithmetic decides.
-    fn straight_sign(&self, source: &Source, h: &RBig) -> Option<i8> {
-        let of = |ordering: std::cmp::Ordering| ordering as i8;
+    fn straight_sign(&self, source: &Source, h: &RBig) -> Option<Sign> {
         match source {
-            Source::Euler { group } => Some(of((h * self.model.a(*group)).cmp(&self.x))),
+            Source::Euler { group } => Some((h * self.model.a(*group)).cmp(&self.x).into()),
             Source::Line(pole) => {
                 let [r2, weighted] = &self.model.line;
                 let above = h - &self.x * r2 / weighted;
                 // Against −r for P+ and r for P−, by squares.
                 let square = &above * &above;
                 Some(match (pole, above < RBig::ZERO) {
-                    (Pole::Plus, false) => 1,
-                    (Pole::Plus, true) => of(r2.cmp(&square)),
-                    (Pole::Minus, true) => -1,
-                    (Pole::Minus, false) => of(square.cmp(r2)),
+                    (Pole::Plus, false) => Sign::Positive,
+                    (Pole::Plus, true) => r2.cmp(&square).into(),
+                    (Pole::Minus, true) => Sign::Negative,
+                    (Pole::Minus, false) => square.cmp(r2).into(),
                 })
             }
             Source::Generic { .. } | Source::Over { .. } => None,
@@ -221,11 +222,11 @@ impl<'a> Heights<'a> {
             Source::Line(_) | Source::Euler { .. } => return false,
         };
         let [origin, direction] = match place.half {
-            Half::Generic { base, sign } => [self.model.a(base).clone(), RBig::from(sign)],
+            Half::Generic { base, sign } => [self.model.a(base).clone(), RBig::from(i8::from(sign))],
             Half::Over { group } => [self.model.sums_over(group).1, RBig::ONE],
         };
         match &place.root {
-            None => condition.sign_at(&(&origin + &direction * &place.lo)) == 0,
+            None => condition.sign_at(&(&origin + &direction * &place.lo)) == Sign::Zero,
             Some(root) => {
                 let scale = if root.hi.is_zero() { RBig::ONE } else { &place.hi / &root.hi };
                 root.is_root_of(&condition.composed(&origin, &(direction * scale)))

@@ -8,6 +8,7 @@
 use super::family::Half;
 use super::model::Constants;
 use super::point::{Evaluator, Point};
+use numbers::Sign;
 use numbers::enclosure::Enclosure;
 use top::curves::{Branch, CurveId};
 use top::table::Id;
@@ -40,7 +41,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         curves: [CurveId; 2],
         from: (&E, &[Point<E>; 2]),
         to: Option<(&E, &[Point<E>; 2])>,
-    ) -> Option<i8> {
+    ) -> Option<Sign> {
         let numbers = curves.map(|curve| match self.curves.list[curve].branch {
             Branch::Generic(interval) => Some(interval.index()),
             _ => None,
@@ -64,7 +65,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let family = Mirrored { active: &self.model.active, c: &self.c, group, epsilon };
         let proved = family.is_monotone_around(&from, to.as_ref())
             || to.as_ref().is_some_and(|to| family.leaves_cusp(&from, to) == Some(true));
-        proved.then_some(if left == 0 { 1 } else { -1 })
+        proved.then_some(if left == 0 { Sign::Positive } else { Sign::Negative })
     }
 
     /// |μ − a| of a point of the generic family beside this moment.
@@ -109,8 +110,8 @@ impl<E: Enclosure> Mirrored<'_, E> {
             let (low, high) = (&from.x, to.map(|edge| &edge.x));
             let at_large = self.x(&large);
             match high {
-                None => sign > 0 && at_large.is_below(low),
-                Some(high) if sign > 0 => at_large.is_below(low) && high.is_below(&self.x(&small)),
+                None => sign == Sign::Positive && at_large.is_below(low),
+                Some(high) if sign == Sign::Positive => at_large.is_below(low) && high.is_below(&self.x(&small)),
                 Some(high) => high.is_below(&at_large) && self.x(&small).is_below(low),
             }
         })
@@ -122,14 +123,14 @@ impl<E: Enclosure> Mirrored<'_, E> {
         let t = [from, to].map(|edge| edge.v.clone().map(|v| self.small(1) / v));
         let lower = |which: usize| (0..2).all(|end| t[end][which].is_below(&t[end][1 - which]));
         let (start, direction) = if lower(0) {
-            (0, 1)
+            (0, Sign::Positive)
         } else if lower(1) {
-            (1, -1)
+            (1, Sign::Negative)
         } else {
             return None;
         };
         let [first, last] = [&t[0][start], &t[1][start]];
-        let sigma = (last.clone() - first.clone()).sign().filter(|sign| *sign != 0)?;
+        let sigma = (last.clone() - first.clone()).strict_sign()?;
         let all = t.iter().flatten().cloned().reduce(|p, q| p.hull(&q))?;
         let top = (all.upper() * self.double(1.5)).upper();
         let range = first.hull(last).lower().hull(&top);
@@ -138,7 +139,7 @@ impl<E: Enclosure> Mirrored<'_, E> {
             && in_epsilon.sign() == Some(sigma * direction)
             && m.sign() == Some(-sigma * direction);
         let edge = self.x(&(self.small(1) / top));
-        Some(proved && if sigma > 0 { to.x.is_below(&edge) } else { edge.is_below(&from.x) })
+        Some(proved && if sigma == Sign::Positive { to.x.is_below(&edge) } else { edge.is_below(&from.x) })
     }
 
     fn sums(&self, v: &E) -> Sums<E> {
@@ -167,7 +168,7 @@ impl<E: Enclosure> Mirrored<'_, E> {
     }
 
     /// The sign of −∂x/∂v on a box: of 4a_i p − 3q − εv³(2Q̂'p − 3P̂'q/2).
-    fn fall(&self, v: &E) -> Option<i8> {
+    fn fall(&self, v: &E) -> Option<Sign> {
         let sums = self.sums(v);
         let [p, q] = self.p_and_q(v, &sums);
         let [_, p1, _] = sums.p;
@@ -175,7 +176,7 @@ impl<E: Enclosure> Mirrored<'_, E> {
         let main = self.c.a[self.group].clone() * p.clone() * self.small(4) - q.clone() * self.small(3);
         let bend = q1 * p * self.small(2) - p1 * q * self.double(1.5);
         let correction = self.epsilon.clone() * v.clone() * v.square() * bend;
-        (main - correction).sign().filter(|sign| *sign != 0)
+        (main - correction).strict_sign()
     }
 
     /// ∂g/∂t, ∂g/∂ε and m on a box of t, where g = t³(4a_iP − 3Q) − εm and m = 2Q̂'P − 3P̂'Q/2.

@@ -13,6 +13,7 @@ use super::curves::{Place, Shape};
 use super::family::Half;
 use super::plane::rounded;
 use super::point::{Evaluator, Passage, Point};
+use numbers::Sign;
 use numbers::enclosure::Enclosure;
 use top::curves::{CurveId, End, PitchforkId};
 
@@ -39,7 +40,7 @@ pub(super) enum Mark {
 pub(super) struct Stretch {
     pub x: [Mark; 2],
     /// Sign at the lower end.
-    pub sign: i8,
+    pub sign: Sign,
     pub proof: Proof,
 }
 
@@ -71,7 +72,7 @@ struct Node<E: Enclosure> {
     /// One of the two curves ends here.
     is_end: bool,
     at: [Point<E>; 2],
-    sign: Option<i8>,
+    sign: Option<Sign>,
     gap: E,
 }
 
@@ -233,7 +234,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
 
     /// A node at which the curves are known to meet.
     fn meeting(&self, node: Node<E>) -> Node<E> {
-        Node { sign: Some(0), gap: self.c.small(0), ..node }
+        Node { sign: Some(Sign::Zero), gap: self.c.small(0), ..node }
     }
 
     /// The node over this x.
@@ -325,14 +326,14 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// The sign of the gap between a common cusp or pitchfork and a node.
-    fn sign_beside(&self, curves: [CurveId; 2], end: &Side<E>, node: &Node<E>, side: usize) -> Option<i8> {
+    fn sign_beside(&self, curves: [CurveId; 2], end: &Side<E>, node: &Node<E>, side: usize) -> Option<Sign> {
         match end {
             Side::Cusp(_) => {
                 if self.bends(curves[0], &node.at[0], &node.at[1])? {
                     return None;
                 }
                 let slopes = node.at[0].slope(&self.c) - node.at[1].slope(&self.c);
-                let sign = slopes.sign().filter(|sign| *sign != 0)?;
+                let sign = slopes.strict_sign()?;
                 Some(if side == 0 { sign } else { -sign })
             }
             Side::Pitchfork(_) => {
@@ -345,7 +346,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
                     }
                     Some(self.state(half, &y.hull(&end_y)).curvature())
                 };
-                (curvature(0)? - curvature(1)?).sign().filter(|sign| *sign != 0)
+                (curvature(0)? - curvature(1)?).strict_sign()
             }
             _ => None,
         }
@@ -374,9 +375,9 @@ impl<E: Enclosure> Evaluator<'_, E> {
         if (p, s) == (q, t) {
             let at = self.place(place);
             return if at.is_below(y) {
-                Some(s > 0)
+                Some(s == Sign::Positive)
             } else if y.is_below(&at) {
-                Some(s < 0)
+                Some(s == Sign::Negative)
             } else {
                 None
             };
@@ -443,7 +444,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     /// The order between two nodes without another one; `Some(None)` when that does not show it, `None` when the box of
     /// a crossing cannot be found.
     #[allow(clippy::option_option)]
-    fn settled(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>) -> Option<Option<(i8, Proof)>> {
+    fn settled(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>) -> Option<Option<(Sign, Proof)>> {
         if let Some(found) = self.slopes(curves, from, Some(to)).and_then(|slopes| self.by_slopes(from, to, &slopes)) {
             return self.resolved(curves, from, to, found).map(Some);
         }
@@ -459,21 +460,21 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let reach = (to.x.clone() - from.x.clone()).hull(&self.c.small(0));
         // The gap at the lower end, then at the upper end.
         let ends = [from.gap.clone() + slopes.clone() * reach.clone(), to.gap.clone() - slopes.clone() * reach];
-        if let Some(sign) = ends.iter().find_map(strict) {
+        if let Some(sign) = ends.iter().find_map(Enclosure::strict_sign) {
             return Some(Course::Constant(sign));
         }
-        strict(slopes)?;
+        slopes.strict_sign()?;
         match (from.sign?, to.sign?) {
-            (p, q) if p == q && p != 0 => Some(Course::Constant(p)),
+            (p, q) if p == q && p != Sign::Zero => Some(Course::Constant(p)),
             // They meet at one end, which is proved elsewhere.
-            (0, q) | (q, 0) if q != 0 => Some(Course::Constant(q)),
-            (p, q) if p * q < 0 => Some(Course::Crossing(p)),
+            (Sign::Zero, q) | (q, Sign::Zero) if q != Sign::Zero => Some(Course::Constant(q)),
+            (p, q) if p * q == Sign::Negative => Some(Course::Crossing(p)),
             _ => None,
         }
     }
 
     /// What slopes tell, with the box of the crossing; `None` when that cannot be found.
-    fn resolved(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, found: Course) -> Option<(i8, Proof)> {
+    fn resolved(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, found: Course) -> Option<(Sign, Proof)> {
         match found {
             Course::Constant(sign) => Some((sign, Proof::Constant)),
             Course::Crossing(sign) => Some((sign, Proof::Crossing(self.crossing(curves, from, to, sign)?))),
@@ -488,12 +489,13 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let share =
             if far > 4.0 * near && near > 0.0 { ((near / far).sqrt() - near / far) / (1.0 - near / far) } else { 0.5 };
         [1.0, 0.8, 1.22].into_iter().find_map(|t| {
-            self.node_within(curves, &low, &high, share * t).filter(|node| node.sign.is_some_and(|sign| sign != 0))
+            self.node_within(curves, &low, &high, share * t)
+                .filter(|node| node.sign.is_some_and(|sign| sign != Sign::Zero))
         })
     }
 
     /// The sign from the identity over the ranges of both curves.
-    fn sign_over(&self, from: &Node<E>, to: &Node<E>) -> Option<i8> {
+    fn sign_over(&self, from: &Node<E>, to: &Node<E>) -> Option<Sign> {
         let state = |which: usize| {
             let (p, y) = from.at[which].place.as_ref()?;
             let (q, z) = to.at[which].place.as_ref()?;
@@ -503,7 +505,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// A small box around the one crossing between two nodes.
-    fn crossing(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, sign: i8) -> Option<[RBig; 2]> {
+    fn crossing(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, sign: Sign) -> Option<[RBig; 2]> {
         self.boxed(curves, [from.x.upper(), to.x.lower()], [&from.gap, &to.gap], sign)
     }
 
@@ -513,11 +515,12 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let ends = x.each_ref().map(|x| E::rational(x, self.c.precision));
         let nodes = [self.node(curves, &ends[0])?, self.node(curves, &ends[1])?];
         let [Some(p), Some(q)] = nodes.each_ref().map(|node| node.sign) else { return None };
-        let found = (p * q < 0).then(|| self.boxed(curves, ends, [&nodes[0].gap, &nodes[1].gap], p))??;
+        let found =
+            (p * q == Sign::Negative).then(|| self.boxed(curves, ends, [&nodes[0].gap, &nodes[1].gap], p))??;
         (found[0] >= x[0] && found[1] <= x[1]).then_some(found)
     }
 
-    fn boxed(&self, curves: [CurveId; 2], [mut low, mut high]: [E; 2], gaps: [&E; 2], sign: i8) -> Option<[RBig; 2]> {
+    fn boxed(&self, curves: [CurveId; 2], [mut low, mut high]: [E; 2], gaps: [&E; 2], sign: Sign) -> Option<[RBig; 2]> {
         let value = |gap: &E| {
             let [lo, hi] = gap.bounds();
             0.5 * (lo + hi)
@@ -561,9 +564,9 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// The sign is hidden at x: sure signs close by, on both sides.
-    fn around(&self, curves: [CurveId; 2], x: &E, [low, high]: [&E; 2], sign: i8) -> Option<[E; 2]> {
+    fn around(&self, curves: [CurveId; 2], x: &E, [low, high]: [&E; 2], sign: Sign) -> Option<[E; 2]> {
         let precision = self.c.precision;
-        let sure = |at: &E, wanted: i8| self.node(curves, at).is_some_and(|node| node.sign == Some(wanted));
+        let sure = |at: &E, wanted: Sign| self.node(curves, at).is_some_and(|node| node.sign == Some(wanted));
         let mut reach = E::resolution(precision);
         for _ in 0..60 {
             let step = x.clone() * E::double(reach, precision);
@@ -590,7 +593,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
                 .into_iter()
                 .find_map(|factor| {
                     self.node(curves, &E::double(few_bits(factor * from), self.c.precision))
-                        .filter(|node| node.sign.is_some_and(|sign| sign != 0))
+                        .filter(|node| node.sign.is_some_and(|sign| sign != Sign::Zero))
                 })
                 .ok_or(Open { x: [from, f64::INFINITY] })?;
             self.between(curves, &node, &next, DEPTH, stretches)?;
@@ -600,12 +603,12 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// The sign all the way to infinity.
-    fn far_sign(&self, curves: [CurveId; 2], node: &Node<E>) -> Option<i8> {
+    fn far_sign(&self, curves: [CurveId; 2], node: &Node<E>) -> Option<Sign> {
         if let Some(sign) = self.mirrored_sign(curves, (&node.x, &node.at), None) {
             return Some(sign);
         }
-        let gap = node.sign.filter(|sign| *sign != 0)?;
-        if self.slopes(curves, node, None).and_then(|slopes| strict(&slopes)) == Some(gap) {
+        let gap = node.sign?.strict()?;
+        if self.slopes(curves, node, None).and_then(|slopes| slopes.strict_sign()) == Some(gap) {
             return Some(gap);
         }
         let limits = curves.map(|c| self.curves.list[c].limit);
@@ -621,14 +624,14 @@ impl<E: Enclosure> Evaluator<'_, E> {
             let now = point.h_above(&self.c, limit.group, &a);
             let root = self.c.root_q[limit.group].clone();
             let end = match limit.side {
-                1 => -root,
-                -1 => root,
-                _ => self.c.small(0),
+                Sign::Positive => -root,
+                Sign::Negative => root,
+                Sign::Zero => self.c.small(0),
             };
             self.straight(curves[which], point).then(|| now.hull(&end))
         };
         let (p, q) = (phi(0)?, phi(1)?);
-        strict(&(p - q)).filter(|sign| *sign == gap)
+        (p - q).strict_sign().filter(|sign| *sign == gap)
     }
 
     /// J is monotone from this point to infinity.
@@ -653,13 +656,9 @@ fn few_bits(x: f64) -> f64 {
 #[derive(Clone, Copy, Debug)]
 enum Course {
     /// One sign.
-    Constant(i8),
+    Constant(Sign),
     /// From this sign to the opposite one, once.
-    Crossing(i8),
-}
-
-fn strict<E: Enclosure>(set: &E) -> Option<i8> {
-    set.sign().filter(|sign| *sign != 0)
+    Crossing(Sign),
 }
 
 fn position<E: Enclosure>(side: &Side<E>) -> Option<E> {

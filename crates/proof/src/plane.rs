@@ -3,6 +3,7 @@
 use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
+use numbers::Sign;
 use numbers::enclosure::Enclosure;
 use top::body::Frame;
 use top::classify::Components;
@@ -50,10 +51,13 @@ pub(super) struct Gap {
 
 impl Gap {
     pub fn around(levels: &[Level]) -> Self {
-        let bounds = |sign: i8| {
+        let bounds = |sign: Sign| {
             levels.iter().filter(move |level| level.sign == sign).filter_map(|level| level.height.exact_bounds())
         };
-        Self { low: bounds(1).map(|[_, hi]| hi).max(), high: bounds(-1).map(|[lo, _]| lo).min() }
+        Self {
+            low: bounds(Sign::Positive).map(|[_, hi]| hi).max(),
+            high: bounds(Sign::Negative).map(|[lo, _]| lo).min(),
+        }
     }
 }
 

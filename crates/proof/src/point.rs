@@ -6,6 +6,7 @@ use super::curves::{Bound, Curve, Curves, Segment, Shape};
 use super::estimate::Estimate;
 use super::family::{Half, State};
 use super::model::{Constants, Model};
+use numbers::Sign;
 use numbers::enclosure::Enclosure;
 use numbers::root::{Bracket, newton_bracketed};
 use top::curves::{CurveId, Pole};
@@ -242,7 +243,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                     done[side] = true;
                     continue;
                 }
-                if candidate.sign() != Some(1) {
+                if candidate.sign() != Some(Sign::Positive) {
                     return None;
                 }
                 let reached = self.state(segment.half, &candidate).x;
@@ -284,13 +285,15 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let mut next: Option<E> = None;
         for _ in 0..STEPS {
             let middle = || match &high {
-                Some(high) if low.sign() == Some(0) => (high.clone() * E::double(0.0625, c.precision)).middle(),
+                Some(high) if low.sign() == Some(Sign::Zero) => {
+                    (high.clone() * E::double(0.0625, c.precision)).middle()
+                }
                 Some(high) => low.hull(high).middle(),
                 None => (low.clone() * c.small(16) + c.small(1)).middle(),
             };
             let inside = |y: &E| low.is_below(y) && high.as_ref().is_none_or(|high| y.is_below(high));
             let y = next.take().filter(inside).unwrap_or_else(middle);
-            if y.sign() != Some(1) {
+            if y.sign() != Some(Sign::Positive) {
                 return None;
             }
             let state = self.state(segment.half, &y);
@@ -301,7 +304,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                 return Some((y + step).middle());
             }
             match residual.sign() {
-                Some(sign) if (sign > 0) == rising => low = y.clone(),
+                Some(sign) if (sign == Sign::Positive) == rising => low = y.clone(),
                 Some(_) => high = Some(y.clone()),
                 None => return Some(y),
             }
@@ -379,8 +382,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     }
 
     /// The sign of h_a − h_b all over two ranges of states that hold the points over the same x, by the same identity.
-    pub fn range_sign(&self, a: &State<E>, b: &State<E>) -> Option<i8> {
-        self.exact_gap(&self.c.small(1), a, b).sign().filter(|sign| *sign != 0)
+    pub fn range_sign(&self, a: &State<E>, b: &State<E>) -> Option<Sign> {
+        self.exact_gap(&self.c.small(1), a, b).strict_sign()
     }
 }
 

@@ -9,6 +9,7 @@ use super::curves::{Curves, NotIsolated, Place, Shape, order, roots_in_interval}
 use super::family::Half;
 use super::id::MeetingId;
 use super::model::Model;
+use numbers::Sign;
 use numbers::polynomial::Polynomial;
 use top::curves::{Branch, CurveId, End, IntervalId, Pole};
 use top::table::{Id, Table};
@@ -73,8 +74,8 @@ fn sign_on(side: &Polynomial, lo: &RBig, hi: &RBig) -> Result<Pole, NotIsolated>
     let signs = [side.sign_at(lo), side.sign_at(hi)];
     let none_between = lo == hi || side.composed(lo, &(hi - lo)).roots_in_unit().is_some_and(|roots| roots.is_empty());
     match signs {
-        [1, 1] if none_between => Ok(Pole::Minus),
-        [-1, -1] if none_between => Ok(Pole::Plus),
+        [Sign::Positive, Sign::Positive] if none_between => Ok(Pole::Minus),
+        [Sign::Negative, Sign::Negative] if none_between => Ok(Pole::Plus),
         _ => Err(NotIsolated),
     }
 }
@@ -132,7 +133,7 @@ fn same_point(place: &Place, station: &Place) -> bool {
     let scale = if root.hi.is_zero() { RBig::ONE } else { &place.hi / &root.hi };
     match &station.root {
         Some(other) => root.is_root_of(other.polynomial()),
-        None => root.polynomial().sign_at(&(&station.lo / scale)) == 0,
+        None => root.polynomial().sign_at(&(&station.lo / scale)) == Sign::Zero,
     }
 }
 

@@ -23,6 +23,12 @@ impl Prepared {
         Self { body, accuracy, atlas: OnceLock::new() }
     }
 
+    /// One whose atlas is made already.
+    #[must_use]
+    pub fn of(atlas: Atlas, accuracy: Accuracy) -> Self {
+        Self { body: atlas.body().clone(), accuracy, atlas: OnceLock::from(Some(atlas)) }
+    }
+
     /// The body.
     #[must_use]
     pub fn body(&self) -> &Body {

@@ -114,19 +114,21 @@ impl Ways<'_> {
         self.stays_below(&Path::line(&w, to), 0.0, PIECES).then_some(())
     }
 
-    /// A point further down.
+    /// A point further down the valley.
     fn lower(&self, w: &[f64; 3]) -> Option<[f64; 3]> {
-        let down = self.land.steepest(self.from, w);
+        let [floor, down] = self.land.valley(self.from, w);
         let height = |w: &[f64; 3]| {
             let there = Path::line(w, &w.map(Interval::point));
             self.land.rise(self.from, &there, Interval::point(0.0))[0].0[0].middle()
         };
         let now = height(w);
         let lengths = std::iter::successors(Some(0.5), |length| Some(0.5 * length)).take(HALVINGS);
-        lengths.map(|length| on_sphere(self.from, &std::array::from_fn(|i| w[i] + length * down[i]))).find(|next| {
-            let line = Path::line(w, &next.map(Interval::point));
-            height(next) < now && self.stays_below(&line, 0.0, STEP_PIECES)
-        })
+        lengths.map(|length| on_sphere(self.from, &std::array::from_fn(|i| w[i] + floor[i] + length * down[i]))).find(
+            |next| {
+                let line = Path::line(w, &next.map(Interval::point));
+                height(next) < now && self.stays_below(&line, 0.0, STEP_PIECES)
+            },
+        )
     }
 
     /// A path from the origin stays below it.

@@ -127,6 +127,32 @@ impl<'a> Landscape<'a> {
         unit(std::array::from_fn(|i| -u * basis[0][i] - v * basis[1][i]))
     }
 
+    /// How a valley runs at p + w, rounded: the way to its floor, and the direction in which it falls, along the sphere and of
+    /// length 1. The second derivatives tell the stiff direction, across the valley, from the soft one, along it.
+    pub fn valley(&self, from: &Origin, w: &[f64; 3]) -> [[f64; 3]; 2] {
+        let start = w.map(Interval::point);
+        let derivatives = |direction: [f64; 3]| {
+            let line = Path::Line { start, direction: direction.map(Interval::point) };
+            let [_, slope, bend] = self.rise(from, &line, Interval::point(0.0))[0].0;
+            [slope.middle(), 2.0 * bend.middle()]
+        };
+        let [first, second] = tangents(&std::array::from_fn(|i| from.p[i].middle() + w[i]));
+        let along = |[p, q]: [f64; 2]| std::array::from_fn(|i| p * first[i] + q * second[i]);
+        let ([g, u], [k, v]) = (derivatives(first), derivatives(second));
+        let [_, sum] = derivatives(along([1.0, 1.0]));
+        let soft = lower_eigenvector([u, 0.5 * (sum - u - v), v]);
+        let stiff = [-soft[1], soft[0]];
+        let slope = |[p, q]: [f64; 2]| g * p + k * q;
+        let bend = u * stiff[0] * stiff[0] + (sum - u - v) * stiff[0] * stiff[1] + v * stiff[1] * stiff[1];
+        let down = if slope(soft) > 0.0 { -1.0 } else { 1.0 };
+        if bend > 0.0 {
+            let floor = -slope(stiff) / bend;
+            [along(stiff.map(|c| floor * c)), along(soft.map(|c| down * c))]
+        } else {
+            [[0.0; 3], unit(along([-g, -k]))]
+        }
+    }
+
     /// The tangent direction of least second derivative at an equilibrium, rounded: that of the lower eigenvalue of
     /// (μ−A) + (4/J) Aγ(Aγ)ᵀ on γ⊥ (Proposition 4.1).
     pub fn softest(&self, from: &Origin) -> Option<[f64; 3]> {
@@ -139,17 +165,23 @@ impl<'a> Landscape<'a> {
         let form = |d: &[f64; 3], e: &[f64; 3]| {
             (0..3).map(|i| tau[i] * d[i] * e[i]).sum::<f64>() + 4.0 / moment * gain(d) * gain(e)
         };
-        let (u, v, w) = (form(&first, &first), form(&first, &second), form(&second, &second));
-        // (u−λ)α + vβ = 0 = vα + (w−λ)β, of which the one without cancellation is taken.
-        let half = 0.5 * (u - w);
-        let root = (half * half + v * v).sqrt();
-        let [alpha, beta] = match (root > 0.0, half >= 0.0) {
-            (false, _) => [1.0, 0.0],
-            (_, true) => [v, -(half + root)],
-            (_, false) => [half - root, v],
-        };
+        let [alpha, beta] = lower_eigenvector([form(&first, &first), form(&first, &second), form(&second, &second)]);
         Some(unit(std::array::from_fn(|i| alpha * first[i] + beta * second[i])))
     }
+}
+
+/// A vector of length 1 to the lower eigenvalue λ of ((u, v), (v, w)), rounded: (u−λ)α + vβ = 0 = vα + (w−λ)β, of which the
+/// one without cancellation is taken.
+fn lower_eigenvector([u, v, w]: [f64; 3]) -> [f64; 2] {
+    let half = 0.5 * (u - w);
+    let root = (half * half + v * v).sqrt();
+    let [alpha, beta] = match (root > 0.0, half >= 0.0) {
+        (false, _) => [1.0, 0.0],
+        (_, true) => [v, -(half + root)],
+        (_, false) => [half - root, v],
+    };
+    let length = (alpha * alpha + beta * beta).sqrt();
+    [alpha / length, beta / length]
 }
 
 /// p + w, rounded, moved back to the sphere: w of the same direction.

@@ -37,10 +37,15 @@ impl Merging {
         let of = |nature: Nature| criticals.iter().filter(move |critical| critical.nature == nature);
         let minima: Vec<&Coordinates> = of(Nature::Minimum).map(|critical| &critical.origin.gamma).collect();
         let descent = Descent { land: &land, minima: &minima };
+        // A sublevel set of one minimum is connected, and the sphere is: one saddle between two minima joins them.
+        let only = (minima.len() == 1).then_some(0);
+        let joining = (minima.len() == 2 && of(Nature::Saddle).count() == 1).then_some([0, 1]);
+        let foot = |from: &Origin| only.or_else(|| descent.any(from));
+        let arms = |from: &Origin| only.map(|n| [n, n]).or(joining).or_else(|| descent.arms(from));
         let saddles: Option<Vec<(usize, [usize; 2])>> =
-            of(Nature::Saddle).map(|saddle| Some((saddle.position, descent.arms(&saddle.origin)?))).collect();
+            of(Nature::Saddle).map(|saddle| Some((saddle.position, arms(&saddle.origin)?))).collect();
         let maxima: Option<Vec<Foot>> =
-            of(Nature::Maximum).map(|maximum| Some((maximum.position, descent.any(&maximum.origin)?))).collect();
+            of(Nature::Maximum).map(|maximum| Some((maximum.position, foot(&maximum.origin)?))).collect();
         let (saddles, maxima) = (saddles?, maxima?);
         // Proposition 4.10.
         if minima.len() + maxima.len() != saddles.len() + 2 {
@@ -53,12 +58,9 @@ impl Merging {
                 let lies = |level: &Level| orders.pieces.list[level.curve].branch == Branch::Line(plus);
                 let position = slab.levels.iter().position(lies)?;
                 let level = &slab.levels[position];
-                let foot = if orders.pieces.list[level.curve].critical {
-                    found.foot(position)?
-                } else {
-                    descent.any(&land.pole(&level.point)?)?
-                };
-                Some((position, foot))
+                let at_pole = || foot(&land.pole(&level.point)?);
+                let critical = orders.pieces.list[level.curve].critical;
+                Some((position, if critical { found.foot(position) } else { at_pole() }?))
             };
             found.poles = Some([pole(true)?, pole(false)?]);
         }

@@ -67,36 +67,44 @@ fn family<'a>(
     positive.then(|| (Mirrored { spaces, base, epsilon: root.hull(&-root) }, ends, left))
 }
 
+/// The end of a box with the least room, 1 + 2⁻ᵏ times all that is held, at which x lies beyond the stretch. The solution
+/// needs room to move while ε changes its sign, about as far as the branches lie apart; a wider box is harder to prove
+/// monotone, and may reach beyond a cusp.
+fn nearest(end: impl Fn(&Fixed) -> Option<Fixed>, holds: impl Fn(&Fixed) -> bool, shift: &Fixed) -> Option<Fixed> {
+    /// The least room is 2⁻ᵏ.
+    const ROOMS: usize = 96;
+    /// How much less than their distance.
+    const LESS: usize = 4;
+    let part = |k: usize, sixteenths: u8| RBig::from_parts(IBig::from(sixteenths), UBig::ONE << (k + 4));
+    let at = |k, sixteenths| end(&Fixed::of(&(RBig::ONE + part(k, sixteenths)), ROOMS + 4)).filter(&holds);
+    let wide = |&k: &usize| !Fixed::of(&part(k, 16), ROOMS + 4).below(shift);
+    let first = (0..=ROOMS).rev().find(wide).map_or(0, |k| (k + LESS).min(ROOMS));
+    (0..=first).rev().find_map(|k| [9, 10, 12, 16].into_iter().find_map(|sixteenths| at(k, sixteenths)))
+}
+
 impl Mirrored<'_> {
     /// Lemma 7.5 for every x between the ends: the box holds both branches, x is monotone in v there, and at its ends x
     /// lies beyond those of the stretch.
     fn is_monotone_around(&self, from: Option<&Edge>, to: Option<&Edge>) -> bool {
-        // How much wider than the branches the box is: 1, 1/16, … of its size. The solution needs room to move while ε
-        // changes its sign, and a wider box is harder to prove monotone.
-        const ROOMS: usize = 12;
         let Some(from) = from else { return false };
         let held = from.v.iter().chain(to.iter().flat_map(|edge| &edge.v)).cloned().reduce(|v, w| v.hull(&w));
         let Some(held) = held else { return false };
-        let spaces = self.spaces;
-        (0..ROOMS).any(|k| {
-            let room = spaces.set(&(RBig::ONE + RBig::from_parts(IBig::ONE, UBig::ONE << (4 * k))));
-            let large = (&held * &room).upper();
-            let small = match to {
-                Some(_) => held.over(&room).map(|small| small.lower()),
-                None => Some(Fixed::whole(0)),
-            };
-            small.is_some_and(|small| self.encloses(from, to, &small, &large) == Some(true))
-        })
-    }
-
-    fn encloses(&self, from: &Edge, to: Option<&Edge>, small: &Fixed, large: &Fixed) -> Option<bool> {
-        let falls = self.fall(&small.hull(large))?;
-        let at_large = self.x(large)?;
-        Some(match to {
-            None => falls > 0 && at_large.below(&from.x),
-            Some(to) if falls > 0 => at_large.below(&from.x) && to.x.below(&self.x(small)?),
-            Some(to) => to.x.below(&at_large) && self.x(small)?.below(&from.x),
-        })
+        // x falls with v, as it does towards infinity, or rises.
+        let falls = to.is_none_or(|to| to.v[0].middle().below(&from.v[0].middle()));
+        let before = |v: &Fixed| self.x(v).is_some_and(|x| x.below(&from.x));
+        let behind = |v: &Fixed| to.is_none_or(|to| self.x(v).is_some_and(|x| to.x.below(&x)));
+        let large = |room: &Fixed| Some((&held * room).upper());
+        let small = |room: &Fixed| if to.is_none() { Some(Fixed::whole(0)) } else { Some(held.over(room)?.lower()) };
+        // About as far as the branches lie apart.
+        let shift = |edge: &Edge| Some((&edge.v[0].over(&edge.v[1])? - &Fixed::whole(1)).square().root()?.lower());
+        let Some(shift) = shift(from) else { return false };
+        let ends = if falls {
+            nearest(small, behind, &shift).zip(nearest(large, before, &shift))
+        } else {
+            nearest(small, before, &shift).zip(nearest(large, behind, &shift))
+        };
+        let course = ends.and_then(|(small, large)| self.fall(&small.hull(&large)));
+        course == Some(if falls { 1 } else { -1 })
     }
 
     /// Lemma 7.6 for every x between the ends, where one of the branches may begin at a cusp. On the branch with the

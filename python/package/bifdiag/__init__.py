@@ -15,7 +15,7 @@ Examples
 from ._core import __version__
 from .atlas import Atlas
 from .body import Body
-from .errors import BifdiagError, BodyError, InputError, RangeError, VerifyError
+from .errors import BifdiagError, BodyError, BodyWarning, InputError, RangeError, VerifyError
 from .motion import Motion
 from .records import (
     Candidate,
@@ -37,6 +37,7 @@ __all__ = [
     "BifdiagError",
     "Body",
     "BodyError",
+    "BodyWarning",
     "Candidate",
     "Classification",
     "Component",

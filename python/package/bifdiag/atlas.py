@@ -4,30 +4,31 @@ import json
 import os
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, exact, pictures
+from . import _core, exact, files, pictures
 from .errors import InputError
 from .exact import Number
 from .explorer import Explorer
-from .records import Classification, Curve, Document, Event, Region, StabilityChange
+from .records import Classification, Curve, Document, Event, Region, StabilityChange, sections
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from .body import Body
 
-FORBIDDEN, CRITICAL, UNDECIDED = -1, -2, -3
-"""What `Atlas.region` gives where there is no region."""
 
-SCHEMA_VERSION = "2"
+Span: TypeAlias = tuple[float, float]
+"""The ends of a range."""
 
 
 class Atlas:
     """Every region of the (h, l) half-plane of one body, with its topology; made by `Body.atlas`.
+
+    An atlas covers l ≥ 0; everything depends on l² only, so a negative l is answered as its absolute value.
 
     Attributes
     ----------
@@ -35,16 +36,27 @@ class Atlas:
         The body.
     accuracy : str
         ``"exact"`` or ``"fast"``.
+
+    Notes
+    -----
+    Two atlases are equal if their bodies are (by their numbers, whatever the texts), their accuracy, and what their
+    documents were asked to hold: a certificate, a window, outlines. Equal atlases have equal hashes, and the same regions.
     """
 
     body: "Body"
     accuracy: str
     _inner: _core.Atlas
+    _certified: bool
+    _ranges: tuple[Span, Span] | None
+    _polygons: bool
+    _loaded: str | None
 
-    def __init__(self, body: "Body", accuracy: str = "exact") -> None:
+    def __init__(self, body: "Body", accuracy: str = "exact", *, certificate: bool = False) -> None:
         self.body = body
         self.accuracy = accuracy
-        self._inner = body._inner.atlas(accuracy)
+        self._certified = bool(certificate)
+        self._ranges, self._polygons, self._loaded = None, True, None
+        self._inner = body._inner.atlas(accuracy, self._certified)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Atlas":
@@ -53,47 +65,49 @@ class Atlas:
         Parameters
         ----------
         path : path
-            An ``atlas.json`` of the command line or of `to_json`.
+            An ``atlas.json`` of the command line or of `save`.
 
         Returns
         -------
         Atlas
-            Its `to_json` gives the bytes of the file.
+            Its `to_json` gives the bytes of the file. If that was made for a window, only `document`, `to_json` and
+            `Region.polygon` keep to it: `regions` are those of the whole half-plane.
 
         Raises
         ------
         InputError
-            If the file is no atlas of this version, or says something else than this version of the program.
+            If the file is no atlas of this version of the documents, or says something else of its body than this version
+            of the program; the message says what the file is, or what makes it anew.
+        OSError
+            If the file cannot be read; FileNotFoundError if it is not there.
         """
-        text = Path(path).read_text(encoding="utf-8")
-        try:
-            document = json.loads(text)
-            version = document["schema_version"]
-        except (ValueError, KeyError, TypeError) as error:
-            raise InputError(f"{path} is no atlas: {error}") from error
-        return cls._of_document(document, version, text, str(path))
+        files.require(path, "atlas")
+        text, name = Path(path).read_text(encoding="utf-8"), os.fspath(path)
+        _core.readable(text, name)
+        atlas = cls._of_text(text)
+        if _substance(json.loads(atlas._written())) != _substance(json.loads(text)):
+            raise InputError(f"{name} does not say what this version of bifdiag computes for {atlas.body}; make it anew")
+        return atlas
 
     @classmethod
-    def _of_document(cls, document: Document, version: str, text: str, name: str) -> "Atlas":
+    def _of_text(cls, text: str) -> "Atlas":
+        """The atlas of a document that is known to be one."""
         from .body import Body
 
-        if version != _core.SCHEMA_VERSION:
-            told = document.get("body", {})
-            command = f"bifdiag --A {','.join(told.get('A', []))} --r={','.join(told.get('r', []))} --json > {name}"
-            raise InputError(
-                f"{name} is an atlas of version {version}, and version {_core.SCHEMA_VERSION} is needed; make it anew "
-                f"with: {command}"
-            )
-        body = Body._of_document(document["body"])
-        atlas = cls(body, document["accuracy"])
-        if document.get("window") is None and document.get("certificate") is None and atlas.to_json() != text:
-            raise InputError(f"{name} does not say what this version of bifdiag computes for {body}; make it anew")
-        atlas.__dict__["_text"] = text
+        document = json.loads(text)
+        atlas = cls(Body._of_document(document["body"]), document["accuracy"], certificate="certificate" in document)
+        window = document.get("window")
+        atlas._ranges = None if window is None else (tuple(window["h"]), tuple(window["l"]))
+        atlas._polygons = all("polygon" in region for region in document["regions"])
+        atlas._loaded = text
         return atlas
+
+    def _written(self) -> str:
+        return self._inner.to_json(self._ranges, self._polygons)
 
     @cached_property
     def _text(self) -> str:
-        return self._inner.to_json()
+        return self._written() if self._loaded is None else self._loaded
 
     @cached_property
     def _document(self) -> Document:
@@ -106,33 +120,103 @@ class Atlas:
         return self._document
 
     def _outlines(self, region: str) -> tuple[npt.NDArray[np.float64], ...]:
-        found = next(document for document in self._document["regions"] if document["id"] == region)
-        return tuple(np.array(outline, dtype=float).reshape(-1, 2) for outline in found["polygon"])
+        polygons = {document["id"]: document.get("polygon", []) for document in self._document["regions"]}
+        return tuple(np.array(outline, dtype=float).reshape(-1, 2) for outline in polygons.get(region, []))
 
     @cached_property
     def regions(self) -> tuple[Region, ...]:
         """The regions, in the order of their ids: ``atlas.regions[4].id == "R5"``."""
-        return tuple(Region.of(document, self._outlines) for document in json.loads(self._inner.regions()))
+        return tuple(Region._of(document, self._outlines) for document in json.loads(self._inner.regions()))
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """Points where curves meet, by rising l."""
-        return tuple(Event.of(document) for document in json.loads(self._inner.events()))
+        """Points where curves meet, by rising l: cusps, pitchforks, crossings. See `Event` for what their floats mean."""
+        return tuple(Event._of(document) for document in json.loads(self._inner.events()))
 
     @cached_property
     def curves(self) -> tuple[Curve, ...]:
-        """Critical curves and pole lines, with their points."""
-        return tuple(Curve.of(document) for document in self._document["curves"])
+        """Critical curves and pole lines, with their points; `polyline` gives finer ones."""
+        return tuple(Curve._of(document) for document in self._document["curves"])
 
     @cached_property
     def stability_changes(self) -> tuple[StabilityChange, ...]:
         """Points of curves at which the stability of the relative equilibria changes."""
-        return tuple(StabilityChange.of(document) for document in self._document["stability_changes"])
+        return tuple(StabilityChange._of(document) for document in self._document["stability_changes"])
 
     @property
     def complete(self) -> bool:
-        """Whether `regions` covers the whole half-plane l > 0."""
+        """Whether `regions` covers the whole half-plane l > 0, and nothing is undecided."""
         return bool(self._document["summary"]["complete"])
+
+    @property
+    def certificate(self) -> Document | None:
+        """What an independent program needs to check the atlas, as the document has it; None without ``certificate=True``.
+
+        `bifdiag.verify` checks it.
+        """
+        certificate: Document | None = self._document.get("certificate")
+        return certificate
+
+    def polyline(self, curve: str, l: Span, *, tolerance: float = 1e-6) -> npt.NDArray[np.float64]:
+        """Points of a curve, as fine as is wanted.
+
+        Parameters
+        ----------
+        curve : str
+            The id of a curve, such as ``"G1.2"`` or ``"P+"``.
+        l : (float, float)
+            A range of l.
+        tolerance : float
+            The straight line between neighbours is off by so much in h at most, as far as doubles can tell.
+
+        Returns
+        -------
+        array (n, 2)
+            Points [h, l] by rising l, over the part of the range over which the curve runs; none if there is none.
+
+        Raises
+        ------
+        InputError
+            If there is no such curve, or the range is none.
+
+        Examples
+        --------
+        >>> import bifdiag
+        >>> atlas = bifdiag.Body.preset("paper").atlas()
+        >>> points = atlas.polyline("G1.2", (2.1, 2.2), tolerance=1e-9)
+        >>> len(points) > 100, points[[0, -1], 1].tolist()
+        (True, [2.1, 2.2])
+        """
+        if curve not in {known.id for known in self.curves}:
+            raise InputError(f"curve = {curve!r}: the curves are {', '.join(known.id for known in self.curves)}")
+        finest = exact.real(tolerance, "tolerance")
+        if finest <= 0:
+            raise InputError(f"tolerance = {tolerance}: a positive number is needed")
+        points = self._inner.polyline(curve, exact.span(l, "l"), finest)
+        return np.empty((0, 2)) if points is None else points
+
+    def outlines(self, h: Span, l: Span) -> tuple[tuple[npt.NDArray[np.float64], ...], ...]:
+        """The regions as polygons within a window, as fine as a picture of it needs.
+
+        Parameters
+        ----------
+        h, l : (float, float)
+            The window.
+
+        Returns
+        -------
+        tuple of tuples of arrays (n, 2)
+            For each of `regions` its closed outlines of points [h, l]; holes are outlines of their own. Corners lie on the
+            curves; between them an outline is off by a thousandth of the range of h, or, where a curve would need
+            more than 256 chords between two events, by as much as these leave.
+
+        Raises
+        ------
+        InputError
+            If a range is none.
+        """
+        found = self._inner.outlines([exact.span(h, "h"), exact.span(l, "l")])
+        return tuple(tuple(outlines) for outlines in found)
 
     def to_json(self) -> str:
         """The text of the ``atlas.json`` that the command line writes, byte for byte."""
@@ -149,7 +233,7 @@ class Atlas:
         ----------
         h, l : number, or array of them
             Energies and vertical angular momenta, of shapes that broadcast. The floats of an array mean what scalars mean:
-            their shortest decimals. Arrays of Fraction or str are taken exactly.
+            their shortest decimals. Arrays of Fraction or str are taken exactly. A negative l means its absolute value.
         threads : int, optional
             None: one; 0: as many as there are cores. The result does not depend on it.
 
@@ -200,7 +284,7 @@ class Atlas:
 
     def classify(self, h: Number, l: Number) -> Classification:
         """The type of U, E and P at one point, as `Body.classify` gives it, sooner for many points."""
-        return Classification.of(json.loads(self._inner.classify(exact.text(h, "h"), exact.text(l, "l"))))
+        return Classification._of(json.loads(self._inner.classify(exact.text(h, "h"), exact.text(l, "l"))))
 
     def plot(self, ax: "Axes | None" = None, **options: Any) -> "Axes":
         """Draws the bifurcation diagram with matplotlib; see `bifdiag.pictures.diagram` for the options."""
@@ -222,9 +306,18 @@ class Atlas:
 
         Raises
         ------
+        InputError
+            If one of h and l is missing, or no number.
         BifdiagError
             If the package was built without the page.
+
+        Notes
+        -----
+        The page is served to this machine alone, at ``127.0.0.1``, until the process ends. A notebook on another machine
+        shows it if the port in ``url`` is forwarded: ``ssh -L PORT:127.0.0.1:PORT``.
         """
+        if (h is None) != (l is None):
+            raise InputError("give both h and l, or none of them")
         state = f"A={','.join(self.body.A)}&r={','.join(self.body.r)}"
         if h is not None or l is not None:
             state += f"&h={exact.text(h, 'h')}&l={exact.text(l, 'l')}"
@@ -233,17 +326,33 @@ class Atlas:
     def _repr_svg_(self) -> str:
         return self.svg()
 
+    def _identity(self) -> tuple[Any, ...]:
+        return self.body, self.accuracy, self._certified, self._ranges, self._polygons
+
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Atlas) and (self is other or self.to_json() == other.to_json())
+        return isinstance(other, Atlas) and self._identity() == other._identity()
 
     def __hash__(self) -> int:
-        return hash((self.body, self.accuracy))
+        return hash(self._identity())
 
-    def __reduce__(self) -> tuple[type["Atlas"], tuple["Body", str]]:
-        return Atlas, (self.body, self.accuracy)
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._loaded is not None:
+            return Atlas._of_text, (self._loaded,)
+        return _made, (self.body, self.accuracy, self._certified)
 
     def __repr__(self) -> str:
         lines = [f"Atlas of {self.body}: {len(self.regions)} regions, {len(self.events)} events"]
-        lines += [f"  {region.id}: {region.signature or len(region.components)}" for region in self.regions]
+        lines += [f"  {region.id}: {region.signature or sections(region.components)}" for region in self.regions]
         lines.append("  [regions, events, curves, stability_changes; region(h, l), classify(h, l), plot(), to_json()]")
         return "\n".join(lines)
+
+
+def _made(body: "Body", accuracy: str, certificate: bool) -> Atlas:
+    return Atlas(body, accuracy, certificate=certificate)
+
+
+def _substance(document: Document) -> Document:
+    """A document without the version that wrote it, and the checksum over that."""
+    certificate = document.get("certificate")
+    sealed = None if certificate is None else certificate | {"checksum": None}
+    return document | {"version": None, "certificate": sealed}

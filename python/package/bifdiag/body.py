@@ -2,6 +2,7 @@
 
 import json
 import os
+import warnings
 from collections.abc import Iterable
 from typing import Any
 
@@ -11,11 +12,16 @@ import numpy.typing as npt
 from . import _core, exact, pictures
 from .atlas import Atlas
 from .critical import equilibria
-from .errors import InputError
+from .errors import BodyWarning, InputError
 from .exact import Number
 from .motion import Motion
 from .records import Classification, table
 from .section import Section
+
+UNPHYSICAL = (
+    "A violates the triangle inequality Ai + Aj >= Ak: no distribution of mass has these moments; the answers are those of "
+    "the equations"
+)
 
 
 class Body:
@@ -26,7 +32,7 @@ class Body:
     A : three numbers
         Principal moments of inertia about the fixed point, A_i > 0.
     r : three numbers
-        Centre of mass in the principal axes, times mass and g.
+        Centre of mass from the fixed point in the principal axes, times m g.
 
     Raises
     ------
@@ -35,10 +41,17 @@ class Body:
     InputError
         If something is no number.
 
+    Warns
+    -----
+    BodyWarning
+        If A violates A_i + A_j ≥ A_k: no distribution of mass has these moments. The answers are those of the equations.
+
     Notes
     -----
-    An int, a str, a Fraction and a Decimal are taken as they are, a float as its shortest decimal: ``1.1`` and ``"11/10"``
-    are the same number. Units are those of A and r: with U = l²/(2J) − ⟨γ, r⟩, h has the unit of r, and l that of √(A r).
+    An int, a str, a Fraction and a Decimal are taken as they are, a float as its shortest decimal: ``1.1`` and
+    ``"11/10"`` are the same number. Units are those of A and r: with H = ½⟨l, A⁻¹ l⟩ − ⟨γ, r⟩, h has the unit of r, and l
+    that of √(A r). γ points *down*: the body hangs at γ = +r̂ and stands at γ = −r̂. The page "Conventions" has the
+    equations of motion. Bodies are equal if their numbers are.
 
     Examples
     --------
@@ -55,6 +68,8 @@ class Body:
 
     def __init__(self, A: Iterable[Number], r: Iterable[Number]) -> None:
         self._inner = _core.Body(exact.triple(A, "A"), exact.triple(r, "r"))
+        if not self.physical:
+            warnings.warn(UNPHYSICAL, BodyWarning, stacklevel=2)
 
     @classmethod
     def preset(cls, name: str) -> "Body":
@@ -63,7 +78,10 @@ class Body:
         Parameters
         ----------
         name : str
-            ``"paper"``, ``"kovalevskaya"``, ``"lagrange"``, ``"euler"``, ``"katok:1"`` … ``"katok:7"``, …
+            ``"paper"`` (of 2008, with nine regions), ``"kovalevskaya"``, ``"goryachev-chaplygin"``, ``"lagrange"``,
+            ``"euler"`` (r = 0), ``"katok:1"`` … ``"katok:7"`` (one of each of Katok's classes), ``"projpm"`` and
+            ``"projections12"`` (of figures of the paper), ``"isotropic"`` (equal moments), ``"plate"``, ``"rod"``,
+            ``"ten"`` (with ten relative equilibria at one l).
 
         Raises
         ------
@@ -190,7 +208,7 @@ class Body:
         """The body of the block ``body`` of a document."""
         part = document.get("part")
         if part is None:
-            return cls(document["A"], document["r"])
+            return cls._of(_core.Body(document["A"], document["r"]))
         return cls.from_inertia(
             part["inertia"], part["com"], part["mass"], part["g"], units=part["units"], unphysical=not part["physical"]
         )
@@ -200,6 +218,14 @@ class Body:
         """The real part as it was understood, as the block ``part`` of the documents has it; None for another body."""
         text = self._inner.part()
         return None if text is None else json.loads(text)
+
+    @property
+    def physical(self) -> bool:
+        """Whether some distribution of mass has these moments: A_i + A_j ≥ A_k; for a part, about its centre of mass.
+
+        Where it is False the answers are those of the equations.
+        """
+        return self._inner.physical()
 
     @property
     def A(self) -> tuple[str, str, str]:
@@ -213,13 +239,16 @@ class Body:
         first, second, third = self._inner.center
         return first, second, third
 
-    def atlas(self, accuracy: str = "exact") -> Atlas:
+    def atlas(self, accuracy: str = "exact", *, certificate: bool = False) -> Atlas:
         """Every region of the (h, l) plane, with its topology.
 
         Parameters
         ----------
         accuracy : {"exact", "fast"}
             ``"exact"`` decides everything; ``"fast"`` is floating point with error bounds, and may leave points undecided.
+        certificate : bool
+            Prove the whole diagram, and put into the document what `bifdiag.verify` needs to check it, as ``bifdiag
+            --certificate`` does. It takes some ten times as long.
 
         Returns
         -------
@@ -228,7 +257,9 @@ class Body:
         Raises
         ------
         RangeError
-            If the atlas of this body cannot be computed.
+            If the atlas of this body cannot be computed, or not be proved.
+        InputError
+            If a certificate is wanted of a fast atlas.
 
         Examples
         --------
@@ -237,7 +268,7 @@ class Body:
         >>> len(atlas.regions)
         9
         """
-        return Atlas(self, accuracy)
+        return Atlas(self, accuracy, certificate=certificate)
 
     def classify(self, h: Number, l: Number, accuracy: str = "exact") -> Classification:
         """The type of U, E and P at one point.
@@ -245,7 +276,8 @@ class Body:
         Parameters
         ----------
         h, l : number
-            Energy and vertical angular momentum; scalars only. `Atlas.region` takes arrays.
+            Energy and vertical angular momentum; scalars only, `Atlas.region` takes arrays. Everything depends on l² only:
+            −l has the answer of l.
         accuracy : {"exact", "fast"}
             As in `atlas`.
 
@@ -267,7 +299,7 @@ class Body:
         'critical'
         """
         document = self._inner.classify(exact.text(h, "h"), exact.text(l, "l"), accuracy)
-        return Classification.of(json.loads(document))
+        return Classification._of(json.loads(document))
 
     def critical(self, l: Any) -> npt.NDArray[np.void]:
         """All relative equilibria.
@@ -275,30 +307,34 @@ class Body:
         Parameters
         ----------
         l : number, or array of them
-            Vertical angular momentum.
+            Vertical angular momentum. At −l the same equilibria turn the other way round; at l = 0 the body rests, hanging
+            or standing.
 
         Returns
         -------
         structured array
             A row for each relative equilibrium, by rising h. For an array of l there is the further field ``l_index``, the
-            position in ``np.ravel(l)``.
+            position in ``np.ravel(l)``. Angular velocities and eigenvalues are in radians per unit of time.
 
             ========================= ====================================================================================
             ``l``, ``h``              Momentum and energy.
-            ``gamma`` (3)             The vertical, in the body's axes; the body turns about it.
+            ``gamma`` (3)             The downward vertical, in the body's axes; the body turns about it.
             ``omega``                 The angular velocity l/⟨γ, A γ⟩, signed as l.
             ``index``                 Morse index of U_l: 0 minimum, 1 saddle, 2 maximum.
-            ``multiplicity``          ``"1"``; ``"2"`` where two meet; ``"circle"`` and ``"sphere"`` of them.
+            ``multiplicity``          ``"1"``; ``"2"`` where two meet; ``"circle"`` and ``"sphere"`` of them. Two that
+                                      are mirror images are two rows.
             ``stability``             Linear type: ``"elliptic"`` (two imaginary pairs), ``"saddle-centre"`` (one
                                       real, one imaginary), ``"saddle"`` (two real), ``"complex"`` (a quadruple),
                                       ``"double-elliptic"``, ``"double-real"`` (a double pair), ``"zero"`` (an
-                                      eigenvalue 0).
+                                      eigenvalue 0). Across a circle of them there is one pair only: ``"elliptic"``
+                                      imaginary, ``"saddle"`` real, ``"zero"`` 0; along it the eigenvalues are 0.
             ``stable``                Why it is stable: ``"energy"`` (a minimum), ``"integral"`` (by a further
                                       integral), ``"spectrum"`` (imaginary eigenvalues; no more is claimed);
                                       ``"false"``: it is unstable; ``"null"``: the linear terms do not decide.
-            ``eigenvalues`` (2)       Of the pairs ±λ₁, ±λ₂ of the flow reduced by l, with re ≥ 0 and im ≥ 0.
+            ``eigenvalues`` (2)       Of the pairs ±λ₁, ±λ₂ of the flow reduced by l, with re ≥ 0 and im ≥ 0; of a
+                                      circle its transverse pair, then 0. A quadruple gives the same one twice.
             ``eigenvalue_error``      Bound on their error.
-            ``branch``                Id of the curve in the atlas.
+            ``branch``                Id of the curve in the atlas; the page "Conventions" explains ids.
             ``branch_name``           Where the branch begins, such as ``"from +r̂"``.
             ========================= ====================================================================================
 
@@ -331,24 +367,26 @@ class Body:
         chaos: bool = True,
         threads: int | None = None,
     ) -> Section:
-        """The Poincaré section S = d/dt ⟨γ, r⟩ = 0 at one point (h, l).
+        """The Poincaré section S = d⟨γ, r⟩/dt = 0 at one point (h, l).
 
         Parameters
         ----------
         h, l : number
-            Energy and vertical angular momentum, off the curves of the bifurcation diagram.
+            Energy and vertical angular momentum, off the curves of the bifurcation diagram. The section at −l is the mirror
+            image of that at l, with time turned round: (γ, l, t) → (γ, −l, −t), and the sheets change places.
         orbits : int
             Number of orbits, spread evenly over all components of the section.
         crossings : int
-            Crossings of each orbit.
+            Crossings of each orbit, in both directions.
         seed : int
             Another choice of the starting points.
         starts : array (n, 3), optional
-            ``theta, psi, sheet`` of n starting points, instead of `orbits` spread ones.
+            ``theta, psi, sheet`` of n starting points on the PP-torus, as the columns of a `Section` have them, instead of
+            `orbits` spread ones.
         max_time : float, optional
             Stop each orbit at this time even if it has fewer crossings.
         condition : {"height", "angular-momentum"}
-            What vanishes: d/dt ⟨γ, r⟩, or ⟨l, γ × r⟩.
+            What vanishes: S = d⟨γ, r⟩/dt = ⟨ω, r × γ⟩, or S = ⟨l, γ × r⟩ = −½ d⟨l, l⟩/dt.
         tolerance : float
             Error of a step relative to the size of the motion.
         chaos : bool
@@ -364,7 +402,7 @@ class Body:
         Raises
         ------
         InputError
-            If (h, l) is forbidden or on a curve, or r = 0.
+            If (h, l) is forbidden or on a curve, r = 0, or a start does not lie in U.
         RangeError
             If the section cannot be computed.
 
@@ -375,7 +413,7 @@ class Body:
         >>> section.gamma.shape
         (44, 3)
         """
-        return Section.compute(
+        return Section._compute(
             self._inner, h, l, orbits, crossings, seed, starts, max_time, condition, tolerance, chaos, threads
         )
 
@@ -391,18 +429,21 @@ class Body:
     ) -> Motion:
         """The motion in space from a state at time 0.
 
+        The equations are dγ/dt = γ × ω and dl/dt = l × ω − γ × r with ω = A⁻¹ l; the page "Conventions" has the frames.
+
         Parameters
         ----------
         gamma : three floats
-            The vertical in the body's axes; its length does not matter.
+            The downward vertical in the body's axes at time 0; its length does not matter.
         l : three floats
-            Angular momentum in the body's axes.
+            Angular momentum in the body's axes at time 0.
         t : array of float, or float
-            Times, rising; negative ones lie in the past. A single number t stands for 201 times from 0 to t.
+            Times, none before the one in front of it; negative ones lie in the past. A single number t stands for 201 times
+            from 0 to t, or from t to 0 if it is negative, and 0 for that time alone.
         omega : three floats, optional
-            Angular velocity in the body's axes, instead of `l`.
+            Angular velocity in the body's axes at time 0, instead of `l`.
         phi : float
-            Euler's angle φ at the start.
+            Euler's angle φ at time 0: how the body is turned about the vertical, which γ leaves open.
         tolerance : float
             Error of a step relative to the size of the motion.
 
@@ -424,14 +465,14 @@ class Body:
         >>> motion.quaternion.shape
         (3, 4)
         """
-        return Motion.compute(self._inner, gamma, l, omega, t, phi, tolerance)
+        return Motion._compute(self._inner, gamma, l, omega, t, phi, tolerance)
 
     def plot(self, ax: Any = None, **options: Any) -> Any:
         """Draws the body with matplotlib: its ellipsoid of inertia and its centre of mass; see `bifdiag.pictures.body`."""
         return pictures.body(self, ax, **options)
 
     def plot_sphere(self, h: float, l: float, ax: Any = None, **options: Any) -> Any:
-        """Draws U at one point on the Poisson sphere with matplotlib; see `bifdiag.pictures.sphere`."""
+        """Draws U at one point (h, l) on the Poisson sphere with matplotlib; see `bifdiag.pictures.sphere`."""
         return pictures.sphere(self, h, l, ax, **options)
 
     # Equal bodies have equal numbers, whatever their texts.
@@ -444,8 +485,20 @@ class Body:
     def __reduce__(self) -> tuple[Any, ...]:
         return Body._of_document, ({"A": self.A, "r": self.r, "part": self.part},)
 
+    def _told(self) -> tuple[str, str]:
+        """A and r, to read: of a part, whose texts have many digits, as doubles; the rest loses nothing."""
+
+        def told(texts: tuple[str, ...]) -> str:
+            return ", ".join(texts if self.part is None else [repr(float(exact.value(text))) for text in texts])
+
+        return told(self.A), told(self.r)
+
     def __repr__(self) -> str:
-        return f"Body(A=[{', '.join(self.A)}], r=[{', '.join(self.r)}])"
+        moments, center = self._told()
+        if self.part is None:
+            return f"Body(A=[{moments}], r=[{center}])"
+        return f"Body of a part in {self.part['units']}: A = [{moments}], r = [{center}] [A, r, part have all digits]"
 
     def _repr_html_(self) -> str:
-        return table([("A", ", ".join(self.A)), ("r", ", ".join(self.r))])
+        moments, center = self._told()
+        return table([("A", moments), ("r", center), *([("units", self.part["units"])] if self.part else [])])

@@ -19,3 +19,7 @@ class RangeError(BifdiagError, ArithmeticError):
 
 class VerifyError(BifdiagError):
     """A document that says something wrong, or something that could not be confirmed."""
+
+
+class BodyWarning(UserWarning):
+    """A body that no distribution of mass is: its moments violate A_i + A_j ≥ A_k. Answers are those of the equations."""

@@ -132,6 +132,14 @@ def real(value: Any, name: str) -> float:
     return float(found[0])
 
 
+def span(values: Any, name: str) -> tuple[float, float]:
+    """A range of finite floats whose ends differ."""
+    low, high = map(float, vector(values, name, 2))
+    if not low < high:
+        raise InputError(f"{name} = {values!r}: a range (from, to) with from < to is needed")
+    return low, high
+
+
 def vector(values: Any, name: str, length: int) -> np.ndarray:
     """So many finite floats."""
     try:

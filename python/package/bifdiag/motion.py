@@ -17,22 +17,31 @@ SAMPLES = 201
 class Motion(Table):
     """A motion in space: a row for each time; made by `Body.orbit`.
 
+    The frame in space is right-handed and its **third axis points down**, along gravity, as γ does; the first two are
+    fixed by ``phi`` at the start. The body's axes are the principal axes, in the order of A. The page "Conventions" has
+    all of it.
+
     Attributes
     ----------
     time : array (n,)
         Times.
     gamma, l, omega : array (n, 3)
-        Vertical, angular momentum and angular velocity, in the body's axes.
+        The downward vertical γ, the angular momentum and the angular velocity ω = A⁻¹ l, in the body's axes.
     theta, psi, phi : array (n,)
-        Euler's angles of the third axis.
+        Euler's angles of R = R_z(φ) R_x(ϑ) R_z(ψ), which takes vectors of the body to space; γ is its third row: γ = (sin
+        ψ sin ϑ, cos ψ sin ϑ, cos ϑ). So ϑ in [0, π] lies between the body's third axis and *down*; ψ is in (−π, π], and
+        φ, the angle about the vertical, is continuous. These are not the ``theta`` and ``psi`` of a `Section`.
     quaternion : array (n, 4)
-        The attitude w, x, y, z: takes vectors of the body to space, continuous in time.
+        The same R as w, x, y, z; continuous in time.
+    meta : dict
+        ``A`` and ``r``, ``energy`` H and ``momentum`` ⟨γ, l⟩ of the start, ``energy_drift``, the largest deviation from
+        that energy at the times, ``tolerance`` and ``version``.
     """
 
     NAMES = ("time", "gamma", "l", "omega", "theta", "psi", "phi", "quaternion")
 
     @classmethod
-    def compute(
+    def _compute(
         cls,
         body: _core.Body,
         gamma: npt.ArrayLike,
@@ -62,7 +71,7 @@ class Motion(Table):
         return cls(columns, json.dumps(about | meta))
 
     def attitude(self, *, scalar_first: bool = True) -> npt.NDArray[np.float64]:
-        """The quaternions in either order.
+        """The quaternions in either order; they take vectors of the body to space.
 
         Parameters
         ----------
@@ -76,7 +85,14 @@ class Motion(Table):
         return self.quaternion if scalar_first else np.roll(self.quaternion, -1, axis=1)
 
     def axes(self) -> npt.NDArray[np.float64]:
-        """The body's axes in space: ``axes()[k, :, i]`` is the i-th at time k."""
+        """The matrices R that take vectors of the body to space: ``axes()[k, :, i]`` is the body's i-th axis at time k.
+
+        ``axes()[k] @ gamma[k]`` is (0, 0, 1), down.
+
+        Returns
+        -------
+        array (n, 3, 3)
+        """
         w, x, y, z = self.quaternion.T
         rows = [
             [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -95,7 +111,8 @@ def _times(t: Any) -> list[float]:
     except (TypeError, ValueError) as error:
         raise InputError(f"t = {t!r}: {error}") from error
     if times.ndim == 0:
-        times = np.linspace(0.0, float(times), SAMPLES) if times >= 0 else np.linspace(float(times), 0.0, SAMPLES)
+        end = float(times)
+        times = np.linspace(min(end, 0.0), max(end, 0.0), SAMPLES if end else 1)
     if times.ndim != 1 or not len(times) or not np.isfinite(times).all() or (np.diff(times) < 0).any():
         raise InputError("t: finite times that rise are needed")
     found: list[float] = times.tolist()

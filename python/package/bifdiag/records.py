@@ -10,7 +10,8 @@ import numpy as np
 Document = dict[str, Any]
 
 
-def _sections(components: "tuple[Component, ...] | None") -> str:
+def sections(components: "tuple[Component, ...] | None") -> str:
+    """The sections of components in words; where there are none, the parts of U."""
     if components is None:
         return "not decided"
     return " + ".join(component.section or component.accessible_region for component in components) or "nothing"
@@ -23,17 +24,19 @@ class Component:
     Attributes
     ----------
     boundary_circles : int
-        Number of circles that bound it.
+        Number k of circles that bound it.
     poles : tuple of str or None
         Which of r̂ (``"+"``) and −r̂ (``"-"``) it contains; None when r = 0.
     accessible_region : str
-        Its name: ``"S2"``, ``"D2"``, ``"S2-2D2"``, …
+        Its name: ``"S2"`` the sphere, ``"D2"`` a disc, ``"S2-2D2"`` an annulus, ``"S2-3D2"`` the sphere without 3 discs, …
     energy_surface : str
-        The component of E above it: ``"RP3"``, ``"S3"``, ``"S1xS2"``, …
+        The component of the three-dimensional E above it: ``"RP3"`` (k = 0), ``"S3"`` (1), ``"S1xS2"`` (2),
+        ``"(S1xS2)#(S1xS2)"`` (3), ``"#3(S1xS2)"`` (4), …
     section : str or None
-        The component of the Poincaré section: ``"S2"``, ``"T2"``, ``"M2"``, …; None when r = 0.
+        The component of the Poincaré section P above it, by its genus: ``"S2"``, ``"T2"``, ``"M2"``, ``"M3"``, …; None when
+        r = 0.
     genus : int or None
-        Its genus; None when r = 0.
+        The genus k + n − 1 of `section`, with n poles inside; None when r = 0.
     """
 
     boundary_circles: int
@@ -44,7 +47,7 @@ class Component:
     genus: int | None
 
     @classmethod
-    def of(cls, document: Document) -> "Component":
+    def _of(cls, document: Document) -> "Component":
         poles = document["poles"]
         return cls(
             document["boundary_circles"],
@@ -56,8 +59,8 @@ class Component:
         )
 
     @classmethod
-    def all_of(cls, documents: list[Document] | None) -> "tuple[Component, ...] | None":
-        return None if documents is None else tuple(cls.of(document) for document in documents)
+    def _all_of(cls, documents: list[Document] | None) -> "tuple[Component, ...] | None":
+        return None if documents is None else tuple(cls._of(document) for document in documents)
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +82,7 @@ class Margin:
     error_bound: float
 
     @classmethod
-    def of(cls, document: Document) -> "Margin":
+    def _of(cls, document: Document) -> "Margin":
         return cls(document["h"], document["nearest"], document["error_bound"])
 
 
@@ -102,8 +105,8 @@ class Candidate:
     components: tuple[Component, ...]
 
     @classmethod
-    def of(cls, document: Any) -> "Candidate":
-        return cls(document["region"], document["status"], Component.all_of(document["components"]) or ())
+    def _of(cls, document: Any) -> "Candidate":
+        return cls(document["region"], document["status"], Component._all_of(document["components"]) or ())
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -120,9 +123,9 @@ class Classification:
     region : str or None
         Id of the region in the body's atlas; None unless regular.
     signature : str or None
-        The names of the sections joined by ``+``.
+        The names of the sections of `components` joined by ``+``, in their order; None unless regular, and when r = 0.
     components : tuple of Component or None
-        The components of U; None on a curve, or where nothing is decided.
+        The components of U; none where it is forbidden; None on a curve, or where nothing is decided.
     candidates : tuple of Candidate
         The regions that meet on a curve, or those that are possible.
     margin : Margin
@@ -142,16 +145,16 @@ class Classification:
     note: str | None
 
     @classmethod
-    def of(cls, document: Document) -> "Classification":
+    def _of(cls, document: Document) -> "Classification":
         return cls(
             document["h"],
             document["l"],
             document["status"],
             document.get("region"),
             document.get("signature"),
-            Component.all_of(document["components"]),
-            tuple(Candidate.of(candidate) for candidate in document.get("candidates", ())),
-            Margin.of(document["margin"]),
+            Component._all_of(document["components"]),
+            tuple(Candidate._of(candidate) for candidate in document.get("candidates", ())),
+            Margin._of(document["margin"]),
             document.get("note"),
         )
 
@@ -165,7 +168,7 @@ class Classification:
         )
 
     def _repr_html_(self) -> str:
-        rows = [("status", self.status), ("region", self.region or "–"), ("sections", _sections(self.components))]
+        rows = [("status", self.status), ("region", self.region or "–"), ("sections", sections(self.components))]
         rows.append(("distance to the nearest curve", f"{self.margin.h:.6g} to {self.margin.nearest}"))
         return table([("(h, l)", f"({self.h}, {self.l})"), *rows])
 
@@ -215,7 +218,7 @@ class Region:
     id : str
         ``"R1"``, ``"R2"``, … by the first appearance as l, then h rise.
     signature : str or None
-        The names of the sections joined by ``+``; None when r = 0.
+        The names of the sections of `components` joined by ``+``, in their order, such as ``"S2+T2"``; None when r = 0.
     components : tuple of Component
         The components of U.
     sample : Sample
@@ -247,13 +250,13 @@ class Region:
     _outlines: Callable[[str], tuple[np.ndarray, ...]] = field(compare=False)
 
     @classmethod
-    def of(cls, document: Document, outlines: Callable[[str], tuple[np.ndarray, ...]]) -> "Region":
+    def _of(cls, document: Document, outlines: Callable[[str], tuple[np.ndarray, ...]]) -> "Region":
         sample = document["sample"]
         return cls(
             document["id"],
             document["signature"],
-            Component.all_of(document["components"]) or (),
-            Sample(sample["h"], sample["l"], Margin.of(sample["margin"])),
+            Component._all_of(document["components"]) or (),
+            Sample(sample["h"], sample["l"], Margin._of(sample["margin"])),
             document["bounded"],
             span(document["l_range"]),
             infinite(document["h_width"]),
@@ -265,17 +268,22 @@ class Region:
 
     @property
     def polygon(self) -> tuple[np.ndarray, ...]:
-        """Closed outlines [h, l] of the region within the body's default view."""
+        """Closed outlines of points [h, l] within the body's default view; a hole is an outline of its own.
+
+        They are fit for a picture of that view, ``atlas.document["view"]["everything"]``: between corners, which lie on the
+        curves, off by a thousandth of its range of h. `Atlas.outlines` gives finer ones of a smaller window, `Atlas.region`
+        tells points exactly.
+        """
         return self._outlines(self.id)
 
     def __repr__(self) -> str:
         names = ", ".join(["polygon", *(field.name for field in fields(self) if field.name[0] != "_")])
-        sections = self.signature or _sections(self.components)
-        return f"Region {self.id}: {sections} at (h, l) = ({self.sample.h:.6g}, {self.sample.l:.6g}) [{names}]"
+        told = self.signature or sections(self.components)
+        return f"Region {self.id}: {told} at (h, l) = ({self.sample.h:.6g}, {self.sample.l:.6g}) [{names}]"
 
     def _repr_html_(self) -> str:
         at = f"({self.sample.h:.6g}, {self.sample.l:.6g})"
-        return table([("region", self.id), ("sections", _sections(self.components)), ("a point (h, l) inside", at)])
+        return table([("region", self.id), ("sections", sections(self.components)), ("a point (h, l) inside", at)])
 
 
 @dataclass(frozen=True, slots=True)
@@ -285,13 +293,22 @@ class Event:
     Attributes
     ----------
     kind : str
-        ``"cusp"``, ``"pitchfork"``, ``"crossing"``, …
+        ``"cusp"``: two curves meet and vanish. ``"pitchfork"``: a symmetric pair leaves a curve. ``"crossing"``: two curves
+        cross. Others may follow.
     l, h : float
-        The point.
+        The point, rounded.
     curves : tuple of str
-        Ids of the curves that meet.
+        Ids of the curves that meet; at a pitchfork the curve before, after, and the pair.
     l_error, h_error : float
         Bounds on the errors of `l` and `h`.
+    l_enclosure, h_enclosure : tuple of two str, or None
+        Exact decimals between which `l` and `h` are proved to lie; of an atlas with certificate only.
+
+    Notes
+    -----
+    The coordinates of an event are algebraic numbers, which in general no decimal and no fraction is. So ``(event.h,
+    event.l)`` is a point beside it: `Body.classify` there gives one of the regions that meet, not ``"critical"``. What
+    meets at the event is told by `curves`, and by the `Region.boundary` that name them.
     """
 
     kind: str
@@ -300,11 +317,16 @@ class Event:
     curves: tuple[str, ...]
     l_error: float
     h_error: float
+    l_enclosure: tuple[str, str] | None
+    h_enclosure: tuple[str, str] | None
 
     @classmethod
-    def of(cls, document: Document) -> "Event":
+    def _of(cls, document: Document) -> "Event":
         curves = tuple(document["curves"])
-        return cls(document["kind"], document["l"], document["h"], curves, document["l_error"], document["h_error"])
+        errors = document["l_error"], document["h_error"]
+        l_ends, h_ends = (document.get("enclosure", {}).get(name) for name in ("l", "h"))
+        proved = None if l_ends is None else tuple(l_ends), None if h_ends is None else tuple(h_ends)
+        return cls(document["kind"], document["l"], document["h"], curves, *errors, *proved)
 
 
 @dataclass(frozen=True, slots=True)
@@ -322,7 +344,7 @@ class StabilityChange:
     curve : str
         Id of the curve.
     error_bound : float
-        Bound on the error of `l`.
+        Bound on the errors of `l` and `h`.
     """
 
     kind: str
@@ -332,7 +354,7 @@ class StabilityChange:
     error_bound: float
 
     @classmethod
-    def of(cls, document: Document) -> "StabilityChange":
+    def _of(cls, document: Document) -> "StabilityChange":
         return cls(document["kind"], document["l"], document["h"], document["curve"], document["error_bound"])
 
 
@@ -345,11 +367,13 @@ class Curve:
     id : str
         Its id, unique in the atlas.
     kind : str
-        ``"generic"``, ``"pair"``, ``"circle"``, ``"axis"``, ``"pole-plus"``, ``"pole-minus"`` or ``"sphere"``.
+        ``"generic"`` equilibria; ``"pair"`` of two that are mirror images; ``"circle"`` and ``"sphere"`` of them;
+        ``"axis"``, rotation about the one axis that carries r; ``"pole-plus"`` and ``"pole-minus"``, where r̂ and −r̂
+        enter U.
     branch : str
         Curves that continue each other through cusps and pitchforks share it.
     index : int or None
-        Morse index; None for a pole line off the critical curves.
+        Morse index of U_l along it; None for a pole line.
     multiplicity : int
         2 for a symmetric pair.
     coincides_with : tuple of str
@@ -359,7 +383,8 @@ class Curve:
     stability : tuple of (float, float, str)
         Stretches of l and the linear type there, in the words of `Body.critical`.
     points : array (n, 2)
-        Points [h, l] by rising l.
+        Points [h, l] by rising l; between them the curve is off by a thousandth of the ranges of the events. An unbounded
+        curve goes on beyond the last one. `Atlas.polyline` gives finer ones.
     """
 
     id: str
@@ -373,7 +398,7 @@ class Curve:
     points: np.ndarray
 
     @classmethod
-    def of(cls, document: Document) -> "Curve":
+    def _of(cls, document: Document) -> "Curve":
         return cls(
             document["id"],
             document["kind"],

@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -13,15 +13,15 @@ from .exact import Number
 from .records import table
 from .tables import Table
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 ORBITS, CROSSINGS = 10**6, 2**31 - 1
 """The most orbits and crossings."""
 
 
 class Section(Table):
     """A Poincaré section: a row for each crossing, in the order of the orbits; made by `Body.section`.
+
+    It holds the states with energy h and momentum l at which S = d⟨γ, r⟩/dt vanishes: where the height of the centre of
+    mass is extremal. The page "Conventions" defines the symbols.
 
     Attributes
     ----------
@@ -30,23 +30,34 @@ class Section(Table):
     time : array (n,)
         Time since the start.
     gamma, l : array (n, 3)
-        Vertical and angular momentum, in the body's axes.
+        The downward vertical γ and the angular momentum, in the body's axes.
     sheet : array (n,) of int
-        ±1, the sign of Δ.
+        +1 on the half T⁺ of the PP-torus, where Δ = ⟨ω × γ, A⁻¹(γ × r)⟩ > 0, −1 on T⁻, where Δ < 0. Over each γ of U lie
+        two states of the section, one on each sheet.
     s_dot : array (n,)
-        dS/dt.
+        dS/dt: negative where the crossing is incoming (the height of the centre of mass is least), positive where outgoing.
     theta, psi : array (n,)
-        The point on the PP-torus.
-    lyapunov, rotation : array (n,)
-        Lyapunov exponent and rotation number of the row's orbit, NaN where there is none; not with ``chaos=False``.
+        ϑ′ in [0, π] and ψ′ in [0, 2π), the point on the PP-torus: ϑ′ is the angle between γ and r, ψ′ the longitude about
+        r. These are not the Euler angles ``theta`` and ``psi`` of a `Motion`.
+    lyapunov : array (n,)
+        Lyapunov exponent of the row's orbit, one number for each orbit; NaN where there is none; not with ``chaos=False``.
+    rotation : array (n,)
+        Rotation number of the row's orbit under the return map to the incoming half, in turns per return, folded to [0,
+        1/2]; NaN where the crossings follow no closed curve in order (chaos, or too few returns). For a chain of q
+        islands that are visited in turn it is p/q exactly, the chain's; the turning within an island is not measured.
+        ``meta["orbits"][k]["chaos"]["rotation"]`` tells which: ``"angle"`` is ``"islands"``, with their number
+        ``"islands"``.
     exponent : array (n,)
         λ(t), the Lyapunov exponent until then; NaN at the start.
+    meta : dict
+        The document of ``bifdiag section --json``: body, point, parameters, and of each orbit its start, end, drift of the
+        integrals, verdict and measures.
     """
 
     NAMES = ("orbit", "index", "time", "gamma", "l", "sheet", "s_dot", "theta", "psi")
 
     @classmethod
-    def compute(
+    def _compute(
         cls,
         body: _core.Body,
         h: Number,
@@ -93,21 +104,28 @@ class Section(Table):
         """Why the verdict of each orbit is what it is."""
         return tuple(orbit["reason"] for orbit in self.meta["orbits"])
 
-    def plot(self, ax: "Axes | None" = None, projection: str = "torus", **options: Any) -> Any:
+    def plot(self, ax: Any = None, projection: str = "torus", **options: Any) -> Any:
         """Draws the section with matplotlib.
 
         Parameters
         ----------
-        ax : Axes or pair of them, optional
-            Where; None makes a new figure with two axes, one for each sheet.
+        ax : pair of Axes, optional
+            One for each sheet; None makes a new figure. A single one with ``sheet=1`` or ``sheet=-1``.
         projection : {"torus", "sphere"}
             The PP-torus, or the Poisson sphere.
         **options
-            As `bifdiag.pictures.section` takes them: `color` and whatever ``Axes.scatter`` knows.
+            As `bifdiag.pictures.section` takes them: ``color``, ``sheet`` and whatever ``Axes.scatter`` knows.
 
         Returns
         -------
-        array of two Axes
+        array of two Axes, or of one
+
+        Raises
+        ------
+        InputError
+            If a projection or a colour is unknown, or the axes are not as many as the sheets.
+        ImportError
+            Without matplotlib, which ``bifdiag[plot]`` brings.
         """
         return pictures.section(self, ax, projection, **options)
 

@@ -5,11 +5,11 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from . import _core, exact
+from . import _core, exact, files
 from .errors import BifdiagError, InputError
 from .records import Component, Document, Margin
 
@@ -26,7 +26,7 @@ def scan(
     shard: tuple[int, int] | None = None,
     threads: int | None = None,
     seed: int = 0,
-    vary: "list[str] | tuple[str, ...]" = (),
+    vary: "str | Iterable[str]" = (),
     body: "Body | None" = None,
 ) -> Document:
     """Computes the diagrams of many bodies into a file, with the same bytes as the command line.
@@ -37,9 +37,10 @@ def scan(
     Parameters
     ----------
     family : {"general", "positive", "katok"}
-        Which bodies.
-    samples : int
-        Their number.
+        Which bodies: ``"general"`` all that exist, up to units; ``"positive"`` all with A_i > 0; ``"katok"`` with r along
+        the first axis.
+    samples : int, optional
+        Their number; it must be given unless `vary` gives the numbers of a grid.
     out : path
         The file; its suffix says the format: ``.parquet``, ``.csv`` or ``.jsonl``.
     shard : (int, int), optional
@@ -48,15 +49,17 @@ def scan(
         None: one; 0: as many as there are cores. The file does not depend on it.
     seed : int
         Where the sequence of bodies starts.
-    vary : list of str
-        Ranges of parameters, such as ``"A2=1:2:101"``, about `body`.
+    vary : str or list of str
+        Ranges of the parameters ``A1``, ``A2``, ``A3``, ``r1``, ``r2``, ``r3``: ``"A2=1:2:101"`` is a grid of 101 values,
+        both ends included, ``"A2=1:2"`` is sampled. Of `body`, or of the family ``"katok"``.
     body : Body, optional
         The body whose parameters are varied, instead of a family.
 
     Returns
     -------
     dict
-        The summary of the scan.
+        The summary of the scan, which is written to ``FILE.summary.json`` too. The page "Files" tells its fields, and the
+        columns of the file.
 
     Raises
     ------
@@ -64,6 +67,18 @@ def scan(
         If the command line refuses an argument.
     BifdiagError
         If the scan fails.
+
+    Examples
+    --------
+    >>> import bifdiag, csv, os, tempfile
+    >>> lagrange = bifdiag.Body.preset("lagrange")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = os.path.join(folder, "lagrange.csv")
+    ...     summary = bifdiag.scan(body=lagrange, vary="A1=1:2:3", out=path)
+    ...     with open(path) as file:
+    ...         rows = list(csv.DictReader(file))
+    >>> summary["rows"], [(row["A1"], row["regions"]) for row in rows]
+    (3, [('1.0', '2'), ('1.5', '4'), ('2.0', '4')])
     """
     arguments = ["scan", "--json", "--out", os.fspath(out)]
     if body is None:
@@ -77,7 +92,7 @@ def scan(
         arguments += ["--shard", f"{part}/{of}"]
     if seed:
         arguments += ["--seed", str(exact.whole(seed, "seed", 0))]
-    for values in vary:
+    for values in [vary] if isinstance(vary, str) else vary:
         arguments += ["--vary", values]
     count = exact.threads(threads)
     arguments += ["--threads", str(count or os.cpu_count() or 1)]
@@ -132,10 +147,11 @@ def command(*arguments: str) -> str:
         except BaseException:
             process.terminate()
             raise
+    message = told.partition("\n\nFor more information")[0].strip().removeprefix("error: ")
     if process.returncode == 2:
-        raise InputError(told.strip())
+        raise InputError(message)
     if process.returncode != 0:
-        raise BifdiagError(told.strip())
+        raise BifdiagError(message)
     return printed
 
 
@@ -160,7 +176,7 @@ class Witness:
     margin : Margin or None
         The distance to the nearest curve.
     tried : int
-        Number of bodies that were looked at.
+        Number of bodies that were looked at; 0 if the answer was known.
     document : dict
         Everything that the command line prints with ``--json``.
     """
@@ -174,10 +190,10 @@ class Witness:
     components: tuple[Component, ...]
     margin: Margin | None
     tried: int
-    document: Document
+    document: Document = field(repr=False)
 
     @classmethod
-    def of(cls, document: Document) -> "Witness":
+    def _of(cls, document: Document) -> "Witness":
         from .body import Body
 
         there = document.get("witness") or document
@@ -186,11 +202,11 @@ class Witness:
             found,
             document.get("exists"),
             document.get("why"),
-            Body(there["A"], there["r"]) if found else None,
+            Body._of_document(there) if found else None,
             there["h"] if found else None,
             there["l"] if found else None,
-            Component.all_of(there["components"]) or () if found else (),
-            Margin.of(there["margin"]) if found else None,
+            Component._all_of(there["components"]) or () if found else (),
+            Margin._of(there["margin"]) if found else None,
             document["tried"],
             document,
         )
@@ -225,7 +241,7 @@ def find(
     critical_points : int, optional
         So many relative equilibria at one l, or more.
     physical : bool
-        Only bodies that exist: A_i + A_j ≥ A_k.
+        Only bodies that exist: A_i + A_j ≥ A_k, as `Body.physical` says.
     samples : int
         The most bodies that are tried.
     seed : int, optional
@@ -273,16 +289,16 @@ def find(
         accuracy,
         exact.threads(threads),
     )
-    return Witness.of(json.loads(found))
+    return Witness._of(json.loads(found))
 
 
 def verify(atlas: "str | os.PathLike[str] | Document | Atlas") -> int:
-    """Re-checks an atlas that carries a certificate, by other means than those that made it.
+    """Re-checks an atlas that carries a certificate, by other means than those that made it, as ``bifdiag verify``.
 
     Parameters
     ----------
     atlas : path, dict or Atlas
-        A file, a document, or an atlas.
+        A file, a document, or an atlas made with ``certificate=True``.
 
     Returns
     -------
@@ -292,14 +308,29 @@ def verify(atlas: "str | os.PathLike[str] | Document | Atlas") -> int:
     Raises
     ------
     VerifyError
-        With the first thing that is wrong or could not be confirmed.
+        With the first thing that is wrong or could not be confirmed; also if there is no certificate. Of a file every byte
+        counts.
     InputError
-        If it is no atlas.
+        If it is no atlas; the message says what it is.
+    OSError
+        If the file cannot be read.
+
+    Examples
+    --------
+    >>> import bifdiag
+    >>> atlas = bifdiag.Body.preset("paper").atlas(certificate=True)
+    >>> bifdiag.verify(atlas)
+    9
     """
     from .atlas import Atlas
 
     if isinstance(atlas, dict):
-        return _core.verify(json.dumps(atlas), "atlas.json")
+        try:
+            text = json.dumps(atlas)
+        except (TypeError, ValueError) as error:
+            raise InputError(f"the document is no JSON: {error}") from error
+        return _core.verify(text, "the document", False)
     if isinstance(atlas, Atlas):
-        return _core.verify(atlas.to_json(), "atlas.json")
-    return _core.verify(Path(atlas).read_text(encoding="utf-8"), os.fspath(atlas))
+        return _core.verify(atlas.to_json(), "the atlas", True)
+    files.require(atlas, "atlas")
+    return _core.verify(Path(atlas).read_text(encoding="utf-8"), os.fspath(atlas), True)

@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from . import files
 from .errors import InputError
+from .optional import needed
 
 if TYPE_CHECKING:
     import pandas
@@ -75,8 +77,11 @@ class Table:
         Raises
         ------
         InputError
-            If the file is no such archive.
+            If the file is no such archive; the message says what it is.
+        OSError
+            If the file cannot be read; FileNotFoundError if it is not there.
         """
+        files.require(path, cls.__name__.lower())
         try:
             with np.load(Path(path), allow_pickle=False) as archive:
                 arrays = {name: archive[name] for name in archive.files}
@@ -99,30 +104,26 @@ class Table:
         return out
 
     def to_pandas(self) -> "pandas.DataFrame":
-        """A DataFrame with the columns of `flat`; needs pandas."""
-        import pandas as pd
-
-        frame = pd.DataFrame(self.flat())
+        """A DataFrame with the columns of `flat`, and `meta` as its ``attrs``; ``bifdiag[tables]`` brings pandas."""
+        frame: pandas.DataFrame = needed("pandas", "tables").DataFrame(self.flat())
         frame.attrs.update(self.meta)
         return frame
 
     def to_xarray(self) -> "xarray.Dataset":
-        """A Dataset with the columns over the dimension ``row`` (and ``axis`` for vectors); needs xarray."""
-        import xarray as xr
-
+        """A Dataset with the columns over ``row`` (and ``axis`` for vectors); ``bifdiag[tables]`` brings xarray."""
         axes = {1: ("row",), 2: ("row", "axis")}
         variables = {}
         for name, column in self._columns.items():
             dimensions = ("row", "component") if column.ndim == 2 and column.shape[1] == 4 else axes[column.ndim]
             variables[name] = (dimensions, column)
-        return xr.Dataset(variables, attrs={"meta": self._meta})
+        data: xarray.Dataset = needed("xarray", "tables").Dataset(variables, attrs={"meta": self._meta})
+        return data
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
-        """The columns as a stream of Arrow, for polars, duckdb and their like; needs pyarrow."""
-        import pyarrow as pa
-
+        """The columns as a stream of Arrow, for polars, duckdb and their like; ``bifdiag[tables]`` brings pyarrow."""
         columns = {name: np.ascontiguousarray(column) for name, column in self.flat().items()}
-        return pa.table(columns).__arrow_c_stream__(requested_schema)
+        stream: object = needed("pyarrow", "tables").table(columns).__arrow_c_stream__(requested_schema)
+        return stream
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other) or not isinstance(other, Table):

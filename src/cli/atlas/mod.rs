@@ -13,11 +13,11 @@ use plot::{DiagramOptions, draw};
 use super::export::{ExportError, FileSet, Json, RESOLUTION, answer};
 use super::failure::Failure;
 use super::terminal::Timings;
+use crate::Curves;
 use settings::Settings;
 
 pub use arguments::{AtlasArguments, EXAMPLES};
 pub use error::NoAtlas;
-pub use work::Curves;
 
 pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure> {
     let settings = Settings::new(arguments)?;

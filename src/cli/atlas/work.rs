@@ -1,7 +1,6 @@
 //! The atlas of a body and its document.
 
-use documents::{DocumentOptions, Subject, attach_part, certified_atlas};
-use plot::CurveSource;
+use documents::{DocumentOptions, Subject, attach_part, certified_atlas_of};
 use proof::{CertifiedAtlas, atlas_of};
 use schema::AtlasDocument;
 use top::atlas::Atlas;
@@ -27,19 +26,6 @@ fn proved(subject: &Subject, polygons: bool, timings: &Timings) -> Result<(Atlas
     let proof = timings.stage("proof", || CertifiedAtlas::new(&subject.body))?;
     let drawn = proof.drawn()?;
     let options = DocumentOptions { polygons, ..DocumentOptions::default() };
-    let mut document = timings.stage("certificate", || certified_atlas(&proof, &drawn, &options))?;
-    if subject.part.is_some() {
-        attach_part(&mut document, subject);
-        documents::seal(&mut document)?;
-    }
+    let document = timings.stage("certificate", || certified_atlas_of(subject, &proof, &drawn, &options))?;
     Ok((drawn, document))
-}
-
-/// Polylines as fine as a magnification needs.
-pub struct Curves<'a>(pub &'a Atlas);
-
-impl CurveSource for Curves<'_> {
-    fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
-        self.0.polyline(curve.parse().ok()?, l, tolerance)
-    }
 }

@@ -12,7 +12,7 @@ use top::body::{Body, BodyError};
 
 use super::arguments::{ClassArguments, ClassesInput};
 use super::share;
-use crate::cli::atlas::Curves;
+use crate::Curves;
 use crate::cli::export::{ExportError, FileSet, RESOLUTION, answer, directory};
 use crate::cli::failure::{CommandError, Failure};
 use crate::cli::terminal::{Report, Table, Timings, significant};

@@ -48,7 +48,8 @@ impl FileSet {
         self.files.push((path.to_owned(), Contents::Whole(contents.into())));
     }
 
-    /// Adds a file that may be too long for the memory, at a place of its own.
+    /// Adds a file that may be too long for the memory, at a place of its own, which no other process writes meanwhile:
+    /// what earlier runs left under temporary names when they were killed goes.
     pub fn add_written(
         &mut self,
         path: &Path,
@@ -113,7 +114,8 @@ impl FileSet {
             if path.is_dir() {
                 return Err(FilesError::Occupied { path });
             }
-            match write_temporary(directory, contents) {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            match write_temporary(directory, &format!(".bifdiag-{name}-"), contents) {
                 Ok(file) => whole.push((file, path)),
                 Err(source) => return Err(FilesError::Write { path, source }),
             }
@@ -133,9 +135,9 @@ impl FileSet {
 }
 
 /// A whole file under a temporary name, which vanishes unless it is persisted.
-fn write_temporary(directory: &Path, contents: Contents) -> io::Result<NamedTempFile> {
+fn write_temporary(directory: &Path, prefix: &str, contents: Contents) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".bifdiag-");
+    builder.prefix(prefix);
     #[cfg(unix)]
     {
         // As for any new file, the umask decides; the default of temporary files would hide it from others.
@@ -151,6 +153,7 @@ fn write_temporary(directory: &Path, contents: Contents) -> io::Result<NamedTemp
     match contents {
         Contents::Whole(bytes) => file.write_all(&bytes)?,
         Contents::Written(write) => {
+            remove_others(directory, prefix, file.path())?;
             let mut writer = BufWriter::with_capacity(1 << 20, file.as_file_mut());
             write(&mut writer)?;
             writer.flush()?;
@@ -159,6 +162,18 @@ fn write_temporary(directory: &Path, contents: Contents) -> io::Result<NamedTemp
     // A full disk may show only now.
     file.as_file().sync_all()?;
     Ok(file)
+}
+
+/// Takes away what killed runs left of a file: it may be as large as the disk.
+fn remove_others(directory: &Path, prefix: &str, own: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(directory)? {
+        let path = entry?.path();
+        let is_left = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(prefix));
+        if is_left && path.file_name() != own.file_name() {
+            fs::remove_file(path)?;
+        }
+    }
+    Ok(())
 }
 
 /// Makes the directory and those that it lies in; they are unfinished, innermost first.

@@ -6,7 +6,8 @@ use proof::{Accuracy, atlas_of};
 use top::body::Preset;
 
 use super::figure::Figure;
-use crate::cli::atlas::{Curves, NoAtlas};
+use crate::Curves;
+use crate::cli::atlas::NoAtlas;
 use crate::cli::export::ExportError;
 use crate::cli::failure::Failure;
 use crate::cli::terminal::Timings;

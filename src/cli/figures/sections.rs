@@ -48,72 +48,69 @@ enum Orbits {
 /// Every region of Kovalevskaya's top with a section of it.
 const KOVALEVSKAYA: &str = "section-kovalevskaya";
 
+/// Sections of the paper's body on the torus, to which the figures add what is theirs.
+const PAPER: Sections =
+    Sections { stem: "", body: "paper", condition: SectionCondition::Height, projection: Projection::Torus, rows: &[] };
+
 const FIGURES: [Sections; 7] = [
     Sections {
         stem: "section-projections",
         body: "kovalevskaya",
-        condition: SectionCondition::Height,
         projection: Projection::Sphere,
         rows: &[Row { h: 3.4, l: 2.87, caption: "M²₃", orbits: Orbits::None }],
+        ..PAPER
     },
     Sections {
         stem: "section-sphere-and-torus",
         body: "projections",
-        condition: SectionCondition::Height,
         projection: Projection::Both,
         rows: &[Row { h: 80.5, l: 12.80, caption: "M²₃", orbits: Orbits::Through(0.5, 0.78, 1) }],
+        ..PAPER
     },
     Sections {
         stem: "section-structure-1",
-        body: "paper",
-        condition: SectionCondition::Height,
-        projection: Projection::Torus,
         rows: &[
             Row { h: 1.8, l: 3.25, caption: "S²", orbits: Orbits::Typical },
             Row { h: 2.6, l: 3.25, caption: "T²", orbits: Orbits::Typical },
             Row { h: 3.8, l: 3.25, caption: "S²+T²", orbits: Orbits::Typical },
             Row { h: 4.45, l: 3.25, caption: "T²+T²", orbits: Orbits::Typical },
         ],
+        ..PAPER
     },
     Sections {
         stem: "section-structure-2",
-        body: "paper",
-        condition: SectionCondition::Height,
-        projection: Projection::Torus,
         rows: &[
             Row { h: 4.675, l: 3.25, caption: "M²₃", orbits: Orbits::Typical },
             Row { h: 5.3, l: 3.25, caption: "M²₂", orbits: Orbits::Typical },
             Row { h: 6.5, l: 3.25, caption: "T²", orbits: Orbits::Typical },
         ],
+        ..PAPER
     },
     Sections {
         stem: "section-structure-3",
-        body: "paper",
-        condition: SectionCondition::Height,
-        projection: Projection::Torus,
         rows: &[
             Row { h: 3.1486, l: 2.72, caption: "M²₂", orbits: Orbits::Typical },
             Row { h: 14.0, l: 7.2, caption: "S²+S²", orbits: Orbits::Typical },
         ],
+        ..PAPER
     },
     Sections {
         stem: KOVALEVSKAYA,
         body: "kovalevskaya",
-        condition: SectionCondition::Height,
-        projection: Projection::Torus,
         rows: &[
             Row { h: 0.5, l: 1.0, caption: "R1,  T²", orbits: Orbits::Judged },
             Row { h: 4.4, l: 1.9, caption: "R2,  T²", orbits: Orbits::Judged },
             Row { h: 1.7976, l: 1.8042, caption: "R3,  M²₃", orbits: Orbits::Judged },
             Row { h: 2.8, l: 2.45, caption: "R4,  M²₃", orbits: Orbits::Judged },
         ],
+        ..PAPER
     },
     Sections {
         stem: "section-earlier-condition",
-        body: "paper",
         condition: SectionCondition::AngularMomentum,
         projection: Projection::Sphere,
         rows: &[Row { h: 4.45, l: 3.25, caption: "", orbits: Orbits::Typical }],
+        ..PAPER
     },
 ];
 

@@ -10,7 +10,7 @@ use survey::scan::known_classes;
 use super::arguments::{MapArguments, Shown};
 use super::error::ScanInput;
 use super::output;
-use super::shown::{Bodies, Seen, Shows};
+use super::shown::{Bodies, Seen, Shows, shared};
 use crate::cli::export::{ExportError, FileSet, RESOLUTION};
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{Report, Timings, print, significant};
@@ -110,11 +110,8 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
 
 /// The parameters that are the same for all bodies, in words; empty where there are none.
 fn fixed(bodies: &[Seen], axes: [Parameter; 2]) -> String {
-    let value = |body: &Seen, parameter: Parameter| body.values.as_flattened()[parameter.place()];
     let told = Parameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter)).filter_map(|parameter| {
-        let first = value(bodies.first()?, parameter);
-        let same = bodies.iter().all(|body| value(body, parameter) == first);
-        same.then(|| format!("{} = {}", parameter.name(), significant(first, 6)))
+        shared(bodies, parameter).map(|value| format!("{} = {}", parameter.name(), significant(value, 6)))
     });
     let told: Vec<String> = told.collect();
     if told.is_empty() { String::new() } else { format!("; {}", told.join(", ")) }

@@ -58,6 +58,13 @@ impl Seen {
     }
 }
 
+/// The value of a parameter that all bodies have; `None` where they differ.
+pub fn shared(bodies: &[Seen], parameter: Parameter) -> Option<f64> {
+    let value = |body: &Seen| body.values.as_flattened()[parameter.place()];
+    let first = value(bodies.first()?);
+    bodies.iter().all(|body| value(body) == first).then_some(first)
+}
+
 /// The bodies over two parameters, the other four as given.
 pub struct Bodies {
     values: [[f64; 3]; 2],
@@ -74,14 +81,9 @@ const BISECTED: f64 = 1.0 / 128.0;
 impl Bodies {
     /// Those among which these are, a grid with these steps; none where another parameter varies too.
     pub fn of(bodies: &[Seen], axes: [Parameter; 2], steps: [f64; 2], show: Shown) -> Option<Self> {
-        let values = bodies.first()?.values;
-        let other = |parameter: &Parameter| !axes.contains(parameter);
-        let same = |parameter: Parameter| {
-            let value = |body: &Seen| body.values.as_flattened()[parameter.place()];
-            bodies.iter().all(|body| value(body) == values.as_flattened()[parameter.place()])
-        };
-        Parameter::ALL.into_iter().filter(other).all(same).then_some(Self {
-            values,
+        let mut others = Parameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter));
+        others.all(|parameter| shared(bodies, parameter).is_some()).then_some(Self {
+            values: bodies.first()?.values,
             axes,
             show,
             tolerance: steps.map(|step| BISECTED * step),

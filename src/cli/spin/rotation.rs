@@ -1,6 +1,7 @@
 //! The rotation that an axis means.
 
 use documents::Subject;
+use numbers::Sign;
 use schema::NearestAxisDocument;
 use top::body::BodyAxis;
 use top::permanent::{AxisRotation, nearest_axis, nearest_permanent, permanent_axes};
@@ -13,7 +14,7 @@ pub const MEANT: f64 = 1e-6;
 /// What an axis is.
 pub enum Axis {
     /// The principal axis of this number with this sign, permanent at every spin, and how far it is from the one given.
-    Permanent { axis: BodyAxis, sign: i8, nearest: NearestAxisDocument },
+    Permanent { axis: BodyAxis, sign: Sign, nearest: NearestAxisDocument },
     /// None; the nearest one.
     Other { nearest: NearestAxisDocument },
 }
@@ -25,7 +26,7 @@ impl Axis {
         let direction = to_principal(part, up);
         let (axis, cosine) = nearest_axis(direction);
         let angle = angle_to_axis(direction, axis);
-        let sign = if cosine < 0.0 { -1 } else { 1 };
+        let sign = if cosine < 0.0 { Sign::Negative } else { Sign::Positive };
         let document = |v: [f64; 3], angle: f64, omega: Option<f64>| NearestAxisDocument {
             axis: from_principal(part, v),
             angle_deg: angle.to_degrees(),
@@ -45,7 +46,7 @@ impl Axis {
 }
 
 /// The rotation about a permanent axis with its end of this sign up.
-pub fn rotation(subject: &Subject, axis: BodyAxis, sign: i8) -> Option<AxisRotation> {
+pub fn rotation(subject: &Subject, axis: BodyAxis, sign: Sign) -> Option<AxisRotation> {
     // γ points down.
     AxisRotation::new(&subject.body, axis, -sign)
 }

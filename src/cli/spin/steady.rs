@@ -1,6 +1,7 @@
 //! Steady rotations: about a principal axis at every spin, about others at the spin that is asked about.
 
 use documents::{Subject, words};
+use numbers::Sign;
 use part::Spin;
 use schema::{SpinChangeDocument, SteadyDocument, Verdict};
 use top::atlas::{Atlas, Place};
@@ -34,13 +35,20 @@ fn beside(atlas: Option<&Atlas>, h: f64, l: f64, omega: f64) -> [Option<String>;
 }
 
 /// Rotation about a principal axis through the centre of mass, answered along its curve.
-fn about_axis(subject: &Subject, axis: BodyAxis, sign: i8, spin: f64, atlas: Option<&Atlas>) -> Option<SteadyDocument> {
+fn about_axis(
+    subject: &Subject,
+    axis: BodyAxis,
+    sign: Sign,
+    spin: f64,
+    atlas: Option<&Atlas>,
+) -> Option<SteadyDocument> {
     let second = second(subject.part.as_ref());
     let rotation = rotation(subject, axis, sign)?;
     let omega = spin / second;
     let found = rotation.type_at_spin(omega)?;
     let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
-    let changes = documents::spin_changes(&rotation, if sign > 0 { "+axis" } else { "-axis" }, atlas, second);
+    let changes =
+        documents::spin_changes(&rotation, if sign == Sign::Positive { "+axis" } else { "-axis" }, atlas, second);
     let (h, l) = (rotation.h(omega), rotation.l(omega));
     let up = BodyAxis::ALL.map(|k| if k == axis { f64::from(sign) } else { 0.0 });
     Some(SteadyDocument {

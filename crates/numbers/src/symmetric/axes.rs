@@ -138,7 +138,7 @@ impl Line {
         let own = &columns[longest];
         let norm = own.iter().fold(Wide::small(0, bits), |sum, x| sum + x.square()).sqrt();
         let facing = own[longest].sign()?;
-        let unit = own.clone().map(|x| if facing < 0 { -x / norm.clone() } else { x / norm.clone() });
+        let unit = own.clone().map(|x| facing.orient(x) / norm.clone());
         let mut axis = [0.0; 3];
         for (to, from) in axis.iter_mut().zip(&unit) {
             let [lo, hi] = from.bounds();
@@ -152,7 +152,7 @@ impl Line {
         }
         let overlap =
             (0..3).fold(Wide::small(0, bits), |sum, i| sum + unit[i].clone() * Wide::rational(&vector[i], bits));
-        overlap.sign().filter(|sign| *sign != 0)?;
+        overlap.strict_sign()?;
         let [lo, hi] = overlap.exact_bounds()?;
         let component = Real { lo, hi };
         component.is_known_to(digits).then_some(Self { axis, component })

@@ -6,6 +6,7 @@ use dashu_ratio::RBig;
 
 use super::matrix::Symmetric;
 use super::real::Real;
+use crate::Sign;
 use crate::polynomial::{Polynomial, Root};
 
 /// An eigenvalue: a rational, or an isolated root of det(μ − A).
@@ -52,7 +53,7 @@ impl Eigenvalue {
         if !root.is_exact() {
             let at = (&root.lo * RBig::from(leading.clone())).ceil();
             let candidate = RBig::from(at) / RBig::from(leading);
-            if polynomial.sign_at(&candidate) == 0 && candidate <= root.hi {
+            if polynomial.sign_at(&candidate) == Sign::Zero && candidate <= root.hi {
                 root = Root::exact(polynomial, candidate);
             }
         }
@@ -92,7 +93,7 @@ impl Polynomial {
     fn multiplicity_at(&self, x: &RBig) -> usize {
         let mut derivative = self.clone();
         let mut multiplicity = 0;
-        while !derivative.is_zero() && derivative.sign_at(x) == 0 {
+        while !derivative.is_zero() && derivative.sign_at(x) == Sign::Zero {
             derivative = derivative.derivative();
             multiplicity += 1;
         }

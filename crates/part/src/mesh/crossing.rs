@@ -4,6 +4,7 @@
 //! count, rational ones elsewhere. Surfaces that only touch do not cut each other.
 
 use dashu_ratio::RBig;
+use numbers::Sign;
 
 use super::error::MeshError;
 use super::surface::Mesh;
@@ -51,16 +52,16 @@ fn pierced(mesh: &Mesh, edges: [usize; 3], face: [usize; 3]) -> Option<[Point; 2
             return None;
         }
         let [from, to] = ends.map(at);
-        if orientation(a, b, c, from) * orientation(a, b, c, to) >= 0 {
+        if orientation(a, b, c, from) * orientation(a, b, c, to) != Sign::Negative {
             return None;
         }
         let sides = [orientation(from, to, a, b), orientation(from, to, b, c), orientation(from, to, c, a)];
-        (sides[0] != 0 && sides.iter().all(|side| *side == sides[0])).then_some([from, to])
+        (sides[0] != Sign::Zero && sides.iter().all(|side| *side == sides[0])).then_some([from, to])
     })
 }
 
 /// The sign of det(a − d, b − d, c − d), exactly.
-fn orientation(a: Point, b: Point, c: Point, d: Point) -> i8 {
+fn orientation(a: Point, b: Point, c: Point, d: Point) -> Sign {
     let [u, v, w] = [a, b, c].map(|p| -> Point { std::array::from_fn(|i| p[i] - d[i]) });
     let (mut sum, mut size) = (0.0, 0.0);
     for i in 0..3 {
@@ -72,17 +73,13 @@ fn orientation(a: Point, b: Point, c: Point, d: Point) -> i8 {
     // (7 + 56ε)ε with ε = 2^-53; below, products may have underflowed.
     let bound = 7.9e-16 * size;
     if sum.abs() > bound && bound > 1e-280 && size.is_finite() {
-        return if sum > 0.0 { 1 } else { -1 };
+        return if sum > 0.0 { Sign::Positive } else { Sign::Negative };
     }
     let exact = |x: f64| RBig::try_from(x).unwrap_or(RBig::ZERO);
     let [u, v, w] = [a, b, c].map(|p| -> [RBig; 3] { std::array::from_fn(|i| exact(p[i]) - exact(d[i])) });
     let minor = |j: usize, k: usize| &v[j] * &w[k] - &v[k] * &w[j];
     let determinant = &u[0] * minor(1, 2) + &u[1] * minor(2, 0) + &u[2] * minor(0, 1);
-    match determinant.cmp(&RBig::ZERO) {
-        std::cmp::Ordering::Less => -1,
-        std::cmp::Ordering::Equal => 0,
-        std::cmp::Ordering::Greater => 1,
-    }
+    determinant.cmp(&RBig::ZERO).into()
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 use std::cmp::Ordering::Less;
 
 use dashu_ratio::RBig;
+use numbers::Sign;
 use numbers::polynomial::{Polynomial, rational};
 
 use super::latitude::{Course, Latitude, RealRoot, value};
@@ -26,8 +27,6 @@ struct Cut {
     inside: [Vec<bool>; 2],
 }
 
-const SIGNS: [i8; 2] = [1, -1];
-
 impl Cut {
     fn new(model: &Model, x: &RBig, h: &RBig) -> Option<Self> {
         let [_, p, q, rho] = model.family();
@@ -46,9 +45,9 @@ impl Cut {
         let mut marks = roots.clone();
         marks.insert(valley_roots, fold.clone());
         let samples = samples(&marks);
-        let inside = SIGNS.map(|sign| {
+        let inside = Sign::BOTH.map(|sign| {
             let below = |mu: &RBig| {
-                let (a, b) = (value(&excess, mu), value(&pull, mu) * RBig::from(sign));
+                let (a, b) = (value(&excess, mu), value(&pull, mu) * RBig::from(i8::from(sign)));
                 let signed = |c: &RBig, square: RBig| if *c < RBig::ZERO { -square } else { square };
                 signed(&a, &a * &a * value(&p, mu)) < signed(&b, &b * &b)
             };
@@ -57,26 +56,27 @@ impl Cut {
         Some(Self { course: Course { rho, p }, roots, valley_roots, fold, inside })
     }
 
-    fn latitude(&self, root: &RealRoot, sign: i8) -> Latitude<'_> {
+    fn latitude(&self, root: &RealRoot, sign: Sign) -> Latitude<'_> {
         Latitude::OnCurve { course: &self.course, root: root.clone(), sign }
     }
 
     /// ω at the fold of one sign.
-    fn fold_latitude(&self, sign: i8) -> Latitude<'_> {
+    fn fold_latitude(&self, sign: Sign) -> Latitude<'_> {
         self.latitude(&self.fold, sign)
     }
 
     /// Pieces of the ridge, μ above the fold, in terms of ω, which rises with μ: the lower end is the fold, the upper the
     /// pole.
     fn ridges(&self, sign: usize) -> Vec<Piece<'_>> {
-        let end = |root: Option<usize>| root.map(|root| self.latitude(&self.roots[self.valley_roots + root], 1));
+        let end =
+            |root: Option<usize>| root.map(|root| self.latitude(&self.roots[self.valley_roots + root], Sign::Positive));
         let gaps = &self.inside[sign][self.valley_roots + 1..];
         runs(gaps).into_iter().map(|ends| Piece { ends: ends.map(end) }).collect()
     }
 
     /// Pieces of the valley, by rising μ: the upper end is the fold.
     fn valleys(&self, sign: usize) -> Vec<Piece<'_>> {
-        let end = |root: Option<usize>| root.map(|root| self.latitude(&self.roots[root], 1));
+        let end = |root: Option<usize>| root.map(|root| self.latitude(&self.roots[root], Sign::Positive));
         let gaps = &self.inside[sign][..=self.valley_roots];
         runs(gaps).into_iter().map(|ends| Piece { ends: ends.map(end) }).collect()
     }
@@ -133,12 +133,12 @@ fn folded(cut: &Cut) -> Option<Vec<Component>> {
     for sign in [0, 1] {
         for valley in cut.valleys(sign) {
             // Nearest to the fold, and in terms of this sign's ω.
-            let latitude = valley.ends[1].clone().unwrap_or_else(|| cut.fold_latitude(1));
+            let latitude = valley.ends[1].clone().unwrap_or_else(|| cut.fold_latitude(Sign::Positive));
             let own = nodes[sign][holder(&ridges[sign], &latitude)?];
             let node = found.add(-valley.characteristic([true, true]), [false; 2]);
             found.join(node, own);
             // Latitudes between the folds of both signs meet both ridges.
-            let shared = valley.reaches(1) || latitude.compare(&cut.fold_latitude(-1))? == Less;
+            let shared = valley.reaches(1) || latitude.compare(&cut.fold_latitude(Sign::Negative))? == Less;
             if shared {
                 found.join(node, nodes[1 - sign][holder(&ridges[1 - sign], &latitude.negated())?]);
             }
@@ -179,7 +179,7 @@ fn on_equator(cut: &Cut, inside: bool) -> Option<Vec<Component>> {
     let nodes = ridge_nodes(&mut found, &ridges, true);
     for sign in [0, 1] {
         for valley in cut.valleys(sign) {
-            let latitude = valley.ends[1].clone().unwrap_or_else(|| cut.fold_latitude(1)).negated();
+            let latitude = valley.ends[1].clone().unwrap_or_else(|| cut.fold_latitude(Sign::Positive)).negated();
             let node = found.add(-valley.characteristic([true, true]), [false; 2]);
             found.join(node, nodes[1 - sign][holder_or_first(&ridges[1 - sign], &latitude, valley.reaches(1))?]);
         }
@@ -204,13 +204,13 @@ fn pair_of_valleys(cut: &Cut, pair: &[Piece<'static>]) -> Option<Vec<Component>>
     for sign in [0, 1] {
         for valley in cut.valleys(sign) {
             // These latitudes meet the other half circle's ridge.
-            let latitude = valley.ends[1].clone().unwrap_or_else(|| cut.fold_latitude(1)).negated();
+            let latitude = valley.ends[1].clone().unwrap_or_else(|| cut.fold_latitude(Sign::Positive)).negated();
             let node = found.add(-valley.characteristic([true, false]), [false; 2]);
             found.join(node, nodes[1 - sign][holder(&ridges[1 - sign], &latitude)?]);
         }
     }
     for piece in pair {
-        let latitude = piece.ends[0].clone().unwrap_or_else(|| cut.fold_latitude(1));
+        let latitude = piece.ends[0].clone().unwrap_or_else(|| cut.fold_latitude(Sign::Positive));
         let node = found.add(-2 * piece.characteristic([true, true]), [false; 2]);
         let first = holder_or_first(&ridges[0], &latitude, piece.reaches(0))?;
         found.join(node, nodes[0][first]);
@@ -239,8 +239,8 @@ fn pair_of_ridges(cut: &Cut, pair: &[Piece<'static>]) -> Option<Vec<Component>> 
     for (sign, end) in [(0, 1), (1, 0)] {
         for valley in cut.valleys(sign) {
             let node = found.add(-valley.characteristic([true, true]), [false; 2]);
-            let own = valley.ends[1].clone().unwrap_or_else(|| cut.fold_latitude(1));
-            let shared = valley.reaches(1) || cut.fold_latitude(-1).compare(&own)? == Less;
+            let own = valley.ends[1].clone().unwrap_or_else(|| cut.fold_latitude(Sign::Positive));
+            let shared = valley.reaches(1) || cut.fold_latitude(Sign::Negative).compare(&own)? == Less;
             if shared {
                 let place = if valley.reaches(1) {
                     pair.iter().position(|piece| piece.reaches(end))?

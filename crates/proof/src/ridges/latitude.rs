@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use dashu_ratio::RBig;
+use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::polynomial::{Polynomial, Root};
 use numbers::wide::Wide;
@@ -19,7 +20,7 @@ pub(super) fn value(c: &[RBig], at: &RBig) -> RBig {
 #[derive(Clone, Debug)]
 pub(super) struct RealRoot {
     base: RBig,
-    sign: i8,
+    sign: Sign,
     root: Root,
 }
 
@@ -31,14 +32,14 @@ impl RealRoot {
         }
         // The base must not be a root: one of degree + 1 numbers is none.
         let bases = (0..=polynomial.degree()).map(|k| RBig::from_parts(k.into(), 37u8.into()));
-        let base = bases.into_iter().find(|base| polynomial.sign_at(base) != 0)?;
-        let side = |sign: i8| -> Option<Vec<Self>> {
-            let roots = polynomial.composed(&base, &RBig::from(sign)).positive_roots()?;
+        let base = bases.into_iter().find(|base| polynomial.sign_at(base) != Sign::Zero)?;
+        let side = |sign: Sign| -> Option<Vec<Self>> {
+            let roots = polynomial.composed(&base, &RBig::from(i8::from(sign))).positive_roots()?;
             Some(roots.into_iter().map(|root| Self { base: base.clone(), sign, root }).collect())
         };
-        let mut all = side(-1)?;
+        let mut all = side(Sign::Negative)?;
         all.reverse();
-        all.extend(side(1)?);
+        all.extend(side(Sign::Positive)?);
         Some(all)
     }
 
@@ -47,12 +48,12 @@ impl RealRoot {
         let one = RBig::ONE;
         let base = at - &one;
         let root = Root::exact(&Polynomial::from_rationals(&[-one.clone(), one.clone()]), one);
-        Self { base, sign: 1, root }
+        Self { base, sign: Sign::Positive, root }
     }
 
     /// The range that isolates it.
     pub fn range(&self) -> [RBig; 2] {
-        if self.sign > 0 {
+        if self.sign == Sign::Positive {
             [&self.base + &self.root.lo, &self.base + &self.root.hi]
         } else {
             [&self.base - &self.root.hi, &self.base - &self.root.lo]
@@ -112,7 +113,7 @@ pub(super) struct Course {
 #[derive(Clone, Debug)]
 pub(super) enum Latitude<'a> {
     /// ± ω at a root.
-    OnCurve { course: &'a Course, root: RealRoot, sign: i8 },
+    OnCurve { course: &'a Course, root: RealRoot, sign: Sign },
     /// A root itself.
     Straight(RealRoot),
 }
@@ -139,7 +140,7 @@ impl Latitude<'_> {
                     c.iter().rev().fold(zero, |sum, c| sum * mu.clone() + Wide::rational(c, bits))
                 };
                 let omega = horner(&course.rho) / horner(&course.p).sqrt();
-                if *sign > 0 { omega } else { -omega }
+                sign.orient(omega)
             }
         }
     }
@@ -148,11 +149,7 @@ impl Latitude<'_> {
     pub fn compare(&self, other: &Self) -> Option<Ordering> {
         STAGES.into_iter().find_map(|bits| {
             let (p, q) = (self.enclosed(bits), other.enclosed(bits));
-            match (q - p).sign() {
-                Some(1) => Some(Ordering::Less),
-                Some(-1) => Some(Ordering::Greater),
-                _ => None,
-            }
+            (p - q).strict_sign().map(|sign| sign.cmp(&Sign::Zero))
         })
     }
 }

@@ -3,74 +3,57 @@
 use std::fmt;
 use std::ops::{Index, IndexMut};
 
-/// A principal axis of a [`Frame`](super::Frame), in its order: by rising moment.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Axis(u8);
+/// Declares kinds of axes: each numbers lists of three, and no other kind's.
+macro_rules! axes {
+    ($($(#[$doc:meta])* $name:ident;)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub struct $name(u8);
 
-impl Axis {
-    /// The three axes, by rising moment.
-    pub const ALL: [Self; 3] = [Self(0), Self(1), Self(2)];
+        impl $name {
+            /// The three axes, in order.
+            pub const ALL: [Self; 3] = [Self(0), Self(1), Self(2)];
 
-    /// The axis after this one; the first after the last.
-    #[must_use]
-    pub fn next(self) -> Self {
-        Self((self.0 + 1) % 3)
-    }
+            /// The axis after this one; the first after the last.
+            #[must_use]
+            pub fn next(self) -> Self {
+                Self((self.0 + 1) % 3)
+            }
 
-    /// The other two axes, in cyclic order.
-    #[must_use]
-    pub fn others(self) -> [Self; 2] {
-        [self.next(), self.next().next()]
-    }
+            /// The other two axes, in cyclic order.
+            #[must_use]
+            pub fn others(self) -> [Self; 2] {
+                [self.next(), self.next().next()]
+            }
 
-    /// Its place in the frame, from 0.
-    #[must_use]
-    pub fn index(self) -> usize {
-        usize::from(self.0)
-    }
+            /// Its place in the order, from 0.
+            #[must_use]
+            pub fn index(self) -> usize {
+                usize::from(self.0)
+            }
+        }
+
+        impl<T> Index<$name> for [T; 3] {
+            type Output = T;
+
+            fn index(&self, axis: $name) -> &T {
+                &self[axis.index()]
+            }
+        }
+
+        impl<T> IndexMut<$name> for [T; 3] {
+            fn index_mut(&mut self, axis: $name) -> &mut T {
+                &mut self[axis.index()]
+            }
+        }
+    )+};
 }
 
-impl<T> Index<Axis> for [T; 3] {
-    type Output = T;
-
-    fn index(&self, axis: Axis) -> &T {
-        &self[axis.index()]
-    }
-}
-
-impl<T> IndexMut<Axis> for [T; 3] {
-    fn index_mut(&mut self, axis: Axis) -> &mut T {
-        &mut self[axis.index()]
-    }
-}
-
-/// An axis in which the body was given: A1 is the moment about the first. Shown as `1`, `2`, `3`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct BodyAxis(u8);
-
-impl BodyAxis {
-    /// The three axes, as they were given.
-    pub const ALL: [Self; 3] = [Self(0), Self(1), Self(2)];
-
-    /// The other two axes, in cyclic order.
-    #[must_use]
-    pub fn others(self) -> [Self; 2] {
-        [(self.0 + 1) % 3, (self.0 + 2) % 3].map(Self)
-    }
-
-    /// Its place in the body's lists, from 0.
-    #[must_use]
-    pub fn index(self) -> usize {
-        usize::from(self.0)
-    }
-}
-
-impl<T> Index<BodyAxis> for [T; 3] {
-    type Output = T;
-
-    fn index(&self, axis: BodyAxis) -> &T {
-        &self[axis.index()]
-    }
+axes! {
+    /// A principal axis of a [`Frame`](super::Frame), in its order: by rising moment.
+    Axis;
+    /// An axis in which the body was given: A1 is the moment about the first. Shown as `1`, `2`, `3`.
+    BodyAxis;
 }
 
 impl fmt::Display for BodyAxis {

@@ -172,9 +172,9 @@ impl Frame {
     /// The first axis of each eigenspace on which r vanishes.
     #[must_use]
     pub fn passive(&self) -> Vec<Axis> {
-        let is_first = |k: Axis| k.index() == 0 || self.group[k.index() - 1] != self.group[k];
-        let active = self.active();
-        let carries = |k: Axis| active.iter().any(|&m| self.group[m] == self.group[k]);
+        let shares = |k: Axis, m: &Axis| self.group[*m] == self.group[k];
+        let is_first = |k: Axis| Axis::ALL.iter().find(|m| shares(k, m)) == Some(&k);
+        let carries = |k: Axis| Axis::ALL.iter().any(|m| self.r[*m] > 0.0 && shares(k, m));
         Axis::ALL.into_iter().filter(|&k| is_first(k) && !carries(k)).collect()
     }
 

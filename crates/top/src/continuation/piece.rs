@@ -5,6 +5,7 @@ use super::report::{Effort, StopReason, TrackError, Vertex, VertexKind};
 use super::tracker::track;
 use crate::body::Frame;
 use crate::stability::Hessian;
+use numbers::Sign;
 
 /// How a piece ends on one side, and at which l.
 ///
@@ -107,6 +108,6 @@ fn index_of(frame: &Frame, vertices: &[Vertex]) -> Option<u8> {
     vertices.iter().find_map(|vertex| vertex.index).or_else(|| {
         let regular = |vertex: &&Vertex| vertex.kind == VertexKind::Regular && vertex.equilibrium.omega > 0.0;
         let trace = Hessian::new(frame, &vertices.iter().find(regular)?.equilibrium).trace;
-        (trace != 0).then_some(u8::from(trace < 0))
+        trace.strict().map(|sign| u8::from(sign == Sign::Negative))
     })
 }

@@ -5,6 +5,7 @@ use crate::body::Axis;
 use crate::curves::{BranchName, Curve, CurveId, CurveName, Orbit, Point, Shape};
 use crate::stability::exact::{ExactPoint, Touch};
 use crate::stability::{LinearType, Place, Reduced, Setting};
+use numbers::Sign;
 use numbers::UNIT_ROUNDOFF;
 use numbers::enclosure::Enclosure;
 use numbers::interval::Interval;
@@ -86,7 +87,7 @@ impl RelativeEquilibria<'_> {
         let curve = carrier.map(|id| &self.set.curves[id]);
         let index = curve.and_then(|curve| curve.index).or(exact.index)?;
         let at_largest = matches!(exact.touch, Some(Touch::Pitchfork(axis)) if frame.group[axis] == frame.group[2]);
-        let global_minimum = at_largest || exact.state.tau[2].sign() == Some(1);
+        let global_minimum = at_largest || exact.state.tau[2].sign() == Some(Sign::Positive);
         let integral = curve.is_some_and(|curve| self.has_integral(curve));
         Some(Site {
             point: match curve.map(|curve| &curve.arcs[0].shape) {

@@ -93,9 +93,13 @@ impl<'a> RelativeEquilibria<'a> {
     pub fn new(body: &'a Body) -> Result<Self, CriticalError> {
         let set = CriticalSet::new(body.frame())?;
         let frame = &set.frame;
-        let axis = (0..3).filter(|&k| frame.r[k] > 0.0);
-        let is_lagrange =
-            axis.clone().count() == 1 && axis.clone().all(|k| frame.diff[(k + 1) % 3][(k + 2) % 3] == 0.0);
+        let is_lagrange = match frame.active()[..] {
+            [axis] => {
+                let [i, j] = axis.others();
+                frame.diff[i][j] == 0.0
+            }
+            _ => false,
+        };
         let constants = Constants::rounded(frame);
         let mut words: Vec<(Branch, Arc<str>)> = Vec::with_capacity(6);
         for curve in set.curves.iter().filter(|curve| curve.piece == 1 && curve.is_critical()) {

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use dashu_ratio::RBig;
+use numbers::Sign;
 
 use crate::body::{Body, BodyAxis};
 use crate::stability::Verdict;
@@ -70,16 +71,16 @@ pub struct SpinChange {
 }
 
 impl AxisRotation {
-    /// Rotation about a principal axis with γ = `gamma` e_axis, gamma = ±1; `None` when the centre of
+    /// Rotation about a principal axis with γ = ±e_axis; `None` when the centre of
     /// mass does not lie on the axis.
     #[must_use]
-    pub fn new(body: &Body, axis: BodyAxis, gamma: i8) -> Option<Self> {
+    pub fn new(body: &Body, axis: BodyAxis, gamma: Sign) -> Option<Self> {
         let others = axis.others();
         if others.iter().any(|&k| !body.center()[k].value().is_zero()) {
             return None;
         }
         let moment = |k: BodyAxis| body.moments()[k].value().clone();
-        let weight = body.center()[axis].value() * RBig::from(gamma);
+        let weight = gamma.orient(body.center()[axis].value().clone());
         Some(Self { axis, moments: [moment(axis), moment(others[0]), moment(others[1])], weight })
     }
 
@@ -88,7 +89,7 @@ impl AxisRotation {
         let mut moments = [const { String::new() }; 3];
         let [second, third] = self.axis.others();
         for (k, moment) in [self.axis, second, third].into_iter().zip(&self.moments) {
-            moments[k.index()] = moment.to_string();
+            moments[k] = moment.to_string();
         }
         let center: [String; 3] =
             BodyAxis::ALL.map(|k| if k == self.axis { self.weight.to_string() } else { "0".to_owned() });
@@ -259,21 +260,24 @@ impl Squares {
 mod tests {
     use super::*;
 
-    fn rotation(a: [&str; 3], r: [&str; 3], axis: usize, gamma: i8) -> AxisRotation {
+    fn rotation(a: [&str; 3], r: [&str; 3], axis: usize, gamma: Sign) -> AxisRotation {
         AxisRotation::new(&Body::parse(&a, &r).unwrap(), BodyAxis::ALL[axis], gamma).unwrap()
     }
 
     /// Lagrange's upright top sleeps from C²Ω² = 4 A r on.
     #[test]
     fn the_sleeping_top_wakes_at_its_threshold() {
-        let upright = rotation(["2", "2", "0.5"], ["0", "0", "3"], 2, -1);
+        let upright = rotation(["2", "2", "0.5"], ["0", "0", "3"], 2, Sign::Negative);
         let changes = upright.changes();
         let threshold = 4.0 * (2.0_f64 * 3.0).sqrt();
         assert_eq!(changes.len(), 1);
         assert!((changes[0].omega - threshold).abs() < changes[0].error_bound);
         assert_eq!((changes[0].from, changes[0].to), (SpinType::Complex, SpinType::Elliptic));
         assert!(
-            rotation(["2", "2", "0.5"], ["0", "0", "3"], 2, 1).changes().iter().all(|change| change.to.is_stable())
+            rotation(["2", "2", "0.5"], ["0", "0", "3"], 2, Sign::Positive)
+                .changes()
+                .iter()
+                .all(|change| change.to.is_stable())
         );
     }
 
@@ -281,7 +285,7 @@ mod tests {
     #[test]
     fn an_asymmetric_top_is_a_saddle_between_two_spins() {
         // C = 3 > A, B: K_A = -1 + 2 s, K_B = -1 + s.
-        let changes = rotation(["1", "2", "3"], ["0", "0", "1"], 2, -1).changes();
+        let changes = rotation(["1", "2", "3"], ["0", "0", "1"], 2, Sign::Negative).changes();
         let types: Vec<_> = changes.iter().map(|change| (change.from, change.to)).collect();
         assert_eq!(types.last(), Some(&(SpinType::SaddleCentre, SpinType::Minimum)));
         let last = &changes[changes.len() - 1];
@@ -294,7 +298,7 @@ mod tests {
     #[test]
     fn a_free_body_tumbles_about_its_middle_axis() {
         let body = ["1", "2", "3"];
-        let free = |axis| rotation(body, ["0", "0", "0"], axis, 1);
+        let free = |axis| rotation(body, ["0", "0", "0"], axis, Sign::Positive);
         assert_eq!(free(1).type_at_spin(0.3), Some(SpinType::SaddleCentre));
         assert_eq!(free(0).type_at_spin(0.3), Some(SpinType::Elliptic));
         assert_eq!(free(2).type_at_spin(0.3), Some(SpinType::Minimum));

@@ -240,6 +240,7 @@ fn pieces(whole: Interval) -> Vec<Interval> {
 mod tests {
     use super::*;
     use crate::body::{Body, BodyAxis};
+    use numbers::Sign;
 
     fn percent(n: u32) -> RBig {
         RBig::from_parts(n.into(), 100u32.into())
@@ -253,7 +254,7 @@ mod tests {
     #[test]
     fn the_axial_moment_matters_most_to_a_sleeping_top() {
         let body = Body::parse(&["2", "2.000001", "0.5"], &["0", "0", "3"]).unwrap();
-        let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], -1).unwrap();
+        let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Negative).unwrap();
         let found = spin_ranges(&rotation, &alike(&percent(1)));
         // At rest a part that is nearly symmetric has two real pairs or a quadruple.
         assert_eq!((found.len(), found[0].from, found[0].omega[0]), (2, None, 0.0), "{found:?}");
@@ -281,7 +282,7 @@ mod tests {
         for _ in 0..25 {
             let moments: [String; 3] = std::array::from_fn(|_| format!("{}/1000000", 300_000 + random()));
             let body = Body::parse(&moments.each_ref().map(String::as_str), &["0", "0", "1"]).unwrap();
-            for gamma in [1, -1] {
+            for gamma in Sign::BOTH {
                 let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], gamma).unwrap();
                 let tolerances: [RBig; 4] =
                     std::array::from_fn(|_| RBig::from_parts((random() % 60).into(), 1000u32.into()));
@@ -320,7 +321,7 @@ mod tests {
     #[test]
     fn exact_inputs_have_exact_changes() {
         let body = Body::parse(&["1", "1.3", "1.6"], &["0", "0", "1"]).unwrap();
-        for gamma in [1, -1] {
+        for gamma in Sign::BOTH {
             let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], gamma).unwrap();
             let (found, changes) = (spin_ranges(&rotation, &alike(&RBig::ZERO)), rotation.changes());
             assert_eq!(found.len(), changes.len(), "{found:?}\n{changes:?}");
@@ -337,7 +338,7 @@ mod tests {
     fn a_symmetric_part_has_neighbours_of_another_class() {
         let classes = |a: [&str; 3], tolerance: RBig| {
             let body = Body::parse(&a, &["0", "0", "1"]).unwrap();
-            let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], -1).unwrap();
+            let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Negative).unwrap();
             sampled_classes(&rotation, &alike(&tolerance))
         };
         let one = classes(["1", "1", "0.6"], RBig::ZERO);
@@ -352,7 +353,7 @@ mod tests {
     fn a_free_body_is_open_where_moments_may_be_equal() {
         let rotation = |a: [&str; 3]| {
             let body = Body::parse(&a, &["0", "0", "0"]).unwrap();
-            spin_ranges(&AxisRotation::new(&body, BodyAxis::ALL[2], 1).unwrap(), &alike(&percent(1)))
+            spin_ranges(&AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Positive).unwrap(), &alike(&percent(1)))
         };
         assert_eq!(rotation(["1", "2", "2.5"]), []);
         let open = rotation(["1", "2", "2.01"]);

@@ -8,6 +8,7 @@ use crate::body::Body;
 use crate::curves::{Branch, CriticalSet, Curve, CurveId, Orbit, Pole};
 use crate::table::Id;
 use numbers::Number;
+use numbers::Sign;
 use numbers::polynomial::{Polynomial, Root};
 use numbers::wide::Wide;
 
@@ -205,12 +206,11 @@ impl StabilityProfile {
 
     /// The type of a rotation without weight: λ² = −Ω² and −Ω²(a_k − a_i)(a_k − a_j)/(a_i a_j).
     fn without_weight(&self, curve: &Curve) -> LinearType {
-        let (Orbit::Pair(axis), a) = (curve.orbit, &self.body.a) else { return Signs::transverse_type(1) };
+        let (Orbit::Pair(axis), a) = (curve.orbit, &self.body.a) else { return Signs::transverse_type(Sign::Positive) };
         let [i, j] = axis.others().map(|k| &a[k]);
         let product = (&a[axis] - i) * (&a[axis] - j);
-        let sign = |x: &dashu_int::IBig| x.signum().try_into().unwrap_or(0);
-        let apart = &product - i * j;
-        Signs { b: 1, c: sign(&product), discriminant: i8::from(sign(&apart) != 0) }.linear_type()
+        let apart = Sign::from(&(&product - i * j));
+        Signs { b: Sign::Positive, c: Sign::from(&product), discriminant: apart * apart }.linear_type()
     }
 }
 

@@ -9,6 +9,7 @@ use super::reduced::Reduced;
 use super::state::State;
 use crate::body::{Axis, Frame};
 use crate::curves::{Mu, MuInterval, SymmetricFamily};
+use numbers::Sign;
 use numbers::bernstein::{Form as FormOf, Isolation};
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
@@ -222,12 +223,12 @@ impl Strand {
         }
         let (from, to) = (middle.clone() - wide(reach), middle + wide(reach));
         let [below, above] = [&from, &to].map(|y| reduced(y.clone()).discriminant().sign());
-        if below? * above? != -1 {
+        if below? * above? != Sign::Negative {
             return None;
         }
         let state = self.state(exact, at, from.hull(&to));
-        let is_imaginary = self.reduced(c, at).signs()[0]? == 1;
-        Some(Collision { at, place: state.place(exact, frame), is_imaginary, apart_above: above? == 1 })
+        let is_imaginary = self.reduced(c, at).signs()[0]? == Sign::Positive;
+        Some(Collision { at, place: state.place(exact, frame), is_imaginary, apart_above: above? == Sign::Positive })
     }
 }
 

@@ -4,6 +4,7 @@ use super::constants::Constants;
 use super::state::State;
 use crate::body::Axis;
 use crate::curves::Mu;
+use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 
@@ -59,7 +60,7 @@ impl Place {
                 let range = around(z, reach)?;
                 let over = State::over(c, axis, &range);
                 let step = change / falling(&over, range);
-                (step.magnitude() <= reach && over.w[axis].sign() == Some(1)).then_some(over)
+                (step.magnitude() <= reach && over.w[axis].sign() == Some(Sign::Positive)).then_some(over)
             }
             Self::About { axis, weight } => {
                 let s = x * 2.0 / c.a[axis].square();

@@ -2,6 +2,7 @@
 
 use super::RelativeEquilibrium;
 use crate::body::Frame;
+use numbers::Sign;
 
 /// Rounding of a sum of products, relative to the sum of its absolute terms: γ and the gaps come with an error of
 /// a few units in the last place, each term is a product of at most six of them.
@@ -20,14 +21,14 @@ impl Sum {
         self.magnitude += term.abs();
     }
 
-    /// −1, 0 where rounding hides it, 1.
-    fn sign(&self) -> i8 {
+    /// The sign, zero where rounding hides it.
+    fn sign(&self) -> Sign {
         if self.value.abs() <= ROUNDING * self.magnitude {
-            0
+            Sign::Zero
         } else if self.value > 0.0 {
-            1
+            Sign::Positive
         } else {
-            -1
+            Sign::Negative
         }
     }
 }
@@ -37,9 +38,9 @@ impl Sum {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hessian {
     /// Sign of the determinant.
-    pub determinant: i8,
+    pub determinant: Sign,
     /// Sign of the trace.
-    pub trace: i8,
+    pub trace: Sign,
 }
 
 impl Hessian {
@@ -68,9 +69,9 @@ impl Hessian {
     #[must_use]
     pub fn index(self) -> Option<u8> {
         match (self.determinant, self.trace) {
-            (-1, _) => Some(1),
-            (1, 1) => Some(0),
-            (1, -1) => Some(2),
+            (Sign::Negative, _) => Some(1),
+            (Sign::Positive, Sign::Positive) => Some(0),
+            (Sign::Positive, Sign::Negative) => Some(2),
             _ => None,
         }
     }

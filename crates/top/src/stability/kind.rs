@@ -1,5 +1,6 @@
 //! Linear types of relative equilibria, verdicts on their stability, and the words for both.
 
+use numbers::Sign;
 use std::fmt;
 
 /// The eigenvalues ±λ₁, ±λ₂ of the flow reduced by l at a relative equilibrium.
@@ -65,11 +66,11 @@ impl fmt::Display for LinearType {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Signs {
     /// Of b.
-    pub b: i8,
+    pub b: Sign,
     /// Of c.
-    pub c: i8,
+    pub c: Sign,
     /// Of b² − 4c.
-    pub discriminant: i8,
+    pub discriminant: Sign,
 }
 
 impl Signs {
@@ -77,23 +78,23 @@ impl Signs {
     #[must_use]
     pub fn linear_type(self) -> LinearType {
         match (self.c, self.discriminant, self.b) {
-            (0, ..) => LinearType::Zero,
-            (..0, ..) => LinearType::SaddleCentre,
-            (_, ..0, _) => LinearType::Complex,
-            (_, 0, 1..) => LinearType::DoubleElliptic,
-            (_, 0, _) => LinearType::DoubleReal,
-            (_, _, 1..) => LinearType::Elliptic,
+            (Sign::Zero, ..) => LinearType::Zero,
+            (Sign::Negative, ..) => LinearType::SaddleCentre,
+            (_, Sign::Negative, _) => LinearType::Complex,
+            (_, Sign::Zero, Sign::Positive) => LinearType::DoubleElliptic,
+            (_, Sign::Zero, _) => LinearType::DoubleReal,
+            (_, _, Sign::Positive) => LinearType::Elliptic,
             (..) => LinearType::Saddle,
         }
     }
 
     /// The type across a circle, or a sphere, of equilibria, where c = 0 throughout.
     #[must_use]
-    pub fn transverse_type(b: i8) -> LinearType {
+    pub fn transverse_type(b: Sign) -> LinearType {
         match b {
-            0 => LinearType::Zero,
-            1.. => LinearType::Elliptic,
-            _ => LinearType::Saddle,
+            Sign::Zero => LinearType::Zero,
+            Sign::Positive => LinearType::Elliptic,
+            Sign::Negative => LinearType::Saddle,
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::constants::Constants;
 use super::kind::{LinearType, Signs};
 use super::state::State;
+use numbers::Sign;
 use numbers::enclosure::Enclosure;
 
 /// λ⁴ + bλ² + c with b = sβ, c = s²χ (Theorem 13.1 of docs/mathematics.md, Ω² = s taken out).
@@ -78,17 +79,17 @@ impl<E: Enclosure> Reduced<E> {
 
     /// The signs that are certain.
     #[must_use]
-    pub fn signs(&self) -> [Option<i8>; 3] {
+    pub fn signs(&self) -> [Option<Sign>; 3] {
         [self.beta.sign(), self.chi.sign(), self.discriminant.sign()]
     }
 
     /// Morse index of U_l, from the sign of the trace of its Hessian.
     #[must_use]
-    pub fn index(&self, trace: Option<i8>) -> Option<u8> {
+    pub fn index(&self, trace: Option<Sign>) -> Option<u8> {
         match (self.chi.sign()?, trace) {
-            (-1, _) => Some(1),
-            (1, Some(1)) => Some(0),
-            (1, Some(-1)) => Some(2),
+            (Sign::Negative, _) => Some(1),
+            (Sign::Positive, Some(Sign::Positive)) => Some(0),
+            (Sign::Positive, Some(Sign::Negative)) => Some(2),
             _ => None,
         }
     }
@@ -99,8 +100,8 @@ impl<E: Enclosure> Reduced<E> {
         let [b, c, discriminant] = self.signs();
         // c < 0 and b² < 4c leave nothing for the other signs to say.
         let signs = match (c?, discriminant) {
-            (c @ (-1 | 0), _) => Signs { b: 1, c, discriminant: 1 },
-            (c, Some(-1)) => Signs { b: 1, c, discriminant: -1 },
+            (c @ (Sign::Negative | Sign::Zero), _) => Signs { b: Sign::Positive, c, discriminant: Sign::Positive },
+            (c, Some(Sign::Negative)) => Signs { b: Sign::Positive, c, discriminant: Sign::Negative },
             (c, discriminant) => Signs { b: b?, c, discriminant: discriminant? },
         };
         Some(signs.linear_type())
@@ -133,8 +134,8 @@ impl<E: Enclosure> Reduced<E> {
     fn beside_zero(&self) -> [[Option<E>; 2]; 2] {
         let size = |x: E| Some((self.s.clone() * x).sqrt());
         let first = match self.beta.sign() {
-            Some(0) => [None, None],
-            Some(-1) => [size(-self.beta.clone()), None],
+            Some(Sign::Zero) => [None, None],
+            Some(Sign::Negative) => [size(-self.beta.clone()), None],
             _ => [None, size(self.beta.clone())],
         };
         [first, [None, None]]
@@ -150,7 +151,7 @@ impl<E: Enclosure> Reduced<E> {
                 // |λ²| = √c; the smaller part from the product re·im = √(4c − b²)/4.
                 let modulus = chi.sqrt();
                 let root = half((-self.discriminant.clone()).sqrt());
-                let positive = beta.sign() == Some(-1);
+                let positive = beta.sign() == Some(Sign::Negative);
                 let large = half(modulus + if positive { half(-beta) } else { half(beta) }).sqrt();
                 let small = half(root) / large.clone();
                 let unit = self.s.sqrt();

@@ -9,6 +9,7 @@
 
 use crate::body::{Axis, Frame};
 use crate::curves::Mu;
+use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 
@@ -64,7 +65,11 @@ impl<'a> MirroredCurves<'a> {
             let v = Interval::between(smallest / room, largest * room);
             let Some(sign) = self.slope_sign(v) else { return false };
             let (at_small, at_large) = (self.x(Interval::point(v.lo)), self.x(Interval::point(v.hi)));
-            if sign > 0 { at_large.hi < x[0] && at_small.lo > x[1] } else { at_large.lo > x[1] && at_small.hi < x[0] }
+            if sign == Sign::Positive {
+                at_large.hi < x[0] && at_small.lo > x[1]
+            } else {
+                at_large.lo > x[1] && at_small.hi < x[0]
+            }
         })
     }
 
@@ -79,13 +84,16 @@ impl<'a> MirroredCurves<'a> {
         if left.iter().chain(&right).any(|v| *v <= 0.0) {
             return false;
         }
-        let (start, goal, direction) =
-            if left[0].max(left[1]) >= right[0].max(right[1]) { (left, right, 1) } else { (right, left, -1) };
+        let (start, goal, direction) = if left[0].max(left[1]) >= right[0].max(right[1]) {
+            (left, right, Sign::Positive)
+        } else {
+            (right, left, Sign::Negative)
+        };
         let (t_start, t_goal) = (start.map(|v| 1.0 / v), goal.map(|v| 1.0 / v));
         if (0..2).any(|k| t_goal[k] < t_start[k]) {
             return false;
         }
-        let s: i8 = if t_start[1] > t_start[0] { 1 } else { -1 };
+        let s = if t_start[1] > t_start[0] { Sign::Positive } else { Sign::Negative };
         let top = t_start.iter().chain(&t_goal).copied().fold(0.0, f64::max) * ROOM;
         let t = Interval { lo: t_start[0].min(t_start[1]), hi: top };
         let slopes = self.slopes_of_g(t);
@@ -96,7 +104,7 @@ impl<'a> MirroredCurves<'a> {
             return false;
         }
         let edge = self.x(Interval::point(1.0 / top));
-        if s > 0 { edge.lo > x[1] } else { edge.hi < x[0] }
+        if s == Sign::Positive { edge.lo > x[1] } else { edge.hi < x[0] }
     }
 
     fn sums(&self, v: Interval) -> Sums {
@@ -120,13 +128,12 @@ impl<'a> MirroredCurves<'a> {
     }
 
     /// Sign of −dx/dv on a box: of (4 a_i p − 3 q) − ε v³ (2 Q̂' p − (3/2) P̂' q).
-    fn slope_sign(&self, v: Interval) -> Option<i8> {
+    fn slope_sign(&self, v: Interval) -> Option<Sign> {
         let sums = self.sums(v);
         let (p, q) = self.p_and_q(v, &sums);
         let main = self.a * p * 4.0 - q * 3.0;
         let correction = self.epsilon * v * v.square() * (sums.q[1] * p * 2.0 - sums.p[1] * q * 1.5);
-        let sign = (main - correction).sign()?;
-        (sign != 0).then_some(sign)
+        (main - correction).strict_sign()
     }
 
     /// ∂g/∂t, ∂g/∂ε and m on a box of t.

@@ -7,6 +7,7 @@ use super::curvature::curvature;
 use super::mirror::{MirrorPair, left_is_above};
 use super::node::{GapAt, Node, slope_order};
 use crate::curves::{Arc, Mu};
+use numbers::Sign;
 use numbers::enclosure::Enclosure;
 use numbers::interval::Interval;
 
@@ -68,7 +69,7 @@ impl ArcPair<'_> {
 
     /// True when the gap, with a slope in this range, is proved not to vanish between two nodes of this order.
     fn bounded_away(&self, left: &Node, right: &Node, slope: Interval, order: Ordering) -> bool {
-        let s = f64::from(order as i8);
+        let s = f64::from(Sign::from(order));
         // With D = s · gap > 0 at both ends, and dD/dx in [lo, hi].
         let slope = slope * s;
         match (left.gap, right.gap) {
@@ -100,7 +101,7 @@ impl ArcPair<'_> {
         }
         let range = [left.x, right.x];
         let (p, q) = (curvature(self.frame, self.a, range), curvature(self.frame, self.b, range));
-        matches!((p, q), (Some(p), Some(q)) if (p - q).sign().is_some_and(|sign| sign != 0))
+        matches!((p, q), (Some(p), Some(q)) if (p - q).strict_sign().is_some())
     }
 }
 

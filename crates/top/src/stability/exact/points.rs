@@ -8,6 +8,7 @@ use super::profile::{Profile, StationKind, compare};
 use super::strand::Strand;
 use crate::body::Axis;
 use crate::stability::{Constants, LinearType, Reduced, Signs, State};
+use numbers::Sign;
 use numbers::enclosure::Enclosure;
 use numbers::polynomial::{Polynomial, Root};
 use numbers::wide::Wide;
@@ -105,13 +106,13 @@ fn kind(
     let mut sign = |n: usize, polynomial: &Polynomial| {
         signs[n].or_else(|| {
             let is_root = known[n].get_or_insert_with(|| polynomial.is_zero() || root.is_root_of(polynomial));
-            is_root.then_some(0)
+            is_root.then_some(Sign::Zero)
         })
     };
     let b = sign(0, &strand.swing);
     let c = sign(1, &strand.zero);
-    let discriminant = if c == Some(1) { sign(2, &strand.collision) } else { Some(1) };
-    if b == Some(0) {
+    let discriminant = if c == Some(Sign::Positive) { sign(2, &strand.collision) } else { Some(Sign::Positive) };
+    if b == Some(Sign::Zero) {
         *reduced = reduced.clone().without_b();
     }
     if strand.is_circle() {

@@ -5,6 +5,7 @@ use dashu_ratio::RBig;
 use super::strand::Strand;
 use crate::body::Axis;
 use crate::stability::{LinearType, Signs};
+use numbers::Sign;
 use numbers::polynomial::{Polynomial, Root};
 
 /// What happens at a point of a family.
@@ -69,7 +70,7 @@ pub(super) fn compare(one: &mut Root, other: &mut Root) -> std::cmp::Ordering {
             if one.is_exact() {
                 return one.lo.cmp(&other.lo);
             }
-            if one.polynomial().sign_at(&other.lo) == 0 {
+            if one.polynomial().sign_at(&other.lo) == Sign::Zero {
                 return Ordering::Equal;
             }
         } else if *is_shared.get_or_insert_with(|| one.is_root_of(other.polynomial()))

@@ -1,0 +1,236 @@
+//! Isolation of real roots by Descartes' rule on (0, 1) (Vincent, Collins and Akritas): the sign variations of
+//! (1+x)^n p(1/(1+x)) bound the number of roots, with equality for 0 and 1. Intervals with more are halved; what halving
+//! does not separate within `SPLITS` levels is a multiple root (or nearly one), and the squarefree part by gcd is
+//! isolated instead.
+
+use std::sync::Arc;
+
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+
+use super::integer::Polynomial;
+use super::root::Root;
+use crate::Sign;
+
+/// Halvings after which multiple roots are looked for by gcd.
+const SPLITS: usize = 48;
+/// Halvings of a squarefree polynomial; beyond, roots are closer than anything that the rest could use.
+const MAX_SPLITS: usize = 4000;
+
+impl Polynomial {
+    /// p(t + 1), by repeated sums.
+    fn shifted(mut self) -> Self {
+        for first in 0..self.c.len() {
+            for k in (first..self.c.len() - 1).rev() {
+                let next = self.c[k + 1].clone();
+                self.c[k] += next;
+            }
+        }
+        self
+    }
+
+    /// 2ⁿ p(t/2).
+    fn halved(&self) -> Self {
+        let n = self.degree();
+        Self { c: self.c.iter().enumerate().map(|(k, c)| c << (n - k)).collect() }
+    }
+
+    /// Sign variations that bound the number of roots in the open interval (0, 1).
+    fn variations(&self) -> usize {
+        let mut reversed = self.c.clone();
+        reversed.reverse();
+        let signs = Self { c: reversed }.shifted().c.into_iter().filter_map(|c| Sign::from(&c).strict());
+        let mut last = Sign::Zero;
+        let mut count = 0;
+        for s in signs {
+            count += usize::from(last == -s);
+            last = s;
+        }
+        count
+    }
+
+    /// All real roots in the open interval (0, 1), ascending. `None` when they lie closer than 2^-4000.
+    #[must_use]
+    pub fn roots_in_unit(&self) -> Option<Vec<Root>> {
+        if self.is_zero() || self.degree() == 0 {
+            return Some(Vec::new());
+        }
+        // Without multiple roots halving ends, however close the roots.
+        let splits = if self.is_surely_squarefree() { MAX_SPLITS } else { SPLITS };
+        if let Some(found) = isolate(&Arc::new(self.clone()), splits) {
+            return Some(found);
+        }
+        let squarefree = Arc::new(self.squarefree());
+        let mut found = isolate(&squarefree, MAX_SPLITS)?;
+        for root in &mut found {
+            root.odd = self.changes_sign_at(root);
+        }
+        Some(found)
+    }
+
+    /// All real roots in (0, ∞).
+    #[must_use]
+    pub fn positive_roots(&self) -> Option<Vec<Root>> {
+        let mut found = self.roots_in_unit()?;
+        if self.sign_at(&RBig::ONE) == Sign::Zero && !self.is_zero() {
+            let mut root = Root { polynomial: Arc::new(self.squarefree()), lo: RBig::ONE, hi: RBig::ONE, odd: true };
+            root.odd = self.changes_sign_at(&root);
+            found.push(root);
+        }
+        let far = self.reversed().roots_in_unit()?;
+        for root in far.into_iter().rev() {
+            // 1/t of a root at 0 does not occur: the interval is open, but its lower end may be 0.
+            let root = root.away_from_zero();
+            let polynomial = Arc::new(root.polynomial.reversed());
+            found.push(Root { polynomial, lo: RBig::ONE / root.hi, hi: RBig::ONE / root.lo, odd: root.odd });
+        }
+        Some(found)
+    }
+}
+
+/// Isolates the roots in (0, 1) as long as at most `splits` halvings do.
+fn isolate(polynomial: &Arc<Polynomial>, splits: usize) -> Option<Vec<Root>> {
+    let mut found = Vec::new();
+    // (p on the interval mapped to (0, 1), number of the interval, level)
+    let mut open = vec![(polynomial.as_ref().clone(), IBig::ZERO, 0usize)];
+    while let Some((p, number, level)) = open.pop() {
+        let end = |number: &IBig| RBig::from(number.clone()) / RBig::from(IBig::ONE << level);
+        match p.variations() {
+            0 => {}
+            1 => {
+                let (lo, hi) = (end(&number), end(&(&number + IBig::ONE)));
+                found.push(Root { polynomial: Arc::clone(polynomial), lo, hi, odd: true }.with_clean_ends());
+            }
+            _ if level == splits => return None,
+            _ => {
+                let left = p.halved();
+                let right = left.clone().shifted();
+                let first = &number * IBig::from(2);
+                let middle = &first + IBig::ONE;
+                open.push((right.clone(), middle.clone(), level + 1));
+                if right.c[0] == IBig::ZERO {
+                    let at = RBig::from(middle) / RBig::from(IBig::ONE << (level + 1));
+                    let simple = right.c.get(1).is_some_and(|c| *c != IBig::ZERO);
+                    if !simple {
+                        return None;
+                    }
+                    let polynomial = Arc::clone(polynomial);
+                    found.push(Root { polynomial, lo: at.clone(), hi: at, odd: true });
+                }
+                open.push((left, first, level + 1));
+            }
+        }
+    }
+    found.sort_by(|p, q| p.lo.cmp(&q.lo));
+    Some(found)
+}
+
+impl Root {
+    /// An end of the isolating interval may be a root of its own (a neighbour's, or at 0): moves the ends inward until
+    /// they are not.
+    fn with_clean_ends(mut self) -> Self {
+        let polynomial = Arc::clone(&self.polynomial);
+        for lower in [true, false] {
+            let end = if lower { self.lo.clone() } else { self.hi.clone() };
+            if polynomial.sign_at(&end) != Sign::Zero {
+                continue;
+            }
+            // One simple root strictly inside: the sign beside the end is that of the end's own simple zero, so halve
+            // towards it until the sign is opposite to the one at the other end.
+            let other = if lower { self.hi.clone() } else { self.lo.clone() };
+            let mut at = (&end + &other) / RBig::from(2);
+            loop {
+                let here =
+                    Self { lo: at.clone().min(other.clone()), hi: at.clone().max(other.clone()), ..self.clone() };
+                let inner = polynomial.on(&here.lo, &here.hi);
+                if polynomial.sign_at(&at) == Sign::Zero {
+                    return Self { lo: at.clone(), hi: at, ..self };
+                }
+                if inner.variations() == 1 {
+                    break;
+                }
+                at = (&end + &at) / RBig::from(2);
+            }
+            if lower { self.lo = at } else { self.hi = at }
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rational;
+    use super::*;
+    use proptest::prelude::*;
+
+    fn of(c: &[i64]) -> Polynomial {
+        Polynomial::new(c.iter().map(|&c| IBig::from(c)).collect())
+    }
+
+    fn with_roots(roots: &[(i64, u32)]) -> Polynomial {
+        let one = vec![RBig::ONE];
+        let product = roots.iter().fold(one, |product, &(p, q)| {
+            rational::mul(&product, &[RBig::from_parts((-p).into(), q.into()), RBig::ONE])
+        });
+        Polynomial::from_rationals(&product)
+    }
+
+    proptest! {
+        #[test]
+        fn planted_roots_are_isolated(mut roots in proptest::collection::vec((1i64..400, 1u32..40), 1..7)) {
+            let polynomial = with_roots(&roots);
+            let mut found = polynomial.positive_roots().unwrap();
+            roots.sort_by(|a, b| (a.0 * i64::from(b.1)).cmp(&(b.0 * i64::from(a.1))));
+            let mut expected: Vec<(RBig, usize)> = Vec::new();
+            for (p, q) in roots {
+                let root = RBig::from_parts(p.into(), q.into());
+                match expected.last_mut() {
+                    Some((last, count)) if *last == root => *count += 1,
+                    _ => expected.push((root, 1)),
+                }
+            }
+            prop_assert_eq!(found.len(), expected.len());
+            for (root, (at, multiplicity)) in found.iter_mut().zip(expected) {
+                root.refine(60);
+                prop_assert!(root.lo <= at && at <= root.hi);
+                prop_assert!((&root.hi - &root.lo) * RBig::from(IBig::ONE << 60) <= root.hi);
+                prop_assert_eq!(root.odd, multiplicity % 2 == 1);
+                prop_assert!(root.is_root_of(&polynomial));
+            }
+        }
+    }
+
+    #[test]
+    fn wilkinson_and_a_close_pair() {
+        let wilkinson: Vec<(i64, u32)> = (1..=18).map(|k| (k, 1)).collect();
+        assert_eq!(with_roots(&wilkinson).positive_roots().unwrap().len(), 18);
+        // (t² − 2)² − 10⁻³⁰: two pairs 10⁻¹⁵ apart.
+        let tenth = RBig::from(IBig::from(10).pow(30));
+        let close = Polynomial::from_rationals(&[
+            RBig::from(4) - RBig::ONE / tenth,
+            RBig::ZERO,
+            RBig::from(-4),
+            RBig::ZERO,
+            RBig::ONE,
+        ]);
+        let found = close.positive_roots().unwrap();
+        assert_eq!(found.len(), 2);
+        assert!(found[0].hi <= found[1].lo && found.iter().all(|root| root.odd));
+    }
+
+    #[test]
+    fn double_roots_are_one_root_without_a_change_of_sign() {
+        // (t² − 2)² (t − 3)
+        let c = of(&[-12, 4, 12, -4, -3, 1]);
+        let found = c.positive_roots().unwrap();
+        assert_eq!(found.iter().map(|root| root.odd).collect::<Vec<_>>(), [false, true]);
+        assert!(found[0].is_root_of(&of(&[-2, 0, 1])) && !found[0].is_root_of(&of(&[-3, 0, 1])));
+    }
+
+    #[test]
+    fn roots_at_the_ends_do_not_count() {
+        // t (t − 1) (2t − 1)
+        assert_eq!(of(&[0, 1, -3, 2]).roots_in_unit().unwrap().len(), 1);
+        assert!(of(&[0, 0, 1]).positive_roots().unwrap().is_empty());
+    }
+}

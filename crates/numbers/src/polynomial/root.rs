@@ -1,0 +1,143 @@
+//! A real root of a polynomial, isolated, and refined as far as is asked.
+
+use std::sync::Arc;
+
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+
+use super::integer::Polynomial;
+use crate::Sign;
+
+/// A real root in a range that holds no other.
+#[derive(Clone, Debug)]
+pub struct Root {
+    /// Squarefree at this root: it changes sign there.
+    pub(super) polynomial: Arc<Polynomial>,
+    /// lo ≤ root ≤ hi; equal when the root is this rational, else neither end is a root.
+    pub lo: RBig,
+    /// The upper end.
+    pub hi: RBig,
+    /// Whether the polynomial that was asked about changes sign.
+    pub odd: bool,
+}
+
+impl Root {
+    /// With a positive lower end.
+    pub(super) fn away_from_zero(mut self) -> Self {
+        while self.lo.is_zero() {
+            self.halve();
+        }
+        self
+    }
+
+    fn halve(&mut self) {
+        let middle = (&self.lo + &self.hi) / RBig::from(2);
+        self.cut(middle);
+    }
+
+    /// Keeps the side of `at` on which the root lies.
+    fn cut(&mut self, at: RBig) {
+        match self.polynomial.sign_at(&at) {
+            Sign::Zero => {
+                self.lo.clone_from(&at);
+                self.hi = at;
+            }
+            s if s == self.polynomial.sign_at(&self.hi) => self.hi = at,
+            _ => self.lo = at,
+        }
+    }
+
+    /// A rational root.
+    #[must_use]
+    pub fn exact(polynomial: &Polynomial, at: RBig) -> Self {
+        let mut root = Self { polynomial: Arc::new(polynomial.squarefree()), lo: at.clone(), hi: at, odd: true };
+        root.odd = polynomial.changes_sign_at(&root);
+        root
+    }
+
+    /// The root is the rational `lo`.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        self.lo == self.hi
+    }
+
+    /// Narrows until (hi − lo) ≤ 2^−bits · hi. The root must be positive.
+    pub fn refine(&mut self, bits: usize) {
+        let factor = RBig::from(IBig::ONE << bits);
+        while !self.is_exact() && (&self.hi - &self.lo) * &factor > self.hi {
+            let width = &self.hi - &self.lo;
+            // Guess by the secant, fence it by a power of the width; fall back on halving.
+            if let Some((low, high)) = self.fence() {
+                self.cut(low);
+                if !self.is_exact() && self.lo < high && high < self.hi {
+                    self.cut(high);
+                }
+            }
+            if !self.is_exact() && (&self.hi - &self.lo) * RBig::from(2) > width {
+                self.halve();
+            }
+        }
+    }
+
+    /// Two points close around the Newton guess.
+    fn fence(&self) -> Option<(RBig, RBig)> {
+        let width = &self.hi - &self.lo;
+        let middle = (&self.hi + &self.lo) / RBig::from(2);
+        // f/f' at p/q without fractions: f = N/qⁿ, f' = M/qⁿ⁻¹, so that the guess is (p M − N)/(q M).
+        let (p, q) = (middle.numerator(), IBig::from(middle.denominator().clone()));
+        let (n, m) = (self.polynomial.homogeneous(p, &q), self.polynomial.derivative().homogeneous(p, &q));
+        if m == IBig::ZERO {
+            return None;
+        }
+        let relative = (&width / &self.hi).to_f64().value();
+        // Newton squares the relative width; half of the gain is taken, so that the fence holds the root.
+        let bits = i64::from(exponent(relative)).abs();
+        let gain = usize::try_from(bits + bits / 2 + 2).ok()?;
+        let bits = (2 * gain + 8).min(8000);
+        let grid = RBig::from(IBig::ONE << bits);
+        let guess = ((p * &m - n) << bits) / (&q * &m);
+        let reach = (&self.hi * &grid / RBig::from(IBig::ONE << gain.min(4000))).ceil();
+        let (low, high) = (RBig::from(&guess - &reach) / &grid, RBig::from(guess + reach) / grid);
+        (self.lo < low && high < self.hi).then_some((low, high))
+    }
+
+    /// The root of this polynomial and `other` are the same number: decided by gcd.
+    #[must_use]
+    pub fn is_root_of(&self, other: &Polynomial) -> bool {
+        if self.is_exact() {
+            return other.sign_at(&self.lo) == Sign::Zero;
+        }
+        if self.polynomial.is_surely_coprime_to(other) {
+            return false;
+        }
+        let shared = self.polynomial.squarefree().gcd(other).squarefree();
+        shared.degree() > 0 && shared.sign_at(&self.lo) * shared.sign_at(&self.hi) == Sign::Negative
+    }
+
+    /// A polynomial of which this is a simple root.
+    #[must_use]
+    pub fn polynomial(&self) -> &Polynomial {
+        &self.polynomial
+    }
+}
+
+/// The exponent of the leading bit.
+fn exponent(x: f64) -> i32 {
+    ((x.abs().to_bits() >> 52) & 0x7ff) as i32 - 1023
+}
+
+impl Polynomial {
+    /// Whether p has opposite signs on both sides of a root of its squarefree part.
+    pub(super) fn changes_sign_at(&self, root: &Root) -> bool {
+        if root.lo != root.hi {
+            return self.sign_at(&root.lo) * self.sign_at(&root.hi) == Sign::Negative;
+        }
+        let mut derivative = self.clone();
+        let mut multiplicity = 0;
+        while !derivative.is_zero() && derivative.sign_at(&root.lo) == Sign::Zero {
+            derivative = derivative.derivative();
+            multiplicity += 1;
+        }
+        multiplicity % 2 == 1
+    }
+}

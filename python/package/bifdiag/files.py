@@ -1,0 +1,65 @@
+"""What a file is, so that a message can say what reads it."""
+
+import json
+import os
+import zipfile
+from pathlib import Path
+
+from .errors import InputError
+
+READERS = {
+    "atlas": ("an atlas (JSON)", "bifdiag.Atlas.load reads it"),
+    "section": ("a section (NPZ)", "bifdiag.Section.load reads it"),
+    "motion": ("a motion (NPZ)", "bifdiag.Motion.load reads it"),
+    "archive": ("an archive of other arrays (NPZ)", "numpy.load reads it"),
+    "array": ("a single array (NPY)", "numpy.load reads it"),
+    "table": ("a Parquet file", "pandas.read_parquet reads it"),
+    "document": ("another document (JSON)", "json.load reads it"),
+    "nothing": ("empty", "nothing was written there"),
+    "other": ("something else", "bifdiag did not write it"),
+}
+"""What files are, in words, with advice."""
+
+SOURCES = {
+    "atlas": "an atlas.json of `bifdiag --json` or Atlas.save",
+    "section": "an archive of `bifdiag section --data FILE.npz` or Section.save",
+    "motion": "an archive of `bifdiag orbit --data FILE.npz` or Motion.save",
+}
+"""Where files that can be loaded come from."""
+
+
+def require(path: str | os.PathLike[str], wanted: str) -> None:
+    """Looks whether a file is what is wanted, one of `SOURCES`.
+
+    Raises
+    ------
+    InputError
+        If it is something else: the message says what.
+    OSError
+        If it cannot be read.
+    """
+    found = _kind(Path(path))
+    if found != wanted:
+        words, advice = READERS[found]
+        raise InputError(f"{os.fspath(path)} is {words}, no {wanted}: {advice}; {SOURCES[wanted]} is needed here")
+
+
+def _kind(path: Path) -> str:
+    """One of `READERS`."""
+    with path.open("rb") as file:
+        head = file.read(6)
+    if not head:
+        return "nothing"
+    if head[:4] == b"PK\x03\x04" and zipfile.is_zipfile(path):
+        with zipfile.ZipFile(path) as archive:
+            names = set(archive.namelist())
+        return "motion" if "quaternion.npy" in names else "section" if "orbit.npy" in names else "archive"
+    if head == b"\x93NUMPY":
+        return "array"
+    if head[:4] == b"PAR1":
+        return "table"
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+    except ValueError:
+        return "other"
+    return "atlas" if isinstance(document, dict) and "curves" in document and "body" in document else "document"

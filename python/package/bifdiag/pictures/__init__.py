@@ -1,0 +1,8 @@
+"""Pictures with matplotlib; the user's style sheets apply."""
+
+from .diagram import diagram, pretty, tint
+from .plane import plane
+from .section import VERDICTS, section
+from .space import body, sphere
+
+__all__ = ["VERDICTS", "body", "diagram", "plane", "pretty", "section", "sphere", "tint"]

@@ -1,0 +1,114 @@
+"""Bodies, and U on the Poisson sphere, in three dimensions."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import exact
+from ..errors import InputError
+from ..exact import Number
+from .axes import Array, pyplot
+
+if TYPE_CHECKING:
+    from ..body import Body
+
+POINTS = 200
+"""Points of the sphere's picture along each side."""
+
+
+def sphere(given: "Body", h: Number, l: Number, ax: Any = None, **surface: Any) -> Any:
+    """The accessible region U on the Poisson sphere: γ with l²/(2⟨γ, A γ⟩) − ⟨γ, r⟩ ≤ h, blue.
+
+    Parameters
+    ----------
+    given : Body
+        The body.
+    h, l : number
+        The point.
+    ax : Axes3D, optional
+        Where; None makes a new figure.
+    **surface
+        Whatever ``Axes3D.plot_surface`` knows.
+
+    Returns
+    -------
+    Axes3D
+        Where U is smaller than the grid of the picture, dots stand at its minima.
+
+    Raises
+    ------
+    InputError
+        If the point is forbidden: U is empty.
+    ImportError
+        Without matplotlib, which ``bifdiag[plot]`` brings.
+    """
+    if given.classify(h, l).status == "forbidden":
+        raise InputError(f"(h, l) = ({h}, {l}) is forbidden: h is below the minimum of the potential, so that U is empty")
+    energy, momentum = (float(exact.value(exact.text(number, name))) for number, name in ((h, "h"), (l, "l")))
+    ax = _space(ax)
+    gamma = _directions()
+    moments, center = _numbers(given)
+    potential = momentum**2 / 2 / (gamma**2 @ moments) - gamma @ center
+    accessible = potential <= energy
+    colours = np.where(accessible[..., None], [0.35, 0.6, 0.9, 1.0], [0.92, 0.92, 0.92, 0.6])
+    style = {"rcount": POINTS, "ccount": POINTS, "linewidth": 0, "antialiased": False, "shade": True} | surface
+    ax.plot_surface(*np.moveaxis(gamma, -1, 0), facecolors=colours, **style)
+    if not accessible.any():
+        minima = given.critical(l)
+        minima = minima[(minima["index"] == 0) & (minima["h"] <= energy)]
+        ax.plot(*minima["gamma"].T, "o", color=(0.35, 0.6, 0.9), zorder=5)
+    ax.set_box_aspect((1, 1, 1))
+    ax.set(xlabel="γ₁", ylabel="γ₂", zlabel="γ₃")
+    return ax
+
+
+def body(given: "Body", ax: Any = None, **surface: Any) -> Any:
+    """A body: its ellipsoid of inertia ⟨x, A x⟩ = 1 about the fixed point, its principal axes and its centre of mass.
+
+    Parameters
+    ----------
+    given : Body
+        The body.
+    ax : Axes3D, optional
+        Where; None makes a new figure.
+    **surface
+        Whatever ``Axes3D.plot_surface`` knows.
+
+    Returns
+    -------
+    Axes3D
+        Lengths are those of the ellipsoid; of r only the direction is drawn.
+    """
+    ax = _space(ax)
+    moments, center = _numbers(given)
+    half = moments**-0.5
+    style = {"color": (0.35, 0.6, 0.9, 0.35), "linewidth": 0, "rcount": 60, "ccount": 60} | surface
+    ax.plot_surface(*np.moveaxis(_directions() * half, -1, 0), **style)
+    for axis in np.eye(3):
+        x, y, z = np.outer(axis * half * 1.25, [-1, 1])
+        ax.plot(x, y, z, color="0.5", linewidth=1)
+        ax.text(*(axis * half * 1.35), f"$A_{1 + int(np.argmax(axis))}$", ha="center", va="center")
+    length = float(np.linalg.norm(center))
+    if length > 0:
+        ax.plot(*np.outer(center / length * half.min(), [0, 1]), "o-", color="C3", markevery=[1], label="centre of mass")
+    ax.set(xlabel="$x_1$", ylabel="$x_2$", zlabel="$x_3$", aspect="equal")
+    return ax
+
+
+def _space(ax: Any) -> Any:
+    """Axes of three dimensions."""
+    if ax is not None:
+        return ax
+    return pyplot().figure(layout="constrained").add_subplot(projection="3d")
+
+
+def _directions() -> Array:
+    """Unit vectors over a grid of angles."""
+    polar, azimuth = np.meshgrid(np.linspace(0, np.pi, POINTS), np.linspace(0, 2 * np.pi, 2 * POINTS), indexing="ij")
+    return np.stack([np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth), np.cos(polar)], axis=-1)
+
+
+def _numbers(given: "Body") -> tuple[Array, Array]:
+    """A and r as doubles."""
+    moments, center = (np.array([float(exact.value(text)) for text in texts]) for texts in (given.A, given.r))
+    return moments, center
