@@ -74,7 +74,12 @@ fn place(rng: &mut SplitMix64, family: Family) -> Option<(Body, PpTorus, f64, Ve
     let mut span = |low: f64, high: f64| low + (high - low) * rng.unit();
     let (h, l) = (span(-0.5, 5.0), span(0.0, 3.0));
     let mut beside = |moments: [f64; 3], center: [f64; 3]| {
-        let size = [0.3, 0.1, 0.03, 0.01][span(0.0, 4.0) as usize];
+        let size = match span(0.0, 4.0) {
+            x if x < 1.0 => 0.3,
+            x if x < 2.0 => 0.1,
+            x if x < 3.0 => 0.03,
+            _ => 0.01,
+        };
         (moments.map(|x| x * (1.0 + 0.3 * size * span(-1.0, 1.0))), center.map(|x| x + size * span(-1.0, 1.0)))
     };
     let ((moments, center), l) = match family {

@@ -155,7 +155,8 @@ fn a_look_is_what_a_fine_sum_over_the_motion_sees() {
             }
             let window = usize::from(part > 0.625);
             let u = (part - [0.25, 0.625][window]) / 0.375;
-            let weight = if u > 0.0 { (u * (1.0 - u)).powi(8) } else { 0.0 };
+            let squared = |x: f64| x * x;
+            let weight = if u > 0.0 { squared(squared(squared(u * (1.0 - u)))) } else { 0.0 };
             weights[window] += weight;
             for (sum, gamma) in sums[window].iter_mut().zip(step.state(0.5).gamma) {
                 *sum += weight * gamma;
@@ -186,7 +187,10 @@ fn a_verdict_is_never_withdrawn() {
                 match shorter.decided {
                     Some(_) => assert_eq!(shorter, longer),
                     None => {
-                        assert!(longer.decided.is_none_or(|(_, crossing)| crossing as usize >= crossings), "{longer:?}")
+                        assert!(
+                            longer.decided.is_none_or(|(_, crossing)| crossing as usize >= crossings),
+                            "{longer:?}"
+                        );
                     }
                 }
             }
@@ -246,7 +250,7 @@ fn the_verdict_alone_is_that_beside_the_exponents() {
     let alone = growths(torus.top(), courses, &ChaosOptions::default(), &Monitor::default()).unwrap();
     let beside = chaos_measures(&torus, &orbits, &ChaosOptions::default(), &Monitor::default()).unwrap();
     for ((orbit, growth), measure) in orbits.iter().zip(&alone).zip(&beside) {
-        let crossing_at = |time: f64| orbit.points.partition_point(|point| point.time <= time) as u32 - 1;
+        let crossing_at = |time: f64| orbit.points.iter().rfind(|point| point.time <= time).unwrap().index;
         let judgement = Judgement::new(&growth.evidence, orbit.points.len() - 1, crossing_at);
         assert_eq!(judgement, measure.judgement);
         assert!(judgement.verdict.is_open() || growth.lyapunov.is_none());

@@ -111,13 +111,12 @@ impl DataTarget {
         }
         let path = Path::new(text);
         let extension = path.extension().and_then(|extension| extension.to_str());
-        let format =
-            DataFormat::value_variants().iter().find(|format| Some(format.ending()) == extension).ok_or_else(|| {
-                match extension {
-                    Some("parquet") => UnknownFormat::NoParquet,
-                    _ => UnknownFormat::Extension,
-                }
-            })?;
+        let unknown = match extension {
+            Some("parquet") => UnknownFormat::NoParquet,
+            _ => UnknownFormat::Extension,
+        };
+        let mut formats = DataFormat::value_variants().iter();
+        let format = formats.find(|format| Some(format.ending()) == extension).ok_or(unknown)?;
         Ok(Self::File { path: path.to_owned(), format: *format })
     }
 }
