@@ -12,7 +12,7 @@ fn classes() -> Vec<ClassDocument> {
 }
 
 fn body(class: &ClassDocument) -> Body {
-    Body::parse(&class.witness.moments, &class.witness.center).unwrap()
+    Body::parse(&class.witness.body.moments, &class.witness.body.center).unwrap()
 }
 
 /// The class of the witness, by f64 and exactly, and all that is said of it.

@@ -133,7 +133,7 @@ fn false_claims_are_refused_by_the_mathematics() {
     let refused = mutated(|d| d.summary.regions = 8);
     assert!(matches!(refused, Err(Refused::Summary { .. })), "{refused:?}");
     // Another body.
-    let refused = mutated(|d| d.body.moments[1] = "1.2".parse().unwrap());
+    let refused = mutated(|d| d.body.given.moments[1] = "1.2".parse().unwrap());
     assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
 }
 

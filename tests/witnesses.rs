@@ -13,7 +13,7 @@ fn witnesses() -> Vec<WitnessDocument> {
 }
 
 fn body(witness: &WitnessDocument) -> Body {
-    Body::parse(&witness.moments, &witness.center).unwrap()
+    Body::parse(&witness.body.moments, &witness.body.center).unwrap()
 }
 
 fn component(document: &schema::ComponentDocument) -> Component {

@@ -36,7 +36,7 @@ pub fn extremes(classes: &str) -> Result<(), Failure> {
     for physical in [true, false] {
         let mut best = vec![(0, 0, String::new()); what.len()];
         for class in document.classes.iter().filter(|class| !physical || class.physical) {
-            let body = Body::parse(&class.witness.moments, &class.witness.center)?;
+            let body = Body::parse(&class.witness.body.moments, &class.witness.body.center)?;
             let atlas = atlas_of(&body, Accuracy::Exact)?;
             let mut seen = vec![0; what.len()];
             for at_one_momentum in counts(&atlas) {

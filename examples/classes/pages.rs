@@ -23,7 +23,7 @@ pub fn pages(classes: &str, folder: &Path) -> Result<(), Failure> {
     }
     std::fs::create_dir_all(folder)?;
     for class in &document.classes {
-        let body = Body::parse(&class.witness.moments, &class.witness.center)?;
+        let body = Body::parse(&class.witness.body.moments, &class.witness.body.center)?;
         let atlas = atlas_of(&body, Accuracy::Exact)?;
         std::fs::write(folder.join(format!("{}.svg", class.name)), sketch(&atlas))?;
         let mut page = head(class);
@@ -54,7 +54,7 @@ fn share(class: &ClassDocument) -> String {
 
 fn head(class: &ClassDocument) -> String {
     let ClassDocument { name, regions, types, witness, distance, .. } = class;
-    let (moments, center) = (witness.moments.join(","), witness.center.join(","));
+    let (moments, center) = (witness.body.moments.join(","), witness.body.center.join(","));
     format!(
         "# Class {name}\n\n![the diagram, events and curves at even steps]({name}.svg)\n\n\
          {regions} regions; types of components {}; share of the bodies that exist {}. A body of it, {distance:.2e} from all \

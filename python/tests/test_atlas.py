@@ -260,7 +260,7 @@ def test_curves_are_as_fine_as_is_wanted(atlas):
 
 
 def test_outlines_of_a_window_agree_with_the_regions(atlas):
-    path = pytest.importorskip("matplotlib.path")
+    path = pytest.importorskip("matplotlib.path", exc_type=ImportError)
     h, l = np.linspace(1.5, 3.5, 120), np.linspace(1.9, 2.8, 110)
     points = np.stack(np.meshgrid(h, l, indexing="ij"), axis=-1).reshape(-1, 2)
     inside = np.full(len(points), -1)

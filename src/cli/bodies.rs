@@ -24,7 +24,12 @@ pub fn run(arguments: &BodiesArguments) -> Result<(), Failure> {
     Ok(answer(arguments.json, &document, || {
         let mut table = Table::new(&["name", "A", "r", "note"]);
         for preset in &document.bodies {
-            table.row([preset.name.clone(), preset.moments.join(","), preset.center.join(","), preset.note.clone()]);
+            table.row([
+                preset.name.clone(),
+                preset.body.moments.join(","),
+                preset.body.center.join(","),
+                preset.note.clone(),
+            ]);
         }
         table.text()
     })?)

@@ -189,8 +189,8 @@ fn report(document: &FindDocument) -> String {
     report.line(format!("{} is shown by", document.sought));
     report.line(format!(
         "  bifdiag classify --A {} --r {} --h={} --l {}",
-        witness.moments.join(","),
-        witness.center.join(","),
+        witness.body.moments.join(","),
+        witness.body.center.join(","),
         witness.h,
         witness.l
     ));

@@ -4,15 +4,21 @@ use dashu_ratio::RBig;
 use numbers::symmetric::{PrincipalAxes, Real};
 use numbers::{Number, decimal};
 use part::Part;
-use schema::{BodiesDocument, Flags, PartDocument, PresetDocument, PrincipalDocument, SCHEMA_VERSION};
+use schema::{BodiesDocument, Flags, GivenBody, PartDocument, PresetDocument, PrincipalDocument};
 use top::body::{Body, Preset, PrincipalForm, Tensor, TensorError};
 
-use crate::command::{CommandLine, version};
+use crate::command::{CommandLine, head};
 
 /// Numbers as they were written.
 #[must_use]
 pub fn texts<const N: usize>(numbers: &[Number; N]) -> [String; N] {
     numbers.each_ref().map(|number| number.text().to_owned())
+}
+
+/// A body by the texts of its numbers.
+#[must_use]
+pub fn given(body: &Body) -> GivenBody {
+    GivenBody { moments: texts(body.moments()), center: texts(body.center()) }
 }
 
 /// What is special about a body.
@@ -56,17 +62,10 @@ pub fn part(part: &Part, principal: &PrincipalForm) -> PartDocument {
 pub fn all_bodies() -> BodiesDocument {
     let describe = |preset: &Preset| {
         let body = preset.body();
-        PresetDocument {
-            name: preset.name().to_owned(),
-            moments: texts(body.moments()),
-            center: texts(body.center()),
-            note: preset.note().to_owned(),
-        }
+        PresetDocument { name: preset.name().to_owned(), body: given(&body), note: preset.note().to_owned() }
     };
     BodiesDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: CommandLine::new("bodies").json(),
+        head: head(CommandLine::new("bodies").json()),
         bodies: Preset::all().iter().map(describe).collect(),
     }
 }

@@ -1,12 +1,10 @@
 //! Borders between classes as documents.
 
-use schema::{
-    BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument, SCHEMA_VERSION,
-};
+use schema::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument};
 use survey::Range;
 use survey::border::{Border, BorderEvent, BorderEventKind, Segment};
 
-use crate::command::{CommandLine, version};
+use crate::command::{CommandLine, head};
 use crate::scan::{parameter, range};
 
 /// A border on a segment along which some parameters vary.
@@ -22,9 +20,7 @@ pub fn border(border: &Border, segment: &Segment, vary: &[Range], command: Comma
         }
     };
     BorderDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: command.json(),
+        head: head(command.json()),
         vary: vary.iter().map(range).collect(),
         borders: vec![FoundBorderDocument {
             at: vary.iter().map(value).collect(),

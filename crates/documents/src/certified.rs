@@ -21,7 +21,7 @@ pub fn certified_atlas(
     for (event, enclosure) in document.events.iter_mut().zip(proved.enclosures()) {
         event.enclosure = Some(enclosure);
     }
-    document.command = command(&Subject::from(drawn.body().clone()), &options, true);
+    document.head.command = command(&Subject::from(drawn.body().clone()), &options, true);
     document.certificate = Some(proved.certificate());
     seal(&mut document)?;
     Ok(document)

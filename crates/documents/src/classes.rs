@@ -12,8 +12,8 @@ use survey::graph::{ClassGraph, Domain, Nearest, Node};
 use top::body::{Body, BodyError};
 use top::class::ClassName;
 
-use crate::body::texts;
-use crate::command::{CommandLine, version};
+use crate::body::given;
+use crate::command::{CommandLine, head};
 
 /// `data/classes.json` of the repository without the texts, which are most of it; a test keeps the two the same.
 const SHIPPED: &str = include_str!("../data/classes.json");
@@ -32,7 +32,8 @@ pub fn shipped_classes() -> ClassesDocument {
 /// # Panics
 /// Never: the witness of a shipped class has a class.
 pub fn add_text(class: &mut ClassDocument) {
-    let body = Body::parse(&class.witness.moments, &class.witness.center).expect("the shipped classes are whole");
+    let body =
+        Body::parse(&class.witness.body.moments, &class.witness.body.center).expect("the shipped classes are whole");
     let (_, found) = class_of(&body, Accuracy::Exact).expect("the witness of a shipped class has a class");
     found.text().clone_into(&mut class.text);
 }
@@ -78,7 +79,7 @@ fn class(name: &ClassName, node: &Node, graph: &ClassGraph, counts: &ClassCounts
         regions: node.regions,
         types: node.types.iter().map(ToString::to_string).collect(),
         physical: node.physical,
-        witness: ClassWitnessDocument { moments: texts(body.moments()), center: texts(body.center()) },
+        witness: ClassWitnessDocument { body: given(&body) },
         distance: node.distance,
         measure,
         measure_error: error,
@@ -98,9 +99,7 @@ pub fn standing(name: Option<&ClassName>, borders: &[Nearest], command: CommandL
         center: border.place.r,
     };
     StandingDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: command.json(),
+        head: head(command.json()),
         name: name.map(ToString::to_string),
         known: name.is_some_and(known),
         borders: borders.iter().map(border).collect(),

@@ -2,16 +2,14 @@
 
 use numbers::Number;
 use proof::Prepared;
-use schema::{
-    Accuracy, CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, SCHEMA_VERSION, Status,
-};
+use schema::{Accuracy, CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
 use top::atlas::Atlas;
 use top::classify::{Answer, Classification, Margin};
 use top::diagram::RegionId;
 use top::topology::{Component, signature};
 
-use crate::body::texts;
-use crate::command::version;
+use crate::body::given;
+use crate::command::head;
 use crate::subject::Subject;
 
 /// One component of U_hl.
@@ -99,11 +97,8 @@ pub fn classification(
     let of_u = found.components();
     let command = subject.command("classify").option("h", h.text()).option("l", l.text());
     ClassificationDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: command.option_if("accuracy", accuracy_option(accuracy)).flag("no-region", !asked).json(),
-        moments: texts(body.moments()),
-        center: texts(body.center()),
+        head: head(command.option_if("accuracy", accuracy_option(accuracy)).flag("no-region", !asked).json()),
+        body: given(body),
         h: h.text().to_owned(),
         l: l.text().to_owned(),
         status,

@@ -4,6 +4,7 @@
 use std::fmt::Display;
 
 use numbers::Number;
+use schema::{Head, SCHEMA_VERSION};
 use top::body::Body;
 
 /// A command line that makes the document in which it stands.
@@ -14,6 +15,12 @@ pub struct CommandLine(String);
 #[must_use]
 pub fn version() -> String {
     env!("CARGO_PKG_VERSION").to_owned()
+}
+
+/// What a document begins with; `command` makes it.
+#[must_use]
+pub fn head(command: String) -> Head {
+    Head { schema_version: SCHEMA_VERSION.to_owned(), version: version(), command }
 }
 
 impl CommandLine {

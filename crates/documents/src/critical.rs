@@ -1,12 +1,12 @@
 //! Relative equilibria as a document.
 
 use numbers::Number;
-use schema::{CriticalDocument, RelativeEquilibriumDocument, SCHEMA_VERSION};
+use schema::{CriticalDocument, RelativeEquilibriumDocument};
 use top::critical::{Equilibria, Equilibrium, Multiplicity};
 use top::stability::{ChangeKind, LinearType, Verdict};
 
-use crate::body::texts;
-use crate::command::version;
+use crate::body::given;
+use crate::command::head;
 use crate::subject::Subject;
 
 /// The relative equilibria of a body at one l.
@@ -19,11 +19,8 @@ pub fn critical(subject: &Subject, l: &Number, found: &Equilibria) -> CriticalDo
             .to_owned()
     });
     CriticalDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: subject.command("critical").option("l", l.text()).json(),
-        moments: texts(body.moments()),
-        center: texts(body.center()),
+        head: head(subject.command("critical").option("l", l.text()).json()),
+        body: given(body),
         l: l.text().to_owned(),
         critical: found.list.iter().map(equilibrium).collect(),
         error_bound: found.error_bound,

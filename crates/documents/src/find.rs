@@ -1,19 +1,18 @@
 //! Searches and witnesses as documents.
 
-use schema::{FindDocument, NearestDocument, SCHEMA_VERSION, WitnessDocument};
+use schema::{FindDocument, NearestDocument, WitnessDocument};
 use survey::search::{Answer, Nearest, Search, Target, Witness};
 
-use crate::body::texts;
+use crate::body::given;
 use crate::classification::{components, margin};
-use crate::command::{CommandLine, version};
+use crate::command::{CommandLine, head};
 
 /// A body and a point that show what was sought.
 #[must_use]
 pub fn witness(witness: &Witness) -> WitnessDocument {
     WitnessDocument {
         kind: witness.target.to_string(),
-        moments: texts(witness.body.moments()),
-        center: texts(witness.body.center()),
+        body: given(&witness.body),
         h: witness.h.text().to_owned(),
         l: witness.l.text().to_owned(),
         components: components(&witness.components),
@@ -26,9 +25,7 @@ pub fn witness(witness: &Witness) -> WitnessDocument {
 #[must_use]
 pub fn find(target: &Target, search: &Search, command: CommandLine) -> FindDocument {
     let mut document = FindDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: command.json(),
+        head: head(command.json()),
         found: false,
         exists: None,
         why: None,

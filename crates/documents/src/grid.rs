@@ -1,11 +1,11 @@
 //! Grids of points.
 
 use numbers::Number;
-use schema::{Accuracy, GridAxisDocument, GridDocument, SCHEMA_VERSION};
+use schema::{Accuracy, GridAxisDocument, GridDocument};
 
-use crate::body::texts;
+use crate::body::given;
 use crate::classification::accuracy_option;
-use crate::command::version;
+use crate::command::head;
 use crate::subject::Subject;
 
 /// Equally spaced values, both ends included.
@@ -45,11 +45,8 @@ pub fn grid(subject: &Subject, h: &GridAxis, l: &GridAxis, accuracy: Accuracy) -
     let codes = [("-1", "forbidden"), ("-2", "critical"), ("-3", "undecided")];
     let line = subject.command("classify").option("grid", format!("{},{}", h.text(), l.text()));
     GridDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: line.option_if("accuracy", accuracy_option(accuracy)).option("out", "grid.npz").text(),
-        moments: texts(subject.body.moments()),
-        center: texts(subject.body.center()),
+        head: head(line.option_if("accuracy", accuracy_option(accuracy)).option("out", "grid.npz").text()),
+        body: given(&subject.body),
         accuracy,
         h: h.document(),
         l: l.document(),

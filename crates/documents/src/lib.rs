@@ -20,12 +20,12 @@ mod witnesses;
 pub mod words;
 
 pub use atlas::{DocumentOptions, attach_part};
-pub use body::{all_bodies, flags, part, principal, texts};
+pub use body::{all_bodies, flags, given, part, principal, texts};
 pub use border::border;
 pub use certified::{certified_atlas, certified_atlas_of, seal};
 pub use classes::{ClassCounts, add_text, classes, shipped_classes, standing};
 pub use classification::{Located, accuracy_option, classification, component, components, margin};
-pub use command::{CommandLine, version};
+pub use command::{CommandLine, head, version};
 pub use critical::{LINEAR_TYPES, VERDICTS, critical, type_code, verdict, verdict_code};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};

@@ -7,15 +7,14 @@ use dynamics::section::chaos::{ChaosMeasure, Evidence, Judgement, Open, Rotation
 use dynamics::section::{End, OrbitSection, SectionCondition, TorusPoint};
 use schema::{
     ChaosDocument, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument, IntegratorDocument,
-    IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SCHEMA_VERSION,
-    SectionDocument, SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName,
-    VerdictsName,
+    IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SectionDocument,
+    SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName, VerdictsName,
 };
 use top::topology::signature;
 
-use crate::body::texts;
+use crate::body::given;
 use crate::classification::components;
-use crate::command::{CommandLine, version};
+use crate::command::{CommandLine, head};
 use crate::subject::Subject;
 
 /// Puts together what is known; orbits that are missing were not begun. `region`: the region whose sample this is.
@@ -44,11 +43,8 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
     }
     let options = &section.options;
     let mut document = SectionDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: String::new(),
-        moments: texts(section.body.moments()),
-        center: texts(section.body.center()),
+        head: head(String::new()),
+        body: given(&section.body),
         h: section.h.text().to_owned(),
         l: section.l.text().to_owned(),
         region: region.map(str::to_owned),
@@ -80,7 +76,7 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         Some(region) => at.option("region", region),
         None => at.option("h", &document.h).option("l", &document.l),
     };
-    document.command = as_asked(at, &document).json();
+    document.head.command = as_asked(at, &document).json();
     document
 }
 
@@ -143,14 +139,7 @@ pub fn sections(
     let all = subject.command("section").option("region", "all");
     let command = sections.first().map_or(all.clone(), |first| as_asked(all, first)).json();
     let complete = complete && sections.iter().all(|section| section.complete);
-    SectionsDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command,
-        complete,
-        sections,
-        skipped,
-    }
+    SectionsDocument { head: head(command), complete, sections, skipped }
 }
 
 /// What a reader of the result should know.

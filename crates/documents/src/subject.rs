@@ -1,11 +1,11 @@
 //! What a document is about.
 
 use part::Part;
-use schema::{PartAnswerDocument, PartDocument, SCHEMA_VERSION};
+use schema::{PartAnswerDocument, PartDocument};
 use top::body::{Body, TensorError};
 
 use crate::body::principal;
-use crate::command::{CommandLine, version};
+use crate::command::{CommandLine, head};
 
 /// A body, and the part from which it was computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,12 +35,7 @@ impl Subject {
     /// The answer of `bifdiag body`, of a subject that is a part.
     #[must_use]
     pub fn part_answer(&self) -> Option<PartAnswerDocument> {
-        Some(PartAnswerDocument {
-            schema_version: SCHEMA_VERSION.to_owned(),
-            version: version(),
-            command: self.command("body").json(),
-            part: self.part.clone()?,
-        })
+        Some(PartAnswerDocument { head: head(self.command("body").json()), part: self.part.clone()? })
     }
 
     /// `bifdiag COMMAND` with the options that describe the body.

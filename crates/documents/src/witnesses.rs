@@ -37,7 +37,7 @@ pub fn shipped_witnesses() -> Vec<KnownPoint> {
 /// [`ReadWitnessError`].
 pub fn read_witness(document: &WitnessDocument) -> Result<KnownPoint, ReadWitnessError> {
     let [h, l]: [Number; 2] = [document.h.parse()?, document.l.parse()?];
-    let body = Body::parse(&document.moments, &document.center)?;
+    let body = Body::parse(&document.body.moments, &document.body.center)?;
     Ok(KnownPoint { body, h, l, components: document.components.iter().map(read_component).collect() })
 }
 

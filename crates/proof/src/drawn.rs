@@ -96,14 +96,10 @@ impl CertifiedAtlas {
                 },
                 |sample| {
                     let strip = &proved.slabs[sample.cell.slab];
-                    let nearest = map[strip.order[sample.cell.position]];
-                    atlas::Sample {
-                        x: double(&strip.x),
-                        h: double(&sample.h),
-                        margin: sample.margin,
-                        error: 0.0,
-                        nearest,
-                    }
+                    let (position, h) = (sample.cell.position, double(&sample.h));
+                    let up = strip.heights.get(position + 1).map_or(f64::INFINITY, |high| high[0] - h);
+                    let nearest = map[strip.order[position + usize::from(up < h - strip.heights[position][1])]];
+                    atlas::Sample { x: double(&strip.x), h, margin: sample.margin, error: 0.0, nearest }
                 },
             );
             atlas::Region {

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Accuracy, CertificateDocument, ComponentDocument, MarginDocument, Number, PartDocument, Stability};
+use super::{
+    Accuracy, CertificateDocument, ComponentDocument, GivenBody, Head, MarginDocument, PartDocument, Stability,
+};
 
 /// What is special about a body; every flag is decided exactly.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -27,14 +29,9 @@ pub struct Flags {
 /// The body of an atlas.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BodyDocument {
-    /// A1, A2, A3 as given.
-    #[serde(rename = "A")]
-    #[schemars(with = "[Number; 3]")]
-    pub moments: [String; 3],
-    /// r1, r2, r3 as given.
-    #[serde(rename = "r")]
-    #[schemars(with = "[Number; 3]")]
-    pub center: [String; 3],
+    /// Its numbers.
+    #[serde(flatten)]
+    pub given: GivenBody,
     /// What is special about the body.
     #[serde(flatten)]
     pub flags: Flags,
@@ -317,12 +314,9 @@ pub struct ViewDocument {
 /// The atlas of one body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct AtlasDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from body and settings.
-    pub command: String,
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
     /// The level of accuracy that was asked for.
     pub accuracy: Accuracy,
     /// The body.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ParameterName, RangeDocument};
+use super::{Head, ParameterName, RangeDocument};
 
 /// Kinds of borders, all of codimension one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -88,12 +88,9 @@ pub struct FoundBorderDocument {
 /// The answer of `scan border`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BorderDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from body and settings.
-    pub command: String,
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
     /// The ranges that were searched.
     pub vary: Vec<RangeDocument>,
     /// The borders that were found.

@@ -3,20 +3,15 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Number;
+use super::{GivenBody, Head};
 
 /// A body by its moments and its centre of mass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "ClassWitness")]
 pub struct ClassWitnessDocument {
-    /// A1, A2, A3.
-    #[serde(rename = "A")]
-    #[schemars(with = "[Number; 3]")]
-    pub moments: [String; 3],
-    /// r1, r2, r3.
-    #[serde(rename = "r")]
-    #[schemars(with = "[Number; 3]")]
-    pub center: [String; 3],
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
 }
 
 /// A class beside another one.
@@ -92,12 +87,9 @@ pub struct ClassBorderDocument {
 /// The answer of `classes --at`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StandingDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from body and settings.
-    pub command: String,
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
     /// The class of the body; `null` when it is not decided.
     pub name: Option<String>,
     /// True when the class is one of those that come with the program.

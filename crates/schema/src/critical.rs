@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Number, PartDocument};
+use super::{GivenBody, Head, Number, PartDocument};
 
 /// Linear type of a relative equilibrium: the eigenvalues ±λ₁, ±λ₂ of the Euler–Poisson flow reduced by l.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -198,20 +198,12 @@ pub struct RelativeEquilibriumDocument {
 /// The answer of `critical`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CriticalDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from body and settings.
-    pub command: String,
-    /// A1, A2, A3 as given.
-    #[serde(rename = "A")]
-    #[schemars(with = "[Number; 3]")]
-    pub moments: [String; 3],
-    /// r1, r2, r3 as given.
-    #[serde(rename = "r")]
-    #[schemars(with = "[Number; 3]")]
-    pub center: [String; 3],
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
     /// Vertical angular momentum as given.
     #[schemars(with = "Number")]
     pub l: String,

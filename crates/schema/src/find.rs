@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ComponentDocument, MarginDocument, Number};
+use super::{ComponentDocument, GivenBody, Head, MarginDocument, Number};
 
 /// A body and a point that show what was sought.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -11,14 +11,9 @@ pub struct WitnessDocument {
     /// What it shows: `k3n1`, `M4`, a signature, a number of relative equilibria.
     #[serde(rename = "type")]
     pub kind: String,
-    /// A1, A2, A3.
-    #[serde(rename = "A")]
-    #[schemars(with = "[Number; 3]")]
-    pub moments: [String; 3],
-    /// r1, r2, r3.
-    #[serde(rename = "r")]
-    #[schemars(with = "[Number; 3]")]
-    pub center: [String; 3],
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
     /// Energy.
     #[schemars(with = "Number")]
     pub h: String,
@@ -55,12 +50,9 @@ pub struct NearestDocument {
 /// The answer of `find`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FindDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from body and settings.
-    pub command: String,
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
     /// True when there is a witness.
     pub found: bool,
     /// False when a theorem says that there is none; absent otherwise.

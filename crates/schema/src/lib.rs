@@ -12,6 +12,7 @@ mod classification;
 mod critical;
 mod find;
 mod grid;
+mod head;
 mod listing;
 mod motion;
 mod number;
@@ -38,6 +39,7 @@ pub use classification::{CandidateDocument, ClassificationDocument, ComponentDoc
 pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
 pub use find::{FindDocument, NearestDocument, WitnessDocument};
 pub use grid::{GridAxisDocument, GridDocument};
+pub use head::{GivenBody, Head};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 pub use number::Number;

@@ -3,21 +3,16 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Number;
+use super::{GivenBody, Head};
 
 /// A named body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PresetDocument {
     /// Its name, as for `--body`.
     pub name: String,
-    /// A1, A2, A3.
-    #[serde(rename = "A")]
-    #[schemars(with = "[Number; 3]")]
-    pub moments: [String; 3],
-    /// r1, r2, r3.
-    #[serde(rename = "r")]
-    #[schemars(with = "[Number; 3]")]
-    pub center: [String; 3],
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
     /// What it is.
     pub note: String,
 }
@@ -25,12 +20,9 @@ pub struct PresetDocument {
 /// The answer of `bodies`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BodiesDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from body and settings.
-    pub command: String,
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
     /// Every named body.
     pub bodies: Vec<PresetDocument>,
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{DriftDocument, IntegratorDocument, Number, PartDocument};
+use super::{DriftDocument, GivenBody, Head, IntegratorDocument, PartDocument};
 
 /// The motion at one time; vectors are in the body's (principal) axes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -46,20 +46,12 @@ pub struct MotionSummaryDocument {
 /// The answer of `orbit`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MotionDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from body and settings.
-    pub command: String,
-    /// A1, A2, A3 as given.
-    #[serde(rename = "A")]
-    #[schemars(with = "[Number; 3]")]
-    pub moments: [String; 3],
-    /// r1, r2, r3 as given.
-    #[serde(rename = "r")]
-    #[schemars(with = "[Number; 3]")]
-    pub center: [String; 3],
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
     /// Energy at the start.
     pub h: f64,
     /// Vertical angular momentum ⟨γ,l⟩ at the start.

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Head;
+
 /// Principal moments and axes about a point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PrincipalDocument {
@@ -15,12 +17,9 @@ pub struct PrincipalDocument {
 /// The answer of `body`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PartAnswerDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from the part.
-    pub command: String,
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
     /// The part.
     #[serde(flatten)]
     pub part: PartDocument,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Accuracy, Number};
+use super::{Accuracy, Head, Number};
 
 /// One coordinate of (A, r).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -225,14 +225,9 @@ pub struct RecordDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "SummaryDocument")]
 pub struct ScanSummaryDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    #[serde(default)]
-    pub version: String,
-    /// The command that makes it: canonical, from the design.
-    #[serde(default)]
-    pub command: String,
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
     /// The program and its version, as in the rows that a stopped scan leaves.
     pub program: String,
     /// What the answers are worth.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ComponentDocument, Number, PartDocument};
+use super::{ComponentDocument, GivenBody, Head, Number, PartDocument};
 
 /// Which function of the state vanishes on the section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -253,20 +253,12 @@ pub struct SectionSummaryDocument {
 /// A Poincaré section at one (h, l).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SectionDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from body and settings.
-    pub command: String,
-    /// A1, A2, A3 as given.
-    #[serde(rename = "A")]
-    #[schemars(with = "[Number; 3]")]
-    pub moments: [String; 3],
-    /// r1, r2, r3 as given.
-    #[serde(rename = "r")]
-    #[schemars(with = "[Number; 3]")]
-    pub center: [String; 3],
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
     /// Energy as given.
     #[schemars(with = "Number")]
     pub h: String,
@@ -319,12 +311,9 @@ pub struct SkippedDocument {
 /// The sections at the samples of an atlas.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SectionsDocument {
-    /// Version of this document.
-    pub schema_version: String,
-    /// Version of the program that made it.
-    pub version: String,
-    /// The command that makes it: canonical, from body and settings.
-    pub command: String,
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
     /// False when the run was interrupted: sections are then missing or incomplete.
     pub complete: bool,
     /// A section for each region, in the order of the atlas.

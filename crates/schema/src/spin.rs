@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{MarginDocument, PartDocument, Verdict};
+use super::{GivenBody, Head, MarginDocument, PartDocument, Verdict};
 
 /// A rate of turning in two units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -51,18 +51,12 @@ pub struct SpinChangeDocument {
 /// Spins at which rotation about an axis changes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CriticalSpinDocument {
-    /// Version of the schema.
-    pub schema_version: String,
-    /// Version of the program.
-    pub version: String,
-    /// The command that makes the document.
-    pub command: String,
-    /// A1, A2, A3.
-    #[serde(rename = "A")]
-    pub moments: [String; 3],
-    /// r1, r2, r3.
-    #[serde(rename = "r")]
-    pub center: [String; 3],
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
     /// The axis of the question, a unit vector in the part's frame (without a part: in principal axes).
     pub axis: [f64; 3],
     /// Rotation about it is permanent at every spin.
@@ -159,18 +153,12 @@ pub struct SteadyDocument {
 /// A state: where it lies in the (h, l) plane and what it is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StateDocument {
-    /// Version of the schema.
-    pub schema_version: String,
-    /// Version of the program.
-    pub version: String,
-    /// The command that makes the document.
-    pub command: String,
-    /// A1, A2, A3.
-    #[serde(rename = "A")]
-    pub moments: [String; 3],
-    /// r1, r2, r3.
-    #[serde(rename = "r")]
-    pub center: [String; 3],
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
     /// The angular velocity in the frame of the question, in rad/s.
     pub omega: [f64; 3],
     /// The direction upward in that frame.

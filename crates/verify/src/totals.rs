@@ -14,14 +14,14 @@ use super::slabs::Slab;
 /// Checks versions and command by their form, the flags of the body, and that nothing is left out.
 pub(super) fn frame(document: &AtlasDocument, body: &Body) -> Result<(), Refused> {
     let refuse = |field| Err(Refused::Field { field });
-    if document.schema_version != schema::SCHEMA_VERSION {
+    if document.head.schema_version != schema::SCHEMA_VERSION {
         return refuse("schema_version");
     }
     let is_version = |text: &str| text.split('.').count() == 3 && text.starts_with(|c: char| c.is_ascii_digit());
-    if !is_version(&document.version) {
+    if !is_version(&document.head.version) {
         return refuse("version");
     }
-    if !document.command.starts_with("bifdiag atlas ") {
+    if !document.head.command.starts_with("bifdiag atlas ") {
         return refuse("command");
     }
     let mut flags = flags(body);

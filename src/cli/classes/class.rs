@@ -65,7 +65,7 @@ fn find(name: &str) -> Result<ClassDocument, ClassesInput> {
 
 /// The diagram of the witness.
 fn witness(class: &ClassDocument) -> Result<(Atlas, AtlasDocument), WitnessFailure> {
-    let body = Body::parse(&class.witness.moments, &class.witness.center)?;
+    let body = Body::parse(&class.witness.body.moments, &class.witness.body.center)?;
     let atlas = atlas_of(&body, Accuracy::Exact)?;
     let document = documents::atlas::document(&atlas, &DocumentOptions::default());
     Ok((atlas, document))
@@ -84,7 +84,7 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     report.line(format!("types of components: {}", class.types.join(", ")));
     report.line(format!("share of {of}: {} (± {}%)", share(class), significant(100.0 * class.measure_error, 1)));
     report.line("a body of it:");
-    let (moments, center) = (class.witness.moments.join(","), class.witness.center.join(","));
+    let (moments, center) = (class.witness.body.moments.join(","), class.witness.body.center.join(","));
     report.line(format!("  bifdiag --A {moments} --r {center}"));
     let distance = significant(class.distance, 3);
     report.line(format!("  the nearest body of another class that is known is {distance} away"));

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use dynamics::field::dot;
 use dynamics::motion::{Motion, MotionOptions, MotionReport, MotionSample, follow};
-use schema::{MotionDocument, MotionSampleDocument, MotionSummaryDocument, SCHEMA_VERSION};
+use schema::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 
 use super::error::OrbitFailure;
 use super::settings::Settings;
@@ -20,11 +20,8 @@ pub fn of(settings: &Settings, motion: &Motion) -> Result<MotionDocument, OrbitF
     };
     let [start_sample] = at_start[..] else { unreachable!("time 0 is the start itself") };
     Ok(MotionDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: documents::version(),
-        command: command(settings),
-        moments: documents::texts(subject.body.moments()),
-        center: documents::texts(subject.body.center()),
+        head: documents::head(command(settings)),
+        body: documents::given(&subject.body),
         h: top.energy(start),
         l: dot(start.gamma, start.l),
         start: sample_document(&start_sample),

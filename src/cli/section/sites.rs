@@ -68,7 +68,7 @@ impl Sites {
         let text = read(path).map_err(|source| SectionInput::AtlasFile { path: path.to_owned(), source })?;
         let atlas = documents::reading::atlas(&text, &path.to_string_lossy())
             .map_err(|source| SectionInput::NotAnAtlas { path: path.to_owned(), source })?;
-        let body = Body::parse(&atlas.body.moments, &atlas.body.center)
+        let body = Body::parse(&atlas.body.given.moments, &atlas.body.given.center)
             .map_err(|source| SectionInput::AtlasBody { path: path.to_owned(), source })?;
         let subject = Subject { body, part: atlas.body.part };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));

@@ -1,7 +1,7 @@
 //! `bifdiag critical-spin`.
 
 use documents::Subject;
-use schema::{CriticalSpinDocument, SCHEMA_VERSION};
+use schema::CriticalSpinDocument;
 use top::atlas::Atlas;
 use top::permanent::{AxisRotation, SpinType};
 
@@ -28,15 +28,14 @@ fn document(subject: &Subject, axis: [f64; 3], tolerance: Option<&ToleranceArgum
         Axis::Other { nearest } => (false, nearest),
     };
     let mut document = CriticalSpinDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: documents::version(),
-        command: subject
-            .command("critical-spin")
-            .option("axis", axis.map(|x| format!("{x:?}")).join(","))
-            .option_if("tolerance", tolerance.map(ToleranceArgument::text))
-            .json(),
-        moments: documents::texts(subject.body.moments()),
-        center: documents::texts(subject.body.center()),
+        head: documents::head(
+            subject
+                .command("critical-spin")
+                .option("axis", axis.map(|x| format!("{x:?}")).join(","))
+                .option_if("tolerance", tolerance.map(ToleranceArgument::text))
+                .json(),
+        ),
+        body: documents::given(&subject.body),
         axis,
         permanent,
         nearest: (nearest.angle_deg > 0.0).then_some(nearest),

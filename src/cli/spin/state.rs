@@ -1,7 +1,7 @@
 //! `bifdiag state`: where a state lies, and what it is.
 
 use documents::Subject;
-use schema::{SCHEMA_VERSION, StateDocument};
+use schema::StateDocument;
 use top::atlas::Atlas;
 use top::body::Number;
 use top::classify::classify;
@@ -60,15 +60,14 @@ impl State {
         let (h, l) = (0.5 * dot(omega, momentum) + dot(up, r), dot(momentum, up));
         let spin = dot(self.omega, self.omega).sqrt();
         let mut document = StateDocument {
-            schema_version: SCHEMA_VERSION.to_owned(),
-            version: documents::version(),
-            command: subject
-                .command("state")
-                .option("omega", self.omega.map(|x| format!("{x:?}")).join(","))
-                .option("vertical", self.vertical.map(|x| format!("{x:?}")).join(","))
-                .json(),
-            moments: documents::texts(subject.body.moments()),
-            center: documents::texts(subject.body.center()),
+            head: documents::head(
+                subject
+                    .command("state")
+                    .option("omega", self.omega.map(|x| format!("{x:?}")).join(","))
+                    .option("vertical", self.vertical.map(|x| format!("{x:?}")).join(","))
+                    .json(),
+            ),
+            body: documents::given(&subject.body),
             omega: self.omega,
             vertical: self.vertical,
             spin: documents::spin(spin),

@@ -10,14 +10,13 @@ mod undecided;
 use std::collections::BTreeMap;
 
 use schema::{
-    AtlasDocument, BodyDocument, EventDocument, RegionDocument, SCHEMA_VERSION, SummaryDocument, ViewDocument,
-    WindowDocument,
+    AtlasDocument, BodyDocument, EventDocument, RegionDocument, SummaryDocument, ViewDocument, WindowDocument,
 };
 use top::atlas::{Atlas, View, Window};
 
-use crate::body::{flags, texts};
+use crate::body::{flags, given};
 use crate::classification::accuracy_option;
-use crate::command::version;
+use crate::command::head;
 use crate::subject::Subject;
 
 use stability::Stability;
@@ -55,13 +54,10 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
     };
     let body = atlas.body();
     AtlasDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: command(&Subject::from(body.clone()), options, false),
+        head: head(command(&Subject::from(body.clone()), options, false)),
         accuracy: options.accuracy,
         body: BodyDocument {
-            moments: texts(body.moments()),
-            center: texts(body.center()),
+            given: given(body),
             flags: flags(body),
             degenerate: body.flags().degenerate(),
             part: None,
@@ -99,7 +95,7 @@ pub fn attach_part(document: &mut AtlasDocument, subject: &Subject) {
         let polygons = document.regions.iter().any(|region| region.polygon.is_some());
         let options =
             DocumentOptions { window: document.window, accuracy: document.accuracy, polygons, ..Default::default() };
-        document.command = command(subject, &options, document.certificate.is_some());
+        document.head.command = command(subject, &options, document.certificate.is_some());
         document.body.part = Some(part.clone());
     }
 }

@@ -1,12 +1,9 @@
 //! Summaries of scans.
 
 use crate::classification::accuracy_option;
-use crate::command::version;
+use crate::command::head;
 use crate::scan::command;
-use schema::{
-    Accuracy, BodyRecordDocument, ClassRecordDocument, DesignDocument, RecordDocument, SCHEMA_VERSION,
-    ScanSummaryDocument,
-};
+use schema::{Accuracy, BodyRecordDocument, ClassRecordDocument, DesignDocument, RecordDocument, ScanSummaryDocument};
 use survey::scan::{BodyRecord, ClassRecord, Record, Summary, class_text};
 use top::class::ClassName;
 
@@ -33,12 +30,12 @@ pub fn scan_summary(summary: &Summary, file: ScanFile) -> ScanSummaryDocument {
     let ScanFile { program, accuracy, design, range, format, sha256 } = file;
     let by_number = |(key, of): (&u32, &Record)| (*key, record(of));
     ScanSummaryDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: version(),
-        command: command(&design, range)
-            .option_if("accuracy", accuracy_option(accuracy))
-            .option("out", format!("scan.{format}"))
-            .json(),
+        head: head(
+            command(&design, range)
+                .option_if("accuracy", accuracy_option(accuracy))
+                .option("out", format!("scan.{format}"))
+                .json(),
+        ),
         program,
         accuracy,
         design,

@@ -31,18 +31,23 @@ impl Root {
     }
 
     fn halve(&mut self) {
-        let middle = (&self.lo + &self.hi) / RBig::from(2);
-        self.cut(middle);
+        self.halve_below(self.polynomial.sign_at(&self.hi));
     }
 
-    /// Keeps the side of `at` on which the root lies.
-    fn cut(&mut self, at: RBig) {
+    /// Halves, with the sign at the upper end.
+    fn halve_below(&mut self, above: Sign) {
+        let middle = (&self.lo + &self.hi) / RBig::from(2);
+        self.cut(middle, above);
+    }
+
+    /// Keeps the side of `at` on which the root lies, with the sign at the upper end, which stays what it is.
+    fn cut(&mut self, at: RBig, above: Sign) {
         match self.polynomial.sign_at(&at) {
             Sign::Zero => {
                 self.lo.clone_from(&at);
                 self.hi = at;
             }
-            s if s == self.polynomial.sign_at(&self.hi) => self.hi = at,
+            s if s == above => self.hi = at,
             _ => self.lo = at,
         }
     }
@@ -64,17 +69,19 @@ impl Root {
     /// Narrows until (hi − lo) ≤ 2^−bits · hi. The root must be positive.
     pub fn refine(&mut self, bits: usize) {
         let factor = RBig::from(IBig::ONE << bits);
+        let mut above = None;
         while !self.is_exact() && (&self.hi - &self.lo) * &factor > self.hi {
             let width = &self.hi - &self.lo;
+            let above = *above.get_or_insert_with(|| self.polynomial.sign_at(&self.hi));
             // Guess by the secant, fence it by a power of the width; fall back on halving.
             if let Some((low, high)) = self.fence() {
-                self.cut(low);
+                self.cut(low, above);
                 if !self.is_exact() && self.lo < high && high < self.hi {
-                    self.cut(high);
+                    self.cut(high, above);
                 }
             }
             if !self.is_exact() && (&self.hi - &self.lo) * RBig::from(2) > width {
-                self.halve();
+                self.halve_below(above);
             }
         }
     }

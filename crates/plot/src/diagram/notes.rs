@@ -11,16 +11,17 @@ pub(super) const NOTE_SIZE: f64 = 11.0;
 /// The body in a line of at most `width` pixels at this font size, its numbers rounded where that is needed, and all that
 /// is known of it for programs.
 pub(super) fn heading(atlas: &AtlasDocument, width: f64, size: f64) -> Heading {
-    let AtlasDocument { body: own, version, command, .. } = atlas;
-    let full = body(&own.moments, &own.center);
+    let AtlasDocument { body: own, head, .. } = atlas;
+    let full = body(&own.given.moments, &own.given.center);
     let rounded = |digits: usize| {
-        let [moments, center] = [&own.moments, &own.center].map(|of| of.each_ref().map(|text| shortened(text, digits)));
+        let [moments, center] =
+            [&own.given.moments, &own.given.center].map(|of| of.each_ref().map(|text| shortened(text, digits)));
         let line = body(&moments, &center);
         if line == full { line } else { line.replace(" = ", " ≈ ") }
     };
     let title = DIGITS.iter().map(|&digits| rounded(digits)).find(|line| text_width(line, size) <= width);
-    let mut metadata = format!("A = ({}), r = ({})", own.moments.join(", "), own.center.join(", "));
-    for (name, value) in [("version", version), ("command", command)] {
+    let mut metadata = format!("A = ({}), r = ({})", own.given.moments.join(", "), own.given.center.join(", "));
+    for (name, value) in [("version", &head.version), ("command", &head.command)] {
         if !value.is_empty() {
             metadata.extend(["; ", name, ": ", value]);
         }

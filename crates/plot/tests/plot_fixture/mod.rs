@@ -7,8 +7,8 @@ use plot::CurveSource;
 use schema::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
 use schema::{
     Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument,
-    EventKind, Flags, MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan,
-    SummaryDocument, TailDocument, ViewDocument, WindowDocument,
+    EventKind, Flags, GivenBody, Head, MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability,
+    StabilitySpan, SummaryDocument, TailDocument, ViewDocument, WindowDocument,
 };
 use top::body::Body;
 
@@ -454,13 +454,13 @@ pub fn atlas(
     let top::body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
     let flags = Flags { unphysical, plate, symmetric, plane, axis, euler };
     AtlasDocument {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        version: String::new(),
-        command: String::new(),
+        head: Head { schema_version: SCHEMA_VERSION.to_owned(), ..Head::default() },
         accuracy: Accuracy::Exact,
         body: BodyDocument {
-            moments: body.moments().each_ref().map(ToString::to_string),
-            center: body.center().each_ref().map(ToString::to_string),
+            given: GivenBody {
+                moments: body.moments().each_ref().map(ToString::to_string),
+                center: body.center().each_ref().map(ToString::to_string),
+            },
             flags,
             degenerate: body.flags().degenerate(),
             part: None,

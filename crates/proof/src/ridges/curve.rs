@@ -35,11 +35,11 @@ impl Cut {
         let pull = rational::mul(&rho, &q);
         let square = rational::mul(&p, &rational::mul(&excess, &excess));
         let level = Polynomial::from_rationals(&rational::sub(&square, &rational::mul(&pull, &pull)));
-        let mut fold = fold(model)?;
+        let fold = fold(model)?;
         let mut roots = Vec::new();
         let mut valley_roots = 0;
-        for mut root in RealRoot::all(&level)? {
-            valley_roots += usize::from(root.compare(&mut fold)? == Less);
+        for root in RealRoot::all(&level)? {
+            valley_roots += usize::from(root.compare(&fold)? == Less);
             roots.push(root);
         }
         let mut marks = roots.clone();

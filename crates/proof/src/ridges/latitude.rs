@@ -1,6 +1,8 @@
 //! Real roots, and the latitudes w = ⟨γ, r⟩ that belong to them, compared exactly.
 
+use std::cell::{Ref, RefCell};
 use std::cmp::Ordering;
+use std::rc::Rc;
 
 use dashu_ratio::RBig;
 use numbers::Sign;
@@ -9,19 +11,19 @@ use numbers::polynomial::{Polynomial, Root};
 use numbers::wide::Wide;
 
 /// Precisions in which two latitudes are compared; they are equal only where the answer does not depend on them.
-const STAGES: [usize; 4] = [64, 256, 1024, 4096];
+const STAGES: [usize; 7] = [64, 128, 256, 512, 1024, 2048, 4096];
 
 /// The value at a rational of a polynomial with coefficients by rising power.
 pub(super) fn value(c: &[RBig], at: &RBig) -> RBig {
     c.iter().rev().fold(RBig::ZERO, |sum, c| sum * at + c)
 }
 
-/// An isolated real root: base + sign · root.
+/// An isolated real root: base + sign · root. Its copies share what is known of it, so that it is narrowed once.
 #[derive(Clone, Debug)]
 pub(super) struct RealRoot {
     base: RBig,
     sign: Sign,
-    root: Root,
+    root: Rc<RefCell<Root>>,
 }
 
 impl RealRoot {
@@ -35,7 +37,7 @@ impl RealRoot {
         let base = bases.into_iter().find(|base| polynomial.sign_at(base) != Sign::Zero)?;
         let side = |sign: Sign| -> Option<Vec<Self>> {
             let roots = polynomial.composed(&base, &RBig::from(i8::from(sign))).positive_roots()?;
-            Some(roots.into_iter().map(|root| Self { base: base.clone(), sign, root }).collect())
+            Some(roots.into_iter().map(|root| Self::new(base.clone(), sign, root)).collect())
         };
         let mut all = side(Sign::Negative)?;
         all.reverse();
@@ -48,31 +50,40 @@ impl RealRoot {
         let one = RBig::ONE;
         let base = at - &one;
         let root = Root::exact(&Polynomial::from_rationals(&[-one.clone(), one.clone()]), one);
-        Self { base, sign: Sign::Positive, root }
+        Self::new(base, Sign::Positive, root)
+    }
+
+    fn new(base: RBig, sign: Sign, root: Root) -> Self {
+        Self { base, sign, root: Rc::new(RefCell::new(root)) }
+    }
+
+    /// They are copies of one root.
+    fn is_copy_of(&self, other: &Self) -> bool {
+        Rc::ptr_eq(&self.root, &other.root) && self.sign == other.sign && self.base == other.base
     }
 
     /// The range that isolates it.
     pub fn range(&self) -> [RBig; 2] {
+        let root: Ref<Root> = self.root.borrow();
         if self.sign == Sign::Positive {
-            [&self.base + &self.root.lo, &self.base + &self.root.hi]
+            [&self.base + &root.lo, &self.base + &root.hi]
         } else {
-            [&self.base - &self.root.hi, &self.base - &self.root.lo]
+            [&self.base - &root.hi, &self.base - &root.lo]
         }
     }
 
-    fn refined(&self, bits: usize) -> Self {
-        let mut refined = self.clone();
-        refined.root.refine(bits);
-        refined
+    fn refine(&self, bits: usize) {
+        self.root.borrow_mut().refine(bits);
     }
 
     fn enclosed(&self, bits: usize) -> Wide {
-        let [lo, hi] = self.refined(bits).range();
+        self.refine(bits);
+        let [lo, hi] = self.range();
         Wide::rational(&lo, bits).hull(&Wide::rational(&hi, bits))
     }
 
     /// A range that holds the square root of `square` on neither side; `None` when the root is one of them.
-    pub fn range_beside(&mut self, square: &RBig) -> Option<[RBig; 2]> {
+    pub fn range_beside(&self, square: &RBig) -> Option<[RBig; 2]> {
         for bits in STAGES {
             let [lo, hi] = self.range();
             let inner = |w: &RBig| w * w < *square;
@@ -80,13 +91,16 @@ impl RealRoot {
             if inner(&lo) == inner(&hi) && (!straddles || inner(&lo)) {
                 return Some([lo, hi]);
             }
-            *self = self.refined(bits);
+            self.refine(bits);
         }
         None
     }
 
     /// The order of two roots; `None`: they are equal, or closer than the largest precision.
-    pub fn compare(&mut self, other: &mut Self) -> Option<Ordering> {
+    pub fn compare(&self, other: &Self) -> Option<Ordering> {
+        if self.is_copy_of(other) {
+            return None;
+        }
         for bits in STAGES {
             let ([a, b], [c, d]) = (self.range(), other.range());
             if b < c {
@@ -95,8 +109,8 @@ impl RealRoot {
             if d < a {
                 return Some(Ordering::Greater);
             }
-            *self = self.refined(bits);
-            *other = other.refined(bits);
+            self.refine(bits);
+            other.refine(bits);
         }
         None
     }
@@ -147,6 +161,16 @@ impl Latitude<'_> {
 
     /// The order of two latitudes; `None`: they are equal, or closer than the largest precision.
     pub fn compare(&self, other: &Self) -> Option<Ordering> {
+        let same = match (self, other) {
+            (Self::Straight(p), Self::Straight(q)) => p.is_copy_of(q),
+            (Self::OnCurve { root: p, sign, .. }, Self::OnCurve { root: q, sign: other, .. }) => {
+                p.is_copy_of(q) && sign == other
+            }
+            _ => false,
+        };
+        if same {
+            return None;
+        }
         STAGES.into_iter().find_map(|bits| {
             let (p, q) = (self.enclosed(bits), other.enclosed(bits));
             (p - q).strict_sign().map(|sign| sign.cmp(&Sign::Zero))
