@@ -221,7 +221,7 @@ fn every_orbit_has_a_verdict_and_its_reason() {
 /// Kovalevskaya's top is integrable.
 #[test]
 fn no_region_of_kovalevskayas_top_has_a_chaotic_orbit() {
-    let line = "section --body kovalevskaya --region all --orbits 24 --crossings 600 --json";
+    let line = "section --body kovalevskaya --region all --orbits 24 --crossings 3000 --json";
     let document = bifdiag(line).succeeds().json();
     let sections = document["sections"].as_array().unwrap();
     assert_eq!((sections.len(), &document["skipped"]), (4, &json!([])));
@@ -288,8 +288,18 @@ const LONG: &str = "section --body paper --h 4.45 --l 3.25 --orbits 7 --crossing
 #[test]
 fn streamed_data_are_those_from_memory() {
     let place = tempfile::tempdir().unwrap();
-    for (ending, rest) in [("npz", ""), ("csv", "--condition angular-momentum"), ("jsonl", "--integrator rk4")] {
-        let line = format!("{LONG} {rest} --verdict none");
+    let parquet =
+        if cfg!(feature = "parquet") { vec![("parquet", "none", "--seed 3"), ("parquet", "only", "")] } else { vec![] };
+    let others = [
+        ("npz", "none", ""),
+        ("npz", "only", "--crossings 900"),
+        ("npz", "only", "--condition angular-momentum"),
+        ("csv", "none", "--condition angular-momentum"),
+        ("jsonl", "only", "--integrator rk4"),
+    ];
+    for (ending, verdict, rest) in others.into_iter().chain(parquet) {
+        let line = format!("{LONG} {rest} --verdict {verdict}")
+            .replace("--crossings 300 --no-plot --crossings", "--no-plot --crossings");
         bifdiag(&format!("{line} --data s.{ending}")).inside(place.path()).succeeds().printing("written: s.");
         bifdiag(&format!("{line} --data m.{ending} --out o")).inside(place.path()).succeeds();
         let read = |name: &str| fs::read(place.path().join(format!("{name}.{ending}"))).unwrap();
@@ -298,22 +308,50 @@ fn streamed_data_are_those_from_memory() {
     }
 }
 
+/// Among orbits of the paper's chaos some are chaotic, some regular; those of a stream and from memory alike.
+#[test]
+fn streamed_verdicts_are_those_from_memory() {
+    let place = tempfile::tempdir().unwrap();
+    let line = "section --body paper --h 5.3 --l 3.25 --orbits 12 --crossings 3000 --no-plot --verdict";
+    bifdiag(&format!("{line} only --data s.npz")).inside(place.path()).succeeds().printing("verdicts: ");
+    let of = |verdict: &str| bifdiag(&format!("{line} {verdict} --json")).succeeds().json();
+    let (whole, only) = (of("whole"), of("only"));
+    let mut seen = std::collections::BTreeSet::new();
+    for (one, other) in whole["orbits"].as_array().unwrap().iter().zip(only["orbits"].as_array().unwrap()) {
+        for field in ["verdict", "reason", "decided"] {
+            assert_eq!(one[field], other[field]);
+        }
+        seen.insert(one["verdict"].as_str().unwrap().to_owned());
+    }
+    assert!(seen.contains("regular") && seen.contains("chaotic"), "{seen:?}");
+    // The document is in the archive as text of four bytes a letter.
+    let archive = fs::read(place.path().join("s.npz")).unwrap();
+    let letters: Vec<u8> =
+        serde_json::to_string(&only["orbits"]).unwrap().chars().flat_map(|c| u32::from(c).to_le_bytes()).collect();
+    assert!(archive.windows(letters.len()).any(|part| part == letters));
+}
+
 #[test]
 fn a_journal_cut_anywhere_leads_to_the_same_bytes_and_that_of_another_section_is_refused() {
     let place = tempfile::tempdir().unwrap();
+    for verdict in ["none", "only"] {
+        a_journal_cut_anywhere(&format!("{LONG} --verdict {verdict} --data s.npz"), &place);
+    }
+}
+
+fn a_journal_cut_anywhere(line: &str, place: &tempfile::TempDir) {
     let file = |name: &str| place.path().join(name);
-    let line = format!("{LONG} --data s.npz");
-    bifdiag(&line).inside(place.path()).succeeds();
+    bifdiag(line).inside(place.path()).succeeds();
     let whole = fs::read(file("s.npz")).unwrap();
     // An interrupt leaves the journal; so does a directory in the way of the file.
     fs::remove_file(file("s.npz")).unwrap();
     fs::create_dir(file("s.npz")).unwrap();
-    bifdiag(&line).inside(place.path()).fails().telling("directory");
+    bifdiag(line).inside(place.path()).fails().telling("directory");
     fs::remove_dir(file("s.npz")).unwrap();
     let journal = fs::read(file("s.npz.partial")).unwrap();
     for cut in [0, 10, journal.len() / 3, journal.len() / 2 + 1, journal.len() - 1, journal.len()] {
         fs::write(file("s.npz.partial"), &journal[..cut]).unwrap();
-        bifdiag(&line).inside(place.path()).succeeds();
+        bifdiag(line).inside(place.path()).succeeds();
         assert!(fs::read(file("s.npz")).unwrap() == whole, "{cut}");
         assert!(!file("s.npz.partial").exists());
     }
@@ -321,9 +359,10 @@ fn a_journal_cut_anywhere_leads_to_the_same_bytes_and_that_of_another_section_is
     let last = altered.len() - 100;
     altered[last] ^= 1;
     fs::write(file("s.npz.partial"), &altered).unwrap();
-    bifdiag(&line).inside(place.path()).succeeds();
+    bifdiag(line).inside(place.path()).succeeds();
     assert!(fs::read(file("s.npz")).unwrap() == whole);
     fs::write(file("s.npz.partial"), &journal).unwrap();
     bifdiag(&line.replace("300", "301")).inside(place.path()).refused().telling("another section");
     assert_eq!(fs::read(file("s.npz.partial")).unwrap(), journal);
+    fs::remove_file(file("s.npz.partial")).unwrap();
 }

@@ -3,7 +3,7 @@
 use dynamics::field::Integrals;
 use dynamics::integrator::Method;
 use dynamics::poincare::PoincareSection;
-use dynamics::section::chaos::{ChaosMeasure, Judgement, Open, Rotation, RotationAngle, Verdict};
+use dynamics::section::chaos::{ChaosMeasure, Evidence, Judgement, Open, Rotation, RotationAngle, Verdict};
 use dynamics::section::{End, OrbitSection, SectionCondition, TorusPoint};
 use schema::{
     ChaosDocument, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument, IntegratorDocument,
@@ -32,11 +32,14 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         judge(orbit, &measure.judgement);
         orbit.chaos = Some(chaos(measure));
     }
+    for (orbit, judgement) in orbits.iter_mut().zip(&section.verdicts) {
+        judge(orbit, judgement);
+    }
     let followed = orbits.len() == section.starts.len() && section.whole_orbits() == orbits.len();
     let summary = summary(&orbits);
     let mut notes = notes(followed, &summary, &orbits);
     if followed && section.chaos_interrupted {
-        notes.push("the run was interrupted: Lyapunov exponents are missing".to_owned());
+        notes.push("the run was interrupted: verdicts or Lyapunov exponents are missing".to_owned());
     }
     let options = &section.options;
     let mut document = SectionDocument {
@@ -56,10 +59,11 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
         starts: StartsDocument { orbits: section.starts.len(), seed: section.seed },
         crossings: options.crossings,
         max_time: options.max_time.is_finite().then_some(options.max_time),
-        verdicts: match (section.early, section.chaos.is_empty()) {
-            (true, _) => VerdictsName::Early,
-            (_, true) => VerdictsName::None,
-            _ => VerdictsName::Whole,
+        verdicts: match (section.early, section.chaos.is_empty(), section.verdicts.is_empty()) {
+            (true, ..) => VerdictsName::Early,
+            (_, false, _) => VerdictsName::Whole,
+            (.., false) => VerdictsName::Only,
+            _ => VerdictsName::None,
         },
         complete: section.complete(),
         summary,
@@ -103,6 +107,7 @@ fn as_asked(line: CommandLine, document: &SectionDocument) -> CommandLine {
     let verdicts = match document.verdicts {
         VerdictsName::Whole => None,
         VerdictsName::Early => Some("early"),
+        VerdictsName::Only => Some("only"),
         VerdictsName::None => Some("none"),
     };
     integrator_options(line, &document.integrator).option_if("verdict", verdicts)
@@ -255,18 +260,16 @@ pub fn chaos(measure: &ChaosMeasure) -> ChaosDocument {
         time: found.time,
     });
     let found = measure.rotation.as_ref();
-    let evidence = measure.judgement.evidence.map(|found| EvidenceDocument {
-        growth: found.growth,
-        late_growth: found.late_growth,
-        halves: found.halves,
-        quarters: found.quarters,
-    });
     ChaosDocument {
         lyapunov,
         rotation: found.ok().map(rotation),
         no_rotation: found.err().map(ToString::to_string),
-        evidence,
+        evidence: measure.judgement.evidence.iter().map(evidence).collect(),
     }
+}
+
+fn evidence(look: &Evidence) -> EvidenceDocument {
+    EvidenceDocument { time: look.time, apart: look.apart, growth: look.growth, log: look.log }
 }
 
 fn rotation(rotation: &Rotation) -> RotationDocument {

@@ -146,30 +146,32 @@ pub enum VerdictsName {
     Whole,
     /// Each orbit was ended where its verdict was found.
     Early,
+    /// The verdicts alone, without exponents and rotation numbers.
+    Only,
     /// Not at all.
     None,
 }
 
-/// From when on a verdict was the same as over the whole orbit.
+/// Where a verdict was decided; an orbit that is followed further keeps it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DecidedDocument {
     /// Time since the start.
     pub time: f64,
-    /// Number of the crossing.
+    /// Number of the last crossing until then.
     pub crossing: u32,
 }
 
-/// What a verdict rests on: means over the orbit with the weight exp(−1/(u(1−u))).
+/// A look at an orbit at one time T: means over the windows [T/4, 5T/8] and [5T/8, T] with the weight (u(1−u))⁸.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct EvidenceDocument {
-    /// How much ln|δ| has grown in each quarter of the time: the mean of d ln|δ|/dt over it, times its length.
-    pub growth: [f64; 4],
-    /// The same for the second half of the time: about ln 2 where the growth is linear.
-    pub late_growth: f64,
-    /// How far the means of γ over the two halves are apart, in units of the spread of γ.
-    pub halves: f64,
-    /// The same for successive quarters, the smallest of the three.
-    pub quarters: f64,
+    /// T.
+    pub time: f64,
+    /// How far the means of γ over the two windows are apart, in units of the spread of γ.
+    pub apart: f64,
+    /// How much ln|δ| grows in each of them: the mean of d ln|δ|/dt times its length; about 0.87 and 0.46 where |δ| grows linearly.
+    pub growth: [f64; 2],
+    /// ln(|δ(T)|/|δ(0)|).
+    pub log: f64,
 }
 
 /// How regular an orbit is.
@@ -182,8 +184,9 @@ pub struct ChaosDocument {
     /// Why there is no rotation number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_rotation: Option<String>,
-    /// What the verdict rests on; null for an orbit that was too short or not finished.
-    pub evidence: Option<EvidenceDocument>,
+    /// What the verdict rests on: the three looks that decided it; where it is open, the last three. Empty for an orbit that was too short
+    /// or not finished.
+    pub evidence: Vec<EvidenceDocument>,
 }
 
 /// One orbit.
@@ -220,7 +223,7 @@ pub struct OrbitDocument {
     pub verdict: VerdictName,
     /// Why, in words.
     pub reason: String,
-    /// From when on the verdict was that; absent where it is open.
+    /// Where it was decided; absent where it is open.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub decided: Option<DecidedDocument>,
     /// How regular it is, if that was asked for.

@@ -31,7 +31,7 @@ pub struct CriticalArguments {
     /// Print the answer as JSON (a batch always is)
     #[arg(long, help_heading = "Output")]
     pub json: bool,
-    /// Write the table of a range to FILE (.npz, .csv, .jsonl; default: CSV to stdout)
+    /// Write the table of a range to FILE (.npz, .parquet, .csv, .jsonl; default: CSV to stdout)
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub out: Option<DataTarget>,
 }

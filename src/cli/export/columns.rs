@@ -1,5 +1,7 @@
 //! Columns of numbers.
 
+use std::ops::Range;
+
 use serde::Serialize;
 use serde_json::Value;
 
@@ -106,6 +108,19 @@ impl Values {
             Self::Int8(values) => values.extend(bytes.iter().map(|x| x.cast_signed())),
             Self::Int32(values) => values.extend(bytes.as_chunks().0.iter().map(|x| i32::from_le_bytes(*x))),
             Self::Float { values, .. } => values.extend(bytes.as_chunks().0.iter().map(|x| f64::from_le_bytes(*x))),
+        }
+    }
+
+    /// Adds some rows of a column of the same kind.
+    pub fn extend_from(&mut self, other: &Self, rows: Range<usize>) {
+        match (self, other) {
+            (Self::Words { places, .. }, Self::Words { places: others, .. }) => places.extend_from(others, rows),
+            (Self::Int8(values), Self::Int8(others)) => values.extend_from_slice(&others[rows]),
+            (Self::Int32(values), Self::Int32(others)) => values.extend_from_slice(&others[rows]),
+            (Self::Float { parts, values }, Self::Float { values: others, .. }) => {
+                values.extend_from_slice(&others[parts.len() * rows.start..parts.len() * rows.end]);
+            }
+            _ => unreachable!("a column keeps its kind"),
         }
     }
 

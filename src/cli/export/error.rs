@@ -26,6 +26,9 @@ pub enum ExportError {
     Table(#[source] io::Error),
     #[error("the table could not be written as CSV")]
     Csv(#[from] csv::Error),
+    #[cfg(feature = "parquet")]
+    #[error("the table could not be written as Parquet")]
+    Parquet(#[from] ::parquet::errors::ParquetError),
 }
 
 impl CommandError for ExportError {

@@ -8,6 +8,8 @@ mod files;
 mod json;
 mod jsonl;
 mod npz;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod picture;
 mod pieces;
 mod target;

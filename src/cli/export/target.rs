@@ -9,6 +9,8 @@ use thiserror::Error;
 use super::columns::Columns;
 use super::error::ExportError;
 use super::exporter::Exporter;
+#[cfg(feature = "parquet")]
+use super::parquet;
 use super::pieces::Pieces;
 use super::{csv, jsonl, npz};
 use crate::cli::failure::{CommandError, Exit};
@@ -41,6 +43,9 @@ pub fn directory(out: Option<&Path>, wanted: bool) -> Result<Option<PathBuf>, Di
 pub enum DataFormat {
     /// NumPy's archive of arrays
     Npz,
+    /// Apache Parquet
+    #[cfg(feature = "parquet")]
+    Parquet,
     /// Comma-separated values
     Csv,
     /// One JSON object a line
@@ -51,6 +56,8 @@ impl Exporter<Columns> for DataFormat {
     fn ending(&self) -> &'static str {
         match self {
             Self::Npz => "npz",
+            #[cfg(feature = "parquet")]
+            Self::Parquet => "parquet",
             Self::Csv => "csv",
             Self::Jsonl => "jsonl",
         }
@@ -65,9 +72,11 @@ impl Exporter<Columns> for DataFormat {
 
 impl DataFormat {
     /// Writes a table, however long.
-    pub fn write(self, table: &mut impl Pieces, out: impl Write + Seek) -> Result<(), ExportError> {
+    pub fn write(self, table: &mut impl Pieces, out: impl Write + Seek + Send) -> Result<(), ExportError> {
         match self {
             Self::Npz => npz::write(table, out),
+            #[cfg(feature = "parquet")]
+            Self::Parquet => parquet::write(table, out),
             Self::Csv => csv::write(table, out),
             Self::Jsonl => jsonl::write(table, out),
         }
@@ -85,8 +94,14 @@ pub enum DataTarget {
 
 /// The name of a data file is of no use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("the extension tells the format: give FILE.npz, FILE.csv or FILE.jsonl, or - for CSV on stdout")]
-pub struct UnknownFormat;
+pub enum UnknownFormat {
+    #[error(
+        "the extension tells the format: give FILE.npz, FILE.csv, FILE.jsonl or FILE.parquet, or - for CSV on stdout"
+    )]
+    Extension,
+    #[error("this bifdiag was built without the feature `parquet`; give FILE.npz, FILE.csv or FILE.jsonl")]
+    NoParquet,
+}
 
 impl DataTarget {
     /// Of the text of an option.
@@ -96,10 +111,12 @@ impl DataTarget {
         }
         let path = Path::new(text);
         let extension = path.extension().and_then(|extension| extension.to_str());
-        let format = DataFormat::value_variants()
-            .iter()
-            .find(|format| Some(format.ending()) == extension)
-            .ok_or(UnknownFormat)?;
+        let unknown = match extension {
+            Some("parquet") => UnknownFormat::NoParquet,
+            _ => UnknownFormat::Extension,
+        };
+        let mut formats = DataFormat::value_variants().iter();
+        let format = formats.find(|format| Some(format.ending()) == extension).ok_or(unknown)?;
         Ok(Self::File { path: path.to_owned(), format: *format })
     }
 }

@@ -1,7 +1,10 @@
 //! The Poincaré sections of the paper.
 
+use dynamics::field::State;
 use dynamics::section::chaos::{ChaosOptions, Verdict, chaos_measures};
-use dynamics::section::{Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, TorusPoint};
+use dynamics::section::{
+    Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SweepOptions, TorusPoint, sweep,
+};
 use plot::{OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, Theme, draw_section_rows};
 use top::body::{Body, Preset};
 
@@ -165,9 +168,16 @@ fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, FigureSec
     }
 }
 
+/// Crossings after which orbits are judged: more than are drawn, since those near a separatrix turn slowly.
+const JUDGED: usize = 6000;
+
 /// Whether each orbit is regular.
 fn verdicts(portrait: &Portrait, orbits: &[OrbitSection]) -> Result<Vec<Verdict>, FigureSection> {
-    let measures = chaos_measures(portrait.torus(), orbits, &ChaosOptions::default(), &Monitor::default())?;
+    let start = |orbit: &OrbitSection| orbit.points.first().map(|point| State { gamma: point.gamma, l: point.l });
+    let starts: Vec<State> = orbits.iter().filter_map(start).collect();
+    let options = SweepOptions { crossings: JUDGED, condition: portrait.condition(), ..SweepOptions::default() };
+    let orbits = sweep(portrait.torus(), &starts, &options, &Monitor::default())?;
+    let measures = chaos_measures(portrait.torus(), &orbits, &ChaosOptions::default(), &Monitor::default())?;
     Ok(measures.into_iter().map(|measure| measure.judgement.verdict).collect())
 }
 

@@ -68,7 +68,7 @@ pub struct OrbitArguments {
     pub times: Times,
     #[command(flatten)]
     pub integrator: IntegratorArguments,
-    /// Write the samples to FILE.csv, FILE.npz or FILE.jsonl (-: CSV to stdout)
+    /// Write the samples to FILE.csv, FILE.npz, FILE.parquet or FILE.jsonl (-: CSV to stdout)
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
     /// Write a moving picture of the body, the trace of its axis, and the section that fills, to FILE.svg or FILE.html

@@ -83,6 +83,8 @@ pub enum VerdictArgument {
     Whole,
     /// Each orbit ends where its verdict is found
     Early,
+    /// The verdict without exponents and rotation numbers: the work for it ends where it is found
+    Only,
     /// Not at all, which takes a quarter of the time
     None,
 }
@@ -132,7 +134,7 @@ pub struct SectionArguments {
     pub condition: ConditionArgument,
     #[command(flatten)]
     pub integrator: IntegratorArguments,
-    /// Write the points to FILE.npz, FILE.csv or FILE.jsonl (-: CSV to stdout); with several regions, a file for each
+    /// Write the points to FILE.npz, FILE.parquet, FILE.csv or FILE.jsonl (-: CSV to stdout); with several regions, a file for each
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
     /// Write picture, points and summary to DIR (default: bifdiag-out; with --json or --data -: nowhere)

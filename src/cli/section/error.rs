@@ -92,9 +92,9 @@ pub enum SectionInput {
     #[error("--{given} cannot be used with --starts: the file says where the orbits start; leave out one of them")]
     SpreadWithSeeds { given: &'static str },
     #[error(
-        "--verdict none and --color {color} contradict each other: the colour is measured with the verdict; leave out one of them"
+        "--verdict {verdict} and --color {color} contradict each other: what the colour tells is not measured then; leave out one of them"
     )]
-    ColorWithoutVerdict { color: &'static str },
+    ColorWithoutMeasure { verdict: &'static str, color: &'static str },
     #[error("--starts {path}: {source}; give a file that can be read, or - for stdin", path = path.display())]
     SeedsFile { path: PathBuf, source: io::Error },
     #[error("--starts {path}, line {line}: {problem}", path = path.display())]

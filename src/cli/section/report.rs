@@ -1,6 +1,6 @@
 //! What the terminal shows of a section.
 
-use schema::{ChaosDocument, ConditionName, EndName, SectionDocument, VerdictName};
+use schema::{ChaosDocument, ConditionName, EndName, SectionDocument, VerdictName, VerdictsName};
 
 use super::table as data;
 use crate::cli::terminal::{Report, Table, significant};
@@ -12,13 +12,12 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
     report.line("");
     add_surfaces(report, document);
     report.line("");
-    let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
-    report.line(orbits(document, measured).text());
+    report.line(orbits(document).text());
     if document.orbits.len() > LISTED {
         report.line(format!("… and {} more", document.orbits.len() - LISTED));
     }
     report.line("");
-    add_summary(report, document, measured);
+    add_summary(report, document);
     for note in &document.notes {
         report.line(format!("note: {note}"));
     }
@@ -39,11 +38,15 @@ fn add_surfaces(report: &mut Report, document: &SectionDocument) {
 }
 
 /// The orbits, the first of them.
-fn orbits(document: &SectionDocument, measured: bool) -> Table {
+fn orbits(document: &SectionDocument) -> Table {
+    let measured = document.orbits.iter().any(|orbit| orbit.chaos.is_some());
+    let judged = document.verdicts != VerdictsName::None;
     let mut heading = vec!["orbit", "component", "theta", "psi", "sheet", "crossings", "end", "time"];
     if measured {
         // The deviations are below, too; a line has no room for all.
         heading.extend(["Lyapunov", "rotation", "verdict"]);
+    } else if judged {
+        heading.push("verdict");
     } else {
         heading.push("drift");
     }
@@ -63,7 +66,10 @@ fn orbits(document: &SectionDocument, measured: bool) -> Table {
             let cell = |value: fn(&ChaosDocument) -> Option<f64>| {
                 orbit.chaos.as_ref().and_then(value).map_or_else(|| "-".to_owned(), |value| significant(value, 4))
             };
-            row.extend([cell(data::lyapunov), cell(data::rotation), verdict_name(orbit.verdict).to_owned()]);
+            row.extend([cell(data::lyapunov), cell(data::rotation)]);
+        }
+        if judged {
+            row.push(verdict_name(orbit.verdict).to_owned());
         } else {
             row.push(significant(orbit.drift.h.max(orbit.drift.l).max(orbit.drift.gamma), 2));
         }
@@ -73,7 +79,7 @@ fn orbits(document: &SectionDocument, measured: bool) -> Table {
 }
 
 /// How far the orbits were followed, how well, and what they turned out to be.
-fn add_summary(report: &mut Report, document: &SectionDocument, measured: bool) {
+fn add_summary(report: &mut Report, document: &SectionDocument) {
     let summary = &document.summary;
     report.line(format!("{} crossings of {} orbits", summary.crossings, summary.orbits));
     report.line(format!(
@@ -83,7 +89,7 @@ fn add_summary(report: &mut Report, document: &SectionDocument, measured: bool) 
         significant(summary.drift.gamma, 2),
         significant(summary.residual, 2),
     ));
-    if measured {
+    if document.verdicts != VerdictsName::None {
         let counted = |name| document.orbits.iter().filter(|orbit| orbit.verdict == name).count();
         let [regular, chaotic, open] = [VerdictName::Regular, VerdictName::Chaotic, VerdictName::Open].map(counted);
         report.line(format!("verdicts: {regular} regular, {chaotic} chaotic, {open} open"));

@@ -68,7 +68,8 @@ impl Settings<'_> {
     pub fn streamed(&self) -> Option<(&Path, DataFormat)> {
         match self.outputs.data {
             Some(DataTarget::File { path, format })
-                if self.outputs.directory.is_none() && self.verdict == VerdictArgument::None =>
+                if self.outputs.directory.is_none()
+                    && matches!(self.verdict, VerdictArgument::Only | VerdictArgument::None) =>
             {
                 Some((path, *format))
             }
@@ -115,7 +116,10 @@ fn verdict(arguments: &SectionArguments) -> Result<VerdictArgument, SectionInput
     };
     let data_alone = arguments.data.is_some() && arguments.no_plot && !arguments.json;
     match (arguments.verdict, color) {
-        (Some(VerdictArgument::None), Some(color)) => Err(SectionInput::ColorWithoutVerdict { color }),
+        (Some(verdict @ (VerdictArgument::Only | VerdictArgument::None)), Some(color)) => {
+            let verdict = if verdict == VerdictArgument::None { "none" } else { "only" };
+            Err(SectionInput::ColorWithoutMeasure { verdict, color })
+        }
         (Some(verdict), _) => Ok(verdict),
         (None, None) if data_alone => Ok(VerdictArgument::None),
         (None, _) => Ok(VerdictArgument::Whole),

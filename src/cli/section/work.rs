@@ -84,7 +84,8 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
     let (section, streamed) = match settings.streamed() {
         Some((path, _)) => {
             let path = settings.file_of(path, site.region.as_deref());
-            let streamed = stream::follow(&path, &setting, (&starts, seed), &options, monitor)?;
+            let chaos = (settings.verdict == VerdictArgument::Only).then(|| chaos_options(method));
+            let streamed = stream::follow(&path, &setting, (&starts, seed), &options, chaos.as_ref(), monitor)?;
             (streamed.section.clone(), Some(streamed))
         }
         None => (judged(settings, &setting, &starts, seed, &options, monitor)?, None),
@@ -111,18 +112,26 @@ fn judged(
     options: &SweepOptions,
     monitor: &Monitor,
 ) -> Result<PoincareSection, PoincareError> {
-    let mut chaos = ChaosOptions::default();
-    if let Method::Taylor { tolerance } = options.method {
-        chaos.tolerance = tolerance;
-    }
+    let chaos = chaos_options(options.method);
     if settings.verdict == VerdictArgument::Early {
         return setting.run_until_decided(starts, seed, options, &chaos, monitor);
     }
     let mut section = setting.run(starts, seed, options, monitor)?;
-    if settings.verdict == VerdictArgument::Whole {
-        setting.measure(&mut section, &chaos, monitor)?;
+    match settings.verdict {
+        VerdictArgument::Whole => setting.measure(&mut section, &chaos, monitor)?,
+        VerdictArgument::Only => setting.judge(&mut section, &chaos, monitor)?,
+        VerdictArgument::Early | VerdictArgument::None => {}
     }
     Ok(section)
+}
+
+/// The variational equations follow the orbits as these were followed.
+fn chaos_options(method: Method) -> ChaosOptions {
+    let usual = ChaosOptions::default();
+    match method {
+        Method::Taylor { tolerance } => ChaosOptions { tolerance, ..usual },
+        _ => usual,
+    }
 }
 
 /// The seeds of a file, if all of them are accessible.

@@ -1,7 +1,7 @@
 //! Orbits that are followed until it is known whether they are regular or chaotic.
 
 use super::{PoincareError, PoincareSection, Setting};
-use crate::section::chaos::{ChaosMeasure, ChaosOptions, Verdict, chaos_measures};
+use crate::section::chaos::{ChaosMeasure, ChaosOptions, chaos_measures};
 use crate::section::{End, Monitor, OrbitSection, SweepOptions, TorusPoint, sweep};
 
 /// Crossings after which a verdict is looked for; then after twice as many, and so on.
@@ -38,7 +38,7 @@ impl Setting {
             let mut undecided = Vec::new();
             for (mut orbit, mut measure) in orbits.into_iter().zip(measures) {
                 let number = pending[orbit.orbit as usize];
-                let open = matches!(measure.judgement.verdict, Verdict::Open(_));
+                let open = measure.judgement.verdict.is_open();
                 if orbit.report.end == End::Crossings && !last {
                     if open {
                         undecided.push(number);

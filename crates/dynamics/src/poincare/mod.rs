@@ -15,7 +15,7 @@ use top::critical::critical;
 use top::topology::Component;
 
 use crate::field::{HeavyTop, State};
-use crate::section::chaos::{ChaosMeasure, ChaosOptions, chaos_measures};
+use crate::section::chaos::{ChaosMeasure, ChaosOptions, Judgement, chaos_measures, verdicts};
 use crate::section::{End, Monitor, OrbitSection, PpTorus, SectionError, SweepOptions, TorusPoint, sweep};
 
 /// A body and a point (h, l) that have a section: r ≠ 0, and (h, l) is accessible and on no curve.
@@ -52,6 +52,8 @@ pub struct PoincareSection {
     pub component_of_start: Vec<Option<usize>>,
     /// How regular each of `orbits` is; empty if that was not asked for.
     pub chaos: Vec<ChaosMeasure>,
+    /// The verdict on each of `orbits`, where these alone were asked for.
+    pub verdicts: Vec<Judgement>,
     /// Orbits were ended where their verdict was found.
     pub early: bool,
     /// The measurement of chaos was stopped.
@@ -191,6 +193,7 @@ impl Setting {
             orbits: Vec::new(),
             component_of_start: self.components_at(&gammas),
             chaos: Vec::new(),
+            verdicts: Vec::new(),
             early: false,
             chaos_interrupted: false,
         })
@@ -208,6 +211,21 @@ impl Setting {
         monitor: &Monitor,
     ) -> Result<(), SectionError> {
         section.chaos = chaos_measures(&self.torus, &section.orbits, options, monitor)?;
+        section.chaos_interrupted = monitor.stop.load(Ordering::Relaxed);
+        Ok(())
+    }
+
+    /// Adds the verdicts alone.
+    ///
+    /// # Errors
+    /// Those of [`verdicts`].
+    pub fn judge(
+        &self,
+        section: &mut PoincareSection,
+        options: &ChaosOptions,
+        monitor: &Monitor,
+    ) -> Result<(), SectionError> {
+        section.verdicts = verdicts(&self.torus, &section.orbits, options, monitor)?;
         section.chaos_interrupted = monitor.stop.load(Ordering::Relaxed);
         Ok(())
     }

@@ -40,6 +40,15 @@ struct Block {
     offset: u64,
 }
 
+/// The first crossing of an orbit.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct First {
+    pub index: u32,
+    pub time: f64,
+    pub gamma: [f64; 3],
+    pub l: [f64; 3],
+}
+
 /// An open journal.
 pub struct Journal {
     path: PathBuf,
@@ -110,7 +119,7 @@ impl Journal {
 
     /// Bytes of a row.
     fn width(&self) -> usize {
-        self.columns.iter().map(|column| column.values.row_bytes()).sum()
+        self.bytes_of(&(0..self.columns.len()))
     }
 
     fn read_whole_blocks(&mut self) -> io::Result<()> {
@@ -183,9 +192,14 @@ impl Journal {
         Ok(())
     }
 
-    /// The section is whole: blocks stand in the order of the orbits.
+    /// The section is whole.
     pub fn close(&mut self, meta: String) {
         self.meta = meta;
+        self.sort();
+    }
+
+    /// Puts the blocks into the order of the orbits.
+    pub fn sort(&mut self) {
         self.blocks.sort_by_key(|block| block.orbit);
     }
 
@@ -194,13 +208,69 @@ impl Journal {
         &self.path
     }
 
+    /// The blocks of an orbit that are not empty, after [`sort`](Self::sort).
+    fn blocks_of(&self, orbit: u32) -> Vec<Block> {
+        let from = self.blocks.partition_point(|block| block.orbit < orbit);
+        let own = self.blocks[from..].iter().take_while(|block| block.orbit == orbit);
+        own.filter(|block| block.rows > 0).copied().collect()
+    }
+
+    /// The first crossing of an orbit, after [`sort`](Self::sort).
+    pub fn first(&mut self, orbit: u32) -> io::Result<Option<First>> {
+        let Some(&block) = self.blocks_of(orbit).first() else { return Ok(None) };
+        let mut room = Vec::new();
+        let mut first = First::default();
+        for number in 0..self.columns.len() {
+            let name = self.columns[number].name;
+            self.read_rows(block, number, 1, &mut room)?;
+            let floats: Vec<f64> = room.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+            match (name, floats[..].first_chunk()) {
+                ("index", _) => first.index = room.first_chunk().map_or(0, |bytes| u32::from_le_bytes(*bytes)),
+                ("time", _) => first.time = floats[0],
+                ("gamma", Some(gamma)) => first.gamma = *gamma,
+                ("l", Some(l)) => first.l = *l,
+                _ => {}
+            }
+        }
+        Ok(Some(first))
+    }
+
+    /// The times of an orbit's crossings in their order, as long as `take` wants more; after [`sort`](Self::sort).
+    pub fn times(&mut self, orbit: u32, take: &mut dyn FnMut(f64) -> bool) -> io::Result<()> {
+        let number = self.columns.iter().position(|column| column.name == "time").unwrap_or_default();
+        let mut room = Vec::new();
+        for block in self.blocks_of(orbit) {
+            self.read(block, number..number + 1, &mut room)?;
+            if !room.as_chunks().0.iter().all(|bytes| take(f64::from_le_bytes(*bytes))) {
+                break;
+            }
+        }
+        Ok(())
+    }
+
     /// The bytes of some columns of a block.
     fn read(&mut self, block: Block, columns: std::ops::Range<usize>, room: &mut Vec<u8>) -> io::Result<()> {
-        let size = |columns: &[Column]| columns.iter().map(|column| column.values.row_bytes()).sum::<usize>();
-        let (before, within) = (size(&self.columns[..columns.start]), size(&self.columns[columns]));
-        room.resize(block.rows * within, 0);
+        let within = self.bytes_of(&columns);
+        self.read_at(block, columns.start, block.rows * within, room)
+    }
+
+    /// The bytes of a column in the first rows of a block.
+    fn read_rows(&mut self, block: Block, column: usize, rows: usize, room: &mut Vec<u8>) -> io::Result<()> {
+        let within = self.bytes_of(&(column..column + 1));
+        self.read_at(block, column, rows * within, room)
+    }
+
+    /// So many bytes from where a column of a block begins.
+    fn read_at(&mut self, block: Block, column: usize, bytes: usize, room: &mut Vec<u8>) -> io::Result<()> {
+        let before = self.bytes_of(&(0..column));
+        room.resize(bytes, 0);
         self.file.seek(SeekFrom::Start(block.offset + (block.rows * before) as u64))?;
         self.file.read_exact(room)
+    }
+
+    /// Bytes of a row in some columns.
+    fn bytes_of(&self, columns: &std::ops::Range<usize>) -> usize {
+        self.columns[columns.clone()].iter().map(|column| column.values.row_bytes()).sum()
     }
 }
 

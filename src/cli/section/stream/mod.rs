@@ -1,14 +1,17 @@
 //! Sections longer than memory: crossings go to `FILE.partial` as they are found, and from there into FILE.
 
 mod journal;
+mod judge;
 
 use std::path::{Path, PathBuf};
 
 use dynamics::poincare::{PoincareSection, Setting};
+use dynamics::section::chaos::ChaosOptions;
 use dynamics::section::{Monitor, OrbitReport, OrbitSection, SweepOptions, Task, TorusPoint, sweep_on};
 use schema::SectionDocument;
 
 use self::journal::{Journal, Standing};
+use self::judge::verdicts;
 use super::error::SectionFailure;
 
 /// The journal of an output file.
@@ -29,7 +32,7 @@ pub struct Streamed {
 }
 
 /// Follows the orbits of a section into the journal of a file, from where an earlier run has left them. Interrupted, it
-/// is not complete, and the same again goes on.
+/// is not complete, and the same again goes on. Where `chaos` is given, the orbits are judged when all are there.
 ///
 /// # Errors
 /// When the journal cannot be read or written, or belongs to another section.
@@ -38,6 +41,7 @@ pub fn follow(
     setting: &Setting,
     (starts, seed): (&[TorusPoint], Option<u64>),
     options: &SweepOptions,
+    chaos: Option<&ChaosOptions>,
     monitor: &Monitor,
 ) -> Result<Streamed, SectionFailure> {
     let mut section = setting.begin(starts, seed, options)?;
@@ -80,6 +84,10 @@ pub fn follow(
         Some(OrbitSection { points: Vec::new(), report, orbit })
     };
     section.orbits = journal.standings().iter().zip(0_u32..).filter_map(report).collect();
+    if let Some(chaos) = chaos.filter(|_| section.complete()) {
+        section.verdicts = verdicts(setting, &section.orbits, &mut journal, chaos, monitor)?;
+        section.chaos_interrupted = monitor.is_stopped();
+    }
     Ok(Streamed { out: out.to_owned(), section, journal })
 }
 

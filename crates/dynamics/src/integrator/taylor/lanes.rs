@@ -2,6 +2,7 @@
 
 use pulp::Simd;
 
+use super::moments::{MOMENTS, Moments};
 use super::series::{Constants, Series, Vector, lane_values, lane_values_mut};
 use super::step_size::{StepRule, order_for};
 use crate::field::{HeavyTop, State};
@@ -160,20 +161,22 @@ impl<S: Simd> Lanes<S> {
         }
     }
 
-    /// ∫ γ dt over the step: Σ γ_k step^{k+1}/(k+1).
+    /// ∫ (ξ − 1/2)ʲ γ dt over the step for j < `MOMENTS`, where ξ runs from 0 to 1.
     #[inline(always)]
-    pub fn gamma_integral(&self, simd: S) -> Vector<S> {
+    pub fn gamma_moments(&self, simd: S, moments: &Moments) -> [Vector<S>; MOMENTS] {
         let t = self.step[0];
-        let term = |k: usize, i: usize| {
-            simd.mul_f64s(self.series.gamma[k][i], simd.splat_f64s(self.constants.reciprocal(k + 1)))
-        };
-        let mut sum = [term(self.order, 0), term(self.order, 1), term(self.order, 2)];
-        for k in (0..self.order).rev() {
-            for (i, sum) in sum.iter_mut().enumerate() {
-                *sum = simd.product_sum(*sum, t, term(k, i));
+        let mut sums = [[simd.splat_f64s(0.0); 3]; MOMENTS];
+        let mut power = t;
+        for k in 0..=self.order {
+            for i in 0..3 {
+                let term = simd.mul_f64s(self.series.gamma[k][i], power);
+                for (j, sum) in sums.iter_mut().enumerate() {
+                    sum[i] = simd.product_sum(term, simd.splat_f64s(moments.of_powers[k][j]), sum[i]);
+                }
             }
+            power = simd.mul_f64s(power, t);
         }
-        [simd.mul_f64s(sum[0], t), simd.mul_f64s(sum[1], t), simd.mul_f64s(sum[2], t)]
+        sums
     }
 
     /// Moves every lane to its step's end.

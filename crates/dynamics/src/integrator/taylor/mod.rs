@@ -15,12 +15,14 @@
 #![expect(clippy::inline_always, reason = "lanes must be inlined into the function compiled for their instructions")]
 
 mod lanes;
+mod moments;
 mod series;
 mod step_size;
 mod stepper;
 mod tangent;
 
 pub(crate) use lanes::{Lanes, magnitude, state_of};
+pub(crate) use moments::{MOMENTS, Moments};
 pub(crate) use series::{ROWS, Vector, lane_values, lane_values_mut};
 pub use step_size::{MAX_ORDER, order_for};
 pub use stepper::Taylor;

@@ -1,5 +1,6 @@
 //! How a tangent vector grows along an orbit: what is asked, and what is found.
 
+use super::evidence::Evidence;
 use crate::field::{Dimension, State, Units};
 
 /// The largest Lyapunov exponent of an orbit over a finite time, per unit of time.
@@ -52,8 +53,12 @@ pub struct Course {
     pub start: State,
     /// For how long it is followed.
     pub time: f64,
-    /// Times at which samples are wanted, ascending.
+    /// Times at which ln|δ| is wanted, ascending.
     pub at: Vec<f64>,
+    /// The unit of the times at which evidence is taken; without a positive one there is none.
+    pub unit: f64,
+    /// Stop as soon as the evidence decides whether the orbit is regular, or when there is no more to come; there is then no exponent.
+    pub until_decided: bool,
 }
 
 /// How a tangent vector has grown along a course.
@@ -62,25 +67,21 @@ pub struct Growth {
     /// None where the time is not a positive number, where the motion did not remain finite, and where the run was
     /// stopped.
     pub lyapunov: Option<Lyapunov>,
-    /// At the times asked for, as far as the orbit came.
-    pub samples: Vec<Sample>,
-}
-
-/// An orbit at one time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sample {
-    /// ln(|δ(t)|/|δ(0)|).
-    pub log: f64,
-    /// ∫₀ᵗ γ dt.
-    pub integral: [f64; 3],
+    /// ln(|δ(t)|/|δ(0)|) at the times asked for, as far as the orbit came.
+    pub logs: Vec<f64>,
+    /// What was seen at the times `unit` · 2^{k/2} that were passed.
+    pub evidence: Vec<Evidence>,
+    /// The motion and the tangent vector remained finite as far as they were followed.
+    pub finite: bool,
 }
 
 impl Growth {
     /// That of a reduced top as that of the top as given.
-    pub(super) fn restored(mut self, units: Units) -> Self {
-        for sample in &mut self.samples {
-            sample.integral = sample.integral.map(|x| units.restore(x, Dimension::TIME));
+    pub(super) fn restored(self, units: Units) -> Self {
+        Self {
+            lyapunov: self.lyapunov.map(|exponent| exponent.restored(units)),
+            evidence: self.evidence.into_iter().map(|seen| seen.restored(units)).collect(),
+            ..self
         }
-        Self { lyapunov: self.lyapunov.map(|exponent| exponent.restored(units)), ..self }
     }
 }

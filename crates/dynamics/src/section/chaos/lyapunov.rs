@@ -6,10 +6,11 @@ use pulp::{Simd, WithSimd};
 
 use super::direction::{momentum_unit, tangent_vector};
 use super::growth::{Course, Growth, Lyapunov};
-use super::stretching::{Passed, Stretching};
+use super::passed::Passed;
+use super::stretching::Stretching;
 use crate::field::{Dimension, HeavyTop, State};
 use crate::integrator::Method;
-use crate::integrator::taylor::{InstructionSet, Lanes, Tangent, lane_values};
+use crate::integrator::taylor::{InstructionSet, Lanes, Moments, Tangent, lane_values};
 use crate::section::error::SectionError;
 use crate::section::workers::{Monitor, Turns, run_workers};
 
@@ -28,7 +29,7 @@ impl Default for ChaosOptions {
     }
 }
 
-/// The exponents of the orbits that begin at these states, each over its own time: [`growths`] without its samples.
+/// The exponents of the orbits that begin at these states, each over its own time: [`growths`] without more.
 ///
 /// # Errors
 /// Those of [`growths`].
@@ -38,7 +39,8 @@ pub fn lyapunov_exponents(
     options: &ChaosOptions,
     monitor: &Monitor,
 ) -> Result<Vec<Option<Lyapunov>>, SectionError> {
-    let courses: Vec<Course> = starts.iter().map(|&(start, time)| Course { start, time, at: Vec::new() }).collect();
+    let courses: Vec<Course> =
+        starts.iter().map(|&(start, time)| Course { start, time, ..Course::default() }).collect();
     Ok(growths(top, courses, options, monitor)?.into_iter().map(|growth| growth.lyapunov).collect())
 }
 
@@ -66,6 +68,7 @@ pub fn growths(
     for course in &mut courses {
         course.start = course.start.reduced(units);
         course.time = units.reduce(course.time, Dimension::TIME);
+        course.unit = units.reduce(course.unit, Dimension::TIME);
         course.at.iter_mut().for_each(|time| *time = units.reduce(*time, Dimension::TIME));
     }
     let (top, courses) = (&top.reduced(), &courses[..]);
@@ -110,6 +113,7 @@ impl WithSimd for Worker<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
         let mut done = Vec::new();
+        let powers = Moments::new();
         let mut lanes = Lanes::<S>::new(simd, self.top, self.tolerance);
         let mut tangent = Tangent::<S>::new(simd);
         let mut orbits: Vec<Option<Stretching>> = Vec::new();
@@ -122,16 +126,19 @@ impl WithSimd for Worker<'_> {
         while orbits.iter().any(Option::is_some) {
             lanes.expand(simd);
             tangent.advance(simd, &lanes);
-            let integrals = lanes.gamma_integral(simd);
-            let integrals = lane_values::<S>(&integrals);
+            let moments = lanes.gamma_moments(simd, &powers);
+            let moments = lane_values::<S>(moments.as_flattened());
             for (lane, slot) in orbits.iter_mut().enumerate() {
                 if let Some(orbit) = slot {
                     let course = &self.courses[orbit.orbit as usize];
                     let step = Passed {
                         time: lanes.end_of(lane),
+                        length: lanes.step_of(lane),
                         length_squared: tangent.length_squared(lane),
                         power: tangent.renormalise(lane),
-                        integral: std::array::from_fn(|i| integrals[i * S::F64_LANES + lane]),
+                        moments: std::array::from_fn(|j| {
+                            std::array::from_fn(|i| moments[(3 * j + i) * S::F64_LANES + lane])
+                        }),
                     };
                     orbit.take(course, &step);
                 }

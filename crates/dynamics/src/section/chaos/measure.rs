@@ -1,9 +1,10 @@
 //! Both measures of the orbits of a section, and the verdict.
 
-use super::growth::{Course, Growth, Lyapunov, Sample};
+use super::growth::{Course, Growth, Lyapunov};
+use super::judgement::Judgement;
 use super::lyapunov::{ChaosOptions, growths};
 use super::rotation::{Rotation, RotationUndefined, rotation_number};
-use super::verdict::{Judgement, Open, judge};
+use super::verdict::{Open, UNIT};
 use crate::field::State;
 use crate::section::error::SectionError;
 use crate::section::orbit::{End, OrbitSection};
@@ -41,15 +42,11 @@ pub fn chaos_measures(
     options: &ChaosOptions,
     monitor: &Monitor,
 ) -> Result<Vec<ChaosMeasure>, SectionError> {
-    let course = |orbit: &OrbitSection| match orbit.points.first() {
-        Some(first) => Course {
-            start: State { gamma: first.gamma, l: first.l },
-            time: orbit.report.time - first.time,
-            at: orbit.points.iter().map(|point| point.time - first.time).collect(),
-        },
-        None => Course::default(),
+    let with_times = |orbit: &OrbitSection| {
+        let begin = orbit.points.first().map_or(0.0, |first| first.time);
+        Course { at: orbit.points.iter().map(|point| point.time - begin).collect(), ..course(orbit) }
     };
-    let growths = growths(torus.top(), orbits.iter().map(course).collect(), options, monitor)?;
+    let growths = growths(torus.top(), orbits.iter().map(with_times).collect(), options, monitor)?;
     let stopped = monitor.is_stopped();
     let measure = |(orbit, growth): (&OrbitSection, Growth)| ChaosMeasure {
         orbit: orbit.orbit,
@@ -58,17 +55,61 @@ pub fn chaos_measures(
         judgement: match (orbit.report.end, growth.lyapunov) {
             (End::StaysOnSection, _) => Judgement::open(Open::StaysOnSection),
             (_, None) => Judgement::open(Open::Unfinished),
-            _ => judge(&orbit.points, &growth.samples),
+            _ => judge(orbit, &growth),
         },
-        running: running(orbit, &growth.samples),
+        running: running(orbit, &growth.logs),
     };
     Ok(orbits.iter().zip(growths).map(measure).collect())
 }
 
+/// The verdicts alone, in the order of the orbits: those of [`chaos_measures`], for less work. Each tangent vector is followed only
+/// until the verdict is found.
+///
+/// # Errors
+/// Those of [`growths`].
+pub fn verdicts(
+    torus: &PpTorus,
+    orbits: &[OrbitSection],
+    options: &ChaosOptions,
+    monitor: &Monitor,
+) -> Result<Vec<Judgement>, SectionError> {
+    let until_decided = |orbit: &OrbitSection| Course { until_decided: true, ..course(orbit) };
+    let growths = growths(torus.top(), orbits.iter().map(until_decided).collect(), options, monitor)?;
+    let stopped = monitor.is_stopped();
+    let judge = |(orbit, growth): (&OrbitSection, &Growth)| match orbit.report.end {
+        End::StaysOnSection => Judgement::open(Open::StaysOnSection),
+        _ if stopped || !growth.finite => Judgement::open(Open::Unfinished),
+        _ => judge(orbit, growth),
+    };
+    Ok(orbits.iter().zip(&growths).map(judge).collect())
+}
+
+/// The course of an orbit from its first point, without times of its own.
+fn course(orbit: &OrbitSection) -> Course {
+    let Some(first) = orbit.points.first() else { return Course::default() };
+    Course {
+        start: State { gamma: first.gamma, l: first.l },
+        time: orbit.report.time - first.time,
+        unit: orbit.points.get(UNIT).map_or(0.0, |point| point.time - first.time),
+        ..Course::default()
+    }
+}
+
+/// The verdict on an orbit.
+fn judge(orbit: &OrbitSection, growth: &Growth) -> Judgement {
+    let points = &orbit.points;
+    let begin = points.first().map_or(0.0, |first| first.time);
+    let crossing_at = |time: f64| {
+        let passed = points.partition_point(|point| point.time - begin <= time);
+        points[passed.saturating_sub(1)].index
+    };
+    Judgement::new(&growth.evidence, points.len().saturating_sub(1), crossing_at)
+}
+
 /// λ(t) at each crossing.
-fn running(orbit: &OrbitSection, samples: &[Sample]) -> Vec<f64> {
+fn running(orbit: &OrbitSection, logs: &[f64]) -> Vec<f64> {
     let begin = orbit.points.first().map_or(0.0, |first| first.time);
-    let log = |i: usize| samples.get(i).map_or(f64::NAN, |sample| sample.log);
+    let log = |i: usize| logs.get(i).copied().unwrap_or(f64::NAN);
     // At the beginning 0/0.
     orbit.points.iter().enumerate().map(|(i, point)| log(i) / (point.time - begin)).collect()
 }

@@ -1,9 +1,11 @@
-//! How a tangent vector grows along an orbit, and over what the orbit averages.
+//! How a tangent vector grows along an orbit, and what the orbit averages to.
 
 use std::f64::consts::LN_2;
 
 use super::average::bump;
-use super::growth::{Course, Growth, Lyapunov, Sample};
+use super::growth::{Course, Growth, Lyapunov};
+use super::ladder::Ladder;
+use super::passed::Passed;
 
 /// How a tangent vector of length 1 has grown.
 pub(super) struct Stretching {
@@ -16,22 +18,10 @@ pub(super) struct Stretching {
     /// ln of what was taken out of δ.
     removed: f64,
     exponent_half: Option<f64>,
-    /// ∫ γ dt until then.
-    integral: [f64; 3],
-    /// At the times of the course that were passed.
-    samples: Vec<Sample>,
-}
-
-/// What one step of an orbit and its tangent vector is like.
-pub(super) struct Passed {
-    /// Time at its end.
-    pub time: f64,
-    /// |δ|² there.
-    pub length_squared: f64,
-    /// δ is then scaled by 2^−power.
-    pub power: i32,
-    /// ∫ γ dt over it.
-    pub integral: [f64; 3],
+    /// ln|δ| at the times of the course that were passed.
+    logs: Vec<f64>,
+    ladder: Ladder,
+    until_decided: bool,
 }
 
 impl Stretching {
@@ -45,8 +35,9 @@ impl Stretching {
             log: 0.0,
             removed: 0.0,
             exponent_half: None,
-            integral: [0.0; 3],
-            samples: Vec::with_capacity(course.at.len()),
+            logs: Vec::with_capacity(course.at.len()),
+            ladder: Ladder::new(course.unit),
+            until_decided: course.until_decided,
         }
     }
 
@@ -55,26 +46,26 @@ impl Stretching {
     pub fn take(&mut self, course: &Course, step: &Passed) {
         let time = step.time;
         let log = self.removed + 0.5 * libm::log(step.length_squared);
-        let integral: [f64; 3] = std::array::from_fn(|i| self.integral[i] + step.integral[i]);
         for rate in [&mut self.whole, &mut self.half] {
             rate.take(self.time, time, log - self.log);
         }
         // Within a step, linear is good enough: the errors do not add up.
-        while let Some(&at) = course.at.get(self.samples.len()).filter(|&&at| at <= time) {
-            let part = (at - self.time) / (time - self.time);
-            let between = |from: f64, to: f64| from + (to - from) * part;
-            let integral = std::array::from_fn(|i| between(self.integral[i], integral[i]));
-            self.samples.push(Sample { log: between(self.log, log), integral });
+        while let Some(&at) = course.at.get(self.logs.len()).filter(|&&at| at <= time) {
+            self.logs.push(self.log + (log - self.log) * (at - self.time) / (time - self.time));
         }
-        (self.time, self.log, self.integral) = (time, log, integral);
+        self.ladder.take(step, log - self.log, log);
+        (self.time, self.log) = (time, log);
         self.removed += f64::from(step.power) * LN_2;
         if self.exponent_half.is_none() && time >= self.half.span {
             self.exponent_half = Some(log / time);
         }
     }
 
-    /// Has it the time asked for, or is there none to be had?
+    /// Has it the time asked for, or what is to be found in it, or is there none to be had?
     pub fn is_over(&self) -> bool {
+        if self.until_decided && self.ladder.is_over() {
+            return true;
+        }
         let goes_on = self.time < self.whole.span && self.log.is_finite();
         !goes_on || !self.whole.span.is_finite()
     }
@@ -89,7 +80,7 @@ impl Stretching {
             mean_rate_half: self.half.mean(),
             time: self.time,
         });
-        Growth { lyapunov, samples: self.samples }
+        Growth { lyapunov, logs: self.logs, evidence: self.ladder.seen, finite: self.log.is_finite() }
     }
 }
 
