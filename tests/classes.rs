@@ -27,9 +27,8 @@ fn check(class: &ClassDocument) {
     assert!(!body.flags().degenerate() && class.distance > 0.0, "{}", class.name);
 }
 
-/// The arrangement and the topology of the witness are proved; tells whether the verifier confirms its document, which it may
-/// leave open where curves lie too near to each other for it, and never refuses for another reason.
-fn prove(class: &ClassDocument) -> bool {
+/// The arrangement and the topology of the witness are proved, and the verifier confirms its document.
+fn prove(class: &ClassDocument) {
     let proof = CertifiedAtlas::new(&body(class)).unwrap_or_else(|error| panic!("{}: {error}", class.name));
     assert_eq!(proof.region_count(), class.regions, "{}", class.name);
     let mut types: Vec<ComponentType> = Vec::new();
@@ -42,18 +41,8 @@ fn prove(class: &ClassDocument) -> bool {
     assert_eq!(types.iter().map(ComponentType::to_string).collect::<Vec<_>>(), class.types, "{}", class.name);
     let drawn = proof.drawn().unwrap();
     let document = documents::certified_atlas(&proof, &drawn, &documents::DocumentOptions::default()).unwrap();
-    match verify::verify(&document) {
-        Ok(_) => true,
-        Err(refused) => {
-            eprintln!("{} at {:.1e}: {refused}", class.name, class.distance);
-            assert!(class.distance < OPEN_BELOW, "{}: {refused}", class.name);
-            false
-        }
-    }
+    verify::verify(&document).unwrap_or_else(|refused| panic!("{} at {:.1e}: {refused}", class.name, class.distance));
 }
-
-/// Witnesses nearer to another class than this may be left open by the verifier.
-const OPEN_BELOW: f64 = 1e-5;
 
 #[test]
 fn every_witness_has_its_class() {
@@ -64,8 +53,7 @@ fn every_witness_has_its_class() {
 
 #[test]
 fn some_witnesses_are_proved_and_verified() {
-    let confirmed = classes().iter().step_by(29).filter(|class| prove(class)).count();
-    assert!(confirmed >= 10, "{confirmed}");
+    classes().iter().step_by(29).for_each(prove);
 }
 
 #[test]
@@ -73,8 +61,7 @@ fn some_witnesses_are_proved_and_verified() {
 fn all_witnesses_are_what_they_say_and_are_proved_and_verified() {
     let classes = classes();
     classes.iter().for_each(check);
-    let confirmed = classes.iter().filter(|class| prove(class)).count();
-    println!("{confirmed} of {} confirmed", classes.len());
+    classes.iter().for_each(prove);
 }
 
 /// The classes that a million random bodies have shown are among them, with their shares.

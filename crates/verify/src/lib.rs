@@ -15,7 +15,7 @@
 //! sturm → roots → pieces → meetings → events                      what there is, and that nothing is missing
 //! stand → orders → node → rules → pairs → slabs → gluing → regions         order of curves, faces
 //! interval → jet → path → landscape → descent, morse → merging, rings → topology  topology of each region
-//! courses, listing, totals                                        what a document says beside its certificate
+//! courses, measures, samples, listing, totals                     what a document says beside its certificate
 //! ```
 
 mod body;
@@ -32,6 +32,7 @@ mod interval;
 mod jet;
 mod landscape;
 mod listing;
+mod measures;
 mod meetings;
 mod merging;
 mod mirror;
@@ -48,6 +49,7 @@ mod regions;
 mod rings;
 mod roots;
 mod rules;
+mod samples;
 mod slabs;
 mod spaces;
 mod stand;
@@ -68,6 +70,9 @@ pub use refused::Refused;
 
 /// Fractional bits with which a certificate is checked, until it is confirmed.
 const BITS: [usize; 3] = [256, 512, 1024];
+
+/// The bits with which proofs are made.
+const PROOFS: [usize; 3] = [53, 128, 384];
 
 /// What was checked.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -92,6 +97,9 @@ pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
     }
     if document.accuracy != Accuracy::Exact {
         return Err(Refused::Accuracy);
+    }
+    if !PROOFS.contains(&certificate.bits) {
+        return Err(Refused::Field { field: "certificate.bits" });
     }
     totals::frame(document, &body)?;
     let check = |bits| certified(document, certificate, &body, bits);
@@ -120,7 +128,9 @@ fn certified(
     courses::curves(document, certificate, &spaces, &pieces)?;
     listing::events(document, certificate, &events, &pieces)?;
     listing::ranges(document, certificate, &cells)?;
+    measures::curves(document, certificate, &orders, &slabs)?;
     topology::check(document, certificate, &orders, &slabs, &cells)?;
+    samples::samples(document, certificate, &orders, &slabs, &cells)?;
     totals::totals(document, &orders, &slabs)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }

@@ -23,6 +23,21 @@ pub(super) fn nature(spaces: &Spaces, point: &Point) -> Option<Nature> {
     }
 }
 
+/// The Morse index of an equilibrium of a circle over a space with two axes in its normal direction, of one of a sphere, 0, and
+/// of an isolated one; `None` when that is not certain.
+pub(super) fn index(spaces: &Spaces, point: &Point, axes: usize) -> Option<u8> {
+    match axes {
+        1 => Some(match nature(spaces, point)? {
+            Nature::Minimum => 0,
+            Nature::Saddle => 1,
+            Nature::Maximum => 2,
+        }),
+        // The second variation vanishes along the circle.
+        2 => Some(u8::from(second_variation(spaces, point)?[0].strict_sign()? < 0)),
+        _ => Some(0),
+    }
+}
+
 /// Trace and determinant of the second variation on γ⊥, which is that of (μ−A) + (4/J)Aγ(Aγ)ᵀ (Propositions 4.1, 4.2).
 fn second_variation(spaces: &Spaces, point: &Point) -> Option<[Fixed; 2]> {
     let tau_of = point.tau.as_ref()?;
