@@ -110,16 +110,16 @@ mod tests {
         for about_com in [true, false] {
             let inputs = std::array::from_fn(|k| Measured {
                 value: exact(numbers[k]),
-                within: RBig::from_parts(1.into(), (k as u32 + 2).into()),
+                within: RBig::from_parts(1.into(), (k + 2).into()),
             });
             let part = MeasuredPart { about_com, inputs };
             let acceleration = RBig::from_parts(981.into(), 100u32.into());
             let (tensor, center) = part.bounds(&acceleration);
-            for number in 0..200_i64 {
+            for number in 0..200_usize {
                 // −1, −1/2, 0, 1/2, 1 for each.
                 let steps: [RBig; INPUTS] = std::array::from_fn(|k| {
-                    let digit = (number * 7919 + (k as i64 + 1) * 104_729 + number / (k as i64 + 1)) % 5 - 2;
-                    RBig::from_parts(digit.into(), 2u32.into())
+                    let digit = (number * 7919 + (k + 1) * 104_729 + number / (k + 1)) % 5;
+                    RBig::from_parts(digit.into(), 2u32.into()) - RBig::ONE
                 });
                 let found = part.at(&steps).unwrap();
                 let about = found.tensor_about_origin();
@@ -140,7 +140,7 @@ mod tests {
     #[test]
     fn exact_numbers_stay_exact() {
         let inputs = std::array::from_fn(|k| Measured {
-            value: exact(k as i64 + 1),
+            value: RBig::from(k + 1),
             within: if k == 7 { RBig::ONE } else { RBig::ZERO },
         });
         let part = MeasuredPart { about_com: false, inputs };

@@ -1,5 +1,8 @@
 //! Steady rotations near an axis over a box of bodies, against those of single bodies of the box in their own principal axes.
 
+// Numbers of the tests are far below 2^53.
+#![allow(clippy::cast_possible_truncation)]
+
 use dashu_ratio::RBig;
 use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};

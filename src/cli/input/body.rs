@@ -49,6 +49,9 @@ pub enum BodyInput {
     Body(#[from] BodyError),
 }
 
+/// A body, and how its part was measured where the numbers of the part are not exact.
+pub type MeasuredSubject = (Subject, Option<(Part, MeasuredPart)>);
+
 impl CommandError for BodyInput {
     fn exit(&self) -> Exit {
         Exit::WrongInput
@@ -67,14 +70,14 @@ impl BodyArguments {
     }
 
     /// The body of the options, and how its part was measured where its numbers are not exact.
-    pub fn measured_subject(&self) -> Result<(Subject, Option<(Part, MeasuredPart)>), BodyInput> {
+    pub fn measured_subject(&self) -> Result<MeasuredSubject, BodyInput> {
         self.given_body(PartArguments::measured_part)?.ok_or(BodyInput::NoBody)
     }
 
     fn given_body(
         &self,
         read: impl Fn(&PartArguments) -> Result<Option<GivenPart>, PartInput>,
-    ) -> Result<Option<(Subject, Option<(Part, MeasuredPart)>)>, BodyInput> {
+    ) -> Result<Option<MeasuredSubject>, BodyInput> {
         /// Which of the three ways an option belongs to.
         fn way(option: &str) -> usize {
             match option {

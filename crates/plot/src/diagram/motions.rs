@@ -44,7 +44,7 @@ fn seen(panel: &Panel, stroke: &Stroke) -> Option<[f64; 2]> {
         .iter()
         .filter(|[h, l]| (window.h[0]..=window.h[1]).contains(h) && (window.l[0]..=window.l[1]).contains(l));
     let [from, to] = inside.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], [_, l]| [from.min(*l), to.max(*l)]);
-    (from < to).then(|| [from + INSIDE * (to - from), to - INSIDE * (to - from)])
+    (from < to).then_some([from + INSIDE * (to - from), to - INSIDE * (to - from)])
 }
 
 fn cells(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2]) -> Option<Vec<String>> {

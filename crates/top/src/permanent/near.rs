@@ -139,8 +139,7 @@ impl Search {
         let step = apply(&inverse, value).map(Interval::magnitude);
         for inflation in [1.5, 4.0] {
             let half = inflation * step[0].max(step[1]) + 1e-15;
-            // Also when it is NaN.
-            if !(half <= NEAR) {
+            if half.is_nan() || half > NEAR {
                 return None;
             }
             let square = Square { half, ..middle };
