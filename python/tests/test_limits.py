@@ -2,6 +2,7 @@
 
 import _thread
 import resource
+import signal
 import threading
 import time
 
@@ -13,6 +14,8 @@ import bifdiag
 
 def interrupted(work):
     """The seconds from Ctrl-C to the end of the work."""
+    # A shell that starts a process in the background has it ignore Ctrl-C.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     told = []
 
     def press():
@@ -21,9 +24,12 @@ def interrupted(work):
 
     timer = threading.Timer(0.4, press)
     timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        work()
-    timer.join()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            work()
+    finally:
+        timer.join()
+        signal.signal(signal.SIGINT, before)
     return time.perf_counter() - told[0]
 
 
