@@ -8,6 +8,7 @@ use super::model::Model;
 use super::pair::{Open, POINTS, PairProof, Proof};
 use super::point::{Evaluator, Passage, Point};
 use super::polar::{self, Meeting};
+use super::work::{Question, Rung, decided};
 use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
@@ -110,13 +111,16 @@ impl<'a> Stages<'a> {
 
     fn pair(&mut self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
         let mut result = self.narrow.pair(a, b, self.points);
+        let mut rung = Rung::Double;
         for (stage, evaluator) in self.wide.iter().enumerate() {
             if result.is_ok() {
                 break;
             }
             self.used = self.used.max(STAGES[stage]);
+            rung = Rung::Bits(STAGES[stage]);
             result = evaluator.pair(a, b, self.points);
         }
+        decided(Question::Pair, if result.is_ok() { rung } else { Rung::Open });
         result
     }
 
@@ -124,15 +128,18 @@ impl<'a> Stages<'a> {
     fn order(&mut self, curves: &[CurveId], x: &RBig) -> Option<Ordered> {
         let found = order(&self.narrow, curves, x);
         if found.is_some() {
+            decided(Question::Order, Rung::Double);
             return found;
         }
         for (stage, evaluator) in self.wide.iter().enumerate() {
             self.used = self.used.max(STAGES[stage]);
             let found = order(evaluator, curves, x);
             if found.is_some() {
+                decided(Question::Order, Rung::Bits(STAGES[stage]));
                 return found;
             }
         }
+        decided(Question::Order, Rung::Open);
         None
     }
 }

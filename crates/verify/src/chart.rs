@@ -39,8 +39,18 @@ impl Chart {
     }
 
     /// w falls where t rises.
-    pub fn falls(&self) -> bool {
+    fn falls(&self) -> bool {
         matches!(self, Self::Below(_))
+    }
+
+    /// x rises with w along a curve.
+    pub fn rises(&self, piece: &Piece) -> bool {
+        // x falls with μ away from the moment on a line; y = 1/z − P̂ falls with z.
+        match piece.branch {
+            Branch::Line(_) | Branch::Rotation(_) => false,
+            Branch::Over(_) => !piece.rising,
+            Branch::Generic(_) => piece.rising != self.falls(),
+        }
     }
 
     pub fn parameter(&self, w: &RBig) -> RBig {

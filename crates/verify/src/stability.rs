@@ -138,13 +138,7 @@ fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve:
         }
     }
     types.dedup();
-    // x falls with μ away from the moment on a line; y = 1/z − P̂ falls with z.
-    let rises = match piece.branch {
-        Branch::Line(_) | Branch::Rotation(_) => false,
-        Branch::Over(_) => !piece.rising,
-        Branch::Generic(_) => piece.rising != chart.falls(),
-    };
-    if !rises {
+    if !chart.rises(piece) {
         types.reverse();
         turns.reverse();
     }
@@ -159,9 +153,6 @@ fn apart(root: &mut Root, [low, high]: &[RBig; 2]) -> Result<bool, Refused> {
         }
         if root.lo == root.hi && low == high {
             return Ok(false);
-        }
-        if (root.hi <= *low || *high <= root.lo) && root.lo < root.hi {
-            return Ok(true);
         }
         root.halve();
     }
