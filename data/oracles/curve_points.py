@@ -1,7 +1,7 @@
 """Points exactly on curves, with what meets there.
 
     venv/bin/python curve_points.py 250 curve_points.jsonl          (3 minutes)
-    cargo run --release --example tradeoff -- curves curve_points.jsonl
+    cargo run --release --example tradeoff -- curves curve_points.jsonl > ../tradeoff/curves.csv
 
 A relative equilibrium gamma with omega^2 = s obeys r = s (mu - A) gamma, l = omega J, J = <gamma, A gamma>, and
 h = l^2/(2J) - <gamma, r>. So rational gamma on the sphere, differences e = mu - A and omega give bodies and points that are
@@ -34,6 +34,7 @@ from flint import arb, fmpq
 from exact import Body, rational
 
 SEED = 20261123
+LEAST = F(1, 10**24)
 KINDS = ["generic", "cusp", "pair", "pair cusp", "pitchfork", "pole", "double", "pair double", "axis double", "line"]
 
 
@@ -127,7 +128,7 @@ def beside(body, h, l, fastest, delta):
     reach = 2 * fastest * l * delta
     sides, clear = [], True
     for side in (1 - delta, 1 + delta):
-        there = F(float(l * side))
+        there = l * side if delta == LEAST else F(float(l * side))
         every = heights(body, there)
         near = [x for x in every if abs(x - h) < reach]
         clear &= all(abs(x - h) > 6 * reach for x in every if x not in near)
@@ -141,9 +142,9 @@ def around(a, r, h, l):
     fastest = l / min(a)
     for delta in (F(1, 10**3), F(1, 10**4), F(1, 10**5), F(1, 10**6)):
         sides, clear, reach = beside(body, h, l, fastest, delta)
-        # Only what passes through the point is as near at a thousandth of the distance.
-        nearer = beside(body, h, l, fastest, delta / 1000)
-        if not (clear and nearer[1]) or [len(s[1]) for s in sides] != [len(s[1]) for s in nearer[0]]:
+        # Only what passes through the point is as near at the least distance.
+        nearest = beside(body, h, l, fastest, LEAST)
+        if not (clear and nearest[1]) or [len(s[1]) for s in sides] != [len(s[1]) for s in nearest[0]]:
             continue
         found = []
         for there, near in sides:
