@@ -28,10 +28,8 @@ impl Flow {
     /// On the generic family and, where r lies on an axis, on the lines of ±r̂, in μ: γ_k² is q_k/(μ−a_k)² up to a factor.
     pub fn generic(spaces: &Spaces) -> Self {
         let axes = axes(spaces, |k| {
-            let weight = match spaces.active.contains(&k) {
-                true => times(&spaces.product(&[k], 2), &[spaces.list[k].q.clone()]),
-                false => Vec::new(),
-            };
+            let product = || times(&spaces.product(&[k], 2), &[spaces.list[k].q.clone()]);
+            let weight = if spaces.active.contains(&k) { product() } else { Vec::new() };
             (weight, spaces.factor(k))
         });
         Self::new(&axes, false)
@@ -42,9 +40,10 @@ impl Flow {
         let (_, p_sum) = spaces.sums(base);
         let axes = axes(spaces, |k| {
             let d = &spaces.list[base].a - &spaces.list[k].a;
-            let weight = match k == base {
-                true => vec![RBig::ONE, -p_sum.clone()],
-                false => vec![RBig::ZERO, &spaces.list[k].q / (&d * &d)],
+            let weight = if k == base {
+                vec![RBig::ONE, -p_sum.clone()]
+            } else {
+                vec![RBig::ZERO, &spaces.list[k].q / (&d * &d)]
             };
             (weight, vec![d])
         });
