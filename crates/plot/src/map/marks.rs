@@ -17,7 +17,7 @@ pub(super) const RING: f64 = 4.5;
 const LEADER: [f64; 2] = [9.0, 260.0];
 const STEP: f64 = 5.0;
 /// Font size of a mark with a leader.
-const LED: f64 = 9.0;
+const LED: f64 = SMALL;
 
 /// A mark with its place.
 pub(super) struct Mark {

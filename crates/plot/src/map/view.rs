@@ -2,7 +2,7 @@
 
 use crate::page::{Point, Rect};
 
-/// Pixels that an area needs to be seen.
+/// Pixels that an area needs so that a mark points at it.
 pub(super) const SEEN: f64 = 12.0;
 
 /// The ranges of a map and its place on the page.
