@@ -1,10 +1,10 @@
 //! The drawing.
 
 use super::colors::{fill, line as line_color};
-use super::legend::{BORDER, LINE, Legend, Places, SIZE, SMALL, line_pattern};
+use super::legend::{BORDER, LINE, Legend, Places, line_pattern};
 use super::marks::{Mark, RING, marked, note_box};
 use super::model::{Map, MapBodies, MapLine, MapNote};
-use super::view::View;
+use super::view::{SIZE, SMALL, View};
 use std::collections::BTreeSet;
 
 use crate::page::{

@@ -6,13 +6,10 @@ use super::colors::{fill, line as line_color};
 use super::marks::Mark;
 use super::model::{Map, MapBodies, MapEntry};
 use super::spots::{short_place, spot};
-use super::view::View;
+use super::view::{SIZE, SMALL, View};
 use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Pattern, Point, Rect, Rows, pattern, text_width};
 
 const ROW: f64 = 17.0;
-/// Font sizes of texts and of notes.
-pub(super) const SIZE: f64 = 11.5;
-pub(super) const SMALL: f64 = 11.0;
 const SWATCH: f64 = 13.0;
 /// Widths of lines, and of borders between areas.
 pub(super) const LINE: f64 = 1.4;

@@ -1,10 +1,9 @@
 //! Where the marks of entries stand: in each patch that has room, and for an entry without one beside its widest patch, with
 //! a leader.
 
-use super::legend::{SIZE, SMALL};
 use super::model::{Map, MapBodies, MapNote};
 use super::places::{inside, patches, widest};
-use super::view::View;
+use super::view::{SIZE, SMALL, View};
 use crate::page::{Point, Rect, Taken, distance, text_width};
 
 /// A mark inside needs so many pixels of room on each side.

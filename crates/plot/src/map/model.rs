@@ -1,7 +1,6 @@
 //! What a map shows.
 
-use super::spots::area;
-use super::view::{SEEN, View};
+use super::view::{SEEN, View, area};
 
 /// One of the two parameters.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Where an entry lies that the map has no room to mark.
 
 use super::model::MapBodies;
-use super::view::View;
-use crate::page::{Point, short_number};
+use super::view::{View, area};
+use crate::page::short_number;
 
 /// A place, and how far from it another entry may lie.
 pub(super) struct Spot {
@@ -29,13 +29,6 @@ pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &View) -> Option<Spot
         }
         MapBodies::Points(_) => None,
     }
-}
-
-/// The area of a polygon on the page.
-pub(super) fn area(corners: &[[f64; 2]], view: &View) -> f64 {
-    let corners: Vec<Point> = corners.iter().map(|corner| view.at(*corner)).collect();
-    let next = corners.iter().cycle().skip(1);
-    0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>().abs()
 }
 
 /// The middle of the widest level chord of a polygon, of those half-way between the heights of its corners.

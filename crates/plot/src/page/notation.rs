@@ -70,6 +70,11 @@ fn shortened(text: &str, digits: usize) -> String {
     value(text).or_else(quotient).map_or_else(|| number(text), |value| short_number(value, digits))
 }
 
+/// A time in a table.
+pub(crate) fn short_time(value: f64) -> String {
+    if value.is_finite() { short_number(value, 4) } else { "∞".to_owned() }
+}
+
 /// A number with so many significant digits at most.
 pub(crate) fn short_number(value: f64, digits: usize) -> String {
     // Rust prints exponents of ten beyond these as many zeros.
