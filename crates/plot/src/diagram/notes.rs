@@ -25,7 +25,7 @@ pub(super) fn heading(atlas: &AtlasDocument, width: f64, size: f64) -> Heading {
 /// What is said below the title: what is special about the body.
 pub(super) fn remark(atlas: &AtlasDocument) -> &'static str {
     if atlas.body.flags.unphysical {
-        "no mass distribution has these moments: the triangle inequality is violated"
+        "no mass has these moments: triangle inequality violated"
     } else {
         ""
     }
