@@ -115,6 +115,6 @@ fn names_keep_off_each_other_and_off_the_boundary() {
         }
         assert!(["a", "b", "c", "d", "+r̂", "−r̂", "e₁"].iter().all(|name| names.iter().any(|(text, _)| text == name)));
         assert_texts_are_apart(&names);
-        assert_eq!(too_small(&picture), [String::new(); 0]);
+        assert_eq!(too_small(&picture), Vec::<String>::new());
     }
 }

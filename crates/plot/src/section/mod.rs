@@ -82,10 +82,9 @@ fn heading(scenes: &[SectionScene<'_>], width: f64) -> Heading {
         SectionCondition::AngularMomentum => ",  S = ⟨l, γ×r⟩",
     };
     let room = width - text_width(condition, TITLE_SIZE);
-    let body = body_line(&top.moments(), &top.center(), room, TITLE_SIZE);
-    let mut metadata = format!("A = {:?}, r = {:?}", top.moments(), top.center());
-    for (h, l) in scenes.iter().map(|scene| scene.portrait.energy_momentum()) {
-        metadata.push_str(&format!("; h = {h}, l = {l}"));
-    }
-    Heading { title: format!("{body}{condition}"), metadata }
+    let title = body_line(&top.moments(), &top.center(), room, TITLE_SIZE);
+    let body = format!("A = {:?}, r = {:?}", top.moments(), top.center());
+    let points = scenes.iter().map(|scene| scene.portrait.energy_momentum()).map(|(h, l)| format!("h = {h}, l = {l}"));
+    let metadata = std::iter::once(body).chain(points).collect::<Vec<_>>().join("; ");
+    Heading { title: format!("{title}{condition}"), metadata }
 }

@@ -110,7 +110,7 @@ pub(super) fn draw_all(canvas: &Canvas, scene: &SphereScene<'_>, names: &mut Nam
         }
     }
     for (at, name, size, color) in named {
-        names.write(canvas, at, &name, size, color);
+        names.write(canvas, at, &name, (size, color), size > LABEL);
     }
 }
 

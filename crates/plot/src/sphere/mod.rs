@@ -56,6 +56,8 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, Plo
             lines(canvas, &views[view], grid, &levels);
         }
         let mut taken = Taken::default();
+        let caption = text_width(scene.caption, CAPTION_SIZE);
+        taken.take_box(Rect { x: MARGIN, y: 32.0, width: caption, height: 20.0 });
         for (place, view) in views.iter().enumerate() {
             let grid = &grids[place];
             let drawn = |levels: &[f64]| levels.iter().flat_map(|level| grid.level_lines(*level)).collect::<Vec<_>>();

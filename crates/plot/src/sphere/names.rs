@@ -3,13 +3,15 @@
 use plotters::style::RGBColor;
 
 use super::view::View;
-use crate::page::{Anchor, Canvas, PAPER, Point, Rect, Taken, meets, text_width};
+use crate::page::{Anchor, Canvas, PAPER, Point, Rect, Taken, distance, meets, text_width};
 
 /// From a mark to its name, for the nearest places.
 const NEAR: f64 = 9.0;
 /// The directions of places, best first, x to the right for a mark on the right half of a view.
 const DIRECTIONS: [[f64; 2]; 8] =
     [[1.0, 0.0], [-1.0, 0.0], [0.0, -1.0], [0.0, 1.0], [0.8, -0.8], [0.8, 0.8], [-0.8, -0.8], [-0.8, 0.8]];
+/// What may not be: to cover something, or for a number to stand beside the sphere.
+const FORBIDDEN: f64 = 1000.0;
 /// What it costs to cross ∂U or the rim, and a level line; to be one place further down the list costs 1.
 const CROSSED: [f64; 2] = [60.0, 4.0];
 
@@ -37,8 +39,15 @@ impl<'a> Names<'a> {
         self.taken.take_box(rect);
     }
 
-    /// Writes a name beside a mark, with a rim of paper.
-    pub(super) fn write(&mut self, canvas: &Canvas, at: Point, name: &str, size: f64, color: RGBColor) {
+    /// Writes a name beside a mark, with a rim of paper; what is no name of a mark stands inside of the view.
+    pub(super) fn write(
+        &mut self,
+        canvas: &Canvas,
+        at: Point,
+        name: &str,
+        (size, color): (f64, RGBColor),
+        inside: bool,
+    ) {
         let [wide, high] = [text_width(name, size), 0.8 * size];
         let outward = if at[0] < self.view.center[0] { -1.0 } else { 1.0 };
         let places = [NEAR, 1.7 * NEAR].into_iter().flat_map(|away| {
@@ -47,7 +56,7 @@ impl<'a> Names<'a> {
                 Rect { x: middle[0] - wide / 2.0, y: middle[1] - high / 2.0, width: wide, height: high }
             })
         });
-        let costs = places.enumerate().map(|(order, rect)| (order as f64 + self.cost(&rect.grown(1.5)), rect));
+        let costs = places.enumerate().map(|(order, rect)| (order as f64 + self.cost(&rect.grown(1.5), inside), rect));
         let Some((_, rect)) = costs.min_by(|a, b| a.0.total_cmp(&b.0)) else { return };
         self.take(rect);
         let base = [rect.x, rect.bottom() - 0.03 * size];
@@ -57,11 +66,14 @@ impl<'a> Names<'a> {
         canvas.text(name, base, size, color, Anchor::Start);
     }
 
-    fn cost(&self, rect: &Rect) -> f64 {
+    fn cost(&self, rect: &Rect, inside: bool) -> f64 {
+        let View { center, radius, .. } = *self.view;
+        let leaves = inside && rect.corners().iter().any(|corner| distance(*corner, center) > radius);
         let met =
             |lines: &[Vec<Point>]| lines.iter().any(|line| line.windows(2).any(|ends| meets(ends[0], ends[1], rect)));
         let crossed: f64 =
             self.lines.iter().zip(CROSSED).map(|(lines, cost)| if met(lines) { cost } else { 0.0 }).sum();
-        if self.taken.admits_box(rect) { crossed } else { crossed + 1000.0 }
+        let allowed = self.taken.admits_box(rect) && !leaves;
+        if allowed { crossed } else { crossed + FORBIDDEN }
     }
 }
