@@ -256,7 +256,7 @@ fn polylines() -> Result<Chart, ExportError> {
         panels: vec![
             panel("deviation that is left", "deviation_largest", "largest of 24 bodies, relative to the picture"),
             panel("size", "json_bytes", "bytes of atlas.json (median)"),
-            panel("time", "document_us", "CPU time of curves and stability in µs (median)"),
+            panel("time", "document_us", "CPU time of curves in µs (median)"),
         ],
     })
 }
