@@ -109,7 +109,7 @@ impl Table {
             let rows = self.rows.iter().filter(|row| self.text(row, "method") == name);
             rows.map(|row| self.number(row, of)).sum::<f64>()
         };
-        names.iter().map(|name| format!("{name} ({})", total(name))).collect()
+        names.iter().map(|name| format!("{} ({} {of})", times(name), total(name))).collect()
     }
 }
 
@@ -124,6 +124,15 @@ fn wilson(count: f64, all: f64) -> [f64; 2] {
 
 fn axis(label: &str, scale: Scale) -> ChartAxis {
     ChartAxis { label: label.to_owned(), scale }
+}
+
+/// A name with a true sign between the two sides of a grid.
+fn times(name: &str) -> String {
+    let sides = |word: &str| match word.split_once('x') {
+        Some((wide, high)) if wide.parse::<u32>().is_ok() && high.parse::<u32>().is_ok() => format!("{wide}×{high}"),
+        _ => word.to_owned(),
+    };
+    name.split(' ').map(sides).collect::<Vec<_>>().join(" ")
 }
 
 fn names(names: &[&str]) -> Vec<String> {
@@ -147,19 +156,19 @@ fn classify() -> Result<Chart, ExportError> {
     let panel = |title: &str, counted: &'static [&'static str]| ChartPanel {
         title: title.to_owned(),
         x: axis("relative distance from a curve", Scale::Descending),
-        y: axis("per cent of the generic points; bars: 95 % confidence", Scale::Percent),
+        y: axis("% of generic points; bars: 95 % confidence", Scale::Percent),
         series: table.shares(&METHODS, [counted, &["points"]], "distance", 0.08, beside),
     };
     Ok(Chart {
         title: "Classification of a point: wrong and open answers, and time".to_owned(),
         names: table.counted(&METHODS, "points"),
         panels: vec![
-            panel("wrong answers, 100 or 150 points a mark", &["wrong"]),
+            panel("wrong, 100 or 150 points a mark", &["wrong"]),
             panel("undecided, 100 or 150 points a mark", &OPEN),
             ChartPanel {
                 title: "random points of all strata".to_owned(),
                 x: axis("CPU time of a point in µs (median)", Scale::Logarithmic),
-                y: axis("per cent without the right answer; bars: 95 % confidence", Scale::Percent),
+                y: axis("% not right; bars: 95 % confidence", Scale::Percent),
                 series: table.shares(
                     &METHODS,
                     [&["wrong", "undecided", "failed"], &["points"]],
@@ -186,7 +195,7 @@ fn atlas() -> Result<Chart, ExportError> {
     let panel = |title: &str, counted: &'static [&'static str]| ChartPanel {
         title: title.to_owned(),
         x: axis("CPU time of a body in µs (median)", Scale::Logarithmic),
-        y: axis("per cent of the bodies of four strata; bars: 95 % confidence", Scale::Percent),
+        y: axis("% of the bodies of four strata; bars: 95 % confidence", Scale::Percent),
         series: table.shares(&METHODS, [counted, &["bodies"]], "cpu_us_median", 0.0, |_| Some(0)),
     };
     Ok(Chart {
@@ -240,7 +249,7 @@ fn polylines() -> Result<Chart, ExportError> {
         panels: vec![
             panel("deviation that is left", "deviation_largest", "largest of 24 bodies, relative to the picture"),
             panel("size", "json_bytes", "bytes of atlas.json (median)"),
-            panel("time", "document_us", "CPU time of curves and stability in µs (median)"),
+            panel("time", "document_us", "CPU time of curves in µs (median)"),
         ],
     })
 }
