@@ -10,7 +10,7 @@ use super::family::Half;
 use super::id::MeetingId;
 use super::model::Model;
 use numbers::Sign;
-use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::enclosure::{Arithmetic, Enclosure, horner};
 use numbers::polynomial::Polynomial;
 use numbers::wide::Interval384;
 use top::curves::{Branch, CurveId, End, IntervalId, Pole};
@@ -74,7 +74,7 @@ fn side_of(side: &Polynomial, model: &Model, place: &Place) -> Result<Pole, NotI
 /// it does not on the open intervals.
 fn sign_on(side: &Polynomial, lo: &RBig, hi: &RBig) -> Result<Pole, NotIsolated> {
     let range = Interval384::rational(lo, ()).hull(&Interval384::rational(hi, ()));
-    match side.over(&range, ()).strict_sign() {
+    match horner(&side.enclosed(()), &range, ()).strict_sign() {
         Some(Sign::Positive) => return Ok(Pole::Minus),
         Some(_) => return Ok(Pole::Plus),
         None => {}

@@ -6,7 +6,7 @@ use dashu_ratio::RBig;
 
 use super::rational::over_one_denominator;
 use crate::Sign;
-use crate::enclosure::Enclosure;
+use crate::enclosure::Arithmetic;
 use crate::modular::surely_coprime;
 
 /// c\[0\] + c\[1\] t + …; no trailing zeros.
@@ -73,11 +73,10 @@ impl Polynomial {
         Sign::from(&self.homogeneous(at.numerator(), &IBig::from(at.denominator().clone())))
     }
 
-    /// Its values over an interval, by Horner's rule.
+    /// Its coefficients in one arithmetic.
     #[must_use]
-    pub fn over<E: Enclosure>(&self, at: &E, precision: E::Precision) -> E {
-        let add = |sum: E, c: &IBig| sum * at.clone() + E::rational(&RBig::from(c.clone()), precision);
-        self.c.iter().rev().fold(E::small(0, precision), add)
+    pub fn enclosed<E: Arithmetic>(&self, precision: E::Precision) -> Vec<E> {
+        self.c.iter().map(|c| E::rational(&RBig::from(c.clone()), precision)).collect()
     }
 
     /// qⁿ p(p/q).
