@@ -56,9 +56,10 @@ fetch_from_debian() {
 }
 
 of_debian() {
-    local version="$1" site="$place/site-$1" abi="cp${1/./}" machine libraries loader program
+    local version="$1" site="$place/site-$1" abi="cp${1/./}" machine interpreter libraries loader program
     machine="$(uname -m)"
-    libraries="$place/root/usr/lib/$(python3 -c 'import sysconfig; print(sysconfig.get_config_var("MULTIARCH"))')"
+    interpreter="$(find "$place/root" -name "python$version" -type f -perm -u+x)"
+    libraries="$(dirname "$(find "$place/root" -name libc.so.6)")"
     loader=("$libraries"/ld-linux*.so.*)
     # The pip at hand asks the registry for another interpreter; what a package says of the pip's own interpreter does not count.
     python3 -m pip install --quiet --disable-pip-version-check --ignore-requires-python --no-deps --only-binary=:all: \
@@ -70,8 +71,8 @@ of_debian() {
     program="$place/python$version"
     cat > "$program" << END
 #!/bin/sh
-export PYTHONHOME="$place/root/usr" PYTHONPATH="$site"
-exec "${loader[0]}" --library-path "$libraries" "$place/root/usr/bin/python$version" "\$@"
+export PYTHONHOME="$(dirname "$(dirname "$interpreter")")" PYTHONPATH="$site"
+exec "${loader[0]}" --library-path "$libraries" "$interpreter" "\$@"
 END
     chmod +x "$program"
     "$program" -c "$tests" "$program"

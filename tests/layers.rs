@@ -32,7 +32,7 @@ const ORDER: [(&str, &str); 11] = [
     (
         "crates/documents/src",
         "command layout body subject classification critical grid atlas certified scan reading border classes find witnesses \
-         section measured spin words",
+         section spin measured words",
     ),
     (
         "crates/verify/src",

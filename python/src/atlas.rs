@@ -11,7 +11,7 @@ use bifdiag::{Curves, plot, top};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
-use crate::section::vectors;
+use crate::columns::vectors;
 use crate::texts::{json, number};
 use crate::{errors, places, work};
 

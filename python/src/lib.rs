@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 
 mod atlas;
 mod body;
+mod columns;
 mod command;
 mod errors;
 mod motion;

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::body::Body;
-use crate::section::{array, vectors};
+use crate::columns::{array, vectors};
 use crate::{errors, work};
 
 /// A start at time 0 and what is wanted from there.

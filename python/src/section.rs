@@ -6,11 +6,11 @@ use bifdiag::dynamics::poincare::{PoincareError, PoincareSection, Setting};
 use bifdiag::dynamics::section::chaos::ChaosOptions;
 use bifdiag::dynamics::section::{Monitor, SectionCondition, SectionPoint, SweepOptions, TorusPoint};
 use bifdiag::top::body::{Body as Top, Number};
-use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::body::Body;
+use crate::columns::{array, vectors};
 use crate::texts::{json, number};
 use crate::{errors, work};
 
@@ -134,18 +134,4 @@ fn columns<'py>(python: Python<'py>, subject: &Subject, section: &PoincareSectio
     }
     out.set_item("meta", json(&document)?)?;
     Ok(out)
-}
-
-/// A column of numbers.
-pub fn array<T: numpy::Element>(python: Python<'_>, values: impl Iterator<Item = T>) -> Bound<'_, PyArray1<T>> {
-    values.collect::<Vec<_>>().into_pyarray(python)
-}
-
-/// A column of vectors: (n, WIDTH), contiguous.
-pub fn vectors<const WIDTH: usize>(
-    python: Python<'_>,
-    values: impl ExactSizeIterator<Item = [f64; WIDTH]>,
-) -> PyResult<Bound<'_, numpy::PyArray2<f64>>> {
-    let rows = values.len();
-    array(python, values.flatten()).reshape([rows, WIDTH])
 }

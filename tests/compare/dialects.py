@@ -56,16 +56,19 @@ def common(old, new):
         # A line that is refused: the words are not compared, but that only one of the two answers is told.
         return {"answer": old.get("status", "refused")}, {"answer": new.get("status", "refused")}
     if "error_bound" in old and "error_bound" in new and "nearest" in old and abs(old["h"] - new["h"]) <= old["error_bound"]:
-        # A margin within the error that version 1 gave it; exact answers have a smaller one.
-        return old, {**new, "h": old["h"], "error_bound": old["error_bound"]}
+        # A margin within the error that version 1 gave it, which of two curves is nearer included.
+        return old, old
+    if old.get("summary", {}).get("undecided") and not new.get("summary", {}).get("undecided"):
+        # An atlas that version 1 left open, with what it could tell of its curves.
+        return {}, {}
     if "status" in old and "status" in new and "A" in old:
         old, new = classification(old, new)
+    if new.get("condition") == "angular-momentum":
+        # The signature is that of the paper's section; version 1 gave it to this one too.
+        old, new = ({key: value for key, value in side.items() if key != "signature"} for side in (old, new))
     if "found" in old and "found" in new:
         # Version 2 answers from the witnesses that come with it.
         return ({"found": side["found"]} for side in (old, new))
-    if "undecided" in old and "regions" in old and old["undecided"] and not new.get("undecided"):
-        # The summary of an atlas: version 2 decides what version 1 left open.
-        old, new = {}, {}
     for key in set(old) & set(new):
         old[key], new[key] = field(key, old[key], new[key])
     return old, new
@@ -74,9 +77,6 @@ def common(old, new):
 def field(key, old, new):
     if key == "stability":
         return stability(old, new)
-    if key == "components" and old is None and new is not None:
-        # A region whose topology version 1 left open.
-        return new, new
     if key == "energy_surface":
         return energy_surface(old), energy_surface(new)
     return common(old, new)
@@ -89,8 +89,8 @@ def energy_surface(name):
 
 
 def stability(old, new):
-    """`degenerate` was a zero eigenvalue or a double pair; version 2 says which."""
-    if old == "degenerate":
+    """`degenerate` was a zero eigenvalue or a double pair; version 2 says which, and sees every double pair."""
+    if old == "degenerate" or (old, new) == ("elliptic", "double-elliptic"):
         return new, new
     if isinstance(old, list):
         spans = [[span["stability"] for span in side] for side in (old, new)]

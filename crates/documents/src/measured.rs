@@ -1,18 +1,14 @@
 //! Parts whose numbers are known to within so much, as documents.
 
-use std::collections::BTreeMap;
-
 use dashu_ratio::RBig;
 use numbers::{decimal, sequence};
-use part::{INPUT_NAMES, INPUTS, Measured, MeasuredPart, Part, Spin};
-use schema::{MeasuredDocument, SampledClassDocument, SpinRangeDocument, ToleranceDocument};
-use top::atlas::Atlas;
-use top::class::{Class, ClassName};
-use top::permanent::{BoxedBody, SettledTypes, SpinRange, settled_types};
+use part::{INPUT_NAMES, INPUTS, Measured, MeasuredPart, Part};
+use schema::{MeasuredDocument, SampledClassDocument, ToleranceDocument};
+use top::permanent::{BoxedBody, SettledTypes, SpinRange, class_counts, settled_types};
 
 use crate::body::principal;
 use crate::command::CommandLine;
-use crate::subject::Subject;
+use crate::spin::{classes_found, spin_range};
 
 /// Parts that are tried for their classes, the nominal one first.
 const SAMPLES: u64 = 81;
@@ -45,7 +41,6 @@ pub fn measured_tolerance(
     ends: [(&str, [f64; 3]); 2],
     second: f64,
 ) -> ToleranceDocument {
-    let rpm = |omega: f64| Spin::rpm(omega * second);
     let mut tilt = 0.0_f64;
     let mut ranges = Vec::new();
     for (name, up) in ends {
@@ -54,16 +49,8 @@ pub fn measured_tolerance(
         let alone: Vec<(usize, SettledTypes)> =
             measured.uncertain().map(|k| (k, settled(part, &measured.only(k), up))).collect();
         ranges.extend(found.ranges.iter().map(|range| {
-            let most = most(range, &alone);
-            SpinRangeDocument {
-                up: name.to_owned(),
-                from: range.from.map(|kind| kind.name().to_owned()),
-                to: range.to.map(|kind| kind.name().to_owned()),
-                rpm: range.omega.map(|omega| omega.is_finite().then(|| rpm(omega))),
-                between: Vec::new(),
-                most: most.map(|(input, _)| INPUT_NAMES[input].to_owned()),
-                most_rpm: most.and_then(|(_, moved)| moved.is_finite().then(|| rpm(moved))),
-            }
+            let most = most(range, &alone).map(|(input, moved)| (INPUT_NAMES[input], moved));
+            spin_range(name, &SpinRange { most, ..range.clone() }, second)
         }));
     }
     let (classes, sampled_parts) = sampled_classes(part, measured);
@@ -104,24 +91,12 @@ fn most(range: &SpinRange, alone: &[(usize, SettledTypes)]) -> Option<(usize, f6
 /// parts that were.
 fn sampled_classes(part: &Part, measured: &MeasuredPart) -> (Vec<SampledClassDocument>, usize) {
     let physical = part.properties.existence().is_possible();
-    let mut counts: BTreeMap<Option<ClassName>, usize> = BTreeMap::new();
-    for number in 0..SAMPLES {
-        let Ok(properties) = measured.at(&steps(number)) else { continue };
-        if physical && !properties.existence().is_possible() {
-            continue;
-        }
-        let body = principal(&Part { properties, ..part.clone() }).ok().map(|form| Subject::from(form.body));
-        let atlas = body.and_then(|subject| Atlas::new(&subject.body).ok());
-        let class = atlas.and_then(|atlas| Class::of(&atlas).ok());
-        *counts.entry(class.map(|class| class.name().clone())).or_default() += 1;
-    }
-    let parts = counts.values().sum();
-    let mut classes: Vec<SampledClassDocument> = counts
-        .into_iter()
-        .map(|(name, parts)| SampledClassDocument { class: name.map(|name| name.to_string()), parts })
-        .collect();
-    classes.sort_by(|p, q| q.parts.cmp(&p.parts).then_with(|| p.class.cmp(&q.class)));
-    (classes, parts)
+    let sampled = (0..SAMPLES).filter_map(|number| measured.at(&steps(number)).ok());
+    let possible = sampled.filter(|properties| !physical || properties.existence().is_possible());
+    let bodies = possible.map(|properties| Some(principal(&Part { properties, ..part.clone() }).ok()?.body));
+    let counts = class_counts(bodies);
+    let parts = counts.iter().map(|(_, parts)| parts).sum();
+    (classes_found(counts), parts)
 }
 
 /// A random point of the cube from −1 to 1; number 0 is its middle.

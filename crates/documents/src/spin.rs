@@ -4,7 +4,10 @@ use numbers::Number;
 use part::Spin;
 use schema::{SampledClassDocument, SpinChangeDocument, SpinDocument, SpinRangeDocument, ToleranceDocument};
 use top::atlas::Atlas;
-use top::permanent::{AxisRotation, RegionChange, SAMPLES, SpinChange, region_changes, sampled_classes, spin_ranges};
+use top::class::ClassName;
+use top::permanent::{
+    AxisRotation, RegionChange, SAMPLES, SpinChange, SpinRange, SpinType, region_changes, sampled_classes, spin_ranges,
+};
 
 /// A rate of turning, from rad/s.
 #[must_use]
@@ -62,29 +65,41 @@ pub fn spin_changes(rotation: &AxisRotation, up: &str, atlas: Option<&Atlas>, se
 #[must_use]
 pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &[Number; 4], second: f64) -> ToleranceDocument {
     let values = relative.each_ref().map(|relative| relative.value().clone());
-    let rpm = |omega: f64| Spin::rpm(omega * second);
     let ranges = rotations.iter().flat_map(|(up, rotation)| {
-        spin_ranges(rotation, &values).into_iter().map(|range| SpinRangeDocument {
-            up: (*up).to_owned(),
-            from: range.from.map(|found| found.name().to_owned()),
-            to: range.to.map(|found| found.name().to_owned()),
-            rpm: range.omega.map(|omega| omega.is_finite().then(|| rpm(omega))),
-            between: range.between.iter().map(|found| found.name().to_owned()).collect(),
-            most: range.most.map(|(input, _)| input.to_owned()),
-            most_rpm: range.most.map(|(_, omega)| rpm(omega)),
-        })
+        spin_ranges(rotation, &values).into_iter().map(|range| spin_range(up, &range, second))
     });
     ToleranceDocument {
         relative: Some(relative.each_ref().map(|relative| relative.text().to_owned())),
         inputs: Vec::new(),
         tilt_deg: None,
         sampled_parts: SAMPLES,
-        classes: rotations.first().map_or_else(Vec::new, |(_, rotation)| {
-            let classes = sampled_classes(rotation, &values).into_iter();
-            classes
-                .map(|(name, parts)| SampledClassDocument { class: name.map(|name| name.to_string()), parts })
-                .collect()
-        }),
+        classes: rotations
+            .first()
+            .map_or_else(Vec::new, |(_, rotation)| classes_found(sampled_classes(rotation, &values))),
         ranges: ranges.collect(),
     }
+}
+
+/// A range of spins in the body's unit of time, with the name of the end that is up.
+pub(crate) fn spin_range(up: &str, range: &SpinRange, second: f64) -> SpinRangeDocument {
+    let rpm = |omega: f64| omega.is_finite().then(|| Spin::rpm(omega * second));
+    let name = |found: SpinType| found.name().to_owned();
+    SpinRangeDocument {
+        up: up.to_owned(),
+        from: range.from.map(name),
+        to: range.to.map(name),
+        rpm: range.omega.map(rpm),
+        between: range.between.iter().copied().map(name).collect(),
+        most: range.most.map(|(input, _)| input.to_owned()),
+        most_rpm: range.most.and_then(|(_, omega)| rpm(omega)),
+    }
+}
+
+/// How many sampled parts have each class.
+pub(crate) fn classes_found(counts: Vec<(Option<ClassName>, usize)>) -> Vec<SampledClassDocument> {
+    let document = |(name, parts): (Option<ClassName>, usize)| SampledClassDocument {
+        class: name.map(|name| name.to_string()),
+        parts,
+    };
+    counts.into_iter().map(document).collect()
 }

@@ -129,8 +129,9 @@ fn certified(
     listing::events(document, certificate, &events, &pieces)?;
     listing::ranges(document, certificate, &cells)?;
     measures::curves(document, certificate, &orders, &slabs)?;
-    topology::check(document, certificate, &orders, &slabs, &cells)?;
-    samples::samples(document, certificate, &orders, &slabs, &cells)?;
+    let samples = regions::samples(document, certificate, &orders, &slabs, &cells)?;
+    topology::check(document, &orders, &slabs, &samples)?;
+    samples::check(document, certificate, &orders, &slabs, &samples)?;
     totals::totals(document, &orders, &slabs)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }

@@ -1,13 +1,21 @@
 //! The regions of the atlas against the faces: cells, boundaries, neighbours, totals.
 
+use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument, RegionDocument};
 
-use super::Refused;
+use super::orders::Orders;
 use super::pieces::{Branch, Pieces};
 use super::slabs::Slab;
+use super::{Refused, number};
 
 /// A cell: a slab, and the position in it of the curve below.
 pub(super) type Cell = (usize, usize);
+
+/// The point of a region that the certificate gives: its cell, and its h in the certificate's unit.
+pub(super) struct Sample {
+    pub cell: Cell,
+    pub h: RBig,
+}
 
 /// What a face is made of, in the terms of a document.
 #[derive(Default)]
@@ -45,6 +53,34 @@ pub(super) fn regions(
         face.compared(region).map_err(|why| Refused::Region { region: region.id.clone(), why })
     };
     document.regions.iter().map(cells).collect()
+}
+
+/// The sample of each region, which lies in it.
+pub(super) fn samples(
+    document: &AtlasDocument,
+    certificate: &CertificateDocument,
+    orders: &Orders,
+    slabs: &[Slab],
+    cells: &[Vec<Cell>],
+) -> Result<Vec<Sample>, Refused> {
+    let found = |(region, cells): (&RegionDocument, &Vec<Cell>)| {
+        let refuse = |why| Refused::Region { region: region.id.clone(), why };
+        let sample = certificate.samples.iter().find(|sample| sample.region == region.id);
+        let sample = sample.ok_or_else(|| refuse("it has no sample"))?;
+        let slab = slabs.get(sample.slab).ok_or_else(|| refuse("its sample lies in no slab"))?;
+        let exact = number::read(&sample.h)?;
+        let h = orders.spaces.set(&exact);
+        let below = slab.levels.iter().take_while(|level| level.height.below(&h)).count();
+        let above = slab.levels.get(below).is_none_or(|level| h.below(&level.height));
+        match below.checked_sub(1).filter(|_| above) {
+            None => Err(refuse("its sample is not inside")),
+            Some(position) if !cells.contains(&(sample.slab, position)) => {
+                Err(refuse("its sample lies in another region"))
+            }
+            Some(position) => Ok(Sample { cell: (sample.slab, position), h: exact }),
+        }
+    };
+    document.regions.iter().zip(cells).map(found).collect()
 }
 
 impl Face {

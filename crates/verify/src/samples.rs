@@ -6,35 +6,34 @@ use schema::{AtlasDocument, CertificateDocument, RegionDocument};
 use super::fixed::Fixed;
 use super::measures::{CONVERTED, is_near};
 use super::orders::Orders;
-use super::regions::Cell;
+use super::regions::Sample;
 use super::slabs::Slab;
-use super::{Refused, number, topology};
+use super::{Refused, number};
 
 /// Heights in doubles are good to 2⁻ᵇ of the energies there.
 const HEIGHT: usize = 30;
 
 /// Checks each sample: (h, l) is the certificate's, rounded; its distance to the curves around, and which of them is nearest.
-pub(super) fn samples(
+pub(super) fn check(
     document: &AtlasDocument,
     certificate: &CertificateDocument,
     orders: &Orders,
     slabs: &[Slab],
-    cells: &[Vec<Cell>],
+    samples: &[Sample],
 ) -> Result<(), Refused> {
     let (moment, energy) = (number::read(&certificate.units.moment)?, number::read(&certificate.units.energy)?);
     let l2 = moment * &energy * RBig::from(2);
-    for (region, cells) in document.regions.iter().zip(cells) {
-        let (slab, position, h) = topology::sample(certificate, region, orders, slabs, cells)?;
-        let slab = &slabs[slab];
+    for (region, Sample { cell: (slab, position), h }) in document.regions.iter().zip(samples) {
+        let slab = &slabs[*slab];
         let refuse = |why| Err(Refused::Region { region: region.id.clone(), why });
         let x = orders.spaces.set(&slab.x);
         let sample = &region.sample;
         let at_l = is_near(sample.l, 2, &l2, &x, &slab.x, CONVERTED);
-        let size = h.clone().max(-&h);
-        if !at_l || !is_near(sample.h, 1, &energy, &orders.spaces.set(&h), &size, CONVERTED) {
+        let size = h.clone().max(-h);
+        if !at_l || !is_near(sample.h, 1, &energy, &orders.spaces.set(h), &size, CONVERTED) {
             return refuse("its sample is not that of its certificate");
         }
-        if !margin(region, orders, slab, position, &h, &energy) {
+        if !margin(region, orders, slab, *position, h, &energy) {
             return refuse("the margin of its sample is another");
         }
     }

@@ -1,15 +1,14 @@
 //! The topology that is claimed of each region, against Morse theory.
 
-use dashu_ratio::RBig;
-use schema::{AtlasDocument, CertificateDocument, ComponentDocument, RegionDocument};
+use schema::{AtlasDocument, ComponentDocument, RegionDocument};
 
+use super::Refused;
 use super::component::{Component, documents, signature, words};
 use super::merging::Merging;
 use super::orders::Orders;
-use super::regions::Cell;
+use super::regions::Sample;
 use super::rings::Rings;
 use super::slabs::Slab;
-use super::{Refused, number};
 
 /// How U changes with h over the abscissa of a slab.
 enum Landscape {
@@ -20,14 +19,13 @@ enum Landscape {
 /// Checks every region.
 pub(super) fn check(
     document: &AtlasDocument,
-    certificate: &CertificateDocument,
     orders: &Orders,
     slabs: &[Slab],
-    cells: &[Vec<Cell>],
+    samples: &[Sample],
 ) -> Result<(), Refused> {
     let mut known: Vec<Option<Landscape>> = slabs.iter().map(|_| None).collect();
-    for (region, cells) in document.regions.iter().zip(cells) {
-        let (number, position, _) = sample(certificate, region, orders, slabs, cells)?;
+    for (region, sample) in document.regions.iter().zip(samples) {
+        let (number, position) = sample.cell;
         let open = || Refused::Open { region: region.id.clone() };
         let slab = &slabs[number];
         let found = if position + 1 == slab.levels.len() {
@@ -75,27 +73,4 @@ pub(super) fn compare(region: &RegionDocument, found: &[ComponentDocument]) -> R
     }
     let claimed = words(&region.components);
     Err(Refused::Topology { region: region.id.clone(), claimed, found: words(found) })
-}
-
-/// The sample of a region: the number of a slab, the position of the curve below it, and its h. It lies in the region.
-pub(super) fn sample(
-    certificate: &CertificateDocument,
-    region: &RegionDocument,
-    orders: &Orders,
-    slabs: &[Slab],
-    cells: &[Cell],
-) -> Result<(usize, usize, RBig), Refused> {
-    let refuse = |why| Refused::Region { region: region.id.clone(), why };
-    let sample = certificate.samples.iter().find(|sample| sample.region == region.id);
-    let sample = sample.ok_or_else(|| refuse("it has no sample"))?;
-    let slab = slabs.get(sample.slab).ok_or_else(|| refuse("its sample lies in no slab"))?;
-    let exact = number::read(&sample.h)?;
-    let h = orders.spaces.set(&exact);
-    let below = slab.levels.iter().take_while(|level| level.height.below(&h)).count();
-    let above = slab.levels.get(below).is_none_or(|level| h.below(&level.height));
-    match below.checked_sub(1).filter(|_| above) {
-        None => Err(refuse("its sample is not inside")),
-        Some(position) if !cells.contains(&(sample.slab, position)) => Err(refuse("its sample lies in another region")),
-        Some(position) => Ok((sample.slab, position, exact)),
-    }
 }

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use numbers::Number;
 use numbers::symmetric::PrincipalAxes;
-use numbers::{Number, decimal};
 use part::file::{self, FileError, FileOptions};
 use part::{Existence, MassError, MassProperties, Measured, MeasuredPart, Part, Products, Units, tensor_of};
 use schema::PartDocument;
@@ -265,8 +265,7 @@ impl PartArguments {
         if let Some((option, _)) = useless.into_iter().find(|(_, given)| *given) {
             return Err(PartInput::Useless { option, with: "with --part: the file says it" });
         }
-        let mass = self.mass.as_ref().map(|mass| decimal::short(&mass.value).parse::<Number>());
-        let mass = mass.transpose().unwrap_or_else(|_| unreachable!("the mass was a number"));
+        let mass = self.mass.as_ref().map(|mass| Number::from_rational(mass.value.clone()));
         let wanted = FileOptions { link: self.link.as_deref(), density: self.density.as_ref(), mass: mass.as_ref() };
         let read = file::read(path, &wanted).map_err(|source| {
             let (path, source) = (path.to_owned(), Box::new(source));

@@ -18,6 +18,9 @@ const DIGITS: usize = 6;
 /// Half a unit of the last digit, relative to the smallest number that has so many.
 const ROUNDING: f64 = 5e-6;
 
+/// Where the column of what was found inside a range stands.
+const INSIDE: usize = 4;
+
 /// What can be given a tolerance of its own, and which of the four it stands for.
 const NAMES: [(&str, [bool; 4]); 4] = [
     ("axis", [true, false, false, false]),
@@ -86,35 +89,14 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
              (bounds, not samples):"
         )
     });
-    if tolerance.ranges.is_empty() {
-        report.line("none changes at any spin");
-        report.line(classes(tolerance));
-        return;
-    }
-    let mut table = Table::new(&["up", "rpm", "below", "above", "inside too", "matters most", "moves it by"]);
-    for range in &tolerance.ranges {
-        let word = |found: &Option<String>| found.clone().unwrap_or_else(|| "-".to_owned());
-        table.row([
-            range.up.clone(),
-            format!("{} .. {}", low(range.rpm[0]), high(range.rpm[1])),
-            word(&range.from),
-            word(&range.to),
-            if range.between.is_empty() { "-".to_owned() } else { range.between.join(", ") },
-            word(&range.most),
-            range.most_rpm.map_or_else(|| "-".to_owned(), |rpm| format!("{} rpm", significant(rpm, 3))),
-        ]);
-    }
-    report.line(table.text());
-    for up in ["+axis", "-axis"] {
-        if let Some(line) = certainly(up, &tolerance.ranges) {
-            report.line(line);
-        }
-    }
+    ranges(report, &tolerance.ranges, true);
     report.line(classes(tolerance));
-    report.line(format!(
-        "what is found inside a range, and which input alone moves it most, are from {} sampled parts",
-        tolerance.sampled_parts
-    ));
+    if !tolerance.ranges.is_empty() {
+        report.line(format!(
+            "what is found inside a range, and which input alone moves it most, are from {} sampled parts",
+            tolerance.sampled_parts
+        ));
+    }
 }
 
 /// The same where each number has its own ±.
@@ -124,29 +106,43 @@ fn measured(report: &mut Report, tolerance: &ToleranceDocument) {
     report.line(format!("every part with {} (bounds, not samples):", inputs.join(", ")));
     let tilt = tolerance.tilt_deg.map_or_else(String::new, |tilt| significant(tilt, 2));
     report.line(format!("at each spin outside these ranges it has a steady rotation within {tilt}° of the axis"));
-    let mut table = Table::new(&["up", "rpm", "below", "above", "matters most", "moves it by"]);
-    for range in &tolerance.ranges {
+    ranges(report, &tolerance.ranges, false);
+    report.line(classes(tolerance));
+}
+
+/// The ranges as a table, with what was found `inside` them too, and at which spins every part is stable.
+fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], inside: bool) {
+    if ranges.is_empty() {
+        report.line("none changes at any spin");
+        return;
+    }
+    let mut names = vec!["up", "rpm", "below", "above", "matters most", "moves it by"];
+    if inside {
+        names.insert(INSIDE, "inside too");
+    }
+    let mut table = Table::new(&names);
+    for range in ranges {
         let word = |found: &Option<String>| found.clone().unwrap_or_else(|| "-".to_owned());
-        table.row([
+        let mut cells = vec![
             range.up.clone(),
             format!("{} .. {}", low(range.rpm[0]), high(range.rpm[1])),
             word(&range.from),
             word(&range.to),
             word(&range.most),
             range.most_rpm.map_or_else(|| "-".to_owned(), |rpm| format!("{} rpm", significant(rpm, 3))),
-        ]);
+        ];
+        if inside {
+            let between = if range.between.is_empty() { "-".to_owned() } else { range.between.join(", ") };
+            cells.insert(INSIDE, between);
+        }
+        table.row(cells);
     }
-    if tolerance.ranges.is_empty() {
-        report.line("none changes at any spin");
-    } else {
-        report.line(table.text());
-    }
+    report.line(table.text());
     for up in ["+axis", "-axis"] {
-        if let Some(line) = certainly(up, &tolerance.ranges) {
+        if let Some(line) = certainly(up, ranges) {
             report.line(line);
         }
     }
-    report.line(classes(tolerance));
 }
 
 /// The classes of the diagrams of the sampled parts, in words.

@@ -14,6 +14,9 @@ use wasm_bindgen::prelude::*;
 
 use crate::body::{Refused, body, number, rows};
 
+/// Numbers of a crossing.
+const ROW: usize = 13;
+
 /// A body and a point (h, l) that have a section.
 #[wasm_bindgen]
 pub struct Section {
@@ -67,15 +70,17 @@ impl Section {
     /// Starts that are not accessible.
     pub fn follow(&self, starts: &[f64], first: u32, crossings: u32) -> Result<Vec<f64>, JsError> {
         let orbits = self.orbits(starts, crossings)?;
-        let points = orbits.iter().flat_map(|orbit| &orbit.points);
-        let row = |point: &bifdiag::dynamics::section::SectionPoint| {
+        let mut rows = Vec::with_capacity(ROW * orbits.iter().map(|orbit| orbit.points.len()).sum::<usize>());
+        for point in orbits.iter().flat_map(|orbit| &orbit.points) {
             let [g1, g2, g3] = point.gamma;
             let [l1, l2, l3] = point.l;
             let (orbit, index, sheet) =
                 (f64::from(first + point.orbit), f64::from(point.index), f64::from(point.sheet));
-            [orbit, index, point.time, g1, g2, g3, l1, l2, l3, sheet, point.s_dot, point.theta, point.psi]
-        };
-        Ok(points.flat_map(row).collect())
+            let row: [f64; ROW] =
+                [orbit, index, point.time, g1, g2, g3, l1, l2, l3, sheet, point.s_dot, point.theta, point.psi];
+            rows.extend_from_slice(&row);
+        }
+        Ok(rows)
     }
 
     /// Verdicts on orbits, and what they rest on: JSON, the `orbits` of the section's document.

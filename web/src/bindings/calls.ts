@@ -25,6 +25,12 @@ export interface Opened {
   portrait: Portrait;
 }
 
+/** Crossings as `Section.follow` has them, and how long they took in the worker. */
+export interface Followed {
+  rows: Float64Array;
+  seconds: number;
+}
+
 /** A body and a point that have a section. */
 export type Site = [body: string, h: string, l: string];
 
@@ -40,7 +46,7 @@ export interface Calls {
   classify: [[body: string, h: string, l: string], string];
   critical: [[body: string, l: string], string];
   open: [[site: Site, orbits: number, seed: number], Opened];
-  follow: [[site: Site, starts: Float64Array, first: number, crossings: number], Float64Array];
+  follow: [[site: Site, starts: Float64Array, first: number, crossings: number], Followed];
   judge: [[site: Site, starts: Float64Array, crossings: number], Orbit[]];
   parts: [[site: Site, gammas: Float64Array], Int32Array];
   motion: [[site: Site, theta: number, psi: number, sheet: number, times: Float64Array], Float64Array];

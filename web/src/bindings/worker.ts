@@ -74,7 +74,12 @@ const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<A
     const portrait = JSON.parse(of.portrait(PORTRAIT_ROWS)) as Portrait;
     return { axes: of.axes(), starts: of.starts(orbits, seed), portrait };
   },
-  follow: (site, starts, first, crossings) => sectionOf(site).follow(starts, first, crossings),
+  follow(site, starts, first, crossings) {
+    const of = sectionOf(site);
+    const begun = performance.now();
+    const rows = of.follow(starts, first, crossings);
+    return { rows, seconds: (performance.now() - begun) / 1000 };
+  },
   judge: (site, starts, crossings) => JSON.parse(sectionOf(site).judge(starts, crossings)) as Orbit[],
   parts: (site, gammas) => sectionOf(site).components(gammas),
   motion: (site, theta, psi, sheet, times) => sectionOf(site).motion(theta, psi, sheet, times),
@@ -90,6 +95,12 @@ const answers: { [N in Name]: (...values: Arguments<N>) => Answer<N> | Promise<A
     return { found, names };
   },
 };
+
+/** The arrays of an answer, which are handed over instead of copied. */
+function arrays(answer: unknown): ArrayBuffer[] {
+  const parts = typeof answer === "object" && answer && !ArrayBuffer.isView(answer) ? Object.values(answer) : [answer];
+  return parts.filter((part) => ArrayBuffer.isView(part)).map((part) => part.buffer as ArrayBuffer);
+}
 
 let begun: Promise<unknown> | undefined;
 
@@ -108,5 +119,5 @@ self.onmessage = async ({ data }: MessageEvent<Question | { module: WebAssembly.
     const trapped = error instanceof WebAssembly.RuntimeError;
     reply = { id: data.id, error: error instanceof Error ? error.message : String(error), trapped };
   }
-  self.postMessage(reply);
+  self.postMessage(reply, { transfer: "value" in reply ? arrays(reply.value) : [] });
 };

@@ -11,8 +11,10 @@ export const ROW = 13;
 export const AT = { orbit: 0, index: 1, time: 2, gamma: 3, l: 6, sheet: 9, rate: 10, theta: 11, psi: 12 } as const;
 /** Numbers of a moment of a motion: time, γ, l, ω, ϑ, ψ, φ, q. */
 export const MOMENT = 17;
-/** Orbits that are followed at a time: what is finished is drawn. */
+/** Orbits that are followed at a time: what is finished is drawn. The first ones soon; later more, since the last orbits
+ * of a chunk leave lanes idle, and each chunk is a message and a picture. */
 const CHUNK = 4;
+const LARGEST_CHUNK = 16;
 /** A motion is shown over so many crossings, with so many moments between two. */
 const CROSSINGS_SHOWN = 60;
 const MOMENTS = 40;
@@ -29,7 +31,7 @@ export class Orbits {
   judged: (Orbit | undefined)[] = [];
   selected = 0;
   motion: Float64Array | null = null;
-  /** Seconds that the crossings took to compute. */
+  /** Seconds that the crossings took to compute in the worker. */
   seconds = 0;
   running = false;
   /** Counts what is opened, so that answers to an older question are known. */
@@ -67,7 +69,10 @@ export class Orbits {
       this.selected = 0;
       this.session.emit("section");
       this.running = true;
-      for (let first = 0; first < orbits && current(); first += CHUNK) await this.follow(first, CHUNK, crossings, current);
+      for (let first = 0, count = CHUNK; first < orbits && current(); first += count) {
+        count = Math.min(Math.max(first, CHUNK), LARGEST_CHUNK);
+        await this.follow(first, count, crossings, current);
+      }
       await this.play(current);
       for (let first = 0; first < orbits && current(); first += CHUNK) await this.judge(first, CHUNK, crossings, current);
       if (!current()) return;
@@ -121,10 +126,9 @@ export class Orbits {
 
   private async follow(first: number, count: number, crossings: number, current: () => boolean): Promise<void> {
     const starts = this.flat(first, count);
-    const begun = performance.now();
-    const found = await this.channel.ask("follow", this.site, starts, first, crossings);
+    const { rows: found, seconds } = await this.channel.ask("follow", this.site, starts, first, crossings);
     if (!current()) return;
-    this.seconds += (performance.now() - begun) / 1000;
+    this.seconds += seconds;
     let from = 0;
     for (let at = 0; at <= found.length; at += ROW) {
       if (at < found.length && found[at] === found[from]) continue;

@@ -7,7 +7,7 @@ use super::labels::L;
 use super::panel::Panel;
 use super::scene::Scene;
 use super::stroke::Stroke;
-use crate::page::{Pattern, Table, short_number};
+use crate::page::{Pattern, Table, short_number, short_time};
 
 /// Width of the samples of lines.
 pub(super) const SAMPLE: f64 = 28.0;
@@ -53,8 +53,6 @@ fn cells(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2]) -> Option<Vec<St
     let (first, last) = (at(l[0])?, at(l[1])?);
     let name = format!("{}, {}", curve.id, curve.branch_name);
     let range = l.map(|l| short_number(l, DIGITS)).join(" … ");
-    let motions = small_motions(&[first.eigenvalues, last.eigenvalues], |time| {
-        if time.is_finite() { short_number(time, DIGITS) } else { "∞".to_owned() }
-    });
+    let motions = small_motions(&[first.eigenvalues, last.eigenvalues], short_time);
     Some(vec![name, range, first.stability.word().to_owned(), first.stable.word().to_owned(), motions])
 }

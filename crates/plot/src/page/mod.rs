@@ -32,7 +32,7 @@ pub(crate) use image::png;
 pub(crate) use ink::{FAINT_INK, INK, Ink, PAPER, POLE, rgb, rgbs};
 pub(crate) use legend::Legend;
 pub use notation::section_type;
-pub(crate) use notation::{body, number, short, short_number, superscript};
+pub(crate) use notation::{body, number, short, short_number, short_time, superscript};
 pub(crate) use path::Path;
 pub(crate) use pattern::Pattern;
 #[cfg(test)]

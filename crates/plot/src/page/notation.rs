@@ -46,6 +46,11 @@ pub(crate) fn body(moments: &[impl Display; 3], center: &[impl Display; 3]) -> S
     format!("A = ({a1}, {a2}, {a3}),  r = ({r1}, {r2}, {r3})")
 }
 
+/// A time in a table.
+pub(crate) fn short_time(value: f64) -> String {
+    if value.is_finite() { short_number(value, 4) } else { "∞".to_owned() }
+}
+
 /// A number with so many significant digits at most.
 pub(crate) fn short_number(value: f64, digits: usize) -> String {
     // Rust prints exponents of ten beyond these as many zeros.

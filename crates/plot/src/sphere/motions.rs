@@ -4,7 +4,7 @@ use schema::{Multiplicity, RelativeEquilibriumDocument, small_motions};
 
 use super::marks::{self, MARK, Mark, letter};
 use super::scene::SphereScene;
-use crate::page::{Canvas, Point, Table, short_number};
+use crate::page::{Canvas, Point, Table, short_number, short_time};
 
 const DIGITS: usize = 5;
 
@@ -22,16 +22,11 @@ pub(super) fn table(scene: &SphereScene<'_>) -> Table<Mark> {
             kind(point).to_owned(),
             point.stability.word().to_owned(),
             point.stable.word().to_owned(),
-            small_motions(&[point.eigenvalues], time),
+            small_motions(&[point.eigenvalues], short_time),
         ];
         (Mark::Equilibrium(point.index), cells.to_vec())
     });
     Table::new(2.0 * MARK, heading, rows.collect())
-}
-
-/// A time in a picture.
-fn time(value: f64) -> String {
-    if value.is_finite() { short_number(value, 4) } else { "∞".to_owned() }
 }
 
 fn kind(point: &RelativeEquilibriumDocument) -> &'static str {

@@ -16,6 +16,7 @@ use numbers::interval::Interval;
 
 use super::rotation::{AxisRotation, SpinChange, SpinType};
 use crate::atlas::Atlas;
+use crate::body::Body;
 use crate::class::{Class, ClassName};
 
 /// The inputs that are varied, as they are told.
@@ -80,9 +81,14 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
 /// stands for those whose class f64 leaves open.
 #[must_use]
 pub fn sampled_classes(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<(Option<ClassName>, usize)> {
+    class_counts((0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances).body()))
+}
+
+/// The classes of bodies, each with how many of them have it, the most frequent first; `None` stands for those whose class
+/// f64 leaves open, and for those that are no bodies.
+pub fn class_counts(bodies: impl Iterator<Item = Option<Body>>) -> Vec<(Option<ClassName>, usize)> {
     let mut counts: BTreeMap<Option<ClassName>, usize> = BTreeMap::new();
-    for number in 0..SAMPLES {
-        let body = varied(rotation, steps(number), tolerances).body();
+    for body in bodies {
         let atlas = body.and_then(|body| Atlas::new(&body).ok());
         let class = atlas.and_then(|atlas| Class::of(&atlas).ok());
         *counts.entry(class.map(|class| class.name().clone())).or_default() += 1;

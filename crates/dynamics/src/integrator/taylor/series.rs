@@ -12,6 +12,12 @@ pub(crate) const ROWS: usize = 34;
 /// unit at the paper's body); above, the terms are too small.
 const EXACT_BELOW: usize = 10;
 
+/// Registers that hold the sums of two orders and what goes into them: 18, and 9 factors.
+const REGISTERS_FOR_TWO: usize = 27;
+
+/// A module for the web does not know its processor; most have 16 registers.
+const WASM: bool = cfg!(target_family = "wasm");
+
 /// A vector of ℝ³ in every lane.
 pub(crate) type Vector<S> = [<S as Simd>::f64s; 3];
 
@@ -163,9 +169,11 @@ impl<S: Simd> Series<S> {
 
     /// Fills the rows 1 … `order` (even) from row 0 of γ and l.
     ///
-    /// Two orders k, k+1 at a time share their loads, and the terms with the newest coefficients come last, so
-    /// that the processor can start the sums of the next pair while it still finishes this one.
-    #[inline(always)]
+    /// Two orders k, k+1 at a time, and the terms with the newest coefficients come last, so that the processor can start
+    /// the sums of the next pair while it still finishes this one. (Engines of WebAssembly compile function by function,
+    /// first for speed of compiling: this one must be left and entered again before a better one takes its place.)
+    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub fn expand(&mut self, simd: S, top: &Constants<S>, order: usize) {
         debug_assert!(order.is_multiple_of(2) && order < ROWS);
         self.omega[0] = top.exact_angular_velocity(simd, self.l[0]);
@@ -191,12 +199,22 @@ impl<S: Simd> Series<S> {
         }
     }
 
-    /// The terms of orders k and k+1 that need the rows 1 … k−1 only.
+    /// The terms of orders k and k+1 that need the rows 1 … k−1 only. Two orders at a time share their loads where
+    /// there are registers for the sums of both.
     #[inline(always)]
     fn known_products(&self, simd: S, k: usize) -> (Products<S>, Products<S>) {
         let (gamma, omega) = (&self.gamma[1..k], &self.omega[1..k]);
         let last = k - 2;
         let (mut even, mut odd) = (Products::zero(simd), Products::zero(simd));
+        if S::REGISTER_COUNT < REGISTERS_FOR_TWO || WASM {
+            for j in 0..=last {
+                even.add(simd, gamma[j], omega[j], omega[last - j]);
+            }
+            for j in 0..last {
+                odd.add(simd, gamma[j + 1], omega[j + 1], omega[last - j]);
+            }
+            return (even, odd);
+        }
         let (mut gamma_j, mut omega_j) = (gamma[0], omega[0]);
         for j in 0..last {
             let partner = omega[last - j];
