@@ -403,8 +403,10 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dashu_ratio::RBig;
+    use numbers::enclosure::Arithmetic;
     use numbers::interval::Interval;
-    use numbers::wide::Wide;
+    use numbers::wide::{Interval128, Wide};
     use top::body::Body;
     use top::curves::CriticalSet;
 
@@ -460,5 +462,36 @@ mod tests {
     fn points_and_gaps_are_those_of_the_closed_form() {
         compare::<Interval>((), 1e-13);
         compare::<Wide>(160, 1e-14);
+    }
+
+    /// Behind a cusp x turns back, and there the other branch has the same x.
+    #[test]
+    fn beside_a_cusp_a_place_is_not_that_of_the_other_branch() {
+        let mut seen = 0;
+        for (a, r) in [(["2", "1.1", "1"], ["0.3", "0.5", "0.7"]), (["2", "1.1", "1"], ["0.94868", "0", "0.61623"])] {
+            let body = Body::parse(&a, &r).unwrap();
+            let model = Model::new(&body, &body.frame());
+            let curves = Curves::of(&model).unwrap();
+            let evaluator = Evaluator::<Interval128>::new(&model, &curves, &[], ());
+            for cusp in &curves.cusps {
+                let at = evaluator.place(&cusp.place);
+                let [low, high] = evaluator.x(cusp.place.half, &at).exact_bounds().unwrap();
+                for digits in 1..=30 {
+                    let away = RBig::ONE / RBig::from(10).pow(digits);
+                    let x = if cusp.opens { &high * (RBig::ONE + away) } else { &low * (RBig::ONE - away) };
+                    let places = cusp.curves.map(|curve| {
+                        let point = evaluator.point(curve, &Interval128::rational(&x, ()));
+                        point.and_then(|point| point.place).filter(|(half, _)| *half == cusp.place.half)
+                    });
+                    let [Some((_, p)), Some((_, q))] = places else { continue };
+                    // The cusp lies between the two.
+                    let sides = [&p, &q].map(|y| (y.clone() - at.clone()).strict_sign());
+                    let [Some(one), Some(other)] = sides else { panic!("{a:?} {r:?} {digits}: {p:?} {q:?} {at:?}") };
+                    assert_eq!(one, -other, "{a:?} {r:?} {digits}");
+                    seen += 1;
+                }
+            }
+        }
+        assert!(seen > 60, "{seen}");
     }
 }

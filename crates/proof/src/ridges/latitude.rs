@@ -243,3 +243,32 @@ impl Latitude<'_> {
         sign.or_else(|| FURTHER.into_iter().find_map(further)).map(|sign| sign.cmp(&Sign::Zero))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use numbers::polynomial::rational;
+
+    #[test]
+    fn roots_about_several_numbers_are_found_once_and_with_all_their_digits() {
+        let tiny = RBig::ONE / RBig::from(10).pow(40);
+        let bases = [RBig::ZERO, RBig::ONE];
+        // On both sides of either number, and in the very middle.
+        let half = RBig::ONE / RBig::from(2);
+        let planted =
+            [RBig::from(-5), -tiny.clone(), tiny.clone(), half, RBig::ONE - &tiny, RBig::ONE + &tiny, RBig::from(7)];
+        let product = planted.iter().fold(vec![RBig::ONE], |p, root| rational::mul(&p, &[-root.clone(), RBig::ONE]));
+        let polynomial = Polynomial::from_rationals(&product);
+        let found = RealRoot::about(&polynomial, &bases).unwrap();
+        assert_eq!(found.len(), planted.len());
+        for (root, at) in found.iter().zip(&planted) {
+            let [lo, hi] = root.range();
+            assert!(lo <= *at && at <= &hi, "{at}");
+            let nearest = bases.iter().min_by_key(|base| (at - *base).sqr()).unwrap();
+            let exact = Interval128::rational(&(at - nearest), ());
+            let [lo, hi] = (root.from(nearest, root.narrow(), ()) / exact).bounds();
+            assert!(1.0 - 1e-15 < lo && lo <= 1.0 && 1.0 <= hi && hi < 1.0 + 1e-15, "{at}: {lo} {hi}");
+        }
+        assert!(RealRoot::about(&polynomial, &[tiny]).is_none());
+    }
+}
