@@ -1,4 +1,5 @@
 import { defineConfig } from "vitest/config";
+import { classes } from "./tools/classes";
 import { offline } from "./tools/offline";
 
 export default defineConfig({
@@ -6,6 +7,6 @@ export default defineConfig({
   base: "./",
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 1000 },
   worker: { format: "es" },
-  plugins: [offline()],
+  plugins: [classes(), offline()],
   test: { include: ["test/**/*.test.ts"], testTimeout: 120_000, hookTimeout: 120_000, fileParallelism: false, expect: { poll: { timeout: 30_000 } } },
 });

@@ -5,31 +5,38 @@
 //! cargo run --release --example classes -- join STATE SHARD …
 //! cargo run --release --example classes -- deepen STATE STEPS [i/n]
 //! cargo run --release --example classes -- write STATE GENERAL.summary.json POSITIVE.summary.json PUBLISHED SHIPPED
+//! cargo run --release --example classes -- special data/survey/special.json SEED LINES
 //! cargo run --release --example classes -- pages data/classes.json docs/classes
+//! cargo run --release --example classes -- report .
 //! cargo run --release --example classes -- extremes data/classes.json
+//! cargo run --release --example classes -- five SEED RUNS STEPS
 //! ```
 //!
 //! `grow` begins with the classes of STATE, and those of the first bodies of scans, and lets each of them walk STEPS steps
 //! again and again, until no new class was met on WALLS walls; STATE is written after each round, and the same command
-//! goes on from there. A shard walks from a part of the classes; `join` adds shards to STATE. `deepen` looks for witnesses far from all borders, `pages` writes the
-//! catalogue. `data/classes.sh` has the
+//! goes on from there. A shard walks from a part of the classes; `join` adds shards to STATE. `deepen` looks for witnesses far from all borders, `special` walks in
+//! each stratum of special bodies until LINES lines in a row met no new class, `pages` writes the catalogue, `report` the
+//! numbers of `docs/survey.md` and `docs/types.md` between their marks. `five` searches for a fifth maximum. `data/classes.sh` has the
 //! commands that made what is published.
 
 mod extremes;
+mod five;
 mod map;
 mod pages;
+mod report;
 mod sketch;
+mod special;
 mod state;
 
 use std::path::Path;
 
 use rayon::prelude::*;
 use schema::ClassesDocument;
-use survey::graph::{Domain, NearestOptions, Place, Walk, centre, deepen, plain};
+use survey::graph::{Domain, NearestOptions, Place, centre, deepen, plain};
 use survey::scan::Shard;
 use top::class::ClassName;
 
-use state::{Round, State, Summary};
+use state::{Round, State, Summary, part};
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -58,7 +65,13 @@ fn main() -> Result<(), Failure> {
             document.classes.iter_mut().for_each(|class| class.text.clear());
             Ok(std::fs::write(shipped, lines(&document)?)?)
         }
+        ["special", path, seed, lines] => special::special(Path::new(path), [seed.parse()?, lines.parse()?]),
         ["extremes", classes] => extremes::extremes(classes),
+        ["report", root] => report::report(Path::new(root)),
+        ["five", seed, runs, steps] => {
+            five::five([seed.parse()?, runs.parse()?, steps.parse()?]);
+            Ok(())
+        }
         ["pages", classes, folder] => pages::pages(classes, Path::new(folder)),
         _ => Err("see the head of examples/classes/main.rs".into()),
     }
@@ -77,12 +90,6 @@ fn shard<'a>(words: &'a [&'a str]) -> Result<(Shard, &'a [&'a str]), Failure> {
         [first, rest @ ..] if first.contains('/') && first.parse::<Shard>().is_ok() => Ok((first.parse()?, rest)),
         _ => Ok(("1/1".parse()?, words)),
     }
-}
-
-/// Part of a list.
-fn part<T: Clone>(list: &[T], shard: Shard) -> Vec<T> {
-    let [from, to] = shard.range(list.len() as u64).map(|n| usize::try_from(n).unwrap_or(usize::MAX));
-    list[from..to].to_vec()
 }
 
 fn counts(path: &str) -> Result<(std::collections::BTreeMap<ClassName, u64>, u64), Failure> {
@@ -108,25 +115,7 @@ fn grow(
     let mut quiet = state.rounds.iter().filter(same).fold(0, |quiet, round| round.after(quiet));
     let mut number = state.rounds.iter().filter(same).count() as u64;
     while quiet < walls {
-        let known: Vec<(ClassName, Place)> = state
-            .graph
-            .nodes
-            .iter()
-            .filter(|(_, node)| domain == Domain::All || node.physical)
-            .map(|(name, node)| (name.clone(), Place::of(node.witness)))
-            .collect();
-        let seed_here = seed.wrapping_mul(1 << 20).wrapping_add(number);
-        let walks: Vec<_> = part(&known, shard)
-            .into_par_iter()
-            .map(|(name, place)| {
-                let mut walk = Walk::new(name, place, domain, seed_here);
-                (0..steps).map_while(|_| walk.step()).collect::<Vec<_>>()
-            })
-            .collect();
-        let mut round = Round::new(domain, seed, number);
-        for step in walks.iter().flatten() {
-            round.add(step, &mut state.graph, domain);
-        }
+        let round = state.round(domain, [seed, number, steps], shard);
         quiet = round.after(quiet);
         number += 1;
         let unseen = state.graph.unseen(domain);

@@ -3,8 +3,11 @@
 use std::fmt;
 use std::path::Path;
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use survey::graph::{ClassGraph, Domain, Edge, Node, Place, Step};
+use survey::graph::{ClassGraph, Domain, Edge, Node, Place, Step, Walk};
+use survey::scan::Shard;
+use top::class::ClassName;
 
 use crate::Failure;
 
@@ -29,34 +32,37 @@ pub struct Round {
     pub new_at: Vec<u64>,
 }
 
+/// A class with a body of it.
 #[derive(Serialize, Deserialize)]
-struct NodeState {
+pub struct NodeState {
     class: String,
     #[serde(rename = "A")]
     moments: [f64; 3],
     #[serde(rename = "r")]
     center: [f64; 3],
     distance: f64,
-    met: [u64; 2],
+    pub met: [u64; 2],
 }
 
+/// A border with a body on it.
 #[derive(Serialize, Deserialize)]
-struct EdgeState {
-    classes: [String; 2],
-    event: String,
+pub struct EdgeState {
+    pub classes: [String; 2],
+    pub event: String,
     #[serde(rename = "A")]
     moments: [f64; 3],
     #[serde(rename = "r")]
     center: [f64; 3],
     error: f64,
-    walls: [u64; 2],
+    pub walls: [u64; 2],
 }
 
+/// As it stands in a file.
 #[derive(Serialize, Deserialize)]
-struct Stored {
-    rounds: Vec<Round>,
-    classes: Vec<NodeState>,
-    borders: Vec<EdgeState>,
+pub struct Stored {
+    pub rounds: Vec<Round>,
+    pub classes: Vec<NodeState>,
+    pub borders: Vec<EdgeState>,
 }
 
 /// What is needed of the summary of a scan; the published ones are of an earlier version.
@@ -70,6 +76,9 @@ pub struct Summary {
 pub struct ClassSummary {
     pub class: String,
     pub bodies: u64,
+    /// Cusps, pitchforks, crossings.
+    #[serde(default)]
+    pub events: [u32; 3],
     pub first: FirstBody,
 }
 
@@ -126,9 +135,12 @@ impl State {
         if path.exists() { Self::read(path) } else { Ok(Self::default()) }
     }
 
-    /// Every witness is looked at again: what the file says its class is must be so.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let stored: Stored = serde_json::from_str(&std::fs::read_to_string(path)?)?;
+        Self::of(serde_json::from_str(&std::fs::read_to_string(path)?)?)
+    }
+
+    /// Every witness is looked at again: what the file says its class is must be so.
+    pub fn of(stored: Stored) -> Result<Self, Failure> {
         let mut state = Self { rounds: stored.rounds, ..Self::default() };
         for known in stored.classes {
             let node =
@@ -148,12 +160,37 @@ impl State {
         Ok(state)
     }
 
+    /// Lets each class of a domain, or a shard of them, walk so many steps. The numbers are the seed, that of the round, and
+    /// that of the steps.
+    pub fn round(&mut self, domain: Domain, [seed, number, steps]: [u64; 3], shard: Shard) -> Round {
+        let known: Vec<(ClassName, Place)> = self
+            .graph
+            .nodes
+            .iter()
+            .filter(|(_, node)| domain == Domain::All || node.physical)
+            .map(|(name, node)| (name.clone(), Place::of(node.witness)))
+            .collect();
+        let seed_here = seed.wrapping_mul(1 << 20).wrapping_add(number);
+        let walks: Vec<_> = part(&known, shard)
+            .into_par_iter()
+            .map(|(name, place)| {
+                let mut walk = Walk::new(name, place, domain, seed_here);
+                (0..steps).map_while(|_| walk.step()).collect::<Vec<_>>()
+            })
+            .collect();
+        let mut round = Round::new(domain, seed, number);
+        for step in walks.iter().flatten() {
+            round.add(step, &mut self.graph, domain);
+        }
+        round
+    }
+
     pub fn join(&mut self, other: Self) {
         self.graph.join(other.graph);
         self.rounds.extend(other.rounds);
     }
 
-    pub fn write(&self, path: &Path) -> Result<(), Failure> {
+    pub fn stored(&self) -> Stored {
         let classes = self.graph.nodes.iter().map(|(name, node)| NodeState {
             class: name.to_string(),
             moments: node.witness[0],
@@ -169,10 +206,23 @@ impl State {
             error: edge.error,
             walls: edge.walls,
         });
-        let stored = Stored { rounds: self.rounds.clone(), classes: classes.collect(), borders: borders.collect() };
-        // Never half a file: the next round would begin with it.
-        let partial = path.with_extension("partial");
-        std::fs::write(&partial, serde_json::to_string(&stored)?)?;
-        Ok(std::fs::rename(&partial, path)?)
+        Stored { rounds: self.rounds.clone(), classes: classes.collect(), borders: borders.collect() }
     }
+
+    pub fn write(&self, path: &Path) -> Result<(), Failure> {
+        replace(path, &serde_json::to_string(&self.stored())?)
+    }
+}
+
+/// Part of a list.
+pub fn part<T: Clone>(list: &[T], shard: Shard) -> Vec<T> {
+    let [from, to] = shard.range(list.len() as u64).map(|n| usize::try_from(n).unwrap_or(usize::MAX));
+    list[from..to].to_vec()
+}
+
+/// Never half a file: what goes on would begin with it.
+pub fn replace(path: &Path, text: &str) -> Result<(), Failure> {
+    let partial = path.with_extension("partial");
+    std::fs::write(&partial, text)?;
+    Ok(std::fs::rename(&partial, path)?)
 }

@@ -230,9 +230,10 @@ impl<const N: usize> Directed for Words<N> {
             return (self.sign == Sign::Zero).then_some(Self::ZERO);
         }
         // An even exponent, and 64N bits in the root.
-        let up = 64 * N - usize::from(self.exponent % 2 != 0);
+        let is_odd = self.exponent % 2 != 0;
+        let up = 64 * N - usize::from(is_odd);
         let (root, rest) = (self.magnitude() << up).sqrt_rem();
-        let exponent = (self.exponent - width(N) + i64::from(self.exponent % 2 != 0)) / 2;
+        let exponent = (self.exponent - width(N) + i64::from(is_odd)) >> 1;
         Self::rounded(Sign::Positive, &words_of(&root), !rest.is_zero(), exponent, toward)
     }
 

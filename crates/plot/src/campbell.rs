@@ -1,7 +1,8 @@
 //! Campbell's diagram: frequencies of small oscillations over the spin.
 
 use crate::page::{
-    Anchor, Axis, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, draw_axes, pattern, render, rgb, ticks,
+    Anchor, Axis, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, draw_axes, pattern, render, rgb,
+    short_number, text_width, ticks,
 };
 
 /// Frequencies over the spin, and the spins at which the type changes.
@@ -13,7 +14,7 @@ pub struct Campbell {
     pub changes: Vec<f64>,
 }
 
-const RECT: Rect = Rect { x: 74.0, y: 30.0, width: 540.0, height: 340.0 };
+const RECT: Rect = Rect { x: 74.0, y: 62.0, width: 540.0, height: 340.0 };
 const COLORS: [u32; 2] = [0x12_50_a8, 0xc2_14_2d];
 const TEXT: f64 = 12.0;
 
@@ -28,7 +29,7 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
     let at =
         |rpm: f64, hertz: f64| [RECT.x + RECT.width * rpm / spin, RECT.bottom() - RECT.height * (hertz / top).min(1.0)];
     let (below, left) = (ticks("spin in rpm", 0.0, spin, 8), ticks("frequency in Hz, seen from the body", 0.0, top, 8));
-    render([650.0, 456.0], "Frequencies over the spin", theme, |canvas| {
+    render([650.0, 506.0], "Frequencies over the spin", theme, |canvas| {
         let axes = [Axis { range: [0.0, spin], ticks: &below }, Axis { range: [0.0, top], ticks: &left }];
         draw_axes(canvas, &RECT, [24.0, 52.0], axes);
         // Once per turn: the spin itself.
@@ -45,15 +46,26 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
                 }
             }
         }
-        for &change in &campbell.changes {
+        let mut rows = [f64::NEG_INFINITY; 2];
+        // At rest every axis changes its type.
+        for &change in campbell.changes.iter().filter(|change| **change > 0.0) {
             let x = at(change, 0.0)[0];
             let dots = [(Some(INK), 2.0), (None, 4.0)];
             pattern::draw(canvas, &[[x, RECT.y], [x, RECT.bottom()]], &dots, 1.2);
-            canvas.text(&format!("{change:.1} rpm"), [x, RECT.y - 6.0], TEXT - 1.0, INK, Anchor::Middle);
+            let text = format!("{} rpm", short_number(change, 6));
+            let half = text_width(&text, TEXT - 1.0) / 2.0;
+            // In the first of two rows that has room; a table beside the picture tells all.
+            if let Some(row) = rows.iter().position(|right| x - half > right + 6.0) {
+                rows[row] = x + half;
+                let above = [x, RECT.y - 6.0 - 15.0 * row as f64];
+                canvas.text(&text, above, TEXT - 1.0, INK, Anchor::Middle);
+            }
         }
         canvas.text(&below.quantity, [RECT.center()[0], RECT.bottom() + 42.0], TEXT, INK, Anchor::Middle);
-        canvas.text(&left.quantity, [16.0, RECT.y - 12.0], TEXT, INK, Anchor::Start);
-        let legend = "solid: stable, dashed: unstable, dotted: the type changes, grey: once per turn";
+        canvas.text(&left.quantity, [16.0, RECT.y - 40.0], TEXT, INK, Anchor::Start);
+        let legend = "solid: stable, dashed: unstable, dotted: the type changes";
+        let colors = "blue, red: the two frequencies, grey: once per turn";
+        canvas.text(colors, [RECT.x, RECT.bottom() + 84.0], TEXT, FAINT_INK, Anchor::Start);
         canvas.text(legend, [RECT.x, RECT.bottom() + 66.0], TEXT, FAINT_INK, Anchor::Start);
     })
 }

@@ -63,7 +63,9 @@ pub struct Chart {
     pub panels: Vec<ChartPanel>,
 }
 
+/// The widest panel, and the widest page: so wide 11 pixels are 6 pt in print.
 const WIDTH: f64 = 330.0;
+const PAGE: f64 = 924.0;
 const HEIGHT: f64 = 300.0;
 const LEFT: f64 = 64.0;
 const RIGHT: f64 = 18.0;
@@ -83,18 +85,23 @@ const COLORS: [RGBColor; 8] =
 /// # Errors
 /// A failure of the drawing library.
 pub fn draw_chart(chart: &Chart, theme: Theme) -> Result<Picture, PlotError> {
-    let width = chart.panels.len() as f64 * (LEFT + WIDTH + RIGHT);
+    let panels = chart.panels.len().max(1) as f64;
+    let plot = (PAGE / panels - LEFT - RIGHT).min(WIDTH);
+    let width = panels * (LEFT + plot + RIGHT);
     let entries = chart.names.iter().map(|name| text_width(name, SIZE) + 44.0);
     let entries = Rows::new(entries, 0.0, width - LEFT - RIGHT, LEGEND_ROW);
     let legend = TOP + HEIGHT + BELOW;
     render([width, legend + entries.height + 10.0], chart.title.as_str(), theme, |canvas| {
         for (number, panel) in chart.panels.iter().enumerate() {
-            let left = number as f64 * (LEFT + WIDTH + RIGHT) + LEFT;
-            draw_panel(canvas, panel, left);
+            let frame = Rect { x: number as f64 * (LEFT + plot + RIGHT) + LEFT, y: TOP, width: plot, height: HEIGHT };
+            draw_panel(canvas, panel, &frame);
         }
         for (name, (text, corner)) in chart.names.iter().zip(entries.corners).enumerate() {
             let [x, y] = [LEFT + corner[0], legend + corner[1] + 0.5 * LEGEND_ROW];
-            canvas.path(&[[x, y], [x + 22.0, y]], Ink { color: color(name), width: 1.4 });
+            let mut own = chart.panels.iter().flat_map(|panel| &panel.series).filter(|series| series.name == name);
+            if own.any(|series| series.joined) {
+                canvas.path(&[[x, y], [x + 22.0, y]], Ink { color: color(name), width: 1.4 });
+            }
             mark(canvas, name, [x + 11.0, y]);
             canvas.text(text, [x + 28.0, y + 4.0], SIZE, INK, Anchor::Start);
         }
@@ -165,23 +172,22 @@ impl Range {
     }
 }
 
-fn draw_panel(canvas: &Canvas, panel: &ChartPanel, left: f64) {
+fn draw_panel(canvas: &Canvas, panel: &ChartPanel, frame: &Rect) {
     let all = |k: usize| panel.series.iter().flat_map(move |series| series.points.iter().map(move |p| p[k]));
     let (x, y) = (Range::new(panel.x.scale, all(0)), Range::new(panel.y.scale, all(1)));
-    let bottom = TOP + HEIGHT;
-    let place = |p: [f64; 2]| Some([left + WIDTH * x.share(p[0])?, bottom - HEIGHT * y.share(p[1])?]);
+    let (left, right, bottom) = (frame.x, frame.right(), frame.bottom());
+    let place = |p: [f64; 2]| Some([left + frame.width * x.share(p[0])?, bottom - HEIGHT * y.share(p[1])?]);
     let grid = Ink { color: GRID, width: 0.8 };
-    for (value, label) in x.ticks(8.0) {
-        let at = left + WIDTH * x.share(value).unwrap_or(0.0);
+    for (value, label) in x.ticks(frame.width / 40.0) {
+        let at = left + frame.width * x.share(value).unwrap_or(0.0);
         canvas.path(&[[at, TOP], [at, bottom]], grid);
         canvas.text(&label, [at, bottom + 16.0], SIZE, INK, Anchor::Middle);
     }
     for (value, label) in y.ticks(9.0) {
         let at = bottom - HEIGHT * y.share(value).unwrap_or(0.0);
-        canvas.path(&[[left, at], [left + WIDTH, at]], grid);
+        canvas.path(&[[left, at], [right, at]], grid);
         canvas.text(&label, [left - 6.0, at + 4.0], SIZE, INK, Anchor::End);
     }
-    let frame = Rect { x: left, y: TOP, width: WIDTH, height: HEIGHT };
     canvas.outline(&frame.corners(), Ink { color: INK, width: 0.9 });
     for series in &panel.series {
         let points: Vec<Point> = series.points.iter().filter_map(|p| place(*p)).collect();
@@ -197,7 +203,7 @@ fn draw_panel(canvas: &Canvas, panel: &ChartPanel, left: f64) {
             mark(canvas, series.name, point);
         }
     }
-    canvas.text(&panel.x.label, [left + WIDTH / 2.0, bottom + 36.0], SIZE, INK, Anchor::Middle);
+    canvas.text(&panel.x.label, [left + frame.width / 2.0, bottom + 36.0], SIZE, INK, Anchor::Middle);
     canvas.text(&panel.title, [left, TOP - 20.0], SIZE + 1.0, INK, Anchor::Start);
     canvas.text(&panel.y.label, [left, TOP - 6.0], SIZE, FAINT_INK, Anchor::Start);
 }

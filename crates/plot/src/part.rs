@@ -3,7 +3,8 @@
 use schema::PartDocument;
 
 use crate::page::{
-    Anchor, Canvas, FAINT_INK, INK, Ink, POLE, Picture, PlotError, Point, Theme, number, render, rgb, short,
+    Anchor, Canvas, FAINT_INK, INK, Ink, POLE, Picture, PlotError, Point, Rect, Taken, Theme, number, render, rgb,
+    short, short_number, text_width,
 };
 
 const VIEW: f64 = 250.0;
@@ -79,11 +80,12 @@ fn value(text: &str) -> f64 {
 pub fn draw_part(part: &PartDocument, scene: &PartScene, theme: Theme) -> Result<Picture, PlotError> {
     let ellipsoid = Ellipsoid::of(part);
     let reach = reach(&ellipsoid, scene);
+    let length = part.units.split(',').nth(1).unwrap_or_default().trim();
     let size = [3.0 * VIEW + 4.0 * MARGIN, VIEW + 2.0 * MARGIN + 96.0];
     render(size, "A part as it was understood", theme, |canvas| {
         for (k, view) in VIEWS.iter().enumerate() {
             let left = MARGIN + k as f64 * (VIEW + MARGIN);
-            draw_view(canvas, [left, MARGIN], *view, &ellipsoid, scene, &reach);
+            draw_view(canvas, [left, MARGIN], *view, &ellipsoid, scene, &reach, length);
         }
         legend(canvas, part, &ellipsoid);
     })
@@ -126,6 +128,7 @@ fn draw_view(
     ellipsoid: &Ellipsoid,
     scene: &PartScene,
     (middle, half): &([f64; 3], f64),
+    unit: &str,
 ) {
     let [i, j] = plane;
     let scale = 0.5 * VIEW / half;
@@ -139,21 +142,49 @@ fn draw_view(
     canvas.outline(&frame, Ink { color: FAINT_INK, width: 0.8 });
     let outline: Vec<Point> = ellipsoid.outline(plane).into_iter().map(|[u, v]| at(u, v)).collect();
     canvas.path(&outline, OUTLINE);
+    let mut taken = Taken::default();
+    outline.windows(2).for_each(|pair| taken.take_line([pair[0], pair[1]]));
+    for point in [at(0.0, 0.0), at(ellipsoid.center[i], ellipsoid.center[j])] {
+        taken.take_box(Rect::around(point, 6.0));
+    }
+    let mut axes = Vec::new();
     for k in 0..3 {
         let end = |side: f64| {
             let step = |c: usize| ellipsoid.center[c] + side * ellipsoid.semi[k] * ellipsoid.axes[k][c];
             at(step(i), step(j))
         };
-        canvas.path(&[end(-1.15), end(1.15)], AXES[k]);
-        let tip = end(1.15);
-        canvas.text(&(k + 1).to_string(), [tip[0] + 4.0, tip[1] - 3.0], TEXT, AXES[k].color, Anchor::Start);
+        let ends = [end(1.15), end(-1.15)];
+        canvas.path(&ends, AXES[k]);
+        taken.take_line(ends);
+        axes.push(ends);
+    }
+    for (k, ends) in axes.iter().enumerate() {
+        let name = (k + 1).to_string();
+        let rect = beside(ends, [text_width(&name, TEXT), TEXT], &taken);
+        taken.take_box(rect);
+        canvas.text(&name, [rect.x, rect.bottom() - 0.14 * TEXT], TEXT, AXES[k].color, Anchor::Start);
     }
     canvas.disc(at(ellipsoid.center[i], ellipsoid.center[j]), 3.6, INK);
     canvas.ring(at(0.0, 0.0), 4.6, Ink { color: POLE, width: 2.2 });
     canvas.text(names[0], [corner[0] + VIEW, corner[1] + VIEW + 16.0], TEXT, INK, Anchor::End);
     canvas.text(names[1], [corner[0] - 6.0, corner[1] + 10.0], TEXT, INK, Anchor::End);
     let width = number(short(2.0 * half));
-    canvas.text(&format!("width {width}"), [corner[0], corner[1] + VIEW + 16.0], TEXT, FAINT_INK, Anchor::Start);
+    canvas.text(&format!("width {width} {unit}"), [corner[0], corner[1] + VIEW + 16.0], TEXT, FAINT_INK, Anchor::Start);
+}
+
+/// The nearest free place for a name at one of the ends of an axis.
+fn beside(ends: &[Point; 2], [width, height]: [f64; 2], taken: &Taken) -> Rect {
+    let places = [9.0, 14.0, 20.0, 28.0].into_iter().flat_map(|away| {
+        ends.iter().flat_map(move |[x, y]| {
+            (0..8).map(move |eighth| {
+                let (sin, cos) = libm::sincos(std::f64::consts::FRAC_PI_4 * f64::from(eighth));
+                Rect { x: x + away * cos - width / 2.0, y: y - away * sin - height / 2.0, width, height }
+            })
+        })
+    });
+    let mut places = places.peekable();
+    let first = places.peek().copied();
+    places.find(|rect| taken.admits_box(rect)).or(first).unwrap_or(Rect { x: ends[0][0], y: ends[0][1], width, height })
 }
 
 fn legend(canvas: &Canvas, part: &PartDocument, ellipsoid: &Ellipsoid) {
@@ -168,11 +199,11 @@ fn legend(canvas: &Canvas, part: &PartDocument, ellipsoid: &Ellipsoid) {
     let unit = part.units.split(',').take(2).collect::<Vec<_>>();
     for k in 0..3 {
         let (mass, length) = (unit.first().unwrap_or(&""), unit.get(1).unwrap_or(&""));
-        let moment = format!("{:.5e}", part.principal_com.moments[k]);
+        let moment = short_number(part.principal_com.moments[k], 6);
         let text = format!(
             "axis {}: moment about the centre of mass {} {mass} {length}², semi-axis {} {length}",
             k + 1,
-            number(moment),
+            moment,
             number(short(ellipsoid.semi[k])),
         );
         canvas.text(&text, [MARGIN, top + 20.0 + 18.0 * k as f64], TEXT, AXES[k].color, Anchor::Start);

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, clippy::cast_precision_loss)]
 
 mod picture_layout;
+mod picture_letters;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -11,6 +12,7 @@ use documents::DocumentOptions;
 use numbers::Number;
 use numbers::symmetric::Symmetric;
 use picture_layout::Layout;
+use picture_letters::too_small;
 use plot::{CurveSource, DiagramOptions, Picture, draw};
 use schema::AtlasDocument;
 use serde_json::Value;
@@ -45,6 +47,7 @@ fn faults(name: &str, body: &Body) -> Vec<String> {
     }
     let layout = Layout::of(&picture);
     let mut faults = layout.collisions();
+    faults.extend(too_small(&picture));
     for region in &atlas.regions {
         let told = |text: &str| {
             let rest = text.strip_prefix(&region.id);

@@ -50,7 +50,7 @@ fn kovalevskayas_body_with_coincident_curves() {
     let fixture = kovalevskaya();
     let picture = picture("kovalevskaya", &fixture);
     assert_sound(&fixture, &picture);
-    assert!(texts(&picture).iter().any(|(text, _)| text == "side by side: curves that coincide"));
+    assert!(texts(&picture).iter().any(|(text, _)| text == "side by side: coincident"));
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn an_event_far_out_gets_an_overview_and_does_not_hide_the_others() {
     assert!(far > 20.0 * near, "the fixture has no event far out: {near}, {far}");
     let picture = picture("far-out", &fixture);
     assert_sound(&fixture, &picture);
-    assert!(texts(&picture).iter().any(|(text, _)| text.contains("overview with the frame of the main panel")));
+    assert!(texts(&picture).iter().any(|(text, _)| text.contains("overview, main panel framed")));
 }
 
 #[test]

@@ -6,6 +6,7 @@
     clippy::cast_precision_loss
 )]
 
+mod picture_letters;
 mod picture_texts;
 
 use std::f64::consts::{PI, TAU};
@@ -13,6 +14,7 @@ use std::f64::consts::{PI, TAU};
 use dynamics::section::{
     Chart, Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SweepOptions, sweep,
 };
+use picture_letters::too_small;
 use picture_texts::{assert_texts_are_apart, texts};
 use plot::{
     OrbitValues, Picture, PlotError, Projection, Scheme, SectionOptions, SectionScene, draw_scheme, draw_section,
@@ -53,6 +55,7 @@ fn drawn(name: &str, scene: &SectionScene<'_>, options: &SectionOptions) -> Pict
     let drawn = without_images(&picture.svg);
     assert!(!drawn.contains("NaN") && !drawn.contains("inf\""), "a coordinate is not a number");
     assert_texts_are_apart(&texts(&picture));
+    assert_eq!(too_small(&picture), Vec::<String>::new());
     picture
 }
 
@@ -194,6 +197,17 @@ fn values_colour_orbits_and_have_a_bar() {
     for values in [vec![0.25; 12], vec![0.0; 12], vec![f64::NAN; 12]] {
         drawn("one-value", &valued(&portrait, &orbits, &values), &SectionOptions::default());
     }
+}
+
+#[test]
+fn long_numbers_leave_room_for_the_names_of_panels() {
+    let portrait = portrait(3.988_228_955_219_956, 2.789_467_887_626_882, SectionCondition::Height);
+    let orbits = orbits(&portrait, 2, 40);
+    let texts = texts(&drawn("digits", &scene(&portrait, &orbits), &SectionOptions::default()));
+    assert!(
+        texts.iter().any(|(text, _)| text.starts_with("h ≈ 3.98823,") && text.ends_with("l ≈ 2.78947")),
+        "{texts:?}"
+    );
 }
 
 #[test]

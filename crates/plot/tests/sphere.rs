@@ -1,5 +1,10 @@
 //! Pictures of U on the Poisson sphere.
 
+mod picture_letters;
+mod picture_texts;
+
+use picture_letters::too_small;
+use picture_texts::{assert_texts_are_apart, texts};
 use plot::{SphereScene, Theme, draw_sphere};
 use schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
 
@@ -88,5 +93,28 @@ fn periods_and_growth_times_stand_below() {
     let picture = draw_sphere(&scene(&[component(1)], &[equilibrium(Multiplicity::Points(1))]), Theme::Light).unwrap();
     for text in ["growth 0.25, period 2", "saddle-centre", "G1.1, from −r̂", "growth by the factor e in s"] {
         assert!(picture.svg.contains(text), "{text}\n{}", picture.svg);
+    }
+}
+
+/// Poles and axes on the rim, and equilibria so near to each other that their letters must give way.
+#[test]
+fn names_keep_off_each_other_and_off_the_boundary() {
+    let components = [component(1)];
+    let at = |gamma: [f64; 3]| RelativeEquilibriumDocument { gamma, ..equilibrium(Multiplicity::Points(1)) };
+    let equilibria = [at([0.6, 0.0, 0.8]), at([0.58, 0.05, 0.8131]), at([0.0, 0.866, 0.5]), at([0.0, 0.0, 1.0])];
+    for view in [None, Some([0.0, 0.0, 1.0]), Some([1.0, 0.0, 0.0]), Some([0.3, -0.8, 0.5])] {
+        let scene = SphereScene { view, ..scene(&components, &equilibria) };
+        let picture = draw_sphere(&scene, Theme::Light).unwrap();
+        // A name is written five times, for its rim; where that is so is one name.
+        let mut names: Vec<(String, [f32; 4])> = Vec::new();
+        for (text, area) in texts(&picture) {
+            let near = |other: &[f32; 4]| (0..4).all(|k| (other[k] - area[k]).abs() <= 2.1);
+            if !names.iter().any(|(other, place)| *other == text && near(place)) {
+                names.push((text, area));
+            }
+        }
+        assert!(["a", "b", "c", "d", "+r̂", "−r̂", "e₁"].iter().all(|name| names.iter().any(|(text, _)| text == name)));
+        assert_texts_are_apart(&names);
+        assert_eq!(too_small(&picture), Vec::<String>::new());
     }
 }

@@ -90,7 +90,7 @@ fn add_exact_borders(map: &mut Map) {
     if let MapBodies::Areas { borders, .. } = &mut map.bodies {
         borders.clear();
     }
-    let exact = "exact borders: Aj = A1, Aj = ¾ A1, 4(1/√k2 − 1) = 1/k3";
+    let exact = "exact borders: Aⱼ = A1, Aⱼ = ¾A1, 4(1/√(1 − Aⱼ/A1) − 1) = 1/(1 − Aₖ/A1) for Aₖ < Aⱼ";
     for value in katok::LINES {
         for points in [vec![[value, 0.3], [value, 1.7]], vec![[0.3, value], [1.7, value]]] {
             map.lines.push(MapLine { points: dense(&points), dashed: false, hue: 0, text: exact.to_owned() });
@@ -153,15 +153,15 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
         hue: 4,
         text: "η = 1: Lagrange's top, two moments equal; no border of classes".to_owned(),
     });
-    map.notes.push(MapNote { at: [1.0, L[1] - 0.08], text: "1".to_owned(), ring: false });
+    map.notes.push(MapNote { at: [1.0, L[1] - 0.08], text: "1".to_owned(), hue: 4, ring: false });
     for (eta, event) in borders {
         map.lines.push(MapLine {
             points: dense(&[[eta, L[0]], [eta, L[1]]]),
             dashed: true,
             hue: 0,
-            text: format!("η = {eta:.4}: {event}"),
+            text: format!("η = {eta:.4}: {event}").replace('-', "−"),
         });
-        map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), ring: false });
+        map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), hue: 0, ring: false });
     }
     Ok(map)
 }
@@ -197,6 +197,7 @@ fn add_events(map: &mut Map) {
         }
     }
     let mut boxes: Vec<[f64; 4]> = Vec::new();
+    map.subtitle.push_str("; L+, L−: from +r̂, −r̂; S2, S3: pair over axis 2, 3");
     for (name, points) in &lines {
         for run in points.chunk_by(|p, q| q[0] - p[0] < 0.006) {
             let (hue, kind) =
@@ -206,7 +207,7 @@ fn add_events(map: &mut Map) {
             let inside = |at: &&[f64; 2]| at[1] > L[0] + 0.05 && at[1] < L[1] - 0.2;
             let inside: Vec<&[f64; 2]> = run.iter().filter(inside).collect();
             if let Some(at) = free_place(&inside, name, ETA, L, &mut boxes) {
-                map.notes.push(MapNote { at, text: name.clone(), ring: false });
+                map.notes.push(MapNote { at, text: name.replace('-', "−"), hue: hue + 1, ring: false });
             }
         }
     }
@@ -258,7 +259,7 @@ fn paper_off_the_axis() -> Result<Map, Failure> {
     let mut map = classes_of(family, &vary, [Parameter::R2, Parameter::R3])?;
     map.title = String::from("Around the paper's body: the centre of mass leaves the axis");
     map.subtitle = String::from("A = (2, 1.1, 1), r = (0.94868, r2, r3); the paper's body has r2 = 0, r3 = 0.61623");
-    map.notes.push(MapNote { at: [0.0, 0.61623], text: "the paper's body".to_owned(), ring: true });
+    map.notes.push(MapNote { at: [0.0, 0.61623], text: "the paper's body".to_owned(), hue: 0, ring: true });
     Ok(map)
 }
 
@@ -275,7 +276,7 @@ fn paper_in_the_plane() -> Result<Map, Failure> {
     let mut map = plane(["A2=0.5:2.5:60", "r3=0.13:1:60"])?;
     map.title = String::from("Around the paper's body: the plane r2 = 0");
     map.subtitle = String::from("A = (2, A2, 1), r = (0.94868, 0, r3); the paper's body has A2 = 1.1, r3 = 0.61623");
-    map.notes.push(MapNote { at: [1.1, 0.61623], text: "the paper's body".to_owned(), ring: true });
+    map.notes.push(MapNote { at: [1.1, 0.61623], text: "the paper's body".to_owned(), hue: 0, ring: true });
     Ok(map)
 }
 

@@ -109,7 +109,7 @@ impl Table {
             let rows = self.rows.iter().filter(|row| self.text(row, "method") == name);
             rows.map(|row| self.number(row, of)).sum::<f64>()
         };
-        names.iter().map(|name| format!("{name} ({})", total(name))).collect()
+        names.iter().map(|name| format!("{} ({} {of})", times(name), total(name))).collect()
     }
 }
 
@@ -124,6 +124,15 @@ fn wilson(count: f64, all: f64) -> [f64; 2] {
 
 fn axis(label: &str, scale: Scale) -> ChartAxis {
     ChartAxis { label: label.to_owned(), scale }
+}
+
+/// A name with a true sign between the two sides of a grid.
+fn times(name: &str) -> String {
+    let sides = |word: &str| match word.split_once('x') {
+        Some((wide, high)) if wide.parse::<u32>().is_ok() && high.parse::<u32>().is_ok() => format!("{wide}×{high}"),
+        _ => word.to_owned(),
+    };
+    name.split(' ').map(sides).collect::<Vec<_>>().join(" ")
 }
 
 fn names(names: &[&str]) -> Vec<String> {

@@ -4,6 +4,7 @@ import { button, make, panel } from "../draw/dom";
 import type { Session } from "../state/session";
 import { boxOf, paintBodies } from "./bodies-paint";
 import { bordersOf, type Border } from "./borders";
+import { described, loaded, type Catalogue } from "./catalogue";
 import { Cells, FINEST } from "./cells";
 import { bodyAt, FAMILIES, isIn } from "./families";
 
@@ -12,6 +13,8 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
   /** Until the reader chooses a plane: the first one in which the body lies. */
   let chosen = false;
   let borders: Border[] = [];
+  let asked = false;
+  let known: Catalogue | undefined;
   const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "Map of classes of bodies: drag the point" }, data: { testid: "bodies-map" } });
   const text = make("div", { className: "note" });
   const list = make("div", { className: "note", data: { testid: "borders" } });
@@ -22,7 +25,14 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
   const show = () => {
     const place = family.place(session.state);
     const cell = place && cells.at(family, ...place);
-    const here = cell && cell.class >= 0 ? `Here: ${cell.regions} regions, class ${cells.names[cell.class]}.` : place ? (cell ? "Here: on a border, or not a body." : "") : "The present body does not lie in this plane.";
+    const name = cell && cells.names[cell.class];
+    if (name && !asked) {
+      asked = true;
+      // Where it cannot be had, classes keep their names alone.
+      loaded().then((found) => ((known = found), show()), () => undefined);
+    }
+    const words = name && known ? ` (${described(known, name)})` : "";
+    const here = name ? `Here: ${cell.regions} regions, class ${name}${words}.` : place ? (cell ? "Here: on a border, or not a body." : "") : "The present body does not lie in this plane.";
     text.textContent = cells.message || `${here} ${cells.classes} classes seen, ${cells.share < 0.999 ? `${Math.round(100 * cells.share)} %` : "complete"}`;
     list.textContent = borders.length > 0 ? `Borders beside it: ${borders.map((border) => border.text).join("; ")}` : "";
     stop.hidden = !cells.running;

@@ -339,8 +339,11 @@ test("dark and light", async () => {
 
 test("the map of bodies fills when it is looked at", async () => {
   const page = await open("body=katok:6");
+  const files = () => page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name).filter((name) => /classes-[^/]*\.js$/.test(name)).length);
+  expect(await files()).toBe(0);
   await page.getByTestId("bodies-map").scrollIntoViewIfNeeded();
-  await expect.poll(() => page.getByText(/Here: \d+ regions, class [0-9a-f]{12}/).count(), { timeout: 60_000 }).toBe(1);
+  await expect.poll(() => page.getByText(/Here: \d+ regions, class [0-9a-f]{12} \(katok:6/).count(), { timeout: 60_000 }).toBe(1);
+  expect(await files()).toBe(1);
   expect(await colors(page, "bodies-map")).toBeGreaterThan(8);
   await page.getByLabel("plane").selectOption("moments");
   // At once: a quick machine would be done before a pointer is there.

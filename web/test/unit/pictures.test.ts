@@ -4,6 +4,7 @@ import { apply, back, castBall, composed, lookingAt, rotation, turned, type Vec 
 import { ticks } from "../../src/draw/canvas";
 import { LESSONS } from "../../src/guide/lessons";
 import { npy } from "../../src/export/files";
+import { described, loaded } from "../../src/panels/catalogue";
 import { bodyAt, FAMILIES } from "../../src/panels/families";
 
 const near = (a: Vec, b: Vec) => a.forEach((x, i) => expect(x).toBeCloseTo(b[i]!, 12));
@@ -62,4 +63,25 @@ describe("planes of bodies", () => {
 
 test("each lesson's right choice is one of its choices", () => {
   for (const { tasks } of LESSONS) for (const { right, choices } of tasks) expect(choices[right]).toBeDefined();
+});
+
+describe("classes in words", () => {
+  test("by share, by stratum, or not at all", () => {
+    const known = { generic: { a: 0.32, b: 0.5, c: 0, d: null }, special: { e: { in: [1], preset: "katok:5" }, f: { in: [0, 1] } }, strata: ["Euler", "r on axis 3"] };
+    expect([..."abcdefg"].map((name) => described(known, name))).toEqual([
+      "number 2 of 3 of bodies that exist, 32 % of them",
+      "number 1 of 3 of bodies that exist, 50 % of them",
+      "one of 3 of bodies that exist, less than one body in a million",
+      "known, of no body that exists",
+      "katok:5 (r on axis 3)",
+      "Euler; r on axis 3",
+      "not in the catalogue",
+    ]);
+  });
+  test("Katok's seven classes and the largest one of all bodies are in the catalogue", async () => {
+    const known = await loaded();
+    const presets = Object.values(known.special).map(({ preset }) => preset);
+    for (let k = 1; k <= 7; k++) expect(presets).toContain(`katok:${k}`);
+    expect(described(known, "01036ac4a504")).toMatch(/^number 1 of \d+ of bodies that exist, 3\d\.\d % of them$/);
+  });
 });

@@ -1,5 +1,6 @@
 //! Which parts are magnified: few windows that together show every region too small to see.
 
+use super::apart::{beside, clear, reach_into};
 use super::closeup::{Closeup, closeup, depths};
 use super::grid::LEGIBLE;
 use super::layout::{INSET, MAIN};
@@ -87,7 +88,7 @@ fn largest((window, size): (&WindowDocument, [f64; 2])) -> [f64; 2] {
 }
 
 /// Windows that together show all of `hidden`: again and again the one that shows most of those left, the larger of
-/// two that show as many.
+/// two that show as many. Windows keep apart, as far as every region stays visible.
 fn cover(
     scene: &Scene<'_>,
     windows: &[WindowDocument],
@@ -98,16 +99,44 @@ fn cover(
         let depths = depths(scene, window, &hidden)?;
         shown.push((*window, hidden.iter().copied().filter(|&region| depths[region] >= LEGIBLE).collect()));
     }
-    let mut chosen = Vec::new();
+    let mut chosen: Vec<(WindowDocument, Vec<usize>)> = Vec::new();
     while !hidden.is_empty() {
         let gain = |regions: &[usize]| regions.iter().filter(|region| hidden.contains(region)).count();
         let best =
             shown.iter().max_by(|(a, of_a), (b, of_b)| gain(of_a).cmp(&gain(of_b)).then(area(a).total_cmp(&area(b))));
         let Some((window, regions)) = best.filter(|(_, regions)| gain(regions) > 0) else { break };
-        chosen.push(*window);
-        hidden.retain(|region| !regions.contains(region));
+        let (mut window, own): (_, Vec<usize>) =
+            (*window, regions.iter().copied().filter(|region| hidden.contains(region)).collect());
+        for (other, of_other) in &mut chosen {
+            if !reach_into(&window, other) {
+                continue;
+            }
+            if let Some(trimmed) = trimmed(scene, &window, other, &own)? {
+                window = trimmed;
+            } else if let Some(trimmed) = trimmed(scene, other, &window, of_other)? {
+                *other = trimmed;
+            }
+        }
+        hidden.retain(|region| !own.contains(region));
+        chosen.push((window, own));
     }
-    Ok(chosen)
+    Ok(chosen.into_iter().map(|(window, _)| window).collect())
+}
+
+/// The largest part of a window beside another that still shows some regions.
+fn trimmed(
+    scene: &Scene<'_>,
+    window: &WindowDocument,
+    other: &WindowDocument,
+    regions: &[usize],
+) -> Result<Option<WindowDocument>, PlotError> {
+    for part in beside(window, other) {
+        let depths = depths(scene, &part, regions)?;
+        if regions.iter().all(|&region| depths[region] >= LEGIBLE) {
+            return Ok(Some(part));
+        }
+    }
+    Ok(None)
 }
 
 /// Adds windows half-way (in scale) between the main window and those that are magnified most.
@@ -131,8 +160,11 @@ fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument) {
             let (middle, half) = (f64::midpoint(side[0], side[1]), length(side) / 2.0 * scale.sqrt());
             [middle - half, middle + half]
         };
-        windows.push(clipped(&WindowDocument { h: spread(target.h, h), l: spread(target.l, l) }, main));
-        added += 1;
+        let wanted = clipped(&WindowDocument { h: spread(target.h, h), l: spread(target.l, l) }, main);
+        if let Some(window) = clear(wanted, &target, windows) {
+            windows.push(window);
+            added += 1;
+        }
     }
 }
 

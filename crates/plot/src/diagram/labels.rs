@@ -8,8 +8,9 @@ pub(super) const H: &str = "h";
 /// The vertical angular momentum.
 pub(super) const L: &str = "l";
 
-/// Size of the id relative to the type.
+/// Size of the id relative to the type, and the least size of both.
 const ID_SCALE: f64 = 0.78;
+pub(super) const SMALLEST: f64 = 11.0;
 /// Height of a line relative to the font size.
 const LINE: f64 = 1.2;
 /// Between the text of a boxed label and its box.
@@ -78,17 +79,22 @@ impl Setting {
         }
     }
 
+    /// Font sizes of the two texts.
+    fn sizes(&self) -> [f64; 2] {
+        [self.size, (self.size * ID_SCALE).max(SMALLEST)]
+    }
+
     /// Size of a label.
     pub(super) fn extent(&self, name: &Name) -> [f64; 2] {
         let [first, second] = self.texts(name);
-        let (size, small) = (self.size, self.size * ID_SCALE);
+        let [size, small] = self.sizes();
         let (first, second) = (text_width(&first, size), text_width(&second, small));
         if second == 0.0 {
             [first, LINE * size]
         } else if self.one_line {
             [first + 0.4 * size + second, LINE * size]
         } else {
-            [first.max(second), LINE * size * (1.0 + ID_SCALE)]
+            [first.max(second), LINE * (size + small)]
         }
     }
 }
@@ -156,7 +162,7 @@ pub(super) fn paint(canvas: &Canvas, label: &Label, name: &Name, id: &str) {
 fn paint_texts(canvas: &Canvas, label: &Label, name: &Name) {
     let [first, second] = label.setting.texts(name);
     let Rect { x, y, width, .. } = label.rect;
-    let (size, small) = (label.setting.size, label.setting.size * ID_SCALE);
+    let [size, small] = label.setting.sizes();
     let (middle, base) = (x + width / 2.0, y + 0.95 * size);
     if second.is_empty() {
         canvas.text(&first, [middle, base], size, INK, Anchor::Middle);

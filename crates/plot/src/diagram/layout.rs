@@ -4,14 +4,16 @@ use super::panel::Panel;
 use super::ranges::{area, contains};
 use crate::page::{Point, Rect};
 
+// A page of 924 pixels is printed 178 mm wide, both columns of a journal: 11 pixels, the smallest letters, are 6 pt there.
+
 /// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
-pub(super) const LEFT: f64 = 58.0;
+pub(super) const LEFT: f64 = 56.0;
 pub(super) const TOP: f64 = 62.0;
 pub(super) const BELOW: f64 = 46.0;
 pub(super) const RIGHT: f64 = 16.0;
 /// Plot area of the main panel and of an inset.
-pub(super) const MAIN: [f64; 2] = [600.0, 536.0];
-pub(super) const INSET: [f64; 2] = [290.0, 231.0];
+pub(super) const MAIN: [f64; 2] = [540.0, 484.0];
+pub(super) const INSET: [f64; 2] = [246.0, 200.0];
 /// Space above an inset for its letter, and its part of the page.
 const INSET_TOP: f64 = 28.0;
 const INSET_PITCH: [f64; 2] = [INSET[0] + LEFT, INSET[1] + INSET_TOP + BELOW];
@@ -74,11 +76,18 @@ pub(super) fn letter(index: usize) -> String {
     }
 }
 
-/// Where the window of an inset is shown in another panel.
+/// Where the windows of insets are shown in another panel: one, or several whose own frames would meet.
 pub(super) struct Frame {
-    /// Index of the inset.
-    pub inset: usize,
+    /// Indices of the insets.
+    pub insets: Vec<usize>,
     pub rect: Rect,
+}
+
+impl Frame {
+    /// The letters of the insets.
+    pub(super) fn letters(&self) -> Vec<String> {
+        self.insets.iter().map(|inset| letter(*inset)).collect()
+    }
 }
 
 /// For each panel the frames of the insets for which it is the smallest panel that contains them. What no panel
@@ -91,10 +100,29 @@ pub(super) fn frames(panels: &[Panel]) -> Vec<Vec<Frame>> {
         let larger = (0..panels.len())
             .filter(|&parent| size(parent) > area(window) && contains(&panels[parent].view.window, window));
         if let Some(parent) = larger.min_by(|&a, &b| size(a).total_cmp(&size(b))) {
-            frames[parent].push(Frame { inset, rect: frame(panel, &panels[parent]) });
+            frames[parent].push(Frame { insets: vec![inset], rect: frame(panel, &panels[parent]) });
         }
     }
+    frames.iter_mut().for_each(unite);
     frames
+}
+
+/// Unites frames as long as two of them meet.
+fn unite(frames: &mut Vec<Frame>) {
+    let meet = |a: &Rect, b: &Rect| a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+    let pair = |frames: &[Frame]| {
+        let pairs = (0..frames.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        pairs.into_iter().find(|&(i, j)| meet(&frames[i].rect, &frames[j].rect))
+    };
+    while let Some((i, j)) = pair(frames) {
+        let other = frames.remove(j);
+        let own = &mut frames[i];
+        own.insets.extend(other.insets);
+        own.insets.sort_unstable();
+        let [x, y] = [own.rect.x.min(other.rect.x), own.rect.y.min(other.rect.y)];
+        let [right, bottom] = [own.rect.right().max(other.rect.right()), own.rect.bottom().max(other.rect.bottom())];
+        own.rect = Rect { x, y, width: right - x, height: bottom - y };
+    }
 }
 
 /// Is a point of the page marked in a panel? Those in a small frame are left to its inset.

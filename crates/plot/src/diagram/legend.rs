@@ -67,7 +67,7 @@ pub(super) fn legend(
     }
     if let Some([one, other, ..]) = drawn.iter().map(|stroke| &stroke.lines[..]).find(|lines| lines.len() > 1) {
         let symbol = Symbol::Coincident(one.pattern.clone(), other.pattern.clone());
-        entries.push((symbol, "side by side: curves that coincide".to_owned()));
+        entries.push((symbol, "side by side: coincident".to_owned()));
     }
     let seen = |h: f64, l: f64| panels.iter().any(|panel| panel.view.rect.contains(panel.view.position([h, l])));
     for (kind, name) in

@@ -5,6 +5,7 @@
 //! `insets` (with `closeup`) choose the panels, `layout` puts them on the page, `placement` finds room for the `labels`,
 //! `paint` draws.
 
+mod apart;
 mod closeup;
 mod grid;
 mod insets;

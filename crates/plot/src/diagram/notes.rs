@@ -2,7 +2,7 @@
 
 use super::insets::Magnifications;
 use super::labels::{H, L, region_type};
-use crate::page::{Heading, body, number, short_number, text_width};
+use crate::page::{Heading, body_line, short_number, text_width};
 use schema::AtlasDocument;
 
 /// Font size of the notes.
@@ -12,43 +12,19 @@ pub(super) const NOTE_SIZE: f64 = 11.0;
 /// is known of it for programs.
 pub(super) fn heading(atlas: &AtlasDocument, width: f64, size: f64) -> Heading {
     let AtlasDocument { body: own, head, .. } = atlas;
-    let full = body(&own.given.moments, &own.given.center);
-    let rounded = |digits: usize| {
-        let [moments, center] =
-            [&own.given.moments, &own.given.center].map(|of| of.each_ref().map(|text| shortened(text, digits)));
-        let line = body(&moments, &center);
-        if line == full { line } else { line.replace(" = ", " ≈ ") }
-    };
-    let title = DIGITS.iter().map(|&digits| rounded(digits)).find(|line| text_width(line, size) <= width);
+    let title = body_line(&own.given.moments, &own.given.center, width, size);
     let mut metadata = format!("A = ({}), r = ({})", own.given.moments.join(", "), own.given.center.join(", "));
     for (name, value) in [("version", &head.version), ("command", &head.command)] {
         if !value.is_empty() {
             metadata.extend(["; ", name, ": ", value]);
         }
     }
-    Heading { title: title.unwrap_or_else(|| rounded(1)), metadata }
-}
-
-/// Significant digits of the title's numbers, best first.
-const DIGITS: [usize; 5] = [6, 5, 4, 3, 2];
-
-/// The text of a number if it is short, else so many significant digits of it.
-fn shortened(text: &str, digits: usize) -> String {
-    if text.chars().count() <= digits + 2 {
-        return number(text);
-    }
-    let value = |text: &str| text.trim().parse::<f64>().ok();
-    let quotient = || text.split_once('/').and_then(|(p, q)| Some(value(p)? / value(q)?));
-    value(text).or_else(quotient).map_or_else(|| number(text), |value| short_number(value, digits))
+    Heading { title, metadata }
 }
 
 /// What is said below the title: what is special about the body.
 pub(super) fn remark(atlas: &AtlasDocument) -> &'static str {
-    if atlas.body.flags.unphysical {
-        "no mass distribution has these moments: the triangle inequality is violated"
-    } else {
-        ""
-    }
+    if atlas.body.flags.unphysical { "no mass has these moments: triangle inequality violated" } else { "" }
 }
 
 /// Units of h and l of a real part; empty for a body of numbers.

@@ -109,13 +109,14 @@ impl Diagram<'_> {
     /// The frames of insets with their letters, and that of the main panel in an overview.
     fn paint_frames(&self, canvas: &Canvas, panel: &Panel, frames: &[Frame], name: &str) {
         for frame in frames {
-            let letter = letter(frame.inset);
-            canvas.group(&format!("{name}-frame-{letter}"), &format!("inset ({letter})"), || {
+            let letters = frame.letters();
+            let told = format!("inset ({})", letters.join("), ("));
+            canvas.group(&format!("{name}-frame-{}", letters.join("-")), &told, || {
                 canvas.outline(&frame.rect.corners(), FRAME);
             });
-            if let Some(place) = self.texts.letters[frame.inset] {
+            if let Some(place) = self.texts.letters[frame.insets[0]] {
                 let base = [place.x + place.width / 2.0, place.y + 0.82 * place.height];
-                canvas.text(&letter, base, LETTER_SIZE, INK, Anchor::Middle);
+                canvas.text(&letters.join(", "), base, LETTER_SIZE, INK, Anchor::Middle);
             }
         }
         let main = &self.panels[0];
@@ -134,7 +135,7 @@ impl Diagram<'_> {
                 _ => (main, ""),
             };
             let text = if shows(inset, main) {
-                format!("({})  overview with the frame of the main panel", letter(index))
+                format!("({})  overview, main panel framed", letter(index))
             } else {
                 let h = short(reference.view.h_per_pixel() / inset.view.h_per_pixel());
                 let l = short(reference.view.l_per_pixel() / inset.view.l_per_pixel());

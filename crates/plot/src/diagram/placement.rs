@@ -2,7 +2,7 @@
 
 use super::grid::LEGIBLE;
 use super::labels::{Form, Label, Name, names};
-use super::layout::{CROWDED, Frame, LETTER_SIZE, is_marked, letter};
+use super::layout::{CROWDED, Frame, LETTER_SIZE, is_marked};
 use super::markers::MARKER;
 use super::panel::Panel;
 use super::room::Room;
@@ -15,7 +15,7 @@ pub(super) struct Texts {
     pub names: Vec<Name>,
     /// The labels of each panel.
     pub labels: Vec<Vec<Label>>,
-    /// The place of each inset's letter at its frame.
+    /// The place of the letters at the frame of which an inset is the first.
     pub letters: Vec<Option<Rect>>,
     /// Regions that no label tells in full, and whether they have a label at all: the key tells them.
     pub key: Vec<(usize, bool)>,
@@ -112,8 +112,8 @@ fn free_room<'a>(scene: &Scene<'_>, panel: &'a Panel, frames: &[Frame], letters:
     }
     let mut room = Room::new(panel, scene.cells.len(), taken);
     for frame in frames {
-        let text = letter(frame.inset);
-        letters[frame.inset] = room.beside(&frame.rect, [text_width(&text, LETTER_SIZE), LETTER_SIZE]);
+        let text = frame.letters().join(", ");
+        letters[frame.insets[0]] = room.beside(&frame.rect, [text_width(&text, LETTER_SIZE), LETTER_SIZE]);
     }
     room
 }

@@ -2,15 +2,15 @@
 //! placed meets nothing that is there; beside its region a label keeps off every curve, too.
 
 use super::grid::{Grid, NOTHING};
-use super::labels::{Form, Label, Name, Setting, boxed};
+use super::labels::{Form, Label, Name, SMALLEST, Setting, boxed};
 use super::panel::Panel;
 use crate::page::{Point, Rect, Taken, distance};
 
 /// Font sizes that are tried inside a region, best first.
-const SIZES: [f64; 3] = [14.0, 12.0, 10.5];
+const SIZES: [f64; 3] = [14.0, 12.0, SMALLEST];
 /// Font sizes of a label with a leader line, and of an id alone.
-const LEADER_SIZE: f64 = 11.0;
-const ID_SIZE: f64 = 10.0;
+const LEADER_SIZE: f64 = SMALLEST;
+const ID_SIZE: f64 = SMALLEST;
 /// Free pixels around a label inside its region, and around a box.
 const CLEARANCE: f64 = 3.0;
 const BOX_CLEARANCE: f64 = 1.5;

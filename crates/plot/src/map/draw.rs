@@ -1,10 +1,10 @@
 //! The drawing.
 
 use super::colors::{fill, line as line_color};
-use super::legend::{BORDER, LINE, Legend, SIZE, SMALL, line_pattern};
-use super::marks::{RING, marked, note_box};
+use super::legend::{BORDER, LINE, Legend, Places, line_pattern};
+use super::marks::{Mark, RING, marked, note_box};
 use super::model::{Map, MapBodies, MapLine, MapNote};
-use super::view::View;
+use super::view::{SIZE, SMALL, View};
 use std::collections::BTreeSet;
 
 use crate::page::{
@@ -12,12 +12,15 @@ use crate::page::{
     is_proper, pattern, render, text_width, ticks,
 };
 
-const SIDE: f64 = 560.0;
+const SIDE: f64 = 540.0;
 const LEFT: f64 = 64.0;
 const TOP: f64 = 64.0;
 const BELOW: f64 = 56.0;
-/// Between map and legend, and behind the legend.
-const GAP: f64 = 26.0;
+/// Between map and legend, and at the edges of the page.
+const GAP: f64 = 20.0;
+const EDGE: f64 = 12.0;
+/// The width of a page, as long as the legend beside the map has room: so wide 11 pixels are 6 pt in print.
+const PAGE: f64 = 924.0;
 
 /// Draws a map.
 ///
@@ -29,9 +32,13 @@ pub fn draw_map(map: &Map, theme: Theme) -> Result<Picture, PlotError> {
     }
     let rect = Rect { x: LEFT, y: TOP, width: SIDE, height: SIDE };
     let view = View { x: map.x.range, y: map.y.range, rect };
-    let legend = Legend::new(map, &view);
-    let width = LEFT + SIDE + GAP + legend.width() + GAP;
-    let height = TOP + (SIDE + BELOW).max(legend.height() + 10.0);
+    let marks = marked(map, &view);
+    let beside = LEFT + SIDE + GAP;
+    let places = Places { beside: [PAGE - beside - EDGE, SIDE], below: PAGE - 2.0 * EDGE };
+    let legend = Legend::new(map, &view, &marks, places);
+    let width = if legend.height_below() > 0.0 { PAGE } else { 0.0 }.max(beside + legend.width_beside() + EDGE);
+    let below = TOP + SIDE + BELOW;
+    let height = below + legend.height_below() + EDGE;
     render([width.ceil(), height.ceil()], map.title.as_str(), theme, |canvas| {
         canvas.text(&map.title, [LEFT, 24.0], 15.0, INK, Anchor::Start);
         canvas.text(&map.subtitle, [LEFT, 41.0], SIZE, FAINT_INK, Anchor::Start);
@@ -39,9 +46,9 @@ pub fn draw_map(map: &Map, theme: Theme) -> Result<Picture, PlotError> {
         for line in &map.lines {
             draw_line(canvas, line, &view);
         }
-        marks(canvas, map, &view);
+        draw_marks(canvas, map, &view, &marks);
         axes(canvas, map, &view);
-        legend.draw(canvas, [LEFT + SIDE + GAP, TOP]);
+        legend.draw(canvas, [beside, TOP], [EDGE, below]);
     })
 }
 
@@ -104,8 +111,8 @@ fn draw_line(canvas: &Canvas, line: &MapLine, view: &View) {
 }
 
 /// The marks of the entries, and the notes.
-fn marks(canvas: &Canvas, map: &Map, view: &View) {
-    for mark in marked(map, view) {
+fn draw_marks(canvas: &Canvas, map: &Map, view: &View, marks: &[Mark]) {
+    for mark in marks {
         if let Some([tip, end]) = mark.leader {
             canvas.path(&[tip, end], Ink { color: INK, width: 0.7 });
             canvas.disc(tip, 1.5, INK);
@@ -124,7 +131,7 @@ fn draw_note(canvas: &Canvas, note: &MapNote, view: &View) {
     let rect = note_box(note, view);
     canvas.polygon(&rect.corners(), PAPER);
     let [x, y] = rect.center();
-    canvas.text(&note.text, [x, y + 0.36 * SMALL], SMALL, INK, Anchor::Middle);
+    canvas.text(&note.text, [x, y + 0.36 * SMALL], SMALL, line_color(note.hue), Anchor::Middle);
     if note.ring {
         canvas.ring(view.at(note.at), RING, Ink { color: INK, width: 1.4 });
     }

@@ -1,10 +1,9 @@
 //! Where the marks of entries stand: in each patch that has room, and for an entry without one beside its widest patch, with
 //! a leader.
 
-use super::legend::{SIZE, SMALL};
 use super::model::{Map, MapBodies, MapNote};
 use super::places::{inside, patches, widest};
-use super::view::View;
+use super::view::{SIZE, SMALL, View};
 use crate::page::{Point, Rect, Taken, distance, text_width};
 
 /// A mark inside needs so many pixels of room on each side.
@@ -17,7 +16,7 @@ pub(super) const RING: f64 = 4.5;
 const LEADER: [f64; 2] = [9.0, 260.0];
 const STEP: f64 = 5.0;
 /// Font size of a mark with a leader.
-const LED: f64 = 9.0;
+const LED: f64 = SMALL;
 
 /// A mark with its place.
 pub(super) struct Mark {

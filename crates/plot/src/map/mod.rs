@@ -6,6 +6,7 @@ mod legend;
 mod marks;
 mod model;
 mod places;
+mod spots;
 mod view;
 
 pub use draw::draw_map;

@@ -1,7 +1,6 @@
 //! What a map shows.
 
-use super::view::{SEEN, View};
-use crate::page::Point;
+use super::view::{SEEN, View, area};
 
 /// One of the two parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,6 +65,8 @@ pub struct MapNote {
     pub at: [f64; 2],
     /// What.
     pub text: String,
+    /// Which colour it has, as that of a line.
+    pub hue: usize,
     /// Whether the place itself is marked by a ring; then the text stands beside it, else upon it.
     pub ring: bool,
 }
@@ -81,11 +82,7 @@ impl MapBodies {
         };
         let (mut areas, mut unknown) = (vec![0.0; entries], 0.0);
         for (entry, corners) in pieces {
-            let corners: Vec<Point> = corners.iter().map(|corner| view.at(*corner)).collect();
-            let next = corners.iter().cycle().skip(1);
-            let twice: f64 = corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum();
-            let area = entry.and_then(|entry| areas.get_mut(entry)).unwrap_or(&mut unknown);
-            *area += 0.5 * twice.abs();
+            *entry.and_then(|entry| areas.get_mut(entry)).unwrap_or(&mut unknown) += area(corners, view);
         }
         (areas.into_iter().map(|area| area >= SEEN).collect(), unknown >= SEEN)
     }

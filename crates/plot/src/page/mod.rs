@@ -27,12 +27,12 @@ pub(crate) use axes::{Axis, TICK_SIZE, draw_axes};
 pub(crate) use canvas::{Anchor, Canvas, render};
 pub use error::PlotError;
 pub(crate) use font::text_width;
-pub(crate) use geometry::{Point, Rect, clip_polygon, clip_polyline, distance, is_proper, to_pixels, to_units};
+pub(crate) use geometry::{Point, Rect, clip_polygon, clip_polyline, distance, is_proper, meets, to_pixels, to_units};
 pub(crate) use image::png;
 pub(crate) use ink::{FAINT_INK, INK, Ink, PAPER, POLE, rgb, rgbs};
 pub(crate) use legend::Legend;
 pub use notation::section_type;
-pub(crate) use notation::{body, number, short, short_number, short_time, superscript};
+pub(crate) use notation::{body_line, number, short, short_number, short_time, superscript};
 pub(crate) use path::Path;
 pub(crate) use pattern::Pattern;
 #[cfg(test)]

@@ -2,6 +2,8 @@
 
 use std::fmt::Display;
 
+use super::font::text_width;
+
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
 
@@ -39,11 +41,33 @@ pub(crate) fn number(x: impl Display) -> String {
     x.to_string().replace('-', "−")
 }
 
-/// A body by its principal moments and its centre of mass.
-pub(crate) fn body(moments: &[impl Display; 3], center: &[impl Display; 3]) -> String {
-    let [a1, a2, a3] = moments.each_ref().map(number);
-    let [r1, r2, r3] = center.each_ref().map(number);
-    format!("A = ({a1}, {a2}, {a3}),  r = ({r1}, {r2}, {r3})")
+/// A body by its principal moments and its centre of mass, in a line of at most `width` pixels at this font size: its
+/// numbers rounded where that is needed, and told to be.
+pub(crate) fn body_line(moments: &[impl Display; 3], center: &[impl Display; 3], width: f64, size: f64) -> String {
+    /// Significant digits, best first.
+    const DIGITS: [usize; 6] = [6, 5, 4, 3, 2, 1];
+    let line = |print: &dyn Fn(String) -> String| {
+        let [a1, a2, a3] = moments.each_ref().map(|x| print(x.to_string()));
+        let [r1, r2, r3] = center.each_ref().map(|x| print(x.to_string()));
+        format!("A = ({a1}, {a2}, {a3}),  r = ({r1}, {r2}, {r3})")
+    };
+    let full = line(&|text| number(text));
+    let rounded = |digits: usize| {
+        let line = line(&|text| shortened(&text, digits));
+        if line == full { line } else { line.replace(" = ", " ≈ ") }
+    };
+    let fits = |line: &String| text_width(line, size) <= width;
+    DIGITS.into_iter().map(rounded).find(fits).unwrap_or_else(|| rounded(1))
+}
+
+/// The text of a number if it is short, else so many significant digits of it.
+fn shortened(text: &str, digits: usize) -> String {
+    if text.chars().count() <= digits + 2 {
+        return number(text);
+    }
+    let value = |text: &str| text.trim().parse::<f64>().ok();
+    let quotient = || text.split_once('/').and_then(|(p, q)| Some(value(p)? / value(q)?));
+    value(text).or_else(quotient).map_or_else(|| number(text), |value| short_number(value, digits))
 }
 
 /// A time in a table.

@@ -74,7 +74,9 @@ impl Picture {
     pub fn to_png(&self, dpi: f64) -> Result<Vec<u8>, PlotError> {
         let tree = self.tree()?;
         let scale = dpi / PIXELS_PER_INCH;
-        let [width, height] = [tree.size().width(), tree.size().height()].map(|side| (f64::from(side) * scale).round());
+        // Only whole pixels: the page does not cover a part of one, which would show as a line.
+        let [width, height] =
+            [tree.size().width(), tree.size().height()].map(|side| (f64::from(side) * scale + 1e-6).floor());
         if !(width >= 1.0 && height >= 1.0 && width <= PIXELS_MAX && height <= PIXELS_MAX) {
             return Err(PlotError::Resolution { dpi });
         }

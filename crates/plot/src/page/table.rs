@@ -8,7 +8,7 @@ use super::ink::{FAINT_INK, INK};
 const SIZE: f64 = 11.0;
 const ROW: f64 = 17.0;
 /// Between columns.
-const GAP: f64 = 16.0;
+const GAP: f64 = 14.0;
 
 /// Rows of texts, each with a symbol before it.
 pub(crate) struct Table<S> {

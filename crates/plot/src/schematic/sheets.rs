@@ -6,7 +6,9 @@
 use plotters::style::RGBColor;
 
 use super::shapes::{arc, arrow_head, direction, polar};
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, render, rgb};
+use crate::page::{
+    Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, render, rgb, text_width,
+};
 
 const RADIUS: f64 = 84.0;
 /// Where the flow touches the circle, in degrees.
@@ -47,13 +49,14 @@ pub(super) fn both_divisions(theme: Theme) -> Result<Picture, PlotError> {
             canvas.text(heading, [center[0] + 40.0, 30.0], TEXT + 1.0, INK, Anchor::Middle);
         }
         legend(canvas, [60.0, 312.0]);
+        explain(canvas, [380.0, 312.0], "tangency, Ṡ = 0", "flow");
     })
 }
 
 /// Fig. schema3: orbits near tangency meet one sheet only.
 pub(super) fn near_tangency(theme: Theme) -> Result<Picture, PlotError> {
     let center = [138.0, 128.0];
-    render([400.0, 272.0], "Orbits near tangency meet one sheet only", theme, |canvas| {
+    render([400.0, 292.0], "Orbits near tangency meet one sheet only", theme, |canvas| {
         // Through the circle at 35° ± 22° and 215° ± 22°.
         let reach = RADIUS * libm::cos(22.0_f64.to_radians());
         let crossings = [(13.0, 1), (57.0, 1), (193.0, 0), (237.0, 0)];
@@ -72,6 +75,7 @@ pub(super) fn near_tangency(theme: Theme) -> Result<Picture, PlotError> {
             canvas.disc([center[0] + BARS[bar], point[1]], 4.0, INK);
         }
         legend(canvas, [28.0, 256.0]);
+        explain(canvas, [28.0, 278.0], "crossing", "orbit");
     })
 }
 
@@ -145,4 +149,18 @@ fn legend(canvas: &Canvas, [x, y]: Point) {
         canvas.path(&[[x, y - 4.0], [x + 26.0, y - 4.0]], Ink { color, width: 3.0 });
         canvas.text(text, [x + 34.0, y], TEXT, INK, Anchor::Start);
     }
+}
+
+/// What dots, squares and arrows are.
+fn explain(canvas: &Canvas, [x, y]: Point, dot: &str, arrow: &str) {
+    let middle = y - 4.0;
+    canvas.disc([x + 5.0, middle], 4.0, INK);
+    canvas.text(dot, [x + 16.0, y], TEXT, INK, Anchor::Start);
+    let x = x + 40.0 + text_width(dot, TEXT);
+    canvas.polygon(&Rect::around([x, middle], 5.0).corners(), INK);
+    canvas.text("Δ = 0", [x + 12.0, y], TEXT, INK, Anchor::Start);
+    let x = x + 72.0;
+    canvas.path(&[[x, middle], [x + 26.0, middle]], FLOW_INK);
+    arrow_head(canvas, [x + 26.0, middle], direction(0.0), FLOW_INK);
+    canvas.text(arrow, [x + 34.0, y], TEXT, INK, Anchor::Start);
 }

@@ -23,7 +23,7 @@ const UNKNOWN: RGBColor = rgb(0x8a_8a_8a);
 const SCALE: [RGBColor; 6] = rgbs([0x16_1b_5c, 0x5b_23_8c, 0xa5_2c_83, 0xd9_4a_5e, 0xee_7d_2d, 0xf2_b1_13]);
 /// Colours of the scale: with the rest they fit the palette of an image.
 const LEVELS: usize = 200;
-const TICK_SIZE: f64 = 10.5;
+const TICK_SIZE: f64 = 11.0;
 
 /// How the orbits of a picture are coloured.
 pub(super) struct Coloring {

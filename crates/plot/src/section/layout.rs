@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::scene::{Projection, SectionScene};
-use crate::page::{Anchor, Canvas, INK, Point, Rect, number};
+use crate::page::{Anchor, Canvas, INK, Point, Rect, number, short_number};
 use dynamics::section::Chart;
 
 /// Plot area of a panel.
@@ -70,7 +70,11 @@ impl Layout {
             Projection::Sphere => &[Chart::Sphere],
             Projection::Both => &[Chart::Sphere, Chart::Torus],
         };
-        let [width, height] = PANEL;
+        let [mut width, height] = PANEL;
+        if with_bar {
+            // A page of at most 924 pixels: so wide 11 pixels are 6 pt in print.
+            width -= 26.0;
+        }
         let mut panels = Vec::new();
         let mut top = TITLE;
         for scene in 0..scenes.len() {
@@ -103,14 +107,21 @@ impl Layout {
             if captioned != Some(panel.scene) {
                 captioned = Some(panel.scene);
                 let (h, l) = scene.portrait.energy_momentum();
-                let place = format!("h = {},  l = {}", number(h), number(l));
+                let [h, l] = [("h", h), ("l", l)].map(|(name, value)| rounded(name, value));
+                let place = format!("{h},  {l}");
                 canvas.text(&place, [rect.x, above], CAPTION_SIZE, INK, Anchor::Start);
-                let other = [self.panels[0].rect.x + 2.0 * PANEL[0] + BETWEEN, above];
+                let other = [self.panels[1].rect.right(), above];
                 canvas.text(scene.caption, other, CAPTION_SIZE, INK, Anchor::End);
             }
             draw_ticks(canvas, panel);
         }
     }
+}
+
+/// A number that leaves room for the panel's name, told to be rounded where it is.
+fn rounded(name: &str, value: f64) -> String {
+    let (full, short) = (number(value), short_number(value, 6));
+    format!("{name} {} {short}", if short == full { "=" } else { "≈" })
 }
 
 /// Labels of the ticks below a panel, and beside it if it is the left one.

@@ -14,9 +14,9 @@ mod scene;
 
 pub use scene::{OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
 
-use crate::page::{Anchor, INK, Picture, PlotError, body, render};
+use crate::page::{Anchor, Heading, INK, Picture, PlotError, body_line, render, text_width};
 use colors::Coloring;
-use dynamics::section::{Portrait, SectionCondition};
+use dynamics::section::SectionCondition;
 use layout::Layout;
 
 /// The most sections on one page.
@@ -49,10 +49,14 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
     let coloring = Coloring::new(scenes);
     let layout = Layout::new(scenes, options.projection, coloring.bar.is_some());
     let legend = legend::legend(scenes, options.projection, layout.width);
-    let title = options.title.clone().unwrap_or_else(|| body_line(scenes[0].portrait));
+    let mut heading = heading(scenes, layout.width - 2.0 * layout::TITLE_AT[0]);
+    if let Some(title) = &options.title {
+        heading.title.clone_from(title);
+    }
+    let title = heading.title.clone();
     let size = [layout.width, (layout.bottom + legend.height() + 10.0).ceil()];
     let style = points::Style::new(scenes, options);
-    render(size, title.as_str(), options.theme, |canvas| {
+    render(size, heading, options.theme, |canvas| {
         for panel in &layout.panels {
             let scene = &scenes[panel.scene];
             ground::shade(canvas, scene.portrait, panel);
@@ -68,12 +72,19 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
     })
 }
 
-/// The body of a portrait in a line, and its condition if it is not the usual one.
-fn body_line(portrait: &Portrait) -> String {
+/// The body of some sections in a line of at most `width` pixels, and their condition if it is not the usual one; and all
+/// numbers in full.
+fn heading(scenes: &[SectionScene<'_>], width: f64) -> Heading {
+    let portrait = scenes[0].portrait;
     let top = portrait.torus().top();
-    let body = body(&top.moments(), &top.center());
-    match portrait.condition() {
-        SectionCondition::Height => body,
-        SectionCondition::AngularMomentum => format!("{body},  S = ⟨l, γ×r⟩"),
-    }
+    let condition = match portrait.condition() {
+        SectionCondition::Height => "",
+        SectionCondition::AngularMomentum => ",  S = ⟨l, γ×r⟩",
+    };
+    let room = width - text_width(condition, TITLE_SIZE);
+    let title = body_line(&top.moments(), &top.center(), room, TITLE_SIZE);
+    let body = format!("A = {:?}, r = {:?}", top.moments(), top.center());
+    let points = scenes.iter().map(|scene| scene.portrait.energy_momentum()).map(|(h, l)| format!("h = {h}, l = {l}"));
+    let metadata = std::iter::once(body).chain(points).collect::<Vec<_>>().join("; ");
+    Heading { title: format!("{title}{condition}"), metadata }
 }

@@ -1,17 +1,18 @@
 //! Poles, relative equilibria and principal axes.
 
+use super::names::Names;
 use super::scene::SphereScene;
 use super::view::{Vector, View, turned};
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, POLE, Point, rgb};
+use crate::page::{Canvas, FAINT_INK, INK, Ink, PAPER, POLE, Point, Rect, rgb};
 use plotters::style::RGBColor;
 use schema::Multiplicity;
 
+/// Font sizes of names, and of the numbers of components.
 const LABEL: f64 = 12.0;
+const NUMBER: f64 = 15.0;
 pub(super) const MARK: f64 = 4.2;
 /// Round the mark of an equilibrium.
 const POLE_RING: f64 = 7.4;
-/// From the middle of the mark of an equilibrium to the base line of its letter; a pole's ring lies between.
-const LETTER_ABOVE: f64 = 10.0;
 /// Principal axes so near to a pole have no mark of their own.
 const NEAR: f64 = 0.1;
 /// Relative equilibria stand out from every tint and from the level lines.
@@ -62,38 +63,54 @@ pub(super) fn draw(canvas: &Canvas, mark: Mark, at: Point) {
     }
 }
 
-/// Draws the ends of the principal axes, the poles and the equilibria that a view shows.
-pub(super) fn draw_all(canvas: &Canvas, view: &View, scene: &SphereScene<'_>) {
+/// Draws the ends of the principal axes, the poles, the equilibria and the numbers of components that a view shows, with
+/// their names.
+pub(super) fn draw_all(canvas: &Canvas, scene: &SphereScene<'_>, names: &mut Names<'_>, numbers: &[(usize, Point)]) {
+    let view = names.view;
     let r_hat = scene.r_hat;
     let poles: Vec<Vector> = r_hat.into_iter().flat_map(|r| [r, r.map(|c| -c)]).collect();
-    for (axis, names) in [["e₁", "−e₁"], ["e₂", "−e₂"], ["e₃", "−e₃"]].into_iter().enumerate() {
-        for (sign, name) in [1.0, -1.0].into_iter().zip(names) {
+    let mut named: Vec<(Point, String, f64, RGBColor)> = Vec::new();
+    for (place, equilibrium) in scene.equilibria.iter().enumerate() {
+        if let Some(at) = view.position(equilibrium.gamma) {
+            named.push((at, letter(place), LABEL, EQUILIBRIUM));
+        }
+    }
+    for &(number, at) in numbers {
+        named.push((at, number.to_string(), NUMBER, INK));
+    }
+    for (plus, name) in [(true, "+r̂"), (false, "−r̂")] {
+        let sign = if plus { 1.0 } else { -1.0 };
+        if let Some(at) = r_hat.and_then(|r| view.position(r.map(|c| sign * c))) {
+            draw(canvas, Mark::Pole(plus), at);
+            names.take(Rect::around(at, POLE_RING + 1.0));
+            named.push((at, name.to_owned(), LABEL, INK));
+        }
+    }
+    for (axis, ends) in [["e₁", "−e₁"], ["e₂", "−e₂"], ["e₃", "−e₃"]].into_iter().enumerate() {
+        for (sign, name) in [1.0, -1.0].into_iter().zip(ends) {
             let mut gamma = [0.0; 3];
             gamma[axis] = sign;
             // At a pole the mark of the pole says more.
             let near = |pole: &Vector| (0..3).all(|k| (pole[k] - gamma[k]).abs() < NEAR);
             if let Some(at) = view.position(gamma).filter(|_| !poles.iter().any(near)) {
                 draw(canvas, Mark::Axis, at);
-                label(canvas, view, at, name, FAINT_INK);
+                names.take(Rect::around(at, 2.0));
+                named.push((at, name.to_owned(), LABEL, FAINT_INK));
             }
         }
     }
-    for (plus, name) in [(true, "+r̂"), (false, "−r̂")] {
-        let sign = if plus { 1.0 } else { -1.0 };
-        if let Some(at) = r_hat.and_then(|r| view.position(r.map(|c| sign * c))) {
-            draw(canvas, Mark::Pole(plus), at);
-            label(canvas, view, at, name, INK);
-        }
-    }
     // On top: an equilibrium at a pole lies inside its ring.
-    for (place, equilibrium) in scene.equilibria.iter().enumerate() {
+    for equilibrium in scene.equilibria {
         if equilibrium.multiplicity == Multiplicity::Circle {
             circle(canvas, view, equilibrium.gamma, scene.axis);
         }
         if let Some(at) = view.position(equilibrium.gamma) {
             draw(canvas, Mark::Equilibrium(equilibrium.index), at);
-            rimmed(canvas, [at[0], at[1] - LETTER_ABOVE], &letter(place), EQUILIBRIUM, Anchor::Middle);
+            names.take(Rect::around(at, MARK + 1.0));
         }
+    }
+    for (at, name, size, color) in named {
+        names.write(canvas, at, &name, (size, color), size > LABEL);
     }
 }
 
@@ -107,20 +124,4 @@ fn circle(canvas: &Canvas, view: &View, gamma: Vector, axis: Vector) {
         let points: Vec<Point> = run.iter().copied().flatten().collect();
         canvas.path(&points, Ink { color: EQUILIBRIUM, width: 1.6 });
     }
-}
-
-/// A name beside a mark, with a rim of paper: away from the middle of the view, but inwards next to its outline.
-fn label(canvas: &Canvas, view: &View, at: Point, name: &str, color: RGBColor) {
-    let from_middle = at[0] - view.center[0];
-    let to_the_right = (from_middle >= 0.0) == (from_middle.abs() < 0.86 * view.radius);
-    let (x, anchor) = if to_the_right { (at[0] + 11.0, Anchor::Start) } else { (at[0] - 11.0, Anchor::End) };
-    rimmed(canvas, [x, at[1] + 0.36 * LABEL], name, color, anchor);
-}
-
-/// A text with a rim of paper.
-fn rimmed(canvas: &Canvas, base: Point, name: &str, color: RGBColor, anchor: Anchor) {
-    for [dx, dy] in [[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 1.0]] {
-        canvas.text(name, [base[0] + dx, base[1] + dy], LABEL, PAPER, anchor);
-    }
-    canvas.text(name, base, LABEL, color, anchor);
 }

@@ -6,15 +6,20 @@ mod ink;
 mod legend;
 mod marks;
 mod motions;
+mod names;
 mod parts;
 mod scene;
 mod view;
 
 pub use scene::SphereScene;
 
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Path, Picture, PlotError, Theme, render};
+use crate::page::{
+    Anchor, Canvas, FAINT_INK, INK, Ink, Path, Picture, PlotError, Point, Rect, Taken, Theme, number, render,
+    text_width,
+};
 use grid::Grid;
 use ink::{BOUNDARY, FORBIDDEN, LEVEL, tint};
+use names::Names;
 use parts::Parts;
 use view::View;
 
@@ -23,7 +28,6 @@ const RADIUS: f64 = 186.0;
 const MARGIN: f64 = 34.0;
 const TITLE_SIZE: f64 = 14.0;
 const CAPTION_SIZE: f64 = 12.5;
-const NUMBER_SIZE: f64 = 15.0;
 /// Level lines of U, at quantiles of its values on the sphere.
 const LEVELS: usize = 14;
 
@@ -51,15 +55,29 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, Plo
             ground(canvas, &views[view], grid, |node| parts.component(view, node), scene.components.len());
             lines(canvas, &views[view], grid, &levels);
         }
-        for &(component, (view, node)) in &parts.deepest {
-            let at = grids[view].place(node);
-            canvas.text(&(component + 1).to_string(), [at[0] + 12.0, at[1] - 10.0], NUMBER_SIZE, INK, Anchor::Start);
-        }
-        for view in &views {
-            marks::draw_all(canvas, view, scene);
-        }
-        for (view, name) in views.iter().zip(["one side", "the other side"]) {
-            canvas.text(name, [view.center[0], middle + RADIUS + 20.0], CAPTION_SIZE, FAINT_INK, Anchor::Middle);
+        let mut taken = Taken::default();
+        let caption = text_width(scene.caption, CAPTION_SIZE);
+        taken.take_box(Rect { x: MARGIN, y: 32.0, width: caption, height: 20.0 });
+        for (place, view) in views.iter().enumerate() {
+            let grid = &grids[place];
+            let drawn = |levels: &[f64]| levels.iter().flat_map(|level| grid.level_lines(*level)).collect::<Vec<_>>();
+            let mut heavy = drawn(&[0.0]);
+            heavy.push(outline(view));
+            let mut names = Names::new(view, [heavy, drawn(&levels)], taken);
+            let caption = seen_from(view);
+            let at = [view.center[0], middle + RADIUS + 20.0];
+            canvas.text(&caption, at, CAPTION_SIZE, FAINT_INK, Anchor::Middle);
+            let half = text_width(&caption, CAPTION_SIZE) / 2.0;
+            names.take(Rect {
+                x: at[0] - half,
+                y: at[1] - CAPTION_SIZE,
+                width: 2.0 * half,
+                height: 1.3 * CAPTION_SIZE,
+            });
+            let own = parts.deepest.iter().filter(|(_, (view, _))| *view == place);
+            let numbers = own.map(|&(component, (_, node))| (component + 1, grid.place(node)));
+            marks::draw_all(canvas, scene, &mut names, &numbers.collect::<Vec<_>>());
+            taken = names.into_taken();
         }
         canvas.text(scene.title, [MARGIN, 26.0], TITLE_SIZE, INK, Anchor::Start);
         canvas.text(scene.caption, [MARGIN, 46.0], CAPTION_SIZE, INK, Anchor::Start);
@@ -110,8 +128,17 @@ fn lines(canvas: &Canvas, view: &View, grid: &Grid<'_>, levels: &[f64]) {
 /// The outline of the sphere.
 fn rim(view: &View) -> Path {
     let mut path = Path::default();
-    let steps = (0..grid::SPOKES).map(|k| std::f64::consts::TAU * k as f64 / grid::SPOKES as f64);
-    let points: Vec<_> = steps.map(|phi| view.place(std::f64::consts::FRAC_PI_2, phi)).collect();
-    path.line(&points, true);
+    path.line(&outline(view), true);
     path
+}
+
+fn outline(view: &View) -> Vec<Point> {
+    let steps = (0..grid::SPOKES).map(|k| std::f64::consts::TAU * k as f64 / grid::SPOKES as f64);
+    steps.map(|phi| view.place(std::f64::consts::FRAC_PI_2, phi)).collect()
+}
+
+/// The middle of a view, in words.
+fn seen_from(view: &View) -> String {
+    let [x, y, z] = view.gamma(0.0, 0.0).map(|c| number(format!("{:.2}", if c.abs() < 0.005 { 0.0 } else { c })));
+    format!("seen from γ = ({x}, {y}, {z})")
 }

@@ -15,6 +15,8 @@ pub struct Layout {
     pub size: [f32; 2],
     /// Text, its box, and the id of the label that it belongs to.
     pub texts: Vec<(String, Rect, String)>,
+    /// Panels with their axes, the legend and the table below, by their ids.
+    pub blocks: Vec<(String, Rect)>,
     /// Boxes of labels with leaders, with their ids.
     pub boxes: Vec<(String, Rect)>,
     /// Leader lines with the ids of their labels, the region's end first.
@@ -46,6 +48,9 @@ impl Layout {
         if id.contains("-event-") || id.contains("-sample-") {
             self.marks.push((id.to_owned(), group.abs_bounding_box()));
         }
+        if id.ends_with("-axes") || id == "legend" || id == "motions" {
+            self.blocks.push((id.to_owned(), group.abs_bounding_box()));
+        }
         for node in group.children() {
             match node {
                 Node::Group(inner) => self.collect(inner, label),
@@ -68,9 +73,27 @@ impl Layout {
         }
     }
 
+    /// Frames of insets that reach into each other, and those without a letter.
+    fn frames_at_odds(&self) -> Vec<String> {
+        let mut found = Vec::new();
+        for (i, (id, frame)) in self.frames.iter().enumerate() {
+            let Some((panel, letter)) = id.split_once("-frame-") else { continue };
+            if !self.texts.iter().any(|(text, _, _)| *text == letter.replace('-', ", ")) {
+                found.push(format!("{id} has no letter"));
+            }
+            let beside = self.frames[..i].iter().filter(|(other, _)| other.split_once("-frame-").unwrap().0 == panel);
+            found.extend(beside.filter(|(_, other)| meet(frame, other)).map(|(other, _)| format!("{id} and {other}")));
+        }
+        found
+    }
+
     /// Everything that meets what it should not.
     pub fn collisions(&self) -> Vec<String> {
-        let mut found = Vec::new();
+        let mut found = self.frames_at_odds();
+        for (i, (id, block)) in self.blocks.iter().enumerate() {
+            let others = self.blocks[..i].iter().filter(|(_, other)| meet(block, other));
+            found.extend(others.map(|(other, _)| format!("{id} on {other}")));
+        }
         let mut tell = |what: String| found.push(what);
         for (i, (text, area, label)) in self.texts.iter().enumerate() {
             if area.left() < 0.0 || area.top() < 0.0 || area.right() > self.size[0] || area.bottom() > self.size[1] {

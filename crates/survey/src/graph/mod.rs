@@ -7,7 +7,8 @@
 //!
 //! A [`Walk`] stays in one class: each of its steps draws a line through its body, notes every [`Wall`] on the whole of
 //! the line (where the class changes, and by which event), and goes to a body of its class on it. A [`ClassGraph`] joins
-//! what walks have met. [`nearest`] finds the borders around a body, [`deepen`] a body far from all of them.
+//! what walks have met. A walk from a special body stays in its [`Stratum`]. [`nearest`] finds the borders around a body,
+//! [`deepen`] a body far from all of them.
 
 mod chart;
 mod chord;
@@ -16,6 +17,7 @@ mod deepen;
 mod line;
 mod nearest;
 mod place;
+mod stratum;
 mod unseen;
 mod walk;
 
@@ -26,5 +28,6 @@ pub use deepen::{centre, deepen, plain};
 pub use line::Line;
 pub use nearest::{Nearest, NearestOptions, nearest};
 pub use place::{Domain, Place};
+pub use stratum::{STRATA, Stratum};
 pub use unseen::Unseen;
 pub use walk::{Step, Walk};

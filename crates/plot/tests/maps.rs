@@ -1,0 +1,76 @@
+//! Maps: every entry is numbered or told with its place, and everything can be read.
+
+mod picture_letters;
+mod picture_texts;
+
+use picture_letters::too_small;
+use picture_texts::{assert_texts_are_apart, texts};
+use plot::{Map, MapAxis, MapBodies, MapEntry, Theme, draw_map};
+
+type Piece = (Option<usize>, Vec<[f64; 2]>);
+
+fn area(entry: usize, from: [f64; 2], to: [f64; 2]) -> Piece {
+    (Some(entry), vec![from, [to[0], from[1]], to, [from[0], to[1]]])
+}
+
+fn map(entries: usize, bodies: MapBodies) -> Map {
+    let entry = |number: usize| MapEntry {
+        name: format!("{:012x}", 0x1234_5678_9abc_u64 + 0x1_1111 * number as u64),
+        note: format!("{} regions, below 0.1%", 9 + number % 16),
+        mark: (number + 1).to_string(),
+    };
+    let axis = |name: &str| MapAxis { name: name.to_owned(), range: [0.5, 1.5] };
+    Map {
+        title: "A map".to_owned(),
+        subtitle: "of areas".to_owned(),
+        x: axis("A2"),
+        y: axis("r3"),
+        entries: (0..entries).map(entry).collect(),
+        ordered: false,
+        unknown: String::new(),
+        bodies,
+        lines: Vec::new(),
+        notes: Vec::new(),
+    }
+}
+
+/// One wide area, and in a corner squares that become smaller by a fifth each, far below a pixel.
+fn corner(count: usize) -> Map {
+    let mut pieces = vec![area(0, [0.6, 0.6], [1.5, 1.5])];
+    let side = |k: usize| 0.1 * libm::pow(0.8, k as f64);
+    pieces.extend((1..count).map(|k| area(k, [0.5 + side(k), 0.5], [0.5 + side(k - 1), 0.5 + side(k)])));
+    map(count, MapBodies::Areas { pieces, borders: vec![[[0.6, 0.6], [1.5, 0.6]]], told: "borders".to_owned() })
+}
+
+#[test]
+fn every_class_of_a_crowded_map_has_a_number_or_a_place() {
+    for count in [5, 40, 130] {
+        let map = corner(count);
+        let picture = draw_map(&map, Theme::Light).unwrap();
+        let texts = texts(&picture);
+        let mut placed = 0;
+        for entry in &map.entries {
+            let legend = format!("{}  {}", entry.mark, entry.name);
+            let at = texts.iter().position(|(text, _)| text.split_whitespace().eq(legend.split_whitespace()));
+            let at = at.unwrap_or_else(|| panic!("{legend} of {count} is not in the legend"));
+            let is_placed = texts[at + 1].0.starts_with("at (");
+            placed += usize::from(is_placed);
+            let is_marked = texts.iter().any(|(text, _)| *text == entry.mark);
+            assert!(is_marked || is_placed, "{legend} of {count} is nowhere");
+            assert!(!is_placed || texts.iter().any(|(text, _)| text.starts_with("at (A2, r3):")));
+        }
+        assert_eq!(placed > 0, count > 20, "{placed} of {count}");
+        assert_texts_are_apart(&texts);
+        assert_eq!(too_small(&picture), Vec::<String>::new());
+    }
+}
+
+#[test]
+fn a_cell_without_room_for_its_number_is_told_with_its_place() {
+    let columns = 50;
+    let entries = (0..columns * columns).map(|cell| Some(usize::from(cell == 51))).collect();
+    let picture = draw_map(&map(2, MapBodies::Grid { columns, entries }), Theme::Light).unwrap();
+    let texts = texts(&picture);
+    let told = texts.iter().any(|(text, _)| text == "2") || texts.iter().any(|(text, _)| text == "at (0.53, 0.53)");
+    assert!(told, "{texts:?}");
+}
