@@ -103,15 +103,18 @@ impl Root {
         for _ in 0..STEPS {
             let middle = range.middle();
             let value = horner(&f, &middle, precision);
-            let newton = middle.clone() - value.clone() / horner(&slope, &range, precision);
+            let newton = middle.clone() - value / horner(&slope, &range, precision);
             let Some(found) = newton.meet(&range) else { return E::line(precision) };
             let next = if (width(&found) * E::small(2, precision)).is_below(&width(&range)) {
                 found
             } else {
-                match value.sign() {
-                    Some(Sign::Zero) => return middle,
-                    Some(sign) if sign == above => range.lower().hull(&middle),
-                    Some(_) => middle.hull(&range.upper()),
+                // The middle may all but be the root, and its sign not known.
+                let beside = (range.lower() + width(&range) * E::double(0.375, precision)).middle();
+                let signs = [middle, beside].map(|at| (horner(&f, &at, precision).sign(), at));
+                match signs.into_iter().find(|(sign, _)| sign.is_some()) {
+                    Some((Some(Sign::Zero), at)) => return at,
+                    Some((Some(sign), at)) if sign == above => range.lower().hull(&at),
+                    Some((_, at)) => at.hull(&range.upper()),
                     None => return found,
                 }
             };
