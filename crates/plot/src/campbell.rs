@@ -47,9 +47,12 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
             }
         }
         let mut rows = [f64::NEG_INFINITY; 2];
-        // At rest every axis changes its type.
-        for &change in campbell.changes.iter().filter(|change| **change > 0.0) {
+        for &change in &campbell.changes {
             let x = at(change, 0.0)[0];
+            // At rest every axis changes its type.
+            if x < RECT.x + 1.0 {
+                continue;
+            }
             let dots = [(Some(INK), 2.0), (None, 4.0)];
             pattern::draw(canvas, &[[x, RECT.y], [x, RECT.bottom()]], &dots, 1.2);
             let text = format!("{} rpm", short_number(change, 6));

@@ -87,13 +87,19 @@ const COLORS: [RGBColor; 8] =
 pub fn draw_chart(chart: &Chart, theme: Theme) -> Result<Picture, PlotError> {
     let panels = chart.panels.len().max(1) as f64;
     let plot = (PAGE / panels - LEFT - RIGHT).min(WIDTH);
-    let width = panels * (LEFT + plot + RIGHT);
+    let pitch = LEFT + plot + RIGHT;
+    // What stands above the last panel is not cut.
+    let above = chart
+        .panels
+        .last()
+        .map_or(0.0, |panel| text_width(&panel.title, SIZE + 1.0).max(text_width(&panel.y.label, SIZE)) + LEFT + 4.0);
+    let width = (panels * pitch).max((panels - 1.0) * pitch + above).ceil();
     let entries = chart.names.iter().map(|name| text_width(name, SIZE) + 44.0);
     let entries = Rows::new(entries, 0.0, width - LEFT - RIGHT, LEGEND_ROW);
     let legend = TOP + HEIGHT + BELOW;
     render([width, legend + entries.height + 10.0], chart.title.as_str(), theme, |canvas| {
         for (number, panel) in chart.panels.iter().enumerate() {
-            let frame = Rect { x: number as f64 * (LEFT + plot + RIGHT) + LEFT, y: TOP, width: plot, height: HEIGHT };
+            let frame = Rect { x: number as f64 * pitch + LEFT, y: TOP, width: plot, height: HEIGHT };
             draw_panel(canvas, panel, &frame);
         }
         for (name, (text, corner)) in chart.names.iter().zip(entries.corners).enumerate() {

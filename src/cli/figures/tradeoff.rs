@@ -163,7 +163,7 @@ fn classify() -> Result<Chart, ExportError> {
     let panel = |title: &str, counted: &'static [&'static str]| ChartPanel {
         title: title.to_owned(),
         x: axis("relative distance from a curve", Scale::Descending),
-        y: axis("per cent of the generic points; bars: 95 % confidence", Scale::Percent),
+        y: axis("% of generic points; bars: 95 % confidence", Scale::Percent),
         series: table.shares(&METHODS, [counted, &["points"]], "distance", 0.16, beside),
     };
     Ok(Chart {
@@ -175,7 +175,7 @@ fn classify() -> Result<Chart, ExportError> {
             ChartPanel {
                 title: "150 random points of six strata".to_owned(),
                 x: axis("CPU time of a point in µs (median)", Scale::Logarithmic),
-                y: axis("per cent without the right answer; bars: 95 % confidence", Scale::Percent),
+                y: axis("% not right; bars: 95 % confidence", Scale::Percent),
                 series: table.shares(
                     &METHODS,
                     [&["wrong", "undecided", "failed"], &["points"]],
@@ -202,7 +202,7 @@ fn atlas() -> Result<Chart, ExportError> {
     let panel = |title: &str, counted: &'static [&'static str]| ChartPanel {
         title: title.to_owned(),
         x: axis("CPU time of a body in µs (median)", Scale::Logarithmic),
-        y: axis("per cent of the bodies of four strata; bars: 95 % confidence", Scale::Percent),
+        y: axis("% of the bodies of four strata; bars: 95 % confidence", Scale::Percent),
         series: table.shares(&METHODS, [counted, &["bodies"]], "cpu_us_median", 0.0, |_| Some(0)),
     };
     Ok(Chart {
@@ -256,7 +256,7 @@ fn polylines() -> Result<Chart, ExportError> {
         panels: vec![
             panel("deviation that is left", "deviation_largest", "largest of 24 bodies, relative to the picture"),
             panel("size", "json_bytes", "bytes of atlas.json (median)"),
-            panel("time", "document_us", "CPU time of curves and stability in µs (median)"),
+            panel("time", "document_us", "CPU time of curves in µs (median)"),
         ],
     })
 }

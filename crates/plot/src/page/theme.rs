@@ -22,14 +22,16 @@ impl Theme {
         /// Lightness of the dark theme's ground, and of what is black in the light one.
         const GROUND: f64 = 0.18;
         const BLACK: f64 = 1.02;
+        /// Lines in light colours, such as yellow, stay as light as this at least in the dark theme.
+        const LINE: f64 = 0.5;
         /// Grounds are lighter than this, lines and texts darker.
         const PALE: f64 = 0.8;
         let Lab { lightness, a, b } = lab(color);
         match self {
             Self::Light => color,
             Self::Dark => {
-                let lightness = BLACK - (BLACK - GROUND) * lightness;
-                rgb_of(Lab { lightness, a, b })
+                let darkest = if lightness > PALE { GROUND } else { LINE };
+                rgb_of(Lab { lightness: BLACK - (BLACK - darkest) * lightness, a, b })
             }
             Self::Print if lightness > PALE => {
                 rgb_of(Lab { lightness: 1.0 - 0.6 * (1.0 - lightness), a: 0.6 * a, b: 0.6 * b })
