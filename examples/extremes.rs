@@ -2,12 +2,10 @@
 //!
 //! `cargo run --release --example extremes [family] [exponents]` prints one line for each family and distance ε = 10⁻ᵏ:
 //! the atlas of f64 (`all` decided, `open`, `none`), the exact one, the proved one, a point, whether `verify` confirms the
-//! certificate, and the milliseconds of CPU time of each. `data/extremes.txt` is the recorded result.
+//! certificate, and the milliseconds of each. `data/extremes.txt` is the recorded result.
 
-#[path = "tradeoff/clock.rs"]
-mod clock;
+use std::time::Instant;
 
-use clock::{quantiles, timed};
 use dashu_ratio::RBig;
 use documents::{DocumentOptions, certified_atlas};
 use proof::{Accuracy, CertifiedAtlas, atlas_of, classify_exactly};
@@ -44,6 +42,12 @@ fn body([a, b, c, x, y, z]: Parts) -> Body {
     Body::new([a, b, c].map(Number::from_rational), [x, y, z].map(Number::from_rational)).expect("a body")
 }
 
+fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+    let start = Instant::now();
+    let result = work();
+    (result, start.elapsed().as_secs_f64() * 1e3)
+}
+
 fn document(proved: &CertifiedAtlas) -> Option<AtlasDocument> {
     let options = DocumentOptions { polylines: false, ..DocumentOptions::default() };
     certified_atlas(proved, &proved.drawn().ok()?, &options).ok()
@@ -55,7 +59,6 @@ fn main() {
     let exponents: Vec<isize> = arguments
         .next()
         .map_or_else(|| (1..=18).collect(), |list| list.split(',').map(|k| k.parse().expect("a number")).collect());
-    let mut proofs = Vec::new();
     for (name, parts) in FAMILIES.iter().filter(|(name, _)| name.contains(wanted.as_str())) {
         for &exponent in &exponents {
             let body = body(parts(&(RBig::ONE / RBig::from(10).pow(exponent))));
@@ -69,15 +72,11 @@ fn main() {
             };
             let (answer, time) = timed(|| atlas_of(&body, Accuracy::Exact));
             let (proved, proof_time) = timed(|| CertifiedAtlas::new(&body));
-            proofs.push(proof_time / 1e3);
             let verified = proved.as_ref().ok().and_then(document).map_or_else(
                 || "no certificate".to_owned(),
                 |document| {
                     let (found, time) = timed(|| verify::verify(&document));
-                    found.map_or_else(
-                        |refused| format!("REFUSED {refused}"),
-                        |_| format!("verified {:.0} ms", time / 1e3),
-                    )
+                    found.map_or_else(|refused| format!("REFUSED {refused}"), |_| format!("verified {time:.0} ms"))
                 },
             );
             let proved = match &proved {
@@ -97,15 +96,10 @@ fn main() {
             let answer = answer
                 .map_or_else(|error| format!("ERROR {error}"), |atlas| format!("{} regions", atlas.regions().len()));
             println!(
-                "{name} 1e-{exponent} | f64 {fast} | exact {answer} {:.1} ms | proof {proved} {:.1} ms | point {} {:.2} ms | {verified}",
-                time / 1e3,
-                proof_time / 1e3,
+                "{name} 1e-{exponent} | f64 {fast} | exact {answer} {time:.0} ms | proof {proved} {proof_time:.0} ms | point {} {:.1} ms | {verified}",
                 point.0.is_ok(),
-                point.1 / 1e3
+                point.1
             );
         }
     }
-    let slow = proofs.iter().filter(|time| **time > 100.0).count();
-    let [median, late] = quantiles(&mut proofs);
-    println!("# {} proofs: median {median:.1} ms, 99 % {late:.1} ms, {slow} of them over 100 ms", proofs.len());
 }
