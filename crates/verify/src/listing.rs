@@ -43,7 +43,9 @@ pub(super) fn events(
             return Err(refuse("its l or h in the list is further away than its error"));
         }
         let energies = heights[1].clone().max(-&heights[0]) + &norm;
-        let roots = RBig::try_from(listed.document.l).unwrap_or(RBig::ZERO);
+        // Where kinetic and potential energy are alike, as far as l is smaller.
+        let natural = RBig::try_from(l2.to_f64().value().sqrt()).unwrap_or(RBig::ZERO);
+        let roots = RBig::try_from(listed.document.l).unwrap_or(RBig::ZERO) + natural;
         if !is_useful(listed.document.l_error, &roots) || !is_useful(listed.document.h_error, &energies) {
             return Err(refuse("its error in the list says nothing"));
         }
