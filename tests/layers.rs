@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 const ORDER: [(&str, &str); 11] = [
     (
         "crates/numbers/src",
-        "number decimal sign enclosure interval wide modular polynomial ring symmetric bernstein root partition \
+        "number decimal sign enclosure interval directed words wide modular polynomial ring symmetric bernstein root partition \
          sequence",
     ),
     (
@@ -24,7 +24,7 @@ const ORDER: [(&str, &str); 11] = [
     ("crates/part/src", "units spin existence products mass measured mesh link file"),
     (
         "crates/proof/src",
-        "id model family curves estimate point ridges heights plane mirror pair polar arrange region certificate drawn vertex exact \
+        "work id model family curves estimate point ridges heights plane mirror pair polar arrange region certificate drawn vertex exact \
          accuracy prepared",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),

@@ -11,7 +11,7 @@ use top::topology::Component;
 
 use super::clock::{quantiles, timed};
 use super::companion;
-use super::points::Point;
+use super::points::Asked;
 use support::flood_fill;
 
 /// Bodies of each stratum, and those on which the flood fill is tried.
@@ -62,10 +62,10 @@ impl Tally {
     }
 }
 
-pub fn run(points: &[Point]) {
+pub fn run(all: &[Asked]) {
     println!("stratum,method,bodies,right,wrong,undecided,failed,untold,cpu_us_median,cpu_us_99,cpu_us_largest");
     for stratum in ["generic", "near axis", "near symmetric", "rod"] {
-        let mut bodies = points.iter().filter(|p| p.stratum == stratum && p.distance.is_none()).map(|p| &p.body);
+        let mut bodies = all.iter().filter(|asked| asked.stratum == stratum).map(|asked| &asked.body);
         let bodies: Vec<&Body> = bodies.by_ref().take(BODIES).collect();
         let proofs: Vec<(Option<Classes>, f64)> = bodies
             .par_iter()

@@ -1,14 +1,15 @@
 //! Single points: time and share of right, wrong and undecided answers.
 
-use proof::Accuracy;
+use std::collections::BTreeMap;
+
+use proof::{Accuracy, Prepared};
 use rayon::prelude::*;
-use top::atlas::Atlas;
 use top::classify::Classification;
 use top::topology::Component;
 
 use super::clock::{quantiles, timed};
-use super::companion;
-use super::points::Point;
+use super::points::{Asked, Point};
+use super::{Failure, companion};
 use support::flood_fill;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -18,93 +19,147 @@ enum Verdict {
     Undecided,
     /// No answer at all.
     Failed,
-    /// The truth is not known.
+    /// Euler characteristic and poles are right, and more is not known.
     Untold,
+}
+
+/// A body and what is made of it once.
+struct Bodies<'a> {
+    asked: &'a Asked,
+    fast: Prepared,
+    exact: Prepared,
 }
 
 /// Rows of the flood fill's grid; twice as many columns.
 const ROWS: [usize; 3] = [32, 96, 256];
 
-type Method = (&'static str, fn(&Point) -> (Verdict, f64));
+/// So many bodies of each stratum are asked what one would do otherwise, too.
+const PEERS: usize = 100;
 
-const METHODS: [Method; 8] = [
-    ("fast", fast),
-    ("fast on a prepared body", prepared),
-    ("exact", exact),
-    ("flood fill 32x64", |p| flood(p, ROWS[0])),
-    ("flood fill 96x192", |p| flood(p, ROWS[1])),
-    ("flood fill 256x512", |p| flood(p, ROWS[2])),
-    ("companion matrix", |p| companion_matrix(p, 1e-8)),
-    ("companion matrix 1e-4", |p| companion_matrix(p, 1e-4)),
+type Method = (&'static str, fn(&Bodies, &Point) -> (Verdict, f64));
+
+const METHODS: [Method; 3] = [
+    ("fast", |_, point| classified(point, Accuracy::Fast)),
+    ("fast on a prepared body", |bodies, point| prepared(point, &bodies.fast)),
+    ("exact", |_, point| classified(point, Accuracy::Exact)),
 ];
 
-pub fn run(points: &[Point]) {
-    let mut groups: Vec<(&str, Option<f64>)> = points.iter().map(|p| (p.stratum.as_str(), p.distance)).collect();
-    groups.dedup();
-    println!("stratum,distance,method,points,right,wrong,undecided,failed,untold,cpu_us_median,cpu_us_99");
-    for (stratum, distance) in groups {
-        let group: Vec<&Point> = points.iter().filter(|p| p.stratum == stratum && p.distance == distance).collect();
-        for (name, answer) in METHODS {
-            let answers: Vec<(Verdict, f64)> = group.par_iter().map(|point| answer(point)).collect();
-            let count = |verdict| answers.iter().filter(|answer| answer.0 == verdict).count();
-            let [median, high] = quantiles(&mut answers.iter().map(|answer| answer.1).collect::<Vec<_>>());
-            println!(
-                "{stratum},{},{name},{},{},{},{},{},{},{median:.3},{high:.3}",
-                distance.map_or_else(String::new, |d| format!("{d:e}")),
-                group.len(),
-                count(Verdict::Right),
-                count(Verdict::Wrong),
-                count(Verdict::Undecided),
-                count(Verdict::Failed),
-                count(Verdict::Untold),
-            );
+const OTHERS: [Method; 6] = [
+    ("exact on a prepared body", |bodies, point| prepared(point, &bodies.exact)),
+    ("flood fill 32x64", |_, point| flood(point, ROWS[0])),
+    ("flood fill 96x192", |_, point| flood(point, ROWS[1])),
+    ("flood fill 256x512", |_, point| flood(point, ROWS[2])),
+    ("companion matrix", |_, point| companion_matrix(point, 1e-8)),
+    ("companion matrix 1e-4", |_, point| companion_matrix(point, 1e-4)),
+];
+
+/// The answers of each method at each place of a body's list, and their times.
+type Answers = BTreeMap<(usize, usize), Vec<(Verdict, f64)>>;
+
+pub fn run(all: &[Asked], only: Option<&str>) -> Result<(), Failure> {
+    println!(
+        "stratum,distance,method,points,right,wrong,undecided,failed,untold,cpu_us_median,cpu_us_99,cpu_us_largest"
+    );
+    let mut strata: Vec<&str> = Vec::new();
+    for asked in all {
+        if !strata.contains(&asked.stratum.as_str()) && only.is_none_or(|only| only == asked.stratum) {
+            strata.push(&asked.stratum);
         }
     }
+    for stratum in strata {
+        let group: Vec<&Asked> = all.iter().filter(|asked| asked.stratum == stratum).collect();
+        eprintln!("{stratum}: {} bodies", group.len());
+        let answers: Result<Vec<_>, String> =
+            group.par_iter().enumerate().map(|(number, asked)| answers(asked, number < PEERS)).collect();
+        let mut merged = Answers::new();
+        for (key, mut one) in answers?.into_iter().flatten() {
+            merged.entry(key).or_default().append(&mut one);
+        }
+        for ((place, method), answers) in merged {
+            let distance = group[0].distances().nth(place).unwrap_or_default();
+            print(stratum, distance, METHODS.iter().chain(&OTHERS).nth(method).map_or("", |m| m.0), &answers);
+        }
+    }
+    Ok(())
+}
+
+fn answers(asked: &Asked, peers: bool) -> Result<Answers, String> {
+    let prepared = |accuracy| {
+        let body = Prepared::new(asked.body.clone(), accuracy);
+        // Its atlas is made here and not with the first point.
+        let _answer = body.classify(&asked.l, &asked.l);
+        body
+    };
+    let bodies = Bodies { asked, fast: prepared(Accuracy::Fast), exact: prepared(Accuracy::Exact) };
+    let mut found = Answers::new();
+    let others: &[Method] = if peers { &OTHERS } else { &[] };
+    for (place, point) in bodies.asked.points().map_err(|error| error.to_string())?.iter().enumerate() {
+        for (method, (name, answer)) in METHODS.iter().chain(others).enumerate() {
+            let answer = answer(&bodies, point);
+            if answer.0 == Verdict::Wrong && method <= METHODS.len() {
+                let Point { body, distance, h, l, .. } = point;
+                let numbers = (body.moments(), body.center());
+                eprintln!("wrong: {name} {distance} {numbers:?} h={h:?} l={l:?}");
+            }
+            found.entry((place, method)).or_default().push(answer);
+        }
+    }
+    Ok(found)
+}
+
+fn print(stratum: &str, distance: &str, name: &str, answers: &[(Verdict, f64)]) {
+    let count = |verdict| answers.iter().filter(|answer| answer.0 == verdict).count();
+    let mut times: Vec<f64> = answers.iter().map(|answer| answer.1).collect();
+    let [median, high] = quantiles(&mut times);
+    println!(
+        "{stratum},{distance},{name},{},{},{},{},{},{},{median:.3},{high:.3},{:.1}",
+        answers.len(),
+        count(Verdict::Right),
+        count(Verdict::Wrong),
+        count(Verdict::Undecided),
+        count(Verdict::Failed),
+        count(Verdict::Untold),
+        times[times.len() - 1],
+    );
 }
 
 fn against(point: &Point, found: &[Component]) -> Verdict {
     match &point.truth {
+        _ if !point.admits(found) => Verdict::Wrong,
         Some(truth) if truth == found => Verdict::Right,
         Some(_) => Verdict::Wrong,
         None => Verdict::Untold,
     }
 }
 
-fn answer_against(point: &Point, found: &Classification) -> Verdict {
-    let Some(truth) = &point.truth else {
-        return if found.components().is_none() { Verdict::Undecided } else { Verdict::Untold };
-    };
-    match found.components() {
-        Some(components) if components == truth => Verdict::Right,
-        None if found.candidates().contains(truth) => Verdict::Undecided,
-        _ => Verdict::Wrong,
+/// A point beside a curve is never on one.
+fn answer_against(point: &Point, found: &Classification, accuracy: Accuracy) -> Verdict {
+    match (found.components(), &point.truth) {
+        (Some(components), _) => against(point, components),
+        (None, _) if accuracy == Accuracy::Exact => Verdict::Wrong,
+        (None, Some(truth)) if !found.candidates().contains(truth) => Verdict::Wrong,
+        (None, _) => Verdict::Undecided,
     }
 }
 
-fn fast(point: &Point) -> (Verdict, f64) {
-    let (found, time) = timed(|| top::classify::classify(&point.body, &point.h, &point.l));
-    (found.map_or(Verdict::Failed, |found| answer_against(point, &found)), time)
+fn classified(point: &Point, accuracy: Accuracy) -> (Verdict, f64) {
+    let (found, time) = timed(|| proof::classify(point.body, &point.h, point.l, accuracy));
+    (found.map_or(Verdict::Failed, |found| answer_against(point, &found, accuracy)), time)
 }
 
-fn prepared(point: &Point) -> (Verdict, f64) {
-    let Ok(atlas) = Atlas::new(&point.body) else { return (Verdict::Failed, 0.0) };
-    let (found, time) = timed(|| atlas.classify(&point.h, &point.l));
-    (found.map_or(Verdict::Failed, |found| answer_against(point, &found)), time)
-}
-
-fn exact(point: &Point) -> (Verdict, f64) {
-    let (found, time) = timed(|| proof::classify(&point.body, &point.h, &point.l, Accuracy::Exact));
-    (found.map_or(Verdict::Failed, |found| answer_against(point, &found)), time)
+fn prepared(point: &Point, body: &Prepared) -> (Verdict, f64) {
+    let (found, time) = timed(|| body.classify(&point.h, point.l));
+    (found.map_or(Verdict::Failed, |found| answer_against(point, &found, body.accuracy())), time)
 }
 
 fn flood(point: &Point, rows: usize) -> (Verdict, f64) {
-    let (found, time) = timed(|| flood_fill::components(&point.body, point.h.to_f64(), point.l.to_f64(), rows));
+    let (found, time) = timed(|| flood_fill::components(point.body, point.h.to_f64(), point.l.to_f64(), rows));
     (against(point, &found), time)
 }
 
 /// `real`: the imaginary part up to which a root counts as real, relative to its size. Right if it counts the relative equilibria below h right, which does not yet tell the components.
 fn companion_matrix(point: &Point, real: f64) -> (Verdict, f64) {
-    let (found, time) = timed(|| companion::equilibria_below(&point.body, point.h.to_f64(), point.l.to_f64(), real));
+    let (found, time) = timed(|| companion::equilibria_below(point.body, point.h.to_f64(), point.l.to_f64(), real));
     let verdict = match found {
         None => Verdict::Failed,
         Some(count) if count == point.equilibria_below => Verdict::Right,

@@ -7,7 +7,7 @@ use top::atlas::Atlas;
 use top::curves::CurveName;
 
 use super::clock::{quantiles, timed};
-use super::points::Point;
+use super::points::Asked;
 
 /// Bodies, and those of which a picture is drawn.
 const BODIES: usize = 24;
@@ -16,8 +16,9 @@ const DRAWN: usize = 2;
 /// Places between two vertices where the deviation is measured.
 const BETWEEN: usize = 7;
 
-pub fn run(points: &[Point]) {
-    let atlases: Vec<Atlas> = points.iter().take(BODIES).filter_map(|point| Atlas::new(&point.body).ok()).collect();
+pub fn run(all: &[Asked]) {
+    let generic = all.iter().filter(|asked| asked.stratum == "generic");
+    let atlases: Vec<Atlas> = generic.take(BODIES).filter_map(|asked| Atlas::new(&asked.body).ok()).collect();
     println!(
         "tolerance,bodies,vertices,json_bytes,svg_bytes,deviation_median,deviation_largest,\
          document_us,picture_us"

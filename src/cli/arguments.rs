@@ -190,7 +190,7 @@ pub struct CommonArguments {
     #[arg(long, value_name = "N", global = true, allow_hyphen_values = true, value_parser = values::threads)]
     #[arg(help_heading = "General")]
     pub threads: Option<NonZeroUsize>,
-    /// Tell on stderr how long each stage took
+    /// Tell on stderr how long each stage took, and how many questions were decided by f64, by intervals and by algebra
     #[arg(long, global = true, help_heading = "General")]
     pub timings: bool,
     /// Print no warnings and no progress

@@ -84,6 +84,9 @@ fn timings_go_to_stderr_and_change_nothing() {
     let timed = bifdiag("--body paper --json --timings -v").succeeds().telling("timing: total").telling("info: ");
     assert_eq!(timed.stdout(), plain);
     bifdiag("--timings classify --body paper --h 1 --l 1").succeeds().telling("timing: classify");
+    // Closer to a curve than f64 tells: seven heights, each by intervals.
+    let near = "--timings classify --body paper --h 4.645784643886435 --l 3.25";
+    bifdiag(near).succeeds().telling("work: point").telling("further").telling("64 bits             7");
 }
 
 #[test]

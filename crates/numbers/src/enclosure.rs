@@ -96,3 +96,9 @@ pub trait Enclosure: Arithmetic {
         (other.clone() - self.clone()).sign() == Some(Sign::Positive)
     }
 }
+
+/// The values of a polynomial, given by its coefficients by rising power, by Horner's rule.
+#[must_use]
+pub fn horner<E: Arithmetic>(c: &[E], at: &E, precision: E::Precision) -> E {
+    c.iter().rev().fold(E::small(0, precision), |sum, c| sum * at.clone() + c.clone())
+}

@@ -2,6 +2,7 @@
 
 pub mod bernstein;
 pub mod decimal;
+pub mod directed;
 pub mod enclosure;
 pub mod interval;
 mod modular;
@@ -14,6 +15,7 @@ pub mod sequence;
 mod sign;
 pub mod symmetric;
 pub mod wide;
+pub mod words;
 
 pub use number::{Number, ParseNumberError};
 pub use sign::Sign;

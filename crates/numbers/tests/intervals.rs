@@ -5,7 +5,7 @@ use dashu_ratio::RBig;
 use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
-use numbers::wide::Wide;
+use numbers::wide::{Interval128, Interval384, Wide};
 use proptest::prelude::*;
 
 const SPECIAL: [f64; 18] = [
@@ -84,6 +84,8 @@ fn holds([lo, hi]: [f64; 2], value: &RBig) -> bool {
 }
 
 impl Set for Wide {}
+impl Set for Interval128 {}
+impl Set for Interval384 {}
 
 impl Set for Interval {
     fn set([lo, hi]: [f64; 2], (): ()) -> Self {
@@ -206,6 +208,8 @@ proptest! {
         for bits in [53, 128, 384] {
             arithmetic::<Wide>(pair, bits)?;
         }
+        arithmetic::<Interval128>(pair, ())?;
+        arithmetic::<Interval384>(pair, ())?;
     }
 
     #[test]
@@ -214,6 +218,8 @@ proptest! {
         for bits in [53, 128, 384] {
             roots::<Wide>(x, bits)?;
         }
+        roots::<Interval128>(x, ())?;
+        roots::<Interval384>(x, ())?;
     }
 
     #[test]
@@ -222,6 +228,8 @@ proptest! {
         for bits in [53, 128, 384] {
             order::<Wide>(pair, bits)?;
         }
+        order::<Interval128>(pair, ())?;
+        order::<Interval384>(pair, ())?;
     }
 
     #[test]
@@ -233,6 +241,8 @@ proptest! {
             for bits in [53, 128, 384] {
                 numbers::<Wide>(&p, bits)?;
             }
+            numbers::<Interval128>(&p, ())?;
+            numbers::<Interval384>(&p, ())?;
         }
     }
 

@@ -6,6 +6,7 @@ use top::body::{Body, Number};
 use top::classify::{self, Classification, ClassifyError};
 use top::diagram::RegionId;
 
+use crate::work::{Question, Rung, decided as worked};
 use crate::{CertifiedAtlas, NotProved, NotWritten, Open, classify_exactly};
 
 /// What an answer is worth.
@@ -68,6 +69,7 @@ pub fn atlas_of(body: &Body, accuracy: Accuracy) -> Result<Atlas, NoAtlas> {
         // Nothing that needs a frame can be computed of such a body.
         Err(error) => accuracy == Accuracy::Fast || matches!(error, AtlasError::Equilibria(_)),
     };
+    worked(Question::Atlas, if settled { Rung::Double } else { Rung::Further });
     if settled { Ok(quick?) } else { decided(CertifiedAtlas::new(body)?.drawn()?) }
 }
 
@@ -119,7 +121,9 @@ pub fn classify(body: &Body, h: &Number, l: &Number, accuracy: Accuracy) -> Resu
     if accuracy == Accuracy::Fast {
         return Ok(classify::classify(body, h, l)?);
     }
-    match classify::classify_if_clear(body, h, l)? {
+    let clear = classify::classify_if_clear(body, h, l)?;
+    worked(Question::Point, if clear.is_some() { Rung::Double } else { Rung::Further });
+    match clear {
         Some(found) => Ok(found),
         None => Ok(classify_exactly(body, h, l)?),
     }

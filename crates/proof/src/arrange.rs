@@ -1,5 +1,7 @@
 //! The arrangement: events in proved order, vertical orders, faces.
 
+use std::cell::{Cell, OnceCell};
+
 use dashu_ratio::RBig;
 
 use super::curves::{Curves, NotIsolated, ROOT_BITS, Shape};
@@ -8,11 +10,12 @@ use super::model::Model;
 use super::pair::{Open, POINTS, PairProof, Proof};
 use super::point::{Evaluator, Passage, Point};
 use super::polar::{self, Meeting};
+use super::work::{Question, Rung, decided};
 use numbers::Sign;
-use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::enclosure::Enclosure;
 use numbers::interval::Interval;
 use numbers::partition::Partition;
-use numbers::wide::Wide;
+use numbers::wide::{Interval128, Interval384};
 use top::curves::{CurveId, CuspId, End, PitchforkId};
 use top::diagram::{EventId, RegionId, SlabId};
 use top::table::{Id, Table};
@@ -91,49 +94,64 @@ pub(super) struct Arrangement {
 
 /// Runs a question in growing precision until it is answered.
 struct Stages<'a> {
+    model: &'a Model,
+    curves: &'a Curves,
+    meetings: &'a [Passage],
     narrow: Evaluator<'a, Interval>,
-    wide: Vec<Evaluator<'a, Wide>>,
-    used: usize,
+    /// Made when first needed.
+    middle: OnceCell<Evaluator<'a, Interval128>>,
+    wide: OnceCell<Evaluator<'a, Interval384>>,
+    used: Cell<usize>,
     /// The most points of a pair of curves at each precision.
     points: u32,
 }
 
 impl<'a> Stages<'a> {
-    fn new(model: &'a Model, curves: &'a Curves, meetings: &[Passage], points: u32) -> Self {
-        Self {
-            points,
-            narrow: Evaluator::new(model, curves, meetings, ()),
-            wide: STAGES.iter().map(|&bits| Evaluator::new(model, curves, meetings, bits)).collect(),
-            used: 0,
-        }
+    fn new(model: &'a Model, curves: &'a Curves, meetings: &'a [Passage], points: u32) -> Self {
+        let narrow = Evaluator::new(model, curves, meetings, ());
+        let (middle, wide, used) = (OnceCell::new(), OnceCell::new(), Cell::new(0));
+        Self { model, curves, meetings, narrow, middle, wide, used, points }
     }
 
-    fn pair(&mut self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
-        let mut result = self.narrow.pair(a, b, self.points);
-        for (stage, evaluator) in self.wide.iter().enumerate() {
-            if result.is_ok() {
-                break;
-            }
-            self.used = self.used.max(STAGES[stage]);
-            result = evaluator.pair(a, b, self.points);
-        }
-        result
+    fn middle(&self) -> &Evaluator<'a, Interval128> {
+        self.used.set(self.used.get().max(STAGES[0]));
+        self.middle.get_or_init(|| Evaluator::new(self.model, self.curves, self.meetings, ()))
+    }
+
+    fn wide(&self) -> &Evaluator<'a, Interval384> {
+        self.used.set(self.used.get().max(STAGES[1]));
+        self.wide.get_or_init(|| Evaluator::new(self.model, self.curves, self.meetings, ()))
+    }
+
+    fn pair(&self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
+        let mut rung = Rung::Double;
+        let found = self.narrow.pair(a, b, self.points);
+        let found = found.or_else(|_| {
+            rung = Rung::Bits(STAGES[0]);
+            self.middle().pair(a, b, self.points)
+        });
+        let found = found.or_else(|_| {
+            rung = Rung::Bits(STAGES[1]);
+            self.wide().pair(a, b, self.points)
+        });
+        decided(Question::Pair, if found.is_ok() { rung } else { Rung::Open });
+        found
     }
 
     /// The order of these curves over x, with enclosures of their heights.
-    fn order(&mut self, curves: &[CurveId], x: &RBig) -> Option<Ordered> {
+    fn order(&self, curves: &[CurveId], x: &RBig) -> Option<Ordered> {
+        let mut rung = Rung::Double;
         let found = order(&self.narrow, curves, x);
-        if found.is_some() {
-            return found;
-        }
-        for (stage, evaluator) in self.wide.iter().enumerate() {
-            self.used = self.used.max(STAGES[stage]);
-            let found = order(evaluator, curves, x);
-            if found.is_some() {
-                return found;
-            }
-        }
-        None
+        let found = found.or_else(|| {
+            rung = Rung::Bits(STAGES[0]);
+            order(self.middle(), curves, x)
+        });
+        let found = found.or_else(|| {
+            rung = Rung::Bits(STAGES[1]);
+            order(self.wide(), curves, x)
+        });
+        decided(Question::Order, if found.is_some() { rung } else { Rung::Open });
+        found
     }
 }
 
@@ -191,12 +209,12 @@ pub(super) fn arrange(model: Model, curves: &Curves, points: u32) -> Result<Arra
         return Err(vec![Undecided::Degenerate]);
     }
     let meetings = polar::meetings(&model, curves, ROOT_BITS).map_err(roots)?;
-    let plain = Evaluator::<Wide>::new(&model, curves, &[], STAGES[1]);
+    let plain = Evaluator::<Interval384>::new(&model, curves, &[], ());
     let mut events = single_events(&plain, &meetings)?;
     let mut bits = 0;
     let (mut pairs, crossings) = {
         let known = known_meetings(curves, &events);
-        let mut stages = Stages::new(&model, curves, &known, points);
+        let stages = Stages::new(&model, curves, &known, points);
         let mut pairs = Vec::new();
         let mut crossings = Vec::new();
         let mut undecided = Vec::new();
@@ -223,7 +241,7 @@ pub(super) fn arrange(model: Model, curves: &Curves, points: u32) -> Result<Arra
                 }
             }
         }
-        bits = bits.max(stages.used);
+        bits = bits.max(stages.used.get());
         if !undecided.is_empty() {
             return Err(undecided);
         }
@@ -234,9 +252,9 @@ pub(super) fn arrange(model: Model, curves: &Curves, points: u32) -> Result<Arra
     events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
     let events = Table::from(events);
     let transitions = transitions(&events)?;
-    let mut stages = Stages::new(&model, curves, &[], points);
-    let slabs = slabs(curves, &events, &transitions, &mut stages)?;
-    bits = bits.max(stages.used);
+    let stages = Stages::new(&model, curves, &[], points);
+    let slabs = slabs(curves, &events, &transitions, &stages)?;
+    bits = bits.max(stages.used.get());
     let mut arrangement = Arrangement {
         model,
         curves: curves.clone(),
@@ -254,12 +272,12 @@ pub(super) fn arrange(model: Model, curves: &Curves, points: u32) -> Result<Arra
 
 /// Cusps, pitchforks and meetings with pole lines; those that are proved to coincide are one event.
 fn single_events(
-    evaluator: &Evaluator<'_, Wide>,
+    evaluator: &Evaluator<'_, Interval384>,
     meetings: &Table<MeetingId, Meeting>,
 ) -> Result<Vec<Event>, Vec<Undecided>> {
     let curves = evaluator.curves;
     let mut events: Vec<Event> = Vec::new();
-    let event = |source, list: Vec<CurveId>, x: &Wide, h: &Wide| -> Result<Event, Vec<Undecided>> {
+    let event = |source, list: Vec<CurveId>, x: &Interval384, h: &Interval384| -> Result<Event, Vec<Undecided>> {
         let bounds = x.exact_bounds().ok_or_else(|| vec![Undecided::Roots])?;
         Ok(Event { sources: vec![source], curves: list, x: bounds, h: h.bounds() })
     };
@@ -300,9 +318,9 @@ fn single_events(
 
 /// The pole line of a meeting; when r lies on an axis, the piece of the line over x, or the pitchfork that lies there.
 fn line_at(
-    evaluator: &Evaluator<'_, Wide>,
+    evaluator: &Evaluator<'_, Interval384>,
     meeting: &Meeting,
-    x: &Wide,
+    x: &Interval384,
     onto: &mut Option<End>,
 ) -> Result<Vec<CurveId>, Vec<Undecided>> {
     let curves = evaluator.curves;
@@ -349,10 +367,10 @@ fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<Passage> {
     known
 }
 
-fn crossing_event(evaluator: &Evaluator<'_, Wide>, pair: [CurveId; 2], x: &[RBig; 2]) -> Event {
+fn crossing_event<E: Enclosure>(evaluator: &Evaluator<'_, E>, pair: [CurveId; 2], x: &[RBig; 2]) -> Event {
     // h rises with x.
     let height = |x: &RBig| {
-        let point = evaluator.point(pair[0], &Wide::rational(x, evaluator.c.precision));
+        let point = evaluator.point(pair[0], &E::rational(x, evaluator.c.precision));
         point.map_or([f64::NEG_INFINITY, f64::INFINITY], |point| point.h().bounds())
     };
     let h = [height(&x[0])[0], height(&x[1])[1]];
@@ -361,33 +379,43 @@ fn crossing_event(evaluator: &Evaluator<'_, Wide>, pair: [CurveId; 2], x: &[RBig
 
 /// Narrows the boxes of crossings that overlap other events of their curves, with as many bits as it takes; which bits.
 fn told_apart(events: &mut [Event], pairs: &mut [PairProof], model: &Model, curves: &Curves) -> usize {
+    let mut used = 0;
+    let mut open = overlapping(events);
+    if !open.is_empty() {
+        used = STAGES[0];
+        narrow(&Evaluator::<Interval128>::new(model, curves, &[], ()), &open, events, pairs);
+        open = overlapping(events);
+    }
+    if !open.is_empty() {
+        used = STAGES[1];
+        narrow(&Evaluator::<Interval384>::new(model, curves, &[], ()), &open, events, pairs);
+    }
+    used
+}
+
+/// The crossings whose boxes overlap other events of their curves.
+fn overlapping(events: &[Event]) -> Vec<usize> {
     let overlaps = |p: &Event, q: &Event| {
         p.x[0] <= q.x[1] && q.x[0] <= p.x[1] && p.curves.iter().any(|curve| q.curves.contains(curve))
     };
-    let mut used = 0;
-    for bits in STAGES {
-        let open: Vec<usize> = (0..events.len())
-            .filter(|&n| matches!(events[n].sources[..], [Source::Crossing(_)]))
-            .filter(|&n| (0..events.len()).any(|m| m != n && overlaps(&events[n], &events[m])))
-            .collect();
-        if open.is_empty() {
-            break;
-        }
-        used = bits;
-        let evaluator = Evaluator::<Wide>::new(model, curves, &[], bits);
-        for n in open {
-            let [Source::Crossing(pair)] = events[n].sources[..] else { continue };
-            if let Some(x) = evaluator.narrowed(pair, &events[n].x) {
-                let proofs =
-                    pairs.iter_mut().filter(|proof| proof.curves == pair).flat_map(|proof| &mut proof.stretches);
-                for stretch in proofs.filter(|stretch| stretch.proof == Proof::Crossing(events[n].x.clone())) {
-                    stretch.proof = Proof::Crossing(x.clone());
-                }
-                events[n] = crossing_event(&evaluator, pair, &x);
+    (0..events.len())
+        .filter(|&n| matches!(events[n].sources[..], [Source::Crossing(_)]))
+        .filter(|&n| (0..events.len()).any(|m| m != n && overlaps(&events[n], &events[m])))
+        .collect()
+}
+
+/// Narrows the boxes of these crossings.
+fn narrow<E: Enclosure>(evaluator: &Evaluator<'_, E>, open: &[usize], events: &mut [Event], pairs: &mut [PairProof]) {
+    for &n in open {
+        let [Source::Crossing(pair)] = events[n].sources[..] else { continue };
+        if let Some(x) = evaluator.narrowed(pair, &events[n].x) {
+            let proofs = pairs.iter_mut().filter(|proof| proof.curves == pair).flat_map(|proof| &mut proof.stretches);
+            for stretch in proofs.filter(|stretch| stretch.proof == Proof::Crossing(events[n].x.clone())) {
+                stretch.proof = Proof::Crossing(x.clone());
             }
+            events[n] = crossing_event(evaluator, pair, &x);
         }
     }
-    used
 }
 
 /// Groups of events whose x cannot be told apart; each group must consist of events on different curves.
@@ -474,7 +502,7 @@ fn slabs(
     curves: &Curves,
     events: &Table<EventId, Event>,
     transitions: &Table<TransitionId, Vec<EventId>>,
-    stages: &mut Stages<'_>,
+    stages: &Stages<'_>,
 ) -> Result<Table<SlabId, Slab>, Vec<Undecided>> {
     let spans: Table<CurveId, [SlabId; 2]> =
         curves.list.ids().map(|curve| span(curves, events, transitions, curve)).collect();

@@ -4,7 +4,7 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::CertifiedAtlas;
-use super::arrange::{STAGES, Source};
+use super::arrange::Source;
 use super::curves::{Place, Shape};
 use super::family::Half;
 use super::pair::{Mark, Proof, Stretch};
@@ -13,7 +13,7 @@ use numbers::Sign;
 use numbers::decimal;
 use numbers::enclosure::Enclosure;
 use numbers::interval::Interval;
-use numbers::wide::Wide;
+use numbers::wide::Interval384;
 use schema::{
     CertificateDocument, CertificateUnits, CertifiedCusp, CertifiedEvent, CertifiedHeight, CertifiedMeeting,
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
@@ -45,7 +45,7 @@ impl CertifiedAtlas {
         let a = &self.arrangement;
         let names = |list: &[CurveId]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
         let narrow = Evaluator::<Interval>::new(&a.model, &a.curves, &[], ());
-        let wide = Evaluator::<Wide>::new(&a.model, &a.curves, &[], STAGES[1]);
+        let wide = Evaluator::<Interval384>::new(&a.model, &a.curves, &[], ());
         let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
         let energy = unit(self.frame.energy_unit);
         let moment = unit(self.frame.momentum_unit) * unit(self.frame.momentum_unit) / &energy;
@@ -105,7 +105,7 @@ impl CertifiedAtlas {
     fn stretch(
         &self,
         narrow: &Evaluator<'_, Interval>,
-        wide: &Evaluator<'_, Wide>,
+        wide: &Evaluator<'_, Interval384>,
         curves: [CurveId; 2],
         stretch: &Stretch,
     ) -> CertifiedStretch {
@@ -125,7 +125,7 @@ impl CertifiedAtlas {
     fn slab(
         &self,
         narrow: &Evaluator<'_, Interval>,
-        wide: &Evaluator<'_, Wide>,
+        wide: &Evaluator<'_, Interval384>,
         slab: &super::arrange::Slab,
     ) -> CertifiedSlab {
         let curves = slab.order.iter().zip(&slab.region_above).map(|(&curve, region)| CertifiedHeight {
@@ -140,7 +140,7 @@ impl CertifiedAtlas {
     fn node(
         &self,
         narrow: &Evaluator<'_, Interval>,
-        wide: &Evaluator<'_, Wide>,
+        wide: &Evaluator<'_, Interval384>,
         curves: [CurveId; 2],
         mark: &Mark,
         side: usize,
@@ -154,7 +154,12 @@ impl CertifiedAtlas {
     }
 
     /// Places at the beginning or end of the common range, where one curve ends and the other goes on.
-    fn end_places(&self, wide: &Evaluator<'_, Wide>, curves: [CurveId; 2], side: usize) -> Option<[PlaceDocument; 2]> {
+    fn end_places(
+        &self,
+        wide: &Evaluator<'_, Interval384>,
+        curves: [CurveId; 2],
+        side: usize,
+    ) -> Option<[PlaceDocument; 2]> {
         let ends = curves.map(|c| self.arrangement.curves.list[c].ends[side]);
         if ends[0] == ends[1] {
             return None;

@@ -34,15 +34,21 @@ pub(super) struct State<E: Arithmetic> {
     pub j_slope: E,
 }
 
-impl<E: Arithmetic> State<E> {
-    /// The state at y (> 0; 0 too over a group without r).
-    pub fn at(model: &Model, c: &Constants<E>, half: Half, y: &E) -> Self {
-        match half {
-            Half::Generic { base, sign } => Self::generic(model, c, base, sign, y),
-            Half::Over { group } => Self::over(model, c, group, y),
-        }
-    }
+/// What x of the generic family needs.
+struct Weights<E: Arithmetic> {
+    /// μ − a_k.
+    tau: Vec<E>,
+    /// τ_base/τ_k of the moments that carry r.
+    ratio: Vec<Option<E>>,
+    /// √P |τ_base|.
+    root: E,
+    /// γ_k².
+    w: Vec<E>,
+    j: E,
+    x: E,
+}
 
+impl<E: Arithmetic> Weights<E> {
     fn generic(model: &Model, c: &Constants<E>, base: usize, sign: Sign, y: &E) -> Self {
         let zero = c.small(0);
         let delta = sign.orient(y.clone());
@@ -61,18 +67,42 @@ impl<E: Arithmetic> State<E> {
         let total = sum(weight.iter().flatten().cloned(), &zero);
         // s = √P = √total / |τ_base|.
         let root = total.sqrt();
-        let distance = y.clone();
-        let s = root.clone() / distance.clone();
+        let s = root.clone() / y.clone();
         let w: Vec<E> = weight.iter().map(|g| g.as_ref().map_or(zero.clone(), |g| g.clone() / total.clone())).collect();
+        let j = mean(&w, c);
+        let x = s * j.square() * half::<E>(c);
+        Self { tau, ratio, root, w, j, x }
+    }
+}
+
+impl<E: Arithmetic> State<E> {
+    /// The state at y (> 0; 0 too over a group without r).
+    pub fn at(model: &Model, c: &Constants<E>, half: Half, y: &E) -> Self {
+        match half {
+            Half::Generic { base, sign } => Self::generic(model, c, base, sign, y),
+            Half::Over { group } => Self::over(model, c, group, y),
+        }
+    }
+
+    /// x alone: less than half of the work.
+    pub fn x_at(model: &Model, c: &Constants<E>, half: Half, y: &E) -> E {
+        match half {
+            Half::Generic { base, sign } => Weights::generic(model, c, base, sign, y).x,
+            Half::Over { group } => Self::over(model, c, group, y).x,
+        }
+    }
+
+    fn generic(model: &Model, c: &Constants<E>, base: usize, sign: Sign, y: &E) -> Self {
+        let zero = c.small(0);
+        let n = model.groups.len();
+        let Weights { tau, ratio, root, w, j, x } = Weights::generic(model, c, base, sign, y);
         let gamma: Vec<E> = (0..n)
             .map(|k| {
                 let Some(t) = &ratio[k] else { return zero.clone() };
                 sign.orient(c.root_q[k].clone() * t.clone() / root.clone())
             })
             .collect();
-        let j = mean(&w, c);
         let rho = sum((0..n).map(|k| gamma[k].clone() * c.root_q[k].clone()), &zero);
-        let x = s.clone() * j.square() * half::<E>(c);
         // T and V, times τ_base.
         let mean_ratio = sum((0..n).filter_map(|k| ratio[k].as_ref().map(|t| w[k].clone() * t.clone())), &zero);
         let mut spread = zero.clone();
@@ -88,8 +118,8 @@ impl<E: Arithmetic> State<E> {
         }
         // d ln x/dy = sign · d ln x/dμ = −sign (T + 4V/J).
         let bracket = mean_ratio + c.small(4) * spread.clone() / j.clone();
-        let log_slope = -(bracket / distance.clone());
-        let j_slope = -(c.small(2) * spread / distance);
+        let log_slope = -(bracket / y.clone());
+        let j_slope = -(c.small(2) * spread / y.clone());
         Self { gamma, j, rho, x, tau, log_slope, j_slope }
     }
 

@@ -12,6 +12,7 @@ use top::curves::Pole;
 use super::curves::{NotIsolated, Place, roots_in_interval};
 use super::family::{Half, State};
 use super::model::{Constants, Model};
+use super::work::{Question, Rung, decided as worked};
 
 /// Bits in which h is compared with a height; beyond the second one equality is looked for by gcd.
 const STAGES: [usize; 6] = [64, 160, 400, 1000, 2500, 6000];
@@ -143,6 +144,7 @@ impl<'a> Heights<'a> {
         /// A distance is known to this relative accuracy.
         const ACCURACY: f64 = 1e-12;
         let equal = |source: Source| {
+            worked(Question::Sign, Rung::Algebra);
             Ok(Level { source, height: Wide::rational(h, STAGES[0]), sign: Sign::Zero, distance: [0.0; 2] })
         };
         let straight = self.straight_sign(&source, h);
@@ -163,6 +165,9 @@ impl<'a> Heights<'a> {
             let Some(sign) = difference.strict_sign() else { continue };
             let [lo, hi] = difference.bounds().map(f64::abs);
             let distance = [lo.min(hi), lo.max(hi)];
+            if decided.is_none() {
+                worked(Question::Sign, Rung::Bits(bits));
+            }
             decided = Some(Level { source: source.clone(), height, sign, distance });
             if distance[1] - distance[0] <= ACCURACY * distance[1] {
                 break;

@@ -36,6 +36,7 @@ mod prepared;
 mod region;
 mod ridges;
 mod vertex;
+pub mod work;
 
 use std::fmt;
 

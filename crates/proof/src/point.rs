@@ -29,11 +29,20 @@ pub(super) struct Evaluator<'a, E: Enclosure> {
     pub curves: &'a Curves,
     pub c: Constants<E>,
     estimate: Constants<Estimate>,
-    /// x at the ends of each curve's segments, as estimates.
-    ends: Table<CurveId, Vec<[f64; 2]>>,
+    /// The ends of each curve's segments.
+    ends: Table<CurveId, Vec<Ends<E>>>,
     meetings: Vec<Passage>,
     /// How many more points a question may ask for.
     left: Cell<u32>,
+}
+
+/// The ends of a segment, by rising x; y and x themselves only where they can be evaluated.
+#[derive(Clone, Debug)]
+struct Ends<E> {
+    y: [Option<E>; 2],
+    x: [Option<E>; 2],
+    y_estimate: [f64; 2],
+    x_estimate: [f64; 2],
 }
 
 /// A point of a curve over x.
@@ -81,19 +90,33 @@ impl<E: Enclosure> Point<E> {
 
 impl<'a, E: Enclosure> Evaluator<'a, E> {
     pub fn new(model: &'a Model, curves: &'a Curves, meetings: &[Passage], precision: E::Precision) -> Self {
-        let c = Constants::new(model, precision);
-        let estimate = Constants::new(model, ());
-        let ends = curves
-            .list
-            .iter()
-            .map(|curve| match &curve.shape {
-                Shape::Family(segments) => {
-                    segments.iter().map(|s| s.ends.each_ref().map(|end| x_estimate(model, &estimate, s, end))).collect()
-                }
-                _ => Vec::new(),
-            })
-            .collect();
-        Self { model, curves, c, estimate, ends, meetings: meetings.to_vec(), left: Cell::new(u32::MAX) }
+        let (c, estimate) = (Constants::new(model, precision), Constants::new(model, ()));
+        let (meetings, left) = (meetings.to_vec(), Cell::new(u32::MAX));
+        let mut evaluator = Self { model, curves, c, estimate, ends: Table::new(), meetings, left };
+        for curve in &curves.list {
+            let segments = if let Shape::Family(segments) = &curve.shape { segments.as_slice() } else { &[] };
+            let ends = segments.iter().map(|segment| evaluator.ends(segment)).collect();
+            evaluator.ends.push(ends);
+        }
+        evaluator
+    }
+
+    fn ends(&self, segment: &Segment) -> Ends<E> {
+        let y = segment.ends.each_ref().map(|end| self.bound(segment, end));
+        let x = y.each_ref().map(|y| y.as_ref().map(|y| self.x(segment.half, y)));
+        let estimate = |end: &Bound| match end {
+            Bound::Zero => 0.0,
+            Bound::Infinity => f64::INFINITY,
+            Bound::At(place) => 0.5 * (place.lo.to_f64().value() + place.hi.to_f64().value()),
+        };
+        let y_estimate = segment.ends.each_ref().map(estimate);
+        let x_of = |y: f64| match segment.half {
+            Half::Generic { .. } if y == 0.0 => f64::INFINITY,
+            Half::Generic { .. } if y.is_infinite() => 0.0,
+            Half::Over { .. } if y.is_infinite() => f64::INFINITY,
+            half => State::x_at(self.model, &self.estimate, half, &Estimate(y)).0,
+        };
+        Ends { y, x, y_estimate, x_estimate: y_estimate.map(x_of) }
     }
 
     /// The next question may ask for so many points.
@@ -108,6 +131,10 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
 
     pub fn state(&self, half: Half, y: &E) -> State<E> {
         State::at(self.model, &self.c, half, y)
+    }
+
+    fn x(&self, half: Half, y: &E) -> E {
+        State::x_at(self.model, &self.c, half, y)
     }
 
     /// y of a bound, as a range; `None` at a limit that cannot be evaluated.
@@ -181,29 +208,24 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let [low, high] = x.bounds();
         let middle = if high.is_finite() { 0.5 * (low + high) } else { low };
         let ends = &self.ends[curve];
-        let number = (0..segments.len()).find(|&k| middle <= ends[k][1]).unwrap_or(segments.len() - 1);
+        let number = (0..segments.len()).find(|&k| middle <= ends[k].x_estimate[1]).unwrap_or(segments.len() - 1);
         // The middle between two moments may lie the other way of a rounding.
         (0..segments.len())
             .filter(|&k| k == number || k + 1 == number || k == number + 1)
-            .find_map(|k| self.segment_point(&segments[k], ends[k], x, middle))
+            .find_map(|k| self.segment_point(&segments[k], &ends[k], x, middle))
     }
 
-    fn segment_point(&self, segment: &Segment, ends: [f64; 2], x: &E, target: f64) -> Option<Point<E>> {
+    fn segment_point(&self, segment: &Segment, ends: &Ends<E>, x: &E, target: f64) -> Option<Point<E>> {
         let half = segment.half;
-        let limit = |bound: &Bound| match bound {
-            Bound::Zero => 0.0,
-            Bound::Infinity => f64::INFINITY,
-            Bound::At(place) => 0.5 * (place.lo.to_f64().value() + place.hi.to_f64().value()),
-        };
-        let y_ends = segment.ends.each_ref().map(limit);
-        let rising = segment.is_rising();
-        let guess = self.guess(half, y_ends, ends, target);
-        if !self.holds(segment, x) {
+        // x lies between the x of the segment's ends (up to the enclosure of an end itself).
+        let [from, to] = &ends.x;
+        if from.as_ref().is_some_and(|from| x.is_below(from)) || to.as_ref().is_some_and(|to| to.is_below(x)) {
             return None;
         }
+        let guess = self.guess(half, ends.y_estimate, ends.x_estimate, target);
         let y = self.refined(half, guess, x);
-        let sides = self.sides(segment, rising, &y, x);
-        let sides = sides.or_else(|| self.sides(segment, rising, &self.bisected(segment, rising, x)?, x))?;
+        let sides = self.sides(segment, ends, &y, x);
+        let sides = sides.or_else(|| self.sides(segment, ends, &self.bisected(segment, ends, x)?, x))?;
         let range = sides[0].hull(&sides[1]);
         let over = self.state(half, &range);
         let at = self.state(half, &range.middle());
@@ -214,12 +236,12 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     }
 
     /// Two y around the solution of x(y) = x, from a guess.
-    fn sides(&self, segment: &Segment, rising: bool, y: &E, x: &E) -> Option<[E; 2]> {
+    fn sides(&self, segment: &Segment, ends: &Ends<E>, y: &E, x: &E) -> Option<[E; 2]> {
         /// Beside a cusp x changes little with y; further away than this nothing is close.
         const WIDEST: f64 = 0.05;
         let c = &self.c;
         let mut radius = E::resolution(c.precision);
-        let outer = segment.ends.each_ref().map(|bound| self.bound(segment, bound));
+        let (rising, outer) = (segment.is_rising(), &ends.y);
         let (mut sides, mut done) = ([y.clone(), y.clone()], [false, false]);
         // sides[0] towards smaller x, sides[1] towards larger x.
         while radius < WIDEST {
@@ -246,7 +268,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                 if candidate.sign() != Some(Sign::Positive) {
                     return None;
                 }
-                let reached = self.state(segment.half, &candidate).x;
+                let reached = self.x(segment.half, &candidate);
                 done[side] = if side == 0 { reached.is_below(x) } else { x.is_below(&reached) };
                 sides[side] = candidate;
             }
@@ -274,11 +296,12 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     }
 
     /// y of x, not proved, where doubles do not tell it from an end of the segment: Newton's method inside a bracket.
-    fn bisected(&self, segment: &Segment, rising: bool, x: &E) -> Option<E> {
+    fn bisected(&self, segment: &Segment, ends: &Ends<E>, x: &E) -> Option<E> {
         const STEPS: usize = 600;
         let c = &self.c;
+        let rising = segment.is_rising();
         let [small, large] = if rising { [0, 1] } else { [1, 0] };
-        let side = |which: usize| self.bound(segment, &segment.ends[which]).map(|y| y.middle());
+        let side = |which: usize| ends.y[which].as_ref().map(Enclosure::middle);
         let mut low = side(small).unwrap_or_else(|| c.small(0));
         let mut high = side(large);
         let target = x.middle();
@@ -311,16 +334,6 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
             next = Some((y + step).middle());
         }
         None
-    }
-
-    /// x lies between the x of the segment's ends (up to the enclosure of an end itself).
-    fn holds(&self, segment: &Segment, x: &E) -> bool {
-        [0, 1].into_iter().all(|side| {
-            let Some(y) = self.bound(segment, &segment.ends[side]) else { return true };
-            let end = self.state(segment.half, &y).x;
-            let wrong = if side == 0 { x.is_below(&end) } else { end.is_below(x) };
-            !wrong
-        })
     }
 
     fn guess(&self, half: Half, y: [f64; 2], x: [f64; 2], target: f64) -> f64 {
@@ -387,24 +400,13 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     }
 }
 
-/// x at the end of a segment, for guesses.
-fn x_estimate(model: &Model, c: &Constants<Estimate>, segment: &Segment, bound: &Bound) -> f64 {
-    match (bound, segment.half) {
-        (Bound::Infinity, Half::Generic { .. }) => 0.0,
-        (Bound::Infinity, Half::Over { .. }) | (Bound::Zero, Half::Generic { .. }) => f64::INFINITY,
-        (Bound::Zero, half) => State::at(model, c, half, &Estimate(0.0)).x.0,
-        (Bound::At(place), half) => {
-            let y = 0.5 * (place.lo.to_f64().value() + place.hi.to_f64().value());
-            State::at(model, c, half, &Estimate(y)).x.0
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dashu_ratio::RBig;
+    use numbers::enclosure::Arithmetic;
     use numbers::interval::Interval;
-    use numbers::wide::Wide;
+    use numbers::wide::{Interval128, Wide};
     use top::body::Body;
     use top::curves::CriticalSet;
 
@@ -460,5 +462,36 @@ mod tests {
     fn points_and_gaps_are_those_of_the_closed_form() {
         compare::<Interval>((), 1e-13);
         compare::<Wide>(160, 1e-14);
+    }
+
+    /// Behind a cusp x turns back, and there the other branch has the same x.
+    #[test]
+    fn beside_a_cusp_a_place_is_not_that_of_the_other_branch() {
+        let mut seen = 0;
+        for (a, r) in [(["2", "1.1", "1"], ["0.3", "0.5", "0.7"]), (["2", "1.1", "1"], ["0.94868", "0", "0.61623"])] {
+            let body = Body::parse(&a, &r).unwrap();
+            let model = Model::new(&body, &body.frame());
+            let curves = Curves::of(&model).unwrap();
+            let evaluator = Evaluator::<Interval128>::new(&model, &curves, &[], ());
+            for cusp in &curves.cusps {
+                let at = evaluator.place(&cusp.place);
+                let [low, high] = evaluator.x(cusp.place.half, &at).exact_bounds().unwrap();
+                for digits in 1..=30 {
+                    let away = RBig::ONE / RBig::from(10).pow(digits);
+                    let x = if cusp.opens { &high * (RBig::ONE + away) } else { &low * (RBig::ONE - away) };
+                    let places = cusp.curves.map(|curve| {
+                        let point = evaluator.point(curve, &Interval128::rational(&x, ()));
+                        point.and_then(|point| point.place).filter(|(half, _)| *half == cusp.place.half)
+                    });
+                    let [Some((_, p)), Some((_, q))] = places else { continue };
+                    // The cusp lies between the two, or at their ends.
+                    let [p, q, middle] = [&p, &q, &at].map(|y| y.exact_bounds().unwrap());
+                    let parted = |p: &[RBig; 2], q: &[RBig; 2]| p[0] >= middle[0] && q[1] <= middle[1];
+                    assert!(parted(&p, &q) || parted(&q, &p), "{a:?} {r:?} {digits}");
+                    seen += 1;
+                }
+            }
+        }
+        assert!(seen > 60, "{seen}");
     }
 }

@@ -10,7 +10,9 @@ use super::family::Half;
 use super::id::MeetingId;
 use super::model::Model;
 use numbers::Sign;
+use numbers::enclosure::{Arithmetic, Enclosure, horner};
 use numbers::polynomial::Polynomial;
+use numbers::wide::Interval384;
 use top::curves::{Branch, CurveId, End, IntervalId, Pole};
 use top::table::{Id, Table};
 
@@ -71,6 +73,12 @@ fn side_of(side: &Polynomial, model: &Model, place: &Place) -> Result<Pole, NotI
 /// The pole line from the sign of N (or E) at the root. N has no root in common with F unless P D vanishes there, which
 /// it does not on the open intervals.
 fn sign_on(side: &Polynomial, lo: &RBig, hi: &RBig) -> Result<Pole, NotIsolated> {
+    let range = Interval384::rational(lo, ()).hull(&Interval384::rational(hi, ()));
+    match horner(&side.enclosed(()), &range, ()).strict_sign() {
+        Some(Sign::Positive) => return Ok(Pole::Minus),
+        Some(_) => return Ok(Pole::Plus),
+        None => {}
+    }
     let signs = [side.sign_at(lo), side.sign_at(hi)];
     let none_between = lo == hi || side.composed(lo, &(hi - lo)).roots_in_unit().is_some_and(|roots| roots.is_empty());
     match signs {

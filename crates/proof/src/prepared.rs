@@ -7,6 +7,7 @@ use top::body::{Body, Number};
 use top::classify::{Answer, Classification, ClassifyError};
 
 use crate::accuracy::{Accuracy, Unanswered, classify, proved_atlas, quick_atlas};
+use crate::work::{Question, Rung, decided};
 
 /// A body and what is known of it.
 #[derive(Debug)]
@@ -59,7 +60,10 @@ impl Prepared {
     /// [`Unanswered`].
     pub fn classify(&self, h: &Number, l: &Number) -> Result<Classification, Unanswered> {
         match self.quick().map(|atlas| atlas.classify(h, l)) {
-            Some(Ok(found)) if self.accuracy == Accuracy::Fast || found.components().is_some() => Ok(found),
+            Some(Ok(found)) if self.accuracy == Accuracy::Fast || found.components().is_some() => {
+                decided(Question::Point, Rung::Double);
+                Ok(found)
+            }
             Some(Err(error)) if self.accuracy == Accuracy::Fast => Err(error.into()),
             _ => classify(&self.body, h, l, self.accuracy),
         }

@@ -2,11 +2,11 @@
 
 use dashu_ratio::RBig;
 
-use super::arrange::{Arrangement, STAGES, Slab};
+use super::arrange::{Arrangement, Slab};
 use super::plane::{Gap, Open, Plane, rounded};
 use super::point::Evaluator;
-use numbers::enclosure::{Arithmetic, Enclosure};
-use numbers::wide::Wide;
+use numbers::enclosure::Enclosure;
+use numbers::wide::{Interval128, Interval384};
 use top::body::Frame;
 use top::diagram::{Cell, RegionId};
 use top::table::Table;
@@ -71,12 +71,14 @@ fn gap(arrangement: &Arrangement, strip: &Slab, position: usize) -> Result<Gap, 
     if let Some(gap) = low.and_then(|low| narrow(low, high)) {
         return Ok(gap);
     }
-    STAGES.into_iter().find_map(|bits| wide_gap(arrangement, strip, position, bits)).ok_or(Open::Beside)
+    wide_gap::<Interval128>(arrangement, strip, position)
+        .or_else(|| wide_gap::<Interval384>(arrangement, strip, position))
+        .ok_or(Open::Beside)
 }
 
-fn wide_gap(arrangement: &Arrangement, strip: &Slab, position: usize, bits: usize) -> Option<Gap> {
-    let evaluator = Evaluator::<Wide>::new(&arrangement.model, &arrangement.curves, &[], bits);
-    let x = Wide::rational(&strip.x, bits);
+fn wide_gap<E: Enclosure<Precision = ()>>(arrangement: &Arrangement, strip: &Slab, position: usize) -> Option<Gap> {
+    let evaluator = Evaluator::<E>::new(&arrangement.model, &arrangement.curves, &[], ());
+    let x = E::rational(&strip.x, ());
     let height = |place: usize| evaluator.point(*strip.order.get(place)?, &x)?.h().exact_bounds();
     let ([_, low], high) = (height(position)?, height(position + 1));
     let high = match high {

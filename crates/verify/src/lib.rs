@@ -15,10 +15,13 @@
 //! sturm → roots → pieces → meetings → events                      what there is, and that nothing is missing
 //! stand → orders → node → rules → pairs → slabs → gluing → regions         order of curves, faces
 //! interval → jet → path → landscape → descent, morse → merging, rings → topology  topology of each region
-//! courses, measures, samples, listing, totals                     what a document says beside its certificate
+//! isolation, flow → chart → stability                             linear types along the curves
+//! bounds, courses, measures, samples, listing, totals             what a document says beside its certificate
 //! ```
 
 mod body;
+mod bounds;
+mod chart;
 mod classes;
 mod component;
 mod courses;
@@ -26,9 +29,11 @@ mod descent;
 mod equilibria;
 mod events;
 mod fixed;
+mod flow;
 mod gap;
 mod gluing;
 mod interval;
+mod isolation;
 mod jet;
 mod landscape;
 mod listing;
@@ -52,6 +57,7 @@ mod rules;
 mod samples;
 mod slabs;
 mod spaces;
+mod stability;
 mod stand;
 mod sturm;
 mod topology;
@@ -126,9 +132,10 @@ fn certified(
     gluing::check(&certificate.transitions, &events, &slabs)?;
     let cells = regions::regions(document, certificate, &pieces, &slabs)?;
     courses::curves(document, certificate, &spaces, &pieces)?;
-    listing::events(document, certificate, &events, &pieces)?;
+    listing::events(document, certificate, &events, &orders)?;
     listing::ranges(document, certificate, &cells)?;
     measures::curves(document, certificate, &orders, &slabs)?;
+    stability::check(document, certificate, &orders)?;
     let samples = regions::samples(document, certificate, &orders, &slabs, &cells)?;
     topology::check(document, &orders, &slabs, &samples)?;
     samples::check(document, certificate, &orders, &slabs, &samples)?;

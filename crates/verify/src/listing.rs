@@ -3,7 +3,9 @@
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument, EventDocument, EventKind, RegionDocument};
 
+use super::bounds::{around, holds, holds_root, is_useful};
 use super::events::{Events, Source};
+use super::orders::Orders;
 use super::pieces::{End, Pieces};
 use super::regions::Cell;
 use super::{Refused, number};
@@ -21,10 +23,12 @@ pub(super) fn events(
     document: &AtlasDocument,
     certificate: &CertificateDocument,
     events: &Events,
-    pieces: &Pieces,
+    orders: &Orders,
 ) -> Result<(), Refused> {
+    let pieces = orders.pieces;
     let l2 = number::read(&certificate.units.moment)? * number::read(&certificate.units.energy)? * RBig::from(2);
     let energy = number::read(&certificate.units.energy)?;
+    let norm = &orders.spaces.norm.ends()[1] * &energy;
     for listed in listed(document, certificate) {
         let refuse = |why| Refused::Event { number: listed.number, why };
         let claim = &certificate.events[listed.number];
@@ -37,6 +41,11 @@ pub(super) fn events(
         let h = around(listed.document.h, listed.document.h_error).ok_or_else(|| refuse("its h is no number"))?;
         if !holds_root(&l, &squares) || !holds(&h, &heights) {
             return Err(refuse("its l or h in the list is further away than its error"));
+        }
+        let energies = heights[1].clone().max(-&heights[0]) + &norm;
+        let roots = RBig::try_from(listed.document.l).unwrap_or(RBig::ZERO);
+        if !is_useful(listed.document.l_error, &roots) || !is_useful(listed.document.h_error, &energies) {
+            return Err(refuse("its error in the list says nothing"));
         }
         let enclosure = listed.document.enclosure.as_ref().ok_or_else(|| refuse("it has no enclosure"))?;
         let [l_low, l_high] = enclosure.l.each_ref().map(|text| number::read(text));
@@ -120,34 +129,5 @@ impl Listed<'_> {
             named == curves
         };
         if right { Ok(()) } else { Err("it names other curves") }
-    }
-}
-
-/// All numbers within an error.
-fn around(x: f64, error: f64) -> Option<[RBig; 2]> {
-    let (x, error) = (RBig::try_from(x).ok()?, RBig::try_from(error).ok()?);
-    Some([&x - &error, x + error])
-}
-
-fn holds([low, high]: &[RBig; 2], [from, to]: &[RBig; 2]) -> bool {
-    low <= from && to <= high
-}
-
-/// The range holds the positive roots of the numbers.
-fn holds_root([low, high]: &[RBig; 2], [from, to]: &[RBig; 2]) -> bool {
-    (*low <= RBig::ZERO || &(low * low) <= from) && *high >= RBig::ZERO && *to <= high * high
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ranges_hold_roots_by_their_squares() {
-        let n = |n: i32| RBig::from(n);
-        assert!(holds_root(&[n(2), n(3)], &[n(4), n(9)]));
-        assert!(holds_root(&[n(-5), n(3)], &[n(4), n(9)]));
-        assert!(!holds_root(&[n(3), n(4)], &[n(4), n(9)]));
-        assert!(!holds_root(&[n(-4), n(-3)], &[n(9), n(9)]));
     }
 }

@@ -3,6 +3,7 @@
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument, RegionDocument};
 
+use super::bounds::is_useful;
 use super::fixed::Fixed;
 use super::measures::{CONVERTED, is_near};
 use super::orders::Orders;
@@ -55,6 +56,9 @@ fn margin(region: &RegionDocument, orders: &Orders, slab: &Slab, position: usize
     let claim = &region.sample.margin;
     let Ok(error) = RBig::try_from(claim.error_bound) else { return false };
     let scale = h.clone().max(-h) + &slab.x + orders.spaces.norm.ends()[1].clone();
+    if !is_useful(claim.error_bound, &(&scale * energy)) {
+        return false;
+    }
     let room = error / energy + scale / RBig::from(dashu_int::IBig::ONE << HEIGHT);
     let near = |distance: &Fixed| is_near(claim.h, 1, energy, distance, &room, 0);
     let named = distances.iter().find(|(id, _)| *id == claim.nearest);

@@ -104,12 +104,13 @@ impl Spaces {
         })
     }
 
-    fn factor(&self, k: usize) -> Coefficients {
+    /// μ − a_k.
+    pub fn factor(&self, k: usize) -> Coefficients {
         vec![-self.list[k].a.clone(), RBig::ONE]
     }
 
     /// Π_{j≠skipped} (μ−a_j)^power over the active spaces.
-    fn product(&self, skipped: &[usize], power: usize) -> Coefficients {
+    pub fn product(&self, skipped: &[usize], power: usize) -> Coefficients {
         self.active.iter().filter(|k| !skipped.contains(k)).fold(vec![RBig::ONE], |product, &k| {
             (0..power).fold(product, |product, _| times(&product, &self.factor(k)))
         })

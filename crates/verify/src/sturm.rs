@@ -32,7 +32,7 @@ pub(super) struct Sturm {
 }
 
 /// p/d for a d that divides p, up to a positive factor.
-fn quotient(p: &[IBig], d: &[IBig]) -> Vec<IBig> {
+pub(super) fn quotient(p: &[IBig], d: &[IBig]) -> Vec<IBig> {
     let mut rest: Vec<RBig> = p.iter().map(|c| RBig::from(c.clone())).collect();
     let lead = RBig::from(d[d.len() - 1].clone());
     let mut result = vec![RBig::ZERO; (p.len() + 1).saturating_sub(d.len())];
@@ -49,7 +49,7 @@ fn quotient(p: &[IBig], d: &[IBig]) -> Vec<IBig> {
 }
 
 /// Integer multiples by a positive factor, without common divisor.
-fn integers(p: &[RBig]) -> Vec<IBig> {
+pub(super) fn integers(p: &[RBig]) -> Vec<IBig> {
     let common = p.iter().fold(UBig::ONE, |common, x| {
         let shared = (&common).gcd(x.denominator());
         common / shared * x.denominator()
@@ -76,7 +76,7 @@ fn primitive(mut p: Vec<IBig>) -> Vec<IBig> {
 }
 
 /// −(p mod q), up to a positive factor.
-fn negative_remainder(p: &[IBig], q: &[IBig]) -> Vec<IBig> {
+pub(super) fn negative_remainder(p: &[IBig], q: &[IBig]) -> Vec<IBig> {
     let mut rest = p.to_vec();
     let lead = &q[q.len() - 1];
     let factor = if lead.is_negative() { -lead } else { lead.clone() };
@@ -178,7 +178,8 @@ fn sign(x: &IBig) -> i8 {
     }
 }
 
-fn sign_at(p: &[IBig], x: &RBig) -> i8 {
+/// Sign of a polynomial at a number.
+pub(super) fn sign_at(p: &[IBig], x: &RBig) -> i8 {
     let (n, d) = (x.numerator(), IBig::from(x.denominator().clone()));
     let mut power = IBig::ONE;
     let mut value = IBig::ZERO;

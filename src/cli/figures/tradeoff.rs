@@ -143,37 +143,30 @@ fn names(names: &[&str]) -> Vec<String> {
 const OPEN: [&str; 2] = ["undecided", "failed"];
 
 fn classify() -> Result<Chart, ExportError> {
-    const METHODS: [&str; 6] = [
-        "fast",
-        "proof of the whole plane",
-        "companion matrix",
-        "flood fill 32x64",
-        "flood fill 96x192",
-        "flood fill 256x512",
-    ];
+    const METHODS: [&str; 6] =
+        ["fast", "exact", "companion matrix", "flood fill 32x64", "flood fill 96x192", "flood fill 256x512"];
     let table = Table::new(CLASSIFY)?;
-    // Two decades of the distance together: one alone has some six points.
     let beside = |row: &StringRecord| {
         let distance = libm::log10(table.number(row, "distance")).round();
         #[expect(clippy::cast_possible_truncation, reason = "a few decades; a NaN is not finite")]
         let decade = distance as i32;
-        (table.text(row, "stratum") == "generic" && distance.is_finite()).then_some((decade + 1).div_euclid(2))
+        (table.text(row, "stratum") == "generic" && distance.is_finite()).then_some(decade)
     };
     let random = |row: &StringRecord| table.text(row, "distance").is_empty().then_some(0);
     let panel = |title: &str, counted: &'static [&'static str]| ChartPanel {
         title: title.to_owned(),
         x: axis("relative distance from a curve", Scale::Descending),
         y: axis("% of generic points; bars: 95 % confidence", Scale::Percent),
-        series: table.shares(&METHODS, [counted, &["points"]], "distance", 0.16, beside),
+        series: table.shares(&METHODS, [counted, &["points"]], "distance", 0.08, beside),
     };
     Ok(Chart {
         title: "Classification of a point: wrong and open answers, and time".to_owned(),
         names: table.counted(&METHODS, "points"),
         panels: vec![
-            panel("wrong answers, 13 or 14 points a mark", &["wrong"]),
-            panel("undecided, 13 or 14 points a mark", &OPEN),
+            panel("wrong, 100 or 150 points a mark", &["wrong"]),
+            panel("undecided, 100 or 150 points a mark", &OPEN),
             ChartPanel {
-                title: "150 random points of six strata".to_owned(),
+                title: "random points of all strata".to_owned(),
                 x: axis("CPU time of a point in µs (median)", Scale::Logarithmic),
                 y: axis("% not right; bars: 95 % confidence", Scale::Percent),
                 series: table.shares(

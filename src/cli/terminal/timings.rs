@@ -1,6 +1,8 @@
-//! How long each stage took, on stderr.
+//! How long each stage took, and what decided the questions there were, on stderr.
 
 use std::time::Instant;
+
+use proof::work;
 
 use super::stderr::say;
 
@@ -14,6 +16,9 @@ pub struct Timings {
 impl Timings {
     /// Starts the clock.
     pub fn new(wanted: bool) -> Self {
+        if wanted {
+            work::count_from_here();
+        }
         Self { wanted, started: Instant::now() }
     }
 
@@ -25,9 +30,12 @@ impl Timings {
         result
     }
 
-    /// Tells the time since the start.
+    /// Tells the time since the start, and how many questions were decided by which numbers.
     pub fn total(&self) {
         self.tell("total", self.started);
+        for (question, rung, count) in work::tally() {
+            say(&format!("work: {:<28} {:<8} {count:>12}", question.to_string(), rung.to_string()));
+        }
     }
 
     fn tell(&self, name: &str, since: Instant) {

@@ -1,10 +1,12 @@
 //! Polynomials with integer coefficients.
 
-use dashu_base::Gcd;
+use dashu_base::{BitTest, Gcd};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
+use super::rational::over_one_denominator;
 use crate::Sign;
+use crate::enclosure::Arithmetic;
 use crate::modular::surely_coprime;
 
 /// c\[0\] + c\[1\] t + …; no trailing zeros.
@@ -26,13 +28,7 @@ impl Polynomial {
     /// The polynomial times the common denominator of these coefficients, which is positive.
     #[must_use]
     pub fn from_rationals(c: &[RBig]) -> Self {
-        let common = c.iter().fold(UBig::ONE, |common, x| {
-            let d = x.denominator();
-            let shared = (&common).gcd(d);
-            common / shared * d
-        });
-        let scaled = c.iter().map(|x| x.numerator() * IBig::from(&common / x.denominator()));
-        Self::new(scaled.collect()).primitive()
+        Self::new(over_one_denominator(c).0).primitive()
     }
 
     /// Its coefficients by rising power; the last one is not 0.
@@ -77,13 +73,26 @@ impl Polynomial {
         Sign::from(&self.homogeneous(at.numerator(), &IBig::from(at.denominator().clone())))
     }
 
+    /// Its coefficients in one arithmetic.
+    #[must_use]
+    pub fn enclosed<E: Arithmetic>(&self, precision: E::Precision) -> Vec<E> {
+        self.c.iter().map(|c| E::rational(&RBig::from(c.clone()), precision)).collect()
+    }
+
     /// qⁿ p(p/q).
     pub(super) fn homogeneous(&self, p: &IBig, q: &IBig) -> IBig {
+        // q is a power of two but for the first ends of a root that was found from its inverse.
+        let zeros = q.trailing_zeros().filter(|zeros| q.bit_len() == zeros + 1);
         let mut power = IBig::ONE;
         let mut value = IBig::ZERO;
-        for c in self.c.iter().rev() {
-            value = value * p + c * &power;
-            power *= q;
+        for (k, c) in self.c.iter().rev().enumerate() {
+            value *= p;
+            if let Some(zeros) = zeros {
+                value += c << (k * zeros);
+            } else {
+                value += c * &power;
+                power *= q;
+            }
         }
         value
     }
@@ -97,18 +106,27 @@ impl Polynomial {
     /// p(shift + scale t).
     #[must_use]
     pub fn composed(&self, shift: &RBig, scale: &RBig) -> Self {
-        let mut result: Vec<RBig> = Vec::with_capacity(self.c.len());
+        // With shift = s/m and scale = e/m: mⁿ p((s + u)/m) by Horner's rule, then u = e t.
+        let (first, second) = (shift.denominator(), scale.denominator());
+        let common = first / first.gcd(second) * second;
+        let over = |x: &RBig| x.numerator() * IBig::from(&common / x.denominator());
+        let (s, e, m) = (over(shift), over(scale), IBig::from(common.clone()));
+        let mut result: Vec<IBig> = Vec::with_capacity(self.c.len());
+        let mut power = IBig::ONE;
         for c in self.c.iter().rev() {
-            // result ← result · (shift + scale t) + c
-            let mut next = vec![RBig::ZERO; result.len() + 1];
-            for (k, r) in result.iter().enumerate() {
-                next[k] += r * shift;
-                next[k + 1] += r * scale;
+            result.insert(0, c * &power);
+            for k in 1..result.len() {
+                let lower = &result[k] * &s;
+                result[k - 1] += lower;
             }
-            next[0] += RBig::from(c.clone());
-            result = next;
+            power *= &m;
         }
-        Self::from_rationals(&result)
+        let mut power = IBig::ONE;
+        for c in &mut result {
+            *c *= &power;
+            power *= &e;
+        }
+        Self::new(result).primitive()
     }
 
     /// tⁿ p(1/t).

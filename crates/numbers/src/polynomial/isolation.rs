@@ -161,7 +161,15 @@ impl Root {
 mod tests {
     use super::super::rational;
     use super::*;
+    use crate::enclosure::Enclosure;
+    use crate::interval::Interval;
+    use crate::wide::{Interval128, Interval384};
     use proptest::prelude::*;
+
+    fn holds<E: Enclosure>(set: &E, at: &RBig) -> bool {
+        let exact = |[lo, hi]: [RBig; 2]| lo <= *at && *at <= hi;
+        set.exact_bounds().is_none_or(exact)
+    }
 
     fn of(c: &[i64]) -> Polynomial {
         Polynomial::new(c.iter().map(|&c| IBig::from(c)).collect())
@@ -191,11 +199,17 @@ mod tests {
             }
             prop_assert_eq!(found.len(), expected.len());
             for (root, (at, multiplicity)) in found.iter_mut().zip(expected) {
+                prop_assert!(holds(&root.enclosed::<Interval>(()), &at));
+                let close = root.enclosed::<Interval128>(());
+                prop_assert!(holds(&close, &at));
+                prop_assert!(multiplicity > 1 || close.bounds()[1] - close.bounds()[0] < 1e-12 * (1.0 + close.bounds()[1]));
                 root.refine(60);
                 prop_assert!(root.lo <= at && at <= root.hi);
                 prop_assert!((&root.hi - &root.lo) * RBig::from(IBig::ONE << 60) <= root.hi);
                 prop_assert_eq!(root.odd, multiplicity % 2 == 1);
                 prop_assert!(root.is_root_of(&polynomial));
+                prop_assert!(holds(&root.enclosed::<Interval>(()), &at));
+                prop_assert!(holds(&root.enclosed::<Interval384>(()), &at));
             }
         }
     }

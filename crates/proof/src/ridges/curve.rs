@@ -5,7 +5,9 @@ use std::cmp::Ordering::Less;
 
 use dashu_ratio::RBig;
 use numbers::Sign;
+use numbers::enclosure::{Arithmetic, Enclosure, horner};
 use numbers::polynomial::{Polynomial, rational};
+use numbers::wide::Interval128;
 
 use super::latitude::{Course, Latitude, RealRoot, value};
 use super::pair::Quadratic;
@@ -27,33 +29,62 @@ struct Cut {
     inside: [Vec<bool>; 2],
 }
 
+/// U − h on either sign of the curve: (A√p ∓ ρq)/(q√p) with A = xp − hq.
+struct Level<'a> {
+    /// p, A and ρq.
+    exact: [&'a [RBig]; 3],
+    narrow: [Vec<Interval128>; 3],
+}
+
+impl<'a> Level<'a> {
+    fn new(exact: [&'a [RBig]; 3]) -> Self {
+        let narrow = exact.map(|c| c.iter().map(|c| Interval128::rational(c, ())).collect());
+        Self { exact, narrow }
+    }
+
+    /// U < h at μ, on both signs of the curve.
+    fn is_below(&self, mu: &RBig) -> [bool; 2] {
+        let at = Interval128::rational(mu, ());
+        let [p, excess, pull] = self.narrow.each_ref().map(|c| horner(c, &at, ()));
+        let kinetic = excess * p.sqrt();
+        Sign::BOTH.map(|sign| {
+            let difference = kinetic.clone() - sign.orient(pull.clone());
+            difference.strict_sign().map_or_else(|| self.is_below_exactly(mu, sign), |sign| sign == Sign::Negative)
+        })
+    }
+
+    fn is_below_exactly(&self, mu: &RBig, sign: Sign) -> bool {
+        let [p, a, b] = self.exact.map(|c| value(c, mu));
+        let b = sign.orient(b);
+        let signed = |c: &RBig, square: RBig| if *c < RBig::ZERO { -square } else { square };
+        signed(&a, &a * &a * p) < signed(&b, &b * &b)
+    }
+}
+
 impl Cut {
     fn new(model: &Model, x: &RBig, h: &RBig) -> Option<Self> {
         let [_, p, q, rho] = model.family();
-        // U − h = (A√p ∓ ρq)/(q√p) with A = xp − hq.
         let excess = rational::sub(&rational::scale(&p, x), &rational::scale(&q, h));
         let pull = rational::mul(&rho, &q);
         let square = rational::mul(&p, &rational::mul(&excess, &excess));
-        let level = Polynomial::from_rationals(&rational::sub(&square, &rational::mul(&pull, &pull)));
+        let polynomial = Polynomial::from_rationals(&rational::sub(&square, &rational::mul(&pull, &pull)));
+        let moments: Vec<RBig> = model.active.iter().map(|&k| model.a(k).clone()).collect();
+        let course =
+            Course { moments: model.active.iter().map(|&k| [model.a(k).clone(), model.groups[k].q.clone()]).collect() };
         let fold = fold(model)?;
         let mut roots = Vec::new();
         let mut valley_roots = 0;
-        for root in RealRoot::all(&level)? {
+        for root in RealRoot::about(&polynomial, &moments)? {
             valley_roots += usize::from(root.compare(&fold)? == Less);
             roots.push(root);
         }
         let mut marks = roots.clone();
         marks.insert(valley_roots, fold.clone());
         let samples = samples(&marks);
-        let inside = Sign::BOTH.map(|sign| {
-            let below = |mu: &RBig| {
-                let (a, b) = (value(&excess, mu), value(&pull, mu) * RBig::from(i8::from(sign)));
-                let signed = |c: &RBig, square: RBig| if *c < RBig::ZERO { -square } else { square };
-                signed(&a, &a * &a * value(&p, mu)) < signed(&b, &b * &b)
-            };
-            samples.iter().map(below).collect()
-        });
-        Some(Self { course: Course { rho, p }, roots, valley_roots, fold, inside })
+        let level = Level::new([&p[..], &excess, &pull]);
+        let below: Vec<[bool; 2]> = samples.iter().map(|mu| level.is_below(mu)).collect();
+        let inside = [0, 1].map(|sign| below.iter().map(|below| below[sign]).collect());
+        Some(Self { course, roots, valley_roots, fold, inside })
     }
 
     fn latitude(&self, root: &RealRoot, sign: Sign) -> Latitude<'_> {

@@ -1,0 +1,108 @@
+//! Points exactly on curves (`data/oracles/curve_points.py`): each is critical, and its candidates are the classes that the
+//! latitude sweep proves around it.
+
+use std::collections::BTreeMap;
+
+use proof::Accuracy;
+use rayon::prelude::*;
+use serde::Deserialize;
+use top::body::Body;
+use top::classify::Answer;
+use top::topology::Component;
+
+use super::Failure;
+use super::clock::{quantiles, timed};
+use super::points::swept;
+
+#[derive(Deserialize)]
+struct Line {
+    kind: String,
+    #[serde(rename = "A")]
+    moments: [String; 3],
+    #[serde(rename = "r")]
+    center: [String; 3],
+    h: String,
+    l: String,
+    around: Vec<(f64, f64)>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Verdict {
+    Right,
+    Wrong,
+    Failed,
+    /// The sweep refuses a point around.
+    Untold,
+}
+
+struct Answered {
+    kind: String,
+    verdict: Verdict,
+    /// How many classes meet.
+    classes: usize,
+    time: f64,
+}
+
+pub fn run(path: &str) -> Result<(), Failure> {
+    let text = std::fs::read_to_string(path)?;
+    let lines: Vec<&str> = text.lines().collect();
+    let answers: Result<Vec<Answered>, String> =
+        lines.par_iter().map(|line| answered(line).map_err(|error| error.to_string())).collect();
+    let mut kinds: BTreeMap<String, Vec<Answered>> = BTreeMap::new();
+    for answer in answers? {
+        kinds.entry(answer.kind.clone()).or_default().push(answer);
+    }
+    println!(
+        "kind,points,right,wrong,failed,untold,classes_1,classes_2,classes_3,classes_4,cpu_us_median,cpu_us_99,cpu_us_largest"
+    );
+    for (kind, answers) in kinds {
+        let count = |verdict| answers.iter().filter(|answer| answer.verdict == verdict).count();
+        let meeting = |classes| answers.iter().filter(|answer| answer.classes == classes).count();
+        let mut times: Vec<f64> = answers.iter().map(|answer| answer.time).collect();
+        let [median, high] = quantiles(&mut times);
+        println!(
+            "{kind},{},{},{},{},{},{},{},{},{},{median:.1},{high:.1},{:.1}",
+            answers.len(),
+            count(Verdict::Right),
+            count(Verdict::Wrong),
+            count(Verdict::Failed),
+            count(Verdict::Untold),
+            meeting(1),
+            meeting(2),
+            meeting(3),
+            meeting(4),
+            times[times.len() - 1],
+        );
+    }
+    Ok(())
+}
+
+fn answered(line: &str) -> Result<Answered, Failure> {
+    let Line { kind, moments, center, h, l, around } = serde_json::from_str(line)?;
+    let body = Body::parse(&moments, &center)?;
+    let (h, l) = (h.parse()?, l.parse()?);
+    let mut classes: Option<Vec<Vec<Component>>> = around.iter().map(|&(h, l)| swept(&body, h, l)).collect();
+    if let Some(classes) = &mut classes {
+        let mut seen = Vec::new();
+        classes.retain(|class| {
+            !seen.contains(class) && {
+                seen.push(class.clone());
+                true
+            }
+        });
+    }
+    let (found, time) = timed(|| proof::classify(&body, &h, &l, Accuracy::Exact));
+    let verdict = match (found.as_ref().map(|found| &found.answer), &classes) {
+        (Err(_), _) => Verdict::Failed,
+        (Ok(Answer::Critical(_)), None) => Verdict::Untold,
+        (Ok(Answer::Critical(candidates)), Some(classes)) => {
+            let all = candidates.len() == classes.len() && candidates.iter().all(|class| classes.contains(class));
+            if all { Verdict::Right } else { Verdict::Wrong }
+        }
+        (Ok(_), _) => Verdict::Wrong,
+    };
+    if matches!(verdict, Verdict::Wrong | Verdict::Failed) {
+        eprintln!("{kind}: {line}\n  {found:?}\n  {classes:?}");
+    }
+    Ok(Answered { kind, verdict, classes: classes.map_or(0, |classes| classes.len()), time })
+}
