@@ -1,7 +1,7 @@
 //! A diagram on its canvas.
 
 use super::labels::{self, H, L};
-use super::layout::{BELOW, Frame, LEFT, LETTER_SIZE, frame, is_marked, letter};
+use super::layout::{BELOW, Frame, LEFT, LETTER_SIZE, RIGHT, frame, is_marked, letter};
 use super::markers::{event_marker, sample_dot};
 use super::outline::{Ground, outline};
 use super::panel::Panel;
@@ -10,7 +10,9 @@ use super::ranges::contains;
 use super::scene::Scene;
 use super::stroke::{self, Line, Stroke, Verdict};
 use super::view::View;
-use crate::page::{Anchor, Axis, Canvas, INK, Ink, Point, TICK_SIZE, distance, draw_axes, short, text_width, ticks};
+use crate::page::{
+    Anchor, Axis, Canvas, INK, Ink, Point, TICK_SIZE, Ticks, distance, draw_axes, short, text_width, ticks,
+};
 use schema::EventKind;
 
 const FRAME: Ink = Ink { color: INK, width: 0.9 };
@@ -142,7 +144,12 @@ impl Diagram<'_> {
                 format!("({}){of}  {H} ×{h}, {L} ×{l}", letter(index))
             };
             let rect = inset.view.rect;
-            canvas.text(&text, [rect.right(), rect.y - 8.0], LETTER_SIZE, INK, Anchor::End);
+            // Above the name of the axis where there is no room beside it.
+            let name = &axis_ticks(inset, false)[1].quantity;
+            let is_free = l_name_at(inset, name)[0] + text_width(name, AXIS_SIZE) + 4.0
+                < rect.right() - text_width(&text, LETTER_SIZE);
+            let up = if is_free { 8.0 } else { 25.0 };
+            canvas.text(&text, [rect.right(), rect.y - up], LETTER_SIZE, INK, Anchor::End);
         }
     }
 }
@@ -152,15 +159,41 @@ fn shows(outer: &Panel, inner: &Panel) -> bool {
     contains(&outer.view.window, &inner.view.window)
 }
 
-/// The axes of a panel and its frame; those of the main panel tell what h and l are.
-fn paint_axes(canvas: &Canvas, panel: &Panel, is_main: bool, units: &[String; 2]) {
-    const SIZE: f64 = TICK_SIZE + 1.0;
+const AXIS_SIZE: f64 = TICK_SIZE + 1.0;
+
+/// The ticks of h and l; none whose label would leave the page.
+fn axis_ticks(panel: &Panel, is_main: bool) -> [Ticks; 2] {
     let View { window, rect } = panel.view;
     let spacing = if is_main { 70.0 } else { 58.0 };
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen at most")]
     let count = |length: f64, spacing: f64| (length / spacing).floor() as usize;
-    let h_ticks = ticks(H, window.h[0], window.h[1], count(rect.width, spacing));
-    let l_ticks = ticks(L, window.l[0], window.l[1], count(rect.height, 0.7 * spacing));
+    let mut h = ticks(H, window.h[0], window.h[1], count(rect.width, spacing));
+    let l = ticks(L, window.l[0], window.l[1], count(rect.height, 0.7 * spacing));
+    let ends_at =
+        |value: f64, label: &str| panel.view.position([value, window.l[0]])[0] + text_width(label, TICK_SIZE) / 2.0;
+    let fits: Vec<bool> = h
+        .values
+        .iter()
+        .zip(&h.labels)
+        .map(|(value, label)| ends_at(*value, label) < rect.right() + RIGHT - 1.0)
+        .collect();
+    let mut keep = fits.iter();
+    h.values.retain(|_| keep.next().is_none_or(|fits| *fits));
+    let mut keep = fits.iter();
+    h.labels.retain(|_| keep.next().is_none_or(|fits| *fits));
+    [h, l]
+}
+
+/// Where the name of the l axis begins.
+fn l_name_at(panel: &Panel, name: &str) -> Point {
+    let rect = panel.view.rect;
+    [(rect.x - 12.0 - text_width(name, AXIS_SIZE)).max(rect.x - LEFT + 14.0), rect.y - 12.0]
+}
+
+/// The axes of a panel and its frame; those of the main panel tell what h and l are.
+fn paint_axes(canvas: &Canvas, panel: &Panel, is_main: bool, units: &[String; 2]) {
+    let View { window, rect } = panel.view;
+    let [h_ticks, l_ticks] = axis_ticks(panel, is_main);
     let [h, l] = [(window.h, &h_ticks), (window.l, &l_ticks)].map(|(range, ticks)| Axis { range, ticks });
     draw_axes(canvas, &rect, [BELOW, LEFT], [h, l]);
     // In full where the labels are not scaled, in the main panel.
@@ -173,7 +206,6 @@ fn paint_axes(canvas: &Canvas, panel: &Panel, is_main: bool, units: &[String; 2]
     };
     let h_name = name(&h_ticks.quantity, "energy", &units[0]);
     let l_name = name(&l_ticks.quantity, "vertical angular momentum", &units[1]);
-    canvas.text(&h_name, [rect.x + rect.width / 2.0, rect.bottom() + 36.0], SIZE, INK, Anchor::Middle);
-    let l_at = [(rect.x - 12.0 - text_width(&l_name, SIZE)).max(rect.x - LEFT + 14.0), rect.y - 12.0];
-    canvas.text(&l_name, l_at, SIZE, INK, Anchor::Start);
+    canvas.text(&h_name, [rect.x + rect.width / 2.0, rect.bottom() + 36.0], AXIS_SIZE, INK, Anchor::Middle);
+    canvas.text(&l_name, l_name_at(panel, &l_name), AXIS_SIZE, INK, Anchor::Start);
 }

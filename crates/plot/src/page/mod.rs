@@ -44,4 +44,4 @@ pub(crate) use space::Taken;
 pub(crate) use stripes::Stripes;
 pub(crate) use table::Table;
 pub use theme::Theme;
-pub(crate) use ticks::ticks;
+pub(crate) use ticks::{Ticks, ticks};
