@@ -41,7 +41,7 @@ pub struct AnimationScene<'a> {
 /// Half the width of the view of the body.
 const RADIUS: f64 = 150.0;
 /// Points of each circle on the body.
-const CIRCLE: usize = 40;
+const CIRCLE: usize = 36;
 /// Of so many points of the trace one tells how much of it is seen.
 const TOLD: usize = 8;
 /// A sheet of the section: its width, ψ′ ∈ [0, 2π], and its height, ϑ′ ∈ [0, π].
