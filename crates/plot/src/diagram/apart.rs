@@ -55,8 +55,8 @@ mod tests {
         let target = window([250.0, 260.0], [210.0, 220.0]);
         let cleared = clear(b, &target, &[a]).unwrap();
         assert!(!reach_into(&a, &cleared) && contains(&cleared, &target) && contains(&b, &cleared));
-        // Above the other, which leaves more than beside it.
-        assert_eq!((cleared.h, cleared.l), (b.h, [203.0, 400.0]));
+        // Beside the other, which leaves 97 · 250, more than the 120 · 197 above it.
+        assert_eq!((cleared.h, cleared.l), ([203.0, 300.0], b.l));
         assert!(clear(b, &window([185.0, 250.0], [160.0, 300.0]), &[a]).is_none());
     }
 }

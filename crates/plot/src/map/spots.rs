@@ -74,6 +74,7 @@ mod tests {
             [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [3.0, 4.0], [3.0, 1.0], [1.0, 1.0], [1.0, 4.0], [0.0, 4.0]];
         let Spot { at, room } = inside(&horseshoe);
         assert_eq!((at, room), ([2.0, 0.5], 4.0));
-        assert_eq!(short_place(Spot { at: [0.933_333_333, -2.0], room: 1e-3 }), "0.93333, −2");
+        assert_eq!(short_place(Spot { at: [0.933_333_333, -2.0], room: 1e-3 }), "0.9333, −2");
+        assert_eq!(short_place(Spot { at: [0.933_333_333, -2.0], room: 1e-4 }), "0.93333, −2");
     }
 }
