@@ -36,8 +36,8 @@ const ORDER: [(&str, &str); 11] = [
     ),
     (
         "crates/verify/src",
-        "refused number classes component body sturm fixed interval jet path spaces place equilibria roots pieces meetings \
-         stand orders node rules mirror pairs events slabs gluing regions gap morse landscape descent merging rings topology courses measures samples listing totals",
+        "refused number classes component body sturm fixed bounds isolation interval jet path spaces flow place equilibria roots pieces chart meetings \
+         stand orders node rules mirror pairs events slabs gluing regions gap morse landscape descent merging rings topology courses measures stability samples listing totals",
     ),
     ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
     (
