@@ -107,16 +107,14 @@ impl Polynomial {
     #[must_use]
     pub fn composed(&self, shift: &RBig, scale: &RBig) -> Self {
         // With shift = s/m and scale = e/m: mⁿ p((s + u)/m) by Horner's rule, then u = e t.
-        let (first, second) = (shift.denominator(), scale.denominator());
-        let common = first / first.gcd(second) * second;
-        let over = |x: &RBig| x.numerator() * IBig::from(&common / x.denominator());
-        let (s, e, m) = (over(shift), over(scale), IBig::from(common.clone()));
+        let (whole, common) = over_one_denominator(&[shift.clone(), scale.clone()]);
+        let ([s, e], m) = ([&whole[0], &whole[1]], IBig::from(common));
         let mut result: Vec<IBig> = Vec::with_capacity(self.c.len());
         let mut power = IBig::ONE;
         for c in self.c.iter().rev() {
             result.insert(0, c * &power);
             for k in 1..result.len() {
-                let lower = &result[k] * &s;
+                let lower = &result[k] * s;
                 result[k - 1] += lower;
             }
             power *= &m;
@@ -124,7 +122,7 @@ impl Polynomial {
         let mut power = IBig::ONE;
         for c in &mut result {
             *c *= &power;
-            power *= &e;
+            power *= e;
         }
         Self::new(result).primitive()
     }

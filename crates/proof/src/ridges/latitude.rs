@@ -62,15 +62,11 @@ impl RealRoot {
             below.reverse();
             all.extend(below);
             // In the very middle between two numbers.
-            if let Some(reach) = &after
-                && polynomial.sign_at(&(base + reach)) == Sign::Zero
-            {
-                let middle = Self::rational(&(base + reach));
-                all.extend(Self::beside(polynomial, base, Sign::Positive, after)?);
-                all.push(middle);
-            } else {
-                all.extend(Self::beside(polynomial, base, Sign::Positive, after)?);
-            }
+            let middle = after.as_ref().map(|reach| base + reach);
+            all.extend(Self::beside(polynomial, base, Sign::Positive, after)?);
+            all.extend(
+                middle.filter(|middle| polynomial.sign_at(middle) == Sign::Zero).map(|middle| Self::rational(&middle)),
+            );
         }
         Some(all)
     }
