@@ -28,7 +28,12 @@ fn ceil_div(n: IBig, d: &IBig) -> IBig {
     -(-n).div_euclid(d)
 }
 
-/// ⌈n/2ᵇ⌉; a shift of a negative number rounds down.
+/// ⌊n/2ᵇ⌋: a shift of a negative number rounds down.
+fn floor_shift(n: IBig, bits: usize) -> IBig {
+    n >> bits
+}
+
+/// ⌈n/2ᵇ⌉
 fn ceil_shift(n: IBig, bits: usize) -> IBig {
     -((-n) >> bits)
 }
@@ -225,7 +230,7 @@ impl Mul for &Fixed {
             [_, -1] => (product(&p.hi, &q.lo), product(&p.lo, &q.lo)),
             _ => (product(&p.lo, &q.hi).min(product(&p.hi, &q.lo)), product(&p.lo, &q.lo).max(product(&p.hi, &q.hi))),
         };
-        Fixed { lo: least >> surplus, hi: ceil_shift(greatest, surplus), bits }
+        Fixed { lo: floor_shift(least, surplus), hi: ceil_shift(greatest, surplus), bits }
     }
 }
 
