@@ -73,9 +73,9 @@ impl<E: Enclosure> Evaluator<'_, E> {
                 at[1 - end] *= 0.5;
             }
             if end == 0 {
-                low = x
+                low = x;
             } else {
-                high = x
+                high = x;
             }
             let now = size(&low, &high);
             if 2.0 * now <= room {
