@@ -5,3 +5,6 @@ pub mod integrator;
 pub mod motion;
 pub mod poincare;
 pub mod section;
+
+#[doc(hidden)]
+pub fn bench_expand(peak: f64) { integrator::taylor::bench(peak) }

@@ -2,15 +2,22 @@
 
 use pulp::Simd;
 
-use super::roots::{CONVERGED, DEPTH};
+use super::roots::DEPTH;
 use crate::integrator::product::ProductSum;
 use crate::integrator::taylor::{lane_values, magnitude};
+
+/// Terms of the slope that are summed: the others are below 2⁻³⁰ of it, like what it is multiplied with at the end.
+const SLOPE_TERMS: usize = 14;
+/// Terms of the curvature, which only corrects.
+const CURVATURE_TERMS: usize = 8;
+/// Steps below this are the last: what they leave is of the order of their cube.
+const CONVERGED: f64 = 1.0 / (1u64 << 17) as f64;
 
 /// For each wanted lane the root in [0, 1] of Σ c_k xᵏ, which changes sign there exactly once; `end` is its value
 /// at 1. The other lanes hold no meaning.
 ///
-/// Newton's method inside a bracket, as for a single polynomial. A lane that has converged is left alone while
-/// others go on, so that it does not depend on them.
+/// Halley's method inside a bracket: two or three steps, where Newton's takes four or five as long ones. A lane that has
+/// converged is left alone while others go on, so that it does not depend on them.
 #[inline(always)]
 pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted: S::m64s) -> S::f64s {
     let (zero, half, one) = (simd.splat_f64s(0.0), simd.splat_f64s(0.5), simd.splat_f64s(1.0));
@@ -20,15 +27,23 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
     let usable = simd.and_m64s(simd.less_than_f64s(zero, guess), simd.less_than_f64s(guess, one));
     let mut x = simd.select_f64s(usable, guess, half);
     let mut going = wanted;
+    let slopes: [S::f64s; SLOPE_TERMS] = derivative(simd, c);
+    let curvatures: [S::f64s; CURVATURE_TERMS] = derivative(simd, &slopes);
     for _ in 0..2 * DEPTH {
-        let (value, slope) = value_and_slope(simd, c, x);
+        let square = simd.mul_f64s(x, x);
+        let value = value_at(simd, c, x, square);
+        let slope = sum(simd, &slopes, x, square);
+        let curvature = sum(simd, &curvatures, x, square);
         let above = simd.xor_m64s(simd.less_than_f64s(value, zero), rises);
         high = simd.select_f64s(above, x, high);
         low = simd.select_f64s(above, low, x);
-        let newton = simd.sub_f64s(x, simd.div_f64s(value, slope));
+        // x − p p′/(p′² − p p″/2)
+        let bend = simd.mul_f64s(simd.mul_f64s(value, half), curvature);
+        let bottom = simd.product_sum(slope, slope, simd.sub_f64s(zero, bend));
+        let better = simd.sub_f64s(x, simd.div_f64s(simd.mul_f64s(value, slope), bottom));
         let inside =
-            simd.and_m64s(simd.less_than_or_equal_f64s(low, newton), simd.less_than_or_equal_f64s(newton, high));
-        let next = simd.select_f64s(inside, newton, simd.mul_f64s(simd.add_f64s(low, high), half));
+            simd.and_m64s(simd.less_than_or_equal_f64s(low, better), simd.less_than_or_equal_f64s(better, high));
+        let next = simd.select_f64s(inside, better, simd.mul_f64s(simd.add_f64s(low, high), half));
         let change = magnitude(simd, simd.sub_f64s(next, x));
         x = simd.select_f64s(going, next, x);
         let close = simd.and_m64s(inside, simd.less_than_or_equal_f64s(change, simd.splat_f64s(CONVERGED)));
@@ -44,6 +59,44 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
     x
 }
 
+/// (k+1) c_{k+1}, as many as there is room for.
+#[inline(always)]
+fn derivative<S: Simd, const TERMS: usize>(simd: S, c: &[S::f64s]) -> [S::f64s; TERMS] {
+    let mut slopes = [simd.splat_f64s(0.0); TERMS];
+    for (k, slope) in slopes.iter_mut().enumerate().take(c.len() - 1) {
+        *slope = simd.mul_f64s(c[k + 1], simd.splat_f64s((k + 1) as f64));
+    }
+    slopes
+}
+
+/// Σ c_k xᵏ, the even and the odd terms apart: half the latency of one long chain.
+#[inline(always)]
+fn sum<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s, square: S::f64s) -> S::f64s {
+    let (mut even, mut odd) = (simd.splat_f64s(0.0), simd.splat_f64s(0.0));
+    for pair in c.chunks(2).rev() {
+        even = simd.product_sum(even, square, pair[0]);
+        if let Some(&c) = pair.get(1) {
+            odd = simd.product_sum(odd, square, c);
+        }
+    }
+    simd.product_sum(x, odd, even)
+}
+
+/// Σ c_k xᵏ in four chains.
+#[inline(always)]
+fn value_at<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s, square: S::f64s) -> S::f64s {
+    let fourth = simd.mul_f64s(square, square);
+    let mut sums = [simd.splat_f64s(0.0); 4];
+    for four in c.chunks(4).rev() {
+        for (sum, &c) in sums.iter_mut().zip(four) {
+            *sum = simd.product_sum(*sum, fourth, c);
+        }
+    }
+    let low = simd.product_sum(x, sums[1], sums[0]);
+    let high = simd.product_sum(x, sums[3], sums[2]);
+    simd.product_sum(square, high, low)
+}
+
 /// The zero of the parabola through both ends with the slope at 0; Muller's form has no cancellation.
 #[inline(always)]
 fn parabola<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s) -> S::f64s {
@@ -54,24 +107,6 @@ fn parabola<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s) -> S::f64s {
     let root = simd.sqrt_f64s(simd.max_f64s(discriminant, zero));
     let root = simd.select_f64s(simd.less_than_f64s(c[1], zero), simd.sub_f64s(zero, root), root);
     simd.div_f64s(simd.mul_f64s(c[0], simd.splat_f64s(-2.0)), simd.add_f64s(c[1], root))
-}
-
-/// p(x) and p′(x), by Horner's rule for the even and the odd part: half the latency of one long chain.
-#[inline(always)]
-fn value_and_slope<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s) -> (S::f64s, S::f64s) {
-    let zero = simd.splat_f64s(0.0);
-    let square = simd.mul_f64s(x, x);
-    let (mut even, mut even_slope, mut odd, mut odd_slope) = (zero, zero, zero, zero);
-    for pair in c.chunks(2).rev() {
-        even_slope = simd.product_sum(even_slope, square, even);
-        even = simd.product_sum(even, square, pair[0]);
-        odd_slope = simd.product_sum(odd_slope, square, odd);
-        odd = simd.product_sum(odd, square, if pair.len() > 1 { pair[1] } else { zero });
-    }
-    // p′ = 2x (x o′ + e′) + o
-    let inner = simd.product_sum(x, odd_slope, even_slope);
-    let slope = simd.product_sum(simd.add_f64s(x, x), inner, odd);
-    (simd.product_sum(x, odd, even), slope)
 }
 
 #[cfg(test)]
