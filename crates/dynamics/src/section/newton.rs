@@ -8,6 +8,8 @@ use crate::integrator::taylor::{lane_values, magnitude};
 
 /// Terms of the slope that are summed: the others are below 2⁻³⁰ of it, like what it is multiplied with at the end.
 const SLOPE_TERMS: usize = 14;
+/// Terms of a first approximation.
+const LEADING: usize = 8;
 /// Terms of the curvature, which only corrects.
 const CURVATURE_TERMS: usize = 8;
 /// Steps below this are the last: what they leave is of the order of their cube.
@@ -23,12 +25,22 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
     let (zero, half, one) = (simd.splat_f64s(0.0), simd.splat_f64s(0.5), simd.splat_f64s(1.0));
     let rises = simd.less_than_or_equal_f64s(zero, end);
     let (mut low, mut high) = (zero, one);
-    let guess = parabola(simd, c, end);
-    let usable = simd.and_m64s(simd.less_than_f64s(zero, guess), simd.less_than_f64s(guess, one));
-    let mut x = simd.select_f64s(usable, guess, half);
     let mut going = wanted;
     let slopes: [S::f64s; SLOPE_TERMS] = derivative(simd, c);
     let curvatures: [S::f64s; CURVATURE_TERMS] = derivative(simd, &slopes);
+    let mut x = parabola(simd, c, end);
+    x = simd.select_f64s(strictly_between(simd, zero, x, one), x, half);
+    // The first step needs the leading terms only: the others are of the size of what it leaves.
+    let leading = &c[..LEADING.min(c.len())];
+    let square = simd.mul_f64s(x, x);
+    let guess = halley(
+        simd,
+        x,
+        sum(simd, leading, x, square),
+        sum(simd, &slopes[..LEADING - 1], x, square),
+        sum(simd, &curvatures[..LEADING - 2], x, square),
+    );
+    x = simd.select_f64s(strictly_between(simd, zero, guess, one), guess, x);
     for _ in 0..2 * DEPTH {
         let square = simd.mul_f64s(x, x);
         let value = value_at(simd, c, x, square);
@@ -37,10 +49,7 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
         let above = simd.xor_m64s(simd.less_than_f64s(value, zero), rises);
         high = simd.select_f64s(above, x, high);
         low = simd.select_f64s(above, low, x);
-        // x − p p′/(p′² − p p″/2)
-        let bend = simd.mul_f64s(simd.mul_f64s(value, half), curvature);
-        let bottom = simd.product_sum(slope, slope, simd.sub_f64s(zero, bend));
-        let better = simd.sub_f64s(x, simd.div_f64s(simd.mul_f64s(value, slope), bottom));
+        let better = halley(simd, x, value, slope, curvature);
         let inside =
             simd.and_m64s(simd.less_than_or_equal_f64s(low, better), simd.less_than_or_equal_f64s(better, high));
         let next = simd.select_f64s(inside, better, simd.mul_f64s(simd.add_f64s(low, high), half));
@@ -57,6 +66,20 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
         }
     }
     x
+}
+
+/// x − p p′/(p′² − p p″/2).
+#[inline(always)]
+fn halley<S: Simd>(simd: S, x: S::f64s, value: S::f64s, slope: S::f64s, curvature: S::f64s) -> S::f64s {
+    let bend = simd.mul_f64s(simd.mul_f64s(value, simd.splat_f64s(0.5)), curvature);
+    let bottom = simd.product_sum(slope, slope, simd.sub_f64s(simd.splat_f64s(0.0), bend));
+    simd.sub_f64s(x, simd.div_f64s(simd.mul_f64s(value, slope), bottom))
+}
+
+/// low < x < high.
+#[inline(always)]
+fn strictly_between<S: Simd>(simd: S, low: S::f64s, x: S::f64s, high: S::f64s) -> S::m64s {
+    simd.and_m64s(simd.less_than_f64s(low, x), simd.less_than_f64s(x, high))
 }
 
 /// (k+1) c_{k+1}, as many as there is room for.
