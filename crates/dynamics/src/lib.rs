@@ -5,6 +5,3 @@ pub mod integrator;
 pub mod motion;
 pub mod poincare;
 pub mod section;
-
-#[doc(hidden)]
-pub fn bench_expand(peak: f64) { integrator::taylor::bench(peak) }

@@ -5,8 +5,8 @@
 
 use pulp::Simd;
 
-use super::halt::{Halt, LANE};
 use super::condition::SectionCondition;
+use super::halt::{Halt, LANE};
 use super::orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::polish::polished;
 use super::readings::{Gauge, Reading};

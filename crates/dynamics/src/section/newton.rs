@@ -4,7 +4,7 @@ use pulp::Simd;
 
 use super::roots::DEPTH;
 use crate::integrator::product::ProductSum;
-use crate::integrator::taylor::{lane_values, magnitude};
+use crate::integrator::taylor::magnitude;
 
 /// Terms of the slope that are summed: the others are below 2⁻³⁰ of it, like what it is multiplied with at the end.
 const SLOPE_TERMS: usize = 14;
@@ -28,7 +28,7 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
     let mut going = wanted;
     let slopes: [S::f64s; SLOPE_TERMS] = derivative(simd, c);
     let curvatures: [S::f64s; CURVATURE_TERMS] = derivative(simd, &slopes);
-    let mut x = parabola(simd, c, end);
+    let mut x = inverse_parabola(simd, c, end);
     x = simd.select_f64s(strictly_between(simd, zero, x, one), x, half);
     // The first step needs the leading terms only: the others are of the size of what it leaves.
     let leading = &c[..LEADING.min(c.len())];
@@ -60,8 +60,7 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
         // going and not (close or no longer moving)
         going =
             simd.and_m64s(going, simd.and_m64s(still, simd.xor_m64s(close, simd.less_than_or_equal_f64s(zero, one))));
-        let going = [simd.select_f64s(going, one, zero)];
-        if lane_values::<S>(&going).iter().all(|&x| x == 0.0) {
+        if simd.first_true_m64s(going) == S::F64_LANES {
             break;
         }
     }
@@ -120,16 +119,17 @@ fn value_at<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s, square: S::f64s) -> S::
     simd.product_sum(square, high, low)
 }
 
-/// The zero of the parabola through both ends with the slope at 0; Muller's form has no cancellation.
+/// The zero of the parabola x(S) through both ends with the slope at 0, or of the chord where that is outside.
 #[inline(always)]
-fn parabola<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s) -> S::f64s {
-    let zero = simd.splat_f64s(0.0);
-    let curvature = simd.sub_f64s(simd.sub_f64s(end, c[0]), c[1]);
-    let product = simd.mul_f64s(curvature, simd.mul_f64s(c[0], simd.splat_f64s(4.0)));
-    let discriminant = simd.sub_f64s(simd.mul_f64s(c[1], c[1]), product);
-    let root = simd.sqrt_f64s(simd.max_f64s(discriminant, zero));
-    let root = simd.select_f64s(simd.less_than_f64s(c[1], zero), simd.sub_f64s(zero, root), root);
-    simd.div_f64s(simd.mul_f64s(c[0], simd.splat_f64s(-2.0)), simd.add_f64s(c[1], root))
+fn inverse_parabola<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s) -> S::f64s {
+    let (zero, one) = (simd.splat_f64s(0.0), simd.splat_f64s(1.0));
+    let rise = simd.sub_f64s(end, c[0]);
+    let chord = simd.div_f64s(simd.sub_f64s(zero, c[0]), rise);
+    let ratio = simd.div_f64s(rise, c[1]);
+    // t (m + (1 − m) t)
+    let inner = simd.product_sum(simd.sub_f64s(one, ratio), chord, ratio);
+    let x = simd.mul_f64s(chord, inner);
+    simd.select_f64s(strictly_between(simd, zero, x, one), x, chord)
 }
 
 #[cfg(test)]

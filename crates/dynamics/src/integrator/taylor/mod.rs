@@ -72,36 +72,3 @@ impl InstructionSet {
         }
     }
 }
-
-#[doc(hidden)]
-pub fn bench(peak: f64) {
-    use pulp::{Simd, WithSimd};
-    struct B(f64);
-    impl WithSimd for B {
-        type Output = ();
-        #[inline(always)]
-        fn with_simd<S: Simd>(self, simd: S) {
-            let body = top::body::Body::from_f64([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]).unwrap();
-            let top = crate::field::HeavyTop::new(&body);
-            let mut lanes = Lanes::<S>::new(simd, &top, 1e-15);
-            for lane in 0..S::F64_LANES {
-                let t = lane as f64 * 0.1;
-                lanes.load(lane, &crate::field::State { gamma: [t.sin(), t.cos() * 0.6, t.cos() * 0.8], l: [1.0 + t, 2.0, 1.5 - t] }, 3.0);
-            }
-            let clock = || std::fs::read_to_string("/proc/thread-self/schedstat").unwrap().split_whitespace().next().unwrap().parse::<u64>().unwrap();
-            let (mut best_s, mut best_e) = (f64::MAX, f64::MAX);
-            let order = lanes.order(); for _ in 0..20 {
-                let c = clock();
-                for _ in 0..100000 { lanes.series.expand(simd, &lanes.constants, order); std::hint::black_box(&mut lanes); }
-                best_s = best_s.min((clock() - c) as f64 / 100000.0);
-                let c = clock();
-                for _ in 0..100000 { lanes.expand(simd); lanes.commit(simd); std::hint::black_box(&mut lanes); }
-                best_e = best_e.min((clock() - c) as f64 / 100000.0);
-            }
-            // cycles, if the peak is two registers a cycle
-            let ghz = self.0 * 1e-9 / (2.0 * S::F64_LANES as f64);
-            println!("series {:.0} cycles, whole expand + commit {:.0} cycles  ({ghz:.2} GHz)", best_s * ghz, best_e * ghz);
-        }
-    }
-    Arch::new().dispatch(B(peak));
-}
