@@ -4,6 +4,7 @@
 
 mod picture_layout;
 mod picture_letters;
+mod picture_svg;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};

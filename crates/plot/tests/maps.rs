@@ -1,6 +1,7 @@
 //! Maps: every entry is numbered or told with its place, and everything can be read.
 
 mod picture_letters;
+mod picture_svg;
 mod picture_texts;
 
 use picture_letters::too_small;

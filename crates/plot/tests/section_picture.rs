@@ -7,6 +7,7 @@
 )]
 
 mod picture_letters;
+mod picture_svg;
 mod picture_texts;
 
 use std::f64::consts::{PI, TAU};

@@ -1,6 +1,7 @@
 //! Pictures of U on the Poisson sphere.
 
 mod picture_letters;
+mod picture_svg;
 mod picture_texts;
 
 use picture_letters::too_small;
