@@ -3,7 +3,6 @@
 use documents::DocumentOptions;
 use proof::{Accuracy, CertifiedAtlas, atlas_of};
 use rayon::prelude::*;
-use rayon::prelude::*;
 use top::atlas::Atlas;
 use top::body::Body;
 use top::curves::Branch;
