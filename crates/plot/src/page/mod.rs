@@ -22,12 +22,15 @@ mod tex;
 mod theme;
 mod ticks;
 mod tikz;
+mod width;
 
 pub(crate) use axes::{Axis, TICK_SIZE, draw_axes};
 pub(crate) use canvas::{Anchor, Canvas, render};
 pub use error::PlotError;
 pub(crate) use font::text_width;
-pub(crate) use geometry::{Point, Rect, clip_polygon, clip_polyline, distance, is_proper, meets, to_pixels, to_units};
+pub(crate) use geometry::{
+    Point, Rect, between, clip_polygon, clip_polyline, distance, is_proper, meets, to_pixels, to_units,
+};
 pub(crate) use image::png;
 pub(crate) use ink::{FAINT_INK, INK, Ink, PAPER, POLE, rgb, rgbs};
 pub(crate) use legend::Legend;
@@ -39,9 +42,10 @@ pub(crate) use pattern::Pattern;
 pub(crate) use perception::{contrast, sight};
 pub(crate) use picture::Heading;
 pub use picture::Picture;
-pub(crate) use rows::Rows;
+pub(crate) use rows::{Rows, lines};
 pub(crate) use space::Taken;
 pub(crate) use stripes::Stripes;
 pub(crate) use table::Table;
 pub use theme::Theme;
 pub(crate) use ticks::{Ticks, ticks};
+pub use width::Width;

@@ -47,7 +47,7 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
         }
     }
     let coloring = Coloring::new(scenes);
-    let layout = Layout::new(scenes, options.projection, coloring.bar.is_some());
+    let layout = Layout::new(scenes, options.projection, coloring.bar.is_some(), options.width);
     let legend = legend::legend(scenes, options.projection, layout.width);
     let mut heading = heading(scenes, layout.width - 2.0 * layout::TITLE_AT[0]);
     if let Some(title) = &options.title {
