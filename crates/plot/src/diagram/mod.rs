@@ -32,7 +32,7 @@ mod window;
 pub(crate) use palette::tint;
 pub use scene::{CurveSource, MarkedPoints};
 
-use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, Theme, Width, pattern, render};
+use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, Theme, Width, pattern, render, title_size};
 use insets::{Magnifications, magnifications};
 use layout::{BELOW, LEFT, RIGHT, TOP, below_all, frames, inset_place, legend_place, page_width};
 use legend::{legend, paint_symbol};
@@ -109,7 +109,8 @@ pub fn draw(
     let title = heading.title.clone();
     let diagram = Diagram { scene, strokes, panels, frames, texts, units: units(atlas) };
     render([page, height.ceil()], heading, options.theme, |canvas| {
-        canvas.text(&title, [LEFT, 24.0], TITLE_SIZE, INK, Anchor::Start);
+        let size = title_size(&title, TITLE_SIZE, page - LEFT);
+        canvas.text(&title, [LEFT, 24.0], size, INK, Anchor::Start);
         canvas.text(remark(atlas), [LEFT + plan.main[0], TOP - plan.remark], NOTE_SIZE, FAINT_INK, Anchor::End);
         diagram.paint(canvas);
         canvas.group("legend", "", || legend.draw(canvas, legend_at, |symbol, at| paint_symbol(canvas, symbol, at)));

@@ -27,7 +27,7 @@ mod width;
 pub(crate) use axes::{Axis, TICK_SIZE, draw_axes};
 pub(crate) use canvas::{Anchor, Canvas, render};
 pub use error::PlotError;
-pub(crate) use font::text_width;
+pub(crate) use font::{text_width, title_size};
 pub(crate) use geometry::{
     Point, Rect, between, clip_polygon, clip_polyline, distance, is_proper, meets, to_pixels, to_units,
 };
