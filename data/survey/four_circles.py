@@ -1,11 +1,13 @@
-"""The widest room for four boundary circles among bodies that exist: python3 four_circles.py SEED STEPS
+"""The widest room for four boundary circles among bodies that exist: python3 four_circles.py SEED STEPS | limit ROUNDS
 
 U has the critical points gamma = (mu - A)^-1 r / s, s = sqrt(P), at x = s J^2 / 2 (docs/mathematics.md); they are found here by
 sign changes on a grid in mu and bisection, their kinds by the second derivative of U on the sphere: nothing is shared
 with the program. A component with four boundary circles and n poles is there for h between the highest of all that must lie below
 (every saddle and minimum, and n of the energies of the poles) and the lowest of all that must lie above (four maxima,
 and the other energies of poles). The room is the length of that interval over |r|. An evolution strategy (one parent, one child, the 1/5 rule)
-makes it as large as it can over A, r and x; each line is one run.
+makes it as large as it can over A, r and x; each line is one run. The runs go to plates with r in the principal plane of axes 2 and 3:
+"limit" stays there (r1 = 1e-6 r3, A1 + A2 - A3 = 1e-9) and goes on from the best of them with the simplex method of Nelder
+and Mead over A2, r2 and x, with a new simplex in each round.
 """
 
 import math
@@ -136,4 +138,57 @@ def main(seed, steps):
         )
 
 
-main(int(sys.argv[1]), int(sys.argv[2]))
+# The best runs: A2, r2, x.
+PLATES = {1: (1.0525556806703666, 0.0699685627104626, 1.5750924380578566), 2: (1.0818243825741174, 0.10411563032301861, 1.5894812417595834)}
+
+
+def plate(v):
+    a2 = 1 + math.exp(v[0])
+    return (1.0, a2, 1 + a2 - 1e-9), (1e-6, math.exp(v[1]), 1.0)
+
+
+def simplex(value, start, sizes, steps, rng):
+    """The highest value met, and its place."""
+    corners = [start] + [[y + s * rng.uniform(-1, 1) for y, s in zip(start, sizes)] for _ in start]
+    found = sorted(((value(y), y) for y in corners), reverse=True)
+    for _ in range(steps):
+        centre = [sum(y[k] for _, y in found[:-1]) / len(start) for k in range(len(start))]
+        worst = found[-1][1]
+
+        def along(t):
+            y = [c + t * (w - c) for c, w in zip(centre, worst)]
+            return value(y), y
+
+        trial = along(-1)
+        if trial > found[0]:
+            trial = max(trial, along(-2))
+        elif trial <= found[-2]:
+            trial = along(0.5)
+        if trial > found[-1]:
+            found[-1] = trial
+        else:
+            best = found[0][1]
+            halfway = [[(p + q) / 2 for p, q in zip(y, best)] for _, y in found[1:]]
+            found = found[:1] + [(value(y), y) for y in halfway]
+        found.sort(reverse=True)
+    return found[0]
+
+
+def limit(rounds):
+    rng = random.Random(1)
+    for poles, (a2, r2, x) in PLATES.items():
+        value = lambda v: room(*plate(v), v[2], poles)[0]
+        best = [math.log(a2 - 1), math.log(r2), x]
+        most = value(best)
+        for k in range(rounds):
+            size = 10.0 ** -(2 + k % 3)
+            most, best = max((most, best), simplex(value, best, (size, size, 0.1 * size), 110, rng))
+        a, r = plate(best)
+        h = room(a, r, best[2], poles)[2]
+        print(f"k4n{poles} plates: room {most:.6e}, A = {a}, r = {r}, x = {best[2]!r}, l = {math.sqrt(2 * best[2])!r}, h = {h!r}", flush=True)
+
+
+if sys.argv[1] == "limit":
+    limit(int(sys.argv[2]))
+else:
+    main(int(sys.argv[1]), int(sys.argv[2]))

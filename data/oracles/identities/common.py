@@ -83,6 +83,12 @@ def polynomials(a, r):
     return D, p, q, sum(c**2 * f for c, f in zip(r, rest))
 
 
+def cusp_polynomial(a, r):
+    D, p, q, _ = polynomials(a, r)
+    dD, dp, dq = (sp.diff(f, mu) for f in (D, p, q))
+    return sp.Poly(sp.expand(-(4 * (dq * D - 2 * q * dD) * p - 3 * (dp * D - 2 * p * dD) * q) / 2), mu)
+
+
 BODIES = [
     ([Q(2), Q(11, 10), Q(1)], [Q(3, 10), Q(1, 2), Q(7, 10)]),
     ([Q(1), Q(13, 10), Q(19, 10)], [Q(8, 10), Q(1, 10), Q(6, 10)]),

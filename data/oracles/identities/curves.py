@@ -3,7 +3,8 @@ import sympy as sp
 from sympy import Matrix, Rational as Q
 
 from common import (
-    A, A_, BODIES, R_, a1, a2, a3, check, critical, critical_points, data, dot, means, mu, over_passive, p_,
+    A, A_, BODIES, R_, a1, a2, a3, check, critical, critical_points,
+    cusp_polynomial, data, dot, means, mu, over_passive, p_,
     polynomials, q_, r1, r2, s, sums, vector, x, zero,
 )
 
@@ -72,12 +73,6 @@ def _():
     # A passive moment in D adds its fifth power.
     with_passive = cusp_polynomial(A_, (r1, r2, sp.S(0)))
     zero(with_passive.as_expr() - cusp_polynomial(A_[:2], R_[:2]).as_expr() * (mu - a3) ** 5)
-
-
-def cusp_polynomial(a, r):
-    D, p, q, _ = polynomials(a, r)
-    dD, dp, dq = (sp.diff(f, mu) for f in (D, p, q))
-    return sp.Poly(sp.expand(-(4 * (dq * D - 2 * q * dD) * p - 3 * (dp * D - 2 * p * dD) * q) / 2), mu)
 
 
 @check("Proposition 4.6")

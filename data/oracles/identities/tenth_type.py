@@ -6,8 +6,8 @@ import sympy as sp
 from sympy import Rational as Q
 
 from common import (
-    A, A_, RANDOM, R_, a1, a2, a3, check, critical, critical_points, dot, h, mu, p_, polynomials, q_, r1,
-    r2, r3, s, sums, x, zero,
+    A, A_, BODIES, RANDOM, R_, a1, a2, a3, bisected, check, critical, critical_points, cusp_polynomial, dot, h, means,
+    mu, p_, polynomials, q_, r1, r2, r3, s, sums, x, zero,
 )
 
 
@@ -90,3 +90,32 @@ def _():
         j = sum(b * c**2 for b, c in zip(a, r)) / norm
         at = [mp.mpf((X / j).p) / (X / j).q - sign * mp.sqrt(mp.mpf(norm.p) / norm.q) for sign in (1, -1)]
         assert at[0] < H and (at[1] < H) == (poles == 2)
+
+
+@check("Proposition 11.11")
+def _():
+    J, T, V = means()
+    P, _, _ = sums()
+    w = [c**2 / (mu - b) ** 2 / P for b, c in zip(A_, R_)]
+    moment = lambda power: sum(v * (4 * b - 3 * J) / (mu - b) ** power for b, v in zip(A_, w))
+    # The identities at random rational points: together they are too large to expand.
+    for _ in range(3):
+        at = {y: Q(RANDOM.randint(1, 10**6), RANDOM.randint(1, 10**6)) for y in (*A_, *R_, mu)}
+        there = lambda y: y.subs(at)
+        F = sp.diff(P, mu)
+        assert there(F + 2 * P * T) == 0
+        assert there(moment(1) - J * T - 4 * V) == 0
+        slope = sp.diff(moment(1), mu)
+        assert there(slope) == there(2 * T * moment(1) - 3 * moment(2) + 6 * V * T)
+    # Left of the zero of T x' has exactly one, whatever it has beyond.
+    beyond = set()
+    for a, r in [*BODIES, ([Q(1), Q(100006, 10**5), Q(199966, 10**5)], [Q(1, 10**8), Q(83, 10**8), Q(1)])]:
+        low, middle, _ = sorted(a)
+        D, p, _, _ = polynomials(a, r)
+        _, turn = sp.Poly(sp.expand(sp.diff(p, mu) * D - 2 * p * sp.diff(D, mu)), mu).clear_denoms(convert=True)
+        [((left, right), _)] = turn.intervals(inf=low, sup=middle)
+        left, right = bisected(turn, Q(left), Q(right)) if left != right else (left, right)
+        cusps = cusp_polynomial(a, r)
+        assert cusps.count_roots(low, left) == 1 and cusps.count_roots(left, right) == 0
+        beyond.add(cusps.count_roots(right, middle))
+    assert beyond == {0, 2}, beyond

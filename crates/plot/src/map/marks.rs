@@ -1,10 +1,10 @@
 //! Where the marks of entries stand: in each patch that has room, and for an entry without one beside its widest patch, with
 //! a leader.
 
-use super::model::{Map, MapBodies, MapLine, MapNote};
+use super::model::{Map, MapBodies, MapNote};
 use super::places::{inside, patches, widest};
 use super::view::{SIZE, SMALL, View};
-use crate::page::{Point, Rect, Taken, between, distance, text_width};
+use crate::page::{Point, Rect, Taken, distance, text_width};
 
 /// A mark inside needs so many pixels of room on each side.
 const ROOM: f64 = 6.5;
@@ -30,8 +30,7 @@ pub(super) struct Mark {
 /// The marks of a map; none for bodies that are points.
 pub(super) fn marked(map: &Map, view: &View) -> Vec<Mark> {
     let (columns, cells) = match &map.bodies {
-        MapBodies::Grid { columns, entries } if map.lines.iter().all(|line| line.dashed) => (*columns, entries.clone()),
-        MapBodies::Grid { columns, entries } => cut(&map.lines, *columns, entries, view),
+        MapBodies::Grid { columns, entries } => (*columns, entries.clone()),
         MapBodies::Areas { pieces, .. } => raster(pieces, view),
         MapBodies::Points(_) => return Vec::new(),
     };
@@ -102,42 +101,10 @@ fn shown_count(patch: &[Option<usize>]) -> usize {
     patch.iter().flatten().max().map_or(0, |last| last + 1)
 }
 
-/// What a grid shows in small cells; those on full lines, which are borders, show nothing.
-fn cut(lines: &[MapLine], columns: usize, entries: &[Option<usize>], view: &View) -> (usize, Vec<Option<usize>>) {
-    let rows = (entries.len() / columns.max(1)).max(1);
-    let [wide, high] = fine(view);
-    let cell = |row: usize, column: usize| entries[row * rows / high * columns + column * columns / wide];
-    let mut cells: Vec<Option<usize>> =
-        (0..high).flat_map(|row| (0..wide).map(move |column| (row, column))).map(|(r, c)| cell(r, c)).collect();
-    for line in lines.iter().filter(|line| !line.dashed) {
-        let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
-        for ends in points.windows(2) {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
-            let steps = (2.0 * distance(ends[0], ends[1]) / FINE).ceil() as usize;
-            for [x, y] in (0..=steps).map(|k| between(ends[0], ends[1], k as f64 / steps.max(1) as f64)) {
-                // So thick that no two cells on different sides touch.
-                for column in cell_range((x - view.rect.x) / FINE - 1.5, (x - view.rect.x) / FINE + 1.5, wide) {
-                    for row in
-                        cell_range((view.rect.bottom() - y) / FINE - 1.5, (view.rect.bottom() - y) / FINE + 1.5, high)
-                    {
-                        cells[row * wide + column] = None;
-                    }
-                }
-            }
-        }
-    }
-    (wide, cells)
-}
-
-/// How many small cells a map has across and up.
-fn fine(view: &View) -> [usize; 2] {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
-    [view.rect.width, view.rect.height].map(|length| (length / FINE) as usize)
-}
-
 /// What areas show in small cells, row by row from below.
 fn raster(pieces: &[(Option<usize>, Vec<[f64; 2]>)], view: &View) -> (usize, Vec<Option<usize>>) {
-    let [columns, rows] = fine(view);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
+    let [columns, rows] = [view.rect.width, view.rect.height].map(|length| (length / FINE) as usize);
     let mut cells = vec![None; columns * rows];
     for (entry, corners) in pieces {
         let corners: Vec<Point> = corners.iter().map(|corner| view.at(*corner)).collect();

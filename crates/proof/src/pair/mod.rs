@@ -1,0 +1,22 @@
+//! The order of two critical curves over all their common range of x: stretches on which the sign of h_a − h_b is proved,
+//! and crossings, each alone in its box.
+//!
+//! On a stretch the slopes 1/J lie between their end values (J is monotone but for one known place). If they are
+//! disjoint, the gap is monotone and its signs at the ends tell whether the curves cross, once. Otherwise the gap is
+//! bounded from one end, by the identity of [`Evaluator::range_sign`](crate::point::Evaluator::range_sign), or by the lemmas of `mirror`; otherwise the stretch is halved. Both ends of
+//! the half-line are closed by limits: a common cusp by the monotony of J through it, a common pitchfork by curvature,
+//! x → ∞ by the limits of slope and of h − x/a.
+
+mod common_end;
+mod course;
+mod crossing;
+mod infinity;
+mod moments;
+mod node;
+mod proof;
+mod side;
+mod stretch;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use proof::{Mark, Open, POINTS, PairProof, Proof, Stretch};
