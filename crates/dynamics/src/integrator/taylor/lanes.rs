@@ -123,7 +123,7 @@ impl<S: Simd> Lanes<S> {
     /// Is any lane at this time or beyond?
     #[inline(always)]
     pub fn any_is_at(&self, time: f64) -> bool {
-        lane_values::<S>(&self.time).iter().fold(false, |late, &t| late | (t >= time))
+        lane_values::<S>(&self.time).iter().any(|&t| t >= time)
     }
 
     /// Computes the series, the steps and the states at the steps' ends.

@@ -61,6 +61,12 @@ fn reciprocal_in_two_parts(b: f64) -> (f64, f64) {
     (high, (-b).mul_add(high, 1.0) / b)
 }
 
+/// x (high + low), rounded.
+#[inline(always)]
+fn product<S: Simd>(simd: S, x: S::f64s, high: S::f64s, low: S::f64s) -> S::f64s {
+    simd.product_sum(x, high, simd.mul_f64s(x, low))
+}
+
 /// (high + low)/k as the unevaluated sum of two doubles.
 fn quotient_in_two_parts((high, low): (f64, f64), k: f64) -> (f64, f64) {
     let quotient = high / k;
@@ -123,13 +129,30 @@ impl<S: Simd> Constants<S> {
         self.difference[i]
     }
 
+    /// ω_pω_q D − (γ×r)_i.
+    #[inline(always)]
+    fn torques(&self, simd: S, gamma: Vector<S>, omega_omega: Vector<S>) -> Vector<S> {
+        let mut sums = gamma;
+        for i in 0..3 {
+            let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+            let arm = if self.differences_have_low_parts {
+                // The low part goes in first: added to the rounded sum it would always be lost.
+                simd.product_sum(gamma[q], self.center[p], simd.mul_f64s(omega_omega[i], self.difference_low[i]))
+            } else {
+                simd.mul_f64s(gamma[q], self.center[p])
+            };
+            let torque = simd.product_difference(gamma[p], self.center[q], arm);
+            sums[i] = simd.product_sum(omega_omega[i], self.difference[i], torque);
+        }
+        sums
+    }
+
     /// ω = A⁻¹ l with the second part of A⁻¹.
     #[inline(always)]
     fn exact_angular_velocity(&self, simd: S, l: Vector<S>) -> Vector<S> {
         let mut omega = l;
         for i in 0..3 {
-            let low = simd.mul_f64s(l[i], self.inverse_low[i]);
-            omega[i] = simd.product_sum(l[i], self.inverse[i], low);
+            omega[i] = product(simd, l[i], self.inverse[i], self.inverse_low[i]);
         }
         omega
     }
@@ -258,42 +281,22 @@ impl<S: Simd> Series<S> {
     /// Row k from the Cauchy products of order k − 1.
     #[inline(always)]
     fn set_row(&mut self, simd: S, top: &Constants<S>, k: usize, products: Products<S>) {
-        let sums = self.torques(simd, top, self.gamma[k - 1], products.omega_omega);
+        let sums = top.torques(simd, self.gamma[k - 1], products.omega_omega);
         let reciprocal = simd.splat_f64s(top.reciprocal[k]);
-        let times = |x: S::f64s, high: f64| simd.mul_f64s(x, simd.splat_f64s(high));
         if k < EXACT_BELOW {
-            let exactly = |x: S::f64s, high: f64, low: f64| {
-                simd.product_sum(x, simd.splat_f64s(high), simd.mul_f64s(x, simd.splat_f64s(low)))
-            };
+            let low = simd.splat_f64s(top.reciprocal_low[k]);
             for i in 0..3 {
-                self.gamma[k][i] = exactly(products.gamma_omega[i], top.reciprocal[k], top.reciprocal_low[k]);
-                self.l[k][i] = exactly(sums[i], top.reciprocal[k], top.reciprocal_low[k]);
-                self.omega[k][i] = exactly(sums[i], top.inverse_over[k][i], top.inverse_over_low[k][i]);
+                let (inverse, inverse_low) = (top.inverse_over[k][i], top.inverse_over_low[k][i]);
+                self.gamma[k][i] = product(simd, products.gamma_omega[i], reciprocal, low);
+                self.l[k][i] = product(simd, sums[i], reciprocal, low);
+                self.omega[k][i] = product(simd, sums[i], simd.splat_f64s(inverse), simd.splat_f64s(inverse_low));
             }
         } else {
             for i in 0..3 {
                 self.gamma[k][i] = simd.mul_f64s(products.gamma_omega[i], reciprocal);
                 self.l[k][i] = simd.mul_f64s(sums[i], reciprocal);
-                self.omega[k][i] = times(sums[i], top.inverse_over[k][i]);
+                self.omega[k][i] = simd.mul_f64s(sums[i], simd.splat_f64s(top.inverse_over[k][i]));
             }
         }
-    }
-
-    /// ω_pω_q D − (γ×r)_i.
-    #[inline(always)]
-    fn torques(&self, simd: S, top: &Constants<S>, gamma: Vector<S>, omega_omega: Vector<S>) -> Vector<S> {
-        let mut sums = gamma;
-        for i in 0..3 {
-            let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-            let arm = if top.differences_have_low_parts {
-                // The low part goes in first: added to the rounded sum it would always be lost.
-                simd.product_sum(gamma[q], top.center[p], simd.mul_f64s(omega_omega[i], top.difference_low[i]))
-            } else {
-                simd.mul_f64s(gamma[q], top.center[p])
-            };
-            let torque = simd.product_difference(gamma[p], top.center[q], arm);
-            sums[i] = simd.product_sum(omega_omega[i], top.difference[i], torque);
-        }
-        sums
     }
 }
