@@ -7,7 +7,7 @@ use top::classify::{Classification, Margin, at_rest};
 use super::heights::{Heights, Level};
 use super::model::Model;
 use super::plane::{Gap, Open, Plane};
-use super::vertex;
+use super::vertex::{self, Vertex};
 use numbers::Sign;
 
 /// The type of one point, decided: regular, forbidden, or proved to lie on a curve.
@@ -25,14 +25,14 @@ pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classific
     let x = &momentum * &momentum / RBig::from(2);
     let energy = h.value() / exact(frame.energy_unit);
     let plane = Plane { model: &model, frame: &frame };
-    let levels = Heights::new(&model, x.clone()).against(&energy).map_err(|none| plane.open(none, &x))?;
+    let mut heights = Heights::new(&model, x.clone());
+    let levels = heights.against(&energy).map_err(|none| plane.open(none, &x))?;
     let margin = margin(&plane, &levels, &x);
-    let gap = Gap::around(&levels);
     if levels.iter().any(|level| level.sign == Sign::Zero) {
-        let candidates = vertex::candidates(&plane, &x, &energy, &gap)?;
-        return Ok(Classification::open(true, candidates, margin));
+        let vertex = Vertex { plane: &plane, heights: &heights, h: &energy, levels: &levels };
+        return Ok(Classification::open(true, vertex::candidates(&vertex)?, margin));
     }
-    Ok(Classification::decided(plane.class(&x, &gap)?, margin))
+    Ok(Classification::decided(plane.class(&x, &Gap::around(&levels))?, margin))
 }
 
 /// The distance to the nearest curve.

@@ -1,5 +1,6 @@
 //! Every critical value of U and the energies of the poles over one x = l²/2, with the exact sign of h against each.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use dashu_ratio::RBig;
@@ -9,7 +10,7 @@ use numbers::polynomial::{Polynomial, Root, rational};
 use numbers::wide::Wide;
 use top::curves::Pole;
 
-use super::curves::{NotIsolated, Place, roots_in_interval};
+use super::curves::{NotIsolated, Place, order, roots_in_interval};
 use super::family::{Half, State};
 use super::model::{Constants, Model};
 use super::work::{Question, Rung, decided as worked};
@@ -93,13 +94,7 @@ impl<'a> Heights<'a> {
             return Ok(found);
         }
         if model.active.len() > 1 {
-            let [d, p, q, _] = model.family();
-            // q⁴ − 4x²p³D² (Proposition 4.8).
-            let q2 = rational::mul(&q, &q);
-            let cube = rational::mul(&rational::mul(&p, &p), &rational::mul(&p, &rational::mul(&d, &d)));
-            let weight = &self.x * &self.x * RBig::from(4);
-            let difference = rational::sub(&rational::mul(&q2, &q2), &rational::scale(&cube, &weight));
-            let polynomial = Polynomial::from_rationals(&difference);
+            let polynomial = self.level_polynomial();
             for number in 0..=model.active.len() {
                 let roots = roots_in_interval(model, &polynomial, number, STAGES[0])?;
                 found.extend(roots.into_iter().map(|(place, _)| Source::Generic { number, place }));
@@ -110,6 +105,21 @@ impl<'a> Heights<'a> {
         }
         found.extend([Pole::Plus, Pole::Minus].map(Source::Line));
         Ok(found)
+    }
+
+    /// q⁴ − 4x²p³D² (Proposition 4.8).
+    fn level_polynomial(&self) -> Polynomial {
+        let [d, p, q, _] = self.model.family();
+        let q2 = rational::mul(&q, &q);
+        let cube = rational::mul(&rational::mul(&p, &p), &rational::mul(&p, &rational::mul(&d, &d)));
+        let weight = &self.x * &self.x * RBig::from(4);
+        let difference = rational::sub(&rational::mul(&q2, &q2), &rational::scale(&cube, &weight));
+        Polynomial::from_rationals(&difference)
+    }
+
+    /// A place of the generic family has exactly this x.
+    pub fn stands_over(&self, place: &Place) -> bool {
+        self.is_root_at(place, &self.level_polynomial())
     }
 
     /// (a v − R̂)⁴ = 4x² v³ for v = s² ≥ P̂ (Proposition 4.8), in y = v − P̂.
@@ -226,6 +236,11 @@ impl<'a> Heights<'a> {
             Source::Over { group, place } => (place, self.condition_over(*group, h)),
             Source::Line(_) | Source::Euler { .. } => return false,
         };
+        self.is_root_at(place, &condition)
+    }
+
+    /// A place is a root of a polynomial in μ, or in v over a group without r: decided by gcd.
+    fn is_root_at(&self, place: &Place, condition: &Polynomial) -> bool {
         let [origin, direction] = match place.half {
             Half::Generic { base, sign } => [self.model.a(base).clone(), RBig::from(i8::from(sign))],
             Half::Over { group } => [self.model.sums_over(group).1, RBig::ONE],
@@ -269,6 +284,11 @@ pub(super) fn refined(place: &Place, bits: usize) -> Place {
     let mut finer = root.as_ref().clone();
     finer.refine(bits);
     of_root(place.half, finer, &scale)
+}
+
+/// The order of two places of one family by rising μ, or v; `None` when so many bits do not tell them apart.
+pub(super) fn ordered(model: &Model, p: &Place, q: &Place) -> Option<Ordering> {
+    STAGES.into_iter().find_map(|bits| order(model, &refined(p, bits), &refined(q, bits)))
 }
 
 /// x/J − ⟨γ, r⟩ over the range of a place.

@@ -22,6 +22,9 @@ pub enum Open {
     /// The critical points over l cannot be isolated.
     #[error("the roots of q^4 - 4x^2 p^3 D^2, the critical points at this l, are not isolated")]
     Roots,
+    /// The cusps cannot be isolated.
+    #[error("the roots of 4(q'D - 2qD')p - 3(p'D - 2pD')q, the cusps, are not isolated")]
+    Cusps,
     /// The sign of h against a height.
     #[error("the sign of h - h_c on the curve {curve} is not decided with 6000 bits")]
     Sign {

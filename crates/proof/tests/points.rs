@@ -146,6 +146,28 @@ fn without_an_atlas_in_f64_the_class_is_one_that_bodies_have() {
     assert!(matches!(found.answer, Answer::Regular(_)), "{found:?}");
 }
 
+/// On the line L- of A = (1, 8/9, 1/2), r = (1, 0, 0), beside the pitchfork at l = 3: what leaves the line there is no
+/// candidate, however near the pitchfork is.
+#[test]
+fn a_pitchfork_beside_a_point_is_not_at_the_point() {
+    let at = |exponent: usize, side: i32| {
+        let l = RBig::from(3) + RBig::from(side) / RBig::from(10).pow(isize::try_from(exponent).unwrap());
+        let h = &l * &l / RBig::from(2) + RBig::ONE;
+        let body = Body::parse(&["1", "8/9", "1/2"], &["1", "0", "0"]).unwrap();
+        let found = classify(&body, &Number::from_rational(h), &Number::from_rational(l), Accuracy::Exact).unwrap();
+        candidates(&found)
+    };
+    let far = [-1, 1].map(|side| at(3, side));
+    assert_eq!((far[0].len(), far[1].len()), (2, 2), "{far:?}");
+    assert_ne!(far[0], far[1]);
+    for exponent in [20, 60, 70, 300] {
+        assert_eq!([-1, 1].map(|side| at(exponent, side)), far, "1e-{exponent}");
+    }
+    // At the pitchfork itself all of them meet.
+    let on = at(0, 0);
+    assert!(far.iter().flatten().all(|class| on.contains(class)), "{on:?}");
+}
+
 /// classify --A 2,1,3 --r 1,2,2 --h=-11999999/4000000 --l 1/1000
 #[test]
 fn on_a_pole_line_above_the_minimum_u_is_not_empty() {

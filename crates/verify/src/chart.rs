@@ -3,6 +3,7 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
+use super::descartes::moved;
 use super::pieces::{Branch, End, Piece, Pieces};
 use super::spaces::Spaces;
 use super::sturm::integers;
@@ -84,19 +85,7 @@ impl Chart {
         let mut parts = whole.into_iter().chain(std::iter::repeat(IBig::ZERO));
         let mut pair = || [(); 2].map(|()| parts.next().unwrap_or(IBig::ZERO));
         let (above, below) = (pair(), pair());
-        let mut power = vec![IBig::ONE];
-        let mut sum: Vec<IBig> = Vec::new();
-        for coefficient in polynomial.iter().rev() {
-            sum = product(&sum, &above);
-            for (k, c) in power.iter().enumerate() {
-                if k == sum.len() {
-                    sum.push(IBig::ZERO);
-                }
-                sum[k] += c * coefficient;
-            }
-            power = product(&power, &below);
-        }
-        sum
+        moved(polynomial, &above, &below)
     }
 
     /// The ranges of w that hold the ends of a curve, by rising w.
@@ -134,18 +123,6 @@ impl Chart {
 
 fn sorted([p, q]: [RBig; 2]) -> [RBig; 2] {
     if p <= q { [p, q] } else { [q, p] }
-}
-
-fn product(p: &[IBig], [low, high]: &[IBig; 2]) -> Vec<IBig> {
-    if p.is_empty() {
-        return Vec::new();
-    }
-    let mut product = vec![IBig::ZERO; p.len() + 1];
-    for (k, c) in p.iter().enumerate() {
-        product[k] += c * low;
-        product[k + 1] += c * high;
-    }
-    product
 }
 
 #[cfg(test)]

@@ -28,7 +28,12 @@ fn ceil_div(n: IBig, d: &IBig) -> IBig {
     -(-n).div_euclid(d)
 }
 
-/// ⌈n/2ᵇ⌉; a shift of a negative number rounds down.
+/// ⌊n/2ᵇ⌋: a shift of a negative number rounds down.
+fn floor_shift(n: IBig, bits: usize) -> IBig {
+    n >> bits
+}
+
+/// ⌈n/2ᵇ⌉
 fn ceil_shift(n: IBig, bits: usize) -> IBig {
     -((-n) >> bits)
 }
@@ -77,6 +82,11 @@ impl Fixed {
         } else {
             None
         }
+    }
+
+    /// 1 without negative numbers, −1 without positive ones, 0 with both.
+    fn side(&self) -> i8 {
+        i8::from(!self.lo.is_negative()) - i8::from(self.lo.is_negative() && self.hi <= IBig::ZERO)
     }
 
     /// 1 or −1 when every number here has that sign.
@@ -207,17 +217,20 @@ impl Mul for &Fixed {
     type Output = Fixed;
     fn mul(self, other: Self) -> Fixed {
         let (bits, surplus) = (self.bits.max(other.bits), self.bits.min(other.bits));
-        let products = [&self.lo * &other.lo, &self.lo * &other.hi, &self.hi * &other.lo, &self.hi * &other.hi];
-        let (mut least, mut greatest) = (products[0].clone(), products[0].clone());
-        for product in &products[1..] {
-            if *product < least {
-                least.clone_from(product);
-            }
-            if *product > greatest {
-                greatest.clone_from(product);
-            }
-        }
-        Fixed { lo: least >> surplus, hi: ceil_shift(greatest, surplus), bits }
+        let [p, q] = [self, other];
+        let product = |a: &IBig, b: &IBig| a * b;
+        let (least, greatest) = match [p, q].map(Fixed::side) {
+            [1, 1] => (product(&p.lo, &q.lo), product(&p.hi, &q.hi)),
+            [1, -1] => (product(&p.hi, &q.lo), product(&p.lo, &q.hi)),
+            [-1, 1] => (product(&p.lo, &q.hi), product(&p.hi, &q.lo)),
+            [-1, -1] => (product(&p.hi, &q.hi), product(&p.lo, &q.lo)),
+            [1, _] => (product(&p.hi, &q.lo), product(&p.hi, &q.hi)),
+            [_, 1] => (product(&p.lo, &q.hi), product(&p.hi, &q.hi)),
+            [-1, _] => (product(&p.lo, &q.hi), product(&p.lo, &q.lo)),
+            [_, -1] => (product(&p.hi, &q.lo), product(&p.lo, &q.lo)),
+            _ => (product(&p.lo, &q.hi).min(product(&p.hi, &q.lo)), product(&p.lo, &q.lo).max(product(&p.hi, &q.hi))),
+        };
+        Fixed { lo: floor_shift(least, surplus), hi: ceil_shift(greatest, surplus), bits }
     }
 }
 

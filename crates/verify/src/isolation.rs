@@ -3,6 +3,7 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
+use super::descartes::{self, shift, sign};
 use super::sturm::{negative_remainder, quotient, sign_at};
 
 /// Halvings after which a multiple root is suspected, and at most.
@@ -86,26 +87,11 @@ impl Node {
     }
 }
 
-/// p(w + 1).
-fn shift(p: &mut [IBig]) {
-    for from in 0..p.len() {
-        for k in (from..p.len() - 1).rev() {
-            let (low, high) = p.split_at_mut(k + 1);
-            low[k] += &high[0];
-        }
-    }
-}
-
 /// Changes of sign of (1+w)ⁿ p(1/(1+w)), as many as roots between 0 and 1 up to an even number.
 fn variations(p: &[IBig]) -> usize {
     let mut turned: Vec<IBig> = p.iter().rev().cloned().collect();
     shift(&mut turned);
-    let signs: Vec<i8> = turned.iter().map(sign).filter(|s| *s != 0).collect();
-    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
-}
-
-fn sign(x: &IBig) -> i8 {
-    i8::from(*x > IBig::ZERO) - i8::from(*x < IBig::ZERO)
+    descartes::variations(&turned)
 }
 
 impl Root {

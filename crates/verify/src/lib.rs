@@ -1,7 +1,7 @@
 //! Checks an atlas with its certificate without searching again, by other means than those that made it.
 //!
-//! - Roots are counted by Sturm's theorem; they were isolated by Descartes' rule. The cusp polynomial is built from
-//!   T J + 4V, not from 4Q'P − 3P'Q.
+//! - Roots are counted in exact integers, by Descartes' rule of signs and by Sturm's theorem where its signs do not tell.
+//!   The cusp polynomial is built from T J + 4V, not from 4Q'P − 3P'Q.
 //! - Intervals have integer ends (`fixed`) or, for paths on the sphere, ends that move outward (`interval`).
 //! - Each stretch of each pair, each slab and each box of a crossing is checked where the certificate names it.
 //! - Topology comes from the minima, saddles and maxima of the certificate and from paths down from them (`merging`), not
@@ -12,7 +12,7 @@
 //!
 //! ```text
 //! number  body → spaces → place → equilibria → gap                exact body, equilibria over ranges
-//! sturm → roots → pieces → meetings → events                      what there is, and that nothing is missing
+//! descartes → sturm → roots → pieces → meetings → events          what there is, and that nothing is missing
 //! stand → orders → node → rules → pairs → slabs → gluing → regions         order of curves, faces
 //! interval → jet → path → landscape → descent, morse → merging, rings → topology  topology of each region
 //! isolation, flow → chart → stability                             linear types along the curves
@@ -25,6 +25,7 @@ mod chart;
 mod classes;
 mod component;
 mod courses;
+mod descartes;
 mod descent;
 mod equilibria;
 mod events;

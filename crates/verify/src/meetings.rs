@@ -32,7 +32,7 @@ struct Equations {
     ends: [Option<RBig>; 2],
 }
 
-/// The meetings of a certificate: of each branch as many as Sturm's theorem counts, each isolated, with the right line
+/// The meetings of a certificate: of each branch as many as are counted, each isolated, with the right line
 /// and curves.
 pub(super) fn meetings(
     certificate: &CertificateDocument,

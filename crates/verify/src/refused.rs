@@ -43,7 +43,7 @@ pub enum Refused {
         branch: String,
         /// In the certificate.
         listed: i64,
-        /// By Sturm's theorem.
+        /// In the branch.
         counted: i64,
     },
     /// A range does not hold exactly one root.
@@ -61,7 +61,7 @@ pub enum Refused {
         branch: String,
         /// In the certificate.
         listed: i64,
-        /// By Sturm's theorem.
+        /// In the branch.
         counted: i64,
     },
     /// A meeting with the wrong pole line or curve.

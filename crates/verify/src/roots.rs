@@ -106,7 +106,7 @@ pub(super) fn inflection(
     let branch = (0..=spaces.active.len()).find(|&branch| lies_in(&range, spaces.interval(branch)));
     let point = spaces.point(place.base, place.side, &place.y(spaces));
     match branch.zip(point) {
-        Some(found) if sturm.closed(&range[0], &range[1]) == 1 && sturm.roots(None, None) == 1 => Ok(Some(found)),
+        Some(found) if sturm.closed(&range[0], &range[1]) == 1 && sturm.inside(None, None) == 1 => Ok(Some(found)),
         _ => Err(Refused::Inflection),
     }
 }

@@ -1,8 +1,12 @@
-//! Counting real roots by Sturm's theorem: exact, and by another way than the isolation that made the certificate.
+//! Counting real roots, exactly: by Descartes' rule where its signs tell, by Sturm's theorem elsewhere.
+
+use std::cell::OnceCell;
 
 use dashu_base::{Gcd, Signed};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
+
+use super::descartes::{self, sign};
 
 /// Coefficients by rising degree.
 pub(super) type Coefficients = Vec<RBig>;
@@ -23,12 +27,12 @@ pub(super) fn plus(p: &[RBig], q: &[RBig], factor: &RBig) -> Coefficients {
         .collect()
 }
 
-/// A polynomial with its Sturm sequence.
+/// A polynomial whose real roots are counted.
 #[derive(Clone, Debug)]
 pub(super) struct Sturm {
     polynomial: Vec<IBig>,
-    /// Of the squarefree part, so that multiple roots at the ends of an interval do no harm.
-    sequence: Vec<Vec<IBig>>,
+    /// Sturm's sequence, made when it is asked for.
+    sequence: OnceCell<Vec<Vec<IBig>>>,
 }
 
 /// p/d for a d that divides p, up to a positive factor.
@@ -97,37 +101,39 @@ pub(super) fn negative_remainder(p: &[IBig], q: &[IBig]) -> Vec<IBig> {
 
 impl Sturm {
     pub fn new(p: &[RBig]) -> Self {
-        let first = integers(p);
-        let derivative: Vec<IBig> = first.iter().enumerate().skip(1).map(|(k, c)| c * IBig::from(k)).collect();
-        let mut sequence = vec![first];
-        let mut next = primitive(derivative);
-        while !next.is_empty() {
-            let after = {
-                let last = &sequence[sequence.len() - 1];
-                negative_remainder(last, &next)
-            };
-            sequence.push(next);
-            next = after;
-        }
-        let polynomial = sequence[0].clone();
-        if let Some(shared) = sequence.last().filter(|last| last.len() > 1).cloned() {
-            sequence = sequence.iter().map(|p| quotient(p, &shared)).collect();
-        }
-        Self { polynomial, sequence }
+        Self { polynomial: integers(p), sequence: OnceCell::new() }
+    }
+
+    /// Of the squarefree part, so that multiple roots at the ends of an interval do no harm.
+    fn sequence(&self) -> &[Vec<IBig>] {
+        self.sequence.get_or_init(|| {
+            let first = self.polynomial.clone();
+            let mut next = primitive(first.iter().enumerate().skip(1).map(|(k, c)| c * IBig::from(k)).collect());
+            let mut sequence = vec![first];
+            while !next.is_empty() {
+                let after = negative_remainder(&sequence[sequence.len() - 1], &next);
+                sequence.push(next);
+                next = after;
+            }
+            match sequence.last().filter(|last| last.len() > 1).cloned() {
+                Some(shared) => sequence.iter().map(|p| quotient(p, &shared)).collect(),
+                None => sequence,
+            }
+        })
     }
 
     fn variations(&self, value: impl Fn(&[IBig]) -> i8) -> i64 {
         let mut last = 0;
         let mut count = 0;
-        for sign in self.sequence.iter().map(|p| value(p)).filter(|s| *s != 0) {
+        for sign in self.sequence().iter().map(|p| value(p)).filter(|s| *s != 0) {
             count += i64::from(last == -sign);
             last = sign;
         }
         count
     }
 
-    /// Number of different real roots in (lo, hi]; `None` is −∞ or ∞.
-    pub fn roots(&self, lo: Option<&RBig>, hi: Option<&RBig>) -> i64 {
+    /// Number of different real roots in (lo, hi] by Sturm's theorem; `None` is −∞ or ∞.
+    fn roots(&self, lo: Option<&RBig>, hi: Option<&RBig>) -> i64 {
         let far = |negative: bool| {
             move |p: &[IBig]| {
                 let sign = p.last().map_or(0, sign);
@@ -141,14 +147,16 @@ impl Sturm {
         at(lo, true) - at(hi, false)
     }
 
-    /// Number of different real roots in the open interval.
+    /// Number of different real roots in the open interval; `None` is −∞ or ∞.
     pub fn inside(&self, lo: Option<&RBig>, hi: Option<&RBig>) -> i64 {
-        self.roots(lo, hi) - i64::from(hi.is_some_and(|x| self.sign_at(x) == 0))
+        descartes::inside(&self.polynomial, [lo, hi])
+            .unwrap_or_else(|| self.roots(lo, hi) - i64::from(hi.is_some_and(|x| self.sign_at(x) == 0)))
     }
 
     /// Number of different real roots in [lo, hi].
     pub fn closed(&self, lo: &RBig, hi: &RBig) -> i64 {
-        self.roots(Some(lo), Some(hi)) + i64::from(self.sign_at(lo) == 0)
+        let at = |x: &RBig| i64::from(self.sign_at(x) == 0);
+        if lo == hi { at(lo) } else { self.inside(Some(lo), Some(hi)) + at(lo) + at(hi) }
     }
 
     pub fn sign_at(&self, x: &RBig) -> i8 {
@@ -165,16 +173,6 @@ impl Sturm {
         }
         let shared: Coefficients = a.into_iter().map(RBig::from).collect();
         shared.len() > 1 && Self::new(&shared).closed(lo, hi) > 0
-    }
-}
-
-fn sign(x: &IBig) -> i8 {
-    if *x == IBig::ZERO {
-        0
-    } else if x.is_negative() {
-        -1
-    } else {
-        1
     }
 }
 
@@ -204,6 +202,7 @@ mod tests {
         assert_eq!(sturm.roots(None, None), 4);
         assert_eq!(sturm.inside(Some(&RBig::from(1)), Some(&RBig::from(3))), 1);
         assert_eq!(sturm.closed(&RBig::from(1), &RBig::from(3)), 3);
+        assert_eq!(sturm.closed(&RBig::from(2), &RBig::from(2)), 1);
         assert_eq!(sturm.inside(None, Some(&RBig::ZERO)), 1);
         // Double roots at both ends.
         let sturm = Sturm::new(&with_roots(&[0, 0, 1, 2, 2]));

@@ -1,0 +1,13 @@
+//! The classes of all regions that meet at a point on curves (Proposition 8.6 of docs/mathematics.md).
+//!
+//! Over the point's own x these are the cells just below and above it. Over x ∓ δ they are those between the curves that
+//! pass through the point: `strip` bounds δ so that no other curve comes near, `fan` proves that the curves through the
+//! point do not meet on the way, and where it cannot, δ is made smaller.
+
+mod candidates;
+mod fan;
+mod point;
+mod strip;
+
+pub(crate) use candidates::candidates;
+pub(crate) use point::Vertex;
