@@ -61,6 +61,14 @@ fn beside_lagranges_top() {
     stays_the_same(4, &[6, 9, 12, 15, 18], |e| [n("1"), n("1") + e, n("0.7"), e.clone(), n("0"), n("1")]);
 }
 
+/// A pitchfork that closes, unfolded: the cusp, and where J turns, lie at r^(2/3) beside the moment.
+#[test]
+fn beside_a_pitchfork_that_closes() {
+    let [a1, a2, a3] = ["0.5335445764818469", "0.2726262799294564", "1.791118966267618"];
+    let [y, z] = ["0.24196137102693221", "-0.8578541005417981"];
+    stays_the_same(6, &[9, 11, 12, 15, 18], |e| [n(a1), n(a2), n(a3), n("0.9987910082802236") * e, n(y), n(z)]);
+}
+
 #[test]
 fn rods() {
     stays_the_same(6, &[9, 12, 18], |e| [e.clone(), n("1"), n("1") + e / n("2"), n("1"), n("0.3"), n("0.2")]);
@@ -70,7 +78,7 @@ fn rods() {
 #[test]
 fn beside_katoks_borders() {
     stays_the_same(4, &[6, 9, 12, 15, 18, 30], |e| [n("1"), n("1.4"), n("0.75") - e, n("1"), n("0"), n("0")]);
-    stays_the_same(6, &[9, 12, 15, 18], |e| {
+    stays_the_same(6, &[9, 12, 15, 18, 26, 30, 40, 50], |e| {
         [n("1"), RBig::from(5) / RBig::from(9), n("0.5") + e, n("1"), n("0"), n("0")]
     });
     stays_the_same(6, &[12, 18], |e| [n("1"), n("1") - e, n("1.4"), n("1"), n("0"), n("0")]);

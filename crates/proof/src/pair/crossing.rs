@@ -9,10 +9,15 @@ use numbers::Sign;
 use numbers::enclosure::Enclosure;
 use top::curves::CurveId;
 
+/// The relative width of a box, if events need not be told apart that lie nearer.
+const WIDTH: f64 = 1e-24;
+/// How often a box is made smaller; it is halved in three steps at least.
+const STEPS: usize = 240;
+
 impl<E: Enclosure> Evaluator<'_, E> {
     /// A small box around the one crossing between two nodes.
     pub(super) fn crossing(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, sign: Sign) -> Option<[RBig; 2]> {
-        self.boxed(curves, [from.x.upper(), to.x.lower()], [&from.gap, &to.gap], sign)
+        self.boxed(curves, [from.x.upper(), to.x.lower()], [&from.gap, &to.gap], sign, WIDTH)
     }
 
     /// A box of the crossing inside another one, at whose ends the gap has these signs: as small as these bits make it.
@@ -22,51 +27,82 @@ impl<E: Enclosure> Evaluator<'_, E> {
         let nodes = [self.node(curves, &ends[0])?, self.node(curves, &ends[1])?];
         let [Some(p), Some(q)] = nodes.each_ref().map(|node| node.sign) else { return None };
         let found =
-            (p * q == Sign::Negative).then(|| self.boxed(curves, ends, [&nodes[0].gap, &nodes[1].gap], p))??;
+            (p * q == Sign::Negative).then(|| self.boxed(curves, ends, [&nodes[0].gap, &nodes[1].gap], p, 0.0))??;
         (found[0] >= x[0] && found[1] <= x[1]).then_some(found)
     }
 
-    fn boxed(&self, curves: [CurveId; 2], [mut low, mut high]: [E; 2], gaps: [&E; 2], sign: Sign) -> Option<[RBig; 2]> {
+    /// A box of this relative width at most, if these bits make it so small.
+    fn boxed(
+        &self,
+        curves: [CurveId; 2],
+        [mut low, mut high]: [E; 2],
+        gaps: [&E; 2],
+        sign: Sign,
+        width: f64,
+    ) -> Option<[RBig; 2]> {
         let value = |gap: &E| {
             let [lo, hi] = gap.bounds();
             0.5 * (lo + hi)
         };
-        let [mut at_low, mut at_high] = gaps.map(value);
-        let close = self.c.small(4) * E::double(E::resolution(self.c.precision), self.c.precision);
-        // Illinois' variant of the secant rule: the sign of an end that stays is damped.
-        for _ in 0..80 {
-            if (high.clone() - low.clone()).is_below(&(high.clone() * close.clone())) {
+        let mut at = gaps.map(value);
+        let size = |low: &E, high: &E| (high.clone() - low.clone()).bounds()[1];
+        let (mut moved, mut last, mut room, mut stalled) = ([false; 2], None, size(&low, &high), 0);
+        let close = E::double(width.max(4.0 * E::resolution(self.c.precision)), self.c.precision);
+        // Illinois' variant of the secant rule: where one end moves twice, the gap at the other is damped.
+        for _ in 0..STEPS {
+            // Where a curve ends it cannot be looked at again: both ends of the box lie inside.
+            if moved == [true; 2] && (high.clone() - low.clone()).is_below(&(high.clone() * close.clone())) {
                 break;
             }
-            let secant = at_low / (at_low - at_high);
-            let share = if secant > 1e-12 && secant < 1.0 { secant } else { 0.5 };
-            let between = (low.clone() + (high.clone() - low.clone()) * E::double(share, self.c.precision)).middle();
-            let inside = low.is_below(&between) && between.is_below(&high);
-            let x = if inside { between } else { low.hull(&high).middle() };
+            let secant = self.secant([&low, &high], at).filter(|_| stalled < 2);
+            let x = secant.unwrap_or_else(|| low.hull(&high).middle());
             let node = self.node(curves, &x)?;
-            match node.sign {
-                Some(s) if s == sign => {
-                    low = x;
-                    at_low = value(&node.gap);
-                    at_high *= 0.5;
-                }
-                Some(s) if s == -sign => {
-                    high = x;
-                    at_high = value(&node.gap);
-                    at_low *= 0.5;
-                }
+            let end = match node.sign {
+                Some(s) if s == sign => 0,
+                Some(s) if s == -sign => 1,
                 _ => {
-                    let around = self.around(curves, &x, [&low, &high], sign);
-                    if let Some(ends) = around {
+                    if let Some(ends) = self.around(curves, &x, [&low, &high], sign) {
                         [low, high] = ends;
                     }
                     break;
                 }
+            };
+            at[end] = value(&node.gap);
+            moved[end] = true;
+            if last.replace(end) == Some(end) {
+                at[1 - end] *= 0.5;
+            }
+            if end == 0 {
+                low = x;
+            } else {
+                high = x;
+            }
+            let now = size(&low, &high);
+            if 2.0 * now <= room {
+                (room, stalled) = (now, 0);
+            } else {
+                stalled += 1;
             }
         }
         let [at, _] = low.exact_bounds()?;
         let [_, end] = high.exact_bounds()?;
         Some([at, end])
+    }
+
+    /// Where the secant through the gaps at both ends vanishes; beside an end twice as far from it, so that it becomes the
+    /// other end.
+    fn secant(&self, [low, high]: [&E; 2], [p, q]: [f64; 2]) -> Option<E> {
+        const BESIDE: f64 = 0.0625;
+        let width = |share: f64| (high.clone() - low.clone()) * E::double(share, self.c.precision);
+        let [from_low, from_high] = [p / (p - q), q / (q - p)];
+        let place = if from_low < BESIDE {
+            low.clone() + width(2.0 * from_low)
+        } else if from_high < BESIDE {
+            high.clone() - width(2.0 * from_high)
+        } else {
+            low.clone() + width(from_low)
+        };
+        Some(place.middle()).filter(|x| low.is_below(x) && x.is_below(high))
     }
 
     /// The sign is hidden at x: sure signs close by, on both sides.

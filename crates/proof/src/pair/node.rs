@@ -49,14 +49,16 @@ impl<E: Enclosure> Evaluator<'_, E> {
         self.node(curves, &self.place_within(low, high, t)?)
     }
 
-    /// A number with few bits near low + t (high − low), strictly between the two.
+    /// A number with few bits near low + t (high − low), strictly between the two and not much nearer to either.
     fn place_within(&self, low: &E, high: &E, t: f64) -> Option<E> {
         let precision = self.c.precision;
         let place = (low.clone() + (high.clone() - low.clone()) * E::double(t, precision)).middle();
         let double = place.bounds().into_iter().sum::<f64>() * 0.5;
         let few = E::double(few_bits(double), precision);
         let inside = |x: &E| (low.is_below(x) && x.is_below(high)) || (high.is_below(x) && x.is_below(low));
-        if inside(&few) {
+        let size = |difference: E| difference.bounds().map(f64::abs).into_iter().fold(0.0, f64::max);
+        let room = size(place.clone() - low.clone()).min(size(high.clone() - place.clone()));
+        if inside(&few) && 2.0 * size(few.clone() - place.clone()) < room {
             return Some(few);
         }
         let short = place.exact_bounds().zip(low.exact_bounds().zip(high.exact_bounds()));
