@@ -9,9 +9,10 @@ use top::curves::Branch;
 use top::table::Id;
 use top::topology::Component;
 
-use super::clock::{quantiles, timed};
+use super::clock::{spread, timed};
 use super::companion;
 use super::points::Asked;
+use super::verdict::{ALL, Verdict, counts};
 use support::flood_fill;
 
 /// Bodies of each stratum, and those on which the flood fill is tried.
@@ -26,39 +27,26 @@ type Classes = Vec<Vec<Component>>;
 
 #[derive(Default)]
 struct Tally {
+    verdicts: Vec<Verdict>,
     times: Vec<f64>,
-    right: usize,
-    wrong: usize,
-    undecided: usize,
-    failed: usize,
-    untold: usize,
 }
 
 impl Tally {
     /// `found`: the answer, if there is one; `whole`: nothing in it is undecided.
     fn add<T: PartialEq>(&mut self, time: f64, found: Option<&T>, whole: bool, truth: Option<&T>) {
         self.times.push(time);
-        match (found, truth) {
-            (None, _) => self.failed += 1,
-            (Some(_), _) if !whole => self.undecided += 1,
-            (Some(_), None) => self.untold += 1,
-            (Some(found), Some(truth)) if found == truth => self.right += 1,
-            (Some(_), Some(_)) => self.wrong += 1,
-        }
+        self.verdicts.push(match (found, truth) {
+            (None, _) => Verdict::Failed,
+            (Some(_), _) if !whole => Verdict::Undecided,
+            (Some(_), None) => Verdict::Untold,
+            (Some(found), Some(truth)) if found == truth => Verdict::Right,
+            (Some(_), Some(_)) => Verdict::Wrong,
+        });
     }
 
     fn print(mut self, stratum: &str, method: &str) {
-        let count = self.times.len();
-        let [median, high] = quantiles(&mut self.times);
-        println!(
-            "{stratum},{method},{count},{},{},{},{},{},{median:.1},{high:.1},{:.1}",
-            self.right,
-            self.wrong,
-            self.undecided,
-            self.failed,
-            self.untold,
-            self.times[count - 1]
-        );
+        let (count, counts, times) = (self.times.len(), counts(&self.verdicts, &ALL), spread(&mut self.times, 1));
+        println!("{stratum},{method},{count},{counts},{times}");
     }
 }
 

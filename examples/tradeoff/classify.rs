@@ -7,21 +7,11 @@ use rayon::prelude::*;
 use top::classify::Classification;
 use top::topology::Component;
 
-use super::clock::{quantiles, timed};
+use super::clock::{spread, timed};
 use super::points::{Asked, Point};
+use super::verdict::{ALL, Verdict, counts};
 use super::{Failure, companion};
 use support::flood_fill;
-
-#[derive(Clone, Copy, PartialEq)]
-enum Verdict {
-    Right,
-    Wrong,
-    Undecided,
-    /// No answer at all.
-    Failed,
-    /// Euler characteristic and poles are right, and more is not known.
-    Untold,
-}
 
 /// A body and what is made of it once.
 struct Bodies<'a> {
@@ -108,19 +98,9 @@ fn answers(asked: &Asked, peers: bool) -> Result<Answers, String> {
 }
 
 fn print(stratum: &str, distance: &str, name: &str, answers: &[(Verdict, f64)]) {
-    let count = |verdict| answers.iter().filter(|answer| answer.0 == verdict).count();
-    let mut times: Vec<f64> = answers.iter().map(|answer| answer.1).collect();
-    let [median, high] = quantiles(&mut times);
-    println!(
-        "{stratum},{distance},{name},{},{},{},{},{},{},{median:.3},{high:.3},{:.1}",
-        answers.len(),
-        count(Verdict::Right),
-        count(Verdict::Wrong),
-        count(Verdict::Undecided),
-        count(Verdict::Failed),
-        count(Verdict::Untold),
-        times[times.len() - 1],
-    );
+    let (verdicts, mut times): (Vec<Verdict>, Vec<f64>) = answers.iter().copied().unzip();
+    let (counts, times) = (counts(&verdicts, &ALL), spread(&mut times, 3));
+    println!("{stratum},{distance},{name},{},{counts},{times}", answers.len());
 }
 
 fn against(point: &Point, found: &[Component]) -> Verdict {

@@ -11,8 +11,9 @@ use top::classify::Answer;
 use top::topology::Component;
 
 use super::Failure;
-use super::clock::{quantiles, timed};
+use super::clock::{spread, timed};
 use super::points::swept;
+use super::verdict::{Verdict, counts};
 
 #[derive(Deserialize)]
 struct Line {
@@ -24,15 +25,6 @@ struct Line {
     h: String,
     l: String,
     around: Vec<(f64, f64)>,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum Verdict {
-    Right,
-    Wrong,
-    Failed,
-    /// The sweep refuses a point around.
-    Untold,
 }
 
 struct Answered {
@@ -56,23 +48,12 @@ pub fn run(path: &str) -> Result<(), Failure> {
         "kind,points,right,wrong,failed,untold,classes_1,classes_2,classes_3,classes_4,cpu_us_median,cpu_us_99,cpu_us_largest"
     );
     for (kind, answers) in kinds {
-        let count = |verdict| answers.iter().filter(|answer| answer.verdict == verdict).count();
-        let meeting = |classes| answers.iter().filter(|answer| answer.classes == classes).count();
+        let verdicts: Vec<Verdict> = answers.iter().map(|answer| answer.verdict).collect();
+        let counts = counts(&verdicts, &[Verdict::Right, Verdict::Wrong, Verdict::Failed, Verdict::Untold]);
+        let meeting = |classes| answers.iter().filter(|answer| answer.classes == classes).count().to_string();
+        let meeting = (1..=4).map(meeting).collect::<Vec<_>>().join(",");
         let mut times: Vec<f64> = answers.iter().map(|answer| answer.time).collect();
-        let [median, high] = quantiles(&mut times);
-        println!(
-            "{kind},{},{},{},{},{},{},{},{},{},{median:.1},{high:.1},{:.1}",
-            answers.len(),
-            count(Verdict::Right),
-            count(Verdict::Wrong),
-            count(Verdict::Failed),
-            count(Verdict::Untold),
-            meeting(1),
-            meeting(2),
-            meeting(3),
-            meeting(4),
-            times[times.len() - 1],
-        );
+        println!("{kind},{},{counts},{meeting},{}", answers.len(), spread(&mut times, 1));
     }
     Ok(())
 }
@@ -94,6 +75,7 @@ fn answered(line: &str) -> Result<Answered, Failure> {
     let (found, time) = timed(|| proof::classify(&body, &h, &l, Accuracy::Exact));
     let verdict = match (found.as_ref().map(|found| &found.answer), &classes) {
         (Err(_), _) => Verdict::Failed,
+        // The sweep refuses a point around.
         (Ok(Answer::Critical(_)), None) => Verdict::Untold,
         (Ok(Answer::Critical(candidates)), Some(classes)) => {
             let all = candidates.len() == classes.len() && candidates.iter().all(|class| classes.contains(class));

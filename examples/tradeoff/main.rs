@@ -22,6 +22,7 @@ mod curves;
 mod extremes;
 mod points;
 mod polylines;
+mod verdict;
 
 type Failure = Box<dyn std::error::Error>;
 

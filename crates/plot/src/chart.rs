@@ -94,8 +94,8 @@ pub fn draw_chart(chart: &Chart, theme: Theme) -> Result<Picture, PlotError> {
         .last()
         .map_or(0.0, |panel| text_width(&panel.title, SIZE + 1.0).max(text_width(&panel.y.label, SIZE)) + LEFT + 4.0);
     let width = (panels * pitch).max((panels - 1.0) * pitch + above).ceil();
-    let entries = chart.names.iter().map(|name| text_width(name, SIZE) + 44.0);
-    let entries = Rows::new(entries, 0.0, width - LEFT - RIGHT, LEGEND_ROW);
+    let entries = chart.names.iter().map(|name| [text_width(name, SIZE) + 44.0, LEGEND_ROW]);
+    let entries = Rows::new(entries, 0.0, width - LEFT - RIGHT);
     let legend = TOP + HEIGHT + BELOW;
     render([width, legend + entries.height + 10.0], chart.title.as_str(), theme, |canvas| {
         for (number, panel) in chart.panels.iter().enumerate() {

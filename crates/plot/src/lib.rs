@@ -23,7 +23,7 @@ pub use chart::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
 pub use codes::draw_codes;
 pub use diagram::{CurveSource, DiagramOptions, MarkedPoints, draw};
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
-pub use page::{Picture, PlotError, Theme, section_type};
+pub use page::{Picture, PlotError, Theme, Width, section_type};
 pub use part::{PartScene, draw_part};
 pub use schematic::{Scheme, draw_scheme};
 pub use section::{

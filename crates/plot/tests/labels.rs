@@ -4,6 +4,7 @@
 
 mod picture_layout;
 mod picture_letters;
+mod picture_svg;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,7 +14,7 @@ use numbers::Number;
 use numbers::symmetric::Symmetric;
 use picture_layout::Layout;
 use picture_letters::too_small;
-use plot::{CurveSource, DiagramOptions, Picture, draw};
+use plot::{CurveSource, DiagramOptions, Picture, Width, draw};
 use schema::AtlasDocument;
 use serde_json::Value;
 use support::bodies::{STRATA, Stratum, random_body};
@@ -30,24 +31,26 @@ impl CurveSource for Curves {
     }
 }
 
-fn drawn(body: &Body) -> (AtlasDocument, Picture) {
+fn drawn(body: &Body, width: Width) -> (AtlasDocument, Picture) {
     let atlas = Curves(Atlas::new(body).expect("the body has an atlas"));
     let options = DocumentOptions { polygons: false, ..DocumentOptions::default() };
     let document = documents::atlas::document(&atlas.0, &options);
-    let picture = draw(&document, Some(&atlas), &DiagramOptions::default()).expect("the diagram can be drawn");
+    let picture = draw(&document, Some(&atlas), &DiagramOptions { width, ..DiagramOptions::default() })
+        .expect("the diagram can be drawn");
     (document, picture)
 }
 
 /// What is wrong with the picture of a body.
-fn faults(name: &str, body: &Body) -> Vec<String> {
-    let (atlas, picture) = drawn(body);
+fn faults(name: &str, body: &Body, width: Width) -> Vec<String> {
+    let name = &format!("{name}-{}mm", width.millimetres());
+    let (atlas, picture) = drawn(body, width);
     // For the eye: set PLOT_OUT to a directory.
     if let Some(out) = std::env::var_os("PLOT_OUT").map(std::path::PathBuf::from) {
         std::fs::write(out.join(format!("{name}.svg")), &picture.svg).unwrap();
     }
     let layout = Layout::of(&picture);
     let mut faults = layout.collisions();
-    faults.extend(too_small(&picture));
+    faults.extend(too_small(&picture, width));
     for region in &atlas.regions {
         let told = |text: &str| {
             let rest = text.strip_prefix(&region.id);
@@ -150,7 +153,8 @@ fn no_label_of_four_hundred_diagrams_meets_anything() {
         for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
             scope.spawn(|| {
                 while let Some((name, body)) = bodies.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    found.lock().unwrap().extend(faults(name, body));
+                    let faults = Width::ALL.map(|width| faults(name, body, width)).concat();
+                    found.lock().unwrap().extend(faults);
                 }
             });
         }
@@ -161,7 +165,7 @@ fn no_label_of_four_hundred_diagrams_meets_anything() {
 
 #[test]
 fn a_collision_is_found() {
-    let (_, picture) = drawn(&Preset::find("paper").unwrap().body());
+    let (_, picture) = drawn(&Preset::find("paper").unwrap().body(), Width::Page);
     assert_eq!(Layout::of(&picture).collisions(), Vec::<String>::new());
     // The first label with a box moves to the middle of another region's text.
     let layout = Layout::of(&picture);

@@ -1,11 +1,12 @@
 //! Maps: every entry is numbered or told with its place, and everything can be read.
 
 mod picture_letters;
+mod picture_svg;
 mod picture_texts;
 
 use picture_letters::too_small;
 use picture_texts::{assert_texts_are_apart, texts};
-use plot::{Map, MapAxis, MapBodies, MapEntry, Theme, draw_map};
+use plot::{Map, MapAxis, MapBodies, MapEntry, Theme, Width, draw_map};
 
 type Piece = (Option<usize>, Vec<[f64; 2]>);
 
@@ -61,7 +62,7 @@ fn every_class_of_a_crowded_map_has_a_number_or_a_place() {
         }
         assert_eq!(placed > 0, count > 20, "{placed} of {count}");
         assert_texts_are_apart(&texts);
-        assert_eq!(too_small(&picture), Vec::<String>::new());
+        assert_eq!(too_small(&picture, Width::Page), Vec::<String>::new());
     }
 }
 

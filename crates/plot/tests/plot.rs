@@ -1,6 +1,7 @@
 //! Pictures of atlases.
 #![allow(clippy::disallowed_methods, clippy::cast_precision_loss)]
 
+mod picture_svg;
 mod picture_texts;
 mod plot_fixture;
 

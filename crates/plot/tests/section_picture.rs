@@ -7,6 +7,7 @@
 )]
 
 mod picture_letters;
+mod picture_svg;
 mod picture_texts;
 
 use std::f64::consts::{PI, TAU};
@@ -17,8 +18,8 @@ use dynamics::section::{
 use picture_letters::too_small;
 use picture_texts::{assert_texts_are_apart, texts};
 use plot::{
-    OrbitValues, Picture, PlotError, Projection, Scheme, SectionOptions, SectionScene, draw_scheme, draw_section,
-    draw_section_rows,
+    OrbitValues, Picture, PlotError, Projection, Scheme, SectionOptions, SectionScene, Width, draw_scheme,
+    draw_section, draw_section_rows,
 };
 use resvg::tiny_skia::Pixmap;
 use top::body::Body;
@@ -48,15 +49,21 @@ fn valued<'a>(portrait: &'a Portrait, orbits: &'a [OrbitSection], values: &'a [f
     SectionScene { values: Some(OrbitValues { label: "Lyapunov exponent", values }), ..scene(portrait, orbits) }
 }
 
+/// The picture on a page; looked at for every width.
 fn drawn(name: &str, scene: &SectionScene<'_>, options: &SectionOptions) -> Picture {
-    let picture = draw_section(scene, options).expect("the section can be drawn");
-    look(name, &picture);
-    // Images are text that may hold anything.
-    let drawn = without_images(&picture.svg);
-    assert!(!drawn.contains("NaN") && !drawn.contains("inf\""), "a coordinate is not a number");
-    assert_texts_are_apart(&texts(&picture));
-    assert_eq!(too_small(&picture), Vec::<String>::new());
-    picture
+    let of_width = |width: Width| {
+        let options = SectionOptions { width, ..options.clone() };
+        let picture = draw_section(scene, &options).expect("the section can be drawn");
+        look(&format!("{name}-{}mm", width.millimetres()), &picture);
+        // Images are text that may hold anything.
+        let drawn = without_images(&picture.svg);
+        assert!(!drawn.contains("NaN") && !drawn.contains("inf\""), "a coordinate is not a number");
+        assert_texts_are_apart(&texts(&picture));
+        assert_eq!(too_small(&picture, width), Vec::<String>::new());
+        picture
+    };
+    let [page, _] = Width::ALL.map(of_width);
+    page
 }
 
 /// An SVG without the contents of its images.

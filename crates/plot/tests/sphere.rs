@@ -1,11 +1,12 @@
 //! Pictures of U on the Poisson sphere.
 
 mod picture_letters;
+mod picture_svg;
 mod picture_texts;
 
 use picture_letters::too_small;
 use picture_texts::{assert_texts_are_apart, texts};
-use plot::{SphereScene, Theme, draw_sphere};
+use plot::{SphereScene, Theme, Width, draw_sphere};
 use schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
 
 fn component(boundary_circles: u32) -> ComponentDocument {
@@ -48,15 +49,15 @@ fn boundary_lines(svg: &str) -> usize {
 #[test]
 fn a_cap_seen_from_above_has_one_circle_in_the_first_view() {
     let components = [component(1)];
-    let picture = draw_sphere(&scene(&components, &[]), Theme::Light).unwrap();
+    let picture = draw_sphere(&scene(&components, &[]), Theme::Light, Width::Page).unwrap();
     assert_eq!(boundary_lines(&picture.svg), 1);
     assert!(picture.svg.contains("1: 1 boundary circle, pole +r̂;  E = S³, P = T² (genus 1)"), "{}", picture.svg);
-    assert_eq!(picture, draw_sphere(&scene(&components, &[]), Theme::Light).unwrap());
+    assert_eq!(picture, draw_sphere(&scene(&components, &[]), Theme::Light, Width::Page).unwrap());
 }
 
 #[test]
 fn on_a_curve_no_component_is_named() {
-    let picture = draw_sphere(&scene(&[], &[]), Theme::Light).unwrap();
+    let picture = draw_sphere(&scene(&[], &[]), Theme::Light, Width::Page).unwrap();
     assert!(picture.svg.contains("accessible: U(γ) ≤ h"));
     assert!(!picture.svg.contains("boundary circle"));
 }
@@ -83,14 +84,20 @@ fn a_circle_of_equilibria_is_drawn_as_one() {
     let lines = |multiplicity| {
         let components = [component(1)];
         let equilibria = [equilibrium(multiplicity)];
-        draw_sphere(&scene(&components, &equilibria), Theme::Light).unwrap().svg.matches("<polyline").count()
+        draw_sphere(&scene(&components, &equilibria), Theme::Light, Width::Page)
+            .unwrap()
+            .svg
+            .matches("<polyline")
+            .count()
     };
     assert_eq!(lines(Multiplicity::Circle), lines(Multiplicity::Points(1)) + 1);
 }
 
 #[test]
 fn periods_and_growth_times_stand_below() {
-    let picture = draw_sphere(&scene(&[component(1)], &[equilibrium(Multiplicity::Points(1))]), Theme::Light).unwrap();
+    let picture =
+        draw_sphere(&scene(&[component(1)], &[equilibrium(Multiplicity::Points(1))]), Theme::Light, Width::Page)
+            .unwrap();
     for text in ["growth 0.25, period 2", "saddle-centre", "G1.1, from −r̂", "growth by the factor e in s"] {
         assert!(picture.svg.contains(text), "{text}\n{}", picture.svg);
     }
@@ -102,9 +109,10 @@ fn names_keep_off_each_other_and_off_the_boundary() {
     let components = [component(1)];
     let at = |gamma: [f64; 3]| RelativeEquilibriumDocument { gamma, ..equilibrium(Multiplicity::Points(1)) };
     let equilibria = [at([0.6, 0.0, 0.8]), at([0.58, 0.05, 0.8131]), at([0.0, 0.866, 0.5]), at([0.0, 0.0, 1.0])];
-    for view in [None, Some([0.0, 0.0, 1.0]), Some([1.0, 0.0, 0.0]), Some([0.3, -0.8, 0.5])] {
+    let views = [None, Some([0.0, 0.0, 1.0]), Some([1.0, 0.0, 0.0]), Some([0.3, -0.8, 0.5])];
+    for (view, width) in views.into_iter().flat_map(|view| Width::ALL.map(|width| (view, width))) {
         let scene = SphereScene { view, ..scene(&components, &equilibria) };
-        let picture = draw_sphere(&scene, Theme::Light).unwrap();
+        let picture = draw_sphere(&scene, Theme::Light, width).unwrap();
         // A name is written five times, for its rim; where that is so is one name.
         let mut names: Vec<(String, [f32; 4])> = Vec::new();
         for (text, area) in texts(&picture) {
@@ -115,6 +123,6 @@ fn names_keep_off_each_other_and_off_the_boundary() {
         }
         assert!(["a", "b", "c", "d", "+r̂", "−r̂", "e₁"].iter().all(|name| names.iter().any(|(text, _)| text == name)));
         assert_texts_are_apart(&names);
-        assert_eq!(too_small(&picture), Vec::<String>::new());
+        assert_eq!(too_small(&picture, width), Vec::<String>::new());
     }
 }

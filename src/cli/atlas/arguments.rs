@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use schema::WindowDocument;
 
-use crate::cli::export::PictureArguments;
+use crate::cli::export::{PictureArguments, WidthArgument};
 use crate::cli::input::{AccuracyArgument, BodyArguments, values};
 
 pub const EXAMPLES: &str = "\
@@ -36,6 +36,8 @@ pub struct AtlasArguments {
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub picture: PictureArguments,
+    #[command(flatten)]
+    pub width: WidthArgument,
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
     pub no_plot: bool,

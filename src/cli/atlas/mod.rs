@@ -35,7 +35,8 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         files.remove_pictures("diagram");
         // A window without a region would be an empty frame.
         if !settings.formats.is_empty() && !document.regions.is_empty() {
-            let options = DiagramOptions { window: settings.window, points: None, theme: settings.theme };
+            let (theme, width) = (settings.theme, settings.width);
+            let options = DiagramOptions { window: settings.window, points: None, theme, width };
             let picture = timings
                 .stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))
                 .map_err(ExportError::from)?;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use plot::Theme;
+use plot::{Theme, Width};
 use schema::{Accuracy, WindowDocument};
 
 use super::arguments::AtlasArguments;
@@ -23,6 +23,7 @@ pub struct Settings {
     /// Of the diagram.
     pub formats: Vec<PictureFormat>,
     pub theme: Theme,
+    pub width: Width,
     /// Whether the document carries the outlines of the regions.
     pub polygons: bool,
     pub json: bool,
@@ -44,6 +45,7 @@ impl Settings {
             directory: directory(arguments.out.as_deref(), !arguments.json)?,
             formats: if arguments.no_plot { Vec::new() } else { arguments.picture.format.clone() },
             theme: arguments.picture.theme(),
+            width: arguments.width.width(),
             polygons: !arguments.no_polygons,
             json: arguments.json,
         })

@@ -20,6 +20,6 @@ pub use exporter::Exporter;
 pub use files::FileSet;
 pub use json::{Json, answer};
 pub use npz::Archive;
-pub use picture::{PictureArguments, PictureFormat, RESOLUTION};
+pub use picture::{PictureArguments, PictureFormat, RESOLUTION, WidthArgument};
 pub use pieces::Pieces;
 pub use target::{DataFormat, DataTarget, directory};

@@ -2,7 +2,7 @@
 
 use clap::builder::{EnumValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use plot::{Picture, PlotError, Theme};
+use plot::{Picture, PlotError, Theme, Width};
 
 use super::error::ExportError;
 use super::exporter::Exporter;
@@ -57,6 +57,34 @@ impl PictureArguments {
             ThemeArgument::Light => Theme::Light,
             ThemeArgument::Dark => Theme::Dark,
             ThemeArgument::Print => Theme::Print,
+        }
+    }
+}
+
+/// Widths of pictures in print
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum WidthName {
+    #[value(name = "178mm")]
+    Page,
+    #[value(name = "86mm")]
+    Column,
+}
+
+/// For what width a picture is laid out.
+#[derive(Clone, Debug, Args)]
+pub struct WidthArgument {
+    /// Width of the picture in print: both columns of a journal or one; letters have at least 6 pt there
+    #[arg(long, value_enum, default_value = "178mm", help_heading = "Output", hide_possible_values = true)]
+    #[arg(value_name = "178mm|86mm")]
+    width: WidthName,
+}
+
+impl WidthArgument {
+    /// The width.
+    pub fn width(&self) -> Width {
+        match self.width {
+            WidthName::Page => Width::Page,
+            WidthName::Column => Width::Column,
         }
     }
 }

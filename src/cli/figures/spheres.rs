@@ -1,6 +1,7 @@
 //! U on the Poisson sphere.
 
 use documents::Subject;
+use plot::Width;
 use top::body::{Body, Number};
 
 use super::figure::Figure;
@@ -52,7 +53,7 @@ pub fn figures() -> impl Iterator<Item = Figure> {
         let site = Site { region: None, h: h?, l: l? };
         Some(Figure {
             stem: sphere.stem,
-            draw: Box::new(move |_, theme| Ok(draw(&subject, &site, sphere.view.as_ref(), theme)?.0)),
+            draw: Box::new(move |_, theme| Ok(draw(&subject, &site, sphere.view.as_ref(), theme, Width::Page)?.0)),
         })
     })
 }

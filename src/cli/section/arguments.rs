@@ -8,7 +8,7 @@ use dynamics::section::SectionCondition;
 use plot::Projection;
 use top::body::Number;
 
-use crate::cli::export::{DataTarget, PictureArguments};
+use crate::cli::export::{DataTarget, PictureArguments, WidthArgument};
 use crate::cli::input::{BodyArguments, IntegratorArguments, values};
 
 pub const EXAMPLES: &str = "\
@@ -149,6 +149,8 @@ pub struct SectionArguments {
     pub color: ColorArgument,
     #[command(flatten)]
     pub picture: PictureArguments,
+    #[command(flatten)]
+    pub width: WidthArgument,
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
     pub no_plot: bool,

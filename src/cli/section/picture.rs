@@ -32,8 +32,8 @@ pub fn draw(settings: &Settings, section: &Done) -> Result<Picture, Failure> {
         families: Some(OrbitFamilies { of: &of, names: &NAMES }),
         caption: &caption(document),
     };
-    let options =
-        SectionOptions { projection: settings.projection, theme: settings.outputs.theme, ..SectionOptions::default() };
+    let super::settings::Outputs { theme, width, .. } = settings.outputs;
+    let options = SectionOptions { projection: settings.projection, theme, width, ..SectionOptions::default() };
     Ok(draw_section(&scene, &options).map_err(ExportError::from)?)
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use dynamics::poincare::PoincareError;
 use dynamics::section::SectionCondition;
-use plot::Projection;
+use plot::{Projection, Theme, Width};
 
 use super::arguments::{ColorArgument, SectionArguments, VerdictArgument};
 use super::error::{SectionFailure, SectionInput};
@@ -13,7 +13,6 @@ use super::sites::{ALL, Sites};
 use crate::cli::export::{DataFormat, DataTarget, PictureFormat, directory};
 use crate::cli::failure::Failure;
 use crate::cli::input::IntegratorArguments;
-use plot::Theme;
 
 /// Orbits of a section if nothing else is said.
 const ORBITS: u32 = 24;
@@ -58,6 +57,7 @@ pub struct Outputs<'a> {
     /// Of the pictures.
     pub formats: &'a [PictureFormat],
     pub theme: Theme,
+    pub width: Width,
     pub json: bool,
     /// The sites come from an atlas, or are all regions: JSON is a list.
     pub list: bool,
@@ -143,6 +143,7 @@ fn outputs(arguments: &SectionArguments, sites: usize) -> Result<Outputs<'_>, Fa
         directory: directory(arguments.out.as_deref(), wanted)?,
         formats: if arguments.no_plot { &[] } else { &arguments.picture.format },
         theme: arguments.picture.theme(),
+        width: arguments.width.width(),
         json,
         list: arguments.atlas.is_some() || arguments.region.as_deref() == Some(ALL),
     })

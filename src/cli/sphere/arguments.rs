@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use top::body::Number;
 
-use crate::cli::export::PictureArguments;
+use crate::cli::export::{PictureArguments, WidthArgument};
 use crate::cli::input::BodyArguments;
 use crate::cli::input::values::{self, Vector};
 
@@ -43,4 +43,6 @@ pub struct SphereArguments {
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub picture: PictureArguments,
+    #[command(flatten)]
+    pub width: WidthArgument,
 }

@@ -6,7 +6,7 @@ mod scene;
 mod site;
 
 use documents::{Subject, component};
-use plot::{Picture, Theme};
+use plot::{Picture, Theme, Width, draw_sphere};
 use proof::{Accuracy, classify};
 use top::classify::Answer;
 
@@ -24,8 +24,9 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
     let subject = arguments.body.subject()?;
     let directory = directory(arguments.out.as_deref(), true)?.unwrap_or_default();
     let site = Site::new(arguments, &subject)?;
+    let (theme, width) = (arguments.picture.theme(), arguments.width.width());
     let (picture, caption) =
-        timings.stage("picture", || draw(&subject, &site, arguments.view.as_ref(), arguments.picture.theme()))?;
+        timings.stage("picture", || draw(&subject, &site, arguments.view.as_ref(), theme, width))?;
     let mut files = FileSet::new(&directory);
     files.pictures("sphere", &picture, &arguments.picture.format, RESOLUTION, timings)?;
     let written = timings.stage("files", || files.write())?;
@@ -39,7 +40,13 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
 }
 
 /// The picture, and what it says of the point.
-pub fn draw(subject: &Subject, site: &Site, view: Option<&Vector>, theme: Theme) -> Result<(Picture, String), Failure> {
+pub fn draw(
+    subject: &Subject,
+    site: &Site,
+    view: Option<&Vector>,
+    theme: Theme,
+    width: Width,
+) -> Result<(Picture, String), Failure> {
     let found = classify(&subject.body, &site.h, &site.l, Accuracy::Exact).map_err(SphereError::from)?;
     let components = match &found.answer {
         Answer::Regular(components) => components.iter().map(component).collect(),
@@ -48,7 +55,7 @@ pub fn draw(subject: &Subject, site: &Site, view: Option<&Vector>, theme: Theme)
         Answer::Critical(_) | Answer::Undecided(_) => Vec::new(),
     };
     let caption = caption(site, &found.answer);
-    let picture = scene::draw(subject, site, &components, &caption, view, theme)?;
+    let picture = scene::scene(subject, site, &components, &caption, view, |scene| draw_sphere(scene, theme, width))?;
     Ok((picture.map_err(ExportError::from)?, caption))
 }
 

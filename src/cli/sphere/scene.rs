@@ -2,7 +2,7 @@
 
 use documents::Subject;
 use dynamics::field::dot;
-use plot::{Picture, PlotError, SphereScene, Theme, draw_sphere};
+use plot::SphereScene;
 use schema::ComponentDocument;
 use top::accessible::{AccessibleRegion, component_of};
 use top::body::Body;
@@ -13,15 +13,15 @@ use super::site::Site;
 use crate::cli::input::values::Vector;
 use crate::cli::terminal::significant;
 
-/// Draws U; without components (on a curve) all of it in one tint.
-pub fn draw(
+/// Hands over what is to be drawn of U; without components (on a curve) all of it has one tint.
+pub fn scene<P>(
     subject: &Subject,
     site: &Site,
     components: &[ComponentDocument],
     caption: &str,
     view: Option<&Vector>,
-    theme: Theme,
-) -> Result<Result<Picture, PlotError>, SphereError> {
+    draw: impl FnOnce(&SphereScene<'_>) -> P,
+) -> Result<P, SphereError> {
     let body = &subject.body;
     let (h, l) = (site.h.to_f64(), site.l.to_f64());
     let (moments, center) = (body.moments_f64(), body.center_f64());
@@ -38,21 +38,18 @@ pub fn draw(
         Some(partition) => component_of(partition, gamma),
         None => Some(0),
     };
-    Ok(draw_sphere(
-        &SphereScene {
-            title: &title(body),
-            caption,
-            potential_above: &potential_above,
-            r_hat,
-            components,
-            component_of: &component_of,
-            equilibria: &documents::equilibria(&found),
-            axis: r_hat.unwrap_or_else(|| symmetry_axis(moments)),
-            time_unit: subject.part.as_ref().map_or("", |part| part.time_unit()),
-            view: view.map(|Vector(direction)| *direction),
-        },
-        theme,
-    ))
+    Ok(draw(&SphereScene {
+        title: &title(body),
+        caption,
+        potential_above: &potential_above,
+        r_hat,
+        components,
+        component_of: &component_of,
+        equilibria: &documents::equilibria(&found),
+        axis: r_hat.unwrap_or_else(|| symmetry_axis(moments)),
+        time_unit: subject.part.as_ref().map_or("", |part| part.time_unit()),
+        view: view.map(|Vector(direction)| *direction),
+    }))
 }
 
 /// A and r with as many digits as a title holds.

@@ -24,11 +24,11 @@ export function shown(value: number, digits = 4): string {
 
 const SUPERSCRIPTS: Record<string, string> = { "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴" };
 
-/** S2+T2 as S²+T², M3 as M²₃ (genus 3), S2-2D2 as S²−2D². */
+/** S2+T2 as S²+T², M3 as M²₃ (genus 3), S2-2D2 as S²∖2D². */
 export function surface(name: string): string {
   return name
     .replace(/M(\d+)/g, (_, genus: string) => `M²${String.fromCodePoint(0x2080 + Number(genus))}`)
     .replace(/(RP|[SDT])(\d)/g, (_, letter: string, digit: string) => letter + (SUPERSCRIPTS[digit] ?? digit))
-    .replace(/-/g, "−")
+    .replace(/-/g, "∖")
     .replace(/x/g, "×");
 }

@@ -1,7 +1,6 @@
 //! The windows around one region that is too small to be seen.
 
 use super::grid::{Grid, LEGIBLE};
-use super::layout::INSET;
 use super::ranges::{clipped, common, hull, length};
 use super::scene::Scene;
 use super::trace::{Trace, trace};
@@ -56,7 +55,8 @@ pub(super) fn closeup(
     largest: [f64; 2],
     region: usize,
 ) -> Result<Closeup, PlotError> {
-    let width = scene.atlas.regions[region].h_width.unwrap_or(f64::INFINITY).min(length(visible.h) / INSET[0]);
+    let width =
+        scene.atlas.regions[region].h_width.unwrap_or(f64::INFINITY).min(length(visible.h) / scene.plan.inset[0]);
     if width < NARROWEST * length(visible.h) {
         return Ok(Closeup::TooSmall);
     }
@@ -156,7 +156,7 @@ fn stations(
 /// Radii in pixels of the largest circles in some regions that an inset would show, 0 for all others; measured on
 /// pixels twice as large.
 pub(super) fn depths(scene: &Scene<'_>, window: &WindowDocument, regions: &[usize]) -> Result<Vec<f64>, PlotError> {
-    let rect = Rect { x: 0.0, y: 0.0, width: INSET[0] / COARSE, height: INSET[1] / COARSE };
+    let rect = Rect { x: 0.0, y: 0.0, width: scene.plan.inset[0] / COARSE, height: scene.plan.inset[1] / COARSE };
     let view = View { window: *window, rect };
     let tolerance = 0.1 * view.h_per_pixel();
     let mut traces: Vec<Trace> = vec![Trace::default(); scene.atlas.curves.len()];

@@ -3,8 +3,8 @@
 use super::apart::{beside, clear, reach_into};
 use super::closeup::{Closeup, closeup, depths};
 use super::grid::LEGIBLE;
-use super::layout::{INSET, MAIN};
 use super::panel::Panel;
+use super::plan::Plan;
 use super::ranges::{area, clipped, contains, hull, length};
 use super::scene::Scene;
 use crate::page::PlotError;
@@ -49,15 +49,16 @@ pub(super) fn magnifications(
     let mut hidden: Vec<usize> = Vec::new();
     let visible = &main.view.window;
     // The scale of the main panel, and that of an overview of everything in the first inset.
-    let shown = [(visible, MAIN), (everything, INSET)];
+    let Plan { main: own, inset, .. } = *scene.plan;
+    let shown = [(visible, own), (everything, inset)];
     for (region, depth) in main.grid.depths(scene.cells.len()).into_iter().enumerate() {
         if depth >= LEGIBLE {
             continue;
         }
-        let mut found = closeup(scene, visible, largest(shown[0]), region)?;
+        let mut found = closeup(scene, visible, largest(shown[0], inset), region)?;
         let goes_on = scene.cells[region].iter().any(|cell| cell.l[1] > visible.l[1]);
         if !matches!(found, Closeup::Windows { .. }) && goes_on && everything != visible {
-            found = closeup(scene, everything, largest(shown[1]), region)?;
+            found = closeup(scene, everything, largest(shown[1], inset), region)?;
         }
         match found {
             Closeup::Windows { wide, close, depth } => {
@@ -72,19 +73,19 @@ pub(super) fn magnifications(
     windows.extend(unions(candidates));
     windows.retain(|window| {
         let shown = if contains(visible, window) { shown[0] } else { shown[1] };
-        let [h, l] = largest(shown);
+        let [h, l] = largest(shown, inset);
         length(window.h) <= h * (1.0 + 1e-9) && length(window.l) <= l * (1.0 + 1e-9)
     });
     result.windows = cover(scene, &windows, hidden)?;
-    lead_up(&mut result.windows, visible);
+    lead_up(&mut result.windows, visible, scene.plan);
     result.windows.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.l[0].total_cmp(&b.l[0])));
     Ok(result)
 }
 
 /// The sides of the largest window that an inset magnifies at least [`LEAST`] times against a window shown on a plot area of
 /// the given size.
-fn largest((window, size): (&WindowDocument, [f64; 2])) -> [f64; 2] {
-    [length(window.h) * INSET[0] / size[0] / LEAST, length(window.l) * INSET[1] / size[1] / LEAST]
+fn largest((window, size): (&WindowDocument, [f64; 2]), inset: [f64; 2]) -> [f64; 2] {
+    [length(window.h) * inset[0] / size[0] / LEAST, length(window.l) * inset[1] / size[1] / LEAST]
 }
 
 /// Windows that together show all of `hidden`: again and again the one that shows most of those left, the larger of
@@ -140,7 +141,7 @@ fn trimmed(
 }
 
 /// Adds windows half-way (in scale) between the main window and those that are magnified most.
-fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument) {
+fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument, plan: &Plan) {
     let scales = |inner: &WindowDocument| [length(main.h) / length(inner.h), length(main.l) / length(inner.l)];
     let mut targets: Vec<WindowDocument> = windows.clone();
     targets.sort_by(|a, b| scales(a)[0].total_cmp(&scales(b)[0]));
@@ -151,7 +152,7 @@ fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument) {
         let led = windows
             .iter()
             .any(|other| *other != target && contains(other, &target) && scales(other)[0] * LEAP.sqrt() >= h.sqrt());
-        let [least_h, least_l] = [0, 1].map(|side| LEAST * MAIN[side] / INSET[side]);
+        let [least_h, least_l] = [0, 1].map(|side| LEAST * plan.main[side] / plan.inset[side]);
         let magnifies = h.sqrt() >= least_h && l.sqrt() >= least_l;
         if h.min(l) < LEAP || !magnifies || led || added == STEPS_MAX || !contains(main, &target) {
             continue;

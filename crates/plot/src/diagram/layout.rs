@@ -1,25 +1,17 @@
 //! Where the panels lie on the page, and where each shows the windows of others.
 
 use super::panel::Panel;
+use super::plan::Plan;
 use super::ranges::{area, contains};
 use crate::page::{Point, Rect};
-
-// A page of 924 pixels is printed 178 mm wide, both columns of a journal: 11 pixels, the smallest letters, are 6 pt there.
 
 /// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
 pub(super) const LEFT: f64 = 56.0;
 pub(super) const TOP: f64 = 62.0;
 pub(super) const BELOW: f64 = 46.0;
 pub(super) const RIGHT: f64 = 16.0;
-/// Plot area of the main panel and of an inset.
-pub(super) const MAIN: [f64; 2] = [540.0, 484.0];
-pub(super) const INSET: [f64; 2] = [246.0, 200.0];
-/// Space above an inset for its letter, and its part of the page.
+/// Space above an inset for its letter.
 const INSET_TOP: f64 = 28.0;
-const INSET_PITCH: [f64; 2] = [INSET[0] + LEFT, INSET[1] + INSET_TOP + BELOW];
-/// Insets beside the main panel; further ones stand below in rows of three.
-const BESIDE: usize = 2;
-const IN_A_ROW: usize = 3;
 /// Font size of the insets' letters.
 pub(super) const LETTER_SIZE: f64 = 11.0;
 /// In frames smaller than this is no room for markers and labels.
@@ -27,44 +19,51 @@ pub(super) const CROWDED: f64 = 30.0;
 /// Frames of insets are drawn at least this large.
 const FRAME_MIN: f64 = 9.0;
 
+/// An inset's part of the page.
+fn pitch(plan: &Plan) -> [f64; 2] {
+    [plan.inset[0] + LEFT, plan.inset[1] + INSET_TOP + BELOW]
+}
+
 /// Top left corner of the plot area of an inset.
-pub(super) fn inset_place(index: usize) -> Point {
-    if index < BESIDE {
-        let x = LEFT + MAIN[0] + LEFT + 8.0;
+pub(super) fn inset_place(plan: &Plan, index: usize) -> Point {
+    let Plan { main, inset, beside, in_a_row, .. } = *plan;
+    if index < beside {
+        let x = LEFT + main[0] + LEFT + 8.0;
         // The two together are as high as the main panel.
-        return [x, TOP + index as f64 * (MAIN[1] - INSET[1])];
+        return [x, TOP + index as f64 * (main[1] - inset[1])];
     }
-    let (row, column) = ((index - BESIDE) / IN_A_ROW, (index - BESIDE) % IN_A_ROW);
-    let top = TOP + MAIN[1] + BELOW + INSET_TOP;
-    [LEFT + column as f64 * INSET_PITCH[0], top + row as f64 * INSET_PITCH[1]]
+    let (row, column) = ((index - beside) / in_a_row, (index - beside) % in_a_row);
+    let top = TOP + main[1] + BELOW + INSET_TOP;
+    let [wide, high] = pitch(plan);
+    [LEFT + column as f64 * wide, top + row as f64 * high]
 }
 
 /// Where the legend goes when there are so many insets, and how wide it may be: into the places that the last row leaves
 /// free, else below everything.
-pub(super) fn legend_place(insets: usize) -> (Point, f64) {
-    let free = if insets < BESIDE { BESIDE - insets } else { (IN_A_ROW - (insets - BESIDE) % IN_A_ROW) % IN_A_ROW };
-    match insets {
-        0 => ([LEFT, TOP + MAIN[1] + BELOW + 6.0], MAIN[0]),
-        1 => (inset_place(1), INSET[0]),
-        _ if free > 0 => {
-            let at = inset_place(insets);
-            (at, free as f64 * INSET_PITCH[0] - LEFT)
-        }
-        _ => below_all(insets),
+pub(super) fn legend_place(plan: &Plan, insets: usize) -> (Point, f64) {
+    let Plan { main, inset, beside, in_a_row, .. } = *plan;
+    if insets == 0 {
+        return ([LEFT, TOP + main[1] + BELOW + 6.0], main[0]);
+    }
+    if insets < beside {
+        return (inset_place(plan, insets), inset[0]);
+    }
+    match (in_a_row - (insets - beside) % in_a_row) % in_a_row {
+        0 => below_all(plan, insets),
+        free => (inset_place(plan, insets), free as f64 * pitch(plan)[0] - LEFT),
     }
 }
 
 /// The place below everything, over the whole width.
-pub(super) fn below_all(insets: usize) -> (Point, f64) {
-    let last = inset_place(insets.saturating_sub(1))[1] + INSET[1];
-    ([LEFT, last.max(TOP + MAIN[1]) + BELOW + 6.0], page_width(insets) - LEFT - RIGHT)
+pub(super) fn below_all(plan: &Plan, insets: usize) -> (Point, f64) {
+    let last = insets.checked_sub(1).map_or(0.0, |last| inset_place(plan, last)[1] + plan.inset[1]);
+    ([LEFT, last.max(TOP + plan.main[1]) + BELOW + 6.0], page_width(plan, insets) - LEFT - RIGHT)
 }
 
 /// The width of a page with so many insets.
-pub(super) fn page_width(insets: usize) -> f64 {
-    let beside = if insets > 0 { inset_place(0)[0] + INSET[0] } else { LEFT + MAIN[0] };
-    let below = if insets > BESIDE { LEFT + (IN_A_ROW - 1) as f64 * INSET_PITCH[0] + INSET[0] } else { 0.0 };
-    beside.max(below) + RIGHT
+pub(super) fn page_width(plan: &Plan, insets: usize) -> f64 {
+    let right = |inset| inset_place(plan, inset)[0] + plan.inset[0];
+    (0..insets).map(right).fold(LEFT + plan.main[0], f64::max) + RIGHT
 }
 
 /// The letter of an inset: a … z, then aa, ab, …

@@ -20,6 +20,7 @@ mod paint;
 mod palette;
 mod panel;
 mod placement;
+mod plan;
 mod ranges;
 mod room;
 mod scene;
@@ -31,14 +32,15 @@ mod window;
 pub(crate) use palette::tint;
 pub use scene::{CurveSource, MarkedPoints};
 
-use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, Theme, pattern, render};
+use crate::page::{Anchor, FAINT_INK, INK, Picture, PlotError, Point, Rect, Theme, Width, pattern, render, title_size};
 use insets::{Magnifications, magnifications};
-use layout::{BELOW, INSET, LEFT, MAIN, RIGHT, TOP, below_all, frames, inset_place, legend_place, page_width};
+use layout::{BELOW, LEFT, RIGHT, TOP, below_all, frames, inset_place, legend_place, page_width};
 use legend::{legend, paint_symbol};
 use notes::{NOTE_SIZE, heading, notes, remark, units};
 use paint::Diagram;
 use palette::branch_styles;
 use panel::Panel;
+use plan::Plan;
 use scene::Scene;
 use schema::{AtlasDocument, WindowDocument};
 use stroke::strokes;
@@ -57,6 +59,8 @@ pub struct DiagramOptions {
     pub points: Option<MarkedPoints>,
     /// Colours.
     pub theme: Theme,
+    /// For what width the panels are laid out.
+    pub width: Width,
 }
 
 /// Draws the bifurcation diagram: h to the right, l upwards, each region tinted and labelled with the type of its
@@ -72,7 +76,8 @@ pub fn draw(
     source: Option<&dyn CurveSource>,
     options: &DiagramOptions,
 ) -> Result<Picture, PlotError> {
-    let scene = Scene::new(atlas, source, options.points.as_ref())?;
+    let plan = Plan::of(options.width);
+    let scene = Scene::new(atlas, source, options.points.as_ref(), plan)?;
     let styles = branch_styles(atlas);
     let strokes = strokes(atlas, &styles);
     let (panels, mut magnified) = panels(&scene, options.window)?;
@@ -85,17 +90,17 @@ pub fn draw(
     texts.key.retain(|(region, _)| !magnified.invisible.contains(region) && !magnified.outside.contains(region));
 
     let insets = panels.len() - 1;
-    let width = page_width(insets);
+    let width = page_width(plan, insets);
     let dots = options.points.as_ref().map_or("sample point of a region", |marked| marked.text.as_str());
     let explained = |width| legend(&scene, &styles, &strokes, &panels, &texts, dots, width);
     let place = |(at, width)| (at, width, explained(width));
-    let (mut legend_at, room, mut legend) = place(legend_place(insets));
+    let (mut legend_at, room, mut legend) = place(legend_place(plan, insets));
     if legend.widest() > room {
-        (legend_at, _, legend) = place(below_all(insets));
+        (legend_at, _, legend) = place(below_all(plan, insets));
     }
     let axes = panels.iter().map(|panel| panel.view.rect.bottom() + BELOW + 6.0);
     let motions_at = [LEFT, axes.fold(legend_at[1] + legend.height(), f64::max) + 6.0];
-    let motions = motions::table(&scene, &strokes, &panels);
+    let motions = motions::table(&scene, &strokes, &panels, options.width.pixels() - LEFT - RIGHT);
     let below = motions_at[1] + motions.height();
     let notes = notes(atlas, &magnified, width - LEFT - RIGHT);
     let page = width.max(LEFT + motions.width() + RIGHT).ceil();
@@ -104,8 +109,9 @@ pub fn draw(
     let title = heading.title.clone();
     let diagram = Diagram { scene, strokes, panels, frames, texts, units: units(atlas) };
     render([page, height.ceil()], heading, options.theme, |canvas| {
-        canvas.text(&title, [LEFT, 24.0], TITLE_SIZE, INK, Anchor::Start);
-        canvas.text(remark(atlas), [LEFT + MAIN[0], TOP - 12.0], NOTE_SIZE, FAINT_INK, Anchor::End);
+        let size = title_size(&title, TITLE_SIZE, page - LEFT);
+        canvas.text(&title, [LEFT, 24.0], size, INK, Anchor::Start);
+        canvas.text(remark(atlas), [LEFT + plan.main[0], TOP - plan.remark], NOTE_SIZE, FAINT_INK, Anchor::End);
         diagram.paint(canvas);
         canvas.group("legend", "", || legend.draw(canvas, legend_at, |symbol, at| paint_symbol(canvas, symbol, at)));
         canvas.group("motions", "", || {
@@ -124,7 +130,7 @@ pub fn draw(
 fn panels(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<(Vec<Panel>, Magnifications), PlotError> {
     let view = |window, [x, y]: Point, [width, height]: [f64; 2]| View { window, rect: Rect { x, y, width, height } };
     let Windows { main, everything } = windows(scene, asked)?;
-    let main = Panel::new(scene, view(main, [LEFT, TOP], MAIN))?;
+    let main = Panel::new(scene, view(main, [LEFT, TOP], scene.plan.main))?;
     let mut magnified = magnifications(scene, &main, &everything)?;
     if everything != main.view.window {
         // It takes the first place, so that what lies far out is seen in its frame.
@@ -132,7 +138,7 @@ fn panels(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<(Vec<Panel
     }
     let mut panels = vec![main];
     for (index, window) in magnified.windows.iter().enumerate() {
-        panels.push(Panel::new(scene, view(*window, inset_place(index), INSET))?);
+        panels.push(Panel::new(scene, view(*window, inset_place(scene.plan, index), scene.plan.inset))?);
     }
     Ok((panels, magnified))
 }

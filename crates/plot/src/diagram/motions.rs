@@ -17,9 +17,11 @@ const DIGITS: usize = 4;
 /// So far inside what is seen, relative to its length: at an end two equilibria may meet.
 const INSIDE: f64 = 0.02;
 
-/// One row for each stretch that is seen; none where the source tells no equilibria.
-pub(super) fn table(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel]) -> Table<Pattern> {
+/// One row for each stretch that is seen, `room` pixels wide; none where there is no room for a table or the source tells no
+/// equilibria.
+pub(super) fn table(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel], room: f64) -> Table<Pattern> {
     let mut rows = Vec::new();
+    let panels = if scene.plan.motions { panels } else { &[] };
     for (index, curve) in scene.atlas.curves.iter().enumerate() {
         for stroke in strokes {
             let Some(line) = stroke.lines.iter().find(|line| line.curve == index) else { continue };
@@ -27,7 +29,7 @@ pub(super) fn table(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel]) -> 
             rows.extend(cells(scene, curve, l).map(|cells| (line.pattern.clone(), cells)));
         }
     }
-    Table::new(SAMPLE, heading(scene.atlas), rows)
+    Table::new(SAMPLE, heading(scene.atlas), rows, room)
 }
 
 fn heading(atlas: &AtlasDocument) -> Vec<String> {

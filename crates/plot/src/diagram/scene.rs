@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::plan::Plan;
 use super::ranges::l_range;
 use crate::page::PlotError;
 use schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument};
@@ -52,6 +53,8 @@ pub(super) struct Dot {
 pub(super) struct Scene<'a> {
     pub atlas: &'a AtlasDocument,
     pub source: Option<&'a dyn CurveSource>,
+    /// How large the panels are.
+    pub plan: &'static Plan,
     /// The cells of every region, in the order of the regions.
     pub cells: Vec<Vec<Cell>>,
     /// Points that are marked.
@@ -77,6 +80,7 @@ impl<'a> Scene<'a> {
         atlas: &'a AtlasDocument,
         source: Option<&'a dyn CurveSource>,
         marked: Option<&MarkedPoints>,
+        plan: &'static Plan,
     ) -> Result<Self, PlotError> {
         let curves: BTreeMap<&str, usize> =
             atlas.curves.iter().enumerate().map(|(index, curve)| (curve.id.as_str(), index)).collect();
@@ -94,6 +98,6 @@ impl<'a> Scene<'a> {
             });
             cells.collect::<Result<Vec<Cell>, PlotError>>()
         });
-        Ok(Self { atlas, source, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, marked) })
+        Ok(Self { atlas, source, plan, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, marked) })
     }
 }

@@ -89,7 +89,7 @@ impl Legend {
             entries.extend(others);
         } else if !others.is_empty() {
             let top = height_below + if height_below > 0.0 { 6.0 } else { 0.0 };
-            let corners = Rows::new(others.iter().map(Line::width), BETWEEN, places.below, ROW);
+            let corners = Rows::new(others.iter().map(|line| [line.width(), ROW]), BETWEEN, places.below);
             height_below = top + corners.height;
             below.extend(others.into_iter().zip(corners.corners).map(|(line, [x, y])| (line, [x, top + y])));
         }

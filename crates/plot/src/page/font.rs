@@ -45,3 +45,10 @@ pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     let font = (FAMILY, size * PLOTTERS_SCALE * 100.0).into_font();
     font.box_size(text).map_or(0.0, |(width, _)| f64::from(width) / (100.0 * MEASURE_EXCESS))
 }
+
+/// The font size of a title: smaller than usual where it would be wider than `width`, but not below the smallest letters.
+pub(crate) fn title_size(title: &str, usual: f64, width: f64) -> f64 {
+    const SMALLEST: f64 = 11.0;
+    let own = text_width(title, usual);
+    if own <= width { usual } else { (usual * width / own).max(SMALLEST) }
+}

@@ -4,32 +4,50 @@ use super::canvas::{Anchor, Canvas};
 use super::font::text_width;
 use super::geometry::Point;
 use super::ink::{FAINT_INK, INK};
+use super::rows::lines;
 
 const SIZE: f64 = 11.0;
-const ROW: f64 = 17.0;
+const LINE: f64 = 17.0;
 /// Between columns.
 const GAP: f64 = 14.0;
+/// Between rows of several lines.
+const APART: f64 = 4.0;
 
 /// Rows of texts, each with a symbol before it.
 pub(crate) struct Table<S> {
-    heading: Vec<String>,
-    rows: Vec<(S, Vec<String>)>,
-    /// Where the columns begin.
-    columns: Vec<f64>,
+    heading: Row,
+    rows: Vec<(S, Row)>,
     width: f64,
 }
 
+/// The lines of a row, each with what stands in it and where that begins.
+struct Row(Vec<Vec<(f64, String)>>);
+
 impl<S> Table<S> {
-    /// A table whose symbols are `symbol` pixels wide.
-    pub(crate) fn new(symbol: f64, heading: Vec<String>, rows: Vec<(S, Vec<String>)>) -> Self {
-        let mut columns = Vec::new();
-        let mut x = symbol + GAP / 2.0;
+    /// A table whose symbols are `symbol` pixels wide. Columns for which `room` pixels are too few stand below the first.
+    pub(crate) fn new(symbol: f64, heading: Vec<String>, rows: Vec<(S, Vec<String>)>, room: f64) -> Self {
+        let left = symbol + GAP / 2.0;
+        let mut columns: Vec<Vec<f64>> = Vec::new();
+        let [mut x, mut width] = [left; 2];
         for (place, name) in heading.iter().enumerate() {
-            columns.push(x);
             let cells = rows.iter().filter_map(|(_, cells)| cells.get(place));
-            x += cells.map(|cell| text_width(cell, SIZE)).fold(text_width(name, SIZE), f64::max) + GAP;
+            let wide = cells.map(|cell| text_width(cell, SIZE)).fold(text_width(name, SIZE), f64::max);
+            match columns.last_mut() {
+                Some(line) if x + wide <= room => line.push(x),
+                _ => {
+                    x = left;
+                    columns.push(vec![x]);
+                }
+            }
+            width = width.max((x + wide).min(room.max(left)));
+            x += wide + GAP;
         }
-        Self { heading, rows, columns, width: x - GAP }
+        let row = |cells: Vec<String>| Row::new(cells, &columns, room);
+        Self {
+            heading: row(heading),
+            rows: rows.into_iter().map(|(symbol, cells)| (symbol, row(cells))).collect(),
+            width,
+        }
     }
 
     pub(crate) fn width(&self) -> f64 {
@@ -38,7 +56,10 @@ impl<S> Table<S> {
 
     /// Nothing where there are no rows.
     pub(crate) fn height(&self) -> f64 {
-        if self.rows.is_empty() { 0.0 } else { (self.rows.len() + 1) as f64 * ROW }
+        if self.rows.is_empty() {
+            return 0.0;
+        }
+        self.heading.height() + self.rows.iter().map(|(_, row)| row.height()).sum::<f64>()
     }
 
     /// Draws the table with its top left corner at `at`, and each symbol with `paint` from the middle of its left side.
@@ -46,16 +67,45 @@ impl<S> Table<S> {
         if self.rows.is_empty() {
             return;
         }
-        let line = |cells: &[String], row: usize, color| {
-            let base = at[1] + row as f64 * ROW + 0.5 * ROW + 0.36 * SIZE;
-            for (cell, x) in cells.iter().zip(&self.columns) {
-                canvas.text(cell, [at[0] + x, base], SIZE, color, Anchor::Start);
+        let text = |row: &Row, top: f64, color| {
+            for (number, line) in row.0.iter().enumerate() {
+                let base = top + number as f64 * LINE + 0.5 * LINE + 0.36 * SIZE;
+                for (x, cell) in line {
+                    canvas.text(cell, [at[0] + x, base], SIZE, color, Anchor::Start);
+                }
             }
         };
-        line(&self.heading, 0, FAINT_INK);
-        for (number, (symbol, cells)) in self.rows.iter().enumerate() {
-            paint(symbol, [at[0], at[1] + (number + 1) as f64 * ROW + 0.5 * ROW]);
-            line(cells, number + 1, INK);
+        text(&self.heading, at[1], FAINT_INK);
+        let mut top = at[1] + self.heading.height();
+        for (symbol, row) in &self.rows {
+            paint(symbol, [at[0], top + 0.5 * LINE]);
+            text(row, top, INK);
+            top += row.height();
         }
+    }
+}
+
+impl Row {
+    /// Cells at their columns: what is too wide for a line of its own goes on below.
+    fn new(cells: Vec<String>, columns: &[Vec<f64>], room: f64) -> Self {
+        let mut cells = cells.into_iter();
+        let mut all = Vec::new();
+        for line in columns {
+            let mut own: Vec<Vec<(f64, String)>> = Vec::new();
+            for (x, cell) in line.iter().zip(&mut cells) {
+                for (number, part) in lines(&cell, SIZE, room - x).into_iter().enumerate() {
+                    if number == own.len() {
+                        own.push(Vec::new());
+                    }
+                    own[number].push((*x, part));
+                }
+            }
+            all.extend(own);
+        }
+        Self(all)
+    }
+
+    fn height(&self) -> f64 {
+        self.0.len() as f64 * LINE + if self.0.len() > 1 { APART } else { 0.0 }
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::scene::{Projection, SectionScene};
-use crate::page::{Anchor, Canvas, INK, Point, Rect, number, short_number};
+use crate::page::{Anchor, Canvas, INK, Point, Rect, Width, number, short_number};
 use dynamics::section::Chart;
 
 /// Plot area of a panel.
@@ -64,30 +64,33 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    pub fn new(scenes: &[SectionScene<'_>], projection: Projection, with_bar: bool) -> Self {
+    /// Both sheets beside each other on a page, below each other in a column.
+    pub fn new(scenes: &[SectionScene<'_>], projection: Projection, with_bar: bool, paper: Width) -> Self {
         let charts: &[Chart] = match projection {
             Projection::Torus => &[Chart::Torus],
             Projection::Sphere => &[Chart::Sphere],
             Projection::Both => &[Chart::Sphere, Chart::Torus],
         };
-        let [mut width, height] = PANEL;
-        if with_bar {
-            // A page of at most 924 pixels: so wide 11 pixels are 6 pt in print.
-            width -= 26.0;
-        }
+        let bar = if with_bar { BAR } else { 0.0 };
+        let across = if paper == Width::Page { 2.0 } else { 1.0 };
+        let room = (paper.pixels() - LEFT - RIGHT - bar - (across - 1.0) * BETWEEN) / across;
+        let width = room.min(PANEL[0]);
+        let height = if paper == Width::Page { PANEL[1] } else { (width * PANEL[1] / PANEL[0]).round() };
         let mut panels = Vec::new();
         let mut top = TITLE;
         for scene in 0..scenes.len() {
             for &chart in charts {
-                let y = top + ABOVE;
-                for (sheet, x) in [(-1, LEFT), (1, LEFT + width + BETWEEN)] {
-                    panels.push(SheetPanel { scene, chart, sheet, rect: Rect { x, y, width, height } });
+                let below = ABOVE + height + BELOW;
+                let other = if paper == Width::Page { [width + BETWEEN, 0.0] } else { [0.0, below] };
+                for (sheet, [right, down]) in [(-1, [0.0; 2]), (1, other)] {
+                    let rect = Rect { x: LEFT + right, y: top + ABOVE + down, width, height };
+                    panels.push(SheetPanel { scene, chart, sheet, rect });
                 }
-                top = y + height + BELOW;
+                top += other[1] + below;
             }
         }
-        let right = LEFT + 2.0 * width + BETWEEN + RIGHT;
-        Self { panels, width: right + if with_bar { BAR } else { 0.0 }, bottom: top }
+        let right = LEFT + across * width + (across - 1.0) * BETWEEN + RIGHT;
+        Self { panels, width: right + bar, bottom: top }
     }
 
     /// Where the colour bar stands.
@@ -98,20 +101,19 @@ impl Layout {
 
     /// Names of the panels, (h, l) of the scenes, and ticks.
     pub fn draw_captions(&self, canvas: &Canvas, scenes: &[SectionScene<'_>]) {
-        let mut captioned = None;
-        for panel in &self.panels {
+        for (number, panel) in self.panels.iter().enumerate() {
             let rect = panel.rect;
             let above = rect.y - 9.0;
             canvas.text(panel.name(), [rect.center()[0], above], CAPTION_SIZE + 1.0, INK, Anchor::Middle);
             let scene = &scenes[panel.scene];
-            if captioned != Some(panel.scene) {
-                captioned = Some(panel.scene);
+            let is_first = number.checked_sub(1).is_none_or(|before| self.panels[before].scene != panel.scene);
+            if is_first {
                 let (h, l) = scene.portrait.energy_momentum();
                 let [h, l] = [("h", h), ("l", l)].map(|(name, value)| rounded(name, value));
                 let place = format!("{h},  {l}");
                 canvas.text(&place, [rect.x, above], CAPTION_SIZE, INK, Anchor::Start);
-                let other = [self.panels[1].rect.right(), above];
-                canvas.text(scene.caption, other, CAPTION_SIZE, INK, Anchor::End);
+                let other = self.panels[number + 1].rect;
+                canvas.text(scene.caption, [other.right(), other.y - 9.0], CAPTION_SIZE, INK, Anchor::End);
             }
             draw_ticks(canvas, panel);
         }
@@ -137,7 +139,7 @@ fn draw_ticks(canvas: &Canvas, panel: &SheetPanel) {
     }
     let name = [rect.x + 0.5 * rect.width, rect.bottom() + 33.0];
     canvas.text(psi, name, CAPTION_SIZE, INK, Anchor::Middle);
-    if panel.sheet > 0 {
+    if rect.x > LEFT {
         return;
     }
     for (k, label) in ["0", "π/2", "π"].into_iter().enumerate() {

@@ -14,7 +14,7 @@ mod scene;
 
 pub use scene::{OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
 
-use crate::page::{Anchor, Heading, INK, Picture, PlotError, body_line, render, text_width};
+use crate::page::{Anchor, Heading, INK, Picture, PlotError, body_line, render, text_width, title_size};
 use colors::Coloring;
 use dynamics::section::SectionCondition;
 use layout::Layout;
@@ -47,7 +47,7 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
         }
     }
     let coloring = Coloring::new(scenes);
-    let layout = Layout::new(scenes, options.projection, coloring.bar.is_some());
+    let layout = Layout::new(scenes, options.projection, coloring.bar.is_some(), options.width);
     let legend = legend::legend(scenes, options.projection, layout.width);
     let mut heading = heading(scenes, layout.width - 2.0 * layout::TITLE_AT[0]);
     if let Some(title) = &options.title {
@@ -63,7 +63,8 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
             canvas.keep(points::draw(canvas, scene, panel, &coloring, &style));
             ground::outline(canvas, scene.portrait, panel);
         }
-        canvas.text(&title, layout::TITLE_AT, TITLE_SIZE, INK, Anchor::Start);
+        let size = title_size(&title, TITLE_SIZE, layout.width - layout::TITLE_AT[0]);
+        canvas.text(&title, layout::TITLE_AT, size, INK, Anchor::Start);
         layout.draw_captions(canvas, scenes);
         if let Some(bar) = &coloring.bar {
             bar.draw(canvas, layout.bar());

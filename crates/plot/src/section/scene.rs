@@ -1,6 +1,6 @@
 //! What a picture of sections shows.
 
-use crate::page::Theme;
+use crate::page::{Theme, Width};
 use dynamics::section::{OrbitSection, Portrait};
 
 /// A number for each orbit, by which it is coloured.
@@ -61,10 +61,19 @@ pub struct SectionOptions {
     pub title: Option<String>,
     /// Colours.
     pub theme: Theme,
+    /// For what width the panels are laid out.
+    pub width: Width,
 }
 
 impl Default for SectionOptions {
     fn default() -> Self {
-        Self { projection: Projection::Torus, point_size: None, raster_above: 20_000, title: None, theme: Theme::Light }
+        Self {
+            projection: Projection::Torus,
+            point_size: None,
+            raster_above: 20_000,
+            title: None,
+            theme: Theme::Light,
+            width: Width::Page,
+        }
     }
 }

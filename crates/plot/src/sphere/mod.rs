@@ -9,46 +9,58 @@ mod motions;
 mod names;
 mod parts;
 mod scene;
+mod title;
 mod view;
 
 pub use scene::SphereScene;
 
 use crate::page::{
-    Anchor, Canvas, FAINT_INK, INK, Ink, Path, Picture, PlotError, Point, Rect, Taken, Theme, number, render,
+    Anchor, Canvas, FAINT_INK, Ink, Path, Picture, PlotError, Point, Rect, Taken, Theme, Width, number, render,
     text_width,
 };
 use grid::Grid;
 use ink::{BOUNDARY, FORBIDDEN, LEVEL, tint};
 use names::Names;
 use parts::Parts;
+use title::Titles;
 use view::View;
 
-const WIDTH: f64 = 860.0;
-const RADIUS: f64 = 186.0;
+/// Width of the page, and of the sphere: for two views beside each other, and for two below each other.
+const WIDTH: [f64; 2] = [860.0, 446.0];
+const RADIUS: [f64; 2] = [186.0, 150.0];
 const MARGIN: f64 = 34.0;
-const TITLE_SIZE: f64 = 14.0;
 const CAPTION_SIZE: f64 = 12.5;
+/// Above the first view, and below each for its caption.
+const ABOVE: f64 = 66.0;
+const BELOW: f64 = 34.0;
 /// Level lines of U, at quantiles of its values on the sphere.
 const LEVELS: usize = 14;
 
 const RIM: Ink = Ink { color: FAINT_INK, width: 0.9 };
 
-/// Draws U_hl. Equal scenes give equal bytes.
+/// Draws U_hl, the two views beside each other on a page, below each other in a column. Equal scenes give equal bytes.
 ///
 /// # Errors
 /// A failure of the drawing library.
-pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, PlotError> {
-    let middle = 66.0 + RADIUS;
-    let centers = [[MARGIN + RADIUS, middle], [WIDTH - MARGIN - RADIUS, middle]];
-    let views = View::pair(scene.view, scene.r_hat, centers, RADIUS);
+pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Result<Picture, PlotError> {
+    let in_column = paper == Width::Column;
+    let [width, radius] = [WIDTH, RADIUS].map(|sizes| sizes[usize::from(in_column)]);
+    let titles = Titles::new(scene, MARGIN, width - 2.0 * MARGIN);
+    let middle = ABOVE + titles.more + radius;
+    let centers = if in_column {
+        [[width / 2.0, middle], [width / 2.0, middle + 2.0 * radius + BELOW + 26.0]]
+    } else {
+        [[MARGIN + radius, middle], [width - MARGIN - radius, middle]]
+    };
+    let views = View::pair(scene.view, scene.r_hat, centers, radius);
     let grids = views.each_ref().map(|view| Grid::new(view, scene.potential_above));
     let parts = Parts::new(&grids, scene.component_of);
     let levels = levels(&grids);
-    let legend = legend::legend(scene, WIDTH - 2.0 * MARGIN);
-    let below = middle + RADIUS + 34.0;
-    let motions = motions::table(scene);
+    let legend = legend::legend(scene, width - 2.0 * MARGIN);
+    let below = centers[1][1] + radius + BELOW;
+    let motions = motions::table(scene, paper.pixels() - 2.0 * MARGIN);
     let motions_at = [MARGIN, below + legend.height() + 8.0];
-    let size = [WIDTH.max(motions.width() + 2.0 * MARGIN), motions_at[1] + motions.height() + 12.0].map(f64::ceil);
+    let size = [width.max(motions.width() + 2.0 * MARGIN), motions_at[1] + motions.height() + 12.0].map(f64::ceil);
     let title = format!("{}; {}", scene.title, scene.caption);
     render(size, title.as_str(), theme, |canvas| {
         for (view, grid) in grids.iter().enumerate() {
@@ -56,8 +68,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, Plo
             lines(canvas, &views[view], grid, &levels);
         }
         let mut taken = Taken::default();
-        let caption = text_width(scene.caption, CAPTION_SIZE);
-        taken.take_box(Rect { x: MARGIN, y: 32.0, width: caption, height: 20.0 });
+        titles.boxes().for_each(|area| taken.take_box(area));
         for (place, view) in views.iter().enumerate() {
             let grid = &grids[place];
             let drawn = |levels: &[f64]| levels.iter().flat_map(|level| grid.level_lines(*level)).collect::<Vec<_>>();
@@ -65,7 +76,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, Plo
             heavy.push(outline(view));
             let mut names = Names::new(view, [heavy, drawn(&levels)], taken);
             let caption = seen_from(view);
-            let at = [view.center[0], middle + RADIUS + 20.0];
+            let at = [view.center[0], view.center[1] + radius + 20.0];
             canvas.text(&caption, at, CAPTION_SIZE, FAINT_INK, Anchor::Middle);
             let half = text_width(&caption, CAPTION_SIZE) / 2.0;
             names.take(Rect {
@@ -79,8 +90,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme) -> Result<Picture, Plo
             marks::draw_all(canvas, scene, &mut names, &numbers.collect::<Vec<_>>());
             taken = names.into_taken();
         }
-        canvas.text(scene.title, [MARGIN, 26.0], TITLE_SIZE, INK, Anchor::Start);
-        canvas.text(scene.caption, [MARGIN, 46.0], CAPTION_SIZE, INK, Anchor::Start);
+        titles.draw(canvas);
         legend::draw(&legend, canvas, [MARGIN, below]);
         motions::draw(&motions, canvas, motions_at);
     })

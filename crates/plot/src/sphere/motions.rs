@@ -8,8 +8,8 @@ use crate::page::{Canvas, Point, Table, short_number, short_time};
 
 const DIGITS: usize = 5;
 
-/// One row for each relative equilibrium.
-pub(super) fn table(scene: &SphereScene<'_>) -> Table<Mark> {
+/// One row for each relative equilibrium, `room` pixels wide.
+pub(super) fn table(scene: &SphereScene<'_>, room: f64) -> Table<Mark> {
     let times = if scene.time_unit.is_empty() { String::new() } else { format!(" in {}", scene.time_unit) };
     let heading = ["", "relative equilibrium", "h", "of U", "linear type", "stable"].map(str::to_owned);
     let motions = format!("period of small oscillations, growth by the factor e{times}");
@@ -26,7 +26,7 @@ pub(super) fn table(scene: &SphereScene<'_>) -> Table<Mark> {
         ];
         (Mark::Equilibrium(point.index), cells.to_vec())
     });
-    Table::new(2.0 * MARK, heading, rows.collect())
+    Table::new(2.0 * MARK, heading, rows.collect(), room)
 }
 
 fn kind(point: &RelativeEquilibriumDocument) -> &'static str {

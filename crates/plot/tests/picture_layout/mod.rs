@@ -1,10 +1,10 @@
 //! Where boxes, leaders, frames and texts of a diagram lie, read from its SVG by the ids of its groups, and what meets.
 
-use std::sync::{Arc, OnceLock};
-
 use plot::Picture;
 use resvg::tiny_skia::PathSegment;
-use resvg::usvg::{Group, Node, Options, Path, Rect, Tree, fontdb::Database};
+use resvg::usvg::{Group, Node, Path, Rect};
+
+use super::picture_svg::{content, tree};
 
 /// How far things may reach into each other: half a pixel of rounding, in units of the page.
 const SLACK: f32 = 0.6;
@@ -29,14 +29,7 @@ pub struct Layout {
 
 impl Layout {
     pub fn of(picture: &Picture) -> Self {
-        static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
-        let fontdb = Arc::clone(FONTS.get_or_init(|| {
-            let mut database = Database::new();
-            database.load_font_data(include_bytes!("../../fonts/DejaVuSans.ttf").to_vec());
-            Arc::new(database)
-        }));
-        let options = Options { fontdb, ..Options::default() };
-        let tree = Tree::from_str(&picture.svg, &options).expect("the SVG is well-formed");
+        let tree = tree(picture);
         let mut layout = Self { size: [tree.size().width(), tree.size().height()], ..Self::default() };
         layout.collect(tree.root(), "");
         layout
@@ -55,8 +48,7 @@ impl Layout {
             match node {
                 Node::Group(inner) => self.collect(inner, label),
                 Node::Text(text) => {
-                    let content: String = text.chunks().iter().map(|chunk| chunk.text().trim().to_owned()).collect();
-                    self.texts.push((content, text.abs_bounding_box(), label.to_owned()));
+                    self.texts.push((content(text), text.abs_bounding_box(), label.to_owned()));
                 }
                 Node::Path(path) if id.ends_with("-leader") && path.stroke().is_some() => {
                     let label = id.trim_end_matches("-leader").to_owned();

@@ -1,36 +1,23 @@
 //! How large the letters of a picture are in print.
 
-use std::sync::Arc;
+use plot::{Picture, Width};
+use resvg::usvg::TextChunk;
 
-use plot::Picture;
-use resvg::usvg::{Group, Node, Options, Tree, fontdb::Database};
+use super::picture_svg::{content, each_text, tree};
 
-/// Texts with letters of less than 6 pt where the picture takes both columns of a journal, 178 mm.
-pub fn too_small(picture: &Picture) -> Vec<String> {
+/// Texts with letters of less than 6 pt in print.
+#[allow(clippy::cast_possible_truncation)]
+pub fn too_small(picture: &Picture, width: Width) -> Vec<String> {
     const LEAST: f32 = 6.0;
-    const COLUMNS: f32 = 178.0 / 25.4 * 72.0;
-    fn collect(group: &Group, points: f32, found: &mut Vec<String>) {
-        for node in group.children() {
-            match node {
-                Node::Group(group) => collect(group, points, found),
-                Node::Text(text) => {
-                    for chunk in text.chunks() {
-                        let sizes = chunk.spans().iter().map(|span| span.font_size().get());
-                        let size = sizes.fold(f32::INFINITY, f32::min) * text.abs_transform().sx * points;
-                        if size < LEAST {
-                            found.push(format!("`{}` has letters of {size} pt", chunk.text().trim()));
-                        }
-                    }
-                }
-                Node::Path(_) | Node::Image(_) => {}
-            }
-        }
-    }
-    let mut database = Database::new();
-    database.load_font_data(include_bytes!("../../fonts/DejaVuSans.ttf").to_vec());
-    let options = Options { fontdb: Arc::new(database), ..Options::default() };
-    let tree = Tree::from_str(&picture.svg, &options).expect("the SVG is well-formed");
+    let tree = tree(picture);
+    let points = width.millimetres() as f32 / 25.4 * 72.0 / tree.size().width();
     let mut found = Vec::new();
-    collect(tree.root(), COLUMNS / tree.size().width(), &mut found);
+    each_text(tree.root(), &mut |text| {
+        let sizes = text.chunks().iter().flat_map(TextChunk::spans).map(|span| span.font_size().get());
+        let size = sizes.fold(f32::INFINITY, f32::min) * text.abs_transform().sx * points;
+        if size < LEAST {
+            found.push(format!("`{}` has letters of {size} pt", content(text)));
+        }
+    });
     found
 }

@@ -1,31 +1,16 @@
 //! The texts of a picture and whether they can be read.
 
-use std::sync::Arc;
-
 use plot::Picture;
-use resvg::usvg::{Group, Node, Options, Tree, fontdb::Database};
+
+use super::picture_svg::{content, each_text, tree};
 
 /// All texts with their boxes [left, top, right, bottom].
 pub fn texts(picture: &Picture) -> Vec<(String, [f32; 4])> {
-    fn collect(group: &Group, texts: &mut Vec<(String, [f32; 4])>) {
-        for node in group.children() {
-            match node {
-                Node::Group(group) => collect(group, texts),
-                Node::Text(text) => {
-                    let content: String = text.chunks().iter().map(|chunk| chunk.text().trim().to_owned()).collect();
-                    let area = text.abs_bounding_box();
-                    texts.push((content, [area.left(), area.top(), area.right(), area.bottom()]));
-                }
-                Node::Path(_) | Node::Image(_) => {}
-            }
-        }
-    }
-    let mut database = Database::new();
-    database.load_font_data(include_bytes!("../../fonts/DejaVuSans.ttf").to_vec());
-    let options = Options { fontdb: Arc::new(database), ..Options::default() };
-    let tree = Tree::from_str(&picture.svg, &options).expect("the SVG is well-formed");
     let mut texts = Vec::new();
-    collect(tree.root(), &mut texts);
+    each_text(tree(picture).root(), &mut |text| {
+        let area = text.abs_bounding_box();
+        texts.push((content(text), [area.left(), area.top(), area.right(), area.bottom()]));
+    });
     texts
 }
 

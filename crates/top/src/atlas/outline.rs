@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::{Atlas, Window};
+use crate::curves::CurveId;
 use crate::diagram::{EventId, RegionId, SlabId, continued};
 use crate::table::{Id, Table};
 use numbers::UNIT_ROUNDOFF;
@@ -95,12 +96,13 @@ impl Atlas {
     /// The curves of a slab over a range of l, clipped to a range of h.
     fn chains(&self, slab: SlabId, l: [f64; 2], h: [f64; 2]) -> Vec<Outline> {
         let order = &self.arrangement.slabs[slab].order;
-        let mut heights = Heights { atlas: self, slab, rows: BTreeMap::new() };
+        let mut heights = Heights { atlas: self, order, rows: BTreeMap::new() };
         (0..order.len())
             .map(|position| {
-                let mut chain = vec![[heights.at(l[0])[position], l[0]]];
+                let ends = l.map(|l| [heights.at(l, position), l]);
+                let mut chain = vec![ends[0]];
                 if l[0] < l[1] {
-                    heights.refine(position, l, (h[1] - h[0]).abs() * CHORD, DEPTH, &mut chain);
+                    heights.refine(position, ends, (h[1] - h[0]).abs() * CHORD, DEPTH, &mut chain);
                 }
                 clipped(&chain, h)
             })
@@ -115,41 +117,54 @@ const GAP_SHARE: f64 = 0.1;
 /// A curve has at most 2^DEPTH chords in a slab.
 const DEPTH: u32 = 8;
 
-/// Energies of the curves of a slab at several l.
+/// Energies of the curves of a slab at several l, each computed when it is first asked for.
 struct Heights<'a> {
     atlas: &'a Atlas,
-    slab: SlabId,
-    /// By the bits of l ≥ 0.
+    /// The curves of the slab.
+    order: &'a [CurveId],
+    /// By the bits of l ≥ 0: an energy for each curve, NaN until it is computed.
     rows: BTreeMap<u64, Vec<f64>>,
 }
 
 impl Heights<'_> {
-    fn at(&mut self, l: f64) -> &[f64] {
-        let Self { atlas, slab, rows } = self;
-        let set = &atlas.arrangement.set;
-        let order = &atlas.arrangement.slabs[*slab].order;
-        rows.entry(l.to_bits()).or_insert_with(|| order.iter().map(|&c| atlas.h_at(&set.curves[c], l)).collect())
+    fn at(&mut self, l: f64, position: usize) -> f64 {
+        self.around(l, [Some(position)])[0]
     }
 
-    /// Adds the points of a curve after `l[0]` up to and including `l[1]`.
-    fn refine(&mut self, position: usize, l: [f64; 2], tolerance: f64, depth: u32, chain: &mut Outline) {
-        let ends = l.map(|l| self.at(l)[position]);
-        let noise = 64.0 * UNIT_ROUNDOFF * ends[0].abs().max(ends[1].abs());
+    /// The energies at some positions; +∞ where there is none.
+    fn around<const N: usize>(&mut self, l: f64, positions: [Option<usize>; N]) -> [f64; N] {
+        let Self { atlas, order, rows } = self;
+        let row = rows.entry(l.to_bits()).or_insert_with(|| vec![f64::NAN; order.len()]);
+        positions.map(|position| {
+            let Some((&curve, h)) = position.and_then(|at| order.get(at).zip(row.get_mut(at))) else {
+                return f64::INFINITY;
+            };
+            if h.is_nan() {
+                *h = atlas.h_at(&atlas.arrangement.set.curves[curve], l);
+            }
+            *h
+        })
+    }
+
+    /// Adds the points of a curve after the first end up to and including the second.
+    fn refine(&mut self, position: usize, ends: [[f64; 2]; 2], tolerance: f64, depth: u32, chain: &mut Outline) {
+        let [[from, low], [to, high]] = ends;
+        let noise = 64.0 * UNIT_ROUNDOFF * from.abs().max(to.abs());
+        let beside = [Some(position), position.checked_sub(1), Some(position + 1)];
         let straight = depth == 0
             || [0.25, 0.5, 0.75].iter().all(|&t| {
-                let row = self.at(l[0] + t * (l[1] - l[0]));
-                let h = row[position];
-                let gap = |other: Option<&f64>| other.map_or(f64::INFINITY, |other| (other - h).abs());
-                let gap = gap(row.get(position + 1)).min(gap(position.checked_sub(1).and_then(|below| row.get(below))));
-                (h - (ends[0] + t * (ends[1] - ends[0]))).abs() <= tolerance.min(GAP_SHARE * gap).max(noise)
+                let [h, below, above] = self.around(low + t * (high - low), beside);
+                let gap = (below - h).abs().min((above - h).abs());
+                (h - (from + t * (to - from))).abs() <= tolerance.min(GAP_SHARE * gap).max(noise)
             });
         if straight {
-            chain.push([ends[1], l[1]]);
+            chain.push(ends[1]);
             return;
         }
-        let middle = 0.5 * (l[0] + l[1]);
-        self.refine(position, [l[0], middle], tolerance, depth - 1, chain);
-        self.refine(position, [middle, l[1]], tolerance, depth - 1, chain);
+        let l = 0.5 * (low + high);
+        let middle = [self.at(l, position), l];
+        self.refine(position, [ends[0], middle], tolerance, depth - 1, chain);
+        self.refine(position, [middle, ends[1]], tolerance, depth - 1, chain);
     }
 }
 

@@ -1,0 +1,45 @@
+//! What stands above the views: the body, and the point.
+
+use super::scene::SphereScene;
+use crate::page::{Anchor, Canvas, INK, Rect, lines, text_width};
+
+const TITLE_SIZE: f64 = 14.0;
+const CAPTION_SIZE: f64 = 12.5;
+/// Base lines of the first line of each, where each has one, and the distance of further lines.
+const FIRST: [f64; 2] = [26.0, 46.0];
+const LINE: f64 = 18.0;
+
+/// Lines of text with their font sizes and base lines.
+pub(super) struct Titles {
+    left: f64,
+    lines: Vec<(String, f64, f64)>,
+    /// How much lower everything else stands than under a line of each.
+    pub more: f64,
+}
+
+impl Titles {
+    /// The title and the caption of a scene in lines of at most `width` pixels.
+    pub(super) fn new(scene: &SphereScene<'_>, left: f64, width: f64) -> Self {
+        let (titles, captions) = (lines(scene.title, TITLE_SIZE, width), lines(scene.caption, CAPTION_SIZE, width));
+        let lower = LINE * (titles.len() - 1) as f64;
+        let more = lower + LINE * (captions.len() - 1) as f64;
+        let place = |texts: Vec<String>, size: f64, first: f64| {
+            texts.into_iter().enumerate().map(move |(number, text)| (text, size, first + LINE * number as f64))
+        };
+        let captions = place(captions, CAPTION_SIZE, FIRST[1] + lower);
+        Self { left, lines: place(titles, TITLE_SIZE, FIRST[0]).chain(captions).collect(), more }
+    }
+
+    pub(super) fn boxes(&self) -> impl Iterator<Item = Rect> {
+        self.lines.iter().map(|(text, size, base)| {
+            let width = text_width(text, *size);
+            Rect { x: self.left, y: base - 14.0, width, height: 20.0 }
+        })
+    }
+
+    pub(super) fn draw(&self, canvas: &Canvas) {
+        for (text, size, base) in &self.lines {
+            canvas.text(text, [self.left, *base], *size, INK, Anchor::Start);
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! The SVG of a picture, read with the one font of all pictures.
+
+use std::sync::{Arc, OnceLock};
+
+use plot::Picture;
+use resvg::usvg::{Group, Node, Options, Text, Tree, fontdb::Database};
+
+/// The elements of a picture.
+pub fn tree(picture: &Picture) -> Tree {
+    static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
+    let fontdb = Arc::clone(FONTS.get_or_init(|| {
+        let mut database = Database::new();
+        database.load_font_data(include_bytes!("../../fonts/DejaVuSans.ttf").to_vec());
+        Arc::new(database)
+    }));
+    let options = Options { fontdb, ..Options::default() };
+    Tree::from_str(&picture.svg, &options).expect("the SVG is well-formed")
+}
+
+/// Calls `told` with every text of a group, in the order in which they are drawn.
+pub fn each_text(group: &Group, told: &mut impl FnMut(&Text)) {
+    for node in group.children() {
+        match node {
+            Node::Group(group) => each_text(group, told),
+            Node::Text(text) => told(text),
+            Node::Path(_) | Node::Image(_) => {}
+        }
+    }
+}
+
+/// What a text says.
+pub fn content(text: &Text) -> String {
+    text.chunks().iter().map(|chunk| chunk.text().trim()).collect()
+}
