@@ -183,8 +183,8 @@ fn classify() -> Result<Chart, ExportError> {
 
 fn atlas() -> Result<Chart, ExportError> {
     const METHODS: [&str; 7] = [
-        "regions alone",
         "fast",
+        "exact",
         "proof",
         "companion matrix: cusps alone",
         "flood fill 12x12 points of 32x64",
