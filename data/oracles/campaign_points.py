@@ -1,6 +1,6 @@
 """Points (h, l) at every distance from curves of bodies of every stratum, with the truth about them.
 
-    venv/bin/python campaign_points.py 150 points.jsonl          (half a minute of a core)
+    venv/bin/python campaign_points.py 1000 points.jsonl          (five minutes of a core)
     cargo run --release --example tradeoff -- classify points.jsonl > data/tradeoff/classify.csv
 
 Arguments: bodies of each stratum, the file; a third one, `bodies`, leaves out all points but a random one for each body,

@@ -2,6 +2,7 @@
 //!
 //! ```sh
 //! cargo run --release --example classes -- grow STATE existing|all SEED STEPS WALLS [i/n] [SUMMARY.json …]
+//! cargo run --release --example classes -- round STATE existing|all SEED STEPS [i/n] [SUMMARY.json …]
 //! cargo run --release --example classes -- join STATE SHARD …
 //! cargo run --release --example classes -- deepen STATE STEPS [i/n]
 //! cargo run --release --example classes -- write STATE GENERAL.summary.json POSITIVE.summary.json PUBLISHED SHIPPED
@@ -14,7 +15,7 @@
 //!
 //! `grow` begins with the classes of STATE, and those of the first bodies of scans, and lets each of them walk STEPS steps
 //! again and again, until no new class was met on WALLS walls; STATE is written after each round, and the same command
-//! goes on from there. A shard walks from a part of the classes; `join` adds shards to STATE. `deepen` looks for witnesses far from all borders, `special` walks in
+//! goes on from there; `round` is one round alone. A shard walks from a part of the classes; `join` adds shards to STATE. `deepen` looks for witnesses far from all borders, `special` walks in
 //! each stratum of special bodies until LINES lines in a row met no new class, `pages` writes the catalogue, `report` the
 //! numbers of `docs/survey.md` and `docs/types.md` between their marks. `five` searches for a fifth maximum. `data/classes.sh` has the
 //! commands that made what is published.
@@ -45,9 +46,11 @@ fn main() -> Result<(), Failure> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words[..] {
         ["grow", state, domain, seed, steps, walls, ref rest @ ..] => {
-            let (shard, summaries) = shard(rest)?;
-            let domain = if domain == "all" { Domain::All } else { Domain::Existing };
-            grow(Path::new(state), domain, [seed.parse()?, steps.parse()?, walls.parse()?], shard, summaries)
+            let numbers = [seed.parse()?, steps.parse()?];
+            grow(Path::new(state), of_word(domain), numbers, Some(walls.parse()?), shard(rest)?)
+        }
+        ["round", state, domain, seed, steps, ref rest @ ..] => {
+            grow(Path::new(state), of_word(domain), [seed.parse()?, steps.parse()?], None, shard(rest)?)
         }
         ["join", state, ref shards @ ..] => {
             let mut whole = State::read_or_new(Path::new(state))?;
@@ -92,18 +95,23 @@ fn shard<'a>(words: &'a [&'a str]) -> Result<(Shard, &'a [&'a str]), Failure> {
     }
 }
 
+fn of_word(domain: &str) -> Domain {
+    if domain == state::word(Domain::All) { Domain::All } else { Domain::Existing }
+}
+
 fn counts(path: &str) -> Result<(std::collections::BTreeMap<ClassName, u64>, u64), Failure> {
     let summary = Summary::read(path)?;
     let classes = summary.classes.iter().map(|class| Ok((class.class.parse()?, class.bodies)));
     Ok((classes.collect::<Result<_, Failure>>()?, summary.classified))
 }
 
+/// Rounds until so many walls in a row led to no new class, or one round.
 fn grow(
     path: &Path,
     domain: Domain,
-    [seed, steps, walls]: [u64; 3],
-    shard: Shard,
-    summaries: &[&str],
+    [seed, steps]: [u64; 2],
+    walls: Option<u64>,
+    (shard, summaries): (Shard, &[&str]),
 ) -> Result<(), Failure> {
     let mut state = State::read_or_new(path)?;
     for summary in summaries {
@@ -114,7 +122,7 @@ fn grow(
     let same = |round: &&Round| round.domain == state::word(domain) && round.seed == seed;
     let mut quiet = state.rounds.iter().filter(same).fold(0, |quiet, round| round.after(quiet));
     let mut number = state.rounds.iter().filter(same).count() as u64;
-    while quiet < walls {
+    while walls.is_none_or(|walls| quiet < walls) {
         let round = state.round(domain, [seed, number, steps], shard);
         quiet = round.after(quiet);
         number += 1;
@@ -126,6 +134,9 @@ fn grow(
         );
         state.rounds.push(round);
         state.write(path)?;
+        if walls.is_none() {
+            break;
+        }
     }
     Ok(())
 }

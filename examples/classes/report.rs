@@ -14,6 +14,7 @@ use crate::state::{Round, Stored, Summary, word};
 /// What is told from.
 struct Known {
     walked: Stored,
+    all: Stored,
     classes: Vec<ClassDocument>,
     general: Summary,
     special: Vec<StratumState>,
@@ -24,6 +25,7 @@ pub fn report(root: &Path) -> Result<(), Failure> {
     let text = |path: &str| std::fs::read_to_string(root.join("data").join(path));
     let known = Known {
         walked: serde_json::from_str(&text("survey/graph.json")?)?,
+        all: serde_json::from_str(&text("survey/graph_all.json")?)?,
         classes: serde_json::from_str::<ClassesDocument>(&text("classes.json")?)?.classes,
         general: serde_json::from_str(&text("survey/general.summary.json")?)?,
         special: serde_json::from_str(&text("survey/special.json")?)?,
@@ -32,7 +34,8 @@ pub fn report(root: &Path) -> Result<(), Failure> {
         &root.join("docs/survey.md"),
         &[
             ("rounds", rounds(&known.walked)),
-            ("found", format!("So {}", totals(&known.walked))),
+            ("found", format!("So {}", totals(&known.walked, Domain::Existing))),
+            ("all", format!("There {}", totals(&known.all, Domain::All))),
             ("depth", depth(&known)),
             ("largest", largest(&known)),
             ("events", events(&known)),
@@ -71,13 +74,13 @@ fn rounds(walked: &Stored) -> String {
     table
 }
 
-/// What walks have met, and what they have not.
-fn totals(Stored { rounds, classes, borders }: &Stored) -> String {
-    // The walks of one file are all of one domain.
-    let index = usize::from(rounds.iter().any(|round| round.domain == word(Domain::All)));
-    let sum = |of: fn(&Round) -> u64| rounds.iter().map(of).sum::<u64>();
+/// What the walks in a domain have met, and what they have not.
+fn totals(Stored { rounds, classes, borders }: &Stored, domain: Domain) -> String {
+    let index = usize::from(domain == Domain::All);
+    let rounds = || rounds.iter().filter(|round| round.domain == word(domain));
+    let sum = |of: fn(&Round) -> u64| rounds().map(of).sum::<u64>();
     let (lines, walls, lost) = (sum(|round| round.lines), sum(|round| round.walls), sum(|round| round.lost));
-    let quiet = rounds.iter().fold(0, |quiet, round| round.after(quiet));
+    let quiet = rounds().fold(0, |quiet, round| round.after(quiet));
     let pairs: BTreeSet<&[String; 2]> = borders.iter().map(|border| &border.classes).collect();
     let unseen = Unseen::of(classes.iter().map(|class| class.met[index]).filter(|met| *met > 0));
     format!(

@@ -9,7 +9,7 @@ use top::atlas::Atlas;
 use top::curves::{Curve, CurveId, Orbit};
 use top::diagram::RegionId;
 
-const STEP: f64 = 30.0;
+const STEP: f64 = 34.0;
 const RISE: f64 = 22.0;
 const MARGIN: f64 = 14.0;
 
@@ -24,7 +24,7 @@ pub fn sketch(atlas: &Atlas) -> String {
     let y = |place: f64| size[1] - MARGIN - RISE * (place + 0.7);
     let rank = |slab: usize, curve: CurveId| slabs[slab].order.iter().position(|c| *c == curve).map(|p| p as f64);
     let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" font-size=\"9\">",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" font-size=\"8.5\">",
         size[0], size[1]
     );
     out.push_str("<style>path{fill:none;stroke-width:1.6}.m{stroke:#1f5fa8}.s{stroke:#2e8b57}.x{stroke:#b3322b}");
@@ -88,7 +88,8 @@ fn kind(curve: &Curve) -> char {
     }
 }
 
-/// The middle slab of each region, and the place of the curve below it there.
+/// Where each region is named: the slab, and the place of the curve below it there. Of the slabs in which the region goes on
+/// level on most sides, the one nearest to its middle.
 fn labels(atlas: &Atlas) -> BTreeMap<RegionId, [usize; 2]> {
     let mut cells: BTreeMap<RegionId, Vec<[usize; 2]>> = BTreeMap::new();
     for (number, slab) in atlas.arrangement().slabs.iter().enumerate() {
@@ -96,5 +97,14 @@ fn labels(atlas: &Atlas) -> BTreeMap<RegionId, [usize; 2]> {
             cells.entry(*region).or_default().push([number, place]);
         }
     }
-    cells.into_iter().map(|(region, cells)| (region, cells[cells.len() / 2])).collect()
+    let best = |cells: Vec<[usize; 2]>| {
+        let level = |[slab, place]: [usize; 2]| {
+            let beside = [slab.checked_sub(1), Some(slab + 1)];
+            beside.into_iter().flatten().filter(|&slab| cells.contains(&[slab, place])).count()
+        };
+        let off = |k: usize| k.abs_diff(cells.len() / 2);
+        let chosen = (0..cells.len()).max_by_key(|&k| (level(cells[k]), std::cmp::Reverse(off(k)))).unwrap_or_default();
+        cells[chosen]
+    };
+    cells.into_iter().map(|(region, cells)| (region, best(cells))).collect()
 }

@@ -70,7 +70,7 @@ pub fn run(all: &[Asked]) {
         let mut bare = Tally::default();
         for (body, truth) in bodies.iter().zip(&truths) {
             let (atlas, time) = timed(|| Atlas::new(body));
-            let whole = atlas.as_ref().is_ok_and(|atlas| atlas.arrangement().undecided.is_empty());
+            let whole = atlas.as_ref().is_ok_and(is_whole);
             bare.add(time, atlas.ok().map(|atlas| classes(&atlas)).as_ref(), whole, truth.as_ref());
         }
         bare.print(stratum, "regions alone");
@@ -108,12 +108,17 @@ pub fn run(all: &[Asked]) {
             let mut tally = Tally::default();
             for body in &bodies {
                 let (found, time) = timed(|| companion::cusps(body, real));
-                let truth = Atlas::new(body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty());
+                let truth = Atlas::new(body).ok().filter(is_whole);
                 tally.add(time, found.as_ref(), true, truth.map(|atlas| cusps(&atlas)).as_ref());
             }
             tally.print(stratum, name);
         }
     }
+}
+
+/// Nothing is left undecided: neither the plane nor the topology of a region.
+fn is_whole(atlas: &Atlas) -> bool {
+    atlas.arrangement().undecided.is_empty() && atlas.regions().ids().all(|region| atlas.components(region).is_ok())
 }
 
 fn key(components: &[Component]) -> String {

@@ -1,16 +1,20 @@
 //! One orbit's way through the steps: which of them cross the section, where, and when to stop.
+//!
+//! On the way only times and states are kept; what is read off them, and whether they need to be polished, comes at the
+//! end, for a register of crossings at a time.
 
 use pulp::Simd;
 
+use super::condition::SectionCondition;
 use super::halt::{Halt, LANE};
 use super::orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::polish::polished;
-use super::readings::{Gauge, Reading, Readings};
+use super::readings::{Gauge, Reading};
 use super::roots::all_roots;
 use super::scan::Scan;
 use super::torus::PpTorus;
 use crate::field::{Integrals, State};
-use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, state_of};
+use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, lane_values_mut, state_of};
 use crate::integrator::{Instant, Step, StepError};
 
 /// |S| below this part of its scale over a whole step is rounding.
@@ -27,15 +31,15 @@ pub(super) struct News<'a, S: Simd> {
     /// Roots of the lanes that have exactly one, as times after the step's start, and the states there.
     offsets: [S::f64s; 1],
     states: [Vector<S>; 2],
-    readings: Readings<S>,
+    /// Steps that the lanes have made, this one included.
+    step: u64,
 }
 
 impl<'a, S: Simd> News<'a, S> {
     #[inline(always)]
-    pub fn read(simd: S, lanes: &'a Lanes<S>, scan: &'a Scan<S>, gauge: &Gauge<S>) -> Self {
+    pub fn read(simd: S, lanes: &'a Lanes<S>, scan: &'a Scan<S>, step: u64) -> Self {
         let offset = scan.single_roots(simd, lanes);
-        let states = lanes.states_at(simd, offset);
-        Self { lanes, scan, offsets: [offset], states, readings: gauge.read(simd, states) }
+        Self { lanes, scan, offsets: [offset], states: lanes.states_at(simd, offset), step }
     }
 }
 
@@ -60,6 +64,8 @@ pub(super) struct Follower {
     crossings: u32,
     /// Crossings that the monitor knows of.
     told: u32,
+    /// Steps of the lanes before the orbit's first.
+    origin: u64,
     steps: u64,
     time: f64,
     tangencies: u32,
@@ -90,6 +96,7 @@ impl Follower {
             points: Vec::with_capacity(options.crossings.min(most).min(1 << 16) + 1),
             crossings: 0,
             told: 0,
+            origin: 0,
             steps: 0,
             time: 0.0,
             tangencies: 0,
@@ -98,7 +105,7 @@ impl Follower {
             roots: Vec::new(),
         };
         if on_section {
-            follower.record(torus, Instant::default(), start, &Reading::new(torus, options.condition, start));
+            follower.record(Instant::default(), start);
         }
         follower
     }
@@ -135,10 +142,16 @@ impl Follower {
         self.points.len() >= most
     }
 
-    /// Counts a step that ends at `time`.
+    /// Enters the lanes after so many of their steps.
     #[inline(always)]
-    pub fn count_step(&mut self, time: f64) {
-        self.steps += 1;
+    pub fn enter(&mut self, step: u64) {
+        self.origin = step.wrapping_sub(self.steps);
+    }
+
+    /// It is now at `time`, after so many steps of the lanes.
+    #[inline(always)]
+    pub fn arrive(&mut self, step: u64, time: f64) {
+        self.steps = step.wrapping_sub(self.origin);
         self.time = time;
     }
 
@@ -160,8 +173,9 @@ impl Follower {
 
     /// Looks for crossings in the lane's step, which may have some.
     #[inline(always)]
-    pub fn look<S: Simd>(&mut self, simd: S, torus: &PpTorus, options: &SweepOptions, news: &News<S>, lane: usize) {
+    pub fn look<S: Simd>(&mut self, simd: S, options: &SweepOptions, news: &News<S>, lane: usize) {
         let (lanes, scan) = (news.lanes, news.scan);
+        self.steps = news.step.wrapping_sub(self.origin);
         let verdict = scan.verdict(lane);
         let start = lanes.time(lane);
         if verdict.flat {
@@ -169,7 +183,7 @@ impl Follower {
         } else if verdict.single {
             let offset = lane_values::<S>(&news.offsets)[lane];
             let state = state_of::<S>(&news.states, lane);
-            self.cross(torus, options, start.after(offset), &state, &news.readings.of(lane));
+            self.cross(options, start.after(offset), &state);
         } else {
             let mut room = [0.0; ROWS];
             let c = scan.coefficients(lane, &mut room);
@@ -183,9 +197,7 @@ impl Follower {
                 let offset = lanes.step_of(lane) * x;
                 if self.end.is_none() {
                     let states = lanes.states_at(simd, simd.splat_f64s(offset));
-                    let state = state_of::<S>(&states, lane);
-                    let reading = Reading::new(torus, options.condition, &state);
-                    self.cross(torus, options, start.after(offset), &state, &reading);
+                    self.cross(options, start.after(offset), &state_of::<S>(&states, lane));
                 }
             }
             roots.clear();
@@ -222,7 +234,8 @@ impl Follower {
     /// Looks for crossings in a step of a [`Stepper`](crate::integrator::Stepper); `start` is S at the step's start
     /// (NaN: exactly 0). Returns S at its end.
     pub fn take(&mut self, torus: &PpTorus, options: &SweepOptions, step: &Step, start: f64) -> f64 {
-        self.count_step(step.end().seconds());
+        self.steps += 1;
+        self.time = step.end().seconds();
         let end = options.condition.value(torus.top(), step.end_state());
         let c = options.condition.polynomial(torus.top(), step);
         let size = c.iter().fold(0.0, |sum, x| sum + x.abs());
@@ -238,9 +251,7 @@ impl Follower {
         self.tangencies += self.general_roots(&c, start, end >= 0.0, &mut roots);
         for x in roots {
             if self.end.is_none() {
-                let state = step.state(x);
-                let reading = Reading::new(torus, options.condition, &state);
-                self.cross(torus, options, step.start().after(step.length() * x), &state, &reading);
+                self.cross(options, step.start().after(step.length() * x), &step.state(x));
             }
         }
         end
@@ -248,40 +259,21 @@ impl Follower {
 
     /// A crossing close to this time and state.
     #[inline(always)]
-    fn cross(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, reading: &Reading) {
-        if reading.value.abs() <= self.rounding {
-            self.cross_at(torus, options, time, state, reading);
-        } else {
-            self.cross_nearby(torus, options, time, state, reading.value);
-        }
-    }
-
-    /// A crossing near this state, where S = `value`.
-    #[inline(never)]
-    fn cross_nearby(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, value: f64) {
-        let (offset, state) = polished(torus.top(), options.condition, state, value);
-        let reading = Reading::new(torus, options.condition, &state);
-        self.cross_at(torus, options, time.after(offset), &state, &reading);
-    }
-
-    #[inline(always)]
-    fn cross_at(&mut self, torus: &PpTorus, options: &SweepOptions, time: Instant, state: &State, reading: &Reading) {
+    fn cross(&mut self, options: &SweepOptions, time: Instant, state: &State) {
         if time.seconds() > options.max_time {
             self.end = Some(End::Time);
             return;
         }
         self.crossings += 1;
-        self.record(torus, time, state, reading);
+        self.record(time, state);
         if self.crossings as usize >= options.crossings {
             self.end = Some(End::Crossings);
         }
     }
 
+    /// Keeps a point, of which nothing has been read.
     #[inline(always)]
-    fn record(&mut self, torus: &PpTorus, time: Instant, state: &State, reading: &Reading) {
-        let point = reading.place(torus, state);
-        self.drift = self.drift.max(&reading.integrals.distance(&self.integrals));
-        self.residual = self.residual.max(reading.value.abs());
+    fn record(&mut self, time: Instant, state: &State) {
         self.points.push(SectionPoint {
             orbit: self.orbit,
             index: self.crossings,
@@ -289,14 +281,60 @@ impl Follower {
             time_low: time.remainder(),
             gamma: state.gamma,
             l: state.l,
-            sheet: point.sheet,
-            s_dot: reading.rate,
-            theta: point.theta,
-            psi: point.psi,
+            sheet: 1,
+            s_dot: 0.0,
+            theta: 0.0,
+            psi: 0.0,
         });
     }
 
-    /// The orbit's crossings and its report.
+    /// Reads all points.
+    #[inline(always)]
+    pub fn settle<S: Simd>(&mut self, simd: S, gauge: &Gauge<S>, torus: &PpTorus, condition: SectionCondition) {
+        let mut all = std::mem::take(&mut self.points);
+        for points in all.chunks_mut(S::F64_LANES) {
+            let mut states = [[simd.splat_f64s(0.0); 3]; 2];
+            let values = lane_values_mut::<S>(states.as_flattened_mut());
+            for (lane, point) in points.iter().enumerate() {
+                for (k, &number) in point.gamma.iter().chain(&point.l).enumerate() {
+                    values[k * S::F64_LANES + lane] = number;
+                }
+            }
+            let readings = gauge.read(simd, states);
+            for (lane, point) in points.iter_mut().enumerate() {
+                let reading = readings.of(lane);
+                if reading.value.abs() <= self.rounding || point.index == 0 {
+                    self.place(torus, point, &reading);
+                } else {
+                    self.polish(torus, condition, point, reading.value);
+                }
+            }
+        }
+        self.points = all;
+    }
+
+    /// Moves a point where S = `value` onto the section.
+    #[inline(never)]
+    fn polish(&mut self, torus: &PpTorus, condition: SectionCondition, point: &mut SectionPoint, value: f64) {
+        let state = State { gamma: point.gamma, l: point.l };
+        let (offset, state) = polished(torus.top(), condition, &state, value);
+        let time = Instant::new(point.time, point.time_low).after(offset);
+        (point.time, point.time_low) = (time.seconds(), time.remainder());
+        (point.gamma, point.l) = (state.gamma, state.l);
+        self.place(torus, point, &Reading::new(torus, condition, &state));
+    }
+
+    /// Gives a point what was read of it.
+    #[inline(always)]
+    fn place(&mut self, torus: &PpTorus, point: &mut SectionPoint, reading: &Reading) {
+        let place = reading.place(torus, &State { gamma: point.gamma, l: point.l });
+        self.drift = self.drift.max(&reading.integrals.distance(&self.integrals));
+        self.residual = self.residual.max(reading.value.abs());
+        (point.sheet, point.s_dot) = (place.sheet, reading.rate);
+        (point.theta, point.psi) = (place.theta, place.psi);
+    }
+
+    /// The orbit's crossings, which were read, and its report.
     pub fn finish(self) -> OrbitSection {
         OrbitSection {
             points: self.points,

@@ -2,33 +2,57 @@
 
 use pulp::Simd;
 
-use super::roots::{CONVERGED, DEPTH};
+use super::roots::DEPTH;
 use crate::integrator::product::ProductSum;
-use crate::integrator::taylor::{lane_values, magnitude};
+use crate::integrator::taylor::magnitude;
+
+/// Terms of the slope that are summed: the others are below 2⁻³⁰ of it, like what it is multiplied with at the end.
+const SLOPE_TERMS: usize = 14;
+/// Terms of a first approximation.
+const LEADING: usize = 8;
+/// Terms of the curvature, which only corrects.
+const CURVATURE_TERMS: usize = 8;
+/// Steps below this are the last: what they leave is of the order of their cube.
+const CONVERGED: f64 = 1.0 / (1u64 << 17) as f64;
 
 /// For each wanted lane the root in [0, 1] of Σ c_k xᵏ, which changes sign there exactly once; `end` is its value
 /// at 1. The other lanes hold no meaning.
 ///
-/// Newton's method inside a bracket, as for a single polynomial. A lane that has converged is left alone while
-/// others go on, so that it does not depend on them.
+/// Halley's method inside a bracket: two or three steps, where Newton's takes four or five as long ones. A lane that has
+/// converged is left alone while others go on, so that it does not depend on them.
 #[inline(always)]
 pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted: S::m64s) -> S::f64s {
     let (zero, half, one) = (simd.splat_f64s(0.0), simd.splat_f64s(0.5), simd.splat_f64s(1.0));
     let rises = simd.less_than_or_equal_f64s(zero, end);
     let (mut low, mut high) = (zero, one);
-    let guess = parabola(simd, c, end);
-    let usable = simd.and_m64s(simd.less_than_f64s(zero, guess), simd.less_than_f64s(guess, one));
-    let mut x = simd.select_f64s(usable, guess, half);
     let mut going = wanted;
+    let slopes: [S::f64s; SLOPE_TERMS] = derivative(simd, c);
+    let curvatures: [S::f64s; CURVATURE_TERMS] = derivative(simd, &slopes);
+    let mut x = inverse_parabola(simd, c, end);
+    x = simd.select_f64s(strictly_between(simd, zero, x, one), x, half);
+    // The first step needs the leading terms only: the others are of the size of what it leaves.
+    let leading = &c[..LEADING.min(c.len())];
+    let square = simd.mul_f64s(x, x);
+    let guess = halley(
+        simd,
+        x,
+        sum(simd, leading, x, square),
+        sum(simd, &slopes[..LEADING - 1], x, square),
+        sum(simd, &curvatures[..LEADING - 2], x, square),
+    );
+    x = simd.select_f64s(strictly_between(simd, zero, guess, one), guess, x);
     for _ in 0..2 * DEPTH {
-        let (value, slope) = value_and_slope(simd, c, x);
+        let square = simd.mul_f64s(x, x);
+        let value = value_at(simd, c, x, square);
+        let slope = sum(simd, &slopes, x, square);
+        let curvature = sum(simd, &curvatures, x, square);
         let above = simd.xor_m64s(simd.less_than_f64s(value, zero), rises);
         high = simd.select_f64s(above, x, high);
         low = simd.select_f64s(above, low, x);
-        let newton = simd.sub_f64s(x, simd.div_f64s(value, slope));
+        let better = halley(simd, x, value, slope, curvature);
         let inside =
-            simd.and_m64s(simd.less_than_or_equal_f64s(low, newton), simd.less_than_or_equal_f64s(newton, high));
-        let next = simd.select_f64s(inside, newton, simd.mul_f64s(simd.add_f64s(low, high), half));
+            simd.and_m64s(simd.less_than_or_equal_f64s(low, better), simd.less_than_or_equal_f64s(better, high));
+        let next = simd.select_f64s(inside, better, simd.mul_f64s(simd.add_f64s(low, high), half));
         let change = magnitude(simd, simd.sub_f64s(next, x));
         x = simd.select_f64s(going, next, x);
         let close = simd.and_m64s(inside, simd.less_than_or_equal_f64s(change, simd.splat_f64s(CONVERGED)));
@@ -36,42 +60,76 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
         // going and not (close or no longer moving)
         going =
             simd.and_m64s(going, simd.and_m64s(still, simd.xor_m64s(close, simd.less_than_or_equal_f64s(zero, one))));
-        let going = [simd.select_f64s(going, one, zero)];
-        if lane_values::<S>(&going).iter().all(|&x| x == 0.0) {
+        if simd.first_true_m64s(going) == S::F64_LANES {
             break;
         }
     }
     x
 }
 
-/// The zero of the parabola through both ends with the slope at 0; Muller's form has no cancellation.
+/// x − p p′/(p′² − p p″/2).
 #[inline(always)]
-fn parabola<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s) -> S::f64s {
-    let zero = simd.splat_f64s(0.0);
-    let curvature = simd.sub_f64s(simd.sub_f64s(end, c[0]), c[1]);
-    let product = simd.mul_f64s(curvature, simd.mul_f64s(c[0], simd.splat_f64s(4.0)));
-    let discriminant = simd.sub_f64s(simd.mul_f64s(c[1], c[1]), product);
-    let root = simd.sqrt_f64s(simd.max_f64s(discriminant, zero));
-    let root = simd.select_f64s(simd.less_than_f64s(c[1], zero), simd.sub_f64s(zero, root), root);
-    simd.div_f64s(simd.mul_f64s(c[0], simd.splat_f64s(-2.0)), simd.add_f64s(c[1], root))
+fn halley<S: Simd>(simd: S, x: S::f64s, value: S::f64s, slope: S::f64s, curvature: S::f64s) -> S::f64s {
+    let bend = simd.mul_f64s(simd.mul_f64s(value, simd.splat_f64s(0.5)), curvature);
+    let bottom = simd.product_sum(slope, slope, simd.sub_f64s(simd.splat_f64s(0.0), bend));
+    simd.sub_f64s(x, simd.div_f64s(simd.mul_f64s(value, slope), bottom))
 }
 
-/// p(x) and p′(x), by Horner's rule for the even and the odd part: half the latency of one long chain.
+/// low < x < high.
 #[inline(always)]
-fn value_and_slope<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s) -> (S::f64s, S::f64s) {
-    let zero = simd.splat_f64s(0.0);
-    let square = simd.mul_f64s(x, x);
-    let (mut even, mut even_slope, mut odd, mut odd_slope) = (zero, zero, zero, zero);
-    for pair in c.chunks(2).rev() {
-        even_slope = simd.product_sum(even_slope, square, even);
-        even = simd.product_sum(even, square, pair[0]);
-        odd_slope = simd.product_sum(odd_slope, square, odd);
-        odd = simd.product_sum(odd, square, if pair.len() > 1 { pair[1] } else { zero });
+fn strictly_between<S: Simd>(simd: S, low: S::f64s, x: S::f64s, high: S::f64s) -> S::m64s {
+    simd.and_m64s(simd.less_than_f64s(low, x), simd.less_than_f64s(x, high))
+}
+
+/// (k+1) c_{k+1}, as many as there is room for.
+#[inline(always)]
+fn derivative<S: Simd, const TERMS: usize>(simd: S, c: &[S::f64s]) -> [S::f64s; TERMS] {
+    let mut slopes = [simd.splat_f64s(0.0); TERMS];
+    for (k, slope) in slopes.iter_mut().enumerate().take(c.len() - 1) {
+        *slope = simd.mul_f64s(c[k + 1], simd.splat_f64s((k + 1) as f64));
     }
-    // p′ = 2x (x o′ + e′) + o
-    let inner = simd.product_sum(x, odd_slope, even_slope);
-    let slope = simd.product_sum(simd.add_f64s(x, x), inner, odd);
-    (simd.product_sum(x, odd, even), slope)
+    slopes
+}
+
+/// Σ c_k xᵏ, the even and the odd terms apart: half the latency of one long chain.
+#[inline(always)]
+fn sum<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s, square: S::f64s) -> S::f64s {
+    let (mut even, mut odd) = (simd.splat_f64s(0.0), simd.splat_f64s(0.0));
+    for pair in c.chunks(2).rev() {
+        even = simd.product_sum(even, square, pair[0]);
+        if let Some(&c) = pair.get(1) {
+            odd = simd.product_sum(odd, square, c);
+        }
+    }
+    simd.product_sum(x, odd, even)
+}
+
+/// Σ c_k xᵏ in four chains.
+#[inline(always)]
+fn value_at<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s, square: S::f64s) -> S::f64s {
+    let fourth = simd.mul_f64s(square, square);
+    let mut sums = [simd.splat_f64s(0.0); 4];
+    for four in c.chunks(4).rev() {
+        for (sum, &c) in sums.iter_mut().zip(four) {
+            *sum = simd.product_sum(*sum, fourth, c);
+        }
+    }
+    let low = simd.product_sum(x, sums[1], sums[0]);
+    let high = simd.product_sum(x, sums[3], sums[2]);
+    simd.product_sum(square, high, low)
+}
+
+/// The zero of the parabola x(S) through both ends with the slope at 0, or of the chord where that is outside.
+#[inline(always)]
+fn inverse_parabola<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s) -> S::f64s {
+    let (zero, one) = (simd.splat_f64s(0.0), simd.splat_f64s(1.0));
+    let rise = simd.sub_f64s(end, c[0]);
+    let chord = simd.div_f64s(simd.sub_f64s(zero, c[0]), rise);
+    let ratio = simd.div_f64s(rise, c[1]);
+    // t (m + (1 − m) t)
+    let inner = simd.product_sum(simd.sub_f64s(one, ratio), chord, ratio);
+    let x = simd.mul_f64s(chord, inner);
+    simd.select_f64s(strictly_between(simd, zero, x, one), x, chord)
 }
 
 #[cfg(test)]

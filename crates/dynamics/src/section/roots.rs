@@ -11,7 +11,7 @@ pub(super) const MAX_TERMS: usize = MAX_ORDER + 2;
 /// Halvings after which an interval is called a point.
 pub(super) const DEPTH: u32 = 52;
 /// Newton steps below this leave |p| ≤ 2⁻⁶⁰|p″|.
-pub(super) const CONVERGED: f64 = 1.0 / (1u64 << 30) as f64;
+const CONVERGED: f64 = 1.0 / (1u64 << 30) as f64;
 
 /// p(x) and p′(x).
 fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {

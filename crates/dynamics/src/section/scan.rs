@@ -136,7 +136,7 @@ impl<S: Simd> Scan<S> {
         let mut power = simd.splat_f64s(1.0);
         let mut size = magnitude(simd, self.c[0]);
         let zero = simd.splat_f64s(0.0);
-        let (mut rest, mut rest_slope, mut rest_bend) = (zero, zero, zero);
+        let (mut rest, mut rest_slope) = (zero, zero);
         for k in 1..self.terms {
             power = simd.mul_f64s(power, step);
             self.c[k] = simd.mul_f64s(self.c[k], power);
@@ -145,13 +145,13 @@ impl<S: Simd> Scan<S> {
             if k >= LEADING {
                 rest = simd.add_f64s(rest, term);
                 rest_slope = simd.product_sum(term, simd.splat_f64s(k as f64), rest_slope);
-                rest_bend = simd.product_sum(term, simd.splat_f64s((k * (k - 1)) as f64), rest_bend);
             }
         }
         let rounding = simd.splat_f64s(ROUNDING);
         rest = simd.product_sum(size, rounding, rest);
         rest_slope = simd.product_sum(size, rounding, rest_slope);
-        rest_bend = simd.product_sum(size, rounding, rest_bend);
+        // Σ k(k−1)|c_k| ≤ (n−1) Σ k|c_k|, and they are small.
+        let rest_bend = simd.mul_f64s(rest_slope, simd.splat_f64s(self.terms as f64));
 
         let mut b = [self.c[0]; LEADING];
         for k in 1..LEADING {

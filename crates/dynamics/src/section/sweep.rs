@@ -2,7 +2,7 @@
 
 use std::sync::atomic::Ordering;
 
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Arch, Scalar, Simd, WithSimd};
 
 use super::error::SectionError;
 use super::follow::{Follower, News};
@@ -128,11 +128,14 @@ impl Queue<'_> {
     /// One worker of the methods that follow one orbit at a time.
     fn work_stepwise(&self) -> Vec<Leg> {
         let mut done = Vec::new();
+        let simd = Scalar::new();
+        let gauge = Gauge::new(simd, self.torus, self.options.condition);
         while let Some((mut follower, _)) = self.pop() {
             match self.options.method.stepper(self.torus.top(), &follower.start) {
                 Ok(mut stepper) => self.follow(&mut follower, stepper.as_mut()),
                 Err(_) => unreachable!("sweep() has checked the method"),
             }
+            follower.settle(simd, &gauge, self.torus, self.options.condition);
             self.close(follower, None, &mut done);
         }
         done
@@ -184,44 +187,41 @@ impl WithSimd for TaylorWorker<'_> {
         let gauge = Gauge::<S>::new(simd, queue.torus, queue.options.condition);
         let mut followers: Vec<Option<Follower>> = Vec::new();
         for lane in 0..S::F64_LANES {
-            followers.push(load(&mut lanes, &mut scan, lane, queue.pop()));
+            followers.push(load(&mut lanes, &mut scan, lane, queue.pop(), 0));
         }
-        let mut steps = 0_u32;
+        let mut step = 0_u64;
         while followers.iter().any(Option::is_some) {
-            steps = steps.wrapping_add(1);
-            if steps.is_multiple_of(STEPS_BETWEEN_NEWS) {
+            step += 1;
+            if step.is_multiple_of(STEPS_BETWEEN_NEWS.into()) {
                 followers.iter_mut().flatten().for_each(|follower| queue.tell(follower));
             }
             lanes.expand(simd);
             scan.read(simd, &lanes, queue.options.condition);
-            for (lane, follower) in followers.iter_mut().enumerate() {
-                if let Some(follower) = follower {
-                    follower.count_step(lanes.end_of(lane));
-                }
-            }
-            let mut remaining = scan.lanes_with_news();
-            if remaining != 0 {
-                let news = News::read(simd, &lanes, &scan, &gauge);
-                while remaining != 0 {
-                    let lane = remaining.trailing_zeros() as usize;
-                    remaining &= remaining - 1;
+            let news = scan.lanes_with_news();
+            if news != 0 {
+                let read = News::read(simd, &lanes, &scan, step);
+                for lane in bits(news) {
                     if let Some(follower) = &mut followers[lane] {
-                        follower.look(simd, queue.torus, queue.options, &news, lane);
+                        follower.look(simd, queue.options, &read, lane);
                     }
                 }
             }
             lanes.commit(simd);
             scan.commit();
             let stopped = queue.monitor().is_stopped();
-            for (lane, slot) in followers.iter_mut().enumerate() {
-                let ends =
-                    |follower: &mut Follower| follower.is_over(queue.options) || follower.has(queue.most) || stopped;
-                if let Some(mut follower) = slot.take_if(ends) {
+            let all = stopped || lanes.any_is_at(queue.options.max_time);
+            for lane in bits(if all { u32::MAX >> (32 - S::F64_LANES) } else { news }) {
+                let ends = |follower: &mut Follower| {
+                    follower.arrive(step, lanes.time(lane).seconds());
+                    follower.is_over(queue.options) || follower.has(queue.most) || stopped
+                };
+                if let Some(mut follower) = followers[lane].take_if(ends) {
+                    follower.settle(simd, &gauge, queue.torus, queue.options.condition);
                     let goes_on = follower.end.is_none();
                     let halt = goes_on.then(|| follower.halt(lanes.saved(lane), scan.start_of(lane)));
                     follower.end.get_or_insert(End::Interrupted);
                     queue.close(follower, halt, &mut done);
-                    *slot = load(&mut lanes, &mut scan, lane, queue.pop());
+                    followers[lane] = load(&mut lanes, &mut scan, lane, queue.pop(), step);
                 }
             }
         }
@@ -229,15 +229,27 @@ impl WithSimd for TaylorWorker<'_> {
     }
 }
 
-/// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
+/// The places of the ones, the lowest first.
+#[inline(always)]
+fn bits(mut word: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let place = (word != 0).then_some(word.trailing_zeros() as usize);
+        word &= word.wrapping_sub(1);
+        place
+    })
+}
+
+/// Puts an orbit into a lane, after so many steps. An idle lane keeps what it has; nobody looks at it.
 #[inline(always)]
 fn load<S: Simd>(
     lanes: &mut Lanes<S>,
     scan: &mut Scan<S>,
     lane: usize,
     task: Option<(Follower, Option<Halt>)>,
+    step: u64,
 ) -> Option<Follower> {
-    let (follower, halt) = task?;
+    let (mut follower, halt) = task?;
+    follower.enter(step);
     lanes.load(lane, &follower.start, follower.momentum_scale);
     if let Some(halt) = halt {
         lanes.restore(lane, &halt.lane());

@@ -120,6 +120,12 @@ impl<S: Simd> Lanes<S> {
         lane_values::<S>(&self.time)[lane] + self.step_of(lane)
     }
 
+    /// Is any lane at this time or beyond?
+    #[inline(always)]
+    pub fn any_is_at(&self, time: f64) -> bool {
+        lane_values::<S>(&self.time).iter().any(|&t| t >= time)
+    }
+
     /// Computes the series, the steps and the states at the steps' ends.
     #[inline(always)]
     pub fn expand(&mut self, simd: S) {

@@ -45,15 +45,32 @@ pub(crate) struct Constants<S: Simd> {
     difference_low: Vector<S>,
     /// r.
     pub center: Vector<S>,
+    /// Is any second part of a difference not 0?
+    differences_have_low_parts: bool,
     /// 1/k in two parts, the second for the orders below `EXACT_BELOW`.
     reciprocal: [f64; ROWS],
     reciprocal_low: [f64; EXACT_BELOW],
+    /// 1/(k A_i), likewise.
+    inverse_over: [[f64; 3]; ROWS],
+    inverse_over_low: [[f64; 3]; EXACT_BELOW],
 }
 
 /// 1/b as the unevaluated sum of two doubles.
 fn reciprocal_in_two_parts(b: f64) -> (f64, f64) {
     let high = 1.0 / b;
     (high, (-b).mul_add(high, 1.0) / b)
+}
+
+/// x (high + low), rounded.
+#[inline(always)]
+fn product<S: Simd>(simd: S, x: S::f64s, high: S::f64s, low: S::f64s) -> S::f64s {
+    simd.product_sum(x, high, simd.mul_f64s(x, low))
+}
+
+/// (high + low)/k as the unevaluated sum of two doubles.
+fn quotient_in_two_parts((high, low): (f64, f64), k: f64) -> (f64, f64) {
+    let quotient = high / k;
+    (quotient, ((-quotient).mul_add(k, high) + low) / k)
 }
 
 impl<S: Simd> Constants<S> {
@@ -76,14 +93,27 @@ impl<S: Simd> Constants<S> {
         for (k, entry) in reciprocal_low.iter_mut().enumerate().skip(1) {
             *entry = reciprocal_in_two_parts(k as f64).1;
         }
+        let (mut inverse_over, mut inverse_over_low) = ([[0.0; 3]; ROWS], [[0.0; 3]; EXACT_BELOW]);
+        for k in 1..ROWS {
+            for i in 0..3 {
+                let parts = quotient_in_two_parts(b[i], k as f64);
+                inverse_over[k][i] = parts.0;
+                if k < EXACT_BELOW {
+                    inverse_over_low[k][i] = parts.1;
+                }
+            }
+        }
         Self {
             inverse: splat(b.map(|b| b.0)),
             inverse_low: splat(b.map(|b| b.1)),
             difference: splat(difference),
             difference_low: splat(low),
             center: splat(top.center()),
+            differences_have_low_parts: low != [0.0; 3],
             reciprocal,
             reciprocal_low,
+            inverse_over,
+            inverse_over_low,
         }
     }
 
@@ -99,13 +129,30 @@ impl<S: Simd> Constants<S> {
         self.difference[i]
     }
 
+    /// ω_pω_q D − (γ×r)_i.
+    #[inline(always)]
+    fn torques(&self, simd: S, gamma: Vector<S>, omega_omega: Vector<S>) -> Vector<S> {
+        let mut sums = gamma;
+        for i in 0..3 {
+            let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+            let arm = if self.differences_have_low_parts {
+                // The low part goes in first: added to the rounded sum it would always be lost.
+                simd.product_sum(gamma[q], self.center[p], simd.mul_f64s(omega_omega[i], self.difference_low[i]))
+            } else {
+                simd.mul_f64s(gamma[q], self.center[p])
+            };
+            let torque = simd.product_difference(gamma[p], self.center[q], arm);
+            sums[i] = simd.product_sum(omega_omega[i], self.difference[i], torque);
+        }
+        sums
+    }
+
     /// ω = A⁻¹ l with the second part of A⁻¹.
     #[inline(always)]
     fn exact_angular_velocity(&self, simd: S, l: Vector<S>) -> Vector<S> {
         let mut omega = l;
         for i in 0..3 {
-            let low = simd.mul_f64s(l[i], self.inverse_low[i]);
-            omega[i] = simd.product_sum(l[i], self.inverse[i], low);
+            omega[i] = product(simd, l[i], self.inverse[i], self.inverse_low[i]);
         }
         omega
     }
@@ -206,53 +253,50 @@ impl<S: Simd> Series<S> {
         let (gamma, omega) = (&self.gamma[1..k], &self.omega[1..k]);
         let last = k - 2;
         let (mut even, mut odd) = (Products::zero(simd), Products::zero(simd));
-        if S::REGISTER_COUNT < REGISTERS_FOR_TWO || WASM {
-            for j in 0..=last {
-                even.add(simd, gamma[j], omega[j], omega[last - j]);
+        if last > 0 {
+            if S::REGISTER_COUNT < REGISTERS_FOR_TWO || WASM {
+                for j in 1..last {
+                    even.add(simd, gamma[j], omega[j], omega[last - j]);
+                }
+                for j in 1..last {
+                    odd.add(simd, gamma[j + 1], omega[j + 1], omega[last - j]);
+                }
+            } else {
+                let (mut gamma_j, mut omega_j) = (gamma[1], omega[1]);
+                for j in 1..last {
+                    let partner = omega[last - j];
+                    let (gamma_next, omega_next) = (gamma[j + 1], omega[j + 1]);
+                    even.add(simd, gamma_j, omega_j, partner);
+                    odd.add(simd, gamma_next, omega_next, partner);
+                    (gamma_j, omega_j) = (gamma_next, omega_next);
+                }
             }
-            for j in 0..last {
-                odd.add(simd, gamma[j + 1], omega[j + 1], omega[last - j]);
-            }
-            return (even, odd);
+            even.add(simd, gamma[0], omega[0], omega[last]);
+            odd.add(simd, gamma[1], omega[1], omega[last]);
         }
-        let (mut gamma_j, mut omega_j) = (gamma[0], omega[0]);
-        for j in 0..last {
-            let partner = omega[last - j];
-            let (gamma_next, omega_next) = (gamma[j + 1], omega[j + 1]);
-            even.add(simd, gamma_j, omega_j, partner);
-            odd.add(simd, gamma_next, omega_next, partner);
-            (gamma_j, omega_j) = (gamma_next, omega_next);
-        }
-        even.add(simd, gamma_j, omega_j, omega[0]);
+        even.add(simd, gamma[last], omega[last], omega[0]);
         (even, odd)
     }
 
     /// Row k from the Cauchy products of order k − 1.
     #[inline(always)]
     fn set_row(&mut self, simd: S, top: &Constants<S>, k: usize, products: Products<S>) {
+        let sums = top.torques(simd, self.gamma[k - 1], products.omega_omega);
         let reciprocal = simd.splat_f64s(top.reciprocal[k]);
-        let gamma = self.gamma[k - 1];
-        let (mut sums, mut l) = (gamma, gamma);
-        for i in 0..3 {
-            let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-            self.gamma[k][i] = simd.mul_f64s(products.gamma_omega[i], reciprocal);
-            // ω_pω_q D − (γ×r)_i. D's low part goes in first: added to the rounded sum it would always be lost.
-            let low = simd.mul_f64s(products.omega_omega[i], top.difference_low[i]);
-            let torque = simd.product_sum(gamma[q], top.center[p], low);
-            let torque = simd.product_difference(gamma[p], top.center[q], torque);
-            sums[i] = simd.product_sum(products.omega_omega[i], top.difference[i], torque);
-            l[i] = simd.mul_f64s(sums[i], reciprocal);
-        }
         if k < EXACT_BELOW {
             let low = simd.splat_f64s(top.reciprocal_low[k]);
             for i in 0..3 {
-                let rest = simd.mul_f64s(products.gamma_omega[i], low);
-                self.gamma[k][i] = simd.product_sum(products.gamma_omega[i], reciprocal, rest);
-                l[i] = simd.product_sum(sums[i], reciprocal, simd.mul_f64s(sums[i], low));
+                let (inverse, inverse_low) = (top.inverse_over[k][i], top.inverse_over_low[k][i]);
+                self.gamma[k][i] = product(simd, products.gamma_omega[i], reciprocal, low);
+                self.l[k][i] = product(simd, sums[i], reciprocal, low);
+                self.omega[k][i] = product(simd, sums[i], simd.splat_f64s(inverse), simd.splat_f64s(inverse_low));
+            }
+        } else {
+            for i in 0..3 {
+                self.gamma[k][i] = simd.mul_f64s(products.gamma_omega[i], reciprocal);
+                self.l[k][i] = simd.mul_f64s(sums[i], reciprocal);
+                self.omega[k][i] = simd.mul_f64s(sums[i], simd.splat_f64s(top.inverse_over[k][i]));
             }
         }
-        self.l[k] = l;
-        self.omega[k] =
-            if k < EXACT_BELOW { top.exact_angular_velocity(simd, l) } else { top.angular_velocity(simd, l) };
     }
 }
