@@ -116,15 +116,23 @@ mod tests {
         }
     }
 
+    /// Each of the three conditions fails alone.
     #[test]
     fn a_map_that_is_none_is_refused() {
         let atlas = Atlas::new(&Preset::find("paper").unwrap().body()).unwrap();
+        let refused = |map: &PlanarMap| matches!(map.check(), Err(MapError::NotPlanar { .. }));
+        let mut map = PlanarMap::of(&atlas).unwrap();
+        map.left[0] = (map.left[0] + 1) % map.faces.len();
+        assert!(refused(&map), "two faces along one cycle");
+        let mut map = PlanarMap::of(&atlas).unwrap();
+        map.vertices.push(map.vertices[0]);
+        assert!(refused(&map), "a vertex too many");
         let mut map = PlanarMap::of(&atlas).unwrap();
         let (p, q) = (map.next[0], map.next[2]);
         map.next[0] = q;
         map.next[2] = p;
         map.previous[q] = 0;
         map.previous[p] = 2;
-        assert!(matches!(map.check(), Err(MapError::NotPlanar { .. })), "{:?}", map.check());
+        assert!(refused(&map), "a dart in the wrong place: {:?}", map.check());
     }
 }

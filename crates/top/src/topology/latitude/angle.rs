@@ -188,6 +188,20 @@ mod tests {
     }
 
     #[test]
+    fn a_stretch_is_open() {
+        for stretch in Stretch::quadrants() {
+            let (left, right) = stretch.split(0.25).unwrap();
+            let holds = |psi| [left.contains(psi), right.contains(psi)];
+            assert_eq!(holds(right.start()), [false; 2]);
+            assert_eq!(holds(stretch.start()), [false; 2]);
+            assert_eq!(holds(Longitude::new(stretch.quadrant, 0.125)), [true, false]);
+            assert_eq!(holds(Longitude::new(stretch.quadrant, 0.75)), [false, true]);
+            assert_eq!(holds(Longitude::new((stretch.quadrant + 1) % 4, 0.75)), [false; 2]);
+            assert!(stretch.split(0.0).is_none() && stretch.split(1.0).is_none());
+        }
+    }
+
+    #[test]
     fn quarter_turns_are_exact() {
         for quadrant in 0..4 {
             let trig = Longitude::new(quadrant, 0.0).trig();

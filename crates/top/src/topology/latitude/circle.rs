@@ -2,7 +2,7 @@
 
 use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
 use super::effort::Effort;
-use super::level::Level;
+use super::level::{Level, variation};
 use numbers::interval::Interval;
 
 /// Where a stretch is cut; another place is tried when the sign of G at the first is not certain.
@@ -124,22 +124,24 @@ fn refine(
 ) -> Option<()> {
     effort.spend()?;
     let psi = stretch.trig();
-    if level.value(theta, &psi).is_positive().is_some() {
+    let patch = level.over(theta, &psi);
+    if patch.value().is_positive().is_some() {
         return Some(());
     }
-    let slopes = level.slopes(theta, &psi);
-    if slopes.height.lo > 0.0 && slopes.turning.is_positive().is_some() {
+    let turning = patch.turning();
+    if turning.is_positive().is_some() && patch.height().lo > 0.0 {
         return Some(());
     }
+    let parallel = patch.parallel(turning);
     let depth = depth.checked_sub(1)?;
     for fraction in CUTS {
         let t = stretch.t0 + fraction * (stretch.t1 - stretch.t0);
         let (left, right) = stretch.split(t)?;
         let middle = right.start().trig();
         let reach = half_angle_reach(stretch.t0, t, stretch.t1);
-        let (_, variation) = Level::variation(&slopes, theta, (0.0, reach));
+        let around = variation(parallel, reach);
         let value = level.value(theta, &middle);
-        if (value + Interval::between(-variation, variation)).is_positive().is_some() {
+        if (value + Interval::between(-around, around)).is_positive().is_some() {
             return Some(());
         }
         if let Some(accessible) = value.is_positive() {

@@ -33,15 +33,18 @@ pub(super) struct Level {
     pub pole: [f64; 3],
 }
 
-/// Enclosures over a box of (ϑ, ψ).
+/// G and its derivatives over a box of (ϑ, ψ) or at a point, each enclosed when it is asked for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Slopes {
-    /// ∂G/∂ϑ.
-    pub meridional: Interval,
-    /// H = ∂J/∂ψ / (2 sin ϑ), which is regular at the poles.
-    pub turning: Interval,
-    /// h + ⟨γ,r⟩.
-    pub height: Interval,
+pub(super) struct Patch<'a> {
+    level: &'a Level,
+    theta: &'a Trig,
+    psi: &'a Trig,
+    /// p1 cos ψ + p2 sin ψ.
+    outward: Interval,
+    /// α cos 2ψ + β sin 2ψ.
+    quadrupole: Interval,
+    /// J − a_k.
+    excess: Interval,
 }
 
 impl Level {
@@ -94,49 +97,67 @@ impl Level {
         }
     }
 
-    /// J − a_k.
-    fn excess(&self, theta: &Trig, psi: &Trig) -> Interval {
+    /// G over a box.
+    pub fn over<'a>(&'a self, theta: &'a Trig, psi: &'a Trig) -> Patch<'a> {
+        let outward = self.p[0] * psi.cos + self.p[1] * psi.sin;
+        let quadrupole = self.alpha * psi.cos_double + self.beta * psi.sin_double;
         let excess = self.constant
             + self.axial * theta.cos_double
-            + theta.sin_double * (self.p[0] * psi.cos + self.p[1] * psi.sin)
-            + theta.sin.square() * (self.alpha * psi.cos_double + self.beta * psi.sin_double);
-        within(excess, self.range)
+            + theta.sin_double * outward
+            + theta.sin.square() * quadrupole;
+        Patch { level: self, theta, psi, outward, quadrupole, excess: within(excess, self.range) }
     }
 
-    /// G over a box.
+    /// The values of G over a box.
     pub fn value(&self, theta: &Trig, psi: &Trig) -> Interval {
-        let twice_height = self.twice_h + (self.r * theta.cos).twice();
-        self.base + self.excess(theta, psi) * twice_height + (self.moment * self.r * theta.cos).twice()
+        self.over(theta, psi).value()
     }
 
     /// h + ⟨γ,r⟩ over a range of latitudes.
     pub fn height(&self, theta: &Trig) -> Interval {
         self.twice_h * 0.5 + self.r * theta.cos
     }
+}
 
-    /// The derivatives over a box.
-    pub fn slopes(&self, theta: &Trig, psi: &Trig) -> Slopes {
-        let outward = self.p[0] * psi.cos + self.p[1] * psi.sin;
-        let sideways = self.p[1] * psi.cos - self.p[0] * psi.sin;
-        let quadrupole = self.alpha * psi.cos_double + self.beta * psi.sin_double;
-        let quadrupole_slope = self.beta * psi.cos_double - self.alpha * psi.sin_double;
-        let height = self.height(theta);
-        let j = self.moment + self.excess(theta, psi);
-        let j_slope = theta.sin_double * (quadrupole - self.axial.twice()) + (theta.cos_double * outward).twice();
-        Slopes {
-            meridional: (j_slope * height - j * self.r * theta.sin).twice(),
-            turning: theta.cos * sideways + theta.sin * quadrupole_slope,
-            height,
-        }
+impl Patch<'_> {
+    /// G.
+    pub fn value(&self) -> Interval {
+        let Self { level, theta, excess, .. } = *self;
+        let twice_height = level.twice_h + (level.r * theta.cos).twice();
+        level.base + excess * twice_height + (level.moment * level.r * theta.cos).twice()
     }
 
-    /// How far G may be from its value at a point of the box, by the mean value theorem: in the direction of ϑ and of
-    /// ψ, `reach` being the largest distances from that point.
-    pub fn variation(slopes: &Slopes, theta: &Trig, reach: (f64, f64)) -> (f64, f64) {
-        // ∂G/∂ψ = 2 (h + ⟨γ,r⟩) ∂J/∂ψ = 4 sin ϑ (h + ⟨γ,r⟩) H.
-        let parallel = (theta.sin * slopes.height * slopes.turning).twice().twice();
-        ((slopes.meridional.magnitude() * reach.0).next_up(), (parallel.magnitude() * reach.1).next_up())
+    /// h + ⟨γ,r⟩.
+    pub fn height(&self) -> Interval {
+        self.level.height(self.theta)
     }
+
+    /// H = ∂J/∂ψ / (2 sin ϑ), which is regular at the poles.
+    pub fn turning(&self) -> Interval {
+        let Self { level, theta, psi, .. } = *self;
+        let sideways = level.p[1] * psi.cos - level.p[0] * psi.sin;
+        let quadrupole_slope = level.beta * psi.cos_double - level.alpha * psi.sin_double;
+        theta.cos * sideways + theta.sin * quadrupole_slope
+    }
+
+    /// ∂G/∂ϑ.
+    pub fn meridional(&self) -> Interval {
+        let Self { level, theta, outward, quadrupole, excess, .. } = *self;
+        let j = level.moment + excess;
+        let j_slope = theta.sin_double * (quadrupole - level.axial.twice()) + (theta.cos_double * outward).twice();
+        (j_slope * self.height() - j * level.r * theta.sin).twice()
+    }
+
+    /// ∂G/∂ψ = 2 (h + ⟨γ,r⟩) ∂J/∂ψ = 4 sin ϑ (h + ⟨γ,r⟩) H.
+    pub fn parallel(&self, turning: Interval) -> Interval {
+        (self.theta.sin * self.height() * turning).twice().twice()
+    }
+}
+
+/// How far G may be from its value at a point of a box, by the mean value theorem: `slope` is its derivative in one direction,
+/// `reach` the largest distance from that point in this direction.
+pub(super) fn variation(slope: Interval, reach: f64) -> f64 {
+    (slope.magnitude() * reach).next_up()
 }
 
 #[cfg(test)]
@@ -188,12 +209,12 @@ mod tests {
             for (t, u) in [(0.3, 0.7), (0.9, 0.2), (2.0, 0.5)] {
                 let value = |t: f64, u: f64| middle(level.value(&Trig::at(t), &Longitude::new(1, u).trig()));
                 let (theta, psi) = (Trig::at(t), Longitude::new(1, u).trig());
-                let slopes = level.slopes(&theta, &psi);
+                let here = level.over(&theta, &psi);
                 // dx/dt = 2/(1 + t²) for x = 2 arctan t.
                 let along_meridian = (value(t + step, u) - value(t - step, u)) / (2.0 * step) * (1.0 + t * t) / 2.0;
                 let along_parallel = (value(t, u + step) - value(t, u - step)) / (2.0 * step) * (1.0 + u * u) / 2.0;
-                let parallel = 4.0 * middle(theta.sin) * middle(slopes.height) * middle(slopes.turning);
-                assert!((middle(slopes.meridional) - along_meridian).abs() < 1e-7, "{a:?} {r:?}");
+                let parallel = middle(here.parallel(here.turning()));
+                assert!((middle(here.meridional()) - along_meridian).abs() < 1e-7, "{a:?} {r:?}");
                 assert!((parallel - along_parallel).abs() < 1e-7, "{a:?} {r:?}");
             }
         }

@@ -3,7 +3,7 @@
 use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
 use super::circle::{CUTS, Circle};
 use super::effort::Effort;
-use super::level::Level;
+use super::level::{Level, variation};
 use super::union::Gluing;
 use numbers::interval::Interval;
 
@@ -123,20 +123,22 @@ impl SlabRange {
     /// shorter stretch, not a thinner slab, is the next thing to try.
     fn kind(&self, level: &Level, stretch: Stretch) -> (Kind, bool) {
         let psi = stretch.trig();
-        if let Some(sign) = level.value(&self.theta, &psi).is_positive() {
+        let patch = level.over(&self.theta, &psi);
+        if let Some(sign) = patch.value().is_positive() {
             return (Kind::Sign(sign), false);
         }
-        let slopes = level.slopes(&self.theta, &psi);
-        if let Some(sign) = slopes.turning.is_positive() {
+        let turning = patch.turning();
+        if let Some(sign) = turning.is_positive() {
             return (Kind::Turning(sign), false);
         }
-        if let Some(sign) = slopes.meridional.is_positive() {
+        let meridional = patch.meridional();
+        if let Some(sign) = meridional.is_positive() {
             return (Kind::Sloping(sign == (self.hemisphere == Hemisphere::Plus)), false);
         }
         let middle = 0.5 * (stretch.t0 + stretch.t1);
         let center = Longitude::new(stretch.quadrant, middle).trig();
-        let reach = (self.reach, half_angle_reach(stretch.t0, middle, stretch.t1));
-        let (meridional, parallel) = Level::variation(&slopes, &self.theta, reach);
+        let meridional = variation(meridional, self.reach);
+        let parallel = variation(patch.parallel(turning), half_angle_reach(stretch.t0, middle, stretch.t1));
         let around = |radius: f64| Interval::between(-radius, radius);
         let value = level.value(&self.center, &center) + around(meridional) + around(parallel);
         match value.is_positive() {
