@@ -1,10 +1,10 @@
 //! Where the marks of entries stand: in each patch that has room, and for an entry without one beside its widest patch, with
 //! a leader.
 
-use super::model::{Map, MapBodies, MapNote};
+use super::model::{Map, MapBodies, MapLine, MapNote};
 use super::places::{inside, patches, widest};
 use super::view::{SIZE, SMALL, View};
-use crate::page::{Point, Rect, Taken, distance, text_width};
+use crate::page::{Point, Rect, Taken, between, distance, text_width};
 
 /// A mark inside needs so many pixels of room on each side.
 const ROOM: f64 = 6.5;
@@ -31,7 +31,11 @@ pub(super) struct Mark {
 pub(super) fn marked(map: &Map, view: &View) -> Vec<Mark> {
     let (columns, cells) = match &map.bodies {
         MapBodies::Grid { columns, entries } => (*columns, entries.clone()),
-        MapBodies::Areas { pieces, .. } => raster(pieces, view),
+        MapBodies::Areas { pieces, .. } => {
+            let (columns, mut cells) = raster(pieces, view);
+            cut(&map.lines, columns, &mut cells, view);
+            (columns, cells)
+        }
         MapBodies::Points(_) => return Vec::new(),
     };
     let rows = (cells.len() / columns.max(1)).max(1);
@@ -99,6 +103,27 @@ fn beside(
 
 fn shown_count(patch: &[Option<usize>]) -> usize {
     patch.iter().flatten().max().map_or(0, |last| last + 1)
+}
+
+/// Empties the small cells on full black lines, which are borders as `borders` of areas are: no patch reaches across one.
+fn cut(lines: &[MapLine], columns: usize, cells: &mut [Option<usize>], view: &View) {
+    let rows = cells.len() / columns.max(1);
+    for line in lines.iter().filter(|line| !line.dashed && line.hue == 0) {
+        let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
+        for ends in points.windows(2) {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
+            let steps = (2.0 * distance(ends[0], ends[1]) / FINE).ceil().max(1.0) as usize;
+            for [x, y] in (0..=steps).map(|k| between(ends[0], ends[1], k as f64 / steps as f64)) {
+                // So thick that no two cells on different sides touch.
+                let near = |at: f64, count: usize| cell_range(at / FINE - 1.5, at / FINE + 1.5, count);
+                for row in near(view.rect.bottom() - y, rows) {
+                    for column in near(x - view.rect.x, columns) {
+                        cells[row * columns + column] = None;
+                    }
+                }
+            }
+        }
+    }
 }
 
 /// What areas show in small cells, row by row from below.

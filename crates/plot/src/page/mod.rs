@@ -28,7 +28,9 @@ pub(crate) use axes::{Axis, TICK_SIZE, draw_axes};
 pub(crate) use canvas::{Anchor, Canvas, render};
 pub use error::PlotError;
 pub(crate) use font::{text_width, title_size};
-pub(crate) use geometry::{Point, Rect, clip_polygon, clip_polyline, distance, is_proper, meets, to_pixels, to_units};
+pub(crate) use geometry::{
+    Point, Rect, between, clip_polygon, clip_polyline, distance, is_proper, meets, to_pixels, to_units,
+};
 pub(crate) use image::png;
 pub(crate) use ink::{FAINT_INK, INK, Ink, PAPER, POLE, rgb, rgbs};
 pub(crate) use legend::Legend;
