@@ -121,9 +121,10 @@ mod tests {
         assert_eq!(count(Some(n(10, 3)), None), Some(1));
         assert_eq!(count(None, Some(n(-5, 1))), Some(0));
         assert_eq!(count(Some(n(4, 1)), Some(n(15, 2))), Some(0));
-        // Without real roots, and with a double one.
+        // Without real roots, and with double ones: some splits meet them, √2 none does.
         assert_eq!(inside(&[1, 0, 1].map(IBig::from), [None, None]), Some(0));
-        assert_eq!(inside(&with_roots(&[3, 3]), [Some(&n(1, 3)), None]), None);
+        assert_eq!(inside(&with_roots(&[3, 3]), [Some(&n(1, 3)), None]), Some(1));
         assert_eq!(inside(&with_roots(&[3, 3]), [Some(&n(4, 1)), None]), Some(0));
+        assert_eq!(inside(&[4, 0, -4, 0, 1].map(IBig::from), [Some(&RBig::ZERO), None]), None);
     }
 }
