@@ -10,11 +10,12 @@
 #
 # The rounds in graph.json are those of
 #
-#   for steps in 1 1 2 2 2 2 2 2 2 2 1 1; do
+#   for steps in 1 1 2 2 2 2 2 2 2 2 1 1 1 1 1 1 1 1 1 1 1 1; do
 #       $program round $state existing 1 $steps $general
 #   done
 #
-# with `$program deepen $state 24` whenever there were classes whose witness had not been made deeper, and the one of graph_all.json
+# with `$program deepen $state 24` whenever there were classes whose witness had not been made deeper (the last ten rounds:
+# once, at their end), and the one of graph_all.json
 # that of
 #
 #   cp $state $all && $program round $all all 1 1 $general $positive
