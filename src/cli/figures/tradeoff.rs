@@ -163,8 +163,8 @@ fn classify() -> Result<Chart, ExportError> {
         title: "Classification of a point: wrong and open answers, and time".to_owned(),
         names: table.counted(&METHODS, "points"),
         panels: vec![
-            panel("wrong, 100 or 150 points a mark", &["wrong"]),
-            panel("undecided, 100 or 150 points a mark", &OPEN),
+            panel("wrong, 100 or 1000 points a mark", &["wrong"]),
+            panel("undecided, 100 or 1000 points a mark", &OPEN),
             ChartPanel {
                 title: "random points of all strata".to_owned(),
                 x: axis("CPU time of a point in µs (median)", Scale::Logarithmic),
