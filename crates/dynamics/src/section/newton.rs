@@ -12,8 +12,10 @@ const SLOPE_TERMS: usize = 14;
 const LEADING: usize = 8;
 /// Terms of the curvature, which only corrects.
 const CURVATURE_TERMS: usize = 8;
-/// Steps below this are the last: what they leave is of the order of their cube.
+/// Steps below this are the last, if the slope changes along them by less than this part: what they leave is of the order of
+/// their cube.
 const CONVERGED: f64 = 1.0 / (1u64 << 17) as f64;
+const SLIGHT: f64 = 1.0 / (1u64 << 10) as f64;
 
 /// For each wanted lane the root in [0, 1] of Σ c_k xᵏ, which changes sign there exactly once; `end` is its value
 /// at 1. The other lanes hold no meaning.
@@ -56,6 +58,9 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
         let change = magnitude(simd, simd.sub_f64s(next, x));
         x = simd.select_f64s(going, next, x);
         let close = simd.and_m64s(inside, simd.less_than_or_equal_f64s(change, simd.splat_f64s(CONVERGED)));
+        let turn = magnitude(simd, simd.mul_f64s(curvature, change));
+        let slight = simd.mul_f64s(magnitude(simd, slope), simd.splat_f64s(SLIGHT));
+        let close = simd.and_m64s(close, simd.less_than_or_equal_f64s(turn, slight));
         let still = simd.less_than_f64s(simd.splat_f64s(f64::EPSILON), change);
         // going and not (close or no longer moving)
         going =
@@ -67,10 +72,14 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
     x
 }
 
-/// x − p p′/(p′² − p p″/2).
+/// Halley's step x − p p′/(p′² − p p″/2), and Newton's x − p/p′ where |p p″| > p′²/2: there Halley's can be short far from a
+/// root, at an extremum of p.
 #[inline(always)]
 fn halley<S: Simd>(simd: S, x: S::f64s, value: S::f64s, slope: S::f64s, curvature: S::f64s) -> S::f64s {
     let bend = simd.mul_f64s(simd.mul_f64s(value, simd.splat_f64s(0.5)), curvature);
+    let square = simd.mul_f64s(slope, slope);
+    let straight = simd.less_than_or_equal_f64s(magnitude(simd, bend), simd.mul_f64s(square, simd.splat_f64s(0.25)));
+    let bend = simd.select_f64s(straight, bend, simd.splat_f64s(0.0));
     let bottom = simd.product_sum(slope, slope, simd.sub_f64s(simd.splat_f64s(0.0), bend));
     simd.sub_f64s(x, simd.div_f64s(simd.mul_f64s(value, slope), bottom))
 }
@@ -153,6 +162,29 @@ mod tests {
                     c[i + 1] += f;
                 }
                 assert!((root(&c) - planted).abs() < 1e-15, "{planted} {}", root(&c));
+            }
+        }
+    }
+
+    #[test]
+    fn beside_an_extremum_no_step_is_short() {
+        // (x − e)² − d beside e, where Halley's own step would be −2(x − e).
+        for beside in [1e-3, 1e-6, 1e-9, -1e-7] {
+            let (value, slope, curvature) = (beside * beside - 0.25, 2.0 * beside, 2.0);
+            let x = 0.3 + beside;
+            assert!((halley(Scalar::new(), x, value, slope, curvature) - x).abs() > 10.0, "{beside}");
+        }
+    }
+
+    #[test]
+    fn a_guess_at_an_extremum_is_no_root() {
+        // (x − e)² − d with its only root in [0, 1] beyond e: many have a guess close to e.
+        for k in 1..40_000 {
+            let e = 0.9 * f64::from(k) / 40_000.0;
+            let d = e * e + (1.0 - 2.0 * e).max(0.0) * 0.3 + 1e-3 * f64::from(k % 7);
+            if d.sqrt() + e < 1.0 {
+                let c = [e * e - d, -2.0 * e, 1.0];
+                assert!((root(&c) - e - d.sqrt()).abs() < 1e-14, "{e} {d} {}", root(&c));
             }
         }
     }
