@@ -86,7 +86,8 @@ pub fn map(classes: &[ClassDocument]) -> String {
     }
     for &regions in columns.keys() {
         let (x, y) = (40.0 + COLUMN * (regions - first) as f64, tallest + 40.0);
-        let _always = write!(out, "<text x=\"{x:.0}\" y=\"{y:.0}\" text-anchor=\"middle\">{regions}</text>");
+        let what = if regions == first { " regions" } else { "" };
+        let _always = write!(out, "<text x=\"{x:.0}\" y=\"{y:.0}\" text-anchor=\"middle\">{regions}{what}</text>");
     }
     for (place, (name, colour)) in COLOURS.into_iter().enumerate() {
         let (x, y) = (40.0 + 150.0 * place as f64, tallest + 62.0);
