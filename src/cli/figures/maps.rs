@@ -266,8 +266,8 @@ fn paper_near_the_axis() -> Result<Map, Failure> {
     Ok(map)
 }
 
-#[cfg(test)]
 #[path = "../../../crates/plot/tests"]
+#[cfg(test)]
 mod tests {
     mod picture_letters;
     mod picture_svg;
