@@ -18,7 +18,10 @@ use crate::cli::scan::map::map;
 use crate::cli::scan::shown::Seen;
 use crate::cli::scan::{ScanInput, Shown};
 
-const MAPS: [(&str, fn() -> Result<Map, Failure>); 5] = [
+/// Computes a map.
+type Make = fn() -> Result<Map, Failure>;
+
+const MAPS: [(&str, Make); 5] = [
     ("map-katok", katok_plane),
     ("map-lagrange-kovalevskaya", lagrange_to_kovalevskaya),
     ("map-paper-r2-r3", paper_off_the_axis),
