@@ -118,7 +118,8 @@ impl<'a> Plan<'a> {
     fn words(&self, out: &mut String) -> fmt::Result {
         for &regions in self.columns.keys() {
             let (x, y) = (self.across(regions), self.tallest + 40.0);
-            write!(out, "<text x=\"{x:.0}\" y=\"{y:.0}\" text-anchor=\"middle\">{regions}</text>")?;
+            let what = if regions == self.first { " regions" } else { "" };
+            write!(out, "<text x=\"{x:.0}\" y=\"{y:.0}\" text-anchor=\"middle\">{regions}{what}</text>")?;
         }
         for (place, (name, colour)) in COLOURS.into_iter().enumerate() {
             let (x, y) = (40.0 + 150.0 * place as f64, self.tallest + 62.0);

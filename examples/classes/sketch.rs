@@ -9,7 +9,8 @@ use top::atlas::Atlas;
 use top::curves::{Curve, CurveId, Orbit};
 use top::diagram::{Arrangement, RegionId, Slab};
 
-const STEP: f64 = 34.0;
+/// So wide that a label fits between curves that meet at both ends of a step.
+const STEP: f64 = 46.0;
 const RISE: f64 = 22.0;
 const MARGIN: f64 = 14.0;
 

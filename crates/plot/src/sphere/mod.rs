@@ -148,6 +148,6 @@ fn outline(view: &View) -> Vec<Point> {
 
 /// The middle of a view, in words.
 fn seen_from(view: &View) -> String {
-    let [x, y, z] = view.gamma(0.0, 0.0).map(|c| number(format!("{:.2}", if c.abs() < 0.005 { 0.0 } else { c })));
+    let [x, y, z] = view.gamma(0.0, 0.0).map(|c| number((100.0 * c).round() / 100.0 + 0.0));
     format!("seen from γ = ({x}, {y}, {z})")
 }
