@@ -152,15 +152,9 @@ fn examine(body: &Body, atlas: &Atlas, h: f64, l: f64, counts: &mut Tally) -> Re
     if distance <= KNOWN {
         return Ok(());
     }
-    let position = all.partition_point(|(c, _)| *c < h);
-    let middle = match (position.checked_sub(1).map(|k| all[k]), all.get(position)) {
-        (Some((below, _)), Some((above, _))) => 0.5 * (below + above),
-        (Some((below, scale)), None) => below + scale,
-        (None, Some((above, scale))) => above - scale,
-        (None, None) => h,
-    };
     let frame = body.frame();
-    let Ok(swept) = latitude::components(&frame, middle / frame.energy_unit, l / frame.momentum_unit) else {
+    let (middle, l) = (middle(&all, h) / frame.energy_unit, l / frame.momentum_unit);
+    let Ok(swept) = latitude::components(&frame, middle, l) else {
         counts.unswept += 1;
         return Ok(());
     };
@@ -176,6 +170,17 @@ fn examine(body: &Body, atlas: &Atlas, h: f64, l: f64, counts: &mut Tally) -> Re
         }
     }
     Ok(())
+}
+
+/// The middle of the gap between curves into which h falls.
+fn middle(heights: &[(f64, f64)], h: f64) -> f64 {
+    let position = heights.partition_point(|(c, _)| *c < h);
+    match (position.checked_sub(1).map(|k| heights[k]), heights.get(position)) {
+        (Some((below, _)), Some((above, _))) => 0.5 * (below + above),
+        (Some((below, scale)), None) => below + scale,
+        (None, Some((above, scale))) => above - scale,
+        (None, None) => h,
+    }
 }
 
 /// Which poles lie in U_hl, exactly: h ∓ … ≥ l²/(2 J_r) ∓ r. `None` for r = 0 or on a pole line.

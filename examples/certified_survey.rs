@@ -6,10 +6,23 @@ use std::time::Instant;
 
 use proof::CertifiedAtlas;
 use top::atlas::Atlas;
-use top::topology::signature;
+use top::body::Body;
+use top::topology::{Component, signature};
 
 use support::bodies::{STRATA, random_body};
 use support::random::SplitMix64;
+
+#[derive(Default)]
+struct Tally {
+    unproved: usize,
+    different: usize,
+    regions: usize,
+    regions_open: usize,
+    /// Atlases that needed more than f64.
+    wide: usize,
+    /// Milliseconds, each with the body.
+    times: Vec<(f64, String)>,
+}
 
 fn main() {
     let mut arguments = std::env::args().skip(1);
@@ -21,63 +34,60 @@ fn main() {
             continue;
         }
         let mut rng = SplitMix64::new(20_261_121);
-        let (mut unproved, mut regions_open, mut different, mut regions, mut wide) = (0, 0, 0, 0, 0);
-        let mut times = Vec::with_capacity(count);
-        let mut slowest = (0.0, String::new());
+        let mut tally = Tally::default();
         for _ in 0..count {
             let body = random_body(&mut rng, stratum);
             let text = format!("{:?} {:?}", body.moments_f64(), body.center_f64());
-            let start = Instant::now();
-            let certified = CertifiedAtlas::new(&body);
-            let time = start.elapsed().as_secs_f64() * 1e3;
-            if time > slowest.0 {
-                slowest = (time, text.clone());
-            }
-            times.push(time);
-            let quick = Atlas::new(&body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty());
-            let certified = match certified {
-                Ok(certified) => certified,
-                Err(error) => {
-                    unproved += 1;
-                    eprintln!("{name}: {text}: {error}");
-                    continue;
-                }
-            };
-            wide += usize::from(certified.bits() > 53);
-            let class = |c: &[top::topology::Component]| format!("{c:?} {:?}", signature(c));
-            let mut proved: Vec<String> = Vec::new();
-            for region in certified.region_ids() {
-                regions += 1;
-                match certified.components(region) {
-                    Some(components) => proved.push(class(components)),
-                    None => regions_open += 1,
-                }
-            }
-            if let Some(quick) = quick {
-                let mut all: Vec<String> = Vec::new();
-                for region in quick.regions().ids() {
-                    if let Ok(components) = quick.components(region) {
-                        all.push(class(components));
-                    }
-                }
-                let same_count = quick.regions().len() == certified.region_count();
-                proved.sort();
-                all.sort();
-                let whole = proved.len() == certified.region_count() && all.len() == quick.regions().len();
-                if !same_count || (whole && proved != all) {
-                    different += 1;
-                    eprintln!("{name}: {text}: different: {} and {}", certified.region_count(), quick.regions().len());
-                }
+            if let Err(what) = tally.examine(&body, &text) {
+                eprintln!("{name}: {text}: {what}");
             }
         }
-        times.sort_by(f64::total_cmp);
+        tally.print(&name, count);
+    }
+}
+
+impl Tally {
+    fn examine(&mut self, body: &Body, text: &str) -> Result<(), String> {
+        let start = Instant::now();
+        let certified = CertifiedAtlas::new(body);
+        self.times.push((start.elapsed().as_secs_f64() * 1e3, text.to_owned()));
+        let certified = certified.map_err(|error| {
+            self.unproved += 1;
+            error.to_string()
+        })?;
+        self.wide += usize::from(certified.bits() > 53);
+        let mut proved: Vec<String> =
+            certified.region_ids().filter_map(|region| certified.components(region)).map(class).collect();
+        let regions = certified.region_count();
+        self.regions += regions;
+        self.regions_open += regions - proved.len();
+        let quick = Atlas::new(body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty());
+        let Some(quick) = quick else { return Ok(()) };
+        let mut all: Vec<String> =
+            quick.regions().ids().filter_map(|region| quick.components(region).ok()).map(class).collect();
+        proved.sort();
+        all.sort();
+        let whole = proved.len() == regions && all.len() == quick.regions().len();
+        if quick.regions().len() != regions || (whole && proved != all) {
+            self.different += 1;
+            return Err(format!("different: {regions} and {}", quick.regions().len()));
+        }
+        Ok(())
+    }
+
+    fn print(mut self, stratum: &str, bodies: usize) {
+        self.times.sort_by(|p, q| p.0.total_cmp(&q.0));
+        let Self { unproved, different, regions, regions_open, wide, times } = self;
+        let Some((slowest, body)) = times.last() else { return };
         println!(
-            "{name}: {count} bodies, {unproved} not proved, {different} different, {regions_open} of {regions} regions open, \
-             {wide} beyond f64, median {:.2} ms, 99 % {:.2} ms, slowest {:.2} ms {}",
-            times[times.len() / 2],
-            times[times.len() * 99 / 100],
-            slowest.0,
-            slowest.1
+            "{stratum}: {bodies} bodies, {unproved} not proved, {different} different, {regions_open} of {regions} regions \
+             open, {wide} beyond f64, median {:.2} ms, 99 % {:.2} ms, slowest {slowest:.2} ms {body}",
+            times[times.len() / 2].0,
+            times[times.len() * 99 / 100].0
         );
     }
+}
+
+fn class(components: &[Component]) -> String {
+    format!("{components:?} {:?}", signature(components))
 }

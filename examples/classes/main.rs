@@ -37,7 +37,7 @@ use survey::graph::{Domain, NearestOptions, Place, centre, deepen, plain};
 use survey::scan::Shard;
 use top::class::ClassName;
 
-use state::{Round, State, Summary, part};
+use state::{State, Summary, part};
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -46,11 +46,17 @@ fn main() -> Result<(), Failure> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words[..] {
         ["grow", state, domain, seed, steps, walls, ref rest @ ..] => {
-            let numbers = [seed.parse()?, steps.parse()?];
-            grow(Path::new(state), of_word(domain), numbers, Some(walls.parse()?), shard(rest)?)
+            let (path, domain, walls) = (Path::new(state), of_word(domain), walls.parse()?);
+            let (seed, steps, (shard, summaries)) = (seed.parse()?, steps.parse()?, shard(rest)?);
+            let mut state = begun(path, summaries)?;
+            while state.quiet(domain, seed) < walls {
+                walk(path, &mut state, domain, [seed, steps], shard)?;
+            }
+            Ok(())
         }
         ["round", state, domain, seed, steps, ref rest @ ..] => {
-            grow(Path::new(state), of_word(domain), [seed.parse()?, steps.parse()?], None, shard(rest)?)
+            let (path, (shard, summaries)) = (Path::new(state), shard(rest)?);
+            walk(path, &mut begun(path, summaries)?, of_word(domain), [seed.parse()?, steps.parse()?], shard)
         }
         ["join", state, ref shards @ ..] => {
             let mut whole = State::read_or_new(Path::new(state))?;
@@ -105,40 +111,27 @@ fn counts(path: &str) -> Result<(std::collections::BTreeMap<ClassName, u64>, u64
     Ok((classes.collect::<Result<_, Failure>>()?, summary.classified))
 }
 
-/// Rounds until so many walls in a row led to no new class, or one round.
-fn grow(
-    path: &Path,
-    domain: Domain,
-    [seed, steps]: [u64; 2],
-    walls: Option<u64>,
-    (shard, summaries): (Shard, &[&str]),
-) -> Result<(), Failure> {
+/// The state of a file, and the classes of the first bodies of scans.
+fn begun(path: &Path, summaries: &[&str]) -> Result<State, Failure> {
     let mut state = State::read_or_new(path)?;
     for summary in summaries {
         for class in Summary::read(summary)?.classes {
             state.graph.add_body(Place::of([class.first.moments, class.first.center]).values());
         }
     }
-    let same = |round: &&Round| round.domain == state::word(domain) && round.seed == seed;
-    let mut quiet = state.rounds.iter().filter(same).fold(0, |quiet, round| round.after(quiet));
-    let mut number = state.rounds.iter().filter(same).count() as u64;
-    while walls.is_none_or(|walls| quiet < walls) {
-        let round = state.round(domain, [seed, number, steps], shard);
-        quiet = round.after(quiet);
-        number += 1;
-        let unseen = state.graph.unseen(domain);
-        eprintln!(
-            "{round} {quiet} quiet, {} classes, {} borders, {unseen:?}",
-            state.graph.nodes.len(),
-            state.graph.edges.len()
-        );
-        state.rounds.push(round);
-        state.write(path)?;
-        if walls.is_none() {
-            break;
-        }
-    }
-    Ok(())
+    Ok(state)
+}
+
+/// One round more, which is written.
+fn walk(path: &Path, state: &mut State, domain: Domain, [seed, steps]: [u64; 2], shard: Shard) -> Result<(), Failure> {
+    let number = state.rounds_of(domain, seed).count() as u64;
+    let round = state.round(domain, [seed, number, steps], shard);
+    let told = round.to_string();
+    state.rounds.push(round);
+    let (quiet, unseen) = (state.quiet(domain, seed), state.graph.unseen(domain));
+    let (classes, borders) = (state.graph.nodes.len(), state.graph.edges.len());
+    eprintln!("{told} {quiet} quiet, {classes} classes, {borders} borders, {unseen:?}");
+    state.write(path)
 }
 
 /// Lines on which a witness goes to the middle of its class, before it is made deeper.

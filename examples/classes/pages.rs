@@ -25,7 +25,7 @@ pub fn pages(classes: &str, folder: &Path) -> Result<(), Failure> {
     for class in &document.classes {
         let body = Body::parse(&class.witness.body.moments, &class.witness.body.center)?;
         let atlas = atlas_of(&body, Accuracy::Exact)?;
-        std::fs::write(folder.join(format!("{}.svg", class.name)), sketch(&atlas))?;
+        std::fs::write(folder.join(format!("{}.svg", class.name)), sketch(&atlas)?)?;
         let mut page = head(class);
         page.push_str("| region | sections | components |\n| --- | --- | --- |\n");
         for (region, known) in atlas.regions().pairs() {
@@ -40,7 +40,7 @@ pub fn pages(classes: &str, folder: &Path) -> Result<(), Failure> {
         }
         std::fs::write(folder.join(format!("{}.md", class.name)), page)?;
     }
-    std::fs::write(folder.join("graph.svg"), map(&document.classes))?;
+    std::fs::write(folder.join("graph.svg"), map(&document.classes)?)?;
     Ok(std::fs::write(folder.join("README.md"), index(&document.classes)?)?)
 }
 

@@ -160,6 +160,15 @@ impl State {
         Ok(state)
     }
 
+    pub fn rounds_of(&self, domain: Domain, seed: u64) -> impl Iterator<Item = &Round> {
+        self.rounds.iter().filter(move |round| round.domain == word(domain) && round.seed == seed)
+    }
+
+    /// Walls in a row that led to no new class.
+    pub fn quiet(&self, domain: Domain, seed: u64) -> u64 {
+        self.rounds_of(domain, seed).fold(0, |quiet, round| round.after(quiet))
+    }
+
     /// Lets each class of a domain, or a shard of them, walk so many steps. The numbers are the seed, that of the round, and
     /// that of the steps.
     pub fn round(&mut self, domain: Domain, [seed, number, steps]: [u64; 3], shard: Shard) -> Round {

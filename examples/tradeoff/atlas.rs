@@ -53,20 +53,9 @@ impl Tally {
 pub fn run(all: &[Asked]) {
     println!("stratum,method,bodies,right,wrong,undecided,failed,untold,cpu_us_median,cpu_us_99,cpu_us_largest");
     for stratum in ["generic", "near axis", "near symmetric", "rod"] {
-        let mut bodies = all.iter().filter(|asked| asked.stratum == stratum).map(|asked| &asked.body);
-        let bodies: Vec<&Body> = bodies.by_ref().take(BODIES).collect();
-        let proofs: Vec<(Option<Classes>, f64)> = bodies
-            .par_iter()
-            .map(|body| {
-                let (atlas, time) = timed(|| CertifiedAtlas::new(body));
-                (atlas.ok().and_then(|atlas| proved(&atlas)), time)
-            })
-            .collect();
-        let mut certified = Tally::default();
-        for (classes, time) in &proofs {
-            certified.add(*time, Some(classes), classes.is_some(), Some(classes));
-        }
-        let truths: Vec<Option<Classes>> = proofs.into_iter().map(|(classes, _)| classes).collect();
+        let bodies = all.iter().filter(|asked| asked.stratum == stratum).map(|asked| &asked.body);
+        let bodies: Vec<&Body> = bodies.take(BODIES).collect();
+        let (certified, truths) = proofs(&bodies);
         let mut bare = Tally::default();
         for (body, truth) in bodies.iter().zip(&truths) {
             let (atlas, time) = timed(|| Atlas::new(body));
@@ -75,34 +64,12 @@ pub fn run(all: &[Asked]) {
         }
         bare.print(stratum, "regions alone");
         for (name, accuracy) in [("fast", Accuracy::Fast), ("exact", Accuracy::Exact)] {
-            let options = DocumentOptions { accuracy: accuracy.into(), ..DocumentOptions::default() };
-            let mut tally = Tally::default();
-            for (body, truth) in bodies.iter().zip(&truths) {
-                let (found, time) = timed(|| {
-                    let atlas = atlas_of(body, accuracy).ok()?;
-                    let document = documents::atlas::document(&atlas, &options);
-                    Some((atlas, document.summary.undecided.is_empty()))
-                });
-                let whole = found.as_ref().is_some_and(|(_, whole)| *whole);
-                let classes = found.map(|(atlas, _)| classes(&atlas));
-                tally.add(time, classes.as_ref(), whole, truth.as_ref());
-            }
-            tally.print(stratum, name);
+            with_documents(&bodies, &truths, accuracy).print(stratum, name);
         }
         certified.print(stratum, "proof");
         for (points, rows) in GRIDS {
-            let mut tally = Tally::default();
-            let flooded: Vec<(Classes, f64)> =
-                bodies.par_iter().take(FLOODED).map(|body| timed(|| flooded(body, points, rows))).collect();
-            for ((found, time), truth) in flooded.into_iter().zip(&truths) {
-                // A grid cannot tell two regions of one class apart.
-                let kinds = truth.clone().map(|mut all| {
-                    all.dedup();
-                    all
-                });
-                tally.add(time, Some(&found), true, kinds.as_ref());
-            }
-            tally.print(stratum, &format!("flood fill {points}x{points} points of {rows}x{}", 2 * rows));
+            let name = format!("flood fill {points}x{points} points of {rows}x{}", 2 * rows);
+            flood_fills(&bodies, &truths, points, rows).print(stratum, &name);
         }
         for (name, real) in [("companion matrix: cusps alone", 1e-8), ("companion matrix 1e-4: cusps alone", 1e-4)] {
             let mut tally = Tally::default();
@@ -114,6 +81,53 @@ pub fn run(all: &[Asked]) {
             tally.print(stratum, name);
         }
     }
+}
+
+/// Proved atlases, and what they say: the truth for all others.
+fn proofs(bodies: &[&Body]) -> (Tally, Vec<Option<Classes>>) {
+    let proofs: Vec<(Option<Classes>, f64)> = bodies
+        .par_iter()
+        .map(|body| {
+            let (atlas, time) = timed(|| CertifiedAtlas::new(body));
+            (atlas.ok().and_then(|atlas| proved(&atlas)), time)
+        })
+        .collect();
+    let mut tally = Tally::default();
+    for (classes, time) in &proofs {
+        tally.add(*time, Some(classes), classes.is_some(), Some(classes));
+    }
+    (tally, proofs.into_iter().map(|(classes, _)| classes).collect())
+}
+
+fn with_documents(bodies: &[&Body], truths: &[Option<Classes>], accuracy: Accuracy) -> Tally {
+    let options = DocumentOptions { accuracy: accuracy.into(), ..DocumentOptions::default() };
+    let mut tally = Tally::default();
+    for (body, truth) in bodies.iter().zip(truths) {
+        let (found, time) = timed(|| {
+            let atlas = atlas_of(body, accuracy).ok()?;
+            let document = documents::atlas::document(&atlas, &options);
+            Some((atlas, document.summary.undecided.is_empty()))
+        });
+        let whole = found.as_ref().is_some_and(|(_, whole)| *whole);
+        let classes = found.map(|(atlas, _)| classes(&atlas));
+        tally.add(time, classes.as_ref(), whole, truth.as_ref());
+    }
+    tally
+}
+
+fn flood_fills(bodies: &[&Body], truths: &[Option<Classes>], points: usize, rows: usize) -> Tally {
+    let found: Vec<(Classes, f64)> =
+        bodies.par_iter().take(FLOODED).map(|body| timed(|| flooded(body, points, rows))).collect();
+    let mut tally = Tally::default();
+    for ((found, time), truth) in found.into_iter().zip(truths) {
+        // A grid cannot tell two regions of one class apart.
+        let kinds = truth.clone().map(|mut all| {
+            all.dedup();
+            all
+        });
+        tally.add(time, Some(&found), true, kinds.as_ref());
+    }
+    tally
 }
 
 /// Nothing is left undecided: neither the plane nor the topology of a region.

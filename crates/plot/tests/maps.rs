@@ -6,7 +6,7 @@ mod picture_texts;
 
 use picture_letters::too_small;
 use picture_texts::{assert_texts_are_apart, texts};
-use plot::{Map, MapAxis, MapBodies, MapEntry, Theme, Width, draw_map};
+use plot::{Map, MapAxis, MapBodies, MapEntry, MapLine, Picture, Theme, Width, draw_map};
 
 type Piece = (Option<usize>, Vec<[f64; 2]>);
 
@@ -19,6 +19,7 @@ fn map(entries: usize, bodies: MapBodies) -> Map {
         name: format!("{:012x}", 0x1234_5678_9abc_u64 + 0x1_1111 * number as u64),
         note: format!("{} regions, below 0.1%", 9 + number % 16),
         mark: (number + 1).to_string(),
+        color: number,
     };
     let axis = |name: &str| MapAxis { name: name.to_owned(), range: [0.5, 1.5] };
     Map {
@@ -45,24 +46,47 @@ fn corner(count: usize) -> Map {
 
 #[test]
 fn every_class_of_a_crowded_map_has_a_number_or_a_place() {
-    for count in [5, 40, 130] {
+    for (count, width) in [5, 40, 130].into_iter().flat_map(|count| Width::ALL.map(|width| (count, width))) {
         let map = corner(count);
-        let picture = draw_map(&map, Theme::Light).unwrap();
+        let picture = draw_map(&map, Theme::Light, width).unwrap();
         let texts = texts(&picture);
         let mut placed = 0;
         for entry in &map.entries {
-            let legend = format!("{}  {}", entry.mark, entry.name);
-            let at = texts.iter().position(|(text, _)| text.split_whitespace().eq(legend.split_whitespace()));
+            let legend = &entry.name;
+            let at = texts.iter().position(|(text, _)| text == legend);
             let at = at.unwrap_or_else(|| panic!("{legend} of {count} is not in the legend"));
+            assert_eq!(texts[at - 1].0, entry.mark);
             let is_placed = texts[at + 1].0.starts_with("at (");
             placed += usize::from(is_placed);
-            let is_marked = texts.iter().any(|(text, _)| *text == entry.mark);
+            let is_marked = texts.iter().filter(|(text, _)| *text == entry.mark).count() > 1;
             assert!(is_marked || is_placed, "{legend} of {count} is nowhere");
             assert!(!is_placed || texts.iter().any(|(text, _)| text.starts_with("at (A2, r3):")));
         }
         assert_eq!(placed > 0, count > 20, "{placed} of {count}");
-        assert_texts_are_apart(&texts);
-        assert_eq!(too_small(&picture, Width::Page), Vec::<String>::new());
+        assert_texts_can_be_read(&picture, width);
+    }
+}
+
+/// No text is too small in print, leaves the page or covers another.
+fn assert_texts_can_be_read(picture: &Picture, width: Width) {
+    assert_eq!(too_small(picture, width), Vec::<String>::new());
+    assert_texts_are_apart(&texts(picture));
+}
+
+#[test]
+fn long_texts_stand_in_lines() {
+    let mut map = corner(5);
+    let long = |what: &str| format!("{what}: {}", "words that go on and on, ".repeat(9));
+    (map.title, map.subtitle) = (long("a title"), long("a subtitle"));
+    let points = vec![[0.5, 0.5], [1.5, 1.4]];
+    map.lines = vec![MapLine { points, text: long("a line"), name: "its name".to_owned(), ..MapLine::default() }];
+    for width in Width::ALL {
+        let picture = draw_map(&map, Theme::Light, width).unwrap();
+        assert_texts_can_be_read(&picture, width);
+        let all: String = texts(&picture).into_iter().map(|(text, _)| text + " ").collect();
+        for text in [&map.title, &map.subtitle, &map.lines[0].text, &map.lines[0].name] {
+            assert!(all.contains(text.trim()), "{text} is not told");
+        }
     }
 }
 
@@ -70,8 +94,9 @@ fn every_class_of_a_crowded_map_has_a_number_or_a_place() {
 fn a_cell_without_room_for_its_number_is_told_with_its_place() {
     let columns = 50;
     let entries = (0..columns * columns).map(|cell| Some(usize::from(cell == 51))).collect();
-    let picture = draw_map(&map(2, MapBodies::Grid { columns, entries }), Theme::Light).unwrap();
+    let picture = draw_map(&map(2, MapBodies::Grid { columns, entries }), Theme::Light, Width::Page).unwrap();
     let texts = texts(&picture);
-    let told = texts.iter().any(|(text, _)| text == "2") || texts.iter().any(|(text, _)| text == "at (0.53, 0.53)");
+    let told = texts.iter().filter(|(text, _)| text == "2").count() > 1
+        || texts.iter().any(|(text, _)| text == "at (0.53, 0.53)");
     assert!(told, "{texts:?}");
 }

@@ -4,7 +4,7 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::CertifiedAtlas;
-use super::arrange::Source;
+use super::arrange::{Arrangement, Source};
 use super::curves::{Place, Shape};
 use super::family::Half;
 use super::pair::{Mark, Proof, Stretch};
@@ -19,12 +19,13 @@ use schema::{
     CertifiedNode, CertifiedPair, CertifiedSample, CertifiedSlab, CertifiedStretch, PlaceDocument,
 };
 use top::curves::{CurveId, CurveName, End, Pole};
+use top::diagram::EventId;
 use top::table::Id;
 
-/// Digits of isolating ranges.
+/// Digits of isolating ranges, where no events lie closer together than a third of them.
 const ROOT_DIGITS: usize = 66;
-/// Digits of events, which may lie close together, and of the places of nodes that are known better than to doubles:
-/// fewer than of roots, so that a second arithmetic confirms them.
+/// Digits of events, likewise, and of the places of nodes that are known better than to doubles: fewer than of roots, so
+/// that a second arithmetic confirms them.
 const FINE_DIGITS: usize = 44;
 /// Digits of the places of nodes that are known to doubles.
 const NODE_DIGITS: usize = 24;
@@ -49,6 +50,8 @@ impl CertifiedAtlas {
         let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
         let energy = unit(self.frame.energy_unit);
         let moment = unit(self.frame.momentum_unit) * unit(self.frame.momentum_unit) / &energy;
+        let spacing = Spacing::of(a);
+        let root = |place: &Place| root(place, spacing.digits + ROOT_DIGITS - FINE_DIGITS);
         CertificateDocument {
             units: CertificateUnits { moment: decimal::exact(&moment), energy: decimal::exact(&energy) },
             bits: self.bits(),
@@ -83,7 +86,7 @@ impl CertifiedAtlas {
                 .map(|event| CertifiedEvent {
                     sources: event.sources.iter().map(source).collect(),
                     curves: names(&event.curves),
-                    x: decimal::outward(&widened(&event.x), FINE_DIGITS),
+                    x: spacing.outward(&event.x),
                     h: decimal::outward(&event.h.map(super::region::exact), NODE_DIGITS),
                 })
                 .collect(),
@@ -191,10 +194,40 @@ fn source(source: &Source) -> String {
     }
 }
 
-/// A little room, so that a second arithmetic with roundings of its own can confirm the enclosure.
-fn widened([lo, hi]: &[RBig; 2]) -> [RBig; 2] {
-    let room = hi / RBig::from(IBig::ONE << 140);
-    [lo - &room, hi + room]
+/// How the enclosures of events are written so that those of two transitions are as much apart as they are proved to be.
+struct Spacing {
+    /// The least distance between two transitions.
+    gap: Option<RBig>,
+    digits: usize,
+}
+
+impl Spacing {
+    fn of(arrangement: &Arrangement) -> Self {
+        let end = |group: &[EventId], side: usize| {
+            let ends = group.iter().map(|&event| &arrangement.events[event].x[side]);
+            if side == 0 { ends.min() } else { ends.max() }
+        };
+        let groups: Vec<&Vec<EventId>> = arrangement.transitions.iter().collect();
+        let gaps = groups.windows(2).filter_map(|pair| {
+            let (from, to) = (end(pair[0], 1)?, end(pair[1], 0)?);
+            Some((to - from, to))
+        });
+        let mut spacing = Self { gap: None, digits: FINE_DIGITS };
+        for (gap, x) in gaps.filter(|(gap, _)| *gap > RBig::ZERO) {
+            // Rounding to these moves an end by less than a fortieth of the gap.
+            let digits = (x * RBig::from(4) / &gap).ceil().to_string().len() + 2;
+            spacing.digits = spacing.digits.max(digits);
+            spacing.gap = Some(spacing.gap.into_iter().fold(gap, Ord::min));
+        }
+        spacing
+    }
+
+    /// With a little room, so that a second arithmetic with roundings of its own can confirm the enclosure.
+    fn outward(&self, [lo, hi]: &[RBig; 2]) -> [String; 2] {
+        let room = hi / RBig::from(IBig::ONE << 140);
+        let room = self.gap.iter().map(|gap| gap / RBig::from(8)).fold(room, Ord::min);
+        decimal::outward(&[lo - &room, hi + room], self.digits)
+    }
 }
 
 /// Where a curve of a family stands over x.
@@ -212,8 +245,8 @@ fn document<E: Enclosure>((half, y): &(Half, E), digits: usize) -> Option<PlaceD
     Some(of_half(*half, decimal::outward(&y.exact_bounds()?, digits)))
 }
 
-fn root(place: &Place) -> PlaceDocument {
-    of_half(place.half, decimal::outward(&[place.lo.clone(), place.hi.clone()], ROOT_DIGITS))
+fn root(place: &Place, digits: usize) -> PlaceDocument {
+    of_half(place.half, decimal::outward(&[place.lo.clone(), place.hi.clone()], digits))
 }
 
 fn of_half(half: Half, y: [String; 2]) -> PlaceDocument {

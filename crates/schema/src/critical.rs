@@ -240,8 +240,11 @@ pub struct CriticalDocument {
 #[must_use]
 pub fn small_motions(at: &[[[f64; 2]; 2]], number: impl Fn(f64) -> String) -> String {
     let Some(&[first, second]) = at.first() else { return String::new() };
-    let times =
-        |of: &dyn Fn(&[[f64; 2]; 2]) -> f64| at.iter().map(|pairs| number(of(pairs))).collect::<Vec<_>>().join(" … ");
+    let times = |of: &dyn Fn(&[[f64; 2]; 2]) -> f64| {
+        let mut told: Vec<String> = at.iter().map(|pairs| number(of(pairs))).collect();
+        told.dedup();
+        told.join(" … ")
+    };
     let part = |k: usize, [re, im]: [f64; 2]| {
         let growth = || format!("growth {}", times(&|pairs| 1.0 / pairs[k][0]));
         let period = || format!("period {}", times(&|pairs| std::f64::consts::TAU / pairs[k][1]));
@@ -256,5 +259,18 @@ pub fn small_motions(at: &[[[f64; 2]; 2]], number: impl Fn(f64) -> String) -> St
         format!("{}, twice", part(0, first))
     } else {
         format!("{}, {}", part(0, first), part(1, second))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_that_stay_the_same_are_told_once() {
+        let number = |time: f64| format!("{time:.3}");
+        let at = |growth: f64| [[1.0 / growth, 0.0], [0.0, std::f64::consts::TAU / 5.0]];
+        assert_eq!(small_motions(&[at(2.0), at(3.0)], number), "growth 2.000 … 3.000, period 5.000");
+        assert_eq!(small_motions(&[at(2.0)], number), "growth 2.000, period 5.000");
     }
 }

@@ -2,9 +2,10 @@
 
 import json
 import os
+from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -50,6 +51,8 @@ class Atlas:
     _ranges: tuple[Span, Span] | None
     _polygons: bool
     _loaded: str | None
+    # Makes the body of a document. The module of bodies, which makes atlases, sets it.
+    _body_of: ClassVar[Callable[[Document], "Body"]]
 
     def __init__(self, body: "Body", accuracy: str = "exact", *, certificate: bool = False) -> None:
         self.body = body
@@ -92,10 +95,8 @@ class Atlas:
     @classmethod
     def _of_text(cls, text: str) -> "Atlas":
         """The atlas of a document that is known to be one."""
-        from .body import Body
-
         document = json.loads(text)
-        atlas = cls(Body._of_document(document["body"]), document["accuracy"], certificate="certificate" in document)
+        atlas = cls(cls._body_of(document["body"]), document["accuracy"], certificate="certificate" in document)
         window = document.get("window")
         atlas._ranges = None if window is None else (tuple(window["h"]), tuple(window["l"]))
         atlas._polygons = all("polygon" in region for region in document["regions"])

@@ -502,3 +502,6 @@ class Body:
     def _repr_html_(self) -> str:
         moments, center = self._told()
         return table([("A", moments), ("r", center), *([("units", self.part["units"])] if self.part else [])])
+
+
+Atlas._body_of = Body._of_document

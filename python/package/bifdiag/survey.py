@@ -7,15 +7,12 @@ import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from . import _core, exact, files
+from .atlas import Atlas
+from .body import Body
 from .errors import BifdiagError, InputError
 from .records import Component, Document, Margin
-
-if TYPE_CHECKING:
-    from .atlas import Atlas
-    from .body import Body
 
 
 def scan(
@@ -27,7 +24,7 @@ def scan(
     threads: int | None = None,
     seed: int = 0,
     vary: "str | Iterable[str]" = (),
-    body: "Body | None" = None,
+    body: Body | None = None,
 ) -> Document:
     """Computes the diagrams of many bodies into a file, with the same bytes as the command line.
 
@@ -184,7 +181,7 @@ class Witness:
     found: bool
     exists: bool | None
     why: str | None
-    body: "Body | None"
+    body: Body | None
     h: str | None
     l: str | None
     components: tuple[Component, ...]
@@ -194,8 +191,6 @@ class Witness:
 
     @classmethod
     def _of(cls, document: Document) -> "Witness":
-        from .body import Body
-
         there = document.get("witness") or document
         found = document["found"]
         return cls(
@@ -292,7 +287,7 @@ def find(
     return Witness._of(json.loads(found))
 
 
-def verify(atlas: "str | os.PathLike[str] | Document | Atlas") -> int:
+def verify(atlas: str | os.PathLike[str] | Document | Atlas) -> int:
     """Re-checks an atlas that carries a certificate, by other means than those that made it, as ``bifdiag verify``.
 
     Parameters
@@ -322,8 +317,6 @@ def verify(atlas: "str | os.PathLike[str] | Document | Atlas") -> int:
     >>> bifdiag.verify(atlas)
     9
     """
-    from .atlas import Atlas
-
     if isinstance(atlas, dict):
         try:
             text = json.dumps(atlas)

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use plot::{Map, MapAxis, MapBodies, MapLine, MapNote, draw_map};
+use plot::{Map, MapAxis, MapBodies, MapLine, MapNote, Width, draw_map};
 use proof::Accuracy;
 use rayon::prelude::*;
 use survey::border::{self, BorderEventKind, BorderOptions, Segment};
@@ -18,18 +18,22 @@ use crate::cli::scan::map::map;
 use crate::cli::scan::shown::Seen;
 use crate::cli::scan::{ScanInput, Shown};
 
+/// Computes a map.
+type Make = fn() -> Result<Map, Failure>;
+
+const MAPS: [(&str, Make); 5] = [
+    ("map-katok", katok_plane),
+    ("map-lagrange-kovalevskaya", lagrange_to_kovalevskaya),
+    ("map-paper-r2-r3", paper_off_the_axis),
+    ("map-paper-a2-r3", paper_in_the_plane),
+    ("map-paper-a2-r3-near", paper_near_the_axis),
+];
+
 pub fn figures() -> impl Iterator<Item = Figure> {
-    let maps = [
-        ("map-katok", katok_plane as fn() -> Result<Map, Failure>),
-        ("map-lagrange-kovalevskaya", lagrange_to_kovalevskaya),
-        ("map-paper-r2-r3", paper_off_the_axis),
-        ("map-paper-a2-r3", paper_in_the_plane),
-        ("map-paper-a2-r3-near", paper_near_the_axis),
-    ];
-    maps.into_iter().map(|(stem, make)| Figure {
+    MAPS.into_iter().map(|(stem, make)| Figure {
         stem,
         draw: Box::new(move |timings, theme| {
-            timings.stage(stem, || Ok(draw_map(&make()?, theme).map_err(ExportError::from)?))
+            timings.stage(stem, || Ok(draw_map(&make()?, theme, Width::Page).map_err(ExportError::from)?))
         }),
     })
 }
@@ -60,23 +64,7 @@ fn body_family(moments: [&str; 3], center: [&str; 3]) -> Result<Family, Failure>
 fn katok_plane() -> Result<Map, Failure> {
     let vary = ["A2=0.3:1.69:72", "A3=0.305:1.7:72"];
     let mut map = classes_of(Family::Katok, &vary, [Parameter::A2, Parameter::A3])?;
-    let known: BTreeMap<String, &str> =
-        known_classes().into_iter().map(|(class, preset)| (class.to_string(), preset.name())).collect();
-    for entry in &mut map.entries {
-        if let Some((number, preset)) =
-            known.get(&entry.name).and_then(|name| Some((name.strip_prefix("katok:")?, name)))
-        {
-            entry.mark = number.to_owned();
-            entry.note = entry.note.split(';').next().unwrap_or_default().to_owned();
-            entry.name = format!("{preset}  {}", entry.name);
-        }
-    }
-    let renamed: Vec<usize> = {
-        let mut order: Vec<usize> = (0..map.entries.len()).collect();
-        order.sort_by(|&p, &q| map.entries[p].name.cmp(&map.entries[q].name));
-        order
-    };
-    reorder(&mut map, &renamed);
+    number_as_katok(&mut map);
     map.title = String::from("Tops with the centre of mass on a principal axis: Katok's seven classes");
     map.subtitle = String::from("A = (A1, A2, A3), r = (1, 0, 0); colours: class computed for each of 5184 bodies");
     map.x = MapAxis { name: "A2/A1".to_owned(), range: [0.3, 1.69] };
@@ -93,7 +81,7 @@ fn add_exact_borders(map: &mut Map) {
     let exact = "exact borders: Aⱼ = A1, Aⱼ = ¾A1, 4(1/√(1 − Aⱼ/A1) − 1) = 1/(1 − Aₖ/A1) for Aₖ < Aⱼ";
     for value in katok::LINES {
         for points in [vec![[value, 0.3], [value, 1.7]], vec![[0.3, value], [1.7, value]]] {
-            map.lines.push(MapLine { points: dense(&points), dashed: false, hue: 0, text: exact.to_owned() });
+            map.lines.push(MapLine { points: dense(&points), text: exact.to_owned(), ..MapLine::default() });
         }
     }
     let curve: Vec<[f64; 2]> = (0..=400)
@@ -102,11 +90,12 @@ fn add_exact_borders(map: &mut Map) {
         .collect();
     let mirrored = curve.iter().map(|[p, q]| [*q, *p]).collect();
     for points in [curve, mirrored] {
-        map.lines.push(MapLine { points, dashed: false, hue: 0, text: exact.to_owned() });
+        map.lines.push(MapLine { points, text: exact.to_owned(), ..MapLine::default() });
     }
     let physical = "bodies exist between these lines: |A2 − A3| ≤ A1 ≤ A2 + A3";
     for points in [vec![[0.3, 0.7], [0.7, 0.3]], vec![[0.3, 1.3], [0.7, 1.7]], vec![[1.3, 0.3], [1.7, 0.7]]] {
-        map.lines.push(MapLine { points: dense(&points), dashed: true, hue: 0, text: physical.to_owned() });
+        let text = physical.to_owned();
+        map.lines.push(MapLine { points: dense(&points), dashed: true, text, ..MapLine::default() });
     }
 }
 
@@ -117,6 +106,25 @@ fn dense(ends: &[[f64; 2]]) -> Vec<[f64; 2]> {
         .map(|n| f64::from(n) / 500.0)
         .map(|t| [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t])
         .collect()
+}
+
+/// Gives Katok's classes their numbers, and each the same colour in every map, in this order.
+fn number_as_katok(map: &mut Map) {
+    let known: BTreeMap<String, &str> =
+        known_classes().into_iter().map(|(class, preset)| (class.to_string(), preset.name())).collect();
+    for entry in &mut map.entries {
+        let Some(preset) = known.get(&entry.name) else { continue };
+        let Some(number) = preset.strip_prefix("katok:").and_then(|number| number.parse::<usize>().ok()) else {
+            continue;
+        };
+        entry.mark = number.to_string();
+        entry.color = number.saturating_sub(1);
+        entry.note = entry.note.split(';').next().unwrap_or_default().to_owned();
+        entry.name = format!("{preset}  {}", entry.name);
+    }
+    let mut order: Vec<usize> = (0..map.entries.len()).collect();
+    order.sort_by(|&p, &q| map.entries[p].name.cmp(&map.entries[q].name));
+    reorder(map, &order);
 }
 
 /// Puts the entries into another order.
@@ -142,6 +150,7 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
     let mut map = map(&seen, axes, Shown::Class);
     let borders = borders(&found);
     map.bodies = strips(&map, &found, &borders);
+    number_as_katok(&mut map);
     map.title = String::from("From Lagrange (η = 1) to Kovalevskaya (η = 2)");
     map.subtitle = String::from("A = (2, η, 1), r = (1, 0, 0); colours: class; lines: the momenta l of all events");
     map.x = MapAxis { name: "η".to_owned(), range: ETA };
@@ -152,14 +161,15 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
         dashed: true,
         hue: 4,
         text: "η = 1: Lagrange's top, two moments equal; no border of classes".to_owned(),
+        ..MapLine::default()
     });
     map.notes.push(MapNote { at: [1.0, L[1] - 0.08], text: "1".to_owned(), hue: 4, ring: false });
     for (eta, event) in borders {
         map.lines.push(MapLine {
             points: dense(&[[eta, L[0]], [eta, L[1]]]),
             dashed: true,
-            hue: 0,
             text: format!("η = {eta:.4}: {event}").replace('-', "−"),
+            ..MapLine::default()
         });
         map.notes.push(MapNote { at: [eta, L[1] - 0.08], text: format!("{eta:.4}"), hue: 0, ring: false });
     }
@@ -196,19 +206,14 @@ fn add_events(map: &mut Map) {
             lines.entry(label.to_string()).or_default().push([eta, l]);
         }
     }
-    let mut boxes: Vec<[f64; 4]> = Vec::new();
     map.subtitle.push_str("; L+, L−: from +r̂, −r̂; S2, S3: pair over axis 2, 3");
     for (name, points) in &lines {
         for run in points.chunk_by(|p, q| q[0] - p[0] < 0.006) {
             let (hue, kind) =
                 EVENTS.iter().enumerate().find(|(_, kind)| name.starts_with(**kind)).unwrap_or((3, &"event"));
             let text = format!("momentum of a {kind}");
-            map.lines.push(MapLine { points: run.to_vec(), dashed: false, hue: hue + 1, text });
-            let inside = |at: &&[f64; 2]| at[1] > L[0] + 0.05 && at[1] < L[1] - 0.2;
-            let inside: Vec<&[f64; 2]> = run.iter().filter(inside).collect();
-            if let Some(at) = free_place(&inside, name, ETA, L, &mut boxes) {
-                map.notes.push(MapNote { at, text: name.replace('-', "−"), hue: hue + 1, ring: false });
-            }
+            let name = name.replace('-', "−");
+            map.lines.push(MapLine { points: run.to_vec(), dashed: false, hue: hue + 1, text, name });
         }
     }
 }
@@ -225,31 +230,6 @@ fn borders(rows: &[Row]) -> Vec<(f64, BorderEventKind)> {
         Some((segment.coordinate(Parameter::A2.place(), border.t).to_f64().value(), border.event.kind))
     };
     rows.windows(2).filter_map(between).collect()
-}
-
-/// A point of a line at which its name covers no other name.
-fn free_place(line: &[&[f64; 2]], name: &str, x: [f64; 2], y: [f64; 2], boxes: &mut Vec<[f64; 4]>) -> Option<[f64; 2]> {
-    // Shares of the map's sides that a letter and a line of text take.
-    const LETTER: f64 = 0.0058;
-    const LINE: f64 = 0.013;
-    const TRIES: usize = 40;
-    let half = LETTER * name.chars().count() as f64;
-    (0..TRIES).find_map(|n| {
-        // From the middle outwards.
-        let step = n.div_ceil(2) * line.len() / (TRIES + 2);
-        let place = if n % 2 == 0 { line.len() / 2 + step } else { (line.len() / 2).checked_sub(step)? };
-        let at = **line.get(place)?;
-        let share = |value: f64, range: [f64; 2]| (value - range[0]) / (range[1] - range[0]);
-        let (u, v) = (share(at[0], x).clamp(half, 1.0 - half), share(at[1], y));
-        let mine = [u - half, u + half, v - LINE, v + LINE];
-        let apart =
-            |other: &[f64; 4]| mine[1] < other[0] || mine[0] > other[1] || mine[3] < other[2] || mine[2] > other[3];
-        if !boxes.iter().all(apart) {
-            return None;
-        }
-        boxes.push(mine);
-        Some(at)
-    })
 }
 
 /// The paper's body, r2 and r3 varied.
@@ -287,4 +267,36 @@ fn paper_near_the_axis() -> Result<Map, Failure> {
     map.subtitle =
         String::from("A = (2, A2, 1), r = (0.94868, 0, r3): the lower left of the map for larger r3, magnified");
     Ok(map)
+}
+
+#[path = "../../../crates/plot/tests"]
+#[cfg(test)]
+mod tests {
+    mod picture_letters;
+    mod picture_svg;
+    mod picture_texts;
+
+    use super::*;
+    use picture_letters::too_small;
+    use picture_texts::{assert_texts_are_apart, texts};
+    use plot::Theme;
+
+    #[test]
+    fn every_map_can_be_read_on_a_page_and_in_a_column() {
+        for make in MAPS.map(|(_, make)| make) {
+            let map = make().unwrap();
+            for width in Width::ALL {
+                let picture = draw_map(&map, Theme::Light, width).unwrap();
+                assert_eq!(too_small(&picture, width), Vec::<String>::new(), "{}", map.title);
+                let texts = texts(&picture);
+                assert_texts_are_apart(&texts);
+                let inside = |value: f64, [from, to]: [f64; 2]| value > from && value < to;
+                let is_seen = |[x, y]: &[f64; 2]| inside(*x, map.x.range) && inside(*y, map.y.range);
+                for line in map.lines.iter().filter(|line| !line.name.is_empty()) {
+                    let is_named = texts.iter().any(|(text, _)| *text == line.name);
+                    assert_eq!(is_named, line.points.iter().any(is_seen), "{} of {}", line.name, map.title);
+                }
+            }
+        }
+    }
 }

@@ -7,7 +7,7 @@ use survey::scan::Shard;
 use survey::{Parameter, Range};
 
 use super::table::Format;
-use crate::cli::export::PictureArguments;
+use crate::cli::export::{PictureArguments, WidthArgument};
 use crate::cli::input::{AccuracyArgument, BodyArguments};
 
 pub const SCAN_EXAMPLES: &str = "\
@@ -162,6 +162,8 @@ pub struct MapArguments {
     pub out: PathBuf,
     #[command(flatten)]
     pub picture: PictureArguments,
+    #[command(flatten)]
+    pub width: WidthArgument,
 }
 
 /// `bifdiag scan border`.

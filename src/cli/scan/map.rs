@@ -41,7 +41,9 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
         }
     }
     let map = map(&bodies, [arguments.x, arguments.y], arguments.show);
-    let picture = timings.stage("map", || draw_map(&map, arguments.picture.theme())).map_err(ExportError::from)?;
+    let picture = timings
+        .stage("map", || draw_map(&map, arguments.picture.theme(), arguments.width.width()))
+        .map_err(ExportError::from)?;
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("map");
     files.pictures("map", &picture, &arguments.picture.format, RESOLUTION, timings)?;
@@ -135,8 +137,11 @@ fn entries(order: &[(&Shows, usize, u32)], bodies: usize) -> Vec<MapEntry> {
                 None => format!("{}{}", told(*regions), share(*bodies)),
             },
             mark: (number + 1).to_string(),
+            color: number,
         },
-        Shows::Count(count) => MapEntry { name: count.to_string(), note: share(*bodies), mark: count.to_string() },
+        Shows::Count(count) => {
+            MapEntry { name: count.to_string(), note: share(*bodies), mark: count.to_string(), color: number }
+        }
     };
     order.iter().enumerate().map(entry).collect()
 }

@@ -31,15 +31,13 @@ pub(super) struct News<'a, S: Simd> {
     /// Roots of the lanes that have exactly one, as times after the step's start, and the states there.
     offsets: [S::f64s; 1],
     states: [Vector<S>; 2],
-    /// Steps that the lanes have made, this one included.
-    step: u64,
 }
 
 impl<'a, S: Simd> News<'a, S> {
     #[inline(always)]
-    pub fn read(simd: S, lanes: &'a Lanes<S>, scan: &'a Scan<S>, step: u64) -> Self {
+    pub fn read(simd: S, lanes: &'a Lanes<S>, scan: &'a Scan<S>) -> Self {
         let offset = scan.single_roots(simd, lanes);
-        Self { lanes, scan, offsets: [offset], states: lanes.states_at(simd, offset), step }
+        Self { lanes, scan, offsets: [offset], states: lanes.states_at(simd, offset) }
     }
 }
 
@@ -148,10 +146,15 @@ impl Follower {
         self.origin = step.wrapping_sub(self.steps);
     }
 
-    /// It is now at `time`, after so many steps of the lanes.
+    /// The lanes have made so many steps.
     #[inline(always)]
-    pub fn arrive(&mut self, step: u64, time: f64) {
+    pub fn count(&mut self, step: u64) {
         self.steps = step.wrapping_sub(self.origin);
+    }
+
+    /// It is now at `time`.
+    #[inline(always)]
+    pub fn arrive(&mut self, time: f64) {
         self.time = time;
     }
 
@@ -171,11 +174,10 @@ impl Follower {
         self.end.is_some()
     }
 
-    /// Looks for crossings in the lane's step, which may have some.
+    /// Looks for crossings in the lane's step, which was counted and may have some.
     #[inline(always)]
     pub fn look<S: Simd>(&mut self, simd: S, options: &SweepOptions, news: &News<S>, lane: usize) {
         let (lanes, scan) = (news.lanes, news.scan);
-        self.steps = news.step.wrapping_sub(self.origin);
         let verdict = scan.verdict(lane);
         let start = lanes.time(lane);
         if verdict.flat {

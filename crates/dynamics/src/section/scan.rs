@@ -3,7 +3,7 @@
 use pulp::Simd;
 
 use super::condition::SectionCondition;
-use super::newton::single_roots;
+use super::halley::single_roots;
 use crate::integrator::product::ProductSum;
 use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, lane_values_mut, magnitude};
 

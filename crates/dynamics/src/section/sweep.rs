@@ -199,9 +199,10 @@ impl WithSimd for TaylorWorker<'_> {
             scan.read(simd, &lanes, queue.options.condition);
             let news = scan.lanes_with_news();
             if news != 0 {
-                let read = News::read(simd, &lanes, &scan, step);
+                let read = News::read(simd, &lanes, &scan);
                 for lane in bits(news) {
                     if let Some(follower) = &mut followers[lane] {
+                        follower.count(step);
                         follower.look(simd, queue.options, &read, lane);
                     }
                 }
@@ -212,7 +213,8 @@ impl WithSimd for TaylorWorker<'_> {
             let all = stopped || lanes.any_is_at(queue.options.max_time);
             for lane in bits(if all { u32::MAX >> (32 - S::F64_LANES) } else { news }) {
                 let ends = |follower: &mut Follower| {
-                    follower.arrive(step, lanes.time(lane).seconds());
+                    follower.count(step);
+                    follower.arrive(lanes.time(lane).seconds());
                     follower.is_over(queue.options) || follower.has(queue.most) || stopped
                 };
                 if let Some(mut follower) = followers[lane].take_if(ends) {

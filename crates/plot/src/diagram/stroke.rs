@@ -140,15 +140,21 @@ fn stroke(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>, set: &[us
     Some(Stroke { curve: lines.first()?.curve, l, lines })
 }
 
-/// The visible parts of a stroke in a panel.
+/// The parts of a stroke in a panel, as far as a line beside it may be visible.
 fn parts(panel: &Panel, stroke: &Stroke) -> Vec<Vec<Point>> {
     let points = panel.traces[stroke.curve].part(stroke.l[0], stroke.l[1]);
-    clip_polyline(&panel.view.positions(&points), &panel.view.rect)
+    clip_polyline(&panel.view.positions(&points), &panel.view.rect.grown(stroke.lines.len() as f64 * APART))
+}
+
+/// The visible parts of a line so far beside a stroke.
+fn visible(panel: &Panel, parts: &[Vec<Point>], shift: f64) -> Vec<Vec<Point>> {
+    let beside = |part: &Vec<Point>| if shift == 0.0 { part.clone() } else { shifted(part, shift) };
+    parts.iter().flat_map(|part| clip_polyline(&beside(part), &panel.view.rect)).collect()
 }
 
 /// Whether anything of a stroke is seen.
 pub(super) fn is_drawn(stroke: &Stroke, panels: &[Panel]) -> bool {
-    panels.iter().any(|panel| parts(panel, stroke).iter().any(|part| part.len() > 1))
+    panels.iter().any(|panel| visible(panel, &parts(panel, stroke), 0.0).iter().any(|part| part.len() > 1))
 }
 
 /// Draws a stroke in a panel, one path for each of its lines.
@@ -157,9 +163,8 @@ pub(super) fn draw(canvas: &Canvas, panel: &Panel, stroke: &Stroke) {
     for (place, line) in stroke.lines.iter().enumerate() {
         let shift = APART * (place as f64 - (stroke.lines.len() - 1) as f64 / 2.0);
         let mut path = Path::default();
-        for part in &parts {
-            let beside = if shift == 0.0 { part.clone() } else { shifted(part, shift) };
-            path.line(&beside, false);
+        for part in visible(panel, &parts, shift) {
+            path.line(&part, false);
         }
         pattern::draw_path(canvas, &path, &line.pattern, WIDTH);
     }

@@ -29,7 +29,7 @@ pub(super) fn fill(map: &Map, entry: Option<usize>) -> RGBColor {
     match entry {
         None => UNKNOWN,
         Some(entry) if map.ordered => level(entry, map.entries.len()),
-        Some(entry) => color(entry),
+        Some(entry) => color(map.entries.get(entry).map_or(entry, |entry| entry.color)),
     }
 }
 
@@ -47,12 +47,12 @@ fn level(entry: usize, count: usize) -> RGBColor {
     RGBColor(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))
 }
 
-/// The colour of an entry. Beyond the chosen ones hues follow the golden section.
-fn color(entry: usize) -> RGBColor {
-    if let Some(color) = CHOSEN.get(entry) {
+/// One of the colours. Beyond the chosen ones hues follow the golden section.
+fn color(number: usize) -> RGBColor {
+    if let Some(color) = CHOSEN.get(number) {
         return *color;
     }
-    let step = entry - CHOSEN.len();
+    let step = number - CHOSEN.len();
     let hue = (0.11 + 0.618_033_988_75 * step as f64).fract();
     let (low, high) = [(150.0, 240.0), (120.0, 205.0), (175.0, 250.0)][step % 3];
     let channel = |shift: f64| {

@@ -2,54 +2,95 @@
 
 use super::colors::{fill, line as line_color};
 use super::legend::{BORDER, LINE, Legend, Places, line_pattern};
-use super::marks::{Mark, RING, marked, note_box};
+use super::marks::{Marked, RING, marked, note_box};
 use super::model::{Map, MapBodies, MapLine, MapNote};
 use super::view::{SIZE, SMALL, View};
 use std::collections::BTreeSet;
 
 use crate::page::{
-    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Path, Picture, PlotError, Point, Rect, Theme, draw_axes,
-    is_proper, pattern, render, text_width, ticks,
+    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Path, Picture, PlotError, Point, Rect, Theme, Width, draw_axes,
+    is_proper, lines, pattern, render, text_width, ticks,
 };
 
+/// The side of a map on a page.
 const SIDE: f64 = 540.0;
 const LEFT: f64 = 64.0;
-const TOP: f64 = 64.0;
 const BELOW: f64 = 56.0;
+/// Base line of the title, and between its lines; then those of the subtitle, and the map below.
+const TITLE: f64 = 24.0;
+const TITLE_SIZE: f64 = 15.0;
+const TITLE_LINE: f64 = 19.0;
+const SUBTITLE: f64 = 17.0;
+const SUBTITLE_LINE: f64 = 15.0;
+const MAP: f64 = 23.0;
 /// Between map and legend, and at the edges of the page.
 const GAP: f64 = 20.0;
 const EDGE: f64 = 12.0;
-/// The width of a page, as long as the legend beside the map has room: so wide 11 pixels are 6 pt in print.
-const PAGE: f64 = 924.0;
 
-/// Draws a map.
+/// Draws a map: on a page with its legend beside it as far as there is room, in a column with all of it below.
 ///
 /// # Errors
 /// [`PlotError::EmptyWindow`] when a range is empty, else what the drawing library reports.
-pub fn draw_map(map: &Map, theme: Theme) -> Result<Picture, PlotError> {
+pub fn draw_map(map: &Map, theme: Theme, width: Width) -> Result<Picture, PlotError> {
     if !is_proper(map.x.range) || !is_proper(map.y.range) {
         return Err(PlotError::EmptyWindow { h: map.x.range, l: map.y.range });
     }
-    let rect = Rect { x: LEFT, y: TOP, width: SIDE, height: SIDE };
+    let paper = width.pixels();
+    let side = if width == Width::Page { SIDE } else { paper - LEFT - EDGE };
+    let heading = Heading::new(map, paper - LEFT - EDGE);
+    let rect = Rect { x: LEFT, y: heading.height, width: side, height: side };
     let view = View { x: map.x.range, y: map.y.range, rect };
-    let marks = marked(map, &view);
-    let beside = LEFT + SIDE + GAP;
-    let places = Places { beside: [PAGE - beside - EDGE, SIDE], below: PAGE - 2.0 * EDGE };
-    let legend = Legend::new(map, &view, &marks, places);
-    let width = if legend.height_below() > 0.0 { PAGE } else { 0.0 }.max(beside + legend.width_beside() + EDGE);
-    let below = TOP + SIDE + BELOW;
+    let marked = marked(map, &view);
+    let beside = rect.right() + GAP;
+    let room = if width == Width::Page { [paper - beside - EDGE, side] } else { [0.0; 2] };
+    let legend = Legend::new(map, &view, &marked.marks, Places { beside: room, below: paper - 2.0 * EDGE });
+    let needed = (beside + legend.width_beside()).max(LEFT + heading.width) + EDGE;
+    let width = if legend.height_below() > 0.0 { paper } else { needed.min(paper) };
+    let below = rect.bottom() + BELOW;
     let height = below + legend.height_below() + EDGE;
     render([width.ceil(), height.ceil()], map.title.as_str(), theme, |canvas| {
-        canvas.text(&map.title, [LEFT, 24.0], 15.0, INK, Anchor::Start);
-        canvas.text(&map.subtitle, [LEFT, 41.0], SIZE, FAINT_INK, Anchor::Start);
+        heading.draw(canvas);
         bodies(canvas, map, &view);
         for line in &map.lines {
             draw_line(canvas, line, &view);
         }
-        draw_marks(canvas, map, &view, &marks);
+        draw_marks(canvas, map, &view, &marked);
         axes(canvas, map, &view);
-        legend.draw(canvas, [beside, TOP], [EDGE, below]);
+        legend.draw(canvas, [beside, rect.y], [EDGE, below]);
     })
+}
+
+/// Title and subtitle in lines.
+struct Heading {
+    title: Vec<String>,
+    subtitle: Vec<String>,
+    width: f64,
+    height: f64,
+}
+
+impl Heading {
+    fn new(map: &Map, room: f64) -> Self {
+        let [title, subtitle] =
+            [(&map.title, TITLE_SIZE), (&map.subtitle, SIZE)].map(|(text, size)| lines(text, size, room));
+        let widest = |texts: &[String], size| texts.iter().map(|text| text_width(text, size)).fold(0.0, f64::max);
+        let width = widest(&title, TITLE_SIZE).max(widest(&subtitle, SIZE));
+        let more = |texts: &[String], line| (texts.len().max(1) - 1) as f64 * line;
+        let height = TITLE + SUBTITLE + MAP + more(&title, TITLE_LINE) + more(&subtitle, SUBTITLE_LINE);
+        Self { title, subtitle, width, height }
+    }
+
+    fn draw(&self, canvas: &Canvas) {
+        let mut base = TITLE;
+        for line in &self.title {
+            canvas.text(line, [LEFT, base], TITLE_SIZE, INK, Anchor::Start);
+            base += TITLE_LINE;
+        }
+        base += SUBTITLE - TITLE_LINE;
+        for line in &self.subtitle {
+            canvas.text(line, [LEFT, base], SIZE, FAINT_INK, Anchor::Start);
+            base += SUBTITLE_LINE;
+        }
+    }
 }
 
 fn bodies(canvas: &Canvas, map: &Map, view: &View) {
@@ -94,7 +135,7 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
             path.draw(canvas, &format!("id=\"borders\" stroke-linecap=\"round\" {ink}"));
         }
         MapBodies::Points(points) => {
-            let radius = (0.4 * SIDE / (points.len().max(1) as f64).sqrt()).clamp(0.8, 6.0);
+            let radius = (0.4 * view.rect.width / (points.len().max(1) as f64).sqrt()).clamp(0.8, 6.0);
             for (at, entry) in points {
                 canvas.disc(view.at(*at), radius, fill(map, *entry));
             }
@@ -110,8 +151,17 @@ fn draw_line(canvas: &Canvas, line: &MapLine, view: &View) {
     }
 }
 
-/// The marks of the entries, and the notes.
-fn draw_marks(canvas: &Canvas, map: &Map, view: &View, marks: &[Mark]) {
+/// The names of lines, the marks of the entries, and the notes.
+fn draw_marks(canvas: &Canvas, map: &Map, view: &View, Marked { marks, names }: &Marked) {
+    for name in names {
+        let line = &map.lines[name.line];
+        let color = line_color(line.hue);
+        canvas.path(&name.leader, Ink { color, width: 0.7 });
+        canvas.disc(name.leader[0], 1.5, color);
+        canvas.polygon(&name.rect.corners(), PAPER);
+        let [x, y] = name.rect.center();
+        canvas.text(&line.name, [x, y + 0.36 * SMALL], SMALL, color, Anchor::Middle);
+    }
     for mark in marks {
         if let Some([tip, end]) = mark.leader {
             canvas.path(&[tip, end], Ink { color: INK, width: 0.7 });
@@ -139,8 +189,10 @@ fn draw_note(canvas: &Canvas, note: &MapNote, view: &View) {
 
 fn axes(canvas: &Canvas, map: &Map, view: &View) {
     let rect = &view.rect;
-    let x_ticks = ticks(&map.x.name, view.x[0], view.x[1], 8);
-    let y_ticks = ticks(&map.y.name, view.y[0], view.y[1], 10);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful")]
+    let count = |on_page: f64| (on_page * rect.width / SIDE).round() as usize;
+    let x_ticks = ticks(&map.x.name, view.x[0], view.x[1], count(8.0));
+    let y_ticks = ticks(&map.y.name, view.y[0], view.y[1], count(10.0));
     let [x, y] = [(view.x, &x_ticks), (view.y, &y_ticks)].map(|(range, ticks)| Axis { range, ticks });
     draw_axes(canvas, rect, [BELOW - 10.0, LEFT], [x, y]);
     let below = [rect.x + 0.5 * rect.width, rect.bottom() + 38.0];

@@ -4,18 +4,22 @@ use plotters::style::RGBColor;
 
 use super::colors::{fill, line as line_color};
 use super::marks::Mark;
-use super::model::{Map, MapBodies, MapEntry};
+use super::model::{Map, MapBodies};
 use super::spots::{short_place, spot};
 use super::view::{SIZE, SMALL, View};
-use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Pattern, Point, Rect, Rows, pattern, text_width};
+use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Pattern, Point, Rect, Rows, lines, pattern, text_width};
 
 const ROW: f64 = 17.0;
 const SWATCH: f64 = 13.0;
 /// Widths of lines, and of borders between areas.
 pub(super) const LINE: f64 = 1.4;
 pub(super) const BORDER: f64 = 0.8;
+/// Between lines of one text.
+const LINE_PITCH: f64 = 14.0;
 /// Between columns, and between what stands in a row.
 const BETWEEN: f64 = 16.0;
+/// Between a symbol and its text, and between the texts of an entry.
+const GAP: f64 = 7.0;
 
 /// How a line is drawn.
 pub(super) fn line_pattern(dashed: bool, color: RGBColor) -> Pattern {
@@ -36,49 +40,69 @@ pub(super) struct Legend {
     height_below: f64,
 }
 
+/// The mark of an entry, its name, and what is told of it; the names and the notes of all entries begin below each other.
+struct Entry {
+    fill: RGBColor,
+    mark: String,
+    name: String,
+    note: String,
+}
+
 enum Line {
-    Note(String),
-    Entry { fill: RGBColor, text: String, note: String },
-    Stroke { dashed: bool, color: RGBColor, width: f64, text: String },
+    Note(Vec<String>),
+    Entry(Entry, Columns),
+    Stroke { dashed: bool, color: RGBColor, width: f64, texts: Vec<String> },
+}
+
+/// Where names and notes begin.
+#[derive(Clone, Copy)]
+struct Columns {
+    name: f64,
+    note: f64,
 }
 
 impl Legend {
     /// Each entry is told with its number, and where it lies if no mark in the map says that.
     pub(super) fn new(map: &Map, view: &View, marks: &[Mark], places: Places) -> Self {
         let mut unmarked = false;
-        let mut entries: Vec<Line> = Vec::with_capacity(map.entries.len());
+        let mut entries: Vec<Entry> = Vec::with_capacity(map.entries.len());
         for (number, entry) in map.entries.iter().enumerate() {
             let is_marked = marks.iter().any(|mark| mark.entry == number);
             let place = if is_marked { None } else { spot(&map.bodies, number, view) };
             unmarked |= place.is_some();
-            entries.push(Line::Entry {
+            entries.push(Entry {
                 fill: fill(map, Some(number)),
-                text: named(entry),
+                mark: if entry.mark == entry.name { String::new() } else { entry.mark.clone() },
+                name: entry.name.clone(),
                 note: place.map_or_else(|| entry.note.clone(), |place| format!("at ({})", short_place(place))),
             });
         }
         let (_, unknown) = map.bodies.seen(map.entries.len(), view);
         if unknown {
-            entries.push(Line::Entry { fill: fill(map, None), text: map.unknown.clone(), note: String::new() });
+            let [mark, note] = [String::new(), String::new()];
+            entries.push(Entry { fill: fill(map, None), mark, name: map.unknown.clone(), note });
         }
-        let mut others = strokes(map);
+        let mut others = strokes(map, places.below);
         if unmarked {
             let [x, y] = [&map.x.name, &map.y.name];
-            others.push(Line::Note(format!("at ({x}, {y}): a place in an area without room for its number")));
+            let note = format!("at ({x}, {y}): a place in an area without room for its number");
+            others.push(Line::Note(lines(&note, SMALL, places.below)));
         }
+        let columns = Columns::of(&entries);
+        let entries = entries.into_iter().map(|entry| Line::Entry(entry, columns)).collect();
         Self::laid_out(entries, others, places)
     }
 
     /// Everything beside the map where there is room for it, else only entries as far as they fit.
     fn laid_out(mut entries: Vec<Line>, others: Vec<Line>, places: Places) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some dozens")]
-        let whole = |number: f64| number.max(1.0).floor() as usize;
+        let whole = |number: f64| number.floor() as usize;
         let widest = |lines: &[Line]| lines.iter().map(Line::width).fold(0.0, f64::max);
-        let rows = whole(places.beside[1] / ROW);
+        let rows = if widest(&entries) <= places.beside[0] { whole(places.beside[1] / ROW) } else { 0 };
         let together = entries.len() + others.len() <= rows && widest(&others) <= places.beside[0];
         let mut rest = entries.split_off(entries.len().min(rows));
         let mut below = Vec::new();
-        let columns = whole((places.below + BETWEEN) / (widest(&rest) + BETWEEN));
+        let columns = whole((places.below + BETWEEN) / (widest(&rest) + BETWEEN)).max(1);
         let in_column = rest.len().div_ceil(columns);
         let pitch = widest(&rest) + BETWEEN;
         for (place, line) in rest.drain(..).enumerate() {
@@ -89,7 +113,7 @@ impl Legend {
             entries.extend(others);
         } else if !others.is_empty() {
             let top = height_below + if height_below > 0.0 { 6.0 } else { 0.0 };
-            let corners = Rows::new(others.iter().map(|line| [line.width(), ROW]), BETWEEN, places.below);
+            let corners = Rows::new(others.iter().map(|line| [line.width(), line.height()]), BETWEEN, places.below);
             height_below = top + corners.height;
             below.extend(others.into_iter().zip(corners.corners).map(|(line, [x, y])| (line, [x, top + y])));
         }
@@ -116,60 +140,80 @@ impl Legend {
     }
 }
 
-/// An entry with its number.
-fn named(entry: &MapEntry) -> String {
-    if entry.mark == entry.name { entry.name.clone() } else { format!("{}  {}", entry.mark, entry.name) }
+impl Columns {
+    fn of(entries: &[Entry]) -> Self {
+        let widest =
+            |text: fn(&Entry) -> &str| entries.iter().map(|entry| text_width(text(entry), SIZE)).fold(0.0, f64::max);
+        let mark = widest(|entry| &entry.mark);
+        let name = SWATCH + GAP + if mark > 0.0 { mark + GAP } else { 0.0 };
+        Self { name, note: name + widest(|entry| &entry.name) + GAP }
+    }
 }
 
-/// What lines mean, each meaning once.
-fn strokes(map: &Map) -> Vec<Line> {
-    let mut lines = Vec::new();
+/// What lines mean, each meaning once, in texts of at most so many pixels.
+fn strokes(map: &Map, room: f64) -> Vec<Line> {
+    let stroke = |dashed, color, width, text: &str| {
+        let texts = lines(text, SIZE, room - 2.0 * SWATCH - GAP);
+        Line::Stroke { dashed, color, width, texts }
+    };
+    let mut strokes = Vec::new();
     if let MapBodies::Areas { borders, told, .. } = &map.bodies
         && !borders.is_empty()
     {
-        lines.push(Line::Stroke { dashed: false, color: line_color(0), width: BORDER, text: told.clone() });
+        strokes.push(stroke(false, line_color(0), BORDER, told));
     }
     let mut told: Vec<&str> = Vec::new();
     for line in &map.lines {
         if !line.text.is_empty() && !told.contains(&line.text.as_str()) {
             told.push(&line.text);
-            let color = line_color(line.hue);
-            lines.push(Line::Stroke { dashed: line.dashed, color, width: LINE, text: line.text.clone() });
+            strokes.push(stroke(line.dashed, line_color(line.hue), LINE, &line.text));
         }
     }
-    lines
+    strokes
 }
 
 impl Line {
     fn width(&self) -> f64 {
+        let widest = |texts: &[String], size| texts.iter().map(|text| text_width(text, size)).fold(0.0, f64::max);
         match self {
-            Self::Entry { text, note, .. } => {
-                let note = if note.is_empty() { 0.0 } else { 8.0 + text_width(note, SMALL) };
-                SWATCH + 7.0 + text_width(text, SIZE) + note
-            }
-            Self::Note(text) => text_width(text, SMALL),
-            Self::Stroke { text, .. } => 2.0 * SWATCH + 7.0 + text_width(text, SIZE),
+            Self::Entry(entry, columns) if entry.note.is_empty() => columns.name + text_width(&entry.name, SIZE),
+            Self::Entry(entry, columns) => columns.note + text_width(&entry.note, SMALL),
+            Self::Note(texts) => widest(texts, SMALL),
+            Self::Stroke { texts, .. } => 2.0 * SWATCH + GAP + widest(texts, SIZE),
+        }
+    }
+
+    fn height(&self) -> f64 {
+        match self {
+            Self::Entry(..) => ROW,
+            Self::Note(texts) | Self::Stroke { texts, .. } => ROW + (texts.len().max(1) - 1) as f64 * LINE_PITCH,
         }
     }
 
     fn draw(&self, canvas: &Canvas, at: Point) {
         let base = at[1] + 0.5 * ROW + 0.36 * SIZE;
+        let texts = |texts: &[String], x: f64, size, color| {
+            for (number, text) in texts.iter().enumerate() {
+                canvas.text(text, [x, base + number as f64 * LINE_PITCH], size, color, Anchor::Start);
+            }
+        };
         match self {
-            Self::Entry { fill, text, note } => {
+            Self::Entry(entry, columns) => {
                 let top = at[1] + 0.5 * (ROW - SWATCH);
                 let rect = Rect { x: at[0], y: top, width: SWATCH, height: SWATCH };
-                canvas.polygon(&rect.corners(), *fill);
+                canvas.polygon(&rect.corners(), entry.fill);
                 canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 });
-                let x = at[0] + SWATCH + 7.0;
-                canvas.text(text, [x, base], SIZE, INK, Anchor::Start);
-                canvas.text(note, [x + text_width(text, SIZE) + 8.0, base], SMALL, FAINT_INK, Anchor::Start);
+                let marks_end = at[0] + columns.name - GAP;
+                canvas.text(&entry.mark, [marks_end, base], SIZE, INK, Anchor::End);
+                canvas.text(&entry.name, [at[0] + columns.name, base], SIZE, INK, Anchor::Start);
+                canvas.text(&entry.note, [at[0] + columns.note, base], SMALL, FAINT_INK, Anchor::Start);
             }
-            Self::Note(text) => canvas.text(text, [at[0], base], SMALL, FAINT_INK, Anchor::Start),
-            Self::Stroke { dashed, color, width, text } => {
+            Self::Note(notes) => texts(notes, at[0], SMALL, FAINT_INK),
+            Self::Stroke { dashed, color, width, texts: names } => {
                 let middle = at[1] + 0.5 * ROW;
                 let ends = [[at[0], middle], [at[0] + 2.0 * SWATCH, middle]];
                 pattern::draw(canvas, &ends, &line_pattern(*dashed, *color), *width);
-                canvas.text(text, [at[0] + 2.0 * SWATCH + 7.0, base], SIZE, INK, Anchor::Start);
+                texts(names, at[0] + 2.0 * SWATCH + GAP, SIZE, INK);
             }
         }
     }

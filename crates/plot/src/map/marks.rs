@@ -1,7 +1,9 @@
 //! Where the marks of entries stand: in each patch that has room, and for an entry without one beside its widest patch, with
 //! a leader.
 
+use super::free::{CLEAR, beside};
 use super::model::{Map, MapBodies, MapLine, MapNote};
+use super::names::{Name, named};
 use super::places::{inside, patches, widest};
 use super::view::{SIZE, SMALL, View};
 use crate::page::{Point, Rect, Taken, between, distance, text_width};
@@ -12,9 +14,6 @@ const ROOM: f64 = 6.5;
 const FINE: f64 = 1.0;
 /// Radius of the ring of a note.
 pub(super) const RING: f64 = 4.5;
-/// Lengths of leaders, and the steps of the places that are tried for their marks.
-const LEADER: [f64; 2] = [9.0, 260.0];
-const STEP: f64 = 5.0;
 /// Font size of a mark with a leader.
 const LED: f64 = SMALL;
 
@@ -27,8 +26,25 @@ pub(super) struct Mark {
     pub leader: Option<[Point; 2]>,
 }
 
-/// The marks of a map; none for bodies that are points.
-pub(super) fn marked(map: &Map, view: &View) -> Vec<Mark> {
+/// What stands in a map beside its notes.
+#[derive(Default)]
+pub(super) struct Marked {
+    pub marks: Vec<Mark>,
+    pub names: Vec<Name>,
+}
+
+/// The names of lines and the marks of entries; no marks for bodies that are points.
+pub(super) fn marked(map: &Map, view: &View) -> Marked {
+    let mut taken = Taken::default();
+    for note in &map.notes {
+        taken.take_box(note_box(note, view).grown(CLEAR));
+    }
+    let mut leaders = Vec::new();
+    let names = named(map, view, &mut taken, &mut leaders);
+    Marked { marks: marks(map, view, taken, leaders), names }
+}
+
+fn marks(map: &Map, view: &View, mut taken: Taken, mut leaders: Vec<[Point; 2]>) -> Vec<Mark> {
     let (columns, cells) = match &map.bodies {
         MapBodies::Grid { columns, entries } => (*columns, entries.clone()),
         MapBodies::Areas { pieces, .. } => {
@@ -41,10 +57,6 @@ pub(super) fn marked(map: &Map, view: &View) -> Vec<Mark> {
     let rows = (cells.len() / columns.max(1)).max(1);
     let (wide, high) = (view.rect.width / columns as f64, view.rect.height / rows as f64);
     let (patch, shown) = patches(columns, &cells);
-    let mut taken = Taken::default();
-    for note in &map.notes {
-        taken.take_box(note_box(note, view));
-    }
     let mut marks: Vec<Mark> = Vec::new();
     let on_page = |(column, row): (f64, f64)| [view.rect.x + column * wide, view.rect.bottom() - row * high];
     for (entry, place) in shown.into_iter().zip(widest(columns, &patch, shown_count(&patch))) {
@@ -53,12 +65,11 @@ pub(super) fn marked(map: &Map, view: &View) -> Vec<Mark> {
         let room = [0.5 * text_width(&shown.mark, SIZE) + 1.0, ROOM];
         let rect = Rect { x: at[0] - room[0], y: at[1] - room[1], width: 2.0 * room[0], height: 2.0 * room[1] };
         if half * wide >= room[0].max(ROOM) && half * high >= ROOM && taken.admits_box(&rect) {
-            taken.take_box(rect);
+            taken.take_box(rect.grown(CLEAR));
             marks.push(Mark { entry, size: SIZE, rect, leader: None });
         }
     }
     let (seen, _) = map.bodies.seen(map.entries.len(), view);
-    let mut leaders = Vec::new();
     for (entry, tips) in inside(columns, &cells, map.entries.len()).into_iter().enumerate() {
         if !seen[entry] || marks.iter().any(|mark| mark.entry == entry) {
             continue;
@@ -66,39 +77,13 @@ pub(super) fn marked(map: &Map, view: &View) -> Vec<Mark> {
         let tips: Vec<Point> = tips.into_iter().map(on_page).collect();
         let size = [text_width(&map.entries[entry].mark, LED) + 4.0, LED + 3.0];
         if let Some((rect, leader)) = beside(&tips, size, view, &taken, &leaders) {
-            taken.take_box(rect);
+            taken.take_box(rect.grown(CLEAR));
             taken.take_line(leader);
             leaders.push(leader);
             marks.push(Mark { entry, size: LED, rect, leader: Some(leader) });
         }
     }
     marks
-}
-
-/// The nearest free place for a box of this size in the map, and the leader to it from one of the tips.
-fn beside(
-    tips: &[Point],
-    [width, height]: [f64; 2],
-    view: &View,
-    taken: &Taken,
-    leaders: &[[Point; 2]],
-) -> Option<(Rect, [Point; 2])> {
-    let inner = view.rect.grown(-2.0);
-    let steps = |length: f64| (0..).map(|k| f64::from(k) * STEP).take_while(move |at| *at <= length);
-    let places = steps(inner.width - width)
-        .flat_map(|x| steps(inner.height - height).map(move |y| [x, y]))
-        .map(|[x, y]| Rect { x: inner.x + x, y: inner.y + y, width, height });
-    let free: Vec<Rect> = places.filter(|rect| taken.admits_box(&rect.grown(1.5))).collect();
-    let mut ways: Vec<(f64, Rect, Point)> = free
-        .iter()
-        .flat_map(|rect| tips.iter().map(|tip| (distance(*tip, rect.nearest(*tip)), *rect, *tip)))
-        .filter(|(length, ..)| (LEADER[0]..=LEADER[1]).contains(length))
-        .collect();
-    ways.sort_by(|p, q| p.0.total_cmp(&q.0));
-    ways.into_iter().find_map(|(_, rect, tip)| {
-        let leader = [tip, rect.nearest(tip)];
-        taken.admits_leader(leader, leaders).then_some((rect, leader))
-    })
 }
 
 fn shown_count(patch: &[Option<usize>]) -> usize {
@@ -186,7 +171,12 @@ mod tests {
 
     #[test]
     fn narrow_areas_are_marked_beside_and_nothing_overlaps() {
-        let entry = |number: usize| MapEntry { name: String::new(), note: String::new(), mark: number.to_string() };
+        let entry = |number: usize| MapEntry {
+            name: String::new(),
+            note: String::new(),
+            mark: number.to_string(),
+            color: number,
+        };
         let axis = || MapAxis { name: String::new(), range: [0.0, 1.0] };
         // Two wide areas, and between them ten strips of two pixels.
         let mut pieces = vec![area(0, [0.0, 0.0], [0.4, 1.0]), area(1, [0.44, 0.0], [1.0, 1.0])];
@@ -206,7 +196,7 @@ mod tests {
         };
         let rect = Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 };
         let view = View { x: [0.0, 1.0], y: [0.0, 1.0], rect };
-        let marks = marked(&map, &view);
+        let marks = marked(&map, &view).marks;
         for entry in 0..12 {
             let own: Vec<&Mark> = marks.iter().filter(|mark| mark.entry == entry).collect();
             assert_eq!(own.len(), 1, "entry {entry}");

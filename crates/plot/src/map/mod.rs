@@ -2,9 +2,11 @@
 
 mod colors;
 mod draw;
+mod free;
 mod legend;
 mod marks;
 mod model;
+mod names;
 mod places;
 mod spots;
 mod view;

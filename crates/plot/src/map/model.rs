@@ -20,6 +20,8 @@ pub struct MapEntry {
     pub note: String,
     /// What stands in the map where there is room.
     pub mark: String,
+    /// Which of the colours it has where entries have no order.
+    pub color: usize,
 }
 
 /// Where bodies lie; each shows the entry with its number, or nothing that is known.
@@ -46,7 +48,7 @@ pub enum MapBodies {
 }
 
 /// A line that is drawn over the map.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct MapLine {
     /// Its points.
     pub points: Vec<[f64; 2]>,
@@ -56,9 +58,11 @@ pub struct MapLine {
     pub hue: usize,
     /// What the legend says; lines with the same text share an entry.
     pub text: String,
+    /// What stands beside it in the map; may be empty.
+    pub name: String,
 }
 
-/// A text at a place of the map, such as the name of an event.
+/// A text at a place of the map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapNote {
     /// Where.

@@ -22,14 +22,13 @@ use grid::Grid;
 use ink::{BOUNDARY, FORBIDDEN, LEVEL, tint};
 use names::Names;
 use parts::Parts;
-use title::Titles;
+use title::{CAPTION_SIZE, Titles};
 use view::View;
 
 /// Width of the page, and of the sphere: for two views beside each other, and for two below each other.
 const WIDTH: [f64; 2] = [860.0, 446.0];
 const RADIUS: [f64; 2] = [186.0, 150.0];
 const MARGIN: f64 = 34.0;
-const CAPTION_SIZE: f64 = 12.5;
 /// Above the first view, and below each for its caption.
 const ABOVE: f64 = 66.0;
 const BELOW: f64 = 34.0;
@@ -149,6 +148,6 @@ fn outline(view: &View) -> Vec<Point> {
 
 /// The middle of a view, in words.
 fn seen_from(view: &View) -> String {
-    let [x, y, z] = view.gamma(0.0, 0.0).map(|c| number(format!("{:.2}", if c.abs() < 0.005 { 0.0 } else { c })));
+    let [x, y, z] = view.gamma(0.0, 0.0).map(|c| number((100.0 * c).round() / 100.0 + 0.0));
     format!("seen from γ = ({x}, {y}, {z})")
 }

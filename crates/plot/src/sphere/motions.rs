@@ -6,7 +6,21 @@ use super::marks::{self, MARK, Mark, letter};
 use super::scene::SphereScene;
 use crate::page::{Canvas, Point, Table, short_number, short_time};
 
-const DIGITS: usize = 5;
+/// Significant digits of an energy, at least and at most.
+const DIGITS: [usize; 2] = [5, 12];
+/// Energies are equal when they differ by less, relative to the largest: those of pairs do by rounding.
+const EQUAL: f64 = 1e-11;
+
+/// As many digits as tell different energies apart, rising as they are given.
+fn energies(h: &[f64]) -> Vec<String> {
+    let largest = h.iter().fold(0.0_f64, |largest, h| largest.max(h.abs()));
+    let printed = |digits: usize| h.iter().map(|h| short_number(*h, digits)).collect::<Vec<_>>();
+    let are_apart = |texts: &Vec<String>| {
+        let mut pairs = h.windows(2).zip(texts.windows(2));
+        pairs.all(|(h, texts)| h[1] - h[0] <= EQUAL * largest || texts[0] != texts[1])
+    };
+    (DIGITS[0]..DIGITS[1]).map(printed).find(are_apart).unwrap_or_else(|| printed(DIGITS[1]))
+}
 
 /// One row for each relative equilibrium, `room` pixels wide.
 pub(super) fn table(scene: &SphereScene<'_>, room: f64) -> Table<Mark> {
@@ -14,11 +28,12 @@ pub(super) fn table(scene: &SphereScene<'_>, room: f64) -> Table<Mark> {
     let heading = ["", "relative equilibrium", "h", "of U", "linear type", "stable"].map(str::to_owned);
     let motions = format!("period of small oscillations, growth by the factor e{times}");
     let heading = heading.into_iter().chain([motions]).collect();
-    let rows = scene.equilibria.iter().enumerate().map(|(place, point)| {
+    let h: Vec<f64> = scene.equilibria.iter().map(|point| point.h).collect();
+    let rows = scene.equilibria.iter().zip(energies(&h)).enumerate().map(|(place, (point, h))| {
         let cells = [
             letter(place),
             format!("{}, {}", point.branch, point.branch_name),
-            short_number(point.h, DIGITS),
+            h,
             kind(point).to_owned(),
             point.stability.word().to_owned(),
             point.stable.word().to_owned(),
@@ -43,4 +58,17 @@ fn kind(point: &RelativeEquilibriumDocument) -> &'static str {
 /// Draws the table with its top left corner at `at`.
 pub(super) fn draw(table: &Table<Mark>, canvas: &Canvas, at: Point) {
     table.draw(canvas, at, |mark, [x, middle]| marks::draw(canvas, *mark, [x + MARK, middle]));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn energies_have_the_digits_that_tell_them_apart() {
+        assert_eq!(energies(&[1.0 / 3.0, 2.0 / 3.0]), ["0.33333", "0.66667"]);
+        assert_eq!(energies(&[-1.0, 1.793_331_2, 1.793_331_9]), ["−1", "1.793331", "1.793332"]);
+        // A pair, equal but for rounding.
+        assert_eq!(energies(&[0.1 + 0.2, 0.3 + 1e-15]), ["0.3", "0.3"]);
+    }
 }

@@ -4,7 +4,8 @@ use super::scene::SphereScene;
 use crate::page::{Anchor, Canvas, INK, Rect, lines, text_width};
 
 const TITLE_SIZE: f64 = 14.0;
-const CAPTION_SIZE: f64 = 12.5;
+/// Also of what stands below a view.
+pub(super) const CAPTION_SIZE: f64 = 12.5;
 /// Base lines of the first line of each, where each has one, and the distance of further lines.
 const FIRST: [f64; 2] = [26.0, 46.0];
 const LINE: f64 = 18.0;

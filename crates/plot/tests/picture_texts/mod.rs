@@ -4,11 +4,14 @@ use plot::Picture;
 
 use super::picture_svg::{content, each_text, tree};
 
-/// All texts with their boxes [left, top, right, bottom].
+/// All texts with their boxes [left, top, right, bottom]; all on the page.
 pub fn texts(picture: &Picture) -> Vec<(String, [f32; 4])> {
     let mut texts = Vec::new();
-    each_text(tree(picture).root(), &mut |text| {
+    let tree = tree(picture);
+    each_text(tree.root(), &mut |text| {
         let area = text.abs_bounding_box();
+        let is_inside = area.right() <= tree.size().width() && area.bottom() <= tree.size().height();
+        assert!(area.left() >= 0.0 && area.top() >= 0.0 && is_inside, "`{}` leaves the page", content(text));
         texts.push((content(text), [area.left(), area.top(), area.right(), area.bottom()]));
     });
     texts

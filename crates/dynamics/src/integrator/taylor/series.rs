@@ -55,12 +55,6 @@ pub(crate) struct Constants<S: Simd> {
     inverse_over_low: [[f64; 3]; EXACT_BELOW],
 }
 
-/// 1/b as the unevaluated sum of two doubles.
-fn reciprocal_in_two_parts(b: f64) -> (f64, f64) {
-    let high = 1.0 / b;
-    (high, (-b).mul_add(high, 1.0) / b)
-}
-
 /// x (high + low), rounded.
 #[inline(always)]
 fn product<S: Simd>(simd: S, x: S::f64s, high: S::f64s, low: S::f64s) -> S::f64s {
@@ -77,7 +71,7 @@ impl<S: Simd> Constants<S> {
     #[inline(always)]
     pub fn new(simd: S, top: &HeavyTop) -> Self {
         let a = top.moments();
-        let b = a.map(reciprocal_in_two_parts);
+        let b = a.map(|a| quotient_in_two_parts((1.0, 0.0), a));
         let mut difference = [0.0; 3];
         let mut low = [0.0; 3];
         for i in 0..3 {
@@ -85,22 +79,16 @@ impl<S: Simd> Constants<S> {
             (difference[i], low[i]) = super::super::time::two_sum(a[p], -a[q]);
         }
         let splat = |v: [f64; 3]| [simd.splat_f64s(v[0]), simd.splat_f64s(v[1]), simd.splat_f64s(v[2])];
-        let mut reciprocal = [0.0; ROWS];
-        for (k, entry) in reciprocal.iter_mut().enumerate().skip(1) {
-            *entry = 1.0 / k as f64;
-        }
-        let mut reciprocal_low = [0.0; EXACT_BELOW];
-        for (k, entry) in reciprocal_low.iter_mut().enumerate().skip(1) {
-            *entry = reciprocal_in_two_parts(k as f64).1;
-        }
+        let (mut reciprocal, mut reciprocal_low) = ([0.0; ROWS], [0.0; EXACT_BELOW]);
         let (mut inverse_over, mut inverse_over_low) = ([[0.0; 3]; ROWS], [[0.0; 3]; EXACT_BELOW]);
         for k in 1..ROWS {
-            for i in 0..3 {
-                let parts = quotient_in_two_parts(b[i], k as f64);
-                inverse_over[k][i] = parts.0;
-                if k < EXACT_BELOW {
-                    inverse_over_low[k][i] = parts.1;
-                }
+            let over_k = |parts| quotient_in_two_parts(parts, k as f64);
+            let (whole, inverse) = (over_k((1.0, 0.0)), b.map(over_k));
+            reciprocal[k] = whole.0;
+            inverse_over[k] = inverse.map(|parts| parts.0);
+            if k < EXACT_BELOW {
+                reciprocal_low[k] = whole.1;
+                inverse_over_low[k] = inverse.map(|parts| parts.1);
             }
         }
         Self {
