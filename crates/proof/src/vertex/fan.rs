@@ -83,7 +83,7 @@ fn generic_arc<'a>(
     let others: Vec<&Place> = others.filter(|other| !is_itself(other)).collect();
     let mut found = None;
     for side in [Ordering::Less, Ordering::Greater] {
-        let Some((level, at)) = nearest(vertex, interval, place, side)? else { continue };
+        let Some((level, at)) = nearest(vertex, interval, place, side).ok()? else { continue };
         if level.sign != Sign::Zero {
             continue;
         }
@@ -97,29 +97,32 @@ fn generic_arc<'a>(
     found
 }
 
-/// The point over the x of the vertex that is nearest to a place on one side of it; `None`: their order is not known.
+/// The order of two places is not known.
+struct Unordered;
+
+/// The point over the x of the vertex that is nearest to a place on one side of it.
 fn nearest<'a>(
     vertex: &'a Vertex<'_>,
     interval: usize,
     place: &Place,
     side: Ordering,
-) -> Option<Option<(&'a Level, &'a Place)>> {
-    let model = vertex.plane.model;
+) -> Result<Option<(&'a Level, &'a Place)>, Unordered> {
+    let is_beyond = |p: &Place, q: &Place| Ok(ordered(vertex.plane.model, p, q).ok_or(Unordered)? == side);
     let mut nearest: Option<(&Level, &Place)> = None;
     for level in vertex.levels {
         let Some(at) = place_on(&level.source, interval) else { continue };
-        if ordered(model, at, place)? != side {
+        if !is_beyond(at, place)? {
             continue;
         }
         let is_nearer = match nearest {
-            Some((_, best)) => ordered(model, best, at)? == side,
+            Some((_, best)) => is_beyond(best, at)?,
             None => true,
         };
         if is_nearer {
             nearest = Some((level, at));
         }
     }
-    Some(nearest)
+    Ok(nearest)
 }
 
 /// All places between two of one family, on the half of the first.
