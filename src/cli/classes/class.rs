@@ -99,8 +99,6 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
         }
         report.line(table.text());
     }
-    for path in written {
-        report.line(format!("written: {}", path.display()));
-    }
+    report.written(written);
     report.text()
 }

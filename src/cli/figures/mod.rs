@@ -38,7 +38,7 @@ pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failur
         let picture = (figure.draw)(timings, arguments.picture.theme())?;
         files.pictures(figure.stem, &picture, &arguments.picture.format, RESOLUTION, timings)?;
     }
-    Ok(print(Report::written(&files.write()?).text())?)
+    Ok(print(Report::of_written(&files.write()?).text())?)
 }
 
 #[cfg(test)]

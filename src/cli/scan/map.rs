@@ -47,7 +47,7 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("map");
     files.pictures("map", &picture, &arguments.picture.format, RESOLUTION, timings)?;
-    Ok(print(Report::written(&files.write()?).text())?)
+    Ok(print(Report::of_written(&files.write()?).text())?)
 }
 
 fn names() -> String {

@@ -33,9 +33,7 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
     let mut report = Report::default();
     head(&subject, &mut report);
     report.line(caption);
-    for path in written {
-        report.line(format!("written: {}", path.display()));
-    }
+    report.written(&written);
     Ok(print(report.text())?)
 }
 
