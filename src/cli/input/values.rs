@@ -322,6 +322,19 @@ pub fn sheet(text: &str) -> Result<i8, ValueError> {
     }
 }
 
+/// A value by its word; with each word goes what it means.
+pub type Named<T> = (&'static str, &'static str, T);
+
+/// One of these values, by its word.
+pub fn named<T: Clone + Send + Sync>(words: &'static [Named<T>]) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(words.iter().map(|(word, meaning, _)| PossibleValue::new(*word).help(*meaning))).map(
+        |given| {
+            let known = words.iter().find(|(word, ..)| *word == given);
+            known.map_or_else(|| unreachable!("the words are those that are possible"), |(.., value)| value.clone())
+        },
+    )
+}
+
 /// A named body.
 pub fn preset() -> impl TypedValueParser<Value = &'static Preset> {
     let names = Preset::all().iter().map(|preset| PossibleValue::new(preset.name()).help(preset.note()));
