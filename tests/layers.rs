@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 const ORDER: [(&str, &str); 11] = [
     (
         "crates/numbers/src",
-        "number decimal sign enclosure interval directed words wide modular polynomial ring symmetric bernstein root partition \
+        "number decimal sign enclosure interval directed words wide modular polynomial ring symmetric bernstein root form partition \
          sequence",
     ),
     (
@@ -37,7 +37,7 @@ const ORDER: [(&str, &str); 11] = [
     (
         "crates/verify/src",
         "refused number classes component body descartes sturm fixed bounds isolation interval jet path spaces flow place equilibria roots pieces chart meetings \
-         stand orders node rules mirror pairs events slabs gluing regions gap morse landscape descent merging rings topology courses measures stability samples listing totals",
+         stand orders node rules mirror pairs events slabs gluing regions gap morse landscape descent merging rings topology courses measures stability samples listing totals trace plane view outlines",
     ),
     ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
     (

@@ -17,6 +17,7 @@
 //! interval → jet → path → landscape → descent, morse → merging, rings → topology  topology of each region
 //! isolation, flow → chart → stability                             linear types along the curves
 //! bounds, courses, measures, samples, listing, totals             what a document says beside its certificate
+//! interval → trace → plane → view, outlines                  curves over any l, and what serves pictures
 //! ```
 
 mod body;
@@ -46,10 +47,12 @@ mod morse;
 mod node;
 mod number;
 mod orders;
+mod outlines;
 mod pairs;
 mod path;
 mod pieces;
 mod place;
+mod plane;
 mod refused;
 mod regions;
 mod rings;
@@ -63,6 +66,8 @@ mod stand;
 mod sturm;
 mod topology;
 mod totals;
+mod trace;
+mod view;
 
 use dashu_ratio::RBig;
 use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
@@ -71,6 +76,7 @@ use body::Body;
 use events::Events;
 use orders::Orders;
 use pieces::Pieces;
+use plane::Plane;
 use spaces::Spaces;
 
 pub use refused::Refused;
@@ -141,6 +147,9 @@ fn certified(
     topology::check(document, &orders, &slabs, &samples)?;
     samples::check(document, certificate, &orders, &slabs, &samples)?;
     totals::totals(document, &orders, &slabs)?;
+    let plane = Plane::new(certificate, &orders)?;
+    view::check(document, &orders, &plane)?;
+    outlines::polylines(document, &plane)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }
 
