@@ -4,6 +4,7 @@ pub mod bernstein;
 pub mod decimal;
 pub mod directed;
 pub mod enclosure;
+pub mod form;
 pub mod interval;
 mod modular;
 mod number;

@@ -10,6 +10,7 @@ mod jsonl;
 mod npz;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod partial;
 mod picture;
 mod pieces;
 mod target;
@@ -20,6 +21,7 @@ pub use exporter::Exporter;
 pub use files::FileSet;
 pub use json::{Json, answer};
 pub use npz::Archive;
+pub use partial::{beside, journal_path, open_alone};
 pub use picture::{PictureArguments, PictureFormat, RESOLUTION, WidthArgument};
 pub use pieces::Pieces;
 pub use target::{DataFormat, DataTarget, directory};

@@ -4,7 +4,7 @@
 //! each block closed by a line with its number of rows and the SHA-256 of its lines. Whatever does not end in a whole
 //! block is cut off when the scan is taken up again.
 
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::File;
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -15,6 +15,7 @@ use survey::Design;
 
 use super::error::{ScanFailure, ScanInput};
 use super::hashing::hexadecimal;
+use crate::cli::export::{journal_path, open_alone};
 use crate::cli::failure::Failure;
 
 /// Which scan a journal, or a shard, belongs to.
@@ -79,24 +80,11 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Where the journal of an output file lies.
-    pub fn path_for(out: &Path) -> PathBuf {
-        let mut name = out.as_os_str().to_owned();
-        name.push(".partial");
-        PathBuf::from(name)
-    }
-
     /// Opens the journal beside an output file: takes up what is there, or begins.
     pub fn open(out: &Path, identity: &Identity, restart: bool) -> Result<Self, Failure> {
-        let path = Self::path_for(out);
+        let path = journal_path(out);
         let failed = |source: io::Error| ScanFailure::Write { path: path.clone(), source };
-        let file =
-            OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
-        match file.try_lock() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(ScanInput::Busy { journal: path }.into()),
-            Err(TryLockError::Error(source)) => return Err(failed(source).into()),
-        }
+        let file = open_alone(&path).map_err(failed)?.ok_or_else(|| ScanInput::Busy { journal: path.clone() })?;
         if restart {
             file.set_len(0).map_err(failed)?;
         }
@@ -237,7 +225,7 @@ mod tests {
             journal.append(&rows(block)).unwrap();
         }
         drop(journal);
-        let path = Journal::path_for(&out);
+        let path = journal_path(&out);
         let whole = fs::read(&path).unwrap();
         let mut seen = Vec::new();
         for length in 0..=whole.len() {
@@ -269,7 +257,7 @@ mod tests {
         let refusal = |number| Journal::open(&out, &identity(number), false).err().unwrap();
         assert!(refusal(9).to_string().contains("another process"));
         drop(journal);
-        let path = Journal::path_for(&out);
+        let path = journal_path(&out);
         let text = fs::read_to_string(&path).unwrap();
         let place = text.rfind("\"A1\":2.0").unwrap();
         let altered = format!("{}\"A1\":3.0{}", &text[..place], &text[place + 8..]);

@@ -12,18 +12,13 @@ use super::error::{ScanFailure, ScanInput};
 use super::hashing::HashingWriter;
 use super::journal::Identity;
 use super::table::{Format, TableError};
+use crate::cli::export::beside;
 use crate::cli::failure::Failure;
 use crate::cli::terminal::interrupt::uninterrupted;
 
 /// Where the summary of a file with rows lies.
 pub fn summary_path(rows: &Path) -> PathBuf {
-    with_ending(rows, ".summary.json")
-}
-
-fn with_ending(path: &Path, ending: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(ending);
-    PathBuf::from(name)
+    beside(rows, ".summary.json")
 }
 
 /// The format of an output file.
@@ -49,7 +44,7 @@ pub fn write(
     identity: &Identity,
     rows: impl FnOnce(&mut dyn FnMut(RowDocument) -> Result<(), Failure>) -> Result<(), Failure>,
 ) -> Result<ScanSummaryDocument, Failure> {
-    let fresh = with_ending(out, ".partial.new");
+    let fresh = beside(out, ".partial.new");
     let failed = |path: &Path| {
         let path = path.to_owned();
         move |source| Failure::from(ScanFailure::Write { path, source })
@@ -81,7 +76,7 @@ pub fn write(
     let document = scan_summary(&summary, file);
     let text = documents::layout::text(&document).map_err(ScanFailure::from)?;
     let summary_out = summary_path(out);
-    let fresh_summary = with_ending(out, ".summary.new");
+    let fresh_summary = beside(out, ".summary.new");
     fs::write(&fresh_summary, text).map_err(failed(&fresh_summary))?;
     let _guard = uninterrupted();
     fs::rename(&fresh, out).map_err(failed(out))?;

@@ -18,6 +18,7 @@ use std::sync::atomic::Ordering;
 
 use dynamics::section::Monitor;
 
+use super::export::journal_path;
 use super::failure::Failure;
 use super::terminal::interrupt::stoppable;
 use super::terminal::{Progress, Timings};
@@ -46,7 +47,7 @@ pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Resu
         return Ok(());
     }
     Err(match settings.streamed() {
-        Some((path, _)) => SectionFailure::Halted { finished, wanted, journal: stream::journal(path) },
+        Some((path, _)) => SectionFailure::Halted { finished, wanted, journal: journal_path(path) },
         None => SectionFailure::Interrupted { finished, wanted },
     }
     .into())

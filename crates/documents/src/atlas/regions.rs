@@ -16,8 +16,8 @@ pub(super) fn documents(
 ) -> (Vec<RegionDocument>, bool) {
     let mut clipped = false;
     let mut documents = Vec::new();
-    for number in atlas.regions().ids() {
-        let document = document(atlas, number, undecided);
+    for (number, &h_width) in atlas.h_widths().pairs() {
+        let document = document(atlas, number, h_width, undecided);
         let Some(window) = window else {
             documents.push(document);
             continue;
@@ -43,7 +43,12 @@ fn sample_document(sample: &SamplePoint) -> SampleDocument {
     SampleDocument { h: sample.h, l: sample.l, margin: margin(&sample.margin) }
 }
 
-fn document(atlas: &Atlas, number: RegionId, undecided: &mut Vec<UndecidedDocument>) -> RegionDocument {
+fn document(
+    atlas: &Atlas,
+    number: RegionId,
+    h_width: Option<f64>,
+    undecided: &mut Vec<UndecidedDocument>,
+) -> RegionDocument {
     let region = &atlas.regions()[number];
     let arrangement = atlas.arrangement();
     let name = |c: CurveId| CurveName::of(&arrangement.set, c).to_string();
@@ -83,7 +88,6 @@ fn document(atlas: &Atlas, number: RegionId, undecided: &mut Vec<UndecidedDocume
     let slabs = region.cells.iter().map(|cell| arrangement.slabs[cell.slab].x);
     let from = slabs.clone().map(|x| x[0]).fold(f64::INFINITY, f64::min);
     let to = slabs.map(|x| x[1]).fold(0.0, f64::max);
-    let h_width = atlas.h_width(number);
     RegionDocument {
         id: number.to_string(),
         sample,

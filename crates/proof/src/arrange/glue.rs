@@ -4,10 +4,9 @@ use super::event::Event;
 use super::slab::Slab;
 use super::undecided::Undecided;
 use crate::id::TransitionId;
-use numbers::partition::Partition;
 use top::curves::CurveId;
-use top::diagram::{EventId, RegionId, SlabId};
-use top::table::{Id, Table};
+use top::diagram::{Cells, Continued, EventId, SlabId};
+use top::table::Table;
 
 /// Glues cells to regions: across an event the curves that meet are a run of neighbours before and after; the cells
 /// inside the runs end and begin there, all others continue; where nothing stood before (or stands after), the cell
@@ -17,47 +16,20 @@ pub(super) fn glue(
     transitions: &Table<TransitionId, Vec<EventId>>,
     slabs: &mut Table<SlabId, Slab>,
 ) -> Result<usize, Vec<Undecided>> {
-    let offsets: Table<SlabId, usize> = slabs
-        .iter()
-        .scan(0, |sum, slab| {
-            let first = *sum;
-            *sum += slab.order.len() + 1;
-            Some(first)
-        })
-        .collect();
-    let cells = slabs.iter().map(|slab| slab.order.len() + 1).sum();
-    let mut joined = Partition::new(cells);
+    let mut cells = Cells::new(slabs.iter().map(|slab| slab.order.len()));
     for (transition, group) in transitions.pairs() {
         let blocks: Vec<&[CurveId]> = group.iter().map(|&event| events[event].curves.as_slice()).collect();
-        let (left, right) = (transition.before(), transition.after());
-        let (before, after) = (&slabs[left].order, &slabs[right].order);
+        let sides = [transition.before(), transition.after()];
+        let [before, after] = sides.map(|slab| &slabs[slab].order);
         let continued = continuation(before, after, &blocks)
             .ok_or_else(|| vec![Undecided::Gluing { x: events[group[0]].x[0].to_f64().value() }])?;
-        for Continued { before, after } in continued {
-            joined.unite(offsets[left] + before, offsets[right] + after);
-        }
+        cells.glue(sides, continued);
     }
-    let mut numbers: Vec<Option<RegionId>> = vec![None; cells];
-    let mut count = 0;
-    for (slab, offset) in slabs.iter_mut().zip(offsets) {
-        slab.region_above = (1..=slab.order.len())
-            .map(|gap| {
-                let root = joined.find(offset + gap);
-                *numbers[root].get_or_insert_with(|| {
-                    count += 1;
-                    RegionId::at(count - 1)
-                })
-            })
-            .collect();
+    let faces = cells.faces();
+    for (slab, above) in slabs.iter_mut().zip(faces.above) {
+        slab.region_above = above;
     }
-    Ok(count)
-}
-
-/// A gap before a transition and a gap after it that are in one region.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Continued {
-    before: usize,
-    after: usize,
+    Ok(faces.count)
 }
 
 /// The gaps that continue across events on disjoint runs of curves. Gap k lies below curve k.
@@ -150,6 +122,7 @@ fn permutations(n: usize) -> Vec<Vec<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use top::table::Id;
 
     /// Pairs (gap before, gap after) that continue, for curves by number.
     fn glued(before: &[usize], after: &[usize], blocks: &[&[usize]]) -> Option<Vec<(usize, usize)>> {

@@ -2,6 +2,7 @@
 
 use dashu_ratio::RBig;
 
+use super::latitude::RootLatitude;
 use super::pair::Quadratic;
 use super::pieces::Pieces;
 use super::strand::Piece;
@@ -30,12 +31,12 @@ fn across(model: &Model) -> Option<[RBig; 2]> {
 }
 
 /// The poles at the ends of a piece by rising w: −r̂ at the lower one.
-fn poles(piece: &Piece<'_>) -> [bool; 2] {
+fn poles(piece: &Piece<RootLatitude>) -> [bool; 2] {
     [piece.reaches(1), piece.reaches(0)]
 }
 
 /// J is constant on each latitude: pieces are discs, annuli or the sphere.
-fn round(pieces: &[Piece<'_>]) -> Option<Vec<Component>> {
+fn round(pieces: &[Piece<RootLatitude>]) -> Option<Vec<Component>> {
     let mut found = Pieces::default();
     for piece in pieces {
         let [plus, minus] = poles(piece);
@@ -45,7 +46,7 @@ fn round(pieces: &[Piece<'_>]) -> Option<Vec<Component>> {
 }
 
 /// Two ridges and two valleys on each latitude, images of each other, which meet at the poles.
-fn two_planes(ridges: &[Piece<'_>], valleys: &[Piece<'_>]) -> Option<Vec<Component>> {
+fn two_planes(ridges: &[Piece<RootLatitude>], valleys: &[Piece<RootLatitude>]) -> Option<Vec<Component>> {
     let mut found = Pieces::default();
     let open = [true, true];
     let nodes: Vec<[usize; 2]> = ridges
@@ -75,7 +76,7 @@ fn two_planes(ridges: &[Piece<'_>], valleys: &[Piece<'_>]) -> Option<Vec<Compone
 }
 
 /// The ridge piece over the latitudes of a valley piece.
-pub(super) fn holder(ridges: &[Piece<'_>], valley: &Piece<'_>) -> Option<usize> {
+pub(super) fn holder(ridges: &[Piece<RootLatitude>], valley: &Piece<RootLatitude>) -> Option<usize> {
     let inner = valley.ends.iter().flatten().next();
     for (number, ridge) in ridges.iter().enumerate() {
         let holds = match inner {

@@ -7,6 +7,7 @@ use std::rc::Rc;
 use dashu_ratio::RBig;
 use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::interval::Interval;
 use numbers::polynomial::{Polynomial, Root};
 use numbers::wide::{Interval128, Interval384, Wide};
 
@@ -162,6 +163,26 @@ impl RealRoot {
     }
 }
 
+/// A latitude: a value of ω = ⟨γ, r⟩.
+pub(super) trait Latitude: Clone {
+    /// −ω.
+    fn negated(self) -> Self;
+
+    /// The order of two latitudes; `None`: they are equal, or what is known of them does not tell them apart.
+    fn compare(&self, other: &Self) -> Option<Ordering>;
+}
+
+/// All that is known is where it lies.
+impl Latitude for Interval {
+    fn negated(self) -> Self {
+        -self
+    }
+
+    fn compare(&self, other: &Self) -> Option<Ordering> {
+        (*self - *other).strict_sign().map(|sign| sign.cmp(&Sign::Zero))
+    }
+}
+
 /// ω = RD/√(PD²) along Staude's curve.
 #[derive(Debug)]
 pub(super) struct Course {
@@ -185,27 +206,16 @@ impl Course {
     }
 }
 
-/// A latitude.
+/// A latitude that can be enclosed in any precision.
 #[derive(Clone, Debug)]
-pub(super) enum Latitude<'a> {
+pub(super) enum RootLatitude {
     /// ± ω at a root.
-    OnCurve { course: &'a Course, root: RealRoot, sign: Sign },
+    OnCurve { course: Rc<Course>, root: RealRoot, sign: Sign },
     /// A root itself.
     Straight(RealRoot),
 }
 
-impl Latitude<'_> {
-    pub fn negated(mut self) -> Self {
-        match &mut self {
-            Self::OnCurve { sign, .. } => *sign = -*sign,
-            Self::Straight(root) => {
-                root.base = -root.base.clone();
-                root.step = -root.step.clone();
-            }
-        }
-        self
-    }
-
+impl RootLatitude {
     fn root(&self) -> &RealRoot {
         match self {
             Self::Straight(root) | Self::OnCurve { root, .. } => root,
@@ -219,9 +229,21 @@ impl Latitude<'_> {
             Self::OnCurve { course, root, sign } => sign.orient(course.at(root, at, precision)),
         }
     }
+}
 
-    /// The order of two latitudes; `None`: they are equal, or closer than the largest precision.
-    pub fn compare(&self, other: &Self) -> Option<Ordering> {
+impl Latitude for RootLatitude {
+    fn negated(mut self) -> Self {
+        match &mut self {
+            Self::OnCurve { sign, .. } => *sign = -*sign,
+            Self::Straight(root) => {
+                root.base = -root.base.clone();
+                root.step = -root.step.clone();
+            }
+        }
+        self
+    }
+
+    fn compare(&self, other: &Self) -> Option<Ordering> {
         let same = match (self, other) {
             (Self::Straight(p), Self::Straight(q)) => p.is_copy_of(q),
             (Self::OnCurve { root: p, sign, .. }, Self::OnCurve { root: q, sign: other, .. }) => {

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use numbers::polynomial::{Polynomial, rational};
 
-use super::latitude::{Latitude, RealRoot, value};
+use super::latitude::{RealRoot, RootLatitude, value};
 use super::strand::{Piece, runs, samples};
 
 /// J = α + κw² for w² < `reach`.
@@ -16,7 +16,7 @@ pub(super) struct Quadratic {
 
 impl Quadratic {
     /// The pieces in U_hl, where (h + w) J ≥ x; `None` when a root cannot be told from an end.
-    pub fn pieces(&self, x: &RBig, h: &RBig) -> Option<Vec<Piece<'static>>> {
+    pub fn pieces(&self, x: &RBig, h: &RBig) -> Option<Vec<Piece<RootLatitude>>> {
         let line = [h.clone(), RBig::ONE];
         let moment = [self.alpha.clone(), RBig::ZERO, self.kappa.clone()];
         let excess = rational::sub(&rational::mul(&line, &moment), std::slice::from_ref(x));
@@ -33,7 +33,7 @@ impl Quadratic {
             let inner = samples(&roots).into_iter().map(|w| self.drawn_in(w, &roots));
             inner.map(|w| value(&excess, &w) > RBig::ZERO).collect()
         };
-        let end = |root: Option<usize>| root.map(|root| Latitude::Straight(roots[root].clone()));
+        let end = |root: Option<usize>| root.map(|root| RootLatitude::Straight(roots[root].clone()));
         Some(runs(&inside).into_iter().map(|ends| Piece { ends: ends.map(end) }).collect())
     }
 

@@ -8,13 +8,13 @@ use super::latitude::{Latitude, RealRoot};
 
 /// A piece of a strand in U_hl by rising w; `None`: it reaches that end of its strand.
 #[derive(Clone, Debug)]
-pub(super) struct Piece<'a> {
-    pub ends: [Option<Latitude<'a>>; 2],
+pub(super) struct Piece<L> {
+    pub ends: [Option<L>; 2],
 }
 
-impl Piece<'_> {
+impl<L: Latitude> Piece<L> {
     /// A latitude within the strand lies on this piece; `None` when it cannot be told from an end.
-    pub fn holds(&self, latitude: &Latitude<'_>) -> Option<bool> {
+    pub fn holds(&self, latitude: &L) -> Option<bool> {
         let [low, high] = &self.ends;
         let above = low.as_ref().map_or(Some(true), |low| Some(low.compare(latitude)? == Less))?;
         let below = high.as_ref().map_or(Some(true), |high| Some(latitude.compare(high)? == Less))?;

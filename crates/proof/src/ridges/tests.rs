@@ -63,3 +63,36 @@ fn presets_and_symmetric_bodies() {
     }
     assert!(compared > 800, "{compared}");
 }
+
+#[test]
+fn the_cut_in_f64_is_the_exact_one() {
+    let (mut found, mut open) = (0, 0);
+    for stratum in STRATA {
+        let mut rng = SplitMix64::new(11);
+        for _ in 0..12 {
+            let body = random_body(&mut rng, stratum);
+            let frame = body.frame();
+            let model = Model::new(&body, &frame);
+            if model.active.len() < 3 {
+                continue;
+            }
+            for _ in 0..12 {
+                let x = RBig::try_from(0.02 + 5.0 * rng.unit() * rng.unit()).unwrap();
+                let h = RBig::try_from(-1.5 + 6.0 * rng.unit()).unwrap();
+                let Some(exact) = exact::cut(&model, &x, &h) else { continue };
+                let Some(enclosed) = enclosed::cut(&model, &x, &h) else {
+                    open += 1;
+                    continue;
+                };
+                assert_eq!(enclosed.roots.len(), exact.roots.len(), "{body:?} h = {h}, x = {x}");
+                assert_eq!(enclosed.valley_roots, exact.valley_roots, "{body:?} h = {h}, x = {x}");
+                assert_eq!(enclosed.inside, exact.inside, "{body:?} h = {h}, x = {x}");
+                let components = curve::folded(&enclosed);
+                assert!(components.is_none() || components == curve::folded(&exact), "{body:?} h = {h}, x = {x}");
+                found += usize::from(components.is_some());
+                open += usize::from(components.is_none());
+            }
+        }
+    }
+    assert!(found > 500 && open < found / 4, "{found} found, {open} left open");
+}

@@ -10,7 +10,7 @@ use numbers::wide::Wide;
 use super::point::Vertex;
 use crate::curves::Place;
 use crate::family::{Half, State};
-use crate::heights::{Source, ordered};
+use crate::heights::{Level, Source, ordered};
 use crate::model::{Constants, Model};
 
 /// Bits of the ranges of J.
@@ -60,6 +60,14 @@ fn arc<'a>(vertex: &'a Vertex<'_>, sources: &'a [Source], number: usize) -> Opti
     at.map(|at| Arc { at, beside })
 }
 
+/// The place of a source on an interval of the generic family.
+fn place_on(source: &Source, interval: usize) -> Option<&Place> {
+    match source {
+        Source::Generic { number, place } if *number == interval => Some(place),
+        _ => None,
+    }
+}
+
 /// On the generic family: between neighbours among the points over both x, x lies between the two, and has no extremum as
 /// there is no cusp.
 fn generic_arc<'a>(
@@ -70,48 +78,51 @@ fn generic_arc<'a>(
     beside: &'a Source,
 ) -> Option<Arc<'a>> {
     let model = vertex.plane.model;
-    let place_on = |source: &'a Source| match source {
-        Source::Generic { number, place } if *number == interval => Some(place),
-        _ => None,
-    };
-    let order = |p: &Place, q: &Place| ordered(model, p, q);
+    let is_itself = |other: &&Place| other.lo == place.lo && other.hi == place.hi && other.half == place.half;
+    let others = sources.iter().filter_map(|source| place_on(source, interval));
+    let others: Vec<&Place> = others.filter(|other| !is_itself(other)).collect();
     let mut found = None;
     for side in [Ordering::Less, Ordering::Greater] {
-        // The next point over the x of the vertex on this side.
-        let mut next: Option<(&Place, bool, &Source)> = None;
-        for level in vertex.levels {
-            let Some(at) = place_on(&level.source) else { continue };
-            if order(at, place)? != side {
-                continue;
-            }
-            let nearer = match &next {
-                Some((best, ..)) => order(best, at)? == side,
-                None => true,
-            };
-            if nearer {
-                next = Some((at, level.sign == Sign::Zero, &level.source));
-            }
+        let Some((level, at)) = nearest(vertex, interval, place, side).ok()? else { continue };
+        if level.sign != Sign::Zero {
+            continue;
         }
-        let Some((at, true, source)) = next else { continue };
-        let mut others = sources.iter().filter_map(|other| match other {
-            Source::Generic { number, place } if *number == interval => Some(place),
-            _ => None,
-        });
-        let mut between = false;
-        for other in &mut others {
-            if other.lo == place.lo && other.hi == place.hi && other.half == place.half {
-                continue;
-            }
-            between |= order(other, place)? == side && order(at, other)? == side;
-        }
-        if !between {
-            if found.is_some() {
-                return None;
-            }
-            found = Some(Arc { at: source, beside });
+        let lies_between =
+            |other: &&Place| Some(ordered(model, other, place)? == side && ordered(model, at, other)? == side);
+        let between = others.iter().map(lies_between).collect::<Option<Vec<bool>>>()?;
+        if !between.contains(&true) && found.replace(Arc { at: &level.source, beside }).is_some() {
+            return None;
         }
     }
     found
+}
+
+/// The order of two places is not known.
+struct Unordered;
+
+/// The point over the x of the vertex that is nearest to a place on one side of it.
+fn nearest<'a>(
+    vertex: &'a Vertex<'_>,
+    interval: usize,
+    place: &Place,
+    side: Ordering,
+) -> Result<Option<(&'a Level, &'a Place)>, Unordered> {
+    let is_beyond = |p: &Place, q: &Place| Ok(ordered(vertex.plane.model, p, q).ok_or(Unordered)? == side);
+    let mut nearest: Option<(&Level, &Place)> = None;
+    for level in vertex.levels {
+        let Some(at) = place_on(&level.source, interval) else { continue };
+        if !is_beyond(at, place)? {
+            continue;
+        }
+        let is_nearer = match nearest {
+            Some((_, best)) => is_beyond(best, at)?,
+            None => true,
+        };
+        if is_nearer {
+            nearest = Some((level, at));
+        }
+    }
+    Ok(nearest)
 }
 
 /// All places between two of one family, on the half of the first.

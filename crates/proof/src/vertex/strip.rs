@@ -3,12 +3,13 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 use numbers::enclosure::{Arithmetic, Enclosure};
+use numbers::polynomial::Polynomial;
 use numbers::wide::Wide;
 
-use crate::curves::{Place, roots_in_interval};
+use crate::curves::{NotIsolated, Place, roots_in_interval};
 use crate::family::State;
 use crate::heights::{Heights, refined};
-use crate::model::Constants;
+use crate::model::{Constants, Model};
 use crate::plane::{Open, Plane};
 
 /// Bits in which a cusp is told from the x of the point; before the third it is asked whether they are equal.
@@ -35,16 +36,22 @@ pub(super) fn reach(plane: &Plane<'_>, heights: &Heights<'_>, room: &RBig) -> Re
             }
         }
     }
-    let polynomial = model.cusp_polynomial();
-    for number in 0..=model.active.len() {
-        let cusps = roots_in_interval(model, &polynomial, number, STAGES[0]).map_err(|_| Open::Cusps)?;
-        for (place, _) in cusps {
-            if let Some(distance) = distance_of_cusp(plane, heights, place)? {
-                reach = reach.min(distance);
-            }
+    for place in cusps(model, &model.cusp_polynomial())? {
+        if let Some(distance) = distance_of_cusp(plane, heights, place)? {
+            reach = reach.min(distance);
         }
     }
     Ok(reach)
+}
+
+/// The places of the generic family at which a polynomial in μ is 0.
+fn cusps(model: &Model, polynomial: &Polynomial) -> Result<Vec<Place>, Open> {
+    let mut found = Vec::new();
+    for number in 0..=model.active.len() {
+        let roots = roots_in_interval(model, polynomial, number, STAGES[0]).map_err(|NotIsolated| Open::Cusps)?;
+        found.extend(roots.into_iter().map(|(place, _)| place));
+    }
+    Ok(found)
 }
 
 /// x² = vJ⁴/4 of the pitchfork over a group without r, v = P̂, and of its cusp, v = −3R̂/a (Proposition 3.7).
@@ -94,4 +101,29 @@ fn distance_of_cusp(plane: &Plane<'_>, heights: &Heights<'_>, mut place: Place) 
         }
     }
     Err(Open::Beside)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use numbers::polynomial::rational;
+    use top::body::Body;
+
+    /// (μ − a₁ − 1/3)² − 4^−bits.
+    fn close_pair(model: &Model, bits: usize) -> Polynomial {
+        let centre = model.a(0) + RBig::from_parts(1.into(), 3u8.into());
+        let factor = [-centre, RBig::ONE];
+        let gap = RBig::ONE / RBig::from(IBig::ONE << (2 * bits));
+        Polynomial::from_rationals(&rational::sub(&rational::mul(&factor, &factor), &[gap]))
+    }
+
+    #[test]
+    fn cusps_that_cannot_be_isolated_are_refused() {
+        let body = Body::parse(&["1", "2", "5/2"], &["1/3", "1/2", "1"]).unwrap();
+        let model = Model::new(&body, &body.frame());
+        assert_eq!(cusps(&model, &close_pair(&model, 1000)).map(|found| found.len()), Ok(2));
+        let refused = cusps(&model, &close_pair(&model, 4500)).map(|found| found.len());
+        assert_eq!(refused, Err(Open::Cusps));
+        assert!(Open::Cusps.to_string().contains("4(q'D - 2qD')p - 3(p'D - 2pD')q"));
+    }
 }

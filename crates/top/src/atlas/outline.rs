@@ -96,13 +96,15 @@ impl Atlas {
     /// The curves of a slab over a range of l, clipped to a range of h.
     fn chains(&self, slab: SlabId, l: [f64; 2], h: [f64; 2]) -> Vec<Outline> {
         let order = &self.arrangement.slabs[slab].order;
-        let mut heights = Heights { atlas: self, order, rows: BTreeMap::new() };
+        let mut heights = Heights { atlas: self, order, rows: Vec::new(), known: Vec::new() };
+        let rows = l.map(|l| heights.row(l));
+        let middle = heights.row(0.5 * (l[0] + l[1]));
         (0..order.len())
             .map(|position| {
-                let ends = l.map(|l| [heights.at(l, position), l]);
+                let ends = rows.map(|row| heights.point(row, position));
                 let mut chain = vec![ends[0]];
                 if l[0] < l[1] {
-                    heights.refine(position, ends, (h[1] - h[0]).abs() * CHORD, DEPTH, &mut chain);
+                    heights.refine(position, middle, ends, (h[1] - h[0]).abs() * CHORD, DEPTH, &mut chain);
                 }
                 clipped(&chain, h)
             })
@@ -117,54 +119,85 @@ const GAP_SHARE: f64 = 0.1;
 /// A curve has at most 2^DEPTH chords in a slab.
 const DEPTH: u32 = 8;
 
-/// Energies of the curves of a slab at several l, each computed when it is first asked for.
+/// Energies of the curves of a slab at the ends, the middle, the quarters, … of a range of l, each computed when it is first
+/// asked for.
 struct Heights<'a> {
     atlas: &'a Atlas,
     /// The curves of the slab.
     order: &'a [CurveId],
-    /// By the bits of l ≥ 0: an energy for each curve, NaN until it is computed.
-    rows: BTreeMap<u64, Vec<f64>>,
+    rows: Vec<Row>,
+    /// For each row an energy for each curve, NaN until it is computed.
+    known: Vec<f64>,
+}
+
+/// Where the energies are.
+struct Row {
+    l: f64,
+    /// The rows in the middle of both halves of the range that this one halves.
+    halves: Option<[usize; 2]>,
 }
 
 impl Heights<'_> {
-    fn at(&mut self, l: f64, position: usize) -> f64 {
-        self.around(l, [Some(position)])[0]
+    fn row(&mut self, l: f64) -> usize {
+        self.known.resize(self.known.len() + self.order.len(), f64::NAN);
+        self.rows.push(Row { l, halves: None });
+        self.rows.len() - 1
     }
 
-    /// The energies at some positions; +∞ where there is none.
-    fn around<const N: usize>(&mut self, l: f64, positions: [Option<usize>; N]) -> [f64; N] {
-        let Self { atlas, order, rows } = self;
-        let row = rows.entry(l.to_bits()).or_insert_with(|| vec![f64::NAN; order.len()]);
-        positions.map(|position| {
-            let Some((&curve, h)) = position.and_then(|at| order.get(at).zip(row.get_mut(at))) else {
-                return f64::INFINITY;
-            };
-            if h.is_nan() {
-                *h = atlas.h_at(&atlas.arrangement.set.curves[curve], l);
-            }
-            *h
-        })
+    fn halves(&mut self, middle: usize, [low, high]: [f64; 2]) -> [usize; 2] {
+        if let Some(halves) = self.rows[middle].halves {
+            return halves;
+        }
+        let l = self.rows[middle].l;
+        let halves = [0.5 * (low + l), 0.5 * (l + high)].map(|l| self.row(l));
+        self.rows[middle].halves = Some(halves);
+        halves
     }
 
-    /// Adds the points of a curve after the first end up to and including the second.
-    fn refine(&mut self, position: usize, ends: [[f64; 2]; 2], tolerance: f64, depth: u32, chain: &mut Outline) {
+    fn at(&mut self, row: usize, position: usize) -> f64 {
+        let h = &mut self.known[row * self.order.len() + position];
+        if h.is_nan() {
+            *h = self.atlas.h_at(&self.atlas.arrangement.set.curves[self.order[position]], self.rows[row].l);
+        }
+        *h
+    }
+
+    fn point(&mut self, row: usize, position: usize) -> [f64; 2] {
+        [self.at(row, position), self.rows[row].l]
+    }
+
+    /// The distance in h to the nearest other curve.
+    fn gap(&mut self, row: usize, position: usize) -> f64 {
+        let h = self.at(row, position);
+        let beside = [position.checked_sub(1), (position + 1 < self.order.len()).then_some(position + 1)];
+        beside.into_iter().flatten().fold(f64::INFINITY, |gap, other| gap.min((self.at(row, other) - h).abs()))
+    }
+
+    /// Adds the points of a curve after the first end up to and including the second; `middle` is the row between them.
+    fn refine(
+        &mut self,
+        position: usize,
+        middle: usize,
+        ends: [[f64; 2]; 2],
+        tolerance: f64,
+        depth: u32,
+        chain: &mut Outline,
+    ) {
         let [[from, low], [to, high]] = ends;
         let noise = 64.0 * UNIT_ROUNDOFF * from.abs().max(to.abs());
-        let beside = [Some(position), position.checked_sub(1), Some(position + 1)];
+        let [before, after] = self.halves(middle, [low, high]);
         let straight = depth == 0
-            || [0.25, 0.5, 0.75].iter().all(|&t| {
-                let [h, below, above] = self.around(low + t * (high - low), beside);
-                let gap = (below - h).abs().min((above - h).abs());
-                (h - (from + t * (to - from))).abs() <= tolerance.min(GAP_SHARE * gap).max(noise)
+            || [(0.5, middle), (0.25, before), (0.75, after)].iter().all(|&(t, row)| {
+                let off = (self.at(row, position) - (from + t * (to - from))).abs();
+                off <= noise || (off <= tolerance && off <= GAP_SHARE * self.gap(row, position))
             });
         if straight {
             chain.push(ends[1]);
             return;
         }
-        let l = 0.5 * (low + high);
-        let middle = [self.at(l, position), l];
-        self.refine(position, [ends[0], middle], tolerance, depth - 1, chain);
-        self.refine(position, [middle, ends[1]], tolerance, depth - 1, chain);
+        let point = self.point(middle, position);
+        self.refine(position, before, [ends[0], point], tolerance, depth - 1, chain);
+        self.refine(position, after, [point, ends[1]], tolerance, depth - 1, chain);
     }
 }
 

@@ -1,66 +1,51 @@
-//! The largest extent of a region in h at one l.
+//! The largest extents of the regions in h at one l.
+
+use std::cell::OnceCell;
 
 use super::Atlas;
-use crate::curves::{CurveId, Gap, Point};
-use crate::diagram::{Cell, RegionId};
+use crate::curves::{CriticalSet, CurveId, Gap, Point};
+use crate::diagram::{RegionId, Slab};
+use crate::table::Table;
 use numbers::root;
 
-/// The gap between two curves over a slab.
-struct Strip<'a> {
-    atlas: &'a Atlas,
-    lower: CurveId,
-    upper: CurveId,
-}
-
 impl Atlas {
-    /// The largest extent in h at one l of a region; `None` if unbounded.
+    /// For each region its largest extent in h at one l; `None` if unbounded.
     #[must_use]
-    pub fn h_width(&self, region: RegionId) -> Option<f64> {
-        let mut widest = 0.0_f64;
-        for &Cell { slab, position } in &self.regions[region].cells {
-            let strip = &self.arrangement.slabs[slab];
-            let (lower, upper) = (strip.order[position], *strip.order.get(position + 1)?);
-            widest = widest.max(Strip { atlas: self, lower, upper }.width(strip.x)?);
+    pub fn h_widths(&self) -> Table<RegionId, Option<f64>> {
+        let mut widths = self.regions.map(|_| Some(0.0_f64));
+        for slab in &self.arrangement.slabs {
+            let strips = Strips::new(&self.arrangement.set, slab);
+            for (position, &region) in slab.region_above.iter().enumerate() {
+                if let Some(widest) = widths[region] {
+                    widths[region] = strips.width(position).map(|width| widest.max(width));
+                }
+            }
         }
-        Some(self.energy(widest))
+        widths.map(|width| width.map(|width| self.energy(width)))
     }
 }
 
-impl Strip<'_> {
-    fn points(&self, x: f64) -> [Point; 2] {
-        let set = &self.atlas.arrangement.set;
-        [self.upper, self.lower].map(|c| set.curves[c].point(&set.frame, x))
-    }
+/// The gaps between the curves of a slab.
+struct Strips<'a> {
+    set: &'a CriticalSet,
+    order: &'a [CurveId],
+    /// Over an unbounded slab: so far out that a gap that stays finite has reached its limit.
+    far: Option<f64>,
+    /// Places at which all gaps are taken, by rising x.
+    places: Vec<f64>,
+    /// The points of each curve there.
+    points: Vec<OnceCell<Vec<Point>>>,
+}
 
-    fn gap(&self, x: f64) -> f64 {
-        let [upper, lower] = self.points(x);
-        Gap::between(&self.atlas.arrangement.set.frame, &upper, &lower).value
-    }
-
-    /// Derivative of the gap: dh/dx = 1/J on both curves.
-    fn slope(&self, x: f64) -> f64 {
-        let [upper, lower] = self.points(x);
-        upper.slope() - lower.slope()
-    }
-
-    /// The largest gap over a slab; `None` if it grows without bound.
-    fn width(&self, x: [f64; 2]) -> Option<f64> {
+impl<'a> Strips<'a> {
+    fn new(set: &'a CriticalSet, slab: &'a Slab) -> Self {
         const SAMPLES: usize = 8;
-        /// Far beyond every event a gap that stays finite has reached its limit.
         const FAR: f64 = 1e8;
-        let set = &self.atlas.arrangement.set;
-        let mut limit = 0.0_f64;
-        let mut high = x[1];
-        if high.is_infinite() {
-            let asymptote = |c: CurveId| set.curves[c].arcs[set.curves[c].arcs.len() - 1].asymptote(&set.frame);
-            if asymptote(self.lower).moment_gap(&set.frame, &asymptote(self.upper)) != 0.0 {
-                return None;
-            }
-            high = FAR * x[0].max(1.0);
-            limit = self.gap(high);
-        }
+        let [from, to] = slab.x;
+        let far = to.is_infinite().then(|| FAR * from.max(1.0));
+        let high = far.unwrap_or(to);
         // The limits at l → 0 are reached to the last bit here.
-        let low = if x[0] > 0.0 { x[0] } else { 1e-30 * high };
+        let low = if from > 0.0 { from } else { 1e-30 * high };
         let ratio = (high / low).sqrt().sqrt().sqrt();
         let geometric = (0..=SAMPLES).scan(low, |at, _| {
             let here = *at;
@@ -70,12 +55,44 @@ impl Strip<'_> {
         let even = (1..SAMPLES).map(|k| low + (high - low) * k as f64 / SAMPLES as f64);
         let mut places: Vec<f64> = geometric.chain(even).collect();
         places.sort_by(f64::total_cmp);
-        let gaps: Vec<f64> = places.iter().map(|&x| self.gap(x)).collect();
+        Self { set, order: &slab.order, far, places, points: vec![OnceCell::new(); slab.order.len()] }
+    }
+
+    fn point(&self, position: usize, x: f64) -> Point {
+        self.set.curves[self.order[position]].point(&self.set.frame, x)
+    }
+
+    fn points(&self, position: usize) -> &[Point] {
+        self.points[position].get_or_init(|| self.places.iter().map(|&x| self.point(position, x)).collect())
+    }
+
+    /// The largest gap above the curve at a position; `None` if it is or grows without bound.
+    fn width(&self, position: usize) -> Option<f64> {
+        let pair = [position, position + 1];
+        let [lower, upper] = [self.order[position], *self.order.get(position + 1)?];
+        let gap = |[lower, upper]: [&Point; 2]| Gap::between(&self.set.frame, upper, lower).value;
+        // Derivative of the gap: dh/dx = 1/J on both curves.
+        let slope = |[lower, upper]: [&Point; 2]| upper.slope() - lower.slope();
+        let at = |x: f64| pair.map(|position| self.point(position, x));
+        let mut limit = 0.0_f64;
+        if let Some(far) = self.far {
+            let curves = &self.set.curves;
+            let asymptote = |c: CurveId| curves[c].arcs[curves[c].arcs.len() - 1].asymptote(&self.set.frame);
+            if asymptote(lower).moment_gap(&self.set.frame, &asymptote(upper)) != 0.0 {
+                return None;
+            }
+            limit = gap(at(far).each_ref());
+        }
+        let points = pair.map(|position| self.points(position));
+        let here = |place: usize| points.map(|points| &points[place]);
+        let gaps: Vec<f64> = (0..self.places.len()).map(|place| gap(here(place))).collect();
         let best = (0..gaps.len()).max_by(|&p, &q| gaps[p].total_cmp(&gaps[q]))?;
-        let [from, to] = [places[best.saturating_sub(1)], places[(best + 1).min(places.len() - 1)]];
-        let slopes = [self.slope(from), self.slope(to)];
+        let [from, to] = [best.saturating_sub(1), (best + 1).min(self.places.len() - 1)];
+        let slopes = [slope(here(from)), slope(here(to))];
         let refined = if slopes[0] > 0.0 && slopes[1] < 0.0 {
-            self.gap(root::itp(from, to, slopes[0], slopes[1], 0.0, |x| self.slope(x)).at)
+            let [from, to] = [self.places[from], self.places[to]];
+            let top = root::itp(from, to, slopes[0], slopes[1], 0.0, |x| slope(at(x).each_ref()));
+            gap(at(top.at).each_ref())
         } else {
             gaps[best]
         };

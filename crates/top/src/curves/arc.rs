@@ -56,8 +56,9 @@ pub struct Arc {
 const X_TOLERANCE: f64 = 16.0 * UNIT_ROUNDOFF;
 
 impl Segment {
-    /// μ at x. Precondition: x lies between the segment's ends.
-    fn solve(&self, frame: &Frame, x: f64) -> Mu {
+    /// μ at x. Precondition: x lies between the segment's ends. `seen` is shown every state on the way, at last the one
+    /// at μ; none at an end, where nothing is sought.
+    fn solve(&self, frame: &Frame, x: f64, mut seen: impl FnMut(GenericState)) -> Mu {
         let mu = |distance: f64| Mu { base: self.base, delta: self.sign * distance };
         let [from, to] = self.distance;
         if x <= self.x[0] && from > 0.0 && from.is_finite() {
@@ -68,6 +69,7 @@ impl Segment {
         }
         let root = newton_bracketed(Bracket { negative: from, positive: to }, self.guess(frame, x), X_TOLERANCE, |y| {
             let state = GenericState::at(frame, mu(y));
+            seen(state);
             let ratio = x / state.x;
             (1.0 - ratio, ratio * state.log_slope() * self.sign)
         });
@@ -110,8 +112,9 @@ impl Arc {
         match &self.shape {
             Shape::Straight { gamma, j } => (Point::over(frame, x, *gamma, *j), None),
             Shape::Generic(segments) => {
-                let mu = generic_mu(segments, frame, x);
-                let state = GenericState::at(frame, mu);
+                let mut last = None;
+                let mu = generic_mu(segments, frame, x, |state| last = Some(state));
+                let state = last.unwrap_or_else(|| GenericState::at(frame, mu));
                 (Point::over(frame, x, state.gamma, state.j), Some(mu))
             }
             Shape::Symmetric { family, t } => {
@@ -126,15 +129,15 @@ impl Arc {
     pub fn mu(&self, frame: &Frame, x: f64) -> Option<Mu> {
         match &self.shape {
             Shape::Straight { .. } => None,
-            Shape::Generic(segments) => Some(generic_mu(segments, frame, x)),
+            Shape::Generic(segments) => Some(generic_mu(segments, frame, x, |_| {})),
             Shape::Symmetric { family, .. } => Some(Mu { base: family.axis, delta: 0.0 }),
         }
     }
 }
 
-fn generic_mu(segments: &[Segment], frame: &Frame, x: f64) -> Mu {
+fn generic_mu(segments: &[Segment], frame: &Frame, x: f64, seen: impl FnMut(GenericState)) -> Mu {
     let segment = segments.iter().find(|segment| x <= segment.x[1]).unwrap_or(&segments[segments.len() - 1]);
-    segment.solve(frame, x)
+    segment.solve(frame, x, seen)
 }
 
 /// t with x(ŝ + t) = x.

@@ -6,20 +6,11 @@
 
 use thiserror::Error;
 
+use super::cells::{Cells, Continued, Faces};
 use super::event::Change;
-use super::id::{EventId, RegionId, SlabId};
+use super::id::{EventId, SlabId};
 use crate::curves::CurveId;
-use crate::table::{Id, Table};
-use numbers::partition::Partition;
-
-/// The faces, which are the diagram's regions: for each slab, the region of each gap but the lowest.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Faces {
-    /// `above[slab][i]` is the region above the i-th curve of the slab.
-    pub above: Table<SlabId, Vec<RegionId>>,
-    /// Number of regions.
-    pub count: usize,
-}
+use crate::table::Table;
 
 /// The orders on both sides of an event do not fit the event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
@@ -34,13 +25,6 @@ struct Gluing {
     continued: Vec<Continued>,
 }
 
-/// A gap of one slab and a gap of the next that are in one face.
-#[derive(Clone, Copy)]
-struct Continued {
-    before: usize,
-    after: usize,
-}
-
 impl Faces {
     /// Glues the cells. `orders[j]` is the vertical order in slab j, `changes[j]` the event between slabs j and j + 1.
     ///
@@ -50,39 +34,14 @@ impl Faces {
         orders: &Table<SlabId, Vec<CurveId>>,
         changes: &Table<EventId, Change>,
     ) -> Result<Self, InconsistentOrder> {
-        let offsets: Table<SlabId, usize> = orders
-            .iter()
-            .scan(0, |sum, order| {
-                let first = *sum;
-                *sum += order.len() + 1;
-                Some(first)
-            })
-            .collect();
-        let cells = orders.iter().map(|order| order.len() + 1).sum();
-        let mut joined = Partition::new(cells);
+        let mut cells = Cells::new(orders.iter().map(Vec::len));
         for (event, change) in changes.pairs() {
-            let (left, right) = (SlabId::before(event), SlabId::after(event));
-            let gluing = glue_event(&orders[left], &orders[right], change).ok_or(InconsistentOrder { event })?;
-            for Continued { before, after } in gluing.continued {
-                joined.unite(offsets[left] + before, offsets[right] + after);
-            }
+            let slabs = [SlabId::before(event), SlabId::after(event)];
+            let [left, right] = slabs.map(|slab| &orders[slab]);
+            let gluing = glue_event(left, right, change).ok_or(InconsistentOrder { event })?;
+            cells.glue(slabs, gluing.continued);
         }
-        let mut number: Vec<Option<RegionId>> = vec![None; cells];
-        let mut count = 0;
-        let mut above = Table::new();
-        for (slab, order) in orders.pairs() {
-            let mut faces = Vec::with_capacity(order.len());
-            for gap in 1..=order.len() {
-                let root = joined.find(offsets[slab] + gap);
-                let face = *number[root].get_or_insert_with(|| {
-                    count += 1;
-                    RegionId::at(count - 1)
-                });
-                faces.push(face);
-            }
-            above.push(faces);
-        }
-        Ok(Self { above, count })
+        Ok(cells.faces())
     }
 }
 
@@ -165,6 +124,7 @@ fn opened(before: &[CurveId], after: &[CurveId], through: [CurveId; 2], pair: Cu
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::table::Id;
 
     fn curve(index: usize) -> CurveId {
         CurveId::at(index)

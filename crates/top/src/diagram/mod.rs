@@ -1,7 +1,9 @@
 //! The arrangement of all critical curves and pole lines in the half-plane l > 0 (docs/mathematics.md, section 8).
 //!
-//! Coordinates enter in `pair` (isolated crossings) and `event` (their order in x); `faces` works on vertical orders alone.
+//! Coordinates enter in `pair` (isolated crossings) and `event` (their order in x); `faces` works on vertical orders alone, and
+//! `cells` numbers what they leave.
 
+mod cells;
 mod event;
 mod faces;
 mod id;
@@ -11,8 +13,9 @@ mod pair;
 mod settle;
 mod transitive;
 
+pub use cells::{Cells, Continued, Faces};
 pub use event::{Change, Event};
-pub use faces::{Faces, InconsistentOrder, continued};
+pub use faces::{InconsistentOrder, continued};
 pub use id::{Cell, EventId, ParseRegionIdError, RegionId, SlabId};
 pub use invariants::InvariantError;
 pub use order::{PairCrossing, PairOrder};

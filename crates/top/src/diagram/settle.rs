@@ -2,8 +2,9 @@
 
 use std::cmp::Ordering;
 
+use super::cells::Faces;
 use super::event::{Change, Event};
-use super::faces::{Faces, InconsistentOrder};
+use super::faces::InconsistentOrder;
 use super::id::{EventId, SlabId};
 use crate::curves::CurveId;
 use crate::table::{Id, Table};

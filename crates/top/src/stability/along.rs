@@ -137,7 +137,7 @@ fn quick(body: &Body, set: &CriticalSet) -> Option<Table<CurveId, Along>> {
     }
     let constants = Constants::rounded(frame);
     let exact_body = OnceCell::new();
-    let exact = |bits: usize| exact_body.get_or_init(|| ExactBody::new(body, frame)).constants(bits);
+    let exact = || exact_body.get_or_init(|| ExactBody::new(body, frame)).constants(());
     let mut along: Table<CurveId, Along> = set.curves.iter().map(|_| Along::default()).collect();
     let mut maxima: Vec<(Branch, Vec<CurveId>)> = Vec::new();
     for (id, curve) in set.curves.pairs().filter(|(_, curve)| curve.is_critical()) {

@@ -14,7 +14,7 @@ use numbers::bernstein::{Form as FormOf, Isolation};
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 use numbers::root::itp;
-use numbers::wide::Wide;
+use numbers::wide::Interval128;
 
 /// Of degree 18 at most: three distinct moments that all carry r.
 type Form = FormOf<19>;
@@ -55,11 +55,11 @@ pub(super) struct Collision {
 }
 
 /// Every collision on a strand; `None` where rounding leaves their number or place open. `exact` gives the body's
-/// numbers as exactly as is wanted.
+/// numbers, enclosed.
 pub(super) fn collisions(
     frame: &Frame,
     c: &Constants<Interval>,
-    exact: &dyn Fn(usize) -> Constants<Wide>,
+    exact: &dyn Fn() -> Constants<Interval128>,
     strand: &Strand,
 ) -> Option<Vec<Collision>> {
     let isolations = collision_form(frame, strand).isolate_roots(ROUNDINGS);
@@ -68,7 +68,7 @@ pub(super) fn collisions(
     if roots.is_empty() {
         return Some(Vec::new());
     }
-    let exact = exact(BITS);
+    let exact = exact();
     roots.into_iter().map(|at| strand.fenced(&exact, c, frame, at)).collect()
 }
 
@@ -199,13 +199,13 @@ impl Strand {
     /// The collision next to a parameter: steps of Newton's method, and signs on both sides of where it leads.
     fn fenced(
         &self,
-        exact: &Constants<Wide>,
+        exact: &Constants<Interval128>,
         c: &Constants<Interval>,
         frame: &Frame,
         at: Parameter,
     ) -> Option<Collision> {
-        let wide = |x: f64| Wide::double(x, BITS);
-        let reduced = |y: Wide| Reduced::new(exact, &self.state(exact, at, y));
+        let wide = |x: f64| Interval128::double(x, ());
+        let reduced = |y: Interval128| Reduced::new(exact, &self.state(exact, at, y));
         let y = at.size();
         let rounded = |y: f64| Reduced::new(c, &self.state(c, at, Interval::point(y))).discriminant().middle().lo;
         let step = y * STEP;
@@ -231,9 +231,6 @@ impl Strand {
         Some(Collision { at, place: state.place(exact, frame), is_imaginary, apart_above: above? == Sign::Positive })
     }
 }
-
-/// Bits with which collisions are evaluated.
-const BITS: usize = 112;
 
 /// The most steps.
 const STEPS: usize = 4;

@@ -4,7 +4,7 @@
 //! what the orbit was like until then, and where it goes on, closed by their SHA-256. What does not end in a whole block
 //! is cut off when the section is taken up again.
 
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use dynamics::section::{End, Halt, OrbitReport, OrbitSection};
 use sha2::{Digest, Sha256};
 
 use super::super::error::{SectionFailure, SectionInput};
-use crate::cli::export::{Column, Columns, Pieces};
+use crate::cli::export::{Column, Columns, Pieces, journal_path, open_alone};
 use crate::cli::section::table;
 
 /// Words before the rows of a block: orbit, end and number of rows; the report; the halt.
@@ -62,28 +62,15 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// The journal of an output file.
-    pub fn path_for(out: &Path) -> PathBuf {
-        let mut name = out.as_os_str().to_owned();
-        name.push(".partial");
-        PathBuf::from(name)
-    }
-
     /// Opens the journal beside an output file for so many orbits: takes up what is there, or begins. `identity` is a text
     /// on one line.
     pub fn open(out: &Path, identity: &str, orbits: usize) -> Result<Self, SectionFailure> {
-        let path = Self::path_for(out);
+        let path = journal_path(out);
         let failed = |source: io::Error| SectionFailure::Journal { path: path.clone(), source };
         if let Some(directory) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
             std::fs::create_dir_all(directory).map_err(failed)?;
         }
-        let file =
-            OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
-        match file.try_lock() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(SectionInput::Busy { journal: path }.into()),
-            Err(TryLockError::Error(source)) => return Err(failed(source)),
-        }
+        let file = open_alone(&path).map_err(failed)?.ok_or_else(|| SectionInput::Busy { journal: path.clone() })?;
         let columns = table::columns(&[]);
         let columns = columns.into_iter().map(|(name, values)| Column { name, values }).collect();
         let (blocks, standings) = (Vec::new(), vec![None; orbits]);

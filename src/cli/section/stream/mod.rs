@@ -14,11 +14,6 @@ use self::journal::{Journal, Standing};
 use self::judge::verdicts;
 use super::error::SectionFailure;
 
-/// The journal of an output file.
-pub fn journal(out: &Path) -> PathBuf {
-    Journal::path_for(out)
-}
-
 /// Crossings in memory at one time, about.
 const CROSSINGS: usize = 1 << 18;
 /// Fewest orbits that are followed at one time, so that no lane is idle.
