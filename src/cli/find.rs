@@ -4,13 +4,13 @@ use std::ops::ControlFlow;
 
 use clap::Args;
 use documents::CommandLine;
-use schema::FindDocument;
+use schema::{Accuracy, FindDocument};
 use survey::search::{Domain, SearchOptions, Target, find};
 use thiserror::Error;
 
 use super::export::answer;
 use super::failure::{CommandError, Exit, Failure};
-use super::input::AccuracyArgument;
+use super::input::accuracy;
 use super::scan::ScanInput;
 use super::terminal::{Progress, Report, significant};
 
@@ -66,8 +66,8 @@ pub struct FindArguments {
     #[arg(long, value_name = "N", help_heading = "Work")]
     pub seed: Option<u64>,
     /// What the answers must be worth
-    #[arg(long, value_parser = AccuracyArgument::parser(), default_value = "exact", help_heading = "Work")]
-    pub accuracy: AccuracyArgument,
+    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
+    pub accuracy: Accuracy,
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,
@@ -128,7 +128,7 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
         samples: arguments.samples,
         all: arguments.all,
         seed: arguments.seed.unwrap_or_default(),
-        accuracy: arguments.accuracy.level().into(),
+        accuracy: arguments.accuracy.into(),
     };
     let progress = Progress::new(0, arguments.samples, "bodies", quiet);
     let mut watch = |bodies| {
@@ -159,7 +159,7 @@ fn command(arguments: &FindArguments) -> CommandLine {
         .option("samples", arguments.samples)
         .flag("all", arguments.all)
         .option_if("seed", arguments.seed)
-        .option_if("accuracy", documents::accuracy_option(arguments.accuracy.level()))
+        .option_if("accuracy", documents::accuracy_option(arguments.accuracy))
 }
 
 fn report(document: &FindDocument) -> String {

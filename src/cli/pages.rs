@@ -63,7 +63,7 @@ pub fn man(arguments: &ManArguments, mut root: Command) -> Result<(), Failure> {
         let file = clap_mangen::Man::new(command.clone()).get_filename();
         files.add(file, page(command.clone())?);
     }
-    Ok(print(Report::written(&files.write()?).text())?)
+    Ok(print(Report::of_written(&files.write()?).text())?)
 }
 
 fn page(command: Command) -> Result<Vec<u8>, PageError> {

@@ -15,6 +15,7 @@ pub mod root;
 pub mod sequence;
 mod sign;
 pub mod symmetric;
+pub mod vector;
 pub mod wide;
 pub mod words;
 

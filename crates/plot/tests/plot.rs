@@ -6,7 +6,7 @@ mod picture_texts;
 mod plot_fixture;
 
 use picture_texts::{assert_texts_are_apart, texts};
-use plot::{DiagramOptions, Picture, PlotError, draw};
+use plot::{DiagramOptions, Picture, PlotError, Width, draw};
 use plot_fixture::{Fixture, kovalevskaya, paper, parabolas};
 use resvg::tiny_skia::Pixmap;
 use schema::WindowDocument;
@@ -240,6 +240,18 @@ fn tikz_is_a_document_with_the_same_parts() {
         assert_eq!(line.matches('{').count(), line.matches('}').count(), "{line}");
         assert!(!line.contains("NaN") && line.is_ascii(), "{line}");
     }
+    let number = |before: &str, behind: &str| -> f64 {
+        let (_, rest) = tikz.split_once(before).unwrap();
+        rest.split_once(behind).unwrap().0.parse().unwrap()
+    };
+    let width = number("tikzpicture}[x=", "bp") * number("rectangle (", ",") / 72.0 * 25.4;
+    assert!((width - Width::Page.millimetres()).abs() < 1.0, "{width} mm in print");
+    // Stripes of 5 pixels; nothing but the picture has a width.
+    let distance = number("distance=", "bp") / number("tikzpicture}[x=", "bp");
+    assert!((distance - 10.0).abs() < 0.1, "stripes repeat after {distance} pixels");
+    let (head, _) = tikz.split_once("\\begin{tikzpicture}").unwrap();
+    let (_, before) = head.split_once("\\begin{document}\n").unwrap();
+    assert!(before.lines().all(|line| line.starts_with('%') || line.ends_with('%')), "{before}");
     let used: Vec<&str> = tikz.split("draw=").skip(1).filter_map(|rest| rest.split([',', ']']).next()).collect();
     assert!(used.iter().all(|name| tikz.contains(&format!("\\definecolor{{{name}}}"))), "a colour is not defined");
 }

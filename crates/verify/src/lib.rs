@@ -150,6 +150,7 @@ fn certified(
     let plane = Plane::new(certificate, &orders)?;
     view::check(document, &orders, &plane)?;
     outlines::polylines(document, &plane)?;
+    outlines::regions(document, &plane, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }
 

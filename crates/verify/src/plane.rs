@@ -40,6 +40,11 @@ impl<'a> Plane<'a> {
         Ok(Self { orders, traces, x, energy, norm, known: RefCell::default() })
     }
 
+    /// l of an x.
+    pub fn momentum(&self, x: &RBig) -> f64 {
+        (x.to_f64().value() * self.x).sqrt()
+    }
+
     /// The height of a curve over l, and how far a double may be from it; `None` where the curve does not run.
     pub fn height(&self, id: &str, l: f64) -> Option<[f64; 2]> {
         let curve = match self.orders.pieces.find(id) {

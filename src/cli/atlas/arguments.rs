@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use schema::WindowDocument;
+use schema::{Accuracy, WindowDocument};
 
 use crate::cli::export::{PictureArguments, WidthArgument};
-use crate::cli::input::{AccuracyArgument, BodyArguments, values};
+use crate::cli::input::{BodyArguments, accuracy, values};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -26,8 +26,8 @@ pub struct AtlasArguments {
     #[arg(help_heading = "Work")]
     pub window: Option<WindowDocument>,
     /// What the answer must be worth
-    #[arg(long, value_parser = AccuracyArgument::parser(), default_value = "exact", help_heading = "Work")]
-    pub accuracy: AccuracyArgument,
+    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
+    pub accuracy: Accuracy,
     /// Prove every step and write down what `bifdiag verify` needs to check it
     #[arg(long, help_heading = "Work")]
     pub certificate: bool,

@@ -63,9 +63,7 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
             undecided.curves.join(", "),
         ));
     }
-    for path in written {
-        report.line(format!("written: {}", path.display()));
-    }
+    report.written(written);
     report.text()
 }
 

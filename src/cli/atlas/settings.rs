@@ -9,7 +9,6 @@ use super::arguments::AtlasArguments;
 use super::error::AtlasInput;
 use crate::cli::export::{PictureFormat, directory};
 use crate::cli::failure::Failure;
-use crate::cli::input::AccuracyArgument;
 use documents::Subject;
 
 pub struct Settings {
@@ -34,17 +33,17 @@ impl Settings {
         if arguments.certificate && arguments.window.is_some() {
             return Err(AtlasInput::CertificateOfWindow.into());
         }
-        if arguments.certificate && arguments.accuracy == AccuracyArgument::Fast {
+        if arguments.certificate && arguments.accuracy == Accuracy::Fast {
             return Err(AtlasInput::FastCertificate.into());
         }
         Ok(Self {
             subject: arguments.body.subject()?,
-            accuracy: arguments.accuracy.level(),
+            accuracy: arguments.accuracy,
             certificate: arguments.certificate,
             window: arguments.window,
             directory: directory(arguments.out.as_deref(), !arguments.json)?,
             formats: if arguments.no_plot { Vec::new() } else { arguments.picture.format.clone() },
-            theme: arguments.picture.theme(),
+            theme: arguments.picture.theme,
             width: arguments.width.width(),
             polygons: !arguments.no_polygons,
             json: arguments.json,

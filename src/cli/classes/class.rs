@@ -42,7 +42,7 @@ pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure>
     if let Some(directory) = directory.filter(|_| !arguments.no_plot) {
         let mut files = FileSet::new(&directory);
         let name = format!("class-{}", class.name);
-        let options = DiagramOptions { theme: arguments.picture.theme(), ..DiagramOptions::default() };
+        let options = DiagramOptions { theme: arguments.picture.theme, ..DiagramOptions::default() };
         let picture =
             timings.stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options)).map_err(ExportError::from)?;
         files.pictures(&name, &picture, &arguments.picture.format, RESOLUTION, timings)?;
@@ -99,8 +99,6 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
         }
         report.line(table.text());
     }
-    for path in written {
-        report.line(format!("written: {}", path.display()));
-    }
+    report.written(written);
     report.text()
 }

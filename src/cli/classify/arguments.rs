@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use schema::Accuracy;
 use top::body::Number;
 
 use crate::cli::batch::BatchArguments;
 use crate::cli::input::values::Grid;
-use crate::cli::input::{AccuracyArgument, BodyArguments, values};
+use crate::cli::input::{BodyArguments, accuracy, values};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -44,8 +45,8 @@ pub struct ClassifyArguments {
     #[arg(long, value_name = "FILE", help_heading = "Grid")]
     pub out: Option<PathBuf>,
     /// What the answer must be worth
-    #[arg(long, value_parser = AccuracyArgument::parser(), default_value = "exact", help_heading = "Work")]
-    pub accuracy: AccuracyArgument,
+    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
+    pub accuracy: Accuracy,
     /// Leave the ids of the regions out: no atlas is made (for batches over many bodies)
     #[arg(long, help_heading = "Work")]
     pub no_region: bool,

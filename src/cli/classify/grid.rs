@@ -13,7 +13,7 @@ use top::table::Id;
 use crate::cli::export::{Archive, ExportError, FileSet};
 use crate::cli::failure::{CommandError, Exit, Failure};
 use crate::cli::input::values::Grid;
-use crate::cli::terminal::{Timings, print};
+use crate::cli::terminal::{Report, Timings, print};
 
 /// Why there is no grid, or not all of it.
 #[derive(Debug, Error)]
@@ -104,9 +104,7 @@ pub fn run(
     };
     let mut files = FileSet::new(Path::new("."));
     files.add_at(path, bytes);
-    for path in timings.stage("files", || files.write())? {
-        print(format!("written: {}\n", path.display()))?;
-    }
+    print(Report::of_written(&timings.stage("files", || files.write())?).text())?;
     let undecided = codes.iter().filter(|code| **code == -3).count();
     if undecided > 0 && accuracy == Accuracy::Exact {
         return Err(GridError::Undecided(undecided).into());

@@ -20,7 +20,7 @@ pub enum Settings<'a> {
 
 impl<'a> Settings<'a> {
     pub fn new(arguments: &'a ClassifyArguments) -> Result<Self, Failure> {
-        let (accuracy, regions) = (arguments.accuracy.level(), !arguments.no_region);
+        let (accuracy, regions) = (arguments.accuracy, !arguments.no_region);
         let (h, l) = (arguments.energy.as_ref(), arguments.momentum.as_ref());
         if let Some(grid) = &arguments.grid {
             let replaced = [("--h", h.is_some()), ("--l", l.is_some()), ("--batch", arguments.batch.batch.is_some())];

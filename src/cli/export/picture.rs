@@ -6,6 +6,7 @@ use plot::{Picture, PlotError, Theme, Width};
 
 use super::error::ExportError;
 use super::exporter::Exporter;
+use crate::cli::input::values::{Named, named};
 
 /// Formats of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -28,15 +29,11 @@ impl PictureFormat {
 }
 
 /// For what pictures are coloured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ThemeArgument {
-    /// Dark on white
-    Light,
-    /// Light on a dark ground
-    Dark,
-    /// For paper and photocopies: pale grounds, darker lines
-    Print,
-}
+const THEMES: [Named<Theme>; 3] = [
+    ("light", "Dark on white", Theme::Light),
+    ("dark", "Light on a dark ground", Theme::Dark),
+    ("print", "For paper and photocopies: pale grounds, darker lines", Theme::Print),
+];
 
 /// How pictures are written; every command that draws has these options.
 #[derive(Clone, Debug, Args)]
@@ -45,20 +42,9 @@ pub struct PictureArguments {
     #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
     pub format: Vec<PictureFormat>,
     /// Colours of the picture
-    #[arg(long, value_enum, default_value = "light", help_heading = "Output", hide_possible_values = true)]
+    #[arg(long, value_parser = named(&THEMES), default_value = "light", help_heading = "Output", hide_possible_values = true)]
     #[arg(value_name = "light|dark|print")]
-    pub theme: ThemeArgument,
-}
-
-impl PictureArguments {
-    /// The colours.
-    pub fn theme(&self) -> Theme {
-        match self.theme {
-            ThemeArgument::Light => Theme::Light,
-            ThemeArgument::Dark => Theme::Dark,
-            ThemeArgument::Print => Theme::Print,
-        }
-    }
+    pub theme: Theme,
 }
 
 /// Widths of pictures in print

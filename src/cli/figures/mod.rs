@@ -35,10 +35,10 @@ fn figures(charts: bool) -> Vec<Figure> {
 pub fn run(arguments: &FiguresArguments, timings: &Timings) -> Result<(), Failure> {
     let mut files = FileSet::new(&arguments.out);
     for figure in figures(arguments.charts) {
-        let picture = (figure.draw)(timings, arguments.picture.theme())?;
+        let picture = (figure.draw)(timings, arguments.picture.theme)?;
         files.pictures(figure.stem, &picture, &arguments.picture.format, RESOLUTION, timings)?;
     }
-    Ok(print(Report::written(&files.write()?).text())?)
+    Ok(print(Report::of_written(&files.write()?).text())?)
 }
 
 #[cfg(test)]

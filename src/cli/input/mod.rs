@@ -7,7 +7,7 @@ mod integrator;
 mod part;
 pub mod values;
 
-pub use accuracy::AccuracyArgument;
+pub use accuracy::accuracy;
 pub use body::{BodyArguments, BodyInput, head};
 pub use file::read;
 pub use integrator::{IntegratorArguments, IntegratorInput};

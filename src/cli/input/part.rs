@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use numbers::Number;
 use numbers::symmetric::PrincipalAxes;
 use part::file::{self, FileError, FileOptions};
@@ -11,29 +11,17 @@ use schema::PartDocument;
 use thiserror::Error;
 use top::body::{PrincipalForm, TensorError};
 
-use super::values::{self, Entries, MeasuredPoint, Triple};
+use super::values::{self, Entries, MeasuredPoint, Named, Triple};
 use crate::cli::terminal::significant;
 
 /// Standard gravity in m/s², exact.
 const STANDARD_GRAVITY: &str = "9.80665";
 
 /// What the products of inertia are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ProductsArgument {
-    /// Entries of the tensor: Ixy = -∫ x y dm
-    Tensor,
-    /// The integrals: Ixy = +∫ x y dm
-    Integral,
-}
-
-impl From<ProductsArgument> for Products {
-    fn from(argument: ProductsArgument) -> Self {
-        match argument {
-            ProductsArgument::Tensor => Self::Tensor,
-            ProductsArgument::Integral => Self::Integral,
-        }
-    }
-}
+const PRODUCTS: [Named<Products>; 2] = [
+    ("tensor", "Entries of the tensor: Ixy = -∫ x y dm", Products::Tensor),
+    ("integral", "The integrals: Ixy = +∫ x y dm", Products::Integral),
+];
 
 /// A real part.
 #[derive(Debug, Args)]
@@ -56,8 +44,8 @@ pub struct PartArguments {
     #[arg(long, value_name = "density", allow_hyphen_values = true, value_parser = values::mass)]
     pub density: Option<Number>,
     /// What the products of inertia are; needed when one of them is not 0
-    #[arg(long, value_name = "tensor|integral", value_enum)]
-    pub products: Option<ProductsArgument>,
+    #[arg(long, value_name = "tensor|integral", value_parser = values::named(&PRODUCTS))]
+    pub products: Option<Products>,
     /// Centre of mass; from the fixed point, or with --pivot in the same axes as that
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::measured_point)]
     pub com: Option<MeasuredPoint>,
@@ -207,7 +195,7 @@ impl PartArguments {
             about_com: self.inertia_com.is_some(),
             inputs: std::array::from_fn(|_| inputs.next().unwrap_or_else(|| unreachable!("six, three and one"))),
         };
-        if self.products == Some(ProductsArgument::Integral) {
+        if self.products == Some(Products::Integral) {
             for product in &mut part.inputs[3..6] {
                 product.value = -product.value.clone();
             }
@@ -297,7 +285,7 @@ impl PartArguments {
             let [tensor, integral] = [Products::Tensor, Products::Integral].map(|products| moments(list, products));
             return Err(PartInput::Products { option, tensor, integral, hint });
         }
-        read(self.products.map_or(Products::Tensor, Products::from))
+        read(self.products.unwrap_or(Products::Tensor))
     }
 
     /// What may be wrong with a part that cannot exist.
@@ -315,15 +303,15 @@ impl PartArguments {
         };
         let possible = |reading: Option<MassProperties>| reading.is_some_and(|p| p.existence().is_possible());
         let flipped = match self.products {
-            Some(ProductsArgument::Tensor) => Some((Products::Integral, "integral")),
-            Some(ProductsArgument::Integral) => Some((Products::Tensor, "tensor")),
+            Some(Products::Tensor) => Some((Products::Integral, "integral")),
+            Some(Products::Integral) => Some((Products::Tensor, "tensor")),
             None => None,
         };
         if let Some((_, name)) = flipped.filter(|(products, _)| possible(other(*products))) {
             return format!("With --products {name} it could exist. Or give --unphysical");
         }
         let about_com = self.inertia.as_ref().and_then(|list| {
-            let tensor = tensor_of(list.values(), self.products.map_or(Products::Tensor, Products::from));
+            let tensor = tensor_of(list.values(), self.products.unwrap_or(Products::Tensor));
             MassProperties::about_com(properties.mass.clone(), properties.com.clone(), tensor).ok()
         });
         if possible(about_com) {

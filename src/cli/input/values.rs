@@ -5,6 +5,7 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use dashu_ratio::RBig;
 use documents::GridAxis;
+use numbers::vector::dot;
 use part::{Measured, Units, UnitsError};
 use schema::WindowDocument;
 use thiserror::Error;
@@ -272,16 +273,10 @@ pub fn vector(text: &str) -> Result<Vector, ValueError> {
 /// A vector brought to length 1; one of this length, within rounding, stays as it is.
 pub fn direction(text: &str) -> Result<Vector, ValueError> {
     let Vector(v) = vector(text)?;
-    if (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - 1.0).abs() <= 2.0 * f64::EPSILON {
+    if (dot(v, v) - 1.0).abs() <= 2.0 * f64::EPSILON {
         return Ok(Vector(v));
     }
-    let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    if largest == 0.0 {
-        return Err(ValueError::NoDirection);
-    }
-    let v = v.map(|x| x / largest);
-    let norm = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
-    Ok(Vector(v.map(|x| x / norm)))
+    numbers::vector::direction(v).map(Vector).ok_or(ValueError::NoDirection)
 }
 
 pub fn orbits(text: &str) -> Result<NonZeroU32, ValueError> {
@@ -325,6 +320,19 @@ pub fn sheet(text: &str) -> Result<i8, ValueError> {
         "-1" | "-" | "T-" => Ok(-1),
         _ => Err(ValueError::Sheet),
     }
+}
+
+/// A value by its word; with each word goes what it means.
+pub type Named<T> = (&'static str, &'static str, T);
+
+/// One of these values, by its word.
+pub fn named<T: Clone + Send + Sync>(words: &'static [Named<T>]) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(words.iter().map(|(word, meaning, _)| PossibleValue::new(*word).help(*meaning))).map(
+        |given| {
+            let known = words.iter().find(|(word, ..)| *word == given);
+            known.map_or_else(|| unreachable!("the words are those that are possible"), |(.., value)| value.clone())
+        },
+    )
 }
 
 /// A named body.

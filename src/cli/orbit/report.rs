@@ -39,9 +39,7 @@ pub fn text(subject: &Subject, document: &MotionDocument, samples: &[MotionSampl
     for note in &document.notes {
         report.line(format!("note: {note}"));
     }
-    for path in written {
-        report.line(format!("written: {}", path.display()));
-    }
+    report.written(written);
     report.text()
 }
 

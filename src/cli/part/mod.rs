@@ -36,7 +36,7 @@ pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failu
     let mut written = Vec::new();
     if let Some(directory) = &arguments.out {
         let mut files = FileSet::new(directory);
-        let picture = draw_part(&document, &scene(arguments), arguments.picture.theme()).map_err(ExportError::from)?;
+        let picture = draw_part(&document, &scene(arguments), arguments.picture.theme).map_err(ExportError::from)?;
         files.pictures("part", &picture, &arguments.picture.format, RESOLUTION, timings)?;
         written = files.write()?;
     }

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use numbers::vector::{dot, norm};
 use part::Existence;
 use schema::{PartDocument, PrincipalDocument};
 
@@ -36,9 +37,7 @@ pub fn text(given: &GivenPart, document: &PartDocument, written: &[PathBuf]) -> 
     if !document.exact {
         report.line("the principal form is irrational: A and r are given to 130 digits, symmetries exactly");
     }
-    for path in written {
-        report.line(format!("written: {}", path.display()));
-    }
+    report.written(written);
     report.text()
 }
 
@@ -47,12 +46,12 @@ fn table(principal: &PrincipalDocument, document: &PartDocument, last: &'static 
     let value = |text: &String| text.parse::<numbers::Number>().map_or(f64::NAN, |number| number.to_f64());
     let com = document.com.each_ref().map(value);
     let mass = value(&document.mass);
-    let distance = (com[0] * com[0] + com[1] * com[1] + com[2] * com[2]).sqrt();
+    let distance = norm(com);
     let mut table = Table::new(&["axis", "moment", "direction", "angle to com", last]);
     for k in 0..3 {
         let axis = principal.axes[k];
         let [x, y, z] = axis.map(|x| format!("{x:>9.6}"));
-        let cosine = (axis[0] * com[0] + axis[1] * com[1] + axis[2] * com[2]).abs() / distance;
+        let cosine = dot(axis, com).abs() / distance;
         table.row([
             (k + 1).to_string(),
             significant(principal.moments[k], DIGITS),

@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
+use schema::Accuracy;
 use survey::scan::Shard;
-use survey::{Parameter, Range};
+use survey::{Family, Parameter, Range};
 
 use super::table::Format;
 use crate::cli::export::{PictureArguments, WidthArgument};
-use crate::cli::input::{AccuracyArgument, BodyArguments};
+use crate::cli::input::values::{Named, named};
+use crate::cli::input::{BodyArguments, accuracy};
 
 pub const SCAN_EXAMPLES: &str = "\
 Examples:
@@ -67,15 +69,19 @@ pub enum ScanCommand {
 }
 
 /// Families of bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum FamilyArgument {
-    /// Every body that exists: A_i = 1 - m_i, the second moments m uniform on a simplex, r/|r| uniform on an octant
-    General,
-    /// As general, but A uniform on a simplex, whether or not bodies with these moments exist
-    Positive,
-    /// A = (1, A2, A3), r = (1, 0, 0)
-    Katok,
-}
+static FAMILIES: [Named<Family>; 3] = [
+    (
+        "general",
+        "Every body that exists: A_i = 1 - m_i, the second moments m uniform on a simplex, r/|r| uniform on an octant",
+        Family::General,
+    ),
+    (
+        "positive",
+        "As general, but A uniform on a simplex, whether or not bodies with these moments exist",
+        Family::Positive,
+    ),
+    ("katok", "A = (1, A2, A3), r = (1, 0, 0)", Family::Katok),
+];
 
 /// The scan itself.
 #[derive(Debug, Args)]
@@ -83,8 +89,8 @@ pub struct SampleArguments {
     #[command(flatten)]
     pub body: BodyArguments,
     /// The bodies to choose from; without it, the body of --A and --r with --vary
-    #[arg(long, value_enum, help_heading = "Bodies")]
-    pub family: Option<FamilyArgument>,
+    #[arg(long, value_parser = named(&FAMILIES), help_heading = "Bodies")]
+    pub family: Option<Family>,
     /// A parameter (A1, A2, A3, r1, r2, r3) and its range; with N: a grid of N values
     #[arg(long, value_name = "A2=FROM:TO[:N]", value_delimiter = ',', help_heading = "Bodies")]
     pub vary: Vec<Range>,
@@ -98,8 +104,8 @@ pub struct SampleArguments {
     #[arg(long, value_name = "i/n", help_heading = "Work")]
     pub shard: Option<Shard>,
     /// What the answers must be worth
-    #[arg(long, value_parser = AccuracyArgument::parser(), default_value = "exact", help_heading = "Work")]
-    pub accuracy: AccuracyArgument,
+    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
+    pub accuracy: Accuracy,
     /// Begin anew, although FILE.partial holds the beginning of a scan
     #[arg(long, help_heading = "Work")]
     pub restart: bool,
@@ -175,8 +181,8 @@ pub struct BorderArguments {
     #[arg(long, value_name = "A2=FROM:TO", value_delimiter = ',', help_heading = "Border")]
     pub vary: Vec<Range>,
     /// What the answers must be worth
-    #[arg(long, value_parser = AccuracyArgument::parser(), default_value = "exact", help_heading = "Work")]
-    pub accuracy: AccuracyArgument,
+    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
+    pub accuracy: Accuracy,
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,

@@ -41,13 +41,13 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
         let texts: Vec<&str> = values.iter().map(Number::text).collect();
         Body::parse(&texts[..3], &texts[3..]).map_err(|error| wrong(format!("--vary: {error}")))
     };
-    let options = BorderOptions { accuracy: arguments.accuracy.level().into(), ..BorderOptions::default() };
+    let options = BorderOptions { accuracy: arguments.accuracy.into(), ..BorderOptions::default() };
     let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
     let border = border::find(&segment, &options).map_err(|error| wrong(format!("--vary: {error}")))?;
     let text = |range: &Range| format!("{}={}:{}", range.parameter, range.from.text(), range.to.text());
     let vary: Vec<String> = arguments.vary.iter().map(text).collect();
     let command = subject.command("scan border").option("vary", vary.join(","));
-    let command = command.option_if("accuracy", documents::accuracy_option(arguments.accuracy.level()));
+    let command = command.option_if("accuracy", documents::accuracy_option(arguments.accuracy));
     let document = documents::border(&border, &segment, &arguments.vary, command);
     Ok(answer(arguments.json, &document, || report(&document, &arguments.vary))?)
 }

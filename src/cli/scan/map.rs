@@ -42,12 +42,12 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     }
     let map = map(&bodies, [arguments.x, arguments.y], arguments.show);
     let picture = timings
-        .stage("map", || draw_map(&map, arguments.picture.theme(), arguments.width.width()))
+        .stage("map", || draw_map(&map, arguments.picture.theme, arguments.width.width()))
         .map_err(ExportError::from)?;
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("map");
     files.pictures("map", &picture, &arguments.picture.format, RESOLUTION, timings)?;
-    Ok(print(Report::written(&files.write()?).text())?)
+    Ok(print(Report::of_written(&files.write()?).text())?)
 }
 
 fn names() -> String {

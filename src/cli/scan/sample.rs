@@ -8,7 +8,7 @@ use schema::RowDocument;
 use survey::scan::Row;
 use survey::{Design, DesignError, Family};
 
-use super::arguments::{FamilyArgument, SampleArguments};
+use super::arguments::SampleArguments;
 use super::error::ScanInput;
 use super::journal::{Identity, Journal};
 use super::table::Format;
@@ -21,7 +21,7 @@ use crate::cli::terminal::{Progress, print, say};
 const BLOCK: u64 = 256;
 
 pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
-    let accuracy = arguments.accuracy.level();
+    let accuracy = arguments.accuracy;
     let design = design(arguments)?;
     let range = arguments.shard.map_or([0, design.count()], |shard| shard.range(design.count()));
     let identity = Identity::new(design, range, accuracy);
@@ -98,14 +98,12 @@ fn table_error(source: super::table::TableError) -> Failure {
 /// What the options describe.
 pub fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
     let subject = arguments.body.optional_subject()?;
-    let family = match (arguments.family, subject) {
+    let family = match (&arguments.family, subject) {
         (Some(_), Some(_)) => {
             let option = if arguments.body.body.is_some() { "--body" } else { "--A, --r or --inertia" };
             return Err(ScanInput::FamilyAndBody { option }.into());
         }
-        (Some(FamilyArgument::General), None) => Family::General,
-        (Some(FamilyArgument::Positive), None) => Family::Positive,
-        (Some(FamilyArgument::Katok), None) => Family::Katok,
+        (Some(family), None) => family.clone(),
         (None, Some(subject)) => {
             Family::Body { moments: subject.body.moments().clone(), center: subject.body.center().clone() }
         }

@@ -9,6 +9,7 @@ use plot::Projection;
 use top::body::Number;
 
 use crate::cli::export::{DataTarget, PictureArguments, WidthArgument};
+use crate::cli::input::values::Named;
 use crate::cli::input::{BodyArguments, IntegratorArguments, values};
 
 pub const EXAMPLES: &str = "\
@@ -28,43 +29,25 @@ ends, what was finished is written and marked as incomplete, and the exit status
 crossings go to FILE.partial as they are found, in constant memory, and after an interrupt the same command goes on there.";
 
 /// Which function vanishes on the section.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ConditionArgument {
-    /// S = d/dt <gamma,r>: the height of the centre of mass is extremal (the paper's)
-    Height,
-    /// S = <l, gamma x r>: |l| is extremal (Gashenenko and Richter)
-    AngularMomentum,
-}
-
-impl From<ConditionArgument> for SectionCondition {
-    fn from(argument: ConditionArgument) -> Self {
-        match argument {
-            ConditionArgument::Height => Self::Height,
-            ConditionArgument::AngularMomentum => Self::AngularMomentum,
-        }
-    }
-}
+const CONDITIONS: [Named<SectionCondition>; 2] = [
+    (
+        "height",
+        "S = d/dt <gamma,r>: the height of the centre of mass is extremal (the paper's)",
+        SectionCondition::Height,
+    ),
+    (
+        "angular-momentum",
+        "S = <l, gamma x r>: |l| is extremal (Gashenenko and Richter)",
+        SectionCondition::AngularMomentum,
+    ),
+];
 
 /// On what the picture shows the section.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ProjectionArgument {
-    /// T- and T+, the halves of the PP-torus: one to one
-    Torus,
-    /// S- and S+, two copies of the Poisson sphere
-    Sphere,
-    /// The sphere above the torus
-    Both,
-}
-
-impl From<ProjectionArgument> for Projection {
-    fn from(argument: ProjectionArgument) -> Self {
-        match argument {
-            ProjectionArgument::Torus => Self::Torus,
-            ProjectionArgument::Sphere => Self::Sphere,
-            ProjectionArgument::Both => Self::Both,
-        }
-    }
-}
+const PROJECTIONS: [Named<Projection>; 3] = [
+    ("torus", "T- and T+, the halves of the PP-torus: one to one", Projection::Torus),
+    ("sphere", "S- and S+, two copies of the Poisson sphere", Projection::Sphere),
+    ("both", "The sphere above the torus", Projection::Both),
+];
 
 /// What the colour of a point tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -131,8 +114,8 @@ pub struct SectionArguments {
     #[arg(long, value_enum, help_heading = "Orbits")]
     pub verdict: Option<VerdictArgument>,
     /// The section condition S = 0
-    #[arg(long, value_enum, default_value = "height", help_heading = "Orbits")]
-    pub condition: ConditionArgument,
+    #[arg(long, value_parser = values::named(&CONDITIONS), default_value = "height", help_heading = "Orbits")]
+    pub condition: SectionCondition,
     #[command(flatten)]
     pub integrator: IntegratorArguments,
     /// Write the points to FILE.npz, FILE.parquet, FILE.csv or FILE.jsonl (-: CSV to stdout); with several regions, a file for each
@@ -142,8 +125,8 @@ pub struct SectionArguments {
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
     /// Where the picture shows the section
-    #[arg(long, value_enum, default_value = "torus", help_heading = "Output")]
-    pub projection: ProjectionArgument,
+    #[arg(long, value_parser = values::named(&PROJECTIONS), default_value = "torus", help_heading = "Output")]
+    pub projection: Projection,
     /// What the colours tell
     #[arg(long, value_enum, default_value = "orbit", help_heading = "Output")]
     pub color: ColorArgument,

@@ -82,8 +82,6 @@ fn text(settings: &Settings, sections: &Sections, written: &[PathBuf]) -> String
     for section in &sections.done {
         report::add(&mut lines, &section.document);
     }
-    for path in written {
-        lines.line(format!("written: {}", path.display()));
-    }
+    lines.written(written);
     lines.text()
 }

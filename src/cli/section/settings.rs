@@ -99,10 +99,10 @@ impl<'a> Settings<'a> {
             crossings: arguments.crossings.get(),
             max_time: arguments.max_time.unwrap_or(f64::INFINITY),
             verdict: verdict(arguments)?,
-            condition: arguments.condition.into(),
+            condition: arguments.condition,
             integrator: &arguments.integrator,
             color: arguments.color,
-            projection: arguments.projection.into(),
+            projection: arguments.projection,
         })
     }
 }
@@ -142,7 +142,7 @@ fn outputs(arguments: &SectionArguments, sites: usize) -> Result<Outputs<'_>, Fa
         data,
         directory: directory(arguments.out.as_deref(), wanted)?,
         formats: if arguments.no_plot { &[] } else { &arguments.picture.format },
-        theme: arguments.picture.theme(),
+        theme: arguments.picture.theme,
         width: arguments.width.width(),
         json,
         list: arguments.atlas.is_some() || arguments.region.as_deref() == Some(ALL),

@@ -24,7 +24,7 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
     let subject = arguments.body.subject()?;
     let directory = directory(arguments.out.as_deref(), true)?.unwrap_or_default();
     let site = Site::new(arguments, &subject)?;
-    let (theme, width) = (arguments.picture.theme(), arguments.width.width());
+    let (theme, width) = (arguments.picture.theme, arguments.width.width());
     let (picture, caption) =
         timings.stage("picture", || draw(&subject, &site, arguments.view.as_ref(), theme, width))?;
     let mut files = FileSet::new(&directory);
@@ -33,9 +33,7 @@ pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure
     let mut report = Report::default();
     head(&subject, &mut report);
     report.line(caption);
-    for path in written {
-        report.line(format!("written: {}", path.display()));
-    }
+    report.written(&written);
     Ok(print(report.text())?)
 }
 

@@ -46,9 +46,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     for change in &changes {
         report.line(format!("{} rpm: {} to {}", significant(change.spin.rpm, 8), change.from, change.to));
     }
-    for path in files.write()? {
-        report.line(format!("written: {}", path.display()));
-    }
+    report.written(&files.write()?);
     Ok(print(report.text())?)
 }
 

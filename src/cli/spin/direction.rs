@@ -1,5 +1,6 @@
 //! Directions in the frame of the question: the part's, or principal axes.
 
+use numbers::vector::dot;
 use schema::PartDocument;
 
 use crate::cli::input::values::{self, ValueError};
@@ -27,7 +28,7 @@ pub fn axis(text: &str) -> Result<AxisArgument, ValueError> {
 /// A vector of the question's frame in principal axes.
 pub fn to_principal(part: Option<&PartDocument>, v: [f64; 3]) -> [f64; 3] {
     match part {
-        Some(part) => part.principal.axes.map(|axis| axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2]),
+        Some(part) => part.principal.axes.map(|axis| dot(axis, v)),
         None => v,
     }
 }

@@ -1,6 +1,7 @@
 //! `bifdiag state`: where a state lies, and what it is.
 
 use documents::Subject;
+use numbers::vector::{cross, dot, norm};
 use schema::StateDocument;
 use top::atlas::Atlas;
 use top::body::Number;
@@ -53,12 +54,11 @@ impl State {
         let second = second(part);
         let omega = to_principal(part, self.omega).map(|x| x / second);
         let up = to_principal(part, self.vertical);
-        let dot = |v: [f64; 3], w: [f64; 3]| v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
         let (a, r) = (subject.body.moments_f64(), subject.body.center_f64());
         let momentum: [f64; 3] = std::array::from_fn(|k| a[k] * omega[k]);
         // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, of which the sign does not matter.
         let (h, l) = (0.5 * dot(omega, momentum) + dot(up, r), dot(momentum, up));
-        let spin = dot(self.omega, self.omega).sqrt();
+        let spin = norm(self.omega);
         let mut document = StateDocument {
             head: documents::head(
                 subject
@@ -97,10 +97,7 @@ impl State {
 
     /// The angular velocity is along the vertical.
     fn is_upright(&self) -> bool {
-        let [o, v] = [self.omega, self.vertical];
-        let cross = [o[1] * v[2] - o[2] * v[1], o[2] * v[0] - o[0] * v[2], o[0] * v[1] - o[1] * v[0]];
-        let size = |x: [f64; 3]| (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]).sqrt();
-        size(cross) <= 1e-9 * size(o) * size(v)
+        norm(cross(self.omega, self.vertical)) <= 1e-9 * norm(self.omega) * norm(self.vertical)
     }
 }
 

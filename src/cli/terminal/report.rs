@@ -15,9 +15,16 @@ impl Report {
         self.lines.push(text.to_string().trim_end().to_owned());
     }
 
-    /// The files that were written, one on each line.
-    pub fn written(paths: &[PathBuf]) -> Self {
-        Self { lines: paths.iter().map(|path| format!("written: {}", path.display())).collect() }
+    /// Adds the files that were written, one on each line.
+    pub fn written(&mut self, paths: &[PathBuf]) {
+        self.lines.extend(paths.iter().map(|path| format!("written: {}", path.display())));
+    }
+
+    /// Of nothing but the files that were written.
+    pub fn of_written(paths: &[PathBuf]) -> Self {
+        let mut report = Self::default();
+        report.written(paths);
+        report
     }
 
     /// All lines, each with its end.

@@ -6,6 +6,7 @@ use super::eigenvalue::Eigenvalue;
 use super::matrix::{Symmetric, dot};
 use super::real::Real;
 use crate::enclosure::{Arithmetic, Enclosure};
+use crate::vector::{self, cross, normalised};
 use crate::wide::Wide;
 
 /// A symmetric matrix in its principal axes, with a vector.
@@ -80,7 +81,7 @@ impl PrincipalAxes {
         let axis = oriented(unit(&own));
         let along = if axis_follows(&axis, &own) { along } else { along.negated() };
         let lead = if across.iter().all(RBig::is_zero) { orthogonal_to(&axis) } else { unit(&across) };
-        let third = cross(&axis, &lead);
+        let third = cross(axis, lead);
         let (zero, double) = (Real::exact(RBig::ZERO), Real::exact(value(1 - single)));
         let simple = Real::exact(value(single));
         if single == 0 {
@@ -94,9 +95,8 @@ impl PrincipalAxes {
 
     /// Turns the axis that may be turned: the last, or the one of a pair that carries nothing.
     fn right_handed(mut self) -> Self {
-        let [x, y, z] = &self.axes;
-        let c = cross(x, y);
-        if c[0] * z[0] + c[1] * z[1] + c[2] * z[2] < 0.0 {
+        let [x, y, z] = self.axes;
+        if vector::dot(cross(x, y), z) < 0.0 {
             let last = if self.values[0] == self.values[1] { 1 } else { 2 };
             self.axes[last] = self.axes[last].map(|x| -x);
             self.components[last] = self.components[last].negated();
@@ -175,9 +175,7 @@ fn signed(length: Real, sign: &RBig) -> Real {
 fn unit(v: &[RBig; 3]) -> [f64; 3] {
     let magnitude = |x: &RBig| x.clone().max(-x.clone());
     let largest = v.iter().map(magnitude).fold(RBig::ZERO, RBig::max);
-    let v = v.each_ref().map(|x| (x / &largest).to_f64().value());
-    let norm = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
-    v.map(|x| x / norm)
+    normalised(v.each_ref().map(|x| (x / &largest).to_f64().value()))
 }
 
 /// With its largest coordinate positive.
@@ -196,10 +194,5 @@ fn orthogonal_to(axis: &[f64; 3]) -> [f64; 3] {
     let least = (0..3).min_by(|&i, &j| axis[i].abs().total_cmp(&axis[j].abs())).unwrap_or(0);
     let mut v = axis.map(|x| -x * axis[least]);
     v[least] += 1.0;
-    let norm = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
-    v.map(|x| x / norm)
-}
-
-fn cross(v: &[f64; 3], w: &[f64; 3]) -> [f64; 3] {
-    [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]]
+    normalised(v)
 }

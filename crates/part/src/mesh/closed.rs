@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use numbers::partition::Partition;
+use numbers::vector::{cross, dot, norm};
 
 use super::error::MeshError;
 use super::integrals::VolumeIntegrals;
@@ -67,14 +68,12 @@ pub(super) fn check_sides(mesh: &Mesh) -> Result<(), MeshError> {
 
 /// How often triangles wind around a point: their solid angles over 4π (van Oosterom and Strackee 1983).
 fn winding<'a>(mesh: &Mesh, triangles: impl Iterator<Item = &'a [usize; 3]>, point: [f64; 3]) -> f64 {
-    let dot = |v: &[f64; 3], w: &[f64; 3]| v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
     let mut half_angles = 0.0;
     for triangle in triangles {
         let [a, b, c] = triangle.map(|k| std::array::from_fn::<f64, 3, _>(|i| mesh.corners()[k][i] - point[i]));
-        let [x, y, z] = [&a, &b, &c].map(|v| dot(v, v).sqrt());
-        let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
-        let across = dot(&a, &cross);
-        let along = x * y * z + dot(&a, &b) * z + dot(&b, &c) * x + dot(&c, &a) * y;
+        let [x, y, z] = [a, b, c].map(norm);
+        let across = dot(a, cross(b, c));
+        let along = x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y;
         half_angles += libm::atan2(across, along);
     }
     half_angles / TAU

@@ -18,8 +18,9 @@ pub(super) const BORDER: f64 = 0.8;
 const LINE_PITCH: f64 = 14.0;
 /// Between columns, and between what stands in a row.
 const BETWEEN: f64 = 16.0;
-/// Between a symbol and its text, and between the texts of an entry.
+/// Between a symbol and its text, between mark and name, and before the note.
 const GAP: f64 = 7.0;
+const BEFORE_NOTE: f64 = 11.0;
 
 /// How a line is drawn.
 pub(super) fn line_pattern(dashed: bool, color: RGBColor) -> Pattern {
@@ -146,7 +147,7 @@ impl Columns {
             |text: fn(&Entry) -> &str| entries.iter().map(|entry| text_width(text(entry), SIZE)).fold(0.0, f64::max);
         let mark = widest(|entry| &entry.mark);
         let name = SWATCH + GAP + if mark > 0.0 { mark + GAP } else { 0.0 };
-        Self { name, note: name + widest(|entry| &entry.name) + GAP }
+        Self { name, note: name + widest(|entry| &entry.name) + BEFORE_NOTE }
     }
 }
 

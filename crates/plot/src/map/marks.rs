@@ -35,31 +35,49 @@ pub(super) struct Marked {
 
 /// The names of lines and the marks of entries; no marks for bodies that are points.
 pub(super) fn marked(map: &Map, view: &View) -> Marked {
+    let notes: Vec<Rect> = map.notes.iter().map(|note| note_box(note, view)).collect();
     let mut taken = Taken::default();
-    for note in &map.notes {
-        taken.take_box(note_box(note, view).grown(CLEAR));
+    for rect in &notes {
+        taken.take_box(rect.grown(CLEAR));
     }
     let mut leaders = Vec::new();
     let names = named(map, view, &mut taken, &mut leaders);
-    Marked { marks: marks(map, view, taken, leaders), names }
+    let boxes: Vec<Rect> = names.iter().map(|name| name.rect).chain(notes).collect();
+    Marked { marks: marks(map, view, &boxes, taken, leaders), names }
 }
 
-fn marks(map: &Map, view: &View, mut taken: Taken, mut leaders: Vec<[Point; 2]>) -> Vec<Mark> {
+/// The marks of entries where nothing is taken; upon texts in `boxes` none has room.
+fn marks(map: &Map, view: &View, boxes: &[Rect], mut taken: Taken, mut leaders: Vec<[Point; 2]>) -> Vec<Mark> {
     let (columns, cells) = match &map.bodies {
         MapBodies::Grid { columns, entries } => (*columns, entries.clone()),
         MapBodies::Areas { pieces, .. } => {
             let (columns, mut cells) = raster(pieces, view);
-            cut(&map.lines, columns, &mut cells, view);
+            cut(map.lines.iter().filter(|line| is_border(line)), columns, &mut cells, view);
             (columns, cells)
         }
         MapBodies::Points(_) => return Vec::new(),
     };
     let rows = (cells.len() / columns.max(1)).max(1);
     let (wide, high) = (view.rect.width / columns as f64, view.rect.height / rows as f64);
-    let (patch, shown) = patches(columns, &cells);
+    let (mut patch, shown) = patches(columns, &cells);
+    let count = shown.len();
+    // Places with room are looked for beside lines and boxes, whatever they divide.
+    if let MapBodies::Areas { .. } = &map.bodies {
+        cut(map.lines.iter(), columns, &mut patch, view);
+    }
+    let cells_of = |rect: &Rect| {
+        let from_below = [rect.bottom(), rect.y].map(|y| (view.rect.bottom() - y) / high);
+        let from_left = [rect.x, rect.right()].map(|x| (x - view.rect.x) / wide);
+        [(from_below, rows), (from_left, columns)].map(|([from, to], count)| cell_range(from - 1.0, to + 1.0, count))
+    };
+    for [rows, across] in boxes.iter().map(cells_of) {
+        for row in rows {
+            patch[row * columns..][across.clone()].fill(None);
+        }
+    }
     let mut marks: Vec<Mark> = Vec::new();
     let on_page = |(column, row): (f64, f64)| [view.rect.x + column * wide, view.rect.bottom() - row * high];
-    for (entry, place) in shown.into_iter().zip(widest(columns, &patch, shown_count(&patch))) {
+    for (entry, place) in shown.into_iter().zip(widest(columns, &patch, count)) {
         let (Some(shown), Some((column, row, half))) = (map.entries.get(entry), place) else { continue };
         let at = on_page((column, row));
         let room = [0.5 * text_width(&shown.mark, SIZE) + 1.0, ROOM];
@@ -86,14 +104,15 @@ fn marks(map: &Map, view: &View, mut taken: Taken, mut leaders: Vec<[Point; 2]>)
     marks
 }
 
-fn shown_count(patch: &[Option<usize>]) -> usize {
-    patch.iter().flatten().max().map_or(0, |last| last + 1)
+/// Whether a line is a border as `borders` of areas are: no patch reaches across a full black one.
+fn is_border(line: &MapLine) -> bool {
+    !line.dashed && line.hue == 0
 }
 
-/// Empties the small cells on full black lines, which are borders as `borders` of areas are: no patch reaches across one.
-fn cut(lines: &[MapLine], columns: usize, cells: &mut [Option<usize>], view: &View) {
+/// Empties the small cells on lines.
+fn cut<'a>(lines: impl Iterator<Item = &'a MapLine>, columns: usize, cells: &mut [Option<usize>], view: &View) {
     let rows = cells.len() / columns.max(1);
-    for line in lines.iter().filter(|line| !line.dashed && line.hue == 0) {
+    for line in lines {
         let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
         for ends in points.windows(2) {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
@@ -169,8 +188,8 @@ mod tests {
         (Some(entry), vec![from, [to[0], from[1]], to, [from[0], to[1]]])
     }
 
-    #[test]
-    fn narrow_areas_are_marked_beside_and_nothing_overlaps() {
+    /// A map of areas over the unit square.
+    fn map(pieces: Vec<(Option<usize>, Vec<[f64; 2]>)>, count: usize, lines: Vec<MapLine>) -> Map {
         let entry = |number: usize| MapEntry {
             name: String::new(),
             note: String::new(),
@@ -178,24 +197,47 @@ mod tests {
             color: number,
         };
         let axis = || MapAxis { name: String::new(), range: [0.0, 1.0] };
-        // Two wide areas, and between them ten strips of two pixels.
-        let mut pieces = vec![area(0, [0.0, 0.0], [0.4, 1.0]), area(1, [0.44, 0.0], [1.0, 1.0])];
-        let strip = |k: usize| 0.4 + 0.004 * k as f64;
-        pieces.extend((0..10).map(|k| area(2 + k, [strip(k), 0.0], [strip(k + 1), 1.0])));
-        let map = Map {
+        Map {
             title: String::new(),
             subtitle: String::new(),
             x: axis(),
             y: axis(),
-            entries: (0..12).map(entry).collect(),
+            entries: (0..count).map(entry).collect(),
             ordered: false,
             unknown: String::new(),
             bodies: MapBodies::Areas { pieces, borders: Vec::new(), told: String::new() },
-            lines: Vec::new(),
+            lines,
             notes: Vec::new(),
-        };
+        }
+    }
+
+    fn view() -> View {
         let rect = Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 };
-        let view = View { x: [0.0, 1.0], y: [0.0, 1.0], rect };
+        View { x: [0.0, 1.0], y: [0.0, 1.0], rect }
+    }
+
+    #[test]
+    fn a_number_keeps_clear_of_lines_and_their_names() {
+        let points = vec![[0.0, 0.45], [1.0, 0.55]];
+        let line = MapLine { points, hue: 1, name: "a line with a name".to_owned(), ..MapLine::default() };
+        let map = map(vec![area(0, [0.0, 0.0], [1.0, 1.0])], 1, vec![line]);
+        let Marked { marks, names } = marked(&map, &view());
+        let mut taken = Taken::default();
+        taken.take_line(
+            map.lines[0].points.iter().map(|point| view().at(*point)).collect::<Vec<_>>().try_into().unwrap(),
+        );
+        taken.take_box(names[0].rect);
+        assert!(marks.len() == 1 && marks[0].leader.is_none() && taken.admits_box(&marks[0].rect));
+    }
+
+    #[test]
+    fn narrow_areas_are_marked_beside_and_nothing_overlaps() {
+        // Two wide areas, and between them ten strips of two pixels.
+        let mut pieces = vec![area(0, [0.0, 0.0], [0.4, 1.0]), area(1, [0.44, 0.0], [1.0, 1.0])];
+        let strip = |k: usize| 0.4 + 0.004 * k as f64;
+        pieces.extend((0..10).map(|k| area(2 + k, [strip(k), 0.0], [strip(k + 1), 1.0])));
+        let map = map(pieces, 12, Vec::new());
+        let view = view();
         let marks = marked(&map, &view).marks;
         for entry in 0..12 {
             let own: Vec<&Mark> = marks.iter().filter(|mark| mark.entry == entry).collect();

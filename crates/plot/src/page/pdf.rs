@@ -1,4 +1,4 @@
-//! PDF of one page from an SVG; only with the feature `pdf`.
+//! PDF of one page from an SVG, as large as in print; only with the feature `pdf`.
 
 use resvg::usvg::Tree;
 
@@ -10,10 +10,9 @@ pub(crate) fn page(tree: &Tree) -> Result<Vec<u8>, PlotError> {
     use krilla::page::PageSettings;
     use krilla_svg::{SurfaceExt, SvgSettings};
 
-    /// Points of a PDF in a pixel.
-    const POINTS_PER_PIXEL: f32 = 0.75;
+    use super::width::POINTS;
 
-    let [width, height] = [tree.size().width(), tree.size().height()].map(|side| side * POINTS_PER_PIXEL);
+    let [width, height] = [tree.size().width(), tree.size().height()].map(|side| side * POINTS);
     let no_page = || PlotError::Page { width, height };
     let page_settings = PageSettings::from_wh(width, height).ok_or_else(no_page)?;
     let page_size = Size::from_wh(width, height).ok_or_else(no_page)?;

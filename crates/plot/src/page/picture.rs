@@ -90,7 +90,7 @@ impl Picture {
         image::png([pixels.width(), pixels.height()], None, &colors)
     }
 
-    /// The picture as a PDF of one page, text as text.
+    /// The picture as a PDF of one page, text as text, so large that the smallest letters have 6 pt.
     ///
     /// # Errors
     /// [`PlotError::NoPdf`] in a build without the feature `pdf`, [`PlotError::Pdf`] where the writer fails.
@@ -98,7 +98,7 @@ impl Picture {
         pdf::page(&self.tree()?)
     }
 
-    /// The picture as a LaTeX document of one TikZ picture, text as text.
+    /// The picture as a LaTeX document of one TikZ picture, text as text, as large as the PDF.
     ///
     /// # Errors
     /// [`PlotError::TikzImage`] for a picture that holds images.

@@ -9,11 +9,9 @@ use resvg::usvg::{Color, Group, Node, Paint, Path, Stroke, Text, TextAnchor, Tre
 
 use super::error::PlotError;
 use super::tex::tex;
+use super::width::POINTS;
 
-/// Lengths of the file are in points of a PDF, of which a pixel has so many; y runs downwards as in the SVG.
-const POINTS: f32 = 0.75;
-
-/// The document.
+/// The document, as large as in print; lengths are in points of a PDF, y runs downwards as in the SVG.
 pub(crate) fn document(tree: &Tree, title: &str) -> Result<String, PlotError> {
     let mut writer = Writer::default();
     writer.group(tree.root(), 1)?;
@@ -21,7 +19,8 @@ pub(crate) fn document(tree: &Tree, title: &str) -> Result<String, PlotError> {
     out.push_str("\\usepackage{tikz}\n\\usetikzlibrary{patterns.meta}\n\\begin{document}\n");
     let _ok = writeln!(out, "% {}", title.replace('\n', " "));
     for (color, name) in &writer.colors {
-        let _ok = writeln!(out, "\\definecolor{{{name}}}{{HTML}}{{{color}}}");
+        // The ends of lines would be spaces beside the picture.
+        let _ok = writeln!(out, "\\definecolor{{{name}}}{{HTML}}{{{color}}}%");
     }
     let _ok = writeln!(out, "\\begin{{tikzpicture}}[x={POINTS}bp, y=-{POINTS}bp, font=\\sffamily, line join=round]");
     let (width, height) = (tree.size().width(), tree.size().height());
@@ -102,7 +101,7 @@ impl Writer {
         if let Some(fill) = path.fill() {
             match fill.paint() {
                 Paint::Color(color) => options.push(format!("fill={}", self.color(*color))),
-                Paint::Pattern(pattern) => self.stripes(pattern.root(), &course, depth),
+                Paint::Pattern(pattern) => self.stripes(pattern.root(), scale(transform), &course, depth),
                 Paint::LinearGradient(_) | Paint::RadialGradient(_) => {}
             }
         }
@@ -139,7 +138,7 @@ impl Writer {
     }
 
     /// A striped ground: the first colour, and over it lines in each of the others.
-    fn stripes(&mut self, pattern: &Group, course: &str, depth: usize) {
+    fn stripes(&mut self, pattern: &Group, scale: f32, course: &str, depth: usize) {
         let mut stripes: Vec<(Color, [f32; 2])> = Vec::new();
         collect_stripes(pattern, &mut stripes);
         let Some(((ground, [_, period]), stripes)) = stripes.split_first() else { return };
@@ -148,9 +147,9 @@ impl Writer {
         let width = period / (stripes.len().max(1)) as f32;
         for (place, (color, _)) in stripes.iter().enumerate().skip(1) {
             let color = self.color(*color);
-            let points = |value: f32| format!("{}bp", length(value * POINTS));
+            let points = |value: f32| format!("{}bp", length(value * scale * POINTS));
             let lines = format!(
-                "Lines[angle=45, distance={}, line width={}, xshift={}]",
+                "Lines[angle=-45, distance={}, line width={}, xshift={}]",
                 points(*period),
                 points(width),
                 points(width * place as f32 * std::f32::consts::SQRT_2)

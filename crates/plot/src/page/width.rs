@@ -1,5 +1,8 @@
 //! How wide a picture is in print.
 
+/// Points in print of a pixel: the smallest letters have 11 pixels.
+pub(crate) const POINTS: f32 = 6.0 / 11.0;
+
 /// The width for which a picture is laid out: its smallest letters have 6 pt there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Width {

@@ -4,7 +4,8 @@ use rand_xoshiro::SplitMix64;
 use rand_xoshiro::rand_core::RngCore;
 
 use super::line::Line;
-use super::place::{Change, Domain, Place, dot};
+use super::place::{Change, Domain, Place};
+use numbers::vector::dot;
 
 /// An orthonormal basis of the directions at a body: A keeps its sum and its equal moments, r its length and its zeros.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,5 +1,6 @@
 //! Bodies up to units, and the order and the signs of their axes.
 
+use numbers::vector::norm;
 use top::body::{Body, BodyError};
 
 /// The bodies among which a walk stays.
@@ -77,16 +78,6 @@ pub(super) type Change = [[f64; 3]; 2];
 /// The length of a change.
 pub(super) fn length(change: &Change) -> f64 {
     libm::hypot(norm(change[0]), norm(change[1]))
-}
-
-/// |v|.
-pub(super) fn norm(v: [f64; 3]) -> f64 {
-    dot(v, v).sqrt()
-}
-
-/// ⟨u, v⟩.
-pub(super) fn dot(u: [f64; 3], v: [f64; 3]) -> f64 {
-    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use dashu_ratio::Relaxed;
 use super::axis::Axis;
 use super::rigid_body::Body;
 use numbers::Number;
+use numbers::vector::{direction, dot};
 
 /// A body with principal moments in ascending order and r in the closed positive octant.
 ///
@@ -147,7 +148,7 @@ impl Frame {
     /// γ (or any other vector) in the coordinates in which the body was given.
     #[must_use]
     pub fn vector_to_body(&self, v: [f64; 3]) -> [f64; 3] {
-        self.to_body.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+        self.to_body.map(|row| dot(row, v))
     }
 
     /// A vector of the coordinates in which the body was given, in this frame.
@@ -251,7 +252,7 @@ fn eigenspace_basis(axes: &[usize], r: &[Relaxed; 3], exponent: i32) -> Vec<[f64
         lead[i] = if axes.len() == 1 { sign(&r[i]) } else { nearest(&r[i], exponent) };
     }
     let mut basis: Vec<[f64; 3]> = Vec::with_capacity(axes.len());
-    if let Some(unit) = normalised(lead) {
+    if let Some(unit) = direction(lead) {
         basis.push(unit);
     }
     // Gram-Schmidt over the axes, those that differ most from the lead first.
@@ -269,7 +270,7 @@ fn eigenspace_basis(axes: &[usize], r: &[Relaxed; 3], exponent: i32) -> Vec<[f64
                 v[c] -= overlap * b[c];
             }
         }
-        if let Some(unit) = normalised(v) {
+        if let Some(unit) = direction(v) {
             basis.push(unit);
         }
     }
@@ -282,16 +283,6 @@ fn sign(x: &Relaxed) -> f64 {
         Sign::Positive => 1.0,
         Sign::Negative => -1.0,
     }
-}
-
-fn normalised(v: [f64; 3]) -> Option<[f64; 3]> {
-    let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    if largest == 0.0 {
-        return None;
-    }
-    let v = v.map(|x| x / largest);
-    let norm = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
-    Some(v.map(|x| x / norm))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::body::{Body, BodyAxis};
+use numbers::vector::{dot, normalised};
 
 /// The principal axis nearest to a direction in the body's principal axes, and the cosine of their angle with its sign.
 #[must_use]
@@ -40,9 +41,7 @@ pub struct NearestAxis {
 /// uᵀ(E + λS)⁻¹ S (E + λS)⁻¹ u.
 #[must_use]
 pub fn nearest_permanent(a: [f64; 3], r: [f64; 3], up: [f64; 3]) -> NearestAxis {
-    let size = |v: &[f64; 3]| (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
-    let norm = size(&up);
-    let up = up.map(|x| x / norm);
+    let up = normalised(up);
     // ⟨n, An × r⟩ = Σ n_i n_j r_k (A_j − A_i) over cyclic (i, j, k).
     let mut cone: Matrix3<f64> = Matrix3::zeros();
     for k in 0..3 {
@@ -73,12 +72,8 @@ pub fn nearest_permanent(a: [f64; 3], r: [f64; 3], up: [f64; 3]) -> NearestAxis 
             let middle = 0.5 * (low + high);
             if (value(middle) > 0.0) == (first > 0.0) { low = middle } else { high = middle }
         }
-        let v: [f64; 3] = (eigen.eigenvectors * at(low)).into();
-        let v = {
-            let n = size(&v);
-            v.map(|x| x / n)
-        };
-        let cosine = v[0] * up[0] + v[1] * up[1] + v[2] * up[2];
+        let v = normalised((eigen.eigenvectors * at(low)).into());
+        let cosine = dot(v, up);
         let v = if cosine < 0.0 { v.map(|x| -x) } else { v };
         if best.is_none_or(|(_, known)| cosine.abs() > known) {
             best = Some((v, cosine.abs()));

@@ -8,6 +8,7 @@
 
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
+use numbers::vector::{self, normalised};
 
 use super::rotation::SpinType;
 use super::tolerance::SpinRange;
@@ -345,13 +346,7 @@ fn cross(v: &Vector, w: &Vector) -> Vector {
 
 /// −up and two directions across, all of about unit length.
 fn basis(up: [f64; 3]) -> [[f64; 3]; 3] {
-    let unit = |v: [f64; 3]| {
-        let size = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
-        v.map(|x| x / size)
-    };
-    let cross =
-        |v: [f64; 3], w: [f64; 3]| [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]];
-    let n = unit(up.map(|x| -x));
+    let n = normalised(up.map(|x| -x));
     let least = if n[0].abs() <= n[1].abs().min(n[2].abs()) {
         [1.0, 0.0, 0.0]
     } else if n[1].abs() <= n[2].abs() {
@@ -359,6 +354,6 @@ fn basis(up: [f64; 3]) -> [[f64; 3]; 3] {
     } else {
         [0.0, 0.0, 1.0]
     };
-    let e = unit(cross(n, least));
-    [n, e, cross(n, e)]
+    let e = normalised(vector::cross(n, least));
+    [n, e, vector::cross(n, e)]
 }

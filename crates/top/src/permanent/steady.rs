@@ -5,6 +5,7 @@
 
 use crate::body::{Body, Number};
 use crate::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
+use numbers::vector::{cross, dot, norm, normalised};
 
 /// A steady rotation, and what is known of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,7 +25,7 @@ pub struct SteadyRotation {
 #[must_use]
 pub fn nearest_steady(body: &Body, omega: f64, up: [f64; 3]) -> Option<SteadyRotation> {
     let a = body.moments_f64();
-    let up = unit(up);
+    let up = normalised(up);
     let down = up.map(|x| -x);
     let candidates = directions(a, body.center_f64(), omega * omega, down);
     let (gamma, angle) =
@@ -32,7 +33,7 @@ pub fn nearest_steady(body: &Body, omega: f64, up: [f64; 3]) -> Option<SteadyRot
     let l = omega * (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
     let all = RelativeEquilibria::new(body).ok()?.at(&Number::from_f64(l).ok()?).ok()?;
     let h = 0.5 * omega * l - dot(gamma, body.center_f64());
-    let size = 0.5 * (omega * l).abs() + dot(body.center_f64(), body.center_f64()).sqrt();
+    let size = 0.5 * (omega * l).abs() + norm(body.center_f64());
     let distance = |found: &Equilibrium| {
         // A circle or sphere is told by one of its points.
         let apart = match found.multiplicity {
@@ -45,19 +46,9 @@ pub fn nearest_steady(body: &Body, omega: f64, up: [f64; 3]) -> Option<SteadyRot
     (distance(&equilibrium) < 1e-6).then_some(SteadyRotation { gamma, angle, l, equilibrium })
 }
 
-fn dot(v: [f64; 3], w: [f64; 3]) -> f64 {
-    v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
-}
-
-fn unit(v: [f64; 3]) -> [f64; 3] {
-    let size = dot(v, v).sqrt();
-    v.map(|x| x / size)
-}
-
 /// The angle between two unit vectors, also when it is small.
 fn angle(v: [f64; 3], w: [f64; 3]) -> f64 {
-    let cross = [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]];
-    libm::atan2(dot(cross, cross).sqrt(), dot(v, w))
+    libm::atan2(norm(cross(v, w)), dot(v, w))
 }
 
 /// All γ with (sA − ν)γ = −r for some ν; of a circle or sphere of them the one nearest to `down`.
@@ -65,7 +56,7 @@ fn directions(a: [f64; 3], r: [f64; 3], s: f64, down: [f64; 3]) -> Vec<[f64; 3]>
     let poles = a.map(|a| s * a);
     let mut found: Vec<[f64; 3]> = multipliers(poles, r)
         .into_iter()
-        .map(|nu| unit(std::array::from_fn(|k| if r[k] == 0.0 { 0.0 } else { r[k] / (nu - poles[k]) })))
+        .map(|nu| normalised(std::array::from_fn(|k| if r[k] == 0.0 { 0.0 } else { r[k] / (nu - poles[k]) })))
         .collect();
     for axis in (0..3).filter(|&k| r[k] == 0.0) {
         // Axes with the same pole share what is missing; one of them is active: no finite ν.
@@ -81,7 +72,7 @@ fn directions(a: [f64; 3], r: [f64; 3], s: f64, down: [f64; 3]) -> Vec<[f64; 3]>
         }
         let along: [f64; 3] = std::array::from_fn(|k| if shares.contains(&k) { down[k] } else { 0.0 });
         let along = if dot(along, along) > 0.0 {
-            unit(along)
+            normalised(along)
         } else {
             std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 })
         };

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use super::RelativeEquilibrium;
 use crate::body::Frame;
+use numbers::vector::cross;
 
 /// Why the eigenvalues of the whole linearisation could not be had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
@@ -48,8 +49,4 @@ pub fn whole_spectrum(frame: &Frame, point: &RelativeEquilibrium) -> Result<Vec<
         .eigenvalues()
         .map_err(|_no_convergence| SpectrumError::NoConvergence)?;
     Ok(eigenvalues.into_iter().map(|x| Complex::new(x.re, x.im)).collect())
-}
-
-fn cross(x: [f64; 3], y: [f64; 3]) -> [f64; 3] {
-    [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
 }

@@ -2,6 +2,7 @@
 
 use crate::body::Frame;
 use numbers::UNIT_ROUNDOFF;
+use numbers::vector::{cross, dot, normalised};
 
 /// U(γ) = x/J(γ) − ⟨γ, r⟩ on the Poisson sphere of a body.
 #[derive(Clone, Copy, Debug)]
@@ -13,21 +14,8 @@ pub(super) struct Potential<'a> {
 
 pub(super) type Vector = [f64; 3];
 
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 pub(super) fn combination(a: f64, u: Vector, b: f64, v: Vector) -> Vector {
     [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]]
-}
-
-pub(super) fn normalised(v: Vector) -> Vector {
-    let norm = dot(v, v).sqrt();
-    v.map(|c| c / norm)
-}
-
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 impl Potential<'_> {

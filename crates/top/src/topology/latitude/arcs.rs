@@ -6,6 +6,7 @@ use super::effort::Effort;
 use super::error::{Obstacle, SweepError, check_finite};
 use super::level::Level;
 use crate::body::Frame;
+use numbers::vector::{cross, dot};
 
 /// An accessible arc of a circle of latitude, from `start` in the direction of growing ψ' to `end`;
 /// both are (cos ψ', sin ψ').
@@ -53,8 +54,7 @@ impl Latitudes {
         let [x, y, z] = pole;
         let n = (x * x + y * y).sqrt();
         let e_y = if n > 0.0 { [-z * x / n, -z * y / n, n] } else { [0.0, 1.0, 0.0] };
-        let e_x = [e_y[1] * z - e_y[2] * y, e_y[2] * x - e_y[0] * z, e_y[0] * y - e_y[1] * x];
-        let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+        let e_x = cross(e_y, pole);
         let tangent = level.tangent.map(|e| {
             let e = frame.vector_to_body(e);
             [dot(e, e_y), dot(e, e_x)]

@@ -1,8 +1,9 @@
 //! Downhill paths that prove to which minimum a point belongs.
 
-use super::super::potential::{Potential, Vector, combination, dot, normalised};
+use super::super::potential::{Potential, Vector, combination};
 use super::slide::slide;
 use crate::body::Axis;
+use numbers::vector::{dot, normalised};
 
 /// A minimum of U, or a circle of minima in the plane of two axes.
 #[derive(Clone, Copy, Debug)]

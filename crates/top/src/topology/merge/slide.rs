@@ -6,7 +6,8 @@
 
 use numbers::UNIT_ROUNDOFF;
 
-use super::super::potential::{Potential, Vector, combination, cross, dot, normalised};
+use super::super::potential::{Potential, Vector, combination};
+use numbers::vector::{cross, dot, normalised};
 
 /// A circle of latitude through a point, and J' on it as a quartic in w = tan(ψ/2).
 struct Latitude {
