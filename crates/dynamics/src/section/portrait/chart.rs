@@ -88,13 +88,14 @@ pub struct Area {
 impl Area {
     /// The area that is bounded by `lines` and contains the part `bottom` of the edge y = π.
     ///
-    /// Each line is closed by straight walls up to y = 0: a point lies over an odd number of lines exactly if it is
-    /// not of the same kind as the edge y = π under it.
+    /// Each line is closed by straight walls up to y = 0, unless it ends where it begins: a point lies over an odd number
+    /// of lines exactly if it is not of the same kind as the edge y = π under it.
     pub(super) fn new(lines: Vec<Vec<[f64; 2]>>, bottom: &[[f64; 2]]) -> Self {
         let walled = lines.into_iter().filter_map(|mut line| {
             let (first, last) = (*line.first()?, *line.last()?);
-            line.push([last[0], 0.0]);
-            line.push([first[0], 0.0]);
+            if first != last {
+                line.extend([[last[0], 0.0], [first[0], 0.0]]);
+            }
             Some(line)
         });
         let columns = bottom.iter().map(|&[from, to]| vec![[from, 0.0], [to, 0.0], [to, PI], [from, PI]]);
@@ -178,6 +179,19 @@ mod tests {
             assert_eq!(disc.contains([x, y]), inside, "({x}, {y})");
             assert_ne!(rest.contains([x, y]), inside, "({x}, {y})");
         }
+    }
+
+    #[test]
+    fn a_closed_line_needs_no_walls() {
+        let circle: Vec<[f64; 2]> = (0..=100)
+            .map(|k| {
+                let (sin, cos) = libm::sincos(f64::from(k % 100) / 100.0 * TAU);
+                [2.0 + 0.5 * cos, 1.0 + 0.5 * sin]
+            })
+            .collect();
+        let disc = Area::new(vec![circle.clone()], &[]);
+        assert_eq!(disc.loops, [circle]);
+        assert!(disc.contains([2.0, 1.0]) && !disc.contains([2.0, 0.2]) && !disc.contains([2.0, 1.6]));
     }
 
     #[test]
