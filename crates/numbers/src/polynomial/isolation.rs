@@ -21,12 +21,17 @@ impl Polynomial {
     /// p(t + 1), by repeated sums.
     fn shifted(mut self) -> Self {
         for first in 0..self.c.len() {
-            for k in (first..self.c.len() - 1).rev() {
-                let next = self.c[k + 1].clone();
-                self.c[k] += next;
-            }
+            self.sum_from(first);
         }
         self
+    }
+
+    /// The sums of one round, the first of which gives the coefficient of t^first in p(t + 1).
+    fn sum_from(&mut self, first: usize) {
+        for k in (first..self.c.len() - 1).rev() {
+            let (sums, last) = self.c.split_at_mut(k + 1);
+            sums[k] += &last[0];
+        }
     }
 
     /// 2ⁿ p(t/2).
@@ -35,16 +40,20 @@ impl Polynomial {
         Self { c: self.c.iter().enumerate().map(|(k, c)| c << (n - k)).collect() }
     }
 
-    /// Sign variations that bound the number of roots in the open interval (0, 1).
+    /// Sign variations that bound the number of roots in the open interval (0, 1); 2 for two and more.
     fn variations(&self) -> usize {
-        let mut reversed = self.c.clone();
-        reversed.reverse();
-        let signs = Self { c: reversed }.shifted().c.into_iter().filter_map(|c| Sign::from(&c).strict());
+        let mut shifted = self.clone();
+        shifted.c.reverse();
         let mut last = Sign::Zero;
         let mut count = 0;
-        for s in signs {
-            count += usize::from(last == -s);
-            last = s;
+        for first in 0..shifted.c.len() {
+            shifted.sum_from(first);
+            let Some(sign) = Sign::from(&shifted.c[first]).strict() else { continue };
+            count += usize::from(last == -sign);
+            last = sign;
+            if count == 2 {
+                break;
+            }
         }
         count
     }
