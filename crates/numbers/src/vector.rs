@@ -2,24 +2,28 @@
 
 /// ⟨u, v⟩ = (u₁v₁ + u₂v₂) + u₃v₃.
 #[must_use]
+#[inline]
 pub fn dot(u: [f64; 3], v: [f64; 3]) -> f64 {
     u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 }
 
 /// u × v.
 #[must_use]
+#[inline]
 pub fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
     [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }
 
 /// |v|, for a vector whose square neither overflows nor underflows.
 #[must_use]
+#[inline]
 pub fn norm(v: [f64; 3]) -> f64 {
     dot(v, v).sqrt()
 }
 
 /// v/|v|, likewise; NaN for 0.
 #[must_use]
+#[inline]
 pub fn normalised(v: [f64; 3]) -> [f64; 3] {
     let norm = norm(v);
     v.map(|x| x / norm)
