@@ -47,13 +47,10 @@ impl CertifiedAtlas {
         let names = |list: &[CurveId]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
         let narrow = Evaluator::<Interval>::new(&a.model, &a.curves, &[], ());
         let wide = Evaluator::<Interval384>::new(&a.model, &a.curves, &[], ());
-        let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
-        let energy = unit(self.frame.energy_unit);
-        let moment = unit(self.frame.momentum_unit) * unit(self.frame.momentum_unit) / &energy;
         let spacing = Spacing::of(a);
         let root = |place: &Place| root(place, spacing.digits + ROOT_DIGITS - FINE_DIGITS);
         CertificateDocument {
-            units: CertificateUnits { moment: decimal::exact(&moment), energy: decimal::exact(&energy) },
+            units: self.units(),
             bits: self.bits(),
             cusps: a
                 .curves
@@ -103,6 +100,13 @@ impl CertifiedAtlas {
                 .collect(),
             checksum: String::new(),
         }
+    }
+
+    fn units(&self) -> CertificateUnits {
+        let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
+        let energy = unit(self.frame.energy_unit);
+        let moment = unit(self.frame.momentum_unit) * unit(self.frame.momentum_unit) / &energy;
+        CertificateUnits { moment: decimal::exact(&moment), energy: decimal::exact(&energy) }
     }
 
     fn stretch(
