@@ -17,7 +17,7 @@
 //! interval → jet → path → landscape → descent, morse → merging, rings → topology  topology of each region
 //! isolation, flow → chart → stability                             linear types along the curves
 //! bounds, courses, measures, samples, listing, totals             what a document says beside its certificate
-//! interval → trace → plane → view, outlines                  curves over any l, and what serves pictures
+//! interval → trace → plane → view, outlines, widths          curves over any l, and what serves pictures
 //! ```
 
 mod body;
@@ -68,6 +68,7 @@ mod topology;
 mod totals;
 mod trace;
 mod view;
+mod widths;
 
 use dashu_ratio::RBig;
 use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
@@ -151,6 +152,7 @@ fn certified(
     view::check(document, &orders, &plane)?;
     outlines::polylines(document, &plane)?;
     outlines::regions(document, &plane, &slabs, &cells)?;
+    widths::check(document, certificate, &orders, &plane, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }
 

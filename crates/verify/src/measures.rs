@@ -189,7 +189,7 @@ fn mu_range(spaces: &Spaces, piece: &Piece, x: &[Option<Fixed>; 2]) -> Option<[O
 }
 
 /// J and h₀ of the axis to which a curve tends for x → ∞ (Proposition 6.2).
-fn tail(spaces: &Spaces, piece: &Piece) -> Option<[Fixed; 2]> {
+pub(super) fn tail(spaces: &Spaces, piece: &Piece) -> Option<[Fixed; 2]> {
     if piece.ends[1] != End::Infinity {
         return None;
     }

@@ -5,6 +5,7 @@
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
+use super::equilibria::Point;
 use super::fixed::Fixed;
 use super::node::Node;
 use super::orders::Orders;
@@ -32,19 +33,35 @@ struct Sums {
 
 /// The lemmas give this sign of h of the first curve minus h of the second between two nodes, or to infinity.
 pub(super) fn orders_branches(orders: &Orders, curves: [usize; 2], from: &Node, to: Option<&Node>, sign: i8) -> bool {
-    family(orders, curves, from, to).is_some_and(|(family, [from, to], left)| {
-        let proved = family.is_monotone_around(from.as_ref(), to.as_ref())
+    let points = |node: &Node| (node.x.clone(), node.stands.each_ref().map(|stand| stand.point.clone()));
+    family(orders, curves, &points(from), to.map(points).as_ref()).is_some_and(|(family, [from, to], left)| {
+        let proved = family.box_around(from.as_ref(), to.as_ref()).is_some()
             || from.zip(to).is_some_and(|(from, to)| family.leaves_cusp(&from, &to) == Some(true));
         proved && sign == if left == 0 { 1 } else { -1 }
     })
 }
 
+/// The gap of both branches is at most this between two x, or from one to infinity: while ε runs from −r_i to r_i the
+/// solution stays in a box, where dh/dε = −γ_i with γ_i = 1/√p (Lemma 7.5).
+pub(super) fn largest_gap(orders: &Orders, curves: [usize; 2], from: &Both, to: Option<&Both>) -> Option<Fixed> {
+    let (family, [from, to], _) = family(orders, curves, from, to)?;
+    let held = family.box_around(from.as_ref(), to.as_ref())?;
+    let [p, _] = family.p_and_q(&held, &family.sums(&held)?);
+    let twice = &orders.spaces.list[family.base].root_q * &Fixed::whole(2);
+    let gap = twice.over(&p.root()?)?.upper();
+    // γ_i ≤ 1.
+    Some(if gap.below(&twice) { gap } else { twice.upper() })
+}
+
+/// x, and the equilibria of two curves over it.
+pub(super) type Both = (Fixed, [Point; 2]);
+
 /// The family of both curves, what is known at the ends, and which curve is the left branch.
 fn family<'a>(
     orders: &'a Orders,
     curves: [usize; 2],
-    from: &Node,
-    to: Option<&Node>,
+    from: &Both,
+    to: Option<&Both>,
 ) -> Option<(Mirrored<'a>, [Option<Edge>; 2], usize)> {
     let number = |curve: usize| match orders.pieces.list[curve].branch {
         Branch::Generic(number) => Some(number),
@@ -58,9 +75,9 @@ fn family<'a>(
     let base = *spaces.active.get(p.min(q))?;
     let left = usize::from(q < p);
     let root = &spaces.list[base].root_q;
-    let edge = |node: &Node| {
-        let tau = |which: usize| node.stands[which].point.tau.as_ref()?.get(base);
-        Some(Edge { x: node.x.clone(), v: [(-tau(left)?).over(root)?, tau(1 - left)?.over(root)?] })
+    let edge = |(x, points): &Both| {
+        let tau = |which: usize| points[which].tau.as_ref()?.get(base);
+        Some(Edge { x: x.clone(), v: [(-tau(left)?).over(root)?, tau(1 - left)?.over(root)?] })
     };
     let ends = [Some(edge(from)?), to.map(edge).map_or(Some(None), |edge| edge.map(Some))?];
     let positive = ends.iter().flatten().flat_map(|edge| &edge.v).all(Fixed::is_positive);
@@ -83,12 +100,11 @@ fn nearest(end: impl Fn(&Fixed) -> Option<Fixed>, holds: impl Fn(&Fixed) -> bool
 }
 
 impl Mirrored<'_> {
-    /// Lemma 7.5 for every x between the ends: the box holds both branches, x is monotone in v there, and at its ends x
-    /// lies beyond those of the stretch.
-    fn is_monotone_around(&self, from: Option<&Edge>, to: Option<&Edge>) -> bool {
-        let Some(from) = from else { return false };
-        let held = from.v.iter().chain(to.iter().flat_map(|edge| &edge.v)).cloned().reduce(|v, w| v.hull(&w));
-        let Some(held) = held else { return false };
+    /// Lemma 7.5 for every x between the ends: a box of v that holds both branches, in which x is monotone, and at whose
+    /// ends x lies beyond those of the stretch.
+    fn box_around(&self, from: Option<&Edge>, to: Option<&Edge>) -> Option<Fixed> {
+        let from = from?;
+        let held = from.v.iter().chain(to.iter().flat_map(|edge| &edge.v)).cloned().reduce(|v, w| v.hull(&w))?;
         // x falls with v, as it does towards infinity, or rises.
         let falls = to.is_none_or(|to| to.v[0].middle().below(&from.v[0].middle()));
         let before = |v: &Fixed| self.x(v).is_some_and(|x| x.below(&from.x));
@@ -97,14 +113,15 @@ impl Mirrored<'_> {
         let small = |room: &Fixed| if to.is_none() { Some(Fixed::whole(0)) } else { Some(held.over(room)?.lower()) };
         // About as far as the branches lie apart.
         let shift = |edge: &Edge| Some((&edge.v[0].over(&edge.v[1])? - &Fixed::whole(1)).square().root()?.lower());
-        let Some(shift) = shift(from) else { return false };
+        let shift = shift(from)?;
         let ends = if falls {
             nearest(small, behind, &shift).zip(nearest(large, before, &shift))
         } else {
             nearest(small, before, &shift).zip(nearest(large, behind, &shift))
         };
-        let course = ends.and_then(|(small, large)| self.fall(&small.hull(&large)));
-        course == Some(if falls { 1 } else { -1 })
+        let (small, large) = ends?;
+        let found = small.hull(&large);
+        (self.fall(&found) == Some(if falls { 1 } else { -1 })).then_some(found)
     }
 
     /// Lemma 7.6 for every x between the ends, where one of the branches may begin at a cusp. On the branch with the

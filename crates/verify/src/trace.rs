@@ -5,8 +5,10 @@ use std::ops::{Add, Mul, Sub};
 use dashu_ratio::RBig;
 
 use super::Refused;
+use super::equilibria::Point;
 use super::interval::Interval;
 use super::pieces::{Branch, End, Piece, Pieces};
+use super::place::Side;
 use super::spaces::{Space, Spaces};
 
 /// Steps of the search at most; every third halves the bracket, which holds at most 2⁶³ doubles.
@@ -84,6 +86,21 @@ impl Traces {
             }
             Trace::Family(family) => family.over(x),
         }
+    }
+
+    /// The same point on a generic curve in the precision of the spaces, unless it is an end.
+    pub fn exactly(&self, spaces: &Spaces, pieces: &Pieces, curve: usize, x: f64) -> Option<Point> {
+        let (Trace::Family(family), Branch::Generic(number)) = (&self.0[curve], pieces.list[curve].branch) else {
+            return None;
+        };
+        let (half, y) = family.place(family.near(x));
+        let space = |number: Option<usize>| spaces.active.get(number?).copied();
+        let [left, right] = [space(number.checked_sub(1)), space(Some(number))];
+        let (base, side) = match (left, half) {
+            (Some(left), 0) => (left, Side::Plus),
+            _ => (right?, Side::Minus),
+        };
+        spaces.point(base, side, &spaces.set(&RBig::try_from(y).ok()?))
     }
 }
 

@@ -1,0 +1,249 @@
+//! The largest extent of each region in h at one l: the gap between the curves below and above is reached somewhere and
+//! exceeded nowhere. J is monotone along a curve but for one place, so that h is convex or concave in x between two points
+//! of a curve, whose chord and tangents bound it; in doubles, with more room than they round. Two branches beside a moment
+//! with a small r_i are closer than they are bent: there the family that joins them bounds the gap.
+
+use dashu_ratio::RBig;
+use schema::{AtlasDocument, CertificateDocument};
+
+use super::equilibria::Point;
+use super::interval::Interval;
+use super::measures::tail;
+use super::mirror::{self, Both};
+use super::orders::Orders;
+use super::pieces::Branch;
+use super::plane::{POINT, Plane};
+use super::regions::Cell;
+use super::slabs::Slab;
+use super::{Refused, number};
+
+/// A width is what is stated to this share of it,
+const ACCURACY: f64 = 1e-6;
+/// and to this share of the energies on both sides.
+const ROUNDED: f64 = 1e-9;
+/// Stretches of a cell at most, those of them for which no family of branches is found before none is looked for, and
+/// steps by a factor of four towards infinity.
+const STRETCHES: usize = 20_000;
+const MISSES: usize = 10;
+const STEPS: usize = 60;
+
+/// The two curves of a cell.
+struct Strip<'a> {
+    orders: &'a Orders<'a>,
+    plane: &'a Plane<'a>,
+    curves: [usize; 2],
+}
+
+/// Both curves over one x, the lower one first.
+#[derive(Clone, Copy)]
+struct Pair {
+    x: f64,
+    h: [f64; 2],
+    j: [f64; 2],
+    /// To how much the gap is known.
+    room: f64,
+}
+
+/// h = at + slope·(x − x₀) for some x₀.
+type Ray = [f64; 2];
+
+/// Checks every width.
+pub(super) fn check(
+    document: &AtlasDocument,
+    certificate: &CertificateDocument,
+    orders: &Orders,
+    plane: &Plane,
+    slabs: &[Slab],
+    cells: &[Vec<Cell>],
+) -> Result<(), Refused> {
+    let events = certificate.transitions.iter().filter_map(|group| certificate.events.get(*group.first()?));
+    let middle = |x: &[String; 2]| {
+        let sum = number::read(&x[0])? + number::read(&x[1])?;
+        Ok((sum / RBig::from(2)).to_f64().value())
+    };
+    let events: Vec<f64> = events.map(|event| middle(&event.x)).collect::<Result<_, Refused>>()?;
+    for (region, cells) in document.regions.iter().zip(cells) {
+        let refuse = || Refused::Region { region: region.id.clone(), why: "its width is another" };
+        let strip = |&(slab, position): &Cell| {
+            let levels = &slabs[slab].levels;
+            let curves = [levels[position].curve, levels.get(position + 1)?.curve];
+            let strip = Strip { orders, plane, curves };
+            (slab < events.len() || strip.limits().is_some()).then_some((slab, strip))
+        };
+        let strips: Option<Vec<(usize, Strip)>> = cells.iter().map(strip).collect();
+        let (strips, claim) = match (strips, region.h_width) {
+            (None, None) => continue,
+            (Some(strips), Some(claim)) => (strips, claim / plane.energy),
+            _ => return Err(refuse()),
+        };
+        let mut reached = false;
+        for (slab, strip) in strips {
+            let from = slab.checked_sub(1).map_or(0.0, |before| events[before]);
+            reached |= strip.within(claim, from, events.get(slab).copied()).ok_or_else(refuse)?;
+        }
+        if !reached {
+            return Err(refuse());
+        }
+    }
+    Ok(())
+}
+
+impl Strip<'_> {
+    /// h − x/a for x → ∞ on both curves, and a, where they tend to one axis.
+    fn limits(&self) -> Option<([f64; 2], f64)> {
+        let [lower, upper] = self.curves.map(|curve| tail(self.orders.spaces, &self.orders.pieces.list[curve]));
+        let ([j, low], [k, high]) = (lower?, upper?);
+        // Different moments are told apart by the bits of their sets.
+        Some(([low.to_f64(), high.to_f64()], j.meet(&k)?.to_f64()))
+    }
+
+    fn over(&self, x: f64) -> Option<Pair> {
+        let norm = self.plane.norm / self.plane.energy;
+        let point = |curve: usize| {
+            let over = self.plane.traces.over(curve, x)?;
+            let aside = Interval::point(x) - over.x;
+            // On the tangent of the point.
+            let h = over.h + aside * over.j.recip();
+            let room = ROUNDED * (norm + h.middle().abs());
+            let near = aside.ends().iter().all(|end| end.abs() <= POINT * x + f64::MIN_POSITIVE);
+            (near && h.radius() <= room).then(|| [h.middle(), over.j.middle(), room])
+        };
+        let [[low, j, below], [high, k, above]] = [point(self.curves[0])?, point(self.curves[1])?];
+        Some(Pair { x, h: [low, high], j: [j, k], room: below + above })
+    }
+
+    /// Both curves over one x with all bits.
+    fn exactly(&self, x: f64) -> Option<Both> {
+        let Orders { spaces, pieces, .. } = *self.orders;
+        let [low, high] = self.curves.map(|curve| self.plane.traces.exactly(spaces, pieces, curve, x));
+        let (low, high) = (low?, high?);
+        let near = |point: &Point| (point.x.to_f64() - x).abs() <= POINT * x;
+        (near(&low) && near(&high)).then(|| (low.x.hull(&high.x), [low, high]))
+    }
+
+    /// The gap is at most this between two x, where the curves are branches on both sides of one moment.
+    fn beside(&self, first: f64, last: Option<f64>) -> f64 {
+        let [p, q] = self.curves.map(|curve| self.orders.pieces.list[curve].branch);
+        if !matches!((p, q), (Branch::Generic(p), Branch::Generic(q)) if p.abs_diff(q) == 1) {
+            return f64::INFINITY;
+        }
+        let both = || {
+            let last = match last {
+                Some(x) => Some(self.exactly(x)?),
+                None => None,
+            };
+            mirror::largest_gap(self.orders, self.curves, &self.exactly(first)?, last.as_ref())
+        };
+        both().map_or(f64::INFINITY, |gap| gap.to_f64())
+    }
+
+    /// Whether the gap reaches the claim; `None` unless it exceeds it nowhere.
+    fn within(&self, claim: f64, from: f64, to: Option<f64>) -> Option<bool> {
+        let limit = self.limits().map(|([low, high], _)| high - low);
+        let at_limit = to.is_none() && limit.is_some_and(|gap| (gap - claim).abs() <= claim * ACCURACY);
+        let soon = 2.0 * from.max(0.5);
+        let (end, mut reached) = match to {
+            Some(to) => (to, false),
+            None if self.beside(soon, None) <= claim * (1.0 + ACCURACY) => (soon, at_limit),
+            None => (self.beyond(claim, from)?, at_limit),
+        };
+        let (first, last) = (self.over(from)?, self.over(end)?);
+        let room = first.room;
+        reached |= first.reaches(claim, room) || last.reaches(claim, room);
+        let mut open = vec![(first, last)];
+        let mut misses = 0;
+        for _ in 0..STRETCHES {
+            let Some((first, last)) = open.pop() else { return Some(reached) };
+            let most = claim * (1.0 + ACCURACY) + first.room.max(last.room);
+            if self.bound(&first, &last) <= most {
+                continue;
+            }
+            if misses < MISSES {
+                if self.beside(first.x, Some(last.x)) <= most {
+                    continue;
+                }
+                misses += 1;
+            }
+            // Far ranges by their geometric mean.
+            let is_far = first.x > 0.0 && last.x > 4.0 * first.x;
+            let middle = if is_far { first.x.sqrt() * last.x.sqrt() } else { 0.5 * (first.x + last.x) };
+            let at = self.over(middle)?;
+            if at.gap() > claim * (1.0 + ACCURACY) + at.room {
+                return None;
+            }
+            reached |= at.reaches(claim, room);
+            open.extend([(first, at), (at, last)]);
+        }
+        None
+    }
+
+    /// An x from which on the gap stays within the claim: h − x/a goes to its limit monotonically on both curves, beyond
+    /// the place where dJ/dμ = 0.
+    fn beyond(&self, claim: f64, from: f64) -> Option<f64> {
+        let (limits, a) = self.limits()?;
+        let turn = self.orders.inflection.as_ref().map_or(0.0, |(_, point)| point.x.to_f64());
+        let mut x = 4.0 * from.max(1.0);
+        for _ in 0..STEPS {
+            let pair = self.over(x)?;
+            let most = (pair.h[1] - x / a).max(limits[1]);
+            let least = (pair.h[0] - x / a).min(limits[0]);
+            if x > 2.0 * turn && most - least <= claim * (1.0 + ACCURACY) + pair.room {
+                return Some(x);
+            }
+            x *= 4.0;
+        }
+        None
+    }
+
+    /// The gap is at most this between two x.
+    fn bound(&self, first: &Pair, last: &Pair) -> f64 {
+        let width = last.x - first.x;
+        let (uppers, lowers) = (self.rays(first, last, 1), self.rays(first, last, 0));
+        let lines: Vec<Ray> = uppers
+            .iter()
+            .flat_map(|[h, slope]| lowers.iter().map(move |[low, other]| [h - low, slope - other]))
+            .collect();
+        let least = |x: f64| lines.iter().map(|[at, slope]| at + slope * x).fold(f64::INFINITY, f64::min);
+        let corners = lines.iter().enumerate().flat_map(|(k, p)| {
+            lines[..k].iter().map(move |q| (q[0] - p[0]) / (p[1] - q[1])).filter(|x| *x > 0.0 && *x < width)
+        });
+        corners.chain([0.0, width]).map(least).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Lines below the lower curve (`which` 0), or above the upper one, from the first x on.
+    fn rays(&self, first: &Pair, last: &Pair, which: usize) -> Vec<Ray> {
+        let width = last.x - first.x;
+        let slopes = [first, last].map(|pair| 1.0 / pair.j[which]);
+        let ends = [first, last].map(|pair| pair.h[which]);
+        let turn = self.orders.inflection.as_ref().filter(|(branch, point)| {
+            let x = point.x.to_f64();
+            self.orders.pieces.list[self.curves[which]].branch == Branch::Generic(*branch)
+                && first.x <= x * (1.0 + ROUNDED)
+                && last.x >= x * (1.0 - ROUNDED)
+        });
+        // From each end with a slope that is the least, or the largest, on the way.
+        let from_ends = |[left, right]: [f64; 2]| vec![[ends[0], left], [ends[1] - right * width, right]];
+        if let Some((_, point)) = turn {
+            let slope = 1.0 / point.j.to_f64();
+            let [least, most] = [slopes[0].min(slopes[1]).min(slope), slopes[0].max(slopes[1]).max(slope)];
+            return from_ends(if which == 0 { [least, most] } else { [most, least] });
+        }
+        let is_convex = slopes[1] > slopes[0];
+        if is_convex == (which == 0) {
+            return from_ends(slopes);
+        }
+        let chord = (ends[1] - ends[0]) / width;
+        vec![[ends[0], if width > 0.0 { chord } else { 0.0 }]]
+    }
+}
+
+impl Pair {
+    fn gap(&self) -> f64 {
+        self.h[1] - self.h[0]
+    }
+
+    /// Whether the gap is what is claimed, up to this room: that of its cell's beginning, as energies grow with x.
+    fn reaches(&self, claim: f64, room: f64) -> bool {
+        (self.gap() - claim).abs() <= claim * ACCURACY + room
+    }
+}
