@@ -305,6 +305,55 @@ fn pictures_that_are_a_little_wrong_are_refused() {
     }
 }
 
+/// Two pitchforks whose places are one double, on axes whose moments differ by 1e-18, and a width that lies inside a cell
+/// above which another is higher at an end.
+#[test]
+fn what_doubles_take_for_one_is_told_apart() {
+    for (a, r) in [
+        (["0.8", "1", "0.999999999999999999"], ["1", "0", "0"]),
+        (["0.8", "0.999999999999999999", "1"], ["-1", "0", "0"]),
+        (["1", "0.8", "1.000000000000000001"], ["0", "1", "0"]),
+        (["0.77", "1.05", "0.76"], ["0.4", "0.052", "-0.9"]),
+        (["0.45", "0.91", "0.46"], ["-0.9625", "0.1094", "0.925"]),
+    ] {
+        let atlas = CertifiedAtlas::new(&Body::parse(&a, &r).unwrap()).unwrap();
+        let document = certified_atlas(&atlas, &atlas.drawn().unwrap(), &DocumentOptions::default()).unwrap();
+        assert!(verify(&document).is_ok(), "{a:?} {r:?}: {:?}", verify(&document));
+    }
+}
+
+/// Widths of a body that are reached but exceeded elsewhere: those of unbounded regions at finite places.
+#[test]
+fn widths_that_are_exceeded_far_out_are_refused() {
+    let body = Body::parse(&["1", "2", "3"], &["0.4", "0.5", "0.77"]).unwrap();
+    let atlas = CertifiedAtlas::new(&body).unwrap();
+    let true_one = certified_atlas(&atlas, &atlas.drawn().unwrap(), &DocumentOptions::default()).unwrap();
+    verify(&true_one).unwrap();
+    let mut forged_ones = 0;
+    for (region, number) in true_one.regions.iter().zip(0..) {
+        let (Some(width), [Some(from), None]) = (region.h_width, region.l_range) else { continue };
+        let curve = |id: &String| true_one.curves.iter().find(|curve| curve.id == *id).unwrap();
+        let height = |id: &String, l: f64| {
+            let line = &curve(id).polyline;
+            let after = line.iter().position(|point| point[1] >= l)?.max(1);
+            let [p, q] = [line[after - 1], line[after]];
+            Some(p[0] + (q[0] - p[0]) * (l - p[1]) / (q[1] - p[1]))
+        };
+        let cell = region.cells.last().unwrap();
+        for l in [1.01, 1.5, 2.0, 3.0].map(|share| share * from.max(0.1)) {
+            let gap = height(cell.upper.as_ref().unwrap(), l).zip(height(&cell.lower, l)).map(|(high, low)| high - low);
+            if let Some(gap) = gap.filter(|gap| *gap < width * (1.0 - 1e-4)) {
+                let mut forged = true_one.clone();
+                forged.regions[number].h_width = Some(gap);
+                seal(&mut forged).unwrap();
+                assert!(matches!(verify(&forged), Err(Refused::Region { .. })), "{}: {gap} of {width}", region.id);
+                forged_ones += 1;
+            }
+        }
+    }
+    assert!(forged_ones > 3, "{forged_ones}");
+}
+
 /// The first place of each field that has a value.
 fn leaves(value: &Value, field: &str, pointer: &str, found: &mut BTreeMap<String, String>) {
     match value {

@@ -6,13 +6,14 @@ use super::enclosure::Enclosure;
 use super::interval::Interval;
 use super::root::itp;
 
-/// Σ c_k v^(n−k) u^k with v = 1 − u.
+/// Σ c_k v^(n−k) u^k with v = 1 − u. (The forms of [`bernstein`](super::bernstein) bound their rounding by magnitudes, which under-
+/// and overflow spoil.)
 #[derive(Clone, Debug)]
-pub struct Form {
+pub struct EnclosedForm {
     c: Vec<Interval>,
 }
 
-impl Form {
+impl EnclosedForm {
     /// The form of degree 1 with these values at u = 0 and u = 1.
     #[must_use]
     pub fn linear(at_zero: Interval, at_one: Interval) -> Self {
@@ -40,6 +41,7 @@ impl Form {
     /// The sum with a form of the same degree.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
+        debug_assert_eq!(self.c.len(), other.c.len());
         Self { c: self.c.iter().zip(&other.c).map(|(a, b)| *a + *b).collect() }
     }
 
@@ -113,7 +115,7 @@ struct Part {
 }
 
 impl Part {
-    fn whole(form: &Form) -> Self {
+    fn whole(form: &EnclosedForm) -> Self {
         let degree = form.c.len() - 1;
         let mut binomial = 1.0;
         let mut b = Vec::with_capacity(form.c.len());
@@ -181,9 +183,9 @@ mod tests {
     use proptest::prelude::*;
 
     /// Π (u − root).
-    fn with_roots(roots: &[RBig]) -> Form {
+    fn with_roots(roots: &[RBig]) -> EnclosedForm {
         let number = |x: &RBig| Interval::rational(x, ());
-        let factor = |root: &RBig| Form::linear(number(&-root.clone()), number(&(RBig::ONE - root)));
+        let factor = |root: &RBig| EnclosedForm::linear(number(&-root.clone()), number(&(RBig::ONE - root)));
         roots[1..].iter().fold(factor(&roots[0]), |product, root| product.times(&factor(root)))
     }
 
@@ -236,7 +238,7 @@ mod tests {
 
     #[test]
     fn what_overflows_is_left_open() {
-        let huge = Form::linear(Interval::point(-1e200), Interval::point(1e200));
+        let huge = EnclosedForm::linear(Interval::point(-1e200), Interval::point(1e200));
         assert!(huge.times(&huge).times(&huge).simple_roots().is_none());
     }
 }

@@ -1,4 +1,4 @@
-//! Interval arithmetic on doubles, for paths on the sphere.
+//! Interval arithmetic on doubles, for paths on the sphere and for pictures.
 //!
 //! Each end moves outward by one unit in the last place after each operation, which encloses the exact result in every
 //! rounding mode. The lower end is never +∞ and the upper end never −∞, so that sums cannot be ∞ − ∞; an infinite end

@@ -2,7 +2,7 @@
 //!
 //! - Roots are counted in exact integers, by Descartes' rule of signs and by Sturm's theorem where its signs do not tell.
 //!   The cusp polynomial is built from T J + 4V, not from 4Q'P − 3P'Q.
-//! - Intervals have integer ends (`fixed`) or, for paths on the sphere, ends that move outward (`interval`).
+//! - Intervals have integer ends (`fixed`) or, for paths on the sphere and for pictures, ends that move outward (`interval`).
 //! - Each stretch of each pair, each slab and each box of a crossing is checked where the certificate names it.
 //! - Topology comes from the minima, saddles and maxima of the certificate and from paths down from them (`merging`), not
 //!   from the ridges over the latitudes.

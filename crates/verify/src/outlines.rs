@@ -107,7 +107,7 @@ fn is_around(plane: &Plane, region: &RegionDocument, view: &WindowDocument, [h, 
         if l < from - beside || l > to + beside {
             return false;
         }
-        let height = |id: &String, l: f64| plane.height(id, l.clamp(from, to));
+        let height = |id: &String, l: f64| plane.height(id, l.max(from).min(to));
         let is_on = |id: &String| height(id, l).is_some_and(|[on, its]| (h - on).abs() <= its + room);
         if is_on(&cell.lower) || cell.upper.as_ref().is_some_and(is_on) {
             return true;

@@ -45,7 +45,8 @@ impl<'a> Plane<'a> {
         (x.to_f64().value() * self.x).sqrt()
     }
 
-    /// The height of a curve over l, and how far a double may be from it; `None` where the curve does not run.
+    /// The height of a curve over l, and how far a double may be from it; `None` where a curve of a family does not run (a line
+    /// goes on beyond its ends).
     pub fn height(&self, id: &str, l: f64) -> Option<[f64; 2]> {
         let curve = match self.orders.pieces.find(id) {
             Ok(curve) => curve,
@@ -59,7 +60,7 @@ impl<'a> Plane<'a> {
         let over = self.traces.over(curve, x)?;
         let aside = Interval::point(x) - over.x;
         let h = (over.h + aside * over.j.recip()) * Interval::point(self.energy);
-        let room = POINT * (h.middle().abs() + self.norm);
+        let room = POINT * (h.middle().abs() + self.norm) + f64::MIN_POSITIVE;
         let near = aside.ends().iter().all(|end| end.abs() <= POINT * x + f64::MIN_POSITIVE);
         (near && h.radius() <= room).then_some([h.middle(), 2.0 * room])
     }

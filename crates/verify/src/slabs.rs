@@ -61,10 +61,25 @@ impl<'a> Transitions<'a> {
             return refuse(0, "the transitions do not hold every event once");
         }
         let transitions = Self { groups, events };
+        if let Some(t) = (0..groups.len()).find(|&t| !transitions.is_one(t)) {
+            return refuse(t, "events that are apart are in one transition");
+        }
         match (1..groups.len()).find(|&t| transitions.high(t - 1) >= transitions.low(t)) {
             Some(t) => refuse(t, "the events on its two sides are not in order"),
             None => Ok(transitions),
         }
+    }
+
+    /// The enclosures of a transition overlap one after the other.
+    fn is_one(&self, transition: usize) -> bool {
+        let mut ranges: Vec<&[RBig; 2]> = self.groups[transition].iter().map(|&event| &self.events.x[event]).collect();
+        ranges.sort();
+        let mut reached = &ranges[0][1];
+        ranges.iter().all(|range| {
+            let joined = range[0] <= *reached;
+            reached = reached.max(&range[1]);
+            joined
+        })
     }
 
     fn low(&self, transition: usize) -> Option<&RBig> {

@@ -88,7 +88,7 @@ impl Traces {
         }
     }
 
-    /// The same point on a generic curve in the precision of the spaces, unless it is an end.
+    /// The same point, or one beside the end, in the precision of the spaces; `None` on a curve that is not generic.
     pub fn exactly(&self, spaces: &Spaces, pieces: &Pieces, curve: usize, x: f64) -> Option<Point> {
         let (Trace::Family(family), Branch::Generic(number)) = (&self.0[curve], pieces.list[curve].branch) else {
             return None;

@@ -17,14 +17,17 @@ use super::regions::Cell;
 use super::slabs::Slab;
 use super::{Refused, number};
 
-/// A width is what is stated to this share of it,
+/// A width is what is stated to this share of it and to the room that follows.
 const ACCURACY: f64 = 1e-6;
-/// and to this share of the energies on both sides.
+/// Share of the energies on both curves that is room.
 const ROUNDED: f64 = 1e-9;
-/// Stretches of a cell at most, those of them for which no family of branches is found before none is looked for, and
-/// steps by a factor of four towards infinity.
+/// Room for what doubles do to the sums of a few energies.
+const FEW: f64 = 8.0 * f64::EPSILON;
+/// Stretches of a cell at most.
 const STRETCHES: usize = 20_000;
+/// Stretches without a family that joins the curves, after which none is looked for.
 const MISSES: usize = 10;
+/// Steps by a factor of four towards infinity at most.
 const STEPS: usize = 60;
 
 /// The two curves of a cell.
@@ -40,8 +43,10 @@ struct Pair {
     x: f64,
     h: [f64; 2],
     j: [f64; 2],
-    /// To how much the gap is known.
+    /// Room for the gap.
     room: f64,
+    /// How far the gap may be from that of the curves.
+    rounding: f64,
 }
 
 /// h = at + slope·(x − x₀) for some x₀.
@@ -104,12 +109,14 @@ impl Strip<'_> {
             let aside = Interval::point(x) - over.x;
             // On the tangent of the point.
             let h = over.h + aside * over.j.recip();
-            let room = ROUNDED * (norm + h.middle().abs());
+            let room = ROUNDED * (norm + h.middle().abs()) + f64::MIN_POSITIVE;
             let near = aside.ends().iter().all(|end| end.abs() <= POINT * x + f64::MIN_POSITIVE);
-            (near && h.radius() <= room).then(|| [h.middle(), over.j.middle(), room])
+            let rounding = h.radius() + FEW * h.middle().abs();
+            (near && h.radius() <= room).then(|| (h.middle(), over.j.middle(), [room, rounding]))
         };
-        let [[low, j, below], [high, k, above]] = [point(self.curves[0])?, point(self.curves[1])?];
-        Some(Pair { x, h: [low, high], j: [j, k], room: below + above })
+        let [(low, j, below), (high, k, above)] = [point(self.curves[0])?, point(self.curves[1])?];
+        let [room, rounding] = [0, 1].map(|which| below[which] + above[which]);
+        Some(Pair { x, h: [low, high], j: [j, k], room, rounding })
     }
 
     /// Both curves over one x with all bits.
@@ -137,57 +144,68 @@ impl Strip<'_> {
         both().map_or(f64::INFINITY, |gap| gap.to_f64())
     }
 
-    /// Whether the gap reaches the claim; `None` unless it exceeds it nowhere.
+    /// Whether the gap reaches the claim; `None` unless it exceeds it nowhere. The room is that of the cell's beginning, as
+    /// energies grow with x.
     fn within(&self, claim: f64, from: f64, to: Option<f64>) -> Option<bool> {
-        let limit = self.limits().map(|([low, high], _)| high - low);
-        let at_limit = to.is_none() && limit.is_some_and(|gap| (gap - claim).abs() <= claim * ACCURACY);
-        let soon = 2.0 * from.max(0.5);
-        let (end, mut reached) = match to {
-            Some(to) => (to, false),
-            None if self.beside(soon, None) <= claim * (1.0 + ACCURACY) => (soon, at_limit),
-            None => (self.beyond(claim, from)?, at_limit),
+        let first = self.over(from)?;
+        let (room, most) = (first.room, claim * (1.0 + ACCURACY) + first.room);
+        let reaches = |gap: f64| (gap - claim).abs() <= claim * ACCURACY + room;
+        let (end, mut reached) = if let Some(to) = to {
+            (to, false)
+        } else {
+            let ([low, high], _) = self.limits()?;
+            let limit = high - low;
+            if limit > most {
+                return None;
+            }
+            let soon = 2.0 * from.max(0.5);
+            let end = if self.beside(soon, None) <= most { soon } else { self.beyond(most, from)? };
+            (end, (limit - claim).abs() <= claim * ACCURACY)
         };
-        let (first, last) = (self.over(from)?, self.over(end)?);
-        let room = first.room;
-        reached |= first.reaches(claim, room) || last.reaches(claim, room);
+        let last = self.over(end)?;
+        reached |= reaches(first.gap()) || reaches(last.gap());
         let mut open = vec![(first, last)];
         let mut misses = 0;
         for _ in 0..STRETCHES {
             let Some((first, last)) = open.pop() else { return Some(reached) };
-            let most = claim * (1.0 + ACCURACY) + first.room.max(last.room);
-            if self.bound(&first, &last) <= most {
-                continue;
-            }
-            if misses < MISSES {
-                if self.beside(first.x, Some(last.x)) <= most {
+            let is_far = last.x > 4.0 * first.x;
+            let rounding = first.rounding.max(last.rounding);
+            // Far out doubles tell less.
+            if !is_far || rounding <= room {
+                if self.bound(&first, &last) <= most + rounding {
                     continue;
                 }
-                misses += 1;
+                if misses < MISSES {
+                    if self.beside(first.x, Some(last.x)) <= most {
+                        continue;
+                    }
+                    misses += 1;
+                }
             }
             // Far ranges by their geometric mean.
-            let is_far = first.x > 0.0 && last.x > 4.0 * first.x;
-            let middle = if is_far { first.x.sqrt() * last.x.sqrt() } else { 0.5 * (first.x + last.x) };
+            let middle =
+                if is_far && first.x > 0.0 { first.x.sqrt() * last.x.sqrt() } else { 0.5 * (first.x + last.x) };
             let at = self.over(middle)?;
-            if at.gap() > claim * (1.0 + ACCURACY) + at.room {
+            if at.gap() > most + at.rounding {
                 return None;
             }
-            reached |= at.reaches(claim, room);
+            reached |= reaches(at.gap());
             open.extend([(first, at), (at, last)]);
         }
         None
     }
 
-    /// An x from which on the gap stays within the claim: h − x/a goes to its limit monotonically on both curves, beyond
-    /// the place where dJ/dμ = 0.
-    fn beyond(&self, claim: f64, from: f64) -> Option<f64> {
+    /// An x from which on the gap is at most this: h − x/a goes to its limit monotonically on both curves, beyond the place
+    /// where dJ/dμ = 0.
+    fn beyond(&self, most: f64, from: f64) -> Option<f64> {
         let (limits, a) = self.limits()?;
         let turn = self.orders.inflection.as_ref().map_or(0.0, |(_, point)| point.x.to_f64());
         let mut x = 4.0 * from.max(1.0);
         for _ in 0..STEPS {
             let pair = self.over(x)?;
-            let most = (pair.h[1] - x / a).max(limits[1]);
-            let least = (pair.h[0] - x / a).min(limits[0]);
-            if x > 2.0 * turn && most - least <= claim * (1.0 + ACCURACY) + pair.room {
+            let highest = (pair.h[1] - x / a).max(limits[1]);
+            let lowest = (pair.h[0] - x / a).min(limits[0]);
+            if x > 2.0 * turn && highest - lowest <= most + pair.rounding {
                 return Some(x);
             }
             x *= 4.0;
@@ -240,10 +258,5 @@ impl Strip<'_> {
 impl Pair {
     fn gap(&self) -> f64 {
         self.h[1] - self.h[0]
-    }
-
-    /// Whether the gap is what is claimed, up to this room: that of its cell's beginning, as energies grow with x.
-    fn reaches(&self, claim: f64, room: f64) -> bool {
-        (self.gap() - claim).abs() <= claim * ACCURACY + room
     }
 }

@@ -26,7 +26,7 @@ impl Polynomial {
         self
     }
 
-    /// The sums of one round, the first of which gives the coefficient of t^first in p(t + 1).
+    /// The sums of one round, after which the coefficient of t^first is that of p(t + 1).
     fn sum_from(&mut self, first: usize) {
         for k in (first..self.c.len() - 1).rev() {
             let (sums, last) = self.c.split_at_mut(k + 1);

@@ -7,7 +7,7 @@
 use dashu_ratio::RBig;
 use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
-use numbers::form::Form;
+use numbers::form::EnclosedForm;
 use numbers::interval::Interval;
 
 use super::cut::Cut;
@@ -41,13 +41,13 @@ impl Numbers {
 struct Range {
     /// μ rises with u.
     rises: bool,
-    p: Form,
-    rho: Form,
+    p: EnclosedForm,
+    rho: EnclosedForm,
     /// xp − hq and ρq: U = h on the curve's positive sign where the first times √p is the second.
-    excess: Form,
-    pull: Form,
+    excess: EnclosedForm,
+    pull: EnclosedForm,
     /// Σ q_i q_j (a_i − a_j)² (μ − a_k)³, which rises through 0 at the fold.
-    fold: Form,
+    fold: EnclosedForm,
 }
 
 impl Range {
@@ -58,9 +58,9 @@ impl Range {
             // Times 1 − u.
             None => sign.orient(Interval::ONE),
         };
-        let tau = [0, 1, 2].map(|k| Form::linear(n.diff[base][k], at_end(k)));
+        let tau = [0, 1, 2].map(|k| EnclosedForm::linear(n.diff[base][k], at_end(k)));
         let triples = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
-        let sum = |terms: [Form; 3]| terms[0].plus(&terms[1]).plus(&terms[2]);
+        let sum = |terms: [EnclosedForm; 3]| terms[0].plus(&terms[1]).plus(&terms[2]);
         let rest = triples.map(|(_, i, j)| tau[i].times(&tau[j]));
         let squared = rest.each_ref().map(|rest| rest.times(rest));
         let p = sum([0, 1, 2].map(|k| squared[k].scaled(n.q[k])));
@@ -74,7 +74,7 @@ impl Range {
     }
 
     /// Where U = h on either sign of the curve.
-    fn level(&self) -> Form {
+    fn level(&self) -> EnclosedForm {
         let square = self.p.times(&self.excess.times(&self.excess));
         square.plus(&self.pull.times(&self.pull).scaled(-Interval::ONE))
     }

@@ -86,16 +86,15 @@ impl<'a> Strips<'a> {
         let points = pair.map(|position| self.points(position));
         let here = |place: usize| points.map(|points| &points[place]);
         let gaps: Vec<f64> = (0..self.places.len()).map(|place| gap(here(place))).collect();
-        let best = (0..gaps.len()).max_by(|&p, &q| gaps[p].total_cmp(&gaps[q]))?;
-        let [from, to] = [best.saturating_sub(1), (best + 1).min(self.places.len() - 1)];
-        let slopes = [slope(here(from)), slope(here(to))];
-        let refined = if slopes[0] > 0.0 && slopes[1] < 0.0 {
-            let [from, to] = [self.places[from], self.places[to]];
-            let top = root::itp(from, to, slopes[0], slopes[1], 0.0, |x| slope(at(x).each_ref()));
-            gap(at(top.at).each_ref())
-        } else {
-            gaps[best]
-        };
-        Some(refined.max(gaps[best]).max(limit))
+        let mut widest = gaps.iter().fold(limit, |widest, gap| widest.max(*gap));
+        for from in 1..gaps.len() {
+            let ends = [from - 1, from];
+            let [[x, y], slopes] = [ends.map(|place| self.places[place]), ends.map(|place| slope(here(place)))];
+            if slopes[0] > 0.0 && slopes[1] < 0.0 {
+                let top = root::itp(x, y, slopes[0], slopes[1], 0.0, |x| slope(at(x).each_ref()));
+                widest = widest.max(gap(at(top.at).each_ref()));
+            }
+        }
+        Some(widest)
     }
 }

@@ -91,17 +91,11 @@ pub(super) fn symmetric(frame: &Frame, family: &SymmetricFamily, t: [f64; 2], s_
     }))
 }
 
-/// Index along the line γ = ±e_axis that carries r, for from < x < to.
-pub(super) fn on_axis(frame: &Frame, axis: Axis, sign: f64, from: f64, to: f64) -> u8 {
-    let x = match (from > 0.0, to.is_finite()) {
-        (true, true) => 0.5 * (from + to),
-        (true, false) => 2.0 * from,
-        (false, true) => 0.5 * to,
-        (false, false) => 1.0,
-    };
-    let a = frame.a[axis];
-    let delta = sign * 0.5 * frame.r[axis] * a * a / x;
-    let at = Mu { base: axis, delta };
-    let negative = axis.others().into_iter().filter(|&k| at.minus_moment(frame, k) < 0.0).count();
+/// Index along the line γ = ±e_axis that carries r, on which μ − a_axis has the sign `sign`, behind the pitchforks of these
+/// axes: the number of the other axes with μ < a_k.
+pub(super) fn on_axis(frame: &Frame, axis: Axis, sign: f64, passed: impl Iterator<Item = Axis>) -> u8 {
+    let passed: Vec<_> = passed.map(|k| frame.group[k]).collect();
+    let is_negative = |k: &Axis| (sign < 0.0) != passed.contains(&frame.group[*k]);
+    let negative = axis.others().into_iter().filter(is_negative).count();
     u8::try_from(negative).unwrap_or(2)
 }

@@ -46,14 +46,15 @@ impl CriticalSet {
                 .filter(|&&k| self.frame.diff[k][axis] * sign > 0.0)
                 .map(|&k| (0.5 * a * a * self.frame.r[axis] / self.frame.diff[k][axis].abs(), k))
                 .collect();
-            cuts.sort_by(|p, q| p.0.total_cmp(&q.0));
+            // Their x can be equal in doubles; differences of moments are not.
+            cuts.sort_by(|p, q| (sign * self.frame.diff[q.1][p.1]).total_cmp(&0.0));
             let first = self.curves.len();
             let mut from = (0.0, End::Origin);
             for piece in 0..=cuts.len() {
                 let to = cuts.get(piece).map_or((f64::INFINITY, End::Infinity), |&(x, _)| {
                     (x, End::Pitchfork(PitchforkId::at(self.pitchforks.len() + piece)))
                 });
-                let index = index::on_axis(&self.frame, axis, sign, from.0, to.0);
+                let index = index::on_axis(&self.frame, axis, sign, cuts[..piece].iter().map(|cut| cut.1));
                 self.curves.push(Curve {
                     branch: Branch::Axis(pole),
                     piece: piece + 1,
