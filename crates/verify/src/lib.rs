@@ -152,7 +152,7 @@ fn certified(
     view::check(document, &orders, &plane)?;
     outlines::polylines(document, &plane)?;
     outlines::regions(document, &plane, &slabs, &cells)?;
-    widths::check(document, certificate, &orders, &plane, &slabs, &cells)?;
+    widths::check(document, certificate, &events, &orders, &plane, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }
 

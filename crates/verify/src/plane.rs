@@ -30,6 +30,15 @@ pub(super) struct Plane<'a> {
     known: RefCell<Known>,
 }
 
+/// The tangent of a curve at a point next to some x.
+pub(super) struct Near {
+    /// There over x itself.
+    pub h: Interval,
+    pub j: Interval,
+    /// How far a double may be from h.
+    pub room: f64,
+}
+
 impl<'a> Plane<'a> {
     pub fn new(certificate: &CertificateDocument, orders: &'a Orders) -> Result<Self, Refused> {
         let [moment, energy] = [number::read(&certificate.units.moment)?, number::read(&certificate.units.energy)?];
@@ -56,13 +65,18 @@ impl<'a> Plane<'a> {
     }
 
     fn over(&self, curve: usize, l: f64) -> Option<[f64; 2]> {
-        let x = l * l / self.x;
+        let near = self.near(curve, l * l / self.x)?;
+        Some([near.h.middle() * self.energy, 2.0 * near.room * self.energy])
+    }
+
+    /// A curve over x, in the units of the certificate; `None` where doubles do not tell it well.
+    pub fn near(&self, curve: usize, x: f64) -> Option<Near> {
         let over = self.traces.over(curve, x)?;
         let aside = Interval::point(x) - over.x;
-        let h = (over.h + aside * over.j.recip()) * Interval::point(self.energy);
-        let room = POINT * (h.middle().abs() + self.norm) + f64::MIN_POSITIVE;
-        let near = aside.ends().iter().all(|end| end.abs() <= POINT * x + f64::MIN_POSITIVE);
-        (near && h.radius() <= room).then_some([h.middle(), 2.0 * room])
+        let h = over.h + aside * over.j.recip();
+        let room = POINT * (h.middle().abs() + self.norm / self.energy) + f64::MIN_POSITIVE;
+        let is_near = aside.ends().iter().all(|end| end.abs() <= POINT * x + f64::MIN_POSITIVE);
+        (is_near && h.radius() <= room).then_some(Near { h, j: over.j, room })
     }
 
     /// A pole line that runs on critical lines has the height of any of them.

@@ -6,8 +6,9 @@
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument};
 
+use super::Refused;
 use super::equilibria::Point;
-use super::interval::Interval;
+use super::events::Events;
 use super::measures::tail;
 use super::mirror::{self, Both};
 use super::orders::Orders;
@@ -15,12 +16,9 @@ use super::pieces::Branch;
 use super::plane::{POINT, Plane};
 use super::regions::Cell;
 use super::slabs::Slab;
-use super::{Refused, number};
 
-/// A width is what is stated to this share of it and to the room that follows.
+/// A width is what is stated to this share of it and to the room of both curves.
 const ACCURACY: f64 = 1e-6;
-/// Share of the energies on both curves that is room.
-const ROUNDED: f64 = 1e-9;
 /// Room for what doubles do to the sums of a few energies.
 const FEW: f64 = 8.0 * f64::EPSILON;
 /// Stretches of a cell at most.
@@ -35,6 +33,18 @@ struct Strip<'a> {
     orders: &'a Orders<'a>,
     plane: &'a Plane<'a>,
     curves: [usize; 2],
+    end: Reach,
+}
+
+/// How far a cell goes in x.
+#[derive(Clone, Copy)]
+enum Reach {
+    To(f64),
+    /// To infinity, where h − x/a of both curves has these limits.
+    Along {
+        limits: [f64; 2],
+        a: f64,
+    },
 }
 
 /// Both curves over one x, the lower one first.
@@ -56,24 +66,25 @@ type Ray = [f64; 2];
 pub(super) fn check(
     document: &AtlasDocument,
     certificate: &CertificateDocument,
+    events: &Events,
     orders: &Orders,
     plane: &Plane,
     slabs: &[Slab],
     cells: &[Vec<Cell>],
 ) -> Result<(), Refused> {
-    let events = certificate.transitions.iter().filter_map(|group| certificate.events.get(*group.first()?));
-    let middle = |x: &[String; 2]| {
-        let sum = number::read(&x[0])? + number::read(&x[1])?;
-        Ok((sum / RBig::from(2)).to_f64().value())
-    };
-    let events: Vec<f64> = events.map(|event| middle(&event.x)).collect::<Result<_, Refused>>()?;
+    let middle = |[lo, hi]: &[RBig; 2]| ((lo + hi) / RBig::from(2)).to_f64().value();
+    let firsts = certificate.transitions.iter().filter_map(|group| events.x.get(*group.first()?));
+    let events: Vec<f64> = firsts.map(middle).collect();
     for (region, cells) in document.regions.iter().zip(cells) {
         let refuse = || Refused::Region { region: region.id.clone(), why: "its width is another" };
         let strip = |&(slab, position): &Cell| {
             let levels = &slabs[slab].levels;
             let curves = [levels[position].curve, levels.get(position + 1)?.curve];
-            let strip = Strip { orders, plane, curves };
-            (slab < events.len() || strip.limits().is_some()).then_some((slab, strip))
+            let end = match events.get(slab) {
+                Some(&x) => Reach::To(x),
+                None => along_one_axis(orders, curves)?,
+            };
+            Some((slab, Strip { orders, plane, curves, end }))
         };
         let strips: Option<Vec<(usize, Strip)>> = cells.iter().map(strip).collect();
         let (strips, claim) = match (strips, region.h_width) {
@@ -84,7 +95,7 @@ pub(super) fn check(
         let mut reached = false;
         for (slab, strip) in strips {
             let from = slab.checked_sub(1).map_or(0.0, |before| events[before]);
-            reached |= strip.within(claim, from, events.get(slab).copied()).ok_or_else(refuse)?;
+            reached |= strip.within(claim, from).ok_or_else(refuse)?;
         }
         if !reached {
             return Err(refuse());
@@ -93,30 +104,22 @@ pub(super) fn check(
     Ok(())
 }
 
-impl Strip<'_> {
-    /// h − x/a for x → ∞ on both curves, and a, where they tend to one axis.
-    fn limits(&self) -> Option<([f64; 2], f64)> {
-        let [lower, upper] = self.curves.map(|curve| tail(self.orders.spaces, &self.orders.pieces.list[curve]));
-        let ([j, low], [k, high]) = (lower?, upper?);
-        // Different moments are told apart by the bits of their sets.
-        Some(([low.to_f64(), high.to_f64()], j.meet(&k)?.to_f64()))
-    }
+/// What two curves tend to, where that is one axis.
+fn along_one_axis(orders: &Orders, curves: [usize; 2]) -> Option<Reach> {
+    let [lower, upper] = curves.map(|curve| tail(orders.spaces, &orders.pieces.list[curve]));
+    let ([j, low], [k, high]) = (lower?, upper?);
+    // Different moments are told apart by the bits of their sets.
+    Some(Reach::Along { limits: [low.to_f64(), high.to_f64()], a: j.meet(&k)?.to_f64() })
+}
 
+impl Strip<'_> {
     fn over(&self, x: f64) -> Option<Pair> {
-        let norm = self.plane.norm / self.plane.energy;
-        let point = |curve: usize| {
-            let over = self.plane.traces.over(curve, x)?;
-            let aside = Interval::point(x) - over.x;
-            // On the tangent of the point.
-            let h = over.h + aside * over.j.recip();
-            let room = ROUNDED * (norm + h.middle().abs()) + f64::MIN_POSITIVE;
-            let near = aside.ends().iter().all(|end| end.abs() <= POINT * x + f64::MIN_POSITIVE);
-            let rounding = h.radius() + FEW * h.middle().abs();
-            (near && h.radius() <= room).then(|| (h.middle(), over.j.middle(), [room, rounding]))
-        };
-        let [(low, j, below), (high, k, above)] = [point(self.curves[0])?, point(self.curves[1])?];
-        let [room, rounding] = [0, 1].map(|which| below[which] + above[which]);
-        Some(Pair { x, h: [low, high], j: [j, k], room, rounding })
+        let [low, high] = self.curves.map(|curve| self.plane.near(curve, x));
+        let both = [low?, high?];
+        let h = both.each_ref().map(|near| near.h.middle());
+        let rounding = both.iter().map(|near| near.h.radius() + FEW * near.h.middle().abs()).sum();
+        let room = both.iter().map(|near| near.room).sum();
+        Some(Pair { x, h, j: both.map(|near| near.j.middle()), room, rounding })
     }
 
     /// Both curves over one x with all bits.
@@ -146,21 +149,22 @@ impl Strip<'_> {
 
     /// Whether the gap reaches the claim; `None` unless it exceeds it nowhere. The room is that of the cell's beginning, as
     /// energies grow with x.
-    fn within(&self, claim: f64, from: f64, to: Option<f64>) -> Option<bool> {
+    fn within(&self, claim: f64, from: f64) -> Option<bool> {
         let first = self.over(from)?;
         let (room, most) = (first.room, claim * (1.0 + ACCURACY) + first.room);
         let reaches = |gap: f64| (gap - claim).abs() <= claim * ACCURACY + room;
-        let (end, mut reached) = if let Some(to) = to {
-            (to, false)
-        } else {
-            let ([low, high], _) = self.limits()?;
-            let limit = high - low;
-            if limit > most {
-                return None;
+        let (end, mut reached) = match self.end {
+            Reach::To(x) => (x, false),
+            Reach::Along { limits, a } => {
+                let limit = limits[1] - limits[0];
+                if limit > most {
+                    return None;
+                }
+                let soon = 2.0 * from.max(0.5);
+                let is_soon = self.beside(soon, None) <= most;
+                let end = if is_soon { soon } else { self.beyond(most, from, limits, a)? };
+                (end, (limit - claim).abs() <= claim * ACCURACY)
             }
-            let soon = 2.0 * from.max(0.5);
-            let end = if self.beside(soon, None) <= most { soon } else { self.beyond(most, from)? };
-            (end, (limit - claim).abs() <= claim * ACCURACY)
         };
         let last = self.over(end)?;
         reached |= reaches(first.gap()) || reaches(last.gap());
@@ -197,8 +201,7 @@ impl Strip<'_> {
 
     /// An x from which on the gap is at most this: h − x/a goes to its limit monotonically on both curves, beyond the place
     /// where dJ/dμ = 0.
-    fn beyond(&self, most: f64, from: f64) -> Option<f64> {
-        let (limits, a) = self.limits()?;
+    fn beyond(&self, most: f64, from: f64, limits: [f64; 2], a: f64) -> Option<f64> {
         let turn = self.orders.inflection.as_ref().map_or(0.0, |(_, point)| point.x.to_f64());
         let mut x = 4.0 * from.max(1.0);
         for _ in 0..STEPS {
@@ -236,8 +239,8 @@ impl Strip<'_> {
         let turn = self.orders.inflection.as_ref().filter(|(branch, point)| {
             let x = point.x.to_f64();
             self.orders.pieces.list[self.curves[which]].branch == Branch::Generic(*branch)
-                && first.x <= x * (1.0 + ROUNDED)
-                && last.x >= x * (1.0 - ROUNDED)
+                && first.x <= x * (1.0 + POINT)
+                && last.x >= x * (1.0 - POINT)
         });
         // From each end with a slope that is the least, or the largest, on the way.
         let from_ends = |[left, right]: [f64; 2]| vec![[ends[0], left], [ends[1] - right * width, right]];

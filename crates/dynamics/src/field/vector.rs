@@ -2,19 +2,7 @@
 
 use nalgebra::Vector3;
 
-/// ⟨u, v⟩ = (u₁v₁ + u₂v₂) + u₃v₃.
-#[must_use]
-#[inline]
-pub fn dot(u: [f64; 3], v: [f64; 3]) -> f64 {
-    Vector3::from(u).dot(&Vector3::from(v))
-}
-
-/// u × v.
-#[must_use]
-#[inline]
-pub fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    Vector3::from(u).cross(&Vector3::from(v)).into()
-}
+pub use numbers::vector::{cross, dot, norm};
 
 /// u + v.
 #[must_use]
@@ -35,13 +23,6 @@ pub fn sub(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
 #[inline]
 pub fn scale(c: f64, u: [f64; 3]) -> [f64; 3] {
     (c * Vector3::from(u)).into()
-}
-
-/// |u|, for magnitudes whose squares neither overflow nor underflow.
-#[must_use]
-#[inline]
-pub fn norm(u: [f64; 3]) -> f64 {
-    dot(u, u).sqrt()
 }
 
 /// u/|u| for any u ≠ 0.

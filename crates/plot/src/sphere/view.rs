@@ -1,19 +1,13 @@
 //! Two views of the sphere from opposite sides, in orthographic projection.
 
+use dynamics::field::{cross, dot};
+
 use crate::page::Point;
 
 pub(super) type Vector = [f64; 3];
 
 /// By how much the usual view looks down on the equator of r̂, in radians.
 const TILT: f64 = 0.35;
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
 
 fn unit(v: Vector) -> Vector {
     let length = dot(v, v).sqrt();
