@@ -1,10 +1,12 @@
 //! `verify` confirms atlases with certificates and refuses false ones.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use dashu_ratio::RBig;
-use documents::{DocumentOptions, certified_atlas, seal};
+use documents::{DocumentOptions, Subject, certified_atlas, certified_atlas_of, seal};
+use numbers::symmetric::Symmetric;
+use part::{MassProperties, Part};
 use proof::CertifiedAtlas;
 use proptest::prelude::*;
 use schema::{Accuracy, AtlasDocument, CertifiedNode, PlaceDocument};
@@ -146,7 +148,10 @@ fn false_claims_are_refused_by_the_mathematics() {
     let refused = mutated(|d| d.summary.regions = 8);
     assert!(matches!(refused, Err(Refused::Summary { .. })), "{refused:?}");
     // Another body.
-    let refused = mutated(|d| d.body.given.moments[1] = "1.2".parse().unwrap());
+    let refused = mutated(|d| {
+        d.body.given.moments[1] = "1.2".parse().unwrap();
+        d.head.command = d.head.command.replace("1.1", "1.2");
+    });
     assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
 }
 
@@ -230,29 +235,160 @@ fn nothing_is_counted_twice() {
     assert!(matches!(repeated, Err(Refused::Pair { .. })), "{repeated:?}");
 }
 
+/// Documents of a generic body, of one with a pitchfork where a pole line meets it, and of a tilted part.
+fn whole_documents() -> [AtlasDocument; 3] {
+    let whole = |body: &Body| {
+        let atlas = CertifiedAtlas::new(body).unwrap();
+        certified_atlas(&atlas, &atlas.drawn().unwrap(), &DocumentOptions::default()).unwrap()
+    };
+    [whole(&preset("paper")), whole(&preset("katok:6")), of_tilted_part()]
+}
+
+fn of_tilted_part() -> AtlasDocument {
+    let tensor = Symmetric::new(["0.1", "0.2", "0.25", "0.01", "0", "-0.02"].map(exact));
+    let properties = MassProperties::about_com(exact("2.5"), ["0.01", "0.02", "0.15"].map(exact), tensor).unwrap();
+    let part = Part { properties, gravity: exact("9.80665"), units: "kg,cm,s".parse().unwrap() };
+    let subject = Subject::of_part(&part).unwrap();
+    let atlas = CertifiedAtlas::new(&subject.body).unwrap();
+    certified_atlas_of(&subject, &atlas, &atlas.drawn().unwrap(), &DocumentOptions::default()).unwrap()
+}
+
+/// A document with another value at a place, sealed anew: whether it is refused. What is no document is.
+fn is_refused(document: &Value, pointer: &str, forgery: Value) -> bool {
+    let mut forged = document.clone();
+    *forged.pointer_mut(pointer).unwrap() = forgery;
+    let Ok(mut forged) = serde_json::from_value::<AtlasDocument>(forged) else { return true };
+    seal(&mut forged).unwrap();
+    verify(&forged).is_err()
+}
+
 /// Every field of the document, forged once and sealed anew, is refused: a field that is added cannot be forgotten.
 #[test]
 fn every_field_is_refused_when_it_is_forged() {
-    let atlas = CertifiedAtlas::new(&preset("paper")).unwrap();
-    let drawn = atlas.drawn().unwrap();
-    let document = certified_atlas(&atlas, &drawn, &DocumentOptions::default()).unwrap();
-    let document = serde_json::to_value(document).unwrap();
-    let mut fields = BTreeMap::new();
-    leaves(&document, "", "", &mut fields);
-    // By their form, and what the seal replaces.
-    for field in ["version", "command", "certificate.checksum"] {
-        fields.remove(field).expect(field);
-    }
-    for (field, pointer) in fields {
-        for forgery in forgeries(document.pointer(&pointer).unwrap()) {
-            let mut forged = document.clone();
-            *forged.pointer_mut(&pointer).unwrap() = forgery;
-            if let Ok(mut forged) = serde_json::from_value::<AtlasDocument>(forged) {
-                seal(&mut forged).unwrap();
-                assert!(verify(&forged).is_err(), "{field}");
+    let mut known = BTreeSet::new();
+    for document in whole_documents() {
+        verify(&document).unwrap();
+        let document = serde_json::to_value(document).unwrap();
+        let mut fields = BTreeMap::new();
+        leaves(&document, "", "", &mut fields);
+        // By its form, and what the seal replaces.
+        for field in ["version", "certificate.checksum"] {
+            fields.remove(field).expect(field);
+        }
+        for (field, pointer) in fields.into_iter().filter(|(field, _)| known.insert(field.clone())) {
+            for forgery in forgeries(document.pointer(&pointer).unwrap()) {
+                assert!(is_refused(&document, &pointer, forgery), "{field} at {pointer}");
             }
         }
     }
+}
+
+/// Every list of the document with an entry left out, one told twice or two exchanged, in three places of each, sealed anew,
+/// is refused. Of points of pictures three of four are left out: without one a chord may be as good as others.
+#[test]
+fn every_list_is_refused_when_it_is_forged() {
+    for document in whole_documents() {
+        let document = serde_json::to_value(document).unwrap();
+        let mut fields = BTreeMap::new();
+        lists(&document, "", "", &mut fields);
+        assert!(fields.len() > 30, "{}", fields.len());
+        // Outlines may be coarser.
+        fields.retain(|field, _| !field.contains("polygon"));
+        for (field, pointers) in fields {
+            let chosen: BTreeSet<usize> = [0, pointers.len() / 2, pointers.len() - 1].into();
+            for pointer in chosen.into_iter().map(|number| &pointers[number]) {
+                let list = document.pointer(pointer).unwrap().as_array().unwrap();
+                for (what, forgery) in forged_lists(list) {
+                    assert!(is_refused(&document, pointer, Value::Array(forgery)), "{what}: {field} at {pointer}");
+                }
+            }
+        }
+    }
+}
+
+/// Names exchanged wherever they stand are not those of their places.
+#[test]
+fn names_are_those_of_their_places() {
+    let true_one = serde_json::to_string(&whole_documents()[0]).unwrap();
+    for [p, q] in [["R1", "R2"], ["R3", "R7"], ["G1.1", "G1.2"], ["G0.1", "G3.1"], ["P+", "P-"], ["R9", "R10"]] {
+        let quoted = |name: &str| format!("\"{name}\"");
+        let exchanged =
+            true_one.replace(&quoted(p), "\"?\"").replace(&quoted(q), &quoted(p)).replace("\"?\"", &quoted(q));
+        assert_ne!(exchanged, true_one);
+        let mut forged: AtlasDocument = serde_json::from_str(&exchanged).unwrap();
+        seal(&mut forged).unwrap();
+        assert!(verify(&forged).is_err(), "{p} and {q}");
+    }
+}
+
+/// The command of another body or with other options, and versions that are none.
+#[test]
+fn the_command_is_that_of_the_document() {
+    let command = document(&preset("paper")).head.command;
+    assert_eq!(command, "bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623 --certificate --json");
+    for other in [
+        command.replace("1.1", "1.2"),
+        command.replace(" --certificate", ""),
+        command.replace(" --json", " --no-polygons --json"),
+        command.replace("atlas", "scan"),
+        format!("{command} --window 0:1,0:1"),
+    ] {
+        let refused = mutated(|d| d.head.command.clone_from(&other));
+        assert_eq!(refused, Err(Refused::Field { field: "command" }), "{other}");
+    }
+    for version in ["", "1", "1.2", "1.2.x", "1.2.3.4", "v1.2.3", "1.2.3 4"] {
+        let refused = mutated(|d| version.clone_into(&mut d.head.version));
+        assert_eq!(refused, Err(Refused::Field { field: "version" }), "{version}");
+    }
+    assert_eq!(mutated(|d| "1.2.3-beta.1".clone_into(&mut d.head.version)), Ok(()));
+}
+
+/// What is told of a part, forged together with the command that names it.
+#[test]
+fn a_part_is_that_of_its_body() {
+    let true_one = of_tilted_part();
+    assert!(true_one.body.part.as_ref().is_some_and(|part| !part.exact && part.physical));
+    let refused = |change: &dyn Fn(&mut schema::PartDocument)| {
+        let mut forged = true_one.clone();
+        let part = forged.body.part.as_mut().unwrap();
+        let texts = |part: &schema::PartDocument| {
+            let [[xx, xy, _], ..] = &part.inertia;
+            let [x, y, z] = &part.com;
+            [
+                format!("{xx},"),
+                format!(",{xy},"),
+                format!("{x},{y},{z}"),
+                part.mass.clone(),
+                part.g.clone(),
+                part.units.clone(),
+            ]
+        };
+        let before = texts(part);
+        change(part);
+        for (old, new) in before.iter().zip(texts(part)).filter(|(old, new)| *old != new) {
+            forged.head.command = forged.head.command.replacen(old, &new, 1);
+        }
+        if !part.physical {
+            forged.head.command = forged.head.command.replace(" --certificate", " --unphysical --certificate");
+        }
+        seal(&mut forged).unwrap();
+        match verify(&forged) {
+            Err(Refused::Field { field }) => field,
+            other => panic!("{other:?}"),
+        }
+    };
+    let numbers = "body.part: inertia, com, mass, g, units or exact";
+    assert_eq!(refused(&|part| part.mass = "2.6".to_owned()), numbers);
+    assert_eq!(refused(&|part| part.g = "9.8".to_owned()), numbers);
+    assert_eq!(refused(&|part| part.com[1] = "0.021".to_owned()), numbers);
+    assert_eq!(refused(&|part| part.units = "kg,mm,s".to_owned()), numbers);
+    assert_eq!(refused(&|part| part.units = "kg,fathom,s".to_owned()), "body.part.units");
+    assert_eq!(refused(&|part| part.exact = true), numbers);
+    assert_eq!(refused(&|part| part.physical = false), "body.part.physical");
+    assert_eq!(refused(&|part| part.inertia[0][0].push('1')), numbers);
+    assert_eq!(refused(&|part| part.principal.axes[1][2] += 1e-9), "body.part.principal");
+    assert_eq!(refused(&|part| part.principal_com.moments[0] *= 1.0 + 1e-9), "body.part.principal_com");
+    assert_eq!(refused(&|part| part.moments.swap(0, 1)), "body.part: A or r");
 }
 
 /// Two points of every polyline, a corner of every outline, every end of a window and every width, a little aside; a region
@@ -372,6 +508,44 @@ fn leaves(value: &Value, field: &str, pointer: &str, found: &mut BTreeMap<String
             found.entry(field.to_owned()).or_insert_with(|| pointer.to_owned());
         }
     }
+}
+
+/// Where the lists of each field stand that are not empty.
+fn lists(value: &Value, field: &str, pointer: &str, found: &mut BTreeMap<String, Vec<String>>) {
+    match value {
+        Value::Object(entries) => {
+            for (name, entry) in entries {
+                lists(entry, &format!("{field}.{name}"), &format!("{pointer}/{name}"), found);
+            }
+        }
+        Value::Array(entries) if !entries.is_empty() => {
+            found.entry(field.to_owned()).or_default().push(pointer.to_owned());
+            for (number, entry) in entries.iter().enumerate() {
+                lists(entry, &format!("{field}[]"), &format!("{pointer}/{number}"), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// A list with an entry left out, one told twice, two exchanged.
+fn forged_lists(list: &[Value]) -> Vec<(&'static str, Vec<Value>)> {
+    let at = list.len() / 2;
+    let is_point = |entry: &Value| entry.as_array().is_some_and(|pair| pair.len() == 2 && pair[0].is_f64());
+    let mut shorter = list.to_vec();
+    if list.len() > 8 && list.iter().all(is_point) {
+        shorter = list.iter().step_by(4).chain(&list[list.len() - 1..]).cloned().collect();
+        shorter.dedup();
+    } else {
+        shorter.remove(at);
+    }
+    let mut longer = list.to_vec();
+    longer.insert(at, list[at].clone());
+    let mut exchanged = list.to_vec();
+    exchanged.swap(at, (at + 1) % list.len());
+    let mut forged = vec![("left out", shorter), ("twice", longer), ("exchanged", exchanged)];
+    forged.retain(|(_, forgery)| forgery != list);
+    forged
 }
 
 /// Other values of the same type; what is none of a list of words is no document.

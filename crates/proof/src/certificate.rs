@@ -183,8 +183,13 @@ impl CertifiedAtlas {
         };
         let end = wide.end_point(curves[ending], side)?;
         let opposite = wide.point(curves[1 - ending], &end.x)?;
-        // The place opposite must hold x of the whole range in which the end is isolated.
-        let (p, q) = (document(&end.place?, ROOT_DIGITS)?, document(&opposite.place?, FINE_DIGITS)?);
+        let p = match ends[ending] {
+            // It holds the whole range in which the cusp is isolated.
+            End::Cusp(cusp) => root(&self.arrangement.curves.cusps[cusp].place, ROOT_DIGITS),
+            _ => document(&end.place?, ROOT_DIGITS)?,
+        };
+        // The place opposite must hold x of that range.
+        let q = document(&opposite.place?, FINE_DIGITS)?;
         Some(if ending == 0 { [p, q] } else { [q, p] })
     }
 }

@@ -6,7 +6,7 @@ use super::Refused;
 use super::pieces::{Branch, Piece, Pieces};
 use super::spaces::Spaces;
 
-/// Checks that every curve is listed once, its kind, its multiplicity and the curves on which it runs, and the names of
+/// Checks that every curve is listed once and at its place, its kind, its multiplicity and the curves on which it runs, and the names of
 /// the curves at each cusp.
 pub(super) fn curves(
     document: &AtlasDocument,
@@ -24,10 +24,7 @@ pub(super) fn curves(
             expected.push(Course { id: id.to_owned(), kind, multiplicity: 1, coincides_with: pieces });
         }
     }
-    let mut listed: Vec<Course> = document.curves.iter().map(Course::listed).collect();
-    for list in [&mut expected, &mut listed] {
-        list.sort_by(|p, q| p.id.cmp(&q.id));
-    }
+    let listed: Vec<Course> = document.curves.iter().map(Course::listed).collect();
     if expected.len() != listed.len() {
         return Err(Refused::Field { field: "the number of curves" });
     }
@@ -36,8 +33,7 @@ pub(super) fn curves(
         return Err(Refused::UnknownCurve { id: course.id.clone() });
     }
     for (number, cusp) in certificate.cusps.iter().enumerate() {
-        let mut named = cusp.curves.iter().map(|id| pieces.find(id)).collect::<Result<Vec<usize>, _>>()?;
-        named.sort_unstable();
+        let named = cusp.curves.iter().map(|id| pieces.find(id)).collect::<Result<Vec<usize>, _>>()?;
         if named != pieces.at_cusp(number) {
             return Err(Refused::BadPlace { what: "cusp", number });
         }
@@ -56,8 +52,7 @@ struct Course {
 
 impl Course {
     fn listed(document: &CurveDocument) -> Self {
-        let mut coincides_with = document.coincides_with.clone();
-        coincides_with.sort();
+        let coincides_with = document.coincides_with.clone();
         Self { id: document.id.clone(), kind: document.kind, multiplicity: document.multiplicity, coincides_with }
     }
 

@@ -94,8 +94,7 @@ impl Events {
             let sources = sources(event, &mut seen).map_err(refuse)?;
             let x = [number::read(&event.x[0])?, number::read(&event.x[1])?];
             let h = [number::read(&event.h[0])?, number::read(&event.h[1])?];
-            let mut named: Vec<usize> =
-                event.curves.iter().map(|id| orders.pieces.find(id)).collect::<Result<_, _>>()?;
+            let named: Vec<usize> = event.curves.iter().map(|id| orders.pieces.find(id)).collect::<Result<_, _>>()?;
             let end = sources.iter().find_map(|source| source.end());
             let mut gathered = Gathered::default();
             for &source in &sources {
@@ -105,13 +104,13 @@ impl Events {
                 return Err(refuse("its enclosure does not hold the point"));
             }
             if sources == [Source::Crossing] {
-                found.crossings.push((at, [named[0].min(named[1]), named[0].max(named[1])]));
+                if named[0] > named[1] {
+                    return Err(refuse("its curves are not by their numbers"));
+                }
+                found.crossings.push((at, [named[0], named[1]]));
             }
-            let mut curves = gathered.curves.clone();
-            curves.sort_unstable();
-            named.sort_unstable();
-            if named != curves {
-                return Err(refuse("other curves meet there"));
+            if named != gathered.curves {
+                return Err(refuse("other curves meet there, or they are not in their order"));
             }
             if let (Some(end), true) = (end, sources.len() > 1) {
                 found.passes_through(orders, end, &gathered.curves);
@@ -195,9 +194,9 @@ fn gather(
             gathered.points.extend(spaces.point(place.base, place.side, &place.y(spaces)));
         }
         Source::Pitchfork(fork) => {
-            let fork = pieces.forks.get(fork).ok_or(NO_SOURCE)?;
-            gathered.add(&fork.curves);
-            gathered.points.extend(spaces.point(fork.base, Side::Over, &Fixed::whole(0)));
+            let base = pieces.forks.get(fork).ok_or(NO_SOURCE)?.base;
+            gathered.add(&pieces.at_fork(fork));
+            gathered.points.extend(spaces.point(base, Side::Over, &Fixed::whole(0)));
         }
         Source::Meeting(meeting) => {
             let meeting = meetings.get(meeting).ok_or(NO_SOURCE)?;

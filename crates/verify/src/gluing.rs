@@ -37,7 +37,7 @@ pub(super) fn check(transitions: &[Vec<usize>], events: &Events, slabs: &[Slab])
     one_name_each(slabs, &offsets, &mut faces)
 }
 
-/// Names and faces correspond one to one.
+/// Names and faces correspond one to one, and the names are R1, R2, … as the faces first appear with l, then h, rising.
 fn one_name_each(slabs: &[Slab], offsets: &[usize], faces: &mut Classes) -> Result<(), Refused> {
     let mut names: Vec<(usize, &str)> = Vec::new();
     for (number, slab) in slabs.iter().enumerate() {
@@ -48,7 +48,8 @@ fn one_name_each(slabs: &[Slab], offsets: &[usize], faces: &mut Classes) -> Resu
                 Some(_) => {
                     return Err(Refused::Slab { number, why: "a cell is given to another region than it belongs to" });
                 }
-                None => names.push((face, name)),
+                None if *name == format!("R{}", names.len() + 1) => names.push((face, name)),
+                None => return Err(Refused::Slab { number, why: "a region has not the name of its place" }),
             }
         }
     }

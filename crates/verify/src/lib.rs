@@ -16,14 +16,16 @@
 //! stand → orders → node → rules → pairs → slabs → gluing → regions         order of curves, faces
 //! interval → jet → path → landscape → descent, morse → merging, rings → topology  topology of each region
 //! isolation, flow → chart → stability                             linear types along the curves
-//! bounds, courses, measures, samples, listing, totals             what a document says beside its certificate
-//! interval → trace → plane → view, outlines, widths          curves over any l, and what serves pictures
+//! bounds, courses, measures, samples, listing, command, part → totals   what a document says beside its certificate
+//! interval → trace → plane → view, chords → polylines, outlines, widths   curves over any l, and what serves pictures
 //! ```
 
 mod body;
 mod bounds;
 mod chart;
+mod chords;
 mod classes;
+mod command;
 mod component;
 mod courses;
 mod descartes;
@@ -49,10 +51,12 @@ mod number;
 mod orders;
 mod outlines;
 mod pairs;
+mod part;
 mod path;
 mod pieces;
 mod place;
 mod plane;
+mod polylines;
 mod refused;
 mod regions;
 mod rings;
@@ -149,8 +153,8 @@ fn certified(
     samples::check(document, certificate, &orders, &slabs, &samples)?;
     totals::totals(document, &orders, &slabs)?;
     let plane = Plane::new(certificate, &orders)?;
-    view::check(document, &orders, &plane)?;
-    outlines::polylines(document, &plane)?;
+    view::check(document, &plane)?;
+    polylines::check(document, &orders, &plane)?;
     outlines::regions(document, &plane, &slabs, &cells)?;
     widths::check(document, certificate, &events, &orders, &plane, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })

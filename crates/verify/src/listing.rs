@@ -6,7 +6,7 @@ use schema::{AtlasDocument, CertificateDocument, EventDocument, EventKind, Regio
 use super::bounds::{around, holds, holds_root, is_useful};
 use super::events::{Events, Source};
 use super::orders::Orders;
-use super::pieces::{End, Pieces};
+use super::pieces::{Branch, End, Pieces};
 use super::regions::Cell;
 use super::{Refused, number};
 
@@ -26,6 +26,9 @@ pub(super) fn events(
     orders: &Orders,
 ) -> Result<(), Refused> {
     let pieces = orders.pieces;
+    if !document.events.is_sorted_by(|p, q| p.l <= q.l) {
+        return Err(Refused::Field { field: "events: by rising l" });
+    }
     let l2 = number::read(&certificate.units.moment)? * number::read(&certificate.units.energy)? * RBig::from(2);
     let energy = number::read(&certificate.units.energy)?;
     let norm = &orders.spaces.norm.ends()[1] * &energy;
@@ -109,9 +112,9 @@ fn listed<'a>(document: &'a AtlasDocument, certificate: &CertificateDocument) ->
 
 impl Listed<'_> {
     fn is_of_its_kind(&self, pieces: &Pieces, together: &[usize]) -> Result<(), &'static str> {
-        let (kind, mut curves) = match self.source.end() {
+        let (kind, curves) = match self.source.end() {
             Some(End::Cusp(cusp)) => (EventKind::Cusp, pieces.at_cusp(cusp)),
-            Some(End::Pitchfork(fork)) => (EventKind::Pitchfork, pieces.forks[fork].curves.clone()),
+            Some(End::Pitchfork(fork)) => (EventKind::Pitchfork, pieces.at_fork(fork)),
             _ => (EventKind::Crossing, together.to_vec()),
         };
         if self.document.kind != kind {
@@ -121,12 +124,11 @@ impl Listed<'_> {
         for id in &self.document.curves {
             named.push(pieces.find(id).map_err(|_unknown| "it names a curve that does not exist")?);
         }
-        named.sort_unstable();
-        curves.sort_unstable();
-        // A meeting at a cusp or pitchfork names the line and one of the curves there.
+        // A meeting at a cusp or pitchfork names one of the curves there and the line.
         let one_of_several = kind == EventKind::Crossing && curves.len() > 2;
         let right = if one_of_several {
-            named.len() == 2 && named[0] != named[1] && named.iter().all(|curve| curves.contains(curve))
+            let is_line = |curve: &usize| matches!(pieces.list[*curve].branch, Branch::Line(_));
+            named.iter().map(is_line).eq([false, true]) && named.iter().all(|curve| curves.contains(curve))
         } else {
             named == curves
         };

@@ -1,12 +1,12 @@
 //! Where two curves are compared: nodes of their common range.
 
-use schema::CertifiedNode;
+use schema::{CertifiedNode, PlaceDocument};
 
 use super::equilibria::Point;
 use super::fixed::Fixed;
 use super::orders::Orders;
 use super::pieces::{Branch, coordinates};
-use super::place::Side;
+use super::place::{Place, Side};
 use super::stand::Stand;
 use super::{Refused, number};
 
@@ -35,7 +35,11 @@ pub(super) fn read(
         return compare(orders, curves, x, stands, false).map(Some);
     }
     let ends = curves.map(|c| orders.pieces.list[c].ends[side]);
-    if ends[0] == ends[1] { Ok(None) } else { at_end(orders, curves, node, side).map(Some) }
+    match (ends[0] == ends[1], &node.places) {
+        (true, None) => Ok(None),
+        (true, Some(_)) => Err(orders.refused(curves, 0.0, "places are told where none are needed")),
+        (false, _) => at_end(orders, curves, node, side).map(Some),
+    }
 }
 
 /// The node at an end of one curve over or under which the other goes on.
@@ -53,11 +57,28 @@ fn at_end(orders: &Orders, curves: [usize; 2], node: &CertifiedNode, side: usize
         _ => return Err(refuse("two ends are not told apart")),
     };
     let point = orders.pieces.end_point(orders.spaces, curves[ending], side).ok_or_else(missing)?;
+    if !is_end_held(orders, curves[ending], node.places.as_ref().map(|p| &p[ending]), side) {
+        return Err(refuse("the place of an end is another"));
+    }
     let end = Stand { y: coordinate(orders, curves[ending], &point), point };
     let other = orders.stand(curves[1 - ending], node.places.as_ref().map(|p| &p[1 - ending]), &x)?;
     let stands = if ending == 0 { [end, other] } else { [other, end] };
     let meet = orders.meetings.contains(&(curves[ending], side, curves[1 - ending]));
     compare(orders, curves, x, stands, meet)
+}
+
+/// A place holds the range in which the end of a curve is known to lie, or is not told where the other curve needs none.
+fn is_end_held(orders: &Orders, curve: usize, place: Option<&PlaceDocument>, side: usize) -> bool {
+    let piece = &orders.pieces.list[curve];
+    let Some(place) = place else { return true };
+    let end = &piece.range[if piece.rising { side } else { 1 - side }];
+    let (Some(place), Some([low, high])) = (Place::read(place, orders.spaces), end) else { return false };
+    let [from, to] = place.range(orders.spaces);
+    let of_branch = match piece.branch {
+        Branch::Over(base) => place.side == Side::Over && place.base == base,
+        _ => place.side != Side::Over,
+    };
+    of_branch && from <= *low && *high <= to
 }
 
 fn compare(orders: &Orders, curves: [usize; 2], x: Fixed, stands: [Stand; 2], meet: bool) -> Result<Node, Refused> {

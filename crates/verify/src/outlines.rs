@@ -1,5 +1,5 @@
-//! Pictures of a document, point by point: polylines lie on their curves, outlines on the curves around their regions or on
-//! the border of the view, and what they hold are the cells of their regions.
+//! The outlines of regions: corners lie on the curves around their regions or on the border of the view, and what they hold are
+//! the cells of their regions.
 
 use schema::{AtlasDocument, CellDocument, RegionDocument, WindowDocument};
 
@@ -30,7 +30,8 @@ pub(super) fn regions(
         if !outlines.iter().flatten().all(|point| is_around(plane, region, view, *point)) {
             return Err(refuse("its outline leaves its boundary"));
         }
-        if outlines.iter().any(|outline| outline.len() < 4 || outline.first() != outline.last()) {
+        let stays = |outline: &Vec<[f64; 2]>| outline.windows(2).any(|pair| pair[0] == pair[1]);
+        if outlines.iter().any(|outline| outline.len() < 4 || outline.first() != outline.last() || stays(outline)) {
             return Err(refuse("its outline is not closed"));
         }
         for (number, slab) in slabs.iter().enumerate() {
@@ -65,32 +66,6 @@ fn is_inside(outlines: &[Vec<[f64; 2]>], [h, l]: [f64; 2]) -> bool {
         (from > l) != (to > l) && p + (q - p) * (l - from) / (to - from) > h
     };
     outlines.iter().flat_map(|outline| outline.windows(2)).filter(|pair| crosses(pair)).count() % 2 == 1
-}
-
-/// Every point of a polyline is on its curve; l rises, but for rounding, from its beginning to its end, or on.
-pub(super) fn polylines(document: &AtlasDocument, plane: &Plane) -> Result<(), Refused> {
-    let refuse = || Refused::Field { field: "curves.polyline" };
-    if document.curves.iter().all(|curve| curve.polyline.is_empty()) {
-        return Ok(());
-    }
-    for curve in &document.curves {
-        let line = &curve.polyline;
-        let rises = line.windows(2).all(|pair| pair[0][1] <= pair[1][1] * (1.0 + POINT));
-        let (Some(first), Some(last)) = (line.first(), line.last()) else { return Err(refuse()) };
-        let near = |l: f64, end: f64| (l - end).abs() <= POINT * end.abs();
-        let begins = near(first[1], curve.l_range[0].unwrap_or(0.0));
-        if !rises || !begins || !curve.l_range[1].is_none_or(|end| near(last[1], end)) {
-            return Err(refuse());
-        }
-        for [h, l] in line {
-            let [height, room] = plane.height(&curve.id, *l).ok_or_else(refuse)?;
-            let near = (h - height).abs() <= room;
-            if !near {
-                return Err(refuse());
-            }
-        }
-    }
-    Ok(())
 }
 
 /// A corner of an outline lies in the view, on a curve around a cell of the region or between them at the lowest or highest

@@ -27,13 +27,11 @@ pub(super) fn pairs(certificate: &CertificateDocument, orders: &Orders) -> Resul
             if node::common_range(orders, [a, b])?.is_none() {
                 continue;
             }
-            let curves_of = |pair: &CertifiedPair| {
-                [[a, b], [b, a]].into_iter().find(|curves| curves.map(|c| &list[c].id) == pair.curves.each_ref())
-            };
-            let claim = certificate.pairs.iter().find_map(|pair| Some((curves_of(pair)?, pair)));
-            let missing = || orders.refused([a, b], 0.0, "the certificate does not tell their order");
-            let (curves, claim) = claim.ok_or_else(missing)?;
-            crossings.extend(pair(orders, curves, claim)?.into_iter().map(|x| ([a, b], x)));
+            let is_listed = |pair: &&CertifiedPair| [a, b].map(|c| &list[c].id) == pair.curves.each_ref();
+            let claim = certificate.pairs.get(used).filter(is_listed);
+            let missing = || orders.refused([a, b], 0.0, "the certificate does not tell their order at its place");
+            let claim = claim.ok_or_else(missing)?;
+            crossings.extend(pair(orders, [a, b], claim)?.into_iter().map(|x| ([a, b], x)));
             used += 1;
         }
     }

@@ -268,6 +268,16 @@ impl Pieces {
         (0..self.list.len()).filter(|&c| self.list[c].ends.contains(&End::Cusp(cusp))).collect()
     }
 
+    /// The curves at a pitchfork: the one before, the one after, the pair.
+    pub fn at_fork(&self, fork: usize) -> Vec<usize> {
+        let mut curves = self.forks[fork].curves.clone();
+        curves.sort_by_key(|&c| {
+            let piece = &self.list[c];
+            (matches!(piece.branch, Branch::Over(_)), piece.ends[0] == End::Pitchfork(fork))
+        });
+        curves
+    }
+
     /// The equilibrium at which a curve ends, in coordinates that suit its other places.
     pub fn end_point(&self, spaces: &Spaces, curve: usize, side: usize) -> Option<Point> {
         let piece = &self.list[curve];

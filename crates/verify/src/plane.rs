@@ -8,7 +8,7 @@ use schema::CertificateDocument;
 
 use super::interval::Interval;
 use super::orders::Orders;
-use super::pieces::{Branch, End};
+use super::pieces::Branch;
 use super::trace::Traces;
 use super::{Refused, number};
 
@@ -16,7 +16,7 @@ use super::{Refused, number};
 pub(super) const POINT: f64 = 1e-9;
 
 /// What was asked before, by the curve and the bits of l.
-type Known = BTreeMap<(usize, u64), Option<[f64; 2]>>;
+type Known = BTreeMap<(usize, u64), Option<Near>>;
 
 /// Units of l² and of energy, and the curves.
 pub(super) struct Plane<'a> {
@@ -27,10 +27,16 @@ pub(super) struct Plane<'a> {
     pub energy: f64,
     /// |r|.
     pub norm: f64,
+    /// Curves are drawn up to this l where nothing else is asked: thrice √(r a), at which kinetic and potential energy are
+    /// alike.
+    pub natural: f64,
+    /// The pieces of the pole lines, and the x from which to which they run.
+    lines: Vec<(usize, bool, [f64; 2])>,
     known: RefCell<Known>,
 }
 
 /// The tangent of a curve at a point next to some x.
+#[derive(Clone, Copy)]
 pub(super) struct Near {
     /// There over x itself.
     pub h: Interval,
@@ -46,7 +52,10 @@ impl<'a> Plane<'a> {
         let energy = energy.to_f64().value();
         let norm = orders.spaces.norm.to_f64() * energy;
         let traces = Traces::new(orders.spaces, orders.pieces)?;
-        Ok(Self { orders, traces, x, energy, norm, known: RefCell::default() })
+        let largest = orders.spaces.list.last().map_or(1.0, |space| space.a_set.to_f64());
+        let natural = 3.0 * (0.5 * orders.spaces.norm.to_f64().max(1.0) * largest * x).sqrt();
+        let lines = lines(orders)?;
+        Ok(Self { orders, traces, x, energy, norm, natural, lines, known: RefCell::default() })
     }
 
     /// l of an x.
@@ -54,19 +63,24 @@ impl<'a> Plane<'a> {
         (x.to_f64().value() * self.x).sqrt()
     }
 
+    /// The curve of an id that runs over l, in whose list it is; of a pole line on critical lines the one over l.
+    pub fn curve(&self, id: &str, l: f64) -> Option<usize> {
+        match self.orders.pieces.find(id) {
+            Ok(curve) => Some(curve),
+            Err(_) => self.line_over(id == "P+", l),
+        }
+    }
+
     /// The height of a curve over l, and how far a double may be from it; `None` where a curve of a family does not run (a line
     /// goes on beyond its ends).
     pub fn height(&self, id: &str, l: f64) -> Option<[f64; 2]> {
-        let curve = match self.orders.pieces.find(id) {
-            Ok(curve) => curve,
-            Err(_) => self.line_over(id == "P+", l)?,
-        };
-        *self.known.borrow_mut().entry((curve, l.to_bits())).or_insert_with(|| self.over(curve, l))
+        let near = self.over(self.curve(id, l)?, l)?;
+        Some([near.h.middle() * self.energy, 2.0 * near.room * self.energy])
     }
 
-    fn over(&self, curve: usize, l: f64) -> Option<[f64; 2]> {
-        let near = self.near(curve, l * l / self.x)?;
-        Some([near.h.middle() * self.energy, 2.0 * near.room * self.energy])
+    /// A curve over l, in the units of the certificate.
+    pub fn over(&self, curve: usize, l: f64) -> Option<Near> {
+        *self.known.borrow_mut().entry((curve, l.to_bits())).or_insert_with(|| self.near(curve, l * l / self.x))
     }
 
     /// A curve over x, in the units of the certificate; `None` where doubles do not tell it well.
@@ -81,14 +95,20 @@ impl<'a> Plane<'a> {
 
     /// A pole line that runs on critical lines has the height of any of them.
     fn line_over(&self, plus: bool, l: f64) -> Option<usize> {
-        let (spaces, pieces) = (self.orders.spaces, self.orders.pieces);
         let x = l * l / self.x;
-        let reach = |curve: usize, side: usize| match pieces.list[curve].ends[side] {
-            End::Origin => Some(0.0),
-            End::Infinity => Some(f64::INFINITY),
-            _ => Some(pieces.end_x(spaces, curve, side).ok()??.to_f64()),
-        };
-        let mut lines = (0..pieces.list.len()).filter(|&c| pieces.list[c].branch == Branch::Line(plus));
-        lines.find(|&c| reach(c, 0).zip(reach(c, 1)).is_some_and(|(from, to)| from <= x && x <= to))
+        let over = |(_, side, [from, to]): &&(usize, bool, [f64; 2])| *side == plus && *from <= x && x <= *to;
+        self.lines.iter().find(over).map(|(curve, ..)| *curve)
     }
+}
+
+fn lines(orders: &Orders) -> Result<Vec<(usize, bool, [f64; 2])>, Refused> {
+    let pieces = orders.pieces;
+    let mut lines = Vec::new();
+    for (curve, piece) in pieces.list.iter().enumerate() {
+        if let Branch::Line(plus) = piece.branch {
+            let [from, to] = [pieces.end_x(orders.spaces, curve, 0)?, pieces.end_x(orders.spaces, curve, 1)?];
+            lines.push((curve, plus, [from.map_or(0.0, |x| x.to_f64()), to.map_or(f64::INFINITY, |x| x.to_f64())]));
+        }
+    }
+    Ok(lines)
 }

@@ -17,7 +17,8 @@ pub(super) struct Sample {
     pub h: RBig,
 }
 
-/// What a face is made of, in the terms of a document.
+/// What a face is made of, in the terms of a document: by its cells with l, then h, rising, the curve below before the one
+/// above.
 #[derive(Default)]
 struct Face {
     cells: Vec<Cell>,
@@ -48,6 +49,10 @@ pub(super) fn regions(
             return Err(Refused::Summary { what, claimed, found });
         }
     }
+    let named = |(number, region): (usize, &RegionDocument)| region.id == format!("R{}", number + 1);
+    if !document.regions.iter().enumerate().all(named) {
+        return Err(Refused::Field { field: "regions.id" });
+    }
     let cells = |region: &RegionDocument| {
         let face = Face::named(&region.id, pieces, slabs);
         face.compared(region).map_err(|why| Refused::Region { region: region.id.clone(), why })
@@ -63,10 +68,13 @@ pub(super) fn samples(
     slabs: &[Slab],
     cells: &[Vec<Cell>],
 ) -> Result<Vec<Sample>, Refused> {
-    let found = |(region, cells): (&RegionDocument, &Vec<Cell>)| {
+    if certificate.samples.len() > document.regions.len() {
+        return Err(Refused::Field { field: "certificate.samples" });
+    }
+    let found = |(number, (region, cells)): (usize, (&RegionDocument, &Vec<Cell>))| {
         let refuse = |why| Refused::Region { region: region.id.clone(), why };
-        let sample = certificate.samples.iter().find(|sample| sample.region == region.id);
-        let sample = sample.ok_or_else(|| refuse("it has no sample"))?;
+        let sample = certificate.samples.get(number).filter(|sample| sample.region == region.id);
+        let sample = sample.ok_or_else(|| refuse("it has no sample at its place"))?;
         let slab = slabs.get(sample.slab).ok_or_else(|| refuse("its sample lies in no slab"))?;
         let exact = number::read(&sample.h)?;
         let h = orders.spaces.set(&exact);
@@ -80,7 +88,7 @@ pub(super) fn samples(
             Some(position) => Ok(Sample { cell: (sample.slab, position), h: exact }),
         }
     };
-    document.regions.iter().zip(cells).map(found).collect()
+    document.regions.iter().zip(cells).enumerate().map(found).collect()
 }
 
 impl Face {
@@ -102,35 +110,34 @@ impl Face {
         let below = position.checked_sub(1).map(|k| slab.faces[k].clone());
         let above = upper.map(|upper| (Some(slab.faces[position + 1].clone()), upper));
         for (face, curve) in [(below, lower)].into_iter().chain(above) {
-            self.boundary.push(id(curve));
+            add_new(&mut self.boundary, id(curve));
             // A critical line is also a pole line.
             if let (true, Branch::Line(plus)) = (pieces.list[curve].critical, pieces.list[curve].branch) {
-                self.boundary.push(if plus { "P+" } else { "P-" }.to_owned());
+                add_new(&mut self.boundary, if plus { "P+" } else { "P-" }.to_owned());
             }
-            self.neighbours.push((face, id(curve)));
+            add_new(&mut self.neighbours, (face, id(curve)));
         }
         self.described.push((id(lower), upper.map(id)));
         self.cells.push(cell);
     }
 
     /// The cells, if the region describes this face.
-    fn compared(mut self, region: &RegionDocument) -> Result<Vec<Cell>, &'static str> {
+    fn compared(self, region: &RegionDocument) -> Result<Vec<Cell>, &'static str> {
         let described = region.cells.iter().map(|cell| (&cell.lower, cell.upper.as_ref()));
         if self.cells.is_empty() || !described.eq(self.described.iter().map(|(p, q)| (p, q.as_ref()))) {
             return Err("its cells are not those of the face");
         }
-        let mut boundary = region.boundary.clone();
-        for list in [&mut boundary, &mut self.boundary] {
-            list.sort();
-            list.dedup();
-        }
-        if boundary != self.boundary {
+        if region.boundary != self.boundary {
             return Err("its boundary is another");
         }
-        let mut neighbours: Vec<_> = region.neighbours.iter().map(|n| (n.region.clone(), n.curve.clone())).collect();
-        neighbours.sort();
-        self.neighbours.sort();
-        self.neighbours.dedup();
-        if neighbours == self.neighbours { Ok(self.cells) } else { Err("its neighbours are others") }
+        let neighbours = region.neighbours.iter().map(|n| (&n.region, &n.curve));
+        let found = self.neighbours.iter().map(|(region, curve)| (region, curve));
+        if neighbours.eq(found) { Ok(self.cells) } else { Err("its neighbours are others") }
+    }
+}
+
+fn add_new<T: PartialEq>(list: &mut Vec<T>, entry: T) {
+    if !list.contains(&entry) {
+        list.push(entry);
     }
 }

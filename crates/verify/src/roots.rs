@@ -97,7 +97,7 @@ pub(super) fn inflection(
     spaces: &Spaces,
 ) -> Result<Option<(usize, Point)>, Refused> {
     if spaces.active.len() < 3 {
-        return Ok(None);
+        return if certificate.inflection.is_none() { Ok(None) } else { Err(Refused::Inflection) };
     }
     let place = certificate.inflection.as_ref().and_then(|place| Place::read(place, spaces));
     let place = place.filter(|place| place.side != Side::Over).ok_or(Refused::Inflection)?;

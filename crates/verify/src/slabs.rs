@@ -55,10 +55,9 @@ impl<'a> Transitions<'a> {
     fn read(certificate: &'a CertificateDocument, events: &'a Events) -> Result<Self, Refused> {
         let refuse = |number, why| Err(Refused::Slab { number, why });
         let groups = &certificate.transitions;
-        let mut listed: Vec<usize> = groups.iter().flatten().copied().collect();
-        listed.sort_unstable();
-        if !listed.into_iter().eq(0..events.x.len()) || groups.iter().any(Vec::is_empty) {
-            return refuse(0, "the transitions do not hold every event once");
+        let listed = groups.iter().flatten().copied();
+        if !listed.eq(0..events.x.len()) || groups.iter().any(Vec::is_empty) {
+            return refuse(0, "the transitions do not hold every event once, by their numbers");
         }
         let transitions = Self { groups, events };
         if let Some(t) = (0..groups.len()).find(|&t| !transitions.is_one(t)) {

@@ -43,6 +43,7 @@ pub(super) fn stand(
 ) -> Result<Stand, Refused> {
     let piece = &pieces.list[curve];
     let found = match piece.branch {
+        Branch::Line(_) | Branch::Rotation(_) if place.is_some() => None,
         Branch::Line(plus) => spaces.line(plus, x).map(|point| Stand { y: None, point }),
         Branch::Rotation(base) => Some(Stand { y: None, point: spaces.rotation(base, x) }),
         Branch::Generic(_) | Branch::Over(_) => place

@@ -6,29 +6,33 @@ use std::collections::BTreeMap;
 
 use super::Refused;
 use super::body::Body;
+use super::command;
 use super::component;
 use super::orders::Orders;
+use super::part;
 use super::pieces::Branch;
 use super::slabs::Slab;
 
-/// Checks versions and command by their form, the flags of the body, and that nothing is left out.
+/// Checks the version by its form, the command, the flags of the body, and that nothing is left out.
 pub(super) fn frame(document: &AtlasDocument, body: &Body) -> Result<(), Refused> {
     let refuse = |field| Err(Refused::Field { field });
     if document.head.schema_version != schema::SCHEMA_VERSION {
         return refuse("schema_version");
     }
-    let is_version = |text: &str| text.split('.').count() == 3 && text.starts_with(|c: char| c.is_ascii_digit());
+    let is_number = |part: &str| !part.is_empty() && part.bytes().all(|c| c.is_ascii_digit());
+    let is_version = |text: &str| {
+        let numbers = text.split(['-', '+']).next().unwrap_or_default();
+        let after = &text[numbers.len()..];
+        let is_tag = |c: u8| c.is_ascii_alphanumeric() || b"-+.".contains(&c);
+        numbers.split('.').count() == 3 && numbers.split('.').all(is_number) && after.bytes().all(is_tag)
+    };
     if !is_version(&document.head.version) {
         return refuse("version");
     }
-    if !document.head.command.starts_with("bifdiag atlas ") {
+    if document.head.command != command::canonical(document) {
         return refuse("command");
     }
-    let mut flags = flags(body);
-    if document.body.part.is_some() {
-        // The exact tensor of a part decides these; A and r may be rounded.
-        (flags.unphysical, flags.plate) = (document.body.flags.unphysical, document.body.flags.plate);
-    }
+    let flags = part::check(document, body, flags(body))?;
     if document.body.flags != flags {
         return refuse("body: unphysical, plate, symmetric, plane, axis or euler");
     }

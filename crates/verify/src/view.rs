@@ -3,7 +3,6 @@
 use schema::{AtlasDocument, CurveDocument, CurveKind, WindowDocument};
 
 use super::Refused;
-use super::orders::Orders;
 use super::plane::Plane;
 
 /// Numbers of a window are right to this share of it.
@@ -13,16 +12,11 @@ const WHY: Refused = Refused::Field { field: "view" };
 struct View<'a> {
     document: &'a AtlasDocument,
     plane: &'a Plane<'a>,
-    /// Curves are drawn up to this l where nothing else is asked.
-    natural: f64,
 }
 
 /// Checks both windows.
-pub(super) fn check(document: &AtlasDocument, orders: &Orders, plane: &Plane) -> Result<(), Refused> {
-    // √(r a) is the momentum at which kinetic and potential energy are alike.
-    let largest = orders.spaces.list.last().map_or(1.0, |space| space.a_set.to_f64());
-    let natural = 3.0 * (0.5 * orders.spaces.norm.to_f64().max(1.0) * largest * plane.x).sqrt();
-    let view = View { document, plane, natural };
+pub(super) fn check(document: &AtlasDocument, plane: &Plane) -> Result<(), Refused> {
+    let view = View { document, plane };
     let l: Vec<f64> = document.events.iter().map(|event| event.l).collect();
     let last = l.last().copied().unwrap_or(0.0);
     // An event at more than twelve times the l of the one before is left to an inset.
@@ -45,7 +39,7 @@ impl View<'_> {
     /// l = 0 and half as far again, of the events, of curves of the last events, and of the middle one of the curves at the top.
     fn window(&self, last: f64, lowest: Option<&CurveDocument>) -> Option<WindowDocument> {
         let events = || self.document.events.iter().filter(move |event| event.l <= last);
-        let end = self.natural.max(1.6 * self.document.events.last().map_or(0.0, |event| event.l));
+        let end = self.plane.natural.max(1.6 * self.document.events.last().map_or(0.0, |event| event.l));
         let top = if last > 0.0 {
             1.25 * last.max(self.start_of_positive_energies(lowest, end.min(12.0 * last))?)
         } else {

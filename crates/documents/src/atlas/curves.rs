@@ -40,11 +40,8 @@ fn coincident_pole_line(name: &str, words: String, pieces: &[String], documents:
     let parts: Vec<&CurveDocument> = documents.iter().filter(|d| pieces.contains(&d.id)).collect();
     let mut by_l = parts.clone();
     by_l.sort_by(|p, q| p.l_range[0].unwrap_or(0.0).total_cmp(&q.l_range[0].unwrap_or(0.0)));
-    let mut polyline: Vec<[f64; 2]> = Vec::new();
-    for part in by_l {
-        let skip = usize::from(polyline.last() == part.polyline.first() && !polyline.is_empty());
-        polyline.extend(part.polyline.iter().skip(skip));
-    }
+    let mut polyline: Vec<[f64; 2]> = by_l.into_iter().flat_map(|part| part.polyline.iter().copied()).collect();
+    polyline.dedup();
     CurveDocument {
         id: name.to_owned(),
         kind: if name == "P+" { CurveKind::PolePlus } else { CurveKind::PoleMinus },

@@ -1,0 +1,97 @@
+//! How far a curve leaves the chord between two of its points.
+
+use super::interval::Interval;
+use super::orders::Orders;
+use super::pieces::Branch;
+use super::plane::{Near, POINT, Plane};
+
+/// A chord is halved so many times before its curve is said to leave it.
+const HALVINGS: u32 = 8;
+
+/// The chords of curves in the plane of h and l.
+pub(super) struct Chords<'a> {
+    plane: &'a Plane<'a>,
+    orders: &'a Orders<'a>,
+    /// x and J where the slope of the generic family turns.
+    turn: Option<[Interval; 2]>,
+}
+
+/// A point of a curve over l.
+#[derive(Clone, Copy)]
+struct At {
+    l: f64,
+    near: Near,
+}
+
+impl<'a> Chords<'a> {
+    pub fn new(plane: &'a Plane<'a>, orders: &'a Orders) -> Self {
+        let turn = orders.inflection.as_ref().map(|(_, point)| [&point.x, &point.j].map(Interval::of));
+        Self { plane, orders, turn }
+    }
+
+    /// Between two l, over which the curve is `off` by so much in h, it leaves a chord by at most so much, all in the units of the
+    /// document.
+    pub fn hold(&self, curve: usize, ends: [f64; 2], off: [f64; 2], most: f64) -> bool {
+        let at = |l: f64| Some(At { l, near: self.plane.over(curve, l)? });
+        let [Some(from), Some(to)] = ends.map(at) else { return false };
+        let energy = self.plane.energy;
+        self.halved(curve, [from, to], off.map(|off| off / energy), most / energy, HALVINGS)
+    }
+
+    /// Likewise for a part of the chord, at whose ends the curve is `off` from the whole: between them it is not further off
+    /// than there and from the chord of the part.
+    fn halved(&self, curve: usize, [from, to]: [At; 2], off: [f64; 2], most: f64, halvings: u32) -> bool {
+        let here = off[0].abs().max(off[1].abs());
+        if here + self.sagitta(curve, [from, to]) <= most {
+            return true;
+        }
+        let l = 0.5 * (from.l + to.l);
+        if halvings == 0 || here > most || !(from.l < l && l < to.l) {
+            return false;
+        }
+        let Some(near) = self.plane.near(curve, l * l / self.plane.x) else { return false };
+        let middle = At { l, near };
+        let straight = 0.5 * (from.near.h.middle() - off[0] + to.near.h.middle() - off[1]);
+        let aside = near.h.middle() - straight;
+        self.halved(curve, [from, middle], [off[0], aside], most, halvings - 1)
+            && self.halved(curve, [middle, to], [aside, off[1]], most, halvings - 1)
+    }
+
+    /// A bound on the distance in h of the curve from its chord.
+    ///
+    /// Over x the slope is 1/J, and J is monotone (Proposition 3.8): the curve lies between the chord over x and its two
+    /// tangents at the ends, which meet at w a b/(a + b) from the chord with the width w and the differences a, b of slopes. The
+    /// chord over x lies below that over l, by slope (Δl)²/8. On both sides of the place where J turns J lies between its values
+    /// at the ends and there.
+    fn sagitta(&self, curve: usize, [from, to]: [At; 2]) -> f64 {
+        let x = [from, to].map(|at| at.l * at.l / self.plane.x);
+        let width = x[1] - x[0];
+        if width <= 0.0 {
+            return 0.0;
+        }
+        let room = from.near.room + to.near.room;
+        let slope = (to.near.h.middle() - from.near.h.middle()) / width;
+        let slopes = [from, to].map(|at| at.near.j.recip().middle());
+        let bow = (slope.abs() + room / width) * (to.l - from.l).powi(2) / (4.0 * self.plane.x);
+        let apart = |other: f64| (other - slope).abs() + POINT * other.abs() + room / width;
+        let turns = self.turn.as_ref().filter(|[at, _]| {
+            let [low, high] = at.ends();
+            let aside = POINT * x[1];
+            matches!(self.orders.pieces.list[curve].branch, Branch::Generic(_))
+                && low <= x[1] + aside
+                && x[0] - aside <= high
+        });
+        if let Some([_, j]) = turns {
+            let all = [slopes[0], slopes[1], j.recip().middle()];
+            let [low, high] =
+                [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(0.0, f64::max)];
+            return 0.25 * width * apart(high).max(apart(low)).min(high - low + POINT * high)
+                + bow
+                + room
+                + 0.25 * width * (high - low);
+        }
+        let [a, b] = slopes.map(apart);
+        let apex = width * a * b / (a + b);
+        (if slopes[0] < slopes[1] { apex + bow } else { apex.max(bow) }) + room
+    }
+}
