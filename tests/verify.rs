@@ -283,20 +283,20 @@ fn every_field_is_refused_when_it_is_forged() {
     }
 }
 
-/// Every list of the document with an entry left out, one told twice or two exchanged, in three places of each, sealed anew,
-/// is refused. Of points of pictures three of four are left out: without one a chord may be as good as others.
+/// Every list of the document with an entry left out, one told twice or two exchanged, in three places where it first stands,
+/// sealed anew, is refused. Of points of pictures three of four are left out: without one a chord may be as good as others.
 #[test]
 fn every_list_is_refused_when_it_is_forged() {
+    let mut known = BTreeSet::new();
     for document in whole_documents() {
         let document = serde_json::to_value(document).unwrap();
         let mut fields = BTreeMap::new();
         lists(&document, "", "", &mut fields);
         assert!(fields.len() > 30, "{}", fields.len());
-        // Outlines may be coarser.
-        fields.retain(|field, _| !field.contains("polygon"));
         for (field, pointers) in fields {
-            let chosen: BTreeSet<usize> = [0, pointers.len() / 2, pointers.len() - 1].into();
-            for pointer in chosen.into_iter().map(|number| &pointers[number]) {
+            let middle = pointers.len() / 2;
+            let chosen = if known.insert(field.clone()) { [0, middle, pointers.len() - 1] } else { [middle; 3] };
+            for pointer in BTreeSet::from(chosen).into_iter().map(|number| &pointers[number]) {
                 let list = document.pointer(pointer).unwrap().as_array().unwrap();
                 for (what, forgery) in forged_lists(list) {
                     assert!(is_refused(&document, pointer, Value::Array(forgery)), "{what}: {field} at {pointer}");

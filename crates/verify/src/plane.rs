@@ -15,6 +15,9 @@ use super::{Refused, number};
 /// A point of a picture is one of a curve to this share of the energies there, and of l.
 pub(super) const POINT: f64 = 1e-9;
 
+/// Energies below this are none: without r they begin at 0, which a double may miss.
+const LEAST: f64 = 1e-50;
+
 /// What was asked before, by the curve and the bits of l.
 type Known = BTreeMap<(usize, u64), Option<Near>>;
 
@@ -58,11 +61,6 @@ impl<'a> Plane<'a> {
         Ok(Self { orders, traces, x, energy, norm, natural, lines, known: RefCell::default() })
     }
 
-    /// l of an x.
-    pub fn momentum(&self, x: &RBig) -> f64 {
-        (x.to_f64().value() * self.x).sqrt()
-    }
-
     /// The curve of an id that runs over l, in whose list it is; of a pole line on critical lines the one over l.
     pub fn curve(&self, id: &str, l: f64) -> Option<usize> {
         match self.orders.pieces.find(id) {
@@ -88,7 +86,7 @@ impl<'a> Plane<'a> {
         let over = self.traces.over(curve, x)?;
         let aside = Interval::point(x) - over.x;
         let h = over.h + aside * over.j.recip();
-        let room = POINT * (h.middle().abs() + self.norm / self.energy) + f64::MIN_POSITIVE;
+        let room = POINT * (h.middle().abs() + self.norm / self.energy) + LEAST;
         let is_near = aside.ends().iter().all(|end| end.abs() <= POINT * x + f64::MIN_POSITIVE);
         (is_near && h.radius() <= room).then_some(Near { h, j: over.j, room })
     }
