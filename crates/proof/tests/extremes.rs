@@ -84,6 +84,18 @@ fn beside_katoks_borders() {
     stays_the_same(6, &[12, 18], |e| [n("1"), n("1") - e, n("1.4"), n("1"), n("0"), n("0")]);
 }
 
+/// Two families over moments that all but coincide, with their cusps, run side by side wherever r lies on the third axis.
+#[test]
+fn beside_lagranges_top_with_cusps() {
+    for largest in ["2", "3", "1.5"] {
+        stays_the_same(4, &[9, 10, 12, 15, 18, 24], |e| [n(largest), n("1") + e, n("1"), n("1"), n("0"), n("0")]);
+    }
+    stays_the_same(4, &[11, 18], |e| [n("1.25"), n("1") + e, n("1"), n("0.6"), n("0"), n("0")]);
+    // The smallest axis, and the other one of the two.
+    stays_the_same(4, &[9, 12, 18], |e| [n("1"), n("1") + e, n("0.6"), n("0"), n("0"), n("1")]);
+    stays_the_same(4, &[9, 12, 18], |e| [n("1"), n("1") + e, n("2"), n("0"), n("0"), n("-0.7")]);
+}
+
 #[test]
 fn what_is_not_proved_is_named_by_the_ids_of_curves() {
     let parts = |e: RBig| [n("1"), RBig::from(5) / RBig::from(9), n("0.5") + e, n("1"), n("0"), n("0")];
