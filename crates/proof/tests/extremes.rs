@@ -87,8 +87,8 @@ fn beside_katoks_borders() {
 /// Two families over moments that all but coincide, with their cusps, run side by side wherever r lies on the third axis.
 #[test]
 fn beside_lagranges_top_with_cusps() {
-    for largest in ["2", "3", "1.5"] {
-        stays_the_same(4, &[9, 10, 12, 15, 18, 24], |e| [n(largest), n("1") + e, n("1"), n("1"), n("0"), n("0")]);
+    for largest in ["2", "1.9", "1.5"] {
+        stays_the_same(4, &[9, 10, 12, 15, 18], |e| [n(largest), n("1") + e, n("1"), n("1"), n("0"), n("0")]);
     }
     stays_the_same(4, &[11, 18], |e| [n("1.25"), n("1") + e, n("1"), n("0.6"), n("0"), n("0")]);
     // The smallest axis, and the other one of the two.
