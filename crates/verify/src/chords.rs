@@ -72,7 +72,8 @@ impl<'a> Chords<'a> {
         let room = from.near.room + to.near.room;
         let slope = (to.near.h.middle() - from.near.h.middle()) / width;
         let slopes = [from, to].map(|at| at.near.j.recip().middle());
-        let bow = (slope.abs() + room / width) * (to.l - from.l).powi(2) / (4.0 * self.plane.x);
+        let length = to.l - from.l;
+        let bow = (slope.abs() + room / width) * length * length / (4.0 * self.plane.x);
         let apart = |other: f64| (other - slope).abs() + POINT * other.abs() + room / width;
         let turns = self.turn.as_ref().filter(|[at, _]| {
             let [low, high] = at.ends();

@@ -32,19 +32,19 @@ struct Line(String);
 impl Line {
     /// `--name value`, as a POSIX shell reads it: a hyphen at the front is joined by `=`, what is not plain is quoted.
     fn option(&mut self, name: &str, value: &str) {
-        let joint = if value.starts_with('-') { '=' } else { ' ' };
+        let joint = if value.starts_with('-') { "=" } else { " " };
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "+-./:=,_".contains(c);
         let value = if !value.is_empty() && value.chars().all(is_plain) {
             value.to_owned()
         } else {
             format!("'{}'", value.replace('\'', r"'\''"))
         };
-        self.0 += &format!(" --{name}{joint}{value}");
+        self.0.extend([" --", name, joint, &value]);
     }
 
     fn flag(&mut self, name: &str, is_set: bool) {
         if is_set {
-            self.0 += &format!(" --{name}");
+            self.0.extend([" --", name]);
         }
     }
 }

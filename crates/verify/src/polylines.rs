@@ -50,6 +50,6 @@ fn is_chord(
         return (pair[0] != pair[1] || is_short) && l <= l_to * (1.0 + POINT);
     }
     let steepness = (h_to - h) / (l_to - l) * width / height;
-    let most = CHORD * height * steepness.hypot(1.0);
+    let most = CHORD * height * (1.0 + steepness * steepness).sqrt();
     plane.curve(id, 0.5 * (l + l_to)).is_some_and(|curve| chords.hold(curve, [l, l_to], [0.0; 2], most))
 }
