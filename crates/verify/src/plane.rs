@@ -61,6 +61,11 @@ impl<'a> Plane<'a> {
         Ok(Self { orders, traces, x, energy, norm, natural, lines, known: RefCell::default() })
     }
 
+    /// l of an x.
+    pub fn momentum(&self, x: &RBig) -> f64 {
+        (x.to_f64().value() * self.x).sqrt()
+    }
+
     /// The curve of an id that runs over l, in whose list it is; of a pole line on critical lines the one over l.
     pub fn curve(&self, id: &str, l: f64) -> Option<usize> {
         match self.orders.pieces.find(id) {
