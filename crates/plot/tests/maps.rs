@@ -4,7 +4,7 @@ mod picture_letters;
 mod picture_svg;
 mod picture_texts;
 
-use picture_letters::too_small;
+use picture_letters::unprintable;
 use picture_texts::{assert_texts_are_apart, texts};
 use plot::{Map, MapAxis, MapBodies, MapEntry, MapLine, Picture, Theme, Width, draw_map};
 
@@ -63,13 +63,32 @@ fn every_class_of_a_crowded_map_has_a_number_or_a_place() {
             assert!(!is_placed || texts.iter().any(|(text, _)| text.starts_with("at (A2, r3):")));
         }
         assert_eq!(placed > 0, count > 20, "{placed} of {count}");
-        assert_texts_can_be_read(&picture, width);
+        // No page holds the places of so many.
+        if count < 100 {
+            assert_eq!(unprintable(&picture, width), Vec::<String>::new());
+        }
+        assert_texts_are_apart(&texts);
     }
 }
 
-/// No text is too small in print, leaves the page or covers another.
+#[test]
+fn a_hundred_classes_fit_both_widths() {
+    let count = 110;
+    let step = |k: usize| 0.5 + 0.009 * k as f64;
+    let points = (0..count).map(|k| ([step(k), step(k * 37 % count)], Some(k))).collect();
+    let map = map(count, MapBodies::Points(points));
+    for width in Width::ALL {
+        let picture = draw_map(&map, Theme::Light, width).unwrap();
+        assert_texts_can_be_read(&picture, width);
+        let texts = texts(&picture);
+        let is_told = |entry: &MapEntry| texts.iter().any(|(text, _)| *text == entry.name);
+        assert!(map.entries.iter().all(is_told));
+    }
+}
+
+/// The picture fits a page, and no text is too small in print, leaves the page or covers another.
 fn assert_texts_can_be_read(picture: &Picture, width: Width) {
-    assert_eq!(too_small(picture, width), Vec::<String>::new());
+    assert_eq!(unprintable(picture, width), Vec::<String>::new());
     assert_texts_are_apart(&texts(picture));
 }
 

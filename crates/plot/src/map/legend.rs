@@ -18,8 +18,9 @@ pub(super) const BORDER: f64 = 0.8;
 const LINE_PITCH: f64 = 14.0;
 /// Between columns, and between what stands in a row.
 const BETWEEN: f64 = 16.0;
-/// Between a symbol and its text, between mark and name, and before the note.
+/// Between a symbol and its text, between mark and name, there in short, and before the note.
 const GAP: f64 = 7.0;
+const SHORT_GAP: f64 = 5.0;
 const BEFORE_NOTE: f64 = 11.0;
 
 /// How a line is drawn.
@@ -27,11 +28,11 @@ pub(super) fn line_pattern(dashed: bool, color: RGBColor) -> Pattern {
     if dashed { vec![(Some(color), 6.0), (None, 4.0)] } else { vec![(Some(color), 1.0)] }
 }
 
-/// The places for a legend: beside the map so wide and high, and below it so wide.
+/// The places for a legend: beside the map so wide and high, and below it so wide and, if that can be, no higher.
 #[derive(Clone, Copy)]
 pub(super) struct Places {
     pub beside: [f64; 2],
-    pub below: f64,
+    pub below: [f64; 2],
 }
 
 /// The lines of a legend, with the top left corner of each: relative to that of the place beside the map, and to that below.
@@ -42,11 +43,13 @@ pub(super) struct Legend {
 }
 
 /// The mark of an entry, its name, and what is told of it; the names and the notes of all entries begin below each other.
+#[derive(Clone)]
 struct Entry {
     fill: RGBColor,
     mark: String,
     name: String,
     note: String,
+    is_placed: bool,
 }
 
 enum Line {
@@ -55,11 +58,14 @@ enum Line {
     Stroke { dashed: bool, color: RGBColor, width: f64, texts: Vec<String> },
 }
 
-/// Where names and notes begin.
+/// Where names and notes begin, and how large marks and names are.
 #[derive(Clone, Copy)]
 struct Columns {
     name: f64,
     note: f64,
+    size: f64,
+    /// Before a name.
+    gap: f64,
 }
 
 impl Legend {
@@ -72,6 +78,7 @@ impl Legend {
             let place = if is_marked { None } else { spot(&map.bodies, number, view) };
             unmarked |= place.is_some();
             entries.push(Entry {
+                is_placed: place.is_some(),
                 fill: fill(map, Some(number)),
                 mark: if entry.mark == entry.name { String::new() } else { entry.mark.clone() },
                 name: entry.name.clone(),
@@ -81,40 +88,38 @@ impl Legend {
         let (_, unknown) = map.bodies.seen(map.entries.len(), view);
         if unknown {
             let [mark, note] = [String::new(), String::new()];
-            entries.push(Entry { fill: fill(map, None), mark, name: map.unknown.clone(), note });
+            let is_placed = false;
+            entries.push(Entry { fill: fill(map, None), mark, name: map.unknown.clone(), note, is_placed });
         }
-        let mut others = strokes(map, places.below);
-        if unmarked {
-            let [x, y] = [&map.x.name, &map.y.name];
-            let note = format!("at ({x}, {y}): a place in an area without room for its number");
-            others.push(Line::Note(lines(&note, SMALL, places.below)));
+        let full = Self::laid_out(entries.clone(), others(map, unmarked, places.below[0]), places, false);
+        if full.height_below <= places.below[1] {
+            return full;
         }
-        let columns = Columns::of(&entries);
-        let entries = entries.into_iter().map(|entry| Line::Entry(entry, columns)).collect();
-        Self::laid_out(entries, others, places)
+        // In short only what tells where an entry is.
+        entries.iter_mut().filter(|entry| !entry.is_placed).for_each(|entry| entry.note.clear());
+        Self::laid_out(entries, others(map, unmarked, places.below[0]), places, true)
     }
 
-    /// Everything beside the map where there is room for it, else only entries as far as they fit.
-    fn laid_out(mut entries: Vec<Line>, others: Vec<Line>, places: Places) -> Self {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some dozens")]
-        let whole = |number: f64| number.floor() as usize;
-        let widest = |lines: &[Line]| lines.iter().map(Line::width).fold(0.0, f64::max);
+    /// Everything beside the map where there is room for it, else only entries as far as they fit; below it in short, entries
+    /// without a note have columns of their own.
+    fn laid_out(entries: Vec<Entry>, others: Vec<Line>, places: Places, in_short: bool) -> Self {
+        let columns = Columns::of(&entries, in_short);
+        let mut entries: Vec<Line> = entries.into_iter().map(|entry| Line::Entry(entry, columns)).collect();
+        let [room, _] = places.below;
         let rows = if widest(&entries) <= places.beside[0] { whole(places.beside[1] / ROW) } else { 0 };
         let together = entries.len() + others.len() <= rows && widest(&others) <= places.beside[0];
-        let mut rest = entries.split_off(entries.len().min(rows));
+        let rest = entries.split_off(entries.len().min(rows));
+        let (noted, short): (Vec<Line>, Vec<Line>) = rest.into_iter().partition(|line| !in_short || line.is_noted());
         let mut below = Vec::new();
-        let columns = whole((places.below + BETWEEN) / (widest(&rest) + BETWEEN)).max(1);
-        let in_column = rest.len().div_ceil(columns);
-        let pitch = widest(&rest) + BETWEEN;
-        for (place, line) in rest.drain(..).enumerate() {
-            below.push((line, [(place / in_column) as f64 * pitch, (place % in_column) as f64 * ROW]));
+        let mut height_below = 0.0;
+        for group in [short, noted] {
+            height_below += in_columns(group, room, height_below, &mut below);
         }
-        let mut height_below = in_column as f64 * ROW;
         if together {
             entries.extend(others);
         } else if !others.is_empty() {
             let top = height_below + if height_below > 0.0 { 6.0 } else { 0.0 };
-            let corners = Rows::new(others.iter().map(|line| [line.width(), line.height()]), BETWEEN, places.below);
+            let corners = Rows::new(others.iter().map(|line| [line.width(), line.height()]), BETWEEN, room);
             height_below = top + corners.height;
             below.extend(others.into_iter().zip(corners.corners).map(|(line, [x, y])| (line, [x, top + y])));
         }
@@ -141,17 +146,48 @@ impl Legend {
     }
 }
 
+/// Adds lines in columns from `top` on, and tells their height.
+fn in_columns(lines: Vec<Line>, room: f64, top: f64, below: &mut Vec<(Line, Point)>) -> f64 {
+    let pitch = widest(&lines) + BETWEEN;
+    let in_column = lines.len().div_ceil(whole((room + BETWEEN) / pitch).max(1));
+    for (place, line) in lines.into_iter().enumerate() {
+        below.push((line, [(place / in_column) as f64 * pitch, top + (place % in_column) as f64 * ROW]));
+    }
+    in_column as f64 * ROW
+}
+
+fn widest(lines: &[Line]) -> f64 {
+    lines.iter().map(Line::width).fold(0.0, f64::max)
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some dozens")]
+fn whole(number: f64) -> usize {
+    number.floor() as usize
+}
+
 impl Columns {
-    fn of(entries: &[Entry]) -> Self {
+    fn of(entries: &[Entry], in_short: bool) -> Self {
+        let (size, gap) = if in_short { (SMALL, SHORT_GAP) } else { (SIZE, GAP) };
         let widest =
-            |text: fn(&Entry) -> &str| entries.iter().map(|entry| text_width(text(entry), SIZE)).fold(0.0, f64::max);
+            |text: fn(&Entry) -> &str| entries.iter().map(|entry| text_width(text(entry), size)).fold(0.0, f64::max);
         let mark = widest(|entry| &entry.mark);
-        let name = SWATCH + GAP + if mark > 0.0 { mark + GAP } else { 0.0 };
-        Self { name, note: name + widest(|entry| &entry.name) + BEFORE_NOTE }
+        let name = SWATCH + gap + if mark > 0.0 { mark + gap } else { 0.0 };
+        Self { name, note: name + widest(|entry| &entry.name) + BEFORE_NOTE, size, gap }
     }
 }
 
-/// What lines mean, each meaning once, in texts of at most so many pixels.
+/// What lines mean, and what a place in a note is, in texts of at most so many pixels.
+fn others(map: &Map, unmarked: bool, room: f64) -> Vec<Line> {
+    let mut others = strokes(map, room);
+    if unmarked {
+        let [x, y] = [&map.x.name, &map.y.name];
+        let note = format!("at ({x}, {y}): a place in an area without room for its number");
+        others.push(Line::Note(lines(&note, SMALL, room)));
+    }
+    others
+}
+
+/// What lines mean, each meaning once.
 fn strokes(map: &Map, room: f64) -> Vec<Line> {
     let stroke = |dashed, color, width, text: &str| {
         let texts = lines(text, SIZE, room - 2.0 * SWATCH - GAP);
@@ -174,10 +210,16 @@ fn strokes(map: &Map, room: f64) -> Vec<Line> {
 }
 
 impl Line {
+    fn is_noted(&self) -> bool {
+        matches!(self, Self::Entry(entry, _) if !entry.note.is_empty())
+    }
+
     fn width(&self) -> f64 {
         let widest = |texts: &[String], size| texts.iter().map(|text| text_width(text, size)).fold(0.0, f64::max);
         match self {
-            Self::Entry(entry, columns) if entry.note.is_empty() => columns.name + text_width(&entry.name, SIZE),
+            Self::Entry(entry, columns) if entry.note.is_empty() => {
+                columns.name + text_width(&entry.name, columns.size)
+            }
             Self::Entry(entry, columns) => columns.note + text_width(&entry.note, SMALL),
             Self::Note(texts) => widest(texts, SMALL),
             Self::Stroke { texts, .. } => 2.0 * SWATCH + GAP + widest(texts, SIZE),
@@ -204,9 +246,9 @@ impl Line {
                 let rect = Rect { x: at[0], y: top, width: SWATCH, height: SWATCH };
                 canvas.polygon(&rect.corners(), entry.fill);
                 canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 });
-                let marks_end = at[0] + columns.name - GAP;
-                canvas.text(&entry.mark, [marks_end, base], SIZE, INK, Anchor::End);
-                canvas.text(&entry.name, [at[0] + columns.name, base], SIZE, INK, Anchor::Start);
+                let Columns { name, size, gap, .. } = *columns;
+                canvas.text(&entry.mark, [at[0] + name - gap, base], size, INK, Anchor::End);
+                canvas.text(&entry.name, [at[0] + name, base], size, INK, Anchor::Start);
                 canvas.text(&entry.note, [at[0] + columns.note, base], SMALL, FAINT_INK, Anchor::Start);
             }
             Self::Note(notes) => texts(notes, at[0], SMALL, FAINT_INK),
