@@ -53,10 +53,12 @@ fn every_class_of_a_crowded_map_has_a_number_or_a_place() {
         let mut placed = 0;
         for entry in &map.entries {
             let legend = &entry.name;
-            let at = texts.iter().position(|(text, _)| text == legend);
+            // A name may be told by its first digits.
+            let is_name = |text: &str| text.len() >= 6 && legend.starts_with(text);
+            let at = texts.iter().position(|(text, _)| is_name(text));
             let at = at.unwrap_or_else(|| panic!("{legend} of {count} is not in the legend"));
             assert_eq!(texts[at - 1].0, entry.mark);
-            let is_placed = texts[at + 1].0.starts_with("at (");
+            let is_placed = texts[at + 1].0.trim_start_matches("at ").starts_with('(');
             placed += usize::from(is_placed);
             let is_marked = texts.iter().filter(|(text, _)| *text == entry.mark).count() > 1;
             assert!(is_marked || is_placed, "{legend} of {count} is nowhere");
@@ -81,8 +83,12 @@ fn a_hundred_classes_fit_both_widths() {
         let picture = draw_map(&map, Theme::Light, width).unwrap();
         assert_texts_can_be_read(&picture, width);
         let texts = texts(&picture);
-        let is_told = |entry: &MapEntry| texts.iter().any(|(text, _)| *text == entry.name);
-        assert!(map.entries.iter().all(is_told));
+        let is_told = |entry: &MapEntry, told: &str| told.len() >= 6 && entry.name.starts_with(told);
+        for entry in &map.entries {
+            let told: Vec<_> = texts.iter().filter(|(text, _)| is_told(entry, text)).collect();
+            let others = map.entries.iter().filter(|other| told.iter().any(|(text, _)| is_told(other, text))).count();
+            assert_eq!((told.len(), others), (1, 1), "{}", entry.name);
+        }
     }
 }
 

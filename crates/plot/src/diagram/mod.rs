@@ -15,6 +15,7 @@ mod legend;
 mod markers;
 mod motions;
 mod notes;
+mod options;
 mod outline;
 mod page;
 mod paint;
@@ -30,27 +31,14 @@ mod trace;
 mod view;
 mod window;
 
+pub use options::DiagramOptions;
 pub(crate) use palette::tint;
 pub use scene::{CurveSource, MarkedPoints};
 
-use crate::page::{Picture, PlotError, Theme, Width};
+use crate::page::{Picture, PlotError};
 use page::Page;
 use plan::Plan;
-use schema::{AtlasDocument, WindowDocument};
-
-/// How a diagram is drawn.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct DiagramOptions {
-    /// The part of the (h, l) plane of the main panel; `None`: chosen so that every event and every unbounded region
-    /// is inside.
-    pub window: Option<WindowDocument>,
-    /// Points marked in place of the samples of the regions.
-    pub points: Option<MarkedPoints>,
-    /// Colours.
-    pub theme: Theme,
-    /// For what width the panels are laid out.
-    pub width: Width,
-}
+use schema::AtlasDocument;
 
 /// Draws the bifurcation diagram: h to the right, l upwards, each region tinted and labelled with the type of its
 /// section, and magnified insets for what the main panel is too coarse for.

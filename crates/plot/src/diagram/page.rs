@@ -1,11 +1,11 @@
 //! A diagram with its legend, table and notes on a page.
 
-use super::DiagramOptions;
 use super::insets::{Magnifications, magnifications};
 use super::layout::{BELOW, LEFT, RIGHT, TOP, below_all, frames, inset_place, legend_place, page_width};
 use super::legend::{Symbol, legend, paint_symbol};
 use super::motions;
 use super::notes::{NOTE_SIZE, heading, notes, remark, units};
+use super::options::DiagramOptions;
 use super::paint::Diagram;
 use super::palette::branch_styles;
 use super::panel::Panel;

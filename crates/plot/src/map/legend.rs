@@ -10,6 +10,8 @@ use super::view::{SIZE, SMALL, View};
 use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Pattern, Point, Rect, Rows, lines, pattern, text_width};
 
 const ROW: f64 = 17.0;
+/// In short.
+const SHORT_ROW: f64 = 15.0;
 const SWATCH: f64 = 13.0;
 /// Widths of lines, and of borders between areas.
 pub(super) const LINE: f64 = 1.4;
@@ -18,9 +20,14 @@ pub(super) const BORDER: f64 = 0.8;
 const LINE_PITCH: f64 = 14.0;
 /// Between columns, and between what stands in a row.
 const BETWEEN: f64 = 16.0;
-/// Between a symbol and its text, between mark and name, there in short, and before the note.
+/// Between a symbol and its text, between mark and name, and before the note.
 const GAP: f64 = 7.0;
+/// Between all of these in short.
 const SHORT_GAP: f64 = 5.0;
+/// Before a place.
+const AT: &str = "at ";
+/// Letters of a name in short, at least.
+const NAME: usize = 6;
 const BEFORE_NOTE: f64 = 11.0;
 
 /// How a line is drawn.
@@ -66,6 +73,8 @@ struct Columns {
     size: f64,
     /// Before a name.
     gap: f64,
+    /// Width of the swatches with what is beside them; 0 where there are none.
+    swatch: f64,
 }
 
 impl Legend {
@@ -82,7 +91,7 @@ impl Legend {
                 fill: fill(map, Some(number)),
                 mark: if entry.mark == entry.name { String::new() } else { entry.mark.clone() },
                 name: entry.name.clone(),
-                note: place.map_or_else(|| entry.note.clone(), |place| format!("at ({})", short_place(place))),
+                note: place.map_or_else(|| entry.note.clone(), |place| format!("{AT}({})", short_place(place))),
             });
         }
         let (_, unknown) = map.bodies.seen(map.entries.len(), view);
@@ -95,35 +104,45 @@ impl Legend {
         if full.height_below <= places.below[1] {
             return full;
         }
-        // In short only what tells where an entry is.
-        entries.iter_mut().filter(|entry| !entry.is_placed).for_each(|entry| entry.note.clear());
-        Self::laid_out(entries, others(map, unmarked, places.below[0]), places, true)
+        // In short only what tells which entry it is and where.
+        for entry in &mut entries {
+            entry.note = if entry.is_placed { entry.note.replacen(AT, "", 1) } else { String::new() };
+        }
+        let shortened = shorten(&mut entries);
+        let mut others = others(map, unmarked, places.below[0]);
+        if shortened {
+            others.push(Line::Note(lines("names by their first digits", SMALL, places.below[0])));
+        }
+        Self::laid_out(entries, others, places, true)
     }
 
-    /// Everything beside the map where there is room for it, else only entries as far as they fit; below it in short, entries
-    /// without a note have columns of their own.
+    /// Everything beside the map where there is room for it, else only entries as far as they fit; in short all of them below
+    /// it, those with a place in columns of their own.
     fn laid_out(entries: Vec<Entry>, others: Vec<Line>, places: Places, in_short: bool) -> Self {
-        let columns = Columns::of(&entries, in_short);
-        let mut entries: Vec<Line> = entries.into_iter().map(|entry| Line::Entry(entry, columns)).collect();
         let [room, _] = places.below;
-        let rows = if widest(&entries) <= places.beside[0] { whole(places.beside[1] / ROW) } else { 0 };
-        let together = entries.len() + others.len() <= rows && widest(&others) <= places.beside[0];
-        let rest = entries.split_off(entries.len().min(rows));
-        let (noted, short): (Vec<Line>, Vec<Line>) = rest.into_iter().partition(|line| !in_short || line.is_noted());
-        let mut below = Vec::new();
-        let mut height_below = 0.0;
-        for group in [short, noted] {
-            height_below += in_columns(group, room, height_below, &mut below);
+        let (mut beside, mut below, mut height_below) = (Vec::new(), Vec::new(), 0.0);
+        let mut together = false;
+        if in_short {
+            let (placed, marked): (Vec<Entry>, Vec<Entry>) = entries.into_iter().partition(|entry| entry.is_placed);
+            for group in [marked, placed] {
+                height_below += in_columns(Columns::lines(group, true), [room, SHORT_ROW], height_below, &mut below);
+            }
+        } else {
+            beside = Columns::lines(entries, false);
+            let rows = if widest(&beside) <= places.beside[0] { whole(places.beside[1] / ROW) } else { 0 };
+            together = beside.len() + others.len() <= rows && widest(&others) <= places.beside[0];
+            let rest = beside.split_off(beside.len().min(rows));
+            height_below = in_columns(rest, [room, ROW], 0.0, &mut below);
         }
         if together {
-            entries.extend(others);
+            beside.extend(others);
         } else if !others.is_empty() {
             let top = height_below + if height_below > 0.0 { 6.0 } else { 0.0 };
             let corners = Rows::new(others.iter().map(|line| [line.width(), line.height()]), BETWEEN, room);
             height_below = top + corners.height;
             below.extend(others.into_iter().zip(corners.corners).map(|(line, [x, y])| (line, [x, top + y])));
         }
-        let beside = entries.into_iter().enumerate().map(|(row, line)| (line, [0.0, row as f64 * ROW])).collect();
+        let beside = beside.into_iter().enumerate().map(|(row, line)| (line, [0.0, row as f64 * ROW])).collect();
         Self { beside, below, height_below }
     }
 
@@ -146,14 +165,29 @@ impl Legend {
     }
 }
 
-/// Adds lines in columns from `top` on, and tells their height.
-fn in_columns(lines: Vec<Line>, room: f64, top: f64, below: &mut Vec<(Line, Point)>) -> f64 {
+/// Leaves of long names that are one word as many letters as tell them apart; tells whether it did.
+fn shorten(entries: &mut [Entry]) -> bool {
+    let long =
+        |entry: &&mut Entry| entry.name.len() > NAME && entry.name.bytes().all(|byte| byte.is_ascii_alphanumeric());
+    let mut names: Vec<&mut Entry> = entries.iter_mut().filter(long).collect();
+    let mut sorted: Vec<String> = names.iter().map(|entry| entry.name.clone()).collect();
+    sorted.sort();
+    let common = |pair: &[String]| pair[0].bytes().zip(pair[1].bytes()).take_while(|(a, b)| a == b).count();
+    let needed = sorted.windows(2).map(common).fold(NAME - 1, usize::max) + 1;
+    for entry in &mut names {
+        entry.name.truncate(needed);
+    }
+    !names.is_empty()
+}
+
+/// Adds lines, one for each `row` pixels, in columns from `top` on, and tells their height.
+fn in_columns(lines: Vec<Line>, [room, row]: [f64; 2], top: f64, below: &mut Vec<(Line, Point)>) -> f64 {
     let pitch = widest(&lines) + BETWEEN;
     let in_column = lines.len().div_ceil(whole((room + BETWEEN) / pitch).max(1));
     for (place, line) in lines.into_iter().enumerate() {
-        below.push((line, [(place / in_column) as f64 * pitch, top + (place % in_column) as f64 * ROW]));
+        below.push((line, [(place / in_column) as f64 * pitch, top + (place % in_column) as f64 * row]));
     }
-    in_column as f64 * ROW
+    in_column as f64 * row
 }
 
 fn widest(lines: &[Line]) -> f64 {
@@ -166,13 +200,17 @@ fn whole(number: f64) -> usize {
 }
 
 impl Columns {
-    fn of(entries: &[Entry], in_short: bool) -> Self {
-        let (size, gap) = if in_short { (SMALL, SHORT_GAP) } else { (SIZE, GAP) };
+    /// Entries as lines of a legend.
+    fn lines(entries: Vec<Entry>, in_short: bool) -> Vec<Line> {
+        let (size, gap, before_note) = if in_short { (SMALL, SHORT_GAP, SHORT_GAP) } else { (SIZE, GAP, BEFORE_NOTE) };
         let widest =
             |text: fn(&Entry) -> &str| entries.iter().map(|entry| text_width(text(entry), size)).fold(0.0, f64::max);
         let mark = widest(|entry| &entry.mark);
-        let name = SWATCH + gap + if mark > 0.0 { mark + gap } else { 0.0 };
-        Self { name, note: name + widest(|entry| &entry.name) + BEFORE_NOTE, size, gap }
+        // What has no number in the map can hardly be seen there: no colour helps to find it.
+        let swatch = if in_short && entries.iter().all(|entry| entry.is_placed) { 0.0 } else { SWATCH + gap };
+        let name = swatch + if mark > 0.0 { mark + gap } else { 0.0 };
+        let columns = Self { name, note: name + widest(|entry| &entry.name) + before_note, size, gap, swatch };
+        entries.into_iter().map(|entry| Line::Entry(entry, columns)).collect()
     }
 }
 
@@ -181,7 +219,7 @@ fn others(map: &Map, unmarked: bool, room: f64) -> Vec<Line> {
     let mut others = strokes(map, room);
     if unmarked {
         let [x, y] = [&map.x.name, &map.y.name];
-        let note = format!("at ({x}, {y}): a place in an area without room for its number");
+        let note = format!("{AT}({x}, {y}): a place in an area without room for its number");
         others.push(Line::Note(lines(&note, SMALL, room)));
     }
     others
@@ -210,10 +248,6 @@ fn strokes(map: &Map, room: f64) -> Vec<Line> {
 }
 
 impl Line {
-    fn is_noted(&self) -> bool {
-        matches!(self, Self::Entry(entry, _) if !entry.note.is_empty())
-    }
-
     fn width(&self) -> f64 {
         let widest = |texts: &[String], size| texts.iter().map(|text| text_width(text, size)).fold(0.0, f64::max);
         match self {
@@ -242,11 +276,13 @@ impl Line {
         };
         match self {
             Self::Entry(entry, columns) => {
-                let top = at[1] + 0.5 * (ROW - SWATCH);
-                let rect = Rect { x: at[0], y: top, width: SWATCH, height: SWATCH };
-                canvas.polygon(&rect.corners(), entry.fill);
-                canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 });
-                let Columns { name, size, gap, .. } = *columns;
+                let Columns { name, size, gap, swatch, .. } = *columns;
+                if swatch > 0.0 {
+                    let top = at[1] + 0.5 * (ROW - SWATCH);
+                    let rect = Rect { x: at[0], y: top, width: SWATCH, height: SWATCH };
+                    canvas.polygon(&rect.corners(), entry.fill);
+                    canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 });
+                }
                 canvas.text(&entry.mark, [at[0] + name - gap, base], size, INK, Anchor::End);
                 canvas.text(&entry.name, [at[0] + name, base], size, INK, Anchor::Start);
                 canvas.text(&entry.note, [at[0] + columns.note, base], SMALL, FAINT_INK, Anchor::Start);
