@@ -69,6 +69,21 @@ fn events_next_to_a_triple_point_are_verified() {
 }
 
 /// A certificate with one false claim, hashed anew.
+/// Two families over moments that differ by 10⁻¹², each with a cusp.
+#[test]
+fn families_beside_each_other_on_an_axis_are_verified() {
+    let mut document = document(&Body::parse(&["2", "1.000000000001", "1"], &["1", "0", "0"]).unwrap());
+    verify(&document).unwrap();
+    // The order that one lemma gives all along, the other way round.
+    let pairs = &mut document.certificate.as_mut().unwrap().pairs;
+    let at_once =
+        pairs.iter_mut().flat_map(|pair| &mut pair.stretches).find(|s| s.from.x.is_none() && s.to.x.is_none());
+    let stretch = at_once.unwrap();
+    stretch.sign = -stretch.sign;
+    seal(&mut document).unwrap();
+    assert!(matches!(verify(&document), Err(Refused::Pair { .. })));
+}
+
 fn mutated(change: impl Fn(&mut AtlasDocument)) -> Result<(), Refused> {
     let mut document = document(&preset("paper"));
     let before = document.clone();

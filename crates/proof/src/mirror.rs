@@ -167,13 +167,15 @@ impl<E: Enclosure> Mirrored<'_, E> {
         [self.small(1) + square.clone() * sums.p[0].clone(), self.c.a[self.group].clone() + square * sums.q[0].clone()]
     }
 
-    /// The sign of −∂x/∂v on a box: of 4a_i p − 3q − εv³(2Q̂'p − 3P̂'q/2).
+    /// The sign of −∂x/∂v on a box: of 4a_i p − 3q − εv³(2Q̂'p − 3P̂'q/2), where 4a_i p − 3q = a_i + v²(4a_iP̂ − 3Q̂), with
+    /// one v² where the sums all but cancel.
     fn fall(&self, v: &E) -> Option<Sign> {
         let sums = self.sums(v);
         let [p, q] = self.p_and_q(v, &sums);
-        let [_, p1, _] = sums.p;
-        let [_, q1, _] = sums.q;
-        let main = self.c.a[self.group].clone() * p.clone() * self.small(4) - q.clone() * self.small(3);
+        let [p0, p1, _] = sums.p;
+        let [q0, q1, _] = sums.q;
+        let a = self.c.a[self.group].clone();
+        let main = a.clone() + v.square() * (a * p0 * self.small(4) - q0 * self.small(3));
         let bend = q1 * p * self.small(2) - p1 * q * self.double(1.5);
         let correction = self.epsilon.clone() * v.clone() * v.square() * bend;
         (main - correction).strict_sign()

@@ -224,8 +224,14 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         }
         let guess = self.guess(half, ends.y_estimate, ends.x_estimate, target);
         let y = self.refined(half, guess, x);
-        let sides = self.sides(segment, ends, &y, x);
-        let sides = sides.or_else(|| self.sides(segment, ends, &self.bisected(segment, ends, x)?, x))?;
+        let near = self.sides(segment, ends, &y, x);
+        let sides = match near {
+            Some(sides) if Self::converged(&sides, &self.c) => sides,
+            near => {
+                let bracketed = self.bisected(segment, ends, x).and_then(|y| self.sides(segment, ends, &y, x));
+                bracketed.or(near)?
+            }
+        };
         let range = sides[0].hull(&sides[1]);
         let over = self.state(half, &range);
         let at = self.state(half, &range.middle());
@@ -233,6 +239,12 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let slopes = one.clone() / over.j.clone() - one / at.j.clone();
         let correction = (x.clone() - at.x.clone()) * slopes;
         Some(Point { x: x.clone(), place: Some((half, range)), at, over, correction, critical: true })
+    }
+
+    /// Two sides are as close as a guess that is a solution makes them, up to what a cusp costs, where x(y) is quadratic.
+    fn converged(sides: &[E; 2], c: &Constants<E>) -> bool {
+        let [low, high] = ((sides[1].clone() - sides[0].clone()) / sides[0].clone()).bounds();
+        low.abs().max(high.abs()) < 16.0 * E::resolution(c.precision).sqrt()
     }
 
     /// Two y around the solution of x(y) = x, from a guess.

@@ -69,6 +69,27 @@ fn beside_a_pitchfork_that_closes() {
     stays_the_same(6, &[9, 11, 12, 15, 18], |e| [n(a1), n(a2), n(a3), n("0.9987910082802236") * e, n(y), n(z)]);
 }
 
+/// The sample between two cusps lies so near to one of them that doubles do not tell the branches apart.
+#[test]
+fn beside_two_cusps_that_close() {
+    let far = [12, 19, 24];
+    stays_the_same(6, &far, |e| {
+        [n("1.348005"), n("0.663727"), n("1.859914"), n("0.198682"), e.clone(), n("-1.391041")]
+    });
+    stays_the_same(6, &[12, 17, 24], |e| [n("1"), n("1e-6"), n("1"), n("0.5"), e.clone(), n("0.48")]);
+}
+
+/// Beside a tiny component the pair's family all but has no fold, and the terms of ∂x/∂v all but cancel over a long stretch.
+/// Too near for `f64` from where on the number of regions stays the same.
+#[test]
+fn beside_a_fold_of_the_pair() {
+    let regions = ["5.7314e-15", "5.7314e-18", "5.7314e-20"].map(|z| {
+        let body = body(["0.63389", "1.335965", "1.001301", "-0.00862", "-0.257673", z].map(n));
+        CertifiedAtlas::new(&body).unwrap_or_else(|error| panic!("{z}: {error}")).region_count()
+    });
+    assert_eq!(regions, [18; 3]);
+}
+
 #[test]
 fn rods() {
     stays_the_same(6, &[9, 12, 18], |e| [e.clone(), n("1"), n("1") + e / n("2"), n("1"), n("0.3"), n("0.2")]);
@@ -82,6 +103,18 @@ fn beside_katoks_borders() {
         [n("1"), RBig::from(5) / RBig::from(9), n("0.5") + e, n("1"), n("0"), n("0")]
     });
     stays_the_same(6, &[12, 18], |e| [n("1"), n("1") - e, n("1.4"), n("1"), n("0"), n("0")]);
+}
+
+/// Two families over moments that all but coincide, with their cusps, run side by side wherever r lies on the third axis.
+#[test]
+fn beside_lagranges_top_with_cusps() {
+    for largest in ["2", "1.9", "1.5"] {
+        stays_the_same(4, &[9, 10, 12, 15, 18], |e| [n(largest), n("1") + e, n("1"), n("1"), n("0"), n("0")]);
+    }
+    stays_the_same(4, &[11, 18], |e| [n("1.25"), n("1") + e, n("1"), n("0.6"), n("0"), n("0")]);
+    // The smallest axis, and the other one of the two.
+    stays_the_same(4, &[9, 12, 18], |e| [n("1"), n("1") + e, n("0.6"), n("0"), n("0"), n("1")]);
+    stays_the_same(4, &[9, 12, 18], |e| [n("1"), n("1") + e, n("2"), n("0"), n("0"), n("-0.7")]);
 }
 
 #[test]

@@ -92,15 +92,16 @@ fn stretch(orders: &Orders, curves: [usize; 2], stretch: &CertifiedStretch) -> R
             Err(refuse("a crossing is not where the certificate says, or not the only one there"))
         };
     }
-    let holds = match (&from, &to) {
-        (Some(from), Some(to)) => {
-            rules::keeps_order(orders, curves, [from, to], sign)
-                || mirror::orders_branches(orders, curves, from, Some(to), sign)
-        }
-        (Some(from), None) => beyond(orders, curves, from, 1, sign),
-        (None, Some(to)) => beyond(orders, curves, to, 0, sign),
-        (None, None) => false,
-    };
+    let holds = rules::ordered_on_axis(orders, curves) == Some(sign)
+        || match (&from, &to) {
+            (Some(from), Some(to)) => {
+                rules::keeps_order(orders, curves, [from, to], sign)
+                    || mirror::orders_branches(orders, curves, from, Some(to), sign)
+            }
+            (Some(from), None) => beyond(orders, curves, from, 1, sign),
+            (None, Some(to)) => beyond(orders, curves, to, 0, sign),
+            (None, None) => false,
+        };
     if holds { Ok(None) } else { Err(refuse("the order that is claimed does not follow")) }
 }
 

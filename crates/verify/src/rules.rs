@@ -9,7 +9,7 @@ use super::equilibria::Point;
 use super::fixed::Fixed;
 use super::node::{Node, coordinate};
 use super::orders::Orders;
-use super::pieces::{Branch, coordinates};
+use super::pieces::{Branch, End, coordinates};
 use super::place::Side;
 use super::stand::Stand;
 
@@ -114,6 +114,17 @@ pub(super) fn tends_to_one_axis(orders: &Orders, curves: [usize; 2], node: &Node
     };
     let ranges = excess(0, p.1).zip(excess(1, q.1));
     ranges.and_then(|(p, q)| (&p - &q).strict_sign()) == Some(sign)
+}
+
+/// Lemma 7.7: where r lies on one axis, of two families over moments on one side of that axis' moment that both go on to
+/// infinity, or both do not, the one over the smaller moment is the higher, wherever both run.
+pub(super) fn ordered_on_axis(orders: &Orders, curves: [usize; 2]) -> Option<i8> {
+    let [active] = orders.spaces.active[..] else { return None };
+    let [p, q] = curves.map(|curve| &orders.pieces.list[curve]);
+    let (Branch::Over(first), Branch::Over(second)) = (p.branch, q.branch) else { return None };
+    let goes_on = [p, q].map(|piece| piece.ends[1] == End::Infinity);
+    let comparable = first != second && (first < active) == (second < active) && goes_on[0] == goes_on[1];
+    comparable.then_some(if first < second { 1 } else { -1 })
 }
 
 /// dg/dx between two nodes, or from a node to infinity.

@@ -1,6 +1,6 @@
 //! The order of two curves over all of their common range.
 
-use super::proof::{Open, PairProof};
+use super::proof::{Mark, Open, PairProof, Proof, Stretch};
 use super::side::{Side, position};
 use super::stretch::DEPTH;
 use crate::point::Evaluator;
@@ -27,6 +27,10 @@ impl<E: Enclosure> Evaluator<'_, E> {
                     .touching(curves)
                     .map_or_else(|| Err(Open { x: [low.bounds()[0], high.bounds()[1]] }), |()| Ok(None));
             }
+        }
+        if let Some(sign) = self.ordered_on_axis(curves) {
+            let stretches = vec![Stretch { x: [Mark::End, Mark::End], sign, proof: Proof::Constant }];
+            return Ok(Some(PairProof { curves, stretches }));
         }
         let mut stretches = Vec::new();
         let first = self.leave(curves, &lower, &upper, &mut stretches)?;

@@ -7,8 +7,8 @@ use numbers::Sign;
 use numbers::enclosure::Enclosure;
 use top::curves::CurveId;
 
-/// How deep a stretch is halved.
-pub(super) const DEPTH: u32 = 48;
+/// How deep a stretch is halved: beside a cusp as deep as the cusp's neighbourhood is small.
+pub(super) const DEPTH: u32 = 128;
 
 /// What the slopes tell of a stretch.
 #[derive(Clone, Copy, Debug)]
