@@ -181,11 +181,14 @@ impl Mirrored<'_> {
         &(&(q1 * p) * &Fixed::whole(2)) - &(&(p1 * q) * &Fixed::whole(3)).half()
     }
 
-    /// The sign of −∂x/∂v on a box: of 4a_i p − 3q − εv³(2Q̂'p − 3P̂'q/2).
+    /// The sign of −∂x/∂v on a box: of 4a_i p − 3q − εv³(2Q̂'p − 3P̂'q/2), where 4a_i p − 3q = a_i + v²(4a_iP̂ − 3Q̂): the
+    /// sums may all but cancel, and not v² with itself.
     fn fall(&self, v: &Fixed) -> Option<i8> {
         let sums = self.sums(v)?;
         let [p, q] = self.p_and_q(v, &sums);
-        let main = &(&(&self.spaces.list[self.base].a_set * &p) * &Fixed::whole(4)) - &(&q * &Fixed::whole(3));
+        let a = &self.spaces.list[self.base].a_set;
+        let turn = &(&(a * &sums.p[0]) * &Fixed::whole(4)) - &(&sums.q[0] * &Fixed::whole(3));
+        let main = a + &(&v.square() * &turn);
         let bend = Self::bend(&sums.p[1], &sums.q[1], &p, &q);
         let correction = &(&(&self.epsilon * v) * &v.square()) * &bend;
         (&main - &correction).strict_sign()
