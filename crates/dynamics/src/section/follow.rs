@@ -3,7 +3,7 @@
 //! On the way only times and states are kept; what is read off them, and whether they need to be polished, comes at the
 //! end, for a register of crossings at a time.
 
-use pulp::Simd;
+use pulp::{Scalar, Simd};
 
 use super::condition::SectionCondition;
 use super::halt::{Halt, LANE};
@@ -194,7 +194,7 @@ impl Follower {
                 return;
             }
             let mut roots = std::mem::take(&mut self.roots);
-            self.tangencies += self.general_roots(c, verdict.start, verdict.end >= 0.0, &mut roots);
+            self.tangencies += self.general_roots(simd, c, verdict.start, verdict.end >= 0.0, &mut roots);
             for &x in &roots {
                 let offset = lanes.step_of(lane) * x;
                 if self.end.is_none() {
@@ -221,14 +221,14 @@ impl Follower {
 
     /// All roots of S = Σ c_k xᵏ, x ∈ (0, 1), where `start` is S at 0 as the step before saw it (NaN: exactly 0).
     #[inline(never)]
-    fn general_roots(&self, c: &[f64], start: f64, end_positive: bool, roots: &mut Vec<f64>) -> u32 {
+    fn general_roots<S: Simd>(&self, simd: S, c: &[f64], start: f64, end_positive: bool, roots: &mut Vec<f64>) -> u32 {
         if !start.is_nan() {
-            return all_roots(c, start >= 0.0, end_positive, roots);
+            return all_roots(simd, c, start >= 0.0, end_positive, roots);
         }
         // S(0) = 0: the start itself, with the multiplicity that its leading coefficients show, is not a crossing.
         let multiplicity = 1 + c[1..].iter().take_while(|x| x.abs() <= self.flat).count();
         match c.get(multiplicity..) {
-            Some(rest) if rest.len() > 1 => all_roots(rest, rest[0] >= 0.0, end_positive, roots),
+            Some(rest) if rest.len() > 1 => all_roots(simd, rest, rest[0] >= 0.0, end_positive, roots),
             _ => 0,
         }
     }
@@ -250,7 +250,7 @@ impl Follower {
             return end;
         }
         let mut roots = Vec::new();
-        self.tangencies += self.general_roots(&c, start, end >= 0.0, &mut roots);
+        self.tangencies += self.general_roots(Scalar::new(), &c, start, end >= 0.0, &mut roots);
         for x in roots {
             if self.end.is_none() {
                 self.cross(options, step.start().after(step.length() * x), &step.state(x));

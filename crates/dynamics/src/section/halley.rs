@@ -4,8 +4,10 @@ use pulp::Simd;
 
 use super::roots::DEPTH;
 use crate::integrator::product::ProductSum;
-use crate::integrator::taylor::magnitude;
+use crate::integrator::taylor::{ROWS, magnitude};
 
+/// Room for coefficients: a multiple of four.
+pub(super) const ROOM: usize = ROWS.next_multiple_of(4);
 /// Terms of the slope that are summed: the others are below 2⁻³⁰ of it, like what it is multiplied with at the end.
 const SLOPE_TERMS: usize = 14;
 /// Terms of a first approximation.
@@ -18,12 +20,18 @@ const CONVERGED: f64 = 1.0 / (1u64 << 17) as f64;
 const SLIGHT: f64 = 1.0 / (1u64 << 10) as f64;
 
 /// For each wanted lane the root in [0, 1] of Σ c_k xᵏ, which changes sign there exactly once; `end` is its value
-/// at 1. The other lanes hold no meaning.
+/// at 1. The other lanes hold no meaning. The coefficients from `terms` on are 0.
 ///
 /// Halley's method inside a bracket: two or three steps, where Newton's takes four or five as long ones. A lane that has
 /// converged is left alone while others go on, so that it does not depend on them.
 #[inline(always)]
-pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted: S::m64s) -> S::f64s {
+pub(super) fn single_roots<S: Simd>(
+    simd: S,
+    c: &[S::f64s; ROOM],
+    terms: usize,
+    end: S::f64s,
+    wanted: S::m64s,
+) -> S::f64s {
     let (zero, half, one) = (simd.splat_f64s(0.0), simd.splat_f64s(0.5), simd.splat_f64s(1.0));
     let rises = simd.less_than_or_equal_f64s(zero, end);
     let (mut low, mut high) = (zero, one);
@@ -33,21 +41,20 @@ pub(super) fn single_roots<S: Simd>(simd: S, c: &[S::f64s], end: S::f64s, wanted
     let mut x = inverse_parabola(simd, c, end);
     x = simd.select_f64s(strictly_between(simd, zero, x, one), x, half);
     // The first step needs the leading terms only: the others are of the size of what it leaves.
-    let leading = &c[..LEADING.min(c.len())];
     let square = simd.mul_f64s(x, x);
     let guess = halley(
         simd,
         x,
-        sum(simd, leading, x, square),
-        sum(simd, &slopes[..LEADING - 1], x, square),
-        sum(simd, &curvatures[..LEADING - 2], x, square),
+        sum::<S, LEADING>(simd, c, x, square),
+        sum::<S, { LEADING - 1 }>(simd, &slopes, x, square),
+        sum::<S, { LEADING - 2 }>(simd, &curvatures, x, square),
     );
     x = simd.select_f64s(strictly_between(simd, zero, guess, one), guess, x);
     for _ in 0..2 * DEPTH {
         let square = simd.mul_f64s(x, x);
-        let value = value_at(simd, c, x, square);
-        let slope = sum(simd, &slopes, x, square);
-        let curvature = sum(simd, &curvatures, x, square);
+        let value = value_at(simd, &c[..terms.next_multiple_of(4)], x, square);
+        let slope = sum::<S, SLOPE_TERMS>(simd, &slopes, x, square);
+        let curvature = sum::<S, CURVATURE_TERMS>(simd, &curvatures, x, square);
         let above = simd.xor_m64s(simd.less_than_f64s(value, zero), rises);
         high = simd.select_f64s(above, x, high);
         low = simd.select_f64s(above, low, x);
@@ -90,35 +97,33 @@ fn strictly_between<S: Simd>(simd: S, low: S::f64s, x: S::f64s, high: S::f64s) -
     simd.and_m64s(simd.less_than_f64s(low, x), simd.less_than_f64s(x, high))
 }
 
-/// (k+1) c_{k+1}, as many as there is room for.
+/// (k+1) c_{k+1}, the first of them.
 #[inline(always)]
 fn derivative<S: Simd, const TERMS: usize>(simd: S, c: &[S::f64s]) -> [S::f64s; TERMS] {
     let mut slopes = [simd.splat_f64s(0.0); TERMS];
-    for (k, slope) in slopes.iter_mut().enumerate().take(c.len() - 1) {
+    for (k, slope) in slopes.iter_mut().enumerate() {
         *slope = simd.mul_f64s(c[k + 1], simd.splat_f64s((k + 1) as f64));
     }
     slopes
 }
 
-/// Σ c_k xᵏ, the even and the odd terms apart: half the latency of one long chain.
+/// Σ c_k xᵏ of the first `TERMS`, the even and the odd ones apart: half the latency of one long chain.
 #[inline(always)]
-fn sum<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s, square: S::f64s) -> S::f64s {
+fn sum<S: Simd, const TERMS: usize>(simd: S, c: &[S::f64s], x: S::f64s, square: S::f64s) -> S::f64s {
     let (mut even, mut odd) = (simd.splat_f64s(0.0), simd.splat_f64s(0.0));
-    for pair in c.chunks(2).rev() {
-        even = simd.product_sum(even, square, pair[0]);
-        if let Some(&c) = pair.get(1) {
-            odd = simd.product_sum(odd, square, c);
-        }
+    for k in (0..TERMS).rev() {
+        let half = if k % 2 == 0 { &mut even } else { &mut odd };
+        *half = simd.product_sum(*half, square, c[k]);
     }
     simd.product_sum(x, odd, even)
 }
 
-/// Σ c_k xᵏ in four chains.
+/// Σ c_k xᵏ in four chains; their number is a multiple of four.
 #[inline(always)]
 fn value_at<S: Simd>(simd: S, c: &[S::f64s], x: S::f64s, square: S::f64s) -> S::f64s {
     let fourth = simd.mul_f64s(square, square);
     let mut sums = [simd.splat_f64s(0.0); 4];
-    for four in c.chunks(4).rev() {
+    for four in c.chunks_exact(4).rev() {
         for (sum, &c) in sums.iter_mut().zip(four) {
             *sum = simd.product_sum(*sum, fourth, c);
         }
@@ -146,8 +151,14 @@ mod tests {
     use super::*;
     use pulp::Scalar;
 
+    fn one_root(c: &[f64], end: f64) -> f64 {
+        let mut padded = [0.0; ROOM];
+        padded[..c.len()].copy_from_slice(c);
+        single_roots(Scalar::new(), &padded, c.len(), end, true)
+    }
+
     fn root(c: &[f64]) -> f64 {
-        single_roots(Scalar::new(), c, c.iter().sum(), true)
+        one_root(c, c.iter().sum())
     }
 
     #[test]
@@ -193,6 +204,6 @@ mod tests {
     fn a_root_that_rounding_pushes_over_the_end_is_put_there() {
         // The neighbour says that S has changed its sign at 1; the polynomial does not show it.
         let c = [-1.0, 1.0 - 1e-16];
-        assert_eq!(single_roots(Scalar::new(), &c, 1e-17, true), 1.0);
+        assert_eq!(one_root(&c, 1e-17), 1.0);
     }
 }

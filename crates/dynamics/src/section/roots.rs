@@ -3,6 +3,10 @@
 //! A step is x ∈ [0, 1]. The signs at its ends are given, not computed from the polynomial: neighbouring steps
 //! share the sign at their seam, so that no root there is found twice or lost. Zero counts as positive.
 
+#![expect(clippy::inline_always, reason = "sums must be inlined into the function compiled for fused multiply-adds")]
+
+use pulp::{Simd, WithSimd};
+
 use crate::integrator::product::product_sum;
 use crate::integrator::taylor::MAX_ORDER;
 
@@ -14,6 +18,7 @@ pub(super) const DEPTH: u32 = 52;
 const CONVERGED: f64 = 1.0 / (1u64 << 30) as f64;
 
 /// p(x) and p′(x).
+#[inline(always)]
 fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
     let (mut value, mut slope) = (0.0_f64, 0.0_f64);
     for &coefficient in c.iter().rev() {
@@ -24,6 +29,7 @@ fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
 }
 
 /// p′(x) and p″(x).
+#[inline(always)]
 fn slope_and_curvature(c: &[f64], x: f64) -> (f64, f64) {
     let (mut slope, mut curvature) = (0.0_f64, 0.0_f64);
     for (k, &coefficient) in c.iter().enumerate().skip(1).rev() {
@@ -36,6 +42,7 @@ fn slope_and_curvature(c: &[f64], x: f64) -> (f64, f64) {
 /// The zero between `low` and `high` of a function that has only one there and is positive at `high` iff `rising`.
 ///
 /// Newton's method, kept inside the bracket by bisection.
+#[inline(always)]
 fn bracketed_zero(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, rising: bool) -> f64 {
     let mut x = f64::midpoint(low, high);
     for _ in 0..2 * DEPTH {
@@ -58,7 +65,8 @@ fn bracketed_zero(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, ri
 }
 
 /// The search for all roots of one polynomial.
-struct Search<'a> {
+struct Search<'a, S: Simd> {
+    simd: S,
     c: &'a [f64],
     /// Values below this are rounding.
     noise: f64,
@@ -72,12 +80,20 @@ struct Search<'a> {
 /// Bernstein coefficients bound the polynomial and its differences on an interval; halving goes on until it is
 /// seen to have no root, to be monotone, or to have exactly one extremum, at which it is then split. A nearly
 /// double root is therefore resolved as far as the sign of one value is.
-pub(super) fn all_roots(c: &[f64], start_positive: bool, end_positive: bool, roots: &mut Vec<f64>) -> u32 {
+///
+/// Fused multiply-adds are the processor's where `simd` has them; the roots are the same.
+pub(super) fn all_roots<S: Simd>(
+    simd: S,
+    c: &[f64],
+    start_positive: bool,
+    end_positive: bool,
+    roots: &mut Vec<f64>,
+) -> u32 {
     debug_assert!(c.len() <= MAX_TERMS && c.iter().all(|x| x.is_finite()));
     let size = c.iter().fold(0.0, |sum, x| sum + x.abs());
     let mut bernstein = [0.0; MAX_TERMS];
     to_bernstein(c, &mut bernstein);
-    let mut search = Search { c, noise: size * f64::EPSILON * 16.0, roots, tangencies: 0 };
+    let mut search = Search { simd, c, noise: size * f64::EPSILON * 16.0, roots, tangencies: 0 };
     search.interval(&bernstein[..c.len()], (0.0, 1.0), (start_positive, end_positive), 0);
     search.tangencies
 }
@@ -103,14 +119,33 @@ fn is_monotone(b: &(impl Iterator<Item = f64> + Clone)) -> bool {
     pairs().all(|(x, y)| x <= y) || pairs().all(|(x, y)| x >= y)
 }
 
-impl Search<'_> {
-    fn interval(
-        &mut self,
-        b: &[f64],
-        (low, high): (f64, f64),
-        (low_positive, high_positive): (bool, bool),
-        depth: u32,
-    ) {
+/// A part of the search: an interval, the Bernstein coefficients there, the signs at its ends, halvings so far.
+struct Interval<'s, 'a, S: Simd> {
+    search: &'s mut Search<'a, S>,
+    b: &'s [f64],
+    ends: (f64, f64),
+    positive: (bool, bool),
+    depth: u32,
+}
+
+impl<S: Simd> WithSimd for Interval<'_, '_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<T: Simd>(self, _: T) {
+        self.search.look(self.b, self.ends, self.positive, self.depth);
+    }
+}
+
+impl<S: Simd> Search<'_, S> {
+    /// Searches an interval, in a function compiled for the instructions.
+    fn interval(&mut self, b: &[f64], ends: (f64, f64), positive: (bool, bool), depth: u32) {
+        let simd = self.simd;
+        simd.vectorize(Interval { search: self, b, ends, positive, depth });
+    }
+
+    #[inline(always)]
+    fn look(&mut self, b: &[f64], (low, high): (f64, f64), (low_positive, high_positive): (bool, bool), depth: u32) {
         if low_positive == high_positive
             && b.iter().all(|&x| if low_positive { x > self.noise } else { x < -self.noise })
         {
@@ -146,6 +181,7 @@ impl Search<'_> {
         self.interval(&right[..b.len()], (middle, high), (positive, high_positive), depth + 1);
     }
 
+    #[inline(always)]
     fn monotone(&mut self, (low, high): (f64, f64), (low_positive, high_positive): (bool, bool)) {
         if low_positive != high_positive {
             let c = self.c;
@@ -171,6 +207,7 @@ fn halve(b: &[f64], left: &mut [f64; MAX_TERMS], right: &mut [f64; MAX_TERMS]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pulp::Scalar;
 
     /// Coefficients of scale · Π (x − root_i).
     fn planted(roots: &[f64], scale: f64) -> Vec<f64> {
@@ -187,7 +224,7 @@ mod tests {
     fn found(c: &[f64]) -> (Vec<f64>, u32) {
         let mut roots = Vec::new();
         let end = c.iter().sum::<f64>() >= 0.0;
-        let tangencies = all_roots(c, c[0] >= 0.0, end, &mut roots);
+        let tangencies = all_roots(Scalar::new(), c, c[0] >= 0.0, end, &mut roots);
         (roots, tangencies)
     }
 
@@ -255,10 +292,10 @@ mod tests {
         // p = x − 1 is −0 or rounding at its end; the next step says which.
         let c = [-1.0, 1.0];
         let mut roots = Vec::new();
-        all_roots(&c, false, true, &mut roots);
+        all_roots(Scalar::new(), &c, false, true, &mut roots);
         assert_eq!(roots, [1.0]);
         roots.clear();
-        all_roots(&c, false, false, &mut roots);
+        all_roots(Scalar::new(), &c, false, false, &mut roots);
         assert!(roots.is_empty());
     }
 

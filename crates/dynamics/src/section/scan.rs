@@ -3,7 +3,7 @@
 use pulp::Simd;
 
 use super::condition::SectionCondition;
-use super::halley::single_roots;
+use super::halley::{ROOM, single_roots};
 use crate::integrator::product::ProductSum;
 use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, lane_values_mut, magnitude};
 
@@ -13,13 +13,25 @@ const LEADING: usize = 7;
 /// 1/C(LEADING − 1, k).
 const RECIPROCAL_BINOMIAL: [f64; LEADING] = [1.0, 1.0 / 6.0, 1.0 / 15.0, 1.0 / 20.0, 1.0 / 15.0, 1.0 / 6.0, 1.0];
 
+/// 0, 1, 2, …: a number from memory is put into all lanes by the load.
+const NUMBERS: [f64; ROWS] = {
+    let mut numbers = [0.0; ROWS];
+    let mut k = 0;
+    while k < ROWS {
+        numbers[k] = k as f64;
+        k += 1;
+    }
+    numbers
+};
+
 /// Room for the rounding of the coefficients and of their bounds, relative to Σ |c_k|.
 const ROUNDING: f64 = 1.0 / (1u64 << 46) as f64;
 
 /// S over the current step, S(x) = Σ c_k xᵏ with x ∈ [0, 1].
 #[repr(C, align(64))]
 pub(super) struct Scan<S: Simd> {
-    c: [S::f64s; ROWS],
+    /// 0 beyond the terms.
+    c: [S::f64s; ROOM],
     /// S ∈ [lowest, highest].
     lowest: [S::f64s; 1],
     highest: [S::f64s; 1],
@@ -58,7 +70,7 @@ impl<S: Simd> Scan<S> {
     pub fn new(simd: S) -> Self {
         let zero = simd.splat_f64s(0.0);
         Self {
-            c: [zero; ROWS],
+            c: [zero; ROOM],
             lowest: [zero],
             highest: [zero],
             least_slope: [zero],
@@ -88,12 +100,12 @@ impl<S: Simd> Scan<S> {
     fn height(&mut self, simd: S, lanes: &Lanes<S>) {
         self.terms = lanes.order();
         let r = lanes.constants.center;
-        for k in 0..self.terms {
-            let gamma = lanes.series.gamma[k + 1];
+        let rows = lanes.series.gamma[1..].iter().zip(&NUMBERS[1..]);
+        for (c, (gamma, &k)) in self.c[..self.terms].iter_mut().zip(rows) {
             let dot = simd.mul_f64s(gamma[0], r[0]);
             let dot = simd.product_sum(gamma[1], r[1], dot);
             let dot = simd.product_sum(gamma[2], r[2], dot);
-            self.c[k] = simd.mul_f64s(dot, simd.splat_f64s((k + 1) as f64));
+            *c = simd.mul_f64s(dot, simd.splat_f64s(k));
         }
         // ⟨γ×ω, r⟩
         let [gamma, l] = lanes.next;
@@ -137,15 +149,19 @@ impl<S: Simd> Scan<S> {
         let mut size = magnitude(simd, self.c[0]);
         let zero = simd.splat_f64s(0.0);
         let (mut rest, mut rest_slope) = (zero, zero);
-        for k in 1..self.terms {
+        let (leading, others) = self.c[..self.terms].split_at_mut(LEADING);
+        for c in &mut leading[1..] {
             power = simd.mul_f64s(power, step);
-            self.c[k] = simd.mul_f64s(self.c[k], power);
-            let term = magnitude(simd, self.c[k]);
+            *c = simd.mul_f64s(*c, power);
+            size = simd.add_f64s(size, magnitude(simd, *c));
+        }
+        for (c, &k) in others.iter_mut().zip(&NUMBERS[LEADING..]) {
+            power = simd.mul_f64s(power, step);
+            *c = simd.mul_f64s(*c, power);
+            let term = magnitude(simd, *c);
             size = simd.add_f64s(size, term);
-            if k >= LEADING {
-                rest = simd.add_f64s(rest, term);
-                rest_slope = simd.product_sum(term, simd.splat_f64s(k as f64), rest_slope);
-            }
+            rest = simd.add_f64s(rest, term);
+            rest_slope = simd.product_sum(term, simd.splat_f64s(k), rest_slope);
         }
         let rounding = simd.splat_f64s(ROUNDING);
         rest = simd.product_sum(size, rounding, rest);
@@ -197,20 +213,21 @@ impl<S: Simd> Scan<S> {
 
     /// The lanes, as bits, whose step is not simply free of crossings. Without branches: which lanes cross is
     /// not to be predicted.
-    #[expect(clippy::needless_bitwise_bool, reason = "without branches")]
     #[inline(always)]
-    pub fn lanes_with_news(&self) -> u32 {
-        let of = lane_values::<S>;
-        let mut news = 0;
-        for lane in 0..S::F64_LANES {
-            let crosses = (of(&self.start)[lane] >= 0.0) != (of(&self.end)[lane] >= 0.0);
-            let rootless = (of(&self.lowest)[lane] > 0.0) | (of(&self.highest)[lane] < 0.0);
-            let monotone = (of(&self.least_slope)[lane] > 0.0) | (of(&self.greatest_slope)[lane] < 0.0);
-            let flat = of(&self.size)[lane] <= of(&self.flat)[lane];
-            let begins = of(&self.start)[lane].is_nan();
-            news |= u32::from(crosses | !(rootless | monotone) | flat | begins) << lane;
-        }
-        news
+    pub fn lanes_with_news(&self, simd: S) -> u32 {
+        let (zero, one) = (simd.splat_f64s(0.0), simd.splat_f64s(1.0));
+        let (start, end) = (self.start[0], self.end[0]);
+        let crosses = simd.xor_m64s(simd.less_than_or_equal_f64s(zero, start), simd.less_than_or_equal_f64s(zero, end));
+        let flat = simd.less_than_or_equal_f64s(self.size[0], self.flat[0]);
+        let rootless = one_sign(simd, self.lowest[0], self.highest[0]);
+        let monotone = one_sign(simd, self.least_slope[0], self.greatest_slope[0]);
+        // False where an orbit begins on the section: no comparison holds for NaN.
+        let under_way = simd.less_than_or_equal_f64s(start, start);
+        let free = simd.and_m64s(simd.or_m64s(rootless, monotone), under_way);
+        let news = simd.select_f64s(free, zero, one);
+        let news = [simd.select_f64s(simd.or_m64s(crosses, flat), one, news)];
+        let lanes = lane_values::<S>(&news).iter().zip(0..);
+        lanes.fold(0, |bits, (&news, lane)| bits | (u32::from(news > 0.0) << lane))
     }
 
     /// What the bounds say of a lane.
@@ -239,7 +256,7 @@ impl<S: Simd> Scan<S> {
         let sloped = one_sign(simd, self.least_slope[0], self.greatest_slope[0]);
         let bent = one_sign(simd, self.least_bend[0], self.greatest_bend[0]);
         let wanted = simd.and_m64s(simd.or_m64s(up, down), simd.or_m64s(sloped, bent));
-        simd.mul_f64s(single_roots(simd, &self.c[..self.terms], self.end[0], wanted), lanes.step[0])
+        simd.mul_f64s(single_roots(simd, &self.c, self.terms, self.end[0], wanted), lanes.step[0])
     }
 
     /// The coefficients of a lane.

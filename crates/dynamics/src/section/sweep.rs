@@ -197,7 +197,7 @@ impl WithSimd for TaylorWorker<'_> {
             }
             lanes.expand(simd);
             scan.read(simd, &lanes, queue.options.condition);
-            let news = scan.lanes_with_news();
+            let news = scan.lanes_with_news(simd);
             if news != 0 {
                 let read = News::read(simd, &lanes, &scan);
                 for lane in bits(news) {

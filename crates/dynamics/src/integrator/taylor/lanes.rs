@@ -146,19 +146,25 @@ impl<S: Simd> Lanes<S> {
         simd.max_f64s(largest(simd, self.series.gamma[k]), l)
     }
 
+    /// Σ_{k≥1} x_k tᵏ⁻¹ of γ and l.
+    #[inline(always)]
+    fn slopes(&self, simd: S, t: S::f64s) -> [Vector<S>; 2] {
+        let (mut gamma, mut l) = (self.series.gamma[self.order], self.series.l[self.order]);
+        let rows = 1..self.order;
+        for (gamma_k, l_k) in self.series.gamma[rows.clone()].iter().zip(&self.series.l[rows]).rev() {
+            for i in 0..3 {
+                gamma[i] = simd.product_sum(gamma[i], t, gamma_k[i]);
+                l[i] = simd.product_sum(l[i], t, l_k[i]);
+            }
+        }
+        [gamma, l]
+    }
+
     /// x(t + step) = x₀ + Σ_{k≥1} x_k stepᵏ, with the rounding error of the sum carried along.
     #[inline(always)]
     fn sum_series(&mut self, simd: S) {
         let t = self.step[0];
-        let mut gamma = self.series.gamma[self.order];
-        let mut l = self.series.l[self.order];
-        for k in (1..self.order).rev() {
-            for i in 0..3 {
-                gamma[i] = simd.product_sum(gamma[i], t, self.series.gamma[k][i]);
-                l[i] = simd.product_sum(l[i], t, self.series.l[k][i]);
-            }
-        }
-        for (part, slope) in [gamma, l].into_iter().enumerate() {
+        for (part, slope) in self.slopes(simd, t).into_iter().enumerate() {
             for i in 0..3 {
                 let start = [self.series.gamma[0][i], self.series.l[0][i]][part];
                 let increment = simd.product_sum(slope[i], t, self.low[part][i]);
@@ -198,14 +204,7 @@ impl<S: Simd> Lanes<S> {
     /// The states of all lanes, each `offset` after its step's start.
     #[inline(always)]
     pub fn states_at(&self, simd: S, offset: S::f64s) -> [Vector<S>; 2] {
-        let mut gamma = self.series.gamma[self.order];
-        let mut l = self.series.l[self.order];
-        for k in (1..self.order).rev() {
-            for i in 0..3 {
-                gamma[i] = simd.product_sum(gamma[i], offset, self.series.gamma[k][i]);
-                l[i] = simd.product_sum(l[i], offset, self.series.l[k][i]);
-            }
-        }
+        let [mut gamma, mut l] = self.slopes(simd, offset);
         for i in 0..3 {
             let increment = simd.product_sum(gamma[i], offset, self.low[0][i]);
             gamma[i] = simd.add_f64s(self.series.gamma[0][i], increment);
@@ -235,7 +234,7 @@ fn largest<S: Simd>(simd: S, v: Vector<S>) -> S::f64s {
 /// |x|.
 #[inline(always)]
 pub(crate) fn magnitude<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
-    simd.max_f64s(x, simd.sub_f64s(simd.splat_f64s(0.0), x))
+    simd.and_f64s(x, simd.splat_f64s(f64::from_bits(u64::MAX >> 1)))
 }
 
 /// s + e = a + b exactly, s the rounded sum (Knuth's TwoSum).

@@ -43,8 +43,9 @@ pub(crate) struct Constants<S: Simd> {
     /// A_j − A_k in two parts; the second is 0 unless the moments are of different size.
     difference: Vector<S>,
     difference_low: Vector<S>,
-    /// r.
+    /// r and −r.
     pub center: Vector<S>,
+    opposite: Vector<S>,
     /// Is any second part of a difference not 0?
     differences_have_low_parts: bool,
     /// 1/k in two parts, the second for the orders below `EXACT_BELOW`.
@@ -97,6 +98,7 @@ impl<S: Simd> Constants<S> {
             difference: splat(difference),
             difference_low: splat(low),
             center: splat(top.center()),
+            opposite: splat(top.center().map(|r| -r)),
             differences_have_low_parts: low != [0.0; 3],
             reciprocal,
             reciprocal_low,
@@ -129,7 +131,7 @@ impl<S: Simd> Constants<S> {
             } else {
                 simd.mul_f64s(gamma[q], self.center[p])
             };
-            let torque = simd.product_difference(gamma[p], self.center[q], arm);
+            let torque = simd.product_sum(gamma[p], self.opposite[q], arm);
             sums[i] = simd.product_sum(omega_omega[i], self.difference[i], torque);
         }
         sums
