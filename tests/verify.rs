@@ -86,6 +86,19 @@ fn families_beside_each_other_on_an_axis_are_verified() {
     assert!(matches!(verify(&document), Err(Refused::Pair { .. })));
 }
 
+/// Moments that differ by 10⁻¹², r as near an axis or a plane, and a rod: the order follows from Lemma 7.8.
+#[test]
+fn curves_side_by_side_are_verified() {
+    for (a, r) in [
+        (["1.26", "1.26000000000126", "1.56"], ["38e-14", "68e-14", "0.11"]),
+        (["2", "1.000000000001", "1"], ["1", "1e-12", "0"]),
+        (["1e-9", "1.74", "1.74000000174"], ["0.89", "0", "1e-11"]),
+    ] {
+        let document = document(&Body::parse(&a, &r).unwrap());
+        verify(&document).unwrap_or_else(|refused| panic!("{a:?} {r:?}: {refused}"));
+    }
+}
+
 fn mutated(change: impl Fn(&mut AtlasDocument)) -> Result<(), Refused> {
     let mut document = document(&preset("paper"));
     let before = document.clone();

@@ -13,14 +13,15 @@ use documents::DocumentOptions;
 use numbers::Number;
 use numbers::symmetric::Symmetric;
 use picture_layout::Layout;
-use picture_letters::too_small;
+use picture_letters::unprintable;
 use plot::{CurveSource, DiagramOptions, Picture, Width, draw};
-use schema::AtlasDocument;
+use schema::{AtlasDocument, RelativeEquilibriumDocument};
 use serde_json::Value;
 use support::bodies::{STRATA, Stratum, random_body};
 use support::random::SplitMix64;
 use top::atlas::Atlas;
 use top::body::{Body, Preset, Tensor};
+use top::critical::critical;
 
 /// Polylines as fine as a magnification needs.
 struct Curves(Atlas);
@@ -28,6 +29,11 @@ struct Curves(Atlas);
 impl CurveSource for Curves {
     fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
         self.0.polyline(curve.parse().ok()?, l, tolerance)
+    }
+
+    fn equilibria(&self, l: f64) -> Vec<RelativeEquilibriumDocument> {
+        let found = Number::from_f64(l).ok().and_then(|l| critical(self.0.body(), &l).ok());
+        found.map_or_else(Vec::new, |found| documents::equilibria(&found))
     }
 }
 
@@ -50,7 +56,7 @@ fn faults(name: &str, body: &Body, width: Width) -> Vec<String> {
     }
     let layout = Layout::of(&picture);
     let mut faults = layout.collisions();
-    faults.extend(too_small(&picture, width));
+    faults.extend(unprintable(&picture, width));
     for region in &atlas.regions {
         let told = |text: &str| {
             let rest = text.strip_prefix(&region.id);

@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 use dynamics::section::{
     Chart, Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SweepOptions, sweep,
 };
-use picture_letters::too_small;
+use picture_letters::unprintable;
 use picture_texts::{assert_texts_are_apart, texts};
 use plot::{
     OrbitValues, Picture, PlotError, Projection, Scheme, SectionOptions, SectionScene, Width, draw_scheme,
@@ -59,7 +59,7 @@ fn drawn(name: &str, scene: &SectionScene<'_>, options: &SectionOptions) -> Pict
         let drawn = without_images(&picture.svg);
         assert!(!drawn.contains("NaN") && !drawn.contains("inf\""), "a coordinate is not a number");
         assert_texts_are_apart(&texts(&picture));
-        assert_eq!(too_small(&picture, width), Vec::<String>::new());
+        assert_eq!(unprintable(&picture, width), Vec::<String>::new());
         picture
     };
     let [page, _] = Width::ALL.map(of_width);

@@ -4,7 +4,7 @@ mod picture_letters;
 mod picture_svg;
 mod picture_texts;
 
-use picture_letters::too_small;
+use picture_letters::unprintable;
 use picture_texts::{assert_texts_are_apart, texts};
 use plot::{SphereScene, Theme, Width, draw_sphere};
 use schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
@@ -123,6 +123,6 @@ fn names_keep_off_each_other_and_off_the_boundary() {
         }
         assert!(["a", "b", "c", "d", "+r̂", "−r̂", "e₁"].iter().all(|name| names.iter().any(|(text, _)| text == name)));
         assert_texts_are_apart(&names);
-        assert_eq!(too_small(&picture, width), Vec::<String>::new());
+        assert_eq!(unprintable(&picture, width), Vec::<String>::new());
     }
 }

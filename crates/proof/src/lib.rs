@@ -28,6 +28,7 @@ mod heights;
 mod id;
 mod mirror;
 mod model;
+mod one_x;
 mod pair;
 mod plane;
 mod point;

@@ -367,7 +367,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     }
 
     /// J − J' of two points or ranges, the narrowest over all moments to measure from.
-    fn moment_difference(&self, p: &State<E>, q: &State<E>) -> E {
+    pub fn moment_difference(&self, p: &State<E>, q: &State<E>) -> E {
         let n = self.model.groups.len();
         let squares: Vec<E> = (0..n)
             .map(|k| (p.gamma[k].clone() - q.gamma[k].clone()) * (p.gamma[k].clone() + q.gamma[k].clone()))
@@ -397,18 +397,32 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
     /// From U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'], which holds for a critical γ and every γ' on the
     /// sphere, taken in both directions.
     fn exact_gap(&self, x: &E, a: &State<E>, b: &State<E>) -> E {
+        self.gap_with(x, a, b, &self.moment_difference(a, b))
+    }
+
+    /// The same with J_a − J_b as it is known.
+    fn gap_with(&self, x: &E, a: &State<E>, b: &State<E>, moment: &E) -> E {
         let n = self.model.groups.len();
-        let about = |base: usize| b.tau[base].clone() - a.tau[base].clone();
-        let mu = (1..n).fold(about(0), |best, base| self.c.common(&best, &about(base)));
         let distance = (0..n).fold(self.c.small(0), |sum, k| sum + (a.gamma[k].clone() - b.gamma[k].clone()).square());
-        let moment = self.moment_difference(a, b);
         let cube = moment.clone() * moment.square() / (a.j.clone() * b.j.clone());
+        let mu = self.multiplier_difference(b, a);
         x.clone() * (mu * distance - cube) / (a.j.square() + b.j.square())
+    }
+
+    /// μ_a − μ_b, the narrowest over all moments to measure from.
+    pub fn multiplier_difference(&self, a: &State<E>, b: &State<E>) -> E {
+        let about = |base: usize| a.tau[base].clone() - b.tau[base].clone();
+        (1..self.model.groups.len()).fold(about(0), |best, base| self.c.common(&best, &about(base)))
     }
 
     /// The sign of h_a − h_b all over two ranges of states that hold the points over the same x, by the same identity.
     pub fn range_sign(&self, a: &State<E>, b: &State<E>) -> Option<Sign> {
-        self.exact_gap(&self.c.small(1), a, b).strict_sign()
+        self.range_sign_with(a, b, &self.moment_difference(a, b))
+    }
+
+    /// The same with J_a − J_b as it is known over these ranges.
+    pub fn range_sign_with(&self, a: &State<E>, b: &State<E>, moment: &E) -> Option<Sign> {
+        self.gap_with(&self.c.small(1), a, b, moment).strict_sign()
     }
 }
 

@@ -117,6 +117,35 @@ fn beside_lagranges_top_with_cusps() {
     stays_the_same(4, &[9, 12, 18], |e| [n("1"), n("1") + e, n("2"), n("0"), n("0"), n("-0.7")]);
 }
 
+/// Four curves and more run side by side: where they part is told by what their points share over one x.
+#[test]
+fn nearly_equal_moments_beside_an_axis() {
+    stays_the_same(4, &[9, 18], |e| {
+        [n("1.26"), n("1.26") * (n("1") + e), n("1.56"), n("0.38") * e, n("0.68") * e, n("0.11")]
+    });
+    stays_the_same(4, &[9, 12], |e| {
+        [n("0.74"), n("0.74") * (n("1") + e), n("1.379"), n("0.9") * e, n("0.8") * e, n("0.69")]
+    });
+    stays_the_same(4, &[12, 18], |e| [n("2"), n("1") + e, n("1"), n("1"), e.clone(), n("0")]);
+}
+
+/// Rods whose other moments are nearly equal: too near for `f64` from where on the number of regions stays the same.
+#[test]
+fn rods_beside_a_plane_and_an_axis() {
+    for exponent in [4, 9, 15] {
+        let e = RBig::ONE / RBig::from(10).pow(exponent);
+        let moments = |a: &str| [e.clone(), n(a), n(a) * (n("1") + &e)];
+        for ([a, b, c], [x, y, z]) in [
+            (moments("1.74"), [n("0.89"), n("0"), &e / n("100")]),
+            (moments("1.96"), [n("0.6"), &e / n("300"), &e / n("5")]),
+        ] {
+            let proved = CertifiedAtlas::new(&body([a, b, c, x, y, z]));
+            let regions = proved.unwrap_or_else(|error| panic!("1e-{exponent}: {error}")).region_count();
+            assert_eq!(regions, 8, "1e-{exponent}");
+        }
+    }
+}
+
 #[test]
 fn what_is_not_proved_is_named_by_the_ids_of_curves() {
     let parts = |e: RBig| [n("1"), RBig::from(5) / RBig::from(9), n("0.5") + e, n("1"), n("0"), n("0")];

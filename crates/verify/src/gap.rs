@@ -31,6 +31,33 @@ impl Spaces {
     }
 }
 
+impl Spaces {
+    /// J_a − J_b and (h_a − h_b)/x of two equilibria over the same x, each anywhere in its range (Lemma 7.8): with
+    /// g = μ − a_k of one sign for both, u from γ_k² and j from J,
+    /// (J_a − J_b)(1 − 4(a_k − a_m)u/j) = Σ (a_i − a_m)(γ_i² − γ′_i²) − 2(a_k − a_m)u(μ_a − μ_b)/g over the i but k and m.
+    pub fn over_one_x(&self, a: &Point, b: &Point) -> Option<[Fixed; 2]> {
+        let (p, q) = (a.tau.as_ref()?, b.tau.as_ref()?);
+        let mut moment = self.moment_difference(a, b)?;
+        let squares: Vec<Fixed> = a.gamma.iter().zip(&b.gamma).map(|(p, q)| &p.square() - &q.square()).collect();
+        let j = a.j.hull(&b.j);
+        for &k in &self.active {
+            let u = a.gamma[k].square().hull(&b.gamma[k].square());
+            let Some(shift) = (&(&p[0] - &q[0]) * &(&u * &Fixed::whole(2))).over(&p[k].hull(&q[k])) else { continue };
+            for m in (0..self.list.len()).filter(|&m| m != k) {
+                let lever = self.difference(k, m);
+                let others = (0..self.list.len()).filter(|&i| i != k && i != m);
+                let rest = others.fold(Fixed::whole(0), |sum, i| &sum + &(self.difference(i, m) * &squares[i]));
+                let factor = &Fixed::whole(1) - &(&(lever * &u) * &Fixed::whole(4)).over(&j)?;
+                if let Some(found) = (&rest - &(lever * &shift)).over(&factor) {
+                    moment = moment.meet(&found)?;
+                }
+            }
+        }
+        let gap = identity(a, b, &moment)?;
+        Some([moment, gap])
+    }
+}
+
 /// Corollary 3.10, for two equilibria over the same x:
 /// (h_a − h_b)/x = [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
 fn identity(a: &Point, b: &Point, moment: &Fixed) -> Option<Fixed> {

@@ -13,11 +13,23 @@ use super::pieces::{Branch, End, coordinates};
 use super::place::Side;
 use super::stand::Stand;
 
-/// g keeps its sign between two nodes, by one of three rules.
+/// g keeps its sign between two nodes, by one of four rules.
 pub(super) fn keeps_order(orders: &Orders, curves: [usize; 2], nodes: [&Node; 2], sign: i8) -> bool {
-    let slopes = slopes(orders, curves, nodes[0], Some(nodes[1]));
-    slopes.is_some_and(|slopes| stays_by_drift(nodes, &slopes, sign) || stays_by_monotony(nodes, &slopes, sign))
-        || stays_apart(orders, curves, nodes, sign)
+    let by_slopes = |slopes: &Fixed| stays_by_drift(nodes, slopes, sign) || stays_by_monotony(nodes, slopes, sign);
+    slopes(orders, curves, nodes[0], Some(nodes[1])).is_some_and(|slopes| by_slopes(&slopes))
+        || between(orders, curves, nodes).is_some_and(|[p, q]| {
+            let stays_apart = orders.spaces.range_gap(&p, &q).and_then(|gap| gap.strict_sign()) == Some(sign);
+            stays_apart
+                || orders.spaces.over_one_x(&p, &q).is_some_and(|[moment, gap]| {
+                    gap.strict_sign() == Some(sign)
+                        || joint_slopes(&p, &q, &moment).is_some_and(|slopes| by_slopes(&slopes))
+                })
+        })
+}
+
+/// dg/dx = (J₂ − J₁)/(J₁J₂) from the difference of the moments over one x (Lemma 7.8).
+fn joint_slopes(p: &Point, q: &Point, moment: &Fixed) -> Option<Fixed> {
+    (-moment).over(&(&p.j * &q.j))
 }
 
 /// Lemma 7.2: g at a distance d from a node lies in g(node) ± d·dg/dx with dg/dx from all of the stretch. When
@@ -37,15 +49,13 @@ fn stays_by_monotony([from, to]: [&Node; 2], slopes: &Fixed, sign: i8) -> bool {
         && !(from.meet && to.meet)
 }
 
-/// Corollary 3.10: the gap of every equilibrium that the first curve takes between the nodes to every one that the
-/// second takes.
-fn stays_apart(orders: &Orders, curves: [usize; 2], [from, to]: [&Node; 2], sign: i8) -> bool {
+/// Every equilibrium that the curves take between two nodes (Corollary 3.10 compares those of one with those of the other).
+fn between(orders: &Orders, curves: [usize; 2], [from, to]: [&Node; 2]) -> Option<[Point; 2]> {
     let range = |which: usize| {
         let y = from.stands[which].y.as_ref()?.hull(to.stands[which].y.as_ref()?);
         over(orders, curves[which], &y)
     };
-    let gap = range(0).zip(range(1)).and_then(|(p, q)| orders.spaces.range_gap(&p, &q));
-    gap.and_then(|gap| gap.strict_sign()) == Some(sign)
+    Some([range(0)?, range(1)?])
 }
 
 /// Lemma 7.1: g has the sign before a box and the other behind it, and dg/dx has the other sign throughout: g has one
@@ -53,8 +63,14 @@ fn stays_apart(orders: &Orders, curves: [usize; 2], [from, to]: [&Node; 2], sign
 pub(super) fn crosses_once(orders: &Orders, curves: [usize; 2], [from, low, high, to]: [&Node; 4], sign: i8) -> bool {
     let ordered = from.x.at_most(&low.x) && low.x.below(&high.x) && high.x.at_most(&to.x);
     let signs = low.gap.strict_sign() == Some(sign) && high.gap.strict_sign() == Some(-sign);
-    let slopes = slopes(orders, curves, from, Some(to));
-    ordered && signs && slopes.and_then(|slopes| slopes.strict_sign()) == Some(-sign)
+    let falls = |slopes: Fixed| slopes.strict_sign() == Some(-sign);
+    ordered
+        && signs
+        && (slopes(orders, curves, from, Some(to)).is_some_and(falls)
+            || between(orders, curves, [from, to]).is_some_and(|[p, q]| {
+                let joint = orders.spaces.over_one_x(&p, &q).and_then(|[moment, _]| joint_slopes(&p, &q, &moment));
+                joint.is_some_and(falls)
+            }))
 }
 
 /// Lemma 7.4, from a common cusp: there g = 0, and J is strictly monotone from one curve through the cusp to the other

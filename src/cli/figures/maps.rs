@@ -277,7 +277,7 @@ mod tests {
     mod picture_texts;
 
     use super::*;
-    use picture_letters::too_small;
+    use picture_letters::unprintable;
     use picture_texts::{assert_texts_are_apart, texts};
     use plot::Theme;
 
@@ -287,7 +287,7 @@ mod tests {
             let map = make().unwrap();
             for width in Width::ALL {
                 let picture = draw_map(&map, Theme::Light, width).unwrap();
-                assert_eq!(too_small(&picture, width), Vec::<String>::new(), "{}", map.title);
+                assert_eq!(unprintable(&picture, width), Vec::<String>::new(), "{}", map.title);
                 let texts = texts(&picture);
                 assert_texts_are_apart(&texts);
                 let inside = |value: f64, [from, to]: [f64; 2]| value > from && value < to;

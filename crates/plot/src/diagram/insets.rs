@@ -28,6 +28,8 @@ pub(super) struct Magnifications {
     pub invisible: Vec<usize>,
     /// Regions outside the main window.
     pub outside: Vec<usize>,
+    /// Whether there are more parts to magnify than the plan has insets.
+    pub crowded: bool,
 }
 
 /// A window and the radius of the inscribed circles of the regions that it is for.
@@ -76,8 +78,10 @@ pub(super) fn magnifications(
         let [h, l] = largest(shown, inset);
         length(window.h) <= h * (1.0 + 1e-9) && length(window.l) <= l * (1.0 + 1e-9)
     });
-    result.windows = cover(scene, &windows, hidden)?;
-    lead_up(&mut result.windows, visible, scene.plan);
+    // An overview of everything stands in the first inset.
+    let most = scene.plan.insets - usize::from(everything != visible);
+    result.crowded = cover(scene, &windows, hidden, most, &mut result.windows)?;
+    result.crowded |= lead_up(&mut result.windows, visible, scene.plan, most);
     result.windows.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.l[0].total_cmp(&b.l[0])));
     Ok(result)
 }
@@ -88,24 +92,32 @@ fn largest((window, size): (&WindowDocument, [f64; 2]), inset: [f64; 2]) -> [f64
     [length(window.h) * inset[0] / size[0] / LEAST, length(window.l) * inset[1] / size[1] / LEAST]
 }
 
-/// Windows that together show all of `hidden`: again and again the one that shows most of those left, the larger of
-/// two that show as many. Windows keep apart, as far as every region stays visible.
+/// Windows that together show all of `hidden`, as far as `most` windows do: again and again the one that shows most of those
+/// left, the larger of two that show as many. Windows keep apart, as far as every region stays visible. Tells whether more
+/// would show more.
 fn cover(
     scene: &Scene<'_>,
     windows: &[WindowDocument],
     mut hidden: Vec<usize>,
-) -> Result<Vec<WindowDocument>, PlotError> {
+    most: usize,
+    cover: &mut Vec<WindowDocument>,
+) -> Result<bool, PlotError> {
     let mut shown: Vec<(WindowDocument, Vec<usize>)> = Vec::with_capacity(windows.len());
     for window in windows {
         let depths = depths(scene, window, &hidden)?;
         shown.push((*window, hidden.iter().copied().filter(|&region| depths[region] >= LEGIBLE).collect()));
     }
     let mut chosen: Vec<(WindowDocument, Vec<usize>)> = Vec::new();
+    let mut crowded = false;
     while !hidden.is_empty() {
         let gain = |regions: &[usize]| regions.iter().filter(|region| hidden.contains(region)).count();
         let best =
             shown.iter().max_by(|(a, of_a), (b, of_b)| gain(of_a).cmp(&gain(of_b)).then(area(a).total_cmp(&area(b))));
         let Some((window, regions)) = best.filter(|(_, regions)| gain(regions) > 0) else { break };
+        if chosen.len() == most {
+            crowded = true;
+            break;
+        }
         let (mut window, own): (_, Vec<usize>) =
             (*window, regions.iter().copied().filter(|region| hidden.contains(region)).collect());
         for (other, of_other) in &mut chosen {
@@ -121,7 +133,8 @@ fn cover(
         hidden.retain(|region| !own.contains(region));
         chosen.push((window, own));
     }
-    Ok(chosen.into_iter().map(|(window, _)| window).collect())
+    cover.extend(chosen.into_iter().map(|(window, _)| window));
+    Ok(crowded)
 }
 
 /// The largest part of a window beside another that still shows some regions.
@@ -140,8 +153,9 @@ fn trimmed(
     Ok(None)
 }
 
-/// Adds windows half-way (in scale) between the main window and those that are magnified most.
-fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument, plan: &Plan) {
+/// Adds windows half-way (in scale) between the main window and those that are magnified most, up to `most` in all. Tells
+/// whether there are more.
+fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument, plan: &Plan, most: usize) -> bool {
     let scales = |inner: &WindowDocument| [length(main.h) / length(inner.h), length(main.l) / length(inner.l)];
     let mut targets: Vec<WindowDocument> = windows.clone();
     targets.sort_by(|a, b| scales(a)[0].total_cmp(&scales(b)[0]));
@@ -163,10 +177,14 @@ fn lead_up(windows: &mut Vec<WindowDocument>, main: &WindowDocument, plan: &Plan
         };
         let wanted = clipped(&WindowDocument { h: spread(target.h, h), l: spread(target.l, l) }, main);
         if let Some(window) = clear(wanted, &target, windows) {
+            if windows.len() == most {
+                return true;
+            }
             windows.push(window);
             added += 1;
         }
     }
+    false
 }
 
 /// All windows met while the two that lose least by it are united, as long as every region stays visible.

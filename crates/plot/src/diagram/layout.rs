@@ -29,8 +29,8 @@ pub(super) fn inset_place(plan: &Plan, index: usize) -> Point {
     let Plan { main, inset, beside, in_a_row, .. } = *plan;
     if index < beside {
         let x = LEFT + main[0] + LEFT + 8.0;
-        // The two together are as high as the main panel.
-        return [x, TOP + index as f64 * (main[1] - inset[1])];
+        // All of them together are as high as the main panel.
+        return [x, TOP + index as f64 * (main[1] - inset[1]) / (beside - 1).max(1) as f64];
     }
     let (row, column) = ((index - beside) / in_a_row, (index - beside) % in_a_row);
     let top = TOP + main[1] + BELOW + INSET_TOP;

@@ -32,6 +32,11 @@ pub(super) fn table(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel], roo
     Table::new(SAMPLE, heading(scene.atlas), rows, room)
 }
 
+/// What is told of rows that are left out.
+pub(super) fn rest(rows: usize) -> String {
+    format!("… and {rows} more: bifdiag critical tells them at each {L}")
+}
+
 fn heading(atlas: &AtlasDocument) -> Vec<String> {
     let unit = atlas.body.part.as_ref().map_or_else(String::new, |part| format!(" in {}", part.time_unit()));
     let motions = format!("there: period of small oscillations, growth by the factor e{unit}");

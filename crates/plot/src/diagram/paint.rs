@@ -159,16 +159,23 @@ fn shows(outer: &Panel, inner: &Panel) -> bool {
     contains(&outer.view.window, &inner.view.window)
 }
 
+/// The height of insets that are small.
+const SMALL: f64 = 150.0;
 const AXIS_SIZE: f64 = TICK_SIZE + 1.0;
 
 /// The ticks of h and l; none whose label would leave the page.
 fn axis_ticks(panel: &Panel, is_main: bool) -> [Ticks; 2] {
     let View { window, rect } = panel.view;
-    let spacing = if is_main { 70.0 } else { 58.0 };
+    let [across, up] = match is_main {
+        true => [70.0, 49.0],
+        // Small insets have two ticks where that can be.
+        false if rect.height < SMALL => [48.0, 28.0],
+        false => [58.0, 41.0],
+    };
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen at most")]
     let count = |length: f64, spacing: f64| (length / spacing).floor() as usize;
-    let mut h = ticks(H, window.h[0], window.h[1], count(rect.width, spacing));
-    let l = ticks(L, window.l[0], window.l[1], count(rect.height, 0.7 * spacing));
+    let mut h = ticks(H, window.h[0], window.h[1], count(rect.width, across));
+    let l = ticks(L, window.l[0], window.l[1], count(rect.height, up));
     let ends_at =
         |value: f64, label: &str| panel.view.position([value, window.l[0]])[0] + text_width(label, TICK_SIZE) / 2.0;
     let fits: Vec<bool> = h

@@ -8,8 +8,8 @@ use super::view::{SIZE, SMALL, View};
 use std::collections::BTreeSet;
 
 use crate::page::{
-    Anchor, Axis, Canvas, FAINT_INK, INK, Ink, PAPER, Path, Picture, PlotError, Point, Rect, Theme, Width, draw_axes,
-    is_proper, lines, pattern, render, text_width, ticks,
+    Anchor, Axis, Canvas, FAINT_INK, HEIGHT, INK, Ink, PAPER, Path, Picture, PlotError, Point, Rect, Theme, Width,
+    draw_axes, is_proper, lines, pattern, render, text_width, ticks,
 };
 
 /// The side of a map on a page.
@@ -43,10 +43,11 @@ pub fn draw_map(map: &Map, theme: Theme, width: Width) -> Result<Picture, PlotEr
     let marked = marked(map, &view);
     let beside = rect.right() + GAP;
     let room = if width == Width::Page { [paper - beside - EDGE, side] } else { [0.0; 2] };
-    let legend = Legend::new(map, &view, &marked.marks, Places { beside: room, below: paper - 2.0 * EDGE });
+    let below = rect.bottom() + BELOW;
+    let places = Places { beside: room, below: [paper - 2.0 * EDGE, HEIGHT - below - EDGE] };
+    let legend = Legend::new(map, &view, &marked.marks, places);
     let needed = (beside + legend.width_beside()).max(LEFT + heading.width) + EDGE;
     let width = if legend.height_below() > 0.0 { paper } else { needed.min(paper) };
-    let below = rect.bottom() + BELOW;
     let height = below + legend.height_below() + EDGE;
     render([width.ceil(), height.ceil()], map.title.as_str(), theme, |canvas| {
         heading.draw(canvas);

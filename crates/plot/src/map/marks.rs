@@ -52,7 +52,8 @@ fn marks(map: &Map, view: &View, boxes: &[Rect], mut taken: Taken, mut leaders: 
         MapBodies::Grid { columns, entries } => (*columns, entries.clone()),
         MapBodies::Areas { pieces, .. } => {
             let (columns, mut cells) = raster(pieces, view);
-            cut(map.lines.iter().filter(|line| is_border(line)), columns, &mut cells, view);
+            let borders = map.lines.iter().filter(|line| is_border(line));
+            cut(borders.map(|line| &line.points[..]), columns, &mut cells, view);
             (columns, cells)
         }
         MapBodies::Points(_) => return Vec::new(),
@@ -62,8 +63,9 @@ fn marks(map: &Map, view: &View, boxes: &[Rect], mut taken: Taken, mut leaders: 
     let (mut patch, shown) = patches(columns, &cells);
     let count = shown.len();
     // Places with room are looked for beside lines and boxes, whatever they divide.
-    if let MapBodies::Areas { .. } = &map.bodies {
-        cut(map.lines.iter(), columns, &mut patch, view);
+    if let MapBodies::Areas { borders, .. } = &map.bodies {
+        cut(map.lines.iter().map(|line| &line.points[..]), columns, &mut patch, view);
+        cut(borders.iter().map(|ends| &ends[..]), columns, &mut patch, view);
     }
     let cells_of = |rect: &Rect| {
         let from_below = [rect.bottom(), rect.y].map(|y| (view.rect.bottom() - y) / high);
@@ -110,10 +112,10 @@ fn is_border(line: &MapLine) -> bool {
 }
 
 /// Empties the small cells on lines.
-fn cut<'a>(lines: impl Iterator<Item = &'a MapLine>, columns: usize, cells: &mut [Option<usize>], view: &View) {
+fn cut<'a>(lines: impl Iterator<Item = &'a [[f64; 2]]>, columns: usize, cells: &mut [Option<usize>], view: &View) {
     let rows = cells.len() / columns.max(1);
     for line in lines {
-        let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
+        let points: Vec<Point> = line.iter().map(|point| view.at(*point)).collect();
         for ends in points.windows(2) {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
             let steps = (2.0 * distance(ends[0], ends[1]) / FINE).ceil().max(1.0) as usize;
@@ -228,6 +230,18 @@ mod tests {
         );
         taken.take_box(names[0].rect);
         assert!(marks.len() == 1 && marks[0].leader.is_none() && taken.admits_box(&marks[0].rect));
+    }
+
+    #[test]
+    fn a_number_stands_upon_no_border_between_equals() {
+        // On a line through the area bodies show something else, as where two moments are equal.
+        let mut map = map(vec![area(0, [0.0, 0.0], [1.0, 1.0])], 1, Vec::new());
+        let MapBodies::Areas { borders, .. } = &mut map.bodies else { unreachable!("areas") };
+        borders.extend((0..10).map(|k| [0.1 * f64::from(k), 0.1 * f64::from(k + 1)].map(|x| [x, x])));
+        let mut taken = Taken::default();
+        taken.take_line([view().at([0.0, 0.0]), view().at([1.0, 1.0])]);
+        let marks = marked(&map, &view()).marks;
+        assert!(marks.len() == 1 && taken.admits_box(&marks[0].rect));
     }
 
     #[test]

@@ -62,7 +62,7 @@ pub enum PlotError {
     #[error("the PNG could not be encoded")]
     Png(#[from] png::EncodingError),
     /// PDF is asked of a build without the feature `pdf`.
-    #[error("PDF needs the feature `pdf`: build with --features pdf, or use svg or png")]
+    #[error("PDF needs the feature `pdf`: build with `cargo install --path . --features pdf`, or use svg, png or tikz")]
     NoPdf,
     /// TikZ is asked of a picture with so many points that they are an image.
     #[error("TikZ holds no images, as which many points are drawn: use svg, png or pdf, or fewer crossings")]

@@ -48,4 +48,5 @@ pub(crate) use stripes::Stripes;
 pub(crate) use table::Table;
 pub use theme::Theme;
 pub(crate) use ticks::{Ticks, ticks};
+pub(crate) use width::HEIGHT;
 pub use width::Width;

@@ -17,6 +17,8 @@ const APART: f64 = 4.0;
 pub(crate) struct Table<S> {
     heading: Row,
     rows: Vec<(S, Row)>,
+    /// What is told of the rows for which there is no room.
+    rest: Option<String>,
     width: f64,
 }
 
@@ -46,8 +48,25 @@ impl<S> Table<S> {
         Self {
             heading: row(heading),
             rows: rows.into_iter().map(|(symbol, cells)| (symbol, row(cells))).collect(),
+            rest: None,
             width,
         }
+    }
+
+    /// The rows for which `room` pixels are high enough, and a line that tells how many there are besides.
+    pub(crate) fn shortened(mut self, room: f64, tell: impl Fn(usize) -> String) -> Self {
+        if self.height() > room {
+            let mut height = self.heading.height() + LINE;
+            let fits = self.rows.iter().take_while(|(_, row)| {
+                height += row.height();
+                height <= room
+            });
+            let fits = fits.count().max(1);
+            let rest = self.rows.len() - fits;
+            self.rows.truncate(fits);
+            self.rest = (rest > 0).then(|| tell(rest));
+        }
+        self
     }
 
     pub(crate) fn width(&self) -> f64 {
@@ -59,7 +78,8 @@ impl<S> Table<S> {
         if self.rows.is_empty() {
             return 0.0;
         }
-        self.heading.height() + self.rows.iter().map(|(_, row)| row.height()).sum::<f64>()
+        let rest = if self.rest.is_some() { LINE } else { 0.0 };
+        self.heading.height() + self.rows.iter().map(|(_, row)| row.height()).sum::<f64>() + rest
     }
 
     /// Draws the table with its top left corner at `at`, and each symbol with `paint` from the middle of its left side.
@@ -81,6 +101,9 @@ impl<S> Table<S> {
             paint(symbol, [at[0], top + 0.5 * LINE]);
             text(row, top, INK);
             top += row.height();
+        }
+        if let Some(rest) = &self.rest {
+            canvas.text(rest, [at[0], top + 0.5 * LINE + 0.36 * SIZE], SIZE, FAINT_INK, Anchor::Start);
         }
     }
 }

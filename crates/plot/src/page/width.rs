@@ -3,6 +3,9 @@
 /// Points in print of a pixel: the smallest letters have 11 pixels.
 pub(crate) const POINTS: f32 = 6.0 / 11.0;
 
+/// The greatest height of a picture, 230 mm in print: what a page or a column leaves beside a caption.
+pub(crate) const HEIGHT: f64 = 1195.0;
+
 /// The width for which a picture is laid out: its smallest letters have 6 pt there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Width {

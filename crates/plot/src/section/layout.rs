@@ -3,11 +3,15 @@
 use std::f64::consts::{PI, TAU};
 
 use super::scene::{Projection, SectionScene};
-use crate::page::{Anchor, Canvas, INK, Point, Rect, Width, number, short_number};
+use crate::page::{Anchor, Canvas, HEIGHT, INK, Point, Rect, Width, number, short_number};
 use dynamics::section::Chart;
 
 /// Plot area of a panel.
 const PANEL: [f64; 2] = [384.0, 240.0];
+/// Panels are so high at least, however many there are.
+const PANEL_LEAST: f64 = 120.0;
+/// What is left for the legend below both panels and below one.
+const LEGEND: [f64; 2] = [90.0, 140.0];
 const LEFT: f64 = 56.0;
 const BETWEEN: f64 = 40.0;
 const RIGHT: f64 = 20.0;
@@ -75,7 +79,10 @@ impl Layout {
         let across = if paper == Width::Page { 2.0 } else { 1.0 };
         let room = (paper.pixels() - LEFT - RIGHT - bar - (across - 1.0) * BETWEEN) / across;
         let width = room.min(PANEL[0]);
-        let height = if paper == Width::Page { PANEL[1] } else { (width * PANEL[1] / PANEL[0]).round() };
+        let rows = (2 * scenes.len() * charts.len()) as f64 / across;
+        let room =
+            ((HEIGHT - TITLE - LEGEND[usize::from(paper == Width::Column)]) / rows - ABOVE - BELOW).max(PANEL_LEAST);
+        let height = (width * PANEL[1] / PANEL[0]).min(PANEL[1]).min(room).round();
         let mut panels = Vec::new();
         let mut top = TITLE;
         for scene in 0..scenes.len() {

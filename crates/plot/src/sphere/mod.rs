@@ -15,7 +15,7 @@ mod view;
 pub use scene::SphereScene;
 
 use crate::page::{
-    Anchor, Canvas, FAINT_INK, Ink, Path, Picture, PlotError, Point, Rect, Taken, Theme, Width, number, render,
+    Anchor, Canvas, FAINT_INK, HEIGHT, Ink, Path, Picture, PlotError, Point, Rect, Taken, Theme, Width, number, render,
     text_width,
 };
 use grid::Grid;
@@ -27,11 +27,13 @@ use view::View;
 
 /// Width of the page, and of the sphere: for two views beside each other, and for two below each other.
 const WIDTH: [f64; 2] = [860.0, 446.0];
-const RADIUS: [f64; 2] = [186.0, 150.0];
+const RADIUS: [f64; 2] = [186.0, 140.0];
 const MARGIN: f64 = 34.0;
 /// Above the first view, and below each for its caption.
 const ABOVE: f64 = 66.0;
 const BELOW: f64 = 34.0;
+/// Below everything.
+const FOOT: f64 = 12.0;
 /// Level lines of U, at quantiles of its values on the sphere.
 const LEVELS: usize = 14;
 
@@ -57,9 +59,10 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
     let levels = levels(&grids);
     let legend = legend::legend(scene, width - 2.0 * MARGIN);
     let below = centers[1][1] + radius + BELOW;
-    let motions = motions::table(scene, paper.pixels() - 2.0 * MARGIN);
     let motions_at = [MARGIN, below + legend.height() + 8.0];
-    let size = [width.max(motions.width() + 2.0 * MARGIN), motions_at[1] + motions.height() + 12.0].map(f64::ceil);
+    let motions = motions::table(scene, paper.pixels() - 2.0 * MARGIN)
+        .shortened(HEIGHT - motions_at[1] - FOOT, |rows| format!("… and {rows} more: bifdiag critical tells them"));
+    let size = [width.max(motions.width() + 2.0 * MARGIN), motions_at[1] + motions.height() + FOOT].map(f64::ceil);
     let title = format!("{}; {}", scene.title, scene.caption);
     render(size, title.as_str(), theme, |canvas| {
         for (view, grid) in grids.iter().enumerate() {

@@ -1,14 +1,15 @@
-//! How large the letters of a picture are in print.
+//! How large a picture and its letters are in print.
 
 use plot::{Picture, Width};
 use resvg::usvg::TextChunk;
 
 use super::picture_svg::{content, each_text, tree};
 
-/// Texts with letters of less than 6 pt in print.
+/// What does not fit a page: a picture higher than 230 mm, and letters of less than 6 pt.
 #[allow(clippy::cast_possible_truncation)]
-pub fn too_small(picture: &Picture, width: Width) -> Vec<String> {
+pub fn unprintable(picture: &Picture, width: Width) -> Vec<String> {
     const LEAST: f32 = 6.0;
+    const HIGHEST: f32 = 230.0;
     let tree = tree(picture);
     let points = width.millimetres() as f32 / 25.4 * 72.0 / tree.size().width();
     let mut found = Vec::new();
@@ -19,5 +20,10 @@ pub fn too_small(picture: &Picture, width: Width) -> Vec<String> {
             found.push(format!("`{}` has letters of {size} pt", content(text)));
         }
     });
+    // Letters of 11 pixels have 6 pt in a PDF.
+    let height = tree.size().height() * 6.0 / 11.0 / 72.0 * 25.4;
+    if height > HIGHEST {
+        found.push(format!("it is {height} mm high"));
+    }
     found
 }

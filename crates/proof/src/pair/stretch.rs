@@ -2,6 +2,7 @@
 
 use super::node::Node;
 use super::proof::{Open, Proof, Stretch};
+use crate::family::State;
 use crate::point::Evaluator;
 use numbers::Sign;
 use numbers::enclosure::Enclosure;
@@ -47,11 +48,22 @@ impl<E: Enclosure> Evaluator<'_, E> {
         if let Some(found) = self.slopes(curves, from, Some(to)).and_then(|slopes| self.by_slopes(from, to, &slopes)) {
             return self.resolved(curves, from, to, found).map(Some);
         }
-        if let Some(sign) = self.sign_over(from, to) {
-            return Some(Some((sign, Proof::Constant)));
+        let states = self.states_between(from, to);
+        let constant = |sign| Some(Some((sign, Proof::Constant)));
+        if let Some(sign) = states.as_ref().and_then(|[a, b]| self.range_sign(a, b)) {
+            return constant(sign);
         }
         let edges = [from, to].map(|node| (&node.x, &node.at));
-        Some(self.mirrored_sign(curves, edges[0], Some(edges[1])).map(|sign| (sign, Proof::Constant)))
+        if let Some(sign) = self.mirrored_sign(curves, edges[0], Some(edges[1])) {
+            return constant(sign);
+        }
+        let Some([a, b]) = states else { return Some(None) };
+        let moment = self.moments_over_one_x(&a, &b);
+        if let Some(sign) = self.range_sign_with(&a, &b, &moment) {
+            return constant(sign);
+        }
+        let found = self.by_slopes(from, to, &-(moment / (a.j * b.j)));
+        found.map_or(Some(None), |found| self.resolved(curves, from, to, found).map(Some))
     }
 
     /// The course of the gap between two nodes with the range of the difference of slopes.
@@ -93,13 +105,13 @@ impl<E: Enclosure> Evaluator<'_, E> {
         })
     }
 
-    /// The sign from the identity over the ranges of both curves.
-    fn sign_over(&self, from: &Node<E>, to: &Node<E>) -> Option<Sign> {
+    /// All states of both curves between two nodes; `None` when a curve runs on two halves there.
+    fn states_between(&self, from: &Node<E>, to: &Node<E>) -> Option<[State<E>; 2]> {
         let state = |which: usize| {
             let (p, y) = from.at[which].place.as_ref()?;
             let (q, z) = to.at[which].place.as_ref()?;
             (p == q).then(|| self.state(*p, &y.hull(z)))
         };
-        self.range_sign(&state(0)?, &state(1)?)
+        Some([state(0)?, state(1)?])
     }
 }
