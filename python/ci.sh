@@ -29,7 +29,7 @@ page() {
 }
 
 wheel() {
-    "$bin/maturin" build --quiet --release --out "$environment/wheels"
+    "$bin/maturin" build --quiet --release --compression-level 9 --out "$environment/wheels"
     local size
     size=$(stat -c %s "$environment"/wheels/*.whl)
     echo "the wheel has $size bytes"
