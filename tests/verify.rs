@@ -99,6 +99,21 @@ fn curves_side_by_side_are_verified() {
     }
 }
 
+/// The slope turns at a moment itself, on no branch; an event lies at h = 0, up to the least double; the slope of one
+/// branch turns over a chord of another.
+#[test]
+fn coincidences_of_plain_bodies_are_verified() {
+    for (a, r) in [
+        (["3", "2", "1"], ["1", "1", "1"]),
+        (["6", "2", "1"], ["2", "3", "1"]),
+        (["3", "2", "1"], ["0", "1", "0"]),
+        (["0.513", "0.187", "1.62"], ["-2", "-1", "-1.98"]),
+    ] {
+        let document = document(&Body::parse(&a, &r).unwrap());
+        verify(&document).unwrap_or_else(|refused| panic!("{a:?} {r:?}: {refused}"));
+    }
+}
+
 fn mutated(change: impl Fn(&mut AtlasDocument)) -> Result<(), Refused> {
     let mut document = document(&preset("paper"));
     let before = document.clone();

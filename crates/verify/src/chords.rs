@@ -12,8 +12,8 @@ const HALVINGS: u32 = 8;
 pub(super) struct Chords<'a> {
     plane: &'a Plane<'a>,
     orders: &'a Orders<'a>,
-    /// x and J where the slope of the generic family turns.
-    turn: Option<[Interval; 2]>,
+    /// The branch on which the slope turns, with x and J there.
+    turn: Option<(usize, [Interval; 2])>,
 }
 
 /// A point of a curve over l.
@@ -25,7 +25,8 @@ struct At {
 
 impl<'a> Chords<'a> {
     pub fn new(plane: &'a Plane<'a>, orders: &'a Orders) -> Self {
-        let turn = orders.inflection.as_ref().map(|(_, point)| [&point.x, &point.j].map(Interval::of));
+        let turn = orders.inflection.as_ref();
+        let turn = turn.map(|(branch, point)| (*branch, [&point.x, &point.j].map(Interval::of)));
         Self { plane, orders, turn }
     }
 
@@ -75,14 +76,14 @@ impl<'a> Chords<'a> {
         let length = to.l - from.l;
         let bow = (slope.abs() + room / width) * length * length / (4.0 * self.plane.x);
         let apart = |other: f64| (other - slope).abs() + POINT * other.abs() + room / width;
-        let turns = self.turn.as_ref().filter(|[at, _]| {
+        let turns = self.turn.as_ref().filter(|(branch, [at, _])| {
             let [low, high] = at.ends();
             let aside = POINT * x[1];
-            matches!(self.orders.pieces.list[curve].branch, Branch::Generic(_))
+            self.orders.pieces.list[curve].branch == Branch::Generic(*branch)
                 && low <= x[1] + aside
                 && x[0] - aside <= high
         });
-        if let Some([_, j]) = turns {
+        if let Some((_, [_, j])) = turns {
             let all = [slopes[0], slopes[1], j.recip().middle()];
             let [low, high] =
                 [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(0.0, f64::max)];

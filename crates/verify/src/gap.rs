@@ -29,9 +29,7 @@ impl Spaces {
             best.meet(&terms.fold(Fixed::whole(0), |sum, term| &sum + &term))
         })
     }
-}
 
-impl Spaces {
     /// J_a − J_b and (h_a − h_b)/x of two equilibria over the same x, each anywhere in its range (Lemma 7.8): with
     /// g = μ − a_k of one sign for both, u from γ_k² and j from J,
     /// (J_a − J_b)(1 − 4(a_k − a_m)u/j) = Σ (a_i − a_m)(γ_i² − γ′_i²) − 2(a_k − a_m)u(μ_a − μ_b)/g over the i but k and m.

@@ -115,7 +115,9 @@ fn is_principal_form(tensor: &Matrix, weight: &Vector, body: &Body, is_exact: bo
             carrying.push(a);
         }
     }
-    pairs.iter().all(same)
+    let are_equal = pairs.iter().all(|(p, q)| p == q);
+    are_equal == is_exact
+        && pairs.iter().all(same)
         && moments.len() == tensor.different_moments()
         && carrying.len() == tensor.rank_of_orbit(weight)
 }

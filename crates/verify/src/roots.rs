@@ -99,10 +99,14 @@ pub(super) fn inflection(
     if spaces.active.len() < 3 {
         return if certificate.inflection.is_none() { Ok(None) } else { Err(Refused::Inflection) };
     }
-    let place = certificate.inflection.as_ref().and_then(|place| Place::read(place, spaces));
-    let place = place.filter(|place| place.side != Side::Over).ok_or(Refused::Inflection)?;
-    let range = place.range(spaces);
     let sturm = Sturm::new(&spaces.inflection_polynomial());
+    let Some(place) = &certificate.inflection else {
+        // The one root is a moment itself, which lies on no branch.
+        let is_at_a_moment = spaces.active.iter().any(|&k| sturm.sign_at(&spaces.list[k].a) == 0);
+        return if is_at_a_moment && sturm.inside(None, None) == 1 { Ok(None) } else { Err(Refused::Inflection) };
+    };
+    let place = Place::read(place, spaces).filter(|place| place.side != Side::Over).ok_or(Refused::Inflection)?;
+    let range = place.range(spaces);
     let branch = (0..=spaces.active.len()).find(|&branch| lies_in(&range, spaces.interval(branch)));
     let point = spaces.point(place.base, place.side, &place.y(spaces));
     match branch.zip(point) {
