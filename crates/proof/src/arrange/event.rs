@@ -52,6 +52,12 @@ pub(super) fn known_meetings(curves: &Curves, events: &[Event]) -> Vec<Passage> 
     known
 }
 
+/// Bounds of a height, from which those that are 0 but for rounding are moved away: any arithmetic can confirm them then.
+pub(super) fn confirmable([low, high]: [f64; 2]) -> [f64; 2] {
+    const LEAST: f64 = 1e-50;
+    [if low.abs() < LEAST { -LEAST } else { low }, if high.abs() < LEAST { LEAST } else { high }]
+}
+
 pub(super) fn crossing_event<E: Enclosure>(evaluator: &Evaluator<'_, E>, pair: [CurveId; 2], x: &[RBig; 2]) -> Event {
     // h rises with x.
     let height = |x: &RBig| {
@@ -59,5 +65,5 @@ pub(super) fn crossing_event<E: Enclosure>(evaluator: &Evaluator<'_, E>, pair: [
         point.map_or([f64::NEG_INFINITY, f64::INFINITY], |point| point.h().bounds())
     };
     let h = [height(&x[0])[0], height(&x[1])[1]];
-    Event { sources: vec![Source::Crossing(pair)], curves: pair.to_vec(), x: x.clone(), h }
+    Event { sources: vec![Source::Crossing(pair)], curves: pair.to_vec(), x: x.clone(), h: confirmable(h) }
 }

@@ -1,6 +1,6 @@
 //! Cusps, pitchforks and meetings with pole lines as events.
 
-use super::event::{Event, Source};
+use super::event::{Event, Source, confirmable};
 use super::undecided::Undecided;
 use crate::family::Half;
 use crate::id::MeetingId;
@@ -20,7 +20,7 @@ pub(super) fn single_events(
     let mut events: Vec<Event> = Vec::new();
     let event = |source, list: Vec<CurveId>, x: &Interval384, h: &Interval384| -> Result<Event, Vec<Undecided>> {
         let bounds = x.exact_bounds().ok_or_else(|| vec![Undecided::Roots])?;
-        Ok(Event { sources: vec![source], curves: list, x: bounds, h: h.bounds() })
+        Ok(Event { sources: vec![source], curves: list, x: bounds, h: confirmable(h.bounds()) })
     };
     for (number, cusp) in curves.cusps.pairs() {
         let state = evaluator.state(cusp.place.half, &evaluator.place(&cusp.place));
