@@ -7,10 +7,10 @@ use plotters::style::RGBColor;
 /// Where nothing is known.
 const UNKNOWN: RGBColor = rgb(0x9a_9a_9a);
 
-/// The first ones, chosen by hand: light enough for black text, neighbours apart in lightness too.
+/// The first ones: light enough for black text, and apart for every reader in the light theme and the dark one.
 const CHOSEN: [RGBColor; 14] = rgbs([
-    0xa6_c8_ea, 0xf7_c5_8b, 0xb5_dd_a4, 0xf2_a7_a0, 0xcf_bc_e6, 0xfb_ec_a0, 0x8f_d2_cb, 0xe3_c9_b0, 0xf3_bf_dd,
-    0xd9_e6_7f, 0x7f_a8_d1, 0xd9_93_5a, 0x7d_b3_6b, 0xc9_7f_91,
+    0xa2_b2_ff, 0xe0_c9_67, 0xb1_db_ab, 0xc9_99_93, 0xda_c0_ff, 0xf6_f9_99, 0x43_e2_e3, 0xff_db_d6, 0xff_aa_c5,
+    0xd5_f4_5d, 0xa7_94_cd, 0xc7_8f_17, 0x93_a9_6e, 0xdc_6e_a2,
 ]);
 
 /// Ends and middle of the scale of an ordered quantity, the lowest first.
@@ -69,6 +69,21 @@ fn color(number: usize) -> RGBColor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::sight::assert_apart;
+    use crate::page::{Theme, contrast};
+
+    #[test]
+    fn the_first_colours_are_told_apart_by_every_reader() {
+        for theme in [Theme::Light, Theme::Dark] {
+            let shown = CHOSEN.map(|color| theme.ground(color));
+            // A clear difference of patches.
+            assert_apart(&shown, 10.0);
+            for color in shown {
+                let text = contrast(theme.color(INK), color);
+                assert!(text > 4.5, "{text} of a number on {color:?} in {theme:?}");
+            }
+        }
+    }
 
     #[test]
     fn colours_of_a_quantity_grow_darker() {
