@@ -60,8 +60,19 @@ fn at_least_two(ticks: impl Fn(usize) -> Ticks, extent: impl Fn(f64, &str) -> [f
     if first.values.len() > 1 {
         return first;
     }
-    let mut more = (count + 1..=COUNT_MAX).map(ticks);
+    // All of them, every second one or every third one.
+    let parts =
+        |ticks: Ticks| (1..=3).flat_map(move |step| (0..step).map(|from| part(&ticks, from, step)).collect::<Vec<_>>());
+    let mut more = (count + 1..=COUNT_MAX).map(ticks).flat_map(parts);
     more.find(|ticks| ticks.values.len() > 1 && are_apart(ticks)).unwrap_or(first)
+}
+
+fn part(ticks: &Ticks, from: usize, step: usize) -> Ticks {
+    Ticks {
+        values: ticks.values.iter().copied().skip(from).step_by(step).collect(),
+        labels: ticks.labels.iter().skip(from).step_by(step).cloned().collect(),
+        quantity: ticks.quantity.clone(),
+    }
 }
 
 /// Where the name of the l axis begins.

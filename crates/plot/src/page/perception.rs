@@ -92,14 +92,14 @@ pub(crate) mod sight {
 
     /// How a reader sees.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    enum Sight {
+    pub(crate) enum Sight {
         Full,
         Deuteranopia,
         Protanopia,
         Tritanopia,
     }
 
-    const SIGHTS: [Sight; 4] = [Sight::Full, Sight::Deuteranopia, Sight::Protanopia, Sight::Tritanopia];
+    pub(crate) const SIGHTS: [Sight; 4] = [Sight::Full, Sight::Deuteranopia, Sight::Protanopia, Sight::Tritanopia];
 
     /// What is seen of a colour: Machado, Oliveira, Fernandes, A physiologically-based model for simulation of color
     /// vision deficiency, 2009, severity 1.
@@ -141,7 +141,7 @@ pub(crate) mod sight {
     }
 
     /// The distance of two colours in CIE L*a*b* (ΔE of 1976) as a reader sees them.
-    fn apart(sight: Sight, one: RGBColor, other: RGBColor) -> f64 {
+    pub(crate) fn apart(sight: Sight, one: RGBColor, other: RGBColor) -> f64 {
         let (p, q) = (cie(seen(sight, one)), cie(seen(sight, other)));
         (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>().sqrt()
     }

@@ -54,6 +54,9 @@ impl<P: Plane> Division<'_, P> {
         for &cell in cells {
             let round = self.round(cell);
             let changes = changes_of(&round);
+            if changes.is_empty() {
+                continue;
+            }
             let ways = joinings(&round, &changes);
             // One way to join several needs no look, nor does the tip of a strip.
             let is_tip = || round[changes[0]].side == round[changes[1]].side;
