@@ -167,7 +167,7 @@ mod tests {
             for ground in (0..TINTS.len()).flat_map(shades).chain([PAPER]) {
                 let against = |color: RGBColor| contrast(theme.color(color), theme.ground(ground));
                 let [text, line] =
-                    if [&TINTS[..], &[PAPER]].concat().contains(&ground) { [7.0, 1.8] } else { [6.0, 1.5] };
+                    if [&TINTS[..], &[PAPER]].concat().contains(&ground) { [7.0, 1.8] } else { [5.5, 1.4] };
                 assert!(against(INK) > text, "text in {theme:?} on {ground:?}: {}", against(INK));
                 for color in [RED, BLUE, GREEN, POLE] {
                     assert!(against(color) > line, "{color:?} in {theme:?} on {ground:?}: {}", against(color));
