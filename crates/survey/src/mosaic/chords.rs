@@ -24,7 +24,7 @@ pub(super) fn joinings<L: PartialEq>(round: &[Stop<L>], changes: &[usize]) -> Ve
         (returns, pairs.iter().map(|pair| distance(stops(pair)[0].at, stops(pair)[1].at)).sum::<f64>())
     };
     let all = pairings(&(0..changes.len()).collect::<Vec<_>>(), &agree);
-    let mut all: Vec<((usize, f64), Vec<[usize; 2]>)> = all.into_iter().map(|pairs| (cost(&pairs), pairs)).collect();
+    let mut all: Vec<_> = all.into_iter().map(|pairs| (cost(&pairs), pairs)).collect();
     all.sort_by(|(p, _), (q, _)| p.0.cmp(&q.0).then(p.1.total_cmp(&q.1)));
     let fewest = all.first().map_or(0, |(cost, _)| cost.0);
     let partners = |pairs: Vec<[usize; 2]>| {
