@@ -42,7 +42,7 @@ impl<E: Enclosure<Precision = ()>> EnclosedForm<E> {
 
     /// The form times a number.
     #[must_use]
-    pub fn scaled(&self, factor: E) -> Self {
+    pub fn scaled(&self, factor: &E) -> Self {
         Self { c: self.c.iter().map(|c| c.clone() * factor.clone()).collect() }
     }
 
@@ -189,7 +189,6 @@ impl<E: Enclosure<Precision = ()>> Part<E> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::enclosure::Arithmetic;
     use crate::interval::Interval;
     use crate::wide::Interval128;
     use dashu_ratio::RBig;

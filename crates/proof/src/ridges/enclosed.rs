@@ -77,15 +77,14 @@ fn range(n: &Numbers, base: usize, other: Option<usize>, sign: Sign) -> Range<In
     let sum = |terms: [EnclosedForm<Interval>; 3]| terms[0].plus(&terms[1]).plus(&terms[2]);
     let rest = triples.map(|(_, i, j)| tau[i].times(&tau[j]));
     let squared = rest.each_ref().map(|rest| rest.times(rest));
-    let p = sum([0, 1, 2].map(|k| squared[k].scaled(n.q[k])));
-    let q = sum([0, 1, 2].map(|k| squared[k].scaled(n.q[k] * n.a[k])));
-    let rho = sum([0, 1, 2].map(|k| rest[k].scaled(n.q[k])));
-    let fold =
-        sum(triples
-            .map(|(k, i, j)| tau[k].times(&tau[k]).times(&tau[k]).scaled(n.q[i] * n.q[j] * n.diff[i][j].square())));
-    let excess = p.scaled(n.x).plus(&q.scaled(-n.h));
+    let p = sum([0, 1, 2].map(|k| squared[k].scaled(&n.q[k])));
+    let q = sum([0, 1, 2].map(|k| squared[k].scaled(&(n.q[k] * n.a[k]))));
+    let rho = sum([0, 1, 2].map(|k| rest[k].scaled(&n.q[k])));
+    let fold = sum(triples
+        .map(|(k, i, j)| tau[k].times(&tau[k]).times(&tau[k]).scaled(&(n.q[i] * n.q[j] * n.diff[i][j].square()))));
+    let excess = p.scaled(&n.x).plus(&q.scaled(&-n.h));
     let pull = rho.times(&q);
-    let level = p.times(&excess.times(&excess)).plus(&pull.times(&pull).scaled(-Interval::ONE));
+    let level = p.times(&excess.times(&excess)).plus(&pull.times(&pull).scaled(&-Interval::ONE));
     Range { rises: sign == Sign::Positive, p, rho, excess, level, fold }
 }
 
