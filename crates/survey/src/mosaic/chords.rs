@@ -51,18 +51,11 @@ pub(super) fn pairings(points: &[usize], agree: &impl Fn(usize, usize) -> bool) 
     all
 }
 
-/// The corner of a line between two changes.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Bend {
-    pub ends: [Place; 2],
-    pub at: Place,
-}
-
-/// The line from one change to another: straight, over its bend, or round a tip where both lie on one side.
-pub(super) fn chord<L>(from: &Stop<L>, to: &Stop<L>, bend: Option<Bend>) -> Vec<Place> {
+/// The line from one change to another: straight, over a bend, or round a tip where both lie on one side.
+pub(super) fn chord<L>(from: &Stop<L>, to: &Stop<L>, bend: Option<Place>) -> Vec<Place> {
     let mut line = vec![from.at, to.at];
-    if let Some(bend) = bend.filter(|bend| bend.ends == [from.at, to.at] || bend.ends == [to.at, from.at]) {
-        line.insert(1, bend.at);
+    if let Some(bend) = bend {
+        line.insert(1, bend);
     } else if from.side == to.side {
         let ([x, y], [dx, dy]) = (mean([from.at, to.at].into_iter()), inward(from.side));
         line.insert(1, [x + TIP * dx, y + TIP * dy]);

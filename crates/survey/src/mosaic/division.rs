@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::chords::Bend;
 use super::lattice::{Cell, Change, Node, Place, Side, Stop, UNIT};
 
 /// Where what is shown changes on a way: at which share of it, and what is shown before and after.
@@ -29,8 +28,8 @@ pub(super) struct Division<'a, P: Plane> {
     pub sides: BTreeMap<Side, Vec<Change<P::Label>>>,
     /// How the changes of a cell are joined, where that can be in several ways.
     pub joined: BTreeMap<Node, Vec<usize>>,
-    /// Where a border in a cell has a corner.
-    pub bends: BTreeMap<Node, Bend>,
+    /// Where the border of a cell with one chord has a corner.
+    pub bends: BTreeMap<Node, Place>,
 }
 
 impl<P: Plane> Division<'_, P> {

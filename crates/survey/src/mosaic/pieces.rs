@@ -1,6 +1,6 @@
 //! The pieces into which cells are cut.
 
-use super::chords::{Bend, chord, joinings};
+use super::chords::{chord, joinings};
 use super::division::{Division, Plane};
 use super::lattice::{Cell, Place, Stop, mean};
 
@@ -65,7 +65,7 @@ impl<P: Plane> Division<'_, P> {
             }
             return;
         };
-        let bend = self.bends.get(&cell.from).copied();
+        let bend = self.bends.get(&cell.from).copied().filter(|_| changes.len() == 2);
         for (label, corners) in parts(&round, &changes, &partners, bend) {
             mosaic.pieces.extend(label.map(|label| (label, places(corners))));
         }
@@ -93,7 +93,7 @@ pub(super) fn parts<L: Clone>(
     round: &[Stop<L>],
     changes: &[usize],
     partners: &[usize],
-    bend: Option<Bend>,
+    bend: Option<Place>,
 ) -> Vec<(Option<L>, Vec<Place>)> {
     let mut walked = vec![false; changes.len()];
     let mut parts = Vec::new();

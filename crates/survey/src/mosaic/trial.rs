@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::chords::{Bend, joinings};
+use super::chords::joinings;
 use super::division::{Division, Plane};
-use super::lattice::{Cell, Node, Place, distance, mean};
+use super::lattice::{Cell, Node, Place, mean};
 use super::pieces::{changes_of, parts};
 
 /// Where on a chord the way to its bend begins: not in the middle, where special points lie.
@@ -12,30 +12,20 @@ const ALONG: f64 = 0.45;
 /// Parts of less than this share of a cell show nothing.
 const SEEN: f64 = 1e-6;
 
-/// What a part of a cell shows, and its corners.
-type Part<L> = (Option<L>, Vec<Place>);
-
-/// A chord that does not bound what lies beyond it, and the way on which that ends.
-struct Turn<L> {
-    cell: Cell,
-    ends: [Place; 2],
-    way: [Place; 2],
-    beyond: L,
-}
-
 /// Parts of a cell that were tried.
 struct Trial<L> {
     /// How its changes are joined.
     partners: Vec<usize>,
-    /// Its parts.
-    parts: Vec<Part<L>>,
+    /// What its parts show, and their corners.
+    parts: Vec<(Option<L>, Vec<Place>)>,
     /// Which of them show something else than the plane does amid their corners.
     wrong: Vec<usize>,
 }
 
 impl<P: Plane> Division<'_, P> {
     /// Looks at the parts of cells. Where changes can be joined in several ways, that which shows fewest wrong parts is kept;
-    /// a cell with a wrong part is quartered (these are told), and in one of the finest lattice the border of that is bent.
+    /// where a border has one chord that is wrong, its cell is quartered (these are told), and in one of the finest lattice it
+    /// is bent.
     pub(super) fn try_parts(&mut self, cells: &[Cell], tried: &mut BTreeSet<(Node, u32, usize)>) -> Vec<Cell> {
         let count = |cell: &Cell| cell.sides().iter().map(|side| self.changes(*side).len()).sum::<usize>();
         let is_new = |cell: &Cell| tried.insert((cell.from, cell.size, count(cell)));
@@ -45,13 +35,12 @@ impl<P: Plane> Division<'_, P> {
         for (cell, mut trials) in self.trials(&new) {
             let Some(best) = (0..trials.len()).min_by_key(|&k| trials[k].wrong.len()) else { continue };
             let Trial { partners, parts, wrong } = trials.swap_remove(best);
-            if cell.size > 1 {
-                open.extend((!wrong.is_empty()).then_some(cell));
-                continue;
-            }
-            bent.extend(wrong.first().and_then(|&part| self.turn(cell, &partners, &parts[part])));
             if partners.len() > 2 {
                 self.joined.insert(cell.from, partners);
+            } else if let (Some(&part), true) = (wrong.first(), cell.size == 1) {
+                bent.push((cell, parts.into_iter().map(|(_, corners)| corners).nth(part).unwrap_or_default()));
+            } else if !wrong.is_empty() {
+                open.push(cell);
             }
         }
         self.bend(bent);
@@ -69,8 +58,9 @@ impl<P: Plane> Division<'_, P> {
                 continue;
             }
             let ways = joinings(&round, &changes);
-            // The tip of a strip needs no look.
-            if ways.is_empty() || changes.len() == 2 && round[changes[0]].side == round[changes[1]].side {
+            // One way to join several needs no look, nor does the tip of a strip.
+            let is_tip = || round[changes[0]].side == round[changes[1]].side;
+            if ways.is_empty() || ways.len() == 1 && (changes.len() > 2 || is_tip()) {
                 continue;
             }
             let trial = |partners: Vec<usize>| {
@@ -90,7 +80,8 @@ impl<P: Plane> Division<'_, P> {
         for (cell, trials) in &mut all {
             let least = SEEN * f64::from(cell.size * cell.size);
             for trial in trials {
-                let is_wrong = |(label, corners): &Part<P::Label>| shown.next() != *label && area(corners) > least;
+                let is_wrong =
+                    |(label, corners): &(Option<P::Label>, Vec<Place>)| shown.next() != *label && area(corners) > least;
                 let is_wrong: Vec<bool> = trial.parts.iter().map(is_wrong).collect();
                 trial.wrong = (0..is_wrong.len()).filter(|&part| is_wrong[part]).collect();
             }
@@ -98,33 +89,22 @@ impl<P: Plane> Division<'_, P> {
         all
     }
 
-    /// The way on which the longest chord of a part that shows something else may have its bend: towards the corners of the
-    /// part.
-    fn turn(&self, cell: Cell, partners: &[usize], (shown, part): &Part<P::Label>) -> Option<Turn<P::Label>> {
-        let round = self.round(cell);
-        let changes = changes_of(&round);
-        let length = |[from, to]: [usize; 2]| distance(round[changes[from]].at, round[changes[to]].at);
-        let chords = partners.iter().enumerate().map(|(from, to)| [from, *to]);
-        let own = chords.filter(|ends| ends.iter().all(|end| part.contains(&round[changes[*end]].at)));
-        let [from, to] = own.max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
-        let ends = [from, to].map(|end| round[changes[end]].at);
-        let around = [from, (from + changes.len() - 1) % changes.len()].map(|change| &round[changes[change]].after);
-        let beyond = around.into_iter().find(|label| *label != shown)?.clone()?;
-        let is_corner = |at: &Place| round.iter().any(|stop| stop.after.is_none() && stop.at == *at);
-        let corners = || part.iter().copied().filter(|at| is_corner(at) && !ends.contains(at));
-        corners().next()?;
-        let start = [0, 1].map(|axis| ends[0][axis] + ALONG * (ends[1][axis] - ends[0][axis]));
-        Some(Turn { cell, ends, way: [start, mean(corners())], beyond })
-    }
-
-    /// Bends chords to where on these ways ends what lies beyond them.
-    fn bend(&mut self, turns: Vec<Turn<P::Label>>) {
-        let drawn: Vec<[Place; 2]> = turns.iter().map(|turn| turn.way.map(|at| self.place(at))).collect();
-        for (turn, found) in turns.into_iter().zip(self.plane.changes(&drawn)) {
-            let Turn { cell, ends, way: [from, to], beyond } = turn;
-            if let Some((share, _)) = found.first().filter(|(_, labels)| labels[0] == beyond) {
-                let at = [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]));
-                self.bends.insert(cell.from, Bend { ends, at });
+    /// Bends the chords of cells: towards the corners of the part that shows something else.
+    fn bend(&mut self, cells: Vec<(Cell, Vec<Place>)>) {
+        let way = |(cell, part): (Cell, Vec<Place>)| {
+            let round = self.round(cell);
+            let ends: Vec<Place> = changes_of(&round).into_iter().map(|k| round[k].at).collect();
+            let [from, to] = ends[..] else { return None };
+            let is_corner = |at: &Place| round.iter().any(|stop| stop.after.is_none() && stop.at == *at);
+            let corners = || part.iter().copied().filter(|at| is_corner(at) && *at != from && *at != to);
+            let start = [0, 1].map(|axis| from[axis] + ALONG * (to[axis] - from[axis]));
+            corners().next().map(|_| (cell, [start, mean(corners())]))
+        };
+        let ways: Vec<(Cell, [Place; 2])> = cells.into_iter().filter_map(way).collect();
+        let drawn: Vec<[Place; 2]> = ways.iter().map(|(_, way)| way.map(|at| self.place(at))).collect();
+        for ((cell, [from, to]), found) in ways.into_iter().zip(self.plane.changes(&drawn)) {
+            if let Some((share, _)) = found.first() {
+                self.bends.insert(cell.from, [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis])));
             }
         }
     }
@@ -228,18 +208,11 @@ mod tests {
 
     #[test]
     fn a_corner_on_a_node_is_sharp() {
-        // The lines x = 3/4 and y = 3/4 belong to what is beyond; the diagonal shows something of its own, or not.
-        const LANDS: [fn(Place) -> u8; 2] = [
-            |[x, y]| u8::from(x >= 0.75 || y >= 0.75),
-            |[x, y]| if x >= 0.75 || y >= 0.75 { 1 } else { 2 * u8::from(x == y) },
-        ];
-        for land in LANDS {
-            let plane = Lands { land, zeros: |[x, y]| vec![x - 0.75, y - 0.75] };
-            let below = |k: u32| 0.75 - 1e-3 * f64::from(k) - 5e-4;
-            let places = (0..400).map(|k| [below(k % 20) + 1e-5, below(k / 20)]);
-            // Within a tenth of a cell of the finest lattice, 1/64.
-            let found = wrong(&plane, places);
-            assert!(found.iter().all(|[x, y]| 1.5 - x - y < 0.004), "{found:?}");
-        }
+        // The lines x = 3/4 and y = 3/4 belong to what is beyond.
+        let plane = Lands { land: |[x, y]| u8::from(x >= 0.75 || y >= 0.75), zeros: |[x, y]| vec![x - 0.75, y - 0.75] };
+        let places = (0..400).map(|k| [0.75 - 1e-3 * f64::from(k % 20) - 5e-4, 0.75 - 1e-3 * f64::from(k / 20) - 5e-4]);
+        // Within a tenth of a cell of the finest lattice, 1/64.
+        let found = wrong(&plane, places);
+        assert!(found.iter().all(|[x, y]| 1.5 - x - y < 0.004), "{found:?}");
     }
 }
