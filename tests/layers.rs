@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 const ORDER: [(&str, &str); 11] = [
     (
         "crates/numbers/src",
-        "number decimal sign enclosure interval directed words wide modular polynomial ring vector symmetric bernstein root form partition \
+        "number decimal sign enclosure interval interval_newton directed words wide modular polynomial ring vector symmetric bernstein root form partition \
          sequence",
     ),
     (
@@ -36,8 +36,10 @@ const ORDER: [(&str, &str); 11] = [
     ),
     (
         "crates/verify/src",
-        "refused number classes component body descartes sturm fixed bounds isolation interval jet path spaces flow place equilibria roots pieces chart meetings \
-         stand orders node rules mirror pairs events slabs gluing regions gap morse landscape descent merging rings topology courses measures stability samples listing command part totals trace plane view chords polylines outlines widths",
+        "refused number classes component body descartes sturm fixed bounds isolation interval jet path spaces flow place \
+         equilibria roots pieces chart meetings stand orders node rules mirror pairs events slabs gluing regions gap \
+         morse landscape descent merging rings topology courses measures stability samples listing command part totals \
+         trace plane view chords polylines outlines widths",
     ),
     ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
     (

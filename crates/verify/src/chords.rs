@@ -2,7 +2,6 @@
 
 use super::interval::Interval;
 use super::orders::Orders;
-use super::pieces::Branch;
 use super::plane::{Near, POINT, Plane};
 
 /// A chord is halved so many times before its curve is said to leave it.
@@ -12,8 +11,6 @@ const HALVINGS: u32 = 8;
 pub(super) struct Chords<'a> {
     plane: &'a Plane<'a>,
     orders: &'a Orders<'a>,
-    /// The branch on which the slope turns, with x and J there.
-    turn: Option<(usize, [Interval; 2])>,
 }
 
 /// A point of a curve over l.
@@ -25,9 +22,7 @@ struct At {
 
 impl<'a> Chords<'a> {
     pub fn new(plane: &'a Plane<'a>, orders: &'a Orders) -> Self {
-        let turn = orders.inflection.as_ref();
-        let turn = turn.map(|(branch, point)| (*branch, [&point.x, &point.j].map(Interval::of)));
-        Self { plane, orders, turn }
+        Self { plane, orders }
     }
 
     /// Between two l, over which the curve is `off` by so much in h, it leaves a chord by at most so much, all in the units of the
@@ -76,15 +71,13 @@ impl<'a> Chords<'a> {
         let length = to.l - from.l;
         let bow = (slope.abs() + room / width) * length * length / (4.0 * self.plane.x);
         let apart = |other: f64| (other - slope).abs() + POINT * other.abs() + room / width;
-        let turns = self.turn.as_ref().filter(|(branch, [at, _])| {
-            let [low, high] = at.ends();
+        let turn = self.orders.turn(curve).filter(|point| {
+            let [low, high] = Interval::of(&point.x).ends();
             let aside = POINT * x[1];
-            self.orders.pieces.list[curve].branch == Branch::Generic(*branch)
-                && low <= x[1] + aside
-                && x[0] - aside <= high
+            low <= x[1] + aside && x[0] - aside <= high
         });
-        if let Some((_, [_, j])) = turns {
-            let all = [slopes[0], slopes[1], j.recip().middle()];
+        if let Some(point) = turn {
+            let all = [slopes[0], slopes[1], Interval::of(&point.j).recip().middle()];
             let [low, high] =
                 [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(0.0, f64::max)];
             return 0.25 * width * apart(high).max(apart(low)).min(high - low + POINT * high)

@@ -2,7 +2,8 @@
 
 use schema::AtlasDocument;
 
-/// The command line that makes a document with its certificate, from its body, or the part of which that is, and from what it holds.
+/// The command line that makes a document with its certificate, from its body, or the part of which that is, and from what it
+/// holds.
 pub(super) fn canonical(document: &AtlasDocument) -> String {
     let given = &document.body.given;
     let mut line = Line("bifdiag atlas".to_owned());
@@ -30,7 +31,8 @@ pub(super) fn canonical(document: &AtlasDocument) -> String {
 struct Line(String);
 
 impl Line {
-    /// `--name value`, as a POSIX shell reads it: a hyphen at the front is joined by `=`, what is not plain is quoted.
+    /// `--name value`, as a POSIX shell reads it: a hyphen at the front is joined by `=`, what is not plain is quoted. Told
+    /// apart from documents/src/command.rs, which says the same, since this checks it.
     fn option(&mut self, name: &str, value: &str) {
         let joint = if value.starts_with('-') { "=" } else { " " };
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "+-./:=,_".contains(c);

@@ -6,8 +6,8 @@ use super::Refused;
 use super::pieces::{Branch, Piece, Pieces};
 use super::spaces::Spaces;
 
-/// Checks that every curve is listed once and at its place, its kind, its multiplicity and the curves on which it runs, and the names of
-/// the curves at each cusp.
+/// Checks that every curve is listed once and at its place, its kind, its multiplicity and the curves on which it runs, and
+/// the names of the curves at each cusp.
 pub(super) fn curves(
     document: &AtlasDocument,
     certificate: &CertificateDocument,

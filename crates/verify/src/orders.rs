@@ -5,7 +5,7 @@ use schema::PlaceDocument;
 use super::Refused;
 use super::equilibria::Point;
 use super::fixed::Fixed;
-use super::pieces::Pieces;
+use super::pieces::{Branch, Pieces};
 use super::spaces::Spaces;
 use super::stand::{Stand, stand};
 
@@ -23,6 +23,12 @@ impl Orders<'_> {
     /// The equilibrium of a curve over x.
     pub fn stand(&self, curve: usize, place: Option<&PlaceDocument>, x: &Fixed) -> Result<Stand, Refused> {
         stand(self.spaces, self.pieces, curve, place, x)
+    }
+
+    /// The inflection, if it lies on the branch of a curve.
+    pub fn turn(&self, curve: usize) -> Option<&Point> {
+        let (branch, bend) = self.inflection.as_ref()?;
+        (self.pieces.list[curve].branch == Branch::Generic(*branch)).then_some(bend)
     }
 
     /// The refusal of a pair near x.

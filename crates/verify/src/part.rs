@@ -103,7 +103,7 @@ fn is_principal_form(tensor: &Matrix, weight: &Vector, body: &Body, is_exact: bo
     let small = RBig::from_parts(IBig::ONE, UBig::from(10u8).pow(DIGITS));
     let same = |(p, q): &(RBig, RBig)| {
         let off = p - q;
-        off.is_zero() || (!is_exact && off.clone().max(-off) <= q * &small)
+        off.clone().max(-off) <= q * &small
     };
     let mut carrying: Vec<&RBig> = Vec::new();
     let mut moments: Vec<&RBig> = Vec::new();

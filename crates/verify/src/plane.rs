@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use dashu_ratio::RBig;
-use schema::CertificateDocument;
+use schema::{AtlasDocument, CertificateDocument};
 
 use super::interval::Interval;
 use super::orders::Orders;
@@ -30,9 +30,8 @@ pub(super) struct Plane<'a> {
     pub energy: f64,
     /// |r|.
     pub norm: f64,
-    /// Curves are drawn up to this l where nothing else is asked: thrice √(r a), at which kinetic and potential energy are
-    /// alike.
-    pub natural: f64,
+    /// The largest moment, in the units of the certificate.
+    largest: f64,
     /// The pieces of the pole lines, and the x from which to which they run.
     lines: Vec<(usize, bool, [f64; 2])>,
     known: RefCell<Known>,
@@ -56,9 +55,16 @@ impl<'a> Plane<'a> {
         let norm = orders.spaces.norm.to_f64() * energy;
         let traces = Traces::new(orders.spaces, orders.pieces)?;
         let largest = orders.spaces.list.last().map_or(1.0, |space| space.a_set.to_f64());
-        let natural = 3.0 * (0.5 * orders.spaces.norm.to_f64().max(1.0) * largest * x).sqrt();
         let lines = lines(orders)?;
-        Ok(Self { orders, traces, x, energy, norm, natural, lines, known: RefCell::default() })
+        Ok(Self { orders, traces, x, energy, norm, largest, lines, known: RefCell::default() })
+    }
+
+    /// [h, l] up to which curves are drawn: 1.6 times the l of the last event, but at least thrice √(r a), at which kinetic and
+    /// potential energy are alike; h = l²/2A + |r| at most where μ is largest, and |r| below 0.
+    pub fn extent(&self, document: &AtlasDocument) -> [f64; 2] {
+        let natural = 3.0 * (0.5 * self.orders.spaces.norm.to_f64().max(1.0) * self.largest * self.x).sqrt();
+        let l = natural.max(1.6 * document.events.last().map_or(0.0, |event| event.l));
+        [l * l / self.x / self.largest * self.energy + 2.0 * self.norm, l]
     }
 
     /// l of an x.

@@ -16,20 +16,16 @@ pub(super) fn check(document: &AtlasDocument, orders: &Orders, plane: &Plane) ->
     if document.curves.iter().all(|curve| curve.polyline.is_empty()) {
         return Ok(());
     }
-    let last = document.events.last().map_or(0.0, |event| event.l);
-    let end = plane.natural.max(1.6 * last);
-    let largest = orders.spaces.list.last().map_or(1.0, |space| space.a_set.to_f64());
-    // h = l²/2A + |r| at most where μ is largest, and |r| below 0.
-    let height = end * end / plane.x / largest * plane.energy + 2.0 * plane.norm;
+    let extent = plane.extent(document);
     let chords = Chords::new(plane, orders);
     let is_right = |curve: &CurveDocument| {
         let line = &curve.polyline;
         let (Some(first), Some(last)) = (line.first(), line.last()) else { return false };
         let near = |l: f64, end: f64| (l - end).abs() <= POINT * end.abs();
         near(first[1], curve.l_range[0].unwrap_or(0.0))
-            && curve.l_range[1].map_or(last[1] >= end * (1.0 - POINT), |end| near(last[1], end))
+            && curve.l_range[1].map_or(last[1] >= extent[1] * (1.0 - POINT), |end| near(last[1], end))
             && line.iter().all(|[h, l]| plane.height(&curve.id, *l).is_some_and(|[on, room]| (h - on).abs() <= room))
-            && line.windows(2).all(|pair| is_chord(plane, &chords, &curve.id, pair, [height, end], line.len() == 2))
+            && line.windows(2).all(|pair| is_chord(plane, &chords, &curve.id, pair, extent, line.len() == 2))
     };
     if document.curves.iter().all(is_right) { Ok(()) } else { Err(Refused::Field { field: "curves.polyline" }) }
 }

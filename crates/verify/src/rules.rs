@@ -76,7 +76,7 @@ pub(super) fn crosses_once(orders: &Orders, curves: [usize; 2], [from, low, high
 /// Lemma 7.4, from a common cusp: there g = 0, and J is strictly monotone from one curve through the cusp to the other
 /// unless it turns between the nodes, so that dg/dx has one sign up to the node, which is its sign there.
 pub(super) fn leaves_cusp(orders: &Orders, curves: [usize; 2], node: &Node, side: usize, sign: i8) -> bool {
-    let straight = match turn(orders, curves[0]) {
+    let straight = match orders.turn(curves[0]) {
         Some(bend) => {
             let mu = |which: usize| first_tau(&node.stands[which].point);
             let turn = first_tau(bend);
@@ -162,19 +162,13 @@ fn moments(orders: &Orders, curve: usize, from: &Stand, to: Option<&Stand>) -> O
         None => limit()?.clone(),
     };
     let range = from.point.j.hull(&end);
-    let Some(bend) = turn(orders, curve) else { return Some(range) };
+    let Some(bend) = orders.turn(curve) else { return Some(range) };
     let last = match to {
         Some(stand) => first_tau(&stand.point)?.clone(),
         None => limit()? - &orders.spaces.list[0].a_set,
     };
     let straight = on_one_side(first_tau(&from.point)?, &last, first_tau(bend)?);
     Some(if straight { range } else { range.hull(&bend.j) })
-}
-
-/// The inflection, if it lies on the branch of a curve.
-fn turn<'a>(orders: &'a Orders, curve: usize) -> Option<&'a Point> {
-    let (branch, bend) = orders.inflection.as_ref()?;
-    (orders.pieces.list[curve].branch == Branch::Generic(*branch)).then_some(bend)
 }
 
 /// μ, measured from the smallest moment.

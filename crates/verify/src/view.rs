@@ -39,7 +39,7 @@ impl View<'_> {
     /// l = 0 and half as far again, of the events, of curves of the last events, and of the middle one of the curves at the top.
     fn window(&self, last: f64, lowest: Option<&CurveDocument>) -> Option<WindowDocument> {
         let events = || self.document.events.iter().filter(move |event| event.l <= last);
-        let end = self.plane.natural.max(1.6 * self.document.events.last().map_or(0.0, |event| event.l));
+        let [_, end] = self.plane.extent(self.document);
         let top = if last > 0.0 {
             1.25 * last.max(self.start_of_positive_energies(lowest, end.min(12.0 * last))?)
         } else {

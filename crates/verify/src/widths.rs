@@ -236,15 +236,13 @@ impl Strip<'_> {
         let width = last.x - first.x;
         let slopes = [first, last].map(|pair| 1.0 / pair.j[which]);
         let ends = [first, last].map(|pair| pair.h[which]);
-        let turn = self.orders.inflection.as_ref().filter(|(branch, point)| {
+        let turn = self.orders.turn(self.curves[which]).filter(|point| {
             let x = point.x.to_f64();
-            self.orders.pieces.list[self.curves[which]].branch == Branch::Generic(*branch)
-                && first.x <= x * (1.0 + POINT)
-                && last.x >= x * (1.0 - POINT)
+            first.x <= x * (1.0 + POINT) && last.x >= x * (1.0 - POINT)
         });
         // From each end with a slope that is the least, or the largest, on the way.
         let from_ends = |[left, right]: [f64; 2]| vec![[ends[0], left], [ends[1] - right * width, right]];
-        if let Some((_, point)) = turn {
+        if let Some(point) = turn {
             let slope = 1.0 / point.j.to_f64();
             let [least, most] = [slopes[0].min(slopes[1]).min(slope), slopes[0].max(slopes[1]).max(slope)];
             return from_ends(if which == 0 { [least, most] } else { [most, least] });

@@ -8,6 +8,7 @@ use dashu_ratio::RBig;
 use super::integer::Polynomial;
 use crate::Sign;
 use crate::enclosure::{Enclosure, horner};
+use crate::interval_newton::narrowed;
 
 /// A real root in a range that holds no other.
 #[derive(Clone, Debug)]
@@ -87,43 +88,18 @@ impl Root {
         }
     }
 
-    /// The root in one arithmetic, as narrow as this makes it, by Newton's method for intervals: a root of f in X lies in
-    /// m − f(m)/f′(X) for every m in X. Where that does not halve X, the sign in the middle does.
+    /// The root in one arithmetic, as narrow as this makes it.
     #[must_use]
     pub fn enclosed<E: Enclosure>(&self, precision: E::Precision) -> E {
-        const STEPS: usize = 1000;
         let number = |x: &RBig| E::rational(x, precision);
-        let mut range = number(&self.lo).hull(&number(&self.hi));
+        let range = number(&self.lo).hull(&number(&self.hi));
         if self.is_exact() {
             return range;
         }
         let (f, slope) = (self.polynomial.enclosed(precision), self.polynomial.derivative().enclosed(precision));
         let above = self.polynomial.sign_at(&self.hi);
-        let width = |range: &E| range.upper() - range.lower();
-        for _ in 0..STEPS {
-            let middle = range.middle();
-            let value = horner(&f, &middle, precision);
-            let newton = middle.clone() - value / horner(&slope, &range, precision);
-            let Some(found) = newton.meet(&range) else { return E::line(precision) };
-            let next = if (width(&found) * E::small(2, precision)).is_below(&width(&range)) {
-                found
-            } else {
-                // The middle may all but be the root, and its sign not known.
-                let beside = (range.lower() + width(&range) * E::double(0.375, precision)).middle();
-                let signs = [middle, beside].map(|at| (horner(&f, &at, precision).sign(), at));
-                match signs.into_iter().find(|(sign, _)| sign.is_some()) {
-                    Some((Some(Sign::Zero), at)) => return at,
-                    Some((Some(sign), at)) if sign == above => range.lower().hull(&at),
-                    Some((_, at)) => at.hull(&range.upper()),
-                    None => return found,
-                }
-            };
-            if !width(&next).is_below(&width(&range)) {
-                return next;
-            }
-            range = next;
-        }
-        range
+        let at = |c: &[E], at: &E| horner(c, at, precision);
+        narrowed(range, above, |x| at(&f, x), |x| at(&slope, x), precision)
     }
 
     /// Two points close around the Newton guess.

@@ -1,0 +1,246 @@
+//! Single claims that are false are refused by the mathematics, each for its reason.
+
+use dashu_ratio::RBig;
+use documents::seal;
+use schema::{Accuracy, AtlasDocument, CertifiedNode, PlaceDocument};
+use verify::{Refused, Report, verify};
+
+use crate::made::{body, document, exact, forged, of_tilted_part, preset};
+
+fn mutated(change: impl Fn(&mut AtlasDocument)) -> Result<Report, Refused> {
+    forged(&document(&preset("paper")), change)
+}
+
+#[test]
+fn a_flipped_byte_is_caught_by_the_checksum() {
+    let mut document = document(&preset("paper"));
+    document.regions[0].sample.h += 1e-9;
+    assert_eq!(verify(&document), Err(Refused::Checksum));
+}
+
+#[test]
+fn false_claims_are_refused_by_the_mathematics() {
+    let certificate = |d: &mut AtlasDocument, change: &dyn Fn(&mut schema::CertificateDocument)| {
+        change(d.certificate.as_mut().unwrap());
+    };
+    // Wrong genus.
+    let refused = mutated(|d| {
+        let components = d.regions[6].components.clone();
+        d.regions[5].components = components;
+        d.regions[5].signature = d.regions[6].signature.clone();
+    });
+    assert!(matches!(refused, Err(Refused::Topology { .. })), "{refused:?}");
+    // A cell given to another region.
+    let refused = mutated(|d| certificate(d, &|c| c.slabs[3].curves[2].region = "R1".to_owned()));
+    assert!(matches!(refused, Err(Refused::Slab { .. })), "{refused:?}");
+    // A missing root, and a missing cusp.
+    let refused = mutated(|d| certificate(d, &|c| drop(c.meetings.pop())));
+    assert!(matches!(refused, Err(Refused::MeetingCount { .. })), "{refused:?}");
+    let refused = mutated(|d| certificate(d, &|c| drop(c.cusps.pop())));
+    assert!(matches!(refused, Err(Refused::CuspCount { .. })), "{refused:?}");
+    // An invented root.
+    let refused = mutated(|d| {
+        certificate(d, &|c| {
+            let again = c.cusps[0].clone();
+            c.cusps.push(again);
+        });
+    });
+    assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
+    // An isolating range that misses its root.
+    let refused = mutated(|d| certificate(d, &|c| c.cusps[0].place.y[1] = c.cusps[0].place.y[0].clone()));
+    assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
+    // An enclosure that is too narrow.
+    let refused = mutated(|d| certificate(d, &|c| c.events[0].x[1] = c.events[0].x[0].clone()));
+    assert!(matches!(refused, Err(Refused::Event { .. })), "{refused:?}");
+    // Curves in the wrong order.
+    let refused = mutated(|d| certificate(d, &|c| c.slabs[2].curves.swap(1, 2)));
+    assert!(matches!(refused, Err(Refused::Slab { .. })), "{refused:?}");
+    // A pair with the wrong sign, one that is missing, and one with a gap.
+    let refused = mutated(|d| certificate(d, &|c| c.pairs[0].stretches[0].sign *= -1));
+    assert!(matches!(refused, Err(Refused::Pair { .. })), "{refused:?}");
+    let refused = mutated(|d| certificate(d, &|c| drop(c.pairs.pop())));
+    assert!(matches!(refused, Err(Refused::Pair { .. })), "{refused:?}");
+    // A swapped neighbour.
+    let refused = mutated(|d| {
+        let other = d.regions[0].neighbours[0].region.clone();
+        d.regions[4].neighbours[0].region = if other == d.regions[4].neighbours[0].region { None } else { other };
+    });
+    assert!(matches!(refused, Err(Refused::Region { .. })), "{refused:?}");
+    // A sample outside its region.
+    let refused = mutated(|d| {
+        certificate(d, &|c| {
+            let h = c.samples[0].h.clone();
+            c.samples[1].h = h;
+            c.samples[1].slab = c.samples[0].slab;
+        });
+    });
+    assert!(matches!(refused, Err(Refused::Region { .. })), "{refused:?}");
+    // A region too few.
+    let refused = mutated(|d| d.summary.regions = 8);
+    assert!(matches!(refused, Err(Refused::Summary { .. })), "{refused:?}");
+    // Another body.
+    let refused = mutated(|d| {
+        d.body.given.moments[1] = "1.2".parse().unwrap();
+        d.head.command = d.head.command.replace("1.1", "1.2");
+    });
+    assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
+}
+
+/// The box of a crossing with both its ends on one side of it: the gap of the curves has the right sign at one end alone.
+#[test]
+fn a_crossing_beside_its_box_is_refused() {
+    let true_one = document(&body([["1", "5/9", "0.5001"], ["1", "0", "0"]]));
+    for kept in 0..2 {
+        let mut forged = true_one.clone();
+        let certificate = forged.certificate.as_mut().unwrap();
+        let mut stretches = certificate.pairs.iter_mut().flat_map(|pair| &mut pair.stretches);
+        let nodes = stretches.find_map(|stretch| stretch.crossing.as_mut()).expect("a crossing");
+        let x = nodes.each_ref().map(|node| exact(node.x.as_ref().unwrap()));
+        let thousandth = (&x[1] - &x[0]) / RBig::from(1000);
+        let moved = if kept == 0 { &x[0] + thousandth } else { &x[1] - thousandth };
+        let both = nodes.each_ref().map(|node| node.places.clone().unwrap());
+        let places = [0, 1].map(|curve| around(&both[0][curve], &both[1][curve]));
+        nodes[1 - kept] = CertifiedNode { x: Some(numbers::decimal::exact(&moved)), places: Some(places) };
+        seal(&mut forged).unwrap();
+        let refused = verify(&forged);
+        assert!(matches!(refused, Err(Refused::Pair { .. })), "kept {kept}: {refused:?}");
+    }
+}
+
+/// The place that holds two.
+fn around(p: &PlaceDocument, q: &PlaceDocument) -> PlaceDocument {
+    let (low, high) = if exact(&p.y[0]) < exact(&q.y[0]) { (p, q) } else { (q, p) };
+    PlaceDocument { y: [low.y[0].clone(), high.y[1].clone()], ..low.clone() }
+}
+
+/// A place moved to either side by a hundred times its width and a millionth.
+#[test]
+fn a_place_beside_its_abscissa_is_refused() {
+    let true_one = document(&preset("paper"));
+    let slabs = &true_one.certificate.as_ref().unwrap().slabs;
+    for (slab, level) in slabs.iter().enumerate().flat_map(|(n, slab)| (0..slab.curves.len()).map(move |k| (n, k))) {
+        for side in [-1, 1] {
+            let mut forged = true_one.clone();
+            let height = &mut forged.certificate.as_mut().unwrap().slabs[slab].curves[level];
+            let Some(place) = &mut height.place else { continue };
+            let [low, high] = place.y.each_ref().map(|y| exact(y));
+            let step = ((&high - &low) * RBig::from(100) + &low / RBig::from(1_000_000)) * RBig::from(side);
+            place.y = [low + &step, high + step].map(|y| numbers::decimal::exact(&y));
+            seal(&mut forged).unwrap();
+            let refused = verify(&forged);
+            assert!(matches!(refused, Err(Refused::Place { .. })), "slab {slab}, curve {level}, {side}: {refused:?}");
+        }
+    }
+}
+
+/// What is written twice or under another name: a source of an event, a cusp, a stretch.
+#[test]
+fn nothing_is_counted_twice() {
+    let certificate = |d: &mut AtlasDocument, change: &dyn Fn(&mut schema::CertificateDocument)| {
+        change(d.certificate.as_mut().unwrap());
+    };
+    let renamed = mutated(|d| {
+        certificate(d, &|c| {
+            let source = c.events.iter_mut().flat_map(|event| &mut event.sources).find(|s| *s == "cusp:0").unwrap();
+            *source = "cusp:00".to_owned();
+        });
+    });
+    assert!(matches!(renamed, Err(Refused::Event { .. })), "{renamed:?}");
+    let repeated = mutated(|d| {
+        certificate(d, &|c| {
+            let again = c.events[0].clone();
+            c.events.push(again);
+        });
+    });
+    assert!(matches!(repeated, Err(Refused::Event { .. })), "{repeated:?}");
+    let repeated = mutated(|d| {
+        certificate(d, &|c| {
+            let again = c.pairs[0].clone();
+            c.pairs.push(again);
+        });
+    });
+    assert!(matches!(repeated, Err(Refused::Pair { .. })), "{repeated:?}");
+}
+
+/// The command of another body or with other options, and versions that are none.
+#[test]
+fn the_command_is_that_of_the_document() {
+    let command = document(&preset("paper")).head.command;
+    assert_eq!(command, "bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623 --certificate --json");
+    for other in [
+        command.replace("1.1", "1.2"),
+        command.replace(" --certificate", ""),
+        command.replace(" --json", " --no-polygons --json"),
+        command.replace("atlas", "scan"),
+        format!("{command} --window 0:1,0:1"),
+    ] {
+        let refused = mutated(|d| d.head.command.clone_from(&other));
+        assert_eq!(refused, Err(Refused::Field { field: "command" }), "{other}");
+    }
+    for version in ["", "1", "1.2", "1.2.x", "1.2.3.4", "v1.2.3", "1.2.3 4"] {
+        let refused = mutated(|d| version.clone_into(&mut d.head.version));
+        assert_eq!(refused, Err(Refused::Field { field: "version" }), "{version}");
+    }
+    assert!(mutated(|d| "1.2.3-beta.1".clone_into(&mut d.head.version)).is_ok());
+}
+
+/// What is told of a part, forged together with the command that names it.
+#[test]
+fn a_part_is_that_of_its_body() {
+    let true_one = of_tilted_part();
+    assert!(true_one.body.part.as_ref().is_some_and(|part| !part.exact && part.physical));
+    let refused = |change: &dyn Fn(&mut schema::PartDocument)| {
+        let mut forged = true_one.clone();
+        let part = forged.body.part.as_mut().unwrap();
+        let texts = |part: &schema::PartDocument| {
+            let [[xx, xy, _], ..] = &part.inertia;
+            let [x, y, z] = &part.com;
+            [
+                format!("{xx},"),
+                format!(",{xy},"),
+                format!("{x},{y},{z}"),
+                part.mass.clone(),
+                part.g.clone(),
+                part.units.clone(),
+            ]
+        };
+        let before = texts(part);
+        change(part);
+        for (old, new) in before.iter().zip(texts(part)).filter(|(old, new)| *old != new) {
+            forged.head.command = forged.head.command.replacen(old, &new, 1);
+        }
+        if !part.physical {
+            forged.head.command = forged.head.command.replace(" --certificate", " --unphysical --certificate");
+        }
+        seal(&mut forged).unwrap();
+        match verify(&forged) {
+            Err(Refused::Field { field }) => field,
+            other => panic!("{other:?}"),
+        }
+    };
+    let numbers = "body.part: inertia, com, mass, g, units or exact";
+    assert_eq!(refused(&|part| part.mass = "2.6".to_owned()), numbers);
+    assert_eq!(refused(&|part| part.g = "9.8".to_owned()), numbers);
+    assert_eq!(refused(&|part| part.com[1] = "0.021".to_owned()), numbers);
+    assert_eq!(refused(&|part| part.units = "kg,mm,s".to_owned()), numbers);
+    assert_eq!(refused(&|part| part.units = "kg,fathom,s".to_owned()), "body.part.units");
+    assert_eq!(refused(&|part| part.exact = true), numbers);
+    assert_eq!(refused(&|part| part.physical = false), "body.part.physical");
+    assert_eq!(refused(&|part| part.inertia[0][0].push('1')), numbers);
+    assert_eq!(refused(&|part| part.principal.axes[1][2] += 1e-9), "body.part.principal");
+    assert_eq!(refused(&|part| part.principal_com.moments[0] *= 1.0 + 1e-9), "body.part.principal_com");
+    assert_eq!(refused(&|part| part.moments.swap(0, 1)), "body.part: A or r");
+}
+
+#[test]
+fn an_atlas_without_certificate_is_not_confirmed() {
+    let mut atlas = document(&preset("paper"));
+    atlas.certificate = None;
+    assert_eq!(verify(&atlas), Err(Refused::NoCertificate));
+    assert!(Refused::NoCertificate.to_string().contains("--certificate"));
+}
+
+#[test]
+fn a_certificate_is_exact() {
+    assert_eq!(mutated(|d| d.accuracy = Accuracy::Fast), Err(Refused::Accuracy));
+}

@@ -1,0 +1,7 @@
+//! `verify` confirms atlases with certificates and refuses false ones.
+
+mod claims;
+mod confirmed;
+mod fields;
+mod made;
+mod pictures;

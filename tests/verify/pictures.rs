@@ -1,0 +1,77 @@
+//! What serves pictures is right: polylines, outlines, windows and widths.
+
+use schema::{AtlasDocument, RegionDocument};
+use verify::{Refused, verify};
+
+use crate::made::{body, forged, preset, whole};
+
+/// Two points of every polyline, a corner of every outline, every end of a window and every width, a little aside; a region
+/// without its outline or of no end.
+#[test]
+fn pictures_that_are_a_little_wrong_are_refused() {
+    for name in ["paper", "kovalevskaya"] {
+        let true_one = whole(&preset(name));
+        let refused = |field, change: &dyn Fn(&mut AtlasDocument)| {
+            assert_eq!(forged(&true_one, change), Err(Refused::Field { field }), "{name}");
+        };
+        for (curve, number) in true_one.curves.iter().zip(0..) {
+            let last = curve.polyline.len() - 1;
+            refused("curves.polyline", &|d| d.curves[number].polyline[last / 2][0] += 1e-6);
+            refused("curves.polyline", &|d| d.curves[number].polyline[last][1] += 1e-6);
+        }
+        for (region, number) in true_one.regions.iter().zip(0..) {
+            let outlines = region.polygon.as_ref().unwrap();
+            let inside = |h: f64| true_one.view.everything.h.iter().all(|border| (h - border).abs() > 1e-3);
+            let corner = outlines.iter().flatten().position(|corner| inside(corner[0])).unwrap();
+            let refused = |what: &str, change: &dyn Fn(&mut RegionDocument)| {
+                let refused = forged(&true_one, |d| change(&mut d.regions[number]));
+                assert!(matches!(refused, Err(Refused::Region { .. })), "{name} {}: {what}: {refused:?}", region.id);
+            };
+            refused("a corner aside", &|region| {
+                region.polygon.iter_mut().flatten().flatten().nth(corner).unwrap()[0] += 1e-6;
+            });
+            refused("no outline", &|region| region.polygon = Some(Vec::new()));
+            let others = match region.h_width {
+                Some(width) => vec![Some(width * 1.000_01), Some(width * 0.999_99), None],
+                None => vec![Some(1e6)],
+            };
+            for other in others {
+                refused("another width", &|region| region.h_width = other);
+            }
+        }
+        for end in 0..2 {
+            refused("view", &|d| d.view.everything.h[end] += 1e-3);
+            refused("view", &|d| d.view.main.h[end] += 1e-3);
+            refused("view", &|d| d.view.everything.l[end] += 1e-3);
+            refused("view", &|d| d.view.main.l[end] += 1e-3);
+        }
+    }
+}
+
+/// Widths of a body that are reached but exceeded elsewhere: those of unbounded regions at finite places.
+#[test]
+fn widths_that_are_exceeded_far_out_are_refused() {
+    let true_one = whole(&body([["1", "2", "3"], ["0.4", "0.5", "0.77"]]));
+    verify(&true_one).unwrap();
+    let mut forged_ones = 0;
+    for (region, number) in true_one.regions.iter().zip(0..) {
+        let (Some(width), [Some(from), None]) = (region.h_width, region.l_range) else { continue };
+        let curve = |id: &String| true_one.curves.iter().find(|curve| curve.id == *id).unwrap();
+        let height = |id: &String, l: f64| {
+            let line = &curve(id).polyline;
+            let after = line.iter().position(|point| point[1] >= l)?.max(1);
+            let [p, q] = [line[after - 1], line[after]];
+            Some(p[0] + (q[0] - p[0]) * (l - p[1]) / (q[1] - p[1]))
+        };
+        let cell = region.cells.last().unwrap();
+        for l in [1.01, 1.5, 2.0, 3.0].map(|share| share * from.max(0.1)) {
+            let gap = height(cell.upper.as_ref().unwrap(), l).zip(height(&cell.lower, l)).map(|(high, low)| high - low);
+            if let Some(gap) = gap.filter(|gap| *gap < width * (1.0 - 1e-4)) {
+                let refused = forged(&true_one, |d| d.regions[number].h_width = Some(gap));
+                assert!(matches!(refused, Err(Refused::Region { .. })), "{}: {gap} of {width}", region.id);
+                forged_ones += 1;
+            }
+        }
+    }
+    assert!(forged_ones > 3, "{forged_ones}");
+}
