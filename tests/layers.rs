@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 const ORDER: [(&str, &str); 11] = [
     (
         "crates/numbers/src",
-        "number decimal sign enclosure interval directed words wide modular polynomial ring vector symmetric bernstein root form partition \
+        "number decimal sign enclosure interval interval_newton directed words wide modular polynomial ring vector symmetric bernstein root form partition \
          sequence",
     ),
     (

@@ -3,30 +3,38 @@
 
 use super::Sign;
 use super::enclosure::Enclosure;
-use super::interval::Interval;
-use super::root::itp;
+use super::interval_newton::narrowed;
+use super::polynomial::Polynomial;
 
 /// Σ c_k v^(n−k) u^k with v = 1 − u. (The forms of [`bernstein`](super::bernstein) bound their rounding by magnitudes, which under-
 /// and overflow spoil.)
 #[derive(Clone, Debug)]
-pub struct EnclosedForm {
-    c: Vec<Interval>,
+pub struct EnclosedForm<E> {
+    c: Vec<E>,
 }
 
-impl EnclosedForm {
+impl<E: Enclosure<Precision = ()>> EnclosedForm<E> {
     /// The form of degree 1 with these values at u = 0 and u = 1.
     #[must_use]
-    pub fn linear(at_zero: Interval, at_one: Interval) -> Self {
+    pub fn linear(at_zero: E, at_one: E) -> Self {
         Self { c: vec![at_zero, at_one] }
+    }
+
+    /// vⁿ p(u/v), where n is at least the degree of p.
+    #[must_use]
+    pub fn of(p: &Polynomial, n: usize) -> Self {
+        let mut c = p.enclosed(());
+        c.resize(n + 1, E::small(0, ()));
+        Self { c }
     }
 
     /// The product.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
-        let mut c = vec![Interval::ZERO; self.c.len() + other.c.len() - 1];
+        let mut c = vec![E::small(0, ()); self.c.len() + other.c.len() - 1];
         for (i, a) in self.c.iter().enumerate() {
             for (j, b) in other.c.iter().enumerate() {
-                c[i + j] = c[i + j] + *a * *b;
+                c[i + j] = c[i + j].clone() + a.clone() * b.clone();
             }
         }
         Self { c }
@@ -34,45 +42,57 @@ impl EnclosedForm {
 
     /// The form times a number.
     #[must_use]
-    pub fn scaled(&self, factor: Interval) -> Self {
-        Self { c: self.c.iter().map(|c| *c * factor).collect() }
+    pub fn scaled(&self, factor: &E) -> Self {
+        Self { c: self.c.iter().map(|c| c.clone() * factor.clone()).collect() }
     }
 
     /// The sum with a form of the same degree.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         debug_assert_eq!(self.c.len(), other.c.len());
-        Self { c: self.c.iter().zip(&other.c).map(|(a, b)| *a + *b).collect() }
+        Self { c: self.c.iter().zip(&other.c).map(|(a, b)| a.clone() + b.clone()).collect() }
+    }
+
+    /// The derivative by u.
+    fn derivative(&self) -> Self {
+        let degree = self.c.len() - 1;
+        let times = |c: &E, k: usize| c.clone() * E::double(k as f64, ());
+        Self { c: (0..degree).map(|k| times(&self.c[k + 1], k + 1) - times(&self.c[k], degree - k)).collect() }
     }
 
     /// The value at u.
     #[must_use]
-    pub fn at(&self, u: Interval) -> Interval {
-        let v = Interval::ONE - u;
-        let mut power = Interval::ONE;
-        let mut value = Interval::ZERO;
+    pub fn at(&self, u: &E) -> E {
+        let v = E::small(1, ()) - u.clone();
+        let mut power = E::small(1, ());
+        let mut value = E::small(0, ());
         for c in self.c.iter().rev() {
-            value = value * u + *c * power;
-            power = power * v;
+            value = value * u.clone() + c.clone() * power.clone();
+            power = power * v.clone();
         }
         value
     }
 
-    /// The roots in 0 < u < 1, ascending, in intervals that share ends at most. `None` when the coefficients do not tell how
-    /// many there are, one is not simple, or one is at 0 or 1.
+    /// The roots in 0 < u < 1, ascending, in ranges that share ends at most. `None` when the coefficients do not tell how many
+    /// there are, one is not simple, or one is at 0 or 1.
     #[must_use]
-    pub fn simple_roots(&self) -> Option<Vec<Interval>> {
+    pub fn simple_roots(&self) -> Option<Vec<E>> {
         const SPLITS: usize = 400;
         for end in [self.c.first()?, self.c.last()?] {
             end.strict_sign()?;
         }
+        let slope = self.derivative();
         let mut open = vec![Part::whole(self)];
         let mut found = Vec::new();
         let mut splits = 0;
         while let Some(part) = open.pop() {
             match part.changes() {
                 [_, 0] => {}
-                [1, 1] => found.push(self.narrowed(&part)),
+                [1, 1] => {
+                    let above = part.b[part.b.len() - 1].strict_sign()?;
+                    let range = part.range[0].hull(&part.range[1]);
+                    found.push(narrowed(range, above, |u| self.at(u), |u| slope.at(u), ()));
+                }
                 _ if splits == SPLITS => return None,
                 _ => {
                     splits += 1;
@@ -83,47 +103,27 @@ impl EnclosedForm {
         }
         Some(found)
     }
-
-    /// The one root in a part, in a narrow interval around what `f64` finds where the signs at its ends prove it.
-    fn narrowed(&self, part: &Part) -> Interval {
-        /// Relative to u: 2^−46, 2^−40, 2^−32, 2^−22.
-        const REACHES: [f64; 4] = [64.0, 4096.0, 1_048_576.0, 1_073_741_824.0];
-        let [lo, hi] = part.range;
-        let [first, last] = [part.b[0], part.b[part.b.len() - 1]];
-        let value = |u: f64| centre(self.at(Interval::point(u)));
-        let guess = itp(lo, hi, centre(first), centre(last), 4.0 * f64::EPSILON * hi, value).at;
-        let sign_at =
-            |u: f64, end: Interval| if u == lo || u == hi { end.sign() } else { self.at(Interval::point(u)).sign() };
-        let around = |units: f64| {
-            let reach = guess * (units * f64::EPSILON);
-            let [low, high] = [(guess - reach).max(lo), (guess + reach).min(hi)];
-            let holds = low < high && sign_at(low, first) == first.sign() && sign_at(high, last) == last.sign();
-            holds.then_some(Interval { lo: low, hi: high })
-        };
-        REACHES.into_iter().find_map(around).unwrap_or(Interval { lo, hi })
-    }
-}
-
-fn centre(range: Interval) -> f64 {
-    0.5 * range.lo + 0.5 * range.hi
 }
 
 /// A part of (0, 1), with the Bernstein coefficients there.
-struct Part {
-    b: Vec<Interval>,
-    range: [f64; 2],
+struct Part<E> {
+    b: Vec<E>,
+    /// Its ends, as points.
+    range: [E; 2],
+    /// Where it is split, as a share of it.
+    share: f64,
 }
 
-impl Part {
-    fn whole(form: &EnclosedForm) -> Self {
+impl<E: Enclosure<Precision = ()>> Part<E> {
+    fn whole(form: &EnclosedForm<E>) -> Self {
         let degree = form.c.len() - 1;
         let mut binomial = 1.0;
         let mut b = Vec::with_capacity(form.c.len());
         for (k, c) in form.c.iter().enumerate() {
-            b.push(*c / Interval::point(binomial));
+            b.push(c.clone() / E::double(binomial, ()));
             binomial = binomial * (degree - k) as f64 / (k + 1) as f64;
         }
-        Self { b, range: [0.0, 1.0] }
+        Self { b, range: [0, 1].map(|end| E::small(end, ())), share: 0.5 }
     }
 
     /// The smallest and the largest number of changes of sign among the coefficients.
@@ -146,45 +146,57 @@ impl Part {
         [fewest, most[0].max(most[1]).unwrap_or(0)]
     }
 
-    /// Both sides of a place near the middle at which the form is not 0, by de Casteljau's rule.
+    /// Both sides of a place at which the form is not 0, by de Casteljau's rule.
     fn halves(&self) -> Option<[Self; 2]> {
-        [0.5, 0.375].into_iter().find_map(|t| {
-            let halves = self.split(t)?;
+        [1.0, 0.75].into_iter().find_map(|t| {
+            let halves = self.split(t * self.share)?;
             halves[1].b[0].strict_sign().map(|_| halves)
         })
     }
 
     fn split(&self, t: f64) -> Option<[Self; 2]> {
-        let [lo, hi] = self.range;
-        let at = lo + t * (hi - lo);
-        if !(lo < at && at < hi) {
+        let [lo, hi] = self.range.clone();
+        let width = hi.clone() - lo.clone();
+        let at = (lo.clone() + width.clone() * E::double(t, ())).middle();
+        if !(lo.is_below(&at) && at.is_below(&hi)) {
             return None;
         }
-        let [from, to, here] = [lo, hi, at].map(Interval::point);
-        let width = to - from;
-        let (u, v) = ((here - from) / width, (to - here) / width);
+        let (u, v) = ((at.clone() - lo.clone()) / width.clone(), (hi.clone() - at.clone()) / width);
         let mut row = self.b.clone();
         let (mut left, mut right) = (Vec::with_capacity(row.len()), Vec::with_capacity(row.len()));
-        while let (Some(first), Some(last)) = (row.first().copied(), row.last().copied()) {
+        while let (Some(first), Some(last)) = (row.first().cloned(), row.last().cloned()) {
             left.push(first);
             right.push(last);
-            row = row.windows(2).map(|pair| pair[0] * v + pair[1] * u).collect();
+            row = row.windows(2).map(|pair| pair[0].clone() * v.clone() + pair[1].clone() * u.clone()).collect();
         }
         right.reverse();
-        Some([Self { b: left, range: [lo, at] }, Self { b: right, range: [at, hi] }])
+        let [below, above] = self.next_shares();
+        Some([
+            Self { b: left, range: [lo, at.clone()], share: below },
+            Self { b: right, range: [at, hi], share: above },
+        ])
+    }
+
+    /// Where the parts below and above are split: after a step towards an end the next one goes as much further in the
+    /// exponent, so that roots very near to an end take few steps.
+    fn next_shares(&self) -> [f64; 2] {
+        const NEAREST: f64 = 1.0 / (1u64 << 48) as f64;
+        let nearer = |distance: f64| if distance <= 0.5 { (distance * distance).max(NEAREST) } else { 0.5 };
+        [nearer(self.share), 1.0 - nearer(1.0 - self.share)]
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::enclosure::Arithmetic;
+    use crate::interval::Interval;
+    use crate::wide::Interval128;
     use dashu_ratio::RBig;
     use proptest::prelude::*;
 
     /// Π (u − root).
-    fn with_roots(roots: &[RBig]) -> EnclosedForm {
-        let number = |x: &RBig| Interval::rational(x, ());
+    fn with_roots<E: Enclosure<Precision = ()>>(roots: &[RBig]) -> EnclosedForm<E> {
+        let number = |x: &RBig| E::rational(x, ());
         let factor = |root: &RBig| EnclosedForm::linear(number(&-root.clone()), number(&(RBig::ONE - root)));
         roots[1..].iter().fold(factor(&roots[0]), |product, root| product.times(&factor(root)))
     }
@@ -199,7 +211,7 @@ mod tests {
             let mut roots: Vec<RBig> = roots.into_iter().map(|(p, q)| rational(p, q)).collect();
             roots.sort();
             roots.dedup();
-            let form = with_roots(&roots);
+            let form = with_roots::<Interval>(&roots);
             let inside: Vec<&RBig> = roots.iter().filter(|root| **root > RBig::ZERO && **root < RBig::ONE).collect();
             // Whatever is found is right; what is well apart is found.
             let apart = roots.windows(2).all(|pair| &pair[1] - &pair[0] > rational(1, 25));
@@ -219,20 +231,33 @@ mod tests {
     #[test]
     fn multiple_roots_and_roots_at_the_ends_are_left_open() {
         let half = rational(1, 2);
-        assert!(with_roots(&[half.clone(), half.clone()]).simple_roots().is_none());
-        assert!(with_roots(&[half.clone(), RBig::ZERO]).simple_roots().is_none());
-        assert!(with_roots(&[RBig::ONE, rational(1, 3)]).simple_roots().is_none());
-        assert_eq!(with_roots(&[half, rational(7, 3)]).simple_roots().unwrap().len(), 1);
+        assert!(with_roots::<Interval>(&[half.clone(), half.clone()]).simple_roots().is_none());
+        assert!(with_roots::<Interval>(&[half.clone(), RBig::ZERO]).simple_roots().is_none());
+        assert!(with_roots::<Interval>(&[RBig::ONE, rational(1, 3)]).simple_roots().is_none());
+        assert_eq!(with_roots::<Interval>(&[half, rational(7, 3)]).simple_roots().unwrap().len(), 1);
     }
 
     #[test]
     fn roots_of_very_different_size_are_enclosed() {
         let planted =
             [rational(1, 1_000_000_007) * rational(1, 1_000_000_009), rational(1, 1_000_000_007), rational(2, 5)];
-        let found = with_roots(&planted).simple_roots().unwrap();
+        let found = with_roots::<Interval>(&planted).simple_roots().unwrap();
         for (range, root) in found.iter().zip(&planted) {
             let [lo, hi] = range.exact_bounds().unwrap();
             assert!(lo <= *root && *root <= hi && range.hi - range.lo < 1e-6 * range.hi, "{range:?}");
+        }
+    }
+
+    #[test]
+    fn roots_that_f64_leaves_open_are_enclosed_with_more_bits() {
+        let third = rational(1, 3);
+        let planted = [third.clone(), third + rational(1, 1_000_000_007) * rational(1, 1_000_000_009)];
+        assert!(with_roots::<Interval>(&planted).simple_roots().is_none());
+        let found = with_roots::<Interval128>(&planted).simple_roots().unwrap();
+        assert!(found[0].is_below(&found[1]));
+        for (range, root) in found.iter().zip(&planted) {
+            let [lo, hi] = range.exact_bounds().unwrap();
+            assert!(lo <= *root && *root <= hi, "{range:?}");
         }
     }
 

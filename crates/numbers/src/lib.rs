@@ -6,6 +6,7 @@ pub mod directed;
 pub mod enclosure;
 pub mod form;
 pub mod interval;
+mod interval_newton;
 mod modular;
 mod number;
 pub mod partition;

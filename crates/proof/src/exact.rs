@@ -24,7 +24,7 @@ pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classific
     let momentum = l.value() / exact(frame.momentum_unit);
     let x = &momentum * &momentum / RBig::from(2);
     let energy = h.value() / exact(frame.energy_unit);
-    let plane = Plane { model: &model, frame: &frame };
+    let plane = Plane::new(&model, &frame);
     let mut heights = Heights::new(&model, x.clone());
     let levels = heights.against(&energy).map_err(|none| plane.open(none, &x))?;
     let margin = margin(&plane, &levels, &x);

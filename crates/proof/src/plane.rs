@@ -14,7 +14,7 @@ use top::topology::whole_sphere;
 use super::curves::{Place, order, passive_place, roots_in_interval};
 use super::heights::{Level, NoHeights, Source, refined};
 use super::model::Model;
-use super::ridges;
+use super::ridges::Ridges;
 
 /// Why a point has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -43,6 +43,7 @@ pub enum Open {
 pub(super) struct Plane<'a> {
     pub model: &'a Model,
     pub frame: &'a Frame,
+    ridges: Ridges<'a>,
 }
 
 /// Bounds of the cell around an energy: from the highest height below it to the lowest above it.
@@ -64,7 +65,11 @@ impl Gap {
     }
 }
 
-impl Plane<'_> {
+impl<'a> Plane<'a> {
+    pub fn new(model: &'a Model, frame: &'a Frame) -> Self {
+        Self { model, frame, ridges: Ridges::of(model) }
+    }
+
     /// The components of U_hl in a cell over x.
     pub fn class(&self, x: &RBig, gap: &Gap) -> Result<Components, Open> {
         // Places in the cell: should two latitudes agree at one of them, they do not at the next.
@@ -76,7 +81,7 @@ impl Plane<'_> {
         };
         let width = high - low;
         let at = |[p, q]: [u8; 2]| rounded(low + &width * RBig::from_parts(p.into(), q.into()), &width);
-        PLACES.into_iter().find_map(|place| ridges::components(self.model, x, &at(place))).ok_or(Open::Latitudes)
+        PLACES.into_iter().find_map(|place| self.ridges.components(x, &at(place))).ok_or(Open::Latitudes)
     }
 
     /// Why a point has no answer, with the name of the curve.

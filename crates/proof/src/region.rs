@@ -40,15 +40,15 @@ pub(super) fn regions(arrangement: &Arrangement, frame: &Frame) -> Table<RegionI
             cells[region].push(Cell { slab, position });
         }
     }
-    cells.into_iter().map(|cells| region(arrangement, frame, cells)).collect()
+    let plane = Plane::new(&arrangement.model, frame);
+    cells.into_iter().map(|cells| region(arrangement, &plane, cells)).collect()
 }
 
-fn region(arrangement: &Arrangement, frame: &Frame, cells: Vec<Cell>) -> Region {
+fn region(arrangement: &Arrangement, plane: &Plane<'_>, cells: Vec<Cell>) -> Region {
     let samples = cells.iter().filter_map(|&cell| sample(arrangement, cell));
     let best = samples.max_by(|p, q| p.0.total_cmp(&q.0)).map(|(_, sample)| sample);
     let Cell { slab, position } = best.as_ref().map_or(cells[0], |sample| sample.cell);
     let strip = &arrangement.slabs[slab];
-    let plane = Plane { model: &arrangement.model, frame };
     let found = gap(arrangement, strip, position);
     let thin = || {
         let Ok(Gap { low: Some(low), high: Some(high) }) = &found else { return None };

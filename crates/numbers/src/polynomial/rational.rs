@@ -6,7 +6,7 @@ use dashu_ratio::RBig;
 
 /// Whole numbers and the least denominator over which they are these coefficients.
 #[must_use]
-pub(super) fn over_one_denominator(c: &[RBig]) -> (Vec<IBig>, UBig) {
+pub fn over_one_denominator(c: &[RBig]) -> (Vec<IBig>, UBig) {
     let common = c.iter().fold(UBig::ONE, |common, x| {
         let d = x.denominator();
         let shared = (&common).gcd(d);

@@ -2,12 +2,18 @@
 
 use std::sync::Arc;
 
+use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::integer::Polynomial;
 use crate::Sign;
 use crate::enclosure::{Enclosure, horner};
+use crate::interval::Interval;
+use crate::interval_newton::narrowed;
+
+/// Bits of a root that intervals of doubles tell, with a few to spare.
+const DOUBLES: usize = 40;
 
 /// A real root in a range that holds no other.
 #[derive(Clone, Debug)]
@@ -69,65 +75,65 @@ impl Root {
 
     /// Narrows until (hi − lo) ≤ 2^−bits · hi. The root must be positive.
     pub fn refine(&mut self, bits: usize) {
-        let factor = RBig::from(IBig::ONE << bits);
-        let mut above = None;
-        while !self.is_exact() && (&self.hi - &self.lo) * &factor > self.hi {
+        if self.is_exact() || self.is_known_to(bits) {
+            return;
+        }
+        let above = self.polynomial.sign_at(&self.hi);
+        if !self.is_known_to(bits.min(DOUBLES)) {
+            self.narrow_in_doubles(above);
+        }
+        let mut lost = 6;
+        while !self.is_exact() && !self.is_known_to(bits) {
             let width = &self.hi - &self.lo;
-            let above = *above.get_or_insert_with(|| self.polynomial.sign_at(&self.hi));
-            // Guess by the secant, fence it by a power of the width; fall back on halving.
-            if let Some((low, high)) = self.fence() {
+            // Newton doubles the bits but for what curvature loses; where the root is beyond the fence, more is lost.
+            if let Some((low, high)) = self.fence(lost, bits) {
                 self.cut(low, above);
                 if !self.is_exact() && self.lo < high && high < self.hi {
                     self.cut(high, above);
                 }
             }
             if !self.is_exact() && (&self.hi - &self.lo) * RBig::from(2) > width {
+                lost *= 2;
                 self.halve_below(above);
             }
         }
     }
 
-    /// The root in one arithmetic, as narrow as this makes it, by Newton's method for intervals: a root of f in X lies in
-    /// m − f(m)/f′(X) for every m in X. Where that does not halve X, the sign in the middle does.
+    fn is_known_to(&self, bits: usize) -> bool {
+        (&self.hi - &self.lo) * RBig::from(IBig::ONE << bits) <= self.hi
+    }
+
+    /// Narrows as far as intervals of doubles tell, which take a hundredth of the time of exact numbers; exact signs have
+    /// the last word. The sign at the upper end is `above`.
+    fn narrow_in_doubles(&mut self, above: Sign) {
+        let range: Interval = self.enclosed(());
+        // The ends of the range may be the root.
+        let beyond = [range.lo.next_down(), range.hi.next_up()].map(|end| RBig::try_from(end).ok());
+        let [Some(lo), Some(hi)] = beyond else { return };
+        if self.lo < lo && lo < self.hi && self.polynomial.sign_at(&lo) == -above {
+            self.lo = lo;
+        }
+        if self.lo < hi && hi < self.hi && self.polynomial.sign_at(&hi) == above {
+            self.hi = hi;
+        }
+    }
+
+    /// The root in one arithmetic, as narrow as this makes it.
     #[must_use]
     pub fn enclosed<E: Enclosure>(&self, precision: E::Precision) -> E {
-        const STEPS: usize = 1000;
         let number = |x: &RBig| E::rational(x, precision);
-        let mut range = number(&self.lo).hull(&number(&self.hi));
+        let range = number(&self.lo).hull(&number(&self.hi));
         if self.is_exact() {
             return range;
         }
         let (f, slope) = (self.polynomial.enclosed(precision), self.polynomial.derivative().enclosed(precision));
         let above = self.polynomial.sign_at(&self.hi);
-        let width = |range: &E| range.upper() - range.lower();
-        for _ in 0..STEPS {
-            let middle = range.middle();
-            let value = horner(&f, &middle, precision);
-            let newton = middle.clone() - value / horner(&slope, &range, precision);
-            let Some(found) = newton.meet(&range) else { return E::line(precision) };
-            let next = if (width(&found) * E::small(2, precision)).is_below(&width(&range)) {
-                found
-            } else {
-                // The middle may all but be the root, and its sign not known.
-                let beside = (range.lower() + width(&range) * E::double(0.375, precision)).middle();
-                let signs = [middle, beside].map(|at| (horner(&f, &at, precision).sign(), at));
-                match signs.into_iter().find(|(sign, _)| sign.is_some()) {
-                    Some((Some(Sign::Zero), at)) => return at,
-                    Some((Some(sign), at)) if sign == above => range.lower().hull(&at),
-                    Some((_, at)) => at.hull(&range.upper()),
-                    None => return found,
-                }
-            };
-            if !width(&next).is_below(&width(&range)) {
-                return next;
-            }
-            range = next;
-        }
-        range
+        let at = |c: &[E], at: &E| horner(c, at, precision);
+        narrowed(range, above, |x| at(&f, x), |x| at(&slope, x), precision)
     }
 
-    /// Two points close around the Newton guess.
-    fn fence(&self) -> Option<(RBig, RBig)> {
+    /// Two points close around Newton's guess, which is taken to have twice the bits less those `lost`.
+    fn fence(&self, lost: i64, wanted: usize) -> Option<(RBig, RBig)> {
         let width = &self.hi - &self.lo;
         let middle = (&self.hi + &self.lo) / RBig::from(2);
         // f/f' at p/q without fractions: f = N/qⁿ, f' = M/qⁿ⁻¹, so that the guess is (p M − N)/(q M).
@@ -136,14 +142,13 @@ impl Root {
         if m == IBig::ZERO {
             return None;
         }
-        let relative = (&width / &self.hi).to_f64().value();
-        // Newton squares the relative width; half of the gain is taken, so that the fence holds the root.
-        let bits = i64::from(exponent(relative)).abs();
-        let gain = usize::try_from(bits + bits / 2 + 2).ok()?;
-        let bits = (2 * gain + 8).min(8000);
+        let known = -exponent(&(&width / &self.hi));
+        let gain = usize::try_from((2 * known - lost).max(known + known / 2 + 2)).ok()?.min(wanted + 2);
+        let size = usize::try_from(-exponent(&self.hi)).unwrap_or(0);
+        let bits = gain + size + 4;
         let grid = RBig::from(IBig::ONE << bits);
         let guess = ((p * &m - n) << bits) / (&q * &m);
-        let reach = (&self.hi * &grid / RBig::from(IBig::ONE << gain.min(4000))).ceil();
+        let reach = (&self.hi * &grid / RBig::from(IBig::ONE << (gain + 1))).ceil();
         let (low, high) = (RBig::from(&guess - &reach) / &grid, RBig::from(guess + reach) / grid);
         (self.lo < low && high < self.hi).then_some((low, high))
     }
@@ -168,9 +173,9 @@ impl Root {
     }
 }
 
-/// The exponent of the leading bit.
-fn exponent(x: f64) -> i32 {
-    ((x.abs().to_bits() >> 52) & 0x7ff) as i32 - 1023
+/// k with 2ᵏ⁻¹ < x < 2ᵏ⁺¹, x > 0.
+fn exponent(x: &RBig) -> i64 {
+    x.numerator().bit_len() as i64 - x.denominator().bit_len() as i64
 }
 
 impl Polynomial {

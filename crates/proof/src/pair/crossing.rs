@@ -45,6 +45,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
             0.5 * (lo + hi)
         };
         let mut at = gaps.map(value);
+        let ends = [low.clone(), high.clone()];
         let size = |low: &E, high: &E| (high.clone() - low.clone()).bounds()[1];
         let (mut moved, mut last, mut room, mut stalled) = ([false; 2], None, size(&low, &high), 0);
         let close = E::double(width.max(4.0 * E::resolution(self.c.precision)), self.c.precision);
@@ -55,7 +56,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
                 break;
             }
             let secant = self.secant([&low, &high], at).filter(|_| stalled < 2);
-            let x = secant.unwrap_or_else(|| low.hull(&high).middle());
+            let x = secant.unwrap_or_else(|| self.halfway([&low, &high], &ends, at));
             let node = self.node(curves, &x)?;
             let end = match node.sign {
                 Some(s) if s == sign => 0,
@@ -103,6 +104,24 @@ impl<E: Enclosure> Evaluator<'_, E> {
             low.clone() + width(from_low)
         };
         Some(place.middle()).filter(|x| low.is_below(x) && x.is_below(high))
+    }
+
+    /// The middle of a box; of the exponents of the distances from that end of the stretch on whose side the gap is smaller, if
+    /// they are far apart: as (x − end)^(3/2) beside a cusp, a gap may all but vanish along most of the box.
+    fn halfway(&self, [low, high]: [&E; 2], ends: &[E; 2], at: [f64; 2]) -> E {
+        const APART: f64 = 16.0;
+        let side = usize::from(at[1].abs() < at[0].abs());
+        let reach = [low, high]
+            .map(|x| (x.clone() - ends[side].clone()).bounds().map(f64::abs).into_iter().fold(0.0, f64::max));
+        let [near, far] = [reach[side], reach[1 - side]];
+        if near > 0.0 && far > APART * near {
+            let step = E::double(near.sqrt() * far.sqrt(), self.c.precision);
+            let x = if side == 0 { ends[0].clone() + step } else { ends[1].clone() - step }.middle();
+            if low.is_below(&x) && x.is_below(high) {
+                return x;
+            }
+        }
+        low.hull(high).middle()
     }
 
     /// The sign is hidden at x: sure signs close by, on both sides.

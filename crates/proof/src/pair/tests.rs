@@ -5,6 +5,7 @@ use crate::curves::{Curves, Shape};
 use crate::model::Model;
 use crate::point::Evaluator;
 use numbers::interval::Interval;
+use numbers::wide::Interval128;
 use top::body::{Body, Preset};
 use top::curves::{CriticalSet, CurveId};
 use top::diagram::{Arrangement, Change};
@@ -61,4 +62,23 @@ fn pairs_cross_where_the_standard_arrangement_says() {
         total += crossings(&Body::parse(&a, &r).unwrap());
     }
     assert!(total > 0);
+}
+
+/// The gap is as (x − end)^(3/2) beside a cusp, and its zero lies 10⁻¹² from the end: found in the exponent, not by halving.
+#[test]
+fn a_crossing_very_near_to_a_cusp_takes_few_points() {
+    let body = Body::parse(&["2", "1.1", "1"], &["1", "1e-18", "2e-18"]).unwrap();
+    let model = Model::new(&body, &body.frame());
+    let curves = Curves::new(&model, 200).unwrap();
+    let evaluator = Evaluator::<Interval128>::new(&model, &curves, &[], ());
+    let family = |c: &CurveId| matches!(curves.list[*c].shape, Shape::Family(_)) && !curves.list[*c].lowest;
+    let mut crossings = 0;
+    for b in curves.list.ids().filter(family) {
+        for a in curves.list.ids().take_while(|a| *a < b).filter(family) {
+            let proof = evaluator.pair(a, b, 120).unwrap_or_else(|open| panic!("{a:?} {b:?}: {open:?}"));
+            let stretches = proof.iter().flat_map(|proof| &proof.stretches);
+            crossings += stretches.filter(|stretch| matches!(stretch.proof, Proof::Crossing(_))).count();
+        }
+    }
+    assert!(crossings >= 4, "{crossings}");
 }

@@ -1,24 +1,30 @@
 //! The topology from the pieces of ridges and valleys on Staude's curve γ = ± adj(μ − A) r/√p, and for two active moments on
 //! the great circle of the pair.
 
+use std::cell::OnceCell;
 use std::cmp::Ordering::Less;
 
 use dashu_ratio::RBig;
+use numbers::wide::Interval128;
 
 use super::cut::Cut;
 use super::latitude::{Latitude, RootLatitude, value};
 use super::pair::Quadratic;
 use super::pieces::Pieces;
 use super::strand::Piece;
+use super::whole::Whole;
 use super::{enclosed, exact};
 use crate::model::Model;
 use top::topology::Component;
 
-pub(super) fn components(model: &Model, x: &RBig, h: &RBig) -> Option<Vec<Component>> {
+/// `whole` are the forms of this body, made when they are first needed.
+pub(super) fn components(model: &Model, whole: &OnceCell<Option<Whole>>, x: &RBig, h: &RBig) -> Option<Vec<Component>> {
     if model.active.len() < 3 {
         return with_pair(model, &exact::cut(model, x, h)?, x, h);
     }
-    let found = enclosed::cut(model, x, h).and_then(|cut| folded(&cut));
+    let found = enclosed::ranges(model, x, h).and_then(|ranges| folded(&enclosed::cut(&ranges)?));
+    let whole = || whole.get_or_init(|| Whole::new(model)).as_ref();
+    let found = found.or_else(|| folded(&enclosed::cut(&whole()?.ranges::<Interval128>(x, h))?));
     found.or_else(|| folded(&exact::cut(model, x, h)?))
 }
 

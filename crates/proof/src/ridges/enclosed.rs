@@ -1,5 +1,4 @@
-//! The cut of Staude's curve with three active moments in intervals of `f64`: what they do not tell is left to
-//! [`exact`](super::exact).
+//! The cut of Staude's curve with three active moments in intervals, where they tell it.
 //!
 //! From a moment half the way to the next all μ − a_k are linear forms in u and 1 − u, and on the way to infinity after
 //! multiplication by 1 − u; so are polynomials in μ forms, and beside the moment nothing cancels.
@@ -37,82 +36,98 @@ impl Numbers {
     }
 }
 
-/// A range of μ on which u goes from 0 to 1, with forms.
-struct Range {
+/// The ranges of μ by rising μ: from a moment half the way to another one, or to infinity.
+pub(super) const RANGES: [(usize, Option<usize>, Sign); 6] = [
+    (0, None, Sign::Negative),
+    (0, Some(1), Sign::Positive),
+    (1, Some(0), Sign::Negative),
+    (1, Some(2), Sign::Positive),
+    (2, Some(1), Sign::Negative),
+    (2, None, Sign::Positive),
+];
+
+/// A range of μ on which u goes from 0 to 1, with forms, each up to a positive factor.
+pub(super) struct Range<E> {
     /// μ rises with u.
-    rises: bool,
-    p: EnclosedForm,
-    rho: EnclosedForm,
-    /// xp − hq and ρq: U = h on the curve's positive sign where the first times √p is the second.
-    excess: EnclosedForm,
-    pull: EnclosedForm,
+    pub rises: bool,
+    pub p: EnclosedForm<E>,
+    pub rho: EnclosedForm<E>,
+    /// xp − hq.
+    pub excess: EnclosedForm<E>,
+    /// p (xp − hq)² − ρ²q²: U = h on either sign of the curve where it vanishes.
+    pub level: EnclosedForm<E>,
     /// Σ q_i q_j (a_i − a_j)² (μ − a_k)³, which rises through 0 at the fold.
-    fold: EnclosedForm,
+    pub fold: EnclosedForm<E>,
 }
 
-impl Range {
-    /// From a moment half the way to another one, or to infinity.
-    fn new(n: &Numbers, base: usize, other: Option<usize>, sign: Sign) -> Self {
-        let at_end = |k: usize| match other {
-            Some(other) => n.diff[base][k] + n.diff[other][base] * Interval::point(0.5),
-            // Times 1 − u.
-            None => sign.orient(Interval::ONE),
-        };
-        let tau = [0, 1, 2].map(|k| EnclosedForm::linear(n.diff[base][k], at_end(k)));
-        let triples = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
-        let sum = |terms: [EnclosedForm; 3]| terms[0].plus(&terms[1]).plus(&terms[2]);
-        let rest = triples.map(|(_, i, j)| tau[i].times(&tau[j]));
-        let squared = rest.each_ref().map(|rest| rest.times(rest));
-        let p = sum([0, 1, 2].map(|k| squared[k].scaled(n.q[k])));
-        let q = sum([0, 1, 2].map(|k| squared[k].scaled(n.q[k] * n.a[k])));
-        let rho = sum([0, 1, 2].map(|k| rest[k].scaled(n.q[k])));
-        let fold = sum(triples
-            .map(|(k, i, j)| tau[k].times(&tau[k]).times(&tau[k]).scaled(n.q[i] * n.q[j] * n.diff[i][j].square())));
-        let excess = p.scaled(n.x).plus(&q.scaled(-n.h));
-        let pull = rho.times(&q);
-        Self { rises: sign == Sign::Positive, p, rho, excess, pull, fold }
-    }
+/// The ranges in intervals of `f64`.
+pub(super) fn ranges(model: &Model, x: &RBig, h: &RBig) -> Option<[Range<Interval>; 6]> {
+    let numbers = Numbers::new(model, x, h)?;
+    Some(RANGES.map(|(base, other, sign)| range(&numbers, base, other, sign)))
+}
 
-    /// Where U = h on either sign of the curve.
-    fn level(&self) -> EnclosedForm {
-        let square = self.p.times(&self.excess.times(&self.excess));
-        square.plus(&self.pull.times(&self.pull).scaled(-Interval::ONE))
-    }
+fn range(n: &Numbers, base: usize, other: Option<usize>, sign: Sign) -> Range<Interval> {
+    let at_end = |k: usize| match other {
+        Some(other) => n.diff[base][k] + n.diff[other][base] * Interval::point(0.5),
+        // Times 1 − u.
+        None => sign.orient(Interval::ONE),
+    };
+    let tau = [0, 1, 2].map(|k| EnclosedForm::linear(n.diff[base][k], at_end(k)));
+    let triples = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
+    let sum = |terms: [EnclosedForm<Interval>; 3]| terms[0].plus(&terms[1]).plus(&terms[2]);
+    let rest = triples.map(|(_, i, j)| tau[i].times(&tau[j]));
+    let squared = rest.each_ref().map(|rest| rest.times(rest));
+    let p = sum([0, 1, 2].map(|k| squared[k].scaled(&n.q[k])));
+    let q = sum([0, 1, 2].map(|k| squared[k].scaled(&(n.q[k] * n.a[k]))));
+    let rho = sum([0, 1, 2].map(|k| rest[k].scaled(&n.q[k])));
+    let fold = sum(triples
+        .map(|(k, i, j)| tau[k].times(&tau[k]).times(&tau[k]).scaled(&(n.q[i] * n.q[j] * n.diff[i][j].square()))));
+    let excess = p.scaled(&n.x).plus(&q.scaled(&-n.h));
+    let pull = rho.times(&q);
+    let level = p.times(&excess.times(&excess)).plus(&pull.times(&pull).scaled(&-Interval::ONE));
+    Range { rises: sign == Sign::Positive, p, rho, excess, level, fold }
+}
 
+impl<E: Enclosure<Precision = ()>> Range<E> {
     /// ω on the positive sign of the curve.
-    fn latitude(&self, u: Interval) -> Interval {
+    fn latitude(&self, u: &E) -> E {
         self.rho.at(u) / self.p.at(u).sqrt()
     }
 
-    /// U < h on both signs of the curve.
-    fn is_below(&self, u: f64) -> Option<[bool; 2]> {
-        let u = Interval::point(u);
-        let (kinetic, pull) = (self.excess.at(u) * self.p.at(u).sqrt(), self.pull.at(u));
-        let [plus, minus] = Sign::BOTH.map(|sign| (kinetic - sign.orient(pull)).strict_sign());
-        Some([plus? == Sign::Negative, minus? == Sign::Negative])
+    /// U < h on both signs of the curve, that is (xp − hq)√p < ± ρq: the side with the larger square tells, and q > 0.
+    fn is_below(&self, u: &E) -> Option<[bool; 2]> {
+        Some(if self.level.at(u).strict_sign()? == Sign::Positive {
+            [self.excess.at(u).strict_sign()? == Sign::Negative; 2]
+        } else {
+            let pull = self.rho.at(u).strict_sign()?;
+            Sign::BOTH.map(|sign| pull == sign)
+        })
     }
 }
 
 /// A root of the level, or the fold.
-struct Mark<'a> {
-    range: &'a Range,
-    u: Interval,
+struct Mark<'a, E> {
+    range: &'a Range<E>,
+    u: E,
     is_fold: bool,
 }
 
-impl Mark<'_> {
+impl<E: Enclosure<Precision = ()>> Mark<'_, E> {
     /// A place beyond it, or before it, with no other mark of its range between.
-    fn beside(&self, beyond: bool) -> f64 {
-        if self.range.rises == beyond { 0.5 * self.u.hi + 0.5 } else { 0.5 * self.u.lo }
+    fn beside(&self, beyond: bool) -> E {
+        if self.range.rises == beyond { between(&self.u, &E::small(1, ())) } else { between(&E::small(0, ()), &self.u) }
     }
 }
 
-/// `None`: intervals of `f64` do not tell, or there are not three active moments.
-pub(super) fn cut(model: &Model, x: &RBig, h: &RBig) -> Option<Cut<Interval>> {
-    let numbers = Numbers::new(model, x, h)?;
-    let ranges = ranges(&numbers);
+/// A place between two ranges of u.
+fn between<E: Enclosure>(low: &E, high: &E) -> E {
+    low.upper().hull(&high.lower()).middle()
+}
+
+/// `None`: these intervals do not tell.
+pub(super) fn cut<E: Enclosure<Precision = ()>>(ranges: &[Range<E>; 6]) -> Option<Cut<E>> {
     let mut marks = Vec::new();
-    for range in &ranges {
+    for range in ranges {
         marks.extend(marks_in(range)?);
     }
     let mut folds = (0..marks.len()).filter(|&k| marks[k].is_fold);
@@ -120,40 +135,32 @@ pub(super) fn cut(model: &Model, x: &RBig, h: &RBig) -> Option<Cut<Interval>> {
     let gaps = (0..=marks.len()).map(|gap| match (gap.checked_sub(1).map(|k| &marks[k]), marks.get(gap)) {
         (Some(p), Some(q)) if std::ptr::eq(p.range, q.range) => {
             let [low, high] = if p.range.rises { [p, q] } else { [q, p] };
-            p.range.is_below(0.5 * low.u.hi + 0.5 * high.u.lo)
+            p.range.is_below(&between(&low.u, &high.u))
         }
-        (Some(p), _) => p.range.is_below(p.beside(true)),
-        (None, Some(q)) => q.range.is_below(q.beside(false)),
+        (Some(p), _) => p.range.is_below(&p.beside(true)),
+        (None, Some(q)) => q.range.is_below(&q.beside(false)),
         (None, None) => None,
     });
     let below: Vec<[bool; 2]> = gaps.collect::<Option<_>>()?;
     let inside = [0, 1].map(|sign| below.iter().map(|below| below[sign]).collect());
-    let mut roots: Vec<Interval> = marks.iter().map(|mark| mark.range.latitude(mark.u)).collect();
+    let mut roots: Vec<E> = marks.iter().map(|mark| mark.range.latitude(&mark.u)).collect();
     let fold = roots.remove(valley_roots);
     Some(Cut { roots, valley_roots, fold, inside })
 }
 
-/// The ranges by rising μ.
-fn ranges(n: &Numbers) -> [Range; 6] {
-    let negative = |base, other| Range::new(n, base, other, Sign::Negative);
-    let positive = |base, other| Range::new(n, base, other, Sign::Positive);
-    [
-        negative(0, None),
-        positive(0, Some(1)),
-        negative(1, Some(0)),
-        positive(1, Some(2)),
-        negative(2, Some(1)),
-        positive(2, None),
-    ]
-}
-
 /// The marks in a range by rising μ.
-fn marks_in(range: &Range) -> Option<Vec<Mark<'_>>> {
-    let mark = |is_fold| move |u| Mark { range, u, is_fold };
-    let roots = range.level().simple_roots()?.into_iter().map(mark(false));
-    let mut marks: Vec<Mark<'_>> = roots.chain(range.fold.simple_roots()?.into_iter().map(mark(true))).collect();
-    marks.sort_by(|p, q| p.u.lo.total_cmp(&q.u.lo));
-    let apart = marks.windows(2).all(|pair| pair[0].u.hi <= pair[1].u.lo);
+fn marks_in<E: Enclosure<Precision = ()>>(range: &Range<E>) -> Option<Vec<Mark<'_, E>>> {
+    let mut marks: Vec<Mark<'_, E>> = Vec::new();
+    for (form, is_fold) in [(&range.level, false), (&range.fold, true)] {
+        marks.extend(form.simple_roots()?.into_iter().map(|u| Mark { range, u, is_fold }));
+    }
+    // The fold is the last of them: one exchange after the other brings it to its place.
+    for k in (1..marks.len()).rev() {
+        if !marks[k - 1].u.is_below(&marks[k].u) {
+            marks.swap(k - 1, k);
+        }
+    }
+    let apart = marks.windows(2).all(|pair| pair[0].u.is_below(&pair[1].u));
     if !range.rises {
         marks.reverse();
     }

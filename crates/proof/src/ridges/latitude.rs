@@ -7,7 +7,6 @@ use std::rc::Rc;
 use dashu_ratio::RBig;
 use numbers::Sign;
 use numbers::enclosure::{Arithmetic, Enclosure};
-use numbers::interval::Interval;
 use numbers::polynomial::{Polynomial, Root};
 use numbers::wide::{Interval128, Interval384, Wide};
 
@@ -173,13 +172,13 @@ pub(super) trait Latitude: Clone {
 }
 
 /// All that is known is where it lies.
-impl Latitude for Interval {
+impl<E: Enclosure> Latitude for E {
     fn negated(self) -> Self {
         -self
     }
 
     fn compare(&self, other: &Self) -> Option<Ordering> {
-        (*self - *other).strict_sign().map(|sign| sign.cmp(&Sign::Zero))
+        (self.clone() - other.clone()).strict_sign().map(|sign| sign.cmp(&Sign::Zero))
     }
 }
 

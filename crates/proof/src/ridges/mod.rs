@@ -10,21 +10,36 @@ mod latitude;
 mod pair;
 mod pieces;
 mod strand;
+mod whole;
+
+use std::cell::OnceCell;
 
 use dashu_ratio::RBig;
 use top::topology::Component;
 
 use super::model::Model;
 
-/// The components of U_hl for x = l²/2 > 0 and an h that is no critical value and not U(±r̂).
-///
-/// `None`: two latitudes cannot be told apart, which depends on h and not on the answer; another h in the same region
-/// may tell.
-pub(super) fn components(model: &Model, x: &RBig, h: &RBig) -> Option<Vec<Component>> {
-    match model.active.len() {
-        0 => Some(euler(model, x, h)),
-        1 => axial::components(model, x, h),
-        _ => curve::components(model, x, h),
+/// The ridges of a body.
+pub(super) struct Ridges<'a> {
+    model: &'a Model,
+    whole: OnceCell<Option<whole::Whole>>,
+}
+
+impl<'a> Ridges<'a> {
+    pub fn of(model: &'a Model) -> Self {
+        Self { model, whole: OnceCell::new() }
+    }
+
+    /// The components of U_hl for x = l²/2 > 0 and an h that is no critical value and not U(±r̂).
+    ///
+    /// `None`: two latitudes cannot be told apart, which depends on h and not on the answer; another h in the same region
+    /// may tell.
+    pub fn components(&self, x: &RBig, h: &RBig) -> Option<Vec<Component>> {
+        match self.model.active.len() {
+            0 => Some(euler(self.model, x, h)),
+            1 => axial::components(self.model, x, h),
+            _ => curve::components(self.model, &self.whole, x, h),
+        }
     }
 }
 

@@ -1,9 +1,11 @@
 //! Ridges against the sweep over latitudes, which shares nothing with them.
 
+use numbers::enclosure::Enclosure;
+use numbers::wide::Interval128;
 use support::bodies::{STRATA, random_body};
 use support::random::SplitMix64;
 use top::body::{Body, Preset};
-use top::topology::latitude;
+use top::topology::latitude as sweep;
 
 use super::*;
 
@@ -11,15 +13,16 @@ use super::*;
 fn compare(body: &Body) -> usize {
     let frame = body.frame();
     let model = Model::new(body, &frame);
+    let ridges = Ridges::of(&model);
     let exact = |x: f64| RBig::try_from(x).unwrap();
     let mut compared = 0;
     for l in [0.37, 1.1, 2.03, 2.86, 4.1, 9.3] {
         let [low, high] = [0.5 * l * l / frame.a[2] - frame.r_norm, 0.5 * l * l / frame.a[0] + frame.r_norm];
         for k in 1..12 {
             let h = low + (high - low) * f64::from(k) / 12.0;
-            let Ok(expected) = latitude::components(&frame, h, l) else { continue };
+            let Ok(expected) = sweep::components(&frame, h, l) else { continue };
             let x = exact(l) * exact(l) / RBig::from(2);
-            let found = components(&model, &x, &exact(h));
+            let found = ridges.components(&x, &exact(h));
             assert_eq!(found.as_ref(), Some(&expected), "{body:?} h = {h}, l = {l}");
             compared += 1;
         }
@@ -64,8 +67,22 @@ fn presets_and_symmetric_bodies() {
     assert!(compared > 800, "{compared}");
 }
 
+/// The components from a cut in intervals, which is the exact one.
+fn agreed<E: Enclosure>(
+    enclosed: Option<cut::Cut<E>>,
+    exact: &cut::Cut<latitude::RootLatitude>,
+) -> Option<Vec<Component>> {
+    let enclosed = enclosed?;
+    assert_eq!(enclosed.roots.len(), exact.roots.len());
+    assert_eq!(enclosed.valley_roots, exact.valley_roots);
+    assert_eq!(enclosed.inside, exact.inside);
+    let components = curve::folded(&enclosed)?;
+    assert_eq!(Some(&components), curve::folded(exact).as_ref());
+    Some(components)
+}
+
 #[test]
-fn the_cut_in_f64_is_the_exact_one() {
+fn the_cut_in_intervals_is_the_exact_one() {
     let (mut found, mut open) = (0, 0);
     for stratum in STRATA {
         let mut rng = SplitMix64::new(11);
@@ -76,19 +93,14 @@ fn the_cut_in_f64_is_the_exact_one() {
             if model.active.len() < 3 {
                 continue;
             }
+            let whole = whole::Whole::new(&model).unwrap();
             for _ in 0..12 {
                 let x = RBig::try_from(0.02 + 5.0 * rng.unit() * rng.unit()).unwrap();
                 let h = RBig::try_from(-1.5 + 6.0 * rng.unit()).unwrap();
                 let Some(exact) = exact::cut(&model, &x, &h) else { continue };
-                let Some(enclosed) = enclosed::cut(&model, &x, &h) else {
-                    open += 1;
-                    continue;
-                };
-                assert_eq!(enclosed.roots.len(), exact.roots.len(), "{body:?} h = {h}, x = {x}");
-                assert_eq!(enclosed.valley_roots, exact.valley_roots, "{body:?} h = {h}, x = {x}");
-                assert_eq!(enclosed.inside, exact.inside, "{body:?} h = {h}, x = {x}");
-                let components = curve::folded(&enclosed);
-                assert!(components.is_none() || components == curve::folded(&exact), "{body:?} h = {h}, x = {x}");
+                let components = agreed(enclosed::cut(&enclosed::ranges(&model, &x, &h).unwrap()), &exact);
+                let finer = agreed(enclosed::cut(&whole.ranges::<Interval128>(&x, &h)), &exact);
+                assert!(components.is_none() || finer.is_some(), "{body:?} h = {h}, x = {x}");
                 found += usize::from(components.is_some());
                 open += usize::from(components.is_none());
             }
