@@ -44,7 +44,7 @@ pub(super) fn check(
         if !outlines.iter().flat_map(|outline| outline.windows(2)).all(|edge| sight.is_edge(region, edge)) {
             return Err(refuse("its outline leaves its boundary"));
         }
-        if sight.tells_twice(outlines) {
+        if sight.tells_twice(region, outlines) {
             return Err(refuse("an edge of its outline is told twice"));
         }
         sight.holds(outlines, slabs, cells).map_err(refuse)?;
@@ -88,22 +88,22 @@ impl Sight<'_> {
         self.view.h[1] - self.view.h[0]
     }
 
-    /// An edge is told more than once oftener than its reverse: cells that are thinner than doubles tell have edges to and fro.
-    /// Those that span nothing of the view may differ from their reverse by rounding.
-    fn tells_twice(&self, outlines: &[Vec<[f64; 2]>]) -> bool {
-        let by_rising_l = |edge: &[[f64; 2]]| {
-            let [[h, l], [h_to, l_to]] = [edge[0], edge[1]];
-            if l < l_to {
-                ([l, h, l_to, h_to].map(f64::to_bits), 1)
-            } else {
-                ([l_to, h_to, l, h].map(f64::to_bits), -1)
-            }
+    /// An edge is told more often than it is a border of cells: where they are thinner than doubles tell it may be that of
+    /// several.
+    fn tells_twice(&self, region: &RegionDocument, outlines: &[Vec<[f64; 2]>]) -> bool {
+        let mut edges: Vec<&[[f64; 2]]> = outlines.iter().flat_map(|outline| outline.windows(2)).collect();
+        edges.retain(|edge| edge[0][1] != edge[1][1]);
+        edges.sort_unstable_by_key(|edge| [edge[0][1], edge[0][0], edge[1][1], edge[1][0]].map(f64::to_bits));
+        edges.chunk_by(|p, q| p == q).any(|same| same.len() > 1 && same.len() > self.borders(region, same[0]))
+    }
+
+    /// How many cells of a region an edge is a border of, on their side of it.
+    fn borders(&self, region: &RegionDocument, edge: &[[f64; 2]]) -> usize {
+        let is_border = |cell: &&CellDocument| {
+            let id = if edge[0][1] < edge[1][1] { Some(&cell.lower) } else { cell.upper.as_ref() };
+            id.is_some_and(|id| self.follows(edge, id, range(cell)))
         };
-        let edges = outlines.iter().flat_map(|outline| outline.windows(2));
-        let edges = edges.filter(|edge| (edge[0][1] - edge[1][1]).abs() > self.aside());
-        let mut edges: Vec<([u64; 4], i32)> = edges.map(by_rising_l).collect();
-        edges.sort_unstable();
-        edges.chunk_by(|p, q| p.0 == q.0).any(|same| same.iter().map(|edge| edge.1).sum::<i32>().abs() > 1)
+        region.cells.iter().filter(is_border).count()
     }
 
     /// In each slab the outlines wind once around the cells of the region and not around others.
@@ -149,10 +149,7 @@ impl Sight<'_> {
         if h == h_to && h == self.view.h[1] {
             return l_to < l && [l, l_to].into_iter().all(|l| cells.iter().any(|cell| self.reaches_top(cell, l)));
         }
-        cells.iter().any(|cell| {
-            let border = if l < l_to { Some(&cell.lower) } else { cell.upper.as_ref() };
-            border.is_some_and(|id| self.follows(edge, id, range(cell)))
-        })
+        self.borders(region, edge) > 0
     }
 
     /// An edge follows a curve over a range of l. Where it meets the top of the view it is the chord to a point beyond it, and so
