@@ -233,7 +233,10 @@ fn tikz_is_a_document_with_the_same_parts() {
     let tikz = picture("paper", &fixture).to_tikz().unwrap();
     assert!(tikz.starts_with("\\documentclass") && tikz.ends_with("\\end{document}\n"));
     assert_eq!(tikz.matches("\\begin{scope}").count(), tikz.matches("\\end{scope}").count());
-    assert!(tikz.contains("M$^{2}_{3}$") && tikz.contains("+$\\hat{r}$ enters U"), "texts are formulas");
+    assert!(
+        tikz.contains("M\\raisebox{.3em}{$\\scriptstyle 2$}$_{3}$") && tikz.contains("+$\\hat{r}$ enters U"),
+        "texts are formulas"
+    );
     assert!(tikz.contains("% main-R1\n") || tikz.contains("% main-regions\n"), "groups are named");
     for line in tikz.lines().map(str::trim).filter(|line| line.starts_with("\\path") || line.starts_with("\\node")) {
         assert!(line.ends_with(';'), "{line}");

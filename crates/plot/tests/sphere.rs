@@ -103,6 +103,30 @@ fn periods_and_growth_times_stand_below() {
     }
 }
 
+#[test]
+fn every_letter_of_a_view_stands_in_the_table() {
+    let components = [component(1), component(2)];
+    let at = |k: u32| {
+        let angle = 0.6 * f64::from(k);
+        let gamma = [libm::cos(angle) * 0.8, libm::sin(angle) * 0.8, if k.is_multiple_of(2) { 0.6 } else { -0.6 }];
+        RelativeEquilibriumDocument { h: f64::from(k), gamma, ..equilibrium(Multiplicity::Points(1)) }
+    };
+    for count in 1..=12 {
+        let equilibria: Vec<RelativeEquilibriumDocument> = (0..count).map(at).collect();
+        for width in Width::ALL {
+            let picture = draw_sphere(&scene(&components, &equilibria), Theme::Light, width).unwrap();
+            let texts = texts(&picture);
+            for (k, letter) in (0..count).zip('a'..) {
+                // Five times in a view, and in its row; the energy has an h, too.
+                let told = texts.iter().filter(|(text, _)| *text == letter.to_string()).count();
+                assert_eq!(told, 6 + usize::from(letter == 'h'), "{letter} of {count}");
+                assert!(texts.iter().any(|(text, _)| *text == k.to_string()), "the energy of {letter}");
+            }
+            assert_eq!(unprintable(&picture, width), Vec::<String>::new(), "{count}");
+        }
+    }
+}
+
 /// Poles and axes on the rim, and equilibria so near to each other that their letters must give way.
 #[test]
 fn names_keep_off_each_other_and_off_the_boundary() {

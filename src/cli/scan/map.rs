@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use plot::{Map, MapAxis, MapBodies, MapEntry, draw_map};
+use plot::{Map, MapAxis, MapBodies, MapEntry, Picture, Width, draw_map};
 use survey::Parameter;
 use survey::mosaic::{Mosaic, divide};
 use survey::scan::known_classes;
@@ -44,6 +44,16 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     let picture = timings
         .stage("map", || draw_map(&map, arguments.picture.theme, arguments.width.width()))
         .map_err(ExportError::from)?;
+    if picture.millimetres_high() > Picture::HIGHEST {
+        tracing::warn!(
+            "the picture is {:.0} mm high, more than the {} mm of a page: its legend has {} entries; a map over smaller ranges, \
+             or --show regions, has less{}",
+            picture.millimetres_high(),
+            Picture::HIGHEST,
+            map.entries.len(),
+            if arguments.width.width() == Width::Column { ", and --width 178mm is lower" } else { "" },
+        );
+    }
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("map");
     files.pictures("map", &picture, &arguments.picture.format, RESOLUTION, timings)?;

@@ -11,7 +11,7 @@ pub(super) const TOP: f64 = 62.0;
 pub(super) const BELOW: f64 = 46.0;
 pub(super) const RIGHT: f64 = 16.0;
 /// Space above an inset for its letter.
-const INSET_TOP: f64 = 28.0;
+const INSET_TOP: f64 = 34.0;
 /// Font size of the insets' letters.
 pub(super) const LETTER_SIZE: f64 = 11.0;
 /// In frames smaller than this is no room for markers and labels.

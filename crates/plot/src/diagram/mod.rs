@@ -6,6 +6,7 @@
 //! `paint` draws, and `page` does all that for one of the plans of `plan`.
 
 mod apart;
+mod axes;
 mod closeup;
 mod grid;
 mod insets;

@@ -1,7 +1,8 @@
 //! A diagram on its canvas.
 
+use super::axes::{AXIS_SIZE, axis_ticks, l_name_at, paint_axes};
 use super::labels::{self, H, L};
-use super::layout::{BELOW, Frame, LEFT, LETTER_SIZE, RIGHT, frame, is_marked, letter};
+use super::layout::{Frame, LETTER_SIZE, frame, is_marked, letter};
 use super::markers::{event_marker, sample_dot};
 use super::outline::{Ground, outline};
 use super::panel::Panel;
@@ -9,10 +10,7 @@ use super::placement::Texts;
 use super::ranges::contains;
 use super::scene::Scene;
 use super::stroke::{self, Line, Stroke, Verdict};
-use super::view::View;
-use crate::page::{
-    Anchor, Axis, Canvas, INK, Ink, Point, TICK_SIZE, Ticks, distance, draw_axes, short, text_width, ticks,
-};
+use crate::page::{Anchor, Canvas, INK, Ink, Point, distance, short, text_width};
 use schema::EventKind;
 
 const FRAME: Ink = Ink { color: INK, width: 0.9 };
@@ -157,62 +155,4 @@ impl Diagram<'_> {
 /// Does one panel's window hold the other's?
 fn shows(outer: &Panel, inner: &Panel) -> bool {
     contains(&outer.view.window, &inner.view.window)
-}
-
-/// The height of insets that are small.
-const SMALL: f64 = 150.0;
-const AXIS_SIZE: f64 = TICK_SIZE + 1.0;
-
-/// The ticks of h and l; none whose label would leave the page.
-fn axis_ticks(panel: &Panel, is_main: bool) -> [Ticks; 2] {
-    let View { window, rect } = panel.view;
-    let [across, up] = match is_main {
-        true => [70.0, 49.0],
-        // Small insets have two ticks where that can be.
-        false if rect.height < SMALL => [48.0, 28.0],
-        false => [58.0, 41.0],
-    };
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen at most")]
-    let count = |length: f64, spacing: f64| (length / spacing).floor() as usize;
-    let mut h = ticks(H, window.h[0], window.h[1], count(rect.width, across));
-    let l = ticks(L, window.l[0], window.l[1], count(rect.height, up));
-    let ends_at =
-        |value: f64, label: &str| panel.view.position([value, window.l[0]])[0] + text_width(label, TICK_SIZE) / 2.0;
-    let fits: Vec<bool> = h
-        .values
-        .iter()
-        .zip(&h.labels)
-        .map(|(value, label)| ends_at(*value, label) < rect.right() + RIGHT - 1.0)
-        .collect();
-    let mut keep = fits.iter();
-    h.values.retain(|_| keep.next().is_none_or(|fits| *fits));
-    let mut keep = fits.iter();
-    h.labels.retain(|_| keep.next().is_none_or(|fits| *fits));
-    [h, l]
-}
-
-/// Where the name of the l axis begins.
-fn l_name_at(panel: &Panel, name: &str) -> Point {
-    let rect = panel.view.rect;
-    [(rect.x - 12.0 - text_width(name, AXIS_SIZE)).max(rect.x - LEFT + 14.0), rect.y - 12.0]
-}
-
-/// The axes of a panel and its frame; those of the main panel tell what h and l are.
-fn paint_axes(canvas: &Canvas, panel: &Panel, is_main: bool, units: &[String; 2]) {
-    let View { window, rect } = panel.view;
-    let [h_ticks, l_ticks] = axis_ticks(panel, is_main);
-    let [h, l] = [(window.h, &h_ticks), (window.l, &l_ticks)].map(|(range, ticks)| Axis { range, ticks });
-    draw_axes(canvas, &rect, [BELOW, LEFT], [h, l]);
-    // In full where the labels are not scaled, in the main panel.
-    let name = |quantity: &str, meaning: &str, unit: &str| {
-        let unit = if unit.is_empty() { String::new() } else { format!(" in {unit}") };
-        match quantity {
-            H | L if is_main => format!("{meaning} {quantity}{unit}"),
-            scaled => format!("{scaled}{}", if is_main { &unit } else { "" }),
-        }
-    };
-    let h_name = name(&h_ticks.quantity, "energy", &units[0]);
-    let l_name = name(&l_ticks.quantity, "vertical angular momentum", &units[1]);
-    canvas.text(&h_name, [rect.x + rect.width / 2.0, rect.bottom() + 36.0], AXIS_SIZE, INK, Anchor::Middle);
-    canvas.text(&l_name, l_name_at(panel, &l_name), AXIS_SIZE, INK, Anchor::Start);
 }

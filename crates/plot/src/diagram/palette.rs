@@ -141,19 +141,8 @@ pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::page::POLE;
-    use crate::page::sight::{SIGHTS, apart};
-
-    fn assert_apart(colors: &[RGBColor], least: f64) {
-        for sight in SIGHTS {
-            for (place, one) in colors.iter().enumerate() {
-                for other in &colors[..place] {
-                    let distance = apart(sight, *one, *other);
-                    assert!(distance >= least, "{one:?} and {other:?} are {distance:.1} apart with {sight:?}");
-                }
-            }
-        }
-    }
+    use crate::page::sight::assert_apart;
+    use crate::page::{INK, PAPER, POLE, Theme, contrast};
 
     #[test]
     fn curves_are_told_apart_by_every_reader() {
@@ -164,19 +153,24 @@ mod tests {
 
     #[test]
     fn grounds_are_told_apart_by_every_reader() {
-        // Three times what is just seen on large areas.
-        assert_apart(&TINTS, 6.0);
+        for (theme, least) in [(Theme::Light, 6.0), (Theme::Dark, 7.0), (Theme::Print, 4.0)] {
+            // Two to three times what is just seen on large areas; the ground of the page is one of them.
+            let shown: Vec<RGBColor> = TINTS.into_iter().chain([PAPER]).map(|color| theme.ground(color)).collect();
+            assert_apart(&shown, least);
+        }
     }
 
     #[test]
     fn lines_stand_out_from_grounds_in_every_theme() {
-        use crate::page::{INK, Theme, contrast};
+        let shades = |tint: usize| (0..3).flat_map(move |circles| ground(&Parts { tints: vec![tint, tint], circles }));
         for theme in [Theme::Light, Theme::Dark, Theme::Print] {
-            for ground in TINTS.into_iter().chain([rgb(0xff_ff_ff)]) {
-                let against = |color: RGBColor| contrast(theme.color(color), theme.color(ground));
-                assert!(against(INK) > 7.0, "text in {theme:?} on {ground:?}: {}", against(INK));
+            for ground in (0..TINTS.len()).flat_map(shades).chain([PAPER]) {
+                let against = |color: RGBColor| contrast(theme.color(color), theme.ground(ground));
+                let [text, line] =
+                    if [&TINTS[..], &[PAPER]].concat().contains(&ground) { [7.0, 1.8] } else { [5.5, 1.4] };
+                assert!(against(INK) > text, "text in {theme:?} on {ground:?}: {}", against(INK));
                 for color in [RED, BLUE, GREEN, POLE] {
-                    assert!(against(color) > 1.8, "{color:?} in {theme:?} on {ground:?}: {}", against(color));
+                    assert!(against(color) > line, "{color:?} in {theme:?} on {ground:?}: {}", against(color));
                 }
             }
         }

@@ -7,10 +7,10 @@ use plotters::style::RGBColor;
 /// Where nothing is known.
 const UNKNOWN: RGBColor = rgb(0x9a_9a_9a);
 
-/// The first ones, chosen by hand: light enough for black text, neighbours apart in lightness too.
+/// The first ones: light enough for black text, and apart for every reader in the light theme and the dark one.
 const CHOSEN: [RGBColor; 14] = rgbs([
-    0xa6_c8_ea, 0xf7_c5_8b, 0xb5_dd_a4, 0xf2_a7_a0, 0xcf_bc_e6, 0xfb_ec_a0, 0x8f_d2_cb, 0xe3_c9_b0, 0xf3_bf_dd,
-    0xd9_e6_7f, 0x7f_a8_d1, 0xd9_93_5a, 0x7d_b3_6b, 0xc9_7f_91,
+    0xb5_be_fa, 0xeb_c7_6b, 0xb5_d3_a0, 0xf1_99_a1, 0xdb_ca_d9, 0xf7_f4_c7, 0x90_c6_b1, 0xf3_d7_c5, 0xff_bf_f2,
+    0xda_f4_71, 0x5a_a3_e2, 0xd4_81_3a, 0x5b_b7_5f, 0xc5_7f_a5,
 ]);
 
 /// Ends and middle of the scale of an ordered quantity, the lowest first.
@@ -69,6 +69,21 @@ fn color(number: usize) -> RGBColor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::sight::assert_apart;
+    use crate::page::{Theme, contrast};
+
+    #[test]
+    fn the_first_colours_are_told_apart_by_every_reader() {
+        for theme in [Theme::Light, Theme::Dark] {
+            let shown = CHOSEN.map(|color| theme.ground(color));
+            // Three times what is just seen, and more.
+            assert_apart(&shown, 9.0);
+            for color in shown {
+                let text = contrast(theme.color(INK), color);
+                assert!(text > 4.5, "{text} of a number on {color:?} in {theme:?}");
+            }
+        }
+    }
 
     #[test]
     fn colours_of_a_quantity_grow_darker() {

@@ -111,7 +111,7 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
                     let bottom = view.rect.bottom() - row as f64 * high;
                     let top = bottom - high - more(row + 1 == rows);
                     let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
-                    canvas.polygon(&corners, fill(map, line[from]));
+                    canvas.patch(&corners, fill(map, line[from]));
                     from = to;
                 }
             }
@@ -138,7 +138,7 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
         MapBodies::Points(points) => {
             let radius = (0.4 * view.rect.width / (points.len().max(1) as f64).sqrt()).clamp(0.8, 6.0);
             for (at, entry) in points {
-                canvas.disc(view.at(*at), radius, fill(map, *entry));
+                canvas.spot(view.at(*at), radius, fill(map, *entry));
             }
         }
     }

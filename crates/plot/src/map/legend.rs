@@ -280,7 +280,7 @@ impl Line {
                 if swatch > 0.0 {
                     let top = at[1] + 0.5 * (ROW - SWATCH);
                     let rect = Rect { x: at[0], y: top, width: SWATCH, height: SWATCH };
-                    canvas.polygon(&rect.corners(), entry.fill);
+                    canvas.patch(&rect.corners(), entry.fill);
                     canvas.outline(&rect.corners(), Ink { color: FAINT_INK, width: 0.6 });
                 }
                 canvas.text(&entry.mark, [at[0] + name - gap, base], size, INK, Anchor::End);

@@ -4,7 +4,7 @@
 use super::free::{CLEAR, beside};
 use super::model::{Map, MapBodies, MapLine, MapNote};
 use super::names::{Name, named};
-use super::places::{inside, patches, widest};
+use super::places::{inside, patches, thinned, widest};
 use super::view::{SIZE, SMALL, View};
 use crate::page::{Point, Rect, Taken, between, distance, text_width};
 
@@ -12,6 +12,8 @@ use crate::page::{Point, Rect, Taken, between, distance, text_width};
 const ROOM: f64 = 6.5;
 /// Pixels of a cell by which areas are looked at.
 const FINE: f64 = 1.0;
+/// Where an area is narrower than two times this and a cell, its two sides have a mark each.
+const NECK: usize = 2;
 /// Radius of the ring of a note.
 pub(super) const RING: f64 = 4.5;
 /// Font size of a mark with a leader.
@@ -48,19 +50,19 @@ pub(super) fn marked(map: &Map, view: &View) -> Marked {
 
 /// The marks of entries where nothing is taken; upon texts in `boxes` none has room.
 fn marks(map: &Map, view: &View, boxes: &[Rect], mut taken: Taken, mut leaders: Vec<[Point; 2]>) -> Vec<Mark> {
-    let (columns, cells) = match &map.bodies {
-        MapBodies::Grid { columns, entries } => (*columns, entries.clone()),
+    let (columns, cells, neck) = match &map.bodies {
+        MapBodies::Grid { columns, entries } => (*columns, entries.clone(), 0),
         MapBodies::Areas { pieces, .. } => {
             let (columns, mut cells) = raster(pieces, view);
             let borders = map.lines.iter().filter(|line| is_border(line));
             cut(borders.map(|line| &line.points[..]), columns, &mut cells, view);
-            (columns, cells)
+            (columns, cells, NECK)
         }
         MapBodies::Points(_) => return Vec::new(),
     };
     let rows = (cells.len() / columns.max(1)).max(1);
     let (wide, high) = (view.rect.width / columns as f64, view.rect.height / rows as f64);
-    let (mut patch, shown) = patches(columns, &cells);
+    let (mut patch, shown) = patches(columns, &thinned(columns, &cells, neck));
     let count = shown.len();
     // Places with room are looked for beside lines and boxes, whatever they divide.
     if let MapBodies::Areas { borders, .. } = &map.bodies {

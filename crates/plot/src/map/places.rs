@@ -28,6 +28,25 @@ pub(super) fn patches(columns: usize, entries: &[Option<usize>]) -> (Vec<Option<
     (patch, shown)
 }
 
+/// The cells of which all so many cells away and nearer show the same: patches that meet in a narrow place only fall apart.
+pub(super) fn thinned(columns: usize, entries: &[Option<usize>], away: usize) -> Vec<Option<usize>> {
+    let rows = entries.len().checked_div(columns).unwrap_or(0);
+    // First along rows, then along columns.
+    let along = |entries: &[Option<usize>], lines: usize, length: usize, cell: &dyn Fn(usize, usize) -> usize| {
+        let mut left = entries.to_vec();
+        for (line, at) in (0..lines).flat_map(|line| (0..length).map(move |at| (line, at))) {
+            let near = at.saturating_sub(away)..(at + away + 1).min(length);
+            let own = entries[cell(line, at)];
+            if near.into_iter().any(|other| entries[cell(line, other)] != own) {
+                left[cell(line, at)] = None;
+            }
+        }
+        left
+    };
+    let across = along(entries, rows, columns, &|row, column| row * columns + column);
+    along(&across, columns, rows, &|column, row| row * columns + column)
+}
+
 /// For each entry the middle of the largest square of cells that show it, and half its side: (column, row, half).
 pub(super) fn widest(columns: usize, entries: &[Option<usize>], count: usize) -> Vec<Option<(f64, f64, f64)>> {
     let rows = entries.len().checked_div(columns).unwrap_or(0);
@@ -122,6 +141,23 @@ mod tests {
         let (patch, shown) = patches(3, &[a, b, a, a, b, a]);
         assert_eq!(shown, [7, 3, 7]);
         assert_eq!(patch, [Some(0), Some(1), Some(2), Some(0), Some(1), Some(2)]);
+    }
+
+    #[test]
+    fn patches_that_meet_in_a_narrow_place_fall_apart() {
+        let (a, b) = (Some(0), Some(1));
+        #[rustfmt::skip]
+        let entries = [
+            a, a, a, b, b, b,
+            a, a, a, b, b, b,
+            a, a, a, a, a, a,
+            b, b, b, a, a, a,
+            b, b, b, a, a, a,
+        ];
+        assert_eq!(patches(6, &entries).1, [0, 1, 1]);
+        let (patch, shown) = patches(6, &thinned(6, &entries, 1));
+        assert_eq!(shown, [0, 1, 0, 1]);
+        assert_eq!([patch[0], patch[5], patch[29], patch[24]], [Some(0), Some(1), Some(2), Some(3)]);
     }
 
     #[test]

@@ -64,10 +64,15 @@ pub(crate) fn render(
     canvas.outcome.replace(Ok(()))?;
     let mut elements = String::new();
     for (number, stripes) in canvas.stripes.borrow().iter().enumerate() {
-        elements.push_str(&stripes.definition(number, |color| canvas.hex(color)));
+        elements.push_str(&stripes.definition(number, |color| hex(theme.ground(color))));
     }
     elements.push_str(&canvas.body.borrow());
     Ok(Picture::from_canvas(&elements, size, &heading.into()))
+}
+
+/// A colour as SVG writes it.
+fn hex(RGBColor(red, green, blue): RGBColor) -> String {
+    format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
 /// A position in canvas units.
@@ -126,7 +131,7 @@ impl Canvas {
 
     /// The attributes of an area.
     pub(crate) fn fill(&self, color: RGBColor) -> String {
-        format!("fill=\"{}\"", self.hex(color))
+        format!("fill=\"{}\"", hex(self.theme.ground(color)))
     }
 
     /// The attributes of a line.
@@ -145,10 +150,9 @@ impl Canvas {
         Stripes::fill(number)
     }
 
-    /// A colour as SVG writes it.
+    /// A colour of the theme as SVG writes it.
     pub(crate) fn hex(&self, color: RGBColor) -> String {
-        let RGBColor(red, green, blue) = self.color(color);
-        format!("#{red:02X}{green:02X}{blue:02X}")
+        hex(self.color(color))
     }
 
     /// An open polyline.
@@ -159,11 +163,20 @@ impl Canvas {
         }
     }
 
-    /// A filled polygon.
+    /// A filled polygon in the colour of a line.
     pub(crate) fn polygon(&self, points: &[Point], color: RGBColor) {
+        self.filled(points, self.color(color));
+    }
+
+    /// A filled polygon in the colour of an area.
+    pub(crate) fn patch(&self, points: &[Point], color: RGBColor) {
+        self.filled(points, self.theme.ground(color));
+    }
+
+    fn filled(&self, points: &[Point], color: RGBColor) {
         let positions = positions(points);
         if positions.len() > 2 {
-            self.plotters(|area| area.draw(&Polygon::new(positions, self.color(color).filled())));
+            self.plotters(|area| area.draw(&Polygon::new(positions, color.filled())));
         }
     }
 
@@ -174,9 +187,18 @@ impl Canvas {
         self.path(&closed, ink);
     }
 
-    /// A filled disc.
+    /// A filled disc in the colour of a line.
     pub(crate) fn disc(&self, center: Point, radius: f64, color: RGBColor) {
-        let disc = Circle::new(position(&center), length_units(radius), self.color(color).filled());
+        self.dot(center, radius, self.color(color));
+    }
+
+    /// A filled disc in the colour of an area.
+    pub(crate) fn spot(&self, center: Point, radius: f64, color: RGBColor) {
+        self.dot(center, radius, self.theme.ground(color));
+    }
+
+    fn dot(&self, center: Point, radius: f64, color: RGBColor) {
+        let disc = Circle::new(position(&center), length_units(radius), color.filled());
         self.plotters(|area| area.draw(&disc));
     }
 

@@ -146,6 +146,18 @@ pub(crate) mod sight {
         (0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum::<f64>().sqrt()
     }
 
+    /// Every reader sees the colours so far apart.
+    pub(crate) fn assert_apart(colors: &[RGBColor], least: f64) {
+        for sight in SIGHTS {
+            for (place, one) in colors.iter().enumerate() {
+                for other in &colors[..place] {
+                    let distance = apart(sight, *one, *other);
+                    assert!(distance >= least, "{one:?} and {other:?} are {distance:.1} apart with {sight:?}");
+                }
+            }
+        }
+    }
+
     #[test]
     fn known_colours_have_known_places() {
         let white = cie(RGBColor(255, 255, 255));

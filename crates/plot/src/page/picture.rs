@@ -7,6 +7,7 @@ use resvg::usvg::{Options, Tree};
 
 use super::error::PlotError;
 use super::geometry::UNITS;
+use super::width::POINTS;
 use super::{font, image, pdf, tikz};
 
 /// Pixels of an SVG in an inch (CSS).
@@ -45,6 +46,17 @@ impl From<&str> for Heading {
 impl Picture {
     /// Whether this build makes PDF, which needs the feature `pdf`.
     pub const MAKES_PDF: bool = cfg!(feature = "pdf");
+
+    /// The greatest height in print, in millimetres: what a page or a column leaves beside a caption.
+    pub const HIGHEST: f64 = 230.0;
+
+    /// The height in print, with letters of at least 6 pt, in millimetres.
+    #[must_use]
+    pub fn millimetres_high(&self) -> f64 {
+        let height = self.svg.split_once(" height=\"").and_then(|(_, rest)| rest.split_once('"'));
+        let pixels: f64 = height.and_then(|(height, _)| height.parse().ok()).unwrap_or(0.0);
+        pixels * f64::from(POINTS) / 72.0 * 25.4
+    }
 
     /// Puts the size in pixels, the heading and the font's stand-ins on the elements of a canvas.
     pub(crate) fn from_canvas(elements: &str, size: [f64; 2], heading: &Heading) -> Self {

@@ -17,7 +17,7 @@ const APART: f64 = 4.0;
 pub(crate) struct Table<S> {
     heading: Row,
     rows: Vec<(S, Row)>,
-    /// What is told of the rows for which there is no room.
+    /// What is told of the rows or columns for which there is no room.
     rest: Option<String>,
     width: f64,
 }
@@ -67,6 +67,11 @@ impl<S> Table<S> {
             self.rest = (rest > 0).then(|| tell(rest));
         }
         self
+    }
+
+    /// The same with a last line.
+    pub(crate) fn told(self, rest: &str) -> Self {
+        Self { rest: Some(rest.to_owned()), ..self }
     }
 
     pub(crate) fn width(&self) -> f64 {

@@ -9,13 +9,14 @@ pub(crate) fn tex(text: &str) -> String {
         let lowered = |c: char| "₀₁₂₃₄₅₆₇₈₉".chars().position(|other| other == c);
         let digit = |place: usize| b"0123456789-+".get(place).map_or(' ', |byte| char::from(*byte));
         if let Some(first) = raised(character) {
-            out.push_str("$^{");
+            // Lower than an exponent stands in a formula: in a picture as high as the capitals beside it.
+            out.push_str("\\raisebox{.3em}{$\\scriptstyle ");
             out.push(digit(first));
             while let Some(next) = characters.peek().copied().and_then(raised) {
                 out.push(digit(next));
                 characters.next();
             }
-            out.push_str("}$");
+            out.push_str("$}");
         } else if let Some(first) = lowered(character) {
             out.push_str("$_{");
             out.push(digit(first));
@@ -87,10 +88,10 @@ mod tests {
 
     #[test]
     fn texts_become_formulas() {
-        assert_eq!(tex("M²₃"), "M$^{2}_{3}$");
-        assert_eq!(tex("R7, U = S²∖2D²"), "R7, U = S$^{2}\\setminus $2D$^{2}$");
+        assert_eq!(tex("M²₃"), "M\\raisebox{.3em}{$\\scriptstyle 2$}$_{3}$");
+        assert_eq!(tex("S²∖2D"), "S\\raisebox{.3em}{$\\scriptstyle 2$}$\\setminus $2D");
         assert_eq!(tex("pole +r̂ enters U"), "pole +$\\hat{r}$ enters U");
         assert_eq!(tex("100 % of a_b"), "100 \\% of a\\_b");
-        assert_eq!(tex("10⁻¹²"), "10$^{-12}$");
+        assert_eq!(tex("10⁻¹²"), "10\\raisebox{.3em}{$\\scriptstyle -12$}");
     }
 }

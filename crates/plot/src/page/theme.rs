@@ -4,6 +4,16 @@ use plotters::style::RGBColor;
 
 use super::perception::{Lab, lab, rgb_of};
 
+/// Areas are lighter than this in the light theme, what stands in them darker.
+const PALE: f64 = 0.65;
+/// … and lines are darker than this.
+const LINES: f64 = 0.8;
+/// Lightness of the dark theme's ground, and how much lighter areas may be: the more, the darker they are in the light theme,
+/// and the less so the darker, so that pale tints keep apart and light text can be read on all.
+const DARKEST: f64 = 0.18;
+const RISE: f64 = 0.38;
+const PACE: f64 = 0.2;
+
 /// For what a picture is coloured. A theme maps every colour of the light one, so that no picture knows of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
@@ -17,23 +27,28 @@ pub enum Theme {
 }
 
 impl Theme {
-    /// A colour of the light theme as this theme shows it.
+    /// The colour of an area in the light theme as this theme shows it.
+    pub(crate) fn ground(self, color: RGBColor) -> RGBColor {
+        self.shown(color, PALE)
+    }
+
+    /// The colour of a line, of a text or of paper in the light theme as this theme shows it.
     pub(crate) fn color(self, color: RGBColor) -> RGBColor {
-        /// Lightness of the dark theme's ground, and of what is black in the light one.
-        const GROUND: f64 = 0.18;
-        const BLACK: f64 = 1.02;
-        /// Lines in light colours, such as yellow, stay as light as this at least in the dark theme.
-        const LINE: f64 = 0.5;
-        /// Grounds are lighter than this, lines and texts darker.
-        const PALE: f64 = 0.8;
+        self.shown(color, LINES)
+    }
+
+    /// What is lighter than `pale` as an area, all else as a line.
+    fn shown(self, color: RGBColor, pale: f64) -> RGBColor {
         let Lab { lightness, a, b } = lab(color);
         match self {
             Self::Light => color,
-            Self::Dark => {
-                let darkest = if lightness > PALE { GROUND } else { LINE };
-                rgb_of(Lab { lightness: BLACK - (BLACK - darkest) * lightness, a, b })
+            Self::Dark if lightness > pale => {
+                let rise = 1.0 - libm::exp((lightness - 1.0) / PACE);
+                rgb_of(Lab { lightness: DARKEST + RISE * rise, a, b })
             }
-            Self::Print if lightness > PALE => {
+            // Yellow stays light.
+            Self::Dark => rgb_of(Lab { lightness: 1.02 - 0.52 * lightness, a, b }),
+            Self::Print if lightness > pale => {
                 rgb_of(Lab { lightness: 1.0 - 0.6 * (1.0 - lightness), a: 0.6 * a, b: 0.6 * b })
             }
             Self::Print => rgb_of(Lab { lightness: 0.85 * lightness, a, b }),

@@ -3,6 +3,7 @@
 use plotters::style::RGBColor;
 
 use super::layout::SheetPanel;
+use super::walls;
 
 use crate::page::{Canvas, INK, Ink, Path, Point, Rect, rgb};
 use dynamics::section::{Chart, Portrait};
@@ -22,10 +23,7 @@ pub(super) fn shade(canvas: &Canvas, portrait: &Portrait, panel: &SheetPanel) {
     for (area, color) in
         [(portrait.accessible(panel.chart), OUTGOING), (portrait.incoming(panel.chart, panel.sheet), INCOMING)]
     {
-        let mut path = Path::default();
-        for polygon in &area.loops {
-            path.line(&panel.positions(polygon), true);
-        }
+        let path = walls::area(area.loops.iter().map(|polygon| panel.positions(polygon)));
         path.draw(canvas, &format!("{} fill-rule=\"evenodd\"", canvas.fill(color)));
     }
 }

@@ -11,6 +11,7 @@ mod legend;
 mod points;
 mod raster;
 mod scene;
+mod walls;
 
 pub use scene::{OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
 

@@ -6,8 +6,8 @@ use crate::page::{INK, Ink, rgb, rgbs};
 
 /// Ground where U > h.
 pub(super) const FORBIDDEN: RGBColor = rgb(0xd9_d9_d9);
-/// Tints of components: apart in lightness, too.
-const TINTS: [RGBColor; 5] = rgbs([0xbf_dc_f2, 0xfb_ee_b8, 0xa9_cf_b4, 0xf3_c6_b4, 0xd3_c5_e6]);
+/// Tints of components, apart from each other and from that for every reader.
+const TINTS: [RGBColor; 5] = rgbs([0xc7_e5_ff, 0xff_e8_85, 0x9e_ba_9e, 0xee_b7_87, 0xd8_b2_f7]);
 /// ∂U.
 pub(super) const BOUNDARY: Ink = Ink { color: INK, width: 1.8 };
 /// Other levels.
@@ -15,4 +15,20 @@ pub(super) const LEVEL: Ink = Ink { color: rgb(0x8c_8c_8c), width: 0.6 };
 /// The tint of the component at a place of the canonical order.
 pub(super) fn tint(place: usize) -> RGBColor {
     TINTS[place % TINTS.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::Theme;
+    use crate::page::sight::assert_apart;
+
+    #[test]
+    fn components_are_told_apart_by_every_reader() {
+        for theme in [Theme::Light, Theme::Dark] {
+            let shown: Vec<RGBColor> = TINTS.into_iter().chain([FORBIDDEN]).map(|color| theme.ground(color)).collect();
+            // A clear difference of patches.
+            assert_apart(&shown, 10.0);
+        }
+    }
 }

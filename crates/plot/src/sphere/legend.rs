@@ -61,7 +61,7 @@ pub(super) fn draw(legend: &Legend<Symbol>, canvas: &Canvas, at: Point) {
     legend.draw(canvas, at, |symbol, [x, middle]| match symbol {
         Symbol::Tint(color) => {
             let swatch = Rect { x, y: middle - 6.0, width: SAMPLE, height: 12.0 };
-            canvas.polygon(&swatch.corners(), *color);
+            canvas.patch(&swatch.corners(), *color);
             canvas.outline(&swatch.corners(), Ink { color: crate::page::FAINT_INK, width: 0.6 });
         }
         Symbol::Line(ink) => canvas.path(&[[x, middle], [x + SAMPLE, middle]], *ink),

@@ -60,8 +60,7 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
     let legend = legend::legend(scene, width - 2.0 * MARGIN);
     let below = centers[1][1] + radius + BELOW;
     let motions_at = [MARGIN, below + legend.height() + 8.0];
-    let motions = motions::table(scene, paper.pixels() - 2.0 * MARGIN)
-        .shortened(HEIGHT - motions_at[1] - FOOT, |rows| format!("… and {rows} more: bifdiag critical tells them"));
+    let motions = motions::table(scene, [paper.pixels() - 2.0 * MARGIN, HEIGHT - motions_at[1] - FOOT]);
     let size = [width.max(motions.width() + 2.0 * MARGIN), motions_at[1] + motions.height() + FOOT].map(f64::ceil);
     let title = format!("{}; {}", scene.title, scene.caption);
     render(size, title.as_str(), theme, |canvas| {
@@ -116,9 +115,9 @@ fn ground(
     rim(view).draw(canvas, &canvas.fill(FORBIDDEN));
     // On a curve no components are told: what is accessible has one tint.
     for place in 0..components.max(1) {
-        let color = canvas.hex(tint(place));
+        let fill = canvas.fill(tint(place));
         // A hair of the same colour closes the seams between cells.
-        let attributes = format!("fill=\"{color}\" stroke=\"{color}\" stroke-width=\"4\"");
+        let attributes = format!("{fill} {} stroke-width=\"4\"", fill.replacen("fill", "stroke", 1));
         grid.area(0.0, |node| component(node) == Some(place)).draw(canvas, &attributes);
     }
 }

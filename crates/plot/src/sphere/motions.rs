@@ -22,12 +22,30 @@ fn energies(h: &[f64]) -> Vec<String> {
     (DIGITS[0]..DIGITS[1]).map(printed).find(are_apart).unwrap_or_else(|| printed(DIGITS[1]))
 }
 
-/// One row for each relative equilibrium, `room` pixels wide.
-pub(super) fn table(scene: &SphereScene<'_>, room: f64) -> Table<Mark> {
+/// Columns that are left out where all would be too high, the least first: from which on, and what is told of them.
+const LEFT_OUT: [(usize, &str); 2] =
+    [(6, "periods and growth: bifdiag critical tells them"), (4, "types and stability: bifdiag critical tells them")];
+
+/// One row for each relative equilibrium, as each has its letter in the views, and as many columns as find room.
+pub(super) fn table(scene: &SphereScene<'_>, [width, height]: [f64; 2]) -> Table<Mark> {
+    let full = columns(scene, width, usize::MAX);
+    let shorter = LEFT_OUT.into_iter().map(|(count, told)| columns(scene, width, count).told(told));
+    let mut last = full;
+    for table in shorter {
+        if last.height() <= height {
+            break;
+        }
+        last = table;
+    }
+    last
+}
+
+/// The first columns of the table.
+fn columns(scene: &SphereScene<'_>, room: f64, count: usize) -> Table<Mark> {
     let times = if scene.time_unit.is_empty() { String::new() } else { format!(" in {}", scene.time_unit) };
     let heading = ["", "relative equilibrium", "h", "of U", "linear type", "stable"].map(str::to_owned);
     let motions = format!("period of small oscillations, growth by the factor e{times}");
-    let heading = heading.into_iter().chain([motions]).collect();
+    let heading = heading.into_iter().chain([motions]).take(count).collect();
     let h: Vec<f64> = scene.equilibria.iter().map(|point| point.h).collect();
     let rows = scene.equilibria.iter().zip(energies(&h)).enumerate().map(|(place, (point, h))| {
         let cells = [
@@ -39,7 +57,7 @@ pub(super) fn table(scene: &SphereScene<'_>, room: f64) -> Table<Mark> {
             point.stable.word().to_owned(),
             small_motions(&[point.eigenvalues], short_time),
         ];
-        (Mark::Equilibrium(point.index), cells.to_vec())
+        (Mark::Equilibrium(point.index), cells.into_iter().take(count).collect())
     });
     Table::new(2.0 * MARK, heading, rows.collect(), room)
 }

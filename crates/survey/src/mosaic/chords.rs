@@ -8,12 +8,12 @@ const TIP: f64 = 0.4;
 /// The most changes round a cell that are paired.
 pub(super) const PAIRED_MAX: usize = 8;
 
-/// For each change on the way round a cell the one at the other end of its border, so that no two borders cross: of all ways
-/// the one on which fewest borders return to the side from which they come, of those one with what is shown in the middle,
-/// and of those the shortest. None where there is no way, as where three things meet.
-pub(super) fn partners<L: PartialEq>(round: &[Stop<L>], changes: &[usize], middle: Option<&L>) -> Option<Vec<usize>> {
+/// The ways to join the changes on the way round a cell by borders that do not cross, as the other end of each: those on which
+/// fewest borders return to the side from which they come, the shortest first. None where there is no way, as where three
+/// things meet.
+pub(super) fn joinings<L: PartialEq>(round: &[Stop<L>], changes: &[usize]) -> Vec<Vec<usize>> {
     if !changes.len().is_multiple_of(2) || changes.len() > PAIRED_MAX {
-        return None;
+        return Vec::new();
     }
     let after = |change: usize| &round[changes[change]].after;
     let before = |change: usize| after((change + changes.len() - 1) % changes.len());
@@ -21,21 +21,20 @@ pub(super) fn partners<L: PartialEq>(round: &[Stop<L>], changes: &[usize], middl
     let cost = |pairs: &Vec<[usize; 2]>| {
         let stops = |pair: &[usize; 2]| pair.map(|change| &round[changes[change]]);
         let returns = pairs.iter().filter(|pair| stops(pair)[0].side == stops(pair)[1].side).count();
-        // Of four changes all lie at the part in the middle.
-        let shown = after(usize::from(pairs[0][1] == 1));
-        let is_other = changes.len() == 4 && middle.is_some_and(|middle| shown.as_ref() != Some(middle));
-        ((returns, is_other), pairs.iter().map(|pair| distance(stops(pair)[0].at, stops(pair)[1].at)).sum::<f64>())
+        (returns, pairs.iter().map(|pair| distance(stops(pair)[0].at, stops(pair)[1].at)).sum::<f64>())
     };
     let all = pairings(&(0..changes.len()).collect::<Vec<_>>(), &agree);
-    let best = all.into_iter().min_by(|p, q| {
-        let (p, q) = (cost(p), cost(q));
-        p.0.cmp(&q.0).then(p.1.total_cmp(&q.1))
-    })?;
-    let mut partners = vec![0; changes.len()];
-    for [one, other] in best {
-        (partners[one], partners[other]) = (other, one);
-    }
-    Some(partners)
+    let mut all: Vec<_> = all.into_iter().map(|pairs| (cost(&pairs), pairs)).collect();
+    all.sort_by(|(p, _), (q, _)| p.0.cmp(&q.0).then(p.1.total_cmp(&q.1)));
+    let fewest = all.first().map_or(0, |(cost, _)| cost.0);
+    let partners = |pairs: Vec<[usize; 2]>| {
+        let mut partners = vec![0; changes.len()];
+        for [one, other] in pairs {
+            (partners[one], partners[other]) = (other, one);
+        }
+        partners
+    };
+    all.into_iter().filter(|(cost, _)| cost.0 == fewest).map(|(_, pairs)| partners(pairs)).collect()
 }
 
 /// All ways to pair points on a circle by chords that do not cross.
@@ -52,10 +51,12 @@ pub(super) fn pairings(points: &[usize], agree: &impl Fn(usize, usize) -> bool) 
     all
 }
 
-/// The line from one change to another: straight, or round a tip where both lie on one side.
-pub(super) fn chord<L>(from: &Stop<L>, to: &Stop<L>) -> Vec<Place> {
+/// The line from one change to another: straight, over a bend, or round a tip where both lie on one side.
+pub(super) fn chord<L>(from: &Stop<L>, to: &Stop<L>, bend: Option<Place>) -> Vec<Place> {
     let mut line = vec![from.at, to.at];
-    if from.side == to.side {
+    if let Some(bend) = bend {
+        line.insert(1, bend);
+    } else if from.side == to.side {
         let ([x, y], [dx, dy]) = (mean([from.at, to.at].into_iter()), inward(from.side));
         line.insert(1, [x + TIP * dx, y + TIP * dy]);
     }

@@ -26,8 +26,10 @@ pub(super) struct Division<'a, P: Plane> {
     pub labels: BTreeMap<Node, P::Label>,
     /// The changes on each side; where both halves of a side are known, theirs count.
     pub sides: BTreeMap<Side, Vec<Change<P::Label>>>,
-    /// What is shown in the middles of cells with four changes.
-    pub middles: BTreeMap<Node, P::Label>,
+    /// How the changes of a cell are joined, where that can be in several ways.
+    pub joined: BTreeMap<Node, Vec<usize>>,
+    /// Where the border of a cell with one chord has a corner.
+    pub bends: BTreeMap<Node, Place>,
 }
 
 impl<P: Plane> Division<'_, P> {

@@ -10,6 +10,7 @@ mod division;
 mod lattice;
 mod pieces;
 mod strip;
+mod trial;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,27 +24,39 @@ pub use pieces::Mosaic;
 /// from below.
 pub fn divide<P: Plane>(plane: &P, axes: [&[f64]; 2], shown: &[P::Label]) -> Mosaic<P::Label> {
     let [columns, rows] = axes.map(|values| u32::try_from(values.len().saturating_sub(1)).unwrap_or(0));
-    let mut division =
-        Division { plane, axes, labels: BTreeMap::new(), sides: BTreeMap::new(), middles: BTreeMap::new() };
+    let mut division = Division {
+        plane,
+        axes,
+        labels: BTreeMap::new(),
+        sides: BTreeMap::new(),
+        joined: BTreeMap::new(),
+        bends: BTreeMap::new(),
+    };
     let nodes = (0..=rows).flat_map(|row| (0..=columns).map(move |column| [column * UNIT, row * UNIT]));
     division.labels = nodes.zip(shown.iter().cloned()).collect();
     let cell = |row, column| Cell { from: [column * UNIT, row * UNIT], size: UNIT };
     let mut cells: Vec<Cell> = (0..rows).flat_map(|row| (0..columns).map(move |column| cell(row, column))).collect();
     division.learn_sides(cells.iter().flat_map(|cell| cell.sides()).collect());
     let mut followed = BTreeSet::new();
+    let mut tried = BTreeSet::new();
+    let mut wrong: Vec<Cell> = Vec::new();
     loop {
-        let (open, mut done): (Vec<Cell>, Vec<Cell>) = cells.iter().partition(|cell| division.is_open(**cell));
+        let is_open = |cell: &&Cell| division.is_open(**cell) || wrong.contains(cell);
+        let (open, mut done): (Vec<Cell>, Vec<Cell>) = cells.iter().partition(is_open);
         if open.is_empty() {
             if division.follow(&cells, &mut followed) {
                 continue;
             }
-            break;
+            wrong = division.try_parts(&cells, &mut tried);
+            if wrong.is_empty() {
+                break;
+            }
+            continue;
         }
         division.split(&open);
         done.extend(open.into_iter().flat_map(Cell::quarters));
         cells = done;
     }
-    division.learn_middles(&cells);
     cells.sort_by_key(|cell| [cell.from[1], cell.from[0]]);
     division.cut(&cells)
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::chords::partners;
+use super::chords::joinings;
 use super::division::{Changes, Division, Plane};
 use super::lattice::{Cell, Change, Node, Place, Side, distance, inward, mean};
 
@@ -142,7 +142,7 @@ impl<P: Plane> Division<'_, P> {
         if others().next().is_none() {
             return across;
         }
-        let Some(partners) = partners(&round, &changes, None) else { return (mean(others()), width) };
+        let Some(partners) = joinings(&round, &changes).into_iter().next() else { return (mean(others()), width) };
         let partner = |end: Place| {
             let own = changes.iter().position(|&k| round[k].at == end)?;
             Some(round[changes[partners[own]]].at).filter(|at| !ends.contains(at))

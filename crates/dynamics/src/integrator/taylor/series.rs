@@ -48,12 +48,19 @@ pub(crate) struct Constants<S: Simd> {
     opposite: Vector<S>,
     /// Is any second part of a difference not 0?
     differences_have_low_parts: bool,
-    /// 1/k in two parts, the second for the orders below `EXACT_BELOW`.
-    reciprocal: [f64; ROWS],
-    reciprocal_low: [f64; EXACT_BELOW],
-    /// 1/(k A_i), likewise.
-    inverse_over: [[f64; 3]; ROWS],
-    inverse_over_low: [[f64; 3]; EXACT_BELOW],
+    divisors: [Divisor; ROWS],
+}
+
+/// What the sums of order k − 1 are multiplied with, in two parts.
+#[derive(Clone, Copy, Default)]
+#[repr(C, align(64))]
+struct Divisor {
+    /// 1/k.
+    reciprocal: f64,
+    reciprocal_low: f64,
+    /// 1/(k A_i).
+    inverse: [f64; 3],
+    inverse_low: [f64; 3],
 }
 
 /// x (high + low), rounded.
@@ -80,18 +87,19 @@ impl<S: Simd> Constants<S> {
             (difference[i], low[i]) = super::super::time::two_sum(a[p], -a[q]);
         }
         let splat = |v: [f64; 3]| [simd.splat_f64s(v[0]), simd.splat_f64s(v[1]), simd.splat_f64s(v[2])];
-        let (mut reciprocal, mut reciprocal_low) = ([0.0; ROWS], [0.0; EXACT_BELOW]);
-        let (mut inverse_over, mut inverse_over_low) = ([[0.0; 3]; ROWS], [[0.0; 3]; EXACT_BELOW]);
-        for k in 1..ROWS {
+        let divisors = std::array::from_fn(|k| {
+            if k == 0 {
+                return Divisor::default();
+            }
             let over_k = |parts| quotient_in_two_parts(parts, k as f64);
             let (whole, inverse) = (over_k((1.0, 0.0)), b.map(over_k));
-            reciprocal[k] = whole.0;
-            inverse_over[k] = inverse.map(|parts| parts.0);
-            if k < EXACT_BELOW {
-                reciprocal_low[k] = whole.1;
-                inverse_over_low[k] = inverse.map(|parts| parts.1);
+            Divisor {
+                reciprocal: whole.0,
+                reciprocal_low: whole.1,
+                inverse: inverse.map(|parts| parts.0),
+                inverse_low: inverse.map(|parts| parts.1),
             }
-        }
+        });
         Self {
             inverse: splat(b.map(|b| b.0)),
             inverse_low: splat(b.map(|b| b.1)),
@@ -100,17 +108,14 @@ impl<S: Simd> Constants<S> {
             center: splat(top.center()),
             opposite: splat(top.center().map(|r| -r)),
             differences_have_low_parts: low != [0.0; 3],
-            reciprocal,
-            reciprocal_low,
-            inverse_over,
-            inverse_over_low,
+            divisors,
         }
     }
 
     /// 1/k, rounded.
     #[inline(always)]
     pub(super) fn reciprocal(&self, k: usize) -> f64 {
-        self.reciprocal[k]
+        self.divisors[k].reciprocal
     }
 
     /// A_p − A_q of l×ω = ((A_p − A_q) ω_pω_q)_i, rounded.
@@ -119,13 +124,13 @@ impl<S: Simd> Constants<S> {
         self.difference[i]
     }
 
-    /// ω_pω_q D − (γ×r)_i.
+    /// ω_pω_q D − (γ×r)_i; `low`: D has a second part.
     #[inline(always)]
-    fn torques(&self, simd: S, gamma: Vector<S>, omega_omega: Vector<S>) -> Vector<S> {
+    fn torques(&self, simd: S, gamma: Vector<S>, omega_omega: Vector<S>, low: bool) -> Vector<S> {
         let mut sums = gamma;
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-            let arm = if self.differences_have_low_parts {
+            let arm = if low {
                 // The low part goes in first: added to the rounded sum it would always be lost.
                 simd.product_sum(gamma[q], self.center[p], simd.mul_f64s(omega_omega[i], self.difference_low[i]))
             } else {
@@ -213,27 +218,51 @@ impl<S: Simd> Series<S> {
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub fn expand(&mut self, simd: S, top: &Constants<S>, order: usize) {
         debug_assert!(order.is_multiple_of(2) && order < ROWS);
+        // What does not change from row to row is known where the rows are compiled: they have no branches.
+        if top.differences_have_low_parts {
+            self.expand_with(simd, top, order, true);
+        } else {
+            self.expand_with(simd, top, order, false);
+        }
+    }
+
+    /// `low`: the differences have second parts.
+    #[inline(always)]
+    fn expand_with(&mut self, simd: S, top: &Constants<S>, order: usize, low: bool) {
         self.omega[0] = top.exact_angular_velocity(simd, self.l[0]);
         let mut first = Products::zero(simd);
         first.add(simd, self.gamma[0], self.omega[0], self.omega[0]);
-        self.set_row(simd, top, 1, first);
+        self.set_row(simd, top, 1, first, low, true);
         let mut second = Products::zero(simd);
         second.add(simd, self.gamma[1], self.omega[1], self.omega[0]);
         second.add(simd, self.gamma[0], self.omega[0], self.omega[1]);
-        self.set_row(simd, top, 2, second);
+        self.set_row(simd, top, 2, second, low, true);
 
-        for k in (2..order).step_by(2) {
-            let (mut even, mut odd) = self.known_products(simd, k);
-            let (gamma_k, omega_k) = (self.gamma[k], self.omega[k]);
-            even.add(simd, gamma_k, omega_k, self.omega[0]);
-            even.add(simd, self.gamma[0], self.omega[0], omega_k);
-            self.set_row(simd, top, k + 1, even);
-            odd.add(simd, gamma_k, omega_k, self.omega[1]);
-            odd.add(simd, self.gamma[1], self.omega[1], omega_k);
-            odd.add(simd, self.gamma[k + 1], self.omega[k + 1], self.omega[0]);
-            odd.add(simd, self.gamma[0], self.omega[0], self.omega[k + 1]);
-            self.set_row(simd, top, k + 2, odd);
+        for k in (2..order.min(EXACT_BELOW - 2)).step_by(2) {
+            self.pair(simd, top, k, low, [true, true]);
         }
+        if order > EXACT_BELOW - 2 {
+            self.pair(simd, top, EXACT_BELOW - 2, low, [true, false]);
+        }
+        for k in (EXACT_BELOW..order).step_by(2) {
+            self.pair(simd, top, k, low, [false, false]);
+        }
+    }
+
+    /// The rows k+1 and k+2, the newest coefficients last; `exact`: with the second parts of the divisors.
+    #[inline(always)]
+    fn pair(&mut self, simd: S, top: &Constants<S>, k: usize, low: bool, exact: [bool; 2]) {
+        assert!(k + 2 < ROWS);
+        let (mut even, mut odd) = self.known_products(simd, k);
+        let (gamma_k, omega_k) = (self.gamma[k], self.omega[k]);
+        even.add(simd, gamma_k, omega_k, self.omega[0]);
+        even.add(simd, self.gamma[0], self.omega[0], omega_k);
+        self.set_row(simd, top, k + 1, even, low, exact[0]);
+        odd.add(simd, gamma_k, omega_k, self.omega[1]);
+        odd.add(simd, self.gamma[1], self.omega[1], omega_k);
+        odd.add(simd, self.gamma[k + 1], self.omega[k + 1], self.omega[0]);
+        odd.add(simd, self.gamma[0], self.omega[0], self.omega[k + 1]);
+        self.set_row(simd, top, k + 2, odd, low, exact[1]);
     }
 
     /// The terms of orders k and k+1 that need the rows 1 … k−1 only. Two orders at a time share their loads where
@@ -244,21 +273,25 @@ impl<S: Simd> Series<S> {
         let last = k - 2;
         let (mut even, mut odd) = (Products::zero(simd), Products::zero(simd));
         if last > 0 {
+            // Slices of one length: indices need no checks, which would take a tenth of the loop's time.
+            let turns = last - 1;
+            let (gamma_even, omega_even) = (&gamma[1..=turns], &omega[1..=turns]);
+            let (gamma_odd, omega_odd) = (&gamma[2..2 + turns], &omega[2..2 + turns]);
+            let partners = &omega[1..=turns];
             if S::REGISTER_COUNT < REGISTERS_FOR_TWO || WASM {
-                for j in 1..last {
-                    even.add(simd, gamma[j], omega[j], omega[last - j]);
+                for j in 0..turns {
+                    even.add(simd, gamma_even[j], omega_even[j], partners[turns - 1 - j]);
                 }
-                for j in 1..last {
-                    odd.add(simd, gamma[j + 1], omega[j + 1], omega[last - j]);
+                for j in 0..turns {
+                    odd.add(simd, gamma_odd[j], omega_odd[j], partners[turns - 1 - j]);
                 }
             } else {
                 let (mut gamma_j, mut omega_j) = (gamma[1], omega[1]);
-                for j in 1..last {
-                    let partner = omega[last - j];
-                    let (gamma_next, omega_next) = (gamma[j + 1], omega[j + 1]);
+                for j in 0..turns {
+                    let partner = partners[turns - 1 - j];
                     even.add(simd, gamma_j, omega_j, partner);
-                    odd.add(simd, gamma_next, omega_next, partner);
-                    (gamma_j, omega_j) = (gamma_next, omega_next);
+                    (gamma_j, omega_j) = (gamma_odd[j], omega_odd[j]);
+                    odd.add(simd, gamma_j, omega_j, partner);
                 }
             }
             even.add(simd, gamma[0], omega[0], omega[last]);
@@ -268,24 +301,23 @@ impl<S: Simd> Series<S> {
         (even, odd)
     }
 
-    /// Row k from the Cauchy products of order k − 1.
+    /// Row k from the Cauchy products of order k − 1; `exact`: with the second parts of the divisors.
     #[inline(always)]
-    fn set_row(&mut self, simd: S, top: &Constants<S>, k: usize, products: Products<S>) {
-        let sums = top.torques(simd, self.gamma[k - 1], products.omega_omega);
-        let reciprocal = simd.splat_f64s(top.reciprocal[k]);
-        if k < EXACT_BELOW {
-            let low = simd.splat_f64s(top.reciprocal_low[k]);
-            for i in 0..3 {
-                let (inverse, inverse_low) = (top.inverse_over[k][i], top.inverse_over_low[k][i]);
-                self.gamma[k][i] = product(simd, products.gamma_omega[i], reciprocal, low);
-                self.l[k][i] = product(simd, sums[i], reciprocal, low);
-                self.omega[k][i] = product(simd, sums[i], simd.splat_f64s(inverse), simd.splat_f64s(inverse_low));
-            }
-        } else {
-            for i in 0..3 {
+    fn set_row(&mut self, simd: S, top: &Constants<S>, k: usize, products: Products<S>, low: bool, exact: bool) {
+        let sums = top.torques(simd, self.gamma[k - 1], products.omega_omega, low);
+        let divisor = &top.divisors[k];
+        let (reciprocal, reciprocal_low) =
+            (simd.splat_f64s(divisor.reciprocal), simd.splat_f64s(divisor.reciprocal_low));
+        for i in 0..3 {
+            let (inverse, inverse_low) = (simd.splat_f64s(divisor.inverse[i]), simd.splat_f64s(divisor.inverse_low[i]));
+            if exact {
+                self.gamma[k][i] = product(simd, products.gamma_omega[i], reciprocal, reciprocal_low);
+                self.l[k][i] = product(simd, sums[i], reciprocal, reciprocal_low);
+                self.omega[k][i] = product(simd, sums[i], inverse, inverse_low);
+            } else {
                 self.gamma[k][i] = simd.mul_f64s(products.gamma_omega[i], reciprocal);
                 self.l[k][i] = simd.mul_f64s(sums[i], reciprocal);
-                self.omega[k][i] = simd.mul_f64s(sums[i], simd.splat_f64s(top.inverse_over[k][i]));
+                self.omega[k][i] = simd.mul_f64s(sums[i], inverse);
             }
         }
     }
