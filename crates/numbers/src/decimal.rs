@@ -15,21 +15,43 @@ pub fn exact(x: &RBig) -> String {
     if power == 0 { digits.to_string() } else { format!("{digits}e-{power}") }
 }
 
-/// A decimal of some digits, not above the number (`up`: not below).
+/// A decimal of some digits or one less, not above the number (`up`: not below).
 #[must_use]
 pub fn rounded(x: &RBig, digits: usize, up: bool) -> String {
     if x.is_zero() {
         return "0".to_owned();
     }
-    let ten = |power: usize| RBig::from(IBig::from(10).pow(power));
-    // |x| in [10^e, 10^(e+1)), up to one.
+    to_place(x, i64::try_from(digits).unwrap_or(0) - 1 - about_exponent(x), up)
+}
+
+/// A decimal of exactly so many digits, not above the number: it does not depend on how long numerator and denominator are.
+#[must_use]
+pub fn of_length(x: &RBig, digits: usize) -> String {
+    if x.is_zero() {
+        return "0".to_owned();
+    }
+    let about = about_exponent(x);
+    let exponent = if times_ten_to(&RBig::ONE, about) > x.clone().max(-x.clone()) { about - 1 } else { about };
+    to_place(x, i64::try_from(digits).unwrap_or(0) - 1 - exponent, false)
+}
+
+/// e with 10^(e−1) < |x| < 10^(e+1), x ≠ 0.
+fn about_exponent(x: &RBig) -> i64 {
     let size = |n: &UBig| i64::try_from(n.to_string().len()).unwrap_or(i64::MAX);
-    let exponent = size(&x.numerator().clone().into_parts().1) - size(x.denominator());
-    let shift = i64::try_from(digits).unwrap_or(0) - 1 - exponent;
-    let power = usize::try_from(shift.unsigned_abs()).unwrap_or(0);
-    let scaled = if shift >= 0 { x * ten(power) } else { x / ten(power) };
+    size(&x.numerator().clone().into_parts().1) - size(x.denominator())
+}
+
+/// x 10^power.
+fn times_ten_to(x: &RBig, power: i64) -> RBig {
+    let ten = RBig::from(IBig::from(10).pow(usize::try_from(power.unsigned_abs()).unwrap_or(0)));
+    if power >= 0 { x * ten } else { x / ten }
+}
+
+/// With so many decimal places.
+fn to_place(x: &RBig, places: i64, up: bool) -> String {
+    let scaled = times_ten_to(x, places);
     let whole = if up { scaled.ceil() } else { scaled.floor() };
-    if shift == 0 { whole.to_string() } else { format!("{whole}e{}", -shift) }
+    if places == 0 { whole.to_string() } else { format!("{whole}e{}", -places) }
 }
 
 /// Both ends, outward.
@@ -85,6 +107,16 @@ mod tests {
             }
         }
         assert_eq!(exact(&RBig::from_parts(1.into(), 3u8.into())), "1/3");
+    }
+
+    #[test]
+    fn numbers_of_one_size_have_decimals_of_one_length() {
+        for text in ["0.15725", "1/3", "2/3", "99/100", "101/100", "-7/9", "123456789/1000", "1/1024"] {
+            let decimal = of_length(&value(text), 7);
+            let digits = decimal.trim_start_matches('-').split('e').next().map(str::len);
+            assert_eq!(digits, Some(7), "{text}: {decimal}");
+            assert!(value(&decimal) <= value(text));
+        }
     }
 
     #[test]

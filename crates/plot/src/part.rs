@@ -118,7 +118,8 @@ fn reach(ellipsoid: &Ellipsoid, scene: &PartScene) -> ([f64; 3], f64) {
     scene.edges.iter().flatten().for_each(|point| hold(*point));
     let middle = std::array::from_fn(|i| 0.5 * (low[i] + high[i]));
     let half = (0..3).map(|i| 0.5 * (high[i] - low[i])).fold(0.0, f64::max);
-    (middle, if half > 0.0 { 1.12 * half } else { 1.0 })
+    // Beyond the ends of axes is room for their numbers.
+    (middle, if half > 0.0 { 1.2 * half } else { 1.0 })
 }
 
 fn draw_view(

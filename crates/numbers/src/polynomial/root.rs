@@ -2,13 +2,18 @@
 
 use std::sync::Arc;
 
+use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::integer::Polynomial;
 use crate::Sign;
 use crate::enclosure::{Enclosure, horner};
+use crate::interval::Interval;
 use crate::interval_newton::narrowed;
+
+/// Bits of a root that intervals of doubles tell, with a few to spare.
+const DOUBLES: usize = 40;
 
 /// A real root in a range that holds no other.
 #[derive(Clone, Debug)]
@@ -70,21 +75,46 @@ impl Root {
 
     /// Narrows until (hi − lo) ≤ 2^−bits · hi. The root must be positive.
     pub fn refine(&mut self, bits: usize) {
-        let factor = RBig::from(IBig::ONE << bits);
-        let mut above = None;
-        while !self.is_exact() && (&self.hi - &self.lo) * &factor > self.hi {
+        if self.is_exact() || self.is_known_to(bits) {
+            return;
+        }
+        let above = self.polynomial.sign_at(&self.hi);
+        if !self.is_known_to(bits.min(DOUBLES)) {
+            self.narrow_in_doubles(above);
+        }
+        let mut lost = 6;
+        while !self.is_exact() && !self.is_known_to(bits) {
             let width = &self.hi - &self.lo;
-            let above = *above.get_or_insert_with(|| self.polynomial.sign_at(&self.hi));
-            // Guess by the secant, fence it by a power of the width; fall back on halving.
-            if let Some((low, high)) = self.fence() {
+            // Newton doubles the bits but for what curvature loses; where the root is beyond the fence, more is lost.
+            if let Some((low, high)) = self.fence(lost, bits) {
                 self.cut(low, above);
                 if !self.is_exact() && self.lo < high && high < self.hi {
                     self.cut(high, above);
                 }
             }
             if !self.is_exact() && (&self.hi - &self.lo) * RBig::from(2) > width {
+                lost *= 2;
                 self.halve_below(above);
             }
+        }
+    }
+
+    fn is_known_to(&self, bits: usize) -> bool {
+        (&self.hi - &self.lo) * RBig::from(IBig::ONE << bits) <= self.hi
+    }
+
+    /// Narrows as far as intervals of doubles tell, which take a hundredth of the time of exact numbers; exact signs have
+    /// the last word. The sign at the upper end is `above`.
+    fn narrow_in_doubles(&mut self, above: Sign) {
+        let range: Interval = self.enclosed(());
+        // The ends of the range may be the root.
+        let beyond = [range.lo.next_down(), range.hi.next_up()].map(|end| RBig::try_from(end).ok());
+        let [Some(lo), Some(hi)] = beyond else { return };
+        if self.lo < lo && lo < self.hi && self.polynomial.sign_at(&lo) == -above {
+            self.lo = lo;
+        }
+        if self.lo < hi && hi < self.hi && self.polynomial.sign_at(&hi) == above {
+            self.hi = hi;
         }
     }
 
@@ -102,8 +132,8 @@ impl Root {
         narrowed(range, above, |x| at(&f, x), |x| at(&slope, x), precision)
     }
 
-    /// Two points close around the Newton guess.
-    fn fence(&self) -> Option<(RBig, RBig)> {
+    /// Two points close around Newton's guess, which is taken to have twice the bits less those `lost`.
+    fn fence(&self, lost: i64, wanted: usize) -> Option<(RBig, RBig)> {
         let width = &self.hi - &self.lo;
         let middle = (&self.hi + &self.lo) / RBig::from(2);
         // f/f' at p/q without fractions: f = N/qⁿ, f' = M/qⁿ⁻¹, so that the guess is (p M − N)/(q M).
@@ -112,14 +142,13 @@ impl Root {
         if m == IBig::ZERO {
             return None;
         }
-        let relative = (&width / &self.hi).to_f64().value();
-        // Newton squares the relative width; half of the gain is taken, so that the fence holds the root.
-        let bits = i64::from(exponent(relative)).abs();
-        let gain = usize::try_from(bits + bits / 2 + 2).ok()?;
-        let bits = (2 * gain + 8).min(8000);
+        let known = -exponent(&(&width / &self.hi));
+        let gain = usize::try_from((2 * known - lost).max(known + known / 2 + 2)).ok()?.min(wanted + 2);
+        let size = usize::try_from(-exponent(&self.hi)).unwrap_or(0);
+        let bits = gain + size + 4;
         let grid = RBig::from(IBig::ONE << bits);
         let guess = ((p * &m - n) << bits) / (&q * &m);
-        let reach = (&self.hi * &grid / RBig::from(IBig::ONE << gain.min(4000))).ceil();
+        let reach = (&self.hi * &grid / RBig::from(IBig::ONE << (gain + 1))).ceil();
         let (low, high) = (RBig::from(&guess - &reach) / &grid, RBig::from(guess + reach) / grid);
         (self.lo < low && high < self.hi).then_some((low, high))
     }
@@ -144,9 +173,9 @@ impl Root {
     }
 }
 
-/// The exponent of the leading bit.
-fn exponent(x: f64) -> i32 {
-    ((x.abs().to_bits() >> 52) & 0x7ff) as i32 - 1023
+/// k with 2ᵏ⁻¹ < x < 2ᵏ⁺¹, x > 0.
+fn exponent(x: &RBig) -> i64 {
+    x.numerator().bit_len() as i64 - x.denominator().bit_len() as i64
 }
 
 impl Polynomial {

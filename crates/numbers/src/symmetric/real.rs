@@ -62,7 +62,7 @@ impl Real {
     #[must_use]
     pub fn decimal(&self, digits: usize) -> String {
         let middle = (&self.lo + &self.hi) / RBig::from(2);
-        crate::decimal::rounded(&middle, digits, false)
+        crate::decimal::of_length(&middle, digits)
     }
 
     /// The nearest double of the middle.

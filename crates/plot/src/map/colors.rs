@@ -13,8 +13,8 @@ const CHOSEN: [RGBColor; 14] = rgbs([
     0xda_f4_71, 0x5a_a3_e2, 0xd4_81_3a, 0x5b_b7_5f, 0xc5_7f_a5,
 ]);
 
-/// Ends and middle of the scale of an ordered quantity, the lowest first.
-const SCALE: [RGBColor; 3] = rgbs([0xf7_f4_c4, 0x63_b6_a6, 0x20_4a_87]);
+/// Ends and middle of the scale of an ordered quantity, the lowest first; numbers can be read on all.
+const SCALE: [RGBColor; 3] = rgbs([0xf7_f4_c4, 0x9a_d0_b4, 0x6d_9b_d6]);
 
 /// Colours of lines: the text's, then for kinds of events.
 const LINES: [RGBColor; 5] = [INK, rgb(0xa3_0d_18), rgb(0x0f_3a_8a), rgb(0x00_80_5c), rgb(0x8a_24_c0)];
@@ -92,6 +92,10 @@ mod tests {
         for count in [2, 5, 17] {
             for entry in 1..count {
                 assert!(luminance(level(entry, count)) < luminance(level(entry - 1, count)), "{entry} of {count}");
+                for theme in [Theme::Light, Theme::Dark] {
+                    let text = contrast(theme.color(INK), theme.ground(level(entry, count)));
+                    assert!(text > 4.5, "{text} of a number on {entry} of {count} in {theme:?}");
+                }
             }
         }
     }
