@@ -83,6 +83,16 @@ fn curves_side_by_side_are_verified() {
     ]);
 }
 
+/// A change of the linear type lies at μ = 0, which halvings of the range of μ meet exactly; other roots lie beside it.
+#[test]
+fn a_change_at_the_middle_of_a_range_is_verified() {
+    are_verified(&[
+        [["1", "3", "1/2"], ["2", "1", "0"]],
+        [["1", "3", "1/2"], ["1", "1", "0"]],
+        [["1", "3", "2"], ["2", "1", "0"]],
+    ]);
+}
+
 /// The slope turns at a moment itself, on no branch; an event lies at h = 0, up to the least double; the slope of one
 /// branch turns over a chord of another.
 #[test]

@@ -31,6 +31,27 @@ fn pictures_that_are_a_little_wrong_are_refused() {
                 region.polygon.iter_mut().flatten().flatten().nth(corner).unwrap()[0] += 1e-6;
             });
             refused("no outline", &|region| region.polygon = Some(Vec::new()));
+            let outlines = |region: &mut RegionDocument, change: &dyn Fn(&mut Vec<[f64; 2]>)| {
+                region.polygon.iter_mut().flatten().for_each(|outline| change(outline));
+            };
+            refused("turned round", &|region| outlines(region, &|outline| outline.reverse()));
+            refused("begun elsewhere", &|region| {
+                outlines(region, &|outline| {
+                    outline.pop();
+                    outline.rotate_left(1);
+                    outline.push(outline[0]);
+                });
+            });
+            refused("three times", &|region| {
+                let all = region.polygon.clone().unwrap();
+                region.polygon = Some(all.iter().flat_map(|outline| [outline, outline, outline]).cloned().collect());
+            });
+            refused("twice around", &|region| {
+                outlines(region, &|outline| {
+                    let again = outline[1..].to_vec();
+                    outline.extend(again);
+                });
+            });
             let others = match region.h_width {
                 Some(width) => vec![Some(width * 1.000_01), Some(width * 0.999_99), None],
                 None => vec![Some(1e6)],

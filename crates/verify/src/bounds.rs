@@ -1,13 +1,10 @@
-//! Numbers of a document with the errors that it states: the truth lies within them, and they are not so large that they
-//! say nothing.
+//! Numbers of a document with the errors that it states: the truth lies within them, and they are no larger than what
+//! they are made of.
 
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::fixed::Fixed;
-
-/// An error is at most 2⁻ᵇ of the size of what it belongs to.
-const USEFUL: usize = 20;
 
 /// All numbers within an error.
 pub(super) fn around(x: f64, error: f64) -> Option<[RBig; 2]> {
@@ -35,9 +32,15 @@ pub(super) fn is_root_within(x: f64, error: f64, unit: &RBig, set: &Fixed) -> bo
     around(x, error).is_some_and(|range| holds_root(&range, &set.ends().map(|end| end * unit)))
 }
 
-/// An error that says something about a number of this size.
-pub(super) fn is_useful(error: f64, size: &RBig) -> bool {
-    RBig::try_from(error).is_ok_and(|error| error >= RBig::ZERO && error * RBig::from(IBig::ONE << USEFUL) <= *size)
+/// An error is no larger than this, but for its own rounding.
+pub(super) fn is_at_most(error: f64, most: &RBig) -> bool {
+    let thousand = |n: i32| RBig::from(1000 + n);
+    RBig::try_from(error).is_ok_and(|error| error >= RBig::ZERO && error * thousand(0) <= most * thousand(1))
+}
+
+/// So many roundings of doubles of this size.
+pub(super) fn roundings(number: u32, size: &RBig) -> RBig {
+    size * RBig::from(number) / RBig::from(IBig::ONE << 52usize)
 }
 
 #[cfg(test)]
@@ -54,9 +57,9 @@ mod tests {
     }
 
     #[test]
-    fn errors_are_useful_or_refused() {
-        let size = RBig::from(4);
-        assert!(is_useful(0.0, &size) && is_useful(1e-6, &size));
-        assert!(!is_useful(1e-5, &size) && !is_useful(-1e-9, &size) && !is_useful(f64::NAN, &size));
+    fn errors_are_no_larger_than_they_may_be() {
+        let most = roundings(4, &RBig::from(8));
+        assert!(is_at_most(0.0, &most) && is_at_most(32.0 * f64::EPSILON, &most));
+        assert!(!is_at_most(33.0 * f64::EPSILON, &most) && !is_at_most(-1e-20, &most) && !is_at_most(f64::NAN, &most));
     }
 }

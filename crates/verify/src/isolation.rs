@@ -27,7 +27,7 @@ struct Node {
     k: usize,
 }
 
-/// All different roots in the open range, in order; `None` where two are closer than 2⁻⁴⁰⁰⁰.
+/// All different roots in the open range, in order and in ranges that do not touch; `None` where two are closer than 2⁻⁴⁰⁰⁰.
 pub(super) fn roots(polynomial: &[IBig]) -> Option<Vec<Root>> {
     simple_roots(polynomial, SIMPLE).or_else(|| simple_roots(&squarefree(polynomial), MOST))
 }
@@ -72,7 +72,14 @@ fn simple_roots(polynomial: &[IBig], depth: usize) -> Option<Vec<Root>> {
             _ => open.extend(node.halves()),
         }
     }
-    found.sort_by(|p, q| p.lo.cmp(&q.lo));
+    found.sort_by(|p, q| (&p.lo, &p.hi).cmp(&(&q.lo, &q.hi)));
+    // A root that is known exactly may be an end of the ranges beside it.
+    for number in 1..found.len() {
+        while found[number - 1].hi >= found[number].lo {
+            found[number - 1].halve();
+            found[number].halve();
+        }
+    }
     Some(found)
 }
 
@@ -126,6 +133,7 @@ mod tests {
 
     fn found(list: &[(i32, i32)]) -> Vec<f64> {
         let mut roots = roots(&polynomial(list)).unwrap();
+        assert!(roots.windows(2).all(|pair| pair[0].hi < pair[1].lo), "{list:?}: {roots:?}");
         for root in &mut roots {
             (0..60).for_each(|_| root.halve());
             assert!(root.lo <= root.hi);

@@ -155,7 +155,7 @@ fn certified(
     let plane = Plane::new(certificate, &orders)?;
     view::check(document, &plane)?;
     polylines::check(document, &orders, &plane)?;
-    outlines::regions(document, &plane, &slabs, &cells)?;
+    outlines::check(document, &orders, &plane, &slabs, &cells)?;
     widths::check(document, certificate, &events, &orders, &plane, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }

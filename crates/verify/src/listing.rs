@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument, EventDocument, EventKind, RegionDocument};
 
-use super::bounds::{around, holds, holds_root, is_useful};
+use super::bounds::{around, holds, holds_root, is_at_most, roundings};
 use super::events::{Events, Source};
 use super::orders::Orders;
 use super::pieces::{Branch, End, Pieces};
@@ -17,6 +17,9 @@ struct Listed<'a> {
     number: usize,
     source: Source,
 }
+
+/// An error that is stated is the width of the enclosure and so many roundings, at most.
+const ROUNDINGS: u32 = 4;
 
 /// Checks every event: its kind, its curves, and that l and h are within their errors and enclosures.
 pub(super) fn events(
@@ -46,11 +49,15 @@ pub(super) fn events(
             return Err(refuse("its l or h in the list is further away than its error"));
         }
         let energies = heights[1].clone().max(-&heights[0]) + &norm;
-        // Where kinetic and potential energy are alike, as far as l is smaller.
-        let natural = RBig::try_from(l2.to_f64().value().sqrt()).unwrap_or(RBig::ZERO);
-        let roots = RBig::try_from(listed.document.l).unwrap_or(RBig::ZERO) + natural;
-        if !is_useful(listed.document.l_error, &roots) || !is_useful(listed.document.h_error, &energies) {
-            return Err(refuse("its error in the list says nothing"));
+        // dl = d(l²)/2l.
+        let squared = &squares[1] - &squares[0] + roundings(ROUNDINGS, &squares[1]);
+        let twice = RBig::try_from(2.0 * listed.document.l).unwrap_or(RBig::ZERO);
+        let most = &heights[1] - &heights[0] + roundings(ROUNDINGS, &energies);
+        if twice <= RBig::ZERO
+            || !is_at_most(listed.document.l_error, &(squared / twice))
+            || !is_at_most(listed.document.h_error, &most)
+        {
+            return Err(refuse("its error in the list is larger than its enclosure"));
         }
         let enclosure = listed.document.enclosure.as_ref().ok_or_else(|| refuse("it has no enclosure"))?;
         let [l_low, l_high] = enclosure.l.each_ref().map(|text| number::read(text));

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument, RegionDocument};
 
-use super::bounds::is_useful;
+use super::bounds::{is_at_most, roundings};
 use super::fixed::Fixed;
 use super::measures::{CONVERTED, is_near};
 use super::orders::Orders;
@@ -13,6 +13,8 @@ use super::{Refused, number};
 
 /// Heights in doubles are good to 2⁻ᵇ of the energies there.
 const HEIGHT: usize = 30;
+/// The error of a margin that is stated is at most so many roundings of them.
+const ROUNDINGS: u32 = 4;
 
 /// Checks each sample: (h, l) is the certificate's, rounded; its distance to the curves around, and which of them is nearest.
 pub(super) fn check(
@@ -56,7 +58,7 @@ fn margin(region: &RegionDocument, orders: &Orders, slab: &Slab, position: usize
     let claim = &region.sample.margin;
     let Ok(error) = RBig::try_from(claim.error_bound) else { return false };
     let scale = h.clone().max(-h) + &slab.x + orders.spaces.norm.ends()[1].clone();
-    if !is_useful(claim.error_bound, &(&scale * energy)) {
+    if !is_at_most(claim.error_bound, &roundings(ROUNDINGS, &(&scale * energy))) {
         return false;
     }
     let room = error / energy + scale / RBig::from(dashu_int::IBig::ONE << HEIGHT);

@@ -7,7 +7,7 @@ use schema::{
     AtlasDocument, CertificateDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind,
 };
 
-use super::bounds::{is_root_within, is_useful, is_within};
+use super::bounds::{is_at_most, is_root_within, is_within, roundings};
 use super::chart::Chart;
 use super::equilibria::Point;
 use super::fixed::Fixed;
@@ -25,6 +25,9 @@ const NARROWEST: usize = 2000;
 
 /// Numbers that a document rounds from doubles.
 const ROUNDED: f64 = 1e-9;
+
+/// An error that is stated is at most so many roundings of l, h and |r|.
+const ROUNDINGS: u32 = 256;
 
 const CHANGES: Refused = Refused::Field { field: "stability_changes" };
 
@@ -242,7 +245,7 @@ impl Change {
         let size = sizes.into_iter().fold(&orders.spaces.norm.ends()[1] * energy, |sum, size| sum + size);
         told && is_root_within(claim.l, claim.error_bound, l2, &self.at[0])
             && is_within(claim.h, claim.error_bound, energy, &self.at[1])
-            && is_useful(claim.error_bound, &size)
+            && is_at_most(claim.error_bound, &roundings(ROUNDINGS, &size))
     }
 }
 

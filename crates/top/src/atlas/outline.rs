@@ -104,7 +104,7 @@ impl Atlas {
                 let ends = rows.map(|row| heights.point(row, position));
                 let mut chain = vec![ends[0]];
                 if l[0] < l[1] {
-                    heights.refine(position, middle, ends, (h[1] - h[0]).abs() * CHORD, DEPTH, &mut chain);
+                    heights.refine(position, middle, ends, h, 0, &mut chain);
                 }
                 clipped(&chain, h)
             })
@@ -116,8 +116,10 @@ impl Atlas {
 const CHORD: f64 = 1e-3;
 /// … and as a share of the gap to the next curve, so that thin regions are not lost.
 const GAP_SHARE: f64 = 0.1;
-/// A curve has at most 2^DEPTH chords in a slab.
+/// A range of l is halved so many times for thin regions,
 const DEPTH: u32 = 8;
+/// and so many times for a curve that leaves its chord where the window shows it.
+const DEEPEST: u32 = 32;
 
 /// Energies of the curves of a slab at the ends, the middle, the quarters, … of a range of l, each computed when it is first
 /// asked for.
@@ -179,25 +181,31 @@ impl Heights<'_> {
         position: usize,
         middle: usize,
         ends: [[f64; 2]; 2],
-        tolerance: f64,
+        window: [f64; 2],
         depth: u32,
         chain: &mut Outline,
     ) {
         let [[from, low], [to, high]] = ends;
         let noise = 64.0 * UNIT_ROUNDOFF * from.abs().max(to.abs());
+        let tolerance = (window[1] - window[0]).abs() * CHORD;
+        // Curves rise with l.
+        if depth >= DEPTH && (to <= window[0] || from >= window[1]) {
+            chain.push(ends[1]);
+            return;
+        }
         let [before, after] = self.halves(middle, [low, high]);
-        let straight = depth == 0
+        let straight = depth == DEEPEST
             || [(0.5, middle), (0.25, before), (0.75, after)].iter().all(|&(t, row)| {
                 let off = (self.at(row, position) - (from + t * (to - from))).abs();
-                off <= noise || (off <= tolerance && off <= GAP_SHARE * self.gap(row, position))
+                off <= noise || (off <= tolerance && (depth >= DEPTH || off <= GAP_SHARE * self.gap(row, position)))
             });
         if straight {
             chain.push(ends[1]);
             return;
         }
         let point = self.point(middle, position);
-        self.refine(position, before, [ends[0], point], tolerance, depth - 1, chain);
-        self.refine(position, after, [point, ends[1]], tolerance, depth - 1, chain);
+        self.refine(position, before, [ends[0], point], window, depth + 1, chain);
+        self.refine(position, after, [point, ends[1]], window, depth + 1, chain);
     }
 }
 
@@ -268,8 +276,9 @@ impl Columns {
 /// The polygon without repeated points, points in the middle of straight border lines, and closed; `None` if it has no
 /// inside.
 fn closed(points: Outline) -> Option<Outline> {
-    let mut outline: Outline = Vec::with_capacity(points.len());
-    for point in points {
+    let first = *points.first()?;
+    let mut outline: Outline = Vec::with_capacity(points.len() + 1);
+    for point in points.into_iter().chain([first]) {
         let on_border = |k: usize, p: [f64; 2], q: [f64; 2]| p[k] == q[k] && q[k] == point[k];
         if let [.., p, q] = outline[..]
             && (on_border(0, p, q) || on_border(1, p, q))
@@ -279,10 +288,6 @@ fn closed(points: Outline) -> Option<Outline> {
         if outline.last() != Some(&point) {
             outline.push(point);
         }
-    }
-    let first = *outline.first()?;
-    if outline.last() != Some(&first) {
-        outline.push(first);
     }
     let extent = |k: usize| outline.iter().any(|point| point[k] != first[k]);
     (extent(0) && extent(1) && outline.len() > 3).then_some(outline)
