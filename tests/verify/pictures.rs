@@ -32,7 +32,7 @@ fn pictures_that_are_a_little_wrong_are_refused() {
             });
             refused("no outline", &|region| region.polygon = Some(Vec::new()));
             let outlines = |region: &mut RegionDocument, change: &dyn Fn(&mut Vec<[f64; 2]>)| {
-                region.polygon.iter_mut().flatten().for_each(|outline| change(outline));
+                region.polygon.iter_mut().flatten().for_each(change);
             };
             refused("turned round", &|region| outlines(region, &|outline| outline.reverse()));
             refused("begun elsewhere", &|region| {

@@ -175,7 +175,8 @@ impl Root {
 
 /// k with 2ᵏ⁻¹ < x < 2ᵏ⁺¹, x > 0.
 fn exponent(x: &RBig) -> i64 {
-    x.numerator().bit_len() as i64 - x.denominator().bit_len() as i64
+    let length = |bits: usize| i64::try_from(bits).unwrap_or(i64::MAX);
+    length(x.numerator().bit_len()) - length(x.denominator().bit_len())
 }
 
 impl Polynomial {

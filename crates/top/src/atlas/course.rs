@@ -1,6 +1,7 @@
 //! The course of a curve: a polyline by Newton continuation; its ends from the limits.
 
 use super::Atlas;
+use super::polyline::Tolerance;
 use crate::continuation::{PieceEnd, Start, TrackOptions, track_piece};
 use crate::curves::{Branch, Curve, CurveId, End, Orbit, Shape};
 use crate::stability::RelativeEquilibrium;
@@ -23,6 +24,9 @@ pub struct Tail {
     pub h_offset: f64,
 }
 
+/// Chords steeper than so many heights over the width of the diagram are measured across.
+const STEEP: f64 = 16.0;
+
 /// Ranges for which polylines are made, in the frame's units.
 struct Extent {
     /// Curves that go on to infinity are cut here.
@@ -41,7 +45,10 @@ impl Atlas {
         let to = to.min(extent.l_max);
         let sampled = || {
             let unit = self.arrangement.set.frame.momentum_unit;
-            let tolerance = options.chord_tolerance * self.energy(extent.h_scale);
+            let height = self.energy(extent.h_scale);
+            // Across a chord of slope s, in units of the height and width of the diagram, is √(1 + s²) times as much in h.
+            let tolerance =
+                Tolerance { h: options.chord_tolerance * height, steep: STEEP * height / (extent.l_max * unit) };
             self.sampled(curve, [from, to].map(|l| l * unit), tolerance)
         };
         if !curve.is_critical() || matches!(curve.orbit, Orbit::Sphere) {
@@ -139,9 +146,19 @@ fn mu_range(atlas: &Atlas, curve: &Curve) -> Option<[Option<f64>; 2]> {
             }
         }
     }
-    let low = ends.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = ends.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    Some([low, high].map(|mu| mu.is_finite().then_some(mu * unit)))
+    let mut range =
+        [ends.iter().copied().fold(f64::INFINITY, f64::min), ends.iter().copied().fold(f64::NEG_INFINITY, f64::max)];
+    // A pitchfork lies at a moment, which is known to all its digits, whatever moment the family is measured from.
+    let forks = curve.ends.iter().filter_map(|end| match end {
+        End::Pitchfork(number) => Some(frame.a[atlas.arrangement.set.pitchforks[*number].axis]),
+        _ => None,
+    });
+    match forks.collect::<Vec<f64>>()[..] {
+        [p, q] => range = [p.min(q), p.max(q)],
+        [p] => range[usize::from((range[1] - p).abs() < (range[0] - p).abs())] = p,
+        _ => {}
+    }
+    Some(range.map(|mu| mu.is_finite().then_some(mu * unit)))
 }
 
 /// J and h0 of h = l²/(2J) + h0 as l → ∞.
