@@ -69,6 +69,45 @@ fn pictures_that_are_a_little_wrong_are_refused() {
     }
 }
 
+/// The outlines of a region end at an event within it, or run up to the top of the view where its lower curve does not.
+#[test]
+fn outlines_without_a_part_of_their_region_are_refused() {
+    let mut forged_ones = [0; 2];
+    for name in ["paper", "kovalevskaya", "katok:3"] {
+        let true_one = whole(&preset(name));
+        let view = &true_one.view.everything;
+        let seen = 0.01 * (view.h[1] - view.h[0]) * view.l[1];
+        for (region, number) in true_one.regions.iter().zip(0..) {
+            let outlines = region.polygon.as_ref().unwrap();
+            let mut refused = |kind: usize, outline: usize, other: Vec<[f64; 2]>| {
+                if other.len() > 3 && (area(&outlines[outline]) - area(&other)).abs() > seen {
+                    let result = forged(&true_one, |d| d.regions[number].polygon.as_mut().unwrap()[outline] = other);
+                    assert!(matches!(result, Err(Refused::Region { .. })), "{name} {}: {kind}: {result:?}", region.id);
+                    forged_ones[kind] += 1;
+                }
+            };
+            for (outline, k) in outlines.iter().zip(0..) {
+                for event in &true_one.events {
+                    refused(0, k, outline.iter().copied().filter(|corner| corner[1] <= event.l).collect());
+                }
+                let Some(top) = outline.iter().position(|corner| corner[0] == view.h[1]) else { continue };
+                let [h, l] = outline[top / 2];
+                let left = outline[top..].iter().position(|corner| corner[0] < view.h[1] || corner[1] < l);
+                if let Some(left) = left.filter(|_| h < view.h[1]) {
+                    let wall = [view.h[1], l * (1.0 + 1e-12)];
+                    refused(1, k, [&outline[..=top / 2], &[wall], &outline[top + left..]].concat());
+                }
+            }
+        }
+    }
+    assert!(forged_ones.iter().all(|number| *number > 3), "{forged_ones:?}");
+}
+
+/// The area within a closed outline.
+fn area(outline: &[[f64; 2]]) -> f64 {
+    0.5 * outline.windows(2).map(|edge| edge[0][1] * edge[1][0] - edge[1][1] * edge[0][0]).sum::<f64>().abs()
+}
+
 /// Widths of a body that are reached but exceeded elsewhere: those of unbounded regions at finite places.
 #[test]
 fn widths_that_are_exceeded_far_out_are_refused() {

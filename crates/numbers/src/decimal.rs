@@ -24,7 +24,8 @@ pub fn rounded(x: &RBig, digits: usize, up: bool) -> String {
     to_place(x, i64::try_from(digits).unwrap_or(0) - 1 - about_exponent(x), up)
 }
 
-/// A decimal of exactly so many digits, not above the number: it does not depend on how long numerator and denominator are.
+/// A decimal of so many digits (one more where a negative number carries), not above the number: it does not depend on how
+/// long numerator and denominator are.
 #[must_use]
 pub fn of_length(x: &RBig, digits: usize) -> String {
     if x.is_zero() {

@@ -1,14 +1,14 @@
 //! The outlines of regions: each edge runs along the border of a cell of its region, which lies on its left, and in each slab
 //! they wind once around the cells of their region and around no others.
 
-use schema::{AtlasDocument, CellDocument, RegionDocument, WindowDocument};
+use schema::{AtlasDocument, CellDocument, EventDocument, RegionDocument, WindowDocument};
 
 use super::Refused;
 use super::chords::Chords;
 use super::orders::Orders;
 use super::plane::{POINT, Plane};
 use super::regions::Cell;
-use super::slabs::Slab;
+use super::slabs::{Level, Slab};
 
 /// Edges leave their curves by at most this share of the height of the view; gaps that are narrower are not asked for.
 const CHORD: f64 = 4e-3;
@@ -47,7 +47,7 @@ pub(super) fn check(
         if sight.tells_twice(region, outlines) {
             return Err(refuse("an edge of its outline is told twice"));
         }
-        sight.holds(outlines, slabs, cells).map_err(refuse)?;
+        sight.holds(outlines, &document.events, slabs, cells).map_err(refuse)?;
     }
     Ok(())
 }
@@ -106,29 +106,63 @@ impl Sight<'_> {
         region.cells.iter().filter(is_border).count()
     }
 
-    /// In each slab the outlines wind once around the cells of the region and not around others.
-    fn holds(&self, outlines: &[Vec<[f64; 2]>], slabs: &[Slab], cells: &[Cell]) -> Result<(), &'static str> {
+    /// In each slab the outlines wind once around the cells of the region and not around others: over the l of its sample, and
+    /// beside its ends and in its middle as far as it is in view.
+    fn holds(
+        &self,
+        outlines: &[Vec<[f64; 2]>],
+        events: &[EventDocument],
+        slabs: &[Slab],
+        cells: &[Cell],
+    ) -> Result<(), &'static str> {
         for (number, slab) in slabs.iter().enumerate() {
-            let l = self.plane.momentum(&slab.x);
-            if l >= self.view.l[1] {
-                continue;
+            let is_inside = |position: usize| cells.contains(&(number, position));
+            let sample = self.plane.momentum(&slab.x);
+            if sample < self.view.l[1] {
+                let heights: Vec<f64> =
+                    slab.levels.iter().map(|level| level.height.to_f64() * self.plane.energy).collect();
+                self.holds_over(outlines, sample, &heights, is_inside)?;
             }
-            for position in 0..slab.levels.len() {
-                let heights = [Some(&slab.levels[position]), slab.levels.get(position + 1)];
-                let heights = heights.map(|level| level.map(|level| level.height.to_f64() * self.plane.energy));
-                let low = heights[0].unwrap_or(self.view.h[0]).max(self.view.h[0]);
-                let high = heights[1].unwrap_or(self.view.h[1]).min(self.view.h[1]);
-                let share = (high - low) / self.height();
-                let inside = cells.contains(&(number, position));
-                if inside && share > POINT && outlines.is_empty() {
-                    return Err("it has no outline");
-                }
-                if share > CHORD && windings(outlines, [0.5 * (low + high), l]) != i32::from(inside) {
-                    return Err("its outline holds another part of the plane");
+            for l in self.beside_ends(sample, events) {
+                let height = |level: &Level| Some(self.plane.over(level.curve, l)?.h.middle() * self.plane.energy);
+                if let Some(heights) = slab.levels.iter().map(height).collect::<Option<Vec<f64>>>() {
+                    self.holds_over(outlines, l, &heights, is_inside)?;
                 }
             }
         }
         Ok(())
+    }
+
+    /// The outlines hold the middle of each gap between these heights over l that belongs to the region, and of no other.
+    fn holds_over(
+        &self,
+        outlines: &[Vec<[f64; 2]>],
+        l: f64,
+        heights: &[f64],
+        is_inside: impl Fn(usize) -> bool,
+    ) -> Result<(), &'static str> {
+        for (position, low) in heights.iter().enumerate() {
+            let low = low.max(self.view.h[0]);
+            let high = heights.get(position + 1).unwrap_or(&self.view.h[1]).min(self.view.h[1]);
+            let share = (high - low) / self.height();
+            let inside = is_inside(position);
+            if inside && share > POINT && outlines.is_empty() {
+                return Err("it has no outline");
+            }
+            if share > CHORD && windings(outlines, [0.5 * (low + high), l]) != i32::from(inside) {
+                return Err("its outline holds another part of the plane");
+            }
+        }
+        Ok(())
+    }
+
+    /// Places near the ends and in the middle of the part in view of the slab with a sample; none where it is not seen.
+    fn beside_ends(&self, sample: f64, events: &[EventDocument]) -> Vec<f64> {
+        let places = events.iter().map(|event| event.l);
+        let from = places.clone().filter(|l| *l <= sample).fold(0.0, f64::max);
+        let to = places.filter(|l| *l > sample).fold(self.view.l[1], f64::min);
+        let shares = if to - from > self.aside() { [0.02, 0.5, 0.98].as_slice() } else { &[] };
+        shares.iter().map(|share| from + share * (to - from)).collect()
     }
 
     /// An edge runs to the right along the lower curve of a cell or to the left along the upper one, to the left along the top
@@ -163,7 +197,7 @@ impl Sight<'_> {
         let off = |[h, l]: [f64; 2]| {
             let [on, room] = self.plane.height(id, l.max(from).min(to))?;
             let is_on = if h == self.view.h[1] {
-                is_short || (on - h).abs() <= most
+                (on - h).abs() <= most || (is_short && self.passes_top(id, l, [from, to]))
             } else {
                 (on - h).abs() <= room + self.room()
             };
@@ -175,6 +209,14 @@ impl Sight<'_> {
                 .plane
                 .curve(id, 0.5 * (p[1] + q[1]))
                 .is_some_and(|curve| self.chords.hold(curve, [p[1], q[1]], [first, last], most))
+    }
+
+    /// A curve passes the top of the view within a part of it that is not seen; curves rise with l.
+    fn passes_top(&self, id: &str, l: f64, [from, to]: [f64; 2]) -> bool {
+        let height = |l: f64| Some(self.plane.height(id, l.max(from).min(to))?[0]);
+        let near = CHORD * self.height();
+        height(l - self.aside()).is_some_and(|low| low <= self.view.h[1] + near)
+            && height(l + self.aside()).is_some_and(|high| high >= self.view.h[1] - near)
     }
 
     /// Over an l the top of the view lies in a cell, or beside it.

@@ -86,14 +86,13 @@ impl Root {
         while !self.is_exact() && !self.is_known_to(bits) {
             let width = &self.hi - &self.lo;
             // Newton doubles the bits but for what curvature loses; where the root is beyond the fence, more is lost.
-            if let Some((low, high)) = self.fence(lost, bits) {
-                self.cut(low, above);
-                if !self.is_exact() && self.lo < high && high < self.hi {
-                    self.cut(high, above);
+            for at in self.fence(lost, bits).into_iter().flatten() {
+                if self.lo < at && at < self.hi {
+                    self.cut(at, above);
                 }
             }
             if !self.is_exact() && (&self.hi - &self.lo) * RBig::from(2) > width {
-                lost *= 2;
+                lost = lost.saturating_mul(2);
                 self.halve_below(above);
             }
         }
@@ -133,7 +132,7 @@ impl Root {
     }
 
     /// Two points close around Newton's guess, which is taken to have twice the bits less those `lost`.
-    fn fence(&self, lost: i64, wanted: usize) -> Option<(RBig, RBig)> {
+    fn fence(&self, lost: i64, wanted: usize) -> Option<[RBig; 2]> {
         let width = &self.hi - &self.lo;
         let middle = (&self.hi + &self.lo) / RBig::from(2);
         // f/f' at p/q without fractions: f = N/qⁿ, f' = M/qⁿ⁻¹, so that the guess is (p M − N)/(q M).
@@ -143,14 +142,13 @@ impl Root {
             return None;
         }
         let known = -exponent(&(&width / &self.hi));
-        let gain = usize::try_from((2 * known - lost).max(known + known / 2 + 2)).ok()?.min(wanted + 2);
+        let gain = usize::try_from((2 * known).saturating_sub(lost).max(known + known / 2 + 2)).ok()?.min(wanted + 2);
         let size = usize::try_from(-exponent(&self.hi)).unwrap_or(0);
         let bits = gain + size + 4;
         let grid = RBig::from(IBig::ONE << bits);
         let guess = ((p * &m - n) << bits) / (&q * &m);
         let reach = (&self.hi * &grid / RBig::from(IBig::ONE << (gain + 1))).ceil();
-        let (low, high) = (RBig::from(&guess - &reach) / &grid, RBig::from(guess + reach) / grid);
-        (self.lo < low && high < self.hi).then_some((low, high))
+        Some([RBig::from(&guess - &reach) / &grid, RBig::from(guess + reach) / grid])
     }
 
     /// The root of this polynomial and `other` are the same number: decided by gcd.
@@ -192,5 +190,25 @@ impl Polynomial {
             multiplicity += 1;
         }
         multiplicity % 2 == 1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// √(1 + 2⁻³⁰⁰) between 1 and 2: one of the two points beside Newton's guess lies beyond the range.
+    #[test]
+    fn a_root_next_to_an_end_of_its_range_is_fenced_from_the_other_side() {
+        let unit = IBig::ONE << 300usize;
+        let polynomial = Polynomial::new(vec![-(&unit + IBig::ONE), IBig::ZERO, unit]);
+        let (lo, hi) = (RBig::ONE, RBig::from(2));
+        let mut root = Root { polynomial: Arc::new(polynomial), lo, hi, odd: true };
+        let [low, high] = root.fence(6, 1200).unwrap();
+        assert!(low < root.lo && root.lo < high && high < root.hi);
+        root.refine(1200);
+        assert!(root.is_known_to(1200));
+        let signs = [&root.lo, &root.hi].map(|end| root.polynomial.sign_at(end));
+        assert_eq!(signs, [Sign::Negative, Sign::Positive]);
     }
 }

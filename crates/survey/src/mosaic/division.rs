@@ -27,7 +27,7 @@ pub(super) struct Division<'a, P: Plane> {
     /// The changes on each side; where both halves of a side are known, theirs count.
     pub sides: BTreeMap<Side, Vec<Change<P::Label>>>,
     /// How the changes of a cell are joined, where that can be in several ways.
-    pub joined: BTreeMap<Node, Vec<usize>>,
+    pub joined: BTreeMap<(Node, u32), Vec<usize>>,
     /// Where the border of a cell with one chord has a corner.
     pub bends: BTreeMap<Node, Place>,
 }

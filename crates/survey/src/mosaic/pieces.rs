@@ -54,7 +54,7 @@ impl<P: Plane> Division<'_, P> {
         let changes = changes_of(&round);
         let places = |stops: Vec<Place>| stops.into_iter().map(|at| self.place(at)).collect::<Vec<_>>();
         let joined = || joinings(&round, &changes).into_iter().next();
-        let kept = self.joined.get(&cell.from).filter(|partners| partners.len() == changes.len());
+        let kept = self.joined.get(&(cell.from, cell.size)).filter(|partners| partners.len() == changes.len());
         let Some(partners) = kept.cloned().or_else(joined) else {
             let at: Vec<Place> = changes.iter().map(|&k| round[k].at).collect();
             let middle = crossing(&at).unwrap_or_else(|| mean(at.iter().copied()));

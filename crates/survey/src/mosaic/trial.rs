@@ -36,7 +36,7 @@ impl<P: Plane> Division<'_, P> {
             let Some(best) = (0..trials.len()).min_by_key(|&k| trials[k].wrong.len()) else { continue };
             let Trial { partners, parts, wrong } = trials.swap_remove(best);
             if partners.len() > 2 {
-                self.joined.insert(cell.from, partners);
+                self.joined.insert((cell.from, cell.size), partners);
             } else if let (Some(&part), true) = (wrong.first(), cell.size == 1) {
                 bent.push((cell, parts.into_iter().map(|(_, corners)| corners).nth(part).unwrap_or_default()));
             } else if !wrong.is_empty() {
