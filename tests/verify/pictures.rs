@@ -81,7 +81,8 @@ fn outlines_without_a_part_of_their_region_are_refused() {
             let outlines = region.polygon.as_ref().unwrap();
             let mut refused = |kind: usize, outline: usize, other: Vec<[f64; 2]>| {
                 if other.len() > 3 && (area(&outlines[outline]) - area(&other)).abs() > seen {
-                    let result = forged(&true_one, |d| d.regions[number].polygon.as_mut().unwrap()[outline] = other);
+                    let result =
+                        forged(&true_one, |d| d.regions[number].polygon.as_mut().unwrap()[outline].clone_from(&other));
                     assert!(matches!(result, Err(Refused::Region { .. })), "{name} {}: {kind}: {result:?}", region.id);
                     forged_ones[kind] += 1;
                 }

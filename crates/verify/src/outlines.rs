@@ -115,15 +115,16 @@ impl Sight<'_> {
         slabs: &[Slab],
         cells: &[Cell],
     ) -> Result<(), &'static str> {
+        let samples: Vec<f64> = slabs.iter().map(|slab| self.plane.momentum(&slab.x)).collect();
         for (number, slab) in slabs.iter().enumerate() {
             let is_inside = |position: usize| cells.contains(&(number, position));
-            let sample = self.plane.momentum(&slab.x);
+            let sample = samples[number];
             if sample < self.view.l[1] {
                 let heights: Vec<f64> =
                     slab.levels.iter().map(|level| level.height.to_f64() * self.plane.energy).collect();
                 self.holds_over(outlines, sample, &heights, is_inside)?;
             }
-            for l in self.beside_ends(sample, events) {
+            for l in self.beside_ends(number, &samples, events) {
                 let height = |level: &Level| Some(self.plane.over(level.curve, l)?.h.middle() * self.plane.energy);
                 if let Some(heights) = slab.levels.iter().map(height).collect::<Option<Vec<f64>>>() {
                     self.holds_over(outlines, l, &heights, is_inside)?;
@@ -156,12 +157,17 @@ impl Sight<'_> {
         Ok(())
     }
 
-    /// Places near the ends and in the middle of the part in view of the slab with a sample; none where it is not seen.
-    fn beside_ends(&self, sample: f64, events: &[EventDocument]) -> Vec<f64> {
+    /// Places near the ends and in the middle of the part in view of a slab; none where doubles do not tell it from those beside
+    /// it.
+    fn beside_ends(&self, number: usize, samples: &[f64], events: &[EventDocument]) -> Vec<f64> {
+        let sample = samples[number];
         let places = events.iter().map(|event| event.l);
         let from = places.clone().filter(|l| *l <= sample).fold(0.0, f64::max);
-        let to = places.filter(|l| *l > sample).fold(self.view.l[1], f64::min);
-        let shares = if to - from > self.aside() { [0.02, 0.5, 0.98].as_slice() } else { &[] };
+        let to = places.filter(|l| *l > sample).fold(f64::INFINITY, f64::min);
+        let is_alone = number.checked_sub(1).is_none_or(|before| samples[before] < from)
+            && samples.get(number + 1).is_none_or(|after| *after > to);
+        let to = to.min(self.view.l[1]);
+        let shares = if is_alone && to - from > self.aside() { [0.02, 0.5, 0.98].as_slice() } else { &[] };
         shares.iter().map(|share| from + share * (to - from)).collect()
     }
 
