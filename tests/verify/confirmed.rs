@@ -84,6 +84,12 @@ fn curves_side_by_side_are_verified() {
     ]);
 }
 
+/// A cusp lies next to the middle between two moments, where a curve goes on from one chart to the other.
+#[test]
+fn places_beside_the_middle_between_two_moments_are_verified() {
+    are_verified(&[[["1", "1.00000001", "1.736"], ["3e-9", "3e-9", "0.385"]]]);
+}
+
 /// A change of the linear type lies at μ = 0, which halvings of the range of μ meet exactly; other roots lie beside it.
 #[test]
 fn a_change_at_the_middle_of_a_range_is_verified() {

@@ -1,5 +1,6 @@
 //! The point of a curve over x, enclosed, and the difference of two heights.
 
+use std::borrow::Cow;
 use std::cell::Cell;
 
 use super::curves::{Bound, Curve, Curves, Segment, Shape};
@@ -210,9 +211,25 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         let ends = &self.ends[curve];
         let number = (0..segments.len()).find(|&k| middle <= ends[k].x_estimate[1]).unwrap_or(segments.len() - 1);
         // The middle between two moments may lie the other way of a rounding.
-        (0..segments.len())
-            .filter(|&k| k == number || k + 1 == number || k == number + 1)
-            .find_map(|k| self.segment_point(&segments[k], &ends[k], x, middle))
+        (0..segments.len()).filter(|&k| k == number || k + 1 == number || k == number + 1).find_map(|k| {
+            let ends = Self::open_at_joints(&ends[k], [k > 0, k + 1 < segments.len()], x);
+            self.segment_point(&segments[k], &ends, x, middle)
+        })
+    }
+
+    /// The ends of a segment, without y where the curve goes on in the next one and x may lie there: its place is then looked for
+    /// beyond the end, too.
+    fn open_at_joints<'b>(ends: &'b Ends<E>, joints: [bool; 2], x: &E) -> Cow<'b, Ends<E>> {
+        let is_inside = |side: usize| {
+            ends.x[side].as_ref().is_some_and(|end| if side == 0 { end.is_below(x) } else { x.is_below(end) })
+        };
+        let mut open = Cow::Borrowed(ends);
+        for side in [0, 1] {
+            if joints[side] && !is_inside(side) {
+                open.to_mut().y[side] = None;
+            }
+        }
+        open
     }
 
     fn segment_point(&self, segment: &Segment, ends: &Ends<E>, x: &E, target: f64) -> Option<Point<E>> {
@@ -267,7 +284,8 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
                     if upward { (y.clone() + reach.clone()).upper() } else { (y.clone() - reach.clone()).lower() };
                 let before =
                     |bound: &E, up: bool| if up { candidate.is_below(bound) } else { bound.is_below(&candidate) };
-                // Behind the other end of the segment x is that of another curve.
+                // Behind the other end of the segment x is that of another curve. (An end in the middle between two moments that
+                // is left out is none: as x is monotone up to the next end, a y whose x is beyond lies beyond the solution.)
                 if outer[1 - side].as_ref().is_some_and(|bound| !before(bound, !upward)) {
                     continue;
                 }
