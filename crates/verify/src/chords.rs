@@ -10,7 +10,14 @@ const HALVINGS: u32 = 8;
 /// The chords of curves in the plane of h and l.
 pub(super) struct Chords<'a> {
     plane: &'a Plane<'a>,
-    orders: &'a Orders<'a>,
+    /// Where J turns on each curve.
+    turns: Vec<Option<Turn>>,
+}
+
+/// Where J turns along a curve: x, and the slope 1/J there.
+struct Turn {
+    x: [f64; 2],
+    slope: f64,
 }
 
 /// A point of a curve over l.
@@ -21,8 +28,12 @@ struct At {
 }
 
 impl<'a> Chords<'a> {
-    pub fn new(plane: &'a Plane<'a>, orders: &'a Orders) -> Self {
-        Self { plane, orders }
+    pub fn new(plane: &'a Plane<'a>, orders: &Orders) -> Self {
+        let turn = |curve: usize| {
+            let point = orders.turn_on(curve)?;
+            Some(Turn { x: Interval::of(&point.x).ends(), slope: Interval::of(&point.j).recip().middle() })
+        };
+        Self { plane, turns: (0..orders.pieces.list.len()).map(turn).collect() }
     }
 
     /// Between two l, over which the curve is `off` by so much in h, it leaves a chord by at most so much, all in the units of the
@@ -71,13 +82,12 @@ impl<'a> Chords<'a> {
         let length = to.l - from.l;
         let bow = (slope.abs() + room / width) * length * length / (4.0 * self.plane.x);
         let apart = |other: f64| (other - slope).abs() + POINT * other.abs() + room / width;
-        let turn = self.orders.turn(curve).filter(|point| {
-            let [low, high] = Interval::of(&point.x).ends();
+        let turn = self.turns[curve].as_ref().filter(|turn| {
             let aside = POINT * x[1];
-            low <= x[1] + aside && x[0] - aside <= high
+            turn.x[0] <= x[1] + aside && x[0] - aside <= turn.x[1]
         });
-        if let Some(point) = turn {
-            let all = [slopes[0], slopes[1], Interval::of(&point.j).recip().middle()];
+        if let Some(turn) = turn {
+            let all = [slopes[0], slopes[1], turn.slope];
             let [low, high] =
                 [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(0.0, f64::max)];
             return 0.25 * width * apart(high).max(apart(low)).min(high - low + POINT * high)
