@@ -138,3 +138,14 @@ fn polylines_beside_the_turn_of_another_curve_are_verified() {
         [["1.2709", "2.6409", "1018.24"], ["-0.000047666", "-0.0897132", "-0.000776789"]],
     ]);
 }
+
+/// Energies in the document are larger than any number that a body may have, and a unit of the certificate smaller.
+#[test]
+fn bodies_at_the_ends_of_what_is_read_are_verified() {
+    are_verified(&[
+        [["2", "1", "1"], ["1e149", "2e149", "1e149"]],
+        [["2e-149", "1e-149", "1.5e-149"], ["1e149", "2e149", "1e149"]],
+        [["1e150", "0.4e150", "0.7e150"], ["0.3e150", "1e150", "0"]],
+        [["2e-150", "1e-150", "1.5e-150"], ["1e-150", "1e-150", "1e-150"]],
+    ]);
+}

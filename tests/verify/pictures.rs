@@ -108,6 +108,7 @@ fn outlines_without_a_part_of_their_region_are_refused() {
 #[test]
 fn coarse_polylines_beside_a_turn_are_refused() {
     let true_one = whole(&body([["2", "1000", "0.854"], ["-0.7606", "0.9684", "-0.0368"]]));
+    let mut forged_ones = 0;
     for (curve, number) in true_one.curves.iter().zip(0..) {
         let line = &curve.polyline;
         let last = line.len() - 1;
@@ -126,14 +127,16 @@ fn coarse_polylines_beside_a_turn_are_refused() {
             let steepness = steepest.fold(0.0, f64::max) * 134.0 / 11.0;
             line.iter().any(|[h, l]| at(*l).is_some_and(|chord| (h - chord).abs() > 0.03 * steepness.max(1.0)))
         };
-        for step in [2, 4, 8, 16, 32, 64] {
+        for step in [8, 64] {
             let other = coarser(step);
             if leaves(&other) {
                 let refused = forged(&true_one, |d| d.curves[number].polyline.clone_from(&other));
                 assert_eq!(refused, Err(Refused::Field { field: "curves.polyline" }), "{} {step}", curve.id);
+                forged_ones += 1;
             }
         }
     }
+    assert!(forged_ones > 3, "{forged_ones}");
 }
 
 /// The area within a closed outline.

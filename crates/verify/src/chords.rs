@@ -56,7 +56,7 @@ impl<'a> Chords<'a> {
         if halvings == 0 || here > most || !(from.l < l && l < to.l) {
             return false;
         }
-        let Some(near) = self.plane.near(curve, l * l / self.plane.x) else { return false };
+        let Some(near) = self.plane.near(curve, self.plane.abscissa(l)) else { return false };
         let middle = At { l, near };
         let straight = 0.5 * (from.near.h.middle() - off[0] + to.near.h.middle() - off[1]);
         let aside = near.h.middle() - straight;
@@ -71,7 +71,7 @@ impl<'a> Chords<'a> {
     /// chord over x lies below that over l, by slope (Δl)²/8. On both sides of the place where J turns J lies between its values
     /// at the ends and there.
     fn sagitta(&self, curve: usize, [from, to]: [At; 2]) -> f64 {
-        let x = [from, to].map(|at| at.l * at.l / self.plane.x);
+        let x = [from, to].map(|at| self.plane.abscissa(at.l));
         let width = x[1] - x[0];
         if width <= 0.0 {
             return 0.0;
@@ -80,7 +80,7 @@ impl<'a> Chords<'a> {
         let slope = (to.near.h.middle() - from.near.h.middle()) / width;
         let slopes = [from, to].map(|at| at.near.j.recip().middle());
         let length = to.l - from.l;
-        let bow = (slope.abs() + room / width) * length * length / (4.0 * self.plane.x);
+        let bow = (slope.abs() + room / width) * 0.5 * self.plane.abscissa(length);
         let apart = |other: f64| (other - slope).abs() + POINT * other.abs() + room / width;
         let turn = self.turns[curve].as_ref().filter(|turn| {
             let aside = POINT * x[1];
