@@ -1,13 +1,9 @@
 //! The borders of the cells of a region, and the edges of outlines that run along them.
 
-use std::collections::BTreeSet;
-
 use schema::CellDocument;
 
+use super::gluing::Joins;
 use super::regions::Cell;
-
-/// Cells of neighbouring slabs that continue each other, the left one first.
-pub(super) type Joins = BTreeSet<[Cell; 2]>;
 
 /// An edge of an outline, with the cells whose border it is, by their numbers in the list of their region.
 pub(super) struct Edge<'a> {

@@ -1,10 +1,14 @@
 //! Faces: cells of neighbouring slabs that continue each other (Proposition 8.3).
 
+use std::collections::BTreeSet;
+
 use super::Refused;
-use super::borders::Joins;
 use super::classes::Classes;
 use super::events::Events;
 use super::slabs::Slab;
+
+/// Cells of neighbouring slabs that continue each other, the left one first: each by its slab and the curve below.
+pub(super) type Joins = BTreeSet<[(usize, usize); 2]>;
 
 /// More events in one transition than this are not told apart.
 const MOST_EVENTS: usize = 6;

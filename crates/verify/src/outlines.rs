@@ -4,8 +4,9 @@
 use schema::{AtlasDocument, CellDocument, EventDocument, RegionDocument, WindowDocument};
 
 use super::Refused;
-use super::borders::{Borders, Edge, Joins, have_partners, range};
+use super::borders::{Borders, Edge, have_partners, range};
 use super::chords::Chords;
+use super::gluing::Joins;
 use super::orders::Orders;
 use super::plane::{POINT, Plane};
 use super::regions::Cell;
