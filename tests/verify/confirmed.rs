@@ -84,6 +84,23 @@ fn curves_side_by_side_are_verified() {
     ]);
 }
 
+/// Two branches run side by side from the cusps at which both begin to that at which one of them ends: no chord tells
+/// their gap, and no box holds the family that joins them beside a cusp (Lemma 7.6).
+#[test]
+fn widths_between_branches_that_end_at_a_cusp_are_verified() {
+    are_verified(&[
+        [["2", "0.1", "2.169"], ["1.56e-8", "1.2e-12", "1"]],
+        [["5.1e-7", "1.343", "6.3e-2"], ["6.7e-15", "6.6e-9", "1.871"]],
+    ]);
+    let true_one = whole(&body([["1", "1e-7", "2"], ["0", "1e-7", "1"]]));
+    verify(&true_one).unwrap();
+    let narrow = true_one.regions.iter().position(|region| region.h_width.is_some_and(|w| w < 2.1e-7)).unwrap();
+    for factor in [0.9, 1.1] {
+        let refused = forged(&true_one, |d| d.regions[narrow].h_width = d.regions[narrow].h_width.map(|w| factor * w));
+        assert!(matches!(refused, Err(Refused::Region { .. })), "{factor}: {refused:?}");
+    }
+}
+
 /// A cusp lies next to the middle between two moments, where a curve goes on from one chart to the other.
 #[test]
 fn places_beside_the_middle_between_two_moments_are_verified() {
