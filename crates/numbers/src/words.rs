@@ -33,6 +33,7 @@ fn halves(wide: u128) -> (u64, u64) {
 }
 
 /// a += b; the carry.
+#[inline]
 fn add(a: &mut [u64], b: &[u64]) -> bool {
     a.iter_mut().zip(b).fold(false, |carry, (a, b)| {
         let (sum, first) = a.overflowing_add(*b);
@@ -43,6 +44,7 @@ fn add(a: &mut [u64], b: &[u64]) -> bool {
 }
 
 /// a −= b; the borrow.
+#[inline]
 fn subtract(a: &mut [u64], b: &[u64]) -> bool {
     a.iter_mut().zip(b).fold(false, |borrow, (a, b)| {
         let (rest, first) = a.overflowing_sub(*b);
@@ -67,18 +69,41 @@ impl<const N: usize> Words<N> {
     const ZERO: Self = Self { sign: Sign::Zero, m: [0; N], exponent: 0 };
 
     /// ± (words + something in (0, 1) if there is a `rest`) 2^exponent, with the leading bit in the words.
-    fn rounded(sign: Sign, words: &[u64], mut rest: bool, exponent: i64, toward: Toward) -> Option<Self> {
-        let Some(top) = words.iter().rposition(|word| *word != 0) else { return (!rest).then_some(Self::ZERO) };
-        let lead = words[top].leading_zeros();
-        // The word so many places below the leading one.
-        let word = |down: usize| top.checked_sub(down).map_or(0, |at| words[at]);
-        let mut m = [0; N];
-        for (down, m) in m.iter_mut().rev().enumerate() {
-            *m = word(down) << lead | word(down + 1).checked_shr(64 - lead).unwrap_or(0);
+    fn rounded(sign: Sign, words: &[u64], rest: bool, exponent: i64, toward: Toward) -> Option<Self> {
+        match words.iter().rposition(|word| *word != 0) {
+            Some(top) => Self::led_by(top, sign, words, rest, exponent, toward),
+            None => (!rest).then_some(Self::ZERO),
         }
-        rest |= word(N) << lead != 0 || words[..top.saturating_sub(N)].iter().any(|word| *word != 0);
-        let mut exponent = exponent + width(top + 1) - i64::from(lead) - width(N);
-        if rest && (toward == Toward::Up) == (sign == Sign::Positive) {
+    }
+
+    /// The same of words of which that number `top` is the last that is not 0. (Inlined with a number that is known it costs a
+    /// third.)
+    #[inline]
+    fn led_by(top: usize, sign: Sign, words: &[u64], rest: bool, exponent: i64, toward: Toward) -> Option<Self> {
+        let mut m = [0; N];
+        let Some(from) = (top + 1).checked_sub(N) else {
+            m[N - 1 - top..].copy_from_slice(&words[..=top]);
+            return Self::normalized(sign, m, [0, u64::from(rest)], exponent - width(N - 1 - top), toward);
+        };
+        m.copy_from_slice(&words[from..=top]);
+        let (next, lower) = words[..from].split_last().map_or((0, [].as_slice()), |(next, lower)| (*next, lower));
+        let rest = lower.iter().fold(u64::from(rest), |rest, word| rest | word);
+        Self::normalized(sign, m, [next, rest], exponent + width(from), toward)
+    }
+
+    /// ± m 2^exponent of words whose leading one is not 0, with the word below them and what is 0 if nothing lies below that.
+    #[inline]
+    fn normalized(sign: Sign, mut m: [u64; N], below: [u64; 2], mut exponent: i64, toward: Toward) -> Option<Self> {
+        let [next, rest] = below;
+        let lead = m[N - 1].leading_zeros();
+        let mut lower = next;
+        for m in &mut m {
+            let word = *m;
+            *m = word << lead | lower >> 1 >> (63 - lead);
+            lower = word;
+        }
+        exponent -= i64::from(lead);
+        if (next << lead | rest) != 0 && (toward == Toward::Up) == (sign == Sign::Positive) {
             let carry = m.iter_mut().all(|m| {
                 *m = m.wrapping_add(1);
                 *m == 0
@@ -168,7 +193,14 @@ impl<const N: usize> Directed for Words<N> {
                 *x == 0
             });
         }
-        Self::rounded(sign, x, false, a.exponent - width(N), toward)
+        let exponent = a.exponent - width(N);
+        if x[2 * N] != 0 {
+            Self::led_by(2 * N, sign, x, false, exponent, toward)
+        } else if x[2 * N - 1] != 0 {
+            Self::led_by(2 * N - 1, sign, x, false, exponent, toward)
+        } else {
+            Self::rounded(sign, x, false, exponent, toward)
+        }
     }
 
     fn times(&self, other: &Self, (): (), toward: Toward) -> Option<Self> {
@@ -181,7 +213,12 @@ impl<const N: usize> Directed for Words<N> {
             }
             wide[i + N] = carry;
         }
-        Self::rounded(self.sign * other.sign, wide, false, self.exponent + other.exponent, toward)
+        let (sign, exponent) = (self.sign * other.sign, self.exponent + other.exponent);
+        if sign == Sign::Zero {
+            return Some(Self::ZERO);
+        }
+        // Both leading bits are 1, so that the leading word of the product is not 0.
+        Self::led_by(2 * N - 1, sign, wide, false, exponent, toward)
     }
 
     /// By Knuth's algorithm D (The Art of Computer Programming 2, 4.3.1).
@@ -222,7 +259,12 @@ impl<const N: usize> Directed for Words<N> {
         }
         let is_inexact = rest.iter().any(|word| *word != 0);
         let exponent = self.exponent - other.exponent - width(N);
-        Self::rounded(self.sign * other.sign, quotient, is_inexact, exponent, toward)
+        let sign = self.sign * other.sign;
+        match (sign, quotient[N]) {
+            (Sign::Zero, _) => Some(Self::ZERO),
+            (_, 0) => Self::led_by(N - 1, sign, quotient, is_inexact, exponent, toward),
+            _ => Self::led_by(N, sign, quotient, is_inexact, exponent, toward),
+        }
     }
 
     fn root(&self, (): (), toward: Toward) -> Option<Self> {

@@ -27,7 +27,7 @@ pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classific
     let plane = Plane::new(&model, &frame);
     let mut heights = Heights::new(&model, x.clone());
     let levels = heights.against(&energy).map_err(|none| plane.open(none, &x))?;
-    let margin = margin(&plane, &levels, &x);
+    let margin = margin(&plane, heights.nearest(&levels, &energy), &x);
     if levels.iter().any(|level| level.sign == Sign::Zero) {
         let vertex = Vertex { plane: &plane, heights: &heights, h: &energy, levels: &levels };
         return Ok(Classification::open(true, vertex::candidates(&vertex)?, margin));
@@ -36,9 +36,8 @@ pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classific
 }
 
 /// The distance to the nearest curve.
-fn margin(plane: &Plane<'_>, levels: &[Level], x: &RBig) -> Margin {
+fn margin(plane: &Plane<'_>, nearest: Option<Level>, x: &RBig) -> Margin {
     let unit = plane.frame.energy_unit;
-    let nearest = levels.iter().min_by(|p, q| p.distance[0].total_cmp(&q.distance[0]));
     let Some(level) = nearest else { return Margin { h: 0.0, nearest: None, error_bound: 0.0 } };
     let [lo, hi] = level.distance;
     Margin { h: lo * unit, nearest: Some(plane.name(&level.source, x)), error_bound: (hi - lo) * unit }

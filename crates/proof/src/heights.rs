@@ -75,6 +75,37 @@ impl<'a> Heights<'a> {
         sources.into_iter().map(|source| self.level(source, h)).collect()
     }
 
+    /// The level nearest to h. Those that their bounds do not tell apart are compared with more bits; what the largest
+    /// precision finds equal is, like two curves that cross over x, equally near, and the first is taken.
+    pub fn nearest(&mut self, levels: &[Level], h: &RBig) -> Option<Level> {
+        let farthest = levels.iter().map(|level| level.distance[1]).fold(f64::INFINITY, f64::min);
+        let mut rivals: Vec<Level> = levels.iter().filter(|level| level.distance[0] <= farthest).cloned().collect();
+        for stage in self.stages_told() {
+            if rivals.len() < 2 || farthest == 0.0 {
+                break;
+            }
+            let distances: Option<Vec<[RBig; 2]>> = rivals
+                .iter()
+                .map(|level| {
+                    let (_, height) = self.enclosure(level.source.clone(), stage);
+                    let [lo, hi] = height.exact_bounds()?.map(|height| level.sign.orient(h - height));
+                    Some(if lo <= hi { [lo, hi] } else { [hi, lo] })
+                })
+                .collect();
+            let Some(distances) = distances else { continue };
+            let Some(farthest) = distances.iter().map(|[_, hi]| hi).min() else { break };
+            let mut may_be_nearest = distances.iter().map(|[lo, _]| lo <= farthest);
+            rivals.retain(|_| may_be_nearest.next() == Some(true));
+        }
+        rivals.into_iter().next()
+    }
+
+    /// The precisions that tell something: what more bits would show of a rounded body is its rounding.
+    fn stages_told(&self) -> std::ops::Range<usize> {
+        let told = |bits: &&usize| !self.model.rounded || **bits <= 400;
+        0..STAGES.iter().take_while(told).count()
+    }
+
     /// All heights, enclosed with so many bits at least.
     pub fn enclosed(&mut self, stage: usize) -> Result<Vec<(Source, Wide)>, NoHeights> {
         let sources = self.sources()?;
@@ -162,10 +193,8 @@ impl<'a> Heights<'a> {
             return equal(source);
         }
         let mut decided = None;
-        // What more bits would show of a rounded body is its rounding.
-        let told = |bits: &usize| !self.model.rounded || *bits <= 400;
-        let stages: Vec<usize> = STAGES.iter().copied().filter(told).collect();
-        for (stage, bits) in stages.into_iter().enumerate() {
+        for stage in self.stages_told() {
+            let bits = STAGES[stage];
             if stage == 2 && decided.is_none() && straight.is_none() && self.is_equal(&source, h) {
                 return equal(source);
             }

@@ -16,6 +16,9 @@ use super::heights::{Level, NoHeights, Source, refined};
 use super::model::Model;
 use super::ridges::Ridges;
 
+/// Bits in which a place is told from a cusp or pitchfork: what agrees to the last of them is the cusp itself.
+const CUT_BITS: [usize; 3] = [64, 128, 320];
+
 /// Why a point has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Open {
@@ -102,7 +105,7 @@ impl<'a> Plane<'a> {
             Source::Over { group, place } => {
                 let (r_sum, p_sum) = self.model.sums_over(*group);
                 let turn = r_sum * RBig::from(-3) / self.model.a(*group) - p_sum;
-                let beyond = turn > RBig::ZERO && place.lo >= turn;
+                let beyond = turn > RBig::ZERO && self.is_before(&Place::exact(place.half, turn), place);
                 on(Branch::Symmetric(self.model.axis[*group]), 1 + usize::from(beyond))
             }
             Source::Line(pole) if self.model.active.len() == 1 => {
@@ -115,16 +118,17 @@ impl<'a> Plane<'a> {
 
     /// Cusps and pitchforks before a place on an interval of the generic family.
     fn cuts_before(&self, number: usize, place: &Place) -> usize {
-        /// Roots of both polynomials that agree to so many bits are one: the point is the cusp itself.
-        const BITS: [usize; 3] = [64, 128, 320];
-        let cusps = roots_in_interval(self.model, &self.model.cusp_polynomial(), number, BITS[0]).unwrap_or_default();
+        let cusps =
+            roots_in_interval(self.model, &self.model.cusp_polynomial(), number, CUT_BITS[0]).unwrap_or_default();
         let cusps = cusps.into_iter().filter(|(_, odd)| *odd).map(|(place, _)| place);
         let forks = self.model.passive.iter().filter_map(|&group| passive_place(self.model, number, group));
-        let is_before = |cut: &Place| {
-            let found = BITS.into_iter().find_map(|bits| order(self.model, &refined(cut, bits), &refined(place, bits)));
-            found == Some(std::cmp::Ordering::Less)
-        };
-        cusps.chain(forks).filter(is_before).count()
+        cusps.chain(forks).filter(|cut| self.is_before(cut, place)).count()
+    }
+
+    /// A cusp or pitchfork is passed before a place of its family.
+    fn is_before(&self, cut: &Place, place: &Place) -> bool {
+        let order = |bits| order(self.model, &refined(cut, bits), &refined(place, bits));
+        CUT_BITS.into_iter().find_map(order) == Some(std::cmp::Ordering::Less)
     }
 
     /// Pitchforks of the line γ = ±r̂ below x: x = a²r/(2|a_k − a|) there.

@@ -59,8 +59,12 @@ impl Prepared {
     /// # Errors
     /// [`Unanswered`].
     pub fn classify(&self, h: &Number, l: &Number) -> Result<Classification, Unanswered> {
-        match self.quick().map(|atlas| atlas.classify(h, l)) {
-            Some(Ok(found)) if self.accuracy == Accuracy::Fast || found.components().is_some() => {
+        let answered = self.quick().map(|atlas| match self.accuracy {
+            Accuracy::Fast => atlas.classify(h, l).map(Some),
+            Accuracy::Exact => atlas.classify_if_clear(h, l),
+        });
+        match answered {
+            Some(Ok(Some(found))) => {
                 decided(Question::Point, Rung::Double);
                 Ok(found)
             }

@@ -87,8 +87,8 @@ pub fn classify(body: &Body, h: &Number, l: &Number) -> Result<Classification, C
     classify_with_effort(body, h, l).map(|(answer, _)| answer)
 }
 
-/// Classifies one point from the critical points at this l alone, where the error bounds of `f64` suffice; `None` where
-/// they do not.
+/// Classifies one point from the critical points at this l alone, where the error bounds of `f64` suffice, to name the
+/// nearest curve too; `None` where they do not.
 ///
 /// # Errors
 /// [`ClassifyError`] when the body or l leave the range of `f64`.
@@ -99,7 +99,7 @@ pub fn classify_if_clear(body: &Body, h: &Number, l: &Number) -> Result<Option<C
     let set = CriticalSet::new(body.frame()).map_err(AtlasError::from)?;
     let x = atlas::abscissa(&set.frame, l.to_f64())?;
     let (found, _) = at_one_momentum(&set, h, x);
-    Ok(found.map(|(components, margin)| Classification::decided(components, margin)))
+    Ok(found.filter(|found| found.named).map(|found| Classification::decided(found.components, found.margin)))
 }
 
 /// [`classify`], and what it cost.
@@ -114,7 +114,7 @@ pub fn classify_with_effort(body: &Body, h: &Number, l: &Number) -> Result<(Clas
     let x = atlas::abscissa(&set.frame, l.to_f64())?;
     let (found, curve_points) = at_one_momentum(&set, h, x);
     let mut effort = Effort { curve_points, built_atlas: false };
-    if let Some((components, margin)) = found {
+    if let Some(AtMomentum { components, margin, .. }) = found {
         return Ok((Classification::decided(components, margin), effort));
     }
     effort.built_atlas = true;
@@ -166,9 +166,17 @@ fn open_at_one_momentum(
     Ok(Classification::open(atlas::on_straight_curve(body, h, l), candidates, margin))
 }
 
+/// What the critical points at one x tell.
+struct AtMomentum {
+    components: Components,
+    margin: Margin,
+    /// No other curve on the same side of h may be the nearest one.
+    named: bool,
+}
+
 /// The components of U_hl from the critical points at x alone, and the number of points computed; `None` when h is too
 /// near to a curve, x to a cusp, or a join is not proved.
-fn at_one_momentum(set: &CriticalSet, h: &Number, x: f64) -> (Option<(Components, Margin)>, usize) {
+fn at_one_momentum(set: &CriticalSet, h: &Number, x: f64) -> (Option<AtMomentum>, usize) {
     let (over, near_end) = set.curves_over(x);
     let mut points: Vec<(CurveId, Point)> = over.iter().map(|&c| (c, set.curves[c].point(&set.frame, x))).collect();
     points.sort_by(|p, q| p.1.h().total_cmp(&q.1.h()));
@@ -193,13 +201,18 @@ fn at_one_momentum(set: &CriticalSet, h: &Number, x: f64) -> (Option<(Components
             Err(_open_join) => return (None, count),
         }
     };
+    let farthest = distance(&nearest) + error(&nearest);
+    let may_be_nearest = |(other, p): &&(CurveId, Point)| {
+        *other != curve && (p.h() < energy) == (nearest.h() < energy) && distance(p) - error(p) <= farthest
+    };
     let unit = set.frame.energy_unit;
     let margin = Margin {
         h: distance(&nearest) * unit,
         nearest: Some(CurveName::of(set, curve)),
         error_bound: error(&nearest) * unit,
     };
-    (Some((components, margin)), count)
+    let named = !points.iter().any(|point| may_be_nearest(&point));
+    (Some(AtMomentum { components, margin, named }), count)
 }
 
 impl Atlas {
@@ -210,23 +223,40 @@ impl Atlas {
     /// [`ClassifyError::Momentum`] when l is out of range, [`ClassifyError::Merge`] when the region's components are not
     /// known.
     pub fn classify(&self, h: &Number, l: &Number) -> Result<Classification, ClassifyError> {
+        self.classify_and_name(h, l).map(|(found, _)| found)
+    }
+
+    /// Classifies a point of a prepared body where the error bounds of `f64` suffice, to name the nearest curve too; `None`
+    /// where they do not.
+    ///
+    /// # Errors
+    /// As [`Atlas::classify`].
+    pub fn classify_if_clear(&self, h: &Number, l: &Number) -> Result<Option<Classification>, ClassifyError> {
+        let (found, named) = self.classify_and_name(h, l)?;
+        Ok((named && found.components().is_some()).then_some(found))
+    }
+
+    /// The type, and whether the nearest curve is named for certain: within rounding of an event it may be another one.
+    fn classify_and_name(&self, h: &Number, l: &Number) -> Result<(Classification, bool), ClassifyError> {
         let body = self.body();
         if l.to_f64() == 0.0 {
-            return Ok(at_rest(body, h));
+            return Ok((at_rest(body, h), true));
         }
         let unknown = |place: &Place| matches!(place, Place::Region(region) if self.components(*region).is_err());
-        let Location { place, distance, nearest, error_bound, .. } = self.locate(h.to_f64(), l.to_f64())?;
+        let Location { place, distance, nearest, error_bound, between_events, .. } =
+            self.locate(h.to_f64(), l.to_f64())?;
         let set = &self.arrangement().set;
         if !self.arrangement().undecided.is_empty() || unknown(&place) {
             let x = atlas::abscissa(&set.frame, l.to_f64())?;
-            if let (Some((components, margin)), _) = at_one_momentum(set, h, x) {
-                return Ok(Classification::decided(components, margin));
+            if let (Some(AtMomentum { components, margin, named }), _) = at_one_momentum(set, h, x) {
+                return Ok((Classification::decided(components, margin), named));
             }
         }
         let margin = Margin { h: distance, nearest: Some(CurveName::of(set, nearest)), error_bound };
+        let decided = |components| Ok((Classification::decided(components, margin), between_events));
         let places = match place {
-            Place::Forbidden => return Ok(Classification::decided(Vec::new(), margin)),
-            Place::Region(region) => return Ok(Classification::decided(self.components(region)?.to_vec(), margin)),
+            Place::Forbidden => return decided(Vec::new()),
+            Place::Region(region) => return decided(self.components(region)?.to_vec()),
             Place::Undecided(places) => places,
         };
         let mut candidates: Vec<Components> = Vec::new();
@@ -236,7 +266,8 @@ impl Atlas {
                 candidates.push(components.to_vec());
             }
         }
-        Ok(Classification::open(atlas::on_straight_curve(body, h, l), candidates, margin))
+        let on_curve = atlas::on_straight_curve(body, h, l);
+        Ok((Classification::open(on_curve, candidates, margin), false))
     }
 }
 

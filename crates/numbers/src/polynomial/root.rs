@@ -75,23 +75,24 @@ impl Root {
 
     /// Narrows until (hi − lo) ≤ 2^−bits · hi. The root must be positive.
     pub fn refine(&mut self, bits: usize) {
-        if self.is_exact() || self.is_known_to(bits) {
+        if self.is_known_to(bits) {
             return;
         }
         let above = self.polynomial.sign_at(&self.hi);
         if !self.is_known_to(bits.min(DOUBLES)) {
             self.narrow_in_doubles(above);
         }
+        let slope = self.polynomial.derivative();
         let mut lost = 6;
-        while !self.is_exact() && !self.is_known_to(bits) {
+        while !self.is_known_to(bits) {
             let width = &self.hi - &self.lo;
             // Newton doubles the bits but for what curvature loses; where the root is beyond the fence, more is lost.
-            for at in self.fence(lost, bits).into_iter().flatten() {
+            for at in self.fence(&slope, lost, bits).into_iter().flatten() {
                 if self.lo < at && at < self.hi {
                     self.cut(at, above);
                 }
             }
-            if !self.is_exact() && (&self.hi - &self.lo) * RBig::from(2) > width {
+            if (&self.hi - &self.lo) * RBig::from(2) > width {
                 lost = lost.saturating_mul(2);
                 self.halve_below(above);
             }
@@ -99,13 +100,13 @@ impl Root {
     }
 
     fn is_known_to(&self, bits: usize) -> bool {
-        (&self.hi - &self.lo) * RBig::from(IBig::ONE << bits) <= self.hi
+        self.is_exact() || (&self.hi - &self.lo) * RBig::from(IBig::ONE << bits) <= self.hi
     }
 
     /// Narrows as far as intervals of doubles tell, which take a hundredth of the time of exact numbers; exact signs have
     /// the last word. The sign at the upper end is `above`.
     fn narrow_in_doubles(&mut self, above: Sign) {
-        let range: Interval = self.enclosed(());
+        let range: Interval = self.enclosed_below(above, ());
         // The ends of the range may be the root.
         let beyond = [range.lo.next_down(), range.hi.next_up()].map(|end| RBig::try_from(end).ok());
         let [Some(lo), Some(hi)] = beyond else { return };
@@ -120,24 +121,28 @@ impl Root {
     /// The root in one arithmetic, as narrow as this makes it.
     #[must_use]
     pub fn enclosed<E: Enclosure>(&self, precision: E::Precision) -> E {
+        if self.is_exact() {
+            return E::rational(&self.lo, precision);
+        }
+        self.enclosed_below(self.polynomial.sign_at(&self.hi), precision)
+    }
+
+    /// The same of a root that is not exact, with the sign at the upper end.
+    fn enclosed_below<E: Enclosure>(&self, above: Sign, precision: E::Precision) -> E {
         let number = |x: &RBig| E::rational(x, precision);
         let range = number(&self.lo).hull(&number(&self.hi));
-        if self.is_exact() {
-            return range;
-        }
         let (f, slope) = (self.polynomial.enclosed(precision), self.polynomial.derivative().enclosed(precision));
-        let above = self.polynomial.sign_at(&self.hi);
         let at = |c: &[E], at: &E| horner(c, at, precision);
         narrowed(range, above, |x| at(&f, x), |x| at(&slope, x), precision)
     }
 
     /// Two points close around Newton's guess, which is taken to have twice the bits less those `lost`.
-    fn fence(&self, lost: i64, wanted: usize) -> Option<[RBig; 2]> {
+    fn fence(&self, slope: &Polynomial, lost: i64, wanted: usize) -> Option<[RBig; 2]> {
         let width = &self.hi - &self.lo;
         let middle = (&self.hi + &self.lo) / RBig::from(2);
         // f/f' at p/q without fractions: f = N/qⁿ, f' = M/qⁿ⁻¹, so that the guess is (p M − N)/(q M).
         let (p, q) = (middle.numerator(), IBig::from(middle.denominator().clone()));
-        let (n, m) = (self.polynomial.homogeneous(p, &q), self.polynomial.derivative().homogeneous(p, &q));
+        let (n, m) = (self.polynomial.homogeneous(p, &q), slope.homogeneous(p, &q));
         if m == IBig::ZERO {
             return None;
         }
@@ -204,7 +209,7 @@ mod tests {
         let polynomial = Polynomial::new(vec![-(&unit + IBig::ONE), IBig::ZERO, unit]);
         let (lo, hi) = (RBig::ONE, RBig::from(2));
         let mut root = Root { polynomial: Arc::new(polynomial), lo, hi, odd: true };
-        let [low, high] = root.fence(6, 1200).unwrap();
+        let [low, high] = root.fence(&root.polynomial.derivative(), 6, 1200).unwrap();
         assert!(low < root.lo && root.lo < high && high < root.hi);
         root.refine(1200);
         assert!(root.is_known_to(1200));

@@ -64,7 +64,7 @@ pub(crate) fn render(
     canvas.outcome.replace(Ok(()))?;
     let mut elements = String::new();
     for (number, stripes) in canvas.stripes.borrow().iter().enumerate() {
-        elements.push_str(&stripes.definition(number, |color| hex(theme.ground(color))));
+        elements.push_str(&stripes.definition(number, |color| canvas.ground(color)));
     }
     elements.push_str(&canvas.body.borrow());
     Ok(Picture::from_canvas(&elements, size, &heading.into()))
@@ -131,13 +131,18 @@ impl Canvas {
 
     /// The attributes of an area.
     pub(crate) fn fill(&self, color: RGBColor) -> String {
-        format!("fill=\"{}\"", hex(self.theme.ground(color)))
+        format!("fill=\"{}\"", self.ground(color))
+    }
+
+    /// The colour of an area as SVG writes it.
+    pub(crate) fn ground(&self, color: RGBColor) -> String {
+        hex(self.theme.ground(color))
     }
 
     /// The attributes of a line.
     pub(crate) fn stroke(&self, ink: Ink) -> String {
         let width = (ink.width * UNITS).round();
-        format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\"", self.hex(ink.color))
+        format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\"", hex(self.color(ink.color)))
     }
 
     /// The attributes of a striped area.
@@ -148,11 +153,6 @@ impl Canvas {
             known.len() - 1
         });
         Stripes::fill(number)
-    }
-
-    /// A colour of the theme as SVG writes it.
-    pub(crate) fn hex(&self, color: RGBColor) -> String {
-        hex(self.color(color))
     }
 
     /// An open polyline.

@@ -115,9 +115,9 @@ fn ground(
     rim(view).draw(canvas, &canvas.fill(FORBIDDEN));
     // On a curve no components are told: what is accessible has one tint.
     for place in 0..components.max(1) {
-        let fill = canvas.fill(tint(place));
+        let color = canvas.ground(tint(place));
         // A hair of the same colour closes the seams between cells.
-        let attributes = format!("{fill} {} stroke-width=\"4\"", fill.replacen("fill", "stroke", 1));
+        let attributes = format!("fill=\"{color}\" stroke=\"{color}\" stroke-width=\"4\"");
         grid.area(0.0, |node| component(node) == Some(place)).draw(canvas, &attributes);
     }
 }

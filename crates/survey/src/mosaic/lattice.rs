@@ -94,6 +94,12 @@ pub(super) fn mean(points: impl Iterator<Item = Place>) -> Place {
     sum.map(|x| x / count)
 }
 
+/// The area within corners, negative where these run clockwise.
+pub(super) fn area(corners: &[Place]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>()
+}
+
 pub(super) fn distance(a: Place, b: Place) -> f64 {
     ((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])).sqrt()
 }

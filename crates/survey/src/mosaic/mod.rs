@@ -63,6 +63,7 @@ pub fn divide<P: Plane>(plane: &P, axes: [&[f64]; 2], shown: &[P::Label]) -> Mos
 
 #[cfg(test)]
 mod tests {
+    use super::lattice::area;
     use super::*;
 
     /// Three lands: a disc, and beside it left and right of a slanted line.
@@ -96,12 +97,7 @@ mod tests {
         }
     }
 
-    fn area(corners: &[Place]) -> f64 {
-        let next = corners.iter().cycle().skip(1);
-        0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>()
-    }
-
-    fn holds(corners: &[Place], [x, y]: Place) -> bool {
+    pub(super) fn holds(corners: &[Place], [x, y]: Place) -> bool {
         let next = corners.iter().cycle().skip(1);
         let crossed = |(p, q): &(&Place, &Place)| {
             (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::chords::joinings;
 use super::division::{Division, Plane};
-use super::lattice::{Cell, Node, Place, mean};
+use super::lattice::{Cell, Node, Place, area, mean};
 use super::pieces::{changes_of, parts};
 
 /// Where on a chord the way to its bend begins: not in the middle, where special points lie.
@@ -80,8 +80,9 @@ impl<P: Plane> Division<'_, P> {
         for (cell, trials) in &mut all {
             let least = SEEN * f64::from(cell.size * cell.size);
             for trial in trials {
-                let is_wrong =
-                    |(label, corners): &(Option<P::Label>, Vec<Place>)| shown.next() != *label && area(corners) > least;
+                let is_wrong = |(label, corners): &(Option<P::Label>, Vec<Place>)| {
+                    shown.next() != *label && area(corners).abs() > least
+                };
                 let is_wrong: Vec<bool> = trial.parts.iter().map(is_wrong).collect();
                 trial.wrong = (0..is_wrong.len()).filter(|&part| is_wrong[part]).collect();
             }
@@ -110,13 +111,9 @@ impl<P: Plane> Division<'_, P> {
     }
 }
 
-fn area(corners: &[Place]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    0.5 * corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>().abs()
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::tests::holds;
     use super::super::{Changes, Plane, divide};
     use super::*;
 
@@ -153,20 +150,12 @@ mod tests {
         }
     }
 
-    fn holds(corners: &[Place], [x, y]: Place) -> bool {
-        let next = corners.iter().cycle().skip(1);
-        let crossed = |(p, q): &(&Place, &Place)| {
-            (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
-        };
-        corners.iter().zip(next).filter(crossed).count() % 2 == 1
-    }
-
     /// Which places the mosaic of a grid of 8 × 8 cells shows otherwise than the plane.
     fn wrong(plane: &Lands, places: impl Iterator<Item = Place>) -> Vec<Place> {
         let axis: Vec<f64> = (0..=8).map(|k| f64::from(k) / 8.0).collect();
         let shown: Vec<u8> = axis.iter().flat_map(|&y| axis.iter().map(move |&x| (plane.land)([x, y]))).collect();
         let mosaic = divide(plane, [&axis, &axis], &shown);
-        let total: f64 = mosaic.pieces.iter().map(|(_, corners)| area(corners)).sum();
+        let total: f64 = mosaic.pieces.iter().map(|(_, corners)| area(corners).abs()).sum();
         assert!((total - 1.0).abs() < 1e-9, "{total}");
         let at = |place: Place| mosaic.pieces.iter().find(|(_, piece)| holds(piece, place)).map(|(land, _)| *land);
         places.filter(|place| at(*place) != Some((plane.land)(*place))).collect()

@@ -21,8 +21,11 @@ pub struct Location {
     pub distance: f64,
     /// The nearest curve.
     pub nearest: CurveId,
-    /// Bound on the error of `distance`, the rounding of h and l included.
+    /// Bound on the error of `distance`, the rounding of h and l included. Within rounding of a cusp or pitchfork it holds
+    /// whichever side the exact l is on.
     pub error_bound: f64,
+    /// No event lies within rounding of l: the curves over l, and their order, are those of one slab.
+    pub between_events: bool,
     /// Points of curves that were computed.
     pub curve_points: usize,
 }
@@ -90,15 +93,15 @@ impl Atlas {
     pub(super) fn locate_scaled(&self, h: f64, x: f64) -> Location {
         let slabs = &self.arrangement.slabs;
         let number = SlabId::at(slabs.as_slice().partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1));
-        let near = self.slabs_near(number, x, false);
         let around = self.slabs_near(number, x, true);
+        let between_events = around.start() == around.end();
         let Bracket { low, under, over, curve_points } = self.bracket(number, h, x);
         let order = &slabs[number].order;
         let (distance, nearest) =
             if under.0 <= over.0 { (under.0, order[low - 1]) } else { (over.0, order[low.min(order.len() - 1)]) };
-        let error_bound = under.1.max(over.1);
+        let rounding = under.1.max(over.1);
         let decided = |distance: f64| {
-            if distance <= error_bound || !self.order_is_certain(number, x) {
+            if distance <= rounding || !self.order_is_certain(number, x) {
                 Place::Undecided(self.candidates(h, x, around.clone()))
             } else if low == 0 {
                 Place::Forbidden
@@ -106,14 +109,17 @@ impl Atlas {
                 Place::Region(slabs[number].region_above[low - 1])
             }
         };
+        let near = if between_events { around.clone() } else { self.slabs_near(number, x, false) };
         if near.start() == near.end() {
-            return Location { place: decided(distance), distance, nearest, error_bound, curve_points };
+            let place = decided(distance);
+            return Location { place, distance, nearest, error_bound: rounding, between_events, curve_points };
         }
         // Within rounding of an event the curves that are born or vanish there count, on whichever side x is.
         let places = self.candidates(h, x, around.clone());
-        let (distance, nearest) = self.nearest_in(h, x, near.clone()).unwrap_or((distance, nearest));
+        let Nearest { distance, curve: nearest, error_bound } =
+            self.nearest_in(h, x, near).unwrap_or(Nearest { distance, curve: nearest, error_bound: rounding });
         let place = if places.len() > 1 { Place::Undecided(places) } else { decided(distance) };
-        Location { place, distance, nearest, error_bound, curve_points }
+        Location { place, distance, nearest, error_bound, between_events, curve_points }
     }
 
     /// Binary search for h among the curves of a slab.
@@ -158,24 +164,36 @@ impl Atlas {
         first..=last
     }
 
-    /// The points of the curves of a slab at x, or at its end where x lies just outside.
+    /// The points of the curves of a slab at x. Where x lies just outside of the slab, γ is that of its end: U(γ) is linear
+    /// in x and stationary in γ, so that its value at x itself is the height up to second order (Proposition 3.6).
     pub(super) fn points_in(&self, slab: SlabId, x: f64) -> Vec<Point> {
         let slab = &self.arrangement.slabs[slab];
         // Events that rounding has put out of order are settled by gluing: between two of them the slab is inverted.
         let [from, to] = [slab.x[0].min(slab.x[1]), slab.x[0].max(slab.x[1])];
         let at = x.clamp(from.max(f64::MIN_POSITIVE), to);
-        slab.order.iter().map(|&c| self.arrangement.set.curves[c].point(&self.arrangement.set.frame, at)).collect()
+        let set = &self.arrangement.set;
+        slab.order.iter().map(|&c| Point { x, ..set.curves[c].point(&set.frame, at) }).collect()
     }
 
-    /// Distance and number of the nearest curve in any of several slabs.
-    fn nearest_in(&self, h: f64, x: f64, slabs: RangeInclusive<SlabId>) -> Option<(f64, CurveId)> {
-        each(slabs)
-            .flat_map(|slab| {
-                let order = &self.arrangement.slabs[slab].order;
-                let distances = self.points_in(slab, x).into_iter().map(|point| (point.h() - h).abs());
-                distances.zip(order.iter().copied()).collect::<Vec<_>>()
-            })
-            .min_by(|p, q| p.0.total_cmp(&q.0))
+    /// The nearest curve in any of several slabs. The distance over the exact x, which lies in one of them, is at least the
+    /// least d − e of all curves, and at most, in its own slab, the least d + e.
+    fn nearest_in(&self, h: f64, x: f64, slabs: RangeInclusive<SlabId>) -> Option<Nearest> {
+        let mut best: Option<(f64, CurveId)> = None;
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for slab in each(slabs) {
+            let mut most_here = f64::INFINITY;
+            for (point, &curve) in self.points_in(slab, x).iter().zip(&self.arrangement.slabs[slab].order) {
+                let (distance, error) = ((point.h() - h).abs(), comparison_error(point, h));
+                least = least.min(distance - error);
+                most_here = most_here.min(distance + error);
+                if best.is_none_or(|(nearest, _)| distance < nearest) {
+                    best = Some((distance, curve));
+                }
+            }
+            most = most.max(most_here);
+        }
+        let (distance, curve) = best?;
+        Some(Nearest { distance, curve, error_bound: (distance - least).max(most - distance) })
     }
 
     /// False when something is undecided and the heights at x contradict the order of the slab.
@@ -214,6 +232,14 @@ impl Atlas {
 /// The slabs of a range.
 fn each(slabs: RangeInclusive<SlabId>) -> impl Iterator<Item = SlabId> {
     (slabs.start().index()..=slabs.end().index()).map(SlabId::at)
+}
+
+/// The nearest of the curves of several slabs.
+struct Nearest {
+    distance: f64,
+    curve: CurveId,
+    /// Bound on the error of the distance.
+    error_bound: f64,
 }
 
 /// Where h stands among the curves of a slab.

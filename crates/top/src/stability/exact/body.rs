@@ -1,6 +1,5 @@
 //! A body as integers: moments and squares of r in the frame's order, with the units in which they are whole.
 
-use dashu_base::Gcd;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
@@ -8,6 +7,7 @@ use crate::body::{Axis, Body, Frame};
 use crate::stability::Constants;
 use numbers::Number;
 use numbers::enclosure::Arithmetic;
+use numbers::polynomial::rational::over_one_denominator;
 
 /// A body in the frame's order of axes, exact.
 #[derive(Clone, Debug)]
@@ -46,8 +46,8 @@ impl ExactBody {
             let first = (0..=k).find(|&m| frame.group[m] == frame.group[k]).unwrap_or(k);
             squares[first] += &center[order[k]] * &center[order[k]];
         }
-        let unit_a = common_denominator(&moments);
-        let unit_r = common_denominator(&center);
+        let unit_a = over_one_denominator(&moments).1;
+        let unit_r = over_one_denominator(&center).1;
         let whole = |x: RBig| x.numerator().clone();
         let (n, m) = (RBig::from(unit_a.clone()), RBig::from(unit_r.clone()));
         Self {
@@ -101,12 +101,4 @@ impl ExactBody {
         let sum = (q + r) * b * c + (p + r) * a * c + (p + q) * a * b;
         &sum * &sum == IBig::from(4) * (p + q + r) * (p * a + q * b + r * c) * (a * b * c)
     }
-}
-
-fn common_denominator(values: &[RBig; 3]) -> UBig {
-    values.iter().fold(UBig::ONE, |common, x| {
-        let d = x.denominator();
-        let shared = (&common).gcd(d);
-        common / shared * d
-    })
 }

@@ -1,0 +1,96 @@
+//! Margins beside events: within their bounds, and at the exact level of the curve that is nearest.
+
+use dashu_ratio::RBig;
+use proof::{Accuracy, Prepared, classify, classify_exactly};
+use proptest::prelude::*;
+use support::property::{Verdict, holds_for_bodies};
+use support::strata::Stratum;
+use top::atlas::Atlas;
+use top::body::{Body, Number};
+use top::classify::{Classification, Margin};
+
+fn body(a: [&str; 3], r: [&str; 3]) -> Body {
+    Body::parse(&a, &r).unwrap()
+}
+
+fn margins(body: &Body, h: &Number, l: &Number, accuracy: Accuracy) -> [Margin; 2] {
+    let cold = classify(body, h, l, accuracy).unwrap();
+    let prepared = Prepared::new(body.clone(), accuracy).classify(h, l).unwrap();
+    [cold, prepared].map(|found: Classification| found.margin)
+}
+
+/// classify --A 1,1,1.324 --r 0,0,0.149 --l 0.8978599797350879 --h 0.45343826707056156 lies 1.5e-14 beyond the pitchfork of L-:
+/// the line is h = l²/(2 · 1.324) + 0.149.
+#[test]
+fn beside_a_pitchfork_the_distance_is_that_at_l_and_the_curve_that_of_its_side() {
+    let lagrange = body(["1", "1", "1.324"], ["0", "0", "0.149"]);
+    let [h, l]: [Number; 2] = ["0.45343826707056156", "0.8978599797350879"].map(|text| text.parse().unwrap());
+    let moment = RBig::from_parts(1324.into(), 1000u32.into());
+    let line = l.value() * l.value() / (RBig::from(2) * moment) + RBig::from_parts(149.into(), 1000u32.into());
+    let distance = (line - h.value()).to_f64().value();
+    for accuracy in [Accuracy::Exact, Accuracy::Fast] {
+        for margin in margins(&lagrange, &h, &l, accuracy) {
+            assert!((margin.h - distance).abs() <= margin.error_bound + 1e-24, "{accuracy:?}: {margin:?}");
+            assert!(margin.error_bound < 1e-14, "{accuracy:?}: {margin:?}");
+            if accuracy == Accuracy::Exact {
+                assert_eq!(margin.nearest.unwrap().to_string(), "L-.2");
+            }
+        }
+    }
+}
+
+/// classify --A 26/21,2,25/19 --r=-1/4,-1,-7/2 --l 4.332241802377272677581976227
+/// --h 2.4425067105195891828931702056880122552613084
+#[test]
+fn beside_a_cusp_the_distance_is_that_at_l() {
+    let generic = body(["26/21", "2", "25/19"], ["-1/4", "-1", "-7/2"]);
+    let texts = ["2.4425067105195891828931702056880122552613084", "4.332241802377272677581976227"];
+    let [h, l]: [Number; 2] = texts.map(|text| text.parse().unwrap());
+    for accuracy in [Accuracy::Exact, Accuracy::Fast] {
+        for margin in margins(&generic, &h, &l, accuracy) {
+            assert!((margin.h - 1.051_431_370_829_997_9e-7).abs() <= margin.error_bound, "{accuracy:?}: {margin:?}");
+        }
+    }
+}
+
+/// At every event of a body, at relative distances of 10⁻¹⁰ to 10⁻²⁰ from its l: near the event, and away from it.
+fn margins_hold_beside_events(body: &Body) -> Verdict {
+    let Ok(atlas) = Atlas::new(body) else { return Ok(()) };
+    let levels = [Accuracy::Exact, Accuracy::Fast].map(|accuracy| Prepared::new(body.clone(), accuracy));
+    let small = |exponent: isize| RBig::ONE / RBig::from(10).pow(exponent);
+    for (event, exponent) in atlas.arrangement().events.iter().take(6).zip([14, 20, 15, 16, 10, 18]) {
+        let exact = |x: f64| RBig::try_from(x).unwrap();
+        let [at, height] = [exact(atlas.momentum(event.x)), exact(atlas.energy(event.h))];
+        let scale = exact(atlas.energy(event.x.abs() / atlas.arrangement().set.frame.a[2]));
+        for (side, away) in [(1, small(9)), (-1, small(9)), (1, small(4)), (-1, RBig::from(-1) * small(6))] {
+            let l = Number::from_rational(&at * (RBig::ONE + RBig::from(side) * small(exponent)));
+            let h = Number::from_rational(&height + &scale * away);
+            let truth = classify_exactly(body, &h, &l).unwrap().margin;
+            for prepared in &levels {
+                let margin = prepared.classify(&h, &l).unwrap().margin;
+                let allowed = margin.error_bound + truth.error_bound + f64::EPSILON * truth.h;
+                let (level, at) = (prepared.accuracy(), (&h, &l));
+                prop_assert!((margin.h - truth.h).abs() <= allowed, "{level:?} {at:?}: {margin:?}, not {truth:?}");
+                let named = level == Accuracy::Fast || margin.nearest == truth.nearest;
+                prop_assert!(named, "{at:?}: {margin:?}, not {truth:?}");
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn margins_beside_events_hold_and_name_the_nearest_curve() {
+    let strata = [
+        Stratum::Generic,
+        Stratum::Plane,
+        Stratum::OnAxis,
+        Stratum::Symmetric,
+        Stratum::Lagrange,
+        Stratum::NearAxis,
+        Stratum::Plate,
+    ];
+    for stratum in strata {
+        holds_for_bodies(stratum, 8, margins_hold_beside_events);
+    }
+}
