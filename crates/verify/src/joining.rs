@@ -30,7 +30,9 @@ impl<'a> Joining<'a> {
             let position = found.saddles[first].position;
             let last = open.iter().all(|&n| found.saddles[n].position == position);
             if let Some(arms) = if last { found.joined(position) } else { None } {
-                open.iter().for_each(|&n| found.saddles[n].arms = Some(arms));
+                for n in open {
+                    found.saddles[n].arms = Some(arms);
+                }
                 continue;
             }
             let next = open.into_iter().find(|&n| !lost[n])?;
