@@ -147,7 +147,9 @@ mod tests {
         fn components_are_those_of_all_paths(tree in trees(), known in any::<u16>()) {
             let Tree { minima, saddles } = &tree;
             let whole = partition(minima, saddles, usize::MAX);
-            prop_assume!(whole.iter().all(|class| *class == whole[0]));
+            if whole.iter().any(|class| *class != whole[0]) {
+                return Ok(());
+            }
             let positions: Vec<usize> = saddles.iter().map(|(position, _)| *position).collect();
             let path = |n: usize| (known >> n & 1 == 1).then(|| saddles[n].1);
             let Some(found) = Joining::new(minima, &positions, path) else { return Ok(()) };
