@@ -14,7 +14,7 @@
 //! number  body → spaces → place → equilibria → gap                exact body, equilibria over ranges
 //! descartes → sturm → roots → pieces → meetings → events          what there is, and that nothing is missing
 //! stand → orders → node → rules → pairs → slabs → gluing → regions         order of curves, faces
-//! interval → jet → path → landscape → descent, morse → merging, rings → topology  topology of each region
+//! interval → jet → path → landscape → descent, joining, morse → merging, rings → topology  topology of each region
 //! isolation, flow → chart → stability                             linear types along the curves
 //! bounds, courses, measures, samples, listing, command, part → totals   what a document says beside its certificate
 //! interval → trace → plane → view, chords → polylines, outlines, widths   curves over any l, and what serves pictures
@@ -39,6 +39,7 @@ mod gluing;
 mod interval;
 mod isolation;
 mod jet;
+mod joining;
 mod landscape;
 mod listing;
 mod measures;
@@ -74,7 +75,6 @@ mod trace;
 mod view;
 mod widths;
 
-use dashu_ratio::RBig;
 use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
 
 use body::Body;
@@ -131,7 +131,8 @@ fn certified(
     body: &Body,
     bits: usize,
 ) -> Result<Report, Refused> {
-    let spaces = Spaces::new(body, &unit(&certificate.units.moment)?, &unit(&certificate.units.energy)?, bits)?;
+    let spaces =
+        Spaces::new(body, &number::unit(&certificate.units.moment)?, &number::unit(&certificate.units.energy)?, bits)?;
     let cusps = roots::cusps(certificate, &spaces)?;
     let pieces = Pieces::new(&spaces, cusps)?;
     let inflection = roots::inflection(certificate, &spaces)?;
@@ -158,9 +159,4 @@ fn certified(
     outlines::check(document, &orders, &plane, &slabs, &cells)?;
     widths::check(document, certificate, &events, &orders, &plane, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
-}
-
-fn unit(text: &str) -> Result<RBig, Refused> {
-    let unit = number::read(text)?;
-    if unit > RBig::ZERO { Ok(unit) } else { Err(Refused::Number { text: text.to_owned() }) }
 }
