@@ -149,7 +149,7 @@ impl Sight<'_> {
             Ok(())
         };
         for (number, slab) in slabs.iter().enumerate() {
-            let [from, to] = self.ends(samples[number], events);
+            let [from, to] = Self::ends(samples[number], events);
             let is_apart = |l: f64| (l - from).min(to - l) > 2.0 * self.aside();
             let sample = samples[number];
             if sample < self.view.l[1] {
@@ -227,7 +227,7 @@ impl Sight<'_> {
     }
 
     /// The events around a slab, by the l of its sample.
-    fn ends(&self, sample: f64, events: &[EventDocument]) -> [f64; 2] {
+    fn ends(sample: f64, events: &[EventDocument]) -> [f64; 2] {
         let places = events.iter().map(|event| event.l);
         let from = places.clone().filter(|l| *l <= sample).fold(0.0, f64::max);
         [from, places.filter(|l| *l > sample).fold(f64::INFINITY, f64::min)]
