@@ -124,3 +124,28 @@ fn what_doubles_take_for_one_is_told_apart() {
         [["0.45", "0.91", "0.46"], ["-0.9625", "0.1094", "0.925"]],
     ]);
 }
+
+/// One long moment: the slope turns on one curve of a branch, over an x over which others of that branch run, whose slopes are far
+/// from that one.
+#[test]
+fn polylines_beside_the_turn_of_another_curve_are_verified() {
+    are_verified(&[
+        [["2", "1000", "0.854"], ["-0.7606", "0.9684", "-0.0368"]],
+        [
+            ["30.636550862654893", "0.6493153639350644", "0.6774292206081391"],
+            ["1.6643372663", "-0.1734923069", "-2.2490240439"],
+        ],
+        [["1.2709", "2.6409", "1018.24"], ["-0.000047666", "-0.0897132", "-0.000776789"]],
+    ]);
+}
+
+/// Energies in the document are larger than any number that a body may have, and a unit of the certificate smaller.
+#[test]
+fn bodies_at_the_ends_of_what_is_read_are_verified() {
+    are_verified(&[
+        [["2", "1", "1"], ["1e149", "2e149", "1e149"]],
+        [["2e-149", "1e-149", "1.5e-149"], ["1e149", "2e149", "1e149"]],
+        [["1e150", "0.4e150", "0.7e150"], ["0.3e150", "1e150", "0"]],
+        [["2e-150", "1e-150", "1.5e-150"], ["1e-150", "1e-150", "1e-150"]],
+    ]);
+}

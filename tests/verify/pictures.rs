@@ -104,6 +104,41 @@ fn outlines_without_a_part_of_their_region_are_refused() {
     assert!(forged_ones.iter().all(|number| *number > 3), "{forged_ones:?}");
 }
 
+/// Where the slope of a curve turns, and of curves beside it: chords over ever more points of each.
+#[test]
+fn coarse_polylines_beside_a_turn_are_refused() {
+    let true_one = whole(&body([["2", "1000", "0.854"], ["-0.7606", "0.9684", "-0.0368"]]));
+    let mut forged_ones = 0;
+    for (curve, number) in true_one.curves.iter().zip(0..) {
+        let line = &curve.polyline;
+        let last = line.len() - 1;
+        let coarser = |step: usize| -> Vec<[f64; 2]> {
+            line.iter().enumerate().filter(|(k, _)| k % step == 0 || *k == last).map(|(_, point)| *point).collect()
+        };
+        let leaves = |points: &[[f64; 2]]| {
+            let at = |l: f64| {
+                points.windows(2).find(|pair| pair[1][1] >= l).map(|pair| {
+                    let [[h, from], [h_to, to]] = [pair[0], pair[1]];
+                    h + (h_to - h) * (l - from) / (to - from)
+                })
+            };
+            // Twice the bound on chords, and as steep as the steepest here.
+            let steepest = points.windows(2).map(|pair| (pair[1][0] - pair[0][0]) / (pair[1][1] - pair[0][1]));
+            let steepness = steepest.fold(0.0, f64::max) * 134.0 / 11.0;
+            line.iter().any(|[h, l]| at(*l).is_some_and(|chord| (h - chord).abs() > 0.03 * steepness.max(1.0)))
+        };
+        for step in [8, 64] {
+            let other = coarser(step);
+            if leaves(&other) {
+                let refused = forged(&true_one, |d| d.curves[number].polyline.clone_from(&other));
+                assert_eq!(refused, Err(Refused::Field { field: "curves.polyline" }), "{} {step}", curve.id);
+                forged_ones += 1;
+            }
+        }
+    }
+    assert!(forged_ones > 3, "{forged_ones}");
+}
+
 /// The area within a closed outline.
 fn area(outline: &[[f64; 2]]) -> f64 {
     0.5 * outline.windows(2).map(|edge| edge[0][1] * edge[1][0] - edge[1][1] * edge[0][0]).sum::<f64>().abs()

@@ -10,7 +10,14 @@ const HALVINGS: u32 = 8;
 /// The chords of curves in the plane of h and l.
 pub(super) struct Chords<'a> {
     plane: &'a Plane<'a>,
-    orders: &'a Orders<'a>,
+    /// Where J turns on each curve.
+    turns: Vec<Option<Turn>>,
+}
+
+/// Where J turns along a curve: x, and the slope 1/J there.
+struct Turn {
+    x: [f64; 2],
+    slope: f64,
 }
 
 /// A point of a curve over l.
@@ -21,8 +28,12 @@ struct At {
 }
 
 impl<'a> Chords<'a> {
-    pub fn new(plane: &'a Plane<'a>, orders: &'a Orders) -> Self {
-        Self { plane, orders }
+    pub fn new(plane: &'a Plane<'a>, orders: &Orders) -> Self {
+        let turn = |curve: usize| {
+            let point = orders.turn_on(curve)?;
+            Some(Turn { x: Interval::of(&point.x).ends(), slope: Interval::of(&point.j).recip().middle() })
+        };
+        Self { plane, turns: (0..orders.pieces.list.len()).map(turn).collect() }
     }
 
     /// Between two l, over which the curve is `off` by so much in h, it leaves a chord by at most so much, all in the units of the
@@ -45,7 +56,7 @@ impl<'a> Chords<'a> {
         if halvings == 0 || here > most || !(from.l < l && l < to.l) {
             return false;
         }
-        let Some(near) = self.plane.near(curve, l * l / self.plane.x) else { return false };
+        let Some(near) = self.plane.near(curve, self.plane.abscissa(l)) else { return false };
         let middle = At { l, near };
         let straight = 0.5 * (from.near.h.middle() - off[0] + to.near.h.middle() - off[1]);
         let aside = near.h.middle() - straight;
@@ -60,7 +71,7 @@ impl<'a> Chords<'a> {
     /// chord over x lies below that over l, by slope (Δl)²/8. On both sides of the place where J turns J lies between its values
     /// at the ends and there.
     fn sagitta(&self, curve: usize, [from, to]: [At; 2]) -> f64 {
-        let x = [from, to].map(|at| at.l * at.l / self.plane.x);
+        let x = [from, to].map(|at| self.plane.abscissa(at.l));
         let width = x[1] - x[0];
         if width <= 0.0 {
             return 0.0;
@@ -69,15 +80,14 @@ impl<'a> Chords<'a> {
         let slope = (to.near.h.middle() - from.near.h.middle()) / width;
         let slopes = [from, to].map(|at| at.near.j.recip().middle());
         let length = to.l - from.l;
-        let bow = (slope.abs() + room / width) * length * length / (4.0 * self.plane.x);
+        let bow = (slope.abs() + room / width) * 0.5 * self.plane.abscissa(length);
         let apart = |other: f64| (other - slope).abs() + POINT * other.abs() + room / width;
-        let turn = self.orders.turn(curve).filter(|point| {
-            let [low, high] = Interval::of(&point.x).ends();
+        let turn = self.turns[curve].as_ref().filter(|turn| {
             let aside = POINT * x[1];
-            low <= x[1] + aside && x[0] - aside <= high
+            turn.x[0] <= x[1] + aside && x[0] - aside <= turn.x[1]
         });
-        if let Some(point) = turn {
-            let all = [slopes[0], slopes[1], Interval::of(&point.j).recip().middle()];
+        if let Some(turn) = turn {
+            let all = [slopes[0], slopes[1], turn.slope];
             let [low, high] =
                 [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(0.0, f64::max)];
             return 0.25 * width * apart(high).max(apart(low)).min(high - low + POINT * high)

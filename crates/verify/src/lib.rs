@@ -74,7 +74,6 @@ mod trace;
 mod view;
 mod widths;
 
-use dashu_ratio::RBig;
 use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
 
 use body::Body;
@@ -131,7 +130,8 @@ fn certified(
     body: &Body,
     bits: usize,
 ) -> Result<Report, Refused> {
-    let spaces = Spaces::new(body, &unit(&certificate.units.moment)?, &unit(&certificate.units.energy)?, bits)?;
+    let spaces =
+        Spaces::new(body, &number::unit(&certificate.units.moment)?, &number::unit(&certificate.units.energy)?, bits)?;
     let cusps = roots::cusps(certificate, &spaces)?;
     let pieces = Pieces::new(&spaces, cusps)?;
     let inflection = roots::inflection(certificate, &spaces)?;
@@ -158,9 +158,4 @@ fn certified(
     outlines::check(document, &orders, &plane, &slabs, &cells)?;
     widths::check(document, certificate, &events, &orders, &plane, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
-}
-
-fn unit(text: &str) -> Result<RBig, Refused> {
-    let unit = number::read(text)?;
-    if unit > RBig::ZERO { Ok(unit) } else { Err(Refused::Number { text: text.to_owned() }) }
 }

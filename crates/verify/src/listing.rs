@@ -32,8 +32,8 @@ pub(super) fn events(
     if !document.events.is_sorted_by(|p, q| p.l <= q.l) {
         return Err(Refused::Field { field: "events: by rising l" });
     }
-    let l2 = number::read(&certificate.units.moment)? * number::read(&certificate.units.energy)? * RBig::from(2);
-    let energy = number::read(&certificate.units.energy)?;
+    let l2 = number::unit(&certificate.units.moment)? * number::unit(&certificate.units.energy)? * RBig::from(2);
+    let energy = number::unit(&certificate.units.energy)?;
     let norm = &orders.spaces.norm.ends()[1] * &energy;
     for listed in listed(document, certificate) {
         let refuse = |why| Refused::Event { number: listed.number, why };

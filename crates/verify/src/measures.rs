@@ -34,7 +34,7 @@ pub(super) fn curves(
     orders: &Orders,
     slabs: &[Slab],
 ) -> Result<(), Refused> {
-    let units = [number::read(&certificate.units.moment)?, number::read(&certificate.units.energy)?];
+    let units = [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?];
     for curve in &document.curves {
         let found = match orders.pieces.find(&curve.id) {
             Ok(number) => Measures::of(orders, slabs, number)?,

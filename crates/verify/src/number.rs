@@ -5,30 +5,56 @@ use dashu_ratio::RBig;
 
 use super::Refused;
 
-/// Beyond 10^±150 a number is refused: its square would leave the range of `f64`.
-const MAX_DECIMAL_EXPONENT: u64 = 150;
-/// More digits than this are refused.
-const MAX_DIGITS: usize = 1000;
+/// What is read at most: powers of ten of the first digit, and digits.
+struct Limits {
+    exponent: u64,
+    digits: usize,
+}
 
-/// The number that a text denotes, or the refusal that names the text.
+/// Of a body: beyond 10^±150 the square would leave the range of `f64`.
+const GIVEN: Limits = Limits { exponent: 150, digits: 1000 };
+
+/// Of what follows from a body. l is a double, so that l²/2 in units within 10^±151 lies within 10^±950, and a binary number of
+/// that size with 384 bits has fewer than 4000 digits; the rest is room for places near a moment.
+const DERIVED: Limits = Limits { exponent: 10_000, digits: 10_000 };
+
+/// A number of a body that was given, or the refusal that names the text.
+pub(super) fn given(text: &str) -> Result<RBig, Refused> {
+    let in_range = |value: &RBig| value.is_zero() || (1e-150..=1e150).contains(&value.to_f64().value().abs());
+    within(text, &GIVEN).filter(in_range).ok_or_else(|| refused(text))
+}
+
+/// A number that follows from a body, likewise.
 pub(super) fn read(text: &str) -> Result<RBig, Refused> {
-    exact(text).ok_or_else(|| Refused::Number { text: text.to_owned() })
+    exact(text).ok_or_else(|| refused(text))
 }
 
-/// The number that a text denotes: a decimal, a decimal with exponent, or a quotient of two.
+/// A number that follows from a body: a decimal, a decimal with exponent, or a quotient of two.
 pub(super) fn exact(text: &str) -> Option<RBig> {
-    let value = match text.trim().split_once('/') {
-        Some((above, below)) => {
-            let below = decimal(below.trim()).filter(|below| !below.is_zero())?;
-            decimal(above.trim())? / below
-        }
-        None => decimal(text.trim())?,
-    };
-    let in_range = (1e-150..=1e150).contains(&value.to_f64().value().abs());
-    (in_range || value.is_zero()).then_some(value)
+    within(text, &DERIVED)
 }
 
-fn decimal(text: &str) -> Option<RBig> {
+/// A unit of a certificate: positive, and such that doubles hold the product of two, whatever the input.
+pub(super) fn unit(text: &str) -> Result<RBig, Refused> {
+    let value = read(text)?;
+    if (1e-152..=1e152).contains(&value.to_f64().value()) { Ok(value) } else { Err(refused(text)) }
+}
+
+fn refused(text: &str) -> Refused {
+    Refused::Number { text: text.to_owned() }
+}
+
+fn within(text: &str, limits: &Limits) -> Option<RBig> {
+    match text.trim().split_once('/') {
+        Some((above, below)) => {
+            let below = decimal(below.trim(), limits).filter(|below| !below.is_zero())?;
+            Some(decimal(above.trim(), limits)? / below)
+        }
+        None => decimal(text.trim(), limits),
+    }
+}
+
+fn decimal(text: &str, limits: &Limits) -> Option<RBig> {
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),
         None => (text, 0),
@@ -37,14 +63,14 @@ fn decimal(text: &str) -> Option<RBig> {
     let magnitude = mantissa.strip_prefix(['+', '-']).unwrap_or(mantissa);
     let (whole, fraction) = magnitude.split_once('.').unwrap_or((magnitude, ""));
     let digits = [whole, fraction].concat();
-    if digits.is_empty() || digits.len() > MAX_DIGITS || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+    if digits.is_empty() || digits.len() > limits.digits || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
         return None;
     }
     let significant = digits.trim_start_matches('0');
     let Some(behind_first) = significant.len().checked_sub(1) else { return Some(RBig::ZERO) };
     let power = exponent.saturating_sub(i64::try_from(fraction.len()).ok()?);
     let leading = power.saturating_add(i64::try_from(behind_first).ok()?);
-    if leading.unsigned_abs() > MAX_DECIMAL_EXPONENT {
+    if leading.unsigned_abs() > limits.exponent {
         return None;
     }
     let integer = IBig::from(UBig::from_str_radix(significant, 10).ok()?);
@@ -96,8 +122,25 @@ mod tests {
             "1e-9223372036854775808",
             &long,
         ] {
-            assert_eq!(exact(text), None, "{text}");
+            assert_eq!(given(text), Err(Refused::Number { text: text.to_owned() }));
         }
         assert_eq!(read("one"), Err(Refused::Number { text: "one".to_owned() }));
+    }
+
+    #[test]
+    fn what_follows_from_a_body_may_be_larger_than_what_is_given() {
+        let ten = |power: usize| RBig::from(IBig::from(10).pow(power));
+        let digits = "9".repeat(2000);
+        assert_eq!(exact("3e151"), Some(ten(151) * RBig::from(3)));
+        assert_eq!(exact("1e-10000"), Some(RBig::ONE / ten(10_000)));
+        assert_eq!(exact(&digits), Some(ten(2000) - RBig::ONE));
+        for text in ["1e10001", "1e-10001", "1e9999999999999999999", &"9".repeat(10_001)] {
+            assert_eq!(exact(text), None);
+        }
+        // Units are multiplied in doubles.
+        assert_eq!(unit("4e-151"), Ok(RBig::from(4) / ten(151)));
+        for text in ["0", "-1", "1e153", "1e-153", "1e5000", "1e-5000"] {
+            assert_eq!(unit(text), Err(Refused::Number { text: text.to_owned() }));
+        }
     }
 }

@@ -248,7 +248,7 @@ fn range(cell: &CellDocument) -> [f64; 2] {
 fn windings(outlines: &[Vec<[f64; 2]>], [h, l]: [f64; 2]) -> i32 {
     let winds = |pair: &[[f64; 2]]| {
         let [[p, from], [q, to]] = [pair[0], pair[1]];
-        let is_above = (from > l) != (to > l) && p + (q - p) * (l - from) / (to - from) > h;
+        let is_above = (from > l) != (to > l) && p + (q - p) * ((l - from) / (to - from)) > h;
         if !is_above {
             0
         } else if from > to {

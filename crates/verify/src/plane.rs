@@ -25,8 +25,8 @@ type Known = BTreeMap<(usize, u64), Option<Near>>;
 pub(super) struct Plane<'a> {
     orders: &'a Orders<'a>,
     pub traces: Traces,
-    /// The units of l²/2 and of energy.
-    pub x: f64,
+    /// The units of l and of energy.
+    momentum: f64,
     pub energy: f64,
     /// |r|.
     pub norm: f64,
@@ -49,27 +49,33 @@ pub(super) struct Near {
 
 impl<'a> Plane<'a> {
     pub fn new(certificate: &CertificateDocument, orders: &'a Orders) -> Result<Self, Refused> {
-        let [moment, energy] = [number::read(&certificate.units.moment)?, number::read(&certificate.units.energy)?];
-        let x = (moment * &energy * RBig::from(2)).to_f64().value();
+        let [moment, energy] = [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?];
+        let momentum = (moment * &energy).to_f64().value().sqrt();
         let energy = energy.to_f64().value();
         let norm = orders.spaces.norm.to_f64() * energy;
         let traces = Traces::new(orders.spaces, orders.pieces)?;
         let largest = orders.spaces.list.last().map_or(1.0, |space| space.a_set.to_f64());
         let lines = lines(orders)?;
-        Ok(Self { orders, traces, x, energy, norm, largest, lines, known: RefCell::default() })
+        Ok(Self { orders, traces, momentum, energy, norm, largest, lines, known: RefCell::default() })
     }
 
     /// [h, l] up to which curves are drawn: 1.6 times the l of the last event, but at least thrice √(r a), at which kinetic and
     /// potential energy are alike; h = l²/2A + |r| at most where μ is largest, and |r| below 0.
     pub fn extent(&self, document: &AtlasDocument) -> [f64; 2] {
-        let natural = 3.0 * (0.5 * self.orders.spaces.norm.to_f64().max(1.0) * self.largest * self.x).sqrt();
+        let natural = 3.0 * self.momentum * (self.orders.spaces.norm.to_f64().max(1.0) * self.largest).sqrt();
         let l = natural.max(1.6 * document.events.last().map_or(0.0, |event| event.l));
-        [l * l / self.x / self.largest * self.energy + 2.0 * self.norm, l]
+        [self.abscissa(l) / self.largest * self.energy + 2.0 * self.norm, l]
     }
 
     /// l of an x.
     pub fn momentum(&self, x: &RBig) -> f64 {
-        (x.to_f64().value() * self.x).sqrt()
+        (2.0 * x.to_f64().value()).sqrt() * self.momentum
+    }
+
+    /// x = l²/2 in the units of the certificate: the square of l itself may leave the range of doubles.
+    pub fn abscissa(&self, l: f64) -> f64 {
+        let l = l / self.momentum;
+        0.5 * l * l
     }
 
     /// The curve of an id that runs over l, in whose list it is; of a pole line on critical lines the one over l.
@@ -89,7 +95,7 @@ impl<'a> Plane<'a> {
 
     /// A curve over l, in the units of the certificate.
     pub fn over(&self, curve: usize, l: f64) -> Option<Near> {
-        *self.known.borrow_mut().entry((curve, l.to_bits())).or_insert_with(|| self.near(curve, l * l / self.x))
+        *self.known.borrow_mut().entry((curve, l.to_bits())).or_insert_with(|| self.near(curve, self.abscissa(l)))
     }
 
     /// A curve over x, in the units of the certificate; `None` where doubles do not tell it well.
@@ -104,7 +110,7 @@ impl<'a> Plane<'a> {
 
     /// A pole line that runs on critical lines has the height of any of them.
     fn line_over(&self, plus: bool, l: f64) -> Option<usize> {
-        let x = l * l / self.x;
+        let x = self.abscissa(l);
         let over = |(_, side, [from, to]): &&(usize, bool, [f64; 2])| *side == plus && *from <= x && x <= *to;
         self.lines.iter().find(over).map(|(curve, ..)| *curve)
     }

@@ -24,7 +24,7 @@ pub(super) fn check(
     slabs: &[Slab],
     samples: &[Sample],
 ) -> Result<(), Refused> {
-    let (moment, energy) = (number::read(&certificate.units.moment)?, number::read(&certificate.units.energy)?);
+    let (moment, energy) = (number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?);
     let l2 = moment * &energy * RBig::from(2);
     for (region, Sample { cell: (slab, position), h }) in document.regions.iter().zip(samples) {
         let slab = &slabs[*slab];

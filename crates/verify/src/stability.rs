@@ -55,7 +55,7 @@ pub(super) fn check(
     certificate: &CertificateDocument,
     orders: &Orders,
 ) -> Result<(), Refused> {
-    let units = [number::read(&certificate.units.moment)?, number::read(&certificate.units.energy)?];
+    let units = [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?];
     let along = along_all(orders)?;
     let l2 = &units[0] * &units[1] * RBig::from(2);
     for curve in &document.curves {
