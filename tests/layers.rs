@@ -38,7 +38,7 @@ const ORDER: [(&str, &str); 11] = [
         "crates/verify/src",
         "refused number classes component body descartes sturm fixed bounds isolation interval jet path spaces flow place \
          equilibria roots pieces chart meetings stand orders node rules mirror pairs events slabs gluing regions gap \
-         morse landscape descent merging rings topology courses measures stability samples listing command part totals \
+         morse landscape descent joining merging rings topology courses measures stability samples listing command part totals \
          trace plane view chords polylines outlines widths",
     ),
     ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),

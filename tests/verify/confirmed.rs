@@ -84,6 +84,53 @@ fn curves_side_by_side_are_verified() {
     ]);
 }
 
+/// Two branches run side by side from the cusps at which both begin to that at which one of them ends: no chord tells
+/// their gap, and no box holds the family that joins them beside a cusp (Lemma 7.6).
+#[test]
+fn widths_between_branches_that_end_at_a_cusp_are_verified() {
+    are_verified(&[
+        [["2", "0.1", "2.169"], ["1.56e-8", "1.2e-12", "1"]],
+        [["5.1e-7", "1.343", "6.3e-2"], ["6.7e-15", "6.6e-9", "1.871"]],
+    ]);
+    let true_one = whole(&body([["1", "1e-7", "2"], ["0", "1e-7", "1"]]));
+    verify(&true_one).unwrap();
+    let narrow =
+        true_one.regions.iter().position(|region| region.h_width.is_some_and(|w| (1e-7..2.1e-7).contains(&w))).unwrap();
+    for factor in [0.9, 1.1] {
+        let refused = forged(&true_one, |d| d.regions[narrow].h_width = d.regions[narrow].h_width.map(|w| factor * w));
+        assert!(matches!(refused, Err(Refused::Region { .. })), "{factor}: {refused:?}");
+    }
+}
+
+/// Saddles that are mirror images of each other, beside a minimum to which no path leads in doubles, and maxima above all
+/// else: what is known of the other saddles tells what they join (Corollary 9.8).
+#[test]
+fn saddles_to_which_no_path_is_found_are_verified() {
+    are_verified(&[
+        [["2", "1.076", "1e-12"], ["1e-12", "0", "1"]],
+        [["0.351", "1.085", "1.436"], ["5.3e-15", "0", "1.408"]],
+    ]);
+}
+
+/// Two moments that are nearly equal, so that valleys run along circles: a way down one of them is a few arcs, and would be
+/// hundreds of segments.
+#[test]
+fn valleys_along_circles_are_gone_down() {
+    are_verified(&[[["1", "1.00000001", "1.338"], ["7e-15", "3e-9", "-0.910"]]]);
+}
+
+/// A change of the linear type lies so near the end of a family that its h is that of the document to the last digit only:
+/// a range of 2⁻¹⁰⁰ of the family does not tell it.
+#[test]
+fn a_change_beside_the_end_of_a_family_is_verified() {
+    let true_one = whole(&body([["1", "1e-10", "1"], ["1e-10", "1", "0"]]));
+    verify(&true_one).unwrap();
+    for shift in [-1e-5, 1e-5] {
+        let refused = forged(&true_one, |d| d.stability_changes.iter_mut().for_each(|change| change.h += shift));
+        assert!(refused.is_err(), "{shift}: {refused:?}");
+    }
+}
+
 /// A cusp lies next to the middle between two moments, where a curve goes on from one chart to the other.
 #[test]
 fn places_beside_the_middle_between_two_moments_are_verified() {

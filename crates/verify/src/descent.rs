@@ -14,6 +14,8 @@ const PIECES: usize = 96;
 const STEP_PIECES: usize = 8;
 /// Steps downwards.
 const STEPS: usize = 24;
+/// A step that is shorter than this follows an arc if one leads farther.
+const STRAIGHT: f64 = 1e-2;
 /// Halvings of a first piece or a step.
 const HALVINGS: usize = 80;
 
@@ -105,30 +107,57 @@ impl Ways<'_> {
                 return None;
             }
             w = arc.end(&self.from.p);
-            // The end is rounded.
-            let last = arc.jets(&self.from.p, Interval::point(1.0)).map(|w| w.0[0]);
-            if !self.is_below(&Path::line(&w, &last), 0.0, 1.0) {
+            if !self.ends_at(&arc, &w) {
                 return None;
             }
         }
         self.stays_below(&Path::line(&w, to), 0.0, PIECES).then_some(())
     }
 
-    /// A point further down the valley.
+    /// A point further down the valley: along a line, or, where the valley soon turns away from it, along an arc.
     fn lower(&self, w: &[f64; 3]) -> Option<[f64; 3]> {
         let [floor, down] = self.land.valley(self.from, w);
-        let height = |w: &[f64; 3]| {
-            let there = Path::line(w, &w.map(Interval::point));
-            self.land.rise(self.from, &there, Interval::point(0.0))[0].0[0].middle()
+        let now = self.height(w);
+        let lengths = || std::iter::successors(Some(0.5), |length| Some(0.5 * length)).take(HALVINGS);
+        let ahead = |length: f64| on_sphere(self.from, &std::array::from_fn(|i| w[i] + floor[i] + length * down[i]));
+        let is_free = |next: &[f64; 3]| self.stays_below(&Path::line(w, &next.map(Interval::point)), 0.0, STEP_PIECES);
+        let found = lengths().find(|&length| self.height(&ahead(length)) < now && is_free(&ahead(length)));
+        let reach = found.unwrap_or(0.0);
+        let bottom = ahead(0.0);
+        let round = if reach < STRAIGHT && is_free(&bottom) { self.bent(&bottom, &down, reach) } else { None };
+        round.or_else(|| found.map(ahead))
+    }
+
+    /// The end of an arc that goes on in a direction about the axis for which it does so best, farther than `reach`.
+    fn bent(&self, w: &[f64; 3], down: &[f64; 3], reach: f64) -> Option<[f64; 3]> {
+        let now = self.height(w);
+        let at: [f64; 3] = std::array::from_fn(|i| self.from.p[i].middle() + w[i]);
+        let along = |axis: usize| {
+            let [j, k] = across(axis);
+            let radius = (at[j] * at[j] + at[k] * at[k]).sqrt();
+            [(at[j] * down[k] - at[k] * down[j]) / radius, radius]
         };
-        let now = height(w);
-        let lengths = std::iter::successors(Some(0.5), |length| Some(0.5 * length)).take(HALVINGS);
-        lengths.map(|length| on_sphere(self.from, &std::array::from_fn(|i| w[i] + floor[i] + length * down[i]))).find(
-            |next| {
-                let line = Path::line(w, &next.map(Interval::point));
-                height(next) < now && self.stays_below(&line, 0.0, STEP_PIECES)
-            },
-        )
+        let better = |p: &usize, q: &usize| along(*p)[0].abs().total_cmp(&along(*q)[0].abs());
+        let axis = (0..3).filter(|&axis| along(axis)[1] > 0.0).max_by(better)?;
+        let [sense, radius] = along(axis);
+        let tangents = std::iter::successors(Some(sense.signum()), |tangent| Some(0.5 * tangent));
+        tangents.take_while(|tangent| 2.0 * tangent.abs() * radius > 2.0 * reach).take(HALVINGS).find_map(|tangent| {
+            let arc = Path::Arc { axis, start: w.map(Interval::point), tangent: Interval::point(tangent) };
+            let end = arc.end(&self.from.p);
+            (self.height(&end) < now && self.stays_below(&arc, 0.0, PIECES) && self.ends_at(&arc, &end)).then_some(end)
+        })
+    }
+
+    /// U − U(p), rounded.
+    fn height(&self, w: &[f64; 3]) -> f64 {
+        let there = Path::line(w, &w.map(Interval::point));
+        self.land.rise(self.from, &there, Interval::point(0.0))[0].0[0].middle()
+    }
+
+    /// What lies between the end of an arc and that end rounded is below the origin.
+    fn ends_at(&self, arc: &Path, end: &[f64; 3]) -> bool {
+        let last = arc.jets(&self.from.p, Interval::point(1.0)).map(|w| w.0[0]);
+        self.is_below(&Path::line(end, &last), 0.0, 1.0)
     }
 
     /// A path from the origin stays below it.

@@ -14,7 +14,7 @@
 //! number  body → spaces → place → equilibria → gap                exact body, equilibria over ranges
 //! descartes → sturm → roots → pieces → meetings → events          what there is, and that nothing is missing
 //! stand → orders → node → rules → pairs → slabs → gluing → regions         order of curves, faces
-//! interval → jet → path → landscape → descent, morse → merging, rings → topology  topology of each region
+//! interval → jet → path → landscape → descent, joining, morse → merging, rings → topology  topology of each region
 //! isolation, flow → chart → stability                             linear types along the curves
 //! bounds, courses, measures, samples, listing, command, part → totals   what a document says beside its certificate
 //! interval → trace → plane → view, chords → polylines, outlines, widths   curves over any l, and what serves pictures
@@ -39,6 +39,7 @@ mod gluing;
 mod interval;
 mod isolation;
 mod jet;
+mod joining;
 mod landscape;
 mod listing;
 mod measures;

@@ -1,8 +1,9 @@
-//! The topology of U from its minima, saddles and maxima (Propositions 9.1 and 9.2).
+//! The topology of U from its minima, saddles and maxima (Propositions 9.1 and 9.2, Corollary 9.8).
 
 use super::classes::Classes;
 use super::component::Component;
 use super::descent::Descent;
+use super::joining::Joining;
 use super::landscape::{Coordinates, Landscape, Origin};
 use super::morse::{Nature, nature};
 use super::orders::Orders;
@@ -35,30 +36,28 @@ impl Merging {
         let land = Landscape::new(orders.spaces, &orders.spaces.set(&slab.x))?;
         let criticals = criticals(orders, slab, &land)?;
         let of = |nature: Nature| criticals.iter().filter(move |critical| critical.nature == nature);
+        let positions = |nature: Nature| of(nature).map(|critical| critical.position).collect::<Vec<usize>>();
         let minima: Vec<&Coordinates> = of(Nature::Minimum).map(|critical| &critical.origin.gamma).collect();
         let descent = Descent { land: &land, minima: &minima };
-        // A sublevel set of one minimum is connected, and the sphere is: one saddle between two minima joins them.
-        let only = (minima.len() == 1).then_some(0);
-        let joining = (minima.len() == 2 && of(Nature::Saddle).count() == 1).then_some([0, 1]);
-        let foot = |from: &Origin| only.or_else(|| descent.any(from));
-        let arms = |from: &Origin| only.map(|n| [n, n]).or(joining).or_else(|| descent.arms(from));
-        let saddles: Option<Vec<(usize, [usize; 2])>> =
-            of(Nature::Saddle).map(|saddle| Some((saddle.position, arms(&saddle.origin)?))).collect();
-        let maxima: Option<Vec<Foot>> =
-            of(Nature::Maximum).map(|maximum| Some((maximum.position, foot(&maximum.origin)?))).collect();
-        let (saddles, maxima) = (saddles?, maxima?);
+        let list = positions(Nature::Minimum);
+        let saddles: Vec<&Origin> = of(Nature::Saddle).map(|saddle| &saddle.origin).collect();
+        let joining = Joining::new(&list, &positions(Nature::Saddle), |n| descent.arms(saddles[n]))?;
+        let foot = |position: usize, from: &Origin| joining.only(position).or_else(|| descent.any(from));
+        let maxima =
+            of(Nature::Maximum).map(|maximum| Some((maximum.position, foot(maximum.position, &maximum.origin)?)));
+        let maxima: Vec<Foot> = maxima.collect::<Option<_>>()?;
         // Proposition 4.10.
         if minima.len() + maxima.len() != saddles.len() + 2 {
             return None;
         }
-        let positions = of(Nature::Minimum).map(|critical| critical.position).collect();
-        let mut found = Self { minima: positions, saddles, maxima, poles: None };
+        let saddles = joining.arms();
+        let mut found = Self { minima: list.clone(), saddles, maxima, poles: None };
         if !orders.spaces.active.is_empty() {
             let pole = |plus: bool| {
                 let lies = |level: &Level| orders.pieces.list[level.curve].branch == Branch::Line(plus);
                 let position = slab.levels.iter().position(lies)?;
                 let level = &slab.levels[position];
-                let at_pole = || foot(&land.pole(&level.point)?);
+                let at_pole = || foot(position, &land.pole(&level.point)?);
                 let critical = orders.pieces.list[level.curve].critical;
                 Some((position, if critical { found.foot(position) } else { at_pole() }?))
             };

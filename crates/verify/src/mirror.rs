@@ -35,17 +35,15 @@ struct Sums {
 pub(super) fn orders_branches(orders: &Orders, curves: [usize; 2], from: &Node, to: Option<&Node>, sign: i8) -> bool {
     let points = |node: &Node| (node.x.clone(), node.stands.each_ref().map(|stand| stand.point.clone()));
     family(orders, curves, &points(from), to.map(points).as_ref()).is_some_and(|(family, [from, to], left)| {
-        let proved = family.box_around(from.as_ref(), to.as_ref()).is_some()
-            || from.zip(to).is_some_and(|(from, to)| family.leaves_cusp(&from, &to) == Some(true));
-        proved && sign == if left == 0 { 1 } else { -1 }
+        family.path(from.as_ref(), to.as_ref()).is_some() && sign == if left == 0 { 1 } else { -1 }
     })
 }
 
 /// The gap of both branches is at most this between two x, or from one to infinity: while ε runs from −r_i to r_i the
-/// solution stays in a box, where dh/dε = −γ_i with γ_i = 1/√p (Lemma 7.5).
+/// solution stays in a range of v, where dh/dε = −γ_i with γ_i = 1/√p (Lemma 7.5, Lemma 7.6).
 pub(super) fn largest_gap(orders: &Orders, curves: [usize; 2], from: &Both, to: Option<&Both>) -> Option<Fixed> {
     let (family, [from, to], _) = family(orders, curves, from, to)?;
-    let held = family.box_around(from.as_ref(), to.as_ref())?;
+    let held = family.path(from.as_ref(), to.as_ref())?;
     let [p, _] = family.p_and_q(&held, &family.sums(&held)?);
     let twice = &orders.spaces.list[family.base].root_q * &Fixed::whole(2);
     let gap = twice.over(&p.root()?)?.upper();
@@ -100,6 +98,11 @@ fn nearest(end: impl Fn(&Fixed) -> Option<Fixed>, holds: impl Fn(&Fixed) -> bool
 }
 
 impl Mirrored<'_> {
+    /// A range of v that the solution does not leave while ε runs from −r_i to r_i, for every x between the ends.
+    fn path(&self, from: Option<&Edge>, to: Option<&Edge>) -> Option<Fixed> {
+        self.box_around(from, to).or_else(|| self.leaves_cusp(from?, to?))
+    }
+
     /// Lemma 7.5 for every x between the ends: a box of v that holds both branches, in which x is monotone, and at whose
     /// ends x lies beyond those of the stretch.
     fn box_around(&self, from: Option<&Edge>, to: Option<&Edge>) -> Option<Fixed> {
@@ -125,8 +128,8 @@ impl Mirrored<'_> {
     }
 
     /// Lemma 7.6 for every x between the ends, where one of the branches may begin at a cusp. On the branch with the
-    /// smaller t = 1/v, t is monotone in x, which gives the sign σ of ∂x/∂t there.
-    fn leaves_cusp(&self, from: &Edge, to: &Edge) -> Option<bool> {
+    /// smaller t = 1/v, t is monotone in x, which gives the sign σ of ∂x/∂t there. The range of v that the lemma gives.
+    fn leaves_cusp(&self, from: &Edge, to: &Edge) -> Option<Fixed> {
         let one = Fixed::whole(1);
         let inverse = |v: &[Fixed; 2]| Some([one.over(&v[0])?, one.over(&v[1])?]);
         let t = [inverse(&from.v)?, inverse(&to.v)?];
@@ -147,7 +150,8 @@ impl Mirrored<'_> {
             && in_epsilon.strict_sign() == Some(sigma * direction)
             && m.strict_sign() == Some(-sigma * direction);
         let edge = self.x(&one.over(&top)?)?;
-        Some(proved && if sigma > 0 { to.x.below(&edge) } else { edge.below(&from.x) })
+        let beyond = if sigma > 0 { to.x.below(&edge) } else { edge.below(&from.x) };
+        (proved && beyond).then(|| one.over(&range))?
     }
 
     fn sums(&self, v: &Fixed) -> Option<Sums> {

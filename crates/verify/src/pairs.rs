@@ -51,6 +51,7 @@ fn pair(orders: &Orders, curves: [usize; 2], pair: &CertifiedPair) -> Result<Vec
     let mut crossings = Vec::new();
     let last = pair.stretches.len().checked_sub(1).ok_or_else(|| refuse("nothing is claimed of it"))?;
     let mut sign_before: Option<i8> = None;
+    let mut reached: Option<Node> = None;
     for (number, claim) in pair.stretches.iter().enumerate() {
         let joined = number == 0 || pair.stretches[number - 1].to == claim.from;
         // Only the ends of the common range have no x.
@@ -61,19 +62,29 @@ fn pair(orders: &Orders, curves: [usize; 2], pair: &CertifiedPair) -> Result<Vec
         if !matches!(claim.sign, -1 | 1) || sign_before.is_some_and(|sign| sign != claim.sign) {
             return Err(refuse("its signs contradict each other"));
         }
-        crossings.extend(stretch(orders, curves, claim)?);
+        // A stretch begins at the node at which the one before it ends.
+        let from = match reached.take() {
+            Some(node) => Some(node),
+            None => node::read(orders, curves, &claim.from, 0)?,
+        };
+        let to = node::read(orders, curves, &claim.to, 1)?;
+        crossings.extend(stretch(orders, curves, claim, [from.as_ref(), to.as_ref()])?);
+        reached = to;
         sign_before = Some(if claim.crossing.is_some() { -claim.sign } else { claim.sign });
     }
     Ok(crossings)
 }
 
 /// A stretch: the rule that fits its ends must give the order that is claimed. The box of its crossing, if it has one.
-fn stretch(orders: &Orders, curves: [usize; 2], stretch: &CertifiedStretch) -> Result<Option<[Fixed; 2]>, Refused> {
-    let from = node::read(orders, curves, &stretch.from, 0)?;
-    let to = node::read(orders, curves, &stretch.to, 1)?;
-    let at = from.as_ref().or(to.as_ref()).map_or(0.0, |node| node.x.to_f64());
+fn stretch(
+    orders: &Orders,
+    curves: [usize; 2],
+    stretch: &CertifiedStretch,
+    [from, to]: [Option<&Node>; 2],
+) -> Result<Option<[Fixed; 2]>, Refused> {
+    let at = from.or(to).map_or(0.0, |node| node.x.to_f64());
     let refuse = |why| orders.refused(curves, at, why);
-    if let (Some(from), Some(to)) = (&from, &to)
+    if let (Some(from), Some(to)) = (from, to)
         && !from.x.below(&to.x)
     {
         return Err(refuse("a stretch runs backwards"));
@@ -81,7 +92,7 @@ fn stretch(orders: &Orders, curves: [usize; 2], stretch: &CertifiedStretch) -> R
     let sign = stretch.sign;
     if let Some([first, last]) = &stretch.crossing {
         let box_of = [node::read(orders, curves, first, 0)?, node::read(orders, curves, last, 1)?];
-        let (Some(from), Some(to), [Some(low), Some(high)]) = (&from, &to, box_of) else {
+        let (Some(from), Some(to), [Some(low), Some(high)]) = (from, to, box_of) else {
             return Err(refuse("a crossing has no box"));
         };
         return if rules::crosses_once(orders, curves, [from, &low, &high, to], sign) {
@@ -91,7 +102,7 @@ fn stretch(orders: &Orders, curves: [usize; 2], stretch: &CertifiedStretch) -> R
         };
     }
     let holds = rules::ordered_on_axis(orders, curves) == Some(sign)
-        || match (&from, &to) {
+        || match (from, to) {
             (Some(from), Some(to)) => {
                 rules::keeps_order(orders, curves, [from, to], sign)
                     || mirror::orders_branches(orders, curves, from, Some(to), sign)

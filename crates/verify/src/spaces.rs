@@ -75,6 +75,11 @@ impl Spaces {
         Fixed::of(x, self.bits)
     }
 
+    /// Fractional bits of the sets here.
+    pub fn bits(&self) -> usize {
+        self.bits
+    }
+
     /// Numbers of the spaces without r.
     pub fn passive(&self) -> Vec<usize> {
         (0..self.list.len()).filter(|k| !self.active.contains(k)).collect()

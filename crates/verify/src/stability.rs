@@ -2,6 +2,7 @@
 //! flow: between the ends of curves it changes where b² − 4c changes its sign (on a circle of equilibria, b), and all
 //! zeros of that are isolated.
 
+use dashu_int::IBig;
 use dashu_ratio::RBig;
 use schema::{
     AtlasDocument, CertificateDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind,
@@ -19,8 +20,10 @@ use super::place::Side;
 use super::spaces::Spaces;
 use super::{Refused, number};
 
-/// Halvings of a root's range before it is evaluated, and after which it is not told apart from an end.
-const NARROW: usize = 100;
+/// A root is evaluated where its range is as narrow as this share of the bits tells, of its distance from the ends of the
+/// chart.
+const NARROW: [usize; 2] = [100, 256];
+/// Halvings of a root's range at most.
 const NARROWEST: usize = 2000;
 
 /// Numbers that a document rounds from doubles.
@@ -136,7 +139,7 @@ fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve:
     for (n, root) in inside.iter_mut().enumerate() {
         // A zero without a change of the type is none.
         if types[n] != types[n + 1] {
-            (0..NARROW).for_each(|_| root.halve());
+            narrow(root, orders.spaces.bits() * NARROW[0] / NARROW[1]);
             turns.push(place(orders.spaces, piece.branch, chart, root).ok_or(CHANGES)?);
         }
     }
@@ -146,6 +149,18 @@ fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve:
         turns.reverse();
     }
     Ok(Along { curve, types, turns })
+}
+
+/// Halves the range of a root until it is 2⁻ᵇ of its distance from 0 and 1: equilibria are told by that distance.
+fn narrow(root: &mut Root, bits: usize) {
+    let finer = RBig::from(IBig::ONE << bits);
+    for _ in 0..NARROWEST {
+        let rest = RBig::ONE - &root.hi;
+        if (&root.hi - &root.lo) * &finer <= *(&root.lo).min(&rest) {
+            break;
+        }
+        root.halve();
+    }
 }
 
 /// Narrows a root until it lies aside of the range that holds an end of a curve; false where it is that end.

@@ -1,7 +1,7 @@
 //! The largest extent of each region in h at one l: the gap between the curves below and above is reached somewhere and
 //! exceeded nowhere. J is monotone along a curve but for one place, so that h is convex or concave in x between two points
 //! of a curve, whose chord and tangents bound it; in doubles, with more room than they round. Two branches beside a moment
-//! with a small r_i are closer than they are bent: there the family that joins them bounds the gap.
+//! with a small r_i are closer than they are bent: there the family that joins them bounds the gap (Lemma 7.5, Lemma 7.6).
 
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument};
@@ -23,8 +23,9 @@ const ACCURACY: f64 = 1e-6;
 const FEW: f64 = 8.0 * f64::EPSILON;
 /// Stretches of a cell at most.
 const STRETCHES: usize = 20_000;
-/// Stretches without a family that joins the curves, after which none is looked for.
+/// Stretches in a row without a family that joins the curves, after which none is looked for, and stretches for which one is.
 const MISSES: usize = 10;
+const QUESTIONS: usize = 400;
 /// Steps by a factor of four towards infinity at most.
 const STEPS: usize = 60;
 
@@ -169,7 +170,7 @@ impl Strip<'_> {
         let last = self.over(end)?;
         reached |= reaches(first.gap()) || reaches(last.gap());
         let mut open = vec![(first, last)];
-        let mut misses = 0;
+        let (mut misses, mut asked) = (0, 0);
         for _ in 0..STRETCHES {
             let Some((first, last)) = open.pop() else { return Some(reached) };
             let is_far = last.x > 4.0 * first.x;
@@ -179,8 +180,10 @@ impl Strip<'_> {
                 if self.bound(&first, &last) <= most + rounding {
                     continue;
                 }
-                if misses < MISSES {
+                if misses < MISSES && asked < QUESTIONS {
+                    asked += 1;
                     if self.beside(first.x, Some(last.x)) <= most {
+                        misses = 0;
                         continue;
                     }
                     misses += 1;
