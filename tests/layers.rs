@@ -24,7 +24,7 @@ const ORDER: [(&str, &str); 11] = [
     ("crates/part/src", "units spin existence products mass measured mesh link file"),
     (
         "crates/proof/src",
-        "work id model family curves estimate point one_x ridges heights plane mirror pair polar arrange region certificate drawn vertex exact \
+        "work id model family curves estimate point one_x ridges heights plane mirror pair polar arrange region certificate drawn vertex exact places \
          accuracy prepared",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
@@ -39,7 +39,7 @@ const ORDER: [(&str, &str); 11] = [
         "refused number classes component body descartes sturm fixed bounds isolation interval jet path spaces flow place \
          equilibria roots pieces chart meetings stand orders node rules mirror pairs events slabs gluing regions gap \
          morse landscape descent joining merging rings topology courses measures stability samples listing command part totals \
-         trace plane view chords polylines outlines widths",
+         trace plane beside view chords polylines outlines widths",
     ),
     ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
     (

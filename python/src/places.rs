@@ -86,5 +86,5 @@ fn of_doubles(prepared: &Prepared, h: f64, l: f64) -> Result<i64, Unanswered> {
 /// The place of one exact point.
 pub fn of_point(prepared: &Prepared, h: &Number, l: &Number) -> Result<i64, Unanswered> {
     let found = prepared.classify(h, l)?;
-    Ok(code(prepared.atlas().map_or(Spot::Undecided, |atlas| atlas.spot(h, l, &found.answer))))
+    Ok(code(prepared.spot(h, l, &found.answer)))
 }

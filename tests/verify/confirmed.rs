@@ -102,6 +102,13 @@ fn widths_between_branches_that_end_at_a_cusp_are_verified() {
     }
 }
 
+/// Two branches side by side with a moment between them that no r_i carries them over: their moments of inertia over one x are
+/// close (Lemma 7.8).
+#[test]
+fn a_width_between_branches_beside_two_close_moments_is_verified() {
+    are_verified(&[[["1.2190000000000000073140", "1.219", "1.484"], ["1.0e-8", "2.2e-9", "1.560"]]]);
+}
+
 /// Saddles that are mirror images of each other, beside a minimum to which no path leads in doubles, and maxima above all
 /// else: what is known of the other saddles tells what they join (Corollary 9.8).
 #[test]

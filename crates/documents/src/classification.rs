@@ -46,18 +46,16 @@ pub fn margin(margin: &Margin) -> MarginDocument {
 #[derive(Clone, Copy, Debug)]
 pub enum Located<'a> {
     /// In the atlas of the body.
-    In(&'a Atlas),
-    /// There is no atlas: it was not finished within its budget.
-    NoAtlas,
+    In(&'a Prepared),
     /// Nowhere: no region was asked for.
     NotAsked,
 }
 
 impl<'a> Located<'a> {
-    /// In the atlas of a prepared body, if there is one and regions are asked for.
+    /// In the atlas of a prepared body, if regions are asked for.
     #[must_use]
     pub fn of(prepared: Option<&'a Prepared>) -> Self {
-        prepared.map_or(Self::NotAsked, |prepared| prepared.atlas().map_or(Self::NoAtlas, Self::In))
+        prepared.map_or(Self::NotAsked, Self::In)
     }
 }
 
@@ -78,22 +76,23 @@ pub fn classification(
         Answer::Critical(_) => Status::Critical,
         Answer::Undecided(_) => Status::Undecided,
     };
-    let atlas = match located {
-        Located::In(atlas) => Some(atlas),
-        Located::NoAtlas | Located::NotAsked => None,
+    let prepared = match located {
+        Located::In(prepared) => Some(prepared),
+        Located::NotAsked => None,
     };
-    let places = atlas.and_then(|atlas| atlas.places(h, l, &found.answer));
+    let (places, why_not) = match prepared.map(|prepared| prepared.places(h, l, &found.answer)) {
+        Some(Ok(places)) => (Some(places), None),
+        Some(Err(why)) if found.answer != Answer::Forbidden => (None, Some(why)),
+        Some(Err(_)) | None => (None, None),
+    };
     let region = match (&found.answer, places.as_deref()) {
         (Answer::Regular(_), Some([Some(region)])) => Some(region.to_string()),
         _ => None,
     };
     let asked = !matches!(located, Located::NotAsked);
-    let unnamed = asked && !matches!(found.answer, Answer::Forbidden) && places.is_none();
-    let notes = [
-        (body.is_euler(), "r = 0: the poles ±r̂ do not exist and S vanishes identically, so P_hl is not defined"),
-        (unnamed, "the ids of the regions are not known: the atlas of this body was not finished within its budget"),
-    ];
-    let notes: Vec<&str> = notes.iter().filter(|(applies, _)| *applies).map(|(_, note)| *note).collect();
+    let euler = "r = 0: the poles ±r̂ do not exist and S vanishes identically, so P_hl is not defined";
+    let unnamed = why_not.map(|why| format!("the ids of the regions are not known: {why}"));
+    let notes: Vec<String> = body.is_euler().then(|| euler.to_owned()).into_iter().chain(unnamed).collect();
     let of_u = found.components();
     let command = subject.command("classify").option("h", h.text()).option("l", l.text());
     ClassificationDocument {
@@ -107,7 +106,7 @@ pub fn classification(
         margin: margin(&found.margin),
         signature: of_u.filter(|components| !components.is_empty()).and_then(signature),
         components: of_u.map(components),
-        candidates: candidates(found, atlas.zip(places)),
+        candidates: candidates(found, prepared.and_then(Prepared::atlas).zip(places)),
         note: (!notes.is_empty()).then(|| notes.join("; ")),
         part: subject.part.clone(),
     }

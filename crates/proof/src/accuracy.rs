@@ -82,16 +82,12 @@ pub(crate) fn quick_atlas(body: &Body, accuracy: Accuracy) -> Option<Atlas> {
 }
 
 /// The atlas that names the regions of points where that of `f64` leaves something undecided: one that is proved at once.
-pub(crate) fn proved_atlas(body: &Body, accuracy: Accuracy) -> Option<Atlas> {
-    if accuracy == Accuracy::Fast {
-        return None;
-    }
-    let proved = CertifiedAtlas::with_points(body, POINTS_AT_ONCE).ok()?;
-    decided(proved.drawn().ok()?).ok()
+pub(crate) fn proved_atlas(body: &Body, accuracy: Accuracy) -> Option<CertifiedAtlas> {
+    (accuracy == Accuracy::Exact).then(|| CertifiedAtlas::with_points(body, POINTS_AT_ONCE).ok()).flatten()
 }
 
 /// An atlas in which the components of every region are known.
-fn decided(atlas: Atlas) -> Result<Atlas, NoAtlas> {
+pub(crate) fn decided(atlas: Atlas) -> Result<Atlas, NoAtlas> {
     match atlas.regions().ids().find(|&region| atlas.components(region).is_err()) {
         None => Ok(atlas),
         Some(region) => Err(NoAtlas::Topology { region }),

@@ -1,7 +1,7 @@
 //! One point (h, l), decided exactly: signs against every height over l, and the topology between them.
 
 use dashu_ratio::RBig;
-use top::body::{Body, Number};
+use top::body::{Body, Frame, Number};
 use top::classify::{Classification, Margin, at_rest};
 
 use super::heights::{Heights, Level};
@@ -9,6 +9,22 @@ use super::model::Model;
 use super::plane::{Gap, Open, Plane};
 use super::vertex::{self, Vertex};
 use numbers::Sign;
+
+/// A point of the plane in the frame's units.
+pub(crate) struct Point {
+    /// l²/2.
+    pub x: RBig,
+    pub h: RBig,
+}
+
+impl Point {
+    /// (h, l) in the body's units.
+    pub fn scaled(frame: &Frame, h: &Number, l: &Number) -> Self {
+        let exact = |unit: f64| RBig::try_from(unit).unwrap_or(RBig::ONE);
+        let momentum = l.value() / exact(frame.momentum_unit);
+        Self { x: &momentum * &momentum / RBig::from(2), h: h.value() / exact(frame.energy_unit) }
+    }
+}
 
 /// The type of one point, decided: regular, forbidden, or proved to lie on a curve.
 ///
@@ -20,10 +36,7 @@ pub fn classify_exactly(body: &Body, h: &Number, l: &Number) -> Result<Classific
     }
     let frame = body.frame();
     let model = Model::new(body, &frame);
-    let exact = |unit: f64| RBig::try_from(unit).unwrap_or(RBig::ONE);
-    let momentum = l.value() / exact(frame.momentum_unit);
-    let x = &momentum * &momentum / RBig::from(2);
-    let energy = h.value() / exact(frame.energy_unit);
+    let Point { x, h: energy } = Point::scaled(&frame, h, l);
     let plane = Plane::new(&model, &frame);
     let mut heights = Heights::new(&model, x.clone());
     let levels = heights.against(&energy).map_err(|none| plane.open(none, &x))?;

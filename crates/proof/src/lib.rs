@@ -30,6 +30,7 @@ mod mirror;
 mod model;
 mod one_x;
 mod pair;
+mod places;
 mod plane;
 mod point;
 mod polar;
@@ -46,6 +47,7 @@ use thiserror::Error;
 pub use accuracy::{Accuracy, NoAtlas, Unanswered, atlas_of, classify};
 
 pub use exact::classify_exactly;
+pub use places::NotPlaced;
 pub use plane::Open;
 pub use prepared::Prepared;
 

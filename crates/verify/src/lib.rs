@@ -17,9 +17,10 @@
 //! interval → jet → path → landscape → descent, joining, morse → merging, rings → topology  topology of each region
 //! isolation, flow → chart → stability                             linear types along the curves
 //! bounds, courses, measures, samples, listing, command, part → totals   what a document says beside its certificate
-//! interval → trace → plane → view, chords → polylines, outlines, widths   curves over any l, and what serves pictures
+//! interval → trace → plane → beside, view, chords → polylines, outlines, widths   curves over any l, and what serves pictures
 //! ```
 
+mod beside;
 mod body;
 mod bounds;
 mod chart;

@@ -181,7 +181,7 @@ fn on_one_side(p: &Fixed, q: &Fixed, turn: &Fixed) -> bool {
 }
 
 /// All equilibria of a curve over a range of its coordinate.
-fn over(orders: &Orders, curve: usize, y: &Fixed) -> Option<Point> {
+pub(super) fn over(orders: &Orders, curve: usize, y: &Fixed) -> Option<Point> {
     let spaces = orders.spaces;
     match orders.pieces.list[curve].branch {
         Branch::Generic(number) => {

@@ -1,18 +1,16 @@
 //! The largest extent of each region in h at one l: the gap between the curves below and above is reached somewhere and
 //! exceeded nowhere. J is monotone along a curve but for one place, so that h is convex or concave in x between two points
-//! of a curve, whose chord and tangents bound it; in doubles, with more room than they round. Two branches beside a moment
-//! with a small r_i are closer than they are bent: there the family that joins them bounds the gap (Lemma 7.5, Lemma 7.6).
+//! of a curve, whose chord and tangents bound it; in doubles, with more room than they round. Curves side by side are closer
+//! than they are bent: there the gap has other bounds (`beside`).
 
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument};
 
 use super::Refused;
-use super::equilibria::Point;
+use super::beside::Beside;
 use super::events::Events;
 use super::measures::tail;
-use super::mirror::{self, Both};
 use super::orders::Orders;
-use super::pieces::Branch;
 use super::plane::{POINT, Plane};
 use super::regions::Cell;
 use super::slabs::Slab;
@@ -23,7 +21,7 @@ const ACCURACY: f64 = 1e-6;
 const FEW: f64 = 8.0 * f64::EPSILON;
 /// Stretches of a cell at most.
 const STRETCHES: usize = 20_000;
-/// Stretches in a row without a family that joins the curves, after which none is looked for, and stretches for which one is.
+/// Stretches in a row that such a bound does not settle, after which none is asked for, and stretches for which one is.
 const MISSES: usize = 10;
 const QUESTIONS: usize = 400;
 /// Steps by a factor of four towards infinity at most.
@@ -123,29 +121,9 @@ impl Strip<'_> {
         Some(Pair { x, h, j: both.map(|near| near.j.middle()), room, rounding })
     }
 
-    /// Both curves over one x with all bits.
-    fn exactly(&self, x: f64) -> Option<Both> {
-        let Orders { spaces, pieces, .. } = *self.orders;
-        let [low, high] = self.curves.map(|curve| self.plane.traces.exactly(spaces, pieces, curve, x));
-        let (low, high) = (low?, high?);
-        let near = |point: &Point| (point.x.to_f64() - x).abs() <= POINT * x;
-        (near(&low) && near(&high)).then(|| (low.x.hull(&high.x), [low, high]))
-    }
-
-    /// The gap is at most this between two x, where the curves are branches on both sides of one moment.
+    /// The gap is at most this between two x, or from one to infinity, where the curves run side by side.
     fn beside(&self, first: f64, last: Option<f64>) -> f64 {
-        let [p, q] = self.curves.map(|curve| self.orders.pieces.list[curve].branch);
-        if !matches!((p, q), (Branch::Generic(p), Branch::Generic(q)) if p.abs_diff(q) == 1) {
-            return f64::INFINITY;
-        }
-        let both = || {
-            let last = match last {
-                Some(x) => Some(self.exactly(x)?),
-                None => None,
-            };
-            mirror::largest_gap(self.orders, self.curves, &self.exactly(first)?, last.as_ref())
-        };
-        both().map_or(f64::INFINITY, |gap| gap.to_f64())
+        Beside { orders: self.orders, plane: self.plane, curves: self.curves }.largest_gap(first, last)
     }
 
     /// Whether the gap reaches the claim; `None` unless it exceeds it nowhere. The room is that of the cell's beginning, as

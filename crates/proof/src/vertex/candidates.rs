@@ -12,21 +12,34 @@ use super::strip;
 use crate::heights::{Heights, Source};
 use crate::plane::{Gap, Open, Plane};
 
-/// Each class that meets at the point, once: from below upwards, over x, x − δ and x + δ.
+/// A cell over one x.
+pub(crate) struct Cell {
+    pub x: RBig,
+    pub gap: Gap,
+}
+
+/// Each class that meets at the point, once, in the order of [`cells`].
 pub(crate) fn candidates(vertex: &Vertex<'_>) -> Result<Vec<Components>, Open> {
+    let mut found: Vec<Components> = Vec::new();
+    for Cell { x, gap } in cells(vertex)? {
+        let components = vertex.plane.class(&x, &gap)?;
+        if !found.contains(&components) {
+            found.push(components);
+        }
+    }
+    Ok(found)
+}
+
+/// The cells that meet at the point: from below upwards, over x, x − δ and x + δ.
+pub(crate) fn cells(vertex: &Vertex<'_>) -> Result<Vec<Cell>, Open> {
     /// How often δ is made smaller.
     const ATTEMPTS: usize = 12;
     let Vertex { plane, heights, h, levels } = *vertex;
     let gap = Gap::around(levels);
     let x = &heights.x;
-    let mut found: Vec<Components> = Vec::new();
-    let mut add = |components: Components| {
-        if !found.contains(&components) {
-            found.push(components);
-        }
-    };
-    add(plane.class(x, &Gap { low: gap.low.clone(), high: Some(h.clone()) })?);
-    add(plane.class(x, &Gap { low: Some(h.clone()), high: gap.high.clone() })?);
+    let below = Gap { low: gap.low.clone(), high: Some(h.clone()) };
+    let above = Gap { low: Some(h.clone()), high: gap.high.clone() };
+    let mut found: Vec<Cell> = [below, above].map(|gap| Cell { x: x.clone(), gap }).into();
     let room = room(plane, x, h, &gap);
     let widest = power_below(&(strip::reach(plane, heights, &room)? / power(16)));
     for before in [true, false] {
@@ -44,15 +57,13 @@ pub(crate) fn candidates(vertex: &Vertex<'_>) -> Result<Vec<Components>, Open> {
             }
             step /= power(32);
         };
-        for cell in cells {
-            add(plane.class(&beside, &cell)?);
-        }
+        found.extend(cells.into_iter().map(|gap| Cell { x: beside.clone(), gap }));
     }
     Ok(found)
 }
 
 /// A quarter of the distance from h to the next height on either side.
-fn room(plane: &Plane<'_>, x: &RBig, h: &RBig, gap: &Gap) -> RBig {
+pub(crate) fn room(plane: &Plane<'_>, x: &RBig, h: &RBig, gap: &Gap) -> RBig {
     let below = gap.low.as_ref().map(|low| h - low);
     let above = gap.high.as_ref().map(|high| high - h);
     let room = below.into_iter().chain(above).min();

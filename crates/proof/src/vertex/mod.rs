@@ -9,5 +9,6 @@ mod fan;
 mod point;
 mod strip;
 
-pub(crate) use candidates::candidates;
+pub(crate) use candidates::{Cell, candidates, cells, room};
 pub(crate) use point::Vertex;
+pub(crate) use strip::reach;

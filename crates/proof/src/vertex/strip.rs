@@ -20,7 +20,7 @@ const ROUNDING: usize = 400;
 
 /// No cusp or pitchfork has its x at less than this distance from that of the point, but at the point's x itself; and over
 /// this distance no height moves by more than `room`, as slopes are at most 1/a₁ (Proposition 3.6).
-pub(super) fn reach(plane: &Plane<'_>, heights: &Heights<'_>, room: &RBig) -> Result<RBig, Open> {
+pub(crate) fn reach(plane: &Plane<'_>, heights: &Heights<'_>, room: &RBig) -> Result<RBig, Open> {
     let (model, x) = (plane.model, &heights.x);
     let mut reach = (room * model.a(0)).min(x.clone());
     if model.active.is_empty() {

@@ -92,7 +92,7 @@ impl Atlas {
 
     pub(super) fn locate_scaled(&self, h: f64, x: f64) -> Location {
         let slabs = &self.arrangement.slabs;
-        let number = SlabId::at(slabs.as_slice().partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1));
+        let number = self.slab_at(x);
         let around = self.slabs_near(number, x, true);
         let between_events = around.start() == around.end();
         let Bracket { low, under, over, curve_points } = self.bracket(number, h, x);
@@ -120,6 +120,12 @@ impl Atlas {
             self.nearest_in(h, x, near).unwrap_or(Nearest { distance, curve: nearest, error_bound: rounding });
         let place = if places.len() > 1 { Place::Undecided(places) } else { decided(distance) };
         Location { place, distance, nearest, error_bound, between_events, curve_points }
+    }
+
+    /// The slab of x, as the events are rounded.
+    pub(super) fn slab_at(&self, x: f64) -> SlabId {
+        let slabs = &self.arrangement.slabs;
+        SlabId::at(slabs.as_slice().partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1))
     }
 
     /// Binary search for h among the curves of a slab.
@@ -230,7 +236,7 @@ impl Atlas {
 }
 
 /// The slabs of a range.
-fn each(slabs: RangeInclusive<SlabId>) -> impl Iterator<Item = SlabId> {
+pub(super) fn each(slabs: RangeInclusive<SlabId>) -> impl Iterator<Item = SlabId> {
     (slabs.start().index()..=slabs.end().index()).map(SlabId::at)
 }
 

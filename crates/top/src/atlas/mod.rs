@@ -30,6 +30,7 @@ pub use locate::{Location, MomentumError, Place};
 pub(crate) use locate::{abscissa, comparison_error};
 pub use margin::Margin;
 pub use outline::Outline;
+pub use places::{NoCell, Sides};
 pub use region::{Region, Sample};
 pub(crate) use region::{components_below, partition_below};
 pub use rows::Spot;

@@ -3,9 +3,7 @@
 use super::Atlas;
 use super::locate::{MomentumError, abscissa, comparison_error};
 use crate::body::Number;
-use crate::diagram::{RegionId, SlabId};
-use crate::table::Id;
-use crate::topology::Answer;
+use crate::diagram::RegionId;
 
 /// Where a point of a row lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,19 +28,18 @@ impl Atlas {
         &self,
         l: f64,
         h: &[f64],
-        mut decide: impl FnMut(&Number, &Number) -> Answer,
+        mut decide: impl FnMut(&Number, &Number) -> Spot,
     ) -> Result<Vec<Spot>, MomentumError> {
         let frame = &self.arrangement.set.frame;
         let x = abscissa(frame, l)?;
-        let slabs = &self.arrangement.slabs;
-        let slab = SlabId::at(slabs.as_slice().partition_point(|slab| slab.x[1] < x).min(slabs.len() - 1));
+        let slab = self.slab_at(x);
         let near = self.slabs_near(slab, x, true);
         let clear = x > 0.0 && near.start() == near.end() && self.order_is_certain(slab, x);
         let points = if clear { self.points_in(slab, x) } else { Vec::new() };
-        let region_above = &slabs[slab].region_above;
+        let region_above = &self.arrangement.slabs[slab].region_above;
         let mut ask = |h: f64| {
             let (Ok(h), Ok(l)) = (Number::from_f64(h), Number::from_f64(l)) else { return Spot::Undecided };
-            self.spot(&h, &l, &decide(&h, &l))
+            decide(&h, &l)
         };
         let spots = h.iter().map(|&given| {
             let h = given / frame.energy_unit;
@@ -55,19 +52,5 @@ impl Atlas {
             below.checked_sub(1).map_or(Spot::Forbidden, |k| Spot::Region(region_above[k]))
         });
         Ok(spots.collect())
-    }
-
-    /// Where a point of known type lies.
-    #[must_use]
-    pub fn spot(&self, h: &Number, l: &Number, answer: &Answer) -> Spot {
-        match answer {
-            Answer::Critical(_) => Spot::Critical,
-            Answer::Undecided(_) => Spot::Undecided,
-            Answer::Forbidden => Spot::Forbidden,
-            Answer::Regular(_) => match self.places(h, l, answer).as_deref() {
-                Some([Some(region)]) => Spot::Region(*region),
-                _ => Spot::Undecided,
-            },
-        }
     }
 }

@@ -17,3 +17,15 @@ pub enum Answer {
     /// Closer to a curve than the error bound; each possible class, once.
     Undecided(Vec<Components>),
 }
+
+impl Answer {
+    /// A region with these components may be that of the point, or meet there.
+    #[must_use]
+    pub fn allows(&self, components: &[Component]) -> bool {
+        match self {
+            Self::Regular(known) => known == components,
+            Self::Forbidden => components.is_empty(),
+            Self::Critical(classes) | Self::Undecided(classes) => classes.iter().any(|class| class == components),
+        }
+    }
+}
