@@ -104,6 +104,65 @@ fn outlines_without_a_part_of_their_region_are_refused() {
     assert!(forged_ones.iter().all(|number| *number > 3), "{forged_ones:?}");
 }
 
+/// Both parts of an outline where it is cut over the l of an event, or one of them; also of regions so thin that they are hardly seen.
+#[test]
+fn outlines_that_are_cut_at_an_event_are_refused() {
+    let (mut forged_ones, mut thin_ones) = (0, 0);
+    for name in ["paper", "kovalevskaya", "katok:3"] {
+        let true_one = whole(&preset(name));
+        verify(&true_one).unwrap();
+        for (region, number) in true_one.regions.iter().zip(0..) {
+            let [outline] = &region.polygon.as_ref().unwrap()[..] else { continue };
+            for event in &true_one.events {
+                let Some([mut left, mut right]) = cut(outline, event.l) else { continue };
+                for part in [&mut left, &mut right] {
+                    part.push(part[0]);
+                }
+                for other in [vec![left.clone(), right.clone()], vec![left], vec![right]] {
+                    let refused = forged(&true_one, |d| d.regions[number].polygon = Some(other.clone()));
+                    assert!(matches!(refused, Err(Refused::Region { .. })), "{name} {}: {refused:?}", region.id);
+                    forged_ones += 1;
+                    thin_ones += usize::from(is_thin(&true_one, outline));
+                }
+            }
+        }
+    }
+    assert!(forged_ones > 20 && thin_ones > 5, "{forged_ones} {thin_ones}");
+}
+
+/// Where several events lie at one l outlines end at each event: one that is left out, however thin.
+#[test]
+fn outlines_without_one_of_their_pieces_are_refused() {
+    let true_one = whole(&body([["1", "5/9", "1/2"], ["1", "0", "0"]]));
+    verify(&true_one).unwrap();
+    let mut thin_ones = 0;
+    for (region, number) in true_one.regions.iter().zip(0..) {
+        let outlines = region.polygon.as_ref().unwrap();
+        for (outline, k) in outlines.iter().zip(0..).filter(|_| outlines.len() > 1) {
+            let refused = forged(&true_one, |d| drop(d.regions[number].polygon.as_mut().unwrap().remove(k)));
+            assert!(matches!(refused, Err(Refused::Region { .. })), "{} {k}: {refused:?}", region.id);
+            thin_ones += usize::from(is_thin(&true_one, outline));
+        }
+    }
+    assert!(thin_ones > 3, "{thin_ones}");
+}
+
+/// The corners on both sides of the wall over an l at which an outline has two.
+fn cut(outline: &[[f64; 2]], l: f64) -> Option<[Vec<[f64; 2]>; 2]> {
+    let there: Vec<usize> = (1..outline.len() - 1).filter(|&k| (outline[k][1] - l).abs() <= 1e-12 * l).collect();
+    let [low, high] = there[..] else { return None };
+    let is_through = outline[low][1] < outline[low + 1][1] && outline[high][1] > outline[high + 1][1];
+    let parts = [[&outline[..=low], &outline[high..outline.len() - 1]].concat(), outline[low..=high].to_vec()];
+    (is_through && parts.iter().all(|part| part.len() > 3)).then_some(parts)
+}
+
+/// In the mean an outline is less than 0.004 of the view high.
+fn is_thin(document: &AtlasDocument, outline: &[[f64; 2]]) -> bool {
+    let view = &document.view.everything;
+    let [from, to] = [f64::min, f64::max].map(|choose| outline.iter().map(|corner| corner[1]).reduce(choose).unwrap());
+    area(outline) < 0.004 * (view.h[1] - view.h[0]) * (to - from)
+}
+
 /// Where the slope of a curve turns, and of curves beside it: chords over ever more points of each.
 #[test]
 fn coarse_polylines_beside_a_turn_are_refused() {

@@ -17,11 +17,12 @@
 //! interval → jet → path → landscape → descent, joining, morse → merging, rings → topology  topology of each region
 //! isolation, flow → chart → stability                             linear types along the curves
 //! bounds, courses, measures, samples, listing, command, part → totals   what a document says beside its certificate
-//! interval → trace → plane → beside, view, chords → polylines, outlines, widths   curves over any l, and what serves pictures
+//! interval → trace → plane → beside, view, chords, borders → polylines, outlines, widths   curves over any l, and what serves pictures
 //! ```
 
 mod beside;
 mod body;
+mod borders;
 mod bounds;
 mod chart;
 mod chords;
@@ -143,7 +144,7 @@ fn certified(
     orders.meetings.clone_from(&events.meetings);
     let crossings = pairs::pairs(certificate, &orders)?;
     let slabs = slabs::slabs(certificate, &orders, &events, &crossings)?;
-    gluing::check(&certificate.transitions, &events, &slabs)?;
+    let joins = gluing::check(&certificate.transitions, &events, &slabs)?;
     let cells = regions::regions(document, certificate, &pieces, &slabs)?;
     courses::curves(document, certificate, &spaces, &pieces)?;
     listing::events(document, certificate, &events, &orders)?;
@@ -157,7 +158,7 @@ fn certified(
     let plane = Plane::new(certificate, &orders)?;
     view::check(document, &plane)?;
     polylines::check(document, &orders, &plane)?;
-    outlines::check(document, &orders, &plane, &slabs, &cells)?;
+    outlines::check(document, &orders, &plane, &slabs, &cells, &joins)?;
     widths::check(document, certificate, &events, &orders, &plane, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }

@@ -34,6 +34,8 @@ pub(super) fn events(
     }
     let l2 = number::unit(&certificate.units.moment)? * number::unit(&certificate.units.energy)? * RBig::from(2);
     let energy = number::unit(&certificate.units.energy)?;
+    let momentum = RBig::try_from(l2.to_f64().value().sqrt())
+        .map_err(|_infinite| Refused::Field { field: "certificate.units" })?;
     let norm = &orders.spaces.norm.ends()[1] * &energy;
     for listed in listed(document, certificate) {
         let refuse = |why| Refused::Event { number: listed.number, why };
@@ -60,8 +62,8 @@ pub(super) fn events(
             return Err(refuse("its error in the list is larger than its enclosure"));
         }
         let enclosure = listed.document.enclosure.as_ref().ok_or_else(|| refuse("it has no enclosure"))?;
-        let [l_low, l_high] = enclosure.l.each_ref().map(|text| number::read(text));
-        let [h_low, h_high] = enclosure.h.each_ref().map(|text| number::read(text));
+        let [l_low, l_high] = enclosure.l.each_ref().map(|text| number::in_units(text, &momentum));
+        let [h_low, h_high] = enclosure.h.each_ref().map(|text| number::in_units(text, &energy));
         if !holds_root(&[l_low?, l_high?], &squares) || !holds(&[h_low?, h_high?], &heights) {
             return Err(refuse("its enclosure in the list does not hold it"));
         }

@@ -11,33 +11,36 @@ struct Limits {
     digits: usize,
 }
 
-/// Of a body: beyond 10^±150 the square would leave the range of `f64`.
-const GIVEN: Limits = Limits { exponent: 150, digits: 1000 };
+/// Of a body, and of a certificate in its units: beyond 10^±150 the square would leave the range of `f64`.
+const PLAIN: Limits = Limits { exponent: 150, digits: 1000 };
 
-/// Of what follows from a body. l is a double, so that l²/2 in units within 10^±151 lies within 10^±950, and a binary number of
-/// that size with 384 bits has fewer than 4000 digits; the rest is room for places near a moment.
-const DERIVED: Limits = Limits { exponent: 10_000, digits: 10_000 };
+/// Of what is told in the units of the body, which may be as large themselves.
+const IN_UNITS: Limits = Limits { exponent: 500, digits: 1000 };
 
-/// A number of a body that was given, or the refusal that names the text.
-pub(super) fn given(text: &str) -> Result<RBig, Refused> {
-    let in_range = |value: &RBig| value.is_zero() || (1e-150..=1e150).contains(&value.to_f64().value().abs());
-    within(text, &GIVEN).filter(in_range).ok_or_else(|| refused(text))
-}
-
-/// A number that follows from a body, likewise.
+/// The number that a text denotes, or the refusal that names the text.
 pub(super) fn read(text: &str) -> Result<RBig, Refused> {
     exact(text).ok_or_else(|| refused(text))
 }
 
-/// A number that follows from a body: a decimal, a decimal with exponent, or a quotient of two.
+/// The number that a text denotes: a decimal, a decimal with exponent, or a quotient of two.
 pub(super) fn exact(text: &str) -> Option<RBig> {
-    within(text, &DERIVED)
+    within(text, &PLAIN).filter(is_plain)
 }
 
-/// A unit of a certificate: positive, and such that doubles hold the product of two, whatever the input.
+/// A number in the units of the body; divided by the unit it is within the limits of those in a certificate.
+pub(super) fn in_units(text: &str, unit: &RBig) -> Result<RBig, Refused> {
+    within(text, &IN_UNITS).filter(|value| is_plain(&(value / unit))).ok_or_else(|| refused(text))
+}
+
+/// A unit of a certificate: positive, no further than a power of four from a number that is read, and such that doubles hold the
+/// product of two.
 pub(super) fn unit(text: &str) -> Result<RBig, Refused> {
-    let value = read(text)?;
-    if (1e-152..=1e152).contains(&value.to_f64().value()) { Ok(value) } else { Err(refused(text)) }
+    let is_unit = |value: &RBig| (1e-152..=1e152).contains(&value.to_f64().value());
+    within(text, &IN_UNITS).filter(is_unit).ok_or_else(|| refused(text))
+}
+
+fn is_plain(value: &RBig) -> bool {
+    value.is_zero() || (1e-150..=1e150).contains(&value.to_f64().value().abs())
 }
 
 fn refused(text: &str) -> Refused {
@@ -122,25 +125,23 @@ mod tests {
             "1e-9223372036854775808",
             &long,
         ] {
-            assert_eq!(given(text), Err(Refused::Number { text: text.to_owned() }));
+            assert_eq!(exact(text), None, "{text}");
         }
         assert_eq!(read("one"), Err(Refused::Number { text: "one".to_owned() }));
     }
 
     #[test]
-    fn what_follows_from_a_body_may_be_larger_than_what_is_given() {
+    fn what_is_told_in_units_of_the_body_may_be_larger_than_the_body() {
         let ten = |power: usize| RBig::from(IBig::from(10).pow(power));
-        let digits = "9".repeat(2000);
-        assert_eq!(exact("3e151"), Some(ten(151) * RBig::from(3)));
-        assert_eq!(exact("1e-10000"), Some(RBig::ONE / ten(10_000)));
-        assert_eq!(exact(&digits), Some(ten(2000) - RBig::ONE));
-        for text in ["1e10001", "1e-10001", "1e9999999999999999999", &"9".repeat(10_001)] {
-            assert_eq!(exact(text), None);
-        }
+        let refused = |text: &str| Refused::Number { text: text.to_owned() };
+        assert_eq!(in_units("3e151", &ten(150)), Ok(ten(151) * RBig::from(3)));
+        assert_eq!(in_units("0", &ten(150)), Ok(RBig::ZERO));
+        assert_eq!(in_units("3e151", &RBig::ONE), Err(refused("3e151")));
+        assert_eq!(in_units("3e-1", &ten(150)), Err(refused("3e-1")));
         // Units are multiplied in doubles.
         assert_eq!(unit("4e-151"), Ok(RBig::from(4) / ten(151)));
         for text in ["0", "-1", "1e153", "1e-153", "1e5000", "1e-5000"] {
-            assert_eq!(unit(text), Err(Refused::Number { text: text.to_owned() }));
+            assert_eq!(unit(text), Err(refused(text)));
         }
     }
 }

@@ -1,23 +1,37 @@
-//! The outlines of regions: each edge runs along the border of a cell of its region, which lies on its left, and in each slab
-//! they wind once around the cells of their region and around no others.
+//! The outlines of regions: each edge runs along the border of a cell of its region, which lies on its left; in each slab
+//! they wind once around the cells of their region and around no others; and they go on over an event where the region does.
 
 use schema::{AtlasDocument, CellDocument, EventDocument, RegionDocument, WindowDocument};
 
 use super::Refused;
+use super::borders::{Borders, Edge, have_partners, range};
 use super::chords::Chords;
+use super::gluing::Joins;
 use super::orders::Orders;
 use super::plane::{POINT, Plane};
 use super::regions::Cell;
 use super::slabs::{Level, Slab};
 
-/// Edges leave their curves by at most this share of the height of the view; gaps that are narrower are not asked for.
+/// Edges leave their curves by at most this share of the height of the view.
 const CHORD: f64 = 4e-3;
+
+/// What is looked at over one l.
+struct Cut<'a> {
+    slab: usize,
+    l: f64,
+    /// Of all curves there.
+    heights: &'a [f64],
+    /// So far from the events around it that edges of other slabs do not reach it.
+    is_apart: bool,
+}
 
 /// The view, and the curves in it.
 struct Sight<'a> {
     plane: &'a Plane<'a>,
     chords: Chords<'a>,
     view: &'a WindowDocument,
+    /// Cells that continue each other, if outlines go on over the l of events: not where several are at one l.
+    joins: Option<&'a Joins>,
 }
 
 /// Checks the outlines of all regions in the default view.
@@ -27,32 +41,50 @@ pub(super) fn check(
     plane: &Plane,
     slabs: &[Slab],
     cells: &[Vec<Cell>],
+    joins: &Joins,
 ) -> Result<(), Refused> {
     if document.regions.iter().all(|region| region.polygon.is_none()) {
         return Ok(());
     }
-    let sight = Sight { plane, chords: Chords::new(plane, orders), view: &document.view.everything };
+    let joins = (slabs.len() == document.events.len() + 1).then_some(joins);
+    let sight = Sight { plane, chords: Chords::new(plane, orders), view: &document.view.everything, joins };
     for (region, cells) in document.regions.iter().zip(cells) {
         let refuse = |why| Refused::Region { region: region.id.clone(), why };
         let outlines = region.polygon.as_ref().ok_or_else(|| refuse("it alone has no outline"))?;
-        if !outlines.iter().all(|outline| sight.is_closed(outline)) {
-            return Err(refuse("its outline is not closed"));
-        }
-        if !outlines.is_sorted_by(|p, q| sight.begins_before(p, q)) {
-            return Err(refuse("its outlines are not in their order"));
-        }
-        if !outlines.iter().flat_map(|outline| outline.windows(2)).all(|edge| sight.is_edge(region, edge)) {
-            return Err(refuse("its outline leaves its boundary"));
-        }
-        if sight.tells_twice(region, outlines) {
-            return Err(refuse("an edge of its outline is told twice"));
-        }
-        sight.holds(outlines, &document.events, slabs, cells).map_err(refuse)?;
+        sight.compare(region, outlines, &document.events, slabs, cells).map_err(refuse)?;
     }
     Ok(())
 }
 
 impl Sight<'_> {
+    fn compare(
+        &self,
+        region: &RegionDocument,
+        outlines: &[Vec<[f64; 2]>],
+        events: &[EventDocument],
+        slabs: &[Slab],
+        cells: &[Cell],
+    ) -> Result<(), &'static str> {
+        if !outlines.iter().all(|outline| self.is_closed(outline)) {
+            return Err("its outline is not closed");
+        }
+        if !outlines.is_sorted_by(|p, q| self.begins_before(p, q)) {
+            return Err("its outlines are not in their order");
+        }
+        let edges: Option<Vec<Vec<Edge>>> = outlines.iter().map(|outline| self.edges(region, outline)).collect();
+        let edges = edges.ok_or("its outline leaves its boundary")?;
+        if tells_twice(&edges) {
+            return Err("an edge of its outline is told twice");
+        }
+        let none = Joins::new();
+        let joins = self.joins.unwrap_or(&none);
+        let borders = Borders { described: &region.cells, cells, joins, aside: self.aside() };
+        if !edges.iter().all(|outline| borders.are_followed(outline)) {
+            return Err("its outline does not go on where its region does");
+        }
+        self.holds(outlines, &edges, events, slabs, cells)
+    }
+
     /// It ends where it began, at its smallest l, from where it runs to the right, and moves with each corner; no two edges in a
     /// row are over one l or along the top of the view.
     fn is_closed(&self, outline: &[[f64; 2]]) -> bool {
@@ -88,22 +120,14 @@ impl Sight<'_> {
         self.view.h[1] - self.view.h[0]
     }
 
-    /// An edge is told more often than it is a border of cells: where they are thinner than doubles tell it may be that of
-    /// several.
-    fn tells_twice(&self, region: &RegionDocument, outlines: &[Vec<[f64; 2]>]) -> bool {
-        let mut edges: Vec<&[[f64; 2]]> = outlines.iter().flat_map(|outline| outline.windows(2)).collect();
-        edges.retain(|edge| edge[0][1] != edge[1][1]);
-        edges.sort_unstable_by_key(|edge| [edge[0][1], edge[0][0], edge[1][1], edge[1][0]].map(f64::to_bits));
-        edges.chunk_by(|p, q| p == q).any(|same| same.len() > 1 && same.len() > self.borders(region, same[0]))
-    }
-
-    /// How many cells of a region an edge is a border of, on their side of it.
-    fn borders(&self, region: &RegionDocument, edge: &[[f64; 2]]) -> usize {
-        let is_border = |cell: &&CellDocument| {
-            let id = if edge[0][1] < edge[1][1] { Some(&cell.lower) } else { cell.upper.as_ref() };
-            id.is_some_and(|id| self.follows(edge, id, range(cell)))
+    /// The cells of a region that an edge is a border of, on their side of it.
+    fn borders(&self, region: &RegionDocument, corners: &[[f64; 2]]) -> Vec<usize> {
+        let is_border = |cell: &usize| {
+            let cell = &region.cells[*cell];
+            let id = if corners[0][1] < corners[1][1] { Some(&cell.lower) } else { cell.upper.as_ref() };
+            id.is_some_and(|id| self.follows(corners, id, range(cell)))
         };
-        region.cells.iter().filter(is_border).count()
+        (0..region.cells.len()).filter(is_border).collect()
     }
 
     /// In each slab the outlines wind once around the cells of the region and not around others: over the l of its sample, and
@@ -111,59 +135,107 @@ impl Sight<'_> {
     fn holds(
         &self,
         outlines: &[Vec<[f64; 2]>],
+        edges: &[Vec<Edge>],
         events: &[EventDocument],
         slabs: &[Slab],
         cells: &[Cell],
     ) -> Result<(), &'static str> {
         let samples: Vec<f64> = slabs.iter().map(|slab| self.plane.momentum(&slab.x)).collect();
+        let look = |cut: &Cut| {
+            self.winds_around(outlines, cut, cells)?;
+            if cut.is_apart && !self.is_bordered(edges, cut, cells) {
+                return Err("its outline leaves out a part of its boundary, or tells one twice");
+            }
+            Ok(())
+        };
         for (number, slab) in slabs.iter().enumerate() {
-            let is_inside = |position: usize| cells.contains(&(number, position));
+            let [from, to] = Self::ends(samples[number], events);
+            let is_apart = |l: f64| (l - from).min(to - l) > 2.0 * self.aside();
             let sample = samples[number];
             if sample < self.view.l[1] {
                 let heights: Vec<f64> =
                     slab.levels.iter().map(|level| level.height.to_f64() * self.plane.energy).collect();
-                self.holds_over(outlines, sample, &heights, is_inside)?;
+                look(&Cut { slab: number, l: sample, heights: &heights, is_apart: is_apart(sample) })?;
             }
-            for l in self.beside_ends(number, &samples, events) {
+            for l in self.beside_ends(number, &samples, [from, to]) {
                 let height = |level: &Level| Some(self.plane.over(level.curve, l)?.h.middle() * self.plane.energy);
                 if let Some(heights) = slab.levels.iter().map(height).collect::<Option<Vec<f64>>>() {
-                    self.holds_over(outlines, l, &heights, is_inside)?;
+                    look(&Cut { slab: number, l, heights: &heights, is_apart: is_apart(l) })?;
                 }
             }
         }
         Ok(())
     }
 
-    /// The outlines hold the middle of each gap between these heights over l that belongs to the region, and of no other.
-    fn holds_over(
-        &self,
-        outlines: &[Vec<[f64; 2]>],
-        l: f64,
-        heights: &[f64],
-        is_inside: impl Fn(usize) -> bool,
-    ) -> Result<(), &'static str> {
-        for (position, low) in heights.iter().enumerate() {
-            let low = low.max(self.view.h[0]);
-            let high = heights.get(position + 1).unwrap_or(&self.view.h[1]).min(self.view.h[1]);
+    /// The outlines hold the middle of each gap between the heights over l that belongs to the region, and of no other.
+    fn winds_around(&self, outlines: &[Vec<[f64; 2]>], cut: &Cut, cells: &[Cell]) -> Result<(), &'static str> {
+        for position in 0..cut.heights.len() {
+            let [low, high] = self.gap(cut, position);
             let share = (high - low) / self.height();
-            let inside = is_inside(position);
+            let inside = cells.contains(&(cut.slab, position));
             if inside && share > POINT && outlines.is_empty() {
                 return Err("it has no outline");
             }
-            if share > CHORD && windings(outlines, [0.5 * (low + high), l]) != i32::from(inside) {
+            if share > CHORD && windings(outlines, [0.5 * (low + high), cut.l]) != i32::from(inside) {
                 return Err("its outline holds another part of the plane");
             }
         }
         Ok(())
     }
 
-    /// Places near the ends and in the middle of the part in view of a slab; none where doubles do not tell it from those beside
-    /// it.
-    fn beside_ends(&self, number: usize, samples: &[f64], events: &[EventDocument]) -> Vec<f64> {
-        let sample = samples[number];
+    /// The part in view of the gap above a curve.
+    fn gap(&self, cut: &Cut, position: usize) -> [f64; 2] {
+        let high = cut.heights.get(position + 1).unwrap_or(&self.view.h[1]).min(self.view.h[1]);
+        [cut.heights[position].max(self.view.h[0]), high]
+    }
+
+    /// However thin they are, the cells of the region over l that are in view and wider than rounding have an edge below them and
+    /// one above, each its own, and no edge is left over. Edges that leave their curves by more than a cell is wide may
+    /// cross: they are told apart by the curves that they follow.
+    fn is_bordered(&self, edges: &[Vec<Edge>], cut: &Cut, cells: &[Cell]) -> bool {
+        let there: Vec<usize> = cells.iter().filter(|(slab, _)| *slab == cut.slab).map(|(_, at)| *at).collect();
+        let (top, near) = (self.view.h[1], CHORD * self.height());
+        let is_seen = |position: usize| {
+            let [low, high] = self.gap(cut, position);
+            let energies = low.abs().max(high.abs()) + self.plane.norm;
+            low < top - near && high - low > 2.0 * self.room() + 4.0 * POINT * energies
+        };
+        [true, false].into_iter().all(|rises| {
+            let spanning = edges.iter().flatten().filter(|edge| edge.rises() == rises && edge.spans(cut.l));
+            let of_edge = |edge: &Edge| -> Vec<usize> {
+                if self.is_along_top(edge.corners) {
+                    let reaches = |position: &&usize| {
+                        let above = cut.heights.get(*position + 1);
+                        cut.heights[**position] <= top + near && above.is_none_or(|high| *high >= top - near)
+                    };
+                    return there.iter().filter(reaches).copied().collect();
+                }
+                let in_slab = edge.cells.iter().map(|cell| cells[*cell]).filter(|(slab, _)| *slab == cut.slab);
+                in_slab.map(|(_, position)| position).collect()
+            };
+            let by_edge: Vec<Vec<usize>> = spanning.map(of_edge).collect();
+            let edges_of = |position: usize| -> Vec<usize> {
+                (0..by_edge.len()).filter(|edge| by_edge[*edge].contains(&position)).collect()
+            };
+            let seen = there.iter().copied().filter(|position| is_seen(*position));
+            have_partners(&by_edge) && have_partners(&seen.map(edges_of).collect::<Vec<_>>())
+        })
+    }
+
+    fn is_along_top(&self, corners: &[[f64; 2]]) -> bool {
+        corners.iter().all(|corner| corner[0] == self.view.h[1])
+    }
+
+    /// The events around a slab, by the l of its sample.
+    fn ends(sample: f64, events: &[EventDocument]) -> [f64; 2] {
         let places = events.iter().map(|event| event.l);
         let from = places.clone().filter(|l| *l <= sample).fold(0.0, f64::max);
-        let to = places.filter(|l| *l > sample).fold(f64::INFINITY, f64::min);
+        [from, places.filter(|l| *l > sample).fold(f64::INFINITY, f64::min)]
+    }
+
+    /// Places near the ends and in the middle of the part in view of a slab; none where doubles do not tell it from those beside
+    /// it.
+    fn beside_ends(&self, number: usize, samples: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
         let is_alone = number.checked_sub(1).is_none_or(|before| samples[before] < from)
             && samples.get(number + 1).is_none_or(|after| *after > to);
         let to = to.min(self.view.l[1]);
@@ -171,25 +243,35 @@ impl Sight<'_> {
         shares.iter().map(|share| from + share * (to - from)).collect()
     }
 
-    /// An edge runs to the right along the lower curve of a cell or to the left along the upper one, to the left along the top
-    /// of the view, or over an end of cells or of the view.
-    fn is_edge(&self, region: &RegionDocument, edge: &[[f64; 2]]) -> bool {
-        let [[h, l], [h_to, l_to]] = [edge[0], edge[1]];
+    fn edges<'e>(&self, region: &RegionDocument, outline: &'e [[f64; 2]]) -> Option<Vec<Edge<'e>>> {
+        outline.windows(2).map(|corners| self.edge(region, corners)).collect()
+    }
+
+    /// An edge that runs to the right along the lower curve of a cell or to the left along the upper one, to the left along the
+    /// top of the view, or over an end of the view; between events no wall is, and over one only where outlines end there.
+    fn edge<'e>(&self, region: &RegionDocument, corners: &'e [[f64; 2]]) -> Option<Edge<'e>> {
+        let [[h, l], [h_to, l_to]] = [corners[0], corners[1]];
         let in_view = (0.0..=self.view.l[1] + self.aside()).contains(&l) && h <= self.view.h[1] && h >= self.view.h[0];
-        let cells = &region.cells;
+        let all = &region.cells;
         if !in_view {
-            return false;
+            return None;
         }
         if l == l_to {
             let is_end = |end: f64| (l - end).abs() <= self.aside();
-            return is_end(0.0)
+            let is_wall = self.joins.is_none() || (h - h_to).abs() <= 2.0 * self.room();
+            let is_right = is_end(0.0)
                 || is_end(self.view.l[1])
-                || cells.iter().flat_map(|cell| cell.l_range).flatten().any(is_end);
+                || (is_wall && all.iter().flat_map(|cell| cell.l_range).flatten().any(is_end));
+            return is_right.then_some(Edge { corners, cells: Vec::new() });
         }
-        if h == h_to && h == self.view.h[1] {
-            return l_to < l && [l, l_to].into_iter().all(|l| cells.iter().any(|cell| self.reaches_top(cell, l)));
+        if self.is_along_top(corners) {
+            let reaches = |cell: &usize, l: f64| self.reaches_top(&all[*cell], l);
+            let is_right = l_to < l && [l, l_to].into_iter().all(|l| (0..all.len()).any(|cell| reaches(&cell, l)));
+            let cells = (0..all.len()).filter(|cell| [l, l_to].into_iter().any(|l| reaches(cell, l)));
+            return is_right.then(|| Edge { corners, cells: cells.collect() });
         }
-        self.borders(region, edge) > 0
+        let cells = self.borders(region, corners);
+        (!cells.is_empty()).then_some(Edge { corners, cells })
     }
 
     /// An edge follows a curve over a range of l. Where it meets the top of the view it is the chord to a point beyond it, and so
@@ -240,8 +322,15 @@ impl Sight<'_> {
     }
 }
 
-fn range(cell: &CellDocument) -> [f64; 2] {
-    [cell.l_range[0].unwrap_or(0.0), cell.l_range[1].unwrap_or(f64::INFINITY)]
+/// An edge is told more often than it is a border of cells: where they are thinner than doubles tell it may be that of
+/// several.
+fn tells_twice(outlines: &[Vec<Edge>]) -> bool {
+    let mut edges: Vec<&Edge> = outlines.iter().flatten().filter(|edge| !edge.is_wall()).collect();
+    edges.sort_unstable_by_key(|edge| {
+        let [p, q] = [edge.corners[0], edge.corners[1]];
+        [p[1], p[0], q[1], q[0]].map(f64::to_bits)
+    });
+    edges.chunk_by(|p, q| p.corners == q.corners).any(|same| same.len() > 1 && same.len() > same[0].cells.len())
 }
 
 /// How often outlines wind around a point, by their edges above it: those that run to the left have their inside below them.

@@ -22,7 +22,7 @@ pub enum Refused {
     /// The checksum.
     #[error("the checksum does not fit: the file is damaged")]
     Checksum,
-    /// A text that is no number, or one beyond the limits of what is given or follows from it.
+    /// A text that is not a number within 10^±150, in the units in which it is told.
     #[error("`{text}` is not a number, or out of range")]
     Number {
         /// The text.
