@@ -5,7 +5,7 @@
 
 use super::model::{Constants, Model};
 use numbers::Sign;
-use numbers::enclosure::Arithmetic;
+use numbers::enclosure::{Arithmetic, Enclosure};
 
 /// A half of a family with its coordinate y > 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -155,10 +155,34 @@ impl<E: Arithmetic> State<E> {
     pub fn h(&self) -> E {
         self.x.clone() / self.j.clone() - self.rho.clone()
     }
+}
 
-    /// d(1/J)/dx.
-    pub fn curvature(&self) -> E {
-        -(self.j_slope.clone() / (self.j.square() * self.x.clone() * self.log_slope.clone()))
+/// d²h/dx² = d(1/J)/dx of all states of an arc as −J'/(J² x) over (ln x)', with derivatives by y: where the arc ends at a cusp the
+/// latter is 0 at the end, and has one sign inside.
+#[derive(Clone, Debug)]
+pub(super) struct Curvature<E> {
+    numerator: E,
+    denominator: E,
+    sign: Sign,
+}
+
+impl<E: Enclosure> Curvature<E> {
+    /// Of the states of an arc, and of one inside of it.
+    pub fn of(arc: &State<E>, inside: &State<E>) -> Option<Self> {
+        let numerator = -(arc.j_slope.clone() / (arc.j.square() * arc.x.clone()));
+        Some(Self { numerator, denominator: arc.log_slope.clone(), sign: inside.log_slope.strict_sign()? })
+    }
+
+    /// Of a straight line.
+    pub fn zero(c: &Constants<E>) -> Self {
+        Self { numerator: c.small(0), denominator: c.small(1), sign: Sign::Positive }
+    }
+
+    /// The sign of the difference to another one inside of both arcs, if it is the same everywhere.
+    pub fn minus(&self, other: &Self) -> Option<Sign> {
+        let across =
+            self.numerator.clone() * other.denominator.clone() - other.numerator.clone() * self.denominator.clone();
+        Some(across.strict_sign()? * self.sign * other.sign)
     }
 }
 

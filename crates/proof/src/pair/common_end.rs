@@ -4,6 +4,7 @@ use super::node::Node;
 use super::proof::{Mark, Open, Proof, Stretch};
 use super::side::{Side, position};
 use super::stretch::DEPTH;
+use crate::family::Curvature;
 use crate::point::Evaluator;
 use numbers::Sign;
 use numbers::enclosure::Enclosure;
@@ -86,9 +87,9 @@ impl<E: Enclosure> Evaluator<'_, E> {
                     if half != end_half {
                         return None;
                     }
-                    Some(self.state(half, &y.hull(&end_y)).curvature())
+                    Curvature::of(&self.state(half, &y.hull(&end_y)), &node.at[which].over)
                 };
-                (curvature(0)? - curvature(1)?).strict_sign()
+                curvature(0)?.minus(&curvature(1)?)
             }
             _ => None,
         }
