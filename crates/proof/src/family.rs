@@ -163,26 +163,32 @@ impl<E: Arithmetic> State<E> {
 pub(super) struct Curvature<E> {
     numerator: E,
     denominator: E,
-    sign: Sign,
+    /// The sign of the denominator inside, where it is 0 at the end at most.
+    sign: Option<Sign>,
 }
 
 impl<E: Enclosure> Curvature<E> {
-    /// Of the states of an arc, and of one inside of it.
-    pub fn of(arc: &State<E>, inside: &State<E>) -> Option<Self> {
+    /// Of the states of an arc, with the one at its end and one inside of it.
+    pub fn of(arc: &State<E>, [end, inside]: [&State<E>; 2]) -> Self {
         let numerator = -(arc.j_slope.clone() / (arc.j.square() * arc.x.clone()));
-        Some(Self { numerator, denominator: arc.log_slope.clone(), sign: inside.log_slope.strict_sign()? })
+        let is_cusp = end.log_slope.strict_sign().is_none();
+        let deciding = if is_cusp { inside } else { arc };
+        Self { numerator, denominator: arc.log_slope.clone(), sign: deciding.log_slope.strict_sign() }
     }
 
     /// Of a straight line.
     pub fn zero(c: &Constants<E>) -> Self {
-        Self { numerator: c.small(0), denominator: c.small(1), sign: Sign::Positive }
+        Self { numerator: c.small(0), denominator: c.small(1), sign: Some(Sign::Positive) }
     }
 
     /// The sign of the difference to another one inside of both arcs, if it is the same everywhere.
     pub fn minus(&self, other: &Self) -> Option<Sign> {
-        let across =
-            self.numerator.clone() * other.denominator.clone() - other.numerator.clone() * self.denominator.clone();
-        Some(across.strict_sign()? * self.sign * other.sign)
+        if [self, other].iter().all(|arc| arc.denominator.strict_sign().is_some()) {
+            let quotient = |arc: &Self| arc.numerator.clone() / arc.denominator.clone();
+            return (quotient(self) - quotient(other)).strict_sign();
+        }
+        let product = |p: &Self, q: &Self| p.numerator.clone() * q.denominator.clone();
+        Some((product(self, other) - product(other, self)).strict_sign()? * self.sign? * other.sign?)
     }
 }
 

@@ -99,12 +99,13 @@ pub(super) fn leaves_pitchfork(orders: &Orders, curves: [usize; 2], node: &Node,
         let y = coordinate(orders, curves[which], &end)?.hull(node.stands[which].y.as_ref()?);
         let range = over(orders, curves[which], &y)?;
         let [log_slope, j_slope] = range.slopes?;
-        let inside = node.stands[which].point.slopes.as_ref()?[0].strict_sign()?;
+        let inside = node.stands[which].point.slopes.as_ref().and_then(|[log_slope, _]| log_slope.strict_sign());
         Some((-&j_slope.over(&(&range.j.square() * &range.x))?, log_slope, inside))
     };
     let difference = curvature(0).zip(curvature(1)).and_then(|((p, dp, p_inside), (q, dq, q_inside))| {
-        let across = &(&p * &dq) - &(&q * &dp);
-        Some(across.strict_sign()? * p_inside * q_inside)
+        let apart = || (&p.over(&dp)? - &q.over(&dq)?).strict_sign();
+        let across = || Some((&(&p * &dq) - &(&q * &dp)).strict_sign()? * p_inside? * q_inside?);
+        apart().or_else(across)
     });
     difference == Some(sign)
 }

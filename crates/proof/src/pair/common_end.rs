@@ -83,11 +83,11 @@ impl<E: Enclosure> Evaluator<'_, E> {
                 let curvature = |which: usize| {
                     let (half, y) = node.at[which].place.clone()?;
                     let end = self.end_point(curves[which], side)?;
-                    let (end_half, end_y) = end.place?;
-                    if half != end_half {
+                    let (end_half, end_y) = end.place.as_ref()?;
+                    if half != *end_half {
                         return None;
                     }
-                    Curvature::of(&self.state(half, &y.hull(&end_y)), &node.at[which].over)
+                    Some(Curvature::of(&self.state(half, &y.hull(end_y)), [&end.over, &node.at[which].over]))
                 };
                 curvature(0)?.minus(&curvature(1)?)
             }

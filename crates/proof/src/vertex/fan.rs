@@ -167,9 +167,12 @@ impl Arc<'_> {
         match self.at {
             Source::Line(_) | Source::Euler { .. } => Some(Curvature::zero(c)),
             Source::Generic { .. } | Source::Over { .. } => {
-                let beside = place(self.beside)?;
-                let y = Wide::rational(&beside.lo, BITS).hull(&Wide::rational(&beside.hi, BITS));
-                Curvature::of(&self.states(model, c)?, &State::at(model, c, beside.half, &y))
+                let state = |place: &Place| {
+                    let y = Wide::rational(&place.lo, BITS).hull(&Wide::rational(&place.hi, BITS));
+                    State::at(model, c, place.half, &y)
+                };
+                let [end, inside] = [state(place(self.at)?), state(place(self.beside)?)];
+                Some(Curvature::of(&self.states(model, c)?, [&end, &inside]))
             }
         }
     }
