@@ -24,7 +24,7 @@ const ORDER: [(&str, &str); 11] = [
     ("crates/part/src", "units spin existence products mass measured mesh link file"),
     (
         "crates/proof/src",
-        "work id model family curves estimate point one_x ridges heights plane mirror pair polar arrange region certificate drawn vertex exact places \
+        "work id model family curves estimate point one_x ridges heights plane mirror pair polar arrange margin region certificate drawn vertex exact places \
          accuracy prepared",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 use documents::seal;
-use schema::{Accuracy, AtlasDocument, CertifiedNode, PlaceDocument};
+use schema::{Accuracy, AtlasDocument, CertifiedNode, MarginDocument, PlaceDocument};
 use verify::{Refused, Report, verify};
 
 use crate::made::{body, document, exact, forged, of_tilted_part, preset};
@@ -243,4 +243,33 @@ fn an_atlas_without_certificate_is_not_confirmed() {
 #[test]
 fn a_certificate_is_exact() {
     assert_eq!(mutated(|d| d.accuracy = Accuracy::Fast), Err(Refused::Accuracy));
+}
+
+/// Regions thinner than doubles are apart, where energies are of order 10¹⁵, and regions of a generic body: a margin is the one
+/// of the sample within its bound, and that is no larger than rounding.
+#[test]
+fn false_margins_of_samples_are_refused() {
+    let refusal = |id: &str| Refused::Region { region: id.to_owned(), why: "the margin of its sample is another" };
+    for body in [body([["1", "1.000000000000001", "1.7"], ["0.3", "0.2", "1e-8"]]), preset("paper")] {
+        let document = document(&body);
+        verify(&document).unwrap();
+        for (k, region) in document.regions.iter().enumerate() {
+            let margin = &region.sample.margin;
+            let other = document.certificate.as_ref().unwrap().slabs.iter().flat_map(|slab| &slab.curves);
+            let other = other.map(|height| &height.curve).find(|id| **id != margin.nearest).unwrap();
+            let forge = |change: &dyn Fn(&mut MarginDocument)| {
+                let refused = forged(&document, |d| change(&mut d.regions[k].sample.margin)).unwrap_err();
+                assert_eq!(refused, refusal(&region.id), "{margin:?}");
+            };
+            let scale = 2.0 * margin.error_bound + margin.h;
+            forge(&|m| m.h += scale);
+            forge(&|m| m.h += 1e5 * scale);
+            forge(&|m| m.h = -m.h);
+            forge(&|m| m.error_bound = 0.0);
+            forge(&|m| m.error_bound *= 0.25);
+            forge(&|m| m.error_bound = 1e-3 + 16.0 * f64::EPSILON * region.sample.h.abs());
+            forge(&|m| m.error_bound = f64::INFINITY);
+            forge(&|m| m.nearest.clone_from(other));
+        }
+    }
 }

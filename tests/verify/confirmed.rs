@@ -132,10 +132,17 @@ fn valleys_along_circles_are_gone_down() {
 fn a_change_beside_the_end_of_a_family_is_verified() {
     let true_one = whole(&body([["1", "1e-10", "1"], ["1e-10", "1", "0"]]));
     verify(&true_one).unwrap();
-    for shift in [-1e-5, 1e-5] {
+    for shift in [-1e-12, 1e-12] {
         let refused = forged(&true_one, |d| d.stability_changes.iter_mut().for_each(|change| change.h += shift));
         assert!(refused.is_err(), "{shift}: {refused:?}");
     }
+}
+
+/// The pair leaves its curve at a pitchfork with a cusp, where its curvature is infinite: on the axis of Katok's border
+/// A2/A1 = 3/4, and in a plane, where the curve it leaves is bent.
+#[test]
+fn pitchforks_on_their_border_are_verified() {
+    are_verified(&[[["1", "3/4", "1.4"], ["1", "0", "0"]], [["7/6", "1", "137/96"], ["5/2", "0", "205/24"]]]);
 }
 
 /// A cusp lies next to the middle between two moments, where a curve goes on from one chart to the other.

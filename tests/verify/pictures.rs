@@ -167,6 +167,10 @@ fn is_thin(document: &AtlasDocument, outline: &[[f64; 2]]) -> bool {
 #[test]
 fn coarse_polylines_beside_a_turn_are_refused() {
     let true_one = whole(&body([["2", "1000", "0.854"], ["-0.7606", "0.9684", "-0.0368"]]));
+    // The part that curves are drawn in (docs/formats.md).
+    let norm = (0.7606_f64.powi(2) + 0.9684_f64.powi(2) + 0.0368_f64.powi(2)).sqrt();
+    let width = (1.6 * true_one.events.last().unwrap().l).max(3.0 * (1000.0 * norm).sqrt());
+    let height = width * width / 2000.0 + 2.0 * norm;
     let mut forged_ones = 0;
     for (curve, number) in true_one.curves.iter().zip(0..) {
         let line = &curve.polyline;
@@ -183,8 +187,8 @@ fn coarse_polylines_beside_a_turn_are_refused() {
             };
             // Twice the bound on chords, and as steep as the steepest here.
             let steepest = points.windows(2).map(|pair| (pair[1][0] - pair[0][0]) / (pair[1][1] - pair[0][1]));
-            let steepness = steepest.fold(0.0, f64::max) * 134.0 / 11.0;
-            line.iter().any(|[h, l]| at(*l).is_some_and(|chord| (h - chord).abs() > 0.03 * steepness.max(1.0)))
+            let most = 2.0 * height / 800.0 * (steepest.fold(0.0, f64::max) * width / height).max(1.0);
+            line.iter().any(|[h, l]| at(*l).is_some_and(|chord| (h - chord).abs() > most))
         };
         for step in [8, 64] {
             let other = coarser(step);

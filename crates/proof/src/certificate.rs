@@ -84,7 +84,7 @@ impl CertifiedAtlas {
                     sources: event.sources.iter().map(source).collect(),
                     curves: names(&event.curves),
                     x: spacing.outward(&event.x),
-                    h: decimal::outward(&event.h.map(super::region::exact), NODE_DIGITS),
+                    h: decimal::outward(&event.h.map(super::margin::exact), NODE_DIGITS),
                 })
                 .collect(),
             transitions: a.transitions.iter().map(|group| group.iter().map(|e| e.index()).collect()).collect(),

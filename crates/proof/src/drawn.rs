@@ -6,6 +6,8 @@ use dashu_ratio::RBig;
 use super::arrange::{Event, Source};
 use super::curves::Curves;
 use super::id::TransitionId;
+use super::margin::{self, Margin, exact};
+use super::region::{Region, Sample};
 use super::{CertifiedAtlas, NotWritten};
 use numbers::decimal;
 use numbers::enclosure::{Arithmetic, Enclosure};
@@ -85,23 +87,8 @@ impl CertifiedAtlas {
     }
 
     fn drawn_regions(&self, map: &Table<CurveId, CurveId>) -> Table<RegionId, atlas::Region> {
-        let proved = &self.arrangement;
         let regions = self.regions.iter().map(|region| {
-            let Cell { slab, position } = region.cells[0];
-            let sample = region.sample.as_ref().map_or_else(
-                || {
-                    let strip = &proved.slabs[slab];
-                    let (h, nearest) = (strip.heights[position][1], map[strip.order[position]]);
-                    atlas::Sample { x: double(&strip.x), h, margin: 0.0, error: 0.0, nearest }
-                },
-                |sample| {
-                    let strip = &proved.slabs[sample.cell.slab];
-                    let (position, h) = (sample.cell.position, double(&sample.h));
-                    let up = strip.heights.get(position + 1).map_or(f64::INFINITY, |high| high[0] - h);
-                    let nearest = map[strip.order[position + usize::from(up < h - strip.heights[position][1])]];
-                    atlas::Sample { x: double(&strip.x), h, margin: sample.margin, error: 0.0, nearest }
-                },
-            );
+            let sample = self.drawn_sample(region, map);
             atlas::Region {
                 cells: region.cells.clone(),
                 sample,
@@ -109,6 +96,25 @@ impl CertifiedAtlas {
             }
         });
         regions.collect()
+    }
+
+    /// The doubles nearest to the sample of a region, with the margin of the sample itself and an error for the rounding too. A
+    /// region without a sample has the height of the curve below it.
+    fn drawn_sample(&self, region: &Region, map: &Table<CurveId, CurveId>) -> atlas::Sample {
+        let proved = &self.arrangement;
+        let below = || {
+            let Cell { slab, position } = region.cells[0];
+            let (strip, [lo, hi]) = (&proved.slabs[slab], proved.slabs[slab].heights[position]);
+            (slab, exact(hi), Margin { distance: [0.0, (hi - lo).next_up()], nearest: strip.order[position] })
+        };
+        let of_sample = |sample: &Sample| (sample.cell.slab, sample.h.clone(), sample.margin);
+        let (slab, h, Margin { distance: [least, most], nearest }) =
+            region.sample.as_ref().map_or_else(below, of_sample);
+        let exact_x = &proved.slabs[slab].x;
+        let (x, rounded_h) = (double(exact_x), double(&h));
+        let rounding = margin::rounding([exact_x, &h], [(2.0 * x).sqrt(), rounded_h], most, self.frame.r_norm);
+        let error = ((most - least).next_up() + rounding).next_up();
+        atlas::Sample { x, h: rounded_h, margin: least, error, nearest: map[nearest] }
     }
 
     /// Proved bounds of the events, in the order in which [`Self::drawn`] has them.
@@ -130,7 +136,7 @@ impl CertifiedAtlas {
         };
         let x = roomy(event.x.clone(), 136);
         let l = (Wide::small(2, BITS) * x).sqrt() * Wide::double(self.frame.momentum_unit, BITS);
-        let h = roomy(event.h.map(super::region::exact), 72) * Wide::double(self.frame.energy_unit, BITS);
+        let h = roomy(event.h.map(exact), 72) * Wide::double(self.frame.energy_unit, BITS);
         let text = |set: &Wide| {
             let bounds = set.exact_bounds();
             bounds.map_or(["-inf".to_owned(), "inf".to_owned()], |bounds| decimal::outward(&bounds, DIGITS))

@@ -5,7 +5,7 @@
 
 use super::model::{Constants, Model};
 use numbers::Sign;
-use numbers::enclosure::Arithmetic;
+use numbers::enclosure::{Arithmetic, Enclosure};
 
 /// A half of a family with its coordinate y > 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -155,10 +155,40 @@ impl<E: Arithmetic> State<E> {
     pub fn h(&self) -> E {
         self.x.clone() / self.j.clone() - self.rho.clone()
     }
+}
 
-    /// d(1/J)/dx.
-    pub fn curvature(&self) -> E {
-        -(self.j_slope.clone() / (self.j.square() * self.x.clone() * self.log_slope.clone()))
+/// d²h/dx² = d(1/J)/dx of all states of an arc as −J'/(J² x) over (ln x)', with derivatives by y: where the arc ends at a cusp the
+/// latter is 0 at the end, and has one sign inside.
+#[derive(Clone, Debug)]
+pub(super) struct Curvature<E> {
+    numerator: E,
+    denominator: E,
+    /// The sign of the denominator inside, where it is 0 at the end at most.
+    sign: Option<Sign>,
+}
+
+impl<E: Enclosure> Curvature<E> {
+    /// Of the states of an arc, with the one at its end and one inside of it.
+    pub fn of(arc: &State<E>, [end, inside]: [&State<E>; 2]) -> Self {
+        let numerator = -(arc.j_slope.clone() / (arc.j.square() * arc.x.clone()));
+        let is_cusp = end.log_slope.strict_sign().is_none();
+        let deciding = if is_cusp { inside } else { arc };
+        Self { numerator, denominator: arc.log_slope.clone(), sign: deciding.log_slope.strict_sign() }
+    }
+
+    /// Of a straight line.
+    pub fn zero(c: &Constants<E>) -> Self {
+        Self { numerator: c.small(0), denominator: c.small(1), sign: Some(Sign::Positive) }
+    }
+
+    /// The sign of the difference to another one inside of both arcs, if it is the same everywhere.
+    pub fn minus(&self, other: &Self) -> Option<Sign> {
+        if [self, other].iter().all(|arc| arc.denominator.strict_sign().is_some()) {
+            let quotient = |arc: &Self| arc.numerator.clone() / arc.denominator.clone();
+            return (quotient(self) - quotient(other)).strict_sign();
+        }
+        let product = |p: &Self, q: &Self| p.numerator.clone() * q.denominator.clone();
+        Some((product(self, other) - product(other, self)).strict_sign()? * self.sign? * other.sign?)
     }
 }
 

@@ -26,6 +26,7 @@ mod exact;
 mod family;
 mod heights;
 mod id;
+mod margin;
 mod mirror;
 mod model;
 mod one_x;

@@ -26,7 +26,7 @@ pub enum NotPlaced {
     /// There is no atlas.
     #[error("the atlas of this body was not finished within its budget")]
     NoAtlas,
-    /// Only with [`crate::Accuracy::Fast`].
+    /// With [`crate::Accuracy::Fast`], and at l = 0, where no exact place is sought.
     #[error("f64 does not tell apart the regions of this type that are near the point")]
     Rounding,
     /// Where the point lies among the curves is not decided.

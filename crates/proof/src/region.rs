@@ -3,10 +3,10 @@
 use dashu_ratio::RBig;
 
 use super::arrange::{Arrangement, Slab};
+use super::margin::{Evaluators, Margin, exact};
 use super::plane::{Gap, Open, Plane, rounded};
 use super::point::Evaluator;
 use numbers::enclosure::Enclosure;
-use numbers::wide::{Interval128, Interval384};
 use top::body::Frame;
 use top::diagram::{Cell, RegionId};
 use top::table::Table;
@@ -18,8 +18,8 @@ pub(super) struct Sample {
     pub cell: Cell,
     /// Energy: a double, unless the region is thinner than doubles are apart.
     pub h: RBig,
-    /// Distance to the proved heights around, rounded down; 0 where no double lies between them.
-    pub margin: f64,
+    /// Its distance to the curves around.
+    pub margin: Margin,
 }
 
 /// A region.
@@ -41,27 +41,29 @@ pub(super) fn regions(arrangement: &Arrangement, frame: &Frame) -> Table<RegionI
         }
     }
     let plane = Plane::new(&arrangement.model, frame);
-    cells.into_iter().map(|cells| region(arrangement, &plane, cells)).collect()
+    let evaluators = Evaluators::new(arrangement);
+    cells.into_iter().map(|cells| region(arrangement, &evaluators, &plane, cells)).collect()
 }
 
-fn region(arrangement: &Arrangement, plane: &Plane<'_>, cells: Vec<Cell>) -> Region {
-    let samples = cells.iter().filter_map(|&cell| sample(arrangement, cell));
-    let best = samples.max_by(|p, q| p.0.total_cmp(&q.0)).map(|(_, sample)| sample);
-    let Cell { slab, position } = best.as_ref().map_or(cells[0], |sample| sample.cell);
-    let strip = &arrangement.slabs[slab];
-    let found = gap(arrangement, strip, position);
+fn region(arrangement: &Arrangement, evaluators: &Evaluators<'_>, plane: &Plane<'_>, cells: Vec<Cell>) -> Region {
+    let samples = cells.iter().filter_map(|&cell| sample(arrangement, cell).map(|(room, h)| (room, cell, h)));
+    let best = samples.max_by(|p, q| p.0.total_cmp(&q.0)).map(|(_, cell, h)| (cell, h));
+    let cell = best.as_ref().map_or(cells[0], |(cell, _)| *cell);
+    let strip = &arrangement.slabs[cell.slab];
+    let found = gap(evaluators, strip, cell.position);
     let thin = || {
         let Ok(Gap { low: Some(low), high: Some(high) }) = &found else { return None };
         let half = (high - low) / RBig::from(2);
-        Some(Sample { cell: Cell { slab, position }, h: rounded(low + &half, &half), margin: 0.0 })
+        Some((cell, rounded(low + &half, &half)))
     };
     let sample = best.or_else(thin);
+    let sample = sample.map(|(cell, h)| Sample { cell, margin: evaluators.margin(cell, &h), h });
     let components = found.and_then(|gap| plane.class(&strip.x, &gap));
     Region { cells, sample, components }
 }
 
 /// The bounds of a cell, with as many bits as part them.
-fn gap(arrangement: &Arrangement, strip: &Slab, position: usize) -> Result<Gap, Open> {
+fn gap(evaluators: &Evaluators<'_>, strip: &Slab, position: usize) -> Result<Gap, Open> {
     let [low, high] = [position, position + 1].map(|place| strip.heights.get(place));
     let narrow = |low: &[f64; 2], high: Option<&[f64; 2]>| {
         let apart = high.is_none_or(|high| low[1] < high[0] && high[0].is_finite());
@@ -71,13 +73,12 @@ fn gap(arrangement: &Arrangement, strip: &Slab, position: usize) -> Result<Gap, 
     if let Some(gap) = low.and_then(|low| narrow(low, high)) {
         return Ok(gap);
     }
-    wide_gap::<Interval128>(arrangement, strip, position)
-        .or_else(|| wide_gap::<Interval384>(arrangement, strip, position))
+    wide_gap(evaluators.middle(), strip, position)
+        .or_else(|| wide_gap(evaluators.wide(), strip, position))
         .ok_or(Open::Beside)
 }
 
-fn wide_gap<E: Enclosure<Precision = ()>>(arrangement: &Arrangement, strip: &Slab, position: usize) -> Option<Gap> {
-    let evaluator = Evaluator::<E>::new(&arrangement.model, &arrangement.curves, &[], ());
+fn wide_gap<E: Enclosure<Precision = ()>>(evaluator: &Evaluator<'_, E>, strip: &Slab, position: usize) -> Option<Gap> {
     let x = E::rational(&strip.x, ());
     let height = |place: usize| evaluator.point(*strip.order.get(place)?, &x)?.h().exact_bounds();
     let ([_, low], high) = (height(position)?, height(position + 1));
@@ -88,8 +89,8 @@ fn wide_gap<E: Enclosure<Precision = ()>>(arrangement: &Arrangement, strip: &Sla
     high.as_ref().is_none_or(|high| low < *high).then_some(Gap { low: Some(low), high })
 }
 
-/// A sample of a cell and how well it lies: its distance to the curves relative to the energies there.
-fn sample(arrangement: &Arrangement, cell: Cell) -> Option<(f64, Sample)> {
+/// h of a sample of a cell, and how well it lies: its distance to the curves relative to the energies there.
+fn sample(arrangement: &Arrangement, cell: Cell) -> Option<(f64, RBig)> {
     let Cell { slab, position } = cell;
     let strip = &arrangement.slabs[slab];
     strip.l?;
@@ -110,11 +111,6 @@ fn sample(arrangement: &Arrangement, cell: Cell) -> Option<(f64, Sample)> {
     let inside = low[1] < h && strip.heights.get(position + 1).is_none_or(|high| h < high[0]);
     inside.then(|| {
         let margin = (h - low[1]).min(strip.heights.get(position + 1).map_or(f64::INFINITY, |high| high[0] - h));
-        (margin / scale, Sample { cell, h: exact(h), margin })
+        (margin / scale, exact(h))
     })
-}
-
-/// The double as an exact number.
-pub(super) fn exact(x: f64) -> RBig {
-    RBig::try_from(x).unwrap_or(RBig::ZERO)
 }

@@ -1,13 +1,14 @@
 //! Margins beside events: within their bounds, and at the exact level of the curve that is nearest.
 
 use dashu_ratio::RBig;
-use proof::{Accuracy, Prepared, classify, classify_exactly};
+use proof::{Accuracy, CertifiedAtlas, Prepared, classify, classify_exactly};
 use proptest::prelude::*;
 use support::property::{Verdict, holds_for_bodies};
 use support::strata::Stratum;
 use top::atlas::Atlas;
 use top::body::{Body, Number};
 use top::classify::{Classification, Margin};
+use top::diagram::Change;
 
 fn body(a: [&str; 3], r: [&str; 3]) -> Body {
     Body::parse(&a, &r).unwrap()
@@ -93,4 +94,42 @@ fn margins_beside_events_hold_and_name_the_nearest_curve() {
     for stratum in strata {
         holds_for_bodies(stratum, 8, margins_hold_beside_events);
     }
+}
+
+/// The samples of a proved atlas, where they are written, but for those beside whose l, within rounding, a curve begins or ends.
+fn margins_of_samples_hold(body: &Body) -> Verdict {
+    let Ok(proved) = CertifiedAtlas::new(body) else { return Ok(()) };
+    let Ok(drawn) = proved.drawn() else { return Ok(()) };
+    for region in proved.region_ids() {
+        let sample = drawn.sample(region);
+        let is_near = |x: f64| (drawn.momentum(x) - sample.l).abs() <= 4.0 * f64::EPSILON * sample.l;
+        let events = &drawn.arrangement().events;
+        if events.iter().any(|event| !matches!(event.change, Change::Swap(_)) && is_near(event.x)) {
+            continue;
+        }
+        let exact = |x: f64| Number::from_rational(RBig::try_from(x).unwrap());
+        let decimal = |x: f64| x.to_string().parse::<Number>().unwrap();
+        for [h, l] in [[exact(sample.h), exact(sample.l)], [decimal(sample.h), decimal(sample.l)]] {
+            let Ok(truth) = classify_exactly(body, &h, &l) else { continue };
+            let (truth, margin) = (truth.margin, &sample.margin);
+            let off = (margin.h - truth.h).abs();
+            prop_assert!(off <= margin.error_bound + truth.error_bound, "{region}: {margin:?}, not {truth:?}");
+            let named = margin.nearest == truth.nearest || margin.h < 1e-9 * (truth.h + sample.h.abs());
+            prop_assert!(named, "{region}: {margin:?}, not {truth:?}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn margins_of_samples_hold_where_they_are_written() {
+    for stratum in [Stratum::Generic, Stratum::Plane, Stratum::Lagrange, Stratum::Symmetric, Stratum::NearAxis] {
+        holds_for_bodies(stratum, 12, margins_of_samples_hold);
+    }
+}
+
+/// atlas --A 1,1.000000000000001,1.7 --r 0.3,0.2,1e-8: five regions are thinner than doubles are apart.
+#[test]
+fn margins_of_samples_in_thin_regions_hold_where_they_are_written() {
+    margins_of_samples_hold(&body(["1", "1.000000000000001", "1.7"], ["0.3", "0.2", "1e-8"])).unwrap();
 }

@@ -168,6 +168,26 @@ fn a_pitchfork_beside_a_point_is_not_at_the_point() {
     assert!(far.iter().flatten().all(|class| on.contains(class)), "{on:?}");
 }
 
+/// classify --A 1,3/4,1.4 --r 1,0,0 --h 3 --l 2, and --A 7/6,1,137/96 --r 5/2,0,205/24 --h 25 --l 20/3: the pair leaves its
+/// curve with a cusp, where its curvature is infinite.
+#[test]
+fn where_a_pitchfork_turns_over_the_classes_beside_it_meet() {
+    let borders = [
+        (["1,3/4,1.4", "1,0,0"], "3", "2"),
+        (["1,3/4,0.6", "1,0,0"], "3", "2"),
+        (["1,3/4,3/4", "1,0,0"], "3", "2"),
+        (["3,3,4", "0,0,1"], "3", "4"),
+        (["7/6,1,137/96", "5/2,0,205/24"], "25", "20/3"),
+    ];
+    for (numbers, h, l) in borders {
+        let (body, found) = exactly(numbers, h, l);
+        let mut around = classes_around(&Tie { body, h: number(h), l: number(l) });
+        around.sort();
+        around.dedup();
+        assert_eq!((candidates(&found), 3), (around.clone(), around.len()), "{numbers:?}");
+    }
+}
+
 /// classify --A 2,1,3 --r 1,2,2 --h=-11999999/4000000 --l 1/1000
 #[test]
 fn on_a_pole_line_above_the_minimum_u_is_not_empty() {

@@ -80,7 +80,7 @@ impl<'a> Chords<'a> {
         let slope = (to.near.h.middle() - from.near.h.middle()) / width;
         let slopes = [from, to].map(|at| at.near.j.recip().middle());
         let length = to.l - from.l;
-        let bow = (slope.abs() + room / width) * 0.5 * self.plane.abscissa(length);
+        let bow = (slope.abs() + room / width) * 0.25 * self.plane.abscissa(length);
         let apart = |other: f64| (other - slope).abs() + POINT * other.abs() + room / width;
         let turn = self.turns[curve].as_ref().filter(|turn| {
             let aside = POINT * x[1];

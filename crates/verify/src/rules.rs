@@ -91,17 +91,23 @@ pub(super) fn leaves_cusp(orders: &Orders, curves: [usize; 2], node: &Node, side
 }
 
 /// Lemma 7.3, from a common pitchfork: there g = 0 and dg/dx = 0, since the curves share the equilibrium; so g has the
-/// sign of d²g/dx² if that is the same everywhere up to the node. d(1/J)/dx = −J′/(J² x (ln x)′) with derivatives by y.
+/// sign of d²g/dx² if that is the same everywhere up to the node. d(1/J)/dx = −J′/(J² x (ln x)′) with derivatives by y; (ln x)′ may
+/// be 0 at the end, where the pair has a cusp, but not before the node, since pieces end at cusps: it has the sign that it has there.
 pub(super) fn leaves_pitchfork(orders: &Orders, curves: [usize; 2], node: &Node, side: usize, sign: i8) -> bool {
     let curvature = |which: usize| {
         let end = orders.pieces.end_point(orders.spaces, curves[which], side)?;
         let y = coordinate(orders, curves[which], &end)?.hull(node.stands[which].y.as_ref()?);
         let range = over(orders, curves[which], &y)?;
         let [log_slope, j_slope] = range.slopes?;
-        Some(-&j_slope.over(&(&(&range.j.square() * &range.x) * &log_slope))?)
+        let inside = node.stands[which].point.slopes.as_ref().and_then(|[log_slope, _]| log_slope.strict_sign());
+        Some((-&j_slope.over(&(&range.j.square() * &range.x))?, log_slope, inside))
     };
-    let difference = curvature(0).zip(curvature(1)).map(|(p, q)| &p - &q);
-    difference.and_then(|d| d.strict_sign()) == Some(sign)
+    let difference = curvature(0).zip(curvature(1)).and_then(|((p, dp, p_inside), (q, dq, q_inside))| {
+        let apart = || (&p.over(&dp)? - &q.over(&dq)?).strict_sign();
+        let across = || Some((&(&p * &dq) - &(&q * &dp)).strict_sign()? * p_inside? * q_inside?);
+        apart().or_else(across)
+    });
+    difference == Some(sign)
 }
 
 /// Lemma 7.1: g has the sign at the node, and dg/dx has it from there to infinity.

@@ -1,20 +1,27 @@
 //! The samples that a document lists, against those of the certificate, which are proved to lie in their regions.
 
+use dashu_int::IBig;
 use dashu_ratio::RBig;
-use schema::{AtlasDocument, CertificateDocument, RegionDocument};
+use schema::{AtlasDocument, CertificateDocument, MarginDocument};
 
-use super::bounds::{is_at_most, roundings};
+use super::bounds::roundings;
 use super::fixed::Fixed;
-use super::measures::{CONVERTED, is_near};
+use super::measures::CONVERTED;
 use super::orders::Orders;
 use super::regions::Sample;
 use super::slabs::Slab;
 use super::{Refused, number};
 
-/// Heights in doubles are good to 2⁻ᵇ of the energies there.
-const HEIGHT: usize = 30;
-/// The error of a margin that is stated is at most so many roundings of them.
-const ROUNDINGS: u32 = 4;
+/// The error of a margin is at most so many roundings of the energies there.
+const ROUNDINGS: u32 = 8;
+
+/// A sample, as it is written and as it is proved, in the certificate's units.
+struct Place<'a> {
+    /// x and h of the certificate.
+    exact: [&'a RBig; 2],
+    /// l²/2 and h of the document.
+    written: [RBig; 2],
+}
 
 /// Checks each sample: (h, l) is the certificate's, rounded; its distance to the curves around, and which of them is nearest.
 pub(super) fn check(
@@ -29,42 +36,69 @@ pub(super) fn check(
     for (region, Sample { cell: (slab, position), h }) in document.regions.iter().zip(samples) {
         let slab = &slabs[*slab];
         let refuse = |why| Err(Refused::Region { region: region.id.clone(), why });
-        let x = orders.spaces.set(&slab.x);
         let sample = &region.sample;
-        let at_l = is_near(sample.l, 2, &l2, &x, &slab.x, CONVERTED);
-        let size = h.clone().max(-h);
-        if !at_l || !is_near(sample.h, 1, &energy, &orders.spaces.set(h), &size, CONVERTED) {
+        let [Ok(l), Ok(written)] = [sample.l, sample.h].map(RBig::try_from) else {
+            return refuse("its sample is not that of its certificate");
+        };
+        let place = Place { exact: [&slab.x, h], written: [&l * &l / &l2, written / &energy] };
+        if !place.is_near() {
             return refuse("its sample is not that of its certificate");
         }
-        if !margin(region, orders, slab, *position, h, &energy) {
+        if !place.has_margin(&region.sample.margin, orders, slab, *position, &energy) {
             return refuse("the margin of its sample is another");
         }
     }
     Ok(())
 }
 
-/// The distance to the curves around is as stated, and the one that is named is as near as it.
-fn margin(region: &RegionDocument, orders: &Orders, slab: &Slab, position: usize, h: &RBig, energy: &RBig) -> bool {
-    let at = orders.spaces.set(h);
-    let around = [Some(position), Some(position + 1)];
-    let levels = around.into_iter().flatten().filter_map(|k| slab.levels.get(k));
-    let distances: Vec<(&str, Fixed)> = levels
-        .map(|level| {
-            let distance = &at - &level.height;
-            let distance = if distance.is_positive() { distance } else { -&distance };
-            (orders.pieces.list[level.curve].id.as_str(), distance)
-        })
-        .collect();
-    let claim = &region.sample.margin;
-    let Ok(error) = RBig::try_from(claim.error_bound) else { return false };
-    let scale = h.clone().max(-h) + &slab.x + orders.spaces.norm.ends()[1].clone();
-    if !is_at_most(claim.error_bound, &roundings(ROUNDINGS, &(&scale * energy))) {
-        return false;
+impl Place<'_> {
+    /// What is written is the exact sample but for the last bits.
+    fn is_near(&self) -> bool {
+        let near = |exact: &RBig, written: &RBig| {
+            let room = absolute(exact) / RBig::from(IBig::ONE << CONVERTED);
+            absolute(&(written - exact)) <= room
+        };
+        (0..2).all(|k| near(self.exact[k], &self.written[k]))
     }
-    let room = error / energy + scale / RBig::from(dashu_int::IBig::ONE << HEIGHT);
-    let near = |distance: &Fixed| is_near(claim.h, 1, energy, distance, &room, 0);
-    let named = distances.iter().find(|(id, _)| *id == claim.nearest);
-    let Ok(least) = RBig::try_from(claim.h) else { return false };
-    let least = orders.spaces.set(&(least / energy - &room));
-    named.is_some_and(|(_, distance)| near(distance)) && distances.iter().all(|(_, distance)| least.at_most(distance))
+
+    /// How far rounding to doubles, and of these to decimals, may move a distance to the curves (Lemma 8.7):
+    /// Δh + (max(|h|, |h′|) + D + |r|) Δx / min(x, x′), where a decimal adds 2⁻⁵³|h′| to |h′ − h| and 2⁻⁵²x′ to |x′ − x|.
+    fn rounding(&self, distance: &RBig, norm: &RBig) -> Option<RBig> {
+        let ([x, h], [other_x, other_h]) = (self.exact, &self.written);
+        let least = x.min(other_x);
+        if *least <= RBig::ZERO {
+            return None;
+        }
+        let energies = absolute(h).max(absolute(other_h)) + distance + norm;
+        let decimal = |size: &RBig, power: usize| absolute(size) / RBig::from(IBig::ONE << power);
+        let across = absolute(&(other_h - h)) + decimal(other_h, 53);
+        let along = absolute(&(other_x - x)) + decimal(other_x, 52);
+        Some(across + energies * along / least)
+    }
+
+    /// The distance to the curves around is as stated, also where the sample is written, and the one that is named is the
+    /// nearest.
+    fn has_margin(&self, claim: &MarginDocument, orders: &Orders, slab: &Slab, position: usize, energy: &RBig) -> bool {
+        let at = orders.spaces.set(self.exact[1]);
+        let below = slab.levels.get(position).map(|level| (level, &at - &level.height));
+        let above = slab.levels.get(position + 1).map(|level| (level, &level.height - &at));
+        let around: Vec<(usize, Fixed)> =
+            [below, above].into_iter().flatten().map(|(level, distance)| (level.curve, distance)).collect();
+        let is_named = |curve: usize| orders.pieces.list[curve].id == claim.nearest;
+        let Some((_, nearest)) = around.iter().find(|(curve, _)| is_named(*curve)) else { return false };
+        if around.iter().any(|(_, distance)| distance.below(nearest)) {
+            return false;
+        }
+        let [Ok(margin), Ok(error)] = [claim.h, claim.error_bound].map(RBig::try_from) else { return false };
+        let (margin, error) = (margin / energy, error / energy);
+        let (ends, norm) = (nearest.ends(), orders.spaces.norm.ends()[1].clone());
+        let most = roundings(ROUNDINGS, &(absolute(self.exact[1]) + &norm));
+        let off = ends.iter().map(|end| absolute(&(end - &margin))).max();
+        let Some((off, rounding)) = off.zip(self.rounding(&ends[1], &norm)) else { return false };
+        margin >= RBig::ZERO && off + rounding <= error && error <= most
+    }
+}
+
+fn absolute(x: &RBig) -> RBig {
+    x.clone().max(-x)
 }

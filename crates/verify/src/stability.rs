@@ -20,9 +20,9 @@ use super::place::Side;
 use super::spaces::Spaces;
 use super::{Refused, number};
 
-/// A root is evaluated where its range is as narrow as this share of the bits tells, of its distance from the ends of the
-/// chart.
-const NARROW: [usize; 2] = [100, 256];
+/// A root's range is narrowed to so many bits for every 256 of the numbers, relative to its distance from the ends of the chart:
+/// thirty digits of what is evaluated there; the other bits are for what cancels.
+const NARROW: usize = 100;
 /// Halvings of a root's range at most.
 const NARROWEST: usize = 2000;
 
@@ -139,7 +139,7 @@ fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve:
     for (n, root) in inside.iter_mut().enumerate() {
         // A zero without a change of the type is none.
         if types[n] != types[n + 1] {
-            narrow(root, orders.spaces.bits() * NARROW[0] / NARROW[1]);
+            narrow(root, orders.spaces.bits() * NARROW / 256);
             turns.push(place(orders.spaces, piece.branch, chart, root).ok_or(CHANGES)?);
         }
     }

@@ -4,6 +4,7 @@ use super::node::Node;
 use super::proof::{Mark, Open, Proof, Stretch};
 use super::side::{Side, position};
 use super::stretch::DEPTH;
+use crate::family::Curvature;
 use crate::point::Evaluator;
 use numbers::Sign;
 use numbers::enclosure::Enclosure;
@@ -82,13 +83,13 @@ impl<E: Enclosure> Evaluator<'_, E> {
                 let curvature = |which: usize| {
                     let (half, y) = node.at[which].place.clone()?;
                     let end = self.end_point(curves[which], side)?;
-                    let (end_half, end_y) = end.place?;
-                    if half != end_half {
+                    let (end_half, end_y) = end.place.as_ref()?;
+                    if half != *end_half {
                         return None;
                     }
-                    Some(self.state(half, &y.hull(&end_y)).curvature())
+                    Some(Curvature::of(&self.state(half, &y.hull(end_y)), [&end.over, &node.at[which].over]))
                 };
-                (curvature(0)? - curvature(1)?).strict_sign()
+                curvature(0)?.minus(&curvature(1)?)
             }
             _ => None,
         }

@@ -9,7 +9,7 @@ use numbers::wide::Wide;
 
 use super::point::Vertex;
 use crate::curves::Place;
-use crate::family::{Half, State};
+use crate::family::{Curvature, Half, State};
 use crate::heights::{Level, Source, ordered};
 use crate::model::{Constants, Model};
 
@@ -163,10 +163,17 @@ impl Arc<'_> {
     }
 
     /// All of its d²h/dx².
-    fn curvature(&self, model: &Model, c: &Constants<Wide>) -> Option<Wide> {
+    fn curvature(&self, model: &Model, c: &Constants<Wide>) -> Option<Curvature<Wide>> {
         match self.at {
-            Source::Line(_) | Source::Euler { .. } => Some(c.small(0)),
-            Source::Generic { .. } | Source::Over { .. } => Some(self.states(model, c)?.curvature()),
+            Source::Line(_) | Source::Euler { .. } => Some(Curvature::zero(c)),
+            Source::Generic { .. } | Source::Over { .. } => {
+                let state = |place: &Place| {
+                    let y = Wide::rational(&place.lo, BITS).hull(&Wide::rational(&place.hi, BITS));
+                    State::at(model, c, place.half, &y)
+                };
+                let [end, inside] = [state(place(self.at)?), state(place(self.beside)?)];
+                Some(Curvature::of(&self.states(model, c)?, [&end, &inside]))
+            }
         }
     }
 }
@@ -200,5 +207,5 @@ fn are_forked(model: &Model, c: &Constants<Wide>, [through, pair]: [&Arc<'_>; 2]
         Source::Over { .. } | Source::Euler { .. } => false,
     };
     let curvatures = through.curvature(model, c).zip(pair.curvature(model, c));
-    passes && curvatures.is_some_and(|(p, q)| (p - q).strict_sign().is_some())
+    passes && curvatures.is_some_and(|(p, q)| p.minus(&q).is_some())
 }
