@@ -54,6 +54,24 @@ fn beside_a_cusp_the_distance_is_that_at_l() {
     }
 }
 
+/// classify --A 1,2,3 --r 0,0,1 --l 0.5 between the lines h = 1/24 ∓ 1, a little off their middle.
+#[test]
+fn between_two_curves_the_nearer_one_is_named() {
+    let on_axis = body(["1", "2", "3"], ["0", "0", "1"]);
+    let l: Number = "0.5".parse().unwrap();
+    let middle = RBig::from_parts(1.into(), 24u32.into());
+    let small = |exponent: isize| RBig::ONE / RBig::from(10).pow(exponent);
+    for exponent in [20, 17, 16] {
+        for (h, nearest) in [(&middle + small(exponent), "L-.1"), (&middle - small(exponent), "L+.1")] {
+            let h = Number::from_rational(h);
+            for margin in margins(&on_axis, &h, &l, Accuracy::Exact) {
+                assert_eq!(margin.nearest.unwrap().to_string(), nearest, "1e-{exponent}: {margin:?}");
+                assert!((margin.h - 1.0).abs() <= margin.error_bound + 2.0 * f64::EPSILON, "{margin:?}");
+            }
+        }
+    }
+}
+
 /// At every event of a body, at relative distances of 10⁻¹⁰ to 10⁻²⁰ from its l: near the event, and away from it.
 fn margins_hold_beside_events(body: &Body) -> Verdict {
     let Ok(atlas) = Atlas::new(body) else { return Ok(()) };

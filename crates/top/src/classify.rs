@@ -170,7 +170,7 @@ fn open_at_one_momentum(
 struct AtMomentum {
     components: Components,
     margin: Margin,
-    /// No other curve on the same side of h may be the nearest one.
+    /// No other curve may be the nearest one.
     named: bool,
 }
 
@@ -202,9 +202,7 @@ fn at_one_momentum(set: &CriticalSet, h: &Number, x: f64) -> (Option<AtMomentum>
         }
     };
     let farthest = distance(&nearest) + error(&nearest);
-    let may_be_nearest = |(other, p): &&(CurveId, Point)| {
-        *other != curve && (p.h() < energy) == (nearest.h() < energy) && distance(p) - error(p) <= farthest
-    };
+    let may_be_nearest = |(other, p): &&(CurveId, Point)| *other != curve && distance(p) - error(p) <= farthest;
     let unit = set.frame.energy_unit;
     let margin = Margin {
         h: distance(&nearest) * unit,
@@ -236,15 +234,15 @@ impl Atlas {
         Ok((named && found.components().is_some()).then_some(found))
     }
 
-    /// The type, and whether the nearest curve is named for certain: within rounding of an event it may be another one.
+    /// The type, and whether the nearest curve is named for certain: within rounding of an event, or of the middle between two
+    /// curves, it may be another one.
     fn classify_and_name(&self, h: &Number, l: &Number) -> Result<(Classification, bool), ClassifyError> {
         let body = self.body();
         if l.to_f64() == 0.0 {
             return Ok((at_rest(body, h), true));
         }
         let unknown = |place: &Place| matches!(place, Place::Region(region) if self.components(*region).is_err());
-        let Location { place, distance, nearest, error_bound, between_events, .. } =
-            self.locate(h.to_f64(), l.to_f64())?;
+        let Location { place, distance, nearest, error_bound, named, .. } = self.locate(h.to_f64(), l.to_f64())?;
         let set = &self.arrangement().set;
         if !self.arrangement().undecided.is_empty() || unknown(&place) {
             let x = atlas::abscissa(&set.frame, l.to_f64())?;
@@ -253,7 +251,7 @@ impl Atlas {
             }
         }
         let margin = Margin { h: distance, nearest: Some(CurveName::of(set, nearest)), error_bound };
-        let decided = |components| Ok((Classification::decided(components, margin), between_events));
+        let decided = |components| Ok((Classification::decided(components, margin), named));
         let places = match place {
             Place::Forbidden => return decided(Vec::new()),
             Place::Region(region) => return decided(self.components(region)?.to_vec()),

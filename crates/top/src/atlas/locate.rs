@@ -24,8 +24,9 @@ pub struct Location {
     /// Bound on the error of `distance`, the rounding of h and l included. Within rounding of a cusp or pitchfork it holds
     /// whichever side the exact l is on.
     pub error_bound: f64,
-    /// No event lies within rounding of l: the curves over l, and their order, are those of one slab.
-    pub between_events: bool,
+    /// The nearest curve is named for certain: no event lies within rounding of l, so that the curves over l and their order are
+    /// those of one slab, and of the curves below and above h one is nearer by more than the errors of both.
+    pub named: bool,
     /// Points of curves that were computed.
     pub curve_points: usize,
 }
@@ -100,6 +101,7 @@ impl Atlas {
         let (distance, nearest) =
             if under.0 <= over.0 { (under.0, order[low - 1]) } else { (over.0, order[low.min(order.len() - 1)]) };
         let rounding = under.1.max(over.1);
+        let named = between_events && (under.0 - over.0).abs() > under.1 + over.1;
         let decided = |distance: f64| {
             if distance <= rounding || !self.order_is_certain(number, x) {
                 Place::Undecided(self.candidates(h, x, around.clone()))
@@ -112,14 +114,14 @@ impl Atlas {
         let near = if between_events { around.clone() } else { self.slabs_near(number, x, false) };
         if near.start() == near.end() {
             let place = decided(distance);
-            return Location { place, distance, nearest, error_bound: rounding, between_events, curve_points };
+            return Location { place, distance, nearest, error_bound: rounding, named, curve_points };
         }
         // Within rounding of an event the curves that are born or vanish there count, on whichever side x is.
         let places = self.candidates(h, x, around.clone());
         let Nearest { distance, curve: nearest, error_bound } =
             self.nearest_in(h, x, near).unwrap_or(Nearest { distance, curve: nearest, error_bound: rounding });
         let place = if places.len() > 1 { Place::Undecided(places) } else { decided(distance) };
-        Location { place, distance, nearest, error_bound, between_events, curve_points }
+        Location { place, distance, nearest, error_bound, named, curve_points }
     }
 
     /// The slab of x, as the events are rounded.
