@@ -168,7 +168,7 @@ fn is_thin(document: &AtlasDocument, outline: &[[f64; 2]]) -> bool {
 fn coarse_polylines_beside_a_turn_are_refused() {
     let true_one = whole(&body([["2", "1000", "0.854"], ["-0.7606", "0.9684", "-0.0368"]]));
     // The part that curves are drawn in (docs/formats.md).
-    let norm = (0.7606_f64.powi(2) + 0.9684_f64.powi(2) + 0.0368_f64.powi(2)).sqrt();
+    let norm = [0.7606_f64, 0.9684, 0.0368].map(|c| c * c).iter().sum::<f64>().sqrt();
     let width = (1.6 * true_one.events.last().unwrap().l).max(3.0 * (1000.0 * norm).sqrt());
     let height = width * width / 2000.0 + 2.0 * norm;
     let mut forged_ones = 0;
