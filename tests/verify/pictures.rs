@@ -168,7 +168,7 @@ fn is_thin(document: &AtlasDocument, outline: &[[f64; 2]]) -> bool {
 fn coarse_polylines_beside_a_turn_are_refused() {
     let true_one = whole(&body([["2", "1000", "0.854"], ["-0.7606", "0.9684", "-0.0368"]]));
     // The part that curves are drawn in (docs/formats.md).
-    let norm = [0.7606, 0.9684, 0.0368].iter().map(|x| x * x).sum::<f64>().sqrt();
+    let norm = [0.7606_f64, 0.9684, 0.0368].map(|c| c * c).iter().sum::<f64>().sqrt();
     let width = (1.6 * true_one.events.last().unwrap().l).max(3.0 * (1000.0 * norm).sqrt());
     let height = width * width / 2000.0 + 2.0 * norm;
     let mut forged_ones = 0;
@@ -233,4 +233,36 @@ fn widths_that_are_exceeded_far_out_are_refused() {
         }
     }
     assert!(forged_ones > 3, "{forged_ones}");
+}
+
+/// Two close moments and r beside a plane: a cell of the region lies so far out that h in doubles tells nothing of its width,
+/// and J of both its curves is the same double. The widths are those of 80 digits.
+#[test]
+fn widths_of_cells_far_out_are_true_and_no_others_are_confirmed() {
+    let moments = ["1", "1.000000000000001", "1.7"];
+    for (r_3, width) in [("1e-8", 0.058_912_204_261_928_5), ("1e-9", 6.105_062_067_323_444e-6)] {
+        let true_one = whole(&body([moments, ["0.3", "0.2", r_3]]));
+        verify(&true_one).unwrap();
+        let is_it = |stated: f64| (stated - width).abs() < 1e-8 * width;
+        let number = true_one.regions.iter().position(|region| region.h_width.is_some_and(is_it)).unwrap();
+        for other in [0.9, 0.9999, 1.0001, 1.1, 100.0, 1e7].map(|factor| factor * width) {
+            let refused = forged(&true_one, |d| d.regions[number].h_width = Some(other));
+            assert!(matches!(refused, Err(Refused::Region { .. })), "{r_3}: {other} of {width}: {refused:?}");
+        }
+    }
+}
+
+/// Bodies whose curves run side by side over x up to 10¹⁵.
+#[test]
+fn widths_between_curves_of_close_moments_are_verified() {
+    for [second, r] in [
+        ["1.00000000000001", "0.3,0.2,1e-9"],
+        ["1.0000000000000001", "0.3,0.2,1e-9"],
+        ["1.000000000000001", "0.5,0.2,3e-9"],
+        ["1.000000000000001", "0.3,0.6,1e-9"],
+    ] {
+        let r: Vec<&str> = r.split(',').collect();
+        let document = whole(&body([["1", second, "1.7"], [r[0], r[1], r[2]]]));
+        verify(&document).unwrap_or_else(|refused| panic!("{second} {r:?}: {refused}"));
+    }
 }

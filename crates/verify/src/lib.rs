@@ -38,6 +38,7 @@ mod fixed;
 mod flow;
 mod gap;
 mod gluing;
+mod heights;
 mod interval;
 mod isolation;
 mod jet;

@@ -90,17 +90,24 @@ impl Traces {
 
     /// The same point, or one beside the end, in the precision of the spaces; `None` on a curve that is not generic.
     pub fn exactly(&self, spaces: &Spaces, pieces: &Pieces, curve: usize, x: f64) -> Option<Point> {
-        let (Trace::Family(family), Branch::Generic(number)) = (&self.0[curve], pieces.list[curve].branch) else {
-            return None;
-        };
+        let (base, side, y) = self.place(spaces, pieces, curve, x)?;
+        let is_generic = matches!(pieces.list[curve].branch, Branch::Generic(_));
+        is_generic.then(|| spaces.point(base, side, &spaces.set(&RBig::try_from(y).ok()?)))?
+    }
+
+    /// Where that point lies; `None` on a straight line.
+    pub fn place(&self, spaces: &Spaces, pieces: &Pieces, curve: usize, x: f64) -> Option<(usize, Side, f64)> {
+        let Trace::Family(family) = &self.0[curve] else { return None };
         let (half, y) = family.place(family.near(x));
         let space = |number: Option<usize>| spaces.active.get(number?).copied();
-        let [left, right] = [space(number.checked_sub(1)), space(Some(number))];
-        let (base, side) = match (left, half) {
-            (Some(left), 0) => (left, Side::Plus),
-            _ => (right?, Side::Minus),
-        };
-        spaces.point(base, side, &spaces.set(&RBig::try_from(y).ok()?))
+        match pieces.list[curve].branch {
+            Branch::Over(base) => Some((base, Side::Over, y)),
+            Branch::Generic(number) => match (space(number.checked_sub(1)), half) {
+                (Some(left), 0) => Some((left, Side::Plus, y)),
+                _ => Some((space(Some(number))?, Side::Minus, y)),
+            },
+            Branch::Line(_) | Branch::Rotation(_) => None,
+        }
     }
 }
 

@@ -1,7 +1,11 @@
 //! The largest extent of each region in h at one l: the gap between the curves below and above is reached somewhere and
 //! exceeded nowhere. J is monotone along a curve but for one place, so that h is convex or concave in x between two points
-//! of a curve, whose chord and tangents bound it; in doubles, with more room than they round. Curves side by side are closer
-//! than they are bent: there the gap has other bounds (`beside`).
+//! of a curve, whose chord and tangents bound it; in doubles where they round little of what is claimed, and else with all
+//! bits (`heights`), both curves measured from a tangent. Curves side by side are closer than they are bent: there the gap
+//! has other bounds (`beside`).
+
+use std::cell::OnceCell;
+use std::rc::Rc;
 
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument};
@@ -9,16 +13,21 @@ use schema::{AtlasDocument, CertificateDocument};
 use super::Refused;
 use super::beside::Beside;
 use super::events::Events;
+use super::fixed::Fixed;
+use super::heights::{Exact, Heights};
 use super::measures::tail;
 use super::orders::Orders;
 use super::plane::{POINT, Plane};
 use super::regions::Cell;
 use super::slabs::Slab;
 
-/// A width is what is stated to this share of it and to the room of both curves.
+/// A width is what is stated to this share of it, and to so many roundings of |r|.
 const ACCURACY: f64 = 1e-6;
+const ROUNDINGS: f64 = 64.0;
 /// Room for what doubles do to the sums of a few energies.
 const FEW: f64 = 8.0 * f64::EPSILON;
+/// Doubles serve where they round less than this share of the room.
+const SHARE: f64 = 0.25;
 /// Stretches of a cell at most.
 const STRETCHES: usize = 20_000;
 /// Stretches in a row that such a bound does not settle, after which none is asked for, and stretches for which one is.
@@ -33,33 +42,67 @@ struct Strip<'a> {
     plane: &'a Plane<'a>,
     curves: [usize; 2],
     end: Reach,
+    /// For where doubles tell too little.
+    heights: OnceCell<Heights<'a>>,
 }
 
 /// How far a cell goes in x.
-#[derive(Clone, Copy)]
 enum Reach {
     To(f64),
     /// To infinity, where h − x/a of both curves has these limits.
     Along {
-        limits: [f64; 2],
-        a: f64,
+        limits: [Fixed; 2],
+        a: Fixed,
     },
 }
 
-/// Both curves over one x, the lower one first.
+/// What is claimed, and how far a gap may be from it.
 #[derive(Clone, Copy)]
+struct Claim {
+    width: f64,
+    room: f64,
+}
+
+/// Both curves over one x, the lower one first.
+#[derive(Clone)]
 struct Pair {
     x: f64,
     h: [f64; 2],
     j: [f64; 2],
-    /// Room for the gap.
-    room: f64,
-    /// How far the gap may be from that of the curves.
+    /// How far the gap of these may be from that of the curves.
+    rounding: f64,
+    /// With all bits, once asked for.
+    exact: Rc<OnceCell<Option<Exact>>>,
+}
+
+/// A stretch between two x: what both curves do at its ends, above a straight line.
+struct Stretch {
+    length: f64,
+    /// For each curve at both ends.
+    heights: [[f64; 2]; 2],
+    slopes: [[f64; 2]; 2],
+    /// The slope of the line.
+    line: Fixed,
     rounding: f64,
 }
 
 /// h = at + slope·(x − x₀) for some x₀.
 type Ray = [f64; 2];
+
+impl Claim {
+    fn most(self) -> f64 {
+        self.width + self.room
+    }
+
+    /// Doubles with so much rounding serve.
+    fn admits(self, rounding: f64) -> bool {
+        rounding <= SHARE * self.room
+    }
+
+    fn is_met(self, [gap, rounding]: [f64; 2]) -> bool {
+        (gap - self.width).abs() + rounding <= self.room
+    }
+}
 
 /// Checks every width.
 pub(super) fn check(
@@ -83,12 +126,16 @@ pub(super) fn check(
                 Some(&x) => Reach::To(x),
                 None => along_one_axis(orders, curves)?,
             };
-            Some((slab, Strip { orders, plane, curves, end }))
+            Some((slab, Strip { orders, plane, curves, end, heights: OnceCell::new() }))
         };
         let strips: Option<Vec<(usize, Strip)>> = cells.iter().map(strip).collect();
         let (strips, claim) = match (strips, region.h_width) {
             (None, None) => continue,
-            (Some(strips), Some(claim)) => (strips, claim / plane.energy),
+            (Some(strips), Some(width)) => {
+                let width = width / plane.energy;
+                let norm = plane.norm / plane.energy;
+                (strips, Claim { width, room: width * ACCURACY + ROUNDINGS * f64::EPSILON * norm })
+            }
             _ => return Err(refuse()),
         };
         let mut reached = false;
@@ -108,7 +155,7 @@ fn along_one_axis(orders: &Orders, curves: [usize; 2]) -> Option<Reach> {
     let [lower, upper] = curves.map(|curve| tail(orders.spaces, &orders.pieces.list[curve]));
     let ([j, low], [k, high]) = (lower?, upper?);
     // Different moments are told apart by the bits of their sets.
-    Some(Reach::Along { limits: [low.to_f64(), high.to_f64()], a: j.meet(&k)?.to_f64() })
+    Some(Reach::Along { limits: [low, high], a: j.meet(&k)? })
 }
 
 impl Strip<'_> {
@@ -117,8 +164,21 @@ impl Strip<'_> {
         let both = [low?, high?];
         let h = both.each_ref().map(|near| near.h.middle());
         let rounding = both.iter().map(|near| near.h.radius() + FEW * near.h.middle().abs()).sum();
-        let room = both.iter().map(|near| near.room).sum();
-        Some(Pair { x, h, j: both.map(|near| near.j.middle()), room, rounding })
+        Some(Pair { x, h, j: both.map(|near| near.j.middle()), rounding, exact: Rc::default() })
+    }
+
+    fn exact<'b>(&self, pair: &'b Pair) -> Option<&'b Exact> {
+        let heights = self.heights.get_or_init(|| Heights::new(self.orders, self.plane, self.curves));
+        pair.exact.get_or_init(|| heights.over(pair.x)).as_ref()
+    }
+
+    /// The gap, and how far it may be from that of the curves.
+    fn gap(&self, pair: &Pair, claim: Claim) -> Option<[f64; 2]> {
+        if claim.admits(pair.rounding) {
+            return Some([pair.h[1] - pair.h[0], pair.rounding]);
+        }
+        let exact = self.exact(pair)?;
+        Some([exact.gap(), exact.rounding()])
     }
 
     /// The gap is at most this between two x, or from one to infinity, where the curves run side by side.
@@ -126,70 +186,78 @@ impl Strip<'_> {
         Beside { orders: self.orders, plane: self.plane, curves: self.curves }.largest_gap(first, last)
     }
 
-    /// Whether the gap reaches the claim; `None` unless it exceeds it nowhere. The room is that of the cell's beginning, as
-    /// energies grow with x.
-    fn within(&self, claim: f64, from: f64) -> Option<bool> {
+    /// Whether the gap reaches the claim; `None` unless it exceeds it nowhere.
+    fn within(&self, claim: Claim, from: f64) -> Option<bool> {
         let first = self.over(from)?;
-        let (room, most) = (first.room, claim * (1.0 + ACCURACY) + first.room);
-        let reaches = |gap: f64| (gap - claim).abs() <= claim * ACCURACY + room;
-        let (end, mut reached) = match self.end {
-            Reach::To(x) => (x, false),
+        let (end, mut reached) = match &self.end {
+            Reach::To(x) => (*x, false),
             Reach::Along { limits, a } => {
-                let limit = limits[1] - limits[0];
-                if limit > most {
+                let limit = (&limits[1] - &limits[0]).to_f64();
+                let found = [limit, FEW * limit.abs()];
+                if limit > claim.most() {
                     return None;
                 }
                 let soon = 2.0 * from.max(0.5);
-                let is_soon = self.beside(soon, None) <= most;
-                let end = if is_soon { soon } else { self.beyond(most, from, limits, a)? };
-                (end, (limit - claim).abs() <= claim * ACCURACY)
+                let is_soon = self.beside(soon, None) <= claim.most();
+                (if is_soon { soon } else { self.beyond(claim, from, limits, a)? }, claim.is_met(found))
             }
         };
         let last = self.over(end)?;
-        reached |= reaches(first.gap()) || reaches(last.gap());
+        for pair in [&first, &last] {
+            reached |= claim.is_met(self.gap(pair, claim)?);
+        }
+        Some(self.between(claim, first, last)? || reached)
+    }
+
+    /// Whether the gap reaches the claim between two x; `None` unless it exceeds it nowhere there.
+    fn between(&self, claim: Claim, first: Pair, last: Pair) -> Option<bool> {
+        let mut reached = false;
         let mut open = vec![(first, last)];
         let (mut misses, mut asked) = (0, 0);
         for _ in 0..STRETCHES {
             let Some((first, last)) = open.pop() else { return Some(reached) };
             let is_far = last.x > 4.0 * first.x;
-            let rounding = first.rounding.max(last.rounding);
-            // Far out doubles tell less.
-            if !is_far || rounding <= room {
-                if self.bound(&first, &last) <= most + rounding {
+            if self.bound(&first, &last, claim).is_some_and(|bound| bound <= claim.most()) {
+                continue;
+            }
+            if misses < MISSES && asked < QUESTIONS {
+                asked += 1;
+                if self.beside(first.x, Some(last.x)) <= claim.most() {
+                    misses = 0;
                     continue;
                 }
-                if misses < MISSES && asked < QUESTIONS {
-                    asked += 1;
-                    if self.beside(first.x, Some(last.x)) <= most {
-                        misses = 0;
-                        continue;
-                    }
-                    misses += 1;
-                }
+                misses += 1;
             }
             // Far ranges by their geometric mean.
             let middle =
                 if is_far && first.x > 0.0 { first.x.sqrt() * last.x.sqrt() } else { 0.5 * (first.x + last.x) };
             let at = self.over(middle)?;
-            if at.gap() > most + at.rounding {
+            let [gap, rounding] = self.gap(&at, claim)?;
+            if gap > claim.most() + rounding {
                 return None;
             }
-            reached |= reaches(at.gap());
-            open.extend([(first, at), (at, last)]);
+            reached |= claim.is_met([gap, rounding]);
+            open.extend([(first, at.clone()), (at, last)]);
         }
         None
     }
 
     /// An x from which on the gap is at most this: h − x/a goes to its limit monotonically on both curves, beyond the place
     /// where dJ/dμ = 0.
-    fn beyond(&self, most: f64, from: f64, limits: [f64; 2], a: f64) -> Option<f64> {
+    fn beyond(&self, claim: Claim, from: f64, limits: &[Fixed; 2], a: &Fixed) -> Option<f64> {
         let turn = self.orders.inflection.as_ref().map_or(0.0, |(_, point)| point.x.to_f64());
+        let limits = limits.each_ref().map(Fixed::to_f64);
         let mut x = 4.0 * from.max(1.0);
         for _ in 0..STEPS {
             let pair = self.over(x)?;
-            let highest = (pair.h[1] - x / a).max(limits[1]);
-            let lowest = (pair.h[0] - x / a).min(limits[0]);
-            if x > 2.0 * turn && highest - lowest <= most + pair.rounding {
+            let (rest, rounding) = if claim.admits(pair.rounding) {
+                (pair.h.map(|h| h - x / a.to_f64()), pair.rounding)
+            } else {
+                let exact = self.exact(&pair)?;
+                (exact.above_axis(a)?, exact.rounding() + FEW * limits[0].abs().max(limits[1].abs()))
+            };
+            let gap = rest[1].max(limits[1]) - rest[0].min(limits[0]);
+            if x > 2.0 * turn && gap + rounding <= claim.most() {
                 return Some(x);
             }
             x *= 4.0;
@@ -197,34 +265,74 @@ impl Strip<'_> {
         None
     }
 
+    /// Both curves between two x, in doubles where they serve.
+    fn stretch(&self, first: &Pair, last: &Pair, claim: Claim) -> Option<Stretch> {
+        let rounding = first.rounding.max(last.rounding);
+        if claim.admits(rounding) {
+            let ends = |of: fn(&Pair, usize) -> f64| [0, 1].map(|which| [of(first, which), of(last, which)]);
+            return Some(Stretch {
+                length: last.x - first.x,
+                heights: ends(|pair, which| pair.h[which]),
+                slopes: ends(|pair, which| 1.0 / pair.j[which]),
+                line: Fixed::whole(0),
+                rounding,
+            });
+        }
+        let (first, last) = (self.exact(first)?, self.exact(last)?);
+        let ends = |of: fn(&Exact, &Exact) -> [f64; 2]| {
+            let (at_first, at_last) = (of(first, first), of(last, first));
+            [0, 1].map(|which| [at_first[which], at_last[which]])
+        };
+        Some(Stretch {
+            length: (&last.x - &first.x).to_f64(),
+            heights: ends(Exact::above),
+            slopes: ends(Exact::steeper),
+            line: first.slopes[0].clone(),
+            rounding: first.rounding() + last.rounding(),
+        })
+    }
+
     /// The gap is at most this between two x.
-    fn bound(&self, first: &Pair, last: &Pair) -> f64 {
-        let width = last.x - first.x;
-        let (uppers, lowers) = (self.rays(first, last, 1), self.rays(first, last, 0));
+    fn bound(&self, first: &Pair, last: &Pair, claim: Claim) -> Option<f64> {
+        let stretch = self.stretch(first, last, claim)?;
+        let rays = |which: usize| {
+            let turn = self.orders.turn(self.curves[which]).filter(|point| {
+                let x = point.x.to_f64();
+                first.x <= x * (1.0 + POINT) && last.x >= x * (1.0 - POINT)
+            });
+            let slope = match turn {
+                Some(point) => Some((&Fixed::whole(1).over(&point.j)? - &stretch.line).to_f64()),
+                None => None,
+            };
+            Some(stretch.rays(which, slope))
+        };
+        Some(stretch.bound(&rays(0)?, &rays(1)?))
+    }
+}
+
+impl Stretch {
+    /// The largest gap between lines below and lines above, with what doubles round on the way.
+    fn bound(&self, lowers: &[Ray], uppers: &[Ray]) -> f64 {
         let lines: Vec<Ray> = uppers
             .iter()
             .flat_map(|[h, slope]| lowers.iter().map(move |[low, other]| [h - low, slope - other]))
             .collect();
         let least = |x: f64| lines.iter().map(|[at, slope]| at + slope * x).fold(f64::INFINITY, f64::min);
         let corners = lines.iter().enumerate().flat_map(|(k, p)| {
-            lines[..k].iter().map(move |q| (q[0] - p[0]) / (p[1] - q[1])).filter(|x| *x > 0.0 && *x < width)
+            lines[..k].iter().map(move |q| (q[0] - p[0]) / (p[1] - q[1])).filter(|x| *x > 0.0 && *x < self.length)
         });
-        corners.chain([0.0, width]).map(least).fold(f64::NEG_INFINITY, f64::max)
+        let largest = corners.chain([0.0, self.length]).map(least).fold(f64::NEG_INFINITY, f64::max);
+        let scale = |ends: &[[f64; 2]; 2]| ends.iter().flatten().fold(0.0_f64, |most, at| most.max(at.abs()));
+        largest + self.rounding + FEW * (scale(&self.heights) + self.length * scale(&self.slopes))
     }
 
-    /// Lines below the lower curve (`which` 0), or above the upper one, from the first x on.
-    fn rays(&self, first: &Pair, last: &Pair, which: usize) -> Vec<Ray> {
-        let width = last.x - first.x;
-        let slopes = [first, last].map(|pair| 1.0 / pair.j[which]);
-        let ends = [first, last].map(|pair| pair.h[which]);
-        let turn = self.orders.turn(self.curves[which]).filter(|point| {
-            let x = point.x.to_f64();
-            first.x <= x * (1.0 + POINT) && last.x >= x * (1.0 - POINT)
-        });
+    /// Lines below the lower curve (`which` 0), or above the upper one, from the first x on; J is monotone but for the place
+    /// with the slope `turn`.
+    fn rays(&self, which: usize, turn: Option<f64>) -> Vec<Ray> {
+        let (slopes, ends) = (self.slopes[which], self.heights[which]);
         // From each end with a slope that is the least, or the largest, on the way.
-        let from_ends = |[left, right]: [f64; 2]| vec![[ends[0], left], [ends[1] - right * width, right]];
-        if let Some(point) = turn {
-            let slope = 1.0 / point.j.to_f64();
+        let from_ends = |[left, right]: [f64; 2]| vec![[ends[0], left], [ends[1] - right * self.length, right]];
+        if let Some(slope) = turn {
             let [least, most] = [slopes[0].min(slopes[1]).min(slope), slopes[0].max(slopes[1]).max(slope)];
             return from_ends(if which == 0 { [least, most] } else { [most, least] });
         }
@@ -232,13 +340,7 @@ impl Strip<'_> {
         if is_convex == (which == 0) {
             return from_ends(slopes);
         }
-        let chord = (ends[1] - ends[0]) / width;
-        vec![[ends[0], if width > 0.0 { chord } else { 0.0 }]]
-    }
-}
-
-impl Pair {
-    fn gap(&self) -> f64 {
-        self.h[1] - self.h[0]
+        let chord = (ends[1] - ends[0]) / self.length;
+        vec![[ends[0], if self.length > 0.0 { chord } else { 0.0 }]]
     }
 }

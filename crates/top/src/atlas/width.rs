@@ -71,8 +71,7 @@ impl<'a> Strips<'a> {
         let pair = [position, position + 1];
         let [lower, upper] = [self.order[position], *self.order.get(position + 1)?];
         let gap = |[lower, upper]: [&Point; 2]| Gap::between(&self.set.frame, upper, lower).value;
-        // Derivative of the gap: dh/dx = 1/J on both curves.
-        let slope = |[lower, upper]: [&Point; 2]| upper.slope() - lower.slope();
+        let slope = |[lower, upper]: [&Point; 2]| Gap::slope(&self.set.frame, upper, lower);
         let at = |x: f64| pair.map(|position| self.point(position, x));
         let mut limit = 0.0_f64;
         if let Some(far) = self.far {

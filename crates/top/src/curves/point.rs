@@ -77,15 +77,30 @@ impl Gap {
         (self.value.abs() > self.error).then(|| self.value.total_cmp(&0.0))
     }
 
-    /// h_a − h_b at one x, by the difference of moments J_b − J_a = Σ_j (γ_bj² − γ_aj²)(a_j − a_k).
-    ///
-    /// It holds for every k; the k with the smallest rounding error is taken. So two branches that end at the same
-    /// axis, or at axes with nearly equal moments, are told apart although h ~ x/a swallows the difference.
+    /// h_a − h_b at one x, by the difference of moments: so two branches that end at the same axis, or at axes with nearly
+    /// equal moments, are told apart although h ~ x/a swallows the difference.
     #[must_use]
     pub fn between(frame: &Frame, a: &Point, b: &Point) -> Self {
+        let [moment_gap, moment_error] = Self::moments(frame, a, b);
+        let factor = a.x / (a.j * b.j);
+        let kinetic = factor * moment_gap;
+        let potential = a.rho - b.rho;
+        let scale = factor * moment_error + a.rho_scale + b.rho_scale;
+        Self { value: kinetic - potential, error: 16.0 * UNIT_ROUNDOFF * scale }
+    }
+
+    /// d(h_a − h_b)/dx = 1/J_a − 1/J_b at one x, by the same difference: J itself may be the same double on both.
+    #[must_use]
+    pub fn slope(frame: &Frame, a: &Point, b: &Point) -> f64 {
+        let [moment_gap, _] = Self::moments(frame, a, b);
+        moment_gap / (a.j * b.j)
+    }
+
+    /// J_b − J_a = Σ_j (γ_bj² − γ_aj²)(a_j − a_k), and the sum of the sizes of its terms. It holds for every k; the k with
+    /// the smallest rounding error is taken.
+    fn moments(frame: &Frame, a: &Point, b: &Point) -> [f64; 2] {
         let (wa, wb) = (a.gamma.map(|g| g * g), b.gamma.map(|g| g * g));
-        let mut moment_error = f64::INFINITY;
-        let mut moment_gap = 0.0;
+        let mut best = [0.0, f64::INFINITY];
         for k in 0..3 {
             let (mut gap, mut scale) = (0.0, 0.0);
             for j in 0..3 {
@@ -93,14 +108,10 @@ impl Gap {
                 gap += (wb[j] - wa[j]) * d;
                 scale += (wb[j] + wa[j]) * d.abs();
             }
-            if scale < moment_error {
-                (moment_error, moment_gap) = (scale, gap);
+            if scale < best[1] {
+                best = [gap, scale];
             }
         }
-        let factor = a.x / (a.j * b.j);
-        let kinetic = factor * moment_gap;
-        let potential = a.rho - b.rho;
-        let scale = factor * moment_error + a.rho_scale + b.rho_scale;
-        Self { value: kinetic - potential, error: 16.0 * UNIT_ROUNDOFF * scale }
+        best
     }
 }
