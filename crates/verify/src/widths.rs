@@ -220,7 +220,8 @@ impl Strip<'_> {
             if self.bound(&first, &last, claim).is_some_and(|bound| bound <= claim.most()) {
                 continue;
             }
-            if misses < MISSES && asked < QUESTIONS {
+            // Over far ranges such a bound tells little either.
+            if !is_far && misses < MISSES && asked < QUESTIONS {
                 asked += 1;
                 if self.beside(first.x, Some(last.x)) <= claim.most() {
                     misses = 0;
