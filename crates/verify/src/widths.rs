@@ -30,9 +30,13 @@ const FEW: f64 = 8.0 * f64::EPSILON;
 const SHARE: f64 = 0.25;
 /// Stretches of a cell at most.
 const STRETCHES: usize = 20_000;
-/// Stretches in a row that such a bound does not settle, after which none is asked for, and stretches for which one is.
+/// Stretches in a row that such a bound does not settle, after which none is asked for over stretches as wide, and stretches for
+/// which one is.
 const MISSES: usize = 10;
 const QUESTIONS: usize = 400;
+/// Stretches over more than such a factor in x are far, or wide.
+const FAR: f64 = 4.0;
+const WIDE: f64 = 1.125;
 /// Steps by a factor of four towards infinity at most.
 const STEPS: usize = 60;
 
@@ -213,21 +217,21 @@ impl Strip<'_> {
     fn between(&self, claim: Claim, first: Pair, last: Pair) -> Option<bool> {
         let mut reached = false;
         let mut open = vec![(first, last)];
-        let (mut misses, mut asked) = (0, 0);
+        let (mut misses, mut asked) = ([0; 3], 0);
         for _ in 0..STRETCHES {
             let Some((first, last)) = open.pop() else { return Some(reached) };
-            let is_far = last.x > 4.0 * first.x;
+            let is_far = last.x > FAR * first.x;
             if self.bound(&first, &last, claim).is_some_and(|bound| bound <= claim.most()) {
                 continue;
             }
-            // Over far ranges such a bound tells little either.
-            if !is_far && misses < MISSES && asked < QUESTIONS {
+            let misses = &mut misses[usize::from(is_far) + usize::from(last.x > WIDE * first.x)];
+            if *misses < MISSES && asked < QUESTIONS {
                 asked += 1;
                 if self.beside(first.x, Some(last.x)) <= claim.most() {
-                    misses = 0;
+                    *misses = 0;
                     continue;
                 }
-                misses += 1;
+                *misses += 1;
             }
             // Far ranges by their geometric mean.
             let middle =
