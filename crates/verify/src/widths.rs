@@ -21,9 +21,10 @@ use super::plane::{POINT, Plane};
 use super::regions::Cell;
 use super::slabs::Slab;
 
-/// A width is what is stated to this share of it, and to so many roundings of |r|.
+/// A width is what is stated to this share of it, and to this share of |r|: curves side by side are bent, and below that no chord of
+/// a feasible length tells their gap.
 const ACCURACY: f64 = 1e-6;
-const ROUNDINGS: f64 = 64.0;
+const SHARE_OF_R: f64 = 4e-9;
 /// Room for what doubles do to the sums of a few energies.
 const FEW: f64 = 8.0 * f64::EPSILON;
 /// Doubles serve where they round less than this share of the room.
@@ -138,7 +139,7 @@ pub(super) fn check(
             (Some(strips), Some(width)) => {
                 let width = width / plane.energy;
                 let norm = plane.norm / plane.energy;
-                (strips, Claim { width, room: width * ACCURACY + ROUNDINGS * f64::EPSILON * norm })
+                (strips, Claim { width, room: width * ACCURACY + SHARE_OF_R * norm })
             }
             _ => return Err(refuse()),
         };
@@ -224,14 +225,14 @@ impl Strip<'_> {
             if self.bound(&first, &last, claim).is_some_and(|bound| bound <= claim.most()) {
                 continue;
             }
-            let misses = &mut misses[usize::from(is_far) + usize::from(last.x > WIDE * first.x)];
-            if *misses < MISSES && asked < QUESTIONS {
+            let width = usize::from(is_far) + usize::from(last.x > WIDE * first.x);
+            if misses[width] < MISSES && asked < QUESTIONS {
                 asked += 1;
                 if self.beside(first.x, Some(last.x)) <= claim.most() {
-                    *misses = 0;
+                    misses = [0; 3];
                     continue;
                 }
-                *misses += 1;
+                misses[width] += 1;
             }
             // Far ranges by their geometric mean.
             let middle =
