@@ -55,7 +55,7 @@ fn answer(line: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
         "locate": microseconds(1000, || atlas.locate(query.h, query.l)),
         "regions": atlas.regions().len(),
         "document": documents::classification(
-            &body.clone().into(), &h, &l, &classify(&body, &h, &l)?, Accuracy::Exact, documents::Located::NotAsked,
+            &body.clone().into(), &h, &l, &classify(&body, &h, &l)?, Accuracy::Exact, None,
         ),
     }))
 }

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use bifdiag::documents::{self, DocumentOptions, Located, Subject, atlas::document};
+use bifdiag::documents::{self, DocumentOptions, Subject, atlas::document};
 use bifdiag::proof::{CertifiedAtlas, Prepared};
 use bifdiag::schema::{Accuracy, AtlasDocument, WindowDocument};
 use bifdiag::top::atlas::Window;
@@ -146,8 +146,7 @@ impl Atlas {
     pub fn classify(&self, python: Python<'_>, h: &str, l: &str) -> PyResult<String> {
         let (h, l) = (number(h)?, number(l)?);
         let found = python.detach(|| self.prepared.classify(&h, &l)).map_err(|error| errors::range(&error))?;
-        let located = Located::of(Some(&self.prepared));
-        json(&documents::classification(&self.subject, &h, &l, &found, self.accuracy(), located))
+        json(&documents::classification(&self.subject, &h, &l, &found, self.accuracy(), Some(&self.prepared)))
     }
 
     /// The place of each point (h, l) of two equally long arrays of doubles.

@@ -42,24 +42,7 @@ pub fn margin(margin: &Margin) -> MarginDocument {
     MarginDocument { h: margin.h, nearest, error_bound: margin.error_bound }
 }
 
-/// Where the regions of a classified point are looked up.
-#[derive(Clone, Copy, Debug)]
-pub enum Located<'a> {
-    /// In the atlas of the body.
-    In(&'a Prepared),
-    /// Nowhere: no region was asked for.
-    NotAsked,
-}
-
-impl<'a> Located<'a> {
-    /// In the atlas of a prepared body, if regions are asked for.
-    #[must_use]
-    pub fn of(prepared: Option<&'a Prepared>) -> Self {
-        prepared.map_or(Self::NotAsked, Self::In)
-    }
-}
-
-/// The answer for a point (h, l) of a body.
+/// The answer for a point (h, l) of a body, with its regions if it is prepared to tell them.
 #[must_use]
 pub fn classification(
     subject: &Subject,
@@ -67,7 +50,7 @@ pub fn classification(
     l: &Number,
     found: &Classification,
     accuracy: Accuracy,
-    located: Located<'_>,
+    prepared: Option<&Prepared>,
 ) -> ClassificationDocument {
     let body = &subject.body;
     let status = match found.answer {
@@ -75,10 +58,6 @@ pub fn classification(
         Answer::Forbidden => Status::Forbidden,
         Answer::Critical(_) => Status::Critical,
         Answer::Undecided(_) => Status::Undecided,
-    };
-    let prepared = match located {
-        Located::In(prepared) => Some(prepared),
-        Located::NotAsked => None,
     };
     let (places, why_not) = match prepared.map(|prepared| prepared.places(h, l, &found.answer)) {
         Some(Ok(places)) => (Some(places), None),
@@ -89,14 +68,15 @@ pub fn classification(
         (Answer::Regular(_), Some([Some(region)])) => Some(region.to_string()),
         _ => None,
     };
-    let asked = !matches!(located, Located::NotAsked);
     let euler = "r = 0: the poles ±r̂ do not exist and S vanishes identically, so P_hl is not defined";
     let unnamed = why_not.map(|why| format!("the ids of the regions are not known: {why}"));
     let notes: Vec<String> = body.is_euler().then(|| euler.to_owned()).into_iter().chain(unnamed).collect();
     let of_u = found.components();
     let command = subject.command("classify").option("h", h.text()).option("l", l.text());
     ClassificationDocument {
-        head: head(command.option_if("accuracy", accuracy_option(accuracy)).flag("no-region", !asked).json()),
+        head: head(
+            command.option_if("accuracy", accuracy_option(accuracy)).flag("no-region", prepared.is_none()).json(),
+        ),
         body: given(body),
         h: h.text().to_owned(),
         l: l.text().to_owned(),

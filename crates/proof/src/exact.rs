@@ -5,7 +5,7 @@ use top::body::{Body, Frame, Number};
 use top::classify::{Classification, Margin, at_rest};
 
 use super::heights::{Heights, Level};
-use super::model::Model;
+use super::model::{Model, exact};
 use super::plane::{Gap, Open, Plane};
 use super::vertex::{self, Vertex};
 use numbers::Sign;
@@ -20,7 +20,6 @@ pub(crate) struct Point {
 impl Point {
     /// (h, l) in the body's units.
     pub fn scaled(frame: &Frame, h: &Number, l: &Number) -> Self {
-        let exact = |unit: f64| RBig::try_from(unit).unwrap_or(RBig::ONE);
         let momentum = l.value() / exact(frame.momentum_unit);
         Self { x: &momentum * &momentum / RBig::from(2), h: h.value() / exact(frame.energy_unit) }
     }

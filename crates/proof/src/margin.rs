@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 
+use dashu_base::Abs;
 use dashu_ratio::RBig;
 use numbers::Sign;
 use numbers::enclosure::Enclosure;
@@ -106,13 +107,12 @@ fn of_doubles(strip: &Slab, position: usize, h: &RBig) -> Margin {
 /// written (Lemma 8.7): Δh + (max(|h|, |h′|) + D + |r|) Δx / min(x, x′) with x′ = l²/2, where a decimal adds 2⁻⁵³|h′| to |h′ − h| and
 /// 2⁻⁵²x′ to |x′ − x|.
 pub(super) fn rounding([x, h]: [&RBig; 2], [l, rounded_h]: [f64; 2], distance: f64, norm: f64) -> f64 {
-    let size = |value: RBig| value.clone().max(-value);
     let decimal = exact(0.5 * f64::EPSILON);
     let (l, other) = (exact(l), exact(rounded_h));
     let rounded_x = &l * &l / RBig::from(2);
-    let across = size(&other - h) + size(other.clone()) * &decimal;
-    let along = size(&rounded_x - x) + &rounded_x * decimal * RBig::from(2);
-    let energies = size(h.clone()).max(size(other)) + exact(distance) + exact(norm);
+    let across = (&other - h).abs() + other.clone().abs() * &decimal;
+    let along = (&rounded_x - x).abs() + &rounded_x * decimal * RBig::from(2);
+    let energies = h.clone().abs().max(other.abs()) + exact(distance) + exact(norm);
     let moved = across + energies * along / x.clone().min(rounded_x);
     // More than the roundings of |r| and of this number.
     moved.to_f64().value() * (1.0 + 16.0 * f64::EPSILON)

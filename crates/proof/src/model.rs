@@ -37,7 +37,7 @@ pub(super) struct Model {
 }
 
 /// A power of two, exactly.
-fn exact(unit: f64) -> RBig {
+pub(super) fn exact(unit: f64) -> RBig {
     RBig::try_from(unit).unwrap_or(RBig::ONE)
 }
 

@@ -1,5 +1,6 @@
 //! The samples that a document lists, against those of the certificate, which are proved to lie in their regions.
 
+use dashu_base::Abs;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument, MarginDocument};
@@ -55,8 +56,8 @@ impl Place<'_> {
     /// What is written is the exact sample but for the last bits.
     fn is_near(&self) -> bool {
         let near = |exact: &RBig, written: &RBig| {
-            let room = absolute(exact) / RBig::from(IBig::ONE << CONVERTED);
-            absolute(&(written - exact)) <= room
+            let room = exact.clone().abs() / RBig::from(IBig::ONE << CONVERTED);
+            (written - exact).abs() <= room
         };
         (0..2).all(|k| near(self.exact[k], &self.written[k]))
     }
@@ -69,10 +70,10 @@ impl Place<'_> {
         if *least <= RBig::ZERO {
             return None;
         }
-        let energies = absolute(h).max(absolute(other_h)) + distance + norm;
-        let decimal = |size: &RBig, power: usize| absolute(size) / RBig::from(IBig::ONE << power);
-        let across = absolute(&(other_h - h)) + decimal(other_h, 53);
-        let along = absolute(&(other_x - x)) + decimal(other_x, 52);
+        let energies = h.clone().abs().max(other_h.clone().abs()) + distance + norm;
+        let decimal = |size: &RBig, power: usize| size.clone().abs() / RBig::from(IBig::ONE << power);
+        let across = (other_h - h).abs() + decimal(other_h, 53);
+        let along = (other_x - x).abs() + decimal(other_x, 52);
         Some(across + energies * along / least)
     }
 
@@ -92,13 +93,9 @@ impl Place<'_> {
         let [Ok(margin), Ok(error)] = [claim.h, claim.error_bound].map(RBig::try_from) else { return false };
         let (margin, error) = (margin / energy, error / energy);
         let (ends, norm) = (nearest.ends(), orders.spaces.norm.ends()[1].clone());
-        let most = roundings(ROUNDINGS, &(absolute(self.exact[1]) + &norm));
-        let off = ends.iter().map(|end| absolute(&(end - &margin))).max();
+        let most = roundings(ROUNDINGS, &(self.exact[1].clone().abs() + &norm));
+        let off = ends.iter().map(|end| (end - &margin).abs()).max();
         let Some((off, rounding)) = off.zip(self.rounding(&ends[1], &norm)) else { return false };
         margin >= RBig::ZERO && off + rounding <= error && error <= most
     }
-}
-
-fn absolute(x: &RBig) -> RBig {
-    x.clone().max(-x)
 }

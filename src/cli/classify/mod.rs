@@ -9,7 +9,7 @@ mod settings;
 
 use std::sync::Arc;
 
-use documents::{Located, Subject};
+use documents::Subject;
 use proof::{Prepared, classify};
 use schema::{Accuracy, ClassificationDocument};
 use top::body::Number;
@@ -52,5 +52,5 @@ fn point(
     } else {
         (classify(&subject.body, h, l, accuracy.into())?, None)
     };
-    Ok(documents::classification(subject, h, l, &found, accuracy, Located::of(prepared.as_ref())))
+    Ok(documents::classification(subject, h, l, &found, accuracy, prepared.as_ref()))
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use documents::{Located, Subject};
+use documents::Subject;
 use proof::{Prepared, Unanswered, classify};
 use rayon::prelude::*;
 use schema::Accuracy;
@@ -72,11 +72,11 @@ impl Preparation {
                 let Query { subject, l, .. } = job.query;
                 let h = job.query.h.clone().unwrap_or_else(|| Number::from_rational(0.into()));
                 let found = job.answer(&h)?;
-                let located = Located::of(regions.then_some(&*job.prepared));
+                let prepared = regions.then_some(&*job.prepared);
                 let mut text = Vec::with_capacity(LINE);
                 serde_json::to_writer(
                     &mut text,
-                    &documents::classification(subject, &h, l, &found, accuracy, located),
+                    &documents::classification(subject, &h, l, &found, accuracy, prepared),
                 )?;
                 Ok(text)
             })

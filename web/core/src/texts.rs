@@ -30,8 +30,7 @@ pub fn classify(of: &str, h: &str, l: &str) -> Result<String, Refused> {
     let subject = documents::Subject::from(body.clone());
     let prepared = Prepared::new(body, Accuracy::Exact);
     let found = prepared.classify(&h, &l)?;
-    let located = documents::Located::of(Some(&prepared));
-    text(&documents::classification(&subject, &h, &l, &found, Accuracy::Exact.into(), located))
+    text(&documents::classification(&subject, &h, &l, &found, Accuracy::Exact.into(), Some(&prepared)))
 }
 
 /// `bifdiag critical --json`.
