@@ -5,6 +5,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
 
 use crate::builder::{PROGRAM, bifdiag};
 
@@ -16,23 +17,46 @@ struct Served {
 
 impl Served {
     fn of(page: &Path, arguments: &[&str]) -> Self {
-        let mut child = Command::new(PROGRAM)
-            .args(["explore", "--no-open", "--page"])
-            .arg(page)
-            .args(arguments)
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let mut command = Command::new(PROGRAM);
+        command.args(["explore", "--no-open", "--page"]).arg(page).args(arguments);
+        Self::by(command)
+    }
+
+    /// A page of one file, served under limits that the shell sets.
+    #[cfg(target_os = "linux")]
+    fn limited(page: &Path, limits: &str) -> Self {
+        fs::write(page.join("index.html"), "here").unwrap();
+        let mut command = Command::new("sh");
+        command.args(["-c", &format!("{limits}; exec '{PROGRAM}' explore --no-open --page \"$0\"")]).arg(page);
+        Self::by(command)
+    }
+
+    fn by(mut command: Command) -> Self {
+        let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut url = String::new();
         BufReader::new(child.stdout.take().unwrap()).read_line(&mut url).unwrap();
         Self { child, url: url.trim_end().to_owned() }
     }
 
+    /// Where it is served.
+    fn host(&self) -> &str {
+        self.url.strip_prefix("http://").and_then(|rest| rest.split('/').next()).unwrap()
+    }
+
+    fn connect(&self) -> TcpStream {
+        let stream = TcpStream::connect(self.host()).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(40))).unwrap();
+        stream
+    }
+
     /// The answer to a request, its head and its body.
     fn ask(&self, request: &str) -> (String, Vec<u8>) {
-        let host = self.url.strip_prefix("http://").and_then(|rest| rest.split('/').next()).unwrap();
-        let mut stream = TcpStream::connect(host).unwrap();
-        write!(stream, "{request} HTTP/1.1\r\nHost: {host}\r\n\r\n").unwrap();
+        self.ask_with(request, &format!("Host: {}\r\n", self.host()))
+    }
+
+    fn ask_with(&self, request: &str, fields: &str) -> (String, Vec<u8>) {
+        let mut stream = self.connect();
+        write!(stream, "{request} HTTP/1.1\r\n{fields}\r\n").unwrap();
         let mut answer = Vec::new();
         stream.read_to_end(&mut answer).unwrap();
         let end = answer.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
@@ -82,4 +106,97 @@ fn without_a_page_the_way_to_one_is_told() {
     bifdiag("explore --no-open --page").and(place.path()).refused().telling("it holds no index.html");
     bifdiag("explore --no-open --page nowhere").inside(place.path()).refused().telling("--page nowhere");
     bifdiag("explore --no-open --h 1").inside(place.path()).refused().telling("--l");
+}
+
+/// A page of another site, whose name was made to lead to this machine, says that name.
+#[test]
+fn names_of_other_machines_are_refused() {
+    let place = tempfile::tempdir().unwrap();
+    fs::write(place.path().join("index.html"), "here").unwrap();
+    let served = Served::of(place.path(), &[]);
+    let port = served.host().rsplit(':').next().unwrap().to_owned();
+    let status = |fields: &str| served.ask_with("GET /", fields).0[9..12].to_owned();
+    for host in ["localhost", "127.0.0.1", "[::1]", "LOCALHOST"] {
+        assert_eq!(status(&format!("Host: {host}:{port}\r\n")), "200", "{host}");
+        assert_eq!(status(&format!("host:{host}\r\n")), "200", "{host}");
+    }
+    for host in
+        ["evil.example", "localhost.evil.example", "127.0.0.1.evil.example", "127.0.0.1:x", "", "[::1", "localhost:"]
+    {
+        assert_eq!(status(&format!("Host: {host}\r\n")), "421", "{host}");
+    }
+    assert_eq!(status(""), "421");
+    assert_eq!(status("Host: localhost\r\nHost: evil.example\r\n"), "421");
+}
+
+#[test]
+#[cfg(unix)]
+fn only_regular_files_of_the_folder_are_served() {
+    use std::os::unix::fs::symlink;
+    let place = tempfile::tempdir().unwrap();
+    let page = place.path().join("page");
+    fs::create_dir(&page).unwrap();
+    fs::write(page.join("index.html"), "here").unwrap();
+    fs::write(place.path().join("secret"), "not for the page").unwrap();
+    symlink(place.path().join("secret"), page.join("link")).unwrap();
+    symlink(place.path(), page.join("folder")).unwrap();
+    symlink("index.html", page.join("own")).unwrap();
+    assert!(Command::new("mkfifo").arg(page.join("pipe")).status().unwrap().success());
+    let served = Served::of(&page, &[]);
+    assert_eq!(served.ask("GET /own").1, b"here");
+    for path in ["/link", "/folder", "/folder/secret", "/pipe"] {
+        assert!(served.ask(&format!("GET {path}")).0.starts_with("HTTP/1.1 404"), "{path}");
+    }
+    // What is put in the place of a file later is looked at, too.
+    fs::remove_file(page.join("own")).unwrap();
+    symlink(place.path().join("secret"), page.join("own")).unwrap();
+    assert!(served.ask("GET /own").0.starts_with("HTTP/1.1 404"));
+}
+
+/// Patience was with each byte: a request that never ends held its connection for ever.
+#[test]
+fn a_request_that_never_ends_is_cut_off() {
+    let place = tempfile::tempdir().unwrap();
+    fs::write(place.path().join("index.html"), "here").unwrap();
+    let served = Served::of(place.path(), &[]);
+    let mut stream = served.connect();
+    stream.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\nX: ").unwrap();
+    let began = Instant::now();
+    while stream.write_all(b"x").is_ok() {
+        assert!(began.elapsed() < Duration::from_secs(30), "it is still open");
+        std::thread::sleep(Duration::from_millis(250));
+    }
+}
+
+#[test]
+fn connections_beyond_the_most_are_refused_and_others_are_served_again() {
+    let place = tempfile::tempdir().unwrap();
+    fs::write(place.path().join("index.html"), "here").unwrap();
+    let served = Served::of(place.path(), &[]);
+    let idle: Vec<TcpStream> = (0..64).map(|_| served.connect()).collect();
+    std::thread::sleep(Duration::from_millis(500));
+    assert!(served.ask("GET /").0.starts_with("HTTP/1.1 503"));
+    drop(idle);
+    std::thread::sleep(Duration::from_millis(500));
+    assert_eq!(served.ask("GET /").1, b"here");
+}
+
+/// Out of descriptors, it asked for the next connection without a pause, and took a whole core.
+#[test]
+#[cfg(target_os = "linux")]
+fn without_descriptors_the_server_waits() {
+    let place = tempfile::tempdir().unwrap();
+    let served = Served::limited(place.path(), "ulimit -n 24");
+    let idle: Vec<TcpStream> = (0..40).map(|_| served.connect()).collect();
+    let ticks = || -> u64 {
+        let stat = fs::read_to_string(format!("/proc/{}/stat", served.child.id())).unwrap();
+        stat.rsplit(')').next().unwrap().split_whitespace().skip(11).take(2).map(|t| t.parse::<u64>().unwrap()).sum()
+    };
+    let before = ticks();
+    std::thread::sleep(Duration::from_secs(2));
+    // In hundredths of a second.
+    assert!(ticks() - before < 10, "{} ticks", ticks() - before);
+    drop(idle);
+    std::thread::sleep(Duration::from_millis(500));
+    assert_eq!(served.ask("GET /").1, b"here");
 }

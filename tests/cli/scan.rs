@@ -76,6 +76,23 @@ fn katok_bodies_of_a_grid_have_seven_classes() {
     }
 }
 
+/// Of 102 damaged files five were drawn: none of them may be.
+#[test]
+fn a_map_of_altered_rows_is_refused() {
+    let place = tempdir().unwrap();
+    bifdiag("scan --family katok --vary A2=0.4:1.6:4,A3=0.4:1.6:4 --out a.csv").inside(place.path()).succeeds();
+    let map = || bifdiag("scan map a.csv --x A2 --y A3").inside(place.path());
+    map().succeeds().telling_nothing();
+    let whole = fs::read_to_string(place.path().join("a.csv")).unwrap();
+    // The last body again in the place of the one before.
+    let lines: Vec<&str> = whole.lines().collect();
+    let (rest, last) = (lines[..lines.len() - 2].join("\n"), lines[lines.len() - 1]);
+    fs::write(place.path().join("a.csv"), format!("{rest}\n{last}\n{last}\n")).unwrap();
+    map().refused().telling("a.csv is not what its summary describes");
+    fs::remove_file(place.path().join("a.csv.summary.json")).unwrap();
+    map().succeeds().telling("no summary beside it");
+}
+
 #[test]
 fn a_body_that_fails_is_a_row_with_its_error() {
     let place = tempdir().unwrap();

@@ -168,51 +168,178 @@ fn several_command_lines_run_in_one_process() {
     }
 }
 
+/// An interrupted run leaves the files of an earlier one as they are, keeps what it has found beside them, and the same
+/// command ends with the bytes of a run that was not stopped.
 #[test]
-fn an_interrupted_section_keeps_what_is_finished_and_says_so() {
+fn an_interrupted_section_replaces_no_file_and_the_same_command_goes_on() {
     let place = tempfile::tempdir().unwrap();
-    let (data, out) = (place.path().join("data/points.npz"), place.path().join("out"));
-    let (data_path, out_path) = (data.to_string_lossy().into_owned(), out.to_string_lossy().into_owned());
-    // The first orbits are short enough to be finished, the others are not.
-    let child = spawn(&[
-        "section",
-        "--body",
-        "paper",
-        "--h",
-        "4.45",
-        "--l",
-        "3.25",
-        "--orbits",
-        "64",
-        "--crossings",
-        "2000000",
-        "--threads",
-        "1",
-        "--json",
-        "--no-plot",
-        "--data",
-        &data_path,
-        "--out",
-        &out_path,
-    ]);
-    std::thread::sleep(Duration::from_millis(700));
+    let path = |name: &str| place.path().join(name).to_string_lossy().into_owned();
+    let long = "section --body paper --h 4.45 --l 3.25 --orbits 12 --crossings 6000 --threads 1 --json";
+    for (verdict, ending) in [("whole", "csv"), ("none", "npz")] {
+        let (data, out) = (format!("data/{verdict}.{ending}"), verdict);
+        let line = |data: &str, out: &str| {
+            format!("{long} --verdict {verdict} --data {} --out {} --format svg", path(data), path(out))
+        };
+        let run = |line: &str| spawn(&line.split_whitespace().collect::<Vec<_>>());
+        let whole = run(&line(&format!("data/whole-{verdict}.{ending}"), "uncut")).wait_with_output().unwrap();
+        assert!(whole.status.success(), "{}", stderr(&whole));
+        fs::create_dir_all(path(out)).unwrap();
+        fs::write(path(&data), "earlier").unwrap();
+        fs::write(path(&format!("{out}/section.json")), "earlier").unwrap();
+        let mut stops = 0;
+        let output = loop {
+            let child = run(&line(&data, out));
+            std::thread::sleep(Duration::from_millis(120 + 60 * stops));
+            let _over = Command::new("kill").args(["-INT", &child.id().to_string()]).stderr(Stdio::null()).status();
+            let output = child.wait_with_output().unwrap();
+            if output.status.success() {
+                break output;
+            }
+            stops += 1;
+            assert!(stops < 100, "it never ends");
+            assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+            assert!(stderr(&output).contains("interrupted"), "{}", stderr(&output));
+            if !output.stdout.is_empty() {
+                let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+                assert!(document["complete"] == false || stderr(&output).contains("12 of 12"));
+                assert!(stderr(&output).contains("the same command goes on"), "{}", stderr(&output));
+            }
+            // The files have their names at the very end.
+            let replaced = fs::read(path(&format!("{out}/section.json"))).unwrap() != b"earlier";
+            assert!(replaced || fs::read(path(&data)).unwrap() == b"earlier");
+            assert!(!replaced || fs::read(path(&data)).unwrap().len() > 1000);
+        };
+        println!("stopped {stops} times");
+        assert!(output.stdout == whole.stdout);
+        for name in ["section.json", "section.svg"] {
+            let of = |out: &str| fs::read(path(&format!("{out}/{name}"))).unwrap();
+            assert!(of(out) == of("uncut"), "{name}");
+        }
+        assert!(fs::read(path(&data)).unwrap() == fs::read(path(&format!("data/whole-{verdict}.{ending}"))).unwrap());
+    }
+    assert_eq!(
+        names(&place.path().join("data")).unwrap(),
+        ["none.npz", "whole-none.npz", "whole-whole.csv", "whole.csv"]
+    );
+}
+
+/// What an interrupted run has found was formatted outside of the cut-off: 22 s after 5 s of work, and was written over
+/// the file of an earlier run.
+#[test]
+fn an_interrupted_section_with_much_data_ends_within_a_second() {
+    let place = tempfile::tempdir().unwrap();
+    let path = |name: &str| place.path().join(name).to_string_lossy().into_owned();
+    fs::write(path("s.csv"), "earlier").unwrap();
+    let long = "section --body paper --h 4.45 --l 3.25 --crossings 1000000 --orbits 50 --verdict none";
+    let lines = [
+        format!("{long} --data {} --out {}", path("s.csv"), path("out")),
+        format!("{long} --no-plot --out {}", path("out")),
+        format!("{long} --data - --no-plot"),
+    ];
+    for line in lines {
+        let child = spawn(&line.split_whitespace().collect::<Vec<_>>());
+        std::thread::sleep(Duration::from_secs(3));
+        let told = Instant::now();
+        signal(&child, "-INT");
+        let output = child.wait_with_output().unwrap();
+        let waited = told.elapsed();
+        assert!(waited < Duration::from_millis(1500), "{line} took {waited:?}");
+        assert_eq!(output.status.code(), Some(1), "{line}: {}", stderr(&output));
+        assert!(stderr(&output).contains("interrupted"), "{line}: {}", stderr(&output));
+    }
+    assert_eq!(fs::read(path("s.csv")).unwrap(), b"earlier");
+    assert_eq!(names(place.path()).unwrap(), ["out", "s.csv", "s.csv.partial"]);
+    assert_eq!(names(&place.path().join("out")).unwrap(), ["section.npz.partial"]);
+}
+
+/// In a directory, the journal of another section is discarded, as its files are replaced.
+#[test]
+fn the_journal_of_another_section_in_a_directory_is_discarded() {
+    let place = tempfile::tempdir().unwrap();
+    fs::write(place.path().join("section.npz.partial"), "bifdiag of old section A=1\nmore").unwrap();
+    let run =
+        bifdiag("section --body paper --h 4.45 --l 3.25 --orbits 2 --crossings 10 --no-plot --out").and(place.path());
+    run.succeeds().telling("held the beginning of another section");
+    assert_eq!(names(place.path()).unwrap(), ["section.json", "section.npz"]);
+}
+
+#[test]
+fn an_interrupted_orbit_replaces_no_file() {
+    let place = tempfile::tempdir().unwrap();
+    let data = place.path().join("motion.csv");
+    fs::write(&data, "earlier").unwrap();
+    let line = "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times 0:1e9:1000000 --data";
+    let words: Vec<String> = line.split(' ').map(str::to_owned).chain([data.to_string_lossy().into_owned()]).collect();
+    let child = spawn(&words.iter().map(String::as_str).collect::<Vec<_>>());
+    std::thread::sleep(Duration::from_millis(500));
     signal(&child, "-INT");
     let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
-    assert!(stderr(&output).contains("interrupted: "), "{}", stderr(&output));
-    assert!(stderr(&output).contains("of 64 orbits are complete; what was finished is kept"), "{}", stderr(&output));
-    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(document["complete"], false);
-    assert!(document["notes"][0].as_str().unwrap().contains("interrupted"));
-    assert!(document["summary"]["crossings"].as_u64().unwrap() > 1000);
-    assert_eq!(crate::sections::meta(&data), document);
-    let rows = crate::sections::integers(&data, "orbit").len() as u64;
-    assert_eq!(
-        rows,
-        document["summary"]["crossings"].as_u64().unwrap() + document["orbits"].as_array().unwrap().len() as u64
-    );
-    assert_eq!(names(&out), Some(vec!["section.json".to_owned()]));
-    assert_eq!(names(data.parent().unwrap()), Some(vec!["points.npz".to_owned()]));
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("no file was written"), "{}", stderr(&output));
+    assert_eq!(fs::read(&data).unwrap(), b"earlier");
+    assert_eq!(names(place.path()).unwrap(), ["motion.csv"]);
+}
+
+/// It looked like an empty input, and the exit status was 0.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_closed_stdin_is_told() {
+    let point = "--body paper --h 4.45 --l 3.25";
+    let starts = format!("section {point} --starts - --json");
+    let times = "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times - --json";
+    let lines = ["critical --batch -", "classify --batch -", "verify -", "section --atlas - --json", &starts, times];
+    for line in lines {
+        let closed = format!("exec '{PROGRAM}' {line} <&-");
+        let output = Command::new("sh").args(["-c", &closed]).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{line}: {}", stderr(&output));
+        assert!(stderr(&output).contains("standard input is closed"), "{line}: {}", stderr(&output));
+    }
+    for line in ["critical --batch -", "bodies"] {
+        let empty = format!("exec '{PROGRAM}' {line} </dev/null");
+        assert!(Command::new("sh").args(["-c", &empty]).status().unwrap().success(), "{line}");
+    }
+}
+
+/// The files of a set get their names while the directory is locked, so that those of two runs cannot mix.
+#[test]
+#[cfg(target_os = "linux")]
+fn files_of_two_runs_in_one_directory_do_not_mix() {
+    let place = tempfile::tempdir().unwrap();
+    let other = File::open(place.path()).unwrap();
+    other.lock().unwrap();
+    let mut child = spawn(&["--body", "paper", "--out", &place.path().to_string_lossy()]);
+    std::thread::sleep(Duration::from_secs(2));
+    let early = names(place.path()).unwrap();
+    assert!(child.try_wait().unwrap().is_none() && early.iter().all(|name| name.starts_with('.')), "{early:?}");
+    other.unlock().unwrap();
+    assert!(child.wait_with_output().unwrap().status.success());
+    assert_eq!(names(place.path()).unwrap(), ["atlas.json", "diagram.svg"]);
+}
+
+/// An interrupt while the rows are written into their file left `FILE.partial.new` behind.
+#[test]
+fn an_interrupted_merge_leaves_nothing_half_written() {
+    let place = tempfile::tempdir().unwrap();
+    bifdiag("scan --family general --samples 20000 --out a.csv").inside(place.path()).succeeds();
+    let mut caught = false;
+    for wait in 0..40 {
+        let merge = |out: &str| format!("scan merge a.csv --out {out}");
+        let mut command = Command::new(PROGRAM);
+        command.args(merge("b.jsonl").split(' ')).current_dir(place.path()).stdout(Stdio::null()).stderr(Stdio::null());
+        let mut child = command.spawn().unwrap();
+        while !place.path().join("b.jsonl.partial.new").exists() && child.try_wait().unwrap().is_none() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        std::thread::sleep(Duration::from_millis(wait));
+        let _over = Command::new("kill").args(["-INT", &child.id().to_string()]).stderr(Stdio::null()).status();
+        caught |= !child.wait().unwrap().success();
+        let left = names(place.path()).unwrap();
+        assert!(left.iter().all(|name| !name.ends_with(".new")), "{left:?}");
+        if caught {
+            return;
+        }
+    }
+    panic!("it is too fast to be caught");
 }
 
 /// Names in a directory, sorted; `None` if it is not there.

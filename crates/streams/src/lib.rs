@@ -1,13 +1,22 @@
-//! Whether standard output was open when the process began.
+//! Whether standard input and output were open when the process began.
 //!
 //! Rust opens `/dev/null` in the place of a standard stream that is closed (`>&-`), before `main`: what is written there
-//! is lost without an error. Only code that runs before Rust's own start can see it.
+//! is lost without an error, and what is read there looks like an empty input. Only code that runs before Rust's own start can see it.
+
+/// True if standard input was closed when the process began; false where this is not known.
+#[must_use]
+pub fn stdin_was_closed() -> bool {
+    #[cfg(any(target_os = "linux", target_os = "android", target_os = "freebsd", target_vendor = "apple"))]
+    return start::NO_INPUT.load(std::sync::atomic::Ordering::Relaxed);
+    #[cfg(not(any(target_os = "linux", target_os = "android", target_os = "freebsd", target_vendor = "apple")))]
+    false
+}
 
 /// True if standard output was closed when the process began; false where this is not known.
 #[must_use]
 pub fn stdout_was_closed() -> bool {
     #[cfg(any(target_os = "linux", target_os = "android", target_os = "freebsd", target_vendor = "apple"))]
-    return start::CLOSED.load(std::sync::atomic::Ordering::Relaxed);
+    return start::NO_OUTPUT.load(std::sync::atomic::Ordering::Relaxed);
     #[cfg(not(any(target_os = "linux", target_os = "android", target_os = "freebsd", target_vendor = "apple")))]
     false
 }
@@ -16,11 +25,13 @@ pub fn stdout_was_closed() -> bool {
 mod start {
     use std::sync::atomic::{AtomicBool, Ordering};
 
-    pub static CLOSED: AtomicBool = AtomicBool::new(false);
+    pub static NO_INPUT: AtomicBool = AtomicBool::new(false);
+    pub static NO_OUTPUT: AtomicBool = AtomicBool::new(false);
 
-    /// One system call and one store: nothing that needs Rust's start.
+    /// System calls and stores: nothing that needs Rust's start.
     extern "C" fn look() {
-        CLOSED.store(rustix::io::fcntl_getfd(rustix::stdio::stdout()).is_err(), Ordering::Relaxed);
+        NO_INPUT.store(rustix::io::fcntl_getfd(rustix::stdio::stdin()).is_err(), Ordering::Relaxed);
+        NO_OUTPUT.store(rustix::io::fcntl_getfd(rustix::stdio::stdout()).is_err(), Ordering::Relaxed);
     }
 
     /// The loader calls what stands in this section before `main`.

@@ -15,6 +15,7 @@ use schema::BatchErrorDocument;
 
 use super::export::ExportError;
 use super::failure::{CommandError, Exit, Failure};
+use super::input::stdin;
 use super::terminal::{Progress, print, say};
 use documents::Subject;
 use error::{BatchRead, Unanswered};
@@ -139,7 +140,7 @@ impl Batch<'_> {
 /// The file or stdin, and the number of its bytes if that is known.
 fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
     if path == Path::new("-") {
-        return Ok((Box::new(io::stdin()), None));
+        return Ok((Box::new(stdin()?), None));
     }
     let file = File::open(path)?;
     let metadata = file.metadata()?;

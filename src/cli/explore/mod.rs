@@ -89,7 +89,8 @@ pub fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     if !arguments.no_open && !opened(&url) {
         say("no browser could be opened; open the address in one");
     }
-    Ok(server::serve(&listener, &folder).map_err(NotServed::Serve)?)
+    server::serve(&listener, &folder);
+    Ok(())
 }
 
 /// What the page's address says of a body and a point.

@@ -3,49 +3,102 @@
 use std::fs;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
+use std::sync::Arc;
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::folder::Folder;
 
 /// The longest head of a request.
 const LONGEST_HEAD: u64 = 16 << 10;
-/// How long a client may take.
-const PATIENCE: Duration = Duration::from_secs(10);
+/// How long a request may take.
+const REQUEST: Duration = Duration::from_secs(10);
+/// How long an answer may take: a page of some megabytes through a slow tunnel.
+const ANSWER: Duration = Duration::from_secs(60);
+/// How long a request that is refused is waited for.
+const REFUSAL: Duration = Duration::from_millis(100);
+/// The most connections at one time; a browser opens about six.
+const CONNECTIONS: usize = 64;
+/// Pause after a connection could not be taken, for instance because no descriptor was free.
+const PAUSE: Duration = Duration::from_millis(50);
+/// Names of this machine. A page of another site whose name was made to lead here (DNS rebinding) says that name.
+const HOSTS: [&str; 3] = ["localhost", "127.0.0.1", "[::1]"];
 
 /// Answers until the process ends.
-///
-/// # Errors
-/// No thread could be started.
-pub fn serve(listener: &TcpListener, folder: &Folder) -> io::Result<()> {
+pub fn serve(listener: &TcpListener, folder: &Folder) {
+    let connections = Arc::new(());
     thread::scope(|scope| {
         for stream in listener.incoming() {
-            // A connection that broke before it was taken, or a client that left, is no concern of the others.
-            let Ok(stream) = stream else { continue };
-            thread::Builder::new().spawn_scoped(scope, move || {
-                let _left = answer(&stream, folder);
-            })?;
+            let Ok(stream) = stream.map(Arc::new) else {
+                thread::sleep(PAUSE);
+                continue;
+            };
+            // It is counted until it ends; so it is where no thread could be started, and the closure is dropped.
+            let (own, counted) = (Arc::clone(&stream), Arc::clone(&connections));
+            let is_one_too_many = Arc::strong_count(&counted) > CONNECTIONS + 1;
+            let work = move || {
+                let _left = answer(&own, folder);
+                drop(counted);
+            };
+            if is_one_too_many || thread::Builder::new().spawn_scoped(scope, work).is_err() {
+                let _left = refuse(&stream);
+            }
         }
-        Ok(())
-    })
+    });
+}
+
+/// Reads and writes of a connection, together no longer than until a time.
+struct Until<'a>(&'a TcpStream, Instant);
+
+impl Until<'_> {
+    /// The time that is left.
+    fn left(&self) -> io::Result<Option<Duration>> {
+        let left = self.1.checked_duration_since(Instant::now()).filter(|left| !left.is_zero());
+        left.map(Some).ok_or_else(|| io::ErrorKind::TimedOut.into())
+    }
+}
+
+impl Read for Until<'_> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        self.0.set_read_timeout(self.left()?)?;
+        self.0.read(bytes)
+    }
+}
+
+impl Write for Until<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.set_write_timeout(self.left()?)?;
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
 }
 
 fn answer(stream: &TcpStream, folder: &Folder) -> io::Result<()> {
-    stream.set_read_timeout(Some(PATIENCE))?;
-    stream.set_write_timeout(Some(PATIENCE))?;
-    let mut lines = BufReader::new(stream.take(LONGEST_HEAD)).lines();
+    let mut lines = BufReader::new(Until(stream, Instant::now() + REQUEST).take(LONGEST_HEAD)).lines();
     let request = lines.next().transpose()?.unwrap_or_default();
     // The whole head is taken before the answer: what is left unread would cut the answer off.
+    let mut hosts = Vec::new();
     for line in lines {
-        if line?.is_empty() {
+        let line = line?;
+        if line.is_empty() {
             break;
         }
+        hosts.extend(
+            line.split_once(':').filter(|(name, _)| name.eq_ignore_ascii_case("host")).map(|(_, host)| is_own(host)),
+        );
     }
     let mut words = request.split(' ');
     let (method, target) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
     let path = target.split(['?', '#']).next().unwrap_or_default();
     let (status, kind, body) = match (method, folder.file(path)) {
-        ("GET" | "HEAD", Some((file, kind))) => ("200 OK", kind, fs::read(file)?),
+        _ if hosts != [true] => ("421 Misdirected Request", "text/plain", b"Only localhost is served.\n".to_vec()),
+        ("GET" | "HEAD", Some((file, kind))) => match fs::read(file) {
+            Ok(body) => ("200 OK", kind, body),
+            Err(_) => ("503 Service Unavailable", "text/plain", b"The file cannot be read now.\n".to_vec()),
+        },
         ("GET" | "HEAD", None) => ("404 Not Found", "text/plain", b"There is no such file.\n".to_vec()),
         _ => ("405 Method Not Allowed", "text/plain", b"Only GET and HEAD are answered.\n".to_vec()),
     };
@@ -53,10 +106,27 @@ fn answer(stream: &TcpStream, folder: &Folder) -> io::Result<()> {
         "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\nConnection: close\r\n\r\n",
         body.len()
     );
-    let mut stream = stream;
+    let mut stream = Until(stream, Instant::now() + ANSWER);
     stream.write_all(head.as_bytes())?;
     if method != "HEAD" {
         stream.write_all(&body)?;
     }
     stream.flush()
+}
+
+/// True for a name of this machine, with a port or without: a tunnel may lead here from another port.
+fn is_own(host: &str) -> bool {
+    let host = host.trim().to_ascii_lowercase();
+    HOSTS.iter().any(|name| match host.strip_prefix(name).map(|rest| rest.strip_prefix(':').ok_or(rest)) {
+        Some(Ok(port)) => port.parse::<u16>().is_ok(),
+        Some(Err(rest)) => rest.is_empty(),
+        None => false,
+    })
+}
+
+/// Answers without a thread that there are too many connections.
+fn refuse(stream: &TcpStream) -> io::Result<()> {
+    let mut stream = Until(stream, Instant::now() + REFUSAL);
+    let _request = stream.read(&mut [0; 1 << 12])?;
+    stream.write_all(b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")
 }

@@ -121,6 +121,7 @@ impl FileSet {
             }
         }
         let mut written = Vec::with_capacity(whole.len());
+        let _lock = locked(&self.directory);
         let mut unfinished = unfinished();
         for (file, path) in whole {
             file.persist(&path).map_err(|error| FilesError::Replace { path: path.clone(), source: error.error })?;
@@ -162,6 +163,14 @@ fn write_temporary(directory: &Path, prefix: &str, contents: Contents) -> io::Re
     // A full disk may show only now.
     file.as_file().sync_all()?;
     Ok(file)
+}
+
+/// A lock on a directory, held while the files of a set are renamed, so that those of two runs do not mix. There is none
+/// where the system cannot lock directories.
+fn locked(directory: &Path) -> Option<File> {
+    let file = File::open(directory).ok()?;
+    file.lock().ok()?;
+    Some(file)
 }
 
 /// Takes away what killed runs left of a file: it may be as large as the disk.

@@ -1,15 +1,20 @@
 //! Files that are read.
 
 use std::fs;
-use std::io::{self, Read};
+use std::io::{self, Read, Stdin};
 use std::path::Path;
 
 /// The text of a whole file, or of stdin.
 pub fn read(path: &Path) -> io::Result<String> {
     if path == Path::new("-") {
         let mut text = String::new();
-        io::stdin().read_to_string(&mut text)?;
+        stdin()?.read_to_string(&mut text)?;
         return Ok(text);
     }
     fs::read_to_string(path)
+}
+
+/// Standard input, unless it was closed when the process began.
+pub fn stdin() -> io::Result<Stdin> {
+    if streams::stdin_was_closed() { Err(io::Error::other("standard input is closed")) } else { Ok(io::stdin()) }
 }

@@ -9,6 +9,6 @@ pub mod values;
 
 pub use accuracy::accuracy;
 pub use body::{BodyArguments, BodyInput, head};
-pub use file::read;
+pub use file::{read, stdin};
 pub use integrator::{IntegratorArguments, IntegratorInput};
 pub use part::{GivenPart, PartArguments, PartInput, shown};

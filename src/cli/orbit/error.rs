@@ -57,7 +57,7 @@ pub enum OrbitFailure {
     Follow(#[from] MotionError),
     #[error("{done} of {wanted} samples were computed")]
     Motion { done: usize, wanted: usize, source: StepError },
-    #[error("interrupted: {done} of {wanted} samples were computed; they are kept and marked as incomplete")]
+    #[error("interrupted: {done} of {wanted} samples were computed; no file was written")]
     Interrupted { done: usize, wanted: usize },
 }
 

@@ -35,23 +35,23 @@ pub fn run(arguments: &OrbitArguments, timings: &Timings) -> Result<(), Failure>
     let motion = timings
         .stage("motion", || follow(&settings.top, &settings.start, &settings.times, &options))
         .map_err(OrbitFailure::from)?;
-    work.over();
-    output(&settings, &motion, timings)?;
+    let interrupted = !work.over();
+    output(&settings, &motion, interrupted, timings)?;
     drop(work);
     let (done, wanted) = (motion.samples.len(), settings.times.len());
     match motion.report.failure {
         Some(source) => Err(OrbitFailure::Motion { done, wanted, source }.into()),
-        None if motion.report.interrupted => Err(OrbitFailure::Interrupted { done, wanted }.into()),
+        None if interrupted => Err(OrbitFailure::Interrupted { done, wanted }.into()),
         None => Ok(()),
     }
 }
 
-/// Writes the files, and then prints.
-fn output(settings: &Settings, motion: &Motion, timings: &Timings) -> Result<(), Failure> {
+/// Writes the files, and then prints. An interrupted run only prints: no file is replaced by one with less in it.
+fn output(settings: &Settings, motion: &Motion, interrupted: bool, timings: &Timings) -> Result<(), Failure> {
     let mut document = document::of(settings, motion)?;
     let mut files = FileSet::new(Path::new("."));
     let columns = || table::of(&document, &motion.samples).map_err(ExportError::from);
-    if let Some(target) = settings.animation.filter(|_| !motion.report.interrupted) {
+    if let Some(target) = settings.animation.filter(|_| !interrupted) {
         files.add_at(target.path(), timings.stage("animation", || animate::text(settings, target))?);
     }
     match settings.data {
@@ -60,6 +60,7 @@ fn output(settings: &Settings, motion: &Motion, timings: &Timings) -> Result<(),
             timings.stage("files", || files.write())?;
             return Ok(print(csv)?);
         }
+        Some(DataTarget::File { .. }) if interrupted => {}
         Some(DataTarget::File { path, format }) => files.add_at(path, format.bytes(&columns()?)?),
         None => document.samples = Some(document::samples(motion)),
     }

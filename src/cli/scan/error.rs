@@ -59,7 +59,7 @@ pub enum ScanInput {
     NoSummary { path: PathBuf, summary: PathBuf, reason: String },
     #[error("{path}: {source}; name the shards to be merged", path = path.display())]
     Shard { path: PathBuf, source: io::Error },
-    #[error("{path} is not what its summary describes (its SHA-256 is another): it is truncated or altered; make this shard again",
+    #[error("{path} is not what its summary describes (its SHA-256 is another): it is truncated or altered; make it again",
         path = path.display())]
     Altered { path: PathBuf },
     #[error("{path}: row {row} has number {found} where {wanted} should stand; make this shard again", path = path.display())]

@@ -22,6 +22,11 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     }
     let file = &arguments.file;
     let format = output::format_of_input(file)?;
+    if output::summary_path(file).exists() {
+        output::checked_summary(file)?;
+    } else {
+        tracing::warn!("{} has no summary beside it: whether its rows are whole is not known", file.display());
+    }
     let table = |source| ScanInput::Table { path: file.clone(), source };
     let mut bodies = Vec::new();
     for row in format.rows(file).map_err(table)? {

@@ -9,12 +9,12 @@ use schema::{RowDocument, ScanSummaryDocument};
 use survey::scan::Summary;
 
 use super::error::{ScanFailure, ScanInput};
-use super::hashing::HashingWriter;
+use super::hashing::{self, HashingWriter};
 use super::journal::Identity;
 use super::table::{Format, TableError};
 use crate::cli::export::beside;
 use crate::cli::failure::Failure;
-use crate::cli::terminal::interrupt::uninterrupted;
+use crate::cli::terminal::interrupt::{unfinished, uninterrupted};
 
 /// Where the summary of a file with rows lies.
 pub fn summary_path(rows: &Path) -> PathBuf {
@@ -50,6 +50,8 @@ pub fn write(
         move |source| Failure::from(ScanFailure::Write { path, source })
     };
     let table_failed = |source: TableError| Failure::from(ScanFailure::Table { path: out.to_owned(), source });
+    let fresh_summary = beside(out, ".summary.new");
+    unfinished().extend([fresh.clone(), fresh_summary.clone()]);
     let file = File::create(&fresh).map_err(failed(&fresh))?;
     let mut writer = HashingWriter::new(BufWriter::with_capacity(1 << 18, file));
     let mut summary = Summary::default();
@@ -76,18 +78,21 @@ pub fn write(
     let document = scan_summary(&summary, file);
     let text = documents::layout::text(&document).map_err(ScanFailure::from)?;
     let summary_out = summary_path(out);
-    let fresh_summary = beside(out, ".summary.new");
     fs::write(&fresh_summary, text).map_err(failed(&fresh_summary))?;
     let _guard = uninterrupted();
     fs::rename(&fresh, out).map_err(failed(out))?;
     fs::rename(&fresh_summary, &summary_out).map_err(failed(&summary_out))?;
+    unfinished().clear();
     Ok(document)
 }
 
-/// The summary beside a file with rows.
-pub fn read_summary(rows: &Path) -> Result<ScanSummaryDocument, ScanInput> {
+/// The summary beside a file with rows, which are what it describes.
+pub fn checked_summary(rows: &Path) -> Result<ScanSummaryDocument, ScanInput> {
     let text = fs::read_to_string(summary_path(rows)).map_err(|error| no_summary(rows, &error))?;
-    documents::reading::scan_summary(&text, &rows.to_string_lossy()).map_err(|error| no_summary(rows, &error))
+    let summary =
+        documents::reading::scan_summary(&text, &rows.to_string_lossy()).map_err(|error| no_summary(rows, &error))?;
+    let digest = hashing::of_file(rows).map_err(|source| ScanInput::Shard { path: rows.to_owned(), source })?;
+    if digest == summary.sha256 { Ok(summary) } else { Err(ScanInput::Altered { path: rows.to_owned() }) }
 }
 
 /// Which scan a file with rows belongs to, by its summary.

@@ -24,9 +24,9 @@ Examples:
 
 --starts FILE.csv has the heading theta,psi,sheet and a point of the PP-torus on each line (other columns are passed over, \
 so that each crossing of a table that --data wrote starts an orbit); --data writes for each \
-crossing orbit, index, time, gamma, l, sheet, s_dot, theta, psi (index 0 is the start). At the first Ctrl-C the run \
-ends, what was finished is written and marked as incomplete, and the exit status is 1. With --data FILE --no-plot alone \
-crossings go to FILE.partial as they are found, in constant memory, and after an interrupt the same command goes on there.";
+crossing orbit, index, time, gamma, l, sheet, s_dot, theta, psi (index 0 is the start). Crossings \
+go to FILE.partial as they are found, with --data FILE --no-plot alone in constant memory. At the first Ctrl-C the run \
+ends, no file is replaced, and the exit status is 1; the same command goes on from FILE.partial.";
 
 /// Which function vanishes on the section.
 const CONDITIONS: [Named<SectionCondition>; 2] = [

@@ -20,9 +20,7 @@ pub enum SectionFailure {
     Input(#[from] SectionInput),
     #[error("the section could not be computed")]
     Poincare(#[source] PoincareError),
-    #[error(
-        "interrupted: {finished} of {wanted} orbits are complete; what was finished is kept and marked as incomplete"
-    )]
+    #[error("interrupted: {finished} of {wanted} orbits are complete; no file was written")]
     Interrupted { finished: usize, wanted: usize },
     #[error(
         "interrupted: {finished} of {wanted} orbits are complete; {journal} holds what was found, and the same command goes on \
@@ -101,7 +99,7 @@ pub enum SectionInput {
     SeedLine { path: PathBuf, line: usize, problem: SeedProblem },
     #[error("--starts {path} holds no start; write the heading theta,psi,sheet and one start on each line", path = path.display())]
     NoSeeds { path: PathBuf },
-    #[error("--data: {journal} is in use by another process; wait for it, or give another FILE", journal = journal.display())]
+    #[error("{journal} is in use by another process; wait for it, or write to another place", journal = journal.display())]
     Busy { journal: PathBuf },
     #[error("--data: {journal} holds the beginning of another section; finish that, take the file away, or give another FILE", journal = journal.display())]
     OtherJournal { journal: PathBuf },

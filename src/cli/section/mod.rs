@@ -18,7 +18,6 @@ use std::sync::atomic::Ordering;
 
 use dynamics::section::Monitor;
 
-use super::export::journal_path;
 use super::failure::Failure;
 use super::terminal::interrupt::stoppable;
 use super::terminal::{Progress, Timings};
@@ -36,18 +35,18 @@ pub fn run(arguments: &SectionArguments, timings: &Timings, quiet: bool) -> Resu
     let progress = Progress::new(0, wanted as u64 * settings.crossings as u64, "crossings", quiet);
     let sections =
         progress.watching(&monitor.crossings, || timings.stage("orbits", || work::compute(&settings, &monitor)))?;
-    interruptible.over();
-    let complete = sections.complete;
+    let complete = interruptible.over() && sections.complete;
     let finished = sections.done.iter().map(|section| section.whole_orbits).sum();
+    let journal = sections.done.last().and_then(|section| section.journal.as_ref().map(|kept| kept.path().to_owned()));
     if complete || settings.streamed().is_none() {
-        outputs::write(&settings, sections, &interruptible, timings)?;
+        outputs::write(&settings, sections, complete, timings)?;
     }
     drop(interruptible);
     if complete {
         return Ok(());
     }
-    Err(match settings.streamed() {
-        Some((path, _)) => SectionFailure::Halted { finished, wanted, journal: journal_path(path) },
+    Err(match journal {
+        Some(journal) => SectionFailure::Halted { finished, wanted, journal },
         None => SectionFailure::Interrupted { finished, wanted },
     }
     .into())

@@ -77,6 +77,17 @@ impl Settings<'_> {
         }
     }
 
+    /// The data file of a site beside which its crossings are kept as they are found, and whether those of another section go.
+    /// There is none where orbits end with their verdicts: these cannot be taken up again.
+    pub fn resumed(&self, region: Option<&str>) -> Option<(PathBuf, bool)> {
+        match (self.outputs.data, &self.outputs.directory) {
+            _ if self.verdict == VerdictArgument::Early => None,
+            (Some(DataTarget::File { path, .. }), _) => Some((self.file_of(path, region), false)),
+            (None, Some(directory)) => Some((directory.join(format!("{}.npz", stem(region))), true)),
+            _ => None,
+        }
+    }
+
     /// The data file of a site: `FILE`, or with several regions FILE-R4.npz for the region R4 of FILE.npz.
     pub fn file_of(&self, path: &Path, region: Option<&str>) -> PathBuf {
         let Some(region) = region.filter(|_| self.sites.list.len() > 1) else { return path.to_owned() };
@@ -84,6 +95,11 @@ impl Settings<'_> {
         let extension = path.extension().unwrap_or_default().to_string_lossy();
         path.with_file_name(format!("{stem}-{region}.{extension}"))
     }
+}
+
+/// How the names of a site's files in a directory begin.
+pub fn stem(region: Option<&str>) -> String {
+    region.map_or_else(|| "section".to_owned(), |region| format!("section-{region}"))
 }
 
 impl<'a> Settings<'a> {

@@ -4,7 +4,7 @@ use dynamics::section::chaos::ChaosMeasure;
 use dynamics::section::{OrbitSection, SectionPoint};
 use schema::{ChaosDocument, SectionDocument};
 
-use crate::cli::export::{Columns, Values};
+use crate::cli::export::{Column, Columns, Values};
 
 /// One row for each point; `meta` is the document on one line.
 pub fn of(
@@ -34,6 +34,33 @@ pub fn columns(points: &[&SectionPoint]) -> [(&'static str, Values); 9] {
         ("theta", floats(|p| p.theta)),
         ("psi", floats(|p| p.psi)),
     ]
+}
+
+/// The points of some columns and of what their times leave out.
+pub fn points(columns: &[Column], time_low: &Values) -> Vec<SectionPoint> {
+    let [orbit, index, time, gamma, l, sheet, s_dot, theta, psi] = columns else { return Vec::new() };
+    let counts = |column: &Column, row: usize| match &column.values {
+        Values::Int8(values) => i32::from(values[row]),
+        Values::Int32(values) => values[row],
+        _ => 0,
+    };
+    let floats = |values: &Values, row: usize| match values {
+        Values::Float { parts, values } => std::array::from_fn(|k| values[row * parts.len() + k.min(parts.len() - 1)]),
+        _ => [f64::NAN; 3],
+    };
+    let point = |row: usize| SectionPoint {
+        orbit: counts(orbit, row).cast_unsigned(),
+        index: counts(index, row).cast_unsigned(),
+        time: floats(&time.values, row)[0],
+        time_low: floats(time_low, row)[0],
+        gamma: floats(&gamma.values, row),
+        l: floats(&l.values, row),
+        sheet: i8::try_from(counts(sheet, row)).unwrap_or_default(),
+        s_dot: floats(&s_dot.values, row)[0],
+        theta: floats(&theta.values, row)[0],
+        psi: floats(&psi.values, row)[0],
+    };
+    (0..time_low.len()).map(point).collect()
 }
 
 /// The measures of a point's orbit, where they were asked for, and λ(t); NaN where there is none.

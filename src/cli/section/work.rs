@@ -13,7 +13,7 @@ use super::error::{SectionFailure, SectionInput, SeedProblem};
 use super::seeds::Seed;
 use super::settings::{Settings, Starts};
 use super::sites::Site;
-use super::stream::{self, Streamed};
+use super::stream::{self, Journal};
 
 /// A section that was computed.
 pub struct Done {
@@ -23,8 +23,8 @@ pub struct Done {
     pub orbits: Vec<OrbitSection>,
     /// How regular each of them is, if that was asked for.
     pub chaos: Vec<ChaosMeasure>,
-    /// Its crossings, where they are not in memory.
-    pub streamed: Option<Streamed>,
+    /// What was found, from which the same command goes on.
+    pub journal: Option<Journal>,
     /// Orbits that were not cut short by an interrupt.
     pub whole_orbits: usize,
 }
@@ -81,14 +81,29 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
         condition: settings.condition,
         ..SweepOptions::default()
     };
-    let (section, streamed) = match settings.streamed() {
-        Some((path, _)) => {
-            let path = settings.file_of(path, site.region.as_deref());
-            let chaos = (settings.verdict == VerdictArgument::Only).then(|| chaos_options(method));
-            let streamed = stream::follow(&path, &setting, (&starts, seed), &options, chaos.as_ref(), monitor)?;
-            (streamed.section.clone(), Some(streamed))
+    let chaos = chaos_options(method);
+    let (section, journal) = match settings.resumed(site.region.as_deref()) {
+        Some((path, discards)) => {
+            let streamed = settings.streamed().is_some();
+            let judged = (streamed && settings.verdict == VerdictArgument::Only).then_some(&chaos);
+            let (mut section, mut journal) =
+                stream::follow((&path, discards), &setting, (&starts, seed), &options, judged, monitor)?;
+            if !streamed && section.complete() {
+                for orbit in &mut section.orbits {
+                    orbit.points = journal.points(orbit.orbit)?;
+                }
+                judge(settings, &setting, &mut section, &chaos, monitor)?;
+            }
+            (section, Some(journal))
         }
-        None => (judged(settings, &setting, &starts, seed, &options, monitor)?, None),
+        None if settings.verdict == VerdictArgument::Early => {
+            (setting.run_until_decided(&starts, seed, &options, &chaos, monitor)?, None)
+        }
+        None => {
+            let mut section = setting.run(&starts, seed, &options, monitor)?;
+            judge(settings, &setting, &mut section, &chaos, monitor)?;
+            (section, None)
+        }
     };
     let document = documents::section(subject, &section, site.region.as_deref());
     let (h, l) = (setting.h(), setting.l());
@@ -99,30 +114,24 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
         whole_orbits: section.whole_orbits(),
         orbits: section.orbits,
         chaos: section.chaos,
-        streamed,
+        journal,
     })
 }
 
-/// The orbits, with verdicts if these are wanted.
-fn judged(
+/// Adds the verdicts, if these are wanted.
+fn judge(
     settings: &Settings,
     setting: &Setting,
-    starts: &[TorusPoint],
-    seed: Option<u64>,
-    options: &SweepOptions,
+    section: &mut PoincareSection,
+    chaos: &ChaosOptions,
     monitor: &Monitor,
-) -> Result<PoincareSection, PoincareError> {
-    let chaos = chaos_options(options.method);
-    if settings.verdict == VerdictArgument::Early {
-        return setting.run_until_decided(starts, seed, options, &chaos, monitor);
-    }
-    let mut section = setting.run(starts, seed, options, monitor)?;
+) -> Result<(), PoincareError> {
     match settings.verdict {
-        VerdictArgument::Whole => setting.measure(&mut section, &chaos, monitor)?,
-        VerdictArgument::Only => setting.judge(&mut section, &chaos, monitor)?,
+        VerdictArgument::Whole => setting.measure(section, chaos, monitor)?,
+        VerdictArgument::Only => setting.judge(section, chaos, monitor)?,
         VerdictArgument::Early | VerdictArgument::None => {}
     }
-    Ok(section)
+    Ok(())
 }
 
 /// The variational equations follow the orbits as these were followed.

@@ -17,7 +17,7 @@ const PAUSE: Duration = Duration::from_millis(5);
 /// Held while something is written: a set of files, or whole lines of output.
 static WRITING: Mutex<()> = Mutex::new(());
 
-/// Files and directories that go if the process ends before their set is whole.
+/// Files and directories that go if an interrupt ends the process before their set is whole.
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// The work under way, if results of it can be kept.
@@ -31,10 +31,6 @@ enum Work {
     Running(Box<dyn Fn() + Send>),
     /// Told to stop.
     Stopped,
-    /// Over, and being kept.
-    Keeping,
-    /// Being kept; then the process ends.
-    Ending,
 }
 
 fn lock<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
@@ -51,37 +47,34 @@ pub fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
     lock(&UNFINISHED)
 }
 
-/// Work that an interrupt stops; while this lives, the first interrupt does not end the process.
+/// Work that an interrupt stops: while it goes on, the first interrupt does not end the process.
 #[derive(Debug)]
 pub struct Stoppable(());
 
 /// From now on the first interrupt calls `stop` and leaves it to the caller to keep what is finished and to end; a second
-/// one ends the process. So does the first one, if the work is not over soon.
+/// one ends the process. So does the first one if the guard is not dropped soon.
 pub fn stoppable(stop: impl Fn() + Send + 'static) -> Stoppable {
     *lock(&WORK) = Work::Running(Box::new(stop));
     Stoppable(())
 }
 
-#[expect(clippy::unused_self, reason = "only the work that is running is over, or told")]
+#[expect(clippy::unused_self, reason = "only work that is running can be over")]
 impl Stoppable {
-    /// The work is over. If it was not stopped, a first interrupt waits until this is dropped; then the process ends.
-    pub fn over(&self) {
+    /// Ends the work: from now on an interrupt ends the process. False if one came before; then nothing changes, and the
+    /// process ends soon unless the guard is dropped.
+    pub fn over(&self) -> bool {
         let mut work = lock(&WORK);
-        *work = if matches!(*work, Work::Stopped) { Work::Nothing } else { Work::Keeping };
-    }
-
-    /// An interrupt has come since the work was over.
-    pub fn told(&self) -> bool {
-        matches!(*lock(&WORK), Work::Ending)
+        let stopped = matches!(*work, Work::Stopped);
+        if !stopped {
+            *work = Work::Nothing;
+        }
+        !stopped
     }
 }
 
 impl Drop for Stoppable {
     fn drop(&mut self) {
-        let ended = mem::replace(&mut *lock(&WORK), Work::Nothing);
-        if matches!(ended, Work::Ending) {
-            end();
-        }
+        *lock(&WORK) = Work::Nothing;
     }
 }
 
@@ -103,49 +96,47 @@ pub fn install() -> Result<(), ctrlc::Error> {
 }
 
 fn interrupted() {
+    let told = Instant::now();
     let mut work = lock(&WORK);
     match mem::replace(&mut *work, Work::Stopped) {
         Work::Running(stop) => {
             stop();
-            std::thread::spawn(end_unless_over);
+            std::thread::spawn(move || end_unless_over(told));
         }
-        Work::Keeping => *work = Work::Ending,
         nothing => {
             *work = nothing;
             drop(work);
-            end();
+            end(told);
         }
     }
 }
 
 /// The work has been told to stop: it must not take longer than a write may.
-fn end_unless_over() {
-    let told = Instant::now();
+fn end_unless_over(told: Instant) {
     while told.elapsed() < PATIENCE {
         std::thread::sleep(PAUSE);
         if !matches!(*lock(&WORK), Work::Stopped) {
             return;
         }
     }
-    end();
+    end(told);
 }
 
-/// Ends the process with status 1, once what is being written is whole, or after some time without it.
-fn end() -> ! {
-    let told = Instant::now();
-    while told.elapsed() < PATIENCE {
+/// Ends the process with status 1, once what is being written is whole, or some time after the interrupt without it.
+fn end(told: Instant) -> ! {
+    // The guard is kept to the end, so that nothing new is begun.
+    let guard = loop {
         match WRITING.try_lock() {
-            Err(TryLockError::WouldBlock) => std::thread::sleep(PAUSE),
-            // The guard is kept to the end, so that nothing new is begun.
-            _guard => {
-                say("interrupted; what was written is whole");
-                std::process::exit(1);
-            }
+            Err(TryLockError::WouldBlock) if told.elapsed() < PATIENCE => std::thread::sleep(PAUSE),
+            guard => break guard,
         }
-    }
+    };
     for path in unfinished().iter() {
         // One of the two is right, unless it has gone or is in use.
         let _not_there = fs::remove_file(path).or_else(|_no_file| fs::remove_dir(path));
+    }
+    if !matches!(guard, Err(TryLockError::WouldBlock)) {
+        say("interrupted; what was written is whole");
     }
     std::process::exit(1);
 }

@@ -1,4 +1,4 @@
-//! The journal of a streamed section: the crossings that were found survive the end of the process.
+//! The journal of a section: the crossings that were found survive the end of the process.
 //!
 //! `FILE.partial` begins with a line that tells which section it belongs to. Blocks follow: an orbit's next crossings,
 //! what the orbit was like until then, and where it goes on, closed by their SHA-256. What does not end in a whole block
@@ -9,11 +9,11 @@ use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use dynamics::field::Integrals;
-use dynamics::section::{End, Halt, OrbitReport, OrbitSection};
+use dynamics::section::{End, Halt, OrbitReport, OrbitSection, SectionPoint};
 use sha2::{Digest, Sha256};
 
 use super::super::error::{SectionFailure, SectionInput};
-use crate::cli::export::{Column, Columns, Pieces, journal_path, open_alone};
+use crate::cli::export::{Column, Pieces, Values, journal_path, open_alone};
 use crate::cli::section::table;
 
 /// Words before the rows of a block: orbit, end and number of rows; the report; the halt.
@@ -56,15 +56,16 @@ pub struct Journal {
     end: u64,
     blocks: Vec<Block>,
     standings: Vec<Option<Standing>>,
-    /// The columns without rows, and the parameters of the run.
+    /// The columns without rows, the last of them for this program alone: what the times leave out.
     columns: Vec<Column>,
+    /// The parameters of the run.
     pub meta: String,
 }
 
 impl Journal {
     /// Opens the journal beside an output file for so many orbits: takes up what is there, or begins. `identity` is a text
-    /// on one line.
-    pub fn open(out: &Path, identity: &str, orbits: usize) -> Result<Self, SectionFailure> {
+    /// on one line. The journal of another section is refused, or discarded if `discards` is set.
+    pub fn open(out: &Path, identity: &str, orbits: usize, discards: bool) -> Result<Self, SectionFailure> {
         let path = journal_path(out);
         let failed = |source: io::Error| SectionFailure::Journal { path: path.clone(), source };
         if let Some(directory) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
@@ -72,26 +73,27 @@ impl Journal {
         }
         let file = open_alone(&path).map_err(failed)?.ok_or_else(|| SectionInput::Busy { journal: path.clone() })?;
         let columns = table::columns(&[]);
-        let columns = columns.into_iter().map(|(name, values)| Column { name, values }).collect();
+        let columns = columns.into_iter().chain([("time_low", time_low(&[]))]);
+        let columns = columns.map(|(name, values)| Column { name, values }).collect();
         let (blocks, standings) = (Vec::new(), vec![None; orbits]);
         let mut journal = Self { path: path.clone(), file, end: 0, blocks, standings, columns, meta: String::new() };
         let line = format!("{identity}\n").into_bytes();
-        let mut found = vec![0; line.len()];
-        match journal.file.read_exact(&mut found) {
-            Ok(()) if found == line => journal.end = line.len() as u64,
-            // Nothing, or the process ended while it wrote the first line.
-            Err(error) if error.kind() == io::ErrorKind::UnexpectedEof && !found.contains(&b'\n') => {
-                journal.file.set_len(0).map_err(failed)?;
-                journal.file.seek(SeekFrom::Start(0)).map_err(failed)?;
-                journal.file.write_all(&line).map_err(failed)?;
-                journal.end = line.len() as u64;
-                return Ok(journal);
-            }
-            Ok(()) => return Err(SectionInput::OtherJournal { journal: path }.into()),
-            Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
+        let mut found = Vec::new();
+        Read::by_ref(&mut journal.file).take(line.len() as u64).read_to_end(&mut found).map_err(failed)?;
+        journal.end = line.len() as u64;
+        if found != line {
+            // Without the end of its first line, the process ended while it wrote that.
+            let unbegun = found.len() < line.len() && !found.contains(&b'\n');
+            if !unbegun && !discards {
                 return Err(SectionInput::OtherJournal { journal: path }.into());
             }
-            Err(error) => return Err(failed(error)),
+            if !unbegun {
+                tracing::warn!("{} held the beginning of another section; it begins anew", path.display());
+            }
+            journal.file.set_len(0).map_err(failed)?;
+            journal.file.seek(SeekFrom::Start(0)).map_err(failed)?;
+            journal.file.write_all(&line).map_err(failed)?;
+            return Ok(journal);
         }
         journal.read_whole_blocks().map_err(failed)?;
         journal.file.set_len(journal.end).map_err(failed)?;
@@ -169,6 +171,7 @@ impl Journal {
         for (_, values) in table::columns(&points) {
             block.extend(values.bytes());
         }
+        block.extend(time_low(&points).bytes());
         let seal = Sha256::digest(&block);
         block.extend_from_slice(&seal);
         self.file.write_all(&block).map_err(|source| SectionFailure::Journal { path: self.path.clone(), source })?;
@@ -177,12 +180,6 @@ impl Journal {
         self.standings[orbit.orbit as usize] = Some(Standing { report: orbit.report, halt });
         self.end += block.len() as u64;
         Ok(())
-    }
-
-    /// The section is whole.
-    pub fn close(&mut self, meta: String) {
-        self.meta = meta;
-        self.sort();
     }
 
     /// Puts the blocks into the order of the orbits.
@@ -235,6 +232,34 @@ impl Journal {
         Ok(())
     }
 
+    /// The crossings of an orbit, after [`sort`](Self::sort).
+    pub fn points(&mut self, orbit: u32) -> Result<Vec<SectionPoint>, SectionFailure> {
+        let path = self.path.clone();
+        let mut room = Vec::new();
+        let mut points = Vec::new();
+        for block in self.blocks_of(orbit) {
+            let columns = self.rows_of(block, self.columns.len(), &mut room);
+            let columns = columns.map_err(|source| SectionFailure::Journal { path: path.clone(), source })?;
+            if let Some((time_low, columns)) = columns.split_last() {
+                points.extend(table::points(columns, &time_low.values));
+            }
+        }
+        Ok(points)
+    }
+
+    /// The rows of a block in the first columns.
+    fn rows_of(&mut self, block: Block, columns: usize, room: &mut Vec<u8>) -> io::Result<Vec<Column>> {
+        self.read(block, 0..columns, room)?;
+        let mut rest = &room[..];
+        let mut rows = self.columns[..columns].to_vec();
+        for column in &mut rows {
+            let (bytes, after) = rest.split_at(block.rows * column.values.row_bytes());
+            column.values.extend_from_bytes(bytes);
+            rest = after;
+        }
+        Ok(rows)
+    }
+
     /// The bytes of some columns of a block.
     fn read(&mut self, block: Block, columns: std::ops::Range<usize>, room: &mut Vec<u8>) -> io::Result<()> {
         let within = self.bytes_of(&columns);
@@ -263,7 +288,7 @@ impl Journal {
 
 impl Pieces for Journal {
     fn columns(&self) -> Vec<Column> {
-        self.columns.clone()
+        self.columns[..self.columns.len() - 1].to_vec()
     }
 
     fn rows(&self) -> usize {
@@ -286,19 +311,15 @@ impl Pieces for Journal {
     fn pieces(&mut self, take: &mut dyn FnMut(&[Column]) -> io::Result<()>) -> io::Result<()> {
         let mut room = Vec::new();
         for k in 0..self.blocks.len() {
-            let block = self.blocks[k];
-            self.read(block, 0..self.columns.len(), &mut room)?;
-            let mut rest = &room[..];
-            let mut piece = Columns { columns: self.columns.clone(), meta: String::new() };
-            for column in &mut piece.columns {
-                let (bytes, after) = rest.split_at(block.rows * column.values.row_bytes());
-                column.values.extend_from_bytes(bytes);
-                rest = after;
-            }
-            take(&piece.columns)?;
+            take(&self.rows_of(self.blocks[k], self.columns.len() - 1, &mut room)?)?;
         }
         Ok(())
     }
+}
+
+/// What the times leave out.
+fn time_low(points: &[&SectionPoint]) -> Values {
+    Values::floats(points.iter().map(|point| point.time_low))
 }
 
 fn words(bytes: &[u8; 8 * HEAD]) -> [u64; HEAD] {

@@ -1,46 +1,41 @@
-//! Sections longer than memory: crossings go to `FILE.partial` as they are found, and from there into FILE.
+//! Sections that can be taken up again, and may be longer than memory: crossings go to `FILE.partial` as they are found.
 
 mod journal;
 mod judge;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use dynamics::poincare::{PoincareSection, Setting};
 use dynamics::section::chaos::ChaosOptions;
 use dynamics::section::{Monitor, OrbitReport, OrbitSection, SweepOptions, Task, TorusPoint, sweep_on};
-use schema::SectionDocument;
 
-use self::journal::{Journal, Standing};
+use self::journal::Standing;
 use self::judge::verdicts;
 use super::error::SectionFailure;
+
+pub use self::journal::Journal;
 
 /// Crossings in memory at one time, about.
 const CROSSINGS: usize = 1 << 18;
 /// Fewest orbits that are followed at one time, so that no lane is idle.
 const ORBITS: usize = 128;
 
-/// A section whose crossings lie in a journal.
-pub struct Streamed {
-    pub out: PathBuf,
-    pub section: PoincareSection,
-    journal: Journal,
-}
-
 /// Follows the orbits of a section into the journal of a file, from where an earlier run has left them. Interrupted, it
-/// is not complete, and the same again goes on. Where `chaos` is given, the orbits are judged when all are there.
+/// is not complete, and the same again goes on. Where `chaos` is given, the orbits are judged when all are there. The
+/// crossings are in the journal alone.
 ///
 /// # Errors
-/// When the journal cannot be read or written, or belongs to another section.
+/// When the journal cannot be read or written, or belongs to another section; with `discards` it is begun anew instead.
 pub fn follow(
-    out: &Path,
+    (out, discards): (&Path, bool),
     setting: &Setting,
     (starts, seed): (&[TorusPoint], Option<u64>),
     options: &SweepOptions,
     chaos: Option<&ChaosOptions>,
     monitor: &Monitor,
-) -> Result<Streamed, SectionFailure> {
+) -> Result<(PoincareSection, Journal), SectionFailure> {
     let mut section = setting.begin(starts, seed, options)?;
-    let mut journal = Journal::open(out, &identity(&section), starts.len())?;
+    let mut journal = Journal::open(out, &identity(&section), starts.len(), discards)?;
     let mut states = Vec::with_capacity(starts.len());
     for start in starts {
         states.push(setting.state(*start).map_err(dynamics::poincare::PoincareError::from)?);
@@ -83,7 +78,8 @@ pub fn follow(
         section.verdicts = verdicts(setting, &section.orbits, &mut journal, chaos, monitor)?;
         section.chaos_interrupted = monitor.is_stopped();
     }
-    Ok(Streamed { out: out.to_owned(), section, journal })
+    journal.sort();
+    Ok((section, journal))
 }
 
 /// Which section it is: the starts, and all that is asked of them.
@@ -103,16 +99,4 @@ fn identity(section: &PoincareSection) -> String {
         options.condition,
         starts.join(";"),
     )
-}
-
-impl Streamed {
-    /// The rows in the order of the orbits, with the document that tells what they mean, and the journal's file.
-    ///
-    /// # Errors
-    /// When the document cannot be written as JSON.
-    pub fn close(self, document: &SectionDocument) -> Result<(PathBuf, Journal), serde_json::Error> {
-        let mut journal = self.journal;
-        journal.close(serde_json::to_string(document)?);
-        Ok((self.out, journal))
-    }
 }
