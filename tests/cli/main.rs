@@ -14,6 +14,7 @@ mod regions;
 mod scan;
 mod schemas;
 mod sections;
+mod spins;
 mod streams;
 mod wrong_batch_lines;
 mod wrong_command_lines;

@@ -55,7 +55,7 @@ pub use section::{
 };
 pub use spin::{
     CriticalSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument,
-    SpinDocument, SpinRangeDocument, StateDocument, SteadyDocument, ToleranceDocument,
+    SpinDocument, SpinRangeDocument, StateDocument, SteadyDocument, SteadySpinDocument, ToleranceDocument,
 };
 
 /// Version of every document in this module.

@@ -21,7 +21,7 @@ pub struct NearestAxisDocument {
     pub axis: [f64; 3],
     /// The angle between the two, in degrees.
     pub angle_deg: f64,
-    /// The one spin at which it is permanent; `null`: every spin, or (with `up` turned) none.
+    /// The one spin at which it is permanent; `null`: every spin, or none with this end up.
     pub spin: Option<SpinDocument>,
 }
 
@@ -48,6 +48,23 @@ pub struct SpinChangeDocument {
     pub error_bound: f64,
 }
 
+/// The spin at which rotation about an axis of Staude's cone is steady.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SteadySpinDocument {
+    /// Which end of the axis is up: `+axis` or `-axis`.
+    pub up: String,
+    /// The spin.
+    pub spin: SpinDocument,
+    /// l there.
+    pub l: f64,
+    /// h there.
+    pub h: f64,
+    /// The spectral type; `null` where it was not found.
+    pub stability: Option<String>,
+    /// What is known of its stability.
+    pub verdict: Option<Verdict>,
+}
+
 /// Spins at which rotation about an axis changes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CriticalSpinDocument {
@@ -64,6 +81,10 @@ pub struct CriticalSpinDocument {
     /// The angle to the principal axis that is meant, in degrees; else the nearest permanent axis is told.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nearest: Option<NearestAxisDocument>,
+    /// With `permanent` false: the spin at which rotation about it is steady, at an angle of 10⁻⁶ at most; empty if there is
+    /// none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub steady: Option<Vec<SteadySpinDocument>>,
     /// The spectral type at rest or at the slowest spins, with `+axis` and with `-axis` up.
     pub slow: Option<[String; 2]>,
     /// By the end that is up, then by rising spin.
@@ -167,8 +188,11 @@ pub struct SteadyDocument {
     pub below: Option<SpinChangeDocument>,
     /// The change at the next larger spin.
     pub above: Option<SpinChangeDocument>,
-    /// Regions just below and just above in h; `null`: forbidden or not known.
+    /// Regions just below and just above in h; `null`: forbidden, or not known (then `note` says so).
     pub regions: [Option<String>; 2],
+    /// What is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
 }
 
 /// A state: where it lies in the (h, l) plane and what it is.
@@ -192,12 +216,15 @@ pub struct StateDocument {
     pub l: f64,
     /// The steady rotation that the state is; `null` for another motion.
     pub steady: Option<SteadyDocument>,
-    /// The region of (h, l); `null` on a curve and below all of them.
+    /// The region of (h, l); `null` on a curve, within rounding of one, and where it is not known (then `note` says so).
     pub region: Option<String>,
     /// The distance of (h, l) to the nearest curve; `null` for a steady rotation, which lies on one.
     pub margin: Option<MarginDocument>,
     /// The steady rotation at this spin whose axis is nearest to the vertical, where the motion is not steady.
     pub nearest: Option<SteadyDocument>,
+    /// What is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
     /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,

@@ -1,8 +1,8 @@
 //! Why there is no picture of U.
 
-use proof::Unanswered;
+use proof::{NoAtlas, Unanswered};
 use thiserror::Error;
-use top::atlas::{AtlasError, MomentumError};
+use top::atlas::MomentumError;
 use top::classify::ClassifyError;
 use top::topology::merge::MergeError;
 
@@ -23,7 +23,7 @@ pub enum SphereError {
     #[error("the components of U could not be told apart in f64")]
     Region(#[from] ClassifyError),
     #[error("the regions of this body could not be found")]
-    Atlas(#[from] AtlasError),
+    Atlas(#[from] NoAtlas),
     #[error("the components of U could not be told apart")]
     Merge(#[from] MergeError),
     #[error("the sample of the region is beyond f64")]

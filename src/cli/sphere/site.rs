@@ -1,7 +1,7 @@
 //! Where U is drawn.
 
 use documents::Subject;
-use top::atlas::Atlas;
+use proof::{Accuracy, atlas_of};
 use top::body::Number;
 
 use super::arguments::SphereArguments;
@@ -19,7 +19,7 @@ impl Site {
     /// The point of the options.
     pub fn new(arguments: &SphereArguments, subject: &Subject) -> Result<Self, SphereError> {
         if let Some(id) = &arguments.region {
-            let atlas = Atlas::new(&subject.body)?;
+            let atlas = atlas_of(&subject.body, Accuracy::Exact)?;
             let ids = || atlas.regions().ids();
             let Some(region) = ids().find(|region| region.to_string() == *id) else {
                 return Err(SphereError::UnknownRegion {

@@ -1,12 +1,13 @@
 //! `bifdiag campbell`: frequencies over the spin of a permanent axis.
 
+use numbers::Sign;
 use plot::{Campbell, draw_campbell};
 use top::permanent::{AxisRotation, SpinType};
 
 use super::arguments::CampbellArguments;
 use super::direction::second;
 use super::error::StateInput;
-use super::rotation::{Axis, rotation};
+use super::rotation::Axis;
 use crate::cli::export::{Column, Columns, DataFormat, ExportError, FileSet, PictureFormat, RESOLUTION, Values};
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{Report, Timings, print, significant};
@@ -16,14 +17,18 @@ const STEPS: u32 = 400;
 
 pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
-    let (axis, sign) = match Axis::of(&subject, arguments.axis.0) {
-        Axis::Permanent { axis, sign, .. } => (axis, sign),
+    let axis = match Axis::of(&subject, arguments.axis.0) {
+        Axis::Permanent { axis, .. } => axis,
         Axis::Other { nearest } => {
             let axis = nearest.axis.map(|x| significant(x, 6)).join(", ");
             return Err(StateInput::NotPermanent { axis, angle: significant(nearest.angle_deg, 3) }.into());
         }
+        Axis::AtOneSpin { .. } | Axis::Principal | Axis::Unknown => return Err(StateInput::NotAtEverySpin.into()),
     };
-    let Some(rotation) = rotation(&subject, axis, sign) else { return Err(StateInput::Nothing.into()) };
+    // γ points down.
+    let Some(rotation) = AxisRotation::about(&subject.body, axis, Sign::Negative) else {
+        return Err(StateInput::NotAtEverySpin.into());
+    };
     let second = second(subject.part.as_ref());
     let largest = arguments.to.rad_per_s().abs();
     let rows = rows(&rotation, largest, second);

@@ -1,16 +1,18 @@
 //! `bifdiag critical-spin`.
 
 use documents::{CommandLine, Subject};
+use numbers::Sign;
+use numbers::vector::dot;
 use part::{MeasuredPart, Part};
-use schema::CriticalSpinDocument;
-use top::atlas::Atlas;
-use top::body::BodyAxis;
-use top::permanent::{AxisRotation, SpinType};
+use proof::{Accuracy, Prepared};
+use schema::{CriticalSpinDocument, SteadySpinDocument};
+use top::permanent::{AxisRotation, NearestAxis, SpinType, nearest_steady};
 
 use super::arguments::CriticalSpinArguments;
 use super::direction::{from_principal, second};
 use super::error::StateInput;
-use super::rotation::{Axis, rotation};
+use super::rotation::{Axis, MEANT};
+use super::steady::stability_text;
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
@@ -41,40 +43,50 @@ enum Known<'a> {
 /// The spins at which rotation about an axis changes.
 fn document(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CriticalSpinDocument {
     let found = Axis::of(subject, axis);
-    let (permanent, nearest) = match found {
-        Axis::Permanent { nearest, .. } => (true, nearest),
-        Axis::Other { nearest } => (false, nearest),
+    let nearest = match &found {
+        Axis::Permanent { nearest, .. } | Axis::AtOneSpin { nearest, .. } | Axis::Other { nearest } => Some(*nearest),
+        Axis::Principal | Axis::Unknown => None,
     };
     let mut document = CriticalSpinDocument {
         head: documents::head(command(subject, axis, known).json()),
         body: documents::given(&subject.body),
         axis,
-        permanent,
-        nearest: (nearest.angle_deg > 0.0).then_some(nearest),
+        permanent: matches!(found, Axis::Permanent { .. }),
+        nearest: nearest.filter(|nearest| nearest.angle_deg > 0.0),
+        steady: None,
         slow: None,
         changes: Vec::new(),
         tolerance: None,
         note: None,
         part: subject.part.clone(),
     };
-    let Axis::Permanent { axis, sign, .. } = found else {
+    let Axis::Permanent { axis, .. } = found else {
+        document.steady = match found {
+            Axis::AtOneSpin { axis, .. } => Some(steady_spin(subject, &axis).into_iter().collect()),
+            Axis::Unknown => None,
+            _ => Some(Vec::new()),
+        };
         if !matches!(known, Known::Exactly) {
-            document.note =
-                Some("tolerances are told for an axis that is permanent for the nominal numbers".to_owned());
+            document.note = Some(
+                "tolerances are reported for an axis that is permanent at every spin for the nominal numbers"
+                    .to_owned(),
+            );
         }
         return document;
     };
-    let atlas = Atlas::new(&subject.body);
-    if atlas.is_err() {
+    let prepared = Prepared::new(subject.body.clone(), Accuracy::Exact);
+    let atlas = prepared.atlas();
+    if atlas.is_none() {
         document.note =
             Some("the regions of this body were not found: only changes of stability are listed".to_owned());
     }
     let second = second(subject.part.as_ref());
     let mut slow = Vec::new();
     let mut rotations = Vec::new();
-    for (up, sign) in [("+axis", sign), ("-axis", -sign)] {
-        let Some(rotation) = rotation(subject, axis, sign) else { continue };
-        document.changes.extend(documents::spin_changes(&rotation, up, atlas.as_ref().ok(), second));
+    // γ points down.
+    for (up, gamma) in [("+axis", Sign::Negative), ("-axis", Sign::Positive)] {
+        let Some(rotation) = AxisRotation::about(&subject.body, axis, gamma) else { continue };
+        document.changes.extend(documents::spin_changes(&rotation, up, atlas, second));
         slow.push(at_slow_spins(&rotation).name().to_owned());
         rotations.push((up, rotation));
     }
@@ -82,8 +94,7 @@ fn document(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CriticalSpi
         Known::Exactly => None,
         Known::Relative(tolerance) => Some(documents::tolerance(&rotations, &tolerance.0, second)),
         Known::Measured(part, measured) => {
-            let unit = BodyAxis::ALL.map(|k| if k == axis { f64::from(sign) } else { 0.0 });
-            let up = from_principal(subject.part.as_ref(), unit);
+            let up = from_principal(subject.part.as_ref(), axis.direction);
             let ends = [("+axis", up), ("-axis", up.map(|x| -x))];
             Some(documents::measured_tolerance(part, measured, ends, second))
         }
@@ -105,6 +116,26 @@ fn command(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CommandLine 
     }
 }
 
+/// The spin at which rotation about an axis of Staude's cone is steady, with the end that is up; none for one that is in
+/// equilibrium at rest.
+fn steady_spin(subject: &Subject, axis: &NearestAxis) -> Option<SteadySpinDocument> {
+    let s = axis.squared_spin.filter(|s| *s != 0.0)?;
+    let (end, name) = if s < 0.0 { (-1.0, "-axis") } else { (1.0, "+axis") };
+    let up = axis.axis.map(|x| end * x);
+    let (part, omega) = (subject.part.as_ref(), s.abs().sqrt());
+    let (a, r) = (subject.body.moments_f64(), subject.body.center_f64());
+    let l = omega * dot(up, [0, 1, 2].map(|k| a[k] * up[k]));
+    let found = nearest_steady(&subject.body, omega, up).filter(|found| found.angle <= MEANT);
+    Some(SteadySpinDocument {
+        up: name.to_owned(),
+        spin: documents::spin(omega * second(part)),
+        l,
+        h: 0.5 * omega * l + dot(up, r),
+        stability: found.as_ref().map(|found| found.equilibrium.stability.word().to_owned()),
+        verdict: found.map(|found| documents::verdict(found.equilibrium.verdict)),
+    })
+}
+
 /// The type at the slowest spins.
 fn at_slow_spins(rotation: &AxisRotation) -> SpinType {
     let changes = rotation.changes();
@@ -121,25 +152,63 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     if let Some(nearest) = &document.nearest {
         let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
         let angle = significant(nearest.angle_deg, 3);
-        let spin = match (&nearest.spin, document.permanent) {
-            (_, true) => ", which is taken".to_owned(),
-            (Some(spin), _) => format!(", at {} rpm only", significant(spin.rpm, 6)),
-            (None, _) => String::new(),
+        let taken = nearest.angle_deg <= MEANT.to_degrees();
+        let spin = match &nearest.spin {
+            _ if taken => ", which is taken".to_owned(),
+            Some(spin) => format!(", at {} rpm only", significant(spin.rpm, 6)),
+            None => String::new(),
         };
         report.line(format!("the nearest permanent axis is ({x}, {y}, {z}), {angle}° away{spin}"));
     }
     if !document.permanent {
-        report.line("rotation about this axis is not permanent: the body would leave it at any spin");
+        not_permanent(&mut report, subject, document);
         note(&mut report, document);
         return report.text();
     }
     if let Some([plus, minus]) = &document.slow {
         report.line(format!("at slow spins: +axis up {plus}, -axis up {minus}"));
     }
+    let unknown = document.note.is_some();
     if document.changes.is_empty() {
-        report.line("nothing changes with the spin");
-        return report.text();
+        report.line(if unknown { "no change of stability at any spin" } else { "nothing changes with the spin" });
+    } else {
+        report.line(changes(document, if unknown { "not known" } else { "same" }));
     }
+    tolerance::report(&mut report, document);
+    note(&mut report, document);
+    report.text()
+}
+
+/// What an axis is that is not permanent at every spin.
+fn not_permanent(report: &mut Report, subject: &Subject, document: &CriticalSpinDocument) {
+    for steady in document.steady.iter().flatten() {
+        let [rpm, rad_per_s] = [steady.spin.rpm, steady.spin.rad_per_s].map(|x| significant(x, 8));
+        report.line(format!(
+            "rotation about this axis is steady at one spin only: {rpm} rpm = {rad_per_s} rad/s, {} up",
+            steady.up
+        ));
+        let stability = match (steady.verdict, &steady.stability) {
+            (Some(verdict), Some(stability)) => format!(", {}: {stability}", stability_text(verdict)),
+            _ => ", its stability was not found".to_owned(),
+        };
+        report.line(format!("h = {}, l = {}{stability}", significant(steady.h, 10), significant(steady.l, 10)));
+    }
+    match Axis::of(subject, document.axis) {
+        Axis::AtOneSpin { axis, .. } if axis.squared_spin == Some(0.0) => report.line(
+            "the centre of mass lies on this axis, which is not principal: the body rests with it upright, but rotation about \
+             it is steady at no spin",
+        ),
+        Axis::Principal => report.line(
+            "this axis is principal, but the centre of mass does not lie on it: rotation about it is steady at no spin",
+        ),
+        Axis::Other { .. } => report.line("rotation about this axis is steady at no spin"),
+        Axis::Unknown => report.line("whether rotation about this axis is steady at some spin was not found"),
+        Axis::AtOneSpin { .. } | Axis::Permanent { .. } => {}
+    }
+}
+
+/// The changes as a table; `without` stands where no change of regions is listed.
+fn changes(document: &CriticalSpinDocument, without: &str) -> String {
     let mut table = Table::new(&["up", "rpm", "rad/s", "below", "above", "regions", "h", "l", "error (rad/s)"]);
     for change in &document.changes {
         table.row([
@@ -148,16 +217,13 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
             significant(change.spin.rad_per_s, 8),
             change.from.clone(),
             change.to.clone(),
-            change.event.clone().unwrap_or_else(|| "same".to_owned()),
+            change.event.clone().unwrap_or_else(|| without.to_owned()),
             significant(change.h, 6),
             significant(change.l, 6),
             significant(change.error_bound, 1),
         ]);
     }
-    report.line(table.text());
-    tolerance::report(&mut report, document);
-    note(&mut report, document);
-    report.text()
+    table.text()
 }
 
 fn note(report: &mut Report, document: &CriticalSpinDocument) {

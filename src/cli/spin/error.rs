@@ -18,6 +18,11 @@ pub enum StateInput {
         "--axis: rotation about it is not permanent, so that it has no frequencies of its own; the nearest permanent axis is {axis}, {angle}° away"
     )]
     NotPermanent { axis: String, angle: String },
+    #[error(
+        "--axis: rotation about it is not permanent at every spin, so that it has no frequencies of its own; \
+         `bifdiag critical-spin` gives the spin at which it is steady, if there is one"
+    )]
+    NotAtEverySpin,
     #[error("--tolerance and ± in the numbers of the part both say how well it is known; leave out one of them")]
     TwoTolerances,
 }

@@ -2,20 +2,23 @@
 
 use documents::Subject;
 use numbers::vector::{cross, dot, norm};
+use proof::{Accuracy, Prepared};
 use schema::StateDocument;
-use top::atlas::Atlas;
+use top::atlas::Spot;
 use top::body::Number;
-use top::classify::classify;
 
 use super::arguments::StateArguments;
 use super::direction::{second, to_principal};
 use super::error::{StateFailure, StateInput};
 use super::rotation::Axis;
-use super::steady::{at_spin, changes, region_at, told};
+use super::steady::{at_spin, changes, told};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Timings, significant};
+
+/// h and l of a state are computed with a smaller error, relative to the size of their terms.
+const ROUNDING: f64 = 1e-14;
 
 /// A state in the frame of the question, in seconds.
 struct State {
@@ -77,19 +80,36 @@ impl State {
             region: None,
             margin: None,
             nearest: None,
+            note: None,
             part: subject.part.clone(),
         };
-        let atlas = Atlas::new(&subject.body).ok();
-        let steady = at_spin(subject, self.vertical, spin, atlas.as_ref());
+        let prepared = Prepared::new(subject.body.clone(), Accuracy::Exact);
+        let steady = at_spin(subject, self.vertical, spin, &prepared);
+        if prepared.atlas().is_none() {
+            document.note = Some("the regions of this body were not found".to_owned());
+        }
         match steady {
             Some(steady) if steady.angle_deg == 0.0 && self.is_upright() => document.steady = Some(steady),
+            None if self.is_upright() => {
+                document.note = Some("whether the motion is steady was not decided: the numbers leave f64".to_owned());
+            }
             other => {
                 document.nearest = other;
-                let (h, l) = (Number::from_f64(h)?, Number::from_f64(l)?);
-                if let Ok(found) = classify(&subject.body, &h, &l) {
+                let [h, l] = [Number::from_f64(h)?, Number::from_f64(l)?];
+                if let Ok(found) = prepared.classify(&h, &l) {
                     document.margin = Some(documents::margin(&found.margin));
+                    // A curve rises by l/J, which is at most l/min A, and h and l are rounded.
+                    let least = a.into_iter().fold(f64::INFINITY, f64::min);
+                    let size = 0.5 * dot(omega, momentum).abs() + norm(r) + document.l * document.l / least;
+                    if found.margin.h > ROUNDING * size {
+                        match prepared.spot(&h, &l, &found.answer) {
+                            Spot::Region(region) => document.region = Some(region.to_string()),
+                            _ => document.note = Some("the region of its (h, l) is not known".to_owned()),
+                        }
+                    }
+                } else {
+                    document.note = Some("the region of its (h, l) is not known".to_owned());
                 }
-                document.region = atlas.and_then(|atlas| region_at(&atlas, document.h, document.l));
             }
         }
         Ok(document)
@@ -115,11 +135,14 @@ fn text(subject: &Subject, document: &StateDocument) -> String {
     match &document.steady {
         Some(steady) => {
             told(&mut report, steady);
-            let principal = matches!(Axis::of(subject, document.vertical), Axis::Permanent { .. });
-            if principal {
-                changes(&mut report, steady);
-            } else {
-                report.line("the axis is permanent at this spin only");
+            match Axis::of(subject, document.vertical) {
+                Axis::Permanent { .. } => changes(&mut report, steady, document.note.is_none()),
+                Axis::AtOneSpin { .. } => report.line("the axis is permanent at this spin only"),
+                Axis::Principal => report.line(
+                    "the axis is principal, but the centre of mass does not lie on it: at this spin a steady rotation is \
+                     within 10⁻⁶ of it",
+                ),
+                Axis::Other { .. } | Axis::Unknown => {}
             }
         }
         None => other_text(&mut report, document),
@@ -128,15 +151,19 @@ fn text(subject: &Subject, document: &StateDocument) -> String {
 }
 
 fn other_text(report: &mut Report, document: &StateDocument) {
-    report.line(match (&document.region, &document.margin) {
-        (Some(region), _) => format!("the motion is not steady; its (h, l) lies in the region {region}"),
-        (None, Some(margin)) => {
-            format!(
-                "the motion is not steady; its (h, l) lies on the curve {}, or too near to it to say",
-                margin.nearest
-            )
+    let place = match (&document.region, &document.margin, &document.note) {
+        (Some(region), ..) => format!("its (h, l) lies in the region {region}"),
+        (None, _, Some(note)) => note.clone(),
+        (None, Some(margin), None) => {
+            format!("its (h, l) lies on the curve {}, or within rounding of it", margin.nearest)
         }
-        (None, None) => "the motion is not steady; the region of its (h, l) is not known".to_owned(),
+        (None, None, None) => String::new(),
+    };
+    // Without an answer about steadiness only the note is left.
+    report.line(if document.nearest.is_none() && document.margin.is_none() {
+        place
+    } else {
+        format!("the motion is not steady; {place}")
     });
     if let (Some(_), Some(margin)) = (&document.region, &document.margin) {
         report.line(format!("the nearest curve is {} in h away ({})", significant(margin.h, 6), margin.nearest));

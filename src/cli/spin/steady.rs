@@ -1,81 +1,109 @@
-//! Steady rotations: about a principal axis at every spin, about others at the spin that is asked about.
+//! Steady rotations: about a permanent axis at every spin, about others at the spin that is asked about.
 
+use dashu_ratio::RBig;
 use documents::Subject;
-use numbers::Sign;
+use numbers::vector::norm;
+use numbers::{Number, Sign};
 use part::Spin;
+use proof::Prepared;
 use schema::{SpinChangeDocument, SteadyDocument, Verdict};
-use top::atlas::{Atlas, Place};
-use top::body::BodyAxis;
-use top::permanent::nearest_steady;
+use top::atlas::Spot;
+use top::permanent::{AxisRotation, PermanentAxis, nearest_steady};
 
 use super::direction::{from_principal, second, to_principal};
-use super::rotation::{Axis, MEANT, rotation};
+use super::rotation::{Axis, MEANT};
 use crate::cli::terminal::{Report, significant};
 
+/// Distances in h at which the regions beside a curve are looked up, relative to the size of the energies.
+const STEPS: [f64; 4] = [1e-9, 1e-12, 1e-15, 1e-18];
+
 /// The steady rotation at a spin in rad/s with its axis nearest to `up`, in the frame of the question.
-pub fn at_spin(subject: &Subject, up: [f64; 3], spin: f64, atlas: Option<&Atlas>) -> Option<SteadyDocument> {
+pub fn at_spin(subject: &Subject, up: [f64; 3], spin: f64, prepared: &Prepared) -> Option<SteadyDocument> {
     match Axis::of(subject, up) {
-        Axis::Permanent { axis, sign, .. } => about_axis(subject, axis, sign, spin, atlas),
-        Axis::Other { .. } => elsewhere(subject, up, spin, atlas),
+        Axis::Permanent { axis, .. } => about_axis(subject, axis, spin, prepared),
+        _ => elsewhere(subject, up, spin, prepared),
     }
 }
 
-/// The region of a point that lies clearly inside one.
-pub fn region_at(atlas: &Atlas, h: f64, l: f64) -> Option<String> {
-    match atlas.locate(h, l).ok()?.place {
-        Place::Region(region) => Some(region.to_string()),
-        Place::Forbidden | Place::Undecided(_) => None,
+/// The region of a point: `Some(None)` when forbidden, `None` on a curve or where it is not known.
+fn region_at(prepared: &Prepared, h: &Number, l: &Number) -> Option<Option<String>> {
+    let found = prepared.classify(h, l).ok()?;
+    match prepared.spot(h, l, &found.answer) {
+        Spot::Region(region) => Some(Some(region.to_string())),
+        Spot::Forbidden => Some(None),
+        Spot::Critical | Spot::Undecided => None,
     }
 }
 
-/// The regions just below and just above.
-fn beside(atlas: Option<&Atlas>, h: f64, l: f64, omega: f64) -> [Option<String>; 2] {
-    let step = 1e-9 * (h.abs() + 0.5 * (l * omega).abs());
-    [h - step, h + step].map(|h| atlas.and_then(|atlas| region_at(atlas, h, l)))
+/// The regions just below and just above a point of a curve: that curve is still the nearest one there, so that no other
+/// lies between.
+fn beside(prepared: &Prepared, h: &Number, l: &Number, size: f64) -> Option<[Option<String>; 2]> {
+    let nearest = |h: &Number| Some(prepared.classify(h, l).ok()?.margin.nearest);
+    let curve = nearest(h)?;
+    let region = |side: f64| {
+        let near = STEPS.iter().filter_map(|step| RBig::try_from(side * step * size).ok());
+        let near = near.map(|step| Number::from_rational(h.value() + step));
+        near.filter(|h| nearest(h) == Some(curve)).find_map(|h| region_at(prepared, &h, l))
+    };
+    Some([region(-1.0)?, region(1.0)?])
 }
 
-/// Rotation about a principal axis through the centre of mass, answered along its curve.
-fn about_axis(
-    subject: &Subject,
-    axis: BodyAxis,
-    sign: Sign,
-    spin: f64,
-    atlas: Option<&Atlas>,
-) -> Option<SteadyDocument> {
+/// Rotation about an axis that is permanent at every spin, answered along its curve.
+fn about_axis(subject: &Subject, axis: PermanentAxis, spin: f64, prepared: &Prepared) -> Option<SteadyDocument> {
     let second = second(subject.part.as_ref());
-    let rotation = rotation(subject, axis, sign)?;
+    // γ points down.
+    let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative)?;
     let omega = spin / second;
-    let found = rotation.type_at_spin(omega)?;
-    let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
-    let changes =
-        documents::spin_changes(&rotation, if sign == Sign::Positive { "+axis" } else { "-axis" }, atlas, second);
-    let (h, l) = (rotation.h(omega), rotation.l(omega));
-    let up = BodyAxis::ALL.map(|k| if k == axis { f64::from(sign) } else { 0.0 });
+    let changes = documents::spin_changes(&rotation, "+axis", prepared.atlas(), second);
+    let mut steady = elsewhere(subject, from_principal(subject.part.as_ref(), axis.direction), spin, prepared);
+    if omega != 0.0 {
+        let change = rotation.changes().into_iter().find(|change| (change.omega - omega).abs() <= change.error_bound);
+        let (stability, verdict) = match change {
+            Some(change) => change.between(),
+            None => {
+                let found = rotation.type_at_spin(omega)?;
+                (found.name(), rotation.verdict(found))
+            }
+        };
+        let verdict = documents::verdict(verdict);
+        let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
+        let unstable = verdict == Verdict::Unstable;
+        let (h, l) = rotation.point(omega)?;
+        let size = norm(subject.body.center_f64()) + 0.5 * rotation.l(omega).abs() * omega;
+        let document = SteadyDocument {
+            axis: from_principal(subject.part.as_ref(), axis.direction),
+            angle_deg: 0.0,
+            h: rotation.h(omega),
+            l: rotation.l(omega),
+            stability: stability.to_owned(),
+            stable: !unstable,
+            verdict,
+            frequencies_hz: frequencies.map(|frequency| Spin::hertz(frequency * second)),
+            growth_time_s: unstable.then(|| 1.0 / (growth * second)),
+            below: None,
+            above: None,
+            regions: [None, None],
+            note: None,
+        };
+        steady = Some(with_regions(document, beside(prepared, &h, &l, size)));
+    }
+    let steady = steady?;
     Some(SteadyDocument {
-        axis: from_principal(subject.part.as_ref(), up),
-        angle_deg: 0.0,
-        h,
-        l,
-        stability: found.name().to_owned(),
-        stable: found.is_stable(),
-        verdict: documents::verdict(rotation.verdict(found)),
-        frequencies_hz: frequencies.map(|frequency| Spin::hertz(frequency * second)),
-        growth_time_s: (!found.is_stable()).then(|| 1.0 / (growth * second)),
         below: changes.iter().rev().find(|change| change.spin.rad_per_s < spin).cloned(),
-        above: changes.iter().find(|change| change.spin.rad_per_s > spin).cloned(),
-        regions: beside(atlas, h, l, omega),
+        above: changes.into_iter().find(|change| change.spin.rad_per_s > spin),
+        ..steady
     })
 }
 
-/// Rotation about an axis of Staude's cone, which is permanent at this spin.
-fn elsewhere(subject: &Subject, up: [f64; 3], spin: f64, atlas: Option<&Atlas>) -> Option<SteadyDocument> {
+/// Rotation about another axis, which is permanent at this spin.
+fn elsewhere(subject: &Subject, up: [f64; 3], spin: f64, prepared: &Prepared) -> Option<SteadyDocument> {
     let part = subject.part.as_ref();
     let second = second(part);
     let omega = spin / second;
     let found = nearest_steady(&subject.body, omega, to_principal(part, up))?;
     let point = &found.equilibrium;
     let growth = point.eigenvalues.pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max);
-    Some(SteadyDocument {
+    let document = SteadyDocument {
         axis: from_principal(part, found.gamma.map(|x| 0.0 - x)),
         angle_deg: if found.angle <= MEANT { 0.0 } else { found.angle.to_degrees() },
         h: point.h,
@@ -87,30 +115,48 @@ fn elsewhere(subject: &Subject, up: [f64; 3], spin: f64, atlas: Option<&Atlas>) 
         growth_time_s: (growth > 0.0).then(|| 1.0 / (growth * second)),
         below: None,
         above: None,
-        regions: beside(atlas, point.h, found.l, omega),
-    })
+        regions: [None, None],
+        note: None,
+    };
+    let (h, l) = (Number::from_f64(point.h).ok()?, Number::from_f64(found.l).ok()?);
+    let size = norm(subject.body.center_f64()) + 0.5 * (found.l * omega).abs();
+    Some(with_regions(document, beside(prepared, &h, &l, size)))
+}
+
+fn with_regions(document: SteadyDocument, regions: Option<[Option<String>; 2]>) -> SteadyDocument {
+    let note = regions.is_none().then(|| "the regions beside it are not known".to_owned());
+    SteadyDocument { regions: regions.unwrap_or_default(), note, ..document }
+}
+
+/// What is known of stability, in words.
+pub fn stability_text(verdict: Verdict) -> String {
+    match verdict {
+        Verdict::Unstable => "unstable".to_owned(),
+        Verdict::Spectrum => "spectrally stable, of which nothing more is known".to_owned(),
+        Verdict::Open => "its stability is not decided by the linear terms".to_owned(),
+        Verdict::Energy | Verdict::Integral => format!("stable {}", verdict.word()),
+    }
 }
 
 /// Its stability in words.
 pub fn told(report: &mut Report, steady: &SteadyDocument) {
-    let how = match steady.verdict {
-        Verdict::Unstable => "unstable".to_owned(),
-        Verdict::Spectrum => "spectrally stable, of which nothing more is known".to_owned(),
-        Verdict::Open => "its stability is not decided by the linear terms".to_owned(),
-        Verdict::Energy | Verdict::Integral => format!("stable {}", steady.verdict.word()),
-    };
+    let how = stability_text(steady.verdict);
     report.line(format!("steady rotation, {how}: {}", steady.stability));
     let frequencies = steady.frequencies_hz.map(|frequency| significant(frequency, 6)).join(" Hz, ");
     report.line(format!("frequencies of small oscillations, seen from the turning body: {frequencies} Hz"));
     if let Some(time) = steady.growth_time_s {
         report.line(format!("a deviation grows by e in {} s", significant(time, 4)));
     }
+    if let Some(note) = &steady.note {
+        report.line(note);
+        return;
+    }
     let [below, above] = steady.regions.each_ref().map(|region| region.as_deref().unwrap_or("none"));
     report.line(format!("regions beside it: {below} below, {above} above in h"));
 }
 
-/// The changes at the next smaller and larger spins, which are known for a principal axis.
-pub fn changes(report: &mut Report, steady: &SteadyDocument) {
+/// The changes at the next smaller and larger spins, which are known for a permanent axis; without an atlas those of stability.
+pub fn changes(report: &mut Report, steady: &SteadyDocument, atlas: bool) {
     let change = |name: &str, change: &Option<SpinChangeDocument>| match change {
         Some(change) => {
             let what = if change.from == change.to {
@@ -124,7 +170,8 @@ pub fn changes(report: &mut Report, steady: &SteadyDocument) {
                 significant(change.spin.rad_per_s, 8)
             )
         }
-        None => format!("no change at any {name} spin"),
+        None if atlas => format!("no change at any {name} spin"),
+        None => format!("no change of stability at any {name} spin; the regions are not known"),
     };
     report.line(change("smaller", &steady.below));
     report.line(change("larger", &steady.above));

@@ -1,127 +1,186 @@
-//! Permanent axes: principal ones through the centre of mass, and the cone of Staude.
+//! Permanent axes: principal ones through the centre of mass, and those of Staude's cone.
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::body::{Body, BodyAxis};
-use numbers::vector::{dot, normalised};
+use numbers::vector::{self, cross, dot, norm, normalised};
 
-/// The principal axis nearest to a direction in the body's principal axes, and the cosine of their angle with its sign.
-#[must_use]
-pub fn nearest_axis(direction: [f64; 3]) -> (BodyAxis, f64) {
-    let norm = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let [first, ..] = BodyAxis::ALL;
-    let longest =
-        BodyAxis::ALL.into_iter().max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs())).unwrap_or(first);
-    (longest, direction[longest] / norm)
+/// An axis about which rotation is permanent at every spin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PermanentAxis {
+    /// An axis of the frame with the same moment.
+    pub axis: BodyAxis,
+    /// A unit vector along it, in principal axes.
+    pub direction: [f64; 3],
 }
 
-/// The axes through the fixed point and the centre of mass that are principal: rotation about each is permanent at every
-/// spin. All three (of a basis) where r = 0.
+/// The axis nearest to a direction among those that are principal and pass through the fixed point and the centre of mass:
+/// r̂ if its moments are equal; where r = 0 every axis of the eigenspaces of A.
 #[must_use]
-pub fn permanent_axes(body: &Body) -> Vec<BodyAxis> {
-    let carries = |k: BodyAxis| !body.center()[k].value().is_zero();
-    BodyAxis::ALL.into_iter().filter(|k| !k.others().into_iter().any(carries)).collect()
+pub fn permanent_axis(body: &Body, up: [f64; 3]) -> Option<PermanentAxis> {
+    let moment = |k: BodyAxis| body.moments()[k].value();
+    let direction = if body.is_euler() {
+        let share = |k: BodyAxis| BodyAxis::ALL.map(|j| if moment(j) == moment(k) { up[j] } else { 0.0 });
+        BodyAxis::ALL.map(share).into_iter().max_by(|p, q| norm(*p).total_cmp(&norm(*q)))?
+    } else {
+        let mut active = BodyAxis::ALL.into_iter().filter(|&k| !body.center()[k].value().is_zero());
+        let first = active.next()?;
+        if active.any(|k| moment(k) != moment(first)) {
+            return None;
+        }
+        body.center_f64()
+    };
+    let direction = vector::direction(direction)?;
+    let direction = if dot(direction, up) < 0.0 { direction.map(|x| 0.0 - x) } else { direction };
+    let axis = BodyAxis::ALL.into_iter().max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs()))?;
+    Some(PermanentAxis { axis, direction })
 }
 
-/// The permanent axis nearest to a direction.
+/// The axis nearest to a direction among those that are permanent at some spin, and the principal ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestAxis {
     /// A unit vector in the body's principal axes, pointing up.
     pub axis: [f64; 3],
     /// The angle between the two lines, in radians.
     pub angle: f64,
-    /// The one spin at which the axis is permanent, pointing up as it does; `None`: every spin.
-    pub omega: Option<f64>,
+    /// Ω² of the one spin at which the axis is permanent, or −Ω² if it has to point down for it; `None` for a principal axis:
+    /// every spin if the centre of mass lies on it, else none.
+    pub squared_spin: Option<f64>,
 }
 
-/// The axis of Staude's cone nearest to a direction, which points up.
+impl NearestAxis {
+    /// The spin at which the axis is permanent, pointing up.
+    #[must_use]
+    pub fn omega(&self) -> Option<f64> {
+        self.squared_spin.filter(|s| *s >= 0.0).map(f64::sqrt)
+    }
+}
+
+/// The axis of Staude's cone nearest to a direction, which points up; where r = 0 or all moments are equal, the nearest axis
+/// that is permanent at every spin.
 ///
-/// With n up, γ = −n, and s(Aγ × γ) = γ × r needs ⟨n, An × r⟩ = 0: a quadratic cone nᵀSn = 0 with
-/// S_ij = (A_j − A_i) …/2. The nearest point v of it to u solves (E + λS) v = u, so λ is a root of
-/// uᵀ(E + λS)⁻¹ S (E + λS)⁻¹ u.
+/// With n up, γ = −n, and s(n × An) = n × r needs ⟨n, An × r⟩ = 0: a quadratic cone nᵀSn = 0 with
+/// S_ij = r_k(A_j − A_i)/2 for cyclic (i, j, k).
 #[must_use]
-pub fn nearest_permanent(a: [f64; 3], r: [f64; 3], up: [f64; 3]) -> NearestAxis {
+pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
     let up = normalised(up);
-    // ⟨n, An × r⟩ = Σ n_i n_j r_k (A_j − A_i) over cyclic (i, j, k).
+    let r = body.center_f64();
+    let difference = differences(body);
+    if body.is_euler() || difference == [0.0; 3] {
+        let PermanentAxis { direction, .. } = permanent_axis(body, up)?;
+        return Some(NearestAxis { axis: direction, angle: angle(direction, up), squared_spin: None });
+    }
     let mut cone: Matrix3<f64> = Matrix3::zeros();
     for k in 0..3 {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        let entry = 0.5 * r[k] * (a[j] - a[i]);
+        let entry = 0.5 * r[k] * difference[k];
         cone[(i, j)] += entry;
         cone[(j, i)] += entry;
     }
     let scale = cone.amax();
-    if scale == 0.0 {
-        return NearestAxis { axis: up, angle: 0.0, omega: spin_about(&a, &r, &up) };
-    }
-    let eigen = (cone / scale).symmetric_eigen();
-    let (sigma, u) = (eigen.eigenvalues, eigen.eigenvectors.transpose() * Vector3::from(up));
-    let at = |lambda: f64| Vector3::from_fn(|k, _| u[k] / (1.0 + lambda * sigma[k]));
-    let value = |lambda: f64| (0..3).map(|k| sigma[k] * at(lambda)[k] * at(lambda)[k]).sum::<f64>();
-    let mut best: Option<([f64; 3], f64)> = None;
-    // Between the poles −1/σ the value falls; all roots lie where Σ σ u²/(1 + λσ)² changes sign.
-    let steps: Vec<f64> = (-4000..=4000).map(|k| f64::from(k) / 4000.0).map(|t| t / (1.0 - t * t).max(1e-12)).collect();
-    for pair in steps.windows(2) {
-        let (mut low, mut high) = (pair[0], pair[1]);
-        let (first, last) = (value(low), value(high));
-        let pole = (0..3).any(|k| (1.0 + low * sigma[k]) * (1.0 + high * sigma[k]) <= 0.0);
-        if pole || first * last > 0.0 || !first.is_finite() || !last.is_finite() {
-            continue;
-        }
-        for _ in 0..100 {
-            let middle = 0.5 * (low + high);
-            if (value(middle) > 0.0) == (first > 0.0) { low = middle } else { high = middle }
-        }
-        let v = normalised((eigen.eigenvectors * at(low)).into());
-        let cosine = dot(v, up);
-        let v = if cosine < 0.0 { v.map(|x| -x) } else { v };
-        if best.is_none_or(|(_, known)| cosine.abs() > known) {
-            best = Some((v, cosine.abs()));
-        }
-    }
-    let (axis, cosine) = best.unwrap_or((up, 1.0));
-    NearestAxis { axis, angle: libm::acos(cosine.min(1.0)), omega: spin_about(&a, &r, &axis) }
+    let axis = if scale == 0.0 { up } else { nearest_on_cone(cone / scale, up) };
+    Some(NearestAxis { axis, angle: angle(axis, up), squared_spin: squared_spin(difference, r, axis) })
 }
 
-/// The spin at which an axis of the cone is permanent, pointing up: s (Aγ × γ) = γ × r with γ = −n. `None` where it would
-/// have to point down, or is permanent at every spin.
-fn spin_about(a: &[f64; 3], r: &[f64; 3], up: &[f64; 3]) -> Option<f64> {
-    let gamma = Vector3::from(*up) * -1.0;
-    let weighted = Vector3::from_fn(|k, _| a[k] * gamma[k]);
-    let left = weighted.cross(&gamma);
-    let s = left.dot(&gamma.cross(&Vector3::from(*r))) / left.norm_squared();
-    (s > 0.0).then(|| s.sqrt())
+/// A_j − A_i for cyclic (i, j, k), rounded once.
+fn differences(body: &Body) -> [f64; 3] {
+    let moment = |k: usize| body.moments()[k % 3].value();
+    [0, 1, 2].map(|k: usize| (moment(k + 2) - moment(k + 1)).to_f64().value())
+}
+
+/// The angle between a line and a direction at an acute angle to it.
+fn angle(axis: [f64; 3], up: [f64; 3]) -> f64 {
+    libm::atan2(norm(cross(axis, up)), dot(axis, up))
+}
+
+/// The line of vᵀSv = 0 nearest to u: v solves (E + λS)v = u, and λ is a root of uᵀ(E + λS)⁻¹S(E + λS)⁻¹u. S has trace 0, so
+/// that it has eigenvalues of both signs; where E + λS is positive definite that function falls, and its root is the nearest
+/// of all. Where u has no share along an extreme eigenvector, λ may be the end of that interval, and the share is free.
+fn nearest_on_cone(cone: Matrix3<f64>, up: [f64; 3]) -> [f64; 3] {
+    /// Nearer to the end of the interval the share follows from vᵀSv = 0.
+    const SINGULAR: f64 = 1e-6;
+    let eigen = cone.symmetric_eigen();
+    let (sigma, u) = (eigen.eigenvalues, eigen.eigenvectors.transpose() * Vector3::from(up));
+    let (least, most) = (sigma.imin(), sigma.imax());
+    let at = |lambda: f64| Vector3::from_fn(|k, _| u[k] / (1.0 + lambda * sigma[k]));
+    let value = |v: Vector3<f64>| (0..3).map(|k| sigma[k] * v[k] * v[k]).sum::<f64>();
+    let (mut low, mut high) = (-1.0 / sigma[most], -1.0 / sigma[least]);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if value(at(middle)) > 0.0 { low = middle } else { high = middle }
+    }
+    let lambda = 0.5 * (low + high);
+    let mut v = at(lambda);
+    let end = if lambda < 0.0 { most } else { least };
+    if 1.0 + lambda * sigma[end] < SINGULAR {
+        for k in (0..3).filter(|&k| 1.0 + lambda * sigma[k] < SINGULAR) {
+            v[k] = 0.0;
+        }
+        v[end] = (-value(v) / sigma[end]).max(0.0).sqrt() * if u[end] < 0.0 { -1.0 } else { 1.0 };
+    }
+    normalised((eigen.eigenvectors * v).into())
+}
+
+/// s with s(n × An) = n × r on the cone; `None` for a principal axis (to thirteen digits), where the left side vanishes.
+fn squared_spin(difference: [f64; 3], r: [f64; 3], up: [f64; 3]) -> Option<f64> {
+    const ROUNDING: f64 = 1e-13;
+    let products = [up[1] * up[2], up[2] * up[0], up[0] * up[1]];
+    if (0..3).all(|k| difference[k] == 0.0 || products[k].abs() <= ROUNDING) {
+        return None;
+    }
+    let (left, right) = ([0, 1, 2].map(|k| difference[k] * products[k]), cross(up, r));
+    Some(if norm(right) <= ROUNDING * norm(r) { 0.0 } else { dot(left, right) / dot(left, left) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn body(a: [&str; 3], r: [&str; 3]) -> Body {
+        Body::parse(&a, &r).unwrap()
+    }
+
     #[test]
-    fn only_the_axis_of_the_centre_of_mass_is_permanent() {
-        let axes = |r: [&str; 3]| permanent_axes(&Body::parse(&["1", "2", "3"], &r).unwrap());
-        assert_eq!(axes(["0", "1", "0"]), [BodyAxis::ALL[1]]);
-        assert_eq!(axes(["0", "0", "0"]), BodyAxis::ALL);
-        assert!(axes(["0", "1", "1"]).is_empty());
+    fn only_principal_axes_of_the_centre_of_mass_are_permanent() {
+        let axis = |a: [&str; 3], r: [&str; 3], up| permanent_axis(&body(a, r), up).map(|found| found.direction);
+        let (apart, symmetric) = (["1", "2", "3"], ["1", "1", "2"]);
+        assert_eq!(axis(apart, ["0", "1", "0"], [0.6, -0.8, 0.0]), Some([0.0, -1.0, 0.0]));
+        assert_eq!(axis(apart, ["0", "0", "0"], [0.6, 0.8, 0.0]), Some([0.0, 1.0, 0.0]));
+        assert_eq!(axis(apart, ["0", "1", "1"], [0.0, 1.0, 0.0]), None);
+        // Every axis across that of symmetry is principal.
+        assert_eq!(axis(symmetric, ["3", "4", "0"], [1.0, 0.0, 0.0]), Some([0.6, 0.8, 0.0]));
+        assert_eq!(axis(symmetric, ["0", "0", "0"], [0.6, 0.8, 0.0]), Some([0.6, 0.8, 0.0]));
+        assert_eq!(axis(["1", "1", "1"], ["0", "3", "-4"], [0.0, 0.0, 1.0]), Some([0.0, -0.6, 0.8]));
+    }
+
+    /// s A γ + r is along γ, with γ = −axis up or down.
+    fn assert_steady(body: &Body, found: &NearestAxis) {
+        let (a, r, s) = (body.moments_f64(), body.center_f64(), found.squared_spin.unwrap());
+        let gamma = found.axis.map(|x| if s < 0.0 { x } else { -x });
+        let force: [f64; 3] = std::array::from_fn(|k| s.abs() * a[k] * gamma[k] + r[k]);
+        assert!(norm(cross(force, gamma)) < 1e-9, "{found:?}");
     }
 
     /// The nearest permanent axis of a body whose centre of mass lies on none: on Staude's cone, with its spin.
     #[test]
     fn the_nearest_axis_lies_on_the_cone_of_staude() {
-        let (a, r, up) = ([2.0, 1.0, 1.5], [0.3, 0.4, 0.5], [0.6, 0.0, 0.8]);
+        let (body, up) = (body(["2", "1", "1.5"], ["0.3", "0.4", "0.5"]), [0.6, 0.0, 0.8]);
         // With one of its ends up it is permanent, with the other it would need s < 0.
-        let both = [up, up.map(|x: f64| -x)].map(|up| nearest_permanent(a, r, up));
-        assert!(both.iter().filter(|found| found.omega.is_some()).count() == 1, "{both:?}");
-        let found = both.into_iter().find(|found| found.omega.is_some()).unwrap();
-        let [x, y, z] = found.axis;
-        // s A γ + r is along γ, with γ = −axis.
-        let s = found.omega.unwrap() * found.omega.unwrap();
-        let gamma = [-x, -y, -z];
-        let force: [f64; 3] = std::array::from_fn(|k| s * a[k] * gamma[k] + r[k]);
-        let along = (0..3).map(|k| force[k] * gamma[k]).sum::<f64>();
-        for k in 0..3 {
-            assert!((force[k] - along * gamma[k]).abs() < 1e-9, "{found:?}");
+        let both = [up, up.map(|x: f64| -x)].map(|up| nearest_permanent(&body, up).unwrap());
+        assert!(both.iter().filter(|found| found.omega().is_some()).count() == 1, "{both:?}");
+        for found in both {
+            assert_steady(&body, &found);
+            assert!(found.angle < 0.6);
         }
-        assert!(found.angle < 0.6);
+    }
+
+    /// Midway between the two planes into which the cone falls the nearest axis is not the one that is asked about.
+    #[test]
+    fn an_axis_midway_between_planes_of_the_cone_is_not_on_it() {
+        let found = nearest_permanent(&body(["1", "2", "3"], ["0", "0", "1"]), [1.0, 1.0, 0.0]).unwrap();
+        assert!((found.angle.to_degrees() - 45.0).abs() < 1e-9, "{found:?}");
     }
 }

@@ -17,7 +17,7 @@ mod rotation;
 mod steady;
 mod tolerance;
 
-pub use cone::{NearestAxis, nearest_axis, nearest_permanent, permanent_axes};
+pub use cone::{NearestAxis, PermanentAxis, nearest_permanent, permanent_axis};
 pub use near::{BoxedBody, SettledTypes, Vector, settled_types};
 pub use regions::{RegionChange, region_changes};
 pub use rotation::{AxisRotation, SpinChange, SpinType, Squares};

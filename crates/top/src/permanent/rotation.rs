@@ -3,8 +3,10 @@
 use std::cmp::Ordering;
 
 use dashu_ratio::RBig;
-use numbers::Sign;
+use numbers::vector::{dot, norm};
+use numbers::{Number, Sign};
 
+use super::cone::PermanentAxis;
 use crate::body::{Body, BodyAxis};
 use crate::stability::Verdict;
 use numbers::polynomial::{Polynomial, Root, rational};
@@ -70,6 +72,19 @@ pub struct SpinChange {
     pub to: SpinType,
 }
 
+impl SpinChange {
+    /// The type at the change itself, in the words of the other relative equilibria, and what is known of it.
+    #[must_use]
+    pub fn between(&self) -> (&'static str, Verdict) {
+        match [self.from, self.to] {
+            [SpinType::Complex, to] | [to, SpinType::Complex] if to.is_stable() => ("double-elliptic", Verdict::Open),
+            [SpinType::Complex, _] | [_, SpinType::Complex] => ("double-real", Verdict::Unstable),
+            [from, to] if !from.is_stable() && !to.is_stable() => ("zero", Verdict::Unstable),
+            _ => ("zero", Verdict::Open),
+        }
+    }
+}
+
 impl AxisRotation {
     /// Rotation about a principal axis with γ = ±e_axis; `None` when the centre of
     /// mass does not lie on the axis.
@@ -82,6 +97,22 @@ impl AxisRotation {
         let moment = |k: BodyAxis| body.moments()[k].value().clone();
         let weight = gamma.orient(body.center()[axis].value().clone());
         Some(Self { axis, moments: [moment(axis), moment(others[0]), moment(others[1])], weight })
+    }
+
+    /// Rotation about an axis that is permanent at every spin, with γ along its direction or against it; |r| is rounded where
+    /// r lies on no axis of the frame.
+    #[must_use]
+    pub fn about(body: &Body, PermanentAxis { axis, direction }: PermanentAxis, gamma: Sign) -> Option<Self> {
+        let along = if direction[axis] < 0.0 { -gamma } else { gamma };
+        let on_axis = Self::new(body, axis, along);
+        on_axis.or_else(|| {
+            let r = body.center_f64();
+            let length = RBig::try_from(norm(r)).ok()?;
+            let weight = gamma.orient(if dot(direction, r) < 0.0 { -length } else { length });
+            let moment = |k: BodyAxis| body.moments()[k].value().clone();
+            let [second, third] = axis.others();
+            Some(Self { axis, moments: [moment(axis), moment(second), moment(third)], weight })
+        })
     }
 
     /// The body that turns, its centre of mass at the end of the axis that points along γ.
@@ -196,6 +227,15 @@ impl AxisRotation {
     #[must_use]
     pub fn l(&self, omega: f64) -> f64 {
         self.moments[0].to_f64().value() * omega
+    }
+
+    /// (h, l) at a spin, exactly on the curve.
+    #[must_use]
+    pub fn point(&self, omega: f64) -> Option<(Number, Number)> {
+        let omega = RBig::try_from(omega).ok()?;
+        let l = &self.moments[0] * &omega;
+        let h = &l * &omega / RBig::from(2) - &self.weight;
+        Some((Number::from_rational(h), Number::from_rational(l)))
     }
 
     /// h at a spin.

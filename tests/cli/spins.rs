@@ -1,0 +1,119 @@
+//! Steady rotations: `state`, `critical-spin`, `campbell` and `critical` say the same.
+
+use serde_json::{Value, json};
+use support::property::holds_for_bodies;
+use support::strata::STRATA;
+use top::body::{Body, Number};
+
+use crate::builder::bifdiag;
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value}"))
+}
+
+fn near(p: f64, q: f64, size: f64) -> bool {
+    (p - q).abs() <= 1e-6 * size
+}
+
+/// On Staude's cone, off the principal axes: s(u × Au) = u × r with s = √2.
+#[test]
+fn an_axis_of_staudes_cone_is_steady_at_one_spin() {
+    let body = "--A 2,3,1 --r 1,2,0";
+    for (axis, up) in [("1,1,0", "+axis"), ("-1,-1,0", "-axis")] {
+        let found = bifdiag(&format!("critical-spin {body} --axis={axis} --json")).succeeds().json();
+        let [steady] = found["steady"].as_array().unwrap().as_slice() else { panic!("{found}") };
+        assert_eq!((&found["permanent"], &steady["up"]), (&json!(false), &json!(up)));
+        assert!(near(number(&steady["spin"]["rad_per_s"]), 2.0_f64.powf(0.25), 1.0), "{found}");
+        assert!(near(number(&steady["l"]), 2.973017787506803, 1.0), "{found}");
+    }
+    bifdiag(&format!("critical-spin {body} --axis 1,1,0")).succeeds().printing("steady at one spin only: 11.356");
+    let other = bifdiag(&format!("critical-spin {body} --axis 1,1,1 --json")).succeeds().json();
+    assert_eq!(other["steady"], json!([]));
+    bifdiag(&format!("critical-spin {body} --axis 1,1,1")).succeeds().printing("is steady at no spin");
+}
+
+/// Equal moments make more axes principal than those of the frame; the middle between two planes of the cone is not on it.
+#[test]
+fn special_bodies_have_the_permanent_axes_of_their_eigenspaces() {
+    for (line, permanent) in [
+        ("--A 1,1,2 --r 1,1,0 --axis 1,1,0", true),
+        ("--A 1,1,2 --r 0,0,0 --axis 1,2,0", true),
+        ("--A 1,1,1 --r 1,2,0 --axis 1,2,0", true),
+        ("--A 1,1,1 --r 1,2,0 --axis 0,0,1", false),
+        ("--A 1,2,3 --r 0,0,1 --axis 1,1,0", false),
+        ("--A 2,3,1.5 --r 1,2,0 --axis 1,0,0", false),
+        ("--A 1,1,2 --r 0,0,0 --axis 1,1,1", false),
+    ] {
+        let found = bifdiag(&format!("critical-spin {line} --json")).succeeds().json();
+        assert_eq!(found["permanent"], json!(permanent), "{line}");
+        assert_eq!(found.get("steady"), (!permanent).then_some(&json!([])), "{line}");
+    }
+    let midway = bifdiag("critical-spin --A 1,2,3 --r 0,0,1 --axis 1,1,0 --json").succeeds().json();
+    assert!(near(number(&midway["nearest"]["angle_deg"]), 45.0, 1.0), "{midway}");
+    let state = bifdiag("state --A 1,1,2 --r 0,0,0 --axis 1,1,0 --spin").and("1 rad/s");
+    state.succeeds().printing("no change at any larger spin");
+}
+
+/// A body that hangs at rest is in equilibrium, and turns unsteadily nowhere.
+#[test]
+fn a_body_at_rest_on_its_axis_is_steady() {
+    let state = bifdiag("state --A 2,3,1.5 --r 0,0,1 --axis=-z --json --spin").and("0 rpm").succeeds().json();
+    assert_eq!(state["steady"]["verdict"], json!("energy"), "{state}");
+}
+
+/// Forks where f64 finds no regions: the exact atlas has them.
+#[test]
+fn regions_beside_a_spin_are_those_of_the_exact_atlas() {
+    let body = "--A 1,1.4,0.74999999999 --r 1,0,0";
+    let found = bifdiag(&format!("critical-spin {body} --axis 1,0,0 --json")).succeeds().json();
+    assert_eq!(found.get("note"), None, "{found}");
+    let forks = found["changes"].as_array().unwrap().iter().filter(|change| change["event"] == json!("fork"));
+    let spins: Vec<f64> = forks.map(|change| number(&change["spin"]["rad_per_s"])).collect();
+    for expected in [2.0, 2.5_f64.sqrt()] {
+        assert!(spins.iter().any(|spin| near(*spin, expected, 1.0)), "{found}");
+    }
+    let state = bifdiag(&format!("state {body} --axis 1,0,0 --json --spin")).and("3 rad/s").succeeds().json();
+    assert!(state["steady"]["regions"][1].is_string() && state["steady"].get("note").is_none(), "{state}");
+    let directory = tempfile::tempdir().unwrap();
+    bifdiag(&format!("sphere {body} --region R1")).inside(directory.path()).succeeds().printing("region R1");
+}
+
+/// Every relative equilibrium is a steady state at its spin, with the same h, l and verdict, and its axis has that spin.
+#[test]
+fn steady_rotations_are_the_relative_equilibria() {
+    for stratum in STRATA {
+        holds_for_bodies(stratum, 2, |body: &Body| {
+            let join = |numbers: &[Number; 3]| numbers.each_ref().map(|n| n.text().to_owned()).join(",");
+            let options = format!("--A {} --r={}", join(body.moments()), join(body.center()));
+            let largest = |v: [f64; 3]| v.into_iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            let (a, r) = (largest(body.moments_f64()), largest(body.center_f64()));
+            let l = 1.3 * (a * if r > 0.0 { r } else { a }).sqrt();
+            let all = bifdiag(&format!("critical {options} --l {l:?} --json")).succeeds().json();
+            for point in all["critical"].as_array().unwrap() {
+                let up: Vec<f64> = point["gamma"].as_array().unwrap().iter().map(|x| -number(x)).collect();
+                let omega = number(&point["omega"]);
+                let text = |factor: f64| up.iter().map(|x| format!("{:?}", factor * x)).collect::<Vec<_>>().join(",");
+                let (line, spin) = (format!("--vertical={} --omega={}", text(1.0), text(omega)), omega.abs());
+                let state = bifdiag(&format!("state {options} {line} --json")).succeeds().json();
+                let steady = &state["steady"];
+                assert!(!steady.is_null(), "{stratum:?} {options} {line}\n{state}");
+                let size = r + l * spin;
+                assert!(
+                    near(number(&steady["h"]), number(&point["h"]), size),
+                    "{stratum:?} {options}\n{state}\n{point}"
+                );
+                assert!(near(number(&steady["l"]).abs(), l, l), "{stratum:?} {options}\n{state}");
+                let unstable = point["stable"] == json!("false") || point["stable"] == json!(false);
+                assert_eq!(steady["verdict"] == json!("unstable"), unstable, "{stratum:?} {options}\n{state}\n{point}");
+                let found = bifdiag(&format!("critical-spin {options} --axis={} --json", text(1.0))).succeeds().json();
+                let listed = |steady: &Value| {
+                    steady["up"] == json!("+axis") && near(number(&steady["spin"]["rad_per_s"]), spin, 1e3 * spin)
+                };
+                let known = found["permanent"] == json!(true)
+                    || found["steady"].as_array().is_some_and(|list| list.iter().any(listed));
+                assert!(known, "{stratum:?} {options} {line}\n{found}");
+            }
+            Ok(())
+        });
+    }
+}
