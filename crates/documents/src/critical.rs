@@ -86,7 +86,7 @@ pub fn type_code(kind: LinearType) -> i8 {
         LinearType::Complex => 3,
         LinearType::DoubleElliptic => 4,
         LinearType::DoubleReal => 5,
-        LinearType::Zero => 6,
+        LinearType::Zero | LinearType::ZeroReal => 6,
     }
 }
 

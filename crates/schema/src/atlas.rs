@@ -12,9 +12,9 @@ use super::{
 /// What is special about a body; every flag is decided exactly.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Flags {
-    /// The triangle inequality A_i + A_j ≥ A_k is violated: no mass distribution has these moments.
+    /// No mass distribution has these moments and this centre of mass: some A_i + A_j < A_k, or = A_k with r_k ≠ 0.
     pub unphysical: bool,
-    /// A_i + A_j = A_k: a plate.
+    /// The body exists and some A_i + A_j = A_k: all mass lies in a plane through the fixed point.
     pub plate: bool,
     /// Two or three moments are equal.
     pub symmetric: bool,

@@ -62,8 +62,13 @@ pub(super) fn check(document: &AtlasDocument, body: &Body, flags: Flags) -> Resu
     if !are_axes(&part.principal_com, &about_com, None) {
         return refuse("body.part.principal_com");
     }
-    let [_, _, determinant] = tensor.second_moments().invariants();
-    Ok(Flags { unphysical: determinant < RBig::ZERO, plate: determinant.is_zero(), ..flags })
+    let second = tensor.second_moments();
+    let [_, _, determinant] = second.invariants();
+    // Flat: no weight along the kernel, which two of the rows span the complement of.
+    let [x, y, z] = &second.0;
+    let in_range = [cross(x, y), cross(y, z), cross(z, x)].iter().all(|v| dot(v, &weight).is_zero());
+    let unphysical = determinant < RBig::ZERO || (determinant.is_zero() && !in_range);
+    Ok(Flags { unphysical, plate: determinant.is_zero() && in_range, ..flags })
 }
 
 /// g in the units of a part, if they are known.

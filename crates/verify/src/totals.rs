@@ -56,13 +56,14 @@ fn flags(body: &Body) -> Flags {
     for k in 0..3 {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let others = &a[i] + &a[j];
-        flags.unphysical |= others < a[k];
+        flags.unphysical |= others < a[k] || (others == a[k] && !r[k].is_zero());
         flags.plate |= others == a[k];
         flags.symmetric |= a[i] == a[j];
         flags.plane |= r[k].is_zero();
         // A r = a r for one a.
         flags.axis |= !r[k].is_zero() && (0..3).all(|n| r[n].is_zero() || a[n] == a[k]);
     }
+    flags.plate &= !flags.unphysical;
     flags
 }
 

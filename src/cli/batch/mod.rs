@@ -125,7 +125,9 @@ impl Batch<'_> {
 
     fn conclude(&self, &Tally { lines, bad, unanswered, unphysical, .. }: &Tally) -> Result<(), Failure> {
         if unphysical > 0 {
-            tracing::warn!("{unphysical} of {lines} lines have A that violates the triangle inequality Ai + Aj >= Ak");
+            tracing::warn!(
+                "{unphysical} of {lines} lines have bodies that do not exist: not Ai + Aj > Ak, nor Ai + Aj = Ak with rk = 0"
+            );
         }
         if bad > 0 && self.strict {
             return Err(BatchInput::BadLines { bad, lines }.into());

@@ -26,7 +26,7 @@ pub struct Query {
     /// There if [`Wanted::Point`].
     pub h: Option<Number>,
     pub l: Number,
-    /// The line's own body violates the triangle inequality; of the command line's the user has been told.
+    /// The line's own body does not exist; of the command line's the user has been told.
     pub unphysical: bool,
 }
 

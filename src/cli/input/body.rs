@@ -137,8 +137,8 @@ pub fn head(subject: &Subject, report: &mut Report) {
 fn warn(subject: &Subject) {
     if subject.body.flags().unphysical {
         tracing::warn!(
-            "A violates the triangle inequality Ai + Aj >= Ak: no distribution of mass has these moments; \
-             the answer is that of the equations"
+            "no distribution of mass has these moments and this centre of mass (it needs Ai + Aj > Ak, or Ai + Aj = Ak \
+             with rk = 0); the answer is that of the equations"
         );
     } else if subject.part.as_ref().is_some_and(|part| !part.physical) {
         tracing::warn!("no distribution of mass has these mass properties; the answer is that of the equations");

@@ -68,11 +68,12 @@ fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
         let spin = largest * f64::from(k) / f64::from(STEPS);
         let (frequencies, growth) = rotation.squared_eigenvalues(spin / second).frequencies_and_growth();
         let [p, q] = frequencies.map(|frequency| part::Spin::hertz(frequency * second));
+        let stable = rotation.type_at_spin(spin / second).is_some_and(SpinType::is_stable);
         Row {
             rpm: part::Spin::rpm(spin),
             frequencies: [p.min(q), p.max(q)],
-            growth: growth * second,
-            stable: rotation.type_at_spin(spin / second).is_some_and(SpinType::is_stable),
+            growth: if stable { 0.0 } else { growth * second },
+            stable,
         }
     };
     (1..=STEPS).map(row).collect()

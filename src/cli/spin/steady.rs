@@ -62,7 +62,7 @@ fn about_axis(subject: &Subject, axis: PermanentAxis, spin: f64, prepared: &Prep
             Some(change) => change.between(),
             None => {
                 let found = rotation.type_at_spin(omega)?;
-                (found.name(), rotation.verdict(found))
+                (found.name(), rotation.verdict_at_spin(omega)?)
             }
         };
         let verdict = documents::verdict(verdict);

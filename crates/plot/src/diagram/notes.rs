@@ -24,7 +24,7 @@ pub(super) fn heading(atlas: &AtlasDocument, width: f64, size: f64) -> Heading {
 
 /// What is said below the title: what is special about the body.
 pub(super) fn remark(atlas: &AtlasDocument) -> &'static str {
-    if atlas.body.flags.unphysical { "no mass has these moments: triangle inequality violated" } else { "" }
+    if atlas.body.flags.unphysical { "no mass has these moments and this centre" } else { "" }
 }
 
 /// Units of h and l of a real part; empty for a body of numbers.

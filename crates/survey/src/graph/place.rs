@@ -68,7 +68,8 @@ impl Place {
     /// True when the body lies in a domain.
     #[must_use]
     pub fn is_in(&self, domain: Domain) -> bool {
-        self.a[0] > 0.0 && (domain == Domain::All || self.a[2] <= self.a[0] + self.a[1])
+        let excess = self.a[0] + self.a[1] - self.a[2];
+        self.a[0] > 0.0 && (domain == Domain::All || excess > 0.0 || (excess == 0.0 && self.r[2] == 0.0))
     }
 }
 
@@ -93,6 +94,7 @@ mod tests {
         // A disc: equal moments, r turned.
         let top = Place::of([[1.0, 1.0, 2.0], [3.0, 4.0, 0.0]]);
         assert_eq!(top.values(), [[0.5, 0.5, 1.0], [0.0, 1.0, 0.0]]);
+        assert!(!Place::of([[1.0, 1.0, 2.0], [3.0, 4.0, 1.0]]).is_in(Domain::Existing));
         assert!(!Place::of([[1.0, 1.0, 3.0], [1.0, 1.0, 1.0]]).is_in(Domain::Existing));
     }
 }

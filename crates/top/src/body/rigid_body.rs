@@ -21,9 +21,9 @@ pub struct Body {
 /// What is special about a body; every flag is decided exactly.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Flags {
-    /// The triangle inequality A_i + A_j ≥ A_k is violated: no mass distribution has these moments.
+    /// No mass distribution has these moments and this centre of mass: some A_i + A_j < A_k, or = A_k with r_k ≠ 0.
     pub unphysical: bool,
-    /// A_i + A_j = A_k: a plate.
+    /// The body exists and some A_i + A_j = A_k: all mass lies in a plane through the fixed point.
     pub plate: bool,
     /// Two or three moments are equal.
     pub symmetric: bool,
@@ -144,19 +144,20 @@ impl Body {
         let mut flags = Flags::default();
         for k in 0..3 {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            // ∫ x_k² dm = (A_i + A_j − A_k)/2; where it is 0 the centre of mass lies in the plane x_k = 0.
             match (a[i] + a[j]).cmp(a[k]) {
                 std::cmp::Ordering::Less => flags.unphysical = true,
-                std::cmp::Ordering::Equal => flags.plate = true,
+                std::cmp::Ordering::Equal if r[k].is_zero() => flags.plate = true,
+                std::cmp::Ordering::Equal => flags.unphysical = true,
                 std::cmp::Ordering::Greater => {}
             }
             flags.symmetric |= a[i] == a[j];
             flags.plane |= r[k].is_zero();
         }
         if let Some(tensor) = &self.tensor {
-            let second = tensor.second_moments();
-            flags.unphysical = !second.is_positive_semidefinite();
-            flags.plate = !flags.unphysical && second.determinant().is_zero();
+            [flags.unphysical, flags.plate] = tensor.existence();
         }
+        flags.plate &= !flags.unphysical;
         flags.euler = self.is_euler();
         let moment_of_first = (0..3).find(|&i| !r[i].is_zero()).map(|i| a[i]);
         flags.axis = moment_of_first.is_some_and(|first| (0..3).all(|i| r[i].is_zero() || a[i] == first));
@@ -198,11 +199,33 @@ mod tests {
 
     #[test]
     fn plates_are_physical_and_decided_exactly() {
-        let flags = |a: [&str; 3]| Body::parse(&a, &["1", "0", "0"]).unwrap().flags();
+        let flags = |a: [&str; 3]| Body::parse(&a, &["0", "1", "0"]).unwrap().flags();
         assert!(flags(["0.3", "0.1", "0.2"]).plate);
         assert!(!flags(["0.3", "0.1", "0.2"]).unphysical);
         assert!(flags(["0.3000000000000000000001", "0.1", "0.2"]).unphysical);
         assert!(!flags(["2", "1.1", "1"]).plate);
+    }
+
+    /// For some mass m, with r = m c, the second moments J = (tr A / 2) E − A exceed m c cᵀ = r rᵀ/m: J ⪰ 0 and r in its range.
+    #[test]
+    fn a_body_exists_where_its_second_moments_hold_its_centre() {
+        let values = |numbers: &[Number; 3]| numbers.each_ref().map(|x| x.value().clone());
+        for a in [["1", "1", "2"], ["3", "2", "1"], ["1", "2", "1"], ["2", "1", "1"], ["1", "1", "3"], ["2", "2", "3"]]
+        {
+            for bits in 0..8_usize {
+                let r: [&str; 3] = std::array::from_fn(|k| if bits >> k & 1 == 1 { "1/3" } else { "0" });
+                let body = Body::parse(&a, &r).unwrap();
+                let [a, r] = [values(body.moments()), values(body.center())];
+                let twice_j: [RBig; 3] = std::array::from_fn(|k| &a[(k + 1) % 3] + &a[(k + 2) % 3] - &a[k]);
+                let exists = (0..3).all(|k| twice_j[k] > RBig::ZERO || (twice_j[k].is_zero() && r[k].is_zero()));
+                let is_flat = twice_j.iter().any(RBig::is_zero);
+                let flags = body.flags();
+                assert_eq!([flags.unphysical, flags.plate], [!exists, exists && is_flat], "{a:?} {r:?}");
+                let matrix = numbers::symmetric::Symmetric::diagonal(a);
+                let tensor = Tensor::new(matrix, r).unwrap();
+                assert_eq!(tensor.existence(), [flags.unphysical, flags.plate]);
+            }
+        }
     }
 
     #[test]

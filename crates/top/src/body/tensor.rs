@@ -93,10 +93,15 @@ impl Tensor {
         dot(&self.center, &self.matrix.times(&self.center))
     }
 
-    /// The second moments ∫ x xᵀ dm = (tr A / 2) E − A. Some distribution of mass has the tensor if and only if they are
-    /// positive semidefinite, a flat one if they are singular as well.
+    /// Whether the body is unphysical, and whether it is a plate. Some distribution of mass has the tensor and r if and only if
+    /// the second moments ∫ x xᵀ dm = (tr A / 2) E − A are positive semidefinite and r lies in their range: a plate where
+    /// they are singular. As A is positive, their rank is 2 at least, and the adjugate projects onto their kernel.
     #[must_use]
-    pub fn second_moments(&self) -> Symmetric {
-        self.matrix.subtracted_from(&(self.matrix.trace() / RBig::from(2)))
+    pub(super) fn existence(&self) -> [bool; 2] {
+        let second = self.matrix.subtracted_from(&(self.matrix.trace() / RBig::from(2)));
+        let is_flat = second.determinant().is_zero();
+        let in_range = || second.adjugate().times(&self.center).iter().all(RBig::is_zero);
+        let exists = second.is_positive_semidefinite() && (!is_flat || in_range());
+        [!exists, exists && is_flat]
     }
 }

@@ -1,14 +1,12 @@
 //! Rotation about a principal axis through the centre of mass: its spectral type over the spin, exactly.
 
-use std::cmp::Ordering;
-
 use dashu_ratio::RBig;
 use numbers::vector::{dot, norm};
 use numbers::{Number, Sign};
 
 use super::cone::PermanentAxis;
 use crate::body::{Body, BodyAxis};
-use crate::stability::Verdict;
+use crate::stability::{LinearType, Signs, Verdict};
 use numbers::polynomial::{Polynomial, Root, rational};
 
 /// The spectral type of such a rotation.
@@ -26,13 +24,17 @@ pub enum SpinType {
     DoubleReal,
     /// A complex quadruple: unstable.
     Complex,
+    /// An eigenvalue zero, and no real one: open.
+    Zero,
+    /// An eigenvalue zero and a real pair: unstable.
+    ZeroReal,
 }
 
 impl SpinType {
     /// Not unstable in the linear terms.
     #[must_use]
     pub fn is_stable(self) -> bool {
-        matches!(self, Self::Minimum | Self::Elliptic)
+        matches!(self, Self::Minimum | Self::Elliptic | Self::Zero)
     }
 
     /// As it is printed.
@@ -45,6 +47,7 @@ impl SpinType {
             Self::Saddle => "saddle",
             Self::DoubleReal => "double-real",
             Self::Complex => "complex",
+            Self::Zero | Self::ZeroReal => "zero",
         }
     }
 }
@@ -153,20 +156,27 @@ impl AxisRotation {
         rational::sub(&rational::mul(&whole, &whole), &product)
     }
 
-    /// The type at a positive s that is no root, exactly.
+    /// Signs of K_A and K_B at a positive s; where one is 0 at every s (a circle of equilibria), positive.
+    fn stiffness(&self, s: &RBig) -> [Sign; 2] {
+        let [first, second, _] = self.polynomials();
+        let is_zero = |p: &[RBig]| p.iter().all(RBig::is_zero);
+        [first, second].map(|p| if is_zero(&p) { Sign::Positive } else { sign_at(&p, s) })
+    }
+
+    /// The type at a positive s, exactly; of a circle of equilibria the type across it.
     fn type_at(&self, s: &RBig) -> SpinType {
-        let at = |c: &[RBig]| c.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c);
-        let [first, second, whole] = self.polynomials().map(|c| at(&c));
-        let positive = |x: &RBig| *x > RBig::ZERO;
-        match (positive(&first), positive(&second)) {
-            (true, true) => SpinType::Minimum,
-            (true, false) | (false, true) => SpinType::SaddleCentre,
-            (false, false) => match (at(&self.discriminant()).cmp(&RBig::ZERO), positive(&whole)) {
-                (Ordering::Less, _) => SpinType::Complex,
-                (_, true) => SpinType::Elliptic,
-                (Ordering::Greater, false) => SpinType::Saddle,
-                (Ordering::Equal, false) => SpinType::DoubleReal,
-            },
+        let [first, second] = self.stiffness(s);
+        let [.., whole] = self.polynomials();
+        let [b, discriminant] = [whole, self.discriminant()].map(|p| sign_at(&p, s));
+        match (Signs { b, c: first * second, discriminant }).linear_type() {
+            _ if first == Sign::Positive && second == Sign::Positive => SpinType::Minimum,
+            LinearType::Elliptic | LinearType::DoubleElliptic => SpinType::Elliptic,
+            LinearType::SaddleCentre => SpinType::SaddleCentre,
+            LinearType::Saddle => SpinType::Saddle,
+            LinearType::DoubleReal => SpinType::DoubleReal,
+            LinearType::Complex => SpinType::Complex,
+            LinearType::Zero => SpinType::Zero,
+            LinearType::ZeroReal => SpinType::ZeroReal,
         }
     }
 
@@ -204,22 +214,36 @@ impl AxisRotation {
         changes
     }
 
-    /// The type at a spin Ω ≠ 0 that is no change.
+    /// The type at a spin Ω ≠ 0.
     #[must_use]
     pub fn type_at_spin(&self, omega: f64) -> Option<SpinType> {
         let omega = RBig::try_from(omega).ok()?;
         (!omega.is_zero()).then(|| self.type_at(&(&omega * &omega)))
     }
 
-    /// What is known of a rotation of this type (Proposition 13.6 of docs/mathematics.md).
+    /// What is known of the rotation at a spin Ω ≠ 0 (Proposition 13.6 of docs/mathematics.md).
     #[must_use]
-    pub fn verdict(&self, found: SpinType) -> Verdict {
+    pub fn verdict_at_spin(&self, omega: f64) -> Option<Verdict> {
+        let omega = RBig::try_from(omega).ok()?;
+        let s = &omega * &omega;
+        (!s.is_zero()).then(|| self.verdict(self.type_at(&s), &s))
+    }
+
+    fn verdict(&self, found: SpinType, s: &RBig) -> Verdict {
         let [_, a, b] = &self.moments;
+        // μ is at least the largest moment: K_A, K_B ≥ 0 and ρ = s(μ − C) ≥ 0.
+        let is_least = || self.weight >= RBig::ZERO && !self.stiffness(s).contains(&Sign::Negative);
         match found {
             SpinType::Minimum => Verdict::Energy,
-            SpinType::Elliptic if a == b || self.weight.is_zero() => Verdict::Integral,
+            SpinType::Zero if is_least() => Verdict::Energy,
+            SpinType::Elliptic | SpinType::Zero if a == b || self.weight.is_zero() => Verdict::Integral,
             SpinType::Elliptic => Verdict::Spectrum,
-            SpinType::SaddleCentre | SpinType::Saddle | SpinType::DoubleReal | SpinType::Complex => Verdict::Unstable,
+            SpinType::Zero => Verdict::Open,
+            SpinType::SaddleCentre
+            | SpinType::Saddle
+            | SpinType::DoubleReal
+            | SpinType::Complex
+            | SpinType::ZeroReal => Verdict::Unstable,
         }
     }
 
@@ -248,8 +272,10 @@ impl AxisRotation {
     #[must_use]
     pub fn squared_eigenvalues(&self, omega: f64) -> Squares {
         let [_, a, b] = self.moments.each_ref().map(|x| x.to_f64().value());
-        let s = omega * omega;
-        let at = |c: &[RBig]| c.iter().rev().fold(0.0, |sum, c| sum * s + c.to_f64().value());
+        // Exact up to here: beside a root of the discriminant nothing of its sign is lost.
+        let omega = RBig::try_from(omega).unwrap_or_default();
+        let s = &omega * &omega;
+        let at = |c: &[RBig]| c.iter().rev().fold(RBig::ZERO, |sum, c| sum * &s + c).to_f64().value();
         let [first, second, whole] = self.polynomials().map(|c| at(&c));
         let (half, product) = (0.5 * whole / (a * b), first * second / (a * b));
         let discriminant = at(&self.discriminant()) / (4.0 * a * a * b * b);
@@ -262,6 +288,11 @@ impl AxisRotation {
         let smaller = if larger == 0.0 { 0.0 } else { product / larger };
         Squares::Real([larger, smaller])
     }
+}
+
+/// The sign of a polynomial.
+fn sign_at(coefficients: &[RBig], s: &RBig) -> Sign {
+    coefficients.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c).cmp(&RBig::ZERO).into()
 }
 
 /// The two values of λ².
@@ -289,8 +320,11 @@ impl Squares {
             }
             Self::Conjugate { re, im } => {
                 let modulus = (re * re + im * im).sqrt();
-                let frequency = (0.5 * (modulus - re)).max(0.0).sqrt();
-                ([frequency, frequency], (0.5 * (modulus + re)).max(0.0).sqrt())
+                // The smaller part from the product of both, im/2.
+                let large = (0.5 * (modulus + re.abs())).sqrt();
+                let small = 0.5 * im / large;
+                let (frequency, growth) = if re > 0.0 { (small, large) } else { (large, small) };
+                ([frequency, frequency], growth)
             }
         }
     }

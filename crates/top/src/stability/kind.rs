@@ -18,13 +18,15 @@ pub enum LinearType {
     DoubleElliptic,
     /// A double real pair.
     DoubleReal,
-    /// An eigenvalue zero (on a circle: across it too).
+    /// An eigenvalue zero (on a circle: across it too), and no real one.
     Zero,
+    /// An eigenvalue zero and a real pair.
+    ZeroReal,
 }
 
 impl LinearType {
     /// Every type.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Elliptic,
         Self::SaddleCentre,
         Self::Saddle,
@@ -32,12 +34,13 @@ impl LinearType {
         Self::DoubleElliptic,
         Self::DoubleReal,
         Self::Zero,
+        Self::ZeroReal,
     ];
 
     /// Some eigenvalue has a positive real part.
     #[must_use]
     pub fn is_unstable(self) -> bool {
-        matches!(self, Self::SaddleCentre | Self::Saddle | Self::Complex | Self::DoubleReal)
+        matches!(self, Self::SaddleCentre | Self::Saddle | Self::Complex | Self::DoubleReal | Self::ZeroReal)
     }
 
     /// The word for it.
@@ -50,7 +53,7 @@ impl LinearType {
             Self::Complex => "complex",
             Self::DoubleElliptic => "double-elliptic",
             Self::DoubleReal => "double-real",
-            Self::Zero => "zero",
+            Self::Zero | Self::ZeroReal => "zero",
         }
     }
 }
@@ -78,6 +81,7 @@ impl Signs {
     #[must_use]
     pub fn linear_type(self) -> LinearType {
         match (self.c, self.discriminant, self.b) {
+            (Sign::Zero, _, Sign::Negative) => LinearType::ZeroReal,
             (Sign::Zero, ..) => LinearType::Zero,
             (Sign::Negative, ..) => LinearType::SaddleCentre,
             (_, Sign::Negative, _) => LinearType::Complex,

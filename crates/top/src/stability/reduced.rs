@@ -98,9 +98,10 @@ impl<E: Enclosure> Reduced<E> {
     #[must_use]
     pub fn linear_type(&self) -> Option<LinearType> {
         let [b, c, discriminant] = self.signs();
-        // c < 0 and b² < 4c leave nothing for the other signs to say.
+        // c < 0 and b² < 4c leave nothing for the other signs to say, and c = 0 only b.
         let signs = match (c?, discriminant) {
-            (c @ (Sign::Negative | Sign::Zero), _) => Signs { b: Sign::Positive, c, discriminant: Sign::Positive },
+            (c @ Sign::Negative, _) => Signs { b: Sign::Positive, c, discriminant: Sign::Positive },
+            (c @ Sign::Zero, _) => Signs { b: b?, c, discriminant: Sign::Positive },
             (c, Some(Sign::Negative)) => Signs { b: Sign::Positive, c, discriminant: Sign::Negative },
             (c, discriminant) => Signs { b: b?, c, discriminant: discriminant? },
         };
@@ -116,7 +117,7 @@ impl<E: Enclosure> Reduced<E> {
     /// The eigenvalues, of a type that is known, times `unit`. On a circle: the transverse pair, then zero.
     #[must_use]
     pub fn eigenvalues(&self, kind: LinearType, is_circle: bool, unit: f64) -> Eigenvalues {
-        let parts = if is_circle || kind == LinearType::Zero { self.beside_zero() } else { self.four(kind) };
+        let parts = if is_circle { self.beside_zero() } else { self.four(kind) };
         let mut error = 0.0_f64;
         let pairs = parts.map(|pair| {
             pair.map(|part| {
@@ -173,7 +174,7 @@ impl<E: Enclosure> Reduced<E> {
                 let large = half(self.discriminant.sqrt() - beta);
                 [[size(large.clone()), None], [size(chi / large), None]]
             }
-            LinearType::Zero => self.beside_zero(),
+            LinearType::Zero | LinearType::ZeroReal => self.beside_zero(),
         }
     }
 }
