@@ -122,6 +122,23 @@ fn a_point_of_the_paper_is_classified() {
 }
 
 #[test]
+fn newton_continuation_gives_the_list_of_the_closed_form() {
+    for body in ["--body paper --l 3.25", "--body ten --l 1.45", "--body lagrange --l=-5", "--body paper --l 0"] {
+        let list = |method: &str| {
+            let document = bifdiag(&format!("critical {body} --json{method}")).succeeds().json();
+            document["critical"].as_array().unwrap().clone()
+        };
+        let (closed, followed) = (list(""), list(" --method newton"));
+        assert_eq!(followed.len(), closed.len(), "{body}");
+        for (one, other) in followed.iter().zip(&closed) {
+            assert_eq!([&one["branch"], &one["index"]], [&other["branch"], &other["index"]], "{body}");
+            assert!((one["h"].as_f64().unwrap() - other["h"].as_f64().unwrap()).abs() < 1e-12, "{body}");
+        }
+    }
+    bifdiag("critical --body paper --l 0:1:3 --method newton").refused().telling("follows the curves to one momentum");
+}
+
+#[test]
 fn a_point_on_a_line_is_critical_with_its_candidates() {
     // Kovalevskaya's top: γ = e1 is critical with h = l²/4 − 1, an exact equality.
     let document = bifdiag("classify --body kovalevskaya --h=-3/4 --l 1 --json").succeeds().json();

@@ -13,13 +13,14 @@ use crate::subject::Subject;
 #[must_use]
 pub fn critical(subject: &Subject, l: &Number, found: &Equilibria) -> CriticalDocument {
     let body = &subject.body;
+    let method = found.by_continuation.then_some("newton");
     let note = (!found.complete).then(|| {
         "l lies beside cusps that are closer to one another than 2^-4000: how many relative equilibria meet there is \
          not decided"
             .to_owned()
     });
     CriticalDocument {
-        head: head(subject.command("critical").option("l", l.text()).json()),
+        head: head(subject.command("critical").option("l", l.text()).option_if("method", method).json()),
         body: given(body),
         l: l.text().to_owned(),
         critical: equilibria(found),

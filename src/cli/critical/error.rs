@@ -23,6 +23,8 @@ pub enum RangeInput {
     OutWithoutRange,
     #[error("--json at a range of momenta: give --out FILE.jsonl instead (one object for each relative equilibrium)")]
     JsonOfRange,
+    #[error("--method newton follows the curves to one momentum: give --l a number, and no --batch")]
+    NewtonOfMany,
 }
 
 impl CommandError for RangeInput {
@@ -44,7 +46,7 @@ impl CommandError for Unanswered {
     fn exit(&self) -> Exit {
         match self {
             Self::Critical(CriticalError::Momentum(_)) => Exit::WrongInput,
-            Self::Critical(CriticalError::Equilibria(_)) | Self::Json(_) => Exit::Failed,
+            Self::Critical(CriticalError::Equilibria(_) | CriticalError::Lost { .. }) | Self::Json(_) => Exit::Failed,
         }
     }
 }

@@ -16,6 +16,7 @@ use super::batch::{Batch, Query, Wanted};
 use super::export::{DataFormat, DataTarget, Exporter, FileSet, answer};
 use super::failure::Failure;
 use super::terminal::{Timings, print};
+use arguments::Method;
 use error::{NotFound, Unanswered};
 use settings::Settings;
 
@@ -23,8 +24,11 @@ pub use arguments::{CriticalArguments, EXAMPLES};
 
 pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     match Settings::new(arguments)? {
-        Settings::Momentum { subject, l, json } => {
-            let found = timings.stage("critical", || critical(&subject.body, l));
+        Settings::Momentum { subject, l, method, json } => {
+            let found = timings.stage("critical", || match method {
+                Method::ClosedForm => critical(&subject.body, l),
+                Method::Newton => RelativeEquilibria::new(&subject.body)?.continued(l),
+            });
             let document = documents::critical(&subject, l, &found.map_err(NotFound::from)?);
             Ok(answer(json, &document, || report::text(&subject, &document))?)
         }

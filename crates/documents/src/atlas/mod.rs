@@ -23,7 +23,7 @@ use stability::Stability;
 
 pub use options::DocumentOptions;
 
-/// The atlas as a document. Curves are traced by Newton continuation; events and regions come from the closed form.
+/// The atlas as a document. Curves, events and regions come from the closed form.
 #[must_use]
 pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
     let window = options.window.map(|WindowDocument { h, l }| Window { h, l });

@@ -1,10 +1,8 @@
-//! The course of a curve: a polyline by Newton continuation; its ends from the limits.
+//! The course of a curve: a polyline over the range of a picture; its ends from the limits.
 
 use super::Atlas;
 use super::polyline::Tolerance;
-use crate::continuation::{PieceEnd, Start, TrackOptions, track_piece};
-use crate::curves::{Branch, Curve, CurveId, End, Orbit, Shape};
-use crate::stability::RelativeEquilibrium;
+use crate::curves::{Branch, Curve, CurveId, End, Shape};
 
 /// How finely curves are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,9 +22,6 @@ pub struct Tail {
     pub h_offset: f64,
 }
 
-/// Chords steeper than so many heights over the width of the diagram are measured across.
-const STEEP: f64 = 16.0;
-
 /// Ranges for which polylines are made, in the frame's units.
 struct Extent {
     /// Curves that go on to infinity are cut here.
@@ -42,20 +37,9 @@ impl Atlas {
         let extent = extent(self, options);
         let curve = &self.arrangement.set.curves[curve];
         let [from, to] = curve.x().map(|x| (2.0 * x).sqrt());
-        let to = to.min(extent.l_max);
-        let sampled = || {
-            let unit = self.arrangement.set.frame.momentum_unit;
-            let height = self.energy(extent.h_scale);
-            // Across a chord of slope s, in units of the height and width of the diagram, is √(1 + s²) times as much in h.
-            let tolerance =
-                Tolerance { h: options.chord_tolerance * height, steep: STEEP * height / (extent.l_max * unit) };
-            self.sampled(curve, [from, to].map(|l| l * unit), tolerance)
-        };
-        if !curve.is_critical() || matches!(curve.orbit, Orbit::Sphere) {
-            return sampled();
-        }
-        // A curve that the tracker did not finish is sampled, never dropped.
-        tracked(self, curve, to, options, &extent).unwrap_or_else(sampled)
+        let tolerance =
+            Tolerance { h: options.chord_tolerance * extent.h_scale, aspect: extent.l_max / extent.h_scale };
+        self.sampled(curve, [from, to.min(extent.l_max)], tolerance)
     }
 
     /// μ at both ends of a curve by rising μ, in the units of A; `None` where it is infinite, and for pole lines.
@@ -88,39 +72,6 @@ fn extent(atlas: &Atlas, options: &CourseOptions) -> Extent {
     let l_max = (1.6 * last_event).max(window).max(natural);
     let h_scale = 0.5 * l_max * l_max / frame.a[2] + 2.0 * frame.r_norm;
     Extent { l_max, h_scale }
-}
-
-/// A polyline by Newton continuation from a point inside the curve.
-fn tracked(
-    atlas: &Atlas,
-    curve: &Curve,
-    l_end: f64,
-    options: &CourseOptions,
-    extent: &Extent,
-) -> Option<Vec<[f64; 2]>> {
-    let frame = &atlas.arrangement.set.frame;
-    let [from, to] = curve.x();
-    let x_end = 0.5 * l_end * l_end;
-    let x = if from == 0.0 { 0.25 * to.min(x_end) } else { from + 0.5 * (to.min(x_end.max(4.0 * from)) - from) };
-    let point = curve.point(frame, x);
-    let start = Start::on(frame, RelativeEquilibrium::new(frame, point.gamma, (2.0 * x).sqrt() / point.j));
-    let end = |end: End, limit: f64| match end {
-        End::Cusp(_) => PieceEnd::Cusp(limit),
-        End::Pitchfork(_) => PieceEnd::Pitchfork(limit),
-        End::Origin | End::Infinity => PieceEnd::Momentum(limit),
-    };
-    let [l_from, l_to] = curve.x().map(|x| (2.0 * x).sqrt());
-    let cut = l_end.max(1.25 * (2.0 * from).sqrt());
-    let ends = [end(curve.ends[0], l_from), end(curve.ends[1], l_to.min(cut))];
-    let track_options = TrackOptions {
-        chord_tolerance: options.chord_tolerance,
-        h_scale: extent.h_scale,
-        l_scale: extent.l_max,
-        ..TrackOptions::default()
-    };
-    let track = track_piece(frame, &start, ends, &track_options).ok().filter(|track| track.complete)?;
-    let (energy, momentum) = (frame.energy_unit, frame.momentum_unit);
-    Some(track.polyline().into_iter().map(|[h, l]| [h * energy, l * momentum]).collect())
 }
 
 /// μ at both ends by rising μ, in the units of A; `None` where it is infinite.

@@ -1,6 +1,7 @@
 //! All relative equilibria of a body at one l, or at many.
 
 mod at_rest;
+mod continued;
 mod equilibrium;
 mod found;
 
@@ -10,7 +11,7 @@ use thiserror::Error;
 
 use crate::atlas::{MomentumError, abscissa};
 use crate::body::{Body, Number};
-use crate::curves::{Branch, CriticalSet, CurveId, EquilibriaError, branch_words};
+use crate::curves::{Branch, CriticalSet, CurveId, CurveName, EquilibriaError, branch_words};
 use crate::stability::{Constants, StabilityProfile};
 use crate::table::Id;
 use numbers::UNIT_ROUNDOFF;
@@ -27,6 +28,8 @@ pub struct Equilibria {
     pub error_bound: f64,
     /// False when it could not be decided whether further ones exist: roots closer than 2^-4000.
     pub complete: bool,
+    /// γ, h, Ω and the index were found by Newton continuation, not from the closed form.
+    pub by_continuation: bool,
 }
 
 /// Why there is no answer.
@@ -38,6 +41,15 @@ pub enum CriticalError {
     /// l is beyond `f64`.
     #[error(transparent)]
     Momentum(#[from] MomentumError),
+    /// Newton continuation did not reach l along a curve.
+    #[error(
+        "Newton continuation {} does not reach this l; the closed form, which is the default, has the answer",
+        .curve.map_or_else(|| "along a branch".to_owned(), |curve| format!("along {curve}"))
+    )]
+    Lost {
+        /// The curve, if it has a name.
+        curve: Option<CurveName>,
+    },
 }
 
 /// All critical points of U_l with energy, angular velocity, Morse index, eigenvalues and stability.
@@ -121,7 +133,12 @@ impl<'a> RelativeEquilibria<'a> {
         let frame = &self.set.frame;
         if l.to_f64() == 0.0 {
             let error_bound = 8.0 * UNIT_ROUNDOFF * frame.r_norm * frame.energy_unit;
-            return Ok(Equilibria { list: sorted(self.at_rest()), error_bound, complete: true });
+            return Ok(Equilibria {
+                list: sorted(self.at_rest()),
+                error_bound,
+                complete: true,
+                by_continuation: false,
+            });
         }
         let x = abscissa(frame, l.to_f64())?;
         let mut found = Found { list: Vec::with_capacity(8), error_bound: 0.0 };
@@ -138,7 +155,8 @@ impl<'a> RelativeEquilibria<'a> {
             }
             next = end;
         }
-        Ok(Equilibria { list: sorted(found.list), error_bound: found.error_bound, complete })
+        let list = sorted(found.list);
+        Ok(Equilibria { list, error_bound: found.error_bound, complete, by_continuation: false })
     }
 
     /// The equilibria of one branch: by f64 with bounds, or exactly where these leave something open.
