@@ -32,6 +32,6 @@ if [ $# -gt 0 ]; then
     $program grow $all all 1 1 "$1" $general $positive
     $program special data/survey/special.json 1 60
 fi
-$program write $state $general $positive data/classes.json crates/documents/data/classes.json
+$program write $state $all data/survey/special.json $general $positive data/classes.json crates/documents/data/classes.json
 $program pages data/classes.json docs/classes
 $program report .

@@ -3,7 +3,7 @@
 
 use proof::{Accuracy, CertifiedAtlas, atlas_of};
 use schema::{ClassDocument, ClassesDocument};
-use survey::graph::{Domain, Node, Place};
+use survey::graph::{Domain, Node, Place, Stratum};
 use survey::{ComponentType, scan};
 use top::body::Body;
 
@@ -48,6 +48,24 @@ fn prove(class: &ClassDocument) {
 fn every_witness_has_its_class() {
     for class in classes().iter().step_by(5) {
         check(class);
+    }
+}
+
+/// The classes that are listed apart: those of special bodies, and those that are known only of bodies that do not exist.
+#[test]
+fn every_other_class_is_that_of_its_witness_in_its_stratum() {
+    let others = serde_json::from_str::<ClassesDocument>(&support::data("classes.json")).unwrap().others;
+    assert!(others.len() > 600, "{}", others.len());
+    for class in &others {
+        let body = body(class);
+        let node = Node::of([body.moments_f64(), body.center_f64()]).unwrap();
+        assert_eq!(node.class.name().as_str(), class.name);
+        assert_eq!((node.regions, node.physical), (class.regions, class.physical), "{}", class.name);
+        assert_eq!(node.types.iter().map(ComponentType::to_string).collect::<Vec<_>>(), class.types, "{}", class.name);
+        assert_ne!(body.flags().unphysical, class.physical, "{}", class.name);
+        let stratum = Stratum::of(&Place::of_body(&body)).map(|stratum| stratum.name);
+        assert_eq!(stratum, class.stratum.as_deref(), "{}", class.name);
+        assert!(stratum.is_some() || !class.physical, "{}", class.name);
     }
 }
 

@@ -5,7 +5,7 @@
 //! cargo run --release --example classes -- round STATE existing|all SEED STEPS [i/n] [SUMMARY.json …]
 //! cargo run --release --example classes -- join STATE SHARD …
 //! cargo run --release --example classes -- deepen STATE STEPS [i/n]
-//! cargo run --release --example classes -- write STATE GENERAL.summary.json POSITIVE.summary.json PUBLISHED SHIPPED
+//! cargo run --release --example classes -- write STATE ALL SPECIAL GENERAL.summary.json POSITIVE.summary.json PUBLISHED SHIPPED
 //! cargo run --release --example classes -- special data/survey/special.json SEED LINES
 //! cargo run --release --example classes -- pages data/classes.json docs/classes
 //! cargo run --release --example classes -- report .
@@ -23,6 +23,7 @@
 mod extremes;
 mod five;
 mod map;
+mod others;
 mod pages;
 mod report;
 mod sketch;
@@ -32,7 +33,7 @@ mod state;
 use std::path::Path;
 
 use rayon::prelude::*;
-use schema::ClassesDocument;
+use schema::{ClassDocument, ClassesDocument};
 use survey::graph::{Domain, NearestOptions, Place, centre, deepen, plain};
 use survey::scan::Shard;
 use top::class::ClassName;
@@ -66,10 +67,11 @@ fn main() -> Result<(), Failure> {
             whole.write(Path::new(state))
         }
         ["deepen", state, steps, ref rest @ ..] => deepen_all(Path::new(state), steps.parse()?, shard(rest)?.0),
-        ["write", state, general, positive, published, shipped] => {
+        ["write", state, all, special, general, positive, published, shipped] => {
             let state = State::read(Path::new(state))?;
             let counts = documents::ClassCounts { existing: counts(general)?, all: counts(positive)? };
             let mut document = documents::classes(&state.graph, &counts)?;
+            document.others = others::others(all, special, &document.classes, &counts)?;
             std::fs::write(published, lines(&document)?)?;
             document.classes.iter_mut().for_each(|class| class.text.clear());
             Ok(std::fs::write(shipped, lines(&document)?)?)
@@ -88,9 +90,12 @@ fn main() -> Result<(), Failure> {
 
 /// One class a line.
 fn lines(document: &ClassesDocument) -> Result<String, Failure> {
-    let classes = document.classes.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?;
-    let version = serde_json::to_string(&document.schema_version)?;
-    Ok(format!("{{\"schema_version\":{version},\"classes\":[\n{}\n]}}\n", classes.join(",\n")))
+    let list = |classes: &[ClassDocument]| -> Result<String, serde_json::Error> {
+        Ok(classes.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?.join(",\n"))
+    };
+    let (version, classes, others) =
+        (serde_json::to_string(&document.schema_version)?, list(&document.classes)?, list(&document.others)?);
+    Ok(format!("{{\"schema_version\":{version},\"classes\":[\n{classes}\n],\"others\":[\n{others}\n]}}\n"))
 }
 
 /// A shard, if the first word is one, and the rest.

@@ -165,7 +165,7 @@ fn command(arguments: &FindArguments) -> CommandLine {
 fn report(document: &FindDocument) -> String {
     let mut report = Report::default();
     if let Some(why) = &document.why {
-        report.line(format!("{} does not exist: {why}", document.sought));
+        report.line(format!("{} does not exist for r ≠ 0: {why}", document.sought));
         return report.text();
     }
     let tried = match document.tried {

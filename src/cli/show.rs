@@ -15,13 +15,15 @@ Examples:
   bifdiag show R5 --body paper
   bifdiag show G2.1 --A 2,1.1,1 --r 0.94868,0,0.61623
   bifdiag show E3 --body katok:6
+  bifdiag show S3 --body katok:6
 
-The ids are those of `bifdiag atlas`: regions R1, R2, …, curves such as G0.1 or P+, events E1, E2, … by rising l.";
+The ids are those of `bifdiag atlas`: regions R1, R2, …, curves such as G0.1 or P+, events E1, E2, … by rising l. The name of a \
+branch such as G0 shows each of its curves.";
 
 /// `bifdiag show`.
 #[derive(Debug, Args)]
 pub struct ShowArguments {
-    /// A region, a curve or an event of the body
+    /// A region, a curve, a branch or an event of the body
     #[arg(value_name = "ID")]
     pub id: String,
     #[command(flatten)]
@@ -57,13 +59,23 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let mut report = Report::default();
     head(&subject, &mut report);
     report.line("");
-    let event = arguments.id.strip_prefix('E').and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
-    if let Some(region) = document.regions.iter().find(|region| region.id == arguments.id) {
+    // Pictures write L− with the minus sign.
+    let id = arguments.id.to_ascii_uppercase().replace('−', "-");
+    let branch = |curve: &&CurveDocument| curve.id.rsplit_once('.').is_some_and(|(branch, _)| branch == id);
+    let event = id.strip_prefix('E').and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
+    if let Some(region) = document.regions.iter().find(|region| region.id == id) {
         show_region(&mut report, &document, region);
-    } else if let Some(curve) = document.curves.iter().find(|curve| curve.id == arguments.id) {
+    } else if let Some(curve) = document.curves.iter().find(|curve| curve.id == id) {
         show_curve(&mut report, &document, curve);
     } else if let Some(event) = event.and_then(|place| document.events.get(place)) {
         show_event(&mut report, &document, event);
+    } else if document.curves.iter().any(|curve| branch(&curve)) {
+        for (place, curve) in document.curves.iter().filter(branch).enumerate() {
+            if place > 0 {
+                report.line("");
+            }
+            show_curve(&mut report, &document, curve);
+        }
     } else {
         return Err(unknown(&arguments.id, &document).into());
     }

@@ -7,6 +7,7 @@ mod builder;
 mod classes;
 mod explorer;
 mod files;
+mod ids;
 mod orbits;
 mod pages;
 mod parts;

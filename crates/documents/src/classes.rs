@@ -18,7 +18,7 @@ use crate::command::{CommandLine, head};
 /// `data/classes.json` of the repository without the texts, which are most of it; a test keeps the two the same.
 const SHIPPED: &str = include_str!("../data/classes.json");
 
-/// The classes that come with the program, without their texts.
+/// The classes that come with the program, without their texts: those of generic bodies that exist, and others apart.
 ///
 /// # Panics
 /// Never: the file is a part of this package.
@@ -53,14 +53,33 @@ pub struct ClassCounts {
 /// [`BodyError`] for a witness that is no body.
 pub fn classes(graph: &ClassGraph, counts: &ClassCounts) -> Result<ClassesDocument, BodyError> {
     let classes = graph.nodes.iter().map(|(name, node)| class(name, node, graph, counts)).collect::<Result<_, _>>()?;
-    Ok(ClassesDocument { schema_version: SCHEMA_VERSION.to_owned(), classes })
+    Ok(ClassesDocument { schema_version: SCHEMA_VERSION.to_owned(), classes, others: Vec::new() })
+}
+
+/// A class that is not in the graph, with a body of it; `bodies` of `all` random ones (of its stratum) have it.
+#[must_use]
+pub fn other_class(node: &Node, body: &Body, stratum: Option<&str>, [bodies, all]: [u64; 2]) -> ClassDocument {
+    let (bodies, all) = (bodies as f64, all.max(1) as f64);
+    let measure = bodies / all;
+    let sure = bodies == 0.0 || bodies == all;
+    ClassDocument {
+        name: node.class.name().to_string(),
+        text: String::new(),
+        stratum: stratum.map(str::to_owned),
+        regions: node.regions,
+        types: node.types.iter().map(ToString::to_string).collect(),
+        physical: node.physical,
+        witness: ClassWitnessDocument { body: given(body) },
+        distance: 0.0,
+        measure,
+        measure_error: if sure { 1.0 / all } else { (measure * (1.0 - measure) / all).sqrt() },
+        neighbours: Vec::new(),
+    }
 }
 
 fn class(name: &ClassName, node: &Node, graph: &ClassGraph, counts: &ClassCounts) -> Result<ClassDocument, BodyError> {
     let (bodies, all) = if node.physical { &counts.existing } else { &counts.all };
-    let (bodies, all) = (bodies.get(name).copied().unwrap_or_default() as f64, (*all).max(1) as f64);
-    let measure = bodies / all;
-    let error = if bodies == 0.0 { 1.0 / all } else { (measure * (1.0 - measure) / all).sqrt() };
+    let bodies = bodies.get(name).copied().unwrap_or_default();
     let beside = graph.edges.iter().filter_map(|((between, event), edge)| {
         let class = match between {
             [one, other] if one == name => other,
@@ -74,23 +93,20 @@ fn class(name: &ClassName, node: &Node, graph: &ClassGraph, counts: &ClassCounts
     neighbours.sort_by(|p, q| (&p.class, &p.event).cmp(&(&q.class, &q.event)));
     let body = Body::from_f64(node.witness[0], node.witness[1])?;
     Ok(ClassDocument {
-        name: name.to_string(),
         text: node.class.text().to_owned(),
-        regions: node.regions,
-        types: node.types.iter().map(ToString::to_string).collect(),
-        physical: node.physical,
-        witness: ClassWitnessDocument { body: given(&body) },
         distance: node.distance,
-        measure,
-        measure_error: error,
         neighbours,
+        ..other_class(node, &body, None, [bodies, *all])
     })
 }
 
 /// Where a body stands among the classes.
 #[must_use]
 pub fn standing(name: Option<&ClassName>, borders: &[Nearest], command: CommandLine) -> StandingDocument {
-    let known = |name: &ClassName| shipped_classes().classes.iter().any(|class| class.name == name.as_str());
+    let known = |name: &ClassName| {
+        let ClassesDocument { classes, others, .. } = shipped_classes();
+        classes.iter().chain(&others).any(|class| class.name == name.as_str())
+    };
     let border = |border: &Nearest| ClassBorderDocument {
         class: border.class.name().to_string(),
         event: border.event.to_string(),
@@ -127,8 +143,10 @@ mod tests {
 
     #[test]
     fn neighbours_are_symmetric_classes_of_the_file() {
-        let classes = shipped_classes().classes;
-        assert!(classes.windows(2).all(|pair| pair[0].name < pair[1].name));
+        let ClassesDocument { classes, others, .. } = shipped_classes();
+        assert!([&classes, &others].iter().all(|list| list.windows(2).all(|pair| pair[0].name < pair[1].name)));
+        assert!(others.iter().all(|other| classes.iter().all(|class| class.name != other.name)));
+        assert!(others.iter().all(|other| other.stratum.is_some() || !other.physical));
         let arrows: BTreeSet<[&str; 3]> = classes
             .iter()
             .flat_map(|class| {

@@ -24,7 +24,7 @@ pub use atlas::{DocumentOptions, attach_part};
 pub use body::{all_bodies, flags, given, part, principal, texts};
 pub use border::border;
 pub use certified::{certified_atlas, certified_atlas_of, seal};
-pub use classes::{ClassCounts, add_text, classes, shipped_classes, standing};
+pub use classes::{ClassCounts, add_text, classes, other_class, shipped_classes, standing};
 pub use classification::{accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, head, version};
 pub use critical::{LINEAR_TYPES, VERDICTS, critical, equilibria, type_code, verdict, verdict_code};

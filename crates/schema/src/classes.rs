@@ -36,6 +36,10 @@ pub struct ClassDocument {
     /// has none: its witness has it.)
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
+    /// What is special about its bodies: the moments that are equal, where r lies (axes by rising moments). Absent for a
+    /// class of generic bodies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stratum: Option<String>,
     /// Number of regions of the diagram.
     pub regions: usize,
     /// Types of the components that the regions show, such as `k2n1`.
@@ -45,14 +49,14 @@ pub struct ClassDocument {
     /// A body of it far from other classes, one that exists if there is any.
     pub witness: ClassWitnessDocument,
     /// How far the witness is from the nearest body of another class that was found: √(|ΔA|² + ∠²), for A with the sum 2
-    /// and the angle between the two r.
+    /// and the angle between the two r. 0 where that was not sought, as for all of `others`.
     pub distance: f64,
     /// Its share of all bodies that exist; if none of them has it, of all bodies with A > 0. Second moments of mass (or A
-    /// itself) are uniform on a simplex, r̂ on the sphere.
+    /// itself) are uniform on a simplex, r̂ on the sphere. With a stratum: its share of the bodies of that stratum.
     pub measure: f64,
     /// Standard error of `measure`; if no body of the sample has the class, the share of one body.
     pub measure_error: f64,
-    /// The classes beside it, by name and event.
+    /// The classes beside it, by name and event; empty for all of `others`.
     pub neighbours: Vec<ClassNeighbourDocument>,
 }
 
@@ -63,6 +67,10 @@ pub struct ClassesDocument {
     pub schema_version: String,
     /// The classes, by rising names.
     pub classes: Vec<ClassDocument>,
+    /// Classes that are not counted among them, by rising names: those of special bodies, each with its stratum, and those
+    /// that are known only of bodies that do not exist.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<ClassDocument>,
 }
 
 /// A border of the class of a body.

@@ -55,7 +55,7 @@ pub struct FindDocument {
     pub head: Head,
     /// True when there is a witness.
     pub found: bool,
-    /// False when a theorem says that there is none; absent otherwise.
+    /// False when a theorem says that no body with r ≠ 0 shows it; absent otherwise.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub exists: Option<bool>,
     /// The theorem.

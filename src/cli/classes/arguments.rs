@@ -75,10 +75,11 @@ pub enum ClassesInput {
     #[error("{option} describes a body, and nothing is asked of it; add --at to tell its class")]
     NotAt { option: &'static str },
     #[error(
-        "NAME {name}: no class that comes with bifdiag begins so; `bifdiag classes` lists them, and \
-         `bifdiag classes --at` tells the class of a body"
+        "NAME {name}: none of the classes that come with bifdiag begins so{nearest}; a name is computed from the structure of \
+         a diagram, so it does not lead back to a body: `bifdiag classes --at --body …` (or --A … --r …) gives the class of a \
+         body and the classes beside it, and `bifdiag classes` lists those that are known"
     )]
-    Unknown { name: String },
+    Unknown { name: String, nearest: String },
     #[error("NAME {name}: {count} classes begin so, {first} and others; give more digits")]
     Several { name: String, count: usize, first: String },
 }

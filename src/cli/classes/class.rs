@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use documents::DocumentOptions;
 use plot::{DiagramOptions, draw};
 use proof::{Accuracy, NoAtlas, atlas_of};
-use schema::{AtlasDocument, ClassDocument};
+use schema::{AtlasDocument, ClassDocument, ClassesDocument};
 use thiserror::Error;
 use top::atlas::Atlas;
 use top::body::{Body, BodyError};
@@ -53,14 +53,24 @@ pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure>
 
 /// The class whose name begins so.
 fn find(name: &str) -> Result<ClassDocument, ClassesInput> {
-    let mut found: Vec<ClassDocument> = documents::shipped_classes().classes;
-    found.retain(|class| !name.is_empty() && class.name.starts_with(name));
-    let count = found.len();
-    match found.into_iter().next() {
-        None => Err(ClassesInput::Unknown { name: name.to_owned() }),
-        Some(first) if count > 1 => Err(ClassesInput::Several { name: name.to_owned(), count, first: first.name }),
-        Some(only) => Ok(only),
+    let ClassesDocument { classes, others, .. } = documents::shipped_classes();
+    let all: Vec<ClassDocument> = classes.into_iter().chain(others).collect();
+    let digits = name.to_ascii_lowercase();
+    let mut found = all.iter().filter(|class| !name.is_empty() && class.name.starts_with(&digits));
+    match (found.next(), found.count()) {
+        (Some(only), 0) => Ok(only.clone()),
+        (Some(first), more) => {
+            Err(ClassesInput::Several { name: name.to_owned(), count: more + 1, first: first.name.clone() })
+        }
+        (None, _) => Err(ClassesInput::Unknown { name: name.to_owned(), nearest: nearest(&digits, &all) }),
     }
+}
+
+/// The known name with the longest beginning in common, if that is at least half a name.
+fn nearest(digits: &str, all: &[ClassDocument]) -> String {
+    let common = |class: &ClassDocument| class.name.bytes().zip(digits.bytes()).take_while(|(p, q)| p == q).count();
+    let best = all.iter().max_by_key(|class| common(class)).filter(|class| 2 * common(class) >= class.name.len());
+    best.map_or_else(String::new, |class| format!(" (the nearest is {})", class.name))
 }
 
 /// The diagram of the witness.
@@ -79,17 +89,29 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
         ("a class that no body that exists is known to have", "bodies with A > 0")
     };
     report.line(format!("class {}: {} regions; {whose}", class.name, class.regions));
+    let among = match &class.stratum {
+        Some(stratum) => {
+            report.line(format!("special bodies: {stratum} (axes by rising moments)"));
+            "such special "
+        }
+        None => "",
+    };
     let sections: Vec<&str> = document.regions.iter().filter_map(|region| region.signature.as_deref()).collect();
     report.line(format!("sections of its regions: {}", sections.join(", ")));
     report.line(format!("types of components: {}", class.types.join(", ")));
-    report.line(format!("share of {of}: {} (± {}%)", share(class), significant(100.0 * class.measure_error, 1)));
+    report.line(format!("share of {among}{of}: {} (± {}%)", share(class), significant(100.0 * class.measure_error, 1)));
     report.line("a body of it:");
     let (moments, center) = (class.witness.body.moments.join(","), class.witness.body.center.join(","));
     report.line(format!("  bifdiag --A {moments} --r {center}"));
-    let distance = significant(class.distance, 3);
-    report.line(format!("  the nearest body of another class that is known is {distance} away"));
+    if class.distance > 0.0 {
+        let distance = significant(class.distance, 3);
+        report.line(format!("  the nearest body of another class that is known is {distance} away"));
+    }
     report.line("");
-    if class.neighbours.is_empty() {
+    if class.distance == 0.0 {
+        report.line("the classes beside it, and how far they are from this body:");
+        report.line(format!("  bifdiag classes --at --A {moments} --r {center}"));
+    } else if class.neighbours.is_empty() {
         report.line("no class is known to lie beside it");
     } else {
         let mut table = Table::new(&["class beside it", "what happens on the border"]);

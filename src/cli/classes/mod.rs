@@ -4,7 +4,7 @@ mod arguments;
 mod class;
 mod standing;
 
-use schema::ClassDocument;
+use schema::{ClassDocument, ClassesDocument};
 
 use super::export::answer;
 use super::failure::Failure;
@@ -23,11 +23,12 @@ pub fn run(arguments: &ClassesArguments) -> Result<(), Failure> {
     let mut document = documents::shipped_classes();
     if arguments.physical {
         document.classes.retain(|class| class.physical);
+        document.others.retain(|class| class.physical);
     }
     if arguments.json {
         document.classes.iter_mut().for_each(documents::add_text);
     }
-    Ok(answer(arguments.json, &document, || table(&document.classes))?)
+    Ok(answer(arguments.json, &document, || table(&document))?)
 }
 
 /// Its share of bodies in percent, or that it is less than can be told.
@@ -38,7 +39,7 @@ fn share(class: &ClassDocument) -> String {
     format!("{}%", significant(100.0 * class.measure, 3))
 }
 
-fn table(classes: &[ClassDocument]) -> String {
+fn table(ClassesDocument { classes, others, .. }: &ClassesDocument) -> String {
     let mut order: Vec<&ClassDocument> = classes.iter().collect();
     order.sort_by(|p, q| {
         (q.physical, q.measure, q.distance)
@@ -63,5 +64,10 @@ fn table(classes: &[ClassDocument]) -> String {
     report.line(table.text());
     let existing = classes.iter().filter(|class| class.physical).count();
     report.line(format!("{} classes, {existing} of them of bodies that exist", classes.len()));
+    let special = others.iter().filter(|class| class.stratum.is_some()).count();
+    report.line(format!(
+        "and apart from these {special} of special bodies, {} known only of bodies that do not exist (--json lists them)",
+        others.len() - special
+    ));
     report.text()
 }

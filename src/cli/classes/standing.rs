@@ -50,7 +50,7 @@ fn report(report: &mut Report, document: &StandingDocument) {
     if document.known {
         report.line(format!("  bifdiag class {name} tells more"));
     } else {
-        report.line("  it is none of the classes that come with bifdiag, which are those of generic bodies");
+        report.line("  it is none of the classes that come with bifdiag, so `bifdiag class` does not know it");
     }
     if document.borders.is_empty() {
         report.line("no border was met on the lines through it");

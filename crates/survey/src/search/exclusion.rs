@@ -43,7 +43,10 @@ impl Exclusion {
 impl fmt::Display for Exclusion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Sphere => "a component of U without boundary circles is the whole sphere, which contains both poles",
+            Self::Sphere => {
+                "a component of U without boundary circles is the whole sphere, which contains both poles (with r = 0 \
+                 there are none, and such regions are counted as k0n0: `bifdiag --body euler`)"
+            }
             Self::ThreeCircles => {
                 "a component of U with three or more boundary circles contains the pole r̂ (Theorem 11.1 of \
                  docs/mathematics.md)"
