@@ -15,7 +15,7 @@ const ORDER: [(&str, &str); 11] = [
     ),
     (
         "crates/schema/src",
-        "number head part certificate classification critical atlas checksum find grid listing section motion spin scan border classes",
+        "shown number head part certificate classification critical atlas checksum find grid listing section motion spin scan border classes",
     ),
     (
         "crates/top/src",

@@ -37,7 +37,7 @@ use thiserror::Error;
 
 use arguments::{Command, Options, Refusal};
 use failure::{CommandError, Exit, Failure};
-use terminal::{Timings, interrupt, is_terminal, log, print, say};
+use terminal::{Timings, interrupt, is_terminal, log, print, say, say_styled};
 
 /// Stack of the threads of `--threads`, on which whole commands run: as large as a process's own.
 const STACK: usize = 8 << 20;
@@ -74,7 +74,7 @@ fn refuse(refusal: &Refusal) -> Result<Exit, Failure> {
         if terminal { text.ansi().to_string() } else { text.to_string() }
     };
     if error.use_stderr() {
-        say(text(is_terminal()).trim_end());
+        say_styled(text(is_terminal()).trim_end());
         return Ok(Exit::WrongInput);
     }
     print(text(io::stdout().is_terminal()))?;

@@ -2,10 +2,10 @@
 
 use dashu_ratio::RBig;
 use documents::seal;
-use schema::{Accuracy, AtlasDocument, CertifiedNode, MarginDocument, PlaceDocument};
+use schema::{Accuracy, AtlasDocument, CertifiedNode, EnclosureDocument, EventDocument, MarginDocument, PlaceDocument};
 use verify::{Refused, Report, verify};
 
-use crate::made::{body, document, exact, forged, of_tilted_part, preset};
+use crate::made::{body, document, exact, forged, of_tilted_part, preset, whole};
 
 fn mutated(change: impl Fn(&mut AtlasDocument)) -> Result<Report, Refused> {
     forged(&document(&preset("paper")), change)
@@ -272,4 +272,106 @@ fn false_margins_of_samples_are_refused() {
             forge(&|m| m.nearest.clone_from(other));
         }
     }
+}
+
+/// The square of l is compared with that of the certificate: its sign is, too, wherever an l stands.
+#[test]
+fn a_negative_l_is_refused() {
+    let true_one = whole(&preset("paper"));
+    let refused = |what: &str, change: &dyn Fn(&mut AtlasDocument)| {
+        assert!(forged(&true_one, change).is_err(), "{what}");
+    };
+    for region in 0..true_one.regions.len() {
+        refused("sample", &|d| d.regions[region].sample.l *= -1.0);
+        refused("range", &|d| d.regions[region].l_range = d.regions[region].l_range.map(|l| l.map(|l| -l)));
+    }
+    for event in 0..true_one.events.len() {
+        refused("event", &|d| d.events[event].l *= -1.0);
+    }
+    for change in 0..true_one.stability_changes.len() {
+        refused("change", &|d| d.stability_changes[change].l *= -1.0);
+    }
+    for curve in 0..true_one.curves.len() {
+        refused("range of a curve", &|d| d.curves[curve].l_range = d.curves[curve].l_range.map(|l| l.map(|l| -l)));
+        if !true_one.curves[curve].stability.is_empty() {
+            refused("span", &|d| d.curves[curve].stability[0].l_from *= -1.0);
+        }
+    }
+}
+
+/// Proved bounds that say nothing, that are a little wider than those of the certificate, or begin below l = 0.
+#[test]
+fn a_wide_enclosure_of_an_event_is_refused() {
+    let true_one = document(&preset("paper"));
+    for number in 0..true_one.events.len() {
+        let EventDocument { l, h, .. } = true_one.events[number];
+        let refused = |change: &dyn Fn(&mut EnclosureDocument)| {
+            let refused = forged(&true_one, |d| change(d.events[number].enclosure.as_mut().unwrap()));
+            assert!(matches!(refused, Err(Refused::Event { .. })), "{number}: {refused:?}");
+        };
+        let text = |x: f64| numbers::decimal::exact(&RBig::try_from(x).unwrap());
+        refused(&|e| e.l = [text(-l - 1.0), text(l + 1.0)]);
+        refused(&|e| e.l[0] = "-1".to_owned());
+        refused(&|e| e.l[0] = "0".to_owned());
+        for aside in [1.0, 1e-12] {
+            refused(&|e| e.l[1] = text(l * (1.0 + aside)));
+            refused(&|e| e.h[0] = text(h - (h.abs() + 1.0) * aside));
+            refused(&|e| e.h[1] = text(h + (h.abs() + 1.0) * aside));
+        }
+    }
+}
+
+/// Numbers in another form than that in which they are written.
+#[test]
+fn numbers_in_another_form_are_refused() {
+    for unit in ["1e0", "-0.0", "10e-1", "2/2", "1.0"] {
+        let refused = mutated(|d| unit.clone_into(&mut d.certificate.as_mut().unwrap().units.moment));
+        assert_eq!(refused, Err(Refused::Number { text: unit.to_owned() }));
+        let refused = mutated(|d| unit.clone_into(&mut d.certificate.as_mut().unwrap().units.energy));
+        assert_eq!(refused, Err(Refused::Number { text: unit.to_owned() }));
+    }
+    let refused = mutated(|d| d.certificate.as_mut().unwrap().slabs[1].x.push_str("e0"));
+    assert!(matches!(refused, Err(Refused::Number { .. })), "{refused:?}");
+    for change in [
+        |d: &mut AtlasDocument| d.curves.iter_mut().for_each(|c| c.l_range[0] = c.l_range[0].map(|l| -l)),
+        |d: &mut AtlasDocument| d.regions[0].l_range[0] = Some(-0.0),
+        |d: &mut AtlasDocument| d.regions[0].cells[0].l_range[0] = Some(-0.0),
+    ] {
+        let mut other = document(&preset("paper"));
+        change(&mut other);
+        seal(&mut other).unwrap();
+        assert!(verify(&other).is_err());
+    }
+}
+
+/// Lists that no body has are refused by their length, without any work for their entries.
+#[test]
+fn lists_longer_than_the_body_allows_are_refused_by_their_length() {
+    let many = |text: &'static str, refused: Result<Report, Refused>| match refused {
+        Err(Refused::TooMany { what, .. }) => assert_eq!(what, text),
+        other => panic!("{text}: {other:?}"),
+    };
+    type Change = fn(&mut schema::CertificateDocument);
+    let lists: [(&str, Change); 6] = [
+        ("cusps", |c| c.cusps = vec![c.cusps[0].clone(); 1000]),
+        ("meetings", |c| c.meetings = vec![c.meetings[0].clone(); 1000]),
+        ("pairs", |c| c.pairs = vec![c.pairs[0].clone(); 1000]),
+        ("stretches of a pair", |c| c.pairs[0].stretches = vec![c.pairs[0].stretches[0].clone(); 10_000]),
+        ("events", |c| c.events = vec![c.events[0].clone(); 1000]),
+        ("slabs", |c| c.slabs = vec![c.slabs[0].clone(); 1000]),
+    ];
+    for (what, change) in lists {
+        many(what, mutated(|d| change(d.certificate.as_mut().unwrap())));
+    }
+}
+
+/// What a refusal quotes cannot control a terminal, and is cut.
+#[test]
+fn refusals_quote_texts_without_control_and_cut_them() {
+    let message = |text: &str| {
+        let refused = mutated(|d| text.clone_into(&mut d.certificate.as_mut().unwrap().units.moment));
+        refused.unwrap_err().to_string()
+    };
+    assert_eq!(message("\u{1b}[32m1\u{9b}\u{202e}"), r"`\u{1b}[32m1\u{9b}\u{202e}` is not a number, or out of range");
+    assert!(message(&"7".repeat(3_000_000)).len() < 200);
 }

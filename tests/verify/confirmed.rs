@@ -84,28 +84,52 @@ fn curves_side_by_side_are_verified() {
     ]);
 }
 
-/// Two branches run side by side from the cusps at which both begin to that at which one of them ends: no chord tells
-/// their gap, and no box holds the family that joins them beside a cusp (Lemma 7.6).
+/// Two branches run side by side from the cusps at which both begin to that at which one of them ends: no box holds the
+/// family that joins them beside a cusp (Lemma 7.6).
 #[test]
-fn widths_between_branches_that_end_at_a_cusp_are_verified() {
+fn branches_that_end_at_a_cusp_are_verified() {
     are_verified(&[
         [["2", "0.1", "2.169"], ["1.56e-8", "1.2e-12", "1"]],
         [["5.1e-7", "1.343", "6.3e-2"], ["6.7e-15", "6.6e-9", "1.871"]],
+        [["1", "1e-7", "2"], ["0", "1e-7", "1"]],
     ]);
-    let true_one = whole(&body([["1", "1e-7", "2"], ["0", "1e-7", "1"]]));
-    verify(&true_one).unwrap();
-    let narrow =
-        true_one.regions.iter().position(|region| region.h_width.is_some_and(|w| (1e-7..2.1e-7).contains(&w))).unwrap();
-    for factor in [0.9, 1.1] {
-        let refused = forged(&true_one, |d| d.regions[narrow].h_width = d.regions[narrow].h_width.map(|w| factor * w));
-        assert!(matches!(refused, Err(Refused::Region { .. })), "{factor}: {refused:?}");
-    }
+}
+
+/// Their atlases are true, but for polylines beside the border of Katok's classes, which are no part of the proof.
+#[test]
+fn bodies_beside_three_quarters_are_verified() {
+    are_verified(&[
+        [["1", "1.4", "0.7499999999"], ["1", "0", "0"]],
+        [["1", "1.4", "0.7499999999999"], ["1", "0", "0"]],
+    ]);
+}
+
+/// Rods whose curves are no lines that doubles can draw.
+#[test]
+fn rods_whose_drawing_is_coarse_are_verified() {
+    are_verified(&[
+        [["6e-15", "1.841", "7.3e-12"], ["1.076", "0", "4e-18"]],
+        [["1e-17", "0.357", "0.574"], ["0.954", "1.171", "0.572"]],
+    ]);
+}
+
+/// Bodies whose curves run side by side over x up to 10¹⁵.
+#[test]
+fn curves_of_close_moments_are_verified() {
+    are_verified(&[
+        [["1", "1.000000000000001", "1.7"], ["0.3", "0.2", "1e-8"]],
+        [["1", "1.000000000000001", "1.7"], ["0.3", "0.2", "1e-9"]],
+        [["1", "1.00000000000001", "1.7"], ["0.3", "0.2", "1e-9"]],
+        [["1", "1.0000000000000001", "1.7"], ["0.3", "0.2", "1e-9"]],
+        [["1", "1.000000000000001", "1.7"], ["0.5", "0.2", "3e-9"]],
+        [["1", "1.000000000000001", "1.7"], ["0.3", "0.6", "1e-9"]],
+    ]);
 }
 
 /// Two branches side by side with a moment between them that no r_i carries them over: their moments of inertia over one x are
 /// close (Lemma 7.8).
 #[test]
-fn a_width_between_branches_beside_two_close_moments_is_verified() {
+fn branches_beside_two_close_moments_are_verified() {
     are_verified(&[[["1.2190000000000000073140", "1.219", "1.484"], ["1.0e-8", "2.2e-9", "1.560"]]]);
 }
 
@@ -189,7 +213,7 @@ fn what_doubles_take_for_one_is_told_apart() {
 /// One long moment: the slope turns on one curve of a branch, over an x over which others of that branch run, whose slopes are far
 /// from that one.
 #[test]
-fn polylines_beside_the_turn_of_another_curve_are_verified() {
+fn curves_beside_the_turn_of_another_curve_are_verified() {
     are_verified(&[
         [["2", "1000", "0.854"], ["-0.7606", "0.9684", "-0.0368"]],
         [

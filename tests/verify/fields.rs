@@ -18,6 +18,12 @@ fn is_refused(document: &Value, pointer: &str, forgery: Value) -> bool {
     verify(&forged).is_err()
 }
 
+/// The drawing is no part of the proof.
+fn is_drawn(field: &str) -> bool {
+    let field = field.trim_start_matches('.').replace("[]", "");
+    ["view", "curves.polyline", "regions.polygon", "regions.h_width"].iter().any(|drawn| field.starts_with(drawn))
+}
+
 /// Every field of the document, forged once and sealed anew, is refused: a field that is added cannot be forgotten.
 #[test]
 fn every_field_is_refused_when_it_is_forged() {
@@ -31,6 +37,7 @@ fn every_field_is_refused_when_it_is_forged() {
         for field in ["version", "certificate.checksum"] {
             fields.remove(field).expect(field);
         }
+        fields.retain(|field, _| !is_drawn(field));
         for (field, pointer) in fields.into_iter().filter(|(field, _)| known.insert(field.clone())) {
             for forgery in forgeries(document.pointer(&pointer).unwrap()) {
                 assert!(is_refused(&document, &pointer, forgery), "{field} at {pointer}");
@@ -40,7 +47,7 @@ fn every_field_is_refused_when_it_is_forged() {
 }
 
 /// Every list of the document with an entry left out, one told twice or two exchanged, in three places where it first stands,
-/// sealed anew, is refused. Of points of pictures three of four are left out: without one a chord may be as good as others.
+/// sealed anew, is refused.
 #[test]
 fn every_list_is_refused_when_it_is_forged() {
     let mut known = BTreeSet::new();
@@ -48,6 +55,7 @@ fn every_list_is_refused_when_it_is_forged() {
         let document = serde_json::to_value(document).unwrap();
         let mut fields = BTreeMap::new();
         lists(&document, "", "", &mut fields);
+        fields.retain(|field, _| !is_drawn(field));
         assert!(fields.len() > 30, "{}", fields.len());
         for (field, pointers) in fields {
             let middle = pointers.len() / 2;
@@ -118,14 +126,8 @@ fn lists(value: &Value, field: &str, pointer: &str, found: &mut BTreeMap<String,
 /// A list with an entry left out, one told twice, two exchanged.
 fn forged_lists(list: &[Value]) -> Vec<(&'static str, Vec<Value>)> {
     let at = list.len() / 2;
-    let is_point = |entry: &Value| entry.as_array().is_some_and(|pair| pair.len() == 2 && pair[0].is_f64());
     let mut shorter = list.to_vec();
-    if list.len() > 8 && list.iter().all(is_point) {
-        shorter = list.iter().step_by(4).chain(&list[list.len() - 1..]).cloned().collect();
-        shorter.dedup();
-    } else {
-        shorter.remove(at);
-    }
+    shorter.remove(at);
     let mut longer = list.to_vec();
     longer.insert(at, list[at].clone());
     let mut exchanged = list.to_vec();

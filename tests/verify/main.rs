@@ -4,4 +4,3 @@ mod claims;
 mod confirmed;
 mod fields;
 mod made;
-mod pictures;

@@ -19,6 +19,7 @@ mod number;
 mod part;
 mod scan;
 mod section;
+mod shown;
 mod spin;
 
 pub use atlas::{
@@ -53,6 +54,7 @@ pub use section::{
     IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SectionDocument,
     SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName, VerdictsName,
 };
+pub use shown::{harmless, shown};
 pub use spin::{
     CriticalSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument,
     SpinDocument, SpinRangeDocument, StateDocument, SteadyDocument, SteadySpinDocument, ToleranceDocument,

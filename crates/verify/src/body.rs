@@ -13,8 +13,8 @@ pub(super) struct Body {
 
 impl Body {
     pub fn read(document: &BodyDocument) -> Result<Self, Refused> {
-        let [a1, a2, a3] = document.given.moments.each_ref().map(|text| number::read(text));
-        let [r1, r2, r3] = document.given.center.each_ref().map(|text| number::read(text));
+        let [a1, a2, a3] = document.given.moments.each_ref().map(|text| number::given(text));
+        let [r1, r2, r3] = document.given.center.each_ref().map(|text| number::given(text));
         let body = Self { moments: [a1?, a2?, a3?], center: [r1?, r2?, r3?] };
         match body.moments.iter().position(|moment| *moment <= RBig::ZERO) {
             Some(axis) => Err(Refused::Body { axis: axis + 1, value: document.given.moments[axis].clone() }),

@@ -6,9 +6,14 @@ use dashu_ratio::RBig;
 
 use super::fixed::Fixed;
 
+/// A number of a document, exactly; none that is not finite, and no 0 with a sign.
+pub(super) fn exact(x: f64) -> Option<RBig> {
+    RBig::try_from(x).ok().filter(|exact| !(exact.is_zero() && x.is_sign_negative()))
+}
+
 /// All numbers within an error.
 pub(super) fn around(x: f64, error: f64) -> Option<[RBig; 2]> {
-    let (x, error) = (RBig::try_from(x).ok()?, RBig::try_from(error).ok()?);
+    let (x, error) = (exact(x)?, exact(error)?);
     Some([&x - &error, x + error])
 }
 
@@ -35,7 +40,7 @@ pub(super) fn is_root_within(x: f64, error: f64, unit: &RBig, set: &Fixed) -> bo
 /// An error is no larger than this, but for its own rounding.
 pub(super) fn is_at_most(error: f64, most: &RBig) -> bool {
     let thousand = |n: i32| RBig::from(1000 + n);
-    RBig::try_from(error).is_ok_and(|error| error >= RBig::ZERO && error * thousand(0) <= most * thousand(1))
+    exact(error).is_some_and(|error| error >= RBig::ZERO && error * thousand(0) <= most * thousand(1))
 }
 
 /// So many roundings of doubles of this size.
@@ -54,6 +59,12 @@ mod tests {
         assert!(holds_root(&[n(-5), n(3)], &[n(4), n(9)]));
         assert!(!holds_root(&[n(3), n(4)], &[n(4), n(9)]));
         assert!(!holds_root(&[n(-4), n(-3)], &[n(9), n(9)]));
+    }
+
+    #[test]
+    fn numbers_are_finite_and_zero_has_no_sign() {
+        assert_eq!(exact(0.0), Some(RBig::ZERO));
+        assert!([-0.0, f64::NAN, f64::INFINITY].into_iter().all(|x| exact(x).is_none()));
     }
 
     #[test]

@@ -1,21 +1,16 @@
 //! Faces: cells of neighbouring slabs that continue each other (Proposition 8.3).
 
-use std::collections::BTreeSet;
-
 use super::Refused;
 use super::classes::Classes;
 use super::events::Events;
 use super::slabs::Slab;
 
-/// Cells of neighbouring slabs that continue each other, the left one first: each by its slab and the curve below.
-pub(super) type Joins = BTreeSet<[(usize, usize); 2]>;
-
 /// More events in one transition than this are not told apart.
 const MOST_EVENTS: usize = 6;
 
 /// The faces named in the slabs are those that gluing gives: cells of neighbouring slabs are one face unless they end
-/// or begin inside the run of curves that meet. The pairs that are one.
-pub(super) fn check(transitions: &[Vec<usize>], events: &Events, slabs: &[Slab]) -> Result<Joins, Refused> {
+/// or begin inside the run of curves that meet.
+pub(super) fn check(transitions: &[Vec<usize>], events: &Events, slabs: &[Slab]) -> Result<(), Refused> {
     // Number of the first cell of each slab; cell k of a slab lies above its curve k.
     let mut offsets = Vec::new();
     let mut count = 0;
@@ -24,7 +19,6 @@ pub(super) fn check(transitions: &[Vec<usize>], events: &Events, slabs: &[Slab])
         count += slab.levels.len();
     }
     let mut faces = Classes::new(count);
-    let mut joins = Joins::new();
     for (t, group) in transitions.iter().enumerate() {
         let refuse = |event, why| Refused::Event { number: event, why };
         let order = |slab: usize| slabs[slab].levels.iter().map(|level| level.curve).collect::<Vec<_>>();
@@ -38,11 +32,9 @@ pub(super) fn check(transitions: &[Vec<usize>], events: &Events, slabs: &[Slab])
             .ok_or_else(|| refuse(group[0], "the orders on its two sides do not fit it"))?;
         for (p, q) in pairs {
             faces.join(offsets[t] + p, offsets[t + 1] + q);
-            joins.insert([(t, p), (t + 1, q)]);
         }
     }
-    one_name_each(slabs, &offsets, &mut faces)?;
-    Ok(joins)
+    one_name_each(slabs, &offsets, &mut faces)
 }
 
 /// Names and faces correspond one to one, and the names are R1, R2, … as the faces first appear with l, then h, rising.

@@ -2,7 +2,7 @@
 //!
 //! - Roots are counted in exact integers, by Descartes' rule of signs and by Sturm's theorem where its signs do not tell.
 //!   The cusp polynomial is built from T J + 4V, not from 4Q'P − 3P'Q.
-//! - Intervals have integer ends (`fixed`) or, for paths on the sphere and for pictures, ends that move outward (`interval`).
+//! - Intervals have integer ends (`fixed`) or, for paths on the sphere, ends that move outward (`interval`).
 //! - Each stretch of each pair, each slab and each box of a crossing is checked where the certificate names it.
 //! - Topology comes from the minima, saddles and maxima of the certificate and from paths down from them (`merging`), not
 //!   from the ridges over the latitudes.
@@ -17,18 +17,15 @@
 //! interval → jet → path → landscape → descent, joining, morse → merging, rings → topology  topology of each region
 //! isolation, flow → chart → stability                             linear types along the curves
 //! bounds, courses, measures, samples, listing, command, part → totals   what a document says beside its certificate
-//! interval → trace → plane → beside, view, chords, borders → polylines, outlines, widths   curves over any l, and what serves pictures
 //! ```
 
-mod beside;
 mod body;
-mod borders;
 mod bounds;
 mod chart;
-mod chords;
 mod classes;
 mod command;
 mod component;
+mod counts;
 mod courses;
 mod descartes;
 mod descent;
@@ -38,7 +35,6 @@ mod fixed;
 mod flow;
 mod gap;
 mod gluing;
-mod heights;
 mod interval;
 mod isolation;
 mod jet;
@@ -53,14 +49,11 @@ mod morse;
 mod node;
 mod number;
 mod orders;
-mod outlines;
 mod pairs;
 mod part;
 mod path;
 mod pieces;
 mod place;
-mod plane;
-mod polylines;
 mod refused;
 mod regions;
 mod rings;
@@ -74,9 +67,6 @@ mod stand;
 mod sturm;
 mod topology;
 mod totals;
-mod trace;
-mod view;
-mod widths;
 
 use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
 
@@ -84,7 +74,6 @@ use body::Body;
 use events::Events;
 use orders::Orders;
 use pieces::Pieces;
-use plane::Plane;
 use spaces::Spaces;
 
 pub use refused::Refused;
@@ -136,8 +125,10 @@ fn certified(
 ) -> Result<Report, Refused> {
     let spaces =
         Spaces::new(body, &number::unit(&certificate.units.moment)?, &number::unit(&certificate.units.energy)?, bits)?;
+    counts::roots(certificate, &spaces)?;
     let cusps = roots::cusps(certificate, &spaces)?;
     let pieces = Pieces::new(&spaces, cusps)?;
+    counts::lists(certificate, &pieces)?;
     let inflection = roots::inflection(certificate, &spaces)?;
     let meetings = meetings::meetings(certificate, &spaces, &pieces)?;
     let mut orders = Orders { spaces: &spaces, pieces: &pieces, inflection, meetings: Vec::new() };
@@ -145,7 +136,7 @@ fn certified(
     orders.meetings.clone_from(&events.meetings);
     let crossings = pairs::pairs(certificate, &orders)?;
     let slabs = slabs::slabs(certificate, &orders, &events, &crossings)?;
-    let joins = gluing::check(&certificate.transitions, &events, &slabs)?;
+    gluing::check(&certificate.transitions, &events, &slabs)?;
     let cells = regions::regions(document, certificate, &pieces, &slabs)?;
     courses::curves(document, certificate, &spaces, &pieces)?;
     listing::events(document, certificate, &events, &orders)?;
@@ -156,10 +147,5 @@ fn certified(
     topology::check(document, &orders, &slabs, &samples)?;
     samples::check(document, certificate, &orders, &slabs, &samples)?;
     totals::totals(document, &orders, &slabs)?;
-    let plane = Plane::new(certificate, &orders)?;
-    view::check(document, &plane)?;
-    polylines::check(document, &orders, &plane)?;
-    outlines::check(document, &orders, &plane, &slabs, &cells, &joins)?;
-    widths::check(document, certificate, &events, &orders, &plane, &slabs, &cells)?;
     Ok(Report { regions: document.regions.len(), events: certificate.events.len(), pairs: certificate.pairs.len() })
 }

@@ -56,7 +56,7 @@ pub(super) fn events(
         let twice = RBig::try_from(2.0 * listed.document.l).unwrap_or(RBig::ZERO);
         let most = &heights[1] - &heights[0] + roundings(ROUNDINGS, &energies);
         if twice <= RBig::ZERO
-            || !is_at_most(listed.document.l_error, &(squared / twice))
+            || !is_at_most(listed.document.l_error, &(&squared / twice))
             || !is_at_most(listed.document.h_error, &most)
         {
             return Err(refuse("its error in the list is larger than its enclosure"));
@@ -64,8 +64,13 @@ pub(super) fn events(
         let enclosure = listed.document.enclosure.as_ref().ok_or_else(|| refuse("it has no enclosure"))?;
         let [l_low, l_high] = enclosure.l.each_ref().map(|text| number::in_units(text, &momentum));
         let [h_low, h_high] = enclosure.h.each_ref().map(|text| number::in_units(text, &energy));
-        if !holds_root(&[l_low?, l_high?], &squares) || !holds(&[h_low?, h_high?], &heights) {
+        let (claimed_l, claimed_h) = ([l_low?, l_high?], [h_low?, h_high?]);
+        if !holds_root(&claimed_l, &squares) || !holds(&claimed_h, &heights) {
             return Err(refuse("its enclosure in the list does not hold it"));
+        }
+        let [low, high] = &claimed_l;
+        if *low < RBig::ZERO || high * high - low * low > squared || &claimed_h[1] - &claimed_h[0] > most {
+            return Err(refuse("its enclosure in the list is wider than that of its certificate"));
         }
     }
     Ok(())
@@ -87,10 +92,11 @@ pub(super) fn ranges(
     let end = |slab: usize| if slab == last { None } else { momentum(slab) };
     for (region, cells) in document.regions.iter().zip(cells) {
         let refuse = |why| Refused::Region { region: region.id.clone(), why };
-        let right = region.cells.iter().zip(cells).all(|(cell, &(slab, _))| cell.l_range == [start(slab), end(slab)]);
+        let right =
+            region.cells.iter().zip(cells).all(|(cell, &(slab, _))| same_ends(cell.l_range, [start(slab), end(slab)]));
         let slabs = || cells.iter().map(|(slab, _)| *slab);
         let whole = [slabs().min().and_then(start), slabs().max().and_then(end)];
-        if !right || region.l_range != whole {
+        if !right || !same_ends(region.l_range, whole) {
             return Err(refuse("its range of l is not that of its events"));
         }
         if region.bounded != is_bounded(region) {
@@ -98,6 +104,11 @@ pub(super) fn ranges(
         }
     }
     Ok(())
+}
+
+/// The same doubles: 0 has no sign.
+fn same_ends(claim: [Option<f64>; 2], found: [Option<f64>; 2]) -> bool {
+    claim.map(|l| l.map(f64::to_bits)) == found.map(|l| l.map(f64::to_bits))
 }
 
 /// Between two values of l, and below a curve everywhere.

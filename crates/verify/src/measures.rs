@@ -9,7 +9,7 @@ use super::orders::Orders;
 use super::pieces::{Branch, End, Piece};
 use super::slabs::Slab;
 use super::spaces::Spaces;
-use super::{Refused, morse, number};
+use super::{Refused, bounds, morse, number};
 
 /// A double is what a set is within 2⁻ᵇ of the set's size: μ and l of cusps, which the document rounds from roots in doubles.
 const ROOT: usize = 20;
@@ -125,8 +125,8 @@ fn size(set: &Fixed) -> RBig {
 
 /// A double, or its square, is a unit times every number of a set, within 2⁻ᵇ of a size.
 pub(super) fn is_near(claim: f64, power: i32, unit: &RBig, set: &Fixed, size: &RBig, bits: usize) -> bool {
-    let Ok(exact) = RBig::try_from(claim) else { return false };
-    let value = if power == 2 && exact >= RBig::ZERO { &exact * &exact } else { exact } / unit;
+    let Some(exact) = bounds::exact(claim).filter(|exact| power == 1 || *exact >= RBig::ZERO) else { return false };
+    let value = if power == 2 { &exact * &exact } else { exact } / unit;
     let room = size / RBig::from(dashu_int::IBig::ONE << bits);
     set.lies_in(&(&value - &room), &(value + room))
 }

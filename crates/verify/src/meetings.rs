@@ -73,6 +73,14 @@ pub(super) fn meetings(
     found.into_iter().enumerate().map(proper).collect()
 }
 
+/// The meetings that there can be at most, by the degrees of their polynomials: that of the generic family is one for all of
+/// its branches.
+pub(super) fn most(spaces: &Spaces) -> usize {
+    let generic = if spaces.active.len() > 1 { spaces.pole_polynomials()[1].len() } else { 0 };
+    let bases = if spaces.active.is_empty() { Vec::new() } else { spaces.passive() };
+    generic + bases.into_iter().map(|base| spaces.pole_polynomials_over(base)[1].len()).sum::<usize>()
+}
+
 /// Every branch that can meet a pole line: those of the generic family, and those over spaces without r.
 fn branches(spaces: &Spaces) -> Vec<Equations> {
     let mut branches = Vec::new();

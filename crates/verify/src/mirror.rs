@@ -39,20 +39,8 @@ pub(super) fn orders_branches(orders: &Orders, curves: [usize; 2], from: &Node, 
     })
 }
 
-/// The gap of both branches is at most this between two x, or from one to infinity: while ε runs from −r_i to r_i the
-/// solution stays in a range of v, where dh/dε = −γ_i with γ_i = 1/√p (Lemma 7.5, Lemma 7.6).
-pub(super) fn largest_gap(orders: &Orders, curves: [usize; 2], from: &Both, to: Option<&Both>) -> Option<Fixed> {
-    let (family, [from, to], _) = family(orders, curves, from, to)?;
-    let held = family.path(from.as_ref(), to.as_ref())?;
-    let [p, _] = family.p_and_q(&held, &family.sums(&held)?);
-    let twice = &orders.spaces.list[family.base].root_q * &Fixed::whole(2);
-    let gap = twice.over(&p.root()?)?.upper();
-    // γ_i ≤ 1.
-    Some(if gap.below(&twice) { gap } else { twice.upper() })
-}
-
 /// x, and the equilibria of two curves over it.
-pub(super) type Both = (Fixed, [Point; 2]);
+type Both = (Fixed, [Point; 2]);
 
 /// The family of both curves, what is known at the ends, and which curve is the left branch.
 fn family<'a>(

@@ -17,26 +17,32 @@ const PLAIN: Limits = Limits { exponent: 150, digits: 1000 };
 /// Of what is told in the units of the body, which may be as large themselves.
 const IN_UNITS: Limits = Limits { exponent: 500, digits: 1000 };
 
-/// The number that a text denotes, or the refusal that names the text.
+/// The number of a body as it was given: a decimal, a decimal with exponent, or a quotient of two.
+pub(super) fn given(text: &str) -> Result<RBig, Refused> {
+    within(text, &PLAIN).filter(is_plain).ok_or_else(|| refused(text))
+}
+
+/// The number that a text of a certificate denotes, or the refusal that names the text.
 pub(super) fn read(text: &str) -> Result<RBig, Refused> {
     exact(text).ok_or_else(|| refused(text))
 }
 
-/// The number that a text denotes: a decimal, a decimal with exponent, or a quotient of two.
+/// The number that a text of a certificate denotes.
 pub(super) fn exact(text: &str) -> Option<RBig> {
-    within(text, &PLAIN).filter(is_plain)
+    is_written(text).then(|| within(text, &PLAIN).filter(is_plain))?
 }
 
 /// A number in the units of the body; divided by the unit it is within the limits of those in a certificate.
 pub(super) fn in_units(text: &str, unit: &RBig) -> Result<RBig, Refused> {
-    within(text, &IN_UNITS).filter(|value| is_plain(&(value / unit))).ok_or_else(|| refused(text))
+    let value = is_written(text).then(|| within(text, &IN_UNITS)).flatten();
+    value.filter(|value| is_plain(&(value / unit))).ok_or_else(|| refused(text))
 }
 
-/// A unit of a certificate: positive, no further than a power of four from a number that is read, and such that doubles hold the
-/// product of two.
+/// A unit of a certificate: positive, no further than a power of four from a number that is read, such that doubles hold the
+/// product of two, and in the one form in which it is written.
 pub(super) fn unit(text: &str) -> Result<RBig, Refused> {
     let is_unit = |value: &RBig| (1e-152..=1e152).contains(&value.to_f64().value());
-    within(text, &IN_UNITS).filter(is_unit).ok_or_else(|| refused(text))
+    within(text, &IN_UNITS).filter(is_unit).filter(|value| unit_text(value) == text).ok_or_else(|| refused(text))
 }
 
 fn is_plain(value: &RBig) -> bool {
@@ -45,6 +51,37 @@ fn is_plain(value: &RBig) -> bool {
 
 fn refused(text: &str) -> Refused {
     Refused::Number { text: text.to_owned() }
+}
+
+/// A text has the form of the numbers of a certificate: an integer, with a power of ten or without, or a fraction in lowest
+/// terms.
+fn is_written(text: &str) -> bool {
+    if let Some((above, below)) = text.split_once('/') {
+        return is_integer(above)
+            && is_integer(below)
+            && within(text, &IN_UNITS).is_some_and(|value| value.to_string() == text);
+    }
+    match text.split_once('e') {
+        Some((digits, power)) => [digits, power].iter().all(|part| is_integer(part) && *part != "0"),
+        None => is_integer(text),
+    }
+}
+
+/// Digits without a leading zero or plus.
+fn is_integer(text: &str) -> bool {
+    let digits = text.strip_prefix('-').unwrap_or(text);
+    text == "0" || (!digits.is_empty() && !digits.starts_with('0') && digits.bytes().all(|c| c.is_ascii_digit()))
+}
+
+/// The exact decimal where the denominator is a power of two, else a fraction.
+fn unit_text(value: &RBig) -> String {
+    let denominator = value.denominator();
+    let power = denominator.trailing_zeros().unwrap_or(0);
+    if *denominator != UBig::ONE << power {
+        return value.to_string();
+    }
+    let digits = value.numerator() * IBig::from(5).pow(power);
+    if power == 0 { digits.to_string() } else { format!("{digits}e-{power}") }
 }
 
 fn within(text: &str, limits: &Limits) -> Option<RBig> {
@@ -90,11 +127,11 @@ mod tests {
     fn decimals_exponents_and_quotients_are_exact() {
         let eleven_tenths = RBig::from_parts(11.into(), 10u8.into());
         for text in ["1.1", "11/10", "11e-1", "+1.10", "0.11e1", ".11E+1", "2.2/2", " 22 / 20 "] {
-            assert_eq!(exact(text).as_ref(), Some(&eleven_tenths), "{text}");
+            assert_eq!(given(text).as_ref(), Ok(&eleven_tenths), "{text}");
         }
-        assert_eq!(exact("-3."), Some(RBig::from(-3)));
-        assert_eq!(exact("-0"), Some(RBig::ZERO));
-        assert_eq!(exact("0e999"), Some(RBig::ZERO));
+        assert_eq!(given("-3."), Ok(RBig::from(-3)));
+        assert_eq!(given("-0"), Ok(RBig::ZERO));
+        assert_eq!(given("0e999"), Ok(RBig::ZERO));
     }
 
     #[test]
@@ -125,7 +162,7 @@ mod tests {
             "1e-9223372036854775808",
             &long,
         ] {
-            assert_eq!(exact(text), None, "{text}");
+            assert!(given(text).is_err() && exact(text).is_none(), "{text}");
         }
         assert_eq!(read("one"), Err(Refused::Number { text: "one".to_owned() }));
     }
@@ -139,9 +176,19 @@ mod tests {
         assert_eq!(in_units("3e151", &RBig::ONE), Err(refused("3e151")));
         assert_eq!(in_units("3e-1", &ten(150)), Err(refused("3e-1")));
         // Units are multiplied in doubles.
-        assert_eq!(unit("4e-151"), Ok(RBig::from(4) / ten(151)));
-        for text in ["0", "-1", "1e153", "1e-153", "1e5000", "1e-5000"] {
+        assert_eq!(unit("5e-1"), Ok(RBig::from(1) / RBig::from(2)));
+        for text in ["0", "-1", "1e0", "50e-2", "1/2", "1e153", "1e-153", "1e5000", "1e-5000"] {
             assert_eq!(unit(text), Err(refused(text)));
+        }
+    }
+
+    #[test]
+    fn numbers_of_a_certificate_have_one_form() {
+        for text in ["0", "12", "-12e-3", "100e5", "1/3", "-2/7"] {
+            assert!(exact(text).is_some(), "{text}");
+        }
+        for text in ["-0", "-0.0", "0.5", "1e0", "0e1", "+1", "01", "1e+2", "1e05", "1E2", " 1", "2/4", "3/1", "1/-3"] {
+            assert_eq!(exact(text), None, "{text}");
         }
     }
 }

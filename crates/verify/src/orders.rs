@@ -31,20 +31,6 @@ impl Orders<'_> {
         (self.pieces.list[curve].branch == Branch::Generic(*branch)).then_some(bend)
     }
 
-    /// The inflection, unless it is known to lie off a curve: its branch may have others, over the same x.
-    pub fn turn_on(&self, curve: usize) -> Option<&Point> {
-        let bend = self.turn(curve)?;
-        let Some(from_first) = bend.tau.as_ref().and_then(|tau| tau.first()) else { return Some(bend) };
-        let first = &self.spaces.list[0].a;
-        let [low, high] = self.pieces.list[curve].range.each_ref().map(|end| {
-            let [low, high] = end.as_ref()?;
-            Some([low, high].map(|mu| self.spaces.set(&(mu - first))))
-        });
-        let is_before = low.is_some_and(|[low, _]| from_first.below(&low));
-        let is_behind = high.is_some_and(|[_, high]| high.below(from_first));
-        (!is_before && !is_behind).then_some(bend)
-    }
-
     /// The refusal of a pair near x.
     pub fn refused(&self, curves: [usize; 2], x: f64, why: &'static str) -> Refused {
         Refused::Pair { curves: curves.map(|c| self.pieces.list[c].id.clone()), x, why }

@@ -36,7 +36,7 @@ pub(super) fn check(document: &AtlasDocument, body: &Body, flags: Flags) -> Resu
     let Some(part) = &document.body.part else { return Ok(flags) };
     let tensor = Matrix::read(&part.inertia)?;
     let center = read(&part.com)?;
-    let (mass, g) = (number::read(&part.mass)?, number::read(&part.g)?);
+    let (mass, g) = (number::given(&part.mass)?, number::given(&part.g)?);
     let refuse = |field| Err(Refused::Field { field });
     let Some(weight) = acceleration(part, &g).map(|g| center.each_ref().map(|c| c * &mass * &g)) else {
         return refuse("body.part.units");
@@ -158,7 +158,7 @@ fn float(x: &RBig) -> f64 {
 }
 
 fn read(texts: &[String; 3]) -> Result<Vector, Refused> {
-    let [x, y, z] = texts.each_ref().map(|text| number::read(text));
+    let [x, y, z] = texts.each_ref().map(|text| number::given(text));
     Ok([x?, y?, z?])
 }
 

@@ -1,8 +1,9 @@
 //! What a check can find wrong.
 
+use schema::shown;
 use thiserror::Error;
 
-/// The first thing that is wrong.
+/// The first thing that is wrong. Messages quote texts of the document by [`shown`].
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Refused {
     /// An atlas without certificate.
@@ -12,7 +13,7 @@ pub enum Refused {
     #[error("there is a certificate, but the accuracy is not `exact`")]
     Accuracy,
     /// A moment of inertia of the body.
-    #[error("A{axis} = {value} is not positive; a moment of inertia must be greater than zero")]
+    #[error("A{axis} = {} is not positive; a moment of inertia must be greater than zero", shown(value))]
     Body {
         /// 1, 2 or 3.
         axis: usize,
@@ -23,7 +24,7 @@ pub enum Refused {
     #[error("the checksum does not fit: the file is damaged")]
     Checksum,
     /// A text that is not a number within 10^±150, in the units in which it is told.
-    #[error("`{text}` is not a number, or out of range")]
+    #[error("`{}` is not a number, or out of range", shown(text))]
     Number {
         /// The text.
         text: String,
@@ -35,6 +36,16 @@ pub enum Refused {
         what: &'static str,
         /// Which.
         number: usize,
+    },
+    /// A list that is longer than it can be.
+    #[error("the certificate lists {listed} {what}, but there are at most {most}")]
+    TooMany {
+        /// Of what.
+        what: &'static str,
+        /// In the certificate.
+        listed: usize,
+        /// For this body.
+        most: usize,
     },
     /// Cusps are missing or invented.
     #[error("branch {branch} has {counted} cusps but the certificate lists {listed}")]
@@ -88,13 +99,13 @@ pub enum Refused {
         what: String,
     },
     /// A curve that does not exist, or one that is missing.
-    #[error("there is no curve {id}, or it is missing")]
+    #[error("there is no curve {}, or it is missing", shown(id))]
     UnknownCurve {
         /// Its id.
         id: String,
     },
     /// A point that is not on its curve.
-    #[error("curve {curve} is not where the certificate says at x = {x}")]
+    #[error("curve {} is not where the certificate says at x = {x}", shown(curve))]
     Place {
         /// The curve.
         curve: String,
@@ -102,7 +113,7 @@ pub enum Refused {
         x: f64,
     },
     /// The order of two curves.
-    #[error("curves {} and {} near x = {x}: {why}", curves[0], curves[1])]
+    #[error("curves {} and {} near x = {x}: {why}", shown(&curves[0]), shown(&curves[1]))]
     Pair {
         /// The curves.
         curves: [String; 2],
@@ -128,7 +139,7 @@ pub enum Refused {
         why: &'static str,
     },
     /// A region.
-    #[error("region {region}: {why}")]
+    #[error("region {}: {why}", shown(region))]
     Region {
         /// Which.
         region: String,
@@ -136,7 +147,7 @@ pub enum Refused {
         why: &'static str,
     },
     /// The topology of a region.
-    #[error("region {region} is said to be {claimed}, but it is {found}")]
+    #[error("region {} is said to be {}, but it is {found}", shown(region), shown(claimed))]
     Topology {
         /// Which.
         region: String,
@@ -146,7 +157,7 @@ pub enum Refused {
         found: String,
     },
     /// A region whose topology this check cannot decide, or that the atlas leaves open.
-    #[error("the topology of region {region} is not confirmed")]
+    #[error("the topology of region {} is not confirmed", shown(region))]
     Open {
         /// Which.
         region: String,

@@ -5,7 +5,7 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 use schema::{AtlasDocument, CertificateDocument, MarginDocument};
 
-use super::bounds::roundings;
+use super::bounds::{exact, roundings};
 use super::fixed::Fixed;
 use super::measures::CONVERTED;
 use super::orders::Orders;
@@ -38,9 +38,12 @@ pub(super) fn check(
         let slab = &slabs[*slab];
         let refuse = |why| Err(Refused::Region { region: region.id.clone(), why });
         let sample = &region.sample;
-        let [Ok(l), Ok(written)] = [sample.l, sample.h].map(RBig::try_from) else {
+        let [Some(l), Some(written)] = [sample.l, sample.h].map(exact) else {
             return refuse("its sample is not that of its certificate");
         };
+        if l <= RBig::ZERO {
+            return refuse("its sample is not at a positive l");
+        }
         let place = Place { exact: [&slab.x, h], written: [&l * &l / &l2, written / &energy] };
         if !place.is_near() {
             return refuse("its sample is not that of its certificate");
@@ -90,7 +93,7 @@ impl Place<'_> {
         if around.iter().any(|(_, distance)| distance.below(nearest)) {
             return false;
         }
-        let [Ok(margin), Ok(error)] = [claim.h, claim.error_bound].map(RBig::try_from) else { return false };
+        let [Some(margin), Some(error)] = [claim.h, claim.error_bound].map(exact) else { return false };
         let (margin, error) = (margin / energy, error / energy);
         let (ends, norm) = (nearest.ends(), orders.spaces.norm.ends()[1].clone());
         let most = roundings(ROUNDINGS, &(self.exact[1].clone().abs() + &norm));

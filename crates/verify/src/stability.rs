@@ -258,7 +258,8 @@ impl Change {
             && (claim.kind, claim.from, claim.to) == (self.kind, self.from, self.to);
         let sizes = [claim.l, claim.h.abs()].map(|x| RBig::try_from(x).unwrap_or(RBig::ZERO));
         let size = sizes.into_iter().fold(&orders.spaces.norm.ends()[1] * energy, |sum, size| sum + size);
-        told && is_root_within(claim.l, claim.error_bound, l2, &self.at[0])
+        told && claim.l >= 0.0
+            && is_root_within(claim.l, claim.error_bound, l2, &self.at[0])
             && is_within(claim.h, claim.error_bound, energy, &self.at[1])
             && is_at_most(claim.error_bound, &roundings(ROUNDINGS, &size))
     }
@@ -274,7 +275,7 @@ fn spans(curve: &CurveDocument, along: Option<&Along>, l2: &RBig) -> bool {
     let joined = spans.windows(2).all(|pair| pair[0].l_to == Some(pair[1].l_from));
     let ends = [spans.first().map(|span| span.l_from), spans.last().and_then(|span| span.l_to)];
     let same = |(p, q): (&Option<f64>, &Option<f64>)| match (p, q) {
-        (Some(p), Some(q)) => (p - q).abs() <= ROUNDED * q.abs(),
+        (Some(p), Some(q)) => (p - q).abs() <= ROUNDED * q.abs() && (*p != 0.0 || p.is_sign_positive()),
         _ => p == q,
     };
     let mut inner = spans.iter().skip(1).zip(&along.turns);

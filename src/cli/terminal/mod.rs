@@ -12,7 +12,7 @@ mod timings;
 pub use log::log;
 pub use progress::Progress;
 pub use report::Report;
-pub use stderr::{is_terminal, say};
+pub use stderr::{is_terminal, say, say_styled};
 pub use stdout::{OutputError, print};
 pub use table::{Table, fixed, significant};
 pub use timings::Timings;

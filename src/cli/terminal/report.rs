@@ -3,6 +3,8 @@
 use std::fmt::Display;
 use std::path::PathBuf;
 
+use schema::harmless;
+
 /// Lines of text.
 #[derive(Debug, Default)]
 pub struct Report {
@@ -27,9 +29,9 @@ impl Report {
         report
     }
 
-    /// All lines, each with its end.
+    /// All lines, each with its end, without control of the terminal: they may name what files contain.
     pub fn text(mut self) -> String {
         self.lines.push(String::new());
-        self.lines.join("\n")
+        harmless(&self.lines.join("\n"))
     }
 }
