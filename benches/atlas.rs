@@ -69,7 +69,7 @@ fn atlases(criterion: &mut Criterion<Clock>) {
         in_turn(criterion, &format!("polylines/{name}"), &atlases, |atlas| {
             documents::atlas::document(atlas, &DocumentOptions::default())
         });
-        let bare = DocumentOptions { polylines: false, ..DocumentOptions::default() };
+        let bare = DocumentOptions { drawing: documents::Drawn::Nothing, ..DocumentOptions::default() };
         in_turn(criterion, &format!("document/{name}"), &atlases, |atlas| documents::atlas::document(atlas, &bare));
     }
 }

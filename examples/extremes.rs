@@ -49,7 +49,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
 }
 
 fn document(proved: &CertifiedAtlas) -> Option<AtlasDocument> {
-    let options = DocumentOptions { polylines: false, ..DocumentOptions::default() };
+    let options = DocumentOptions { drawing: documents::Drawn::Nothing, ..DocumentOptions::default() };
     certified_atlas(proved, &proved.drawn().ok()?, &options).ok()
 }
 

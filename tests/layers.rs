@@ -37,9 +37,8 @@ const ORDER: [(&str, &str); 11] = [
     (
         "crates/verify/src",
         "refused number classes component body descartes sturm fixed bounds isolation interval jet path spaces flow place \
-         equilibria roots pieces chart meetings stand orders node rules mirror pairs events slabs gluing regions gap \
-         morse landscape descent joining merging rings topology courses measures stability samples listing command part totals \
-         trace plane heights beside view chords polylines borders outlines widths",
+         equilibria roots pieces chart meetings counts stand orders node rules mirror pairs events slabs gluing regions gap \
+         morse landscape descent joining merging rings topology courses measures stability samples listing command part totals",
     ),
     ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
     (

@@ -29,7 +29,7 @@ pub fn run(all: &[Asked]) {
         for (number, atlas) in atlases.iter().enumerate() {
             let (document, document_time) = timed(|| documents::atlas::document(atlas, &options));
             let json = serde_json::to_string(&document).map_or(0, |text| text.len());
-            let vertices: usize = document.curves.iter().map(|curve| curve.polyline.len()).sum();
+            let vertices: usize = document.curves.iter().map(|curve| document.polyline(&curve.id).len()).sum();
             let row = [vertices as f64, json as f64, deviation(atlas, &document), document_time];
             columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
             if number < DRAWN {
@@ -53,7 +53,7 @@ pub fn run(all: &[Asked]) {
 /// The largest distance between a curve and its polyline, relative to the ranges of h and l of the whole document, as
 /// the tolerance is.
 fn deviation(atlas: &Atlas, document: &AtlasDocument) -> f64 {
-    let all = || document.curves.iter().flat_map(|curve| &curve.polyline);
+    let all = || document.curves.iter().flat_map(|curve| document.polyline(&curve.id));
     let range = |k: usize| {
         let (low, high) = all().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p[k]), b.max(p[k])));
         high - low
@@ -67,7 +67,7 @@ fn deviation(atlas: &Atlas, document: &AtlasDocument) -> f64 {
             continue;
         };
         let [from, to] = set.curves[number].x();
-        for pair in curve.polyline.windows(2) {
+        for pair in document.polyline(&curve.id).windows(2) {
             let [run_h, run_l] = [(pair[1][0] - pair[0][0]) / ranges[0], (pair[1][1] - pair[0][1]) / ranges[1]];
             for k in 1..=BETWEEN {
                 let t = k as f64 / (BETWEEN + 1) as f64;

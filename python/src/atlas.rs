@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use bifdiag::documents::{self, DocumentOptions, Subject, atlas::document};
+use bifdiag::documents::{self, DocumentOptions, Drawn, Subject, atlas::document};
 use bifdiag::proof::{CertifiedAtlas, Prepared};
 use bifdiag::schema::{Accuracy, AtlasDocument, WindowDocument};
 use bifdiag::top::atlas::Window;
@@ -92,20 +92,26 @@ impl Atlas {
         })
     }
 
+    /// The largest extent of each region in h; `None` if unbounded.
+    fn h_widths(&self, python: Python<'_>) -> Vec<Option<f64>> {
+        python.detach(|| self.atlas().h_widths().iter().copied().collect())
+    }
+
     /// The events of the document.
     fn events(&self, python: Python<'_>) -> PyResult<String> {
         python.detach(|| {
             if self.proved.is_none() {
                 return json(&documents::atlas::events(self.atlas()));
             }
-            let options = DocumentOptions { polylines: false, polygons: false, ..DocumentOptions::default() };
+            let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
             json(&self.document(&options)?.events)
         })
     }
 
     /// The text of atlas.json, as the command line writes it.
-    fn to_json(&self, python: Python<'_>, ranges: Option<Ranges>, polygons: bool) -> PyResult<String> {
-        let options = DocumentOptions { window: ranges.map(window), polygons, ..DocumentOptions::default() };
+    fn to_json(&self, python: Python<'_>, ranges: Option<Ranges>, drawing: bool) -> PyResult<String> {
+        let drawing = if drawing { Drawn::Everything } else { Drawn::Nothing };
+        let options = DocumentOptions { window: ranges.map(window), drawing, ..DocumentOptions::default() };
         let text = python.detach(|| Ok::<_, PyErr>(documents::layout::text(&self.document(&options)?)))?;
         text.map_err(|error| errors::range(&error))
     }

@@ -1,10 +1,11 @@
 //! `bifdiag show`: a region, a curve or an event of a body in words.
 
 use clap::Args;
-use documents::{DocumentOptions, words};
+use documents::{DocumentOptions, Drawn, words};
 use proof::{Accuracy, NoAtlas, atlas_of};
 use schema::{AtlasDocument, CurveDocument, EventDocument, EventKind, RegionDocument};
 use thiserror::Error;
+use top::diagram::RegionId;
 
 use super::failure::{CommandError, Exit, Failure};
 use super::input::{BodyArguments, head};
@@ -54,7 +55,7 @@ const DIGITS: usize = 6;
 pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
     let atlas = atlas_of(&subject.body, Accuracy::Exact).map_err(NotShown::from)?;
-    let options = DocumentOptions { polygons: false, ..DocumentOptions::default() };
+    let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
     let document = documents::atlas::document(&atlas, &options);
     let mut report = Report::default();
     head(&subject, &mut report);
@@ -64,7 +65,8 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let branch = |curve: &&CurveDocument| curve.id.rsplit_once('.').is_some_and(|(branch, _)| branch == id);
     let event = id.strip_prefix('E').and_then(|number| number.parse::<usize>().ok()?.checked_sub(1));
     if let Some(region) = document.regions.iter().find(|region| region.id == id) {
-        show_region(&mut report, &document, region);
+        let width = region.id.parse().ok().and_then(|id: RegionId| atlas.h_widths()[id]);
+        show_region(&mut report, &document, region, width);
     } else if let Some(curve) = document.curves.iter().find(|curve| curve.id == id) {
         show_curve(&mut report, &document, curve);
     } else if let Some(event) = event.and_then(|place| document.events.get(place)) {
@@ -104,10 +106,10 @@ fn range([from, to]: [Option<f64>; 2]) -> String {
     to.map_or_else(|| format!("l > {from}"), |to| format!("{from} < l < {}", significant(to, DIGITS)))
 }
 
-fn show_region(report: &mut Report, document: &AtlasDocument, region: &RegionDocument) {
+fn show_region(report: &mut Report, document: &AtlasDocument, region: &RegionDocument, width: Option<f64>) {
     let signature = region.signature.as_ref().map_or_else(String::new, |signature| format!(", sections {signature}"));
     report.line(format!("region {}{signature}", region.id));
-    let width = region.h_width.map_or_else(
+    let width = width.map_or_else(
         || "unbounded in h".to_owned(),
         |width| format!("at most {} wide in h", significant(width, DIGITS)),
     );

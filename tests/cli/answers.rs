@@ -175,6 +175,43 @@ fn an_atlas_of_version_1_names_the_command_that_makes_it_anew() {
 }
 
 #[test]
+fn an_atlas_of_version_2_names_its_own_command() {
+    let old = r#"{"schema_version": "2", "command": "bifdiag atlas --A 2,1.1,1 --r=1,0,0 --no-polygons --json"}"#;
+    let wanted = "bifdiag atlas --A 2,1.1,1 --r=1,0,0 --no-drawing --json";
+    for line in ["verify -", "section --atlas - --no-plot"] {
+        bifdiag(line).reading(old).refused().telling("version 2").telling(wanted).printing_nothing();
+    }
+}
+
+#[test]
+fn an_atlas_without_its_drawing_is_verified() {
+    bifdiag("--body katok:1 --no-polygons --json").refused().telling("--no-drawing").printing_nothing();
+    let whole = bifdiag("--body katok:1 --certificate --json").succeeds().stdout();
+    let bare = bifdiag("--body katok:1 --certificate --no-drawing --json").succeeds();
+    assert!(bare.json().get("drawing").is_none());
+    let verified = |atlas: String| bifdiag("verify -").reading(atlas).succeeds().stdout();
+    let first = verified(bare.stdout());
+    assert!(first.starts_with("verified: ") && !first.contains("drawing"), "{first}");
+    assert_eq!(verified(whole), format!("{} (drawing not part of the proof)\n", first.trim_end()));
+}
+
+/// A file that is refused cannot write `verified` in green, turn the line round or flood the terminal.
+#[test]
+fn messages_escape_what_controls_a_terminal() {
+    let escape = "\\u001b[2K\\u001b[32mverified\\u009b0m\\u202e";
+    let atlas = bifdiag("--body katok:1 --certificate --json").succeeds().stdout();
+    let unmarked = |said: String| assert!(!said.contains(['\u{1b}', '\u{9b}', '\u{202e}']), "{said:?}");
+    let run = |forged: String| bifdiag("verify -").reading(forged);
+    unmarked(run(format!(r#"{{"schema_version": "{escape}", "command": "{escape}"}}"#)).refused().stderr());
+    unmarked(run(format!(r#"{{"schema_version": "3", "accuracy": "{escape}"}}"#)).refused().stderr());
+    unmarked(run(atlas.replace(r#""R1""#, &format!(r#""{escape}""#))).fails().stderr());
+    let digits = "7".repeat(300_000);
+    let long = atlas.replacen(r#""A": ["1""#, &format!(r#""A": ["{digits}""#), 1);
+    assert_ne!(long, atlas);
+    assert!(bifdiag("verify -").reading(long).fails().stderr().len() < 1000);
+}
+
+#[test]
 fn an_atlas_without_certificate_is_not_confirmed() {
     let atlas = bifdiag("--body katok:1 --json").succeeds().stdout();
     bifdiag("verify -").reading(atlas).fails().telling("--certificate");
@@ -185,5 +222,5 @@ fn a_certificate_adds_itself_and_its_atlas_is_verified() {
     let proved = bifdiag("--body katok:1 --json --certificate").succeeds().stdout();
     assert!(bifdiag("verify -").reading(proved.as_str()).succeeds().stdout().starts_with("verified: "));
     let document: Value = serde_json::from_str(&proved).unwrap();
-    assert_eq!((&document["accuracy"], &document["schema_version"]), (&Value::from("exact"), &Value::from("2")));
+    assert_eq!((&document["accuracy"], &document["schema_version"]), (&Value::from("exact"), &Value::from("3")));
 }

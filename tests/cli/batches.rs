@@ -26,7 +26,7 @@ fn answers_stand_in_the_order_of_the_lines_and_echo_them() {
         assert_eq!(answer["l"], i.to_string());
         assert_eq!(answer["A"][2], "1");
         assert_eq!(answer["r"], json!(["0.9", "0", "3/5"]));
-        assert_eq!(answer["schema_version"], "2");
+        assert_eq!(answer["schema_version"], "3");
     }
 }
 

@@ -36,7 +36,7 @@ fn the_default_command_is_atlas() {
 fn json_goes_to_stdout_and_to_files_only_if_asked() {
     let place = tempdir().unwrap();
     let done = bifdiag("--body paper --json").inside(place.path()).succeeds();
-    assert_eq!(done.json()["schema_version"], "2");
+    assert_eq!(done.json()["schema_version"], "3");
     assert!(names(place.path()).is_empty());
     let both = bifdiag("--body paper --json --out x/y --format svg,png").inside(place.path()).succeeds();
     assert_eq!(both.stdout(), done.stdout());

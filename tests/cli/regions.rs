@@ -19,7 +19,7 @@ fn the_command_of_a_document_makes_the_same_bytes() {
         "classify --body paper --h 3.8 --l -3.25 --json",
         "classify --A 2,11/10,1 --r=-1,0,1/2 --h=-1/4 --l 1 --no-region --accuracy fast --json",
         "critical --body katok:6 --l 7/3 --json",
-        "atlas --body kovalevskaya --window 0:4,0:3 --no-polygons --json",
+        "atlas --body kovalevskaya --window 0:4,0:3 --no-drawing --json",
         "section --body paper --region R8 --orbits 2 --crossings 3 --seed 7 --condition angular-momentum --json",
         "orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1 --times 0:1:3 --json",
         "bodies --json",
@@ -34,12 +34,13 @@ fn the_command_of_a_document_makes_the_same_bytes() {
 fn every_sample_lies_in_its_region_and_its_polygon() {
     for body in ["paper", "katok:6", "lagrange"] {
         let atlas = bifdiag(&format!("--body {body} --json")).succeeds().json();
-        let view = &atlas["view"]["everything"];
+        let view = &atlas["drawing"]["view"]["everything"];
         for region in atlas["regions"].as_array().unwrap() {
             let [h, l] = ["h", "l"].map(|key| region["sample"][key].as_f64().unwrap());
+            let drawn = &atlas["drawing"]["regions"][region["id"].as_str().unwrap()];
             let found = bifdiag(&format!("classify --body {body} --h={h} --l={l} --json")).succeeds().json();
             assert_eq!(found["region"], region["id"], "{body}");
-            let outlines: Vec<Vec<[f64; 2]>> = serde_json::from_value(region["polygon"].clone()).unwrap();
+            let outlines: Vec<Vec<[f64; 2]>> = serde_json::from_value(drawn["polygon"].clone()).unwrap();
             assert!(outlines.iter().all(|outline| outline.first() == outline.last()), "{body} {}", region["id"]);
             let inside = |key: &str, x: f64| view[key][0].as_f64().unwrap() < x && x < view[key][1].as_f64().unwrap();
             if inside("h", h) && inside("l", l) {

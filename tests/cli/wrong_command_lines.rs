@@ -203,7 +203,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("section --atlas no/such --region R1", &["--atlas no/such", "No such file", "atlas.json"]),
     ("section --atlas - --body paper", &["--atlas and --body both say", "leave out --body"]),
     ("section --atlas - --h 3", &["--atlas and --h both say"]),
-    ("section --atlas -", &["--atlas - is no atlas of version 2", "bifdiag atlas --json"]),
+    ("section --atlas -", &["--atlas - is no atlas of version 3", "bifdiag atlas --json"]),
     ("section --body paper --h 4.45 --l 3.25 --starts no/such.csv", &["--starts no/such.csv", "No such file"]),
     ("section --body paper --h 4.45 --l 3.25 --starts -", &["--starts - holds no start", "theta,psi,sheet"]),
     ("section --body paper --h 4.45 --l 3.25 --starts - --orbits 3", &["--orbits cannot be used with --starts"]),

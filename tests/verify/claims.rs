@@ -2,7 +2,10 @@
 
 use dashu_ratio::RBig;
 use documents::seal;
-use schema::{Accuracy, AtlasDocument, CertifiedNode, EnclosureDocument, EventDocument, MarginDocument, PlaceDocument};
+use schema::{
+    Accuracy, AtlasDocument, CertifiedNode, DrawingDocument, EnclosureDocument, EventDocument, MarginDocument,
+    PlaceDocument,
+};
 use verify::{Refused, Report, verify};
 
 use crate::made::{body, document, exact, forged, of_tilted_part, preset, whole};
@@ -166,11 +169,12 @@ fn nothing_is_counted_twice() {
 #[test]
 fn the_command_is_that_of_the_document() {
     let command = document(&preset("paper")).head.command;
-    assert_eq!(command, "bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623 --certificate --json");
+    assert_eq!(command, "bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623 --certificate --no-drawing --json");
     for other in [
         command.replace("1.1", "1.2"),
         command.replace(" --certificate", ""),
-        command.replace(" --json", " --no-polygons --json"),
+        command.replace(" --no-drawing", ""),
+        command.replace("--no-drawing", "--no-polygons"),
         command.replace("atlas", "scan"),
         format!("{command} --window 0:1,0:1"),
     ] {
@@ -281,8 +285,13 @@ fn a_negative_l_is_refused() {
     let refused = |what: &str, change: &dyn Fn(&mut AtlasDocument)| {
         assert!(forged(&true_one, change).is_err(), "{what}");
     };
+    // At 0 the sign alone would change, which makes no other document.
+    let is_positive = |l: [Option<f64>; 2]| l.iter().flatten().any(|l| *l > 0.0);
     for region in 0..true_one.regions.len() {
         refused("sample", &|d| d.regions[region].sample.l *= -1.0);
+        if !is_positive(true_one.regions[region].l_range) {
+            continue;
+        }
         refused("range", &|d| d.regions[region].l_range = d.regions[region].l_range.map(|l| l.map(|l| -l)));
     }
     for event in 0..true_one.events.len() {
@@ -292,8 +301,11 @@ fn a_negative_l_is_refused() {
         refused("change", &|d| d.stability_changes[change].l *= -1.0);
     }
     for curve in 0..true_one.curves.len() {
+        if !is_positive(true_one.curves[curve].l_range) {
+            continue;
+        }
         refused("range of a curve", &|d| d.curves[curve].l_range = d.curves[curve].l_range.map(|l| l.map(|l| -l)));
-        if !true_one.curves[curve].stability.is_empty() {
+        if true_one.curves[curve].stability.first().is_some_and(|span| span.l_from > 0.0) {
             refused("span", &|d| d.curves[curve].stability[0].l_from *= -1.0);
         }
     }
@@ -374,4 +386,20 @@ fn refusals_quote_texts_without_control_and_cut_them() {
     };
     assert_eq!(message("\u{1b}[32m1\u{9b}\u{202e}"), r"`\u{1b}[32m1\u{9b}\u{202e}` is not a number, or out of range");
     assert!(message(&"7".repeat(3_000_000)).len() < 200);
+}
+
+/// Whatever a drawing shows, and without one, the mathematics is confirmed.
+#[test]
+fn the_drawing_is_no_part_of_the_proof() {
+    let true_one = whole(&preset("paper"));
+    let drawn = |change: &dyn Fn(&mut DrawingDocument)| {
+        assert!(forged(&true_one, |d| change(d.drawing.as_mut().unwrap())).is_ok());
+    };
+    drawn(&|drawing| drawing.view.main.h[1] += 1.0);
+    drawn(&|drawing| drawing.curves.clear());
+    drawn(&|drawing| drawing.regions.values_mut().for_each(|region| region.h_width = Some(7.0)));
+    drawn(&|drawing| drawing.regions.values_mut().for_each(|region| region.polygon.clear()));
+    assert!(document(&preset("paper")).drawing.is_none());
+    // The command tells whether there is one.
+    assert_eq!(forged(&true_one, |d| d.drawing = None), Err(Refused::Field { field: "command" }));
 }

@@ -1,7 +1,7 @@
 //! Documents that are true, and what is said of them when they are changed.
 
 use dashu_ratio::RBig;
-use documents::{DocumentOptions, Subject, certified_atlas, certified_atlas_of, seal};
+use documents::{DocumentOptions, Drawn, Subject, certified_atlas, certified_atlas_of, seal};
 use numbers::symmetric::Symmetric;
 use part::{MassProperties, Part};
 use proof::CertifiedAtlas;
@@ -22,11 +22,11 @@ pub fn document(body: &Body) -> AtlasDocument {
 }
 
 pub fn certified(atlas: &CertifiedAtlas) -> AtlasDocument {
-    let options = DocumentOptions { polylines: false, ..DocumentOptions::default() };
+    let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
     certified_atlas(atlas, &atlas.drawn().unwrap(), &options).unwrap()
 }
 
-/// The document of a body with all that pictures need.
+/// The document of a body with its drawing.
 pub fn whole(body: &Body) -> AtlasDocument {
     let atlas = CertifiedAtlas::new(body).unwrap();
     certified_atlas(&atlas, &atlas.drawn().unwrap(), &DocumentOptions::default()).unwrap()

@@ -4,7 +4,7 @@ use proof::CertifiedAtlas;
 use schema::{Accuracy, AtlasDocument};
 use top::atlas::Atlas;
 
-use crate::atlas::{DocumentOptions, attach_part, command, document};
+use crate::atlas::{DocumentOptions, attach_part, command, document, name_command};
 use crate::subject::Subject;
 
 /// The document with its certificate, sealed by its checksum. `drawn` is [`CertifiedAtlas::drawn`].
@@ -43,6 +43,16 @@ pub fn certified_atlas_of(
         seal(&mut document)?;
     }
     Ok(document)
+}
+
+/// Leaves the drawing out of the document of an atlas, which pictures need while they are drawn.
+///
+/// # Errors
+/// When the document cannot be written as JSON.
+pub fn leave_out_drawing(document: &mut AtlasDocument, subject: &Subject) -> Result<(), serde_json::Error> {
+    document.drawing = None;
+    name_command(document, subject);
+    seal(document)
 }
 
 /// Writes the checksum of a document into its certificate.

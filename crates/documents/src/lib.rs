@@ -20,10 +20,10 @@ mod subject;
 mod witnesses;
 pub mod words;
 
-pub use atlas::{DocumentOptions, attach_part};
+pub use atlas::{DocumentOptions, Drawn, attach_part};
 pub use body::{all_bodies, flags, given, part, principal, texts};
 pub use border::border;
-pub use certified::{certified_atlas, certified_atlas_of, seal};
+pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, seal};
 pub use classes::{ClassCounts, add_text, classes, other_class, shipped_classes, standing};
 pub use classification::{accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, head, version};

@@ -1,7 +1,7 @@
 //! Documents that come back: those of this version are read, older ones refused with the command that makes them anew.
 
 use numbers::Number;
-use schema::{AtlasDocument, DesignDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument};
+use schema::{AtlasDocument, DesignDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument, one_line, shown};
 use serde::Deserialize;
 use thiserror::Error;
 
@@ -25,6 +25,12 @@ pub enum ReadError {
 #[derive(Deserialize)]
 struct Stamp {
     schema_version: String,
+}
+
+/// What made an atlas of version 2.
+#[derive(Deserialize)]
+struct SecondAtlas {
+    command: String,
 }
 
 /// What made an atlas of version 1.
@@ -68,8 +74,14 @@ pub fn atlas(text: &str, file: &str) -> Result<AtlasDocument, ReadError> {
     match superseded(text)? {
         None => Ok(serde_json::from_str(text)?),
         Some(version) => {
-            let old: OldAtlas = serde_json::from_str(text)?;
-            Err(ReadError::Superseded { version, command: format!("{}{}", atlas_command(&old), redirection(file)) })
+            let command = if version == "1" {
+                format!("{}{}", atlas_command(&serde_json::from_str(text)?), redirection(file))
+            } else {
+                let SecondAtlas { command } = serde_json::from_str(text)?;
+                let to_file = if file == "-" { String::new() } else { format!(" > {}", quoted(file)) };
+                command.replace("--no-polygons", "--no-drawing") + &to_file
+            };
+            Err(ReadError::Superseded { version: shown(&version), command: one_line(&command) })
         }
     }
 }
@@ -83,7 +95,7 @@ pub fn scan_summary(text: &str, rows: &str) -> Result<ScanSummaryDocument, ReadE
         None => Ok(serde_json::from_str(text)?),
         Some(version) => {
             let old: OldScan = serde_json::from_str(text)?;
-            Err(ReadError::Superseded { version, command: scan_command(&old, rows) })
+            Err(ReadError::Superseded { version: shown(&version), command: one_line(&scan_command(&old, rows)) })
         }
     }
 }
@@ -149,6 +161,16 @@ mod tests {
         let ReadError::Superseded { version, command } = error else { panic!("{error}") };
         assert_eq!(version, "1");
         assert_eq!(command, "bifdiag atlas --A 2,11/10,1 --r=-1,0,0 --certificate --json > 'my atlas.json'");
+    }
+
+    #[test]
+    fn an_atlas_of_version_2_names_its_own_command() {
+        let old = r#"{"schema_version": "2", "command": "bifdiag atlas --A 2,1.1,1 --r 1,0,0 --no-polygons --json\n"}"#;
+        let error = atlas(old, "old.json").unwrap_err();
+        let ReadError::Superseded { version, command } = error else { panic!("{error}") };
+        assert_eq!(version, "2");
+        // What a file says stays on one line.
+        assert_eq!(command, r"bifdiag atlas --A 2,1.1,1 --r 1,0,0 --no-drawing --json\u{a} > old.json");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use documents::DocumentOptions;
+use documents::{DocumentOptions, Drawn};
 use proptest::prelude::*;
 use schema::{AtlasDocument, ComponentDocument, RegionDocument};
 use support::property::{Verdict, holds_for_bodies};
@@ -20,17 +20,17 @@ fn atlas_documents_are_consistent() {
     for stratum in STRATA {
         holds_for_bodies(stratum, 12, |body| {
             let Ok(atlas) = Atlas::new(body) else { return Ok(()) };
-            is_consistent(&atlas, false)
+            is_consistent(&atlas, Drawn::Nothing)
         });
         holds_for_bodies(stratum, 1, |body| {
             let Ok(atlas) = Atlas::new(body) else { return Ok(()) };
-            is_consistent(&atlas, true)
+            is_consistent(&atlas, Drawn::Everything)
         });
     }
 }
 
-fn is_consistent(atlas: &Atlas, polylines: bool) -> Verdict {
-    let document = documents::atlas::document(atlas, &DocumentOptions { polylines, ..DocumentOptions::default() });
+fn is_consistent(atlas: &Atlas, drawing: Drawn) -> Verdict {
+    let document = documents::atlas::document(atlas, &DocumentOptions { drawing, ..DocumentOptions::default() });
     let text = serde_json::to_string(&document).unwrap();
     let back: Result<AtlasDocument, _> = serde_json::from_str(&text);
     // A number that is not finite is written as null.

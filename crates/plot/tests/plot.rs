@@ -172,8 +172,10 @@ fn documents_whose_parts_do_not_fit_are_refused() {
     let error = draw(&broken, None, &DiagramOptions::default()).unwrap_err();
     assert!(error.to_string().contains("c99"), "{error}");
     let mut bare = paper().atlas;
-    bare.curves[0].polyline.clear();
+    bare.drawing.as_mut().unwrap().curves.clear();
     assert!(matches!(draw(&bare, None, &DiagramOptions::default()), Err(PlotError::NoPolyline { .. })));
+    bare.drawing = None;
+    assert!(matches!(draw(&bare, None, &DiagramOptions::default()), Err(PlotError::NoDrawing)));
     let window = WindowDocument { h: [1.0, 1.0], l: [0.0, 1.0] };
     let empty = draw(&paper().atlas, None, &DiagramOptions { window: Some(window), ..DiagramOptions::default() });
     assert!(matches!(empty, Err(PlotError::EmptyWindow { .. })));

@@ -119,7 +119,7 @@ pub struct StabilityChangeDocument {
     pub error_bound: f64,
 }
 
-/// How a curve goes on beyond its polyline: h = l²/(2 J) + h0 + O(l⁻²).
+/// How a curve goes on to infinity: h = l²/(2 J) + h0 + O(l⁻²).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct TailDocument {
     /// J: the moment of inertia of the limiting axis.
@@ -152,9 +152,7 @@ pub struct CurveDocument {
     pub l_range: [Option<f64>; 2],
     /// The linear type along the curve, by rising l; empty for pole lines.
     pub stability: Vec<StabilitySpan>,
-    /// Points [h, l] by rising l, dense enough for the chord tolerance.
-    pub polyline: Vec<[f64; 2]>,
-    /// Asymptotics beyond the polyline; null for a curve with two finite ends.
+    /// Asymptotics for l → ∞; null for a curve with two finite ends.
     pub tail: Option<TailDocument>,
 }
 
@@ -245,19 +243,12 @@ pub struct RegionDocument {
     pub bounded: bool,
     /// Range of l; null: to infinity.
     pub l_range: [Option<f64>; 2],
-    /// The largest extent in h at one l; null if unbounded.
-    pub h_width: Option<f64>,
     /// Ids of the curves on the boundary.
     pub boundary: Vec<String>,
     /// The regions next to this one.
     pub neighbours: Vec<NeighbourDocument>,
     /// The cells that make up the region, by rising l.
     pub cells: Vec<CellDocument>,
-    /// The part of the region inside the default view (inside the window, if one was asked for): closed outlines of points
-    /// [h, l], of which the last is the first; a hole is an outline of its own (fill by the even-odd rule). Absent if it
-    /// was not asked for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub polygon: Option<Vec<Vec<[f64; 2]>>>,
     /// True when a window cuts the region.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub clipped: bool,
@@ -311,6 +302,34 @@ pub struct ViewDocument {
     pub main: WindowDocument,
 }
 
+/// The drawing of a curve.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CurveDrawing {
+    /// Points [h, l] by rising l, dense enough for the chord tolerance.
+    pub polyline: Vec<[f64; 2]>,
+}
+
+/// The drawing of a region.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RegionDrawing {
+    /// The part of the region inside the default view (inside the window, if one was asked for): closed outlines of points
+    /// [h, l], of which the last is the first; a hole is an outline of its own (fill by the even-odd rule).
+    pub polygon: Vec<Vec<[f64; 2]>>,
+    /// The largest extent in h at one l; null if unbounded.
+    pub h_width: Option<f64>,
+}
+
+/// What pictures of an atlas show: numbers of `f64` to the accuracy that docs/formats.md states, no part of the proof.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DrawingDocument {
+    /// Where the diagram is seen; it depends on the body alone.
+    pub view: ViewDocument,
+    /// By the ids of the curves.
+    pub curves: BTreeMap<String, CurveDrawing>,
+    /// By the ids of the regions.
+    pub regions: BTreeMap<String, RegionDrawing>,
+}
+
 /// The atlas of one body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct AtlasDocument {
@@ -324,8 +343,6 @@ pub struct AtlasDocument {
     /// The window that was asked for; absent: the whole half-plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub window: Option<WindowDocument>,
-    /// Where the diagram is seen; it depends on the body alone.
-    pub view: ViewDocument,
     /// Critical curves and pole lines.
     pub curves: Vec<CurveDocument>,
     /// Cusps, pitchforks and crossings, by rising l.
@@ -336,7 +353,25 @@ pub struct AtlasDocument {
     pub regions: Vec<RegionDocument>,
     /// Totals.
     pub summary: SummaryDocument,
+    /// What pictures show, rounded; absent if it was not asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drawing: Option<DrawingDocument>,
     /// What is needed to check the atlas (certified only).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<CertificateDocument>,
+}
+
+impl AtlasDocument {
+    /// The points of a curve by rising l; none without a drawing.
+    #[must_use]
+    pub fn polyline(&self, curve: &str) -> &[[f64; 2]] {
+        let drawn = self.drawing.as_ref().and_then(|drawing| drawing.curves.get(curve));
+        drawn.map_or(&[], |curve| &curve.polyline)
+    }
+
+    /// The largest extent of a region in h; none without a drawing, or if it is unbounded.
+    #[must_use]
+    pub fn h_width(&self, region: &str) -> Option<f64> {
+        self.drawing.as_ref()?.regions.get(region)?.h_width
+    }
 }

@@ -23,9 +23,10 @@ mod shown;
 mod spin;
 
 pub use atlas::{
-    AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveKind, EnclosureDocument, EventDocument, EventKind,
-    Flags, NeighbourDocument, RegionDocument, SampleDocument, StabilityChangeDocument, StabilityChangeKind,
-    StabilitySpan, SummaryDocument, TailDocument, UndecidedDocument, ViewDocument, WindowDocument,
+    AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveDrawing, CurveKind, DrawingDocument,
+    EnclosureDocument, EventDocument, EventKind, Flags, NeighbourDocument, RegionDocument, RegionDrawing,
+    SampleDocument, StabilityChangeDocument, StabilityChangeKind, StabilitySpan, SummaryDocument, TailDocument,
+    UndecidedDocument, ViewDocument, WindowDocument,
 };
 pub use border::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument};
 pub use certificate::{
@@ -54,14 +55,14 @@ pub use section::{
     IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SectionDocument,
     SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName, VerdictsName,
 };
-pub use shown::{harmless, shown};
+pub use shown::{harmless, one_line, shown};
 pub use spin::{
     CriticalSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument,
     SpinDocument, SpinRangeDocument, StateDocument, SteadyDocument, SteadySpinDocument, ToleranceDocument,
 };
 
 /// Version of every document in this module.
-pub const SCHEMA_VERSION: &str = "2";
+pub const SCHEMA_VERSION: &str = "3";
 
 /// What an answer is worth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]

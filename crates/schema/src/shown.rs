@@ -9,10 +9,16 @@ pub fn shown(text: &str) -> String {
     let cut: String = text.chars().take(SHOWN).collect();
     let rest = text.len() > cut.len();
     let more = if rest { format!("… ({} characters)", text.chars().count()) } else { String::new() };
-    format!("{}{more}", escaped(&cut, |_| false))
+    one_line(&cut) + &more
 }
 
-/// A message of several lines, with every character escaped that could control a terminal or turn the order of what is read.
+/// A text on one line, with every character escaped that could control a terminal or turn the order of what is read.
+#[must_use]
+pub fn one_line(text: &str) -> String {
+    escaped(text, |_| false)
+}
+
+/// Likewise a message of several lines.
 #[must_use]
 pub fn harmless(message: &str) -> String {
     escaped(message, |c| matches!(c, '\n' | '\t'))

@@ -23,7 +23,7 @@ pub(super) fn canonical(document: &AtlasDocument) -> String {
         line.option("r", &given.center.join(","));
     }
     line.flag("certificate", true);
-    line.flag("no-polygons", document.regions.iter().all(|region| region.polygon.is_none()));
+    line.flag("no-drawing", document.drawing.is_none());
     line.flag("json", true);
     line.0
 }

@@ -23,7 +23,7 @@ pub(super) fn roots(certificate: &CertificateDocument, spaces: &Spaces) -> Resul
 }
 
 /// What is listed of curves and of the slabs between events.
-pub(super) fn lists(certificate: &CertificateDocument, pieces: &Pieces) -> Result<(), Refused> {
+pub(super) fn lists(certificate: &CertificateDocument, spaces: &Spaces, pieces: &Pieces) -> Result<(), Refused> {
     let curves = pieces.list.len();
     is_short("pairs", certificate.pairs.len(), curves * curves / 2)?;
     for pair in &certificate.pairs {
@@ -31,7 +31,7 @@ pub(super) fn lists(certificate: &CertificateDocument, pieces: &Pieces) -> Resul
     }
     let crossings = |pair: &CertifiedPair| pair.stretches.iter().filter(|stretch| stretch.crossing.is_some()).count();
     let crossings: usize = certificate.pairs.iter().map(crossings).sum();
-    let sources = pieces.cusps.len() + pieces.forks.len() + certificate.meetings.len() + crossings;
+    let sources = pieces.cusps.len() + pieces.forks.len() + meetings::most(spaces) + crossings;
     is_short("events", certificate.events.len(), sources)?;
     for event in &certificate.events {
         is_short("sources of an event", event.sources.len(), sources)?;

@@ -95,7 +95,7 @@ pub struct Report {
     pub pairs: usize,
 }
 
-/// Checks an atlas against its certificate.
+/// Checks an atlas against its certificate: every field but `drawing`, which is no part of the proof.
 ///
 /// # Errors
 /// The first thing that is wrong; [`Refused::NoCertificate`] where nothing is there to be checked.
@@ -128,7 +128,7 @@ fn certified(
     counts::roots(certificate, &spaces)?;
     let cusps = roots::cusps(certificate, &spaces)?;
     let pieces = Pieces::new(&spaces, cusps)?;
-    counts::lists(certificate, &pieces)?;
+    counts::lists(certificate, &spaces, &pieces)?;
     let inflection = roots::inflection(certificate, &spaces)?;
     let meetings = meetings::meetings(certificate, &spaces, &pieces)?;
     let mut orders = Orders { spaces: &spaces, pieces: &pieces, inflection, meetings: Vec::new() };

@@ -265,13 +265,10 @@ impl Change {
     }
 }
 
-/// The types along a curve are those of a document: with its polyline, or not at all.
+/// The types along a curve are those of a document.
 fn spans(curve: &CurveDocument, along: Option<&Along>, l2: &RBig) -> bool {
     let spans = &curve.stability;
     let Some(along) = along else { return spans.is_empty() };
-    if spans.is_empty() {
-        return curve.polyline.is_empty();
-    }
     let joined = spans.windows(2).all(|pair| pair[0].l_to == Some(pair[1].l_from));
     let ends = [spans.first().map(|span| span.l_from), spans.last().and_then(|span| span.l_to)];
     let same = |(p, q): (&Option<f64>, &Option<f64>)| match (p, q) {

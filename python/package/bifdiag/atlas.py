@@ -49,7 +49,7 @@ class Atlas:
     _inner: _core.Atlas
     _certified: bool
     _ranges: tuple[Span, Span] | None
-    _polygons: bool
+    _drawing: bool
     _loaded: str | None
     # Makes the body of a document. The module of bodies, which makes atlases, sets it.
     _body_of: ClassVar[Callable[[Document], "Body"]]
@@ -58,7 +58,7 @@ class Atlas:
         self.body = body
         self.accuracy = accuracy
         self._certified = bool(certificate)
-        self._ranges, self._polygons, self._loaded = None, True, None
+        self._ranges, self._drawing, self._loaded = None, True, None
         self._inner = body._inner.atlas(accuracy, self._certified)
 
     @classmethod
@@ -99,12 +99,12 @@ class Atlas:
         atlas = cls(cls._body_of(document["body"]), document["accuracy"], certificate="certificate" in document)
         window = document.get("window")
         atlas._ranges = None if window is None else (tuple(window["h"]), tuple(window["l"]))
-        atlas._polygons = all("polygon" in region for region in document["regions"])
+        atlas._drawing = "drawing" in document
         atlas._loaded = text
         return atlas
 
     def _written(self) -> str:
-        return self._inner.to_json(self._ranges, self._polygons)
+        return self._inner.to_json(self._ranges, self._drawing)
 
     @cached_property
     def _text(self) -> str:
@@ -120,14 +120,21 @@ class Atlas:
         """Everything that `to_json` tells, as a dict; not to be changed."""
         return self._document
 
+    def _view(self) -> Document:
+        """Where the diagram is seen, also of a file without a drawing."""
+        whole = self._document if self._drawing else json.loads(self._inner.to_json(self._ranges, True))
+        view: Document = whole["drawing"]["view"]
+        return view
+
     def _outlines(self, region: str) -> tuple[npt.NDArray[np.float64], ...]:
-        polygons = {document["id"]: document.get("polygon", []) for document in self._document["regions"]}
-        return tuple(np.array(outline, dtype=float).reshape(-1, 2) for outline in polygons.get(region, []))
+        drawn = self._document.get("drawing", {"regions": {}})["regions"].get(region, {"polygon": []})
+        return tuple(np.array(outline, dtype=float).reshape(-1, 2) for outline in drawn["polygon"])
 
     @cached_property
     def regions(self) -> tuple[Region, ...]:
         """The regions, in the order of their ids: ``atlas.regions[4].id == "R5"``."""
-        return tuple(Region._of(document, self._outlines) for document in json.loads(self._inner.regions()))
+        regions, widths = json.loads(self._inner.regions()), self._inner.h_widths()
+        return tuple(Region._of(*told, self._outlines) for told in zip(regions, widths, strict=True))
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
@@ -137,7 +144,8 @@ class Atlas:
     @cached_property
     def curves(self) -> tuple[Curve, ...]:
         """Critical curves and pole lines, with their points; `polyline` gives finer ones."""
-        return tuple(Curve._of(document) for document in self._document["curves"])
+        drawn = self._document.get("drawing", {"curves": {}})["curves"]
+        return tuple(Curve._of(document, drawn.get(document["id"])) for document in self._document["curves"])
 
     @cached_property
     def stability_changes(self) -> tuple[StabilityChange, ...]:
@@ -328,7 +336,7 @@ class Atlas:
         return self.svg()
 
     def _identity(self) -> tuple[Any, ...]:
-        return self.body, self.accuracy, self._certified, self._ranges, self._polygons
+        return self.body, self.accuracy, self._certified, self._ranges, self._drawing
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Atlas) and self._identity() == other._identity()

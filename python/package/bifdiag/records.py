@@ -250,7 +250,9 @@ class Region:
     _outlines: Callable[[str], tuple[np.ndarray, ...]] = field(compare=False)
 
     @classmethod
-    def _of(cls, document: Document, outlines: Callable[[str], tuple[np.ndarray, ...]]) -> "Region":
+    def _of(
+        cls, document: Document, h_width: float | None, outlines: Callable[[str], tuple[np.ndarray, ...]]
+    ) -> "Region":
         sample = document["sample"]
         return cls(
             document["id"],
@@ -259,7 +261,7 @@ class Region:
             Sample(sample["h"], sample["l"], Margin._of(sample["margin"])),
             document["bounded"],
             span(document["l_range"]),
-            infinite(document["h_width"]),
+            infinite(h_width),
             tuple(document["boundary"]),
             tuple(Neighbour(next_to["region"], next_to["curve"]) for next_to in document["neighbours"]),
             document.get("clipped", False),
@@ -270,7 +272,7 @@ class Region:
     def polygon(self) -> tuple[np.ndarray, ...]:
         """Closed outlines of points [h, l] within the body's default view; a hole is an outline of its own.
 
-        They are fit for a picture of that view, ``atlas.document["view"]["everything"]``: between corners, which lie on the
+        They are fit for a picture of that view, ``atlas.document["drawing"]["view"]["everything"]``: between corners, which lie on the
         curves, off by a thousandth of its range of h. `Atlas.outlines` gives finer ones of a smaller window, `Atlas.region`
         tells points exactly.
         """
@@ -398,7 +400,7 @@ class Curve:
     points: np.ndarray
 
     @classmethod
-    def _of(cls, document: Document) -> "Curve":
+    def _of(cls, document: Document, points: Document | None) -> "Curve":
         return cls(
             document["id"],
             document["kind"],
@@ -408,7 +410,7 @@ class Curve:
             tuple(document["coincides_with"]),
             span(document["l_range"]),
             tuple((part["l_from"], infinite(part["l_to"]), part["stability"]) for part in document["stability"]),
-            np.array(document["polyline"], dtype=float).reshape(-1, 2),
+            np.array(points["polyline"] if points else [], dtype=float).reshape(-1, 2),
         )
 
     def __repr__(self) -> str:

@@ -41,8 +41,10 @@ pub struct AtlasArguments {
     /// Draw nothing
     #[arg(long, help_heading = "Output")]
     pub no_plot: bool,
-    /// Leave the outlines of the regions out of atlas.json
+    /// Leave polylines, polygons, widths and views out of atlas.json
     #[arg(long, help_heading = "Output")]
+    pub no_drawing: bool,
+    #[arg(long, hide = true)]
     pub no_polygons: bool,
     /// Print the atlas as JSON
     #[arg(long, help_heading = "Output")]

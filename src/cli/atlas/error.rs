@@ -12,6 +12,8 @@ pub enum AtlasInput {
     CertificateOfWindow,
     #[error("--certificate is a proof and --accuracy fast does without; leave out one of them")]
     FastCertificate,
+    #[error("--no-polygons is now --no-drawing, which leaves out polylines, polygons, widths and views")]
+    NoPolygons,
 }
 
 impl CommandError for AtlasInput {

@@ -8,6 +8,8 @@ mod settings;
 mod stability;
 mod work;
 
+use std::borrow::Cow;
+
 use plot::{DiagramOptions, draw};
 
 use super::export::{ExportError, FileSet, Json, RESOLUTION, answer};
@@ -28,10 +30,15 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         undecided = document.summary.undecided.len(),
         "atlas made"
     );
+    // Pictures and the table of regions need the drawing.
+    let mut stored = Cow::Borrowed(&document);
+    if !settings.drawing {
+        documents::leave_out_drawing(stored.to_mut(), &settings.subject).map_err(ExportError::from)?;
+    }
     let mut written = Vec::new();
     if let Some(directory) = &settings.directory {
         let mut files = FileSet::new(directory);
-        files.export("atlas", &document, &Json)?;
+        files.export("atlas", &*stored, &Json)?;
         files.remove_pictures("diagram");
         // A window without a region would be an empty frame.
         if !settings.formats.is_empty() && !document.regions.is_empty() {
@@ -44,5 +51,5 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
         }
         written = timings.stage("files", || files.write())?;
     }
-    Ok(answer(settings.json, &document, || report::text(&settings.subject, &document, &written))?)
+    Ok(answer(settings.json, &*stored, || report::text(&settings.subject, &document, &written))?)
 }

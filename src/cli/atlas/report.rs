@@ -20,7 +20,7 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
     if document.regions.is_empty() && document.summary.undecided.is_empty() {
         report.line("no point of the window is accessible: all of it lies below the lowest curve; there is no picture");
     } else {
-        report.line(region_table(&document.regions));
+        report.line(region_table(document));
     }
     report.line("");
     if let Some(table) = super::events::table(&document.events) {
@@ -68,13 +68,18 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
 }
 
 /// The table of regions, with as many digits as fit.
-fn region_table(regions: &[RegionDocument]) -> String {
-    let tables = [6, 5, 4, 3, 2].map(|digits| region_rows(regions, digits));
+fn region_table(document: &AtlasDocument) -> String {
+    let width = |region: &RegionDocument| document.h_width(&region.id);
+    table_of(&document.regions, &width)
+}
+
+fn table_of(regions: &[RegionDocument], width: &dyn Fn(&RegionDocument) -> Option<f64>) -> String {
+    let tables = [6, 5, 4, 3, 2].map(|digits| region_rows(regions, width, digits));
     let [.., narrowest] = &tables;
     tables.iter().find(|table| table.width() <= TABLE_WIDTH).unwrap_or(narrowest).text()
 }
 
-fn region_rows(regions: &[RegionDocument], digits: usize) -> Table {
+fn region_rows(regions: &[RegionDocument], width: &dyn Fn(&RegionDocument) -> Option<f64>, digits: usize) -> Table {
     let mut table = Table::new(&["id", "signature", "U", "E", "P", "genus", "sample (h, l)", "width", "l-range"]);
     for region in regions {
         let column = |cell: &dyn Fn(&ComponentDocument) -> String| {
@@ -90,7 +95,7 @@ fn region_rows(regions: &[RegionDocument], digits: usize) -> Table {
             column(&|component| component.section.clone().unwrap_or_else(|| "-".to_owned())),
             column(&|component| component.genus.map_or_else(|| "-".to_owned(), |genus| genus.to_string())),
             format!("({}, {})", significant(region.sample.h, digits), significant(region.sample.l, digits)),
-            number(region.h_width, "inf"),
+            number(width(region), "inf"),
             format!("{}..{}", number(from, "?"), number(to, "inf")),
         ]);
     }
@@ -126,11 +131,9 @@ mod tests {
             signature: signature(components),
             bounded: true,
             l_range: [Some(sample[1] / 3.0), Some(sample[1] / 0.7)],
-            h_width: Some(sample[0] / 7.0),
             boundary: Vec::new(),
             neighbours: Vec::new(),
             cells: Vec::new(),
-            polygon: None,
             clipped: false,
         }
     }
@@ -146,7 +149,7 @@ mod tests {
             region("R3", &[component(3, poles(true, false)), component(1, poles(false, true))], [-1e-7 / 3.0, 0.1]),
             region("R4", &[component(2, None)], [1.0, 2.0]),
         ];
-        let text = region_table(&regions);
+        let text = table_of(&regions, &|region| Some(region.sample.h / 7.0));
         assert!(text.lines().all(|line| line.chars().count() <= TABLE_WIDTH), "{text}");
         for name in ["S2+S2+S2+S2+", "(S1xS2)#(S1xS2)", "M3", "RP3"] {
             assert!(text.contains(name), "{name} is missing in\n{text}");

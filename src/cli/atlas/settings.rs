@@ -23,13 +23,16 @@ pub struct Settings {
     pub formats: Vec<PictureFormat>,
     pub theme: Theme,
     pub width: Width,
-    /// Whether the document carries the outlines of the regions.
-    pub polygons: bool,
+    /// Whether the document carries its drawing.
+    pub drawing: bool,
     pub json: bool,
 }
 
 impl Settings {
     pub fn new(arguments: &AtlasArguments) -> Result<Self, Failure> {
+        if arguments.no_polygons {
+            return Err(AtlasInput::NoPolygons.into());
+        }
         if arguments.certificate && arguments.window.is_some() {
             return Err(AtlasInput::CertificateOfWindow.into());
         }
@@ -45,7 +48,7 @@ impl Settings {
             formats: if arguments.no_plot { Vec::new() } else { arguments.picture.format.clone() },
             theme: arguments.picture.theme,
             width: arguments.width.width(),
-            polygons: !arguments.no_polygons,
+            drawing: !arguments.no_drawing,
             json: arguments.json,
         })
     }

@@ -10,22 +10,21 @@ use super::settings::Settings;
 use crate::cli::terminal::Timings;
 
 pub fn atlas(settings: &Settings, timings: &Timings) -> Result<(Atlas, AtlasDocument), NoAtlas> {
-    let Settings { subject, accuracy, window, polygons, .. } = settings;
+    let Settings { subject, accuracy, window, .. } = settings;
     if settings.certificate {
-        return proved(subject, *polygons, timings);
+        return proved(subject, timings);
     }
     let atlas = timings.stage("regions", || atlas_of(&subject.body, (*accuracy).into()))?;
-    let options =
-        DocumentOptions { window: *window, accuracy: *accuracy, polygons: *polygons, ..DocumentOptions::default() };
+    let options = DocumentOptions { window: *window, accuracy: *accuracy, ..DocumentOptions::default() };
     let mut document = timings.stage("curves", || documents::atlas::document(&atlas, &options));
     attach_part(&mut document, subject);
     Ok((atlas, document))
 }
 
-fn proved(subject: &Subject, polygons: bool, timings: &Timings) -> Result<(Atlas, AtlasDocument), NoAtlas> {
+fn proved(subject: &Subject, timings: &Timings) -> Result<(Atlas, AtlasDocument), NoAtlas> {
     let proof = timings.stage("proof", || CertifiedAtlas::new(&subject.body))?;
     let drawn = proof.drawn()?;
-    let options = DocumentOptions { polygons, ..DocumentOptions::default() };
+    let options = DocumentOptions::default();
     let document = timings.stage("certificate", || certified_atlas_of(subject, &proof, &drawn, &options))?;
     Ok((drawn, document))
 }

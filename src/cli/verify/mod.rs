@@ -18,7 +18,7 @@ Examples:
   bifdiag --body paper --certificate && bifdiag verify bifdiag-out/atlas.json
   bifdiag --body katok:6 --certificate --json | bifdiag verify -
 
-The certificate is checked as a proof, by separate code. Exit status: 0 verified; 1 refused, with the first thing that \
+The certificate is checked as a proof, by separate code; the drawing is no part of it. Exit status: 0 verified; 1 refused, with the first thing that \
 is wrong, or no certificate; 2 the file is no atlas of this version.";
 
 /// `bifdiag verify`.
@@ -45,6 +45,7 @@ pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure
     let report = timings.stage("verify", || verify(&document)).map_err(VerifyError::from)?;
     let mut lines = Report::default();
     let (regions, events, pairs) = (document.regions.len(), report.events, report.pairs);
-    lines.line(format!("verified: {regions} regions, {events} events, {pairs} pairs of curves"));
+    let drawing = if document.drawing.is_some() { " (drawing not part of the proof)" } else { "" };
+    lines.line(format!("verified: {regions} regions, {events} events, {pairs} pairs of curves{drawing}"));
     Ok(print(lines.text())?)
 }

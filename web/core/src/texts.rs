@@ -17,10 +17,10 @@ pub fn atlas(of: &str) -> Result<String, Refused> {
     text(&documents::atlas::document(&atlas, &documents::DocumentOptions::default()))
 }
 
-/// `bifdiag --accuracy fast --no-polygons --json` of an atlas that is there.
+/// `bifdiag --accuracy fast --json` of an atlas that is there, without outlines and widths of regions, which the page does not draw.
 pub fn sketch(atlas: &Atlas) -> AtlasDocument {
     let accuracy = Accuracy::Fast.into();
-    let options = documents::DocumentOptions { accuracy, polygons: false, ..documents::DocumentOptions::default() };
+    let options = documents::DocumentOptions { accuracy, drawing: documents::Drawn::Curves, ..Default::default() };
     documents::atlas::document(atlas, &options)
 }
 

@@ -32,7 +32,6 @@ export interface Curve {
   coincides_with: string[];
   l_range: [number | null, number | null];
   stability: StabilitySpan[];
-  polyline: [number, number][];
 }
 
 export interface AtlasEvent {
@@ -49,7 +48,6 @@ export interface Region {
   signature: string | null;
   bounded: boolean;
   l_range: [number | null, number | null];
-  h_width: number | null;
 }
 
 export interface Flags {
@@ -59,16 +57,21 @@ export interface Flags {
   euler: boolean;
 }
 
+/** What pictures show; `view`: where the diagram is seen. */
+export interface Picture {
+  view: { everything: Window; main: Window };
+  curves: Record<string, { polyline: [number, number][] }>;
+}
+
 export interface Atlas {
   accuracy: string;
   command?: string;
   body: { A: Triple; r: Triple } & Flags;
-  /** Where the diagram is seen. */
-  view: { everything: Window; main: Window };
   curves: Curve[];
   events: AtlasEvent[];
   regions: Region[];
   summary: { regions: number; complete: boolean };
+  drawing: Picture;
 }
 
 /** A real part as it was understood. */

@@ -36,7 +36,7 @@ function draw(body: string, view: Window | null, from: Window | null, height: nu
   const of = diagramOf(body);
   const text = of.document();
   const document = JSON.parse(text) as Atlas;
-  const suited = view ?? document.view.main;
+  const suited = view ?? document.drawing.view.main;
   const window = from && !view ? towards(from, suited) : suited;
   const { h, l } = window;
   const names = document.curves.map((curve) => curve.id);

@@ -1,6 +1,6 @@
 /** Colours: told apart by colour-blind readers, in the dark and in print; the tints are those of the command line's pictures. */
 
-import type { Verdict } from "../bindings/documents";
+import type { Atlas, Curve, Verdict } from "../bindings/documents";
 
 export interface Ink {
   paper: string;
@@ -50,10 +50,13 @@ const CURVES = {
 };
 
 /** A colour for each branch of an atlas. */
-export function branchColors(curves: { branch: string; kind: string; polyline: [number, number][] }[], dark: boolean): Map<string, string> {
+export function branchColors({ curves, drawing }: Pick<Atlas, "curves" | "drawing">, dark: boolean): Map<string, string> {
   const palette = dark ? CURVES.dark : CURVES.light;
   const colors = new Map<string, string>();
-  const start = (curve: (typeof curves)[number]) => (curve.polyline[0]?.[1] === 0 ? curve.polyline[0][0] : NaN);
+  const start = ({ id }: Curve) => {
+    const first = drawing.curves[id]?.polyline[0];
+    return first?.[1] === 0 ? first[0] : NaN;
+  };
   const critical = curves.filter((curve) => !curve.kind.startsWith("pole"));
   const started = critical.filter((curve) => !Number.isNaN(start(curve))).sort((a, b) => start(a) - start(b));
   const [lowest, highest] = [started[0], started.at(-1)];

@@ -82,7 +82,7 @@ function paintRegions(pen: Pen, area: Area, { document, rows, rowCount, window }
 }
 
 function paintCurves(pen: Pen, area: Area, { document, curves, window }: Drawn, colors: Ink, lit: string | undefined): void {
-  const palette = branchColors(document.curves, colors.dark);
+  const palette = branchColors(document, colors.dark);
   pen.lineJoin = "round";
   for (const curve of document.curves) {
     const points = curves.get(curve.id);

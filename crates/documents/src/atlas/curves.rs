@@ -1,7 +1,7 @@
 //! Curves of an atlas document.
 
 use schema::{CurveDocument, CurveKind, TailDocument, UndecidedDocument};
-use top::atlas::{Atlas, CourseOptions};
+use top::atlas::Atlas;
 use top::curves::{Branch, BranchName, Curve, CurveId, CurveName, Orbit, Pole, branch_words};
 use top::table::Table;
 
@@ -38,10 +38,6 @@ pub(super) fn documents(
 /// A pole line that runs on critical curves: their union.
 fn coincident_pole_line(name: &str, words: String, pieces: &[String], documents: &[CurveDocument]) -> CurveDocument {
     let parts: Vec<&CurveDocument> = documents.iter().filter(|d| pieces.contains(&d.id)).collect();
-    let mut by_l = parts.clone();
-    by_l.sort_by(|p, q| p.l_range[0].unwrap_or(0.0).total_cmp(&q.l_range[0].unwrap_or(0.0)));
-    let mut polyline: Vec<[f64; 2]> = by_l.into_iter().flat_map(|part| part.polyline.iter().copied()).collect();
-    polyline.dedup();
     CurveDocument {
         id: name.to_owned(),
         kind: if name == "P+" { CurveKind::PolePlus } else { CurveKind::PoleMinus },
@@ -53,7 +49,6 @@ fn coincident_pole_line(name: &str, words: String, pieces: &[String], documents:
         mu_range: None,
         l_range: [Some(0.0), None],
         stability: Vec::new(),
-        polyline,
         tail: parts.iter().find_map(|part| part.tail.clone()),
     }
 }
@@ -80,21 +75,11 @@ fn document(
         mu_range: atlas.mu_range(number),
         l_range: [Some(from), to.is_finite().then_some(to)],
         stability: Vec::new(),
-        polyline: Vec::new(),
         tail,
     };
-    let seen = options.window.is_none_or(|window| from <= window.l[1] && to >= window.l[0]);
-    if !options.polylines || !seen {
-        return document;
+    if options.sees([from, to]) {
+        document.stability = stability.spans(number, undecided);
     }
-    document.polyline = atlas.course(
-        number,
-        &CourseOptions {
-            chord_tolerance: options.chord_tolerance,
-            l_least: options.window.map_or(0.0, |window| window.l[1]),
-        },
-    );
-    document.stability = stability.spans(number, undecided);
     document
 }
 

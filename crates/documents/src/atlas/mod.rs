@@ -1,6 +1,7 @@
-//! The document of an atlas: names, polylines, stability, and everything in the body's own units.
+//! The document of an atlas: names, stability, its drawing, and everything in the body's own units.
 
 mod curves;
+mod drawing;
 mod events;
 mod options;
 mod regions;
@@ -9,10 +10,8 @@ mod undecided;
 
 use std::collections::BTreeMap;
 
-use schema::{
-    AtlasDocument, BodyDocument, EventDocument, RegionDocument, SummaryDocument, ViewDocument, WindowDocument,
-};
-use top::atlas::{Atlas, View, Window};
+use schema::{AtlasDocument, BodyDocument, EventDocument, RegionDocument, SummaryDocument, WindowDocument};
+use top::atlas::{Atlas, Window};
 
 use crate::body::{flags, given};
 use crate::classification::accuracy_option;
@@ -21,7 +20,7 @@ use crate::subject::Subject;
 
 use stability::Stability;
 
-pub use options::DocumentOptions;
+pub use options::{DocumentOptions, Drawn};
 
 /// The atlas as a document. Curves, events and regions come from the closed form.
 #[must_use]
@@ -30,11 +29,8 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
     let mut undecided = undecided::documents(atlas);
     let stability = Stability::new(atlas);
     let curves = curves::documents(atlas, options, &stability, &mut undecided);
-    let (mut regions, clipped) = regions::documents(atlas, window.as_ref(), &mut undecided);
-    let View { main, everything } = atlas.view();
-    if options.polygons {
-        regions::outline(&mut regions, atlas, &window.unwrap_or(everything));
-    }
+    let (regions, clipped) = regions::documents(atlas, window.as_ref(), &mut undecided);
+    let drawing = drawing::document(atlas, options, &regions);
     let mut signatures = BTreeMap::new();
     for region in &regions {
         let accessible = || {
@@ -63,17 +59,17 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
             part: None,
         },
         window: options.window,
-        view: ViewDocument { everything: seen(everything), main: seen(main) },
         curves,
         events,
         stability_changes: stability.changes(window.as_ref()),
         regions,
         summary,
+        drawing,
         certificate: None,
     }
 }
 
-/// The regions as the whole document has them, but for their outlines: sooner than the document, whose curves are traced.
+/// The regions as the whole document has them: sooner than the document, whose curves are traced.
 #[must_use]
 pub fn regions(atlas: &Atlas) -> Vec<RegionDocument> {
     regions::documents(atlas, None, &mut Vec::new()).0
@@ -85,17 +81,18 @@ pub fn events(atlas: &Atlas) -> Vec<EventDocument> {
     events::documents(atlas, None)
 }
 
-fn seen(Window { h, l }: Window) -> WindowDocument {
-    WindowDocument { h, l }
+/// The command of a document that has all else.
+pub(crate) fn name_command(document: &mut AtlasDocument, subject: &Subject) {
+    let drawing = if document.drawing.is_some() { Drawn::Everything } else { Drawn::Nothing };
+    let options =
+        DocumentOptions { window: document.window, accuracy: document.accuracy, drawing, ..Default::default() };
+    document.head.command = command(subject, &options, document.certificate.is_some());
 }
 
 /// Writes into the document of an atlas the part from which its body was computed.
 pub fn attach_part(document: &mut AtlasDocument, subject: &Subject) {
     if let Some(part) = &subject.part {
-        let polygons = document.regions.iter().any(|region| region.polygon.is_some());
-        let options =
-            DocumentOptions { window: document.window, accuracy: document.accuracy, polygons, ..Default::default() };
-        document.head.command = command(subject, &options, document.certificate.is_some());
+        name_command(document, subject);
         document.body.part = Some(part.clone());
     }
 }
@@ -106,6 +103,6 @@ pub(crate) fn command(subject: &Subject, options: &DocumentOptions, certificate:
     let line = subject.command("atlas").option_if("window", window);
     line.option_if("accuracy", accuracy_option(options.accuracy))
         .flag("certificate", certificate)
-        .flag("no-polygons", !options.polygons)
+        .flag("no-drawing", options.drawing == Drawn::Nothing)
         .json()
 }

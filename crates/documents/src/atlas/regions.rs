@@ -16,8 +16,8 @@ pub(super) fn documents(
 ) -> (Vec<RegionDocument>, bool) {
     let mut clipped = false;
     let mut documents = Vec::new();
-    for (number, &h_width) in atlas.h_widths().pairs() {
-        let document = document(atlas, number, h_width, undecided);
+    for number in atlas.regions().ids() {
+        let document = document(atlas, number, undecided);
         let Some(window) = window else {
             documents.push(document);
             continue;
@@ -43,12 +43,7 @@ fn sample_document(sample: &SamplePoint) -> SampleDocument {
     SampleDocument { h: sample.h, l: sample.l, margin: margin(&sample.margin) }
 }
 
-fn document(
-    atlas: &Atlas,
-    number: RegionId,
-    h_width: Option<f64>,
-    undecided: &mut Vec<UndecidedDocument>,
-) -> RegionDocument {
+fn document(atlas: &Atlas, number: RegionId, undecided: &mut Vec<UndecidedDocument>) -> RegionDocument {
     let region = &atlas.regions()[number];
     let arrangement = atlas.arrangement();
     let name = |c: CurveId| CurveName::of(&arrangement.set, c).to_string();
@@ -88,28 +83,18 @@ fn document(
     let slabs = region.cells.iter().map(|cell| arrangement.slabs[cell.slab].x);
     let from = slabs.clone().map(|x| x[0]).fold(f64::INFINITY, f64::min);
     let to = slabs.map(|x| x[1]).fold(0.0, f64::max);
+    let cells = cells(atlas, region);
     RegionDocument {
         id: number.to_string(),
         sample,
         components: components(of_u),
         signature: if of_u.is_empty() { None } else { signature(of_u) },
-        bounded: to.is_finite() && h_width.is_some(),
+        bounded: to.is_finite() && cells.iter().all(|cell| cell.upper.is_some()),
         l_range: [Some(atlas.momentum(from)), to.is_finite().then(|| atlas.momentum(to))],
-        h_width,
         boundary,
         neighbours,
-        cells: cells(atlas, region),
-        polygon: None,
+        cells,
         clipped: false,
-    }
-}
-
-/// Adds the outlines of the regions inside a window.
-pub(super) fn outline(documents: &mut [RegionDocument], atlas: &Atlas, window: &Window) {
-    let outlines = atlas.outlines(window);
-    for document in documents {
-        let region: Option<RegionId> = document.id.parse().ok();
-        document.polygon = region.and_then(|region| outlines.get(region)).cloned();
     }
 }
 

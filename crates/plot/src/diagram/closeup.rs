@@ -55,8 +55,8 @@ pub(super) fn closeup(
     largest: [f64; 2],
     region: usize,
 ) -> Result<Closeup, PlotError> {
-    let width =
-        scene.atlas.regions[region].h_width.unwrap_or(f64::INFINITY).min(length(visible.h) / scene.plan.inset[0]);
+    let id = &scene.atlas.regions[region].id;
+    let width = scene.atlas.h_width(id).unwrap_or(f64::INFINITY).min(length(visible.h) / scene.plan.inset[0]);
     if width < NARROWEST * length(visible.h) {
         return Ok(Closeup::TooSmall);
     }

@@ -106,8 +106,9 @@ pub(super) struct BranchStyle {
 /// first symmetric pair, yellow and further colours in the order in which the atlas names them.
 pub(super) fn branch_styles(atlas: &AtlasDocument) -> BTreeMap<&str, BranchStyle> {
     let critical: Vec<&CurveDocument> = atlas.curves.iter().filter(|curve| !is_pole(curve)).collect();
-    let at_start = |curve: &&&CurveDocument| curve.l_range[0].is_none_or(|l| l == 0.0) && !curve.polyline.is_empty();
-    let start = |curve: &CurveDocument| curve.polyline.first().map_or(0.0, |point| point[0]);
+    let first = |curve: &CurveDocument| atlas.polyline(&curve.id).first().map(|point| point[0]);
+    let at_start = |curve: &&&CurveDocument| curve.l_range[0].is_none_or(|l| l == 0.0) && first(curve).is_some();
+    let start = |curve: &CurveDocument| first(curve).unwrap_or(0.0);
     let lowest = critical.iter().filter(at_start).min_by(|a, b| start(a).total_cmp(&start(b)));
     let highest = critical.iter().filter(at_start).max_by(|a, b| start(a).total_cmp(&start(b)));
     let mut styles = BTreeMap::new();

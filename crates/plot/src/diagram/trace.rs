@@ -60,10 +60,11 @@ pub(super) fn trace(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2], toler
     if let Some(points) = scene.source.and_then(|source| source.polyline(&curve.id, l, tolerance)) {
         return Ok(Trace { points: increasing(points) });
     }
-    if curve.polyline.is_empty() {
+    let drawn = scene.atlas.polyline(&curve.id);
+    if drawn.is_empty() {
         return Err(PlotError::NoPolyline { curve: curve.id.clone() });
     }
-    let document = Trace { points: increasing(curve.polyline.clone()) };
+    let document = Trace { points: increasing(drawn.to_vec()) };
     let mut points = refine(&document.part(l[0], l[1]), tolerance);
     if let (Some(tail), Some(last)) = (&curve.tail, document.points.last()) {
         continue_tail(&mut points, *last, tail, l, tolerance);

@@ -13,10 +13,11 @@ pub(super) struct Windows {
 }
 
 pub(super) fn windows(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<Windows, PlotError> {
-    let view = scene.atlas.view;
-    let windows = match asked.or(scene.atlas.window) {
-        Some(window) => Windows { main: window, everything: window },
-        None => Windows { main: view.main, everything: view.everything },
+    let drawing = scene.atlas.drawing.as_ref();
+    let windows = match (asked.or(scene.atlas.window), drawing.map(|drawing| drawing.view)) {
+        (Some(window), _) => Windows { main: window, everything: window },
+        (None, Some(view)) => Windows { main: view.main, everything: view.everything },
+        (None, None) => return Err(PlotError::NoDrawing),
     };
     let WindowDocument { h, l } = windows.main;
     if is_proper(h) && is_proper(l) { Ok(windows) } else { Err(PlotError::EmptyWindow { h, l }) }

@@ -11,6 +11,9 @@ pub enum PlotError {
         /// Id of the missing curve.
         curve: String,
     },
+    /// The atlas has no drawing.
+    #[error("the atlas has no drawing, and no window was given")]
+    NoDrawing,
     /// A curve has neither a polyline nor a source of one.
     #[error("curve {curve} has no polyline to draw")]
     NoPolyline {

@@ -6,9 +6,10 @@ use std::collections::BTreeMap;
 use plot::CurveSource;
 use schema::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
 use schema::{
-    Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument,
-    EventKind, Flags, GivenBody, Head, MarginDocument, RegionDocument, SCHEMA_VERSION, SampleDocument, Stability,
-    StabilitySpan, SummaryDocument, TailDocument, ViewDocument, WindowDocument,
+    Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveDrawing, CurveKind,
+    DrawingDocument, EventDocument, EventKind, Flags, GivenBody, Head, MarginDocument, RegionDocument, RegionDrawing,
+    SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan, SummaryDocument, TailDocument, ViewDocument,
+    WindowDocument,
 };
 use top::body::Body;
 
@@ -361,13 +362,13 @@ fn assemble(moments: [&str; 3], r: [&str; 3], curves: Vec<Curve>, points: &[([f6
         regions.push(region(&format!("R{}", regions.len() + 1), &face, &bounds, &curves, signature));
     }
     let documents = curves.iter().map(document).collect();
-    let atlas = atlas(&body, documents, events, regions);
+    let mut atlas = atlas(&body, documents, events, regions);
+    atlas.drawing = Some(drawing(&curves, &atlas));
     Fixture { curves, atlas }
 }
 
 fn region(id: &str, face: &[Key], bounds: &[f64], curves: &[Curve], signature: Option<String>) -> RegionDocument {
     let mut sample = [0.0, 0.0, -1.0];
-    let mut h_width = Some(0.0_f64);
     for &(strip, lower, upper) in face {
         let [from, to] = [bounds[strip], bounds[strip + 1].min(bounds[strip] + 4.0)];
         for step in 1..64 {
@@ -378,11 +379,7 @@ fn region(id: &str, face: &[Key], bounds: &[f64], curves: &[Curve], signature: O
                 sample = [f64::midpoint(low, high), l, high - low];
             }
         }
-        if upper.is_none() {
-            h_width = None;
-        }
     }
-    h_width = h_width.map(|_| sample[2]);
     let first = face.iter().map(|key| bounds[key.0]).fold(f64::INFINITY, f64::min);
     let last = face.iter().map(|key| bounds[key.0 + 1]).fold(0.0, f64::max);
     let end = |l: f64| l.is_finite().then_some(l);
@@ -406,9 +403,8 @@ fn region(id: &str, face: &[Key], bounds: &[f64], curves: &[Curve], signature: O
             genus: None,
         }],
         signature,
-        bounded: last.is_finite() && h_width.is_some(),
+        bounded: last.is_finite() && face.iter().all(|key| key.2.is_some()),
         l_range: [Some(first), end(last)],
-        h_width,
         boundary,
         neighbours: Vec::new(),
         cells: face
@@ -419,7 +415,6 @@ fn region(id: &str, face: &[Key], bounds: &[f64], curves: &[Curve], signature: O
                 upper: upper.map(|upper| curves[upper].id.to_owned()),
             })
             .collect(),
-        polygon: None,
         clipped: false,
     }
 }
@@ -439,7 +434,6 @@ fn document(curve: &Curve) -> CurveDocument {
         mu_range: None,
         l_range: [Some(curve.l[0]), end(curve.l[1])],
         stability: spans.into_iter().collect(),
-        polyline: curve.points(curve.l[0], 8.0, 1e-4),
         tail: curve.tail.clone(),
     }
 }
@@ -466,7 +460,6 @@ pub fn atlas(
             part: None,
         },
         window: None,
-        view: view(&events, &curves),
         summary: SummaryDocument {
             regions: regions.len(),
             events: events.len(),
@@ -479,12 +472,32 @@ pub fn atlas(
         events,
         stability_changes: Vec::new(),
         regions,
+        drawing: None,
         certificate: None,
     }
 }
 
+/// Curves of these points; a region is as wide as twice the margin of its sample.
+fn drawing(curves: &[Curve], atlas: &AtlasDocument) -> DrawingDocument {
+    let polylines: Vec<Vec<[f64; 2]>> = curves.iter().map(|curve| curve.points(curve.l[0], 8.0, 1e-4)).collect();
+    let width = |region: &RegionDocument| {
+        region.cells.iter().all(|cell| cell.upper.is_some()).then_some(2.0 * region.sample.margin.h)
+    };
+    let region =
+        |region: &RegionDocument| (region.id.clone(), RegionDrawing { polygon: Vec::new(), h_width: width(region) });
+    DrawingDocument {
+        view: view(&atlas.events, &polylines),
+        curves: curves
+            .iter()
+            .zip(&polylines)
+            .map(|(curve, line)| (curve.id.to_owned(), CurveDrawing { polyline: line.clone() }))
+            .collect(),
+        regions: atlas.regions.iter().map(region).collect(),
+    }
+}
+
 /// The view of the events, without those that lie far beyond the others in the main window.
-fn view(events: &[EventDocument], curves: &[CurveDocument]) -> ViewDocument {
+fn view(events: &[EventDocument], curves: &[Vec<[f64; 2]>]) -> ViewDocument {
     let mut l: Vec<f64> = events.iter().map(|event| event.l).collect();
     l.sort_by(f64::total_cmp);
     let last = l.last().copied().unwrap_or(0.0);
@@ -494,11 +507,10 @@ fn view(events: &[EventDocument], curves: &[CurveDocument]) -> ViewDocument {
 }
 
 /// A window for the events up to `last` in l: they, the beginnings of the curves, and the middle of them above.
-fn window(events: &[EventDocument], curves: &[CurveDocument], last: f64) -> WindowDocument {
+fn window(events: &[EventDocument], curves: &[Vec<[f64; 2]>], last: f64) -> WindowDocument {
     let top = if last > 0.0 { 1.25 * last } else { 4.0 };
-    let below = |curve: &CurveDocument| -> Vec<[f64; 2]> {
-        curve.polyline.iter().copied().filter(|point| point[1] <= top).collect()
-    };
+    let below =
+        |line: &Vec<[f64; 2]>| -> Vec<[f64; 2]> { line.iter().copied().filter(|point| point[1] <= top).collect() };
     let parts: Vec<Vec<[f64; 2]>> = curves.iter().map(below).filter(|part| !part.is_empty()).collect();
     let begins: Vec<f64> = parts.iter().map(|part| part[0][0]).collect();
     let mut ends: Vec<f64> = parts.iter().map(|part| part[part.len() - 1][0]).collect();

@@ -94,7 +94,7 @@ def diagram(
     ImportError
         Without matplotlib, which ``bifdiag[plot]`` brings.
     """
-    window = atlas.document["view"]["main"]
+    window = atlas._view()["main"]
     h, l = span(h or window["h"], "h"), span(l or window["l"], "l")
     ax = axes(ax)
     # The grounds of regions are pale whatever the style sheet says.
