@@ -1,11 +1,11 @@
 #!/bin/sh
-# Writes classes.json, the copy of it inside the program, the catalogue in docs/classes, and the numbers of docs/survey.md
+# Writes classes.json, the copy of it inside the program, and the numbers of docs/survey.md
 # and docs/types.md: random walks through the bodies that exist, witnesses far from all borders, measures from the scans of
 # docs/survey.md, walks among all A > 0, walks among special bodies. What walks have met (rounds, every border with a body on
 # it) is kept in survey/graph.json, graph_all.json and special.json, and each step goes on from there: walks begin at the
 # witnesses as they stand, so the same rounds from other witnesses meet other walls.
 #
-#   data/classes.sh              (what follows from the states: measures, pages, reports; minutes)
+#   data/classes.sh              (what follows from the states: measures, reports; minutes)
 #   data/classes.sh WALLS        (first goes on until WALLS walls in a row led to no new class; hours of a core)
 #
 # The rounds in graph.json are those of
@@ -33,5 +33,4 @@ if [ $# -gt 0 ]; then
     $program special data/survey/special.json 1 60
 fi
 $program write $state $all data/survey/special.json $general $positive data/classes.json crates/documents/data/classes.json
-$program pages data/classes.json docs/classes
 $program report .

@@ -14,60 +14,107 @@
 
 use dashu_ratio::RBig;
 use dynamics::field::{HeavyTop, Integrals, State};
-use dynamics::integrator::Method;
 use dynamics::section::{
-    Monitor, OrbitSection, PpTorus, SectionError, SectionPoint, StartOptions, SweepOptions, spread_starts, sweep,
+    Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, StartOptions, SweepOptions,
+    spread_starts, sweep,
 };
 use rustix::time::{ClockId, clock_gettime};
+use support::peers::{Crossing, Crossings, Method};
 use top::body::{Body, Number};
 
 type Failure = Box<dyn std::error::Error>;
+
+/// The program's Taylor series, or a peer.
+#[derive(Clone, Copy)]
+enum Integrator {
+    Taylor { tolerance: f64 },
+    Peer(Method),
+}
+
+/// The crossings of one orbit by either.
+struct Orbit {
+    /// Times as unevaluated sums, and states; the start is none of them.
+    crossings: Vec<([f64; 2], State)>,
+    steps: u64,
+    drift: Integrals,
+}
+
+impl Integrator {
+    fn describe(self) -> (&'static str, f64) {
+        match self {
+            Self::Taylor { tolerance } => ("taylor", tolerance),
+            Self::Peer(Method::Dop853 { tolerance }) => ("dop853", tolerance),
+            Self::Peer(Method::RungeKutta4 { step }) => ("rk4", step),
+            Self::Peer(Method::Splitting { step }) => ("splitting", step),
+        }
+    }
+
+    /// The Taylor series and its peers at these tolerances and steps.
+    fn all(taylor: &[f64], dop853: &[f64], steps: &[f64]) -> Vec<Self> {
+        let taylor = taylor.iter().map(|&tolerance| Self::Taylor { tolerance });
+        let dop853 = dop853.iter().map(|&tolerance| Self::Peer(Method::Dop853 { tolerance }));
+        let runge_kutta = steps.iter().map(|&step| Self::Peer(Method::RungeKutta4 { step }));
+        let splitting = steps.iter().map(|&step| Self::Peer(Method::Splitting { step }));
+        taylor.chain(dop853).chain(runge_kutta).chain(splitting).collect()
+    }
+
+    fn run(self, torus: &PpTorus, starts: &[State], crossings: usize) -> Result<Vec<Orbit>, SectionError> {
+        match self {
+            Self::Taylor { tolerance } => {
+                let options = SweepOptions { crossings, tolerance, ..SweepOptions::default() };
+                let orbits = sweep(torus, starts, &options, &Monitor::default())?;
+                Ok(orbits.iter().map(Orbit::of_sweep).collect())
+            }
+            Self::Peer(method) => {
+                let orbit = |start| method.crossings(torus.top(), start, SectionCondition::Height, crossings);
+                Ok(starts.iter().map(orbit).map(Orbit::of_peer).collect())
+            }
+        }
+    }
+}
+
+impl Orbit {
+    fn of_sweep(orbit: &OrbitSection) -> Self {
+        let points = orbit.points.iter().filter(|point| point.index > 0);
+        let crossing = |p: &SectionPoint| ([p.time, p.time_low], State { gamma: p.gamma, l: p.l });
+        Self { crossings: points.map(crossing).collect(), steps: orbit.report.steps, drift: orbit.report.drift }
+    }
+
+    fn of_peer(orbit: Crossings) -> Self {
+        let crossing = |c: &Crossing| ([c.time.seconds(), c.time.remainder()], c.state);
+        Self { crossings: orbit.found.iter().map(crossing).collect(), steps: orbit.steps, drift: orbit.drift }
+    }
+}
 
 fn starts(torus: &PpTorus, h: f64, count: usize) -> Result<Vec<State>, SectionError> {
     let points = spread_starts(torus, h, 3.25, &StartOptions { count, ..StartOptions::default() })?;
     points.iter().map(|&point| torus.state(point, h, 3.25)).collect()
 }
 
-fn largest_drift(orbits: &[OrbitSection]) -> Integrals {
-    orbits.iter().fold(Integrals::default(), |m, orbit| m.max(&orbit.report.drift))
+fn largest_drift(orbits: &[Orbit]) -> Integrals {
+    orbits.iter().fold(Integrals::default(), |m, orbit| m.max(&orbit.drift))
 }
 
-fn distance(p: &SectionPoint, q: &SectionPoint) -> f64 {
+fn distance((s, p): &([f64; 2], State), (t, q): &([f64; 2], State)) -> f64 {
     let both = p.gamma.iter().zip(q.gamma).chain(p.l.iter().zip(q.l));
-    both.map(|(a, b)| (a - b).abs()).fold((p.time - q.time).abs(), f64::max)
-}
-
-fn describe(method: Method) -> (&'static str, f64) {
-    match method {
-        Method::Taylor { tolerance } => ("taylor", tolerance),
-        Method::Dop853 { tolerance } => ("dop853", tolerance),
-        Method::RungeKutta4 { step } => ("rk4", step),
-        Method::Splitting { step } => ("splitting", step),
-    }
+    both.map(|(a, b)| (a - b).abs()).fold((s[0] - t[0]).abs(), f64::max)
 }
 
 fn tolerances(torus: &PpTorus) -> Result<(), Failure> {
     let (chaotic, regular) = (starts(torus, 4.45, 64)?, starts(torus, 2.6, 16)?);
-    let run = |starts: &[State], method, crossings| {
-        let options = SweepOptions { crossings, method, ..SweepOptions::default() };
-        sweep(torus, starts, &options, &Monitor::default())
-    };
-    let finest = run(&regular, Method::Taylor { tolerance: 1e-18 }, 200)?;
-    let taylor = [1e-18, 1e-15, 1e-12, 1e-9, 1e-6].map(|tolerance| Method::Taylor { tolerance });
-    let dop853 = [1e-15, 1e-12, 1e-9, 1e-6].map(|tolerance| Method::Dop853 { tolerance });
-    let runge_kutta = [0.002, 0.01, 0.05].map(|step| Method::RungeKutta4 { step });
-    let splitting = [0.002, 0.01, 0.05].map(|step| Method::Splitting { step });
+    let finest = Integrator::Taylor { tolerance: 1e-18 }.run(torus, &regular, 200)?;
     println!("method,parameter,steps_per_crossing,drift_energy,drift_vertical_momentum,drift_gamma_squared,error_200");
-    for method in [&taylor[..], &dop853, &runge_kutta, &splitting].concat() {
-        let (name, parameter) = describe(method);
-        let orbits = run(&chaotic, method, 1000)?;
+    let integrators =
+        Integrator::all(&[1e-18, 1e-15, 1e-12, 1e-9, 1e-6], &[1e-15, 1e-12, 1e-9, 1e-6], &[0.002, 0.01, 0.05]);
+    for integrator in integrators {
+        let (name, parameter) = integrator.describe();
+        let orbits = integrator.run(torus, &chaotic, 1000)?;
         let (steps, crossings) =
-            orbits.iter().fold((0, 0), |(s, c), orbit| (s + orbit.report.steps, c + orbit.points.len() - 1));
+            orbits.iter().fold((0, 0), |(s, c), orbit| (s + orbit.steps, c + orbit.crossings.len()));
         let drift = largest_drift(&orbits);
-        let found = run(&regular, method, 200)?;
-        let last = |orbit: &OrbitSection| orbit.points.get(200).copied();
-        let pairs = found.iter().zip(&finest).map(|(a, b)| last(a).zip(last(b)));
-        let error = pairs.fold(0.0_f64, |m, pair| m.max(pair.map_or(f64::INFINITY, |(p, q)| distance(&p, &q))));
+        let found = integrator.run(torus, &regular, 200)?;
+        let pairs = found.iter().zip(&finest).map(|(a, b)| a.crossings.get(199).zip(b.crossings.get(199)));
+        let error = pairs.fold(0.0_f64, |m, pair| m.max(pair.map_or(f64::INFINITY, |(p, q)| distance(p, q))));
         println!(
             "{name},{parameter:e},{:.2},{:.1e},{:.1e},{:.1e},{error:.1e}",
             steps as f64 / crossings as f64,
@@ -106,14 +153,14 @@ fn references() -> Result<Vec<Reference>, Failure> {
 }
 
 /// Errors of the state and of the time.
-fn errors(reference: &Reference, found: &SectionPoint) -> Result<[f64; 2], Failure> {
+fn errors(reference: &Reference, ([time, low], state): &([f64; 2], State)) -> Result<[f64; 2], Failure> {
     let exact = |x: f64| RBig::try_from(x).map_err(|_| "a crossing is not finite");
     let off = |x: f64, y: &RBig| Ok::<f64, Failure>((exact(x)? - y).to_f64().value().abs());
     let mut largest = 0.0_f64;
-    for (x, y) in found.gamma.iter().chain(&found.l).zip(&reference.state) {
+    for (x, y) in state.gamma.iter().chain(&state.l).zip(&reference.state) {
         largest = largest.max(off(*x, y)?);
     }
-    let time = exact(found.time)? + exact(found.time_low)? - &reference.time;
+    let time = exact(*time)? + exact(*low)? - &reference.time;
     Ok([largest, time.to_f64().value().abs()])
 }
 
@@ -128,41 +175,36 @@ fn tradeoff(torus: &PpTorus) -> Result<(), Failure> {
     /// Copies of each start, so that the Taylor integrator's registers are full.
     const COPIES: usize = 8;
     let references = references()?;
-    let taylor = [1e-18, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4]
-        .map(|tolerance| Method::Taylor { tolerance });
-    let dop853 = [1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5]
-        .map(|tolerance| Method::Dop853 { tolerance });
+    let taylor = [1e-18, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
+    let dop853 = [1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5];
     let steps = [0.0005, 0.001, 0.002, 0.004, 0.008, 0.016, 0.032, 0.064];
-    let runge_kutta = steps.map(|step| Method::RungeKutta4 { step });
-    let splitting = steps.map(|step| Method::Splitting { step });
     println!(
         "method,parameter,h,steps_per_crossing,cpu_us_per_crossing,drift_energy,drift_vertical_momentum,\
          drift_gamma_squared,error_100,time_error_100"
     );
-    for method in [&taylor[..], &dop853, &runge_kutta, &splitting].concat() {
-        let copies = if matches!(method, Method::Taylor { .. }) { COPIES } else { 1 };
+    for integrator in Integrator::all(&taylor, &dop853, &steps) {
+        let copies = if matches!(integrator, Integrator::Taylor { .. }) { COPIES } else { 1 };
         for h in [2.6, 4.45] {
             let chosen: Vec<&Reference> = references.iter().filter(|reference| reference.h == h).collect();
             let starts: Vec<State> =
                 chosen.iter().flat_map(|reference| std::iter::repeat_n(reference.start, copies)).collect();
-            let options = SweepOptions { crossings: CROSSINGS, method, ..SweepOptions::default() };
             let run = || {
                 let before = cpu_time();
-                let orbits = sweep(torus, &starts, &options, &Monitor::default());
+                let orbits = integrator.run(torus, &starts, CROSSINGS);
                 orbits.map(|orbits| (orbits, cpu_time() - before))
             };
             let (orbits, first) = run()?;
             let time = first.min(run()?.1).min(run()?.1);
-            let steps: u64 = orbits.iter().map(|orbit| orbit.report.steps).sum();
+            let steps: u64 = orbits.iter().map(|orbit| orbit.steps).sum();
             let crossings = (orbits.len() * CROSSINGS) as f64;
             let mut worst = [0.0_f64; 2];
             for (reference, orbit) in chosen.iter().zip(orbits.iter().step_by(copies)) {
-                let last = orbit.points.iter().find(|point| point.index as usize == CROSSINGS);
+                let last = orbit.crossings.get(CROSSINGS - 1);
                 let found = last.map_or(Ok([f64::INFINITY; 2]), |point| errors(reference, point))?;
                 worst = [worst[0].max(found[0]), worst[1].max(found[1])];
             }
             let drift = largest_drift(&orbits);
-            let (name, parameter) = describe(method);
+            let (name, parameter) = integrator.describe();
             println!(
                 "{name},{parameter:e},{h},{:.2},{:.3},{:.1e},{:.1e},{:.1e},{:.1e},{:.1e}",
                 steps as f64 / crossings,
@@ -184,8 +226,7 @@ fn growth(torus: &PpTorus, decades: u32) -> Result<(), Failure> {
         for h in [2.6, 4.45] {
             let starts = starts(torus, h, 4)?;
             for max_time in (2..=decades).map(|k| (0..k).fold(1.0, |t, _| t * 10.0)) {
-                let method = Method::Taylor { tolerance };
-                let options = SweepOptions { crossings: usize::MAX, max_time, method, ..SweepOptions::default() };
+                let options = SweepOptions { crossings: usize::MAX, max_time, tolerance, ..SweepOptions::default() };
                 let reports: Vec<_> = sweep(torus, &starts, &options, &Monitor::default())?
                     .into_iter()
                     .map(|orbit| orbit.report)

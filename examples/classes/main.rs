@@ -7,7 +7,7 @@
 //! cargo run --release --example classes -- deepen STATE STEPS [i/n]
 //! cargo run --release --example classes -- write STATE ALL SPECIAL GENERAL.summary.json POSITIVE.summary.json PUBLISHED SHIPPED
 //! cargo run --release --example classes -- special data/survey/special.json SEED LINES
-//! cargo run --release --example classes -- pages data/classes.json docs/classes
+//! cargo run --release --example classes -- pages data/classes.json target/classes
 //! cargo run --release --example classes -- report .
 //! cargo run --release --example classes -- extremes data/classes.json
 //! cargo run --release --example classes -- five SEED RUNS STEPS

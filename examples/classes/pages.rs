@@ -68,8 +68,8 @@ fn head(class: &ClassDocument) -> String {
 /// The page of all classes.
 fn index(classes: &[ClassDocument]) -> Result<String, Failure> {
     let mut page = String::from(
-        "# The classes of bodies that exist\n\nMade by `cargo run --release --example classes -- pages data/classes.json docs/classes`; \
-         what a class is, and how they were found, is told in [survey.md](../survey.md).\n\n\
+        "# The classes of bodies that exist\n\nMade by `cargo run --release --example classes -- pages`; \
+         what a class is, and how they were found, is described in `docs/survey.md`.\n\n\
          ![the graph of classes](graph.svg)\n\n\
          A dot is a class, to the right with its number of regions, its area with the logarithm of its share; a line is a border \
          between two, its colour what happens there.\n\n\

@@ -127,7 +127,7 @@ fn largest(known: &Known) -> String {
         let beside: BTreeSet<&str> = class.neighbours.iter().map(|beside| beside.class.as_str()).collect();
         let _always = writeln!(
             table,
-            "| [`{0}`](classes/{0}.md) | {1:.2}% | {2} | {cusps} | {crossings} | {3} |",
+            "| `{0}` | {1:.2}% | {2} | {cusps} | {crossings} | {3} |",
             class.name,
             100.0 * class.measure,
             class.regions,

@@ -3,7 +3,6 @@
 use std::sync::atomic::AtomicBool;
 
 use bifdiag::dynamics::field::{HeavyTop, State, dot, norm};
-use bifdiag::dynamics::integrator::Method;
 use bifdiag::dynamics::motion::{MotionOptions, MotionSample, follow};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -38,9 +37,8 @@ pub fn motion<'py>(python: Python<'py>, body: &Body, request: &Bound<'py, PyDict
     let Request { gamma, l, is_omega, times, phi, tolerance } = request.extract()?;
     let top = HeavyTop::new(&body.subject.body);
     let start = State { gamma: direction(gamma), l: if is_omega { top.inertia(l) } else { l } };
-    let method = Method::Taylor { tolerance };
     let stop = AtomicBool::new(false);
-    let options = MotionOptions { method, phi, stop: &stop };
+    let options = MotionOptions { tolerance, phi, stop: &stop };
     let motion = work::run(python, 1, &stop, || follow(&top, &start, &times, &options))?
         .map_err(|error| errors::input(&error))?;
     if let Some(failure) = motion.report.failure {

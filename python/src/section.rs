@@ -1,7 +1,6 @@
 //! Poincaré sections as arrays.
 
 use bifdiag::documents::{self, Subject};
-use bifdiag::dynamics::integrator::Method;
 use bifdiag::dynamics::poincare::{PoincareError, PoincareSection, Setting};
 use bifdiag::dynamics::section::chaos::ChaosOptions;
 use bifdiag::dynamics::section::{Monitor, SectionCondition, SectionPoint, SweepOptions, TorusPoint};
@@ -59,7 +58,7 @@ pub fn section<'py>(
     let options = SweepOptions {
         crossings: request.crossings,
         max_time: request.max_time,
-        method: Method::Taylor { tolerance: request.tolerance },
+        tolerance: request.tolerance,
         condition,
         ..SweepOptions::default()
     };

@@ -246,7 +246,12 @@ impl Options {
 }
 
 /// Options of earlier versions, and what is written now.
-const GONE: [(&str, &str); 2] = [("rng-seed", "--seed K"), ("seeds", "--starts FILE.csv")];
+const GONE: [(&str, &str); 4] = [
+    ("rng-seed", "--seed K"),
+    ("seeds", "--starts FILE.csv"),
+    ("integrator", "--tol 1e-12: motions are integrated by Taylor series, and their tolerance says how finely"),
+    ("step", "--tol 1e-12: motions are integrated by Taylor series, whose steps adapt to their tolerance"),
+];
 
 /// An option of an earlier version is named with its successor, unless some command still has it.
 fn check_gone(arguments: &[OsString]) -> Result<(), Refusal> {

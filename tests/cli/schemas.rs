@@ -92,7 +92,7 @@ fn documents_fit_their_schemas() {
     }
     assert_fits("atlas", &bifdiag("--body paper --json --window 0:6,0:4").succeeds().json());
     let section = "section --body paper --h 4.45 --l 3.25 --orbits 3 --crossings 40 --json";
-    for more in ["", "--color lyapunov", "--integrator rk4 --max-time 5", "--condition angular-momentum"] {
+    for more in ["", "--color lyapunov", "--tol 1e-9 --max-time 5", "--condition angular-momentum"] {
         assert_fits("section", &bifdiag(&format!("{section} {more}")).succeeds().json());
     }
     let part = format!("section {PART} --h 0.65 --l 0.464 --orbits 2 --crossings 5 --json");

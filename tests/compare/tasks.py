@@ -76,12 +76,12 @@ def certificate(stratum, body):
 SECTIONS = (
     "--data crossings.csv",
     "--data crossings.npz --color lyapunov",
-    "--integrator dop853 --data crossings.jsonl",
-    "--condition angular-momentum --data crossings.csv --integrator rk4 --step 0.01",
+    "--tol 1e-12 --data crossings.jsonl",
+    "--condition angular-momentum --data crossings.csv --tol 1e-9",
     "--color rotation --max-time 60",
-    "--integrator splitting --step 0.01 --seed 7",
+    "--tol 1e-15 --seed 7",
 )
-ORBITS = ("--times 0:5:6", "--times -3:3:4 --integrator dop853", "--times 0:2:3 --data motion.npz")
+ORBITS = ("--times 0:5:6", "--times -3:3:4 --tol 1e-12", "--times 0:2:3 --data motion.npz")
 
 
 def motions(stratum, rng, bodies, momenta, answers):

@@ -31,7 +31,7 @@ pub use critical::{LINEAR_TYPES, VERDICTS, critical, equilibria, type_code, verd
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use measured::{measured_command, measured_tolerance};
-pub use section::{chaos, drift, integrator, integrator_options, section, sections};
+pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
 pub use spin::{spin, spin_changes, tolerance};
 pub use subject::Subject;
 pub use witnesses::{ReadWitnessError, read_witness, shipped_witnesses};

@@ -1,7 +1,7 @@
 //! Sections as documents.
 
 use dynamics::field::Integrals;
-use dynamics::integrator::Method;
+use dynamics::integrator::DEFAULT_TOLERANCE;
 use dynamics::poincare::PoincareSection;
 use dynamics::section::chaos::{ChaosMeasure, Evidence, Judgement, Open, Rotation, RotationAngle, Verdict};
 use dynamics::section::{End, OrbitSection, SectionCondition, TorusPoint};
@@ -55,7 +55,7 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
             SectionCondition::AngularMomentum => None,
         },
         condition: condition(options.condition),
-        integrator: integrator(options.method),
+        integrator: integrator(options.tolerance),
         starts: StartsDocument { orbits: section.starts.len(), seed: section.seed },
         crossings: options.crossings,
         max_time: options.max_time.is_finite().then_some(options.max_time),
@@ -110,22 +110,13 @@ fn as_asked(line: CommandLine, document: &SectionDocument) -> CommandLine {
         VerdictsName::Only => Some("only"),
         VerdictsName::None => Some("none"),
     };
-    integrator_options(line, &document.integrator).option_if("verdict", verdicts)
+    tolerance_option(line, document.integrator.tol).option_if("verdict", verdicts)
 }
 
-/// Adds the integrator, unless it is the usual one.
+/// Adds the tolerance, unless it is the usual one.
 #[must_use]
-pub fn integrator_options(line: CommandLine, document: &IntegratorDocument) -> CommandLine {
-    if *document == integrator(Method::default()) {
-        return line;
-    }
-    let name = match document.name {
-        IntegratorName::Taylor => "taylor",
-        IntegratorName::Dop853 => "dop853",
-        IntegratorName::Rk4 => "rk4",
-        IntegratorName::Splitting => "splitting",
-    };
-    line.option("integrator", name).option_if("tol", document.tol).option_if("step", document.step)
+pub fn tolerance_option(line: CommandLine, tolerance: f64) -> CommandLine {
+    line.option_if("tol", (tolerance != DEFAULT_TOLERANCE).then_some(tolerance))
 }
 
 /// Sections of several regions; `complete` says whether all regions had their turn.
@@ -179,16 +170,10 @@ fn condition(condition: SectionCondition) -> ConditionName {
     }
 }
 
-/// An integrator and how fine it was.
+/// The integrator and how fine it was.
 #[must_use]
-pub fn integrator(method: Method) -> IntegratorDocument {
-    let (name, tol, step) = match method {
-        Method::Taylor { tolerance } => (IntegratorName::Taylor, Some(tolerance), None),
-        Method::Dop853 { tolerance } => (IntegratorName::Dop853, Some(tolerance), None),
-        Method::RungeKutta4 { step } => (IntegratorName::Rk4, None, Some(step)),
-        Method::Splitting { step } => (IntegratorName::Splitting, None, Some(step)),
-    };
-    IntegratorDocument { name, tol, step }
+pub fn integrator(tolerance: f64) -> IntegratorDocument {
+    IntegratorDocument { name: IntegratorName::Taylor, tol: tolerance }
 }
 
 /// Deviations of the first integrals.

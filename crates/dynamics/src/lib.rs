@@ -1,4 +1,4 @@
-//! Motion in time: the Euler–Poisson equations, integrators, Poincaré sections, chaos, attitude.
+//! Motion in time: the Euler–Poisson equations, their integrator, Poincaré sections, chaos, attitude.
 
 pub mod field;
 pub mod integrator;

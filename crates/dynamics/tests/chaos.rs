@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use dynamics::field::{HeavyTop, State, norm, sub};
 use dynamics::integrator::taylor::InstructionSet;
-use dynamics::integrator::{Method, MethodError};
+use dynamics::integrator::{Taylor, ToleranceError};
 use dynamics::section::chaos::{
     ChaosMeasure, ChaosOptions, Lyapunov, RotationAngle, RotationUndefined, chaos_measures, lyapunov_exponents,
 };
@@ -109,7 +109,7 @@ fn two_nearby_orbits_part_at_the_same_rate() {
         (gamma * gamma + l * l).sqrt()
     };
     let after_one = |state: &State| {
-        let mut stepper = Method::Taylor { tolerance: 1e-15 }.stepper(torus.top(), state).unwrap();
+        let mut stepper = Taylor::new(torus.top(), state, 1e-15).unwrap();
         loop {
             let step = stepper.step().unwrap();
             if step.end().seconds() >= 1.0 {
@@ -245,7 +245,7 @@ fn what_has_no_measure_says_so() {
     assert_eq!(none, [None; 4]);
     let options = ChaosOptions { tolerance: 1.0, ..ChaosOptions::default() };
     let error = lyapunov_exponents(torus.top(), &times, &options, &Monitor::default());
-    assert!(matches!(error, Err(SectionError::Method(MethodError { name: "tol", .. }))));
+    assert!(matches!(error, Err(SectionError::Tolerance(ToleranceError { .. }))));
     let stopped = Monitor::default();
     stopped.stop.store(true, std::sync::atomic::Ordering::Relaxed);
     let none = lyapunov_exponents(torus.top(), &[(start, 10.0)], &ChaosOptions::default(), &stopped).unwrap();

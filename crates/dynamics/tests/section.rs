@@ -2,11 +2,12 @@
 
 use dynamics::field::{HeavyTop, Integrals, State, dot, kovalevskaya};
 use dynamics::integrator::taylor::InstructionSet;
-use dynamics::integrator::{Method, MethodError};
+use dynamics::integrator::{DEFAULT_TOLERANCE, Taylor, ToleranceError};
 use dynamics::section::{
     End, Halt, Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, StartOptions,
     SweepOptions, Task, TorusPoint, spread_starts, sweep, sweep_on,
 };
+use support::peers::Method;
 use top::body::Body;
 
 fn torus(moments: [f64; 3], center: [f64; 3]) -> PpTorus {
@@ -78,12 +79,7 @@ fn drift_over_a_million_units_of_time_is_a_random_walk() {
     // Five million steps whose roundings change the energy by about 5e-17 each: a random walk of 1.3e-13 with a largest
     // deviation of about 1.9e-13 (data/accuracy/growth.csv). A linear drift of 1e-19 a step would show as 5e-13.
     let torus = paper();
-    let options = SweepOptions {
-        crossings: usize::MAX,
-        max_time: 1e6,
-        method: Method::Taylor { tolerance: 1e-18 },
-        ..SweepOptions::default()
-    };
+    let options = SweepOptions { crossings: usize::MAX, max_time: 1e6, tolerance: 1e-18, ..SweepOptions::default() };
     let starts = [starts(&torus, 2.6, 3.25, 1), starts(&torus, 4.45, 3.25, 1)].concat();
     for orbit in sweep(&torus, &starts, &options, &Monitor::default()).unwrap() {
         assert_eq!(orbit.report.end, End::Time);
@@ -97,12 +93,7 @@ fn moments_that_are_no_binary_fractions_cause_no_drift() {
     // With 1/A rounded to one double, the energy of these tops drifted by 2.5e-18 a unit of time: the rounding of a
     // constant is the same in every step, and centres of few digits leave no room in which a product could keep it.
     let torus = torus([2.0, 1.25, 1.0], [0.9375, 0.0, 0.625]);
-    let options = SweepOptions {
-        crossings: usize::MAX,
-        max_time: 1e5,
-        method: Method::Taylor { tolerance: 1e-18 },
-        ..SweepOptions::default()
-    };
+    let options = SweepOptions { crossings: usize::MAX, max_time: 1e5, tolerance: 1e-18, ..SweepOptions::default() };
     for orbit in sweep(&torus, &starts(&torus, 2.6, 3.25, 8), &options, &Monitor::default()).unwrap() {
         assert!(orbit.report.drift.largest() < 1.2e-13, "{:?}", orbit.report);
     }
@@ -306,9 +297,9 @@ fn time_ends_an_orbit() {
 #[test]
 fn unusable_input_is_named() {
     let torus = paper();
-    let options = SweepOptions { method: Method::Taylor { tolerance: f64::NAN }, ..SweepOptions::default() };
+    let options = SweepOptions { tolerance: f64::NAN, ..SweepOptions::default() };
     let error = sweep(&torus, &[], &options, &Monitor::default());
-    assert!(matches!(error, Err(SectionError::Method(MethodError { name: "tol", .. }))));
+    assert!(matches!(error, Err(SectionError::Tolerance(ToleranceError { .. }))));
     let outside = TorusPoint { theta: 3.0, psi: 0.0, sheet: 1 };
     assert!(matches!(torus.state(outside, 2.0, 3.25), Err(SectionError::SeedInaccessible { .. })));
     let weightless = HeavyTop::new(&Body::from_f64([2.0, 1.0, 1.0], [0.0; 3]).unwrap());
@@ -321,29 +312,32 @@ fn other_integrators_find_the_same_crossings() {
     let torus = paper();
     let starts = starts(&torus, 2.6, 3.25, 6);
     let methods = [
-        (Method::Taylor { tolerance: 1e-12 }, 1e-10),
-        (Method::Dop853 { tolerance: 1e-14 }, 1e-9),
-        (Method::RungeKutta4 { step: 0.005 }, 1e-6),
-        (Method::Splitting { step: 0.005 }, 1e-6),
+        (Method::Dop853 { tolerance: 1e-14 }, 200, 1e-9),
+        (Method::RungeKutta4 { step: 0.005 }, 20, 1e-6),
+        (Method::Splitting { step: 0.005 }, 20, 1e-6),
     ];
-    let expected = run(&torus, &starts, 200);
-    for (method, tolerance) in methods {
-        for condition in [SectionCondition::Height, SectionCondition::AngularMomentum] {
-            let crossings = if tolerance < 1e-8 { 200 } else { 20 };
-            let options = SweepOptions { crossings, method, condition, ..SweepOptions::default() };
-            let found = sweep(&torus, &starts, &options, &Monitor::default()).unwrap();
-            let expected = if condition == SectionCondition::Height {
-                expected.clone()
-            } else {
-                let options = SweepOptions { condition, ..SweepOptions::default() };
-                sweep(&torus, &starts, &options, &Monitor::default()).unwrap()
-            };
-            for (a, b) in found.iter().zip(&expected) {
-                assert_eq!(a.report.end, End::Crossings, "{method:?}");
-                assert!(a.report.residual < 1e-14, "{method:?} {:?}", a.report);
-                for (p, q) in a.points.iter().zip(&b.points) {
-                    let error = distance(&state_of(p), &state_of(q)).max((p.time - q.time).abs());
-                    assert!(error < tolerance, "{method:?} {condition:?} crossing {}: {error:e}", p.index);
+    for condition in [SectionCondition::Height, SectionCondition::AngularMomentum] {
+        let run = |tolerance| {
+            let options = SweepOptions { crossings: 200, tolerance, condition, ..SweepOptions::default() };
+            sweep(&torus, &starts, &options, &Monitor::default()).unwrap()
+        };
+        let expected = run(DEFAULT_TOLERANCE);
+        for (coarser, fine) in run(1e-12).iter().zip(&expected) {
+            assert_eq!((coarser.report.end, coarser.points.len()), (End::Crossings, fine.points.len()));
+            assert!(coarser.report.residual < 1e-14, "{:?}", coarser.report);
+            for (p, q) in coarser.points.iter().zip(&fine.points) {
+                let error = distance(&state_of(p), &state_of(q)).max((p.time - q.time).abs());
+                assert!(error < 1e-10, "{condition:?} crossing {}: {error:e}", p.index);
+            }
+        }
+        for (method, crossings, tolerance) in methods {
+            for (start, orbit) in starts.iter().zip(&expected) {
+                let found = method.crossings(torus.top(), start, condition, crossings).found;
+                let points = orbit.points.iter().filter(|point| point.index > 0).take(crossings);
+                assert_eq!((found.len(), points.clone().count()), (crossings, crossings));
+                for (a, b) in found.iter().zip(points) {
+                    let error = distance(&a.state, &state_of(b)).max((a.time.seconds() - b.time).abs());
+                    assert!(error < tolerance, "{method:?} {condition:?} crossing {}: {error:e}", b.index);
                 }
             }
         }
@@ -353,12 +347,11 @@ fn other_integrators_find_the_same_crossings() {
 #[test]
 fn the_splitting_keeps_the_casimirs_to_rounding() {
     let torus = paper();
-    let method = Method::Splitting { step: 0.02 };
-    let options = SweepOptions { crossings: 500, method, ..SweepOptions::default() };
-    for orbit in sweep(&torus, &starts(&torus, 4.45, 3.25, 4), &options, &Monitor::default()).unwrap() {
-        let drift = orbit.report.drift;
+    for start in starts(&torus, 4.45, 3.25, 4) {
+        let orbit = Method::Splitting { step: 0.02 }.crossings(torus.top(), &start, SectionCondition::Height, 500);
+        let drift = orbit.drift;
         // A random walk of the roundings of 25 rotations a step, of γ (1) and of l (5), and six of its deviations.
-        let walk = 6.0 * f64::EPSILON * (25.0 * orbit.report.steps as f64).sqrt();
+        let walk = 6.0 * f64::EPSILON * (25.0 * orbit.steps as f64).sqrt();
         assert!(drift.gamma_squared < walk && drift.vertical_momentum < 5.0 * walk, "{drift:?} {walk:e}");
         assert!(drift.energy < 1e-4, "{drift:?}");
     }
@@ -370,7 +363,7 @@ fn one_orbit_by_the_stepper_is_the_orbit_of_the_sweep() {
     let start = starts(&torus, 4.45, 3.25, 1)[0];
     let options = SweepOptions { max_time: 40.0, crossings: usize::MAX, ..SweepOptions::default() };
     let orbit = &sweep(&torus, &[start], &options, &Monitor::default()).unwrap()[0];
-    let mut stepper = Method::default().stepper(torus.top(), &start).unwrap();
+    let mut stepper = Taylor::new(torus.top(), &start, DEFAULT_TOLERANCE).unwrap();
     let mut points = orbit.points.iter().skip(1);
     let mut next = points.next();
     for _ in 0..orbit.report.steps {
@@ -394,7 +387,7 @@ fn no_crossing_is_missed() {
         let options = SweepOptions { max_time: 400.0, crossings: usize::MAX, ..SweepOptions::default() };
         let starts = starts(&torus, h, 3.25, 12);
         for (orbit, start) in sweep(&torus, &starts, &options, &Monitor::default()).unwrap().iter().zip(&starts) {
-            let mut stepper = Method::default().stepper(torus.top(), start).unwrap();
+            let mut stepper = Taylor::new(torus.top(), start, DEFAULT_TOLERANCE).unwrap();
             let mut crossings = orbit.points.iter().skip(1).map(|p| p.time).peekable();
             // Just after the start, S has the sign of Ṡ.
             let mut positive = orbit.points[0].s_dot > 0.0;

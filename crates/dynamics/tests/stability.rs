@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use dynamics::field::{HeavyTop, State};
-use dynamics::integrator::Method;
+use dynamics::integrator::DEFAULT_TOLERANCE;
 use dynamics::motion::{MotionOptions, follow};
 use numbers::Number;
 use top::body::Body;
@@ -44,7 +44,7 @@ fn departure(body: &Body, point: &Equilibrium, random: &mut Random, duration: f6
     gamma = gamma.map(|g| g / norm);
     let start = State { gamma, l: l.map(|x| x + DISTURBANCE * size * random.between(-1.0, 1.0)) };
     let stop = AtomicBool::new(false);
-    let options = MotionOptions { method: Method::default(), phi: 0.0, stop: &stop };
+    let options = MotionOptions { tolerance: DEFAULT_TOLERANCE, phi: 0.0, stop: &stop };
     let times: Vec<f64> = (0..=400).map(|k| duration * f64::from(k) / 400.0).collect();
     let motion = follow(&HeavyTop::new(body), &start, &times, &options).unwrap();
     let far = |sample: &dynamics::motion::MotionSample| {

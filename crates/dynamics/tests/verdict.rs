@@ -9,6 +9,7 @@ use dynamics::section::chaos::{
 use dynamics::section::{
     End, Monitor, OrbitSection, PpTorus, StartOptions, SweepOptions, TorusPoint, spread_starts, sweep,
 };
+use support::peers::Method;
 use top::body::{Body, Number};
 
 const PAPER: ([f64; 3], [f64; 3]) = ([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]);
@@ -145,11 +146,12 @@ fn a_look_is_what_a_fine_sum_over_the_motion_sees() {
     assert_eq!(found.len(), 2);
     for look in found {
         let (mut sums, mut weights) = ([[0.0; 3]; 2], [0.0; 2]);
-        let mut stepper =
-            dynamics::integrator::Method::RungeKutta4 { step: 1e-3 }.stepper(torus.top(), &start).unwrap();
-        loop {
-            let step = stepper.step().unwrap();
-            let part = (step.start().seconds() + 5e-4) / look.time;
+        let half_step = |state: &State| Method::RungeKutta4 { step: 5e-4 }.state_after(torus.top(), state, 5e-4);
+        let mut state = start;
+        for step in 0.. {
+            let middle = half_step(&state);
+            state = half_step(&middle);
+            let part = (f64::from(step) * 1e-3 + 5e-4) / look.time;
             if part > 1.0 {
                 break;
             }
@@ -158,7 +160,7 @@ fn a_look_is_what_a_fine_sum_over_the_motion_sees() {
             let squared = |x: f64| x * x;
             let weight = if u > 0.0 { squared(squared(squared(u * (1.0 - u)))) } else { 0.0 };
             weights[window] += weight;
-            for (sum, gamma) in sums[window].iter_mut().zip(step.state(0.5).gamma) {
+            for (sum, gamma) in sums[window].iter_mut().zip(middle.gamma) {
                 *sum += weight * gamma;
             }
         }

@@ -21,12 +21,6 @@ pub enum ConditionName {
 pub enum IntegratorName {
     /// Taylor series of adaptive step.
     Taylor,
-    /// Dormand and Prince's method of order 8, adaptive.
-    Dop853,
-    /// The classical Runge–Kutta method of order 4, fixed step.
-    Rk4,
-    /// A composition of exact Poisson flows of order 4, fixed step.
-    Splitting,
 }
 
 /// An integrator and how fine it was.
@@ -34,12 +28,8 @@ pub enum IntegratorName {
 pub struct IntegratorDocument {
     /// Which one.
     pub name: IntegratorName,
-    /// Tolerance of a step; absent for fixed steps.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub tol: Option<f64>,
-    /// Length of a step in time; absent for adaptive ones.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub step: Option<f64>,
+    /// Truncation error of a step, relative to the size of the energy surface.
+    pub tol: f64,
 }
 
 /// Where the orbits started.

@@ -5,6 +5,7 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use dashu_ratio::RBig;
 use documents::GridAxis;
+use dynamics::integrator::check_tolerance;
 use numbers::vector::dot;
 use part::{Measured, Units, UnitsError};
 use schema::WindowDocument;
@@ -97,6 +98,8 @@ pub enum ValueError {
     NoDirection,
     #[error("a sheet is + (or 1) or - (or -1), by the sign of Delta")]
     Sheet,
+    #[error("the truncation error of a step is from 1e-18 to 1e-2, such as 1e-12")]
+    StepTolerance,
     #[error("a time must be greater than zero, such as 1e4")]
     Duration,
 }
@@ -258,6 +261,13 @@ pub fn threads(text: &str) -> Result<NonZeroUsize, ValueError> {
 /// A number of which only the nearest double is needed.
 pub fn float(text: &str) -> Result<f64, ValueError> {
     Ok(number(text)?.to_f64())
+}
+
+/// The truncation error of a step of the integrator.
+pub fn step_tolerance(text: &str) -> Result<f64, ValueError> {
+    let tolerance = float(text)?;
+    check_tolerance(tolerance).map_err(|_| ValueError::StepTolerance)?;
+    Ok(tolerance)
 }
 
 pub fn duration(text: &str) -> Result<f64, ValueError> {

@@ -33,13 +33,13 @@ pub fn text(settings: &Settings, target: &AnimationTarget) -> Result<String, Orb
 
 /// Frames at equal times from the first one to the last.
 fn animation(settings: &Settings) -> Result<String, OrbitFailure> {
-    let Settings { subject, top, start, phi, method, times, .. } = settings;
+    let Settings { subject, top, start, phi, tolerance, times, .. } = settings;
     let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
     let points = (FRAMES - 1) * FINER;
     let time = |k: u32| first + (last - first) * f64::from(k) / f64::from(points);
     let at: Vec<f64> = (0..=points).map(time).collect();
     let never = AtomicBool::new(false);
-    let motion = follow(top, start, &at, &MotionOptions { method: *method, phi: *phi, stop: &never })?;
+    let motion = follow(top, start, &at, &MotionOptions { tolerance: *tolerance, phi: *phi, stop: &never })?;
     let unit = |k: usize| std::array::from_fn(|i| f64::from(u8::from(i == k)));
     let frames: Vec<[[f64; 3]; 3]> = motion
         .samples

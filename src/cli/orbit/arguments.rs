@@ -6,8 +6,8 @@ use top::body::Number;
 use super::target::AnimationTarget;
 use super::times::Times;
 use crate::cli::export::DataTarget;
+use crate::cli::input::BodyArguments;
 use crate::cli::input::values::{self, Vector};
-use crate::cli::input::{BodyArguments, IntegratorArguments};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -66,8 +66,10 @@ pub struct OrbitArguments {
     #[arg(long, value_name = "t0:t1:n|FILE", default_value = "0:10:21", allow_hyphen_values = true)]
     #[arg(value_parser = Times::parse, help_heading = "Motion")]
     pub times: Times,
-    #[command(flatten)]
-    pub integrator: IntegratorArguments,
+    /// Truncation error of a step of the Taylor series, relative to the size of the motion (default: 1e-15)
+    #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = values::step_tolerance)]
+    #[arg(hide_short_help = true, help_heading = "Motion")]
+    pub tol: Option<f64>,
     /// Write the samples to FILE.csv, FILE.npz, FILE.parquet or FILE.jsonl (-: CSV to stdout)
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,

@@ -11,11 +11,11 @@ use super::settings::Settings;
 
 /// The document without its samples.
 pub fn of(settings: &Settings, motion: &Motion) -> Result<MotionDocument, OrbitFailure> {
-    let Settings { subject, top, start, phi, method, times, .. } = settings;
+    let Settings { subject, top, start, phi, tolerance, times, .. } = settings;
     let report = &motion.report;
     let at_start = {
         let stop = AtomicBool::new(false);
-        let options = MotionOptions { method: *method, phi: *phi, stop: &stop };
+        let options = MotionOptions { tolerance: *tolerance, phi: *phi, stop: &stop };
         follow(top, start, &[0.0], &options)?.samples
     };
     let [start_sample] = at_start[..] else { unreachable!("time 0 is the start itself") };
@@ -25,7 +25,7 @@ pub fn of(settings: &Settings, motion: &Motion) -> Result<MotionDocument, OrbitF
         h: top.energy(start),
         l: dot(start.gamma, start.l),
         start: sample_document(&start_sample),
-        integrator: documents::integrator(*method),
+        integrator: documents::integrator(*tolerance),
         complete: motion.samples.len() == times.len(),
         summary: MotionSummaryDocument {
             samples: motion.samples.len(),
@@ -43,11 +43,11 @@ pub fn of(settings: &Settings, motion: &Motion) -> Result<MotionDocument, OrbitF
 
 /// The motion from its start γ, l.
 fn command(settings: &Settings) -> String {
-    let Settings { subject, start, phi, method, given_times, .. } = settings;
+    let Settings { subject, start, phi, tolerance, given_times, .. } = settings;
     let list = |v: [f64; 3]| v.map(|x| x.to_string()).join(",");
     let line = subject.command("orbit").option("gamma", list(start.gamma)).option("l-vector", list(start.l));
     let line = line.option_if("phi", (*phi != 0.0).then_some(phi)).option("times", given_times);
-    documents::integrator_options(line, &documents::integrator(*method)).json()
+    documents::tolerance_option(line, *tolerance).json()
 }
 
 /// What is to be said about the samples.

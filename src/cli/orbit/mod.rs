@@ -31,7 +31,7 @@ pub fn run(arguments: &OrbitArguments, timings: &Timings) -> Result<(), Failure>
     let stop = Arc::new(AtomicBool::new(false));
     let stopping = Arc::clone(&stop);
     let work = stoppable(move || stopping.store(true, Ordering::Relaxed));
-    let options = MotionOptions { method: settings.method, phi: settings.phi, stop: &stop };
+    let options = MotionOptions { tolerance: settings.tolerance, phi: settings.phi, stop: &stop };
     let motion = timings
         .stage("motion", || follow(&settings.top, &settings.start, &settings.times, &options))
         .map_err(OrbitFailure::from)?;

@@ -1,7 +1,7 @@
 //! What the options ask for.
 
 use dynamics::field::{HeavyTop, State};
-use dynamics::integrator::Method;
+use dynamics::integrator::DEFAULT_TOLERANCE;
 
 use super::arguments::OrbitArguments;
 use super::error::OrbitInput;
@@ -21,7 +21,7 @@ pub struct Settings<'a> {
     pub times: Vec<f64>,
     /// The times as the option says them.
     pub given_times: &'a Times,
-    pub method: Method,
+    pub tolerance: f64,
     pub data: Option<&'a DataTarget>,
     pub animation: Option<&'a AnimationTarget>,
     pub json: bool,
@@ -37,7 +37,6 @@ impl<'a> Settings<'a> {
         let top = HeavyTop::new(&subject.body);
         let start = start::of(arguments, &top)?;
         let times = arguments.times.list()?;
-        let method = arguments.integrator.method(&top, top.energy(&start))?;
         let (phi, given_times) = (arguments.phi, &arguments.times);
         Ok(Self {
             subject,
@@ -46,7 +45,7 @@ impl<'a> Settings<'a> {
             phi,
             times,
             given_times,
-            method,
+            tolerance: arguments.tol.unwrap_or(DEFAULT_TOLERANCE),
             data,
             animation: arguments.animate.as_ref(),
             json,

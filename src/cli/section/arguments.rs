@@ -10,7 +10,7 @@ use top::body::Number;
 
 use crate::cli::export::{DataTarget, PictureArguments, WidthArgument};
 use crate::cli::input::values::Named;
-use crate::cli::input::{BodyArguments, IntegratorArguments, values};
+use crate::cli::input::{BodyArguments, values};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -116,8 +116,10 @@ pub struct SectionArguments {
     /// The section condition S = 0
     #[arg(long, value_parser = values::named(&CONDITIONS), default_value = "height", help_heading = "Orbits")]
     pub condition: SectionCondition,
-    #[command(flatten)]
-    pub integrator: IntegratorArguments,
+    /// Truncation error of a step of the Taylor series, relative to the size of the motion (default: 1e-15)
+    #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = values::step_tolerance)]
+    #[arg(hide_short_help = true, help_heading = "Orbits")]
+    pub tol: Option<f64>,
     /// Write the points to FILE.npz, FILE.parquet, FILE.csv or FILE.jsonl (-: CSV to stdout); with several regions, a file for each
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,

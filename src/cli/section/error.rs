@@ -11,7 +11,7 @@ use top::atlas::MomentumError;
 use top::classify::ClassifyError;
 
 use crate::cli::failure::{CommandError, Exit};
-use crate::cli::input::{BodyInput, IntegratorInput};
+use crate::cli::input::BodyInput;
 
 /// Why there is no section.
 #[derive(Debug, Error)]
@@ -65,8 +65,6 @@ impl CommandError for SectionInput {
 pub enum SectionInput {
     #[error(transparent)]
     Body(#[from] BodyInput),
-    #[error(transparent)]
-    Integrator(#[from] IntegratorInput),
     #[error("--l: {0}")]
     Momentum(MomentumError),
     #[error("{0}")]

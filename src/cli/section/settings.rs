@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use dynamics::integrator::DEFAULT_TOLERANCE;
 use dynamics::poincare::PoincareError;
 use dynamics::section::SectionCondition;
 use plot::{Projection, Theme, Width};
@@ -12,7 +13,6 @@ use super::seeds::{self, Seed};
 use super::sites::{ALL, Sites};
 use crate::cli::export::{DataFormat, DataTarget, PictureFormat, directory};
 use crate::cli::failure::Failure;
-use crate::cli::input::IntegratorArguments;
 
 /// Orbits of a section if nothing else is said.
 const ORBITS: u32 = 24;
@@ -25,7 +25,8 @@ pub struct Settings<'a> {
     pub max_time: f64,
     pub verdict: VerdictArgument,
     pub condition: SectionCondition,
-    pub integrator: &'a IntegratorArguments,
+    /// Of a step of the integrator.
+    pub tolerance: f64,
     pub color: ColorArgument,
     pub projection: Projection,
     pub outputs: Outputs<'a>,
@@ -116,7 +117,7 @@ impl<'a> Settings<'a> {
             max_time: arguments.max_time.unwrap_or(f64::INFINITY),
             verdict: verdict(arguments)?,
             condition: arguments.condition,
-            integrator: &arguments.integrator,
+            tolerance: arguments.tol.unwrap_or(DEFAULT_TOLERANCE),
             color: arguments.color,
             projection: arguments.projection,
         })

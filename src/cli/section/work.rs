@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use dynamics::integrator::Method;
 use dynamics::poincare::{PoincareError, PoincareSection, Setting};
 use dynamics::section::chaos::{ChaosMeasure, ChaosOptions};
 use dynamics::section::{Monitor, OrbitSection, SectionError, SweepOptions, TorusPoint};
@@ -73,15 +72,14 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
         Starts::Given { path, seeds } => (accessible(&setting, path, seeds)?, None),
         Starts::Spread { orbits, seed } => (setting.spread_watched(*orbits, *seed, monitor)?, Some(*seed)),
     };
-    let method = settings.integrator.method(setting.torus().top(), setting.h()).map_err(SectionInput::from)?;
     let options = SweepOptions {
         crossings: settings.crossings,
         max_time: settings.max_time,
-        method,
+        tolerance: settings.tolerance,
         condition: settings.condition,
         ..SweepOptions::default()
     };
-    let chaos = chaos_options(method);
+    let chaos = chaos_options(&options);
     let (section, journal) = match settings.resumed(site.region.as_deref()) {
         Some((path, discards)) => {
             let streamed = settings.streamed().is_some();
@@ -135,12 +133,8 @@ fn judge(
 }
 
 /// The variational equations follow the orbits as these were followed.
-fn chaos_options(method: Method) -> ChaosOptions {
-    let usual = ChaosOptions::default();
-    match method {
-        Method::Taylor { tolerance } => ChaosOptions { tolerance, ..usual },
-        _ => usual,
-    }
+fn chaos_options(options: &SweepOptions) -> ChaosOptions {
+    ChaosOptions { tolerance: options.tolerance, ..ChaosOptions::default() }
 }
 
 /// The seeds of a file, if all of them are accessible.

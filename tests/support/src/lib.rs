@@ -1,6 +1,6 @@
 //! What the tests, examples and benchmarks of several packages share: bodies of every stratum that shrink, points planted
-//! beside their curves, random bodies for campaigns and benchmarks, a flood fill as an independent method, and the files of
-//! `data/`.
+//! beside their curves, random bodies for campaigns and benchmarks, a flood fill as an independent method, other methods of
+//! integration, and the files of `data/`.
 
 // A panic is a failed test.
 #![allow(clippy::missing_panics_doc)]
@@ -8,6 +8,8 @@
 pub mod aim;
 pub mod bodies;
 pub mod flood_fill;
+#[cfg(feature = "peers")]
+pub mod peers;
 pub mod property;
 pub mod random;
 pub mod strata;

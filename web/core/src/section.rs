@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use bifdiag::dynamics::integrator::Method;
+use bifdiag::dynamics::integrator::DEFAULT_TOLERANCE;
 use bifdiag::dynamics::motion::{MotionOptions, follow};
 use bifdiag::dynamics::section::chaos::ChaosOptions;
 use bifdiag::dynamics::section::{
@@ -117,7 +117,7 @@ impl Section {
         let torus = self.setting.torus();
         let start = self.setting.state(TorusPoint { theta, psi, sheet }).map_err(Refused::from)?;
         let never = AtomicBool::new(false);
-        let options = MotionOptions { method: Method::default(), phi: 0.0, stop: &never };
+        let options = MotionOptions { tolerance: DEFAULT_TOLERANCE, phi: 0.0, stop: &never };
         let motion = follow(torus.top(), &start, times, &options).map_err(Refused::from)?;
         let mut numbers = Vec::with_capacity(17 * motion.samples.len());
         for sample in motion.samples {

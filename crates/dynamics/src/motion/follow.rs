@@ -8,13 +8,13 @@ use super::piece::Piece;
 use super::quaternion::Quaternion;
 use super::{attitude, azimuth};
 use crate::field::{HeavyTop, Integrals, State, norm, sub};
-use crate::integrator::{Instant, Method, MethodError, Step, StepError};
+use crate::integrator::{Instant, Step, StepError, Taylor, ToleranceError, check_tolerance};
 
 /// What to compute.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionOptions<'a> {
-    /// The integrator of γ and l.
-    pub method: Method,
+    /// Truncation error of a step of γ and l, relative to the size of the energy surface; 1e-18 to 1e-2.
+    pub tolerance: f64,
     /// φ at the start.
     pub phi: f64,
     /// Set it from outside, and the motion ends there.
@@ -74,9 +74,9 @@ pub struct Motion {
 /// Why nothing was computed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum MotionError {
-    /// The integrator's tolerance or step is out of range.
+    /// The integrator's tolerance is out of range.
     #[error(transparent)]
-    Method(#[from] MethodError),
+    Tolerance(#[from] ToleranceError),
     /// A time is not a number, or infinite.
     #[error("time {number} is {time}; a finite time is needed")]
     NotFinite {
@@ -100,14 +100,14 @@ pub enum MotionError {
 /// Follows the motion from `start` at time 0 to the times, which must not fall; times below 0 are reached backwards.
 ///
 /// # Errors
-/// [`MotionError`] for times or a method that cannot be used.
+/// [`MotionError`] for times or a tolerance that cannot be used.
 pub fn follow(
     top: &HeavyTop,
     start: &State,
     times: &[f64],
     options: &MotionOptions<'_>,
 ) -> Result<Motion, MotionError> {
-    options.method.check(top)?;
+    check_tolerance(options.tolerance)?;
     for (i, &time) in times.iter().enumerate() {
         if !time.is_finite() {
             return Err(MotionError::NotFinite { number: i + 1, time });
@@ -161,13 +161,13 @@ impl<'a> Follower<'a> {
     }
 
     /// To rising times ≥ 0.
-    fn run(mut self, times: &[f64], report: &mut MotionReport) -> Result<Vec<MotionSample>, MethodError> {
+    fn run(mut self, times: &[f64], report: &mut MotionReport) -> Result<Vec<MotionSample>, ToleranceError> {
         let mut samples = Vec::with_capacity(times.len());
         let mut left = times.iter().copied().peekable();
         while let Some(time) = left.next_if(|&time| time == 0.0) {
             samples.push(self.sample(time, &self.start, report));
         }
-        let mut stepper = self.options.method.stepper(self.top, &self.start)?;
+        let mut stepper = Taylor::new(self.top, &self.start, self.options.tolerance)?;
         while left.peek().is_some() {
             if self.is_stopped(report) {
                 break;

@@ -1,8 +1,6 @@
 //! Section conditions S = Ẇ.
 
-use super::roots::MAX_TERMS;
 use crate::field::{Dimension, HeavyTop, State, cross, dot};
-use crate::integrator::Step;
 
 /// What is a section: the zeros of S = Ẇ for a bounded function W of the state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,25 +47,6 @@ impl SectionCondition {
             }
             Self::AngularMomentum => {
                 dot(field.l, cross(state.gamma, top.center())) + dot(state.l, cross(field.gamma, top.center()))
-            }
-        }
-    }
-
-    /// The coefficients of S as a polynomial in x ∈ [0, 1] over a step.
-    #[must_use]
-    pub fn polynomial(self, top: &HeavyTop, step: &Step) -> Vec<f64> {
-        let x = step.coefficients();
-        match self {
-            // d/dt ⟨γ,r⟩
-            Self::Height => (1..x.len()).map(|k| dot(x[k].gamma, top.center()) * k as f64 / step.length()).collect(),
-            Self::AngularMomentum => {
-                let torques: Vec<_> = x.iter().map(|x| cross(x.gamma, top.center())).collect();
-                let terms = (2 * x.len() - 1).min(MAX_TERMS);
-                let product = |k: usize| {
-                    let pairs = (k.saturating_sub(x.len() - 1)..=k.min(x.len() - 1)).map(|j| (j, k - j));
-                    pairs.fold(0.0, |sum, (i, j)| sum + dot(x[i].l, torques[j]))
-                };
-                (0..terms).map(product).collect()
             }
         }
     }

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use thiserror::Error;
 
-use crate::integrator::MethodError;
+use crate::integrator::ToleranceError;
 use crate::integrator::taylor::InstructionSet;
 
 /// Why a section cannot be computed.
@@ -23,9 +23,9 @@ pub enum SectionError {
         /// What would be right.
         expected: &'static str,
     },
-    /// The integrator's tolerance or step is out of range.
+    /// The integrator's tolerance is out of range.
     #[error(transparent)]
-    Method(#[from] MethodError),
+    Tolerance(#[from] ToleranceError),
     /// No accessible point was found.
     #[error("no accessible point: U_l > h = {h} in all of {tried} places; the lowest U_l seen is {lowest}")]
     Inaccessible {

@@ -3,7 +3,7 @@
 //! On the way only times and states are kept; what is read off them, and whether they need to be polished, comes at the
 //! end, for a register of crossings at a time.
 
-use pulp::{Scalar, Simd};
+use pulp::Simd;
 
 use super::condition::SectionCondition;
 use super::halt::{Halt, LANE};
@@ -15,7 +15,7 @@ use super::scan::Scan;
 use super::torus::PpTorus;
 use crate::field::{Integrals, State};
 use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, lane_values_mut, state_of};
-use crate::integrator::{Instant, Step, StepError};
+use crate::integrator::{Instant, StepError};
 
 /// |S| below this part of its scale over a whole step is rounding.
 const FLAT: f64 = 1.0 / (1u64 << 42) as f64;
@@ -190,7 +190,7 @@ impl Follower {
             let mut room = [0.0; ROWS];
             let c = scan.coefficients(lane, &mut room);
             if !c.iter().all(|x| x.is_finite()) {
-                self.end = Some(End::Failed(StepError::NotFinite { time: start.seconds() }));
+                self.end = Some(End::Failed(StepError { time: start.seconds() }));
                 return;
             }
             let mut roots = std::mem::take(&mut self.roots);
@@ -206,7 +206,7 @@ impl Follower {
             self.roots = roots;
         }
         if !verdict.end.is_finite() {
-            self.end = Some(End::Failed(StepError::NotFinite { time: start.seconds() }));
+            self.end = Some(End::Failed(StepError { time: start.seconds() }));
         }
     }
 
@@ -231,32 +231,6 @@ impl Follower {
             Some(rest) if rest.len() > 1 => all_roots(simd, rest, rest[0] >= 0.0, end_positive, roots),
             _ => 0,
         }
-    }
-
-    /// Looks for crossings in a step of a [`Stepper`](crate::integrator::Stepper); `start` is S at the step's start
-    /// (NaN: exactly 0). Returns S at its end.
-    pub fn take(&mut self, torus: &PpTorus, options: &SweepOptions, step: &Step, start: f64) -> f64 {
-        self.steps += 1;
-        self.time = step.end().seconds();
-        let end = options.condition.value(torus.top(), step.end_state());
-        let c = options.condition.polynomial(torus.top(), step);
-        let size = c.iter().fold(0.0, |sum, x| sum + x.abs());
-        if size <= self.flat {
-            self.count_flat_step();
-            return end;
-        }
-        if !size.is_finite() {
-            self.end = Some(End::Failed(StepError::NotFinite { time: step.start().seconds() }));
-            return end;
-        }
-        let mut roots = Vec::new();
-        self.tangencies += self.general_roots(Scalar::new(), &c, start, end >= 0.0, &mut roots);
-        for x in roots {
-            if self.end.is_none() {
-                self.cross(options, step.start().after(step.length() * x), &step.state(x));
-            }
-        }
-        end
     }
 
     /// A crossing close to this time and state.

@@ -3,7 +3,7 @@
 use super::condition::SectionCondition;
 use crate::field::{Dimension, Integrals, Units};
 use crate::integrator::taylor::InstructionSet;
-use crate::integrator::{Method, StepError};
+use crate::integrator::{DEFAULT_TOLERANCE, StepError};
 
 /// What to compute of each orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,11 +12,11 @@ pub struct SweepOptions {
     pub crossings: usize,
     /// Stop an orbit at this time even if it has fewer.
     pub max_time: f64,
-    /// The integrator.
-    pub method: Method,
+    /// Truncation error of a step, relative to the size of the energy surface; 1e-18 to 1e-2.
+    pub tolerance: f64,
     /// The section.
     pub condition: SectionCondition,
-    /// SIMD instructions of the Taylor integrator; they do not change the results.
+    /// SIMD instructions; they do not change the results.
     pub instructions: InstructionSet,
 }
 
@@ -25,7 +25,7 @@ impl Default for SweepOptions {
         Self {
             crossings: 1000,
             max_time: f64::INFINITY,
-            method: Method::default(),
+            tolerance: DEFAULT_TOLERANCE,
             condition: SectionCondition::Height,
             instructions: InstructionSet::Best,
         }
@@ -108,7 +108,7 @@ impl SweepOptions {
     /// The same for a top in other units.
     pub(super) fn reduced(&self, units: Units) -> Self {
         let max_time = units.reduce(self.max_time, Dimension::TIME);
-        Self { max_time, method: self.method.reduced(units), ..*self }
+        Self { max_time, ..*self }
     }
 }
 

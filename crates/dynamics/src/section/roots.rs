@@ -11,7 +11,7 @@ use crate::integrator::product::product_sum;
 use crate::integrator::taylor::MAX_ORDER;
 
 /// Most coefficients that a polynomial may have.
-pub(super) const MAX_TERMS: usize = MAX_ORDER + 2;
+const MAX_TERMS: usize = MAX_ORDER + 2;
 /// Halvings after which an interval is called a point.
 pub(super) const DEPTH: u32 = 52;
 /// Newton steps below this leave |p| ≤ 2⁻⁶⁰|p″|.

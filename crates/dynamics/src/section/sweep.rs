@@ -2,7 +2,7 @@
 
 use std::sync::atomic::Ordering;
 
-use pulp::{Arch, Scalar, Simd, WithSimd};
+use pulp::{Arch, Simd, WithSimd};
 
 use super::error::SectionError;
 use super::follow::{Follower, News};
@@ -13,8 +13,8 @@ use super::scan::Scan;
 use super::torus::PpTorus;
 use super::workers::{Monitor, Turns, run_workers};
 use crate::field::State;
+use crate::integrator::check_tolerance;
 use crate::integrator::taylor::Lanes;
-use crate::integrator::{Method, Stepper};
 
 /// Steps after which the monitor is told.
 const STEPS_BETWEEN_NEWS: u32 = 256;
@@ -26,7 +26,7 @@ const STEPS_BETWEEN_NEWS: u32 = 256;
 /// the orbits are shared among the threads of the current rayon pool.
 ///
 /// # Errors
-/// [`SectionError::Parameter`] and [`SectionError::Method`] for options out of range, [`SectionError::InstructionSet`] if this processor
+/// [`SectionError::Parameter`] and [`SectionError::Tolerance`] for options out of range, [`SectionError::InstructionSet`] if this processor
 /// lacks it.
 pub fn sweep(
     torus: &PpTorus,
@@ -49,8 +49,7 @@ pub fn sweep(
 /// Follows orbits from their starts or from where they were halted, and halts them when they have so many points, or a
 /// few more, or when the run is stopped. The points of an orbit that goes on follow those before.
 ///
-/// Orbits come back in the order of their numbers, each with where to go on; None where it has ended. Only the Taylor
-/// integrator can be halted: other methods follow each orbit to its end, or begin anew.
+/// Orbits come back in the order of their numbers, each with where to go on; None where it has ended.
 ///
 /// # Errors
 /// Those of [`sweep`].
@@ -61,7 +60,7 @@ pub fn sweep_on(
     most: usize,
     monitor: &Monitor,
 ) -> Result<Vec<(OrbitSection, Option<Halt>)>, SectionError> {
-    options.method.check(torus.top())?;
+    check_tolerance(options.tolerance)?;
     if options.max_time.is_nan() || options.max_time <= 0.0 {
         return Err(SectionError::Parameter {
             name: "max_time",
@@ -92,10 +91,7 @@ fn followed(
     monitor: &Monitor,
 ) -> Vec<Leg> {
     let queue = Queue { torus, tasks, options, most, turns: Turns::new(monitor) };
-    let mut orbits = match options.method {
-        Method::Taylor { tolerance } => run_workers(|| arch.dispatch(TaylorWorker { queue: &queue, tolerance })),
-        _ => run_workers(|| queue.work_stepwise()),
-    };
+    let mut orbits = run_workers(|| arch.dispatch(Worker { queue: &queue }));
     orbits.sort_by_key(|(orbit, _)| orbit.orbit);
     orbits
 }
@@ -125,37 +121,6 @@ impl Queue<'_> {
         self.turns.monitor
     }
 
-    /// One worker of the methods that follow one orbit at a time.
-    fn work_stepwise(&self) -> Vec<Leg> {
-        let mut done = Vec::new();
-        let simd = Scalar::new();
-        let gauge = Gauge::new(simd, self.torus, self.options.condition);
-        while let Some((mut follower, _)) = self.pop() {
-            match self.options.method.stepper(self.torus.top(), &follower.start) {
-                Ok(mut stepper) => self.follow(&mut follower, stepper.as_mut()),
-                Err(_) => unreachable!("sweep() has checked the method"),
-            }
-            follower.settle(simd, &gauge, self.torus, self.options.condition);
-            self.close(follower, None, &mut done);
-        }
-        done
-    }
-
-    fn follow(&self, follower: &mut Follower, stepper: &mut dyn Stepper) {
-        let mut value = follower.start_value;
-        let mut steps = 0_u32;
-        while !follower.is_over(self.options) && !self.monitor().is_stopped() {
-            steps = steps.wrapping_add(1);
-            if steps.is_multiple_of(STEPS_BETWEEN_NEWS) {
-                self.tell(follower);
-            }
-            match stepper.step() {
-                Ok(step) => value = follower.take(self.torus, self.options, &step, value),
-                Err(error) => follower.end = Some(End::Failed(error)),
-            }
-        }
-    }
-
     fn close(&self, mut follower: Follower, halt: Option<Halt>, done: &mut Vec<Leg>) {
         self.tell(&mut follower);
         if halt.is_none() {
@@ -169,20 +134,19 @@ impl Queue<'_> {
     }
 }
 
-/// One worker of the Taylor integrator: fills its lanes from the queue until it is empty.
-struct TaylorWorker<'a> {
+/// One worker: fills its lanes from the queue until it is empty.
+struct Worker<'a> {
     queue: &'a Queue<'a>,
-    tolerance: f64,
 }
 
-impl WithSimd for TaylorWorker<'_> {
+impl WithSimd for Worker<'_> {
     type Output = Vec<Leg>;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
         let queue = self.queue;
         let mut done = Vec::new();
-        let mut lanes = Lanes::<S>::new(simd, queue.torus.top(), self.tolerance);
+        let mut lanes = Lanes::<S>::new(simd, queue.torus.top(), queue.options.tolerance);
         let mut scan = Scan::<S>::new(simd);
         let gauge = Gauge::<S>::new(simd, queue.torus, queue.options.condition);
         let mut followers: Vec<Option<Follower>> = Vec::new();

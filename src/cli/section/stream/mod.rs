@@ -63,10 +63,7 @@ pub fn follow(
         let legs = sweep_on(setting.torus(), &tasks, options, most, monitor)
             .map_err(dynamics::poincare::PoincareError::from)?;
         for (orbit, halt) in legs {
-            // Methods that cannot be halted begin anew.
-            if halt.is_some() || orbit.report.end != dynamics::section::End::Interrupted {
-                journal.append(&orbit, halt)?;
-            }
+            journal.append(&orbit, halt)?;
         }
     }
     let report = |(standing, orbit): (&Option<Standing>, u32)| -> Option<OrbitSection> {
@@ -89,13 +86,13 @@ fn identity(section: &PoincareSection) -> String {
     let starts: Vec<String> =
         starts.iter().map(|start| format!("{:?} {:?} {}", start.theta, start.psi, start.sheet)).collect();
     format!(
-        "bifdiag {} section A={moments} r={center} h={} l={} crossings={} max_time={:?} method={:?} condition={:?} starts={}",
+        "bifdiag {} section A={moments} r={center} h={} l={} crossings={} max_time={:?} tolerance={:?} condition={:?} starts={}",
         env!("CARGO_PKG_VERSION"),
         h.text(),
         l.text(),
         options.crossings,
         options.max_time,
-        options.method,
+        options.tolerance,
         options.condition,
         starts.join(";"),
     )

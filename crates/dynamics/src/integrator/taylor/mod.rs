@@ -25,7 +25,7 @@ pub(crate) use lanes::{Lanes, magnitude, state_of};
 pub(crate) use moments::{MOMENTS, Moments};
 pub(crate) use series::{ROWS, Vector, lane_values, lane_values_mut};
 pub use step_size::{MAX_ORDER, order_for};
-pub use stepper::Taylor;
+pub use stepper::{DEFAULT_TOLERANCE, Taylor, ToleranceError, check_tolerance};
 pub(crate) use tangent::Tangent;
 
 use pulp::Arch;

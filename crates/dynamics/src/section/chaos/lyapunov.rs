@@ -9,15 +9,15 @@ use super::growth::{Course, Growth, Lyapunov};
 use super::passed::Passed;
 use super::stretching::Stretching;
 use crate::field::{Dimension, HeavyTop, State};
-use crate::integrator::Method;
 use crate::integrator::taylor::{InstructionSet, Lanes, Moments, Tangent, lane_values};
+use crate::integrator::{DEFAULT_TOLERANCE, check_tolerance};
 use crate::section::error::SectionError;
 use crate::section::workers::{Monitor, Turns, run_workers};
 
 /// How the variational equations are integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChaosOptions {
-    /// Truncation error of a step of the orbit, as of [`Method::Taylor`](crate::integrator::Method::Taylor).
+    /// Truncation error of a step of the orbit, as of a [sweep](crate::section::SweepOptions).
     pub tolerance: f64,
     /// SIMD instructions; they do not change the results.
     pub instructions: InstructionSet,
@@ -25,7 +25,7 @@ pub struct ChaosOptions {
 
 impl Default for ChaosOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-15, instructions: InstructionSet::Best }
+        Self { tolerance: DEFAULT_TOLERANCE, instructions: InstructionSet::Best }
     }
 }
 
@@ -46,11 +46,11 @@ pub fn lyapunov_exponents(
 
 /// The growth of a tangent vector along each course.
 ///
-/// The orbits are those of [`sweep`](crate::section::sweep) with the Taylor integrator of the same tolerance, step by
+/// The orbits are those of [`sweep`](crate::section::sweep) with the same tolerance, step by
 /// step and bit for bit; the result does not depend on threads or instructions either.
 ///
 /// # Errors
-/// [`SectionError::Method`] for a tolerance out of range, [`SectionError::InstructionSet`] if this processor lacks the
+/// [`SectionError::Tolerance`] for a tolerance out of range, [`SectionError::InstructionSet`] if this processor lacks the
 /// instructions, [`SectionError::Parameter`] for 2³² orbits or more.
 pub fn growths(
     top: &HeavyTop,
@@ -58,7 +58,7 @@ pub fn growths(
     options: &ChaosOptions,
     monitor: &Monitor,
 ) -> Result<Vec<Growth>, SectionError> {
-    Method::Taylor { tolerance: options.tolerance }.check(top)?;
+    check_tolerance(options.tolerance)?;
     if u32::try_from(courses.len()).is_err() {
         let (value, expected) = (courses.len() as f64, "fewer than 2^32 are possible");
         return Err(SectionError::Parameter { name: "orbits", value, expected });
@@ -163,6 +163,7 @@ impl WithSimd for Worker<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integrator::Taylor;
 
     #[test]
     fn the_growth_is_that_of_a_difference_of_orbits() {
@@ -177,7 +178,7 @@ mod tests {
         let end = |sign: f64| {
             let moved = |x: [f64; 3], d: [f64; 3]| std::array::from_fn(|i| x[i] + sign * epsilon * d[i]);
             let state = State { gamma: moved(start.gamma, delta.gamma), l: moved(start.l, delta.l) };
-            let mut stepper = Method::default().stepper(&top, &state).unwrap();
+            let mut stepper = Taylor::new(&top, &state, DEFAULT_TOLERANCE).unwrap();
             loop {
                 let step = stepper.step().unwrap();
                 if step.end().seconds() >= found.time {

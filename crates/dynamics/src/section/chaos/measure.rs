@@ -29,8 +29,8 @@ pub struct ChaosMeasure {
 
 /// The measures of orbits found by [`sweep`](crate::section::sweep), in their order.
 ///
-/// The orbits are integrated once more, with the Taylor integrator whatever the sweep's method was, from the first
-/// point of each over the time that the sweep took it. This takes about three times as long as the sweep.
+/// The orbits are integrated once more, from the first point of each over the time that the sweep took it. This takes about
+/// three times as long as the sweep.
 ///
 /// `monitor` counts orbits and can stop the work; what was not finished then has no exponent and no rotation number.
 ///
