@@ -14,7 +14,7 @@ const LONGEST_HEAD: u64 = 16 << 10;
 /// How long a request may take.
 const REQUEST: Duration = Duration::from_secs(10);
 /// How long an answer may take: a page of some megabytes through a slow tunnel.
-const ANSWER: Duration = Duration::from_secs(60);
+const ANSWER: Duration = Duration::from_mins(1);
 /// How long a request that is refused is waited for.
 const REFUSAL: Duration = Duration::from_millis(100);
 /// The most connections at one time; a browser opens about six.

@@ -146,10 +146,9 @@ impl Body {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
             // ∫ x_k² dm = (A_i + A_j − A_k)/2; where it is 0 the centre of mass lies in the plane x_k = 0.
             match (a[i] + a[j]).cmp(a[k]) {
-                std::cmp::Ordering::Less => flags.unphysical = true,
-                std::cmp::Ordering::Equal if r[k].is_zero() => flags.plate = true,
-                std::cmp::Ordering::Equal => flags.unphysical = true,
                 std::cmp::Ordering::Greater => {}
+                std::cmp::Ordering::Equal if r[k].is_zero() => flags.plate = true,
+                std::cmp::Ordering::Equal | std::cmp::Ordering::Less => flags.unphysical = true,
             }
             flags.symmetric |= a[i] == a[j];
             flags.plane |= r[k].is_zero();
