@@ -136,7 +136,7 @@ fn strings(value: &Value, keys: &[&str], found: &mut BTreeSet<String>) {
 fn w6_every_id_of_a_body_is_accepted_by_show() {
     let bodies = ["--A 2,1.4,1 --r 0.3,0.5,0.8", "--A 1,1,1.3 --r 0,0.6,0.8", "--A 1,1,1 --r 0,0,0"].map(str::to_owned);
     for body in presets().into_iter().map(|name| format!("--body {name}")).chain(bodies) {
-        let atlas = bifdiag(&format!("{body} --no-polygons --json")).succeeds().json();
+        let atlas = bifdiag(&format!("{body} --no-drawing --json")).succeeds().json();
         let mut ids = BTreeSet::new();
         let keys = ["id", "region", "curve", "curves", "nearest", "coincides_with", "branch"];
         strings(&atlas, &keys, &mut ids);
@@ -167,7 +167,7 @@ fn w6_every_region_is_accepted_by_section_and_sphere_and_every_type_by_find() {
     let place = tempdir().unwrap();
     let mut types = BTreeSet::new();
     for body in ["paper", "katok:7", "lagrange"] {
-        let atlas = bifdiag(&format!("--body {body} --no-polygons --json")).succeeds().json();
+        let atlas = bifdiag(&format!("--body {body} --no-drawing --json")).succeeds().json();
         let mut regions = BTreeSet::new();
         strings(&atlas["regions"], &["id"], &mut regions);
         strings(&atlas["regions"], &["section"], &mut types);

@@ -282,5 +282,5 @@ fn unknown_regions_are_told_with_those_that_are_there() {
     let done = bifdiag("section --atlas - --region R99").reading(atlas.clone()).refused();
     done.telling("--region R99: the body has no such region; it has R1, R2").telling("or give all");
     bifdiag("section --atlas - --data -").reading(atlas).refused().telling("several sections do not fit one table");
-    bifdiag("section --atlas -").reading("{\"schema_version\": \"2\"}").refused().telling("missing field `accuracy`");
+    bifdiag("section --atlas -").reading("{\"schema_version\": \"3\"}").refused().telling("missing field `accuracy`");
 }

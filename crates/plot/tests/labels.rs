@@ -39,7 +39,7 @@ impl CurveSource for Curves {
 
 fn drawn(body: &Body, width: Width) -> (AtlasDocument, Picture) {
     let atlas = Curves(Atlas::new(body).expect("the body has an atlas"));
-    let options = DocumentOptions { polygons: false, ..DocumentOptions::default() };
+    let options = DocumentOptions::default();
     let document = documents::atlas::document(&atlas.0, &options);
     let picture = draw(&document, Some(&atlas), &DiagramOptions { width, ..DiagramOptions::default() })
         .expect("the diagram can be drawn");
