@@ -67,7 +67,7 @@ impl Integrator {
             }
             Self::Peer(method) => {
                 let orbit = |start| method.crossings(torus.top(), start, SectionCondition::Height, crossings);
-                Ok(starts.iter().map(orbit).map(Orbit::of_peer).collect())
+                Ok(starts.iter().map(orbit).map(|orbit| Orbit::of_peer(&orbit)).collect())
             }
         }
     }
@@ -80,7 +80,7 @@ impl Orbit {
         Self { crossings: points.map(crossing).collect(), steps: orbit.report.steps, drift: orbit.report.drift }
     }
 
-    fn of_peer(orbit: Crossings) -> Self {
+    fn of_peer(orbit: &Crossings) -> Self {
         let crossing = |c: &Crossing| ([c.time.seconds(), c.time.remainder()], c.state);
         Self { crossings: orbit.found.iter().map(crossing).collect(), steps: orbit.steps, drift: orbit.drift }
     }

@@ -46,7 +46,7 @@ pub struct FindArguments {
     /// N relative equilibria at one l, or more
     #[arg(long, value_name = "N", help_heading = "What is sought")]
     pub critical_points: Option<u32>,
-    /// Only bodies that exist: A_i + A_j >= A_k
+    /// Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0
     #[arg(long, help_heading = "Work")]
     pub physical: bool,
     /// Only bodies whose largest moment is at most R times the smallest

@@ -159,7 +159,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("classes --lines 5", &["--at"]),
     ("classes --at --body paper --lines 0", &["0 is not in 1..=1000000"]),
     ("class", &["<NAME>"]),
-    ("class xyz", &["NAME xyz", "`bifdiag classes` lists them", "bifdiag classes --at"]),
+    ("class xyz", &["NAME xyz", "none of the classes", "bifdiag classes --at"]),
     ("class 0", &["NAME 0", "classes begin so", "give more digits"]),
     ("find", &["nothing says what is sought", "--type M4", "--circles 3 --poles 1"]),
     ("find --type X4", &["--type", "`X4` is no type", "M4", "k3n1"]),

@@ -356,6 +356,9 @@ fn numbers_in_another_form_are_refused() {
     }
 }
 
+/// A change of a certificate.
+type Change = fn(&mut schema::CertificateDocument);
+
 /// Lists that no body has are refused by their length, without any work for their entries.
 #[test]
 fn lists_longer_than_the_body_allows_are_refused_by_their_length() {
@@ -363,7 +366,6 @@ fn lists_longer_than_the_body_allows_are_refused_by_their_length() {
         Err(Refused::TooMany { what, .. }) => assert_eq!(what, text),
         other => panic!("{text}: {other:?}"),
     };
-    type Change = fn(&mut schema::CertificateDocument);
     let lists: [(&str, Change); 6] = [
         ("cusps", |c| c.cusps = vec![c.cusps[0].clone(); 1000]),
         ("meetings", |c| c.meetings = vec![c.meetings[0].clone(); 1000]),

@@ -53,7 +53,7 @@ pub fn spin_changes(rotation: &AxisRotation, up: &str, atlas: Option<&Atlas>, se
                 .to_owned(),
                 from: stability.map_or_else(here, |change| change.from.name().to_owned()),
                 to: stability.map_or_else(here, |change| change.to.name().to_owned()),
-                event: region.map(|change| change.event.to_owned()),
+                event: region.map(|change| change.event.name().to_owned()),
                 error_bound: error_bound * second,
             }
         })

@@ -32,8 +32,10 @@ pub fn normalised(v: [f64; 3]) -> [f64; 3] {
 /// v/|v| of a vector of any length; `None` for 0.
 #[must_use]
 pub fn direction(v: [f64; 3]) -> Option<[f64; 3]> {
+    const SAFE: std::ops::Range<f64> = 1e-100..1e100;
     let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    (largest > 0.0).then(|| normalised(v.map(|x| x / largest)))
+    let scale = if SAFE.contains(&largest) { 1.0 } else { largest };
+    (largest > 0.0).then(|| normalised(v.map(|x| x / scale)))
 }
 
 #[cfg(test)]
@@ -44,8 +46,10 @@ mod tests {
     fn directions_have_length_one_whatever_the_length() {
         assert_eq!(direction([0.0; 3]), None);
         for scale in [f64::MIN_POSITIVE, 1.0, 0.25 / f64::MIN_POSITIVE] {
-            assert_eq!(direction([3.0 * scale, 0.0, -4.0 * scale]), Some([0.75 / 1.25, 0.0, -1.0 / 1.25]));
+            let [x, y, z] = direction([3.0 * scale, 0.0, -4.0 * scale]).unwrap();
+            assert!((x - 0.6).abs() <= f64::EPSILON && y == 0.0 && (z + 0.8).abs() <= f64::EPSILON, "{x} {z}");
         }
+        assert_eq!(direction([0.6, 0.8, 0.0]), Some([0.6, 0.8, 0.0]));
         assert_eq!(cross([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]), [0.0, 0.0, 1.0]);
     }
 }

@@ -147,5 +147,5 @@ fn the_degenerate_point_of_a_pitchfork_is_listed() {
     let degenerate: Vec<_> = found.list.iter().filter(|point| point.multiplicity == Multiplicity::Points(2)).collect();
     assert_eq!(degenerate.len(), 1);
     assert_eq!((degenerate[0].h, degenerate[0].gamma, degenerate[0].omega), (2.0, [-1.0, 0.0, 0.0], 1.0));
-    assert_eq!(degenerate[0].stability, LinearType::Zero);
+    assert_eq!(degenerate[0].stability, LinearType::ZeroReal);
 }

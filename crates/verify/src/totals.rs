@@ -107,7 +107,8 @@ mod tests {
         let special = |a, r| flags(&body(a, r));
         let none = Flags::default();
         assert_eq!(special([3, 4, 5], [1, 2, 3]), none);
-        assert_eq!(special([1, 4, 5], [1, 2, 3]), Flags { plate: true, ..none });
+        assert_eq!(special([1, 4, 5], [1, 2, 0]), Flags { plate: true, plane: true, ..none });
+        assert_eq!(special([1, 4, 5], [1, 2, 3]), Flags { unphysical: true, ..none });
         assert_eq!(special([1, 4, 6], [1, 2, 3]), Flags { unphysical: true, ..none });
         assert_eq!(special([2, 2, 1], [1, 2, 0]), Flags { symmetric: true, plane: true, axis: true, ..none });
         assert_eq!(special([3, 4, 5], [0, 2, 3]), Flags { plane: true, ..none });

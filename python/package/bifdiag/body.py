@@ -44,7 +44,8 @@ class Body:
     Warns
     -----
     BodyWarning
-        If A violates A_i + A_j ≥ A_k: no distribution of mass has these moments. The answers are those of the equations.
+        If no distribution of mass has these moments and this centre of mass (it needs A_i + A_j > A_k, or equality and
+        r_k = 0). The answers are those of the equations.
 
     Notes
     -----
@@ -221,9 +222,9 @@ class Body:
 
     @property
     def physical(self) -> bool:
-        """Whether some distribution of mass has these moments: A_i + A_j ≥ A_k; for a part, about its centre of mass.
+        """Whether some distribution of mass has these moments and this centre of mass.
 
-        Where it is False the answers are those of the equations.
+        It needs A_i + A_j > A_k, or equality and r_k = 0; for a part, about its centre of mass. Where it is False the answers are those of the equations.
         """
         return self._inner.physical()
 

@@ -22,4 +22,7 @@ class VerifyError(BifdiagError):
 
 
 class BodyWarning(UserWarning):
-    """A body that no distribution of mass is: its moments violate A_i + A_j ≥ A_k. Answers are those of the equations."""
+    """No distribution of mass has these moments and this centre of mass; the answers are those of the equations.
+
+    It needs A_i + A_j > A_k, or equality and r_k = 0.
+    """

@@ -236,7 +236,7 @@ def find(
     critical_points : int, optional
         So many relative equilibria at one l, or more.
     physical : bool
-        Only bodies that exist: A_i + A_j ≥ A_k, as `Body.physical` says.
+        Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0, as `Body.physical` says.
     samples : int
         The most bodies that are tried.
     seed : int, optional

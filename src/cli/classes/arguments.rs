@@ -35,7 +35,7 @@ pub struct ClassesArguments {
     pub at: bool,
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Only bodies that exist: A_i + A_j >= A_k
+    /// Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0
     #[arg(long, help_heading = "Work")]
     pub physical: bool,
     /// With --at: random lines through the body, each in both directions (default: 48)

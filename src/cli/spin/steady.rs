@@ -25,26 +25,16 @@ pub fn at_spin(subject: &Subject, up: [f64; 3], spin: f64, prepared: &Prepared) 
     }
 }
 
-/// The region of a point: `Some(None)` when forbidden, `None` on a curve or where it is not known.
-fn region_at(prepared: &Prepared, h: &Number, l: &Number) -> Option<Option<String>> {
-    let found = prepared.classify(h, l).ok()?;
-    match prepared.spot(h, l, &found.answer) {
-        Spot::Region(region) => Some(Some(region.to_string())),
-        Spot::Forbidden => Some(None),
-        Spot::Critical | Spot::Undecided => None,
-    }
-}
-
 /// The regions just below and just above a point of a curve: that curve is still the nearest one there, so that no other
 /// lies between.
-fn beside(prepared: &Prepared, h: &Number, l: &Number, size: f64) -> Option<[Option<String>; 2]> {
-    let nearest = |h: &Number| Some(prepared.classify(h, l).ok()?.margin.nearest);
-    let curve = nearest(h)?;
-    let region = |side: f64| {
-        let near = STEPS.iter().filter_map(|step| RBig::try_from(side * step * size).ok());
-        let near = near.map(|step| Number::from_rational(h.value() + step));
-        near.filter(|h| nearest(h) == Some(curve)).find_map(|h| region_at(prepared, &h, l))
+fn beside(prepared: &Prepared, h: &Number, l: &Number, size: f64) -> Option<[Spot; 2]> {
+    let curve = prepared.classify(h, l).ok()?.margin.nearest;
+    let near = |step: RBig| {
+        let h = Number::from_rational(h.value() + step);
+        let found = prepared.classify(&h, l).ok().filter(|found| found.margin.nearest == curve)?;
+        Some(prepared.spot(&h, l, &found.answer)).filter(|spot| matches!(spot, Spot::Region(_) | Spot::Forbidden))
     };
+    let region = |side: f64| STEPS.iter().filter_map(|step| RBig::try_from(side * step * size).ok()).find_map(near);
     Some([region(-1.0)?, region(1.0)?])
 }
 
@@ -58,12 +48,10 @@ fn about_axis(subject: &Subject, axis: PermanentAxis, spin: f64, prepared: &Prep
     let mut steady = elsewhere(subject, from_principal(subject.part.as_ref(), axis.direction), spin, prepared);
     if omega != 0.0 {
         let change = rotation.changes().into_iter().find(|change| (change.omega - omega).abs() <= change.error_bound);
-        let (stability, verdict) = match change {
-            Some(change) => change.between(),
-            None => {
-                let found = rotation.type_at_spin(omega)?;
-                (found.name(), rotation.verdict_at_spin(omega)?)
-            }
+        let (stability, verdict) = if let Some(change) = change {
+            change.between()
+        } else {
+            (rotation.type_at_spin(omega)?.name(), rotation.verdict_at_spin(omega)?)
         };
         let verdict = documents::verdict(verdict);
         let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
@@ -123,9 +111,10 @@ fn elsewhere(subject: &Subject, up: [f64; 3], spin: f64, prepared: &Prepared) ->
     Some(with_regions(document, beside(prepared, &h, &l, size)))
 }
 
-fn with_regions(document: SteadyDocument, regions: Option<[Option<String>; 2]>) -> SteadyDocument {
+fn with_regions(document: SteadyDocument, regions: Option<[Spot; 2]>) -> SteadyDocument {
     let note = regions.is_none().then(|| "the regions beside it are not known".to_owned());
-    SteadyDocument { regions: regions.unwrap_or_default(), note, ..document }
+    let id = |spot: &Spot| if let Spot::Region(region) = spot { Some(region.to_string()) } else { None };
+    SteadyDocument { regions: regions.map(|regions| regions.each_ref().map(id)).unwrap_or_default(), note, ..document }
 }
 
 /// What is known of stability, in words.

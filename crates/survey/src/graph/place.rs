@@ -6,7 +6,7 @@ use top::body::{Body, BodyError};
 /// The bodies among which a walk stays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Domain {
-    /// Bodies that exist: A_i + A_j ≥ A_k.
+    /// Bodies that exist: A_i + A_j > A_k, or equality and r_k = 0.
     Existing,
     /// All A > 0.
     All,

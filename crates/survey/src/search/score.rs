@@ -58,7 +58,7 @@ impl Seen {
 /// Which bodies are looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain {
-    /// Only bodies that exist: A_i + A_j ≥ A_k.
+    /// Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0.
     pub physical: bool,
     /// The largest moment is at most so many times the smallest.
     pub moment_ratio: f64,

@@ -20,7 +20,12 @@ const PRESETS: [Preset; 18] = [
     preset("paper", ["2", "1.1", "1"], ["0.94868", "0", "0.61623"], "the paper's body with nine regions"),
     preset("kovalevskaya", ["2", "2", "1"], ["1", "0", "0"], "Kovalevskaya's integrable top"),
     preset("goryachev-chaplygin", ["4", "4", "1"], ["1", "0", "0"], "integrable at l = 0 only"),
-    preset("lagrange", ["2", "1", "1"], ["1", "0", "0"], "Lagrange's top: r on the axis of symmetry, critical circles"),
+    preset(
+        "lagrange",
+        ["3/2", "1", "1"],
+        ["1", "0", "0"],
+        "Lagrange's top: r on the axis of symmetry, critical circles",
+    ),
     preset("euler", ["2", "1.5", "1"], ["0", "0", "0"], "Euler's case r = 0: the section of the paper does not exist"),
     preset("katok:1", ["1", "1.6", "1.3"], ["1", "0", "0"], "Katok class 1: A2, A3 > A1"),
     preset("katok:2", ["1", "1.4", "0.875"], ["1", "0", "0"], "Katok class 2: A2 > A1 > A3 > 3/4 A1"),
@@ -99,10 +104,9 @@ mod tests {
     }
 
     #[test]
-    fn names_are_unique_and_every_body_but_lagrange_is_physical() {
+    fn names_are_unique_and_every_body_exists() {
         for (i, preset) in Preset::all().iter().enumerate() {
-            // A1 = A2 + A3 with r1 = 1: Lagrange's top is the borderline that no mass attains.
-            assert_eq!(preset.body().flags().unphysical, preset.name() == "lagrange", "{}", preset.name());
+            assert!(!preset.body().flags().unphysical, "{}", preset.name());
             assert!(Preset::all()[i + 1..].iter().all(|other| other.name() != preset.name()), "{}", preset.name());
             assert!(!preset.note().is_empty());
         }

@@ -78,7 +78,7 @@ pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
         cone[(j, i)] += entry;
     }
     let scale = cone.amax();
-    let axis = if scale == 0.0 { up } else { nearest_on_cone(cone / scale, up) };
+    let axis = if scale == 0.0 || is_on_cone(&cone, up) { up } else { nearest_on_cone(cone / scale, up) };
     Some(NearestAxis { axis, angle: angle(axis, up), squared_spin: squared_spin(difference, r, axis) })
 }
 
@@ -91,6 +91,13 @@ fn differences(body: &Body) -> [f64; 3] {
 /// The angle between a line and a direction at an acute angle to it.
 fn angle(axis: [f64; 3], up: [f64; 3]) -> f64 {
     libm::atan2(norm(cross(axis, up)), dot(axis, up))
+}
+
+/// Whether uᵀSu vanishes within rounding.
+fn is_on_cone(cone: &Matrix3<f64>, up: [f64; 3]) -> bool {
+    let terms = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| cone[(i, j)] * up[i] * up[j]);
+    let size = terms.iter().map(|term| term.abs()).sum::<f64>();
+    terms.iter().sum::<f64>().abs() <= 4.0 * f64::EPSILON * size
 }
 
 /// The line of vᵀSv = 0 nearest to u: v solves (E + λS)v = u, and λ is a root of uᵀ(E + λS)⁻¹S(E + λS)⁻¹u. S has trace 0, so
@@ -121,7 +128,20 @@ fn nearest_on_cone(cone: Matrix3<f64>, up: [f64; 3]) -> [f64; 3] {
         }
         v[end] = (-value(v) / sigma[end]).max(0.0).sqrt() * if u[end] < 0.0 { -1.0 } else { 1.0 };
     }
-    normalised((eigen.eigenvectors * v).into())
+    onto_cone(&cone, eigen.eigenvectors * v)
+}
+
+/// A line near the cone moved onto it along the gradient 2Sv of vᵀSv, to the last digits that bisection leaves open.
+fn onto_cone(cone: &Matrix3<f64>, mut v: Vector3<f64>) -> [f64; 3] {
+    for _ in 0..3 {
+        v.normalize_mut();
+        let gradient = 2.0 * cone * v;
+        if is_on_cone(cone, v.into()) || gradient.norm_squared() == 0.0 {
+            break;
+        }
+        v -= gradient * (0.5 * v.dot(&gradient) / gradient.norm_squared());
+    }
+    normalised(v.into())
 }
 
 /// s with s(n × An) = n × r on the cone; `None` for a principal axis (to thirteen digits), where the left side vanishes.

@@ -19,7 +19,7 @@ mod tolerance;
 
 pub use cone::{NearestAxis, PermanentAxis, nearest_permanent, permanent_axis};
 pub use near::{BoxedBody, SettledTypes, Vector, settled_types};
-pub use regions::{RegionChange, region_changes};
+pub use regions::{RegionChange, RegionEvent, region_changes};
 pub use rotation::{AxisRotation, SpinChange, SpinType, Squares};
 pub use steady::{SteadyRotation, nearest_steady};
 pub use tolerance::{INPUTS, SAMPLES, SpinRange, class_counts, sampled_classes, spin_ranges};

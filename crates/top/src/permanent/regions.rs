@@ -1,34 +1,66 @@
 //! Where the regions beside a rotation change.
 
+use dashu_ratio::RBig;
+
 use super::rotation::AxisRotation;
 use crate::atlas::Atlas;
+use crate::curves::{CurveId, Pole};
 use crate::diagram::Change;
 
-/// The curves' meetings on the line h = l²/(2C) − ρ of such a rotation, where its neighbouring regions change.
+/// The events of such a rotation's own curve, h = l²/(2C) − ρ, where its neighbouring regions change; none where r = 0.
 #[must_use]
 pub fn region_changes(atlas: &Atlas, rotation: &AxisRotation) -> Vec<RegionChange> {
+    if rotation.weight.is_zero() {
+        return Vec::new();
+    }
+    let pole = if rotation.weight > RBig::ZERO { Pole::Plus } else { Pole::Minus };
+    let arrangement = atlas.arrangement();
+    let is_own = |&curve: &CurveId| arrangement.set.curves[curve].pole == Some(pole);
     let mut changes: Vec<RegionChange> = Vec::new();
-    for event in &atlas.arrangement().events {
-        let l = atlas.momentum(event.x);
-        let omega = l / rotation.moments[0].to_f64().value();
-        let (h, line) = (atlas.energy(event.h), rotation.h(omega));
-        let slack = 2.0 * atlas.energy(event.h_error) + 8.0 * f64::EPSILON * (h.abs() + line.abs());
-        // x = C² Ω² / 2, so that dΩ/Ω = dx / (2x).
-        let error_bound = omega * (0.5 * event.x_error / event.x + 4.0 * f64::EPSILON);
-        if (h - line).abs() > slack {
-            continue;
-        }
-        let event = match event.change {
-            Change::Birth(_) | Change::Death(_) => "cusp",
-            Change::Swap(_) => "crossing",
-            Change::Open { .. } | Change::Close { .. } => "fork",
+    for event in arrangement.events.iter().filter(|event| event.change.curves().iter().any(is_own)) {
+        let omega = atlas.momentum(event.x) / rotation.moments[0].to_f64().value();
+        let found = RegionChange {
+            omega,
+            // x = C² Ω² / 2, so that dΩ/Ω = dx / (2x).
+            error_bound: omega * (0.5 * event.x_error / event.x + 4.0 * f64::EPSILON),
+            event: match event.change {
+                Change::Swap(_) => RegionEvent::Crossing,
+                Change::Birth(_) | Change::Death(_) => RegionEvent::Cusp,
+                Change::Open { .. } | Change::Close { .. } => RegionEvent::Fork,
+            },
         };
-        let same = |last: &RegionChange| (last.omega - omega).abs() <= last.error_bound + error_bound;
-        if !changes.last().is_some_and(same) {
-            changes.push(RegionChange { omega, error_bound, event });
+        match changes.last_mut() {
+            // Within rounding it is one spin, named after the event that changes most.
+            Some(last) if (last.omega - omega).abs() <= last.error_bound + found.error_bound => {
+                last.event = last.event.max(found.event);
+            }
+            _ => changes.push(found),
         }
     }
     changes
+}
+
+/// What happens to the curve of a rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum RegionEvent {
+    /// Another curve crosses it.
+    Crossing,
+    /// It ends with another one.
+    Cusp,
+    /// A pair begins or ends on it.
+    Fork,
+}
+
+impl RegionEvent {
+    /// As it is printed.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Crossing => "crossing",
+            Self::Cusp => "cusp",
+            Self::Fork => "fork",
+        }
+    }
 }
 
 /// A spin at which the regions beside a rotation change.
@@ -38,6 +70,6 @@ pub struct RegionChange {
     pub omega: f64,
     /// Bound on its error.
     pub error_bound: f64,
-    /// What happens: a fork, a crossing, a cusp.
-    pub event: &'static str,
+    /// What happens.
+    pub event: RegionEvent,
 }

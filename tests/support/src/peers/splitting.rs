@@ -55,10 +55,11 @@ fn turn(top: &HeavyTop, state: &mut State, axis: usize, t: f64) {
 mod tests {
     use super::*;
     use dynamics::field::Integrals;
+    use top::body::Body;
 
     #[test]
     fn casimirs_stay_at_rounding_and_the_energy_bounded() {
-        let top = HeavyTop::from_f64([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]);
+        let top = HeavyTop::new(&Body::parse(&["2", "1.1", "1"], &["0.94868", "0", "0.61623"]).unwrap());
         let start = State { gamma: [0.6, 0.0, 0.8], l: [2.0, 1.0, 2.5] };
         let first = Integrals::of(&top, &start);
         let mut state = start;
