@@ -85,7 +85,10 @@ fn verdicts_and_types_agree_with_the_whole_spectrum() {
 }
 
 /// Bodies whose coincidences lie at rational l: A, r, l, γ there, and what is known of that equilibrium.
-const EXACT: [([&str; 3], [&str; 3], &str, [f64; 3], LinearType, Verdict); 15] = [
+/// Moments, centre of mass, l, γ, and what is known of the relative equilibrium there.
+type Known = ([&'static str; 3], [&'static str; 3], &'static str, [f64; 3], LinearType, Verdict);
+
+const EXACT: [Known; 15] = [
     // c = 0 at the pitchfork of a standing top: b < 0, b = 0, b > 0.
     (["2", "2", "1"], ["1", "0", "0"], "2", [-1.0, 0.0, 0.0], LinearType::ZeroReal, Verdict::Unstable),
     (["5", "3", "6"], ["0", "0", "12"], "12", [0.0, 0.0, -1.0], LinearType::ZeroReal, Verdict::Unstable),

@@ -224,7 +224,8 @@ class Body:
     def physical(self) -> bool:
         """Whether some distribution of mass has these moments and this centre of mass.
 
-        It needs A_i + A_j > A_k, or equality and r_k = 0; for a part, about its centre of mass. Where it is False the answers are those of the equations.
+        It needs A_i + A_j > A_k, or equality and r_k = 0; for a part, about its centre of mass. Where it is False the
+        answers are those of the equations.
         """
         return self._inner.physical()
 
