@@ -78,8 +78,10 @@ pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
         cone[(j, i)] += entry;
     }
     let scale = cone.amax();
-    let axis = if scale == 0.0 || is_on_cone(&cone, up) { up } else { nearest_on_cone(cone / scale, up) };
-    Some(NearestAxis { axis, angle: angle(axis, up), squared_spin: squared_spin(difference, r, axis) })
+    // Of an axis that was moved onto the cone no more than thirteen digits are known.
+    let (axis, rounding) =
+        if scale == 0.0 || is_on_cone(&cone, up) { (up, 0.0) } else { (nearest_on_cone(cone / scale, up), 1e-13) };
+    Some(NearestAxis { axis, angle: angle(axis, up), squared_spin: squared_spin(difference, r, axis, rounding) })
 }
 
 /// A_j − A_i for cyclic (i, j, k), rounded once.
@@ -144,15 +146,18 @@ fn onto_cone(cone: &Matrix3<f64>, mut v: Vector3<f64>) -> [f64; 3] {
     normalised(v.into())
 }
 
-/// s with s(n × An) = n × r on the cone; `None` for a principal axis (to thirteen digits), where the left side vanishes.
-fn squared_spin(difference: [f64; 3], r: [f64; 3], up: [f64; 3]) -> Option<f64> {
-    const ROUNDING: f64 = 1e-13;
+/// s with s(n × An) = n × r on the cone; `None` for a principal axis (within `rounding`), where the left side vanishes.
+fn squared_spin(difference: [f64; 3], r: [f64; 3], up: [f64; 3], rounding: f64) -> Option<f64> {
     let products = [up[1] * up[2], up[2] * up[0], up[0] * up[1]];
-    if (0..3).all(|k| difference[k] == 0.0 || products[k].abs() <= ROUNDING) {
+    if (0..3).all(|k| difference[k] == 0.0 || products[k].abs() <= rounding) {
         return None;
     }
     let (left, right) = ([0, 1, 2].map(|k| difference[k] * products[k]), cross(up, r));
-    Some(if norm(right) <= ROUNDING * norm(r) { 0.0 } else { dot(left, right) / dot(left, left) })
+    // Beside a principal axis the square of the left side would leave the range of doubles.
+    let size = left.into_iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let left = left.map(|x| x / size);
+    let s = if norm(right) <= 1e-13 * norm(r) { 0.0 } else { dot(left, right) / dot(left, left) / size };
+    s.is_finite().then_some(s)
 }
 
 #[cfg(test)]
@@ -194,6 +199,19 @@ mod tests {
         for found in both {
             assert_steady(&body, &found);
             assert!(found.angle < 0.6);
+        }
+    }
+
+    /// An axis given with all its digits is on the cone however near it is to a principal one.
+    #[test]
+    fn an_axis_beside_a_principal_one_has_its_own_spin() {
+        let body = body(["3", "1", "2"], ["0.5", "0.25", "1"]);
+        for omega in [1e3_f64, 1e10, 1e30, 1e80] {
+            // s(A - A₂)n = r across the axis, in the limit of large s.
+            let s = omega * omega;
+            let found = nearest_permanent(&body, [0.5 / (2.0 * s), 1.0, 1.0 / s]).unwrap();
+            let spin = found.squared_spin.unwrap();
+            assert!(found.angle < 1e-6 && (spin.abs() / s - 1.0).abs() < 1e-5, "{omega} {found:?}");
         }
     }
 
