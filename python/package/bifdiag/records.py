@@ -250,9 +250,7 @@ class Region:
     _outlines: Callable[[str], tuple[np.ndarray, ...]] = field(compare=False)
 
     @classmethod
-    def _of(
-        cls, document: Document, h_width: float | None, outlines: Callable[[str], tuple[np.ndarray, ...]]
-    ) -> "Region":
+    def _of(cls, document: Document, h_width: float | None, outlines: Callable[[str], tuple[np.ndarray, ...]]) -> "Region":
         sample = document["sample"]
         return cls(
             document["id"],
