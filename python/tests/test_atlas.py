@@ -51,7 +51,7 @@ def test_records_hold_what_the_document_says(atlas):
     document = json.loads(atlas.to_json())
     assert [event.kind for event in atlas.events] == [event["kind"] for event in document["events"]]
     assert [curve.id for curve in atlas.curves] == [curve["id"] for curve in document["curves"]]
-    for curve, told in zip(atlas.curves, document["curves"], strict=True):
+    for curve in atlas.curves:
         assert curve.points.tolist() == atlas.document["drawing"]["curves"][curve.id]["polyline"]
     for region, told in zip(atlas.regions, document["regions"], strict=True):
         assert (region.id, region.bounded, list(region.boundary)) == (told["id"], told["bounded"], told["boundary"])

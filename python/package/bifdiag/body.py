@@ -19,8 +19,8 @@ from .records import Classification, table
 from .section import Section
 
 UNPHYSICAL = (
-    "no distribution of mass has these moments and this centre of mass (it needs Ai + Aj > Ak, or Ai + Aj = Ak with rk = 0); "
-    "the answers are those of the equations"
+    "no distribution of mass has these moments and this centre of mass "
+    "(it needs Ai + Aj > Ak, or Ai + Aj = Ak with rk = 0); the answers are those of the equations"
 )
 
 

@@ -270,9 +270,9 @@ class Region:
     def polygon(self) -> tuple[np.ndarray, ...]:
         """Closed outlines of points [h, l] within the body's default view; a hole is an outline of its own.
 
-        They are fit for a picture of that view, ``atlas.document["drawing"]["view"]["everything"]``: between corners, which lie on the
-        curves, off by a thousandth of its range of h. `Atlas.outlines` gives finer ones of a smaller window, `Atlas.region`
-        tells points exactly.
+        They are fit for a picture of that view, ``atlas.document["drawing"]["view"]["everything"]``: their corners lie on
+        the curves, and between corners they are off by a thousandth of its range of h. `Atlas.outlines` gives finer ones
+        of a smaller window, `Atlas.region` decides points exactly.
         """
         return self._outlines(self.id)
 
