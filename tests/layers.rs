@@ -34,12 +34,7 @@ const ORDER: [(&str, &str); 11] = [
         "command layout body subject classification critical grid atlas certified scan reading border classes find witnesses \
          section spin measured words",
     ),
-    (
-        "crates/verify/src",
-        "refused number classes component body descartes sturm fixed bounds isolation interval jet path spaces flow place \
-         equilibria roots pieces chart meetings counts stand orders node rules mirror pairs events slabs gluing regions gap \
-         morse landscape descent joining merging rings topology courses measures stability samples listing command part totals",
-    ),
+    ("crates/verify/src", "refused numbers equilibria order topology stability document"),
     ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
     (
         "src/cli",

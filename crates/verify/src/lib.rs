@@ -11,70 +11,33 @@
 //! those of docs/mathematics.md.
 //!
 //! ```text
-//! number  body → spaces → place → equilibria → gap                exact body, equilibria over ranges
-//! descartes → sturm → roots → pieces → meetings → events          what there is, and that nothing is missing
-//! stand → orders → node → rules → pairs → slabs → gluing → regions         order of curves, faces
-//! interval → jet → path → landscape → descent, joining, morse → merging, rings → topology  topology of each region
-//! isolation, flow → chart → stability                             linear types along the curves
-//! bounds, courses, measures, samples, listing, command, part → totals   what a document says beside its certificate
+//! numbers      exact and enclosed numbers, isolated roots
+//! equilibria   the body's curves of relative equilibria, and that none is missing
+//! order        which curve lies above which over every l, where they meet, the faces
+//! topology     the topology of U and of P in each region
+//! stability    linear types along the curves
+//! document     what a document says beside its certificate
 //! ```
 
-mod body;
-mod bounds;
-mod chart;
-mod classes;
-mod command;
-mod component;
-mod counts;
-mod courses;
-mod descartes;
-mod descent;
+mod document;
 mod equilibria;
-mod events;
-mod fixed;
-mod flow;
-mod gap;
-mod gluing;
-mod interval;
-mod isolation;
-mod jet;
-mod joining;
-mod landscape;
-mod listing;
-mod measures;
-mod meetings;
-mod merging;
-mod mirror;
-mod morse;
-mod node;
-mod number;
-mod orders;
-mod pairs;
-mod part;
-mod path;
-mod pieces;
-mod place;
+mod numbers;
+mod order;
 mod refused;
-mod regions;
-mod rings;
-mod roots;
-mod rules;
-mod samples;
-mod slabs;
-mod spaces;
 mod stability;
-mod stand;
-mod sturm;
 mod topology;
-mod totals;
 
 use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
 
-use body::Body;
-use events::Events;
-use orders::Orders;
-use pieces::Pieces;
-use spaces::Spaces;
+use document::{courses, listing, measures, samples, totals};
+use equilibria::body::Body;
+use equilibria::pieces::Pieces;
+use equilibria::spaces::Spaces;
+use equilibria::{counts, meetings, roots};
+use numbers::number;
+use order::events::Events;
+use order::orders::Orders;
+use order::{gluing, pairs, regions, slabs};
 
 pub use refused::Refused;
 

@@ -1,0 +1,116 @@
+//! Isolated roots: cusps and the inflection of the generic family.
+
+use dashu_ratio::RBig;
+use schema::CertificateDocument;
+
+use super::place::{Place, Side};
+use super::point::Point;
+use super::spaces::Spaces;
+use crate::Refused;
+use crate::numbers::sturm::Sturm;
+
+/// Places of the entries of a list, each at a positive distance from its space.
+pub(crate) fn places<'a>(
+    documents: impl Iterator<Item = &'a schema::PlaceDocument>,
+    spaces: &Spaces,
+    what: &'static str,
+) -> Result<Vec<Place>, Refused> {
+    let place = |(number, document)| {
+        let place = Place::read(document, spaces).filter(|place| place.lo > RBig::ZERO);
+        place.ok_or(Refused::BadPlace { what, number })
+    };
+    documents.enumerate().map(place).collect()
+}
+
+/// The places of one branch inside an interval, with their numbers in the certificate's list.
+pub(crate) fn listed(
+    places: &[Place],
+    spaces: &Spaces,
+    on_branch: impl Fn(&Place) -> bool,
+    ends: [Option<&RBig>; 2],
+) -> Vec<(usize, [RBig; 2])> {
+    let ranges =
+        places.iter().enumerate().filter(|(_, place)| on_branch(place)).map(|(n, place)| (n, place.range(spaces)));
+    ranges.filter(|(_, range)| lies_in(range, ends)).collect()
+}
+
+fn lies_in(range: &[RBig; 2], [low, high]: [Option<&RBig>; 2]) -> bool {
+    low.is_none_or(|low| range[0] > *low) && high.is_none_or(|high| range[1] < *high)
+}
+
+/// Every range holds one root, and they are disjoint.
+pub(crate) fn isolated(sturm: &Sturm, ranges: &[(usize, [RBig; 2])], what: &'static str) -> Result<(), Refused> {
+    for (number, [lo, hi]) in ranges {
+        if sturm.closed(lo, hi) != 1 {
+            return Err(Refused::NotIsolated { what, number: *number });
+        }
+    }
+    let mut sorted: Vec<&(usize, [RBig; 2])> = ranges.iter().collect();
+    sorted.sort_by(|p, q| p.1[0].cmp(&q.1[0]));
+    match sorted.windows(2).find(|pair| pair[0].1[1] >= pair[1].1[0]) {
+        Some(pair) => Err(Refused::NotIsolated { what, number: pair[1].0 }),
+        None => Ok(()),
+    }
+}
+
+/// The cusps of a certificate: those of the generic family are as many as the sign changes of the cusp polynomial, each
+/// isolated. Those over spaces without r are compared with their closed form when the curves are cut.
+pub(crate) fn cusps(certificate: &CertificateDocument, spaces: &Spaces) -> Result<Vec<Place>, Refused> {
+    let cusps = places(certificate.cusps.iter().map(|cusp| &cusp.place), spaces, "cusp")?;
+    let mut known = vec![false; cusps.len()];
+    for (number, place) in cusps.iter().enumerate() {
+        known[number] = place.side == Side::Over && !spaces.active.contains(&place.base);
+    }
+    if spaces.active.len() > 1 {
+        let sturm = Sturm::new(&spaces.cusp_polynomial());
+        for branch in 0..=spaces.active.len() {
+            let ends = spaces.interval(branch);
+            let ranges = listed(&cusps, spaces, |place| place.side != Side::Over, ends);
+            isolated(&sturm, &ranges, "cusp")?;
+            let (listed, counted) = (count(&ranges), sturm.inside(ends[0], ends[1]));
+            if counted != listed {
+                return Err(Refused::CuspCount { branch: format!("G{branch}"), listed, counted });
+            }
+            for (number, [lo, hi]) in ranges {
+                // A root of even multiplicity is no cusp.
+                if sturm.sign_at(&lo) * sturm.sign_at(&hi) > 0 {
+                    return Err(Refused::NotIsolated { what: "cusp", number });
+                }
+                known[number] = true;
+            }
+        }
+    }
+    match known.iter().position(|known| !known) {
+        Some(number) => Err(Refused::BadPlace { what: "cusp", number }),
+        None => Ok(cusps),
+    }
+}
+
+/// The length of a list, to be compared with a number of roots.
+pub(crate) fn count<T>(list: &[T]) -> i64 {
+    i64::try_from(list.len()).unwrap_or(i64::MAX)
+}
+
+/// The one place of the generic family where dJ/dμ = 0, with its branch; there is none unless three spaces carry r.
+pub(crate) fn inflection(
+    certificate: &CertificateDocument,
+    spaces: &Spaces,
+) -> Result<Option<(usize, Point)>, Refused> {
+    if spaces.active.len() < 3 {
+        return if certificate.inflection.is_none() { Ok(None) } else { Err(Refused::Inflection) };
+    }
+    let sturm = Sturm::new(&spaces.inflection_polynomial());
+    let Some(place) = &certificate.inflection else {
+        // The one root is a moment itself, which lies on no branch.
+        let is_at_a_moment = spaces.active.iter().any(|&k| sturm.sign_at(&spaces.list[k].a) == 0);
+        return if is_at_a_moment && sturm.inside(None, None) == 1 { Ok(None) } else { Err(Refused::Inflection) };
+    };
+    let place = Place::read(place, spaces).filter(|place| place.side != Side::Over).ok_or(Refused::Inflection)?;
+    let range = place.range(spaces);
+    let branch = (0..=spaces.active.len()).find(|&branch| lies_in(&range, spaces.interval(branch)));
+    let point = spaces.point(place.base, place.side, &place.y(spaces));
+    match branch.zip(point) {
+        Some(found) if sturm.closed(&range[0], &range[1]) == 1 && sturm.inside(None, None) == 1 => Ok(Some(found)),
+        _ => Err(Refused::Inflection),
+    }
+}

@@ -1,0 +1,146 @@
+//! The linearised flow along a branch of relative equilibria: λ⁴ + bλ² + c (Theorem 13.1), its signs as those of
+//! polynomials in a parameter of the branch, and the linear type that they tell (Corollary 13.2).
+
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+use schema::Stability;
+
+use crate::equilibria::spaces::Spaces;
+use crate::numbers::sturm::{Coefficients, integers, plus, sign_at, times};
+
+/// Polynomials with the signs of b, c and b² − 4c.
+pub(crate) struct Flow {
+    b: Vec<IBig>,
+    c: Vec<IBig>,
+    discriminant: Vec<IBig>,
+    /// A circle of equilibria, along which c = 0: b alone tells the type across it.
+    circle: bool,
+}
+
+/// A principal axis: its moment, and the weight γ² and μ − a up to factors that all axes share, in the parameter.
+struct Axis {
+    a: RBig,
+    weight: Coefficients,
+    tau: Coefficients,
+}
+
+impl Flow {
+    /// On the generic family and, where r lies on an axis, on the lines of ±r̂, in μ: γ_k² is q_k/(μ−a_k)² up to a factor.
+    pub fn generic(spaces: &Spaces) -> Self {
+        let axes = axes(spaces, |k| {
+            let product = || times(&spaces.product(&[k], 2), &[spaces.list[k].q.clone()]);
+            let weight = if spaces.active.contains(&k) { product() } else { Vec::new() };
+            (weight, spaces.factor(k))
+        });
+        Self::new(&axes, false)
+    }
+
+    /// Over a space without r, in z = 1/s²: γ_k² = z q_k/(a − a_k)², and what is left of 1 in the space itself.
+    pub fn over(spaces: &Spaces, base: usize) -> Self {
+        let (_, p_sum) = spaces.sums(base);
+        let axes = axes(spaces, |k| {
+            let d = &spaces.list[base].a - &spaces.list[k].a;
+            let weight = if k == base {
+                vec![RBig::ONE, -p_sum.clone()]
+            } else {
+                vec![RBig::ZERO, &spaces.list[k].q / (&d * &d)]
+            };
+            (weight, vec![d])
+        });
+        Self::new(&axes, spaces.list[base].axes.len() == 2)
+    }
+
+    /// Multiplied by det A and the squares of what the weights share: with J = Σ w a, d = a_j − a_k, v² = w_j w_k d²,
+    /// c = J Σ w_i τ_j τ_k + 4 Σ τ_i v_i² and J b = (J tr A − 2 Σ w a²)² + Σ a_j a_k [J (τ_j w_k + τ_k w_j) + 4 v_i²].
+    fn new(axes: &[Axis; 3], circle: bool) -> Self {
+        let one = RBig::ONE;
+        let mean = |power: isize| axes.iter().fold(Vec::new(), |sum, x| plus(&sum, &x.weight, &x.a.pow(power)));
+        let (j, second) = (mean(1), mean(2));
+        let trace = &axes[0].a + &axes[1].a + &axes[2].a;
+        let determinant = &axes[0].a * &axes[1].a * &axes[2].a;
+        let swing = plus(&plus(&[], &j, &trace), &second, &RBig::from(-2));
+        let (mut b, mut hanging, mut twisted) = (times(&swing, &swing), Vec::new(), Vec::new());
+        for i in 0..3 {
+            let [x, y, z] = [&axes[i], &axes[(i + 1) % 3], &axes[(i + 2) % 3]];
+            let d = &y.a - &z.a;
+            let v = plus(&[], &times(&y.weight, &z.weight), &(RBig::from(4) * &d * &d));
+            hanging = plus(&hanging, &times(&x.weight, &times(&y.tau, &z.tau)), &one);
+            twisted = plus(&twisted, &times(&x.tau, &v), &one);
+            let across = plus(&times(&y.tau, &z.weight), &times(&z.tau, &y.weight), &one);
+            b = plus(&b, &plus(&times(&j, &across), &v, &one), &(&y.a * &z.a));
+        }
+        let c = plus(&times(&j, &hanging), &twisted, &one);
+        let product = times(&times(&j, &j), &c);
+        let discriminant = plus(&times(&b, &b), &product, &(RBig::from(-4) * determinant));
+        Self { b: integers(&b), c: integers(&c), discriminant: integers(&discriminant), circle }
+    }
+
+    /// Where the type changes between the ends of curves, this is zero.
+    pub fn condition(&self) -> &[IBig] {
+        if self.circle { &self.b } else { &self.discriminant }
+    }
+
+    /// The type at a parameter inside a curve.
+    pub fn stability(&self, t: &RBig) -> Stability {
+        let b = sign_at(&self.b, t);
+        if self.circle { across(b) } else { linear_type(b, sign_at(&self.c, t), sign_at(&self.discriminant, t)) }
+    }
+}
+
+/// One axis for each direction, r along the first of its space.
+fn axes(spaces: &Spaces, of: impl Fn(usize) -> (Coefficients, Coefficients)) -> [Axis; 3] {
+    let mut all = spaces.list.iter().enumerate().flat_map(|(k, space)| {
+        let (weight, tau) = of(k);
+        (0..space.axes.len()).map(move |n| Axis {
+            a: space.a.clone(),
+            weight: if n == 0 { weight.clone() } else { Vec::new() },
+            tau: tau.clone(),
+        })
+    });
+    std::array::from_fn(|_| all.next().expect("three axes"))
+}
+
+/// Rotation without weight about an axis of a space: λ² = −Ω² and −Ω²(a_k − a_i)(a_k − a_j)/(a_i a_j).
+pub(crate) fn without_weight(spaces: &Spaces, base: usize) -> Stability {
+    let a = &spaces.list[base].a;
+    let mut others = spaces.list.iter().enumerate().filter(|(k, _)| *k != base).map(|(_, space)| &space.a);
+    let (1, Some(i), Some(j)) = (spaces.list[base].axes.len(), others.next(), others.next()) else {
+        // Two axes of one space beside it, or a circle or sphere of equilibria.
+        return if spaces.list[base].axes.len() == 1 { beside_a_circle(spaces, base) } else { across(1) };
+    };
+    let (product, others) = ((a - i) * (a - j), i * j);
+    linear_type(1, sign(&product), sign(&((&product - &others) * (product - others))))
+}
+
+/// As [`without_weight`] with a_i = a_j.
+fn beside_a_circle(spaces: &Spaces, base: usize) -> Stability {
+    let [a, i] = [&spaces.list[base].a, &spaces.list[1 - base].a];
+    let (product, others) = ((a - i) * (a - i), i * i);
+    linear_type(1, sign(&product), sign(&((&product - &others) * (product - others))))
+}
+
+fn sign(x: &RBig) -> i8 {
+    i8::from(*x > RBig::ZERO) - i8::from(*x < RBig::ZERO)
+}
+
+/// The signs of b, c and b² − 4c.
+fn linear_type(b: i8, c: i8, discriminant: i8) -> Stability {
+    match (c, discriminant, b) {
+        (0, ..) => Stability::Zero,
+        (-1, ..) => Stability::SaddleCentre,
+        (_, -1, _) => Stability::Complex,
+        (_, 0, 1) => Stability::DoubleElliptic,
+        (_, 0, _) => Stability::DoubleReal,
+        (.., 1) => Stability::Elliptic,
+        _ => Stability::Saddle,
+    }
+}
+
+/// Across a circle or a sphere of equilibria λ² = −b.
+fn across(b: i8) -> Stability {
+    match b {
+        0 => Stability::Zero,
+        1 => Stability::Elliptic,
+        _ => Stability::Saddle,
+    }
+}

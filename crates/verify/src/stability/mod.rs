@@ -1,0 +1,287 @@
+//! The linear type along every curve and where it changes, as a document tells them, against the signs of the linearised
+//! flow: between the ends of curves it changes where b² − 4c changes its sign (on a circle of equilibria, b), and all
+//! zeros of that are isolated.
+
+mod chart;
+mod flow;
+
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+use schema::{
+    AtlasDocument, CertificateDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind,
+};
+
+use crate::Refused;
+use crate::equilibria::pieces::{Branch, End, coordinates, distance};
+use crate::equilibria::place::Side;
+use crate::equilibria::point::Point;
+use crate::equilibria::spaces::Spaces;
+use crate::numbers::bounds::{is_at_most, is_root_within, is_within, roundings};
+use crate::numbers::fixed::Fixed;
+use crate::numbers::isolation::{Root, roots};
+use crate::numbers::number;
+use crate::order::orders::Orders;
+use chart::Chart;
+use flow::{Flow, without_weight};
+
+/// A root's range is narrowed to so many bits for every 256 of the numbers, relative to its distance from the ends of the chart:
+/// thirty digits of what is evaluated there; the other bits are for what cancels.
+const NARROW: usize = 100;
+/// Halvings of a root's range at most.
+const NARROWEST: usize = 2000;
+
+/// Numbers that a document rounds from doubles.
+const ROUNDED: f64 = 1e-9;
+
+/// An error that is stated is at most so many roundings of l, h and |r|.
+const ROUNDINGS: u32 = 256;
+
+const CHANGES: Refused = Refused::Field { field: "stability_changes" };
+
+/// The types along a curve, by rising x, and the roots between them.
+struct Along {
+    curve: usize,
+    types: Vec<Stability>,
+    turns: Vec<[Fixed; 2]>,
+}
+
+/// What a document ought to tell of one change, in the certificate's units.
+struct Change {
+    curve: usize,
+    onto: Option<usize>,
+    kind: StabilityChangeKind,
+    from: Stability,
+    to: Stability,
+    /// x and h.
+    at: [Fixed; 2],
+}
+
+/// Checks the types along all curves and every change.
+pub(crate) fn check(
+    document: &AtlasDocument,
+    certificate: &CertificateDocument,
+    orders: &Orders,
+) -> Result<(), Refused> {
+    let units = [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?];
+    let along = along_all(orders)?;
+    let l2 = &units[0] * &units[1] * RBig::from(2);
+    for curve in &document.curves {
+        let own = along.iter().find(|along| orders.pieces.list[along.curve].id == curve.id);
+        if !spans(curve, own, &l2) {
+            return Err(Refused::Field { field: "curves.stability" });
+        }
+    }
+    let expected = changes(orders, &along)?;
+    let listed = &document.stability_changes;
+    let ordered = listed.is_sorted_by(|p, q| p.l < q.l || (p.l == q.l && p.h <= q.h));
+    if listed.len() != expected.len() || !ordered {
+        return Err(CHANGES);
+    }
+    let mut open: Vec<&StabilityChangeDocument> = listed.iter().collect();
+    for change in &expected {
+        let at = open.iter().position(|claim| change.is_told_by(claim, orders, &l2, &units[1])).ok_or(CHANGES)?;
+        open.remove(at);
+    }
+    Ok(())
+}
+
+/// The types along every critical curve.
+fn along_all(orders: &Orders) -> Result<Vec<Along>, Refused> {
+    let (spaces, pieces) = (orders.spaces, orders.pieces);
+    let generic = (!spaces.active.is_empty()).then(|| Flow::generic(spaces));
+    let mut branches: Vec<Branch> = Vec::new();
+    for piece in pieces.list.iter().filter(|piece| piece.critical) {
+        if !branches.contains(&piece.branch) {
+            branches.push(piece.branch);
+        }
+    }
+    let mut found = Vec::new();
+    for branch in branches {
+        let curves = (0..pieces.list.len()).filter(|&c| pieces.list[c].branch == branch && pieces.list[c].critical);
+        let over;
+        let flow = match branch {
+            Branch::Rotation(base) => {
+                let types = vec![without_weight(spaces, base)];
+                found.extend(curves.map(|curve| Along { curve, types: types.clone(), turns: Vec::new() }));
+                continue;
+            }
+            Branch::Over(base) => {
+                over = Flow::over(spaces, base);
+                &over
+            }
+            _ => generic.as_ref().ok_or(CHANGES)?,
+        };
+        let chart = Chart::of(spaces, branch).ok_or(CHANGES)?;
+        let mut zeros = roots(&chart.moved(flow.condition())).ok_or(CHANGES)?;
+        for curve in curves {
+            found.push(along(orders, flow, &chart, &mut zeros, curve)?);
+        }
+    }
+    Ok(found)
+}
+
+/// The types along one curve.
+fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve: usize) -> Result<Along, Refused> {
+    let piece = &orders.pieces.list[curve];
+    let [first, last] = chart.ends(orders.spaces, orders.pieces, piece);
+    let mut inside: Vec<&mut Root> = Vec::new();
+    for root in zeros {
+        if apart(root, &first)? && apart(root, &last)? && root.lo >= first[1] && root.hi <= last[0] {
+            inside.push(root);
+        }
+    }
+    let half = RBig::ONE / RBig::from(2);
+    let mut from = first[1].clone();
+    let mut types = Vec::new();
+    for upto in inside.iter().map(|root| &root.lo).chain([&last[0]]) {
+        types.push(flow.stability(&chart.parameter(&((&from + upto) * &half))));
+        if let Some(root) = inside.get(types.len() - 1) {
+            from.clone_from(&root.hi);
+        }
+    }
+    let mut turns = Vec::new();
+    for (n, root) in inside.iter_mut().enumerate() {
+        // A zero without a change of the type is none.
+        if types[n] != types[n + 1] {
+            narrow(root, orders.spaces.bits() * NARROW / 256);
+            turns.push(place(orders.spaces, piece.branch, chart, root).ok_or(CHANGES)?);
+        }
+    }
+    types.dedup();
+    if !chart.rises(piece) {
+        types.reverse();
+        turns.reverse();
+    }
+    Ok(Along { curve, types, turns })
+}
+
+/// Halves the range of a root until it is 2⁻ᵇ of its distance from 0 and 1: equilibria are told by that distance.
+fn narrow(root: &mut Root, bits: usize) {
+    let finer = RBig::from(IBig::ONE << bits);
+    for _ in 0..NARROWEST {
+        let rest = RBig::ONE - &root.hi;
+        if (&root.hi - &root.lo) * &finer <= *(&root.lo).min(&rest) {
+            break;
+        }
+        root.halve();
+    }
+}
+
+/// Narrows a root until it lies aside of the range that holds an end of a curve; false where it is that end.
+fn apart(root: &mut Root, [low, high]: &[RBig; 2]) -> Result<bool, Refused> {
+    for _ in 0..NARROWEST {
+        if root.hi < *low || *high < root.lo {
+            return Ok(true);
+        }
+        if root.lo == root.hi && low == high {
+            return Ok(false);
+        }
+        root.halve();
+    }
+    Err(CHANGES)
+}
+
+/// x and h at a root.
+fn place(spaces: &Spaces, branch: Branch, chart: &Chart, root: &Root) -> Option<[Fixed; 2]> {
+    let [t, u] = [&root.lo, &root.hi].map(|w| chart.parameter(w));
+    let point: Point = match branch {
+        Branch::Generic(number) => {
+            let (base, side) = coordinates(spaces, number);
+            let y = [&t, &u].map(|mu| spaces.set(&distance(spaces, base, side, mu)));
+            spaces.point(base, side, &y[0].hull(&y[1]))?
+        }
+        Branch::Over(base) => {
+            let p_sum = spaces.sums(base).1;
+            let y = [&t, &u].map(|z| spaces.set(&(RBig::ONE / z - &p_sum)));
+            spaces.point(base, Side::Over, &y[0].hull(&y[1]))?
+        }
+        Branch::Line(plus) => {
+            // μ = a ± r/s and s = 2x/a².
+            let a = &spaces.list[*spaces.active.first()?].a;
+            let apart = spaces.set(&(&t - a)).hull(&spaces.set(&(&u - a)));
+            let apart = if plus { apart } else { -&apart };
+            let x = (&spaces.norm * &spaces.set(&(a * a))).over(&apart)?.half();
+            spaces.line(plus, &x)?
+        }
+        Branch::Rotation(_) => return None,
+    };
+    let h = Spaces::height(&point.x, &point)?;
+    Some([point.x, h])
+}
+
+/// Every change: on the curves, and from curve to curve at cusps and pitchforks.
+fn changes(orders: &Orders, along: &[Along]) -> Result<Vec<Change>, Refused> {
+    let pieces = orders.pieces;
+    let mut found = Vec::new();
+    for Along { curve, types, turns } in along {
+        for (pair, at) in types.windows(2).zip(turns) {
+            let [from, to] = [pair[0], pair[1]];
+            let kind = match (from, to) {
+                (Stability::Elliptic, _) | (_, Stability::Elliptic) => StabilityChangeKind::HamiltonianHopf,
+                _ => StabilityChangeKind::RealCollision,
+            };
+            let kind = if is_circle(orders, *curve) { StabilityChangeKind::Zero } else { kind };
+            found.push(Change { curve: *curve, onto: None, kind, from, to, at: at.clone() });
+        }
+    }
+    let cusps = (0..pieces.cusps.len()).map(|n| (End::Cusp(n), pieces.at_cusp(n)));
+    let forks = (0..pieces.forks.len()).map(|n| (End::Pitchfork(n), pieces.forks[n].curves.clone()));
+    for (end, mut curves) in cusps.chain(forks) {
+        // The pair of a pitchfork begins there, the two others are one branch; they are listed by their numbers.
+        if matches!(end, End::Pitchfork(_)) {
+            curves.retain(|&c| !matches!(pieces.list[c].branch, Branch::Over(_)));
+        }
+        curves.sort_unstable();
+        let [first, second] = curves[..] else { continue };
+        let side = |curve: usize| usize::from(pieces.list[curve].ends[0] != end);
+        let type_at = |curve: usize| {
+            let types = along.iter().find(|along| along.curve == curve).map(|along| &along.types)?;
+            if side(curve) == 0 { types.first() } else { types.last() }.copied()
+        };
+        let (from, to) = type_at(first).zip(type_at(second)).ok_or(CHANGES)?;
+        if from != to {
+            let point = pieces.end_point(orders.spaces, first, side(first)).ok_or(CHANGES)?;
+            let h = Spaces::height(&point.x, &point).ok_or(CHANGES)?;
+            let kind = StabilityChangeKind::Zero;
+            found.push(Change { curve: first, onto: Some(second), kind, from, to, at: [point.x, h] });
+        }
+    }
+    Ok(found)
+}
+
+fn is_circle(orders: &Orders, curve: usize) -> bool {
+    matches!(orders.pieces.list[curve].branch, Branch::Over(base) if orders.spaces.list[base].axes.len() > 1)
+}
+
+impl Change {
+    /// The document tells this change; l and h are right within the error that it states.
+    fn is_told_by(&self, claim: &StabilityChangeDocument, orders: &Orders, l2: &RBig, energy: &RBig) -> bool {
+        let id = |curve: usize| orders.pieces.list[curve].id.as_str();
+        let told = claim.curve == id(self.curve)
+            && claim.onto.as_deref() == self.onto.map(id)
+            && (claim.kind, claim.from, claim.to) == (self.kind, self.from, self.to);
+        let sizes = [claim.l, claim.h.abs()].map(|x| RBig::try_from(x).unwrap_or(RBig::ZERO));
+        let size = sizes.into_iter().fold(&orders.spaces.norm.ends()[1] * energy, |sum, size| sum + size);
+        told && claim.l >= 0.0
+            && is_root_within(claim.l, claim.error_bound, l2, &self.at[0])
+            && is_within(claim.h, claim.error_bound, energy, &self.at[1])
+            && is_at_most(claim.error_bound, &roundings(ROUNDINGS, &size))
+    }
+}
+
+/// The types along a curve are those of a document.
+fn spans(curve: &CurveDocument, along: Option<&Along>, l2: &RBig) -> bool {
+    let spans = &curve.stability;
+    let Some(along) = along else { return spans.is_empty() };
+    let joined = spans.windows(2).all(|pair| pair[0].l_to == Some(pair[1].l_from));
+    let ends = [spans.first().map(|span| span.l_from), spans.last().and_then(|span| span.l_to)];
+    let same = |(p, q): (&Option<f64>, &Option<f64>)| match (p, q) {
+        (Some(p), Some(q)) => (p - q).abs() <= ROUNDED * q.abs() && (*p != 0.0 || p.is_sign_positive()),
+        _ => p == q,
+    };
+    let mut inner = spans.iter().skip(1).zip(&along.turns);
+    joined
+        && ends.iter().zip(&curve.l_range).all(same)
+        && spans.iter().map(|span| span.stability).eq(along.types.iter().copied())
+        && inner.all(|(span, [x, _])| is_root_within(span.l_from, span.l_from * ROUNDED, l2, x))
+}
