@@ -4,11 +4,11 @@ use dashu_ratio::RBig;
 use numbers::{decimal, sequence};
 use part::{INPUT_NAMES, INPUTS, Measured, MeasuredPart, Part};
 use schema::{MeasuredDocument, SampledClassDocument, ToleranceDocument};
-use top::permanent::{BoxedBody, SettledTypes, SpinRange, class_counts, settled_types};
+use top::permanent::{BoxedBody, SettledTypes, SpinRange, settled_types};
 
 use crate::body::principal;
 use crate::command::CommandLine;
-use crate::spin::{classes_found, spin_range};
+use crate::spin::{classes_of, spin_range};
 
 /// Parts that are tried for their classes, the nominal one first.
 const SAMPLES: u64 = 81;
@@ -94,9 +94,9 @@ fn sampled_classes(part: &Part, measured: &MeasuredPart) -> (Vec<SampledClassDoc
     let sampled = (0..SAMPLES).filter_map(|number| measured.at(&steps(number)).ok());
     let possible = sampled.filter(|properties| !physical || properties.existence().is_possible());
     let bodies = possible.map(|properties| Some(principal(&Part { properties, ..part.clone() }).ok()?.body));
-    let counts = class_counts(bodies);
-    let parts = counts.iter().map(|(_, parts)| parts).sum();
-    (classes_found(counts), parts)
+    let classes = classes_of(bodies);
+    let parts = classes.iter().map(|found| found.parts).sum();
+    (classes, parts)
 }
 
 /// A random point of the cube from −1 to 1; number 0 is its middle.

@@ -1,12 +1,17 @@
 //! Spins and states as documents.
 
+use std::collections::BTreeMap;
+
 use numbers::Number;
 use part::Spin;
+use proof::Accuracy;
 use schema::{SampledClassDocument, SpinChangeDocument, SpinDocument, SpinRangeDocument, ToleranceDocument};
+use survey::border::class_of;
 use top::atlas::Atlas;
+use top::body::Body;
 use top::class::ClassName;
 use top::permanent::{
-    AxisRotation, RegionChange, SAMPLES, SpinChange, SpinRange, SpinType, region_changes, sampled_classes, spin_ranges,
+    AxisRotation, RegionChange, SAMPLES, SpinChange, SpinRange, SpinType, region_changes, sampled_bodies, spin_ranges,
 };
 
 /// A rate of turning, from rad/s.
@@ -73,9 +78,7 @@ pub fn tolerance(rotations: &[(&str, AxisRotation)], relative: &[Number; 4], sec
         inputs: Vec::new(),
         tilt_deg: None,
         sampled_parts: SAMPLES,
-        classes: rotations
-            .first()
-            .map_or_else(Vec::new, |(_, rotation)| classes_found(sampled_classes(rotation, &values))),
+        classes: rotations.first().map_or_else(Vec::new, |(_, rotation)| classes_of(sampled_bodies(rotation, &values))),
         ranges: ranges.collect(),
     }
 }
@@ -95,11 +98,45 @@ pub(crate) fn spin_range(up: &str, range: &SpinRange, second: f64) -> SpinRangeD
     }
 }
 
-/// How many sampled parts have each class.
-pub(crate) fn classes_found(counts: Vec<(Option<ClassName>, usize)>) -> Vec<SampledClassDocument> {
+/// How many sampled parts have each class, the most frequent first; no class stands for parts whose class is not decided,
+/// and for those that are no bodies.
+pub(crate) fn classes_of(bodies: impl Iterator<Item = Option<Body>>) -> Vec<SampledClassDocument> {
+    let mut counts: BTreeMap<Option<ClassName>, usize> = BTreeMap::new();
+    for body in bodies {
+        let class = body.and_then(|body| class_of(&body, Accuracy::Exact).ok());
+        *counts.entry(class.map(|(_, class)| class.name().clone())).or_default() += 1;
+    }
+    let mut counts: Vec<_> = counts.into_iter().collect();
+    counts.sort_by(|(p, p_count), (q, q_count)| q_count.cmp(p_count).then_with(|| p.cmp(q)));
     let document = |(name, parts): (Option<ClassName>, usize)| SampledClassDocument {
         class: name.map(|name| name.to_string()),
         parts,
     };
     counts.into_iter().map(document).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use dashu_ratio::RBig;
+    use numbers::Sign;
+    use top::body::BodyAxis;
+
+    use super::*;
+
+    /// Among parts that are nearly symmetric are symmetric ones, which have other diagrams; all parts are counted.
+    #[test]
+    fn a_symmetric_part_has_neighbours_of_another_class() {
+        let body = Body::parse(&["1", "1", "0.6"], &["0", "0", "1"]).unwrap();
+        let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Negative).unwrap();
+        let classes = |percent: i32| {
+            let tolerance = RBig::from_parts(percent.into(), 100_u8.into());
+            classes_of(sampled_bodies(&rotation, &std::array::from_fn(|_| tolerance.clone())))
+        };
+        let one = classes(0);
+        assert_eq!((one.len(), one[0].parts), (1, SAMPLES));
+        let several = classes(1);
+        assert!(several.len() > 1 && several.iter().any(|found| found.class == one[0].class), "{several:?}");
+        assert!(several.iter().all(|found| found.class.is_some()), "{several:?}");
+        assert_eq!(several.iter().map(|found| found.parts).sum::<usize>(), SAMPLES);
+    }
 }

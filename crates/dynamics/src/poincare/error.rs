@@ -43,10 +43,11 @@ pub enum PoincareError {
         /// Id of the curve.
         curve: String,
     },
-    /// (h, l) is too near to a curve for `f64` to tell on which side it lies.
+    /// (h, l) is nearer to a curve than `f64`, in which motions are computed, resolves.
     #[error(
-        "(h, l) = ({h}, {l}) is too near to the curve {curve} of the bifurcation diagram to tell on which side it lies \
-         (distance {distance:.1e} in h, error bound {error_bound:.1e}); choose h farther from it"
+        "(h, l) = ({h}, {l}) is too near to the curve {curve} of the bifurcation diagram for a section in double precision \
+         (distance {distance:.1e} in h, error bound {error_bound:.1e}); choose h farther from it, or ask bifdiag classify for its \
+         topology"
     )]
     Undecided {
         /// h as given.

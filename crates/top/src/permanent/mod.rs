@@ -22,4 +22,4 @@ pub use near::{BoxedBody, SettledTypes, Vector, settled_types};
 pub use regions::{RegionChange, RegionEvent, region_changes};
 pub use rotation::{AxisRotation, SpinChange, SpinType, Squares};
 pub use steady::{SteadyRotation, nearest_steady};
-pub use tolerance::{INPUTS, SAMPLES, SpinRange, class_counts, sampled_classes, spin_ranges};
+pub use tolerance::{INPUTS, SAMPLES, SpinRange, sampled_bodies, spin_ranges};

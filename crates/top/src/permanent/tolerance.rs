@@ -8,16 +8,12 @@
 //! Over a box of parts each of them lies in an interval. Outside these intervals no root lies for any part of the box, and
 //! the box is connected: the type between two of them is that of one part.
 
-use std::collections::BTreeMap;
-
 use dashu_ratio::RBig;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 
 use super::rotation::{AxisRotation, SpinChange, SpinType};
-use crate::atlas::Atlas;
 use crate::body::Body;
-use crate::class::{Class, ClassName};
 
 /// The inputs that are varied, as they are told.
 pub const INPUTS: [&str; 4] =
@@ -77,25 +73,9 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
     found
 }
 
-/// The classes of the diagrams of the sampled parts, each with how many of them have it, the most frequent first; `None`
-/// stands for those whose class f64 leaves open.
-#[must_use]
-pub fn sampled_classes(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<(Option<ClassName>, usize)> {
-    class_counts((0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances).body()))
-}
-
-/// The classes of bodies, each with how many of them have it, the most frequent first; `None` stands for those whose class
-/// f64 leaves open, and for those that are no bodies.
-pub fn class_counts(bodies: impl Iterator<Item = Option<Body>>) -> Vec<(Option<ClassName>, usize)> {
-    let mut counts: BTreeMap<Option<ClassName>, usize> = BTreeMap::new();
-    for body in bodies {
-        let atlas = body.and_then(|body| Atlas::new(&body).ok());
-        let class = atlas.and_then(|atlas| Class::of(&atlas).ok());
-        *counts.entry(class.map(|class| class.name().clone())).or_default() += 1;
-    }
-    let mut counts: Vec<_> = counts.into_iter().collect();
-    counts.sort_by(|(p, p_count), (q, q_count)| q_count.cmp(p_count).then_with(|| p.cmp(q)));
-    counts
+/// The bodies of the sampled parts; `None` where one is no body.
+pub fn sampled_bodies(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> impl Iterator<Item = Option<Body>> {
+    (0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances).body())
 }
 
 /// How many of the steps of a sampled part: −1, 0 or 1 tolerance for each input.
@@ -337,21 +317,6 @@ mod tests {
                 assert!(range.omega[1] - range.omega[0] < 1e-12 * change.omega, "{range:?}");
             }
         }
-    }
-
-    /// Among parts that are nearly symmetric are symmetric ones, which have other diagrams; all parts are counted.
-    #[test]
-    fn a_symmetric_part_has_neighbours_of_another_class() {
-        let classes = |a: [&str; 3], tolerance: RBig| {
-            let body = Body::parse(&a, &["0", "0", "1"]).unwrap();
-            let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Negative).unwrap();
-            sampled_classes(&rotation, &alike(&tolerance))
-        };
-        let one = classes(["1", "1", "0.6"], RBig::ZERO);
-        assert_eq!((one.len(), one[0].1), (1, SAMPLES));
-        let several = classes(["1", "1", "0.6"], percent(1));
-        assert!(several.len() > 1 && several.iter().any(|(name, _)| *name == one[0].0), "{several:?}");
-        assert_eq!(several.iter().map(|(_, count)| count).sum::<usize>(), SAMPLES);
     }
 
     /// A free body has no changes, but moments that may be equal leave its stability open.
