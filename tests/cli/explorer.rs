@@ -200,3 +200,26 @@ fn without_descriptors_the_server_waits() {
     std::thread::sleep(Duration::from_millis(500));
     assert_eq!(served.ask("GET /").1, b"here");
 }
+
+/// A thread that could not be started ended the server.
+#[test]
+#[cfg(target_os = "linux")]
+fn without_threads_requests_are_refused_and_the_server_stays() {
+    use rustix::process::{Pid, Resource, Rlimit, prlimit};
+
+    let place = tempfile::tempdir().unwrap();
+    fs::write(place.path().join("index.html"), "here").unwrap();
+    let mut served = Served::of(place.path(), &[]);
+    let status = fs::read_to_string(format!("/proc/{}/status", served.child.id())).unwrap();
+    let size =
+        status.lines().find_map(|line| line.strip_prefix("VmSize:")?.strip_suffix("kB")?.trim().parse::<u64>().ok());
+    // Room for a request, but for no thread's stack.
+    let limit = Rlimit { current: size.map(|kilobytes| (kilobytes + 1024) << 10), maximum: None };
+    let whole = prlimit(Some(Pid::from_child(&served.child)), Resource::As, limit).unwrap();
+    for _ in 0..2 {
+        assert!(served.ask("GET /").0.starts_with("HTTP/1.1 503"));
+    }
+    assert!(served.child.try_wait().unwrap().is_none());
+    prlimit(Some(Pid::from_child(&served.child)), Resource::As, whole).unwrap();
+    assert_eq!(served.ask("GET /").1, b"here");
+}
