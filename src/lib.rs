@@ -25,10 +25,10 @@
 pub mod cli;
 
 #[cfg(feature = "plot")]
-mod fine;
+pub mod pictures;
 
 #[cfg(feature = "plot")]
-pub use fine::Curves;
+pub use pictures::Curves;
 #[cfg(feature = "plot")]
 pub use plot;
 pub use {documents, dynamics, numbers, part, proof, schema, survey, top, verify};

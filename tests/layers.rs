@@ -35,11 +35,11 @@ const ORDER: [(&str, &str); 11] = [
          section spin measured words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
-    ("crates/plot/src", "page animation chart campbell diagram codes map schematic section sphere part"),
+    ("crates/plot/src", "page animation campbell diagram codes map section sphere part"),
     (
         "src/cli",
         "failure terminal input export batch bodies part spin pages schema atlas show classify critical verify section sphere \
-         orbit explore scan find classes figures arguments",
+         orbit explore scan find classes arguments",
     ),
 ];
 

@@ -14,7 +14,6 @@ use super::classes::{self, ClassArguments, ClassesArguments};
 use super::classify::{self, ClassifyArguments};
 use super::critical::{self, CriticalArguments};
 use super::explore::{self, ExploreArguments};
-use super::figures::{self, FiguresArguments};
 use super::find::{self, FindArguments};
 use super::input::values;
 use super::orbit::{self, OrbitArguments};
@@ -179,8 +178,6 @@ commands! {
     Completions(CompletionsArguments) = "completions", pages::COMPLETIONS_EXAMPLES;
     /// Print the manual page, or write the pages of all commands
     Man(ManArguments) = "man", pages::MAN_EXAMPLES;
-    /// Draw every figure of the paper and of the documentation
-    Figures(FiguresArguments) = "figures", figures::EXAMPLES;
 }
 
 /// Options of every command.

@@ -14,7 +14,6 @@ mod critical;
 mod explore;
 mod export;
 mod failure;
-mod figures;
 mod find;
 mod input;
 mod orbit;
@@ -141,7 +140,6 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::Class(arguments)) => classes::class(arguments, &timings),
         Some(Command::Find(arguments)) => find::run(arguments, quiet),
         Some(Command::Scan(arguments)) => scan::run(arguments, &timings, quiet),
-        Some(Command::Figures(arguments)) => figures::run(arguments, &timings),
     };
     timings.total();
     done

@@ -168,10 +168,3 @@ fn files_can_be_read_by_whom_the_umask_lets() {
     let mode = |name: &str| fs::metadata(place.path().join(name)).unwrap().permissions().mode();
     assert_eq!(mode("atlas.json"), mode("ordinary"));
 }
-
-#[test]
-fn figures_are_written_together() {
-    let place = tempdir().unwrap();
-    bifdiag("figures --out figures").inside(place.path()).succeeds().printing("figures/bifurcation-nine-regions.svg");
-    assert!(names(&place.path().join("figures")).len() >= 2);
-}

@@ -118,10 +118,8 @@ fn interrupts_end_a_batch_between_lines() {
 fn interrupts_end_every_command_within_a_second() {
     let place = tempfile::tempdir().unwrap();
     let scan = format!("scan --family general --samples 1000000 --out {}", place.path().join("s.csv").display());
-    let figures = format!("figures --out {}", place.path().join("figures").display());
     let commands = [
         scan.as_str(),
-        &figures,
         "find --type M4 --all --samples 1000000000",
         "orbit --body paper --gamma 0.6,0,0.8 --omega 1,0.3,1 --times 0:1e9:2 --json",
         "section --body paper --h 4.45 --l 3.25 --crossings 100000000 --no-plot --json",

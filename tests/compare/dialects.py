@@ -9,7 +9,7 @@ import subprocess
 OPTIONS = {"--seed": "--rng-seed", "--starts": "--seeds"}  # of `section`, in version 1
 
 # Answers in prose, of the format itself, or of another shape: not compared.
-OTHER_SHAPES = {"text", "pages", "schema", "help", "command line", "batch", "picture", "figures", "scan border"}
+OTHER_SHAPES = {"text", "pages", "schema", "help", "command line", "batch", "picture", "scan border"}
 
 # Fields that version 2 words otherwise, or that only one of the two has.
 OTHER_WORDS = {

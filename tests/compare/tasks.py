@@ -117,7 +117,7 @@ def presets():
 
 
 SCHEMAS = "atlas classify critical section sections orbit bodies batch-error scan-row scan-summary scan-border find"
-COMMANDS = "atlas,classify,critical,section,orbit,scan,scan merge,scan map,scan border,find,verify,figures"
+COMMANDS = "atlas,classify,critical,section,orbit,scan,scan merge,scan map,scan border,find,verify"
 
 
 def pages():
@@ -208,6 +208,5 @@ PICTURES = (
 
 
 def pictures():
-    yield Task("pictures", "figures", ["figures", "--out", "made"], files=["made/*.svg"])
     for command in PICTURES:
         yield Task("pictures", "picture", [*command.split(), "--out", "made"], files=["made/*.svg"])

@@ -1,31 +1,27 @@
-//! Pictures of finished results: the bifurcation diagram of an atlas, Poincaré sections, maps, charts and schemes, as SVG,
+//! Pictures of finished results: the bifurcation diagram of an atlas, Poincaré sections and maps, as SVG,
 //! PNG and, with the feature `pdf`, PDF.
 //!
 //! What is drawn of an atlas comes from [`schema`] alone, what is drawn of a section from its portrait and its crossings;
-//! nothing is computed here that these do not say already. Every picture is drawn on a `page`, which knows nothing of what
-//! it shows, and becomes a [`Picture`].
+//! nothing is computed here that these do not say already. Every picture is drawn on a [`page`], which knows nothing of what
+//! it shows, and becomes a [`Picture`]; other pictures can be drawn on it too.
 
 mod animation;
 mod campbell;
-mod chart;
 mod codes;
 mod diagram;
 mod map;
-mod page;
+pub mod page;
 mod part;
-mod schematic;
 mod section;
 mod sphere;
 
 pub use animation::{AnimatedCrossing, AnimationScene, draw_animation};
 pub use campbell::{Campbell, draw_campbell};
-pub use chart::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
 pub use codes::draw_codes;
 pub use diagram::{CurveSource, DiagramOptions, MarkedPoints, draw};
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
 pub use page::{Picture, PlotError, Theme, Width, section_type};
 pub use part::{PartScene, draw_part};
-pub use schematic::{Scheme, draw_scheme};
 pub use section::{
     OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,
 };

@@ -18,8 +18,7 @@ use dynamics::section::{
 use picture_letters::unprintable;
 use picture_texts::{assert_texts_are_apart, texts};
 use plot::{
-    OrbitValues, Picture, PlotError, Projection, Scheme, SectionOptions, SectionScene, Width, draw_scheme,
-    draw_section, draw_section_rows,
+    OrbitValues, Picture, PlotError, Projection, SectionOptions, SectionScene, Width, draw_section, draw_section_rows,
 };
 use resvg::tiny_skia::Pixmap;
 use top::body::Body;
@@ -262,19 +261,4 @@ fn equal_input_gives_equal_bytes() {
     assert_eq!(first.to_png(96.0).unwrap(), second.to_png(96.0).unwrap());
     #[cfg(feature = "pdf")]
     assert_eq!(first.to_pdf().unwrap(), second.to_pdf().unwrap());
-}
-
-#[test]
-fn schemes_can_be_read() {
-    for (scheme, wanted) in [
-        (Scheme::Sheets, "sheets by the sign of Δ: 1:1"),
-        (Scheme::BothSheetsNeeded, "outgoing, Ṡ > 0"),
-        (Scheme::Cylinder, "ϑ′ = π"),
-    ] {
-        let picture = draw_scheme(scheme, plot::Theme::Light).unwrap();
-        let texts = texts(&picture);
-        assert!(has(&texts, wanted), "{wanted}");
-        assert_texts_are_apart(&texts);
-        assert_eq!(picture, draw_scheme(scheme, plot::Theme::Light).unwrap());
-    }
 }

@@ -19,7 +19,6 @@ use crate::Curves;
 use settings::Settings;
 
 pub use arguments::{AtlasArguments, EXAMPLES};
-pub use error::NoAtlas;
 
 pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure> {
     let settings = Settings::new(arguments)?;

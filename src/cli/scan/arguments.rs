@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, Subcommand};
 use schema::Accuracy;
 use survey::scan::Shard;
 use survey::{Family, Parameter, Range};
@@ -11,6 +11,7 @@ use super::table::Format;
 use crate::cli::export::{PictureArguments, WidthArgument};
 use crate::cli::input::values::{Named, named};
 use crate::cli::input::{BodyArguments, accuracy};
+use crate::pictures::Shown;
 
 pub const SCAN_EXAMPLES: &str = "\
 Examples:
@@ -135,17 +136,6 @@ pub struct MergeArguments {
     /// Print the summary as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,
-}
-
-/// What a map shows by its colours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Shown {
-    /// The class of the diagram
-    Class,
-    /// The number of regions
-    Regions,
-    /// The largest number of relative equilibria at one l
-    CriticalPoints,
 }
 
 /// `bifdiag scan map`.

@@ -5,15 +5,14 @@ mod border;
 mod error;
 mod hashing;
 mod journal;
-pub mod map;
+mod map;
 mod merge;
 mod output;
 mod report;
 mod sample;
-pub mod shown;
 mod table;
 
-pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand, Shown};
+pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand};
 pub use error::ScanInput;
 
 use super::failure::Failure;

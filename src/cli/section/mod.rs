@@ -2,7 +2,6 @@
 
 mod arguments;
 mod error;
-pub mod families;
 mod outputs;
 mod picture;
 mod report;

@@ -1,13 +1,12 @@
 //! The picture of a section.
 
 use dynamics::poincare::PoincareError;
-use dynamics::section::{Portrait, PortraitOptions};
+use dynamics::section::{FAMILIES, Portrait, PortraitOptions, families};
 use plot::{OrbitFamilies, OrbitValues, Picture, SectionOptions, SectionScene, draw_section, section_type};
 use schema::{ConditionName, SectionDocument};
 
 use super::arguments::ColorArgument;
 use super::error::SectionFailure;
-use super::families::{NAMES, families};
 use super::settings::Settings;
 use super::table;
 use super::work::Done;
@@ -29,7 +28,7 @@ pub fn draw(settings: &Settings, section: &Done) -> Result<Picture, Failure> {
         portrait: &portrait,
         orbits: &section.orbits,
         values: values.as_ref().map(|(label, values)| OrbitValues { label, values }),
-        families: Some(OrbitFamilies { of: &of, names: &NAMES }),
+        families: Some(OrbitFamilies { of: &of, names: &FAMILIES }),
         caption: &caption(document),
     };
     let super::settings::Outputs { theme, width, .. } = settings.outputs;

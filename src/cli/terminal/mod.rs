@@ -10,9 +10,10 @@ mod table;
 mod timings;
 
 pub use log::log;
+pub use numbers::decimal::{fixed, significant};
 pub use progress::Progress;
 pub use report::Report;
 pub use stderr::{is_terminal, say, say_styled};
 pub use stdout::{OutputError, print};
-pub use table::{Table, fixed, significant};
+pub use table::Table;
 pub use timings::Timings;

@@ -64,50 +64,9 @@ fn line(cells: &[&str], widths: &[usize]) -> String {
     out
 }
 
-/// A number with so many decimal places; one that rounds to zero has no sign.
-pub fn fixed(x: f64, places: usize) -> String {
-    let text = format!("{x:.places$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.chars().all(|c| c == '0' || c == '.') => rest.to_owned(),
-        _ => text,
-    }
-}
-
-/// A number with so many significant digits, in the shorter of the plain and the exponent form.
-pub fn significant(x: f64, digits: usize) -> String {
-    if !x.is_finite() || x == 0.0 {
-        return if x == 0.0 { "0".to_owned() } else { x.to_string() };
-    }
-    let scientific = format!("{:.*e}", digits.saturating_sub(1), x);
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or_default();
-    let places = i32::try_from(digits).unwrap_or(i32::MAX) - 1 - exponent;
-    if (-4..=6).contains(&exponent) {
-        let plain = format!("{:.*}", usize::try_from(places).unwrap_or_default(), x);
-        return trim_zeros(&plain);
-    }
-    format!("{}e{exponent}", trim_zeros(mantissa))
-}
-
-fn trim_zeros(text: &str) -> String {
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_keep_their_significant_digits() {
-        assert_eq!(significant(3.148_612, 5), "3.1486");
-        assert_eq!(significant(-0.000_123_456, 3), "-0.000123");
-        assert_eq!(significant(1.5e-9, 5), "1.5e-9");
-        assert_eq!(significant(123_456.7, 3), "123457");
-        assert_eq!(significant(1e8, 4), "1e8");
-        assert_eq!(significant(9.9999, 3), "10");
-        assert_eq!(significant(0.0, 5), "0");
-        assert_eq!(significant(f64::INFINITY, 5), "inf");
-    }
 
     #[test]
     fn columns_are_as_wide_as_needed_and_cells_may_have_lines() {

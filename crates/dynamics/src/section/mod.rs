@@ -6,6 +6,7 @@ mod angle;
 pub mod chaos;
 mod condition;
 mod error;
+mod families;
 mod follow;
 mod halley;
 mod halt;
@@ -22,6 +23,7 @@ mod workers;
 
 pub use condition::SectionCondition;
 pub use error::SectionError;
+pub use families::{FAMILIES, families};
 pub use halt::{Halt, Task};
 pub use orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 pub use portrait::{Area, Chart, Line, Portrait, PortraitOptions, PortraitReport};

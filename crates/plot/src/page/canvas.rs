@@ -30,7 +30,7 @@ pub(crate) type Outcome = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 
 /// Which point of a text is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Anchor {
+pub enum Anchor {
     /// Left end of the base line.
     Start,
     /// Middle of the base line.
@@ -41,7 +41,7 @@ pub(crate) enum Anchor {
 
 /// Where a picture is drawn; all positions and sizes in pixels. The first failure is kept for the end, so that what draws
 /// need not look for it.
-pub(crate) struct Canvas {
+pub struct Canvas {
     size: [f64; 2],
     theme: Theme,
     body: RefCell<String>,
@@ -51,7 +51,10 @@ pub(crate) struct Canvas {
 }
 
 /// Draws a picture of `size` pixels on the theme's paper.
-pub(crate) fn render(
+///
+/// # Errors
+/// The first failure of the drawing library.
+pub fn render(
     size: [f64; 2],
     heading: impl Into<Heading>,
     theme: Theme,
@@ -88,7 +91,7 @@ fn positions(points: &[Point]) -> Vec<(i32, i32)> {
 
 impl Canvas {
     /// Draws with plotters.
-    pub(crate) fn plotters(&self, draw: impl FnOnce(&Area<'_>) -> Outcome) {
+    pub fn plotters(&self, draw: impl FnOnce(&Area<'_>) -> Outcome) {
         let mut document = String::new();
         let outcome = {
             let units = (length_units(self.size[0]), length_units(self.size[1]));
@@ -102,7 +105,7 @@ impl Canvas {
     }
 
     /// Keeps the first failure.
-    pub(crate) fn keep(&self, outcome: Result<(), PlotError>) {
+    pub fn keep(&self, outcome: Result<(), PlotError>) {
         let mut first = self.outcome.borrow_mut();
         if first.is_ok() {
             *first = outcome;
@@ -110,14 +113,14 @@ impl Canvas {
     }
 
     /// Adds an SVG element whose lengths are in canvas units.
-    pub(crate) fn element(&self, element: &str) {
+    pub fn element(&self, element: &str) {
         let mut body = self.body.borrow_mut();
         body.push_str(element);
         body.push('\n');
     }
 
     /// Draws a group with an id of its own in the picture, and what is told when one points at it.
-    pub(crate) fn group(&self, id: &str, title: &str, paint: impl FnOnce()) {
+    pub fn group(&self, id: &str, title: &str, paint: impl FnOnce()) {
         let title = if title.is_empty() { String::new() } else { format!("<title>{}</title>", escaped(title)) };
         self.element(&format!("<g id=\"{}\">{title}", escaped(id)));
         paint();
@@ -125,22 +128,22 @@ impl Canvas {
     }
 
     /// A colour as the theme shows it.
-    pub(crate) fn color(&self, color: RGBColor) -> RGBColor {
+    pub fn color(&self, color: RGBColor) -> RGBColor {
         self.theme.color(color)
     }
 
     /// The attributes of an area.
-    pub(crate) fn fill(&self, color: RGBColor) -> String {
+    pub fn fill(&self, color: RGBColor) -> String {
         format!("fill=\"{}\"", self.ground(color))
     }
 
     /// The colour of an area as SVG writes it.
-    pub(crate) fn ground(&self, color: RGBColor) -> String {
+    pub fn ground(&self, color: RGBColor) -> String {
         hex(self.theme.ground(color))
     }
 
     /// The attributes of a line.
-    pub(crate) fn stroke(&self, ink: Ink) -> String {
+    pub fn stroke(&self, ink: Ink) -> String {
         let width = (ink.width * UNITS).round();
         format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\"", hex(self.color(ink.color)))
     }
@@ -156,7 +159,7 @@ impl Canvas {
     }
 
     /// An open polyline.
-    pub(crate) fn path(&self, points: &[Point], ink: Ink) {
+    pub fn path(&self, points: &[Point], ink: Ink) {
         let positions = positions(points);
         if positions.len() > 1 {
             self.plotters(|area| area.draw(&PathElement::new(positions, self.style(ink))));
@@ -164,12 +167,12 @@ impl Canvas {
     }
 
     /// A filled polygon in the colour of a line.
-    pub(crate) fn polygon(&self, points: &[Point], color: RGBColor) {
+    pub fn polygon(&self, points: &[Point], color: RGBColor) {
         self.filled(points, self.color(color));
     }
 
     /// A filled polygon in the colour of an area.
-    pub(crate) fn patch(&self, points: &[Point], color: RGBColor) {
+    pub fn patch(&self, points: &[Point], color: RGBColor) {
         self.filled(points, self.theme.ground(color));
     }
 
@@ -181,19 +184,19 @@ impl Canvas {
     }
 
     /// A closed outline.
-    pub(crate) fn outline(&self, points: &[Point], ink: Ink) {
+    pub fn outline(&self, points: &[Point], ink: Ink) {
         let mut closed = points.to_vec();
         closed.extend(points.first());
         self.path(&closed, ink);
     }
 
     /// A filled disc in the colour of a line.
-    pub(crate) fn disc(&self, center: Point, radius: f64, color: RGBColor) {
+    pub fn disc(&self, center: Point, radius: f64, color: RGBColor) {
         self.dot(center, radius, self.color(color));
     }
 
     /// A filled disc in the colour of an area.
-    pub(crate) fn spot(&self, center: Point, radius: f64, color: RGBColor) {
+    pub fn spot(&self, center: Point, radius: f64, color: RGBColor) {
         self.dot(center, radius, self.theme.ground(color));
     }
 
@@ -203,14 +206,14 @@ impl Canvas {
     }
 
     /// A circle, empty in the colour of the page.
-    pub(crate) fn ring(&self, center: Point, radius: f64, ink: Ink) {
+    pub fn ring(&self, center: Point, radius: f64, ink: Ink) {
         self.disc(center, radius, PAPER);
         let circle = Circle::new(position(&center), length_units(radius), self.style(ink));
         self.plotters(|area| area.draw(&circle));
     }
 
     /// A line of text with its base line at `at`.
-    pub(crate) fn text(&self, text: &str, at: Point, size: f64, color: RGBColor, anchor: Anchor) {
+    pub fn text(&self, text: &str, at: Point, size: f64, color: RGBColor, anchor: Anchor) {
         let horizontal = match anchor {
             Anchor::Start => HPos::Left,
             Anchor::Middle => HPos::Center,
@@ -222,12 +225,12 @@ impl Canvas {
     }
 
     /// plotters' style of text of `size` pixels.
-    pub(crate) fn text_style(&self, size: f64, color: RGBColor) -> plotters::style::TextStyle<'static> {
+    pub fn text_style(&self, size: f64, color: RGBColor) -> plotters::style::TextStyle<'static> {
         (font::FAMILY, size * UNITS * font::PLOTTERS_SCALE).into_font().color(&self.color(color))
     }
 
     /// plotters' style of a line.
-    pub(crate) fn style(&self, ink: Ink) -> ShapeStyle {
+    pub fn style(&self, ink: Ink) -> ShapeStyle {
         self.color(ink.color).stroke_width(length_units(ink.width))
     }
 }

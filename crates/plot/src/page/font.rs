@@ -37,7 +37,8 @@ pub(crate) fn database() -> Arc<Database> {
 }
 
 /// Width of `text` in pixels at font size `size`.
-pub(crate) fn text_width(text: &str, size: f64) -> f64 {
+#[must_use]
+pub fn text_width(text: &str, size: f64) -> f64 {
     if register().is_err() {
         return 0.0;
     }

@@ -4,7 +4,7 @@
 pub(crate) const UNITS: f64 = 10.0;
 
 /// A position [x, y] in pixels, y downwards.
-pub(crate) type Point = [f64; 2];
+pub type Point = [f64; 2];
 
 /// Canvas units of a pixel coordinate.
 pub(crate) fn to_units(pixels: f64) -> i32 {
@@ -27,47 +27,65 @@ pub(crate) fn length_units(pixels: f64) -> u32 {
 
 /// A rectangle in pixels, y downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Rect {
+pub struct Rect {
+    /// Of the left edge.
     pub x: f64,
+    /// Of the upper edge.
     pub y: f64,
+    /// From left to right.
     pub width: f64,
+    /// Downwards.
     pub height: f64,
 }
 
 impl Rect {
     /// The square of side 2·`half` around a point.
-    pub(crate) fn around(center: Point, half: f64) -> Self {
+    #[must_use]
+    pub fn around(center: Point, half: f64) -> Self {
         Self { x: center[0] - half, y: center[1] - half, width: 2.0 * half, height: 2.0 * half }
     }
 
-    pub(crate) fn right(&self) -> f64 {
+    /// x of the right edge.
+    #[must_use]
+    pub fn right(&self) -> f64 {
         self.x + self.width
     }
 
-    pub(crate) fn bottom(&self) -> f64 {
+    /// y of the lower edge.
+    #[must_use]
+    pub fn bottom(&self) -> f64 {
         self.y + self.height
     }
 
-    pub(crate) fn corners(&self) -> [Point; 4] {
+    /// From the upper left one, clockwise.
+    #[must_use]
+    pub fn corners(&self) -> [Point; 4] {
         let (right, bottom) = (self.right(), self.bottom());
         [[self.x, self.y], [right, self.y], [right, bottom], [self.x, bottom]]
     }
 
-    pub(crate) fn center(&self) -> Point {
+    /// The middle.
+    #[must_use]
+    pub fn center(&self) -> Point {
         [self.x + self.width / 2.0, self.y + self.height / 2.0]
     }
 
-    pub(crate) fn contains(&self, point: Point) -> bool {
+    /// Whether a point lies inside or on the edge.
+    #[must_use]
+    pub fn contains(&self, point: Point) -> bool {
         let inside = |value: f64, from: f64, length: f64| value >= from && value <= from + length;
         inside(point[0], self.x, self.width) && inside(point[1], self.y, self.height)
     }
 
     /// The point of the rectangle nearest to `point`.
-    pub(crate) fn nearest(&self, point: Point) -> Point {
+    #[must_use]
+    pub fn nearest(&self, point: Point) -> Point {
         [point[0].clamp(self.x, self.right()), point[1].clamp(self.y, self.bottom())]
     }
 
-    pub(crate) fn grown(&self, by: f64) -> Self {
+    /// Wider by `by` on each side.
+    #[must_use]
+    pub fn grown(&self, by: f64) -> Self {
         Self { x: self.x - by, y: self.y - by, width: self.width + 2.0 * by, height: self.height + 2.0 * by }
     }
 

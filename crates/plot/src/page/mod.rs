@@ -25,24 +25,25 @@ mod tikz;
 mod width;
 
 pub(crate) use axes::{Axis, TICK_SIZE, draw_axes};
-pub(crate) use canvas::{Anchor, Canvas, render};
+pub use canvas::{Anchor, Canvas, render};
 pub use error::PlotError;
-pub(crate) use font::{text_width, title_size};
-pub(crate) use geometry::{
-    Point, Rect, between, clip_polygon, clip_polyline, distance, is_proper, meets, to_pixels, to_units,
-};
+pub use font::text_width;
+pub(crate) use font::title_size;
+pub use geometry::{Point, Rect};
+pub(crate) use geometry::{between, clip_polygon, clip_polyline, distance, is_proper, meets, to_pixels, to_units};
 pub(crate) use image::png;
-pub(crate) use ink::{FAINT_INK, INK, Ink, PAPER, POLE, rgb, rgbs};
+pub(crate) use ink::PAPER;
+pub use ink::{FAINT_INK, INK, Ink, POLE, rgb, rgbs};
 pub(crate) use legend::Legend;
-pub use notation::section_type;
-pub(crate) use notation::{body_line, number, short, short_number, short_time, superscript};
+pub(crate) use notation::{body_line, number, short, short_number, short_time};
+pub use notation::{section_type, superscript};
 pub(crate) use path::Path;
 pub(crate) use pattern::Pattern;
 #[cfg(test)]
 pub(crate) use perception::{contrast, sight};
-pub(crate) use picture::Heading;
-pub use picture::Picture;
-pub(crate) use rows::{Rows, lines};
+pub use picture::{Heading, Picture};
+pub use rows::Rows;
+pub(crate) use rows::lines;
 pub(crate) use space::Taken;
 pub(crate) use stripes::Stripes;
 pub(crate) use table::Table;

@@ -17,7 +17,7 @@ fn digits(text: &str, alphabet: [char; 10]) -> String {
 }
 
 /// A text with its digits and signs as superscripts.
-pub(crate) fn superscript(text: impl Display) -> String {
+pub fn superscript(text: impl Display) -> String {
     digits(&text.to_string(), SUPERSCRIPTS)
 }
 

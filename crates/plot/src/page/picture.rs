@@ -25,7 +25,7 @@ pub struct Picture {
 
 /// What an SVG says of itself.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Heading {
+pub struct Heading {
     /// In a line, numbers rounded.
     pub title: String,
     /// Whatever else, with all digits; may be empty.

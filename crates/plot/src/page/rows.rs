@@ -4,7 +4,7 @@ use super::font::text_width;
 use super::geometry::Point;
 
 /// Entries in rows.
-pub(crate) struct Rows {
+pub struct Rows {
     /// Top left corner of each entry, relative to that of the first.
     pub corners: Vec<Point>,
     /// Height of all rows.
@@ -14,7 +14,7 @@ pub(crate) struct Rows {
 impl Rows {
     /// Entries of the given widths and heights with `between` pixels between neighbours, as many in each row as `width`
     /// holds; a row is as high as its highest entry.
-    pub(crate) fn new(entries: impl IntoIterator<Item = [f64; 2]>, between: f64, width: f64) -> Self {
+    pub fn new(entries: impl IntoIterator<Item = [f64; 2]>, between: f64, width: f64) -> Self {
         let [mut x, mut y, mut high] = [0.0_f64; 3];
         let mut corners = Vec::new();
         for [wide, own] in entries {

@@ -1,16 +1,14 @@
 //! The bifurcation diagrams.
 
+use std::error::Error;
+
+use bifdiag::Curves;
 use documents::DocumentOptions;
-use plot::{DiagramOptions, MarkedPoints, Picture, Theme, draw};
+use plot::{DiagramOptions, MarkedPoints, Picture, draw};
 use proof::{Accuracy, atlas_of};
 use top::body::Preset;
 
-use super::figure::Figure;
-use crate::Curves;
-use crate::cli::atlas::NoAtlas;
-use crate::cli::export::ExportError;
-use crate::cli::failure::Failure;
-use crate::cli::terminal::Timings;
+use crate::figure::{Figure, THEME};
 
 /// Name of the file, name of the body.
 const DIAGRAMS: [(&str, &str); 9] = [
@@ -27,8 +25,7 @@ const DIAGRAMS: [(&str, &str); 9] = [
 
 pub fn figures() -> impl Iterator<Item = Figure> {
     let diagrams = DIAGRAMS.iter().filter_map(|(stem, name)| Some((*stem, Preset::find(name)?)));
-    diagrams
-        .map(|(stem, preset)| Figure { stem, draw: Box::new(move |timings, theme| diagram(preset, timings, theme)) })
+    diagrams.map(|(stem, preset)| Figure { stem, draw: Box::new(move || diagram(preset)) })
 }
 
 /// The paper's examples of the nine regions.
@@ -44,14 +41,13 @@ const DOTS: [[f64; 2]; 9] = [
     [14.0, 7.2],
 ];
 
-fn diagram(preset: &Preset, timings: &Timings, theme: Theme) -> Result<Picture, Failure> {
-    let atlas = atlas_of(&preset.body(), Accuracy::Exact).map_err(NoAtlas::from)?;
+fn diagram(preset: &Preset) -> Result<Picture, Box<dyn Error>> {
+    let atlas = atlas_of(&preset.body(), Accuracy::Exact)?;
     let document = documents::atlas::document(&atlas, &DocumentOptions::default());
     let dots = MarkedPoints { points: DOTS.to_vec(), text: "the paper's example of a region".to_owned() };
     let points = (preset.name() == "paper").then_some(dots);
-    let options = DiagramOptions { points, theme, ..DiagramOptions::default() };
-    let picture = timings.stage(preset.name(), || draw(&document, Some(&Curves(&atlas)), &options));
-    Ok(picture.map_err(ExportError::from)?)
+    let options = DiagramOptions { points, theme: THEME, ..DiagramOptions::default() };
+    Ok(draw(&document, Some(&Curves(&atlas)), &options)?)
 }
 
 #[cfg(test)]

@@ -11,7 +11,17 @@ use survey::scan::Row;
 use top::body::Body;
 use top::class::ClassName;
 
-use super::arguments::Shown;
+/// What a map shows by its colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum Shown {
+    /// The class of the diagram
+    Class,
+    /// The number of regions
+    Regions,
+    /// The largest number of relative equilibria at one l
+    CriticalPoints,
+}
 
 /// What a body shows by its colour.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -46,6 +56,7 @@ pub struct Seen {
 
 impl Seen {
     /// What a row shows.
+    #[must_use]
     pub fn new(row: &Row, axes: [Parameter; 2], show: Shown) -> Self {
         let at = axes.map(|parameter| row.values.as_flattened()[parameter.place()]);
         let counts = row.diagram.as_ref();

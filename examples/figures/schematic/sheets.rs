@@ -6,7 +6,7 @@
 use plotters::style::RGBColor;
 
 use super::shapes::{arc, arrow_head, direction, polar};
-use crate::page::{
+use plot::page::{
     Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, render, rgb, text_width,
 };
 

@@ -1,6 +1,7 @@
 //! Schematic pictures of what a section is: nothing in them is computed from a body.
 
-use crate::page::{Picture, PlotError, Theme};
+use plot::{Picture, PlotError, Theme};
+
 mod cylinder;
 mod shapes;
 mod sheets;

@@ -1,7 +1,9 @@
 //! The maps of classes.
 
 use std::collections::BTreeMap;
+use std::error::Error;
 
+use bifdiag::pictures::{Seen, Shown, map};
 use plot::{Map, MapAxis, MapBodies, MapLine, MapNote, Width, draw_map};
 use proof::Accuracy;
 use rayon::prelude::*;
@@ -11,15 +13,10 @@ use survey::{Design, Family, Parameter, katok};
 use top::atlas::Atlas;
 use top::body::{Body, Preset};
 
-use super::figure::Figure;
-use crate::cli::export::ExportError;
-use crate::cli::failure::Failure;
-use crate::cli::scan::map::map;
-use crate::cli::scan::shown::Seen;
-use crate::cli::scan::{ScanInput, Shown};
+use crate::figure::{Figure, THEME};
 
 /// Computes a map.
-type Make = fn() -> Result<Map, Failure>;
+type Make = fn() -> Result<Map, Box<dyn Error>>;
 
 const MAPS: [(&str, Make); 5] = [
     ("map-katok", katok_plane),
@@ -30,38 +27,33 @@ const MAPS: [(&str, Make); 5] = [
 ];
 
 pub fn figures() -> impl Iterator<Item = Figure> {
-    MAPS.into_iter().map(|(stem, make)| Figure {
-        stem,
-        draw: Box::new(move |timings, theme| {
-            timings.stage(stem, || Ok(draw_map(&make()?, theme, Width::Page).map_err(ExportError::from)?))
-        }),
-    })
+    MAPS.into_iter()
+        .map(|(stem, make)| Figure { stem, draw: Box::new(move || Ok(draw_map(&make()?, THEME, Width::Page)?)) })
 }
 
 /// The rows of a grid.
-fn rows(family: Family, vary: &[&str]) -> Result<Vec<Row>, Failure> {
+fn rows(family: Family, vary: &[&str]) -> Result<Vec<Row>, Box<dyn Error>> {
     let mut ranges = Vec::with_capacity(vary.len());
     for text in vary {
-        ranges.push(text.parse().map_err(|error| ScanInput::Find(format!("{text}: {error}")))?);
+        ranges.push(text.parse()?);
     }
-    let design =
-        Design::new(family, ranges, None, 0).map_err(|source| ScanInput::Design { option: "--vary", source })?;
+    let design = Design::new(family, ranges, None, 0)?;
     Ok((0..design.count()).into_par_iter().map(|n| Row::of(n, design.values(n), Accuracy::Exact)).collect())
 }
 
-fn classes_of(family: Family, vary: &[&str], axes: [Parameter; 2]) -> Result<Map, Failure> {
+fn classes_of(family: Family, vary: &[&str], axes: [Parameter; 2]) -> Result<Map, Box<dyn Error>> {
     let seen: Vec<Seen> = rows(family, vary)?.iter().map(|row| Seen::new(row, axes, Shown::Class)).collect();
     Ok(map(&seen, axes, Shown::Class))
 }
 
-fn body_family(moments: [&str; 3], center: [&str; 3]) -> Result<Family, Failure> {
-    let body = Body::parse(&moments, &center).map_err(|error| ScanInput::Find(error.to_string()))?;
+fn body_family(moments: [&str; 3], center: [&str; 3]) -> Result<Family, Box<dyn Error>> {
+    let body = Body::parse(&moments, &center)?;
     Ok(Family::Body { moments: body.moments().clone(), center: body.center().clone() })
 }
 
 /// The Katok plane. The grid and its halves, quarters and eighths avoid the lines on which bodies are special: A_j = 1,
 /// A_j = 3/4, A2 = A3.
-fn katok_plane() -> Result<Map, Failure> {
+fn katok_plane() -> Result<Map, Box<dyn Error>> {
     let vary = ["A2=0.3:1.69:72", "A3=0.305:1.7:72"];
     let mut map = classes_of(Family::Katok, &vary, [Parameter::A2, Parameter::A3])?;
     number_as_katok(&mut map);
@@ -141,7 +133,7 @@ const ETA: [f64; 2] = [0.8, 2.2];
 const L: [f64; 2] = [1.3, 3.3];
 
 /// A = (2, η, 1), r = (1, 0, 0): the classes over η, the momenta of all events, and what happens at the borders.
-fn lagrange_to_kovalevskaya() -> Result<Map, Failure> {
+fn lagrange_to_kovalevskaya() -> Result<Map, Box<dyn Error>> {
     let family = body_family(["2", "1", "1"], ["1", "0", "0"])?;
     let vary = ["A2=0.8025:2.1975:280"];
     let found = rows(family, &vary)?;
@@ -233,7 +225,7 @@ fn borders(rows: &[Row]) -> Vec<(f64, BorderEventKind)> {
 }
 
 /// The paper's body, r2 and r3 varied.
-fn paper_off_the_axis() -> Result<Map, Failure> {
+fn paper_off_the_axis() -> Result<Map, Box<dyn Error>> {
     let family = body_family(["2", "1.1", "1"], ["0.94868", "0", "0"])?;
     let vary = ["r2=0.0002:0.15:70", "r3=0.001:0.7:70"];
     let mut map = classes_of(family, &vary, [Parameter::R2, Parameter::R3])?;
@@ -244,7 +236,7 @@ fn paper_off_the_axis() -> Result<Map, Failure> {
 }
 
 /// The plane r2 = 0 of the paper's body, A2 and r3 varied.
-fn plane(vary: [&str; 2]) -> Result<Map, Failure> {
+fn plane(vary: [&str; 2]) -> Result<Map, Box<dyn Error>> {
     let paper = Preset::find("paper").map(Preset::body);
     let center = paper.map(|body| body.center()[0].text().to_owned()).unwrap_or_default();
     let family = body_family(["2", "1.1", "1"], [&center, "0", "0"])?;
@@ -252,7 +244,7 @@ fn plane(vary: [&str; 2]) -> Result<Map, Failure> {
 }
 
 /// Where the classes are few.
-fn paper_in_the_plane() -> Result<Map, Failure> {
+fn paper_in_the_plane() -> Result<Map, Box<dyn Error>> {
     let mut map = plane(["A2=0.5:2.5:60", "r3=0.13:1:60"])?;
     map.title = String::from("Around the paper's body: the plane r2 = 0");
     map.subtitle = String::from("A = (2, A2, 1), r = (0.94868, 0, r3); the paper's body has A2 = 1.1, r3 = 0.61623");
@@ -261,7 +253,7 @@ fn paper_in_the_plane() -> Result<Map, Failure> {
 }
 
 /// Where they crowd.
-fn paper_near_the_axis() -> Result<Map, Failure> {
+fn paper_near_the_axis() -> Result<Map, Box<dyn Error>> {
     let mut map = plane(["A2=0.72:1.2:60", "r3=0.02:0.14:60"])?;
     map.title = String::from("Around the paper's body: the plane r2 = 0 near the axis");
     map.subtitle =
@@ -269,17 +261,13 @@ fn paper_near_the_axis() -> Result<Map, Failure> {
     Ok(map)
 }
 
-#[path = "../../../crates/plot/tests"]
 #[cfg(test)]
 mod tests {
-    mod picture_letters;
-    mod picture_svg;
-    mod picture_texts;
+    use plot::Theme;
 
     use super::*;
-    use picture_letters::unprintable;
-    use picture_texts::{assert_texts_are_apart, texts};
-    use plot::Theme;
+    use crate::reading::picture_letters::unprintable;
+    use crate::reading::picture_texts::{assert_texts_are_apart, texts};
 
     #[test]
     fn every_map_can_be_read_on_a_page_and_in_a_column() {

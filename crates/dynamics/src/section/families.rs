@@ -1,16 +1,18 @@
 //! Which orbits of a section belong together: those on one side of the plane through the fixed point across r̂, on each
 //! component where there are several. The same family has the same colour in every region.
 
-use dynamics::field::dot;
-use dynamics::section::OrbitSection;
 use top::accessible::{AccessibleRegion, component_of};
 use top::body::Body;
 
-/// What the families are called.
-pub const NAMES: [&str; 4] = ["on the side of +r̂", "on the side of −r̂", "on both sides", "on a further component"];
+use super::orbit::OrbitSection;
+use crate::field::dot;
 
-/// The family of each orbit, a place in [`NAMES`]. On a section of several components the majority of the crossings tells
+/// What the families are called.
+pub const FAMILIES: [&str; 4] = ["on the side of +r̂", "on the side of −r̂", "on both sides", "on a further component"];
+
+/// The family of each orbit, a place in [`FAMILIES`]. On a section of several components the majority of the crossings tells
 /// the side of a component; two of them on one side are told apart.
+#[must_use]
 pub fn families(body: &Body, h: f64, l: f64, orbits: &[OrbitSection]) -> Vec<usize> {
     let center = body.center_f64();
     let region = AccessibleRegion::new(body, h, l).ok();
@@ -36,7 +38,7 @@ pub fn families(body: &Body, h: f64, l: f64, orbits: &[OrbitSection]) -> Vec<usi
             [a + above, n + all]
         });
         let side = usize::from(2 * above < all);
-        family[place] = Some(if family.contains(&Some(side)) { NAMES.len() - 1 } else { side });
+        family[place] = Some(if family.contains(&Some(side)) { FAMILIES.len() - 1 } else { side });
     }
     components.into_iter().map(|component| family[component].unwrap_or(0)).collect()
 }

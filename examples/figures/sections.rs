@@ -1,20 +1,18 @@
 //! The Poincaré sections of the paper.
 
+use std::error::Error;
+
 use dynamics::field::State;
 use dynamics::section::chaos::{ChaosOptions, Verdict, chaos_measures};
 use dynamics::section::{
-    Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SweepOptions, TorusPoint, sweep,
+    FAMILIES, Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SectionError, SweepOptions,
+    TorusPoint, families, sweep,
 };
-use plot::{OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, Theme, draw_section_rows};
+use plot::{OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
 use top::body::{Body, Preset};
 
-use super::error::FigureSection;
-use super::figure::Figure;
-use super::typical::{orbit, typical_orbits};
-use crate::cli::export::ExportError;
-use crate::cli::failure::Failure;
-use crate::cli::section::families::{NAMES, families};
-use crate::cli::terminal::Timings;
+use crate::figure::{Figure, THEME};
+use crate::typical::{orbit, typical_orbits};
 
 /// A figure of sections.
 struct Sections {
@@ -115,9 +113,7 @@ const FIGURES: [Sections; 7] = [
 ];
 
 pub fn figures() -> impl Iterator<Item = Figure> {
-    FIGURES
-        .iter()
-        .map(|sections| Figure { stem: sections.stem, draw: Box::new(|timings, theme| draw(sections, timings, theme)) })
+    FIGURES.iter().map(|sections| Figure { stem: sections.stem, draw: Box::new(|| draw(sections)) })
 }
 
 fn body(name: &str) -> Option<Body> {
@@ -128,13 +124,13 @@ fn body(name: &str) -> Option<Body> {
     }
 }
 
-fn draw(sections: &Sections, timings: &Timings, theme: Theme) -> Result<Picture, Failure> {
+fn draw(sections: &Sections) -> Result<Picture, Box<dyn Error>> {
     let body = body(sections.body).expect("a test looks up every body");
     let options = PortraitOptions { condition: sections.condition, ..PortraitOptions::default() };
     let mut parts = Vec::new();
     for row in sections.rows {
-        let portrait = Portrait::new(&body, row.h, row.l, &options).map_err(FigureSection::from)?;
-        let orbits = timings.stage(sections.stem, || orbits(&portrait, row))?;
+        let portrait = Portrait::new(&body, row.h, row.l, &options)?;
+        let orbits = orbits(&portrait, row)?;
         let families = families(&body, row.h, row.l, &orbits);
         let caption = match row.orbits {
             Orbits::Judged => format!("{};  {}", row.caption, counted(&verdicts(&portrait, &orbits)?)),
@@ -148,16 +144,20 @@ fn draw(sections: &Sections, timings: &Timings, theme: Theme) -> Result<Picture,
             portrait,
             orbits,
             values: None,
-            families: Some(OrbitFamilies { of, names: &NAMES }),
+            families: Some(OrbitFamilies { of, names: &FAMILIES }),
             caption,
         })
         .collect();
-    let options =
-        SectionOptions { projection: sections.projection, raster_above: 4000, theme, ..SectionOptions::default() };
-    Ok(draw_section_rows(&scenes, &options).map_err(ExportError::from)?)
+    let options = SectionOptions {
+        projection: sections.projection,
+        raster_above: 4000,
+        theme: THEME,
+        ..SectionOptions::default()
+    };
+    Ok(draw_section_rows(&scenes, &options)?)
 }
 
-fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, FigureSection> {
+fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, SectionError> {
     match row.orbits {
         Orbits::None => Ok(Vec::new()),
         Orbits::Typical | Orbits::Judged => typical_orbits(portrait),
@@ -172,7 +172,7 @@ fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, FigureSec
 const JUDGED: usize = 6000;
 
 /// Whether each orbit is regular.
-fn verdicts(portrait: &Portrait, orbits: &[OrbitSection]) -> Result<Vec<Verdict>, FigureSection> {
+fn verdicts(portrait: &Portrait, orbits: &[OrbitSection]) -> Result<Vec<Verdict>, SectionError> {
     let start = |orbit: &OrbitSection| orbit.points.first().map(|point| State { gamma: point.gamma, l: point.l });
     let starts: Vec<State> = orbits.iter().filter_map(start).collect();
     let options = SweepOptions { crossings: JUDGED, condition: portrait.condition(), ..SweepOptions::default() };

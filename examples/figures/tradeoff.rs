@@ -3,17 +3,16 @@
 use std::collections::BTreeMap;
 
 use csv::StringRecord;
-use plot::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
 
-use super::figure::Figure;
-use crate::cli::export::ExportError;
+use crate::chart::{Chart, ChartAxis, ChartPanel, Scale, Series, draw_chart};
+use crate::figure::{Figure, THEME};
 
-const CLASSIFY: &str = include_str!("../../../data/tradeoff/classify.csv");
-const ATLAS: &str = include_str!("../../../data/tradeoff/atlas.csv");
-const ORBITS: &str = include_str!("../../../data/tradeoff/orbits.csv");
-const POLYLINES: &str = include_str!("../../../data/tradeoff/polylines.csv");
+const CLASSIFY: &str = include_str!("../../data/tradeoff/classify.csv");
+const ATLAS: &str = include_str!("../../data/tradeoff/atlas.csv");
+const ORBITS: &str = include_str!("../../data/tradeoff/orbits.csv");
+const POLYLINES: &str = include_str!("../../data/tradeoff/polylines.csv");
 
-type Draw = fn() -> Result<Chart, ExportError>;
+type Draw = fn() -> Result<Chart, csv::Error>;
 
 const CHARTS: [(&str, Draw); 4] = [
     ("tradeoff-classify", classify),
@@ -23,10 +22,7 @@ const CHARTS: [(&str, Draw); 4] = [
 ];
 
 pub fn figures() -> impl Iterator<Item = Figure> {
-    CHARTS.into_iter().map(|(stem, draw)| Figure {
-        stem,
-        draw: Box::new(move |_, theme| Ok(draw_chart(&draw()?, theme).map_err(ExportError::from)?)),
-    })
+    CHARTS.into_iter().map(|(stem, draw)| Figure { stem, draw: Box::new(move || Ok(draw_chart(&draw()?, THEME)?)) })
 }
 
 /// A table with a head.
@@ -142,7 +138,7 @@ fn names(names: &[&str]) -> Vec<String> {
 /// What is not answered: undecided, or without any answer.
 const OPEN: [&str; 2] = ["undecided", "failed"];
 
-fn classify() -> Result<Chart, ExportError> {
+fn classify() -> Result<Chart, csv::Error> {
     const METHODS: [&str; 6] =
         ["fast", "exact", "companion matrix", "flood fill 32x64", "flood fill 96x192", "flood fill 256x512"];
     let table = Table::new(CLASSIFY)?;
@@ -181,7 +177,7 @@ fn classify() -> Result<Chart, ExportError> {
     })
 }
 
-fn atlas() -> Result<Chart, ExportError> {
+fn atlas() -> Result<Chart, csv::Error> {
     const METHODS: [&str; 7] = [
         "fast",
         "exact",
@@ -205,7 +201,7 @@ fn atlas() -> Result<Chart, ExportError> {
     })
 }
 
-fn orbits() -> Result<Chart, ExportError> {
+fn orbits() -> Result<Chart, csv::Error> {
     const METHODS: [&str; 4] = ["taylor", "dop853", "rk4", "splitting"];
     let table = Table::new(ORBITS)?;
     let panel = |title: &str, h: &'static str, column: &'static str, label: &str| ChartPanel {
@@ -230,7 +226,7 @@ fn orbits() -> Result<Chart, ExportError> {
     })
 }
 
-fn polylines() -> Result<Chart, ExportError> {
+fn polylines() -> Result<Chart, csv::Error> {
     let table = Table::new(POLYLINES)?;
     let panel = |title: &str, column: &'static str, label: &str| ChartPanel {
         title: title.to_owned(),

@@ -4,9 +4,7 @@ use std::collections::HashSet;
 use std::f64::consts::{PI, TAU};
 
 use dynamics::field::State;
-use dynamics::section::{Chart, Monitor, OrbitSection, Portrait, SweepOptions, sweep};
-
-use super::error::FigureSection;
+use dynamics::section::{Chart, Monitor, OrbitSection, Portrait, SectionError, SweepOptions, sweep};
 
 /// Crossings of each orbit.
 const CROSSINGS: usize = 1600;
@@ -25,7 +23,7 @@ type Start = ([f64; 2], usize, State);
 
 /// Typical orbits on either side of γ₁ = 0, which for the paper's body parts the components of the section that are
 /// apart.
-pub fn typical_orbits(portrait: &Portrait) -> Result<Vec<OrbitSection>, FigureSection> {
+pub fn typical_orbits(portrait: &Portrait) -> Result<Vec<OrbitSection>, SectionError> {
     let mut orbits: Vec<OrbitSection> = Vec::new();
     for side in [true, false] {
         let on_side =
@@ -74,7 +72,7 @@ fn starts(states: impl Fn([f64; 2]) -> Option<[State; 2]>, tries: f64) -> impl I
 }
 
 /// One orbit with its crossings.
-pub fn orbit(portrait: &Portrait, state: State, number: usize) -> Result<OrbitSection, FigureSection> {
+pub fn orbit(portrait: &Portrait, state: State, number: usize) -> Result<OrbitSection, SectionError> {
     let options = SweepOptions { crossings: CROSSINGS, condition: portrait.condition(), ..SweepOptions::default() };
     let mut orbits = sweep(portrait.torus(), &[state], &options, &Monitor::default())?;
     let mut orbit = orbits.remove(0);
