@@ -14,7 +14,7 @@ pub struct Curves<'a>(
 
 impl CurveSource for Curves<'_> {
     fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
-        self.0.polyline(curve.parse().ok()?, l, tolerance)
+        self.0.polyline_to_draw(curve.parse().ok()?, l, tolerance)
     }
 
     fn equilibria(&self, l: f64) -> Vec<RelativeEquilibriumDocument> {

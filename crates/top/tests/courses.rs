@@ -5,6 +5,7 @@ use support::property::holds_for_bodies;
 use support::strata::STRATA;
 use top::atlas::{Atlas, CourseOptions};
 use top::body::Body;
+use top::curves::CurveName;
 
 fn atlas(a: [&str; 3], r: [&str; 3]) -> Atlas {
     Atlas::new(&Body::parse(&a, &r).unwrap()).unwrap()
@@ -87,4 +88,18 @@ fn no_chord_leaves_its_curve_by_more_than_the_tolerance() {
         });
     }
     println!("{curves} curves, {points} points, largest deviation {largest} of the tolerance, {time:?}");
+}
+
+/// Insets over rods of 1e-9 and thinner took seconds and minutes.
+#[test]
+fn a_picture_of_a_rod_needs_few_points() {
+    let count = |thickness: f64| {
+        let atlas = Atlas::new(&Body::from_f64([1.0, thickness, 1.0], [1.0, 1.382, 1.0]).unwrap()).unwrap();
+        let set = &atlas.arrangement().set;
+        let names = set.curves.ids().map(|curve| CurveName::of(set, curve));
+        names.filter_map(|name| atlas.polyline_to_draw(name, [0.0, 3.0], 1e-4)).map(|points| points.len()).max()
+    };
+    for thickness in [1e-3, 1e-9, 1e-14] {
+        assert!(count(thickness).unwrap() < 2000, "{thickness:e}: {:?}", count(thickness));
+    }
 }

@@ -10,7 +10,8 @@ use schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument};
 /// Where polylines denser than those of the document come from.
 pub trait CurveSource {
     /// Points [h, l] of the curve by rising l that cover the common part of its range and `l`, such that the straight
-    /// line between neighbours is off by at most `tolerance` in h. `None`: the document's polyline is used.
+    /// line between neighbours is off by at most `tolerance` in h, or where the curve is steep by what cannot be seen in l.
+    /// `None`: the document's polyline is used.
     fn polyline(&self, curve: &str, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>>;
 
     /// The relative equilibria at l, for the table of small motions; none where it is not wanted.

@@ -22,6 +22,9 @@ impl Tolerance {
     }
 }
 
+/// What a steep chord in a picture may be off in l, as a part of the picture's range.
+const STEEP: f64 = 1e-4;
+
 /// A point of a curve in the frame's units.
 #[derive(Clone, Copy)]
 struct Node {
@@ -46,6 +49,21 @@ impl Atlas {
     /// between neighbours is off by at most `tolerance` in h. `None` when there is no such curve or no common part.
     #[must_use]
     pub fn polyline(&self, curve: CurveName, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
+        let h = tolerance / self.arrangement.set.frame.energy_unit;
+        self.chords(curve, l, Tolerance { h, aspect: 0.0 })
+    }
+
+    /// Likewise for a picture over the range `l`: where the curve is steep, a chord may be off by more in h, if it is off
+    /// by at most a ten-thousandth of the range in l. A rod's curves need a number of points that does not grow with
+    /// their steepness.
+    #[must_use]
+    pub fn polyline_to_draw(&self, curve: CurveName, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
+        let frame = &self.arrangement.set.frame;
+        let h = tolerance / frame.energy_unit;
+        self.chords(curve, l, Tolerance { h, aspect: STEEP * (l[1] - l[0]) / frame.momentum_unit / h })
+    }
+
+    fn chords(&self, curve: CurveName, l: [f64; 2], tolerance: Tolerance) -> Option<Vec<[f64; 2]>> {
         let set = &self.arrangement.set;
         let number = set
             .curves
@@ -55,7 +73,6 @@ impl Atlas {
         let range = curve.x().map(|x| self.momentum(x));
         let range = [range[0].max(l[0]), range[1].min(l[1])];
         (range[0] < range[1]).then(|| {
-            let tolerance = Tolerance { h: tolerance / set.frame.energy_unit, aspect: 0.0 };
             let mut points = self.sampled(curve, range.map(|l| l / set.frame.momentum_unit), tolerance);
             let last = points.len() - 1;
             (points[0][1], points[last][1]) = (range[0], range[1]);
