@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::num::NonZeroUsize;
 
+use ::schema::one_line;
 use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser};
 use thiserror::Error;
@@ -229,7 +230,14 @@ impl Options {
         check_gone(&arguments)?;
         check_forms(&command, &arguments)?;
         check_values(&command, &arguments)?;
-        let mut matches = command.try_get_matches_from_mut(arguments)?;
+        let mut matches = match command.try_get_matches_from_mut(&arguments) {
+            Ok(matches) => matches,
+            // clap quotes arguments as they are: it is asked again about what may be shown.
+            Err(error) => {
+                let shown = arguments.iter().map(|argument| one_line(&argument.to_string_lossy()));
+                return Err(command.try_get_matches_from_mut(shown).err().unwrap_or(error).into());
+            }
+        };
         let MainArguments { atlas, common } = MainArguments::from_arg_matches(&matches)?;
         let command = match matches.remove_subcommand() {
             None => None,

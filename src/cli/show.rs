@@ -3,13 +3,13 @@
 use clap::Args;
 use documents::{DocumentOptions, Drawn, words};
 use proof::{Accuracy, NoAtlas, atlas_of};
-use schema::{AtlasDocument, CurveDocument, EventDocument, EventKind, RegionDocument};
+use schema::{AtlasDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument};
 use thiserror::Error;
 use top::diagram::RegionId;
 
 use super::failure::{CommandError, Exit, Failure};
 use super::input::{BodyArguments, head};
-use super::terminal::{Report, print, significant};
+use super::terminal::{Report, bound, print, significant};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -175,18 +175,20 @@ fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocume
 }
 
 fn show_event(report: &mut Report, document: &AtlasDocument, event: &EventDocument) {
-    let what = match event.kind {
-        EventKind::Cusp => "cusp: two relative equilibria meet and vanish",
-        EventKind::Pitchfork => "pitchfork: a symmetric pair leaves a curve",
-        EventKind::Crossing => "crossing: two curves have the same energy, at different places of the sphere",
+    let curves = || event.curves.iter().filter_map(|id| document.curves.iter().find(|curve| curve.id == *id));
+    let of_circles = curves().any(|curve| curve.kind == CurveKind::Circle);
+    let what = match (event.kind, of_circles) {
+        (EventKind::Cusp, false) => "cusp: two relative equilibria meet and vanish",
+        (EventKind::Cusp, true) => "cusp: two circles of relative equilibria meet and vanish",
+        (EventKind::Pitchfork, false) => "pitchfork: a symmetric pair leaves a curve",
+        (EventKind::Pitchfork, true) => "pitchfork: a circle of relative equilibria leaves a curve",
+        (EventKind::Crossing, _) => "crossing: two curves have the same energy, at different places of the sphere",
     };
     report.line(what);
-    let value = |x: f64, error: f64| format!("{} (± {})", significant(x, 12), significant(error, 1));
+    let value = |x: f64, error: f64| format!("{} (± {})", significant(x, 12), bound(error, 1));
     report.line(format!("  h = {}, l = {}", value(event.h, event.h_error), value(event.l, event.l_error)));
-    for id in &event.curves {
-        if let Some(curve) = document.curves.iter().find(|curve| curve.id == *id) {
-            report.line(format!("  {id}: {}", words::motion(curve)));
-        }
+    for curve in curves() {
+        report.line(format!("  {}: {}", curve.id, words::motion(curve)));
     }
     let near: Vec<&str> = document
         .regions

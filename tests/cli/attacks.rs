@@ -65,3 +65,27 @@ fn a_refusal_is_not_counted_as_a_wrong_line() {
     let line = r#"{"A":["7","7.000000001","15/4"],"r":["0","0","8/9"],"h":"3242/135","l":"41/3"}"#;
     bifdiag("classify --batch -").reading(line).succeeds().telling_nothing();
 }
+
+/// An id became a part of a path.
+#[test]
+fn regions_of_a_file_name_no_other_folder() {
+    let place = tempfile::tempdir().unwrap();
+    let atlas = bifdiag("--body paper --json").succeeds().stdout();
+    std::fs::write(place.path().join("a.json"), atlas.replace("\"R6\"", "\"R6/../../escaped\"")).unwrap();
+    let section = "section --atlas a.json --orbits 1 --crossings 3 --no-plot --data o.npz";
+    bifdiag(section).inside(place.path()).refused().telling("R6/../../escaped");
+    assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), 1);
+}
+
+/// What clap quotes reached the terminal raw.
+#[test]
+fn control_characters_of_arguments_are_escaped() {
+    for option in ["--body=", "--A=", "--window="] {
+        bifdiag("").and(format!("{option}pa\u{1b}]0;x\u{7}")).refused().telling(r"pa\u{1b}]0;x\u{7}");
+    }
+}
+
+#[test]
+fn a_circle_that_leaves_a_curve_is_no_pair() {
+    bifdiag("show E3 --body lagrange").succeeds().printing("pitchfork: a circle of relative equilibria leaves a curve");
+}

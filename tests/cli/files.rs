@@ -79,9 +79,11 @@ fn pdf_is_written_beside_the_other_formats() {
 #[test]
 fn pdf_is_refused_before_any_work_and_the_feature_is_named() {
     let place = tempdir().unwrap();
-    for line in
-        ["--body paper --format svg,pdf", "figures --format pdf", "scan map none.csv --x A2 --y A3 --format pdf"]
-    {
+    for line in [
+        "--body paper --format svg,pdf",
+        "sphere --body paper --region R1 --format pdf",
+        "scan map none.csv --x A2 --y A3 --format pdf",
+    ] {
         bifdiag(line)
             .inside(place.path())
             .refused()

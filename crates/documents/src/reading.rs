@@ -75,11 +75,11 @@ pub fn atlas(text: &str, file: &str) -> Result<AtlasDocument, ReadError> {
         None => Ok(serde_json::from_str(text)?),
         Some(version) => {
             let command = if version == "1" {
-                format!("{}{}", atlas_command(&serde_json::from_str(text)?), redirection(file))
+                format!("{}{}", own(atlas_command(&serde_json::from_str(text)?)), redirection(file))
             } else {
                 let SecondAtlas { command } = serde_json::from_str(text)?;
                 let to_file = if file == "-" { String::new() } else { format!(" > {}", quoted(file)) };
-                command.replace("--no-polygons", "--no-drawing") + &to_file
+                own(command.replace("--no-polygons", "--no-drawing")) + &to_file
             };
             Err(ReadError::Superseded { version: shown(&version), command: one_line(&command) })
         }
@@ -110,10 +110,19 @@ fn redirection(file: &str) -> String {
     if file == "-" { String::new() } else { format!(" --json > {}", quoted(file)) }
 }
 
+/// A command that a file names, if it is one of this program and a shell takes it for nothing more.
+fn own(command: String) -> String {
+    let is_own = command.starts_with("bifdiag atlas ") && command.chars().all(|c| c == ' ' || is_plain(c));
+    if is_own { command } else { "bifdiag atlas".to_owned() }
+}
+
+fn is_plain(c: char) -> bool {
+    c.is_ascii_alphanumeric() || "-_./=,:+".contains(c)
+}
+
 /// A word for the shell.
 fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+".contains(c);
-    if !word.is_empty() && word.chars().all(plain) {
+    if !word.is_empty() && word.chars().all(is_plain) {
         word.to_owned()
     } else {
         format!("'{}'", word.replace('\'', r"'\''"))
@@ -165,12 +174,20 @@ mod tests {
 
     #[test]
     fn an_atlas_of_version_2_names_its_own_command() {
-        let old = r#"{"schema_version": "2", "command": "bifdiag atlas --A 2,1.1,1 --r 1,0,0 --no-polygons --json\n"}"#;
+        let old = r#"{"schema_version": "2", "command": "bifdiag atlas --A 2,1.1,1 --r 1,0,0 --no-polygons --json"}"#;
         let error = atlas(old, "old.json").unwrap_err();
         let ReadError::Superseded { version, command } = error else { panic!("{error}") };
         assert_eq!(version, "2");
-        // What a file says stays on one line.
-        assert_eq!(command, r"bifdiag atlas --A 2,1.1,1 --r 1,0,0 --no-drawing --json\u{a} > old.json");
+        assert_eq!(command, "bifdiag atlas --A 2,1.1,1 --r 1,0,0 --no-drawing --json > old.json");
+    }
+
+    #[test]
+    fn no_other_command_of_a_file_is_named() {
+        for command in ["rm -rf ~", "bifdiag atlas --body paper; rm -rf x", r"bifdiag atlas --body paper\n"] {
+            let old = format!(r#"{{"schema_version": "4", "command": "{command}"}}"#);
+            let ReadError::Superseded { command, .. } = atlas(&old, "-").unwrap_err() else { panic!() };
+            assert_eq!(command, "bifdiag atlas");
+        }
     }
 
     #[test]

@@ -115,6 +115,24 @@ pub fn significant(x: f64, digits: usize) -> String {
     format!("{}e{exponent}", trim_zeros(mantissa))
 }
 
+/// A bound x ≥ 0 as [`significant`] writes it, but rounded up.
+#[must_use]
+pub fn bound(x: f64, digits: usize) -> String {
+    let nearest = significant(x, digits);
+    let scientific = format!("{:.*e}", digits.saturating_sub(1), x);
+    let last_place = scientific.split_once('e').and_then(|(_, exponent)| {
+        let exponent: i32 = exponent.parse().ok()?;
+        let place = exponent - i32::try_from(digits).ok()? + 1;
+        // Plain numbers keep all digits before the point.
+        let place = if (-4..=6).contains(&exponent) { place.min(0) } else { place };
+        format!("1e{place}").parse::<f64>().ok()
+    });
+    match (nearest.parse::<f64>(), last_place) {
+        (Ok(rounded), Some(unit)) if rounded < x => significant(rounded + unit, digits),
+        _ => nearest,
+    }
+}
+
 fn trim_zeros(text: &str) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
 }
@@ -133,6 +151,21 @@ mod tests {
         assert_eq!(significant(9.9999, 3), "10");
         assert_eq!(significant(0.0, 5), "0");
         assert_eq!(significant(f64::INFINITY, 5), "inf");
+    }
+
+    #[test]
+    fn a_bound_is_rounded_up() {
+        assert_eq!(bound(4.1e-15, 1), "5e-15");
+        assert_eq!(bound(4e-15, 1), "4e-15");
+        assert_eq!(bound(9.96e-7, 2), "1e-6");
+        assert_eq!(bound(5.83e-15, 2), "5.9e-15");
+        assert_eq!(bound(123.4, 2), "124");
+        assert_eq!(bound(0.0, 2), "0");
+        for x in std::iter::successors(Some(1e-40), |x| Some(x * 1.1)).take_while(|x| *x < 1e40) {
+            for digits in 1..4 {
+                assert!(bound(x, digits).parse::<f64>().unwrap() >= x, "{x:e}");
+            }
+        }
     }
     use crate::Number;
 

@@ -3,7 +3,7 @@
 use schema::{ClassificationDocument, ComponentDocument, Status};
 
 use crate::cli::input::head;
-use crate::cli::terminal::{Report, Table, significant};
+use crate::cli::terminal::{Report, Table, bound, significant};
 use documents::Subject;
 
 pub fn text(subject: &Subject, document: &ClassificationDocument) -> String {
@@ -40,7 +40,7 @@ pub fn text(subject: &Subject, document: &ClassificationDocument) -> String {
         "margin: {} in h to {} (error bound {})",
         significant(margin.h, 6),
         margin.nearest,
-        significant(margin.error_bound, 2),
+        bound(margin.error_bound, 2),
     ));
     if let Some(note) = &document.note {
         report.line(format!("note: {note}"));

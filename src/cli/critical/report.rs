@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schema::{CriticalDocument, Multiplicity, Verdict, small_motions};
 
 use crate::cli::input::head;
-use crate::cli::terminal::{Report, Table, fixed, significant};
+use crate::cli::terminal::{Report, Table, bound, fixed, significant};
 use documents::Subject;
 
 /// Significant digits of the table.
@@ -51,7 +51,7 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     if document.critical.iter().any(|point| point.stable == Verdict::Spectrum) {
         report.line("spectrally stable is not stable: all eigenvalues are imaginary, and nothing more is known");
     }
-    report.line(format!("error bound of h: {}", significant(document.error_bound, 2)));
+    report.line(format!("error bound of h: {}", bound(document.error_bound, 2)));
     if !document.complete {
         report.line("there may be more: l lies beside cusps closer than 2^-4000");
     }

@@ -6,7 +6,7 @@ use dynamics::motion::MotionSample;
 use schema::MotionDocument;
 
 use crate::cli::input::head;
-use crate::cli::terminal::{Report, Table, significant};
+use crate::cli::terminal::{Report, Table, bound, significant};
 use documents::Subject;
 
 /// Samples that are listed; those beyond, and all where they are written, are in the data.
@@ -33,7 +33,7 @@ pub fn text(subject: &Subject, document: &MotionDocument, samples: &[MotionSampl
     ));
     report.line(format!(
         "attitude: vertical to {}, against the angles {}",
-        significant(summary.vertical_error, 2),
+        bound(summary.vertical_error, 2),
         significant(summary.attitude_difference, 2),
     ));
     for note in &document.notes {

@@ -83,6 +83,8 @@ pub enum SectionInput {
     NotAnAtlas { path: PathBuf, source: ReadError },
     #[error("--atlas {path}: its body is not one: {source}", path = path.display())]
     AtlasBody { path: PathBuf, source: top::body::BodyError },
+    #[error("--atlas {path}: {source}", path = path.display())]
+    AtlasRegion { path: PathBuf, source: top::diagram::ParseRegionIdError },
     #[error("--region {region}: the body has no such region; it has {known}, or give all", known = known.join(", "))]
     UnknownRegion { region: String, known: Vec<String> },
     #[error("--{given} cannot be used with --starts: the file says where the orbits start; leave out one of them")]

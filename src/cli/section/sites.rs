@@ -5,6 +5,7 @@ use std::path::Path;
 use documents::Subject;
 use proof::{Accuracy, atlas_of};
 use top::body::{Body, Number};
+use top::diagram::RegionId;
 
 use super::arguments::SectionArguments;
 use super::error::SectionInput;
@@ -70,6 +71,13 @@ impl Sites {
             .map_err(|source| SectionInput::NotAnAtlas { path: path.to_owned(), source })?;
         let body = Body::parse(&atlas.body.given.moments, &atlas.body.given.center)
             .map_err(|source| SectionInput::AtlasBody { path: path.to_owned(), source })?;
+        // Names of files are made of them.
+        for region in &atlas.regions {
+            region
+                .id
+                .parse::<RegionId>()
+                .map_err(|source| SectionInput::AtlasRegion { path: path.to_owned(), source })?;
+        }
         let subject = Subject { body, part: atlas.body.part };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
         let list = chosen(samples.collect(), wanted)?;

@@ -10,7 +10,7 @@ mod table;
 mod timings;
 
 pub use log::log;
-pub use numbers::decimal::{fixed, significant};
+pub use numbers::decimal::{bound, fixed, significant};
 pub use progress::Progress;
 pub use report::Report;
 pub use stderr::{is_terminal, say, say_styled};

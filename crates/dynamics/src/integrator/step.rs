@@ -6,9 +6,9 @@ use super::time::Instant;
 use crate::field::{Dimension, State, Units};
 use crate::integrator::product::product_sum;
 
-/// The motion is no longer finite: the state or the step is no longer a number.
+/// The state or the step leaves the range of `f64`.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("the motion is no longer finite after time {time}")]
+#[error("the motion leaves the range of double precision after time {time}")]
 pub struct StepError {
     /// Time of the last finite state.
     pub time: f64,
