@@ -5,6 +5,7 @@ use documents::{DocumentOptions, Drawn, words};
 use proof::{Accuracy, NoAtlas, atlas_of};
 use schema::{AtlasDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument};
 use thiserror::Error;
+use top::atlas::Atlas;
 use top::diagram::RegionId;
 
 use super::failure::{CommandError, Exit, Failure};
@@ -68,7 +69,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
         let width = region.id.parse().ok().and_then(|id: RegionId| atlas.h_widths()[id]);
         show_region(&mut report, &document, region, width);
     } else if let Some(curve) = document.curves.iter().find(|curve| curve.id == id) {
-        show_curve(&mut report, &document, curve);
+        show_curve(&mut report, &atlas, &document, curve);
     } else if let Some(event) = event.and_then(|place| document.events.get(place)) {
         show_event(&mut report, &document, event);
     } else if document.curves.iter().any(|curve| branch(&curve)) {
@@ -76,7 +77,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
             if place > 0 {
                 report.line("");
             }
-            show_curve(&mut report, &document, curve);
+            show_curve(&mut report, &atlas, &document, curve);
         }
     } else {
         return Err(unknown(&arguments.id, &document).into());
@@ -146,14 +147,16 @@ fn show_region(report: &mut Report, document: &AtlasDocument, region: &RegionDoc
     }
 }
 
-fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument) {
+fn show_curve(report: &mut Report, atlas: &Atlas, document: &AtlasDocument, curve: &CurveDocument) {
     report.line(format!("curve {}: {}", curve.id, words::motion(curve)));
     report.line(format!("  {}", range(curve.l_range)));
     if !curve.coincides_with.is_empty() {
         report.line(format!("  at the same (h, l): {}", curve.coincides_with.join(", ")));
     }
     for span in &curve.stability {
-        report.line(format!("  {}: {}", range([Some(span.l_from), span.l_to]), words::stability(span.stability)));
+        let verdict = documents::verdict_along(atlas, curve, span.stability);
+        let known = verdict.map_or_else(String::new, |verdict| format!(", {}", words::verdict(verdict)));
+        report.line(format!("  {}: {}{known}", range([Some(span.l_from), span.l_to]), span.stability.word()));
     }
     report.line("");
     report.line("with rising h:");

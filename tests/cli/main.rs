@@ -17,5 +17,6 @@ mod schemas;
 mod sections;
 mod spins;
 mod streams;
+mod thresholds;
 mod wrong_batch_lines;
 mod wrong_command_lines;

@@ -20,6 +20,7 @@ fn the_command_of_a_document_makes_the_same_bytes() {
         "classify --A 2,11/10,1 --r=-1,0,1/2 --h=-1/4 --l 1 --no-region --accuracy fast --json",
         "critical --body katok:6 --l 7/3 --json",
         "atlas --body kovalevskaya --window 0:4,0:3 --no-drawing --json",
+        "state --A 1,2,3 --r 1,0,0 --omega=-1/3,0,0 --vertical=-1,0,0 --json",
         "section --body paper --region R8 --orbits 2 --crossings 3 --seed 7 --condition angular-momentum --json",
         "orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1 --times 0:1:3 --json",
         "bodies --json",

@@ -1,9 +1,11 @@
 //! Relative equilibria as a document.
 
 use numbers::Number;
-use schema::{CriticalDocument, RelativeEquilibriumDocument};
+use schema::{CriticalDocument, CurveDocument, RelativeEquilibriumDocument};
+use top::atlas::Atlas;
 use top::critical::{Equilibria, Equilibrium, Multiplicity};
-use top::stability::{ChangeKind, LinearType, Verdict};
+use top::curves::CurveName;
+use top::stability::{ChangeKind, LinearType, Setting, Verdict};
 
 use crate::body::given;
 use crate::command::head;
@@ -43,17 +45,23 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
         gamma: found.gamma,
         omega: found.omega,
         index: found.index,
-        multiplicity: match found.multiplicity {
-            Multiplicity::Points(count) => schema::Multiplicity::Points(count),
-            Multiplicity::Circle => schema::Multiplicity::Circle,
-            Multiplicity::Sphere => schema::Multiplicity::Sphere,
-        },
+        multiplicity: multiplicity(found.multiplicity),
         stability: stability(found.stability),
         stable: verdict(found.verdict),
         eigenvalues: found.eigenvalues.pairs,
         eigenvalue_error: found.eigenvalues.error,
         branch: found.curve.map_or_else(String::new, |curve| curve.to_string()),
         branch_name: found.branch_name.to_string(),
+    }
+}
+
+/// How many critical points an entry stands for.
+#[must_use]
+pub fn multiplicity(found: Multiplicity) -> schema::Multiplicity {
+    match found {
+        Multiplicity::Points(count) => schema::Multiplicity::Points(count),
+        Multiplicity::Circle => schema::Multiplicity::Circle,
+        Multiplicity::Sphere => schema::Multiplicity::Sphere,
     }
 }
 
@@ -107,6 +115,15 @@ pub fn verdict_code(verdict: Verdict) -> i8 {
 #[must_use]
 pub fn verdict(verdict: Verdict) -> schema::Verdict {
     VERDICTS[verdict_code(verdict).unsigned_abs() as usize]
+}
+
+/// What is known of the rotations of a curve of an atlas where they have this type; `None` for a pole line.
+#[must_use]
+pub fn verdict_along(atlas: &Atlas, curve: &CurveDocument, kind: schema::Stability) -> Option<schema::Verdict> {
+    let set = &atlas.arrangement().set;
+    let (_, found) = set.curves.pairs().find(|(id, _)| CurveName::of(set, *id).to_string() == curve.id)?;
+    let kind = LinearType::ALL.into_iter().find(|known| stability(*known) == kind)?;
+    Setting::along(set, found).map(|setting| verdict(setting.verdict(kind)))
 }
 
 /// The word for a linear type.

@@ -27,11 +27,13 @@ pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, seal
 pub use classes::{ClassCounts, add_text, classes, other_class, shipped_classes, standing};
 pub use classification::{accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, head, version};
-pub use critical::{LINEAR_TYPES, VERDICTS, critical, equilibria, type_code, verdict, verdict_code};
+pub use critical::{
+    LINEAR_TYPES, VERDICTS, critical, equilibria, multiplicity, type_code, verdict, verdict_along, verdict_code,
+};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use measured::{measured_command, measured_tolerance};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
-pub use spin::{spin, spin_changes, tolerance};
+pub use spin::{changes_beside, spin, spin_changes, tolerance};
 pub use subject::Subject;
 pub use witnesses::{ReadWitnessError, read_witness, shipped_witnesses};

@@ -1,7 +1,9 @@
 //! Spins and states as documents.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+use dashu_ratio::RBig;
 use numbers::Number;
 use part::Spin;
 use proof::Accuracy;
@@ -20,49 +22,96 @@ pub fn spin(rad_per_s: f64) -> SpinDocument {
     SpinDocument { rpm: Spin::rpm(rad_per_s), rad_per_s }
 }
 
+/// A spin at which something changes.
+struct Change {
+    stability: Option<SpinChange>,
+    region: Option<RegionChange>,
+}
+
+impl Change {
+    /// All of a rotation, by rising spin; without an atlas only those of the stability are known.
+    fn all(rotation: &AxisRotation, atlas: Option<&Atlas>) -> Vec<Self> {
+        let stability = |change| Self { stability: Some(change), region: None };
+        let mut changes: Vec<Self> = rotation.changes().into_iter().map(stability).collect();
+        for region in atlas.map(|atlas| region_changes(atlas, rotation)).unwrap_or_default() {
+            let is_same = |change: &&mut Self| {
+                let of_type = change.stability.as_ref();
+                of_type.is_some_and(|at| (at.omega - region.omega).abs() <= at.error_bound + region.error_bound)
+            };
+            match changes.iter_mut().find(is_same) {
+                Some(same) => same.region = Some(region),
+                None => changes.push(Self { stability: None, region: Some(region) }),
+            }
+        }
+        changes.sort_by(|p, q| p.spin().0.total_cmp(&q.spin().0));
+        changes
+    }
+
+    /// Ω and a bound on its error.
+    fn spin(&self) -> (f64, f64) {
+        match (&self.stability, &self.region) {
+            (Some(change), _) => (change.omega, change.error_bound),
+            (None, Some(change)) => (change.omega, change.error_bound),
+            (None, None) => (f64::NAN, f64::NAN),
+        }
+    }
+
+    /// Where a spin stands to it: exactly if the type changes, else equal within rounding.
+    fn place_of(&self, omega: &RBig) -> Ordering {
+        if let Some(change) = &self.stability {
+            return change.place_of(omega);
+        }
+        let (at, error_bound) = self.spin();
+        let apart = omega.to_f64().value() - at;
+        if apart.abs() <= error_bound { Ordering::Equal } else { apart.total_cmp(&0.0) }
+    }
+
+    fn document(&self, rotation: &AxisRotation, up: &str, second: f64) -> SpinChangeDocument {
+        let (at, error_bound) = self.spin();
+        let here = || {
+            let found = RBig::try_from(at).ok().and_then(|at| rotation.type_at_spin(&at));
+            found.map_or_else(String::new, |found| found.name().to_owned())
+        };
+        let (stability, region) = (self.stability.as_ref(), self.region);
+        SpinChangeDocument {
+            up: up.to_owned(),
+            spin: spin(at * second),
+            l: rotation.l(at),
+            h: rotation.h(at),
+            kind: match (stability, region) {
+                (Some(_), Some(_)) => "stability-and-region",
+                (Some(_), None) => "stability",
+                _ => "region",
+            }
+            .to_owned(),
+            from: stability.map_or_else(here, |change| change.from.name().to_owned()),
+            to: stability.map_or_else(here, |change| change.to.name().to_owned()),
+            event: region.map(|change| change.event.name().to_owned()),
+            error_bound: error_bound * second,
+        }
+    }
+}
+
 /// Everything that changes with the spin of a rotation, by rising spin; `second` is one second in the body's unit of time,
 /// and without an atlas only the stability is known.
 #[must_use]
 pub fn spin_changes(rotation: &AxisRotation, up: &str, atlas: Option<&Atlas>, second: f64) -> Vec<SpinChangeDocument> {
-    let mut changes: Vec<(Option<SpinChange>, Option<RegionChange>)> =
-        rotation.changes().into_iter().map(|change| (Some(change), None)).collect();
-    for region in atlas.map(|atlas| region_changes(atlas, rotation)).unwrap_or_default() {
-        let same = |change: &SpinChange| (change.omega - region.omega).abs() <= change.error_bound + region.error_bound;
-        match changes.iter_mut().find(|(change, _)| change.as_ref().is_some_and(same)) {
-            Some((_, other)) => *other = Some(region),
-            None => changes.push((None, Some(region))),
-        }
-    }
-    let omega = |change: &(Option<SpinChange>, Option<RegionChange>)| match change {
-        (Some(change), _) => (change.omega, change.error_bound),
-        (None, Some(change)) => (change.omega, change.error_bound),
-        (None, None) => (f64::NAN, f64::NAN),
-    };
-    changes.sort_by(|p, q| omega(p).0.total_cmp(&omega(q).0));
-    changes
-        .iter()
-        .map(|change| {
-            let (at, error_bound) = omega(change);
-            let here = || rotation.type_at_spin(at).map_or_else(String::new, |found| found.name().to_owned());
-            let (stability, region) = change;
-            SpinChangeDocument {
-                up: up.to_owned(),
-                spin: spin(at * second),
-                l: rotation.l(at),
-                h: rotation.h(at),
-                kind: match (stability, region) {
-                    (Some(_), Some(_)) => "stability-and-region",
-                    (Some(_), None) => "stability",
-                    _ => "region",
-                }
-                .to_owned(),
-                from: stability.map_or_else(here, |change| change.from.name().to_owned()),
-                to: stability.map_or_else(here, |change| change.to.name().to_owned()),
-                event: region.map(|change| change.event.name().to_owned()),
-                error_bound: error_bound * second,
-            }
-        })
-        .collect()
+    Change::all(rotation, atlas).iter().map(|change| change.document(rotation, up, second)).collect()
+}
+
+/// The changes at the next smaller spin than Ω, at Ω itself, and at the next larger one.
+#[must_use]
+pub fn changes_beside(
+    rotation: &AxisRotation,
+    up: &str,
+    atlas: Option<&Atlas>,
+    second: f64,
+    omega: &RBig,
+) -> [Option<SpinChangeDocument>; 3] {
+    let changes = Change::all(rotation, atlas);
+    let at = |place: Ordering| changes.iter().filter(move |change| change.place_of(omega) == place);
+    let beside = [at(Ordering::Greater).next_back(), at(Ordering::Equal).next(), at(Ordering::Less).next()];
+    beside.map(|change| change.map(|change| change.document(rotation, up, second)))
 }
 
 /// What relative tolerances of C, A, B and the weight do to the changes of stability of some rotations, each with the name of

@@ -1,6 +1,6 @@
 //! Topology and motions in words.
 
-use schema::{AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Stability};
+use schema::{AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Verdict};
 use top::atlas::{Atlas, Passage};
 use top::curves::CurveName;
 use top::diagram::RegionId;
@@ -63,15 +63,16 @@ pub fn motion(curve: &CurveDocument) -> String {
     format!("{what} of branch {}, {}{kind}", curve.branch, curve.branch_name)
 }
 
-/// What a linear type means.
+/// What is known of the stability of a steady rotation.
 #[must_use]
-pub fn stability(kind: Stability) -> String {
-    let meaning = match kind {
-        kind if kind.is_unstable() => "unstable",
-        Stability::Elliptic => "all eigenvalues imaginary (spectrally stable is not stable)",
-        _ => "not decided by the linear terms alone",
-    };
-    format!("{}, {meaning}", kind.word())
+pub fn verdict(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Energy => "stable by energy",
+        Verdict::Integral => "stable by an integral",
+        Verdict::Spectrum => "spectrally stable, of which nothing more is known",
+        Verdict::Unstable => "unstable",
+        Verdict::Open => "its stability is not decided by the linearization",
+    }
 }
 
 /// True when the regions meet along a curve of which `below` is on the side of lower h.

@@ -4,6 +4,8 @@ use std::f64::consts::{PI, TAU};
 use std::fmt;
 use std::str::FromStr;
 
+use dashu_int::IBig;
+use dashu_ratio::RBig;
 use numbers::{Number, ParseNumberError};
 use thiserror::Error;
 
@@ -53,6 +55,16 @@ impl SpinUnit {
         }
     }
 
+    /// π rad/s in one unit; `None` for rad/s itself.
+    fn half_turns(self) -> Option<RBig> {
+        match self {
+            Self::Rpm => Some(RBig::from_parts(1.into(), 30u8.into())),
+            Self::Hertz => Some(RBig::from(2)),
+            Self::RadPerSecond => None,
+            Self::DegPerSecond => Some(RBig::from_parts(1.into(), 180u8.into())),
+        }
+    }
+
     /// rad/s in one unit.
     fn factor(self) -> f64 {
         match self {
@@ -71,6 +83,15 @@ impl Spin {
         self.value.to_f64() * self.unit.factor()
     }
 
+    /// In rad/s: exact if it was given in rad/s, else with 60 digits of π, so that it is none of the simple numbers near it.
+    #[must_use]
+    pub fn exact_rad_per_s(&self) -> RBig {
+        match self.unit.half_turns() {
+            Some(half_turns) => self.value.value() * half_turns * half_turn(),
+            None => self.value.value().clone(),
+        }
+    }
+
     /// rpm of a rate in rad/s.
     #[must_use]
     pub fn rpm(rad_per_s: f64) -> f64 {
@@ -82,6 +103,14 @@ impl Spin {
     pub fn hertz(rad_per_s: f64) -> f64 {
         rad_per_s / TAU
     }
+}
+
+/// π, rounded down.
+fn half_turn() -> RBig {
+    const DIGITS: [u64; 4] = [314_159_265_358_979, 323_846_264_338_327, 950_288_419_716_939, 937_510_582_097_494];
+    let block = IBig::from(1_000_000_000_000_000_u64);
+    let whole = DIGITS.into_iter().fold(IBig::ZERO, |whole, digits| whole * &block + IBig::from(digits));
+    RBig::from(whole) / RBig::from(IBig::from(10).pow(59))
 }
 
 impl fmt::Display for Spin {
@@ -115,6 +144,18 @@ mod tests {
         assert_eq!("2 rad/s".parse::<Spin>().unwrap().rad_per_s(), 2.0);
         assert!((Spin::rpm(TAU) - 60.0).abs() < 1e-13);
         assert_eq!(Spin::hertz(TAU), 1.0);
+    }
+
+    #[test]
+    fn only_rates_in_radians_are_simple_numbers() {
+        let exact = |text: &str| text.parse::<Spin>().unwrap().exact_rad_per_s();
+        assert_eq!(exact("1/3 rad/s"), RBig::from_parts(1.into(), 3u8.into()));
+        // The nearest double of these is 1 rad/s.
+        for text in ["9.549296585513720146133025802 rpm", "57.29577951308232087679815481 deg/s"] {
+            let spin = text.parse::<Spin>().unwrap();
+            assert!((spin.rad_per_s() - 1.0).abs() < 1e-15 && spin.exact_rad_per_s() != RBig::ONE, "{text}");
+            assert!((spin.exact_rad_per_s() - RBig::ONE).to_f64().value().abs() < 1e-27, "{text}");
+        }
     }
 
     #[test]

@@ -8,7 +8,8 @@ use crate::page::{
 /// Frequencies over the spin, and the spins at which the type changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Campbell {
-    /// Spin in rpm, two frequencies in Hz, and whether the rotation is stable; by rising spin.
+    /// Spin in rpm, two frequencies in Hz (NaN for a pair of eigenvalues that does not oscillate), and whether the rotation is
+    /// stable; by rising spin.
     pub rows: Vec<(f64, [f64; 2], bool)>,
     /// Spins in rpm.
     pub changes: Vec<f64>,
@@ -67,18 +68,23 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
         canvas.text(&below.quantity, [RECT.center()[0], RECT.bottom() + 42.0], TEXT, INK, Anchor::Middle);
         canvas.text(&left.quantity, [16.0, RECT.y - 40.0], TEXT, INK, Anchor::Start);
         let legend = "solid: stable, dashed: unstable, dotted: the type changes";
-        let colors = "blue, red: the two frequencies, grey: once per turn";
+        let colors = "blue, red: the frequencies (none for a real pair of eigenvalues), grey: once per turn";
         canvas.text(colors, [RECT.x, RECT.bottom() + 84.0], TEXT, FAINT_INK, Anchor::Start);
         canvas.text(legend, [RECT.x, RECT.bottom() + 66.0], TEXT, FAINT_INK, Anchor::Start);
     })
 }
 
-/// Runs of equal stability, each with the first point of the next.
+/// Runs of equal stability without gaps, each with the first point of the next.
 fn stretches(campbell: &Campbell, which: usize, at: &impl Fn(f64, f64) -> Point) -> Vec<(bool, Vec<Point>)> {
     let mut runs: Vec<(bool, Vec<Point>)> = Vec::new();
+    let mut is_open = false;
     for (rpm, frequencies, stable) in &campbell.rows {
+        if frequencies[which].is_nan() {
+            is_open = false;
+            continue;
+        }
         let point = at(*rpm, frequencies[which]);
-        match runs.last_mut() {
+        match runs.last_mut().filter(|_| is_open) {
             Some((kind, points)) if kind == stable => points.push(point),
             last => {
                 if let Some((_, points)) = last {
@@ -87,6 +93,22 @@ fn stretches(campbell: &Campbell, which: usize, at: &impl Fn(f64, f64) -> Point)
                 runs.push((*stable, vec![point]));
             }
         }
+        is_open = true;
     }
     runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pair_that_does_not_oscillate_leaves_a_gap() {
+        let row = |rpm: f64, slow: f64, stable| (rpm, [slow, 1.0], stable);
+        let rows = vec![row(1.0, 0.5, true), row(2.0, f64::NAN, false), row(3.0, 0.5, true), row(4.0, 0.6, true)];
+        let campbell = Campbell { rows, changes: Vec::new() };
+        let lengths =
+            |which| stretches(&campbell, which, &|x, y| [x, y]).iter().map(|(_, p)| p.len()).collect::<Vec<_>>();
+        assert_eq!((lengths(0), lengths(1)), (vec![1, 2], vec![2, 2, 2]));
+    }
 }

@@ -58,7 +58,7 @@ pub enum Verdict {
     Spectrum,
     /// Unstable.
     Unstable,
-    /// Not decided by the linear terms.
+    /// Not decided by the linearization.
     Open,
 }
 
@@ -123,7 +123,7 @@ impl JsonSchema for Verdict {
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         schemars::json_schema!({
-            "description": "Stable by a minimum of U_l (energy) or by a further integral; all eigenvalues imaginary and nothing more claimed (spectrum); unstable (false); not decided by the linear terms (null).",
+            "description": "Stable by a minimum of U_l (energy) or by a further integral; all eigenvalues imaginary and nothing more claimed (spectrum); unstable (false); not decided by the linearization (null).",
             "enum": ["energy", "integral", "spectrum", false, null]
         })
     }

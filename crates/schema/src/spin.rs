@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GivenBody, Head, MarginDocument, PartDocument, Verdict};
+use super::{GivenBody, Head, MarginDocument, Multiplicity, PartDocument, Verdict};
 
 /// A rate of turning in two units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -15,14 +15,17 @@ pub struct SpinDocument {
 }
 
 /// A permanent axis near to the one that was asked about.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct NearestAxisDocument {
-    /// A unit vector in the frame of the question, pointing up.
+    /// A unit vector in the frame of the question, at an acute angle to the axis of the question.
     pub axis: [f64; 3],
     /// The angle between the two, in degrees.
     pub angle_deg: f64,
-    /// The one spin at which it is permanent; `null`: every spin, or none with this end up.
+    /// The one spin at which it is permanent; `null`: every spin, or none.
     pub spin: Option<SpinDocument>,
+    /// Which of its ends is up then: `+axis` or `-axis`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub up: Option<String>,
 }
 
 /// A spin at which stability or regions change.
@@ -118,8 +121,9 @@ pub struct ToleranceDocument {
     pub sampled_parts: usize,
     /// The classes of the diagrams of these parts, the most frequent first.
     pub classes: Vec<SampledClassDocument>,
-    /// Ranges of spins outside of which no part within the tolerances changes, by the end that is up, then by rising spin:
-    /// bounds by interval arithmetic, not samples. Between two of them all parts are of one type.
+    /// Ranges of spins outside of which the spectral type of no part within the tolerances changes (its regions and
+    /// frequencies may), by the end that is up, then by rising spin: bounds by interval arithmetic, not samples. Between two
+    /// of them all parts are of one type.
     pub ranges: Vec<SpinRangeDocument>,
 }
 
@@ -176,14 +180,22 @@ pub struct SteadyDocument {
     pub l: f64,
     /// The spectral type.
     pub stability: String,
-    /// Not unstable in the linear terms.
+    /// `circle` or `sphere`: it is one of so many steady rotations at this spin, and the verdict is that of all as a whole;
+    /// absent for one alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub one_of: Option<Multiplicity>,
+    /// No eigenvalue has a positive real part.
     pub stable: bool,
     /// What is known: stable by energy or by a further integral, spectrally stable, unstable, or open.
     pub verdict: Verdict,
-    /// Frequencies of small oscillations seen from the turning body, in Hz.
+    /// Frequencies of small oscillations seen from the turning body, in Hz, by size; 0 for a real pair of eigenvalues and
+    /// for a pair of zeros, the same twice for a complex quadruple.
     pub frequencies_hz: [f64; 2],
     /// The time in which a deviation grows by e, in s; `null` when none does.
     pub growth_time_s: Option<f64>,
+    /// The change at exactly this spin (of regions only: within rounding).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at: Option<SpinChangeDocument>,
     /// The change at the next smaller spin; `null` also for an axis that is permanent at its own spin only.
     pub below: Option<SpinChangeDocument>,
     /// The change at the next larger spin.

@@ -1,6 +1,7 @@
 //! Linear types and verdicts against the eigenvalues of the whole linearisation: on the strata, at every coincidence of
 //! their curves, and where l meets a coincidence exactly.
 
+use dashu_ratio::RBig;
 use numbers::{Number, Sign};
 use proptest::prelude::*;
 use support::property::{Verdict as Held, body_text, holds_for_bodies};
@@ -8,16 +9,16 @@ use support::strata::STRATA;
 use top::body::{Body, BodyAxis, Frame, Preset};
 use top::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
 use top::curves::CriticalSet;
-use top::permanent::AxisRotation;
+use top::permanent::{AxisRotation, permanent_axis};
 use top::stability::{LinearType, LinearTypes, RelativeEquilibrium, Verdict, whole_matrix, whole_spectrum};
 
 /// A sixfold eigenvalue is known to the sixth root of rounding, relative to the matrix.
 const CLEAR: f64 = 1e-2;
 
 /// The real parts of the whole spectrum in the body's units, and the size of the matrix.
-fn whole(frame: &Frame, found: &Equilibrium) -> (Vec<f64>, f64) {
-    let gamma = std::array::from_fn(|j| (0..3).map(|i| frame.to_body[i][j] * found.gamma[i]).sum());
-    let point = RelativeEquilibrium::new(frame, gamma, found.omega.abs() / frame.frequency_unit);
+fn whole(frame: &Frame, gamma: [f64; 3], omega: f64) -> (Vec<f64>, f64) {
+    let gamma = std::array::from_fn(|j| (0..3).map(|i| frame.to_body[i][j] * gamma[i]).sum());
+    let point = RelativeEquilibrium::new(frame, gamma, omega.abs() / frame.frequency_unit);
     let size = whole_matrix(frame, &point).as_flattened().iter().map(|x| x.abs()).fold(0.0, f64::max);
     let real = whole_spectrum(frame, &point).unwrap().iter().map(|x| x.re * frame.frequency_unit).collect();
     (real, size * frame.frequency_unit)
@@ -46,7 +47,7 @@ fn agrees(frame: &Frame, found: &Equilibrium) -> Held {
     prop_assert!(is_of_type(found), "{found:?}");
     prop_assert_eq!(growth > 0.0, found.verdict == Verdict::Unstable, "{:?}", found);
     prop_assert_eq!(found.stability.is_unstable(), found.verdict == Verdict::Unstable, "{:?}", found);
-    let (real, size) = whole(frame, found);
+    let (real, size) = whole(frame, found.gamma, found.omega);
     let largest = real.iter().copied().fold(0.0, f64::max);
     prop_assert!((largest - growth).abs() <= CLEAR * size + found.eigenvalues.error, "{real:?} {found:?}");
     Ok(())
@@ -137,26 +138,73 @@ fn kovalevskaya_at_its_pitchfork_is_unstable() {
 /// Rotation about a principal axis, at spins that are coincidences too, is judged as the relative equilibrium that it is.
 #[test]
 fn permanent_rotations_are_judged_as_equilibria() {
-    let more =
-        [(["2", "2", "1"], ["0", "0", "0"]), (["1", "2", "2"], ["0", "0", "0"]), (["3", "2", "1"], ["0", "0", "0"])];
+    let free = [["2", "2", "1"], ["3", "3", "1"], ["2", "1", "1"], ["1", "2", "2"], ["3", "2", "1"], ["2", "2", "2"]];
+    let more = free.map(|a| (a, ["0", "0", "0"]));
+    let mut compared = 0;
     for (a, r) in EXACT.map(|(a, r, ..)| (a, r)).into_iter().chain(more) {
         let body = Body::parse(&a, &r).unwrap();
         let equilibria = RelativeEquilibria::new(&body).unwrap();
         let ends = BodyAxis::ALL.into_iter().flat_map(|axis| [(axis, Sign::Negative), (axis, Sign::Positive)]);
         for (axis, sign) in ends {
             let Some(rotation) = AxisRotation::new(&body, axis, sign) else { continue };
-            for spin in [0.25, 0.5, 1.0, 12.0 / 7.0, 2.0, 2.4, 3.0, 4.0] {
-                let exact = Number::from_rational(spin.try_into().unwrap());
-                let l = Number::from_rational(body.moments()[axis].value() * exact.value());
+            for spin in ["1/4", "1/2", "1", "12/7", "2", "12/5", "3", "4"] {
+                let omega = spin.parse::<Number>().unwrap().value().clone();
+                let l = Number::from_rational(body.moments()[axis].value() * &omega);
                 let list = equilibria.at(&l).unwrap().list;
-                let Some(point) = list.iter().find(|point| point.gamma[axis] == f64::from(sign)) else { continue };
-                let kind = rotation.type_at_spin(spin).unwrap();
-                let (found, expected) = (rotation.verdict_at_spin(spin).unwrap(), point.verdict);
-                assert_eq!(found, expected, "{a:?} {r:?} {axis:?} {sign:?} {spin}: {kind:?} {point:?}");
-                assert_eq!(kind.is_stable(), expected != Verdict::Unstable);
-                let (_, growth) = rotation.squared_eigenvalues(spin).frequencies_and_growth();
-                assert!(kind.is_stable() || growth > 0.0, "{a:?} {r:?} {axis:?} {sign:?} {spin}: {growth:e}");
+                let is_here = |point: &&Equilibrium| match point.multiplicity {
+                    Multiplicity::Points(_) => point.gamma[axis] == f64::from(sign),
+                    Multiplicity::Circle | Multiplicity::Sphere => (point.omega - omega.to_f64().value()).abs() < 1e-12,
+                };
+                let Some(point) = list.iter().find(is_here) else { continue };
+                let (kind, verdict) = rotation.stability_at_spin(&omega).unwrap();
+                let place = format!("{a:?} {r:?} {axis:?} {sign:?} {spin}: {point:?}");
+                assert_eq!((kind, verdict), (point.stability, point.verdict), "{place}");
+                let between = rotation.type_at_spin(&omega).unwrap();
+                assert_eq!(between.is_stable(), verdict != Verdict::Unstable, "{place}");
+                let is_one = !matches!(point.multiplicity, Multiplicity::Points(_));
+                assert_eq!(
+                    rotation.multiplicity() == point.multiplicity,
+                    is_one || point.multiplicity == Multiplicity::Points(1)
+                );
+                let (_, growth) = rotation.squared_eigenvalues(&omega).frequencies_and_growth();
+                compared += 1;
+                assert!((verdict == Verdict::Unstable) == (growth > 0.0), "{place} {growth:e}");
             }
         }
     }
+    assert!(compared > 200, "{compared}");
+}
+
+/// Without weight rotation about every axis of an eigenspace is steady: of one sphere, of a circle, or alone.
+#[test]
+fn rotations_without_weight_have_the_types_of_the_whole_spectrum() {
+    let moment = || (1..=40_u32).prop_map(|n| RBig::from(n) / RBig::from(8));
+    let bodies = ([moment(), moment(), moment()], 0..5_u8).prop_map(|([a, b, c], equal)| match equal {
+        0 => [a.clone(), a, c],
+        1 => [a, c.clone(), c],
+        2 => [a.clone(), b, a],
+        3 => [a.clone(), a.clone(), a],
+        _ => [a, b, c],
+    });
+    let directions = [-5..=5_i32, -5..=5, -5..=5].prop_filter("no direction", |up| *up != [0; 3]);
+    proptest!(ProptestConfig::with_cases(200), |(a in bodies, up in directions)| {
+        let body = Body::new(a.map(Number::from_rational), ["0"; 3].map(|x| x.parse().unwrap())).unwrap();
+        let frame = body.frame();
+        let axis = permanent_axis(&body, up.map(f64::from)).unwrap();
+        for sign in [Sign::Negative, Sign::Positive] {
+            let rotation = AxisRotation::about(&body, axis, sign).unwrap();
+            let (kind, verdict) = rotation.stability_at_spin(&RBig::ONE).unwrap();
+            let (_, growth) = rotation.squared_eigenvalues(&RBig::ONE).frequencies_and_growth();
+            let (real, size) = whole(&frame, axis.direction.map(|x| f64::from(sign) * x), 1.0);
+            let largest = real.into_iter().fold(0.0, f64::max);
+            prop_assert!((largest - growth).abs() <= CLEAR * size, "{largest} {growth}");
+            prop_assert_eq!(kind.is_unstable(), growth > 0.0);
+            prop_assert_eq!(verdict == Verdict::Unstable, growth > 0.0);
+            prop_assert!(rotation.changes().is_empty());
+            let [x, y, z] = BodyAxis::ALL.map(|k| body.moments()[k].value());
+            let own = body.moments()[axis.axis].value();
+            let is_middle = [x, y, z].iter().any(|other| *other < own) && [x, y, z].iter().any(|other| *other > own);
+            prop_assert_eq!(verdict == Verdict::Unstable, is_middle);
+        }
+    });
 }

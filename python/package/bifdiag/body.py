@@ -332,7 +332,7 @@ class Body:
                                       imaginary, ``"saddle"`` real, ``"zero"`` 0; along it the eigenvalues are 0.
             ``stable``                Why it is stable: ``"energy"`` (a minimum), ``"integral"`` (by a further
                                       integral), ``"spectrum"`` (imaginary eigenvalues; no more is claimed);
-                                      ``"false"``: it is unstable; ``"null"``: the linear terms do not decide.
+                                      ``"false"``: it is unstable; ``"null"``: the linearization does not decide.
             ``eigenvalues`` (2)       Of the pairs ±λ₁, ±λ₂ of the flow reduced by l, with re ≥ 0 and im ≥ 0; of a
                                       circle its transverse pair, then 0. A quadruple gives the same one twice.
             ``eigenvalue_error``      Bound on their error.

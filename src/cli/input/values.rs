@@ -24,6 +24,11 @@ impl Triple {
     pub fn values(&self) -> [RBig; 3] {
         self.0.each_ref().map(|x| x.value().clone())
     }
+
+    /// The nearest doubles.
+    pub fn rounded(&self) -> Vector {
+        Vector(self.0.each_ref().map(Number::to_f64))
+    }
 }
 
 /// I_xx, I_yy, I_zz, I_xy, I_xz, I_yz, in either convention of the products.
@@ -44,6 +49,16 @@ pub struct MeasuredPoint(pub [Measured; 3]);
 /// Three numbers of which only the nearest doubles are needed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vector(pub [f64; 3]);
+
+impl Vector {
+    /// Brought to length 1; one of this length, within rounding, stays as it is.
+    pub fn direction(self) -> Result<Self, ValueError> {
+        if (dot(self.0, self.0) - 1.0).abs() <= 2.0 * f64::EPSILON {
+            return Ok(self);
+        }
+        numbers::vector::direction(self.0).map(Self).ok_or(ValueError::NoDirection)
+    }
+}
 
 /// Why a value is refused.
 #[derive(Debug, PartialEq, Error)]
@@ -275,18 +290,18 @@ pub fn duration(text: &str) -> Result<f64, ValueError> {
     if time > 0.0 { Ok(time) } else { Err(ValueError::Duration) }
 }
 
+pub fn triple(text: &str) -> Result<Triple, ValueError> {
+    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::VectorCount { count })?;
+    Ok(Triple(numbers))
+}
+
 pub fn vector(text: &str) -> Result<Vector, ValueError> {
-    let numbers: [Number; 3] = entries(text, &["x", "y", "z"], |count| ValueError::VectorCount { count })?;
-    Ok(Vector(numbers.map(|number| number.to_f64())))
+    Ok(triple(text)?.rounded())
 }
 
 /// A vector brought to length 1; one of this length, within rounding, stays as it is.
 pub fn direction(text: &str) -> Result<Vector, ValueError> {
-    let Vector(v) = vector(text)?;
-    if (dot(v, v) - 1.0).abs() <= 2.0 * f64::EPSILON {
-        return Ok(Vector(v));
-    }
-    numbers::vector::direction(v).map(Vector).ok_or(ValueError::NoDirection)
+    vector(text)?.direction()
 }
 
 pub fn orbits(text: &str) -> Result<NonZeroU32, ValueError> {

@@ -8,7 +8,7 @@ use part::Spin;
 use super::direction::{AxisArgument, axis};
 use super::tolerance::{ToleranceArgument, tolerance};
 use crate::cli::input::BodyArguments;
-use crate::cli::input::values::{self, Vector};
+use crate::cli::input::values::{self, Triple};
 
 pub const STATE_EXAMPLES: &str = "\
 Examples:
@@ -44,8 +44,8 @@ pub struct StateArguments {
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "State")]
     pub axis: Option<AxisArgument>,
     /// The angular velocity in rad/s, instead of --spin and --axis
-    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::vector, help_heading = "State")]
-    pub omega: Option<Vector>,
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::triple, help_heading = "State")]
+    pub omega: Option<Triple>,
     /// The direction upward (default: along --axis)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "State")]
     pub vertical: Option<AxisArgument>,
@@ -79,8 +79,8 @@ pub struct CampbellArguments {
     /// The axis of rotation, pointing up: x, y, z or a direction
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: AxisArgument,
-    /// The largest spin, with its unit
-    #[arg(long, value_name = "\"6000 rpm\"", help_heading = "Rotation")]
+    /// The largest spin, with its unit: rpm, Hz, rad/s, deg/s
+    #[arg(long, value_name = "\"6000 rpm\"", allow_hyphen_values = true, help_heading = "Rotation")]
     pub to: Spin,
     /// Write campbell.svg and campbell.csv to DIR
     #[arg(long, value_name = "DIR", default_value = "bifdiag-out", help_heading = "Output")]

@@ -1,13 +1,15 @@
 //! `bifdiag campbell`: frequencies over the spin of a permanent axis.
 
+use dashu_ratio::RBig;
+use documents::Subject;
 use numbers::Sign;
 use plot::{Campbell, draw_campbell};
-use top::permanent::{AxisRotation, SpinType};
+use top::permanent::{AxisRotation, SpinType, permanent_axis};
 
 use super::arguments::CampbellArguments;
-use super::direction::second;
+use super::direction::{from_principal, second, to_principal};
 use super::error::StateInput;
-use super::rotation::Axis;
+use super::rotation::{Axis, angle_between};
 use crate::cli::export::{Column, Columns, DataFormat, ExportError, FileSet, PictureFormat, RESOLUTION, Values};
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{Report, Timings, print, significant};
@@ -17,32 +19,31 @@ const STEPS: u32 = 400;
 
 pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
-    let axis = match Axis::of(&subject, arguments.axis.0) {
-        Axis::Permanent { axis, .. } => axis,
-        Axis::Other { nearest } => {
-            let axis = nearest.axis.map(|x| significant(x, 6)).join(", ");
-            return Err(StateInput::NotPermanent { axis, angle: significant(nearest.angle_deg, 3) }.into());
-        }
-        Axis::AtOneSpin { .. } | Axis::Principal | Axis::Unknown => return Err(StateInput::NotAtEverySpin.into()),
+    let largest = arguments.to.rad_per_s();
+    if largest <= 0.0 {
+        return Err(StateInput::NoSpins { to: arguments.to.to_string() }.into());
+    }
+    let Axis::Permanent { axis, .. } = Axis::of(&subject, arguments.axis.direction) else {
+        return Err(not_permanent(&subject, arguments.axis.direction).into());
     };
     // γ points down.
     let Some(rotation) = AxisRotation::about(&subject.body, axis, Sign::Negative) else {
-        return Err(StateInput::NotAtEverySpin.into());
+        return Err(StateInput::NoPermanentAxis.into());
     };
     let second = second(subject.part.as_ref());
-    let largest = arguments.to.rad_per_s().abs();
     let rows = rows(&rotation, largest, second);
+    if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
+        return Err(StateInput::TooFast { to: arguments.to.to_string() }.into());
+    }
     let mut files = FileSet::new(&arguments.out);
     files.export("campbell", &columns(&rows), &DataFormat::Csv)?;
-    let changes = documents::spin_changes(&rotation, "+axis", None, second);
+    let (changes, beyond): (Vec<_>, Vec<_>) = documents::spin_changes(&rotation, "+axis", None, second)
+        .into_iter()
+        .partition(|change| change.spin.rad_per_s <= largest);
     if !arguments.no_plot {
         let scene = Campbell {
             rows: rows.iter().map(|row| (row.rpm, row.frequencies, row.stable)).collect(),
-            changes: changes
-                .iter()
-                .map(|change| change.spin.rpm)
-                .filter(|rpm| *rpm <= part::Spin::rpm(largest))
-                .collect(),
+            changes: changes.iter().map(|change| change.spin.rpm).collect(),
         };
         let picture = draw_campbell(&scene, plot::Theme::Light).map_err(ExportError::from)?;
         files.pictures("campbell", &picture, &[PictureFormat::Svg], RESOLUTION, timings)?;
@@ -51,13 +52,33 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     for change in &changes {
         report.line(format!("{} rpm: {} to {}", significant(change.spin.rpm, 8), change.from, change.to));
     }
+    if changes.is_empty() {
+        report.line(format!("no change of type up to {} rpm", significant(part::Spin::rpm(largest), 8)));
+    }
+    if let Some(next) = beyond.first() {
+        report.line(format!("the next change of type is at {} rpm, beyond --to", significant(next.spin.rpm, 8)));
+    }
     report.written(&files.write()?);
     Ok(print(report.text())?)
+}
+
+/// Why an axis has no frequencies over the spin.
+fn not_permanent(subject: &Subject, given: [f64; 3]) -> StateInput {
+    let part = subject.part.as_ref();
+    match permanent_axis(&subject.body, to_principal(part, given)) {
+        Some(nearest) => {
+            let axis = from_principal(part, nearest.direction);
+            let angle = significant(angle_between(axis, given).to_degrees(), 3);
+            StateInput::NotPermanent { axis: axis.map(|x| significant(x, 6)).join(", "), angle }
+        }
+        None => StateInput::NoPermanentAxis,
+    }
 }
 
 /// Frequencies at one spin.
 struct Row {
     rpm: f64,
+    /// The slower one first; NaN for pairs of eigenvalues that are real or zero.
     frequencies: [f64; 2],
     growth: f64,
     stable: bool,
@@ -66,12 +87,13 @@ struct Row {
 fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
     let row = |k: u32| {
         let spin = largest * f64::from(k) / f64::from(STEPS);
-        let (frequencies, growth) = rotation.squared_eigenvalues(spin / second).frequencies_and_growth();
+        let omega = RBig::try_from(spin / second).unwrap_or_default();
+        let (frequencies, growth) = rotation.squared_eigenvalues(&omega).frequencies_and_growth();
         let [p, q] = frequencies.map(|frequency| part::Spin::hertz(frequency * second));
-        let stable = rotation.type_at_spin(spin / second).is_some_and(SpinType::is_stable);
+        let stable = rotation.type_at_spin(&omega).is_some_and(SpinType::is_stable);
         Row {
             rpm: part::Spin::rpm(spin),
-            frequencies: [p.min(q), p.max(q)],
+            frequencies: [p.min(q), p.max(q)].map(|frequency| if frequency == 0.0 { f64::NAN } else { frequency }),
             growth: if stable { 0.0 } else { growth * second },
             stable,
         }

@@ -1,18 +1,18 @@
 //! `bifdiag critical-spin`.
 
-use documents::{CommandLine, Subject};
-use numbers::Sign;
+use dashu_ratio::RBig;
+use documents::{CommandLine, Subject, words};
 use numbers::vector::dot;
+use numbers::{Number, Sign};
 use part::{MeasuredPart, Part};
 use proof::{Accuracy, Prepared};
 use schema::{CriticalSpinDocument, SteadySpinDocument};
-use top::permanent::{AxisRotation, NearestAxis, SpinType, nearest_steady};
+use top::permanent::{AxisRotation, NearestAxis, SpinType, exact_spin, nearest_steady};
 
 use super::arguments::CriticalSpinArguments;
-use super::direction::{from_principal, second};
+use super::direction::{AxisArgument, from_principal, second, to_principal_exactly};
 use super::error::StateInput;
-use super::rotation::{Axis, MEANT};
-use super::steady::stability_text;
+use super::rotation::{Axis, MEANT, end_up};
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
@@ -29,7 +29,7 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
         (None, Some((part, measured))) => Known::Measured(part, measured),
         (None, None) => Known::Exactly,
     };
-    let document = timings.stage("spins", || document(&subject, arguments.axis.0, &known));
+    let document = timings.stage("spins", || document(&subject, &arguments.axis, &known));
     Ok(answer(arguments.json, &document, || text(&subject, &document))?)
 }
 
@@ -41,16 +41,18 @@ enum Known<'a> {
 }
 
 /// The spins at which rotation about an axis changes.
-fn document(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CriticalSpinDocument {
-    let found = Axis::of(subject, axis);
+fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> CriticalSpinDocument {
+    let found = Axis::of(subject, given.direction);
     let nearest = match &found {
-        Axis::Permanent { nearest, .. } | Axis::AtOneSpin { nearest, .. } | Axis::Other { nearest } => Some(*nearest),
+        Axis::Permanent { nearest, .. } | Axis::AtOneSpin { nearest, .. } | Axis::Other { nearest } => {
+            Some(nearest.clone())
+        }
         Axis::Principal | Axis::Unknown => None,
     };
     let mut document = CriticalSpinDocument {
-        head: documents::head(command(subject, axis, known).json()),
+        head: documents::head(command(subject, given, known).json()),
         body: documents::given(&subject.body),
-        axis,
+        axis: given.direction,
         permanent: matches!(found, Axis::Permanent { .. }),
         nearest: nearest.filter(|nearest| nearest.angle_deg > 0.0),
         steady: None,
@@ -62,7 +64,7 @@ fn document(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CriticalSpi
     };
     let Axis::Permanent { axis, .. } = found else {
         document.steady = match found {
-            Axis::AtOneSpin { axis, .. } => Some(steady_spin(subject, &axis).into_iter().collect()),
+            Axis::AtOneSpin { axis, .. } => Some(steady_spin(subject, given, &axis).into_iter().collect()),
             Axis::Unknown => None,
             _ => Some(Vec::new()),
         };
@@ -103,8 +105,8 @@ fn document(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CriticalSpi
     document
 }
 
-fn command(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CommandLine {
-    let axis = axis.map(|x| format!("{x:?}")).join(",");
+fn command(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> CommandLine {
+    let axis = given.given.0.each_ref().map(Number::text).join(",");
     match known {
         Known::Measured(part, measured) => {
             documents::measured_command("critical-spin", part, measured).option("axis", axis)
@@ -118,16 +120,23 @@ fn command(subject: &Subject, axis: [f64; 3], known: &Known<'_>) -> CommandLine 
 
 /// The spin at which rotation about an axis of Staude's cone is steady, with the end that is up; none for one that is in
 /// equilibrium at rest.
-fn steady_spin(subject: &Subject, axis: &NearestAxis) -> Option<SteadySpinDocument> {
+fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> Option<SteadySpinDocument> {
     let s = axis.squared_spin.filter(|s| *s != 0.0)?;
-    let (end, name) = if s < 0.0 { (-1.0, "-axis") } else { (1.0, "+axis") };
+    let end = s.signum();
     let up = axis.axis.map(|x| end * x);
-    let (part, omega) = (subject.part.as_ref(), s.abs().sqrt());
+    let part = subject.part.as_ref();
+    let rational = |x: f64| RBig::try_from(x).unwrap_or_default();
+    let exact_up = to_principal_exactly(part, &given.given).map(|x| x * rational(end));
+    let (exact_up, exact_omega) = match exact_spin(&subject.body, &exact_up) {
+        Some(omega) => (exact_up, omega),
+        None => (up.map(rational), rational(s.abs().sqrt())),
+    };
+    let omega = exact_omega.to_f64().value();
     let (a, r) = (subject.body.moments_f64(), subject.body.center_f64());
     let l = omega * dot(up, [0, 1, 2].map(|k| a[k] * up[k]));
-    let found = nearest_steady(&subject.body, omega, up).filter(|found| found.angle <= MEANT);
+    let found = nearest_steady(&subject.body, &exact_omega, &exact_up).filter(|found| found.angle <= MEANT);
     Some(SteadySpinDocument {
-        up: name.to_owned(),
+        up: end_up(s).to_owned(),
         spin: documents::spin(omega * second(part)),
         l,
         h: 0.5 * omega * l + dot(up, r),
@@ -139,7 +148,7 @@ fn steady_spin(subject: &Subject, axis: &NearestAxis) -> Option<SteadySpinDocume
 /// The type at the slowest spins.
 fn at_slow_spins(rotation: &AxisRotation) -> SpinType {
     let changes = rotation.changes();
-    let any = || rotation.type_at_spin(1.0).unwrap_or(SpinType::Elliptic);
+    let any = || rotation.type_at_spin(&RBig::ONE).unwrap_or(SpinType::Elliptic);
     changes.first().map_or_else(any, |first| first.from)
 }
 
@@ -153,9 +162,10 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
         let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
         let angle = significant(nearest.angle_deg, 3);
         let taken = nearest.angle_deg <= MEANT.to_degrees();
+        let end = if nearest.up.as_deref() == Some("-axis") { ", with its other end up" } else { "" };
         let spin = match &nearest.spin {
             _ if taken => ", which is taken".to_owned(),
-            Some(spin) => format!(", at {} rpm only", significant(spin.rpm, 6)),
+            Some(spin) => format!(", at {} rpm only{end}", significant(spin.rpm, 6)),
             None => String::new(),
         };
         report.line(format!("the nearest permanent axis is ({x}, {y}, {z}), {angle}° away{spin}"));
@@ -170,7 +180,11 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     }
     let unknown = document.note.is_some();
     if document.changes.is_empty() {
-        report.line(if unknown { "no change of stability at any spin" } else { "nothing changes with the spin" });
+        report.line(if unknown {
+            "its type changes at no spin"
+        } else {
+            "its type and the regions beside it change at no spin"
+        });
     } else {
         report.line(changes(document, if unknown { "not known" } else { "same" }));
     }
@@ -188,15 +202,15 @@ fn not_permanent(report: &mut Report, subject: &Subject, document: &CriticalSpin
             steady.up
         ));
         let stability = match (steady.verdict, &steady.stability) {
-            (Some(verdict), Some(stability)) => format!(", {}: {stability}", stability_text(verdict)),
+            (Some(verdict), Some(stability)) => format!(", {}: {stability}", words::verdict(verdict)),
             _ => ", its stability was not found".to_owned(),
         };
         report.line(format!("h = {}, l = {}{stability}", significant(steady.h, 10), significant(steady.l, 10)));
     }
     match Axis::of(subject, document.axis) {
         Axis::AtOneSpin { axis, .. } if axis.squared_spin == Some(0.0) => report.line(
-            "the centre of mass lies on this axis, which is not principal: the body rests with it upright, but rotation about \
-             it is steady at no spin",
+            "the centre of mass lies on this axis, which is not principal: the body rests with either end up, but rotation \
+             about it is steady at no spin",
         ),
         Axis::Principal => report.line(
             "this axis is principal, but the centre of mass does not lie on it: rotation about it is steady at no spin",

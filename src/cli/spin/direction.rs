@@ -1,28 +1,32 @@
 //! Directions in the frame of the question: the part's, or principal axes.
 
+use dashu_ratio::RBig;
 use numbers::vector::dot;
 use schema::PartDocument;
 
-use crate::cli::input::values::{self, ValueError};
+use crate::cli::input::values::{self, Triple, ValueError};
 
 /// x, y, z or three coordinates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AxisArgument(pub [f64; 3]);
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisArgument {
+    /// Of length 1.
+    pub direction: [f64; 3],
+    /// As it was given.
+    pub given: Triple,
+}
 
 /// Reads a direction; its length does not matter.
 pub fn axis(text: &str) -> Result<AxisArgument, ValueError> {
-    let (sign, name) =
-        text.strip_prefix('-').map_or((1.0, text.strip_prefix('+').unwrap_or(text)), |rest| (-1.0, rest));
-    let named = match name {
-        "x" => Some([sign, 0.0, 0.0]),
-        "y" => Some([0.0, sign, 0.0]),
-        "z" => Some([0.0, 0.0, sign]),
-        _ => None,
-    };
-    match named {
-        Some(direction) => Ok(AxisArgument(direction)),
-        None => values::direction(text).map(|direction| AxisArgument(direction.0)),
-    }
+    let given = values::triple(match text.strip_prefix('+').unwrap_or(text) {
+        "x" => "1,0,0",
+        "y" => "0,1,0",
+        "z" => "0,0,1",
+        "-x" => "-1,0,0",
+        "-y" => "0,-1,0",
+        "-z" => "0,0,-1",
+        _ => text,
+    })?;
+    Ok(AxisArgument { direction: given.rounded().direction()?.0, given })
 }
 
 /// A vector of the question's frame in principal axes.
@@ -31,6 +35,14 @@ pub fn to_principal(part: Option<&PartDocument>, v: [f64; 3]) -> [f64; 3] {
         Some(part) => part.principal.axes.map(|axis| dot(axis, v)),
         None => v,
     }
+}
+
+/// The same of exact numbers, which stay exact without a part.
+pub fn to_principal_exactly(part: Option<&PartDocument>, v: &Triple) -> [RBig; 3] {
+    if part.is_none() {
+        return v.values();
+    }
+    to_principal(part, v.rounded().0).map(|x| RBig::try_from(x).unwrap_or_default())
 }
 
 /// A vector in principal axes in the question's frame.
@@ -43,6 +55,11 @@ pub fn from_principal(part: Option<&PartDocument>, v: [f64; 3]) -> [f64; 3] {
 
 /// One second in the body's unit of time.
 pub fn second(part: Option<&PartDocument>) -> f64 {
+    1.0 / unit_of_time(part).to_f64().value()
+}
+
+/// The body's unit of time in seconds, exactly.
+pub fn unit_of_time(part: Option<&PartDocument>) -> RBig {
     let units = part.and_then(|part| part.units.parse::<::part::Units>().ok());
-    units.map_or(1.0, |units| 1.0 / units.time().to_f64().value())
+    units.map_or(RBig::ONE, |units| units.time().clone())
 }

@@ -15,14 +15,20 @@ pub enum StateInput {
     #[error("{first} and {second} both say how the body turns; give --spin with --axis, or --omega")]
     Two { first: &'static str, second: &'static str },
     #[error(
-        "--axis: rotation about it is not permanent, so that it has no frequencies of its own; the nearest permanent axis is {axis}, {angle}° away"
+        "--axis: rotation about it is not permanent at every spin, so that it has no frequencies over the spin; \
+         the nearest axis that has them is {axis}, {angle}° away"
     )]
     NotPermanent { axis: String, angle: String },
     #[error(
-        "--axis: rotation about it is not permanent at every spin, so that it has no frequencies of its own; \
-         `bifdiag critical-spin` gives the spin at which it is steady, if there is one"
+        "--axis: rotation about it is not permanent at every spin, nor is that about any other axis of this body: there are no \
+         frequencies over the spin; \
+         `bifdiag critical-spin` gives the spin at which rotation about an axis is steady, if there is one"
     )]
-    NotAtEverySpin,
+    NoPermanentAxis,
+    #[error("--to {to}: the largest spin must be greater than 0, such as \"6000 rpm\"")]
+    NoSpins { to: String },
+    #[error("--to {to}: at such a spin the frequencies leave the range of numbers; give a smaller one")]
+    TooFast { to: String },
     #[error("--tolerance and ± in the numbers of the part both say how well it is known; leave out one of them")]
     TwoTolerances,
 }

@@ -29,24 +29,36 @@ impl Axis {
     pub fn of(subject: &Subject, up: [f64; 3]) -> Self {
         let part = subject.part.as_ref();
         let direction = to_principal(part, up);
-        let document = |v: [f64; 3], angle: f64, omega: Option<f64>| NearestAxisDocument {
+        let document = |v: [f64; 3], angle: f64, squared_spin: Option<f64>| NearestAxisDocument {
             axis: from_principal(part, v),
             angle_deg: angle.to_degrees(),
-            spin: omega.map(|omega| documents::spin(omega * second(part))),
+            spin: squared_spin.map(|s| documents::spin(s.abs().sqrt() * second(part))),
+            up: squared_spin.filter(|s| *s != 0.0).map(|s| end_up(s).to_owned()),
         };
         if let Some(axis) = permanent_axis(&subject.body, direction) {
-            let angle = libm::atan2(norm(cross(axis.direction, direction)), dot(axis.direction, direction));
+            let angle = angle_between(axis.direction, direction);
             if angle <= MEANT {
                 return Self::Permanent { axis, nearest: document(axis.direction, angle, None) };
             }
         }
         let Some(axis) = nearest_permanent(&subject.body, direction) else { return Self::Unknown };
-        let nearest = document(axis.axis, axis.angle, axis.omega());
+        let nearest = document(axis.axis, axis.angle, axis.squared_spin);
         match axis.squared_spin {
+            Some(s) if !s.is_finite() => Self::Unknown,
             _ if axis.angle.is_nan() => Self::Unknown,
             _ if axis.angle > MEANT => Self::Other { nearest },
             Some(_) => Self::AtOneSpin { axis, nearest },
             None => Self::Principal,
         }
     }
+}
+
+/// The angle between two vectors, also when it is small.
+pub fn angle_between(v: [f64; 3], w: [f64; 3]) -> f64 {
+    libm::atan2(norm(cross(v, w)), dot(v, w))
+}
+
+/// The end of an axis of Staude's cone that is up, by ±Ω².
+pub fn end_up(squared_spin: f64) -> &'static str {
+    if squared_spin < 0.0 { "-axis" } else { "+axis" }
 }

@@ -1,29 +1,46 @@
 //! `bifdiag state`: where a state lies, and what it is.
 
-use documents::Subject;
+use dashu_ratio::RBig;
+use documents::{CommandLine, Subject};
+use numbers::symmetric::{self, Real};
 use numbers::vector::{cross, dot, norm};
+use part::Spin;
 use proof::{Accuracy, Prepared};
-use schema::StateDocument;
+use schema::{StateDocument, SteadyDocument};
 use top::atlas::Spot;
 use top::body::Number;
 
 use super::arguments::StateArguments;
-use super::direction::{second, to_principal};
+use super::direction::{AxisArgument, second, to_principal, to_principal_exactly, unit_of_time};
 use super::error::{StateFailure, StateInput};
-use super::rotation::Axis;
-use super::steady::{at_spin, changes, told};
+use super::rotation::{Axis, angle_between};
+use super::steady::{Question, at_spin, changes, told};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
 use crate::cli::input::head;
+use crate::cli::input::values::Triple;
 use crate::cli::terminal::{Report, Timings, significant};
 
 /// h and l of a state are computed with a smaller error, relative to the size of their terms.
 const ROUNDING: f64 = 1e-14;
 
+/// Digits of a spin that is not rational.
+const DIGITS: usize = 60;
+
+/// An axis farther than this, in radians, from the given one is told.
+const OTHER: f64 = 1e-12;
+
+/// How the body turns.
+enum Turning<'a> {
+    About { spin: &'a Spin, axis: &'a AxisArgument },
+    Omega(&'a Triple),
+}
+
 /// A state in the frame of the question, in seconds.
-struct State {
+struct State<'a> {
+    turning: Turning<'a>,
+    vertical: &'a AxisArgument,
     omega: [f64; 3],
-    vertical: [f64; 3],
 }
 
 pub fn run(arguments: &StateArguments, timings: &Timings) -> Result<(), Failure> {
@@ -33,47 +50,69 @@ pub fn run(arguments: &StateArguments, timings: &Timings) -> Result<(), Failure>
     Ok(answer(arguments.json, &document, || text(&subject, &document))?)
 }
 
-impl State {
-    fn of(arguments: &StateArguments) -> Result<Self, StateInput> {
-        match (&arguments.spin, arguments.axis, arguments.omega) {
+impl<'a> State<'a> {
+    fn of(arguments: &'a StateArguments) -> Result<Self, StateInput> {
+        match (&arguments.spin, &arguments.axis, &arguments.omega) {
             (Some(_), _, Some(_)) => Err(StateInput::Two { first: "--spin", second: "--omega" }),
             (_, Some(_), Some(_)) => Err(StateInput::Two { first: "--axis", second: "--omega" }),
             (Some(_), None, None) => Err(missing("--spin", "--axis", "--axis z")),
             (None, Some(_), None) => Err(missing("--axis", "--spin", "--spin \"3000 rpm\"")),
             (None, None, None) => Err(StateInput::Nothing),
             (None, None, Some(omega)) => {
-                let vertical = arguments.vertical.ok_or(missing("--omega", "--vertical", "--vertical 0,0,1"))?;
-                Ok(Self { omega: omega.0, vertical: vertical.0 })
+                let vertical = arguments.vertical.as_ref();
+                let vertical = vertical.ok_or(missing("--omega", "--vertical", "--vertical 0,0,1"))?;
+                Ok(Self { turning: Turning::Omega(omega), vertical, omega: omega.rounded().0 })
             }
             (Some(spin), Some(axis), None) => {
-                let vertical = arguments.vertical.unwrap_or(axis);
-                Ok(Self { omega: axis.0.map(|x| x * spin.rad_per_s()), vertical: vertical.0 })
+                let omega = axis.direction.map(|x| x * spin.rad_per_s());
+                let vertical = arguments.vertical.as_ref().unwrap_or(axis);
+                Ok(Self { turning: Turning::About { spin, axis }, vertical, omega })
             }
         }
+    }
+
+    /// |ω| in rad/s, exact where it is rational.
+    fn spin(&self) -> RBig {
+        match self.turning {
+            Turning::About { spin, .. } => {
+                let spin = spin.exact_rad_per_s();
+                if spin < RBig::ZERO { -spin } else { spin }
+            }
+            Turning::Omega(omega) => {
+                let omega = omega.values();
+                Real::root_of(&symmetric::dot(&omega, &omega), DIGITS).lo
+            }
+        }
+    }
+
+    /// The options that mean this state.
+    fn command(&self, subject: &Subject) -> CommandLine {
+        let list = |numbers: &Triple| numbers.0.each_ref().map(Number::text).join(",");
+        let command = subject.command("state");
+        let command = match self.turning {
+            Turning::About { spin, axis } => command.option("spin", spin).option("axis", list(&axis.given)),
+            Turning::Omega(omega) => command.option("omega", list(omega)),
+        };
+        command.option("vertical", list(&self.vertical.given))
     }
 
     fn document(&self, subject: &Subject) -> Result<StateDocument, top::body::ParseNumberError> {
         let part = subject.part.as_ref();
         let second = second(part);
         let omega = to_principal(part, self.omega).map(|x| x / second);
-        let up = to_principal(part, self.vertical);
+        let vertical = self.vertical.direction;
+        let up = to_principal(part, vertical);
         let (a, r) = (subject.body.moments_f64(), subject.body.center_f64());
         let momentum: [f64; 3] = std::array::from_fn(|k| a[k] * omega[k]);
         // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, of which the sign does not matter.
         let (h, l) = (0.5 * dot(omega, momentum) + dot(up, r), dot(momentum, up));
-        let spin = norm(self.omega);
+        let spin = self.spin();
         let mut document = StateDocument {
-            head: documents::head(
-                subject
-                    .command("state")
-                    .option("omega", self.omega.map(|x| format!("{x:?}")).join(","))
-                    .option("vertical", self.vertical.map(|x| format!("{x:?}")).join(","))
-                    .json(),
-            ),
+            head: documents::head(self.command(subject).json()),
             body: documents::given(&subject.body),
             omega: self.omega,
-            vertical: self.vertical,
-            spin: documents::spin(spin),
+            vertical,
+            spin: documents::spin(spin.to_f64().value()),
             h,
             l,
             steady: None,
@@ -84,7 +123,13 @@ impl State {
             part: subject.part.clone(),
         };
         let prepared = Prepared::new(subject.body.clone(), Accuracy::Exact);
-        let steady = at_spin(subject, self.vertical, spin, &prepared);
+        let question = Question {
+            subject,
+            vertical,
+            up: to_principal_exactly(part, &self.vertical.given),
+            omega: spin * unit_of_time(part),
+        };
+        let steady = at_spin(&question, &prepared);
         if prepared.atlas().is_none() {
             document.note = Some("the regions of this body were not found".to_owned());
         }
@@ -117,7 +162,7 @@ impl State {
 
     /// The angular velocity is along the vertical.
     fn is_upright(&self) -> bool {
-        norm(cross(self.omega, self.vertical)) <= 1e-9 * norm(self.omega) * norm(self.vertical)
+        norm(cross(self.omega, self.vertical.direction)) <= 1e-9 * norm(self.omega)
     }
 }
 
@@ -134,10 +179,11 @@ fn text(subject: &Subject, document: &StateDocument) -> String {
     report.line("");
     match &document.steady {
         Some(steady) => {
+            meant(&mut report, steady, document.vertical);
             told(&mut report, steady);
             match Axis::of(subject, document.vertical) {
                 Axis::Permanent { .. } => changes(&mut report, steady, document.note.is_none()),
-                Axis::AtOneSpin { .. } => report.line("the axis is permanent at this spin only"),
+                Axis::AtOneSpin { .. } => report.line("rotation about this axis is steady at this spin only"),
                 Axis::Principal => report.line(
                     "the axis is principal, but the centre of mass does not lie on it: at this spin a steady rotation is \
                      within 10⁻⁶ of it",
@@ -145,12 +191,22 @@ fn text(subject: &Subject, document: &StateDocument) -> String {
                 Axis::Other { .. } | Axis::Unknown => {}
             }
         }
-        None => other_text(&mut report, document),
+        None => other_text(&mut report, subject, document),
     }
     report.text()
 }
 
-fn other_text(report: &mut Report, document: &StateDocument) {
+/// The axis of the rotation that is told, where it is not the given one to the last digits.
+fn meant(report: &mut Report, steady: &SteadyDocument, vertical: [f64; 3]) {
+    let angle = angle_between(steady.axis, vertical);
+    if angle > OTHER {
+        let [x, y, z] = steady.axis.map(|x| significant(x, 6));
+        let angle = significant(angle.to_degrees(), 3);
+        report.line(format!("the nearest steady rotation, about ({x}, {y}, {z}), {angle}° away, is taken"));
+    }
+}
+
+fn other_text(report: &mut Report, subject: &Subject, document: &StateDocument) {
     let place = match (&document.region, &document.margin, &document.note) {
         (Some(region), ..) => format!("its (h, l) lies in the region {region}"),
         (None, _, Some(note)) => note.clone(),
@@ -169,6 +225,16 @@ fn other_text(report: &mut Report, document: &StateDocument) {
         report.line(format!("the nearest curve is {} in h away ({})", significant(margin.h, 6), margin.nearest));
     }
     let Some(nearest) = &document.nearest else { return };
+    match Axis::of(subject, document.vertical) {
+        Axis::AtOneSpin { nearest: given, .. } => {
+            if let (Some(spin), Some(up)) = (&given.spin, &given.up) {
+                let rpm = significant(spin.rpm, 8);
+                report.line(format!("rotation about the vertical is steady at one spin only: {rpm} rpm, {up} up"));
+            }
+        }
+        Axis::Principal | Axis::Other { .. } => report.line("rotation about the vertical is steady at no spin"),
+        Axis::Permanent { .. } | Axis::Unknown => {}
+    }
     let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
     let angle = significant(nearest.angle_deg, 3);
     report.line("");

@@ -1,114 +1,154 @@
 //! Steady rotations: about a permanent axis at every spin, about others at the spin that is asked about.
 
 use dashu_ratio::RBig;
-use documents::Subject;
+use documents::{Subject, words};
 use numbers::vector::norm;
 use numbers::{Number, Sign};
 use part::Spin;
 use proof::Prepared;
-use schema::{SpinChangeDocument, SteadyDocument, Verdict};
+use schema::{Multiplicity, SpinChangeDocument, SteadyDocument, Verdict};
 use top::atlas::Spot;
-use top::permanent::{AxisRotation, PermanentAxis, nearest_steady};
+use top::permanent::{AxisRotation, PermanentAxis, SteadyRotation, nearest_steady, permanent_axis};
 
-use super::direction::{from_principal, second, to_principal};
-use super::rotation::{Axis, MEANT};
+use super::direction::{from_principal, second};
+use super::rotation::{Axis, MEANT, angle_between};
 use crate::cli::terminal::{Report, significant};
 
 /// Distances in h at which the regions beside a curve are looked up, relative to the size of the energies.
 const STEPS: [f64; 4] = [1e-9, 1e-12, 1e-15, 1e-18];
 
-/// The steady rotation at a spin in rad/s with its axis nearest to `up`, in the frame of the question.
-pub fn at_spin(subject: &Subject, up: [f64; 3], spin: f64, prepared: &Prepared) -> Option<SteadyDocument> {
-    match Axis::of(subject, up) {
-        Axis::Permanent { axis, .. } => about_axis(subject, axis, spin, prepared),
-        _ => elsewhere(subject, up, spin, prepared),
+/// How many of them are above the rounding of a point that is not exactly on the curve.
+const ROUNDED: usize = 2;
+
+/// A permanent axis nearer than this, in radians, to a steady rotation that was found in doubles is its axis.
+const SAME: f64 = 1e-12;
+
+/// Which steady rotation is asked for.
+pub struct Question<'a> {
+    pub subject: &'a Subject,
+    /// The axis that points up, in the frame of the question.
+    pub vertical: [f64; 3],
+    /// The same in principal axes, exact, of any length.
+    pub up: [RBig; 3],
+    /// The spin in the body's unit of time, exact.
+    pub omega: RBig,
+}
+
+/// The steady rotation whose axis is nearest to that of the question.
+pub fn at_spin(question: &Question<'_>, prepared: &Prepared) -> Option<SteadyDocument> {
+    let body = &question.subject.body;
+    if let Axis::Permanent { axis, .. } = Axis::of(question.subject, question.vertical) {
+        return about_axis(question, axis, 0.0, prepared);
     }
+    let found = nearest_steady(body, &question.omega, &question.up)?;
+    let up = found.gamma.map(|x| 0.0 - x);
+    match permanent_axis(body, up).filter(|axis| angle_between(axis.direction, up) <= SAME) {
+        Some(axis) => about_axis(question, axis, found.angle, prepared),
+        None => Some(steady(question, &found, prepared)),
+    }
+}
+
+/// Points at which regions are looked up.
+struct Place<'a> {
+    h: &'a Number,
+    l: &'a Number,
+    /// The size of the energies.
+    size: f64,
+    is_exact: bool,
 }
 
 /// The regions just below and just above a point of a curve: that curve is still the nearest one there, so that no other
 /// lies between.
-fn beside(prepared: &Prepared, h: &Number, l: &Number, size: f64) -> Option<[Spot; 2]> {
+fn beside(prepared: &Prepared, place: &Place<'_>) -> Option<[Spot; 2]> {
+    let Place { h, l, size, is_exact } = place;
     let curve = prepared.classify(h, l).ok()?.margin.nearest;
     let near = |step: RBig| {
         let h = Number::from_rational(h.value() + step);
         let found = prepared.classify(&h, l).ok().filter(|found| found.margin.nearest == curve)?;
         Some(prepared.spot(&h, l, &found.answer)).filter(|spot| matches!(spot, Spot::Region(_) | Spot::Forbidden))
     };
-    let region = |side: f64| STEPS.iter().filter_map(|step| RBig::try_from(side * step * size).ok()).find_map(near);
+    let steps = if *is_exact { &STEPS[..] } else { &STEPS[..ROUNDED] };
+    let region = |side: f64| steps.iter().filter_map(|step| RBig::try_from(side * step * size).ok()).find_map(near);
     Some([region(-1.0)?, region(1.0)?])
 }
 
-/// Rotation about an axis that is permanent at every spin, answered along its curve.
-fn about_axis(subject: &Subject, axis: PermanentAxis, spin: f64, prepared: &Prepared) -> Option<SteadyDocument> {
+/// Rotation about an axis that is permanent at every spin, at an angle to that of the question: exact, along its curve.
+fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared: &Prepared) -> Option<SteadyDocument> {
+    let Question { subject, omega, .. } = question;
     let second = second(subject.part.as_ref());
     // γ points down.
     let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative)?;
-    let omega = spin / second;
-    let changes = documents::spin_changes(&rotation, "+axis", prepared.atlas(), second);
-    let mut steady = elsewhere(subject, from_principal(subject.part.as_ref(), axis.direction), spin, prepared);
-    if omega != 0.0 {
-        let change = rotation.changes().into_iter().find(|change| (change.omega - omega).abs() <= change.error_bound);
-        let (stability, verdict) = if let Some(change) = change {
-            change.between()
-        } else {
-            (rotation.type_at_spin(omega)?.name(), rotation.verdict_at_spin(omega)?)
-        };
-        let verdict = documents::verdict(verdict);
-        let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
-        let unstable = verdict == Verdict::Unstable;
-        let (h, l) = rotation.point(omega)?;
-        let size = norm(subject.body.center_f64()) + 0.5 * rotation.l(omega).abs() * omega;
-        let document = SteadyDocument {
-            axis: from_principal(subject.part.as_ref(), axis.direction),
-            angle_deg: 0.0,
-            h: rotation.h(omega),
-            l: rotation.l(omega),
-            stability: stability.to_owned(),
-            stable: !unstable,
-            verdict,
-            frequencies_hz: frequencies.map(|frequency| Spin::hertz(frequency * second)),
-            growth_time_s: unstable.then(|| 1.0 / (growth * second)),
-            below: None,
-            above: None,
-            regions: [None, None],
-            note: None,
-        };
-        steady = Some(with_regions(document, beside(prepared, &h, &l, size)));
-    }
-    let steady = steady?;
-    Some(SteadyDocument {
-        below: changes.iter().rev().find(|change| change.spin.rad_per_s < spin).cloned(),
-        above: changes.into_iter().find(|change| change.spin.rad_per_s > spin),
-        ..steady
-    })
+    let [below, at, above] = documents::changes_beside(&rotation, "+axis", prepared.atlas(), second, omega);
+    let Some((kind, verdict)) = rotation.stability_at_spin(omega) else {
+        let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
+        let found = nearest_steady(&subject.body, omega, &up)?;
+        return Some(SteadyDocument { below, at, above, ..steady(question, &found, prepared) });
+    };
+    let verdict = documents::verdict(verdict);
+    let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
+    let (h, l) = rotation.point(omega);
+    let size = norm(subject.body.center_f64()) + 0.5 * l.to_f64() * omega.to_f64().value();
+    let document = SteadyDocument {
+        axis: from_principal(subject.part.as_ref(), axis.direction),
+        angle_deg: told_angle(angle),
+        h: h.to_f64(),
+        l: l.to_f64(),
+        stability: kind.word().to_owned(),
+        one_of: one_of(rotation.multiplicity()),
+        stable: verdict != Verdict::Unstable,
+        verdict,
+        frequencies_hz: by_size(frequencies.map(|frequency| Spin::hertz(frequency * second))),
+        growth_time_s: (verdict == Verdict::Unstable).then(|| 1.0 / (growth * second)),
+        at,
+        below,
+        above,
+        regions: [None, None],
+        note: None,
+    };
+    Some(with_regions(document, beside(prepared, &Place { h: &h, l: &l, size, is_exact: true })))
 }
 
 /// Rotation about another axis, which is permanent at this spin.
-fn elsewhere(subject: &Subject, up: [f64; 3], spin: f64, prepared: &Prepared) -> Option<SteadyDocument> {
+fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Prepared) -> SteadyDocument {
+    let Question { subject, omega, .. } = question;
     let part = subject.part.as_ref();
     let second = second(part);
-    let omega = spin / second;
-    let found = nearest_steady(&subject.body, omega, to_principal(part, up))?;
     let point = &found.equilibrium;
     let growth = point.eigenvalues.pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max);
+    let [h, l] = &found.place;
     let document = SteadyDocument {
         axis: from_principal(part, found.gamma.map(|x| 0.0 - x)),
-        angle_deg: if found.angle <= MEANT { 0.0 } else { found.angle.to_degrees() },
-        h: point.h,
-        l: found.l,
+        angle_deg: told_angle(found.angle),
+        h: h.to_f64(),
+        l: l.to_f64(),
         stability: point.stability.word().to_owned(),
+        one_of: one_of(point.multiplicity),
         stable: !point.stability.is_unstable(),
         verdict: documents::verdict(point.verdict),
-        frequencies_hz: point.eigenvalues.pairs.map(|pair| Spin::hertz(pair[1] * second)),
+        frequencies_hz: by_size(point.eigenvalues.pairs.map(|pair| Spin::hertz(pair[1] * second))),
         growth_time_s: (growth > 0.0).then(|| 1.0 / (growth * second)),
+        at: None,
         below: None,
         above: None,
         regions: [None, None],
         note: None,
     };
-    let (h, l) = (Number::from_f64(point.h).ok()?, Number::from_f64(found.l).ok()?);
-    let size = norm(subject.body.center_f64()) + 0.5 * (found.l * omega).abs();
-    Some(with_regions(document, beside(prepared, &h, &l, size)))
+    let size = norm(subject.body.center_f64()) + 0.5 * l.to_f64() * omega.to_f64().value();
+    with_regions(document, beside(prepared, &Place { h, l, size, is_exact: found.is_exact }))
+}
+
+/// In degrees; 0 where the two axes are meant to be one.
+fn told_angle(angle: f64) -> f64 {
+    if angle <= MEANT { 0.0 } else { angle.to_degrees() }
+}
+
+fn by_size([p, q]: [f64; 2]) -> [f64; 2] {
+    [p.min(q), p.max(q)]
+}
+
+/// The set of steady rotations of which this is one.
+fn one_of(found: top::critical::Multiplicity) -> Option<Multiplicity> {
+    Some(documents::multiplicity(found)).filter(|found| !matches!(found, Multiplicity::Points(_)))
 }
 
 fn with_regions(document: SteadyDocument, regions: Option<[Spot; 2]>) -> SteadyDocument {
@@ -117,24 +157,22 @@ fn with_regions(document: SteadyDocument, regions: Option<[Spot; 2]>) -> SteadyD
     SteadyDocument { regions: regions.map(|regions| regions.each_ref().map(id)).unwrap_or_default(), note, ..document }
 }
 
-/// What is known of stability, in words.
-pub fn stability_text(verdict: Verdict) -> String {
-    match verdict {
-        Verdict::Unstable => "unstable".to_owned(),
-        Verdict::Spectrum => "spectrally stable, of which nothing more is known".to_owned(),
-        Verdict::Open => "its stability is not decided by the linear terms".to_owned(),
-        Verdict::Energy | Verdict::Integral => format!("stable {}", verdict.word()),
-    }
-}
-
 /// Its stability in words.
 pub fn told(report: &mut Report, steady: &SteadyDocument) {
-    let how = stability_text(steady.verdict);
-    report.line(format!("steady rotation, {how}: {}", steady.stability));
-    let frequencies = steady.frequencies_hz.map(|frequency| significant(frequency, 6)).join(" Hz, ");
-    report.line(format!("frequencies of small oscillations, seen from the turning body: {frequencies} Hz"));
+    report.line(format!("steady rotation, {}: {}", words::verdict(steady.verdict), steady.stability));
+    match steady.one_of {
+        Some(Multiplicity::Circle) => {
+            report.line("it is one of a circle of steady rotations, which are judged as a whole");
+        }
+        Some(Multiplicity::Sphere) if steady.l == 0.0 => report.line("at rest every orientation is an equilibrium"),
+        Some(Multiplicity::Sphere) => report.line("rotation about every axis is steady"),
+        Some(Multiplicity::Points(_)) | None => {}
+    }
+    if let Some(frequencies) = frequencies(steady) {
+        report.line(format!("{frequencies}, seen from the turning body"));
+    }
     if let Some(time) = steady.growth_time_s {
-        report.line(format!("a deviation grows by e in {} s", significant(time, 4)));
+        report.line(format!("a deviation grows by the factor e in {} s", significant(time, 4)));
     }
     if let Some(note) = &steady.note {
         report.line(note);
@@ -144,11 +182,28 @@ pub fn told(report: &mut Report, steady: &SteadyDocument) {
     report.line(format!("regions beside it: {below} below, {above} above in h"));
 }
 
-/// The changes at the next smaller and larger spins, which are known for a permanent axis; without an atlas those of stability.
+/// The frequencies in words; none where no pair of eigenvalues has an imaginary part.
+fn frequencies(steady: &SteadyDocument) -> Option<String> {
+    let hertz = |frequency: f64| format!("{} Hz", significant(frequency, 6));
+    let [slow, fast] = steady.frequencies_hz;
+    match (slow > 0.0, fast > 0.0) {
+        (_, false) => None,
+        (false, true) => Some(format!("frequency of small oscillations: {}", hertz(fast))),
+        (true, true) if slow < fast => {
+            Some(format!("frequencies of small oscillations: {}, {}", hertz(slow), hertz(fast)))
+        }
+        (true, true) if steady.stable => Some(format!("frequency of small oscillations: {}, twice", hertz(fast))),
+        (true, true) => Some(format!("frequency of oscillations that grow: {}", hertz(fast))),
+    }
+}
+
+/// The change at this spin and those at the next smaller and larger ones, which are known for a permanent axis; without an
+/// atlas those of stability.
 pub fn changes(report: &mut Report, steady: &SteadyDocument, atlas: bool) {
+    let of_regions = |change: &SpinChangeDocument| change.kind == "region";
     let change = |name: &str, change: &Option<SpinChangeDocument>| match change {
         Some(change) => {
-            let what = if change.from == change.to {
+            let what = if of_regions(change) {
                 "regions change".to_owned()
             } else {
                 format!("{} to {}", change.from, change.to)
@@ -162,6 +217,11 @@ pub fn changes(report: &mut Report, steady: &SteadyDocument, atlas: bool) {
         None if atlas => format!("no change at any {name} spin"),
         None => format!("no change of stability at any {name} spin; the regions are not known"),
     };
+    match &steady.at {
+        Some(at) if of_regions(at) => report.line("the regions change at this spin, or within rounding of it"),
+        Some(at) => report.line(format!("this spin is a threshold: {} below, {} above", at.from, at.to)),
+        None => {}
+    }
     report.line(change("smaller", &steady.below));
     report.line(change("larger", &steady.above));
 }

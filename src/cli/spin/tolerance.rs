@@ -78,7 +78,7 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
     let Some(tolerance) = &document.tolerance else { return };
     report.line("");
     let Some(relative) = &tolerance.relative else {
-        return measured(report, tolerance);
+        return measured(report, tolerance, document.slow.as_ref());
     };
     let [axis, first, second, weight] = relative;
     report.line(if [first, second, weight].iter().all(|other| *other == axis) {
@@ -89,7 +89,7 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
              (bounds, not samples):"
         )
     });
-    ranges(report, &tolerance.ranges, true);
+    ranges(report, &tolerance.ranges, document.slow.as_ref(), true);
     report.line(classes(tolerance));
     if !tolerance.ranges.is_empty() {
         report.line(format!(
@@ -100,22 +100,29 @@ pub fn report(report: &mut Report, document: &CriticalSpinDocument) {
 }
 
 /// The same where each number has its own ±.
-fn measured(report: &mut Report, tolerance: &ToleranceDocument) {
+fn measured(report: &mut Report, tolerance: &ToleranceDocument, slow: Option<&[String; 2]>) {
     let inputs: Vec<String> =
         tolerance.inputs.iter().map(|input| format!("{} {} ± {}", input.name, input.value, input.within)).collect();
     report.line(format!("every part with {} (bounds, not samples):", inputs.join(", ")));
     let tilt = tolerance.tilt_deg.map_or_else(String::new, |tilt| significant(tilt, 2));
     report.line(format!("at each spin outside these ranges it has a steady rotation within {tilt}° of the axis"));
-    ranges(report, &tolerance.ranges, false);
+    ranges(report, &tolerance.ranges, slow, false);
     report.line(classes(tolerance));
 }
 
-/// The ranges as a table, with what was found `inside` them too, and at which spins every part is stable.
-fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], inside: bool) {
-    if ranges.is_empty() {
-        report.line("none changes at any spin");
-        return;
+/// The ranges as a table, with what was found `inside` them too, and at which spins every part is stable; `slow` are the types
+/// of the nominal part at slow spins.
+fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], slow: Option<&[String; 2]>, inside: bool) {
+    if !ranges.is_empty() {
+        report.line(table(ranges, inside));
+        report.line("the ranges are those of the type; regions and frequencies may change at other spins");
     }
+    for (up, slow) in ["+axis", "-axis"].into_iter().zip(slow.into_iter().flatten()) {
+        report.line(certainly(up, slow, ranges));
+    }
+}
+
+fn table(ranges: &[SpinRangeDocument], inside: bool) -> String {
     let mut names = vec!["up", "rpm", "below", "above", "matters most", "moves it by"];
     if inside {
         names.insert(INSIDE, "inside too");
@@ -137,12 +144,7 @@ fn ranges(report: &mut Report, ranges: &[SpinRangeDocument], inside: bool) {
         }
         table.row(cells);
     }
-    report.line(table.text());
-    for up in ["+axis", "-axis"] {
-        if let Some(line) = certainly(up, ranges) {
-            report.line(line);
-        }
-    }
+    table.text()
 }
 
 /// The classes of the diagrams of the sampled parts, in words.
@@ -163,13 +165,13 @@ fn high(rpm: Option<f64>) -> String {
     rpm.map_or_else(|| "inf".to_owned(), |rpm| significant(rpm * (1.0 + ROUNDING), DIGITS))
 }
 
-/// At which spins all parts are linearly stable, in words.
-fn certainly(up: &str, ranges: &[SpinRangeDocument]) -> Option<String> {
+/// At which spins all parts are linearly stable, in words; without ranges all have the type of the nominal part.
+fn certainly(up: &str, slow: &str, ranges: &[SpinRangeDocument]) -> String {
     let ranges: Vec<&SpinRangeDocument> = ranges.iter().filter(|range| range.up == up).collect();
-    let stable = |found: &Option<String>| found.as_deref().is_some_and(|word| word.starts_with("elliptic"));
-    let first = ranges.first()?;
+    let is_stable = |word: &str| word.starts_with("elliptic");
+    let stable = |found: &Option<String>| found.as_deref().is_some_and(is_stable);
     let mut stretches: Vec<String> = Vec::new();
-    if stable(&first.from) {
+    if let Some(first) = ranges.first().filter(|range| stable(&range.from)) {
         stretches.push(format!("up to {} rpm", low(first.rpm[0])));
     }
     for (number, range) in ranges.iter().enumerate().filter(|(_, range)| stable(&range.to)) {
@@ -179,8 +181,18 @@ fn certainly(up: &str, ranges: &[SpinRangeDocument]) -> Option<String> {
             None => format!("from {from} rpm on"),
         });
     }
-    let stretches = if stretches.is_empty() { "at no spin".to_owned() } else { stretches.join(", ") };
-    Some(format!("{up} up, none of these parts is unstable {stretches}"))
+    let is_known = ranges.iter().any(|range| range.from.is_some() || range.to.is_some());
+    match (ranges.is_empty(), stretches.is_empty()) {
+        (true, _) if is_stable(slow) => {
+            format!("{up} up, each of these parts is {slow} at every spin: none is unstable")
+        }
+        (true, _) => format!("{up} up, each of these parts is {slow} at every spin: all are unstable"),
+        (false, false) => format!("{up} up, none of these parts is unstable {}", stretches.join(", ")),
+        (false, true) if is_known => {
+            format!("{up} up, each of these parts is unstable at every spin outside the ranges")
+        }
+        (false, true) => format!("{up} up, the types of all these parts are known at no spin"),
+    }
 }
 
 #[cfg(test)]
@@ -197,5 +209,33 @@ mod tests {
         for wrong in ["80%", "-1%", "mass=1%", "axis=1%,2%"] {
             assert!(matches!(tolerance(wrong), Err(ValueError::Tolerance)), "{wrong}");
         }
+    }
+
+    fn range(from: Option<&str>, to: Option<&str>, rpm: [Option<f64>; 2]) -> SpinRangeDocument {
+        let word = |found: Option<&str>| found.map(str::to_owned);
+        SpinRangeDocument {
+            up: "+axis".to_owned(),
+            from: word(from),
+            to: word(to),
+            rpm,
+            between: Vec::new(),
+            most: None,
+            most_rpm: None,
+        }
+    }
+
+    #[test]
+    fn stability_is_told_where_it_is_decided() {
+        let told = |slow, ranges: &[SpinRangeDocument]| certainly("+axis", slow, ranges);
+        let (first, second) = ([Some(1.0), Some(2.0)], [Some(4.0), Some(8.0)]);
+        assert_eq!(told("elliptic", &[]), "+axis up, each of these parts is elliptic at every spin: none is unstable");
+        assert_eq!(told("saddle", &[]), "+axis up, each of these parts is saddle at every spin: all are unstable");
+        let unstable = [range(Some("saddle"), Some("complex"), first), range(Some("complex"), Some("saddle"), second)];
+        let all = "+axis up, each of these parts is unstable at every spin outside the ranges";
+        assert_eq!(told("saddle", &unstable), all);
+        let between = [range(None, Some("elliptic"), first), range(Some("elliptic"), Some("saddle"), second)];
+        assert_eq!(told("saddle", &between), "+axis up, none of these parts is unstable from 2.00001 to 3.99998 rpm");
+        let nowhere = "+axis up, the types of all these parts are known at no spin";
+        assert_eq!(told("elliptic", &[range(None, None, [Some(0.0), None])]), nowhere);
     }
 }

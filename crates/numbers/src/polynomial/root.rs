@@ -1,5 +1,6 @@
 //! A real root of a polynomial, isolated, and refined as far as is asked.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use dashu_base::BitTest;
@@ -71,6 +72,22 @@ impl Root {
     #[must_use]
     pub fn is_exact(&self) -> bool {
         self.lo == self.hi
+    }
+
+    /// Where a rational number stands to the root.
+    #[must_use]
+    pub fn place_of(&self, at: &RBig) -> Ordering {
+        if *at < self.lo {
+            Ordering::Less
+        } else if *at > self.hi {
+            Ordering::Greater
+        } else {
+            match self.polynomial.sign_at(at) {
+                Sign::Zero => Ordering::Equal,
+                sign if sign == self.polynomial.sign_at(&self.hi) => Ordering::Greater,
+                _ => Ordering::Less,
+            }
+        }
     }
 
     /// Narrows until (hi − lo) ≤ 2^−bits · hi. The root must be positive.
@@ -201,6 +218,24 @@ impl Polynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rationals_lie_on_their_side_of_a_root() {
+        let between = |c: [i64; 4]| {
+            let polynomial = Arc::new(Polynomial::new(c.map(IBig::from).to_vec()));
+            Root { polynomial, lo: RBig::ONE, hi: RBig::from(2), odd: true }
+        };
+        let places = |root: &Root| [2, 5, 6, 9].map(|n: i64| root.place_of(&RBig::from_parts(n.into(), 4u8.into())));
+        // ∛2 and 3/2.
+        assert_eq!(
+            places(&between([-2, 0, 0, 1])),
+            [Ordering::Less, Ordering::Less, Ordering::Greater, Ordering::Greater]
+        );
+        assert_eq!(
+            places(&between([-3, 2, 0, 0])),
+            [Ordering::Less, Ordering::Less, Ordering::Equal, Ordering::Greater]
+        );
+    }
 
     /// √(1 + 2⁻³⁰⁰) between 1 and 2: one of the two points beside Newton's guess lies beyond the range.
     #[test]

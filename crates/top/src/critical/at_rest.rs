@@ -47,7 +47,7 @@ impl RelativeEquilibria<'_> {
             curve.is_critical() && curve.x()[0] == 0.0 && (curve.index == Some(0)) == (index == 0)
         };
         let curve = self.set.curves.ids().find(starts);
-        let setting = Setting { index, global_minimum: index == 0, integral: self.is_lagrange };
+        let setting = Setting { index, global_minimum: index == 0, integral: self.set.is_lagrange() };
         Equilibrium {
             h: -side * frame.r_norm * frame.energy_unit,
             gamma: frame.vector_to_body(gamma),

@@ -2,7 +2,7 @@
 
 use super::{Equilibrium, Found, Multiplicity, Question, RelativeEquilibria};
 use crate::body::Axis;
-use crate::curves::{BranchName, Curve, CurveId, CurveName, Orbit, Point, Shape};
+use crate::curves::{BranchName, CurveId, CurveName, Orbit, Point, Shape};
 use crate::stability::exact::{ExactPoint, Touch};
 use crate::stability::{LinearType, Place, Reduced, Setting};
 use numbers::Sign;
@@ -55,15 +55,10 @@ impl RelativeEquilibria<'_> {
         // l and its square are rounded.
         let state = place.enclosed(&self.constants, Interval::point(x).widened(4.0))?;
         let global_minimum = mu.is_some_and(|mu| mu.minus_moment(frame, Axis::ALL[2]) >= 0.0);
-        let setting = Setting { index: curve.index?, global_minimum, integral: self.has_integral(curve) };
+        let setting = Setting { index: curve.index?, global_minimum, integral: self.set.has_integral(curve) };
         let site =
             Site { point, orbit: curve.orbit, is_degenerate: false, curve: CurveName::of(&self.set, id), setting };
         Some((site, Reduced::new(&self.constants, &state)))
-    }
-
-    /// A further integral confines the motion unless an eigenvalue says otherwise.
-    fn has_integral(&self, curve: &Curve) -> bool {
-        is_set(curve.orbit) || self.set.frame.is_euler() || (self.is_lagrange && curve.pole.is_some())
     }
 
     /// All equilibria of a branch, from exact roots.
@@ -88,7 +83,7 @@ impl RelativeEquilibria<'_> {
         let index = curve.and_then(|curve| curve.index).or(exact.index)?;
         let at_largest = matches!(exact.touch, Some(Touch::Pitchfork(axis)) if frame.group[axis] == frame.group[2]);
         let global_minimum = at_largest || exact.state.tau[2].sign() == Some(Sign::Positive);
-        let integral = curve.is_some_and(|curve| self.has_integral(curve));
+        let integral = curve.is_some_and(|curve| self.set.has_integral(curve));
         Some(Site {
             point: match curve.map(|curve| &curve.arcs[0].shape) {
                 Some(Shape::Straight { gamma, j }) => Point::over(frame, question.x, *gamma, *j),

@@ -68,8 +68,6 @@ pub struct RelativeEquilibria<'a> {
     constants: Constants<Interval>,
     /// Made when intervals leave something open.
     profile: OnceLock<Option<StabilityProfile>>,
-    /// A further integral confines the motion about ±r̂: the body is symmetric about r.
-    is_lagrange: bool,
     /// Each branch in words.
     words: Vec<(Branch, Arc<str>)>,
 }
@@ -104,20 +102,12 @@ impl<'a> RelativeEquilibria<'a> {
     /// [`CriticalError::Equilibria`].
     pub fn new(body: &'a Body) -> Result<Self, CriticalError> {
         let set = CriticalSet::new(body.frame())?;
-        let frame = &set.frame;
-        let is_lagrange = match frame.active()[..] {
-            [axis] => {
-                let [i, j] = axis.others();
-                frame.diff[i][j] == 0.0
-            }
-            _ => false,
-        };
-        let constants = Constants::rounded(frame);
+        let constants = Constants::rounded(&set.frame);
         let mut words: Vec<(Branch, Arc<str>)> = Vec::with_capacity(6);
         for curve in set.curves.iter().filter(|curve| curve.piece == 1 && curve.is_critical()) {
             words.push((curve.branch, branch_words(&set, curve.branch).into()));
         }
-        Ok(Self { body, constants, profile: OnceLock::new(), is_lagrange, words, set })
+        Ok(Self { body, constants, profile: OnceLock::new(), words, set })
     }
 
     fn words(&self, branch: Branch) -> Arc<str> {

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::curve::{Branch, Curve};
+use super::curve::{Branch, Curve, Orbit};
 use super::id::{ClusterId, CurveId, CuspId, IntervalId, PitchforkId};
 use super::point::Point;
 use crate::body::{Axis, Frame};
@@ -91,6 +91,23 @@ impl CriticalSet {
             }
         }
         Ok(set)
+    }
+
+    /// The body is symmetric about r.
+    #[must_use]
+    pub fn is_lagrange(&self) -> bool {
+        let active = self.frame.active();
+        active.len() == 1 && {
+            let [i, j] = active[0].others();
+            self.frame.diff[i][j] == 0.0
+        }
+    }
+
+    /// A further integral confines the motion beside a curve, unless an eigenvalue says otherwise.
+    #[must_use]
+    pub fn has_integral(&self, curve: &Curve) -> bool {
+        let is_set = matches!(curve.orbit, Orbit::Circle(_) | Orbit::Sphere);
+        is_set || self.frame.is_euler() || (self.is_lagrange() && curve.pole.is_some())
     }
 
     /// Numbers of the curves over x, and whether an end lies within rounding of x.

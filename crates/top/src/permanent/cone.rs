@@ -43,8 +43,8 @@ pub struct NearestAxis {
     pub axis: [f64; 3],
     /// The angle between the two lines, in radians.
     pub angle: f64,
-    /// Ω² of the one spin at which the axis is permanent, or −Ω² if it has to point down for it; `None` for a principal axis:
-    /// every spin if the centre of mass lies on it, else none.
+    /// Ω² of the one spin at which the axis is permanent, or −Ω² if it has to point down for it, infinite beyond the range of
+    /// doubles; `None` for a principal axis: every spin if the centre of mass lies on it, else none.
     pub squared_spin: Option<f64>,
 }
 
@@ -157,7 +157,7 @@ fn squared_spin(difference: [f64; 3], r: [f64; 3], up: [f64; 3], rounding: f64) 
     let size = left.into_iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let left = left.map(|x| x / size);
     let s = if norm(right) <= 1e-13 * norm(r) { 0.0 } else { dot(left, right) / dot(left, left) / size };
-    s.is_finite().then_some(s)
+    Some(s)
 }
 
 #[cfg(test)]

@@ -14,12 +14,16 @@ mod cone;
 mod near;
 mod regions;
 mod rotation;
+mod spin_type;
+mod squares;
 mod steady;
 mod tolerance;
 
 pub use cone::{NearestAxis, PermanentAxis, nearest_permanent, permanent_axis};
 pub use near::{BoxedBody, SettledTypes, Vector, settled_types};
 pub use regions::{RegionChange, RegionEvent, region_changes};
-pub use rotation::{AxisRotation, SpinChange, SpinType, Squares};
-pub use steady::{SteadyRotation, nearest_steady};
+pub use rotation::AxisRotation;
+pub use spin_type::{SpinChange, SpinType};
+pub use squares::Squares;
+pub use steady::{SteadyRotation, exact_spin, nearest_steady};
 pub use tolerance::{INPUTS, SAMPLES, SpinRange, sampled_bodies, spin_ranges};

@@ -10,7 +10,7 @@ use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 use numbers::vector::{self, normalised};
 
-use super::rotation::SpinType;
+use super::spin_type::SpinType;
 use super::tolerance::SpinRange;
 
 /// Three numbers known as intervals.

@@ -1,56 +1,20 @@
 //! Rotation about a principal axis through the centre of mass: its spectral type over the spin, exactly.
 
 use dashu_ratio::RBig;
-use numbers::vector::{dot, norm};
+use numbers::polynomial::{Polynomial, Root, rational};
+use numbers::symmetric::{self, Real};
+use numbers::vector::dot;
 use numbers::{Number, Sign};
 
 use super::cone::PermanentAxis;
+use super::spin_type::{SpinChange, SpinType};
+use super::squares::Squares;
 use crate::body::{Body, BodyAxis};
-use crate::stability::{LinearType, Signs, Verdict};
-use numbers::polynomial::{Polynomial, Root, rational};
+use crate::critical::Multiplicity;
+use crate::stability::{LinearType, Setting, Signs, Verdict};
 
-/// The spectral type of such a rotation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum SpinType {
-    /// Two imaginary pairs, and the energy is least: stable.
-    Minimum,
-    /// Two imaginary pairs only: stable in the linear terms (and for a symmetric top by a further integral).
-    Elliptic,
-    /// One real and one imaginary pair: unstable.
-    SaddleCentre,
-    /// Two real pairs: unstable.
-    Saddle,
-    /// A double real pair: unstable.
-    DoubleReal,
-    /// A complex quadruple: unstable.
-    Complex,
-    /// An eigenvalue zero, and no real one: open.
-    Zero,
-    /// An eigenvalue zero and a real pair: unstable.
-    ZeroReal,
-}
-
-impl SpinType {
-    /// Not unstable in the linear terms.
-    #[must_use]
-    pub fn is_stable(self) -> bool {
-        matches!(self, Self::Minimum | Self::Elliptic | Self::Zero)
-    }
-
-    /// As it is printed.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Minimum => "elliptic (least energy)",
-            Self::Elliptic => "elliptic",
-            Self::SaddleCentre => "saddle-centre",
-            Self::Saddle => "saddle",
-            Self::DoubleReal => "double-real",
-            Self::Complex => "complex",
-            Self::Zero | Self::ZeroReal => "zero",
-        }
-    }
-}
+/// Digits of |r| where it is not rational.
+const DIGITS: usize = 60;
 
 /// Rotation about a principal axis through the centre of mass with the vertical at one of its ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,32 +24,6 @@ pub struct AxisRotation {
     pub(super) moments: [RBig; 3],
     /// ρ.
     pub(super) weight: RBig,
-}
-
-/// A spin at which the type changes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpinChange {
-    /// Ω in the body's units.
-    pub omega: f64,
-    /// Bound on its error.
-    pub error_bound: f64,
-    /// Below.
-    pub from: SpinType,
-    /// Above.
-    pub to: SpinType,
-}
-
-impl SpinChange {
-    /// The type at the change itself, in the words of the other relative equilibria, and what is known of it.
-    #[must_use]
-    pub fn between(&self) -> (&'static str, Verdict) {
-        match [self.from, self.to] {
-            [SpinType::Complex, to] | [to, SpinType::Complex] if to.is_stable() => ("double-elliptic", Verdict::Open),
-            [SpinType::Complex, _] | [_, SpinType::Complex] => ("double-real", Verdict::Unstable),
-            [from, to] if !from.is_stable() && !to.is_stable() => ("zero", Verdict::Unstable),
-            _ => ("zero", Verdict::Open),
-        }
-    }
 }
 
 impl AxisRotation {
@@ -102,15 +40,16 @@ impl AxisRotation {
         Some(Self { axis, moments: [moment(axis), moment(others[0]), moment(others[1])], weight })
     }
 
-    /// Rotation about an axis that is permanent at every spin, with γ along its direction or against it; |r| is rounded where
-    /// r lies on no axis of the frame.
+    /// Rotation about an axis that is permanent at every spin, with γ along its direction or against it; where |r| is
+    /// not rational it is rounded to 60 digits.
     #[must_use]
     pub fn about(body: &Body, PermanentAxis { axis, direction }: PermanentAxis, gamma: Sign) -> Option<Self> {
         let along = if direction[axis] < 0.0 { -gamma } else { gamma };
         let on_axis = Self::new(body, axis, along);
         on_axis.or_else(|| {
             let r = body.center_f64();
-            let length = RBig::try_from(norm(r)).ok()?;
+            let exact = body.center().each_ref().map(|x| x.value().clone());
+            let length = Real::root_of(&symmetric::dot(&exact, &exact), DIGITS).lo;
             let weight = gamma.orient(if dot(direction, r) < 0.0 { -length } else { length });
             let moment = |k: BodyAxis| body.moments()[k].value().clone();
             let [second, third] = axis.others();
@@ -156,20 +95,39 @@ impl AxisRotation {
         rational::sub(&rational::mul(&whole, &whole), &product)
     }
 
-    /// Signs of K_A and K_B at a positive s; where one is 0 at every s (a circle of equilibria), positive.
+    /// How many rotations at the same spin it is one of: where r = 0, those about all axes of an eigenspace of A.
+    #[must_use]
+    pub fn multiplicity(&self) -> Multiplicity {
+        let [c, a, b] = &self.moments;
+        match (self.weight.is_zero(), c == a, c == b) {
+            (true, true, true) => Multiplicity::Sphere,
+            (true, true, false) | (true, false, true) => Multiplicity::Circle,
+            _ => Multiplicity::Points(1),
+        }
+    }
+
+    /// Signs of K_A and K_B at a positive s; where one is 0 at every s (along a circle of equilibria), positive.
     fn stiffness(&self, s: &RBig) -> [Sign; 2] {
         let [first, second, _] = self.polynomials();
         let is_zero = |p: &[RBig]| p.iter().all(RBig::is_zero);
         [first, second].map(|p| if is_zero(&p) { Sign::Positive } else { sign_at(&p, s) })
     }
 
-    /// The type at a positive s, exactly; of a circle of equilibria the type across it.
-    fn type_at(&self, s: &RBig) -> SpinType {
-        let [first, second] = self.stiffness(s);
+    /// The linear type at a positive s; across a circle or sphere of equilibria.
+    fn linear_type_at(&self, s: &RBig) -> LinearType {
         let [.., whole] = self.polynomials();
-        let [b, discriminant] = [whole, self.discriminant()].map(|p| sign_at(&p, s));
-        match (Signs { b, c: first * second, discriminant }).linear_type() {
-            _ if first == Sign::Positive && second == Sign::Positive => SpinType::Minimum,
+        let b = sign_at(&whole, s);
+        if self.multiplicity() != Multiplicity::Points(1) {
+            return Signs::transverse_type(b);
+        }
+        let [first, second] = self.stiffness(s);
+        Signs { b, c: first * second, discriminant: sign_at(&self.discriminant(), s) }.linear_type()
+    }
+
+    /// The type at a positive s.
+    fn type_at(&self, s: &RBig) -> SpinType {
+        match self.linear_type_at(s) {
+            _ if self.stiffness(s) == [Sign::Positive; 2] => SpinType::Minimum,
             LinearType::Elliptic | LinearType::DoubleElliptic => SpinType::Elliptic,
             LinearType::SaddleCentre => SpinType::SaddleCentre,
             LinearType::Saddle => SpinType::Saddle,
@@ -208,7 +166,8 @@ impl AxisRotation {
             let (from, to) = (self.type_at(&below), self.type_at(&above));
             if from != to {
                 let omega = root.hi.to_f64().value().sqrt();
-                changes.push(SpinChange { omega, error_bound: 4.0 * f64::EPSILON * omega, from, to });
+                let error_bound = 4.0 * f64::EPSILON * omega;
+                changes.push(SpinChange { omega, error_bound, from, to, squared: root.clone() });
             }
         }
         changes
@@ -216,35 +175,27 @@ impl AxisRotation {
 
     /// The type at a spin Ω ≠ 0.
     #[must_use]
-    pub fn type_at_spin(&self, omega: f64) -> Option<SpinType> {
-        let omega = RBig::try_from(omega).ok()?;
-        (!omega.is_zero()).then(|| self.type_at(&(&omega * &omega)))
+    pub fn type_at_spin(&self, omega: &RBig) -> Option<SpinType> {
+        (!omega.is_zero()).then(|| self.type_at(&(omega * omega)))
     }
 
-    /// What is known of the rotation at a spin Ω ≠ 0 (Proposition 13.6 of docs/mathematics.md).
+    /// The linear type at a spin Ω ≠ 0, and what is known of the rotation (Proposition 13.6 of docs/mathematics.md): what
+    /// [`critical`](crate::critical::critical()) says of it at the same l.
     #[must_use]
-    pub fn verdict_at_spin(&self, omega: f64) -> Option<Verdict> {
-        let omega = RBig::try_from(omega).ok()?;
-        let s = &omega * &omega;
-        (!s.is_zero()).then(|| self.verdict(self.type_at(&s), &s))
-    }
-
-    fn verdict(&self, found: SpinType, s: &RBig) -> Verdict {
-        let [_, a, b] = &self.moments;
-        // μ is at least the largest moment: K_A, K_B ≥ 0 and ρ = s(μ − C) ≥ 0.
-        let is_least = || self.weight >= RBig::ZERO && !self.stiffness(s).contains(&Sign::Negative);
-        match found {
-            SpinType::Minimum => Verdict::Energy,
-            SpinType::Zero if is_least() => Verdict::Energy,
-            SpinType::Elliptic | SpinType::Zero if a == b || self.weight.is_zero() => Verdict::Integral,
-            SpinType::Elliptic => Verdict::Spectrum,
-            SpinType::Zero => Verdict::Open,
-            SpinType::SaddleCentre
-            | SpinType::Saddle
-            | SpinType::DoubleReal
-            | SpinType::Complex
-            | SpinType::ZeroReal => Verdict::Unstable,
+    pub fn stability_at_spin(&self, omega: &RBig) -> Option<(LinearType, Verdict)> {
+        if omega.is_zero() {
+            return None;
         }
+        let (s, [_, a, b]) = (omega * omega, &self.moments);
+        let (kind, stiffness) = (self.linear_type_at(&s), self.stiffness(&s));
+        let falling = stiffness.into_iter().map(|sign| u8::from(sign == Sign::Negative)).sum();
+        let setting = Setting {
+            index: falling,
+            // μ is at least the largest moment: K_A, K_B ≥ 0 and ρ = s(μ − C) ≥ 0.
+            global_minimum: self.weight >= RBig::ZERO && falling == 0,
+            integral: a == b || self.weight.is_zero(),
+        };
+        Some((kind, setting.verdict(kind)))
     }
 
     /// l at a spin.
@@ -255,11 +206,10 @@ impl AxisRotation {
 
     /// (h, l) at a spin, exactly on the curve.
     #[must_use]
-    pub fn point(&self, omega: f64) -> Option<(Number, Number)> {
-        let omega = RBig::try_from(omega).ok()?;
-        let l = &self.moments[0] * &omega;
-        let h = &l * &omega / RBig::from(2) - &self.weight;
-        Some((Number::from_rational(h), Number::from_rational(l)))
+    pub fn point(&self, omega: &RBig) -> (Number, Number) {
+        let l = &self.moments[0] * omega;
+        let h = &l * omega / RBig::from(2) - &self.weight;
+        (Number::from_rational(h), Number::from_rational(l))
     }
 
     /// h at a spin.
@@ -270,15 +220,17 @@ impl AxisRotation {
 
     /// λ₁² and λ₂² at a spin: real ones, or the real and imaginary parts of a conjugate pair.
     #[must_use]
-    pub fn squared_eigenvalues(&self, omega: f64) -> Squares {
+    pub fn squared_eigenvalues(&self, omega: &RBig) -> Squares {
         let [_, a, b] = self.moments.each_ref().map(|x| x.to_f64().value());
         // Exact up to here: beside a root of the discriminant nothing of its sign is lost.
-        let omega = RBig::try_from(omega).unwrap_or_default();
-        let s = &omega * &omega;
+        let s = omega * omega;
         let at = |c: &[RBig]| c.iter().rev().fold(RBig::ZERO, |sum, c| sum * &s + c).to_f64().value();
         let [first, second, whole] = self.polynomials().map(|c| at(&c));
         let (half, product) = (0.5 * whole / (a * b), first * second / (a * b));
         let discriminant = at(&self.discriminant()) / (4.0 * a * a * b * b);
+        if discriminant == 0.0 {
+            return Squares::Real([-half; 2]);
+        }
         if discriminant < 0.0 {
             return Squares::Conjugate { re: -half, im: (-discriminant).sqrt() };
         }
@@ -293,41 +245,6 @@ impl AxisRotation {
 /// The sign of a polynomial.
 fn sign_at(coefficients: &[RBig], s: &RBig) -> Sign {
     coefficients.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c).cmp(&RBig::ZERO).into()
-}
-
-/// The two values of λ².
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Squares {
-    /// Real: negative ones are frequencies, positive ones rates of growth.
-    Real([f64; 2]),
-    /// re ± i im.
-    Conjugate {
-        /// Real part.
-        re: f64,
-        /// Imaginary part, positive.
-        im: f64,
-    },
-}
-
-impl Squares {
-    /// The frequencies |Im λ|, in rad over the unit of time, and the largest rate of growth Re λ.
-    #[must_use]
-    pub fn frequencies_and_growth(&self) -> ([f64; 2], f64) {
-        match *self {
-            Self::Real(squares) => {
-                let frequency = |x: f64| (-x).max(0.0).sqrt();
-                (squares.map(frequency), squares.into_iter().fold(0.0, f64::max).sqrt())
-            }
-            Self::Conjugate { re, im } => {
-                let modulus = (re * re + im * im).sqrt();
-                // The smaller part from the product of both, im/2.
-                let large = (0.5 * (modulus + re.abs())).sqrt();
-                let small = 0.5 * im / large;
-                let (frequency, growth) = if re > 0.0 { (small, large) } else { (large, small) };
-                ([frequency, frequency], growth)
-            }
-        }
-    }
 }
 
 #[cfg(test)]
@@ -373,9 +290,8 @@ mod tests {
     fn a_free_body_tumbles_about_its_middle_axis() {
         let body = ["1", "2", "3"];
         let free = |axis| rotation(body, ["0", "0", "0"], axis, Sign::Positive);
-        assert_eq!(free(1).type_at_spin(0.3), Some(SpinType::SaddleCentre));
-        assert_eq!(free(0).type_at_spin(0.3), Some(SpinType::Elliptic));
-        assert_eq!(free(2).type_at_spin(0.3), Some(SpinType::Minimum));
+        let types = [0, 1, 2].map(|axis| free(axis).type_at_spin(&RBig::ONE));
+        assert_eq!(types, [SpinType::Elliptic, SpinType::SaddleCentre, SpinType::Minimum].map(Some));
         assert!((0..3).all(|axis| free(axis).changes().is_empty()));
     }
 }

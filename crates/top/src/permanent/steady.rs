@@ -3,9 +3,12 @@
 //! (sA − ν)γ = −r with s = Ω² and |γ| = 1 (Proposition 3.1 of docs/mathematics.md): γ_k = r_k/(ν − sA_k), where ν is a
 //! root of Σ r_k²/(ν − sA_k)² = 1, or ν = sA_k for an axis with r_k = 0, along which γ has what is missing of its length.
 
+use dashu_ratio::RBig;
+use numbers::symmetric::{Real, dot as inner};
+use numbers::vector::{cross, dot, norm, normalised};
+
 use crate::body::{Body, BodyAxis, Number};
 use crate::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
-use numbers::vector::{cross, dot, norm, normalised};
 
 /// A steady rotation, and what is known of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,26 +17,34 @@ pub struct SteadyRotation {
     pub gamma: [f64; 3],
     /// The angle between −γ and the direction of the question, in radians.
     pub angle: f64,
-    /// l at this spin.
-    pub l: f64,
+    /// h and l at this spin.
+    pub place: [Number; 2],
+    /// h and l are exact: the direction of the question is that of a steady rotation, to the last digit.
+    pub is_exact: bool,
     /// The relative equilibrium, with its stability.
     pub equilibrium: Equilibrium,
 }
 
-/// The steady rotation at the spin Ω whose upward direction −γ is nearest to `up`, in principal axes; `None` where numbers
-/// leave the range of `f64`.
+/// The steady rotation at the spin Ω ≥ 0 whose upward direction −γ is nearest to `up`, of any length, in principal axes;
+/// `None` where numbers leave the range of `f64`.
 #[must_use]
-pub fn nearest_steady(body: &Body, omega: f64, up: [f64; 3]) -> Option<SteadyRotation> {
-    let a = body.moments_f64();
-    let up = normalised(up);
-    let down = up.map(|x| -x);
-    let candidates = directions(body, omega * omega, down);
-    let (gamma, angle) =
-        candidates.into_iter().map(|gamma| (gamma, angle(gamma, down))).min_by(|(_, p), (_, q)| p.total_cmp(q))?;
-    let l = omega * (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
-    let all = RelativeEquilibria::new(body).ok()?.at(&Number::from_f64(l).ok()?).ok()?;
-    let h = 0.5 * omega * l - dot(gamma, body.center_f64());
-    let size = 0.5 * (omega * l).abs() + norm(body.center_f64());
+pub fn nearest_steady(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<SteadyRotation> {
+    let (a, r, spin) = (body.moments_f64(), body.center_f64(), omega.to_f64().value());
+    let down = normalised(up.each_ref().map(|x| -x.to_f64().value()));
+    let exact = exact_place(body, omega, up);
+    let is_exact = exact.is_some();
+    let (gamma, angle, l) = if let Some([_, l]) = &exact {
+        (down, 0.0, Number::from_rational(l.clone()))
+    } else {
+        let candidates = directions(body, spin * spin, down).into_iter().map(|gamma| (gamma, angle(gamma, down)));
+        let (gamma, angle) = candidates.min_by(|(_, p), (_, q)| p.total_cmp(q))?;
+        let moment = (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
+        (gamma, angle, Number::from_f64(spin * moment).ok()?)
+    };
+    let all = RelativeEquilibria::new(body).ok()?.at(&l).ok()?;
+    let turning = 0.5 * spin * l.to_f64();
+    let h = turning - dot(gamma, r);
+    let size = turning.abs() + norm(r);
     let distance = |found: &Equilibrium| {
         // A circle or sphere is told by one of its points.
         let apart = match found.multiplicity {
@@ -43,7 +54,78 @@ pub fn nearest_steady(body: &Body, omega: f64, up: [f64; 3]) -> Option<SteadyRot
         (found.h - h).abs() / size.max(f64::MIN_POSITIVE) + apart
     };
     let equilibrium = all.list.into_iter().min_by(|p, q| distance(p).total_cmp(&distance(q)))?;
-    (distance(&equilibrium) < 1e-6).then_some(SteadyRotation { gamma, angle, l, equilibrium })
+    let h = match exact {
+        Some([h, _]) => Number::from_rational(h),
+        None => Number::from_f64(equilibrium.h).ok()?,
+    };
+    (distance(&equilibrium) < 1e-6).then_some(SteadyRotation { gamma, angle, place: [h, l], is_exact, equilibrium })
+}
+
+/// The spin Ω ≥ 0 at which rotation with `up` pointing up is steady, where axis and spin are rational: then
+/// [`nearest_steady`] is exact at it. `None` too for an axis that is principal.
+#[must_use]
+pub fn exact_spin(body: &Body, up: &[RBig; 3]) -> Option<RBig> {
+    let Balance { left, right } = Balance::of(body, up)?;
+    let squared = inner(&left, &left);
+    if squared.is_zero() {
+        return None;
+    }
+    let s = inner(&left, &right) / squared;
+    if s < RBig::ZERO || (0..3).any(|k| &s * &left[k] != right[k]) {
+        return None;
+    }
+    let omega = Real::root_of(&s, 1);
+    omega.is_exact().then_some(omega.lo)
+}
+
+/// h and l of rotation with n = `up` pointing up, if it is steady at exactly this spin and |n| is rational.
+fn exact_place(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<[RBig; 2]> {
+    let Balance { left, right } = Balance::of(body, up)?;
+    let s = omega * omega;
+    if (0..3).any(|k| &s * &left[k] != right[k]) {
+        return None;
+    }
+    let (length, turned) = (length(up)?, turned(body, up));
+    let l = omega * inner(up, &turned) / inner(up, up);
+    Some([omega * &l / RBig::from(2) + inner(up, &center(body)) / length, l])
+}
+
+/// Rotation with n pointing up: with γ = −n/|n|, sAγ + r is along γ where s(n × An) = |n|(n × r).
+struct Balance {
+    /// n × An.
+    left: [RBig; 3],
+    /// |n|(n × r).
+    right: [RBig; 3],
+}
+
+impl Balance {
+    /// `None` where |n| is 0 or not rational.
+    fn of(body: &Body, up: &[RBig; 3]) -> Option<Self> {
+        let length = length(up)?;
+        let right = exact_cross(up, &center(body)).map(|x| x * &length);
+        Some(Self { left: exact_cross(up, &turned(body, up)), right })
+    }
+}
+
+/// |n|, where it is rational and not 0.
+fn length(n: &[RBig; 3]) -> Option<RBig> {
+    let length = Real::root_of(&inner(n, n), 1);
+    (length.is_exact() && !length.lo.is_zero()).then_some(length.lo)
+}
+
+fn turned(body: &Body, n: &[RBig; 3]) -> [RBig; 3] {
+    std::array::from_fn(|k| body.moments()[k].value() * &n[k])
+}
+
+fn center(body: &Body) -> [RBig; 3] {
+    body.center().each_ref().map(|x| x.value().clone())
+}
+
+fn exact_cross(v: &[RBig; 3], w: &[RBig; 3]) -> [RBig; 3] {
+    [0, 1, 2].map(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        &v[i] * &w[j] - &v[j] * &w[i]
+    })
 }
 
 /// The angle between two unit vectors, also when it is small.
@@ -135,6 +217,11 @@ fn bisected(mut plus: f64, mut minus: f64, value: &impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::*;
 
+    fn nearest(body: &Body, omega: f64, up: [f64; 3]) -> SteadyRotation {
+        let rational = |x: f64| RBig::try_from(x).unwrap();
+        nearest_steady(body, &rational(omega), &up.map(rational)).unwrap()
+    }
+
     /// s Aγ + r is along γ, and every relative equilibrium at the l of a steady rotation is one at its own spin.
     #[test]
     fn steady_rotations_are_all_relative_equilibria_of_their_spin() {
@@ -154,7 +241,7 @@ mod tests {
             for l in ["0.3", "1.1", "2.2", "3.7"] {
                 for point in prepared.at(&l.parse().unwrap()).unwrap().list {
                     let up = point.gamma.map(|x| -x);
-                    let found = nearest_steady(&body, point.omega, up).unwrap();
+                    let found = nearest(&body, point.omega, up);
                     assert!(found.angle < 1e-7, "{a:?} {r:?} {point:?} {found:?}");
                     assert_eq!(found.equilibrium.stability, point.stability, "{found:?}");
                     compared += 1;
@@ -174,8 +261,23 @@ mod tests {
     #[test]
     fn at_rest_the_body_hangs_or_stands() {
         let body = Body::parse(&["2", "1.1", "1"], &["3", "0", "4"]).unwrap();
-        let found = nearest_steady(&body, 0.0, [0.1, 0.0, -1.0]).unwrap();
+        let found = nearest(&body, 0.0, [0.1, 0.0, -1.0]);
         assert!((found.gamma[0] - 0.6).abs() < 1e-15 && (found.gamma[2] - 0.8).abs() < 1e-15);
-        assert_eq!(found.l, 0.0);
+        assert_eq!(found.place[1].to_f64(), 0.0);
+    }
+
+    /// A pair leaves the plane at Ω = 1, l = 41/25, with −γ = −(3, 4, 0)/5: what is typed lies exactly there.
+    #[test]
+    fn a_rational_axis_is_judged_at_its_own_momentum() {
+        let body = Body::parse(&["1", "2", "3"], &["1.2", "0.8", "0"]).unwrap();
+        let up = [-3, -4, 0].map(RBig::from);
+        let omega = exact_spin(&body, &up).unwrap();
+        assert_eq!(omega, RBig::ONE);
+        let found = nearest_steady(&body, &omega, &up).unwrap();
+        let [h, l] = ["-0.54", "1.64"].map(|text| text.parse::<Number>().unwrap().value().clone());
+        assert_eq!([found.place[0].value(), found.place[1].value()], [&h, &l]);
+        assert!(found.is_exact && found.angle == 0.0);
+        assert_eq!(found.equilibrium.stability.word(), "zero");
+        assert_eq!(exact_spin(&body, &[-1, -1, 0].map(RBig::from)), None);
     }
 }

@@ -12,7 +12,8 @@ use dashu_ratio::RBig;
 use numbers::enclosure::{Arithmetic, Enclosure};
 use numbers::interval::Interval;
 
-use super::rotation::{AxisRotation, SpinChange, SpinType};
+use super::rotation::AxisRotation;
+use super::spin_type::{SpinChange, SpinType};
 use crate::body::Body;
 
 /// The inputs that are varied, as they are told.
@@ -48,7 +49,8 @@ pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinR
     let gap = |low: f64, high: f64| {
         let middle = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * low.max(1.0) };
         // A gap of a few doubles has no middle.
-        if low < middle && middle < high { rotation.type_at_spin(middle.sqrt()) } else { None }
+        let is_between = low < middle && middle < high;
+        is_between.then(|| RBig::try_from(middle.sqrt()).ok()).flatten().and_then(|at| rotation.type_at_spin(&at))
     };
     let nominal = rotation.changes();
     let sampled: Vec<Vec<SpinChange>> =
@@ -293,7 +295,11 @@ mod tests {
                         let next = ranges.get(k + 1).map_or(2.0 * range.omega[1], |next| next.omega[0]);
                         let middle = 0.5 * (range.omega[1] + next);
                         if let Some(to) = range.to {
-                            assert_eq!(part.type_at_spin(middle), Some(to), "{part:?}\n{ranges:?}");
+                            assert_eq!(
+                                part.type_at_spin(&RBig::try_from(middle).unwrap()),
+                                Some(to),
+                                "{part:?}\n{ranges:?}"
+                            );
                             gaps += 1;
                         }
                     }

@@ -1,7 +1,10 @@
 //! Linear types of relative equilibria, verdicts on their stability, and the words for both.
 
-use numbers::Sign;
 use std::fmt;
+
+use numbers::Sign;
+
+use crate::curves::{CriticalSet, Curve};
 
 /// The eigenvalues ±λ₁, ±λ₂ of the flow reduced by l at a relative equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -114,7 +117,7 @@ pub enum Verdict {
     Spectrum,
     /// Unstable.
     Unstable,
-    /// Not decided by the linear terms.
+    /// Not decided by the linearization.
     Open,
 }
 
@@ -143,6 +146,12 @@ pub struct Setting {
 }
 
 impl Setting {
+    /// That of the rotations of a curve between its ends; `None` for a pole line.
+    #[must_use]
+    pub fn along(set: &CriticalSet, curve: &Curve) -> Option<Self> {
+        Some(Self { index: curve.index?, global_minimum: false, integral: set.has_integral(curve) })
+    }
+
     /// The verdict.
     #[must_use]
     pub fn verdict(self, kind: LinearType) -> Verdict {

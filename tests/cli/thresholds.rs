@@ -1,0 +1,131 @@
+//! Rotation at, below and above the spins at which it changes: `state`, `critical-spin` and `critical` judge it alike.
+
+use std::cell::Cell;
+
+use dashu_ratio::RBig;
+use serde_json::{Value, json};
+use support::property::holds_for_bodies;
+use support::strata::STRATA;
+use top::body::{Body, Number};
+
+use crate::builder::bifdiag;
+
+/// What `critical` says at l of the equilibrium with this vertical.
+fn critical(body: &str, l: &str, gamma: [f64; 3]) -> (Value, Value) {
+    let all = bifdiag(&format!("critical {body} --l={l} --json")).succeeds().json();
+    let near = |point: &&Value| {
+        let at = |k: usize| point["gamma"][k].as_f64().unwrap();
+        point["multiplicity"].is_string() || (0..3).all(|k| (at(k) - gamma[k]).abs() < 1e-12)
+    };
+    // About an axis of its own before one of a circle.
+    let list: Vec<&Value> = all["critical"].as_array().unwrap().iter().filter(near).collect();
+    let point = list.iter().find(|point| point["multiplicity"].is_number()).or(list.first());
+    let point = point.unwrap_or_else(|| panic!("{body} l = {l}: {all}"));
+    (point["stability"].clone(), point["stable"].clone())
+}
+
+/// The steady rotation that `state` tells.
+fn steady(body: &str, turning: &str, spin: &str) -> Value {
+    let state = bifdiag(&format!("state {body} {turning} --json --spin")).and(spin).succeeds().json();
+    let steady = state["steady"].clone();
+    assert!(!steady.is_null(), "{body} {turning} {spin}\n{state}");
+    steady
+}
+
+/// Bodies of every stratum with |ρ| = |C − A| Ω², so that K_A vanishes at the rational spin Ω with one end up, if A ≠ C.
+#[test]
+fn rational_thresholds_are_judged_as_in_critical() {
+    let (compared, at_threshold) = (Cell::new(0), Cell::new(0));
+    for stratum in STRATA {
+        holds_for_bodies(stratum, 1, |body: &Body| {
+            let moments = body.moments().each_ref().map(|x| x.value().clone());
+            let text = moments.each_ref().map(RBig::to_string).join(",");
+            for axis in 0..3 {
+                let (own, other) = (&moments[axis], &moments[(axis + 1) % 3]);
+                let weight = (own - other) * RBig::from_parts(9.into(), 4u8.into());
+                let mut center = ["0".to_owned(), "0".to_owned(), "0".to_owned()];
+                center[axis] = weight.to_string();
+                let body = format!("--A {text} --r={}", center.join(","));
+                for spin in ["3/4", "3/2", "3"] {
+                    let l = own * spin.parse::<Number>().unwrap().value();
+                    for up in [1.0, -1.0] {
+                        let mut vertical = [0.0; 3];
+                        vertical[axis] = up;
+                        let turning = format!("--axis={}{}", if up < 0.0 { "-" } else { "" }, ["x", "y", "z"][axis]);
+                        let found = steady(&body, &turning, &format!("{spin} rad/s"));
+                        let expected = critical(&body, &l.to_string(), vertical.map(|x| 0.0 - x));
+                        let told = (found["stability"].clone(), found["verdict"].clone());
+                        assert_eq!(told, expected, "{stratum:?} {body} {turning} {spin}\n{found}");
+                        compared.set(compared.get() + 1);
+                        at_threshold.set(at_threshold.get() + i32::from(found.get("at").is_some()));
+                    }
+                }
+            }
+            Ok(())
+        });
+    }
+    let (compared, at_threshold) = (compared.get(), at_threshold.get());
+    assert!(compared > 300 && at_threshold > 40, "{compared} {at_threshold}");
+}
+
+#[test]
+fn coincidences_are_judged_as_in_critical() {
+    for (body, turning, spin, l, gamma, verdict) in [
+        // Degenerate, but the least: stable by energy.
+        ("--A 3,2.5,2 --r 0,0,1", "--axis=-z", "1 rad/s", "2", [0.0, 0.0, 1.0], json!("energy")),
+        // Lagrange's top where it wakes.
+        ("--A 1,1,0.5 --r 0,0,1", "--axis z", "4 rad/s", "2", [0.0, 0.0, -1.0], json!("integral")),
+        ("--A 1,2,3 --r 0,0,1", "--axis z", "1 rad/s", "3", [0.0, 0.0, -1.0], Value::Null),
+        // Where a pair leaves a rotation about an axis that is not principal.
+        ("--A 1,2,3 --r 1.2,0.8,0", "--axis=-0.6,-0.8,0", "1 rad/s", "1.64", [0.6, 0.8, 0.0], json!("energy")),
+        ("--A 1,2,3 --r 1.2,0.8,0", "--axis=-3,-4,0", "1 rad/s", "41/25", [0.6, 0.8, 0.0], json!("energy")),
+    ] {
+        let found = steady(body, turning, spin);
+        let told = (found["stability"].clone(), found["verdict"].clone());
+        assert_eq!(told, critical(body, l, gamma), "{body} {turning}");
+        assert_eq!(told.1, verdict, "{body} {turning}");
+    }
+    let spin = bifdiag("critical-spin --A 1,2,3 --r 1.2,0.8,0 --axis=-0.6,-0.8,0 --json").succeeds().json();
+    let [one] = spin["steady"].as_array().unwrap().as_slice() else { panic!("{spin}") };
+    assert_eq!((&one["stability"], &one["verdict"]), (&json!("zero"), &json!("energy")));
+    assert_eq!(one["spin"]["rad_per_s"], json!(1.0));
+}
+
+/// The nearest double of 30/π rpm is the threshold of 1 rad/s, but no decimal is: π is not rational.
+#[test]
+fn only_the_root_itself_is_at_the_threshold() {
+    let body = "--A 1,2,3 --r 0,0,1";
+    let state = |spin: &str| steady(body, "--axis z", spin);
+    assert_eq!(state("1 rad/s")["at"]["kind"], json!("stability-and-region"));
+    for (spin, side, kind) in [
+        ("9.549296585513720146133025802 rpm", "above", "saddle-centre"),
+        ("9.549296585513720146133025803 rpm", "below", "elliptic"),
+        ("0.999999999999999999999999 rad/s", "above", "saddle-centre"),
+    ] {
+        let found = state(spin);
+        assert_eq!((found.get("at"), &found["stability"]), (None, &json!(kind)), "{spin} {found}");
+        assert!((found[side]["spin"]["rad_per_s"].as_f64().unwrap() - 1.0).abs() < 1e-12, "{spin} {found}");
+    }
+    let told = bifdiag(&format!("state {body} --axis z --spin")).and("1 rad/s").succeeds();
+    told.printing("this spin is a threshold: saddle-centre below, elliptic (local minimum) above");
+    // Beside the axis: the nearest steady rotation is judged as exactly.
+    let beside = bifdiag(&format!("state {body} --axis 1e-3,0,1 --json --spin")).and("1 rad/s").succeeds().json();
+    assert_eq!(beside["nearest"]["at"]["kind"], json!("stability-and-region"), "{beside}");
+}
+
+/// Without weight rotation about the axes of equal moments is one of a circle, which is stable.
+#[test]
+fn free_bodies_with_equal_moments_turn_steadily_about_a_circle_of_axes() {
+    for (body, axis) in [("2,2,1", "1,0,0"), ("3,3,1", "1,2,0"), ("2,1,1", "0,1,0"), ("2,1,1", "0,3,4")] {
+        let body = format!("--A {body} --r 0,0,0");
+        let found = steady(&body, &format!("--axis {axis}"), "1 rad/s");
+        assert_eq!((&found["stability"], &found["one_of"]), (&json!("elliptic"), &json!("circle")), "{found}");
+        assert_ne!(found["verdict"], json!(false), "{found}");
+        assert!(found["growth_time_s"].is_null(), "{found}");
+        let spins = bifdiag(&format!("critical-spin {body} --axis {axis} --json")).succeeds().json();
+        let slow = spins["slow"].as_array().unwrap();
+        assert!(slow.iter().all(|kind| kind.as_str().unwrap().starts_with("elliptic")), "{spins}");
+        let told = bifdiag(&format!("state {body} --axis {axis} --spin")).and("1 rad/s").succeeds();
+        told.printing("it is one of a circle of steady rotations").printing("frequency of small oscillations: 0.");
+    }
+}
