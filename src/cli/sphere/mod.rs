@@ -8,7 +8,7 @@ mod site;
 use documents::{Subject, component};
 use plot::{Picture, Theme, Width, draw_sphere};
 use proof::{Accuracy, classify};
-use top::classify::Answer;
+use top::classify::{Answer, Components};
 
 use super::export::{ExportError, FileSet, RESOLUTION, directory};
 use super::failure::Failure;
@@ -57,10 +57,21 @@ pub fn draw(
     Ok((picture.map_err(ExportError::from)?, caption))
 }
 
+/// The classes that meet at a point on curves differ by the poles in U alone: no critical curve passes there.
+fn is_pole_line(classes: &[Components]) -> bool {
+    let circles = |components: &Components| {
+        let mut circles: Vec<u32> = components.iter().map(|component| component.boundary_circles).collect();
+        circles.sort_unstable();
+        circles
+    };
+    classes.len() > 1 && classes.windows(2).all(|pair| circles(&pair[0]) == circles(&pair[1]))
+}
+
 /// The point, its region and what is special about it.
 fn caption(site: &Site, answer: &Answer) -> String {
     let region = site.region.as_ref().map_or_else(String::new, |region| format!(",  region {region}"));
     let special = match answer {
+        Answer::Critical(classes) if is_pole_line(classes) => ",  on a pole line: a pole lies on ∂U, P changes here",
         Answer::Critical(_) => ",  on a curve: U changes here",
         Answer::Undecided(_) => ",  not decided",
         Answer::Regular(_) | Answer::Forbidden => "",
