@@ -68,6 +68,116 @@ fn a_body_at_rest_on_its_axis_is_steady() {
     assert_eq!(state["steady"]["verdict"], json!("energy"), "{state}");
 }
 
+/// A body without weight at rest: every orientation will do.
+#[test]
+fn a_free_body_rests_in_every_orientation() {
+    let at_rest = bifdiag("state --A 1,2,3 --r 0,0,0 --axis 1,1,1 --spin").and("0 rpm").succeeds();
+    at_rest.printing("at rest every orientation is an equilibrium");
+    bifdiag("critical --A 1,2,3 --r 0,0,0 --l 0").succeeds().printing("at rest every orientation is an equilibrium");
+    bifdiag("critical --A 2,2,2 --r 0,0,0 --l 1").succeeds().printing("rotation about every axis is a relative equil");
+    let turning = bifdiag("state --A 2,2,2 --r 0,0,0 --axis 1,1,1 --spin").and("1 rpm").succeeds();
+    turning.printing("rotation about every axis is steady");
+}
+
+/// Which axis is meant, and at which spin and with which end up the nearest one turns steadily.
+#[test]
+fn another_axis_than_the_given_one_is_told() {
+    let state =
+        |axis: &str| bifdiag(&format!("state --A 1,2,3 --r 0,0,1 --axis={axis} --spin")).and("3 rad/s").succeeds();
+    state("1e-8,0,1").printing("the nearest steady rotation, about (0, 0, 1), 5.73e-7° away, is taken");
+    assert!(!state("z").stdout().contains("is taken"));
+    state("1e-3,0,1").printing("the motion is not steady");
+    let cone = "--A 2,3,1 --r 1,2,0";
+    let off = bifdiag(&format!("state {cone} --axis 1,1,0 --spin")).and("5 rad/s").succeeds();
+    off.printing("rotation about the vertical is steady at one spin only: 11.356091 rpm, +axis up");
+    let never = bifdiag(&format!("state {cone} --axis 1,2,3 --spin")).and("5 rad/s").succeeds();
+    never.printing("rotation about the vertical is steady at no spin");
+    for (axis, up) in [("1,1.01,0.1", "+axis"), ("-1,-1.01,-0.1", "-axis")] {
+        let found = bifdiag(&format!("critical-spin {cone} --axis={axis} --json")).succeeds().json();
+        assert_eq!(found["nearest"]["up"], json!(up), "{found}");
+        assert!(number(&found["nearest"]["spin"]["rad_per_s"]) > 1.0, "{found}");
+    }
+    let told = bifdiag(&format!("critical-spin {cone} --axis=-1,-1.01,-0.1")).succeeds();
+    told.printing(" rpm only, with its other end up");
+}
+
+/// A standing top that turns fast about its largest moment lies in a minimum of U_l, but hanging it has less energy.
+#[test]
+fn a_local_minimum_is_not_called_the_least() {
+    let found = bifdiag("critical-spin --A 1,2,3 --r 0,0,1 --axis z").succeeds();
+    assert!(!found.stdout().contains("least"), "{}", found.stdout());
+    found.printing("elliptic (local minimum)");
+}
+
+#[test]
+fn only_pairs_that_oscillate_have_frequencies() {
+    let state = |line: &str, spin: &str| bifdiag(&format!("state {line} --spin")).and(spin).succeeds().stdout();
+    let body = "--A 1,2,3 --r 0,0,1 --axis z";
+    assert!(!state(body, "0.3 rad/s").contains("Hz"), "two real pairs");
+    assert!(state(body, "0.8 rad/s").contains("frequency of small oscillations: 0."));
+    assert!(state(body, "3 rad/s").contains("frequencies of small oscillations: 0."));
+    assert!(state("--A 1,1,2 --r 0,0,1 --axis z", "3 rad/s").contains(" Hz, twice, seen"));
+    assert!(state("--A 1,1,0.5 --r 0,0,1 --axis z", "3 rad/s").contains("frequency of oscillations that grow: 0."));
+    let directory = tempfile::tempdir().unwrap();
+    let run = bifdiag(&format!("campbell {body} --to")).and("0.9 rad/s").inside(directory.path()).succeeds();
+    run.printing("saddle to saddle-centre").printing("the next change of type is at 9.5492966 rpm, beyond --to");
+    let csv = std::fs::read_to_string(directory.path().join("bifdiag-out/campbell.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    assert_eq!((&rows[0][1..3], rows[399][1]), (&["NaN", "NaN"][..], "NaN"));
+    assert!(rows[399][2].parse::<f64>().unwrap() > 0.08, "{:?}", rows[399]);
+}
+
+#[test]
+fn the_spins_of_campbells_diagram_are_checked() {
+    let directory = tempfile::tempdir().unwrap();
+    let run = |to: &str| {
+        let run = bifdiag("campbell --A 1,2,3 --r 0,0,1 --axis z --to").and(to);
+        run.inside(directory.path()).refused().printing_nothing()
+    };
+    run("0 rpm").telling("the largest spin must be greater than 0");
+    run("-10 rpm").telling("the largest spin must be greater than 0");
+    run("1e149 rad/s").telling("leave the range of numbers");
+    let other = bifdiag("campbell --A 1,2,3 --r 0,1,0 --axis 0,1,0.1 --to").and("1 Hz").refused();
+    other.telling("the nearest axis that has them is 0, 1, 0, 5.71° away");
+}
+
+/// What is said of all parts within a tolerance was decided.
+#[test]
+fn sentences_about_all_parts_are_true() {
+    let told = |line: &str| bifdiag(&format!("critical-spin {line} --tolerance 1%")).succeeds().stdout();
+    let middle = told("--A 1,2,3 --r 0,1,0 --axis y");
+    assert!(middle.contains("+axis up, each of these parts is unstable at every spin outside the ranges"), "{middle}");
+    assert!(middle.contains("the ranges are those of the type; regions and frequencies may change at other spins"));
+    assert!(!middle.contains("at no spin"), "{middle}");
+    let free = told("--A 1,2,3 --r 0,0,0 --axis y");
+    assert!(free.contains("+axis up, each of these parts is saddle-centre at every spin: all are unstable"), "{free}");
+    let fast = told("--A 1,2,3 --r 0,0,0 --axis z");
+    assert!(fast.contains("each of these parts is elliptic (local minimum) at every spin: none is unstable"), "{fast}");
+}
+
+/// A pole that enters U changes the section, not U.
+#[test]
+fn on_a_pole_line_the_section_changes() {
+    let directory = tempfile::tempdir().unwrap();
+    let sphere = |line: &str| bifdiag(&format!("sphere {line}")).inside(directory.path()).succeeds();
+    // J(r̂) = 1.36, so that the lines at l = 1.36 are h = 0.68 ± 1.
+    for h in ["-0.32", "1.68"] {
+        sphere(&format!("--A 2,1.1,1 --r 0.6,0,0.8 --l 1.36 --h={h}")).printing("a pole lies on ∂U, P changes here");
+    }
+    // A pole line that is a critical curve, and a critical curve alone.
+    sphere("--A 2,2,1 --r 0,0,1 --h 1.5 --l 1").printing("U changes here");
+    sphere("--A 2,1,1 --r 0,0,0 --h 0.25 --l 1").printing("U changes here");
+}
+
+/// `show` and `critical` say the same of a curve.
+#[test]
+fn a_curve_is_judged_in_the_words_of_a_state() {
+    bifdiag("show L+.1 --A 2,2,1 --r 0,0,1").succeeds().printing("elliptic, stable by energy");
+    bifdiag("show S23.1 --A 2,1,1 --r 0,0,0").succeeds().printing("elliptic, stable by an integral");
+    bifdiag("show L- --A 25,1,1 --r 0,0,1").succeeds().printing("elliptic, spectrally stable, of which nothing more");
+    bifdiag("show L-.1 --A 1,2,3 --r 0,0,1").succeeds().printing("saddle, unstable");
+}
+
 /// Forks where f64 finds no regions: the exact atlas has them.
 #[test]
 fn regions_beside_a_spin_are_those_of_the_exact_atlas() {

@@ -51,6 +51,13 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     if document.critical.iter().any(|point| point.stable == Verdict::Spectrum) {
         report.line("spectrally stable is not stable: all eigenvalues are imaginary, and nothing more is known");
     }
+    if let Some(all) = document.critical.iter().find(|point| point.multiplicity == Multiplicity::Sphere) {
+        report.line(if all.omega == 0.0 {
+            "sphere: at rest every orientation is an equilibrium"
+        } else {
+            "sphere: rotation about every axis is a relative equilibrium"
+        });
+    }
     report.line(format!("error bound of h: {}", bound(document.error_bound, 2)));
     if !document.complete {
         report.line("there may be more: l lies beside cusps closer than 2^-4000");
