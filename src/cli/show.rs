@@ -159,6 +159,13 @@ fn show_curve(report: &mut Report, atlas: &Atlas, document: &AtlasDocument, curv
         report.line(format!("  {}: {}{known}", range([Some(span.l_from), span.l_to]), span.stability.word()));
     }
     report.line("");
+    let parts = |region: &RegionDocument| region.neighbours.iter().any(|neighbour| neighbour.curve == curve.id);
+    if !document.regions.iter().any(parts) {
+        let same =
+            curve.coincides_with.first().map_or_else(String::new, |id| format!("; show {id} tells what it parts"));
+        report.line(format!("no region is said to end on it{same}"));
+        return;
+    }
     report.line("with rising h:");
     for below in &document.regions {
         for neighbour in below.neighbours.iter().filter(|neighbour| neighbour.curve == curve.id) {

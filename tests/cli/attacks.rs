@@ -89,3 +89,9 @@ fn control_characters_of_arguments_are_escaped() {
 fn a_circle_that_leaves_a_curve_is_no_pair() {
     bifdiag("show E3 --body lagrange").succeeds().printing("pitchfork: a circle of relative equilibria leaves a curve");
 }
+
+#[test]
+fn a_curve_at_which_nothing_is_said_to_change_leads_to_one() {
+    let told = bifdiag("show P+ --body kovalevskaya").succeeds().stdout();
+    assert!(told.contains("no region is said to end on it; show ") && !told.contains("with rising h"), "{told}");
+}

@@ -33,6 +33,9 @@ fn false_claims_are_refused_by_the_mathematics() {
         d.regions[5].signature = d.regions[6].signature.clone();
     });
     assert!(matches!(refused, Err(Refused::Topology { .. })), "{refused:?}");
+    // A genus that its own U contradicts.
+    let refused = mutated(|d| d.regions[5].components[0].genus = Some(7));
+    assert!(matches!(refused, Err(Refused::Region { .. })), "{refused:?}");
     // A cell given to another region.
     let refused = mutated(|d| certificate(d, &|c| c.slabs[3].curves[2].region = "R1".to_owned()));
     assert!(matches!(refused, Err(Refused::Slab { .. })), "{refused:?}");

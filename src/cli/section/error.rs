@@ -85,7 +85,7 @@ pub enum SectionInput {
     AtlasBody { path: PathBuf, source: top::body::BodyError },
     #[error("--atlas {path}: {source}", path = path.display())]
     AtlasRegion { path: PathBuf, source: top::diagram::ParseRegionIdError },
-    #[error("--region {region}: the body has no such region; it has {known}, or give all", known = known.join(", "))]
+    #[error("--region {region}: the body has no such region; {}", listed(known))]
     UnknownRegion { region: String, known: Vec<String> },
     #[error("--{given} cannot be used with --starts: the file says where the orbits start; leave out one of them")]
     SpreadWithSeeds { given: &'static str },
@@ -124,4 +124,8 @@ pub enum SeedProblem {
     Sheet { value: String },
     #[error("the point is not accessible: U = {potential} there, above h = {h}")]
     Inaccessible { potential: f64, h: f64 },
+}
+
+fn listed(known: &[String]) -> String {
+    if known.is_empty() { "there is none".to_owned() } else { format!("it has {}, or give all", known.join(", ")) }
 }

@@ -80,6 +80,13 @@ pub(crate) fn compare(region: &RegionDocument, found: &[ComponentDocument]) -> R
     if found == region.components && signature(found) == region.signature {
         return Ok(());
     }
-    let claimed = words(&region.components);
-    Err(Refused::Topology { region: region.id.clone(), claimed, found: words(found) })
+    let (region_id, claimed, found) = (region.id.clone(), words(&region.components), words(found));
+    Err(if claimed == found {
+        Refused::Region {
+            region: region_id,
+            why: "its energy surfaces, sections or signature do not follow from its U",
+        }
+    } else {
+        Refused::Topology { region: region_id, claimed, found }
+    })
 }
