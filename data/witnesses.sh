@@ -4,7 +4,7 @@
 # that option it would answer from the file that this script writes). What is not found is reported on stderr and left out.
 # Three boundary circles without a pole, and four, are not sought: docs/mathematics.md.
 #
-#   data/witnesses.sh S2+S2 S2+T2 T2+T2 M2+S2 M2+T2 S2+S2+T2 S2+T2+T2 > data/witnesses.json
+#   data/witnesses.sh S2+S2 S2+T2 T2+T2 S2+M2 T2+M2 S2+S2+T2 S2+T2+T2 > data/witnesses.json
 #
 # The signatures are those that the scans of docs/survey.md met. Bodies that exist and show four boundary circles are too
 # rare for a search by chance (r1 must be tiny, and the room in h is about 1e-4 |r| at best): the two here come from the

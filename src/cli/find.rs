@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use clap::Args;
 use documents::CommandLine;
+use documents::words::counted;
 use schema::{Accuracy, FindDocument};
 use survey::search::{Domain, SearchOptions, Target, find};
 use thiserror::Error;
@@ -22,7 +23,7 @@ Examples:
   bifdiag find --critical-points 8 --samples 20000
 
 A type of the witnesses that come with bifdiag is answered at once; --search looks for another, and so do --seed and --all. \
-Nothing found (exit status 1) means that so many bodies were tried, and how near the best one came; that there is none is said only where a theorem \
+Nothing found (exit status 1) means that so many bodies were tried, and tells how near the best one came; that there is none is said only where a theorem \
 says so.";
 
 /// `bifdiag find`.
@@ -55,11 +56,11 @@ pub struct FindArguments {
     /// Search, although a witness that comes with bifdiag is known
     #[arg(long, help_heading = "Work")]
     pub search: bool,
-    /// The most bodies that are tried
+    /// The most bodies that are drawn
     #[arg(long, value_name = "N", default_value_t = 20_000, help_heading = "Work")]
     #[arg(value_parser = clap::value_parser!(u64).range(1..1 << 53))]
     pub samples: u64,
-    /// Try all of them, although something was found before; search
+    /// Draw all of them, although something was found before; search
     #[arg(long, help_heading = "Work")]
     pub all: bool,
     /// Where the sequence of bodies starts (default: 0); search
@@ -80,10 +81,10 @@ fn moment_ratio(text: &str) -> Result<f64, String> {
 
 /// A question without an answer.
 #[derive(Debug, Error)]
-#[error("{sought} was not found among {tried} bodies")]
+#[error("{sought} was not found among {tried}")]
 struct NotFound {
     sought: String,
-    tried: u64,
+    tried: String,
 }
 
 impl CommandError for NotFound {
@@ -99,7 +100,8 @@ pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
     if document.found || document.exists == Some(false) {
         return Ok(());
     }
-    Err(NotFound { sought: document.sought, tried: document.tried }.into())
+    let tried = counted(document.tried, "body", "bodies");
+    Err(NotFound { sought: document.sought, tried }.into())
 }
 
 fn target(arguments: &FindArguments) -> Result<Target, ScanInput> {
@@ -156,6 +158,7 @@ fn command(arguments: &FindArguments) -> CommandLine {
         .option_if("critical-points", arguments.critical_points)
         .flag("physical", arguments.physical)
         .option_if("moment-ratio", Some(arguments.moment_ratio).filter(usual))
+        .flag("search", arguments.search)
         .option("samples", arguments.samples)
         .flag("all", arguments.all)
         .option_if("seed", arguments.seed)
@@ -165,15 +168,12 @@ fn command(arguments: &FindArguments) -> CommandLine {
 fn report(document: &FindDocument) -> String {
     let mut report = Report::default();
     if let Some(why) = &document.why {
-        report.line(format!("{} does not exist for r ≠ 0: {why}", document.sought));
+        let verb = if document.sought.ends_with("relative equilibria") { "do" } else { "does" };
+        report.line(format!("{} {verb} not exist for r ≠ 0: {why}", document.sought));
         return report.text();
     }
-    let tried = match document.tried {
-        0 => "one of the witnesses that come with bifdiag".to_owned(),
-        tried => format!("{tried} bodies tried, {} of them show it", document.showing),
-    };
     let Some(witness) = &document.witness else {
-        report.line(format!("{} was not found: {tried}", document.sought));
+        report.line(format!("{} was not found: {}", document.sought, tried(document)));
         if let Some(nearest) = &document.nearest {
             let list = |values: [f64; 3]| values.map(|x| x.to_string()).join(",");
             report.line(format!(
@@ -194,6 +194,9 @@ fn report(document: &FindDocument) -> String {
     };
     report.line(format!("{} {is} shown by", document.sought));
     report.line(format!("  bifdiag {command}"));
+    if witness.critical_points.is_some() {
+        report.line(format!("  where at h = {}", witness.h));
+    }
     for component in &witness.components {
         report.line(format!(
             "  U: {:8} poles: {:4} section: {}",
@@ -211,6 +214,23 @@ fn report(document: &FindDocument) -> String {
         significant(witness.margin.h, 6)
     ));
     report.line(format!("confirmed by the {}", document.verified_by.join(" and the ")));
-    report.line(tried);
+    report.line(tried(document));
     report.text()
+}
+
+/// What was looked at.
+fn tried(document: &FindDocument) -> String {
+    let FindDocument { drawn, tried, showing, .. } = *document;
+    if drawn == 0 {
+        return "one of the witnesses that come with bifdiag".to_owned();
+    }
+    let bodies = counted(drawn, "body", "bodies");
+    let show = if showing == 1 { "shows" } else { "show" };
+    match tried {
+        0 => format!("{bodies} drawn, none of them inside the limits and decided, so none was tried"),
+        _ if tried == drawn => format!("{bodies} tried, {showing} of them {show} it"),
+        _ => format!(
+            "{bodies} drawn, {tried} of them tried (the others are outside the limits or undecided), {showing} {show} it"
+        ),
+    }
 }

@@ -23,6 +23,7 @@ fn the_command_of_a_document_makes_the_same_bytes() {
         "state --A 1,2,3 --r 1,0,0 --omega=-1/3,0,0 --vertical=-1,0,0 --json",
         "section --body paper --region R8 --orbits 2 --crossings 3 --seed 7 --condition angular-momentum --json",
         "orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1 --times 0:1:3 --json",
+        "find --type M2 --search --samples 64 --json",
         "bodies --json",
     ] {
         let done = bifdiag(line).succeeds();

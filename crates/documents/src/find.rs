@@ -32,6 +32,7 @@ pub fn find(target: &Target, search: &Search, command: CommandLine) -> FindDocum
         sought: target.to_string(),
         witness: None,
         verified_by: Vec::new(),
+        drawn: search.drawn,
         tried: search.tried,
         showing: search.showing,
         nearest: None,

@@ -1,10 +1,18 @@
 //! Topology and motions in words.
 
+use std::fmt::Display;
+
 use schema::{AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Verdict};
 use top::atlas::{Atlas, Passage};
 use top::curves::CurveName;
 use top::diagram::RegionId;
 use top::table::Id;
+
+/// A number with the word for one of them or for several.
+pub fn counted<N: Display + PartialEq + From<u8>>(number: N, one: &str, several: &str) -> String {
+    let word = if number == N::from(1) { one } else { several };
+    format!("{number} {word}")
+}
 
 /// What lies over one component of U.
 #[must_use]

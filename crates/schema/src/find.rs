@@ -69,7 +69,9 @@ pub struct FindDocument {
     /// The methods that confirm it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub verified_by: Vec<String>,
-    /// Bodies that were looked at while sampling.
+    /// Bodies that were drawn while sampling.
+    pub drawn: u64,
+    /// Of these, bodies that were looked at: those inside the limits that are decided.
     pub tried: u64,
     /// Of these, bodies that show it.
     pub showing: u64,

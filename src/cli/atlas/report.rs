@@ -8,6 +8,7 @@ use super::stability;
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, significant};
 use documents::Subject;
+use documents::words::counted;
 
 /// The table of regions fits a terminal of this width.
 const TABLE_WIDTH: usize = 100;
@@ -32,12 +33,11 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
         report.line("");
     }
     let summary = &document.summary;
-    let count = |n: usize, one: &str, many: &str| format!("{n} {}", if n == 1 { one } else { many });
     report.line(format!(
         "{}, {}, at most {} at one l",
-        count(summary.regions, "region", "regions"),
-        count(summary.events, "event", "events"),
-        count(summary.critical_points_max, "relative equilibrium", "relative equilibria"),
+        counted(summary.regions, "region", "regions"),
+        counted(summary.events, "event", "events"),
+        counted(summary.critical_points_max, "relative equilibrium", "relative equilibria"),
     ));
     match (summary.complete, document.window) {
         (true, _) => {}

@@ -37,7 +37,7 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     }
     for (place, (option, parameter)) in axes.into_iter().enumerate() {
         if bodies.iter().all(|body| body.at[place] == bodies[0].at[place]) {
-            let reason = format!("it is the same for all {} bodies of {}", bodies.len(), file.display());
+            let reason = format!("it is the same for all bodies of {}", file.display());
             return Err(ScanInput::Axis { option, name: parameter.to_string(), reason }.into());
         }
     }

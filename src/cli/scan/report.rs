@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use documents::words::counted;
 use schema::ScanSummaryDocument;
 
 use super::output::summary_path;
@@ -13,11 +14,15 @@ const LISTED: usize = 12;
 pub fn text(document: &ScanSummaryDocument, out: &Path) -> String {
     let mut report = Report::default();
     report.line(format!(
-        "{} bodies: {} classified, {} undecided, {} failed",
-        document.rows, document.classified, document.undecided, document.failed
+        "{}: {} classified, {} undecided, {} failed",
+        counted(document.rows, "body", "bodies"),
+        document.classified,
+        document.undecided,
+        document.failed
     ));
     let single = document.classes.iter().filter(|class| class.bodies == 1).count();
-    report.line(format!("{} classes, {single} of them met once", document.classes.len()));
+    let classes = counted(document.classes.len(), "class", "classes");
+    report.line(format!("{classes}, {single} of them met once"));
     if let Some((most, record)) = document.critical_points.last_key_value() {
         report.line(format!("at most {most} relative equilibria at one l (body {})", record.first.index));
     }

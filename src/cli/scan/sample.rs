@@ -3,6 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
+use documents::words::counted;
 use rayon::prelude::*;
 use schema::RowDocument;
 use survey::scan::Row;
@@ -32,7 +33,7 @@ pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
     let format = output::format_of(out, arguments.format)?;
     let mut journal = Journal::open(out, &identity, arguments.restart)?;
     if journal.rows() > 0 && !quiet {
-        say(&format!("going on after {} bodies that were done before", journal.rows()));
+        say(&format!("going on behind {} done before", counted(journal.rows(), "body", "bodies")));
     }
     let progress = Progress::new(journal.rows(), range[1] - range[0], "bodies", quiet);
     while range[0] + journal.rows() < range[1] {

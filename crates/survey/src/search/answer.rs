@@ -10,9 +10,9 @@ use proof::Accuracy;
 pub struct SearchOptions {
     /// Which bodies are looked at.
     pub domain: Domain,
-    /// The most bodies that are tried.
+    /// The most bodies that are drawn.
     pub samples: u64,
-    /// Try all of them, although something was found before.
+    /// Draw all of them, although something was found before.
     pub all: bool,
     /// Where the sequence of bodies starts.
     pub seed: u64,
@@ -31,7 +31,7 @@ impl Default for SearchOptions {
 pub enum Answer {
     /// A body and a point that show what was sought.
     Found(Box<Witness>),
-    /// None of the bodies that were tried; this says nothing about others.
+    /// None of the bodies that were drawn; this says nothing about others.
     NotFound {
         /// The body that came nearest, if a distance is known.
         nearest: Option<Nearest>,
@@ -58,7 +58,9 @@ pub struct Nearest {
 pub struct Search {
     /// The answer.
     pub answer: Answer,
-    /// Bodies that were looked at while sampling.
+    /// Bodies that were drawn while sampling.
+    pub drawn: u64,
+    /// Of these, bodies that were looked at: those of the domain that are decided.
     pub tried: u64,
     /// Of these, bodies that seemed to show it.
     pub showing: u64,
@@ -70,6 +72,6 @@ impl Search {
     /// Without any search.
     #[cfg(feature = "search")]
     pub(super) fn at_once(answer: Answer) -> Self {
-        Self { answer, tried: 0, showing: 0, refused: Vec::new() }
+        Self { answer, drawn: 0, tried: 0, showing: 0, refused: Vec::new() }
     }
 }

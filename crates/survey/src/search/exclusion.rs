@@ -18,14 +18,19 @@ pub enum Exclusion {
     Genus,
     /// Sections of several components that do not go together.
     Disconnected,
+    /// More relative equilibria at one l than there can be.
+    RelativeEquilibria,
 }
+
+/// The most relative equilibria at one l, where they are finitely many.
+const RELATIVE_EQUILIBRIA_MAX: u32 = 14;
 
 impl Exclusion {
     /// Why no body with r ≠ 0 shows what is sought; `None` where that is not known.
     #[must_use]
     pub fn of(target: &Target) -> Option<Self> {
-        if matches!(target, Target::CriticalPoints(_)) {
-            return None;
+        if let Target::CriticalPoints(count) = target {
+            return (*count > RELATIVE_EQUILIBRIA_MAX).then_some(Self::RelativeEquilibria);
         }
         if accessible_regions().iter().any(|region| target.accepts_region(region)) {
             return None;
@@ -61,6 +66,10 @@ impl fmt::Display for Exclusion {
             Self::Disconnected => {
                 "where U is not connected, it consists of two to five discs, or of a disc and an annulus (Proposition \
                  11.9 of docs/mathematics.md), and each pole lies in one of them at most"
+            }
+            Self::RelativeEquilibria => {
+                "at one l there are at most 14 relative equilibria, or infinitely many (Theorem 4.9 of \
+                 docs/mathematics.md)"
             }
         })
     }
@@ -107,6 +116,11 @@ mod tests {
         {
             assert_eq!(of(possible), None, "{possible}");
         }
-        assert_eq!(Exclusion::of(&Target::CriticalPoints(99)), None);
+    }
+
+    #[test]
+    fn more_than_fourteen_relative_equilibria_are_excluded() {
+        let of = |count| Exclusion::of(&Target::CriticalPoints(count));
+        assert_eq!((of(14), of(15)), (None, Some(Exclusion::RelativeEquilibria)));
     }
 }

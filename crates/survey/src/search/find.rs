@@ -41,27 +41,28 @@ pub fn find(
 }
 
 /// Samples bodies, improves the best of them and confirms the winner; the same for any number of threads. `watch` is told
-/// how many more bodies were looked at, and may stop the search.
+/// how many more bodies were drawn, and may stop the search.
 pub fn search(target: &Target, options: &SearchOptions, watch: &mut dyn FnMut(u64) -> ControlFlow<()>) -> Search {
     let mut best: Vec<Candidate> = Vec::new();
-    let (mut tried, mut showing) = (0, 0);
-    while tried < options.samples && (showing == 0 || options.all) {
-        let to = options.samples.min(tried + BLOCK);
-        let numbers: Vec<u64> = (tried..to).collect();
+    let (mut drawn, mut tried, mut showing) = (0, 0, 0);
+    while drawn < options.samples && (showing == 0 || options.all) {
+        let to = options.samples.min(drawn + BLOCK);
+        let numbers: Vec<u64> = (drawn..to).collect();
         let found = each(&numbers, |n| seen(sample(*n, options.seed, options.domain.physical), target, options));
+        let found: Vec<Candidate> = found.into_iter().flatten().collect();
+        tried += found.len() as u64;
         showing += found.iter().filter(|(_, seen)| matches!(seen.score, Score::Shown(_))).count() as u64;
         best.extend(found.into_iter().filter(|(_, seen)| seen.score != Score::Nothing));
         sort(&mut best);
         best.truncate(CANDIDATES);
-        let more = to - tried;
-        tried = to;
+        let more = to - drawn;
+        drawn = to;
         if watch(more).is_break() {
-            return Search { answer: Answer::Stopped, tried, showing, refused: Vec::new() };
+            return Search { answer: Answer::Stopped, drawn, tried, showing, refused: Vec::new() };
         }
     }
-    let mut improved =
-        each(&best, |(values, _)| seen(improve(*values, target, &options.domain, STEPS), target, options));
-    improved.extend(best);
+    let better = each(&best, |(values, _)| seen(improve(*values, target, &options.domain, STEPS), target, options));
+    let mut improved: Vec<Candidate> = better.into_iter().flatten().chain(best).collect();
     sort(&mut improved);
     let mut refused = Vec::new();
     let witness = improved.iter().find_map(|(values, _)| {
@@ -71,11 +72,11 @@ pub fn search(target: &Target, options: &SearchOptions, watch: &mut dyn FnMut(u6
         Some(witness) => Answer::Found(Box::new(witness)),
         None => Answer::NotFound { nearest: improved.first().map(nearest) },
     };
-    Search { answer, tried, showing, refused }
+    Search { answer, drawn, tried, showing, refused }
 }
 
-fn seen(values: [[f64; 3]; 2], target: &Target, options: &SearchOptions) -> Candidate {
-    (values, look(values, target, &options.domain))
+fn seen(values: [[f64; 3]; 2], target: &Target, options: &SearchOptions) -> Option<Candidate> {
+    look(values, target, &options.domain).map(|seen| (values, seen))
 }
 
 /// The best first. A stable sort: of equal ones the first stays first.
@@ -122,14 +123,27 @@ mod tests {
         let found = search(&target, &SearchOptions { samples: 64, ..physical() }, &mut go_on);
         let Answer::Found(witness) = &found.answer else { panic!("{found:?}") };
         assert!(target.accepts_region(&witness.components) && !witness.body.flags().unphysical);
-        assert!(witness.margin.h > 1e-3 && found.tried == 64 && found.showing > 0);
+        assert!(witness.margin.h > 1e-3 && found.drawn == 64 && found.showing > 0);
         // The same point, known before, is the answer at once, unless the domain is narrower than its body.
         let Witness { body, h, l, components, .. } = (**witness).clone();
         let known = [KnownPoint { body, h, l, components }];
         let again = find(&target, &known, &physical(), &mut go_on);
         assert_eq!(again, Search::at_once(found.answer.clone()));
         let narrow = SearchOptions { domain: Domain { moment_ratio: 1.0, physical: true }, samples: 8, ..physical() };
-        assert_eq!(find(&target, &known, &narrow, &mut go_on).tried, 8);
+        assert_eq!(find(&target, &known, &narrow, &mut go_on).drawn, 8);
+    }
+
+    #[test]
+    fn bodies_outside_of_the_domain_are_not_counted_as_looked_at() {
+        let target = Target::of_type("k0n2").unwrap();
+        let counted = |moment_ratio| {
+            let domain = Domain { physical: false, moment_ratio };
+            let found = search(&target, &SearchOptions { domain, samples: 64, all: true, ..physical() }, &mut go_on);
+            (found.drawn, found.tried)
+        };
+        assert_eq!(counted(1.0), (64, 0));
+        let (drawn, tried) = counted(2.0);
+        assert!(drawn == 64 && 0 < tried && tried < 64, "{tried}");
     }
 
     #[test]
@@ -137,7 +151,7 @@ mod tests {
         let target = Target::CriticalPoints(12);
         let found = search(&target, &SearchOptions { samples: 16, ..SearchOptions::default() }, &mut go_on);
         let Answer::NotFound { nearest: Some(nearest) } = found.answer else { panic!("{found:?}") };
-        assert!(nearest.missing >= 2.0 && found.tried == 16 && found.showing == 0);
+        assert!(nearest.missing >= 2.0 && found.drawn == 16 && found.showing == 0);
     }
 
     #[test]
@@ -147,6 +161,6 @@ mod tests {
         assert_eq!(excluded, Search::at_once(Answer::Excluded(Exclusion::ThreeCircles)));
         let options = SearchOptions { samples: 8, ..SearchOptions::default() };
         let stopped = search(&Target::of_type("k2n1").unwrap(), &options, &mut |_| ControlFlow::Break(()));
-        assert_eq!((stopped.answer, stopped.tried), (Answer::Stopped, 8));
+        assert_eq!((stopped.answer, stopped.drawn), (Answer::Stopped, 8));
     }
 }

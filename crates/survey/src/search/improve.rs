@@ -22,7 +22,8 @@ impl CostFunction for Problem<'_> {
     type Output = f64;
 
     fn cost(&self, coordinates: &Vec<f64>) -> Result<f64, argmin::core::Error> {
-        Ok(-look(self.chart.values(coordinates), self.target, &self.domain).score.value())
+        let seen = look(self.chart.values(coordinates), self.target, &self.domain);
+        Ok(-seen.map_or(Score::Nothing, |seen| seen.score).value())
     }
 }
 
@@ -58,12 +59,16 @@ pub fn improve(start: [[f64; 3]; 2], target: &Target, domain: &Domain, steps: u6
 fn tidied(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> [[f64; 3]; 2] {
     const KEPT: f64 = 0.8;
     const SMALL: f64 = 0.01;
-    let Score::Shown(best) = look(values, target, domain).score else { return values };
+    let visibility = |values| match look(values, target, domain)?.score {
+        Score::Shown(visibility) => Some(visibility),
+        Score::Near(_) | Score::Nothing => None,
+    };
+    let Some(best) = visibility(values) else { return values };
     // r in units of its largest component.
     let [a, r] = values;
     let largest = r.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
     let mut values = [a, r.map(|c| c / largest)];
-    let shows = |values| matches!(look(values, target, domain).score, Score::Shown(seen) if seen >= KEPT * best);
+    let shows = |values| visibility(values).is_some_and(|seen| seen >= KEPT * best);
     // What is small may as well be 0.
     let plain = [a, values[1].map(|c| if c < SMALL { 0.0 } else { c })];
     if shows(plain) {

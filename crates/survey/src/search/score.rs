@@ -80,21 +80,15 @@ impl Domain {
     }
 }
 
-/// Looks at a body. What is undecided, or outside of the domain, counts as not shown.
+/// Looks at a body; `None` for one that is undecided or outside of the domain.
 #[must_use]
-pub fn look(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> Seen {
-    let Ok(body) = Body::from_f64(values[0], values[1]) else { return Seen::NOTHING };
-    if !domain.holds(&body) {
-        return Seen::NOTHING;
-    }
-    let Ok(atlas) = Atlas::new(&body) else { return Seen::NOTHING };
-    if !atlas.arrangement().undecided.is_empty() {
-        return Seen::NOTHING;
-    }
-    match target {
+pub fn look(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> Option<Seen> {
+    let body = Body::from_f64(values[0], values[1]).ok().filter(|body| domain.holds(body))?;
+    let atlas = Atlas::new(&body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty())?;
+    Some(match target {
         Target::CriticalPoints(wanted) => critical_points(&atlas, *wanted),
         _ => regions(&atlas, target),
-    }
+    })
 }
 
 fn regions(atlas: &Atlas, target: &Target) -> Seen {

@@ -19,7 +19,7 @@ pub enum Target {
     },
     /// A component whose section is this surface.
     Section(Surface),
-    /// A region whose components have exactly these sections, in the order of their names.
+    /// A region whose components have exactly these sections, by rising genus.
     Signature(Vec<Surface>),
     /// So many relative equilibria at one l, or more.
     CriticalPoints(u32),
@@ -47,8 +47,9 @@ fn section(text: &str) -> Option<Surface> {
     text.parse().ok().filter(|surface: &Surface| surface.boundary_circles == 0)
 }
 
-fn sort_by_name(surfaces: &mut [Surface]) {
-    surfaces.sort_by_cached_key(Surface::to_string);
+/// By rising genus, in which regions mostly list their components.
+fn sort(surfaces: &mut [Surface]) {
+    surfaces.sort_by_key(|surface| surface.genus);
 }
 
 impl Target {
@@ -73,7 +74,7 @@ impl Target {
     pub fn of_signature(text: &str) -> Result<Self, ParseTargetError> {
         let read = |name: &str| section(name).ok_or_else(|| ParseTargetError::Signature { text: name.to_owned() });
         let mut surfaces: Vec<Surface> = text.split('+').map(|name| read(name.trim())).collect::<Result<_, _>>()?;
-        sort_by_name(&mut surfaces);
+        sort(&mut surfaces);
         Ok(Self::Signature(surfaces))
     }
 
@@ -96,7 +97,7 @@ impl Target {
             Self::Signature(wanted) => {
                 let surfaces: Option<Vec<Surface>> = components.iter().map(Component::section_surface).collect();
                 surfaces.is_some_and(|mut surfaces| {
-                    sort_by_name(&mut surfaces);
+                    sort(&mut surfaces);
                     surfaces == *wanted
                 })
             }
@@ -136,7 +137,7 @@ mod tests {
         assert_eq!(Target::of_type("k3n0"), Ok(Target::Component { circles: Some(3), poles: Some(0) }));
         assert_eq!(Target::of_type("M4"), Ok(Target::Section(Surface::closed(4))));
         assert_eq!(Target::of_signature("T2+S2"), Target::of_signature("S2 + T2"));
-        assert_eq!(Target::of_signature("T2+S2+M2").unwrap().to_string(), "M2+S2+T2");
+        assert_eq!(Target::of_signature("T2+S2+M2").unwrap().to_string(), "S2+T2+M2");
         for wrong in ["", "k3", "n1", "k3n3", "M1", "M", "K3", "k-1n0", "k+1n0", "S3", "M02", "D2", "S2-2D2"] {
             assert_eq!(Target::of_type(wrong), Err(ParseTargetError::Type { text: wrong.to_owned() }));
         }

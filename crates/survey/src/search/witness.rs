@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use super::score::{Domain, Score, look};
+use super::score::{Domain, Score, Seen, look};
 use super::target::Target;
 use crate::digits::{DIGITS, rounded};
 use numbers::Number;
@@ -122,8 +122,9 @@ impl Witness {
     /// [`WitnessError`].
     pub fn of_body(values: [[f64; 3]; 2], target: &Target, accuracy: Accuracy) -> Result<Self, WitnessError> {
         let everything = Domain { physical: false, moment_ratio: f64::INFINITY };
-        let seen = look(values, target, &everything);
-        let (Score::Shown(_), Some(at)) = (seen.score, seen.at) else { return Err(WitnessError::NotShown) };
+        let Some(Seen { score: Score::Shown(_), at: Some(at) }) = look(values, target, &everything) else {
+            return Err(WitnessError::NotShown);
+        };
         let body = Body::from_f64(values[0], values[1])?;
         let (point, answer) = plain_point(&body, at, accuracy)?;
         Self::confirm_answer(body, point, &answer, target)
