@@ -290,6 +290,32 @@ fn katoks_borders_come_out_exactly() {
 }
 
 #[test]
+fn a_border_at_a_special_body_says_what_becomes_special() {
+    let cases = [
+        ("--A 1,1,2 --r 0.3,0.4,0.5 --vary A3=0.5:2", 1.0, "moments-equal", "the moments A1, A2 and A3 become equal"),
+        ("--A 1,1,1 --r 1,2,3 --vary A3=0.5:2", 1.0, "moments-equal", "the moments A1, A2 and A3 become equal"),
+        ("--A 1,1,2 --r 0,0.4,0.5 --vary A3=0.7:1.3", 1.0, "moments-equal", "the moments A1, A2 and A3 become equal"),
+        ("--A 1,1,1 --r 1,0,0 --vary A1=1:2", 1.0, "moments-equal", "the moments A1, A2 and A3 become equal"),
+        ("--body paper --vary A2=1:1.1", 1.0, "moments-equal", "the moments A2 and A3 become equal"),
+        ("--A 2,1.5,1 --r 0,0,0 --vary r1=0:1", 0.0, "weight-vanishes", "r becomes 0: the body has no weight"),
+        ("--A 1,1.4,0.8 --r 1,0,0 --vary r2=0:0.5", 0.0, "symmetry-broken", "r2 leaves 0: the body loses a symmetry"),
+    ];
+    for (line, expected, kind, text) in cases {
+        let found = bifdiag(&format!("scan border {line} --json")).succeeds().json();
+        let border = &found["borders"][0];
+        assert_eq!((&border["kind"], &border["text"]), (&Value::from(kind), &Value::from(text)), "{line}");
+        assert!((border["at"][0]["value"].as_f64().unwrap() - expected).abs() < 1e-15, "{line}: {}", border["at"]);
+        assert_eq!((&border["reached"], &border["h"]), (&Value::Bool(true), &Value::Null), "{line}");
+    }
+}
+
+#[test]
+fn a_border_at_the_end_of_its_way_is_exact() {
+    let found = bifdiag("scan border --A 1,1.4,0.75 --r 1,0,0 --vary A3=0.7:0.75").succeeds();
+    found.printing("A3 = 0.75, exactly").printing("at h = 3, l = 2,");
+}
+
+#[test]
 fn classes_are_the_same_at_both_levels() {
     let scan = |options: &str| bifdiag(&format!("scan {options} --out -")).succeeds().json_lines();
     for bodies in ["--family katok --samples 6", "--family general --samples 4"] {
@@ -340,7 +366,16 @@ fn found_witnesses_are_what_they_say() {
         |options: &str| bifdiag(&format!("find --type M4 {options} --json")).succeeds().json()["tried"].as_u64();
     assert_eq!(tried(""), Some(0));
     assert!(tried("--search").is_some_and(|tried| tried > 0));
-    bifdiag("find --critical-points 8").succeeds().printing("8 relative equilibria are shown by");
+    bifdiag("find --critical-points 8 --samples 2048")
+        .succeeds()
+        .printing("equilibria are shown by")
+        .printing("where at h = ");
+    bifdiag("find --signature M2+S2").succeeds().printing("S2+M2 is shown by");
+    // No body that is drawn is a ball.
+    let none = bifdiag("find --type k0n2 --samples 200 --moment-ratio 1").fails();
+    none.printing("200 bodies drawn, none of them inside the limits");
+    let never = bifdiag("find --critical-points 15").succeeds();
+    never.printing("15 relative equilibria do not exist for r ≠ 0: ").printing("Theorem 4.9");
 }
 
 #[test]

@@ -24,8 +24,12 @@ pub enum BorderEventName {
     CuspAtPitchfork,
     /// A pitchfork leaves to infinity on one curve and comes back on another: two moments of inertia pass each other.
     PitchforkAtInfinity,
-    /// A symmetry is lost: where some r_i leaves 0, pitchforks open into cusps.
+    /// A component of r leaves 0, and the body loses a symmetry: some of its pitchforks open into cusps.
     SymmetryBroken,
+    /// Moments of inertia become equal.
+    MomentsEqual,
+    /// r becomes 0.
+    WeightVanishes,
     /// J_r passes the middle moment of inertia: crossings of the pole lines go to infinity and come back.
     PoleLinesAtInfinity,
     /// A crossing comes from, or goes to, l = 0 or infinity.

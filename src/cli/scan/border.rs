@@ -66,24 +66,50 @@ fn tell(report: &mut Report, border: &FoundBorderDocument, vary: &[Range]) {
         if value.error == 0.0 {
             report.line(format!("{} = {}, exactly", range.parameter, value.value));
         } else {
-            report.line(format!("{} = {} ± {:.0e}", range.parameter, value.value, value.error));
+            report.line(format!("{} = {} ± {}", range.parameter, value.value, one_digit(value.error)));
         }
         report.line(format!("  bodies with the one class up to {from}, with the other from {to} on"));
     }
     if !border.reached {
-        report.line("the border is not known to 1e-10: the bodies between these two are undecided at this accuracy");
+        report.line("the border is not known to 1e-10: f64 alone does not decide the bodies between these two");
     }
     let [below, above] = &border.classes;
     report.line(format!("class {below} below, {above} above"));
     let event = &border.event;
     report.line(format!("event: {}", event.text));
-    if let (Some(h), Some(l)) = (event.h, event.l) {
+    if let (Some(h), Some(l), true) = (event.h, event.l, border.reached) {
         let [h, l] = [h, l].map(|x| significant(x, DIGITS));
         report.line(format!("  at h = {h}, l = {l}, of the curves {}", event.curves.join(", ")));
     }
     for (word, labels) in [("gone above", &event.vanish), ("new above", &event.appear)] {
         if !labels.is_empty() {
             report.line(format!("  {word}: {}", labels.join("; ")));
+        }
+    }
+}
+
+/// An error with one digit, rounded up.
+fn one_digit(error: f64) -> String {
+    let nearest = format!("{error:.0e}");
+    if nearest.parse::<f64>().is_ok_and(|rounded| rounded >= error) {
+        return nearest;
+    }
+    let next = || {
+        let (digit, power) = nearest.split_once('e')?;
+        Some(format!("{:.0e}", format!("{}e{power}", digit.parse::<u32>().ok()? + 1).parse::<f64>().ok()?))
+    };
+    next().unwrap_or(nearest.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::one_digit;
+
+    #[test]
+    fn errors_are_rounded_up() {
+        let cases = [(1.23e-5, "2e-5"), (1e-5, "1e-5"), (9.2e-7, "1e-6"), (1.6e-11, "2e-11"), (2.49e-300, "3e-300")];
+        for (error, text) in cases {
+            assert_eq!(one_digit(error), text);
         }
     }
 }

@@ -6,6 +6,7 @@ use super::difference;
 use super::event::BorderEvent;
 use super::segment::Segment;
 use super::side::{End, NoClass, Side};
+use super::special::{explained, special as special_body};
 use super::vanishing::{self, Root};
 use proof::Accuracy;
 use top::body::Flags;
@@ -88,10 +89,19 @@ pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, Border
     let enclosure = [low.t, high.t];
     let by_class = Root { t: 0.5 * (low.t + high.t), error: 0.5 * (high.t - low.t) };
     let inside = |root: &Root| enclosure[0] <= root.t && root.t <= enclosure[1];
-    let by_zero = vanishing::root(segment, &vanishing, enclosure).filter(inside);
-    if let Some(place) = by_zero.as_ref().and_then(|root| vanishing::place(segment, &vanishing, root)) {
-        event.place = Some(place);
-    }
+    let by_diagram = vanishing::root(segment, &vanishing, enclosure).filter(inside);
+    let (special, by_body) = special_body(segment, enclosure).unzip();
+    let kind = explained(special, event.kind.clone(), by_diagram.is_some());
+    let by_zero = if by_body.is_some() && kind.is_of_the_body() {
+        (event.curves, event.place) = (Vec::new(), None);
+        by_body
+    } else {
+        if let Some(place) = by_diagram.as_ref().and_then(|root| vanishing::place(segment, &vanishing, root)) {
+            event.place = Some(place);
+        }
+        by_diagram
+    };
+    event.kind = kind;
     let Root { t, error } = by_zero.unwrap_or(by_class);
     let reached = error <= wanted;
     Ok(Border { enclosure, t, error, classes: [low.class, high.class], reached, event, atlases })

@@ -93,16 +93,16 @@ pub(super) fn creation<'a>(surplus: &Surplus<'a, '_>) -> Finding<'a> {
     found.unwrap_or_else(|| Finding::nowhere(BorderEventKind::Several, Vanishing::Nothing))
 }
 
-/// Pitchforks differ: the body is special where they change.
+/// Pitchforks differ, as they do where the body is special.
 fn pitchforks<'a>(more: &ByKind, fewer: &ByKind) -> Option<Finding<'a>> {
     let kind = match (&fewer.pitchforks[..], &more.pitchforks[..]) {
         ([], []) => return None,
         ([from, ..], [to, ..]) if fewer.pitchforks.len() == more.pitchforks.len() => {
             BorderEventKind::PitchforkAtInfinity { from: *from, to: *to }
         }
-        _ => BorderEventKind::SymmetryBroken,
+        _ => BorderEventKind::Several,
     };
-    Some(Finding::nowhere(kind, Vanishing::SpecialBody))
+    Some(Finding::nowhere(kind, Vanishing::Nothing))
 }
 
 fn swallowtail<'a>(surplus: &Surplus<'a, '_>, mut branches: Vec<BranchName>) -> Finding<'a> {

@@ -89,8 +89,18 @@ pub enum BorderEventKind {
         /// Those of the side with more.
         to: [BranchName; 2],
     },
-    /// A symmetry is lost: where some r_i leaves 0, pitchforks open into cusps.
-    SymmetryBroken,
+    /// A component of r leaves 0, and the body loses a symmetry: some of its pitchforks open into cusps.
+    SymmetryBroken {
+        /// Which component.
+        axis: BodyAxis,
+    },
+    /// Moments of inertia become equal.
+    MomentsEqual {
+        /// Their axes.
+        axes: Vec<BodyAxis>,
+    },
+    /// r becomes 0.
+    WeightVanishes,
     /// J_r passes the middle moment of inertia: crossings of the pole lines go to infinity and come back.
     PoleLinesAtInfinity {
         /// The axis of the body with this moment, from 0.
@@ -105,6 +115,30 @@ pub enum BorderEventKind {
     Several,
     /// The same events in the same order, none near another, and other regions.
     Unexplained,
+}
+
+impl BorderEventKind {
+    /// True for what happens where the body is special, and not at a place of the diagrams.
+    pub(super) fn is_of_the_body(&self) -> bool {
+        match self {
+            Self::PitchforkAtInfinity { .. }
+            | Self::SymmetryBroken { .. }
+            | Self::MomentsEqual { .. }
+            | Self::WeightVanishes => true,
+            _ => false,
+        }
+    }
+
+    /// True for what is concluded only from events that are near each other.
+    pub(super) fn is_guess(&self) -> bool {
+        match self {
+            Self::CuspOnCurve { encounter, .. } | Self::PitchforkOnCurve { encounter, .. } => {
+                *encounter == Encounter::Meets
+            }
+            Self::TriplePoint { .. } => true,
+            _ => false,
+        }
+    }
 }
 
 impl fmt::Display for Encounter {
@@ -130,7 +164,13 @@ impl fmt::Display for BorderEventKind {
                 let from = EventLabel::Pitchfork(*from);
                 write!(f, "the {from} goes through infinity to {}", joined(to, " and "))
             }
-            Self::SymmetryBroken => f.write_str("the symmetry of a pair is broken: its pitchfork opens into a cusp"),
+            Self::SymmetryBroken { axis } => write!(f, "r{axis} leaves 0: the body loses a symmetry"),
+            Self::MomentsEqual { axes } => {
+                let names: Vec<String> = axes.iter().map(|axis| format!("A{axis}")).collect();
+                let (last, others) = names.split_last().ok_or(fmt::Error)?;
+                write!(f, "the moments {} and {last} become equal", joined(others, ", "))
+            }
+            Self::WeightVanishes => f.write_str("r becomes 0: the body has no weight"),
             Self::PoleLinesAtInfinity { axis } => {
                 write!(f, "J_r passes A{axis}: crossings of the pole lines go to infinity and come back")
             }

@@ -4,7 +4,7 @@ use super::event::{BorderEventKind, Encounter};
 use super::group::{Finding, Group, distance, label};
 use super::label::{EventLabel, sort_by_text};
 use super::vanishing::{Neighbourhood, Vanishing};
-use top::curves::{Branch, BranchName, CurveId};
+use top::curves::{Branch, BranchName, CurveId, Pole};
 use top::diagram::{Arrangement, Change, Event};
 
 /// The events that are nearest to each other change places.
@@ -39,16 +39,30 @@ fn nearest_cluster(side: &Arrangement) -> Option<Vec<Event>> {
     let mut best: Option<(f64, [Event; 2])> = None;
     for (k, event) in side.events.iter().enumerate() {
         for (m, other) in side.events.iter().enumerate().skip(k + 1) {
-            let shared = labels[k].branches().iter().any(|name| labels[m].branches().contains(name));
+            let labels = [&labels[k], &labels[m]];
+            let shared = labels[0].branches().iter().any(|name| labels[1].branches().contains(name));
             let apart = distance(event, other);
-            if shared && best.is_none_or(|(least, _)| apart < least) {
+            if shared && !have_both_pole_lines(labels) && best.is_none_or(|(least, _)| apart < least) {
                 best = Some((apart, [*event, *other]));
             }
         }
     }
     let (apart, [p, q]) = best?;
     let is_near = |event: &&Event| distance(event, &p).max(distance(event, &q)) <= 1e3 * apart + 1e-12;
-    Some(side.events.iter().filter(is_near).copied().collect())
+    let mut near: Vec<(Event, EventLabel)> = vec![(p, label(side, &p)), (q, label(side, &q))];
+    for event in side.events.iter().filter(is_near).filter(|event| **event != p && **event != q) {
+        let own = label(side, event);
+        if !have_both_pole_lines(near.iter().map(|(_, label)| label).chain([&own])) {
+            near.push((*event, own));
+        }
+    }
+    Some(near.into_iter().map(|(event, _)| event).collect())
+}
+
+/// Far out the two pole lines look near to each other, but they are parallel: no place has both.
+fn have_both_pole_lines<'a>(labels: impl IntoIterator<Item = &'a EventLabel> + Clone) -> bool {
+    let has = |pole| labels.clone().into_iter().any(|label| label.branches().contains(&BranchName::Pole(pole)));
+    has(Pole::Plus) && has(Pole::Minus)
 }
 
 /// What vanishes where events change places: the height of a third curve over one of them.

@@ -12,6 +12,7 @@ mod group;
 mod label;
 mod segment;
 mod side;
+mod special;
 mod vanishing;
 
 pub use bisection::{Border, BorderError, BorderOptions, all, find};

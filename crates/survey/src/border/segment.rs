@@ -21,13 +21,17 @@ impl Segment {
     /// The exact value of coordinate `place` of (A1, A2, A3, r1, r2, r3) at t.
     #[must_use]
     pub fn coordinate(&self, place: usize, t: f64) -> RBig {
+        // Every finite double is a fraction.
+        self.exactly(place, &RBig::try_from(t).unwrap_or(RBig::ZERO))
+    }
+
+    /// The same at a fraction.
+    pub(super) fn exactly(&self, place: usize, t: &RBig) -> RBig {
         let of = |body: &Body| match place {
             0..3 => body.moments()[place].value().clone(),
             _ => body.center()[place - 3].value().clone(),
         };
         let (from, to) = (of(&self.from), of(&self.to));
-        // Every finite double is a fraction.
-        let t = RBig::try_from(t).unwrap_or(RBig::ZERO);
         &from + (to - &from) * t
     }
 

@@ -4,8 +4,6 @@
 //! happens there is known by then, and with it a function of the parameter that passes through 0 with a slope: a difference
 //! of heights, an exact excess. Its zero is found without any atlas.
 
-use dashu_ratio::RBig;
-
 use super::event::Place;
 use super::segment::Segment;
 use top::body::{Axis, Frame};
@@ -27,8 +25,6 @@ pub(super) enum Vanishing {
     CurveOnCrossing { crossing: [Branch; 2], curve: Branch, near: Neighbourhood },
     /// The squared difference of J at two cusps of one branch, which exist on one side only.
     TwoCusps { branch: Branch, near: Neighbourhood, above: bool },
-    /// A difference of two moments, or a component of r, which are linear in the parameter.
-    SpecialBody,
     /// Nothing that is known.
     Nothing,
 }
@@ -62,27 +58,9 @@ pub(super) struct Root {
 pub(super) fn root(segment: &Segment, vanishing: &Vanishing, t: [f64; 2]) -> Option<Root> {
     match vanishing {
         Vanishing::Nothing => None,
-        Vanishing::SpecialBody => special(segment, t),
         Vanishing::TwoCusps { branch, near, above } => extrapolated(segment, *branch, near, *above, t),
         _ => bisected(|t| value(segment, vanishing, t), t),
     }
-}
-
-/// Where two moments are equal or a component of r vanishes, exactly.
-fn special(segment: &Segment, t: [f64; 2]) -> Option<Root> {
-    let at = |place: usize, t: f64| segment.coordinate(place, t);
-    let zero = |of: &dyn Fn(f64) -> RBig| {
-        let (from, to) = (of(0.0), of(1.0));
-        if from == to {
-            return None;
-        }
-        let root = (&from / (&from - to)).to_f64().value();
-        let error = if of(root).is_zero() { 0.0 } else { f64::EPSILON * root.abs() };
-        (t[0] <= root && root <= t[1]).then_some(Root { t: root, error })
-    };
-    let moments = [(0, 1), (1, 2), (0, 2)];
-    let equal = moments.into_iter().find_map(|(i, j)| zero(&|t| at(i, t) - at(j, t)));
-    equal.or_else(|| (3..6).find_map(|place| zero(&|t| at(place, t))))
 }
 
 /// The point (in the body's units) at which it happens to the body at the border, with a bound on the error of both: a
@@ -158,7 +136,11 @@ fn height(set: &CriticalSet, point: &Point, branch: Branch) -> Option<Gap> {
 /// Bisection on the sign, until rounding hides it.
 fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -> Option<Root> {
     const STEPS: usize = 120;
+    let is_zero = |gap: &Gap| *gap == Gap { value: 0.0, error: 0.0 };
     let (first, last) = (value(low)?, value(high)?);
+    if let Some((_, t)) = [(&first, low), (&last, high)].into_iter().find(|(gap, _)| is_zero(gap)) {
+        return Some(Root { t, error: 0.0 });
+    }
     if first.order()? == last.order()? {
         return None;
     }
@@ -173,7 +155,7 @@ fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -
             Some(order) if Some(order) == first.order() => low = t,
             Some(_) => high = t,
             None => {
-                if found == (Gap { value: 0.0, error: 0.0 }) {
+                if is_zero(&found) {
                     return Some(Root { t, error: 0.0 });
                 }
                 let t = t - found.value / slope;

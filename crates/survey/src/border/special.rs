@@ -1,0 +1,103 @@
+//! Bodies of a segment that are more special than those beside them.
+
+use dashu_ratio::RBig;
+
+use super::event::BorderEventKind;
+use super::segment::Segment;
+use super::vanishing::Root;
+use top::body::BodyAxis;
+
+/// What is special about one body of a segment, and not about those beside it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Special {
+    /// r = 0.
+    NoWeight,
+    /// The moments of these axes are equal.
+    EqualMoments(Vec<BodyAxis>),
+    /// This component of r is 0.
+    Component(BodyAxis),
+}
+
+/// A special body between two values of t, and where it is, from exact fractions.
+pub(super) fn special(segment: &Segment, t: [f64; 2]) -> Option<(Special, Root)> {
+    // Every finite double is a fraction.
+    let [from, to] = t.map(|t| RBig::try_from(t).unwrap_or(RBig::ZERO));
+    let inside = |t: &RBig| from <= *t && *t <= to;
+    let moment = |axis: BodyAxis, t: &RBig| segment.exactly(axis.index(), t);
+    let component = |axis: BodyAxis, t: &RBig| segment.exactly(3 + axis.index(), t);
+
+    let leaves = BodyAxis::ALL.map(|axis| zero(|t| component(axis, t)).filter(inside));
+    let is_weightless = |t: &&RBig| BodyAxis::ALL.iter().all(|axis| component(*axis, t).is_zero());
+    if let Some(t) = leaves.iter().flatten().find(is_weightless) {
+        return Some((Special::NoWeight, root(t)));
+    }
+    for (i, axis) in BodyAxis::ALL.into_iter().enumerate() {
+        for other in BodyAxis::ALL.into_iter().skip(i + 1) {
+            let Some(t) = zero(|t| moment(axis, t) - moment(other, t)).filter(inside) else { continue };
+            let value = moment(axis, &t);
+            let axes = BodyAxis::ALL.into_iter().filter(|axis| moment(*axis, &t) == value).collect();
+            return Some((Special::EqualMoments(axes), root(&t)));
+        }
+    }
+    let mut leaves = BodyAxis::ALL.into_iter().zip(&leaves);
+    leaves.find_map(|(axis, t)| t.as_ref().map(|t| (Special::Component(axis), root(t))))
+}
+
+/// Where a linear function vanishes that is not the same everywhere.
+fn zero(of: impl Fn(&RBig) -> RBig) -> Option<RBig> {
+    let (from, to) = (of(&RBig::ZERO), of(&RBig::ONE));
+    (from != to).then(|| &from / (&from - to))
+}
+
+fn root(exact: &RBig) -> Root {
+    let t = exact.to_f64().value();
+    let is_exact = RBig::try_from(t).is_ok_and(|t| t == *exact);
+    Root { t, error: if is_exact { 0.0 } else { f64::EPSILON * t.abs() } }
+}
+
+/// What happens at a border on which bodies are special, or none is; `found` is what the diagrams beside it suggest, and
+/// `is_sure` tells whether that vanishes between them.
+pub(super) fn explained(special: Option<Special>, found: BorderEventKind, is_sure: bool) -> BorderEventKind {
+    use BorderEventKind as Kind;
+    match (special, found) {
+        (Some(Special::EqualMoments(_)), found @ Kind::PitchforkAtInfinity { .. }) => found,
+        // Only where moments pass each other does a pitchfork go through infinity.
+        (None, Kind::PitchforkAtInfinity { .. }) => Kind::Several,
+        (None, found) => found,
+        (Some(_), found) if is_sure && !found.is_guess() => found,
+        (Some(Special::NoWeight), _) => Kind::WeightVanishes,
+        (Some(Special::EqualMoments(axes)), _) => Kind::MomentsEqual { axes },
+        (Some(Special::Component(axis)), _) => Kind::SymmetryBroken { axis },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use top::body::Body;
+
+    fn between([a, r]: [[f64; 3]; 2], [b, s]: [[f64; 3]; 2]) -> Option<(Special, f64, f64)> {
+        let segment = Segment::new(Body::from_f64(a, r).unwrap(), Body::from_f64(b, s).unwrap());
+        special(&segment, [0.0, 1.0]).map(|(special, root)| (special, root.t, root.error))
+    }
+
+    #[test]
+    fn special_bodies_are_told_apart() {
+        let generic = [[1.0, 1.5, 2.0], [0.5, 0.25, 1.0]];
+        let with = |k: usize, value: f64| {
+            let mut body = generic;
+            body[k / 3][k % 3] = value;
+            body
+        };
+        assert_eq!(between(generic, with(0, 1.25)), None);
+        let [first, second, third] = BodyAxis::ALL;
+        assert_eq!(between(generic, with(0, 2.0)), Some((Special::EqualMoments(vec![first, second]), 0.5, 0.0)));
+        assert_eq!(between(generic, with(4, -0.75)), Some((Special::Component(second), 0.25, 0.0)));
+        let [a, r] = generic;
+        assert_eq!(between([a, [0.0; 3]], generic), Some((Special::NoWeight, 0.0, 0.0)));
+        assert_eq!(between([a, r.map(|x| -x)], generic), Some((Special::NoWeight, 0.5, 0.0)));
+        // The third of two equal moments passes them; a third of the way is no double.
+        let ball = between([[1.0, 1.0, 0.5], r], [[1.0, 1.0, 2.0], r]);
+        assert_eq!(ball, Some((Special::EqualMoments(vec![first, second, third]), 1.0 / 3.0, f64::EPSILON / 3.0)));
+    }
+}
