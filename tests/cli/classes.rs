@@ -74,3 +74,19 @@ fn a_special_body_keeps_what_is_special_about_it() {
     let ball = bifdiag("classes --at --A 1,1,1 --r 0,0,1 --json").succeeds().json();
     assert!(ball["name"].is_string() && ball["borders"].as_array().unwrap().is_empty());
 }
+
+#[test]
+fn a_body_beside_a_border_or_on_it_is_told_so() {
+    // J_r = A1 = 1, and the cusp of S3 reaches its pitchfork at A3 = 0.75: for A with the sum 2 the way there is at most
+    // that on which A3 alone changes, and a little less.
+    let nearest = |third: &str| {
+        let found = bifdiag(&format!("classes --at --A 1,1.4,{third} --r 1,0,0 --lines 6 --json")).succeeds().json();
+        found["borders"][0]["distance"].as_f64().expect("there is a border")
+    };
+    let straight = 2.0 * 1e-5 / 3.15 * 1.25;
+    let beside = nearest("0.74999");
+    assert!(0.2 * straight < beside && beside < straight, "{beside} {straight}");
+    assert!(nearest("0.75") < 1e-15);
+    let told = bifdiag("classes --at --A 1,1.4,0.75 --r 1,0,0 --lines 6").succeeds();
+    told.printing("at most so far").printing("\n0               ").printing("axes by rising moments");
+}

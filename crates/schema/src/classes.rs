@@ -48,8 +48,8 @@ pub struct ClassDocument {
     pub physical: bool,
     /// A body of it far from other classes, one that exists if there is any.
     pub witness: ClassWitnessDocument,
-    /// How far the witness is from the nearest body of another class that was found: √(|ΔA|² + ∠²), for A with the sum 2
-    /// and the angle between the two r. 0 where that was not sought, as for all of `others`.
+    /// How far the witness is from the nearest body of another class that was found, or from the nearest special body (two
+    /// equal moments, a component of r that is 0): √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the two r. 0 where that was not sought, as for all of `others`.
     pub distance: f64,
     /// Its share of all bodies that exist; if none of them has it, of all bodies with A > 0. Second moments of mass (or A
     /// itself) are uniform on a simplex, r̂ on the sphere. With a stratum: its share of the bodies of that stratum.

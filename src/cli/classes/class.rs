@@ -105,7 +105,7 @@ fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) 
     report.line(format!("  bifdiag --A {moments} --r {center}"));
     if class.distance > 0.0 {
         let distance = significant(class.distance, 3);
-        report.line(format!("  the nearest body of another class that is known is {distance} away"));
+        report.line(format!("  no body of another class is known nearer than {distance}, special bodies among them"));
     }
     report.line("");
     if class.distance == 0.0 {

@@ -57,9 +57,18 @@ fn report(report: &mut Report, document: &StandingDocument) {
         return;
     }
     report.line("");
-    let mut table = Table::new(&["distance", "class beyond", "what happens on the border"]);
+    let mut table = Table::new(&["at most so far", "class beyond", "what happens on the border"]);
     for border in &document.borders {
-        table.row([significant(border.distance, 4), border.class.clone(), border.event.clone()]);
+        table.row([distance(border.distance), border.class.clone(), border.event.clone()]);
     }
     report.line(table.text());
+    report
+        .line("axes by rising moments; special bodies (two equal moments, a component of r that is 0) are not counted");
+}
+
+/// A distance, as far as the body's own rounding leaves it.
+fn distance(distance: f64) -> String {
+    /// A few roundings of A with the sum 2 and of r with the length 1.
+    const ROUNDING: f64 = 1e-15;
+    if distance < ROUNDING { "0".to_owned() } else { significant(distance, 4) }
 }

@@ -47,17 +47,20 @@ pub struct Chord {
 const WALLS: usize = 8;
 
 /// Looks at the bodies at these values of s, from the start of the line outwards, and finds the walls between those of
-/// different classes. Bodies that are undecided are passed over. With `first` it ends at the first wall.
+/// different classes. Bodies that f64 does not decide are passed over, but for the start. With `first` it ends at the first
+/// wall.
 #[must_use]
 pub fn chord(line: &Line, nodes: &[f64], first: bool) -> Chord {
     let mut found = Chord::default();
-    let Some(class) = class_at(line, 0.0) else { return found };
+    let by_f64 = class_at(line, 0.0);
+    let accuracy = if by_f64.is_some() { Accuracy::Fast } else { Accuracy::Exact };
+    let Some(class) = by_f64.or_else(|| class_by(line, 0.0, accuracy)) else { return found };
     found.stretches.push(Stretch { s: [0.0, 0.0], class: class.clone() });
     let (mut last, mut class) = (0.0, class);
     for &s in nodes {
         let Some(here) = class_at(line, s) else { continue };
         if here != class {
-            found.cross(line, [last, s], &here);
+            found.cross(line, [last, s], &here, if last == 0.0 { accuracy } else { Accuracy::Fast });
             if first {
                 return found;
             }
@@ -71,9 +74,9 @@ pub fn chord(line: &Line, nodes: &[f64], first: bool) -> Chord {
 }
 
 impl Chord {
-    /// The walls between two bodies of different classes.
-    fn cross(&mut self, line: &Line, [mut from, to]: [f64; 2], class: &Class) {
-        let options = BorderOptions { tolerance: 1e-9, accuracy: Accuracy::Fast, ..BorderOptions::default() };
+    /// The walls between two bodies of different classes, which are decided at this accuracy.
+    fn cross(&mut self, line: &Line, [mut from, to]: [f64; 2], class: &Class, accuracy: Accuracy) {
+        let options = BorderOptions { tolerance: 1e-9, accuracy, ..BorderOptions::default() };
         for _ in 0..WALLS {
             let (Some(start), Some(end)) = (body_at(line, from), body_at(line, to)) else { break };
             let Ok(border) = border::find(&Segment::new(start, end), &options) else { break };
@@ -105,5 +108,9 @@ fn body_at(line: &Line, s: f64) -> Option<Body> {
 
 /// The class at s, as far as f64 tells it.
 pub(super) fn class_at(line: &Line, s: f64) -> Option<Class> {
-    class_of(&body_at(line, s)?, Accuracy::Fast).ok().map(|(_, class)| class)
+    class_by(line, s, Accuracy::Fast)
+}
+
+fn class_by(line: &Line, s: f64, accuracy: Accuracy) -> Option<Class> {
+    class_of(&body_at(line, s)?, accuracy).ok().map(|(_, class)| class)
 }
