@@ -180,7 +180,12 @@ fn strips(map: &Map, found: &[Row], borders: &[(f64, BorderEventKind)]) -> MapBo
         let entry = map.entries.iter().position(|entry| Some(&entry.name) == class.as_ref());
         (entry, vec![[from, L[0]], [to, L[0]], [to, L[1]], [from, L[1]]])
     };
-    MapBodies::Areas { pieces: ends.windows(2).map(strip).collect(), borders: Vec::new(), told: String::new() }
+    MapBodies::Areas {
+        pieces: ends.windows(2).map(strip).collect(),
+        seen: Vec::new(),
+        borders: Vec::new(),
+        told: String::new(),
+    }
 }
 
 /// Kinds of events, in the order of their colours.

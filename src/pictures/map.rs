@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use documents::words::counted;
 use numbers::decimal::significant;
 use plot::{Map, MapAxis, MapBodies, MapEntry};
 use survey::Parameter;
@@ -43,7 +44,7 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
         }
     };
     let what = match show {
-        Shown::Class => format!("{} classes", order.len()),
+        Shown::Class => counted(order.len(), "class", "classes"),
         Shown::Regions => "number of regions".to_owned(),
         Shown::CriticalPoints => "relative equilibria at one l, at most".to_owned(),
     };
@@ -55,7 +56,7 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
     let [x, y] = axes.map(|parameter| parameter.name().to_owned());
     Map {
         title: format!("{shown} over {x} and {y}"),
-        subtitle: format!("{} bodies, {what}{}", bodies.len(), fixed(bodies, axes)),
+        subtitle: format!("{}, {what}{}", counted(bodies.len(), "body", "bodies"), fixed(bodies, axes)),
         x: MapAxis { name: x, range: ranges[0] },
         y: MapAxis { name: y, range: ranges[1] },
         entries: entries(&order, bodies.len()),
@@ -171,9 +172,10 @@ fn step(values: &[f64]) -> f64 {
 /// The pieces of a mosaic.
 fn areas(mosaic: &Mosaic<Option<Shows>>, entry: impl Fn(&Option<Shows>) -> Option<usize>, show: Shown) -> MapBodies {
     let pieces = mosaic.pieces.iter().map(|(shown, corners)| (entry(shown), corners.clone())).collect();
+    let seen = mosaic.seen.iter().filter_map(|(shown, at)| Some((entry(shown)?, *at))).collect();
     let told = match show {
         Shown::Class => "borders between classes, as scan border finds them",
         Shown::Regions | Shown::CriticalPoints => "borders at which the number changes",
     };
-    MapBodies::Areas { pieces, borders: mosaic.borders.clone(), told: told.to_owned() }
+    MapBodies::Areas { pieces, seen, borders: mosaic.borders.clone(), told: told.to_owned() }
 }

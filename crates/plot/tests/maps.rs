@@ -41,7 +41,9 @@ fn corner(count: usize) -> Map {
     let mut pieces = vec![area(0, [0.6, 0.6], [1.5, 1.5])];
     let side = |k: usize| 0.1 * libm::pow(0.8, k as f64);
     pieces.extend((1..count).map(|k| area(k, [0.5 + side(k), 0.5], [0.5 + side(k - 1), 0.5 + side(k)])));
-    map(count, MapBodies::Areas { pieces, borders: vec![[[0.6, 0.6], [1.5, 0.6]]], told: "borders".to_owned() })
+    let middle = |k: usize| [0.5 + 0.5 * (side(k) + side(k - 1)), 0.5 + 0.5 * side(k)];
+    let seen = (1..count).map(|k| (k, middle(k))).chain([(0, [1.0, 1.0])]).collect();
+    map(count, MapBodies::Areas { pieces, seen, borders: vec![[[0.6, 0.6], [1.5, 0.6]]], told: "borders".to_owned() })
 }
 
 #[test]

@@ -219,7 +219,7 @@ fn others(map: &Map, unmarked: bool, room: f64) -> Vec<Line> {
     let mut others = strokes(map, room);
     if unmarked {
         let [x, y] = [&map.x.name, &map.y.name];
-        let note = format!("{AT}({x}, {y}): a place in an area without room for its number");
+        let note = format!("{AT}({x}, {y}): a body in an area without room for its number");
         others.push(Line::Note(lines(&note, SMALL, room)));
     }
     others

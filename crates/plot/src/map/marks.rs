@@ -209,7 +209,7 @@ mod tests {
             entries: (0..count).map(entry).collect(),
             ordered: false,
             unknown: String::new(),
-            bodies: MapBodies::Areas { pieces, borders: Vec::new(), told: String::new() },
+            bodies: MapBodies::Areas { pieces, seen: Vec::new(), borders: Vec::new(), told: String::new() },
             lines,
             notes: Vec::new(),
         }

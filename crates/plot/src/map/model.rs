@@ -38,6 +38,8 @@ pub enum MapBodies {
     Areas {
         /// What each area shows, and its corners.
         pieces: Vec<(Option<usize>, Vec<[f64; 2]>)>,
+        /// Bodies, and the entries that they show.
+        seen: Vec<(usize, [f64; 2])>,
         /// The borders between areas, as straight parts.
         borders: Vec<[[f64; 2]; 2]>,
         /// What the legend says of the borders.
@@ -95,7 +97,10 @@ impl MapBodies {
     pub fn renumber(&mut self, number: impl Fn(usize) -> usize) {
         let entries: Box<dyn Iterator<Item = &mut Option<usize>> + '_> = match self {
             Self::Grid { entries, .. } => Box::new(entries.iter_mut()),
-            Self::Areas { pieces, .. } => Box::new(pieces.iter_mut().map(|(entry, _)| entry)),
+            Self::Areas { pieces, seen, .. } => {
+                seen.iter_mut().for_each(|(entry, _)| *entry = number(*entry));
+                Box::new(pieces.iter_mut().map(|(entry, _)| entry))
+            }
             Self::Points(points) => Box::new(points.iter_mut().map(|(_, entry)| entry)),
         };
         for entry in entries.flatten() {

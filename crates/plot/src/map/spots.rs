@@ -1,22 +1,27 @@
 //! Where an entry lies that the map has no room to mark.
 
 use super::model::MapBodies;
-use super::view::{View, area};
-use crate::page::short_number;
+use super::view::View;
+use crate::page::{Point, distance, short_number};
 
-/// A place, and how far from it another entry may lie.
+/// The place of a body, and in both parameters how far from it another entry may lie.
+#[derive(Clone, Copy)]
 pub(super) struct Spot {
     at: [f64; 2],
-    room: f64,
+    room: [f64; 2],
 }
 
-/// A place inside of the largest piece that shows an entry; `None` where nothing shows it, or bodies are points.
+/// The place of a body that shows an entry, as far from borders as one is known; `None` where none is known, or bodies are
+/// points.
 pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &View) -> Option<Spot> {
     match bodies {
-        MapBodies::Areas { pieces, .. } => {
-            let own = pieces.iter().filter(|(shown, _)| *shown == Some(entry));
-            let largest = own.max_by(|(_, p), (_, q)| area(p, view).total_cmp(&area(q, view)))?;
-            Some(inside(&largest.1))
+        MapBodies::Areas { seen, borders, .. } => {
+            let own = seen.iter().filter(|(shown, _)| *shown == entry);
+            let spots = own.map(|(_, at)| (clearance(view.at(*at), borders, view), *at));
+            let (clear, at) = spots.max_by(|(p, _), (q, _)| p.total_cmp(q))?;
+            let room = [(view.x, view.rect.width), (view.y, view.rect.height)]
+                .map(|([from, to], pixels)| clear * (to - from) / pixels);
+            Some(Spot { at, room })
         }
         MapBodies::Grid { columns, entries } => {
             let cell = entries.iter().position(|shown| *shown == Some(entry))?;
@@ -24,57 +29,78 @@ pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &View) -> Option<Spot
             let at = |[from, to]: [f64; 2], place: usize, count: usize| {
                 from + (to - from) * (place as f64 + 0.5) / count as f64
             };
-            let room = (view.x[1] - view.x[0]) / *columns as f64;
+            let room = [(view.x, *columns), (view.y, rows)].map(|([from, to], count)| (to - from) / count as f64);
             Some(Spot { at: [at(view.x, cell % columns, *columns), at(view.y, cell / columns, rows)], room })
         }
         MapBodies::Points(_) => None,
     }
 }
 
-/// The middle of the widest level chord of a polygon, of those half-way between the heights of its corners.
-fn inside(corners: &[[f64; 2]]) -> Spot {
-    let mut heights: Vec<f64> = corners.iter().map(|corner| corner[1]).collect();
-    heights.sort_by(f64::total_cmp);
-    heights.dedup();
-    let mut best = Spot { at: corners.first().copied().unwrap_or_default(), room: 0.0 };
-    for pair in heights.windows(2) {
-        let y = f64::midpoint(pair[0], pair[1]);
-        let next = corners.iter().cycle().skip(1);
-        let crossed = corners.iter().zip(next).filter(|(p, q)| (p[1] > y) != (q[1] > y));
-        let mut ends: Vec<f64> = crossed.map(|(p, q)| p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])).collect();
-        ends.sort_by(f64::total_cmp);
-        for chord in ends.chunks_exact(2) {
-            if chord[1] - chord[0] > best.room {
-                best = Spot { at: [f64::midpoint(chord[0], chord[1]), y], room: chord[1] - chord[0] };
-            }
-        }
-    }
-    best
+/// Distance on the page from the nearest border, or edge of the map.
+fn clearance(point: Point, borders: &[[[f64; 2]; 2]], view: &View) -> f64 {
+    let rect = &view.rect;
+    let edges = [point[0] - rect.x, rect.right() - point[0], point[1] - rect.y, rect.bottom() - point[1]];
+    let edge = edges.into_iter().map(f64::abs).filter(|edge| *edge > 0.0).fold(f64::INFINITY, f64::min);
+    borders.iter().map(|ends| from_line(point, ends.map(|end| view.at(end)))).fold(edge, f64::min)
 }
 
-/// A place with the digits that its room needs, four at least and eight at most.
+/// Distance of a point from a straight line between two others.
+fn from_line(point: Point, [from, to]: [Point; 2]) -> f64 {
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let square = along[0] * along[0] + along[1] * along[1];
+    let share = ((point[0] - from[0]) * along[0] + (point[1] - from[1]) * along[1]) / square.max(f64::MIN_POSITIVE);
+    let share = share.clamp(0.0, 1.0);
+    distance(point, [from[0] + share * along[0], from[1] + share * along[1]])
+}
+
+/// Digits that tell any number exactly.
+const EXACT: f64 = 17.0;
+
+/// A place with the digits that its room needs, four at least.
 pub(super) fn short_place(Spot { at, room }: Spot) -> String {
-    let digits = |value: f64| {
+    let digits = |value: f64, room: f64| {
         let needed = libm::log10(value.abs().max(f64::MIN_POSITIVE) / (0.1 * room).max(f64::MIN_POSITIVE)).ceil();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-        let digits = needed.clamp(4.0, 8.0) as usize;
+        let digits = needed.clamp(4.0, EXACT) as usize;
         digits
     };
-    at.map(|value| short_number(value, digits(value))).join(", ")
+    [0, 1].map(|axis| short_number(at[axis], digits(at[axis], room[axis]))).join(", ")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::Rect;
+
+    fn view() -> View {
+        View { x: [0.0, 1.0], y: [0.0, 2.0], rect: Rect { x: 0.0, y: 0.0, width: 100.0, height: 100.0 } }
+    }
+
+    fn areas(seen: Vec<(usize, [f64; 2])>) -> MapBodies {
+        let borders = vec![[[0.5, 0.0], [0.5, 2.0]], [[1.0 / 3.0, 0.0], [1.0 / 3.0, 2.0]]];
+        MapBodies::Areas { pieces: Vec::new(), seen, borders, told: String::new() }
+    }
 
     #[test]
-    fn the_spot_of_a_bent_area_lies_inside_of_it() {
-        // A horseshoe, whose middle of gravity lies between its arms.
-        let horseshoe =
-            [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [3.0, 4.0], [3.0, 1.0], [1.0, 1.0], [1.0, 4.0], [0.0, 4.0]];
-        let Spot { at, room } = inside(&horseshoe);
-        assert_eq!((at, room), ([2.0, 0.5], 4.0));
-        assert_eq!(short_place(Spot { at: [0.933_333_333, -2.0], room: 1e-3 }), "0.9333, −2");
-        assert_eq!(short_place(Spot { at: [0.933_333_333, -2.0], room: 1e-4 }), "0.93333, −2");
+    fn the_place_of_an_entry_is_that_of_its_body_farthest_from_borders() {
+        let bodies = areas(vec![(0, [0.45, 1.0]), (0, [0.4, 1.0]), (1, [0.75, 1.0])]);
+        let Spot { at, room } = spot(&bodies, 0, &view()).unwrap();
+        let nearest = 0.4 - 1.0 / 3.0;
+        assert!(at == [0.4, 1.0] && (room[0] - nearest).abs() < 1e-12 && (room[1] - 2.0 * nearest).abs() < 1e-12);
+        assert!(spot(&bodies, 2, &view()).is_none());
+    }
+
+    #[test]
+    fn a_place_on_a_border_is_told_exactly() {
+        let bodies = areas(vec![(0, [0.5, 1.0]), (1, [1.0 / 3.0, 1.0])]);
+        assert_eq!(spot(&bodies, 0, &view()).map(short_place).as_deref(), Some("0.5, 1"));
+        let third = spot(&bodies, 1, &view()).map(short_place).unwrap();
+        assert_eq!(third.strip_suffix(", 1").unwrap().parse(), Ok(1.0 / 3.0));
+    }
+
+    #[test]
+    fn places_have_the_digits_that_their_room_needs() {
+        let place = |room| short_place(Spot { at: [0.933_333_333, -2.0], room: [room; 2] });
+        assert_eq!((place(1e-3).as_str(), place(1e-4).as_str()), ("0.9333, −2", "0.93333, −2"));
     }
 }

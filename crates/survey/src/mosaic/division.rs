@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::lattice::{Cell, Change, Node, Place, Side, Stop, UNIT};
+use super::lattice::{Cell, Change, Node, Place, Side, Stop, UNIT, mean};
 
 /// Where what is shown changes on a way: at which share of it, and what is shown before and after.
 pub type Changes<L> = Vec<(f64, [L; 2])>;
@@ -28,6 +28,8 @@ pub(super) struct Division<'a, P: Plane> {
     pub sides: BTreeMap<Side, Vec<Change<P::Label>>>,
     /// How the changes of a cell are joined, where that can be in several ways.
     pub joined: BTreeMap<(Node, u32), Vec<usize>>,
+    /// What was looked at besides the nodes.
+    pub seen: Vec<(P::Label, Place)>,
     /// Where the border of a cell with one chord has a corner.
     pub bends: BTreeMap<Node, Place>,
 }
@@ -78,6 +80,20 @@ impl<P: Plane> Division<'_, P> {
             return halves.into_iter().flat_map(|half| self.changes(half)).collect();
         }
         self.sides.get(&side).cloned().unwrap_or_default()
+    }
+
+    /// Looks at what lies only between two changes on a side, so that a place is known that shows it.
+    pub(super) fn look_between(&mut self) {
+        let mut known: Vec<&P::Label> = Vec::new();
+        for label in self.labels.values().chain(self.seen.iter().map(|(label, _)| label)) {
+            if !known.contains(&label) {
+                known.push(label);
+            }
+        }
+        let between = self.sides.values().flat_map(|changes| changes.windows(2));
+        let unseen = between.filter(|pair| !known.contains(&&pair[0].labels[1]));
+        let places: Vec<Place> = unseen.map(|pair| self.place(mean(pair.iter().map(|change| change.at)))).collect();
+        self.seen.extend(self.plane.labels(&places).into_iter().zip(places));
     }
 
     /// Must a cell be quartered?

@@ -30,6 +30,7 @@ pub fn divide<P: Plane>(plane: &P, axes: [&[f64]; 2], shown: &[P::Label]) -> Mos
         labels: BTreeMap::new(),
         sides: BTreeMap::new(),
         joined: BTreeMap::new(),
+        seen: Vec::new(),
         bends: BTreeMap::new(),
     };
     let nodes = (0..=rows).flat_map(|row| (0..=columns).map(move |column| [column * UNIT, row * UNIT]));
@@ -58,6 +59,7 @@ pub fn divide<P: Plane>(plane: &P, axes: [&[f64]; 2], shown: &[P::Label]) -> Mos
         cells = done;
     }
     cells.sort_by_key(|cell| [cell.from[1], cell.from[0]]);
+    division.look_between();
     division.cut(&cells)
 }
 
@@ -125,6 +127,7 @@ mod tests {
             assert_eq!(found.len(), 1, "{at:?}");
             wrong += u32::from(found[0] != land(at));
         }
+        assert!(mosaic.seen.iter().all(|(label, at)| land(*at) == *label));
         assert!(wrong < 100, "{wrong} of 10000 points lie in a piece that shows another land");
         assert!(!mosaic.borders.is_empty());
     }

@@ -9,6 +9,8 @@ use super::lattice::{Cell, Place, Stop, mean};
 pub struct Mosaic<L> {
     /// What each piece shows, and its corners. The pieces fill the rectangle without overlap.
     pub pieces: Vec<(L, Vec<Place>)>,
+    /// Places that were looked at, and what they show.
+    pub seen: Vec<(L, Place)>,
     /// The borders between pieces that show different things, as straight parts.
     pub borders: Vec<[Place; 2]>,
 }
@@ -16,7 +18,9 @@ pub struct Mosaic<L> {
 impl<P: Plane> Division<'_, P> {
     /// The pieces of cells.
     pub(super) fn cut(&self, cells: &[Cell]) -> Mosaic<P::Label> {
-        let mut mosaic = Mosaic { pieces: Vec::new(), borders: Vec::new() };
+        let nodes = self.labels.iter().map(|(node, label)| (label.clone(), self.place(node.map(f64::from))));
+        let seen = nodes.chain(self.seen.iter().cloned()).collect();
+        let mut mosaic = Mosaic { pieces: Vec::new(), seen, borders: Vec::new() };
         // Cells of a row that show one thing are one piece.
         let mut run: Option<(P::Label, Cell, u32)> = None;
         for &cell in cells {

@@ -19,6 +19,7 @@ impl<P: Plane> Division<'_, P> {
         for shift in PROBES {
             let places: Vec<Place> = left.iter().map(|(_, end)| self.place(end.probe(shift))).collect();
             let shown = self.plane.labels(&places);
+            self.seen.extend(shown.iter().cloned().zip(places));
             let (met, missed): (Vec<_>, Vec<_>) =
                 left.into_iter().zip(shown).partition(|((_, end), shown)| *shown == end.inside);
             for (side, changes) in self.edges(met.into_iter().map(|((_, end), _)| end).collect(), shift) {

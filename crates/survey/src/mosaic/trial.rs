@@ -48,7 +48,7 @@ impl<P: Plane> Division<'_, P> {
     }
 
     /// The parts of cells for each way to join their changes.
-    fn trials(&self, cells: &[Cell]) -> Vec<(Cell, Vec<Trial<P::Label>>)> {
+    fn trials(&mut self, cells: &[Cell]) -> Vec<(Cell, Vec<Trial<P::Label>>)> {
         let mut places = Vec::new();
         let mut all = Vec::new();
         for &cell in cells {
@@ -76,7 +76,9 @@ impl<P: Plane> Division<'_, P> {
             );
             all.push((cell, trials));
         }
-        let mut shown = self.plane.labels(&places).into_iter();
+        let shown = self.plane.labels(&places);
+        self.seen.extend(shown.iter().cloned().zip(places));
+        let mut shown = shown.into_iter();
         for (cell, trials) in &mut all {
             let least = SEEN * f64::from(cell.size * cell.size);
             for trial in trials {
