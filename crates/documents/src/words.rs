@@ -9,7 +9,7 @@ use top::diagram::RegionId;
 use top::table::Id;
 
 /// A number with the word for one of them or for several.
-pub fn counted<N: Display + PartialEq + From<u8>>(number: N, one: &str, several: &str) -> String {
+pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, several: &str) -> String {
     let word = if number == N::from(1) { one } else { several };
     format!("{number} {word}")
 }

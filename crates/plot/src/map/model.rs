@@ -98,7 +98,9 @@ impl MapBodies {
         let entries: Box<dyn Iterator<Item = &mut Option<usize>> + '_> = match self {
             Self::Grid { entries, .. } => Box::new(entries.iter_mut()),
             Self::Areas { pieces, seen, .. } => {
-                seen.iter_mut().for_each(|(entry, _)| *entry = number(*entry));
+                for (entry, _) in &mut *seen {
+                    *entry = number(*entry);
+                }
                 Box::new(pieces.iter_mut().map(|(entry, _)| entry))
             }
             Self::Points(points) => Box::new(points.iter_mut().map(|(_, entry)| entry)),

@@ -2,7 +2,7 @@
 
 use super::model::MapBodies;
 use super::view::View;
-use crate::page::{Point, distance, short_number};
+use crate::page::{Point, short_number};
 
 /// The place of a body, and in both parameters how far from it another entry may lie.
 #[derive(Clone, Copy)]
@@ -17,10 +17,16 @@ pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &View) -> Option<Spot
     match bodies {
         MapBodies::Areas { seen, borders, .. } => {
             let own = seen.iter().filter(|(shown, _)| *shown == entry);
-            let spots = own.map(|(_, at)| (clearance(view.at(*at), borders, view), *at));
-            let (clear, at) = spots.max_by(|(p, _), (q, _)| p.total_cmp(q))?;
-            let room = [(view.x, view.rect.width), (view.y, view.rect.height)]
-                .map(|([from, to], pixels)| clear * (to - from) / pixels);
+            let (at, clear) =
+                own.map(|(_, at)| (*at, clear(view.at(*at), borders, view))).max_by(|(p, room), (q, other)| {
+                    let [p, q] = [(p, room), (q, other)].map(|(at, room)| seclusion(view.at(*at), *room, view));
+                    p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1]))
+                })?;
+            let ranges = [(view.x, view.rect.width), (view.y, view.rect.height)];
+            let room = [0, 1].map(|axis| {
+                let ([from, to], pixels) = ranges[axis];
+                clear[axis] * (to - from) / pixels
+            });
             Some(Spot { at, room })
         }
         MapBodies::Grid { columns, entries } => {
@@ -36,21 +42,28 @@ pub(super) fn spot(bodies: &MapBodies, entry: usize, view: &View) -> Option<Spot
     }
 }
 
-/// Distance on the page from the nearest border, or edge of the map.
-fn clearance(point: Point, borders: &[[[f64; 2]; 2]], view: &View) -> f64 {
-    let rect = &view.rect;
-    let edges = [point[0] - rect.x, rect.right() - point[0], point[1] - rect.y, rect.bottom() - point[1]];
-    let edge = edges.into_iter().map(f64::abs).filter(|edge| *edge > 0.0).fold(f64::INFINITY, f64::min);
-    borders.iter().map(|ends| from_line(point, ends.map(|end| view.at(end)))).fold(edge, f64::min)
+/// How far on the page the next border is to the left or right of a point, and how far above or below; a border on which
+/// the point lies is no bar along itself.
+fn clear(point: Point, borders: &[[[f64; 2]; 2]], view: &View) -> [f64; 2] {
+    let along = |axis: usize| {
+        let across = 1 - axis;
+        let met = borders.iter().filter_map(|ends| {
+            let [from, to] = ends.map(|end| view.at(end));
+            let share = (point[across] - from[across]) / (to[across] - from[across]);
+            let at = from[axis] + share * (to[axis] - from[axis]);
+            (0.0..=1.0).contains(&share).then(|| (at - point[axis]).abs())
+        });
+        met.fold(f64::INFINITY, f64::min)
+    };
+    [along(0), along(1)]
 }
 
-/// Distance of a point from a straight line between two others.
-fn from_line(point: Point, [from, to]: [Point; 2]) -> f64 {
-    let along = [to[0] - from[0], to[1] - from[1]];
-    let square = along[0] * along[0] + along[1] * along[1];
-    let share = ((point[0] - from[0]) * along[0] + (point[1] - from[1]) * along[1]) / square.max(f64::MIN_POSITIVE);
-    let share = share.clamp(0.0, 1.0);
-    distance(point, [from[0] + share * along[0], from[1] + share * along[1]])
+/// The shorter and the longer of the two ways that are clear, within the map.
+fn seclusion(point: Point, clear: [f64; 2], view: &View) -> [f64; 2] {
+    let rect = &view.rect;
+    let x = clear[0].min(point[0] - rect.x).min(rect.right() - point[0]);
+    let y = clear[1].min(point[1] - rect.y).min(rect.bottom() - point[1]);
+    [x.min(y), x.max(y)]
 }
 
 /// Digits that tell any number exactly.
@@ -86,16 +99,17 @@ mod tests {
         let bodies = areas(vec![(0, [0.45, 1.0]), (0, [0.4, 1.0]), (1, [0.75, 1.0])]);
         let Spot { at, room } = spot(&bodies, 0, &view()).unwrap();
         let nearest = 0.4 - 1.0 / 3.0;
-        assert!(at == [0.4, 1.0] && (room[0] - nearest).abs() < 1e-12 && (room[1] - 2.0 * nearest).abs() < 1e-12);
+        assert!(at == [0.4, 1.0] && (room[0] - nearest).abs() < 1e-12 && room[1] == f64::INFINITY);
         assert!(spot(&bodies, 2, &view()).is_none());
     }
 
     #[test]
     fn a_place_on_a_border_is_told_exactly() {
-        let bodies = areas(vec![(0, [0.5, 1.0]), (1, [1.0 / 3.0, 1.0])]);
+        let bodies = areas(vec![(0, [0.5, 1.0]), (1, [1.0 / 3.0, 1.123_456])]);
         assert_eq!(spot(&bodies, 0, &view()).map(short_place).as_deref(), Some("0.5, 1"));
+        // Its height is free.
         let third = spot(&bodies, 1, &view()).map(short_place).unwrap();
-        assert_eq!(third.strip_suffix(", 1").unwrap().parse(), Ok(1.0 / 3.0));
+        assert_eq!(third.strip_suffix(", 1.123").unwrap().parse(), Ok(1.0 / 3.0));
     }
 
     #[test]

@@ -120,13 +120,13 @@ pub enum BorderEventKind {
 impl BorderEventKind {
     /// True for what happens where the body is special, and not at a place of the diagrams.
     pub(super) fn is_of_the_body(&self) -> bool {
-        match self {
+        matches!(
+            self,
             Self::PitchforkAtInfinity { .. }
-            | Self::SymmetryBroken { .. }
-            | Self::MomentsEqual { .. }
-            | Self::WeightVanishes => true,
-            _ => false,
-        }
+                | Self::SymmetryBroken { .. }
+                | Self::MomentsEqual { .. }
+                | Self::WeightVanishes
+        )
     }
 
     /// True for what is concluded only from events that are near each other.

@@ -39,29 +39,32 @@ fn nearest_cluster(side: &Arrangement) -> Option<Vec<Event>> {
     let mut best: Option<(f64, [Event; 2])> = None;
     for (k, event) in side.events.iter().enumerate() {
         for (m, other) in side.events.iter().enumerate().skip(k + 1) {
-            let labels = [&labels[k], &labels[m]];
+            let labels = [labels[k], labels[m]];
             let shared = labels[0].branches().iter().any(|name| labels[1].branches().contains(name));
             let apart = distance(event, other);
-            if shared && !have_both_pole_lines(labels) && best.is_none_or(|(least, _)| apart < least) {
+            if shared && !have_both_pole_lines(&labels) && best.is_none_or(|(least, _)| apart < least) {
                 best = Some((apart, [*event, *other]));
             }
         }
     }
     let (apart, [p, q]) = best?;
     let is_near = |event: &&Event| distance(event, &p).max(distance(event, &q)) <= 1e3 * apart + 1e-12;
-    let mut near: Vec<(Event, EventLabel)> = vec![(p, label(side, &p)), (q, label(side, &q))];
+    let mut near = vec![p, q];
+    let mut labels: Vec<EventLabel> = near.iter().map(|event| label(side, event)).collect();
     for event in side.events.iter().filter(is_near).filter(|event| **event != p && **event != q) {
-        let own = label(side, event);
-        if !have_both_pole_lines(near.iter().map(|(_, label)| label).chain([&own])) {
-            near.push((*event, own));
+        labels.push(label(side, event));
+        if have_both_pole_lines(&labels) {
+            labels.pop();
+        } else {
+            near.push(*event);
         }
     }
-    Some(near.into_iter().map(|(event, _)| event).collect())
+    Some(near)
 }
 
 /// Far out the two pole lines look near to each other, but they are parallel: no place has both.
-fn have_both_pole_lines<'a>(labels: impl IntoIterator<Item = &'a EventLabel> + Clone) -> bool {
-    let has = |pole| labels.clone().into_iter().any(|label| label.branches().contains(&BranchName::Pole(pole)));
+fn have_both_pole_lines(labels: &[EventLabel]) -> bool {
+    let has = |pole| labels.iter().any(|label| label.branches().contains(&BranchName::Pole(pole)));
     has(Pole::Plus) && has(Pole::Minus)
 }
 

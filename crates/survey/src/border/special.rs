@@ -60,10 +60,9 @@ fn root(exact: &RBig) -> Root {
 pub(super) fn explained(special: Option<Special>, found: BorderEventKind, is_sure: bool) -> BorderEventKind {
     use BorderEventKind as Kind;
     match (special, found) {
-        (Some(Special::EqualMoments(_)), found @ Kind::PitchforkAtInfinity { .. }) => found,
         // Only where moments pass each other does a pitchfork go through infinity.
         (None, Kind::PitchforkAtInfinity { .. }) => Kind::Several,
-        (None, found) => found,
+        (None, found) | (Some(Special::EqualMoments(_)), found @ Kind::PitchforkAtInfinity { .. }) => found,
         (Some(_), found) if is_sure && !found.is_guess() => found,
         (Some(Special::NoWeight), _) => Kind::WeightVanishes,
         (Some(Special::EqualMoments(axes)), _) => Kind::MomentsEqual { axes },
