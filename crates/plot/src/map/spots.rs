@@ -66,16 +66,16 @@ fn seclusion(point: Point, clear: [f64; 2], view: &View) -> [f64; 2] {
     [x.min(y), x.max(y)]
 }
 
-/// Digits that tell any number exactly.
-const EXACT: f64 = 17.0;
-
 /// A place with the digits that its room needs, four at least.
 pub(super) fn short_place(Spot { at, room }: Spot) -> String {
+    /// Digits that tell any number exactly.
+    const EXACT: usize = 17;
+    /// The part of its room by which a coordinate may be off, so that both together leave the place clear of a slanted border.
+    const OFF: f64 = 0.3;
     let digits = |value: f64, room: f64| {
-        let needed = libm::log10(value.abs().max(f64::MIN_POSITIVE) / (0.1 * room).max(f64::MIN_POSITIVE)).ceil();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-        let digits = needed.clamp(4.0, EXACT) as usize;
-        digits
+        let is_near = |told: f64| (told - value).abs() <= OFF * room;
+        let is_enough = |digits: &usize| format!("{value:.*e}", digits - 1).parse().is_ok_and(is_near);
+        (4..EXACT).find(is_enough).unwrap_or(EXACT)
     };
     [0, 1].map(|axis| short_number(at[axis], digits(at[axis], room[axis]))).join(", ")
 }
