@@ -7,14 +7,14 @@
 use std::hint::black_box;
 use std::time::Duration;
 
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::classify::classify;
+use bifdiag_diagram::topology::latitude;
+use bifdiag_documents::DocumentOptions;
+use bifdiag_equilibria::critical::critical;
+use bifdiag_equilibria::curves::CriticalSet;
 use criterion::{Criterion, criterion_group, criterion_main};
-use documents::DocumentOptions;
-use top::atlas::Atlas;
-use top::body::{Body, Number};
-use top::classify::classify;
-use top::critical::critical;
-use top::curves::CriticalSet;
-use top::topology::latitude;
 
 #[cfg(unix)]
 #[path = "workload/cpu_time.rs"]
@@ -67,10 +67,12 @@ fn atlases(criterion: &mut Criterion<Clock>) {
     for (name, cases) in &sets[..3] {
         let atlases = prepared(cases);
         in_turn(criterion, &format!("polylines/{name}"), &atlases, |atlas| {
-            documents::atlas::document(atlas, &DocumentOptions::default())
+            bifdiag_documents::atlas::document(atlas, &DocumentOptions::default())
         });
-        let bare = DocumentOptions { drawing: documents::Drawn::Nothing, ..DocumentOptions::default() };
-        in_turn(criterion, &format!("document/{name}"), &atlases, |atlas| documents::atlas::document(atlas, &bare));
+        let bare = DocumentOptions { drawing: bifdiag_documents::Drawn::Nothing, ..DocumentOptions::default() };
+        in_turn(criterion, &format!("document/{name}"), &atlases, |atlas| {
+            bifdiag_documents::atlas::document(atlas, &bare)
+        });
     }
 }
 

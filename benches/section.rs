@@ -8,11 +8,11 @@
 use std::hint::black_box;
 use std::time::Duration;
 
+use bifdiag_body::Body;
+use bifdiag_dynamics::field::{HeavyTop, State};
+use bifdiag_dynamics::integrator::taylor::{InstructionSet, order_for};
+use bifdiag_dynamics::section::{Monitor, OrbitSection, PpTorus, StartOptions, SweepOptions, spread_starts, sweep};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use dynamics::field::{HeavyTop, State};
-use dynamics::integrator::taylor::{InstructionSet, order_for};
-use dynamics::section::{Monitor, OrbitSection, PpTorus, StartOptions, SweepOptions, spread_starts, sweep};
-use top::body::Body;
 
 #[path = "workload/section.rs"]
 mod workload;

@@ -11,13 +11,13 @@
 
 use std::collections::BTreeMap;
 
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::classify::{Answer, Classification, classify};
+use bifdiag_diagram::topology::{Poles, latitude};
 use dashu_ratio::RBig;
 use support::bodies::{STRATA, Stratum, random_body, random_point};
 use support::random::SplitMix64;
-use top::atlas::Atlas;
-use top::body::{Body, Number};
-use top::classify::{Answer, Classification, classify};
-use top::topology::{Poles, latitude};
 
 #[derive(Default)]
 struct Tally {

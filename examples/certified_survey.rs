@@ -4,10 +4,10 @@
 
 use std::time::Instant;
 
-use proof::CertifiedAtlas;
-use top::atlas::Atlas;
-use top::body::Body;
-use top::topology::{Component, signature};
+use bifdiag_body::Body;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::topology::{Component, signature};
+use bifdiag_exact::CertifiedAtlas;
 
 use support::bodies::{STRATA, random_body};
 use support::random::SplitMix64;

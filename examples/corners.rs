@@ -5,11 +5,11 @@
 
 use std::time::Instant;
 
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::topology::Component;
+use bifdiag_exact::CertifiedAtlas;
 use dashu_ratio::RBig;
-use proof::CertifiedAtlas;
-use top::atlas::Atlas;
-use top::body::{Body, Number};
-use top::topology::Component;
 
 use support::random::SplitMix64;
 

@@ -6,12 +6,12 @@
 
 use std::time::Instant;
 
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_documents::{DocumentOptions, certified_atlas};
+use bifdiag_exact::{Accuracy, CertifiedAtlas, atlas_of, classify_exactly};
+use bifdiag_schema::AtlasDocument;
 use dashu_ratio::RBig;
-use documents::{DocumentOptions, certified_atlas};
-use proof::{Accuracy, CertifiedAtlas, atlas_of, classify_exactly};
-use schema::AtlasDocument;
-use top::atlas::Atlas;
-use top::body::{Body, Number};
 
 type Parts = [RBig; 6];
 
@@ -49,7 +49,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
 }
 
 fn document(proved: &CertifiedAtlas) -> Option<AtlasDocument> {
-    let options = DocumentOptions { drawing: documents::Drawn::Nothing, ..DocumentOptions::default() };
+    let options = DocumentOptions { drawing: bifdiag_documents::Drawn::Nothing, ..DocumentOptions::default() };
     certified_atlas(proved, &proved.drawn().ok()?, &options).ok()
 }
 
@@ -75,7 +75,7 @@ fn main() {
             let verified = proved.as_ref().ok().and_then(document).map_or_else(
                 || "no certificate".to_owned(),
                 |document| {
-                    let (found, time) = timed(|| verify::verify(&document));
+                    let (found, time) = timed(|| bifdiag_verify::verify(&document));
                     found.map_or_else(|refused| format!("REFUSED {refused}"), |_| format!("verified {time:.0} ms"))
                 },
             );

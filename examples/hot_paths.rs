@@ -4,13 +4,13 @@
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use documents::DocumentOptions;
-use top::atlas::Atlas;
-use top::body::{Body, Number};
-use top::classify::classify;
-use top::critical::critical;
-use top::curves::CriticalSet;
-use top::topology::latitude;
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::classify::classify;
+use bifdiag_diagram::topology::latitude;
+use bifdiag_documents::DocumentOptions;
+use bifdiag_equilibria::critical::critical;
+use bifdiag_equilibria::curves::CriticalSet;
 
 #[path = "../benches/workload/mod.rs"]
 mod workload;
@@ -60,7 +60,9 @@ const PATHS: [(&str, Prepare); 14] = [
     ("atlas-near-axis", || atlas(workload::near_axis())),
     ("atlas-rods", || atlas(workload::rods())),
     ("polylines", || {
-        in_turn(prepared(&workload::generic()), |atlas| documents::atlas::document(atlas, &DocumentOptions::default()))
+        in_turn(prepared(&workload::generic()), |atlas| {
+            bifdiag_documents::atlas::document(atlas, &DocumentOptions::default())
+        })
     }),
     ("classify", || in_turn(exact(), |(body, h, l)| classify(body, h, l))),
     ("critical", || in_turn(exact(), |(body, _, l)| critical(body, l))),
@@ -73,7 +75,7 @@ const PATHS: [(&str, Prepare); 14] = [
     }),
     ("latitude-sweep", || {
         let cases = workload::generic().into_iter().map(|case| (case.body.frame(), case.h, case.l)).collect();
-        in_turn(cases, |(frame, h, l): &(top::body::Frame, f64, f64)| {
+        in_turn(cases, |(frame, h, l): &(bifdiag_body::Frame, f64, f64)| {
             latitude::components(frame, h / frame.energy_unit, l / frame.momentum_unit)
         })
     }),

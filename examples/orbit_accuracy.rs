@@ -12,15 +12,15 @@
 //! `growth`: the largest drift of each first integral up to the times 10², 10³, … (10⁶ by default), four orbits each at
 //! (2.6, 3.25) and (4.45, 3.25); root mean square over the orbits. Needs 1 GB of memory for 10⁶.
 
-use dashu_ratio::RBig;
-use dynamics::field::{HeavyTop, Integrals, State};
-use dynamics::section::{
+use bifdiag_body::{Body, Number};
+use bifdiag_dynamics::field::{HeavyTop, Integrals, State};
+use bifdiag_dynamics::section::{
     Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, StartOptions, SweepOptions,
     spread_starts, sweep,
 };
+use dashu_ratio::RBig;
 use rustix::time::{ClockId, clock_gettime};
 use support::peers::{Crossing, Crossings, Method};
-use top::body::{Body, Number};
 
 type Failure = Box<dyn std::error::Error>;
 

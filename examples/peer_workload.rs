@@ -9,13 +9,13 @@ use std::hint::black_box;
 use std::io::{BufRead, Write};
 use std::time::Instant;
 
-use documents::DocumentOptions;
-use schema::Accuracy;
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::classify::classify;
+use bifdiag_documents::DocumentOptions;
+use bifdiag_equilibria::critical::critical;
+use bifdiag_schema::Accuracy;
 use serde::Deserialize;
-use top::atlas::Atlas;
-use top::body::{Body, Number};
-use top::classify::classify;
-use top::critical::critical;
 
 /// Runs of which the fastest counts.
 const RUNS: u32 = 7;
@@ -49,12 +49,12 @@ fn answer(line: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
     let atlas = Atlas::new(&body)?;
     Ok(serde_json::json!({
         "atlas": microseconds(5, || Atlas::new(&body)),
-        "polylines": microseconds(1, || documents::atlas::document(&atlas, &DocumentOptions::default())),
+        "polylines": microseconds(1, || bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default())),
         "classify": microseconds(10, || classify(&body, &h, &l)),
         "critical": microseconds(10, || critical(&body, &l)),
         "locate": microseconds(1000, || atlas.locate(query.h, query.l)),
         "regions": atlas.regions().len(),
-        "document": documents::classification(
+        "document": bifdiag_documents::classification(
             &body.clone().into(), &h, &l, &classify(&body, &h, &l)?, Accuracy::Exact, None,
         ),
     }))

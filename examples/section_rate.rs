@@ -7,10 +7,10 @@
 
 use std::hint::black_box;
 
-use dynamics::field::{HeavyTop, Integrals, State};
-use dynamics::integrator::taylor::order_for;
-use dynamics::section::{Monitor, PpTorus, SweepOptions, sweep};
-use top::body::Body;
+use bifdiag_body::Body;
+use bifdiag_dynamics::field::{HeavyTop, Integrals, State};
+use bifdiag_dynamics::integrator::taylor::order_for;
+use bifdiag_dynamics::section::{Monitor, PpTorus, SweepOptions, sweep};
 
 #[path = "../benches/workload/section.rs"]
 mod workload;

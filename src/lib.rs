@@ -17,9 +17,9 @@
 //! ```
 //!
 //! These names are what one needs for a start. Each layer below is a package of its own and is re-exported whole, in the
-//! order in which the data flows: [`numbers`], [`part`] (mass properties as engineers have them), [`top`] (one body),
-//! [`proof`], [`dynamics`] (motion in time), [`survey`] (many bodies), [`schema`] and [`documents`] (JSON), [`verify`], and
-//! `plot`.
+//! order in which the data flows: [`numbers`], [`body`] (and [`body::part`], mass properties as engineers have them),
+//! [`equilibria`], [`diagram`], [`exact`] (proofs), [`dynamics`] (motion in time), [`survey`] (many bodies), [`schema`] and
+//! [`documents`] (JSON), [`verify`], and `plot`.
 
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -28,20 +28,24 @@ pub mod cli;
 pub mod pictures;
 
 #[cfg(feature = "plot")]
-pub use pictures::Curves;
+pub use bifdiag_plot as plot;
 #[cfg(feature = "plot")]
-pub use plot;
-pub use {documents, dynamics, numbers, part, proof, schema, survey, top, verify};
+pub use pictures::Curves;
+pub use {
+    bifdiag_body as body, bifdiag_diagram as diagram, bifdiag_documents as documents, bifdiag_dynamics as dynamics,
+    bifdiag_equilibria as equilibria, bifdiag_exact as exact, bifdiag_numbers as numbers, bifdiag_schema as schema,
+    bifdiag_survey as survey, bifdiag_verify as verify,
+};
 
-pub use dynamics::poincare::{PoincareSection, Setting};
-pub use numbers::Number;
-pub use proof::{Accuracy, CertifiedAtlas, Unanswered, atlas_of, classify};
-pub use top::atlas::{Atlas, Region};
-pub use top::body::Body;
-pub use top::classify::{Answer, Classification, Margin};
-pub use top::critical::{Equilibria, critical};
-pub use top::curves::CurveName;
-pub use top::topology::Component;
+pub use bifdiag_body::Body;
+pub use bifdiag_diagram::atlas::{Atlas, Region};
+pub use bifdiag_diagram::classify::{Answer, Classification, Margin};
+pub use bifdiag_diagram::topology::Component;
+pub use bifdiag_dynamics::poincare::{PoincareSection, Setting};
+pub use bifdiag_equilibria::critical::{Equilibria, critical};
+pub use bifdiag_equilibria::curves::CurveName;
+pub use bifdiag_exact::{Accuracy, CertifiedAtlas, Unanswered, atlas_of, classify};
+pub use bifdiag_numbers::Number;
 
 /// The Rust examples of the documentation are tests.
 #[cfg(all(doctest, feature = "plot"))]

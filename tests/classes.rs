@@ -1,11 +1,11 @@
 //! Every class in `data/classes.json` is what it says: a sample in each run, all of them in a campaign
 //! (`cargo test --release --test classes -- --ignored`).
 
-use proof::{Accuracy, CertifiedAtlas, atlas_of};
-use schema::{ClassDocument, ClassesDocument};
-use survey::graph::{Domain, Node, Place, Stratum};
-use survey::{ComponentType, scan};
-use top::body::Body;
+use bifdiag_body::Body;
+use bifdiag_exact::{Accuracy, CertifiedAtlas, atlas_of};
+use bifdiag_schema::{ClassDocument, ClassesDocument};
+use bifdiag_survey::graph::{Domain, Node, Place, Stratum};
+use bifdiag_survey::{ComponentType, scan};
 
 fn classes() -> Vec<ClassDocument> {
     serde_json::from_str::<ClassesDocument>(&support::data("classes.json")).unwrap().classes
@@ -40,8 +40,10 @@ fn prove(class: &ClassDocument) {
     types.dedup();
     assert_eq!(types.iter().map(ComponentType::to_string).collect::<Vec<_>>(), class.types, "{}", class.name);
     let drawn = proof.drawn().unwrap();
-    let document = documents::certified_atlas(&proof, &drawn, &documents::DocumentOptions::default()).unwrap();
-    verify::verify(&document).unwrap_or_else(|refused| panic!("{} at {:.1e}: {refused}", class.name, class.distance));
+    let document =
+        bifdiag_documents::certified_atlas(&proof, &drawn, &bifdiag_documents::DocumentOptions::default()).unwrap();
+    bifdiag_verify::verify(&document)
+        .unwrap_or_else(|refused| panic!("{} at {:.1e}: {refused}", class.name, class.distance));
 }
 
 #[test]

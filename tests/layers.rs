@@ -7,23 +7,21 @@ use std::path::{Path, PathBuf};
 
 /// What lies at the top of each package's sources, in the order of the data: what stands later imports what stands
 /// earlier. `lib.rs` and `mod.rs` hold the front of a package and stand where they are used.
-const ORDER: [(&str, &str); 11] = [
+const ORDER: [(&str, &str); 12] = [
     (
         "crates/numbers/src",
         "number decimal sign enclosure interval interval_newton directed words wide modular polynomial ring vector symmetric bernstein root form partition \
-         sequence",
+         sequence table",
     ),
     (
         "crates/schema/src",
         "shown number head part certificate classification critical atlas checksum find grid listing section motion spin scan border classes",
     ),
+    ("crates/body/src", "axis error tensor rigid_body frame principal presets part"),
+    ("crates/equilibria/src", "curves stability continuation critical permanent"),
+    ("crates/diagram/src", "topology arrangement atlas class classify accessible region_changes"),
     (
-        "crates/top/src",
-        "table body curves stability continuation topology diagram atlas class classify critical permanent accessible",
-    ),
-    ("crates/part/src", "units spin existence products mass measured mesh link file"),
-    (
-        "crates/proof/src",
+        "crates/exact/src",
         "work id model family curves estimate point one_x ridges heights plane mirror pair polar arrange margin region certificate drawn vertex exact places \
          accuracy prepared",
     ),

@@ -12,7 +12,7 @@ subject="${1:?topology or verify}"
 shard="${2:-0/1}"
 shift "$(($# < 2 ? $# : 2))"
 case "$subject" in
-topology) chosen=(--file 'crates/top/src/topology/**' --file 'crates/top/src/class/**' --test-package bifdiag-top) ;;
+topology) chosen=(--file 'crates/diagram/src/topology/**' --file 'crates/diagram/src/class/**' --test-package bifdiag-diagram) ;;
 verify) chosen=(--file 'crates/verify/src/**' --test-package bifdiag --cargo-test-arg=--test=verify) ;;
 *) echo "mutants.sh: $subject is neither topology nor verify" >&2; exit 2 ;;
 esac

@@ -3,12 +3,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use bifdiag_body::Body;
+use bifdiag_diagram::class::ClassName;
+use bifdiag_survey::border::{self, BorderOptions, Segment};
+use bifdiag_survey::graph::{Node, Place, STRATA, Stratum};
+use bifdiag_survey::{katok, scan};
 use serde::Deserialize;
-use survey::border::{self, BorderOptions, Segment};
-use survey::graph::{Node, Place, STRATA, Stratum};
-use survey::{katok, scan};
-use top::body::Body;
-use top::class::ClassName;
 
 #[derive(Deserialize)]
 struct Walked {

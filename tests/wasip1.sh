@@ -7,5 +7,5 @@ export CARGO_TARGET_WASM32_WASIP1_RUNNER="node --no-warnings $PWD/tests/wasi.mjs
 export CARGO_PROFILE_RELEASE_OPT_LEVEL=1 PROPTEST_CASES="${PROPTEST_CASES:-2}"
 
 cargo test --release --target wasm32-wasip1 \
-    -p bifdiag-numbers -p bifdiag-schema -p bifdiag-verify -p bifdiag-top \
+    -p bifdiag-numbers -p bifdiag-schema -p bifdiag-verify -p bifdiag-diagram \
     --lib --test intervals --test arrangement --test classify --test class

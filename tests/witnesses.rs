@@ -1,12 +1,12 @@
 //! Every witness in `data/witnesses.json` shows what it says, by both topological methods, and with room.
 
-use documents::margin;
-use proof::classify_exactly;
-use schema::WitnessDocument;
-use survey::search::Target;
-use top::body::{Body, Number};
-use top::classify::classify;
-use top::topology::{Component, Poles, latitude};
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::classify::classify;
+use bifdiag_diagram::topology::{Component, Poles, latitude};
+use bifdiag_documents::margin;
+use bifdiag_exact::classify_exactly;
+use bifdiag_schema::WitnessDocument;
+use bifdiag_survey::search::Target;
 
 fn witnesses() -> Vec<WitnessDocument> {
     serde_json::from_str(&support::data("witnesses.json")).unwrap()
@@ -16,7 +16,7 @@ fn body(witness: &WitnessDocument) -> Body {
     Body::parse(&witness.body.moments, &witness.body.center).unwrap()
 }
 
-fn component(document: &schema::ComponentDocument) -> Component {
+fn component(document: &bifdiag_schema::ComponentDocument) -> Component {
     let signs = document.poles.as_ref().unwrap();
     let has = |sign: &str| signs.iter().any(|pole| pole == sign);
     Component { boundary_circles: document.boundary_circles, poles: Some(Poles { plus: has("+"), minus: has("-") }) }
@@ -38,7 +38,7 @@ fn both_methods_confirm_every_witness() {
         let answer = classify(&body, &energy, &momentum).unwrap();
         // As documents, so that every name in the file is compared too.
         assert_eq!(
-            answer.components().map(documents::components).as_ref(),
+            answer.components().map(bifdiag_documents::components).as_ref(),
             Some(&witness.components),
             "{}",
             witness.kind
@@ -53,7 +53,7 @@ fn both_methods_confirm_every_witness() {
             assert!(witness.margin.h > 1e6 * witness.margin.error_bound, "{}: {:?}", witness.kind, witness.margin);
             let proved = classify_exactly(&body, &energy, &momentum).unwrap();
             assert_eq!(
-                proved.components().map(documents::components).as_ref(),
+                proved.components().map(bifdiag_documents::components).as_ref(),
                 Some(&witness.components),
                 "{}",
                 witness.kind

@@ -1,7 +1,7 @@
 //! The fixed bodies and points on which time is measured.
 #![allow(dead_code)]
 
-use top::body::{Body, Number, Preset};
+use bifdiag_body::{Body, Number, Preset};
 
 use support::bodies::{Stratum, random_body, random_point};
 use support::random::SplitMix64;

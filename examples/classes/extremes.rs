@@ -1,10 +1,10 @@
 //! The most of everything that the witnesses of classes show.
 
-use proof::{Accuracy, atlas_of};
-use schema::ClassesDocument;
-use top::atlas::Atlas;
-use top::body::Body;
-use top::curves::Orbit;
+use bifdiag_body::Body;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_equilibria::curves::Orbit;
+use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_schema::ClassesDocument;
 
 use crate::Failure;
 

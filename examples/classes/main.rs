@@ -32,11 +32,11 @@ mod state;
 
 use std::path::Path;
 
+use bifdiag_diagram::class::ClassName;
+use bifdiag_schema::{ClassDocument, ClassesDocument};
+use bifdiag_survey::graph::{Domain, NearestOptions, Place, centre, deepen, plain};
+use bifdiag_survey::scan::Shard;
 use rayon::prelude::*;
-use schema::{ClassDocument, ClassesDocument};
-use survey::graph::{Domain, NearestOptions, Place, centre, deepen, plain};
-use survey::scan::Shard;
-use top::class::ClassName;
 
 use state::{State, Summary, part};
 
@@ -69,8 +69,8 @@ fn main() -> Result<(), Failure> {
         ["deepen", state, steps, ref rest @ ..] => deepen_all(Path::new(state), steps.parse()?, shard(rest)?.0),
         ["write", state, all, special, general, positive, published, shipped] => {
             let state = State::read(Path::new(state))?;
-            let counts = documents::ClassCounts { existing: counts(general)?, all: counts(positive)? };
-            let mut document = documents::classes(&state.graph, &counts)?;
+            let counts = bifdiag_documents::ClassCounts { existing: counts(general)?, all: counts(positive)? };
+            let mut document = bifdiag_documents::classes(&state.graph, &counts)?;
             document.others = others::others(all, special, &document.classes, &counts)?;
             std::fs::write(published, lines(&document)?)?;
             document.classes.iter_mut().for_each(|class| class.text.clear());

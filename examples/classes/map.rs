@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 
-use schema::ClassDocument;
+use bifdiag_schema::ClassDocument;
 
 const COLUMN: f64 = 90.0;
 const ROW: f64 = 15.0;

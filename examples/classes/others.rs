@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use documents::{ClassCounts, other_class};
-use schema::ClassDocument;
-use survey::graph::{Node, Place, Stratum};
-use top::body::{Body, Preset};
-use top::class::ClassName;
+use bifdiag_body::{Body, Preset};
+use bifdiag_diagram::class::ClassName;
+use bifdiag_documents::{ClassCounts, other_class};
+use bifdiag_schema::ClassDocument;
+use bifdiag_survey::graph::{Node, Place, Stratum};
 
 use crate::Failure;
 use crate::special::StratumState;

@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
 
-use proof::{Accuracy, atlas_of};
-use schema::{ClassDocument, ClassesDocument};
-use survey::ComponentType;
-use top::body::Body;
+use bifdiag_body::Body;
+use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_schema::{ClassDocument, ClassesDocument};
+use bifdiag_survey::ComponentType;
 
 use crate::Failure;
 use crate::map::map;
@@ -30,7 +30,7 @@ pub fn pages(classes: &str, folder: &Path) -> Result<(), Failure> {
         page.push_str("| region | sections | components |\n| --- | --- | --- |\n");
         for (region, known) in atlas.regions().pairs() {
             let components = known.components.as_ref().map_err(ToString::to_string)?;
-            let signature = top::topology::signature(components).unwrap_or_default();
+            let signature = bifdiag_diagram::topology::signature(components).unwrap_or_default();
             let types: Vec<String> = components.iter().map(|c| ComponentType::of(c).to_string()).collect();
             writeln!(page, "| {region} | {signature} | {} |", types.join(", "))?;
         }

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
 
-use schema::{ClassDocument, ClassesDocument};
-use survey::graph::{Domain, Unseen};
+use bifdiag_schema::{ClassDocument, ClassesDocument};
+use bifdiag_survey::graph::{Domain, Unseen};
 
 use crate::Failure;
 use crate::special::StratumState;

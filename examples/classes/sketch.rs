@@ -5,9 +5,9 @@
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 
-use top::atlas::Atlas;
-use top::curves::{Curve, CurveId, Orbit};
-use top::diagram::{Arrangement, RegionId, Slab};
+use bifdiag_diagram::arrangement::{Arrangement, RegionId, Slab};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_equilibria::curves::{Curve, CurveId, Orbit};
 
 /// So wide that a label fits between curves that meet at both ends of a step.
 const STEP: f64 = 46.0;

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use proof::Accuracy;
+use bifdiag_exact::Accuracy;
+use bifdiag_survey::border::class_of;
+use bifdiag_survey::graph::{Chart, Domain, STRATA, Stratum};
+use bifdiag_survey::scan;
 use serde::{Deserialize, Serialize};
-use survey::border::class_of;
-use survey::graph::{Chart, Domain, STRATA, Stratum};
-use survey::scan;
 
 use crate::Failure;
 use crate::state::{State, Stored, replace};

@@ -3,11 +3,11 @@
 use std::fmt;
 use std::path::Path;
 
+use bifdiag_diagram::class::ClassName;
+use bifdiag_survey::graph::{ClassGraph, Domain, Edge, Node, Place, Step, Walk};
+use bifdiag_survey::scan::Shard;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use survey::graph::{ClassGraph, Domain, Edge, Node, Place, Step, Walk};
-use survey::scan::Shard;
-use top::class::ClassName;
 
 use crate::Failure;
 

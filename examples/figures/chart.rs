@@ -1,7 +1,9 @@
 //! Charts of measurements: markers and lines over logarithmic or linear axes, panels side by side above one legend.
 
-use plot::page::{Anchor, Canvas, FAINT_INK, INK, Ink, Point, Rect, Rows, render, rgb, rgbs, superscript, text_width};
-use plot::{Picture, PlotError, Theme};
+use bifdiag_plot::page::{
+    Anchor, Canvas, FAINT_INK, INK, Ink, Point, Rect, Rows, render, rgb, rgbs, superscript, text_width,
+};
+use bifdiag_plot::{Picture, PlotError, Theme};
 use plotters::style::RGBColor;
 
 /// How an axis maps its values.

@@ -3,10 +3,10 @@
 use std::error::Error;
 
 use bifdiag::Curves;
-use documents::DocumentOptions;
-use plot::{DiagramOptions, MarkedPoints, Picture, draw};
-use proof::{Accuracy, atlas_of};
-use top::body::Preset;
+use bifdiag_body::Preset;
+use bifdiag_documents::DocumentOptions;
+use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_plot::{DiagramOptions, MarkedPoints, Picture, draw};
 
 use crate::figure::{Figure, THEME};
 
@@ -43,7 +43,7 @@ const DOTS: [[f64; 2]; 9] = [
 
 fn diagram(preset: &Preset) -> Result<Picture, Box<dyn Error>> {
     let atlas = atlas_of(&preset.body(), Accuracy::Exact)?;
-    let document = documents::atlas::document(&atlas, &DocumentOptions::default());
+    let document = bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default());
     let dots = MarkedPoints { points: DOTS.to_vec(), text: "the paper's example of a region".to_owned() };
     let points = (preset.name() == "paper").then_some(dots);
     let options = DiagramOptions { points, theme: THEME, ..DiagramOptions::default() };

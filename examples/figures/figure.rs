@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use plot::{Picture, Theme};
+use bifdiag_plot::{Picture, Theme};
 
 /// The figures are made for a light page.
 pub const THEME: Theme = Theme::Light;

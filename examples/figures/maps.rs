@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 use std::error::Error;
 
 use bifdiag::pictures::{Seen, Shown, map};
-use plot::{Map, MapAxis, MapBodies, MapLine, MapNote, Width, draw_map};
-use proof::Accuracy;
+use bifdiag_body::{Body, Preset};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_exact::Accuracy;
+use bifdiag_plot::{Map, MapAxis, MapBodies, MapLine, MapNote, Width, draw_map};
+use bifdiag_survey::border::{self, BorderEventKind, BorderOptions, Segment};
+use bifdiag_survey::scan::{Row, known_classes};
+use bifdiag_survey::{Design, Family, Parameter, katok};
 use rayon::prelude::*;
-use survey::border::{self, BorderEventKind, BorderOptions, Segment};
-use survey::scan::{Row, known_classes};
-use survey::{Design, Family, Parameter, katok};
-use top::atlas::Atlas;
-use top::body::{Body, Preset};
 
 use crate::figure::{Figure, THEME};
 
@@ -268,7 +268,7 @@ fn paper_near_the_axis() -> Result<Map, Box<dyn Error>> {
 
 #[cfg(test)]
 mod tests {
-    use plot::Theme;
+    use bifdiag_plot::Theme;
 
     use super::*;
     use crate::reading::picture_letters::unprintable;

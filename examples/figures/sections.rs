@@ -2,14 +2,14 @@
 
 use std::error::Error;
 
-use dynamics::field::State;
-use dynamics::section::chaos::{ChaosOptions, Verdict, chaos_measures};
-use dynamics::section::{
+use bifdiag_body::{Body, Preset};
+use bifdiag_dynamics::field::State;
+use bifdiag_dynamics::section::chaos::{ChaosOptions, Verdict, chaos_measures};
+use bifdiag_dynamics::section::{
     FAMILIES, Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SectionError, SweepOptions,
     TorusPoint, families, sweep,
 };
-use plot::{OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
-use top::body::{Body, Preset};
+use bifdiag_plot::{OrbitFamilies, Picture, Projection, SectionOptions, SectionScene, draw_section_rows};
 
 use crate::figure::{Figure, THEME};
 use crate::typical::{orbit, typical_orbits};
@@ -196,10 +196,10 @@ fn counted(verdicts: &[Verdict]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plot::section_type;
-    use proof::{Accuracy, atlas_of};
-    use top::atlas::Place;
-    use top::topology::signature;
+    use bifdiag_diagram::atlas::Place;
+    use bifdiag_diagram::topology::signature;
+    use bifdiag_exact::{Accuracy, atlas_of};
+    use bifdiag_plot::section_type;
 
     /// Kovalevskaya's tori are known to be integrable.
     #[test]

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fs;
 
-use plot::Picture;
+use bifdiag_plot::Picture;
 
 use crate::figure::Figure;
 

@@ -265,7 +265,7 @@ mod tests {
     #[test]
     fn every_chart_finds_its_measurements() {
         for (stem, draw) in CHARTS {
-            let picture = draw_chart(&draw().unwrap(), plot::Theme::Light).unwrap();
+            let picture = draw_chart(&draw().unwrap(), bifdiag_plot::Theme::Light).unwrap();
             assert!(picture.svg.contains("<polyline") || picture.svg.contains("<circle"), "{stem} is empty");
         }
         let table = Table::new(ORBITS).unwrap();

@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 use std::f64::consts::{PI, TAU};
 
-use dynamics::field::State;
-use dynamics::section::{Chart, Monitor, OrbitSection, Portrait, SectionError, SweepOptions, sweep};
+use bifdiag_dynamics::field::State;
+use bifdiag_dynamics::section::{Chart, Monitor, OrbitSection, Portrait, SectionError, SweepOptions, sweep};
 
 /// Crossings of each orbit.
 const CROSSINGS: usize = 1600;

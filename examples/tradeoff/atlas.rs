@@ -1,13 +1,13 @@
 //! Whole bodies: time of an atlas, and whether it holds the regions that are proved.
 
-use documents::DocumentOptions;
-use proof::{Accuracy, CertifiedAtlas, atlas_of};
+use bifdiag_body::Body;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::topology::Component;
+use bifdiag_documents::DocumentOptions;
+use bifdiag_equilibria::curves::Branch;
+use bifdiag_exact::{Accuracy, CertifiedAtlas, atlas_of};
+use bifdiag_numbers::table::Id;
 use rayon::prelude::*;
-use top::atlas::Atlas;
-use top::body::Body;
-use top::curves::Branch;
-use top::table::Id;
-use top::topology::Component;
 
 use super::clock::{spread, timed};
 use super::companion;
@@ -105,7 +105,7 @@ fn with_documents(bodies: &[&Body], truths: &[Option<Classes>], accuracy: Accura
     for (body, truth) in bodies.iter().zip(truths) {
         let (found, time) = timed(|| {
             let atlas = atlas_of(body, accuracy).ok()?;
-            let document = documents::atlas::document(&atlas, &options);
+            let document = bifdiag_documents::atlas::document(&atlas, &options);
             Some((atlas, document.summary.undecided.is_empty()))
         });
         let whole = found.as_ref().is_some_and(|(_, whole)| *whole);

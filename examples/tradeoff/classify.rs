@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use proof::{Accuracy, Prepared};
+use bifdiag_diagram::classify::Classification;
+use bifdiag_diagram::topology::Component;
+use bifdiag_exact::{Accuracy, Prepared};
 use rayon::prelude::*;
-use top::classify::Classification;
-use top::topology::Component;
 
 use super::clock::{spread, timed};
 use super::points::{Asked, Point};
@@ -123,7 +123,7 @@ fn answer_against(point: &Point, found: &Classification, accuracy: Accuracy) -> 
 }
 
 fn classified(point: &Point, accuracy: Accuracy) -> (Verdict, f64) {
-    let (found, time) = timed(|| proof::classify(point.body, &point.h, point.l, accuracy));
+    let (found, time) = timed(|| bifdiag_exact::classify(point.body, &point.h, point.l, accuracy));
     (found.map_or(Verdict::Failed, |found| answer_against(point, &found, accuracy)), time)
 }
 

@@ -2,7 +2,7 @@
 //! companion matrix. With D = Π(μ − A_i), P = p/D², Q = q/D²: relative equilibria at l are the roots of l⁴p³D² − q⁴,
 //! cusps those of 4(q'D − 2qD')p − 3(p'D − 2pD')q.
 
-use top::body::Body;
+use bifdiag_body::Body;
 
 type Polynomial = Vec<f64>;
 

@@ -3,12 +3,12 @@
 
 use std::collections::BTreeMap;
 
-use proof::Accuracy;
+use bifdiag_body::Body;
+use bifdiag_diagram::classify::Answer;
+use bifdiag_diagram::topology::Component;
+use bifdiag_exact::Accuracy;
 use rayon::prelude::*;
 use serde::Deserialize;
-use top::body::Body;
-use top::classify::Answer;
-use top::topology::Component;
 
 use super::Failure;
 use super::clock::{spread, timed};
@@ -72,7 +72,7 @@ fn answered(line: &str) -> Result<Answered, Failure> {
             }
         });
     }
-    let (found, time) = timed(|| proof::classify(&body, &h, &l, Accuracy::Exact));
+    let (found, time) = timed(|| bifdiag_exact::classify(&body, &h, &l, Accuracy::Exact));
     let verdict = match (found.as_ref().map(|found| &found.answer), &classes) {
         (Err(_), _) => Verdict::Failed,
         // The sweep refuses a point around.

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::topology::{Component, latitude};
 use serde::Deserialize;
-use top::body::{Body, Number};
-use top::topology::{Component, latitude};
 
 use super::Failure;
 

@@ -1,10 +1,10 @@
 //! Pictures: the tolerance of polylines against size, time and the deviation that is left.
 
-use documents::DocumentOptions;
-use plot::{DiagramOptions, draw};
-use schema::AtlasDocument;
-use top::atlas::Atlas;
-use top::curves::CurveName;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_documents::DocumentOptions;
+use bifdiag_equilibria::curves::CurveName;
+use bifdiag_plot::{DiagramOptions, draw};
+use bifdiag_schema::AtlasDocument;
 
 use super::clock::{quantiles, timed};
 use super::points::Asked;
@@ -27,7 +27,7 @@ pub fn run(all: &[Asked]) {
         let options = DocumentOptions { chord_tolerance, ..DocumentOptions::default() };
         let mut columns: [Vec<f64>; 6] = std::array::from_fn(|_| Vec::new());
         for (number, atlas) in atlases.iter().enumerate() {
-            let (document, document_time) = timed(|| documents::atlas::document(atlas, &options));
+            let (document, document_time) = timed(|| bifdiag_documents::atlas::document(atlas, &options));
             let json = serde_json::to_string(&document).map_or(0, |text| text.len());
             let vertices: usize = document.curves.iter().map(|curve| document.polyline(&curve.id).len()).sum();
             let row = [vertices as f64, json as f64, deviation(atlas, &document), document_time];

@@ -2,12 +2,12 @@
 
 use std::sync::atomic::AtomicBool;
 
+use bifdiag::diagram::atlas::Window;
 use bifdiag::documents::{self, DocumentOptions, Drawn, Subject, atlas::document};
-use bifdiag::proof::{CertifiedAtlas, Prepared};
+use bifdiag::equilibria::curves::CurveName;
+use bifdiag::exact::{CertifiedAtlas, Prepared};
 use bifdiag::schema::{Accuracy, AtlasDocument, WindowDocument};
-use bifdiag::top::atlas::Window;
-use bifdiag::top::curves::CurveName;
-use bifdiag::{Curves, plot, top};
+use bifdiag::{Curves, plot};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
@@ -33,7 +33,7 @@ pub struct Atlas {
     subject: Subject,
     prepared: Prepared,
     /// The proof, and the atlas as it is proved, if the document is to carry a certificate.
-    proved: Option<(CertifiedAtlas, top::atlas::Atlas)>,
+    proved: Option<(CertifiedAtlas, bifdiag::diagram::atlas::Atlas)>,
 }
 
 impl Atlas {
@@ -56,7 +56,7 @@ impl Atlas {
         Self { subject: subject.clone(), prepared, proved: None }
     }
 
-    fn atlas(&self) -> &top::atlas::Atlas {
+    fn atlas(&self) -> &bifdiag::diagram::atlas::Atlas {
         self.prepared.atlas().expect("an atlas in the hands of Python is made")
     }
 

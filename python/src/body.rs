@@ -2,7 +2,6 @@
 
 use bifdiag::documents::{self, Subject};
 use bifdiag::schema::{Accuracy, PartDocument};
-use bifdiag::top;
 use pyo3::prelude::*;
 
 use crate::atlas::{Atlas, accuracy};
@@ -15,8 +14,8 @@ pub struct Body {
     pub subject: Subject,
 }
 
-impl From<top::body::Body> for Body {
-    fn from(body: top::body::Body) -> Self {
+impl From<bifdiag::body::Body> for Body {
+    fn from(body: bifdiag::body::Body) -> Self {
         Self { subject: body.into() }
     }
 }
@@ -26,14 +25,15 @@ impl Body {
     #[new]
     #[expect(clippy::needless_pass_by_value, reason = "what was taken out of a sequence")]
     fn new(moments: [String; 3], center: [String; 3]) -> PyResult<Self> {
-        Ok(top::body::Body::parse(&moments, &center).map_err(|error| errors::body(&error))?.into())
+        Ok(bifdiag::body::Body::parse(&moments, &center).map_err(|error| errors::body(&error))?.into())
     }
 
     /// A1, A2, A3 and r1, r2, r3 of a named body, as they are written there.
     #[staticmethod]
     fn preset(name: &str) -> PyResult<Self> {
-        let known = || top::body::Preset::all().iter().map(top::body::Preset::name).collect::<Vec<_>>().join(", ");
-        let preset = top::body::Preset::find(name)
+        let known =
+            || bifdiag::body::Preset::all().iter().map(bifdiag::body::Preset::name).collect::<Vec<_>>().join(", ");
+        let preset = bifdiag::body::Preset::find(name)
             .ok_or_else(|| errors::wrong(format!("there is no body `{name}`; the named bodies are {}", known())))?;
         Ok(preset.body().into())
     }

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use bifdiag::body::part::file::{FileOptions, read};
+use bifdiag::body::part::{Existence, MassProperties, Part, Units};
 use bifdiag::documents::Subject;
 use bifdiag::numbers::symmetric::Symmetric;
-use bifdiag::part::file::{FileOptions, read};
-use bifdiag::part::{Existence, MassProperties, Part, Units};
 use dashu_ratio::RBig;
 use pyo3::prelude::*;
 
@@ -82,7 +82,7 @@ fn of_properties(properties: MassProperties, gravity: &str, units: Units, unphys
 }
 
 fn parsed(units: &str) -> PyResult<Units> {
-    units.parse().map_err(|error: bifdiag::part::UnitsError| errors::input(&error))
+    units.parse().map_err(|error: bifdiag::body::part::UnitsError| errors::input(&error))
 }
 
 fn rationals(texts: &[String; 3]) -> PyResult<[RBig; 3]> {

@@ -2,9 +2,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use bifdiag::proof::Prepared;
-use bifdiag::top::atlas::{Place, Spot};
-use bifdiag::top::table::Id;
+use bifdiag::diagram::atlas::{Place, Spot};
+use bifdiag::exact::Prepared;
+use bifdiag::numbers::table::Id;
 use bifdiag::{Number, Unanswered};
 use rayon::prelude::*;
 

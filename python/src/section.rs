@@ -1,10 +1,10 @@
 //! Poincaré sections as arrays.
 
+use bifdiag::body::{Body as Top, Number};
 use bifdiag::documents::{self, Subject};
 use bifdiag::dynamics::poincare::{PoincareError, PoincareSection, Setting};
 use bifdiag::dynamics::section::chaos::ChaosOptions;
 use bifdiag::dynamics::section::{Monitor, SectionCondition, SectionPoint, SweepOptions, TorusPoint};
-use bifdiag::top::body::{Body as Top, Number};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

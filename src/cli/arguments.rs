@@ -3,11 +3,11 @@
 use std::ffi::OsString;
 use std::num::NonZeroUsize;
 
-use ::schema::one_line;
+use bifdiag_body::{Number, Preset};
+use bifdiag_schema::one_line;
 use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser};
 use thiserror::Error;
-use top::body::{Number, Preset};
 
 use super::atlas::{self, AtlasArguments};
 use super::bodies::{self, BodiesArguments};

@@ -20,7 +20,7 @@ pub struct BodiesArguments {
 }
 
 pub fn run(arguments: &BodiesArguments) -> Result<(), Failure> {
-    let document = documents::all_bodies();
+    let document = bifdiag_documents::all_bodies();
     Ok(answer(arguments.json, &document, || {
         let mut table = Table::new(&["name", "A", "r", "note"]);
         for preset in &document.bodies {

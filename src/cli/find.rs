@@ -2,11 +2,11 @@
 
 use std::ops::ControlFlow;
 
+use bifdiag_documents::CommandLine;
+use bifdiag_documents::words::counted;
+use bifdiag_schema::{Accuracy, FindDocument};
+use bifdiag_survey::search::{Domain, SearchOptions, Target, find};
 use clap::Args;
-use documents::CommandLine;
-use documents::words::counted;
-use schema::{Accuracy, FindDocument};
-use survey::search::{Domain, SearchOptions, Target, find};
 use thiserror::Error;
 
 use super::export::answer;
@@ -138,13 +138,13 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
         ControlFlow::Continue(())
     };
     let searches = arguments.search || arguments.all || arguments.seed.is_some();
-    let known = if searches { Vec::new() } else { documents::shipped_witnesses() };
+    let known = if searches { Vec::new() } else { bifdiag_documents::shipped_witnesses() };
     let found = find(target, &known, &options, &mut watch);
     progress.finish();
     for (values, error) in &found.refused {
         tracing::debug!("the body {values:?} is no witness: {error}");
     }
-    documents::find(target, &found, command(arguments))
+    bifdiag_documents::find(target, &found, command(arguments))
 }
 
 /// The search as it was asked for.
@@ -162,7 +162,7 @@ fn command(arguments: &FindArguments) -> CommandLine {
         .option("samples", arguments.samples)
         .flag("all", arguments.all)
         .option_if("seed", arguments.seed)
-        .option_if("accuracy", documents::accuracy_option(arguments.accuracy))
+        .option_if("accuracy", bifdiag_documents::accuracy_option(arguments.accuracy))
 }
 
 fn report(document: &FindDocument) -> String {

@@ -1,12 +1,12 @@
 //! `bifdiag schema`: the JSON Schemas of the documents.
 
-use clap::{Args, ValueEnum};
-use schema::{
+use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
     ClassificationDocument, CriticalDocument, CriticalSpinDocument, FindDocument, GridDocument, MotionDocument,
     PartAnswerDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, StandingDocument,
     StateDocument,
 };
+use clap::{Args, ValueEnum};
 use schemars::{Schema, schema_for};
 
 use super::export::answer;

@@ -1,12 +1,12 @@
 //! `bifdiag show`: a region, a curve or an event of a body in words.
 
+use bifdiag_diagram::arrangement::RegionId;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_documents::{DocumentOptions, Drawn, words};
+use bifdiag_exact::{Accuracy, NoAtlas, atlas_of};
+use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument};
 use clap::Args;
-use documents::{DocumentOptions, Drawn, words};
-use proof::{Accuracy, NoAtlas, atlas_of};
-use schema::{AtlasDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument};
 use thiserror::Error;
-use top::atlas::Atlas;
-use top::diagram::RegionId;
 
 use super::failure::{CommandError, Exit, Failure};
 use super::input::{BodyArguments, head};
@@ -57,7 +57,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
     let atlas = atlas_of(&subject.body, Accuracy::Exact).map_err(NotShown::from)?;
     let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
-    let document = documents::atlas::document(&atlas, &options);
+    let document = bifdiag_documents::atlas::document(&atlas, &options);
     let mut report = Report::default();
     head(&subject, &mut report);
     report.line("");
@@ -154,7 +154,7 @@ fn show_curve(report: &mut Report, atlas: &Atlas, document: &AtlasDocument, curv
         report.line(format!("  at the same (h, l): {}", curve.coincides_with.join(", ")));
     }
     for span in &curve.stability {
-        let verdict = documents::verdict_along(atlas, curve, span.stability);
+        let verdict = bifdiag_documents::verdict_along(atlas, curve, span.stability);
         let known = verdict.map_or_else(String::new, |verdict| format!(", {}", words::verdict(verdict)));
         report.line(format!("  {}: {}{known}", range([Some(span.l_from), span.l_to]), span.stability.word()));
     }

@@ -1,10 +1,10 @@
 //! Curves as fine as a picture needs them, for `plot`, which knows documents alone.
 
-use plot::CurveSource;
-use schema::RelativeEquilibriumDocument;
-use top::atlas::Atlas;
-use top::body::Number;
-use top::critical::critical;
+use bifdiag_body::Number;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_equilibria::critical::critical;
+use bifdiag_plot::CurveSource;
+use bifdiag_schema::RelativeEquilibriumDocument;
 
 /// Polylines as fine as a magnification needs.
 pub struct Curves<'a>(
@@ -19,6 +19,6 @@ impl CurveSource for Curves<'_> {
 
     fn equilibria(&self, l: f64) -> Vec<RelativeEquilibriumDocument> {
         let found = Number::from_f64(l).ok().and_then(|l| critical(self.0.body(), &l).ok());
-        found.map_or_else(Vec::new, |found| documents::equilibria(&found))
+        found.map_or_else(Vec::new, |found| bifdiag_documents::equilibria(&found))
     }
 }

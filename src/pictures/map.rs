@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use documents::words::counted;
-use numbers::decimal::significant;
-use plot::{Map, MapAxis, MapBodies, MapEntry};
-use survey::Parameter;
-use survey::mosaic::{Mosaic, divide};
-use survey::scan::known_classes;
+use bifdiag_documents::words::counted;
+use bifdiag_numbers::decimal::significant;
+use bifdiag_plot::{Map, MapAxis, MapBodies, MapEntry};
+use bifdiag_survey::Parameter;
+use bifdiag_survey::mosaic::{Mosaic, divide};
+use bifdiag_survey::scan::known_classes;
 
 use super::shown::{Bodies, Seen, Shown, Shows, shared};
 

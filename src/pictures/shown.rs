@@ -2,14 +2,14 @@
 
 use std::fmt;
 
-use proof::Accuracy;
+use bifdiag_body::Body;
+use bifdiag_diagram::class::ClassName;
+use bifdiag_exact::Accuracy;
+use bifdiag_survey::Parameter;
+use bifdiag_survey::border::{self, Border, BorderOptions, Segment};
+use bifdiag_survey::mosaic::{Place, Plane};
+use bifdiag_survey::scan::Row;
 use rayon::prelude::*;
-use survey::Parameter;
-use survey::border::{self, Border, BorderOptions, Segment};
-use survey::mosaic::{Place, Plane};
-use survey::scan::Row;
-use top::body::Body;
-use top::class::ClassName;
 
 /// What a map shows by its colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

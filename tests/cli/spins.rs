@@ -1,9 +1,9 @@
 //! Steady rotations: `state`, `critical-spin`, `campbell` and `critical` say the same.
 
+use bifdiag_body::{Body, Number};
 use serde_json::{Value, json};
 use support::property::holds_for_bodies;
 use support::strata::STRATA;
-use top::body::{Body, Number};
 
 use crate::builder::bifdiag;
 

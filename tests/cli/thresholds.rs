@@ -2,11 +2,11 @@
 
 use std::cell::Cell;
 
+use bifdiag_body::{Body, Number};
 use dashu_ratio::RBig;
 use serde_json::{Value, json};
 use support::property::holds_for_bodies;
 use support::strata::STRATA;
-use top::body::{Body, Number};
 
 use crate::builder::bifdiag;
 

@@ -1,11 +1,11 @@
 //! Families of bodies and points that run into an extreme as ε → 0, and what the levels answer on the way.
 
+use bifdiag_body::{Body, Number, Preset};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::classify::{Components, classify};
+use bifdiag_diagram::topology::Component;
+use bifdiag_exact::{CertifiedAtlas, classify_exactly};
 use dashu_ratio::RBig;
-use proof::{CertifiedAtlas, classify_exactly};
-use top::atlas::Atlas;
-use top::body::{Body, Number, Preset};
-use top::classify::{Components, classify};
-use top::topology::Component;
 
 /// What is asked.
 pub enum Question {

@@ -1,12 +1,12 @@
 //! Single claims that are false are refused by the mathematics, each for its reason.
 
-use dashu_ratio::RBig;
-use documents::seal;
-use schema::{
+use bifdiag_documents::seal;
+use bifdiag_schema::{
     Accuracy, AtlasDocument, CertifiedNode, DrawingDocument, EnclosureDocument, EventDocument, MarginDocument,
     PlaceDocument,
 };
-use verify::{Refused, Report, verify};
+use bifdiag_verify::{Refused, Report, verify};
+use dashu_ratio::RBig;
 
 use crate::made::{body, document, exact, forged, of_tilted_part, preset, whole};
 
@@ -23,7 +23,7 @@ fn a_flipped_byte_is_caught_by_the_checksum() {
 
 #[test]
 fn false_claims_are_refused_by_the_mathematics() {
-    let certificate = |d: &mut AtlasDocument, change: &dyn Fn(&mut schema::CertificateDocument)| {
+    let certificate = |d: &mut AtlasDocument, change: &dyn Fn(&mut bifdiag_schema::CertificateDocument)| {
         change(d.certificate.as_mut().unwrap());
     };
     // Wrong genus.
@@ -106,7 +106,7 @@ fn a_crossing_beside_its_box_is_refused() {
         let moved = if kept == 0 { &x[0] + thousandth } else { &x[1] - thousandth };
         let both = nodes.each_ref().map(|node| node.places.clone().unwrap());
         let places = [0, 1].map(|curve| around(&both[0][curve], &both[1][curve]));
-        nodes[1 - kept] = CertifiedNode { x: Some(numbers::decimal::exact(&moved)), places: Some(places) };
+        nodes[1 - kept] = CertifiedNode { x: Some(bifdiag_numbers::decimal::exact(&moved)), places: Some(places) };
         seal(&mut forged).unwrap();
         let refused = verify(&forged);
         assert!(matches!(refused, Err(Refused::Pair { .. })), "kept {kept}: {refused:?}");
@@ -131,7 +131,7 @@ fn a_place_beside_its_abscissa_is_refused() {
             let Some(place) = &mut height.place else { continue };
             let [low, high] = place.y.each_ref().map(|y| exact(y));
             let step = ((&high - &low) * RBig::from(100) + &low / RBig::from(1_000_000)) * RBig::from(side);
-            place.y = [low + &step, high + step].map(|y| numbers::decimal::exact(&y));
+            place.y = [low + &step, high + step].map(|y| bifdiag_numbers::decimal::exact(&y));
             seal(&mut forged).unwrap();
             let refused = verify(&forged);
             assert!(matches!(refused, Err(Refused::Place { .. })), "slab {slab}, curve {level}, {side}: {refused:?}");
@@ -142,7 +142,7 @@ fn a_place_beside_its_abscissa_is_refused() {
 /// What is written twice or under another name: a source of an event, a cusp, a stretch.
 #[test]
 fn nothing_is_counted_twice() {
-    let certificate = |d: &mut AtlasDocument, change: &dyn Fn(&mut schema::CertificateDocument)| {
+    let certificate = |d: &mut AtlasDocument, change: &dyn Fn(&mut bifdiag_schema::CertificateDocument)| {
         change(d.certificate.as_mut().unwrap());
     };
     let renamed = mutated(|d| {
@@ -196,10 +196,10 @@ fn the_command_is_that_of_the_document() {
 fn a_part_is_that_of_its_body() {
     let true_one = of_tilted_part();
     assert!(true_one.body.part.as_ref().is_some_and(|part| !part.exact && part.physical));
-    let refused = |change: &dyn Fn(&mut schema::PartDocument)| {
+    let refused = |change: &dyn Fn(&mut bifdiag_schema::PartDocument)| {
         let mut forged = true_one.clone();
         let part = forged.body.part.as_mut().unwrap();
-        let texts = |part: &schema::PartDocument| {
+        let texts = |part: &bifdiag_schema::PartDocument| {
             let [[xx, xy, _], ..] = &part.inertia;
             let [x, y, z] = &part.com;
             [
@@ -324,7 +324,7 @@ fn a_wide_enclosure_of_an_event_is_refused() {
             let refused = forged(&true_one, |d| change(d.events[number].enclosure.as_mut().unwrap()));
             assert!(matches!(refused, Err(Refused::Event { .. })), "{number}: {refused:?}");
         };
-        let text = |x: f64| numbers::decimal::exact(&RBig::try_from(x).unwrap());
+        let text = |x: f64| bifdiag_numbers::decimal::exact(&RBig::try_from(x).unwrap());
         refused(&|e| e.l = [text(-l - 1.0), text(l + 1.0)]);
         refused(&|e| e.l[0] = "-1".to_owned());
         refused(&|e| e.l[0] = "0".to_owned());
@@ -360,7 +360,7 @@ fn numbers_in_another_form_are_refused() {
 }
 
 /// A change of a certificate.
-type Change = fn(&mut schema::CertificateDocument);
+type Change = fn(&mut bifdiag_schema::CertificateDocument);
 
 /// Lists that no body has are refused by their length, without any work for their entries.
 #[test]

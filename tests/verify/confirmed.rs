@@ -2,12 +2,12 @@
 
 use std::cell::RefCell;
 
-use proof::CertifiedAtlas;
+use bifdiag_body::Preset;
+use bifdiag_exact::CertifiedAtlas;
+use bifdiag_verify::{Refused, verify};
 use proptest::prelude::*;
 use support::property::{body_text, holds_for_bodies};
 use support::strata::STRATA;
-use top::body::Preset;
-use verify::{Refused, verify};
 
 use crate::made::{body, certified, document, forged, whole};
 

@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use documents::seal;
-use schema::AtlasDocument;
+use bifdiag_documents::seal;
+use bifdiag_schema::AtlasDocument;
+use bifdiag_verify::verify;
 use serde_json::Value;
-use verify::verify;
 
 use crate::made::whole_documents;
 

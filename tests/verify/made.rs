@@ -1,13 +1,13 @@
 //! Documents that are true, and what is said of them when they are changed.
 
+use bifdiag_body::part::{MassProperties, Part};
+use bifdiag_body::{Body, Number, Preset};
+use bifdiag_documents::{DocumentOptions, Drawn, Subject, certified_atlas, certified_atlas_of, seal};
+use bifdiag_exact::CertifiedAtlas;
+use bifdiag_numbers::symmetric::Symmetric;
+use bifdiag_schema::AtlasDocument;
+use bifdiag_verify::{Refused, Report, verify};
 use dashu_ratio::RBig;
-use documents::{DocumentOptions, Drawn, Subject, certified_atlas, certified_atlas_of, seal};
-use numbers::symmetric::Symmetric;
-use part::{MassProperties, Part};
-use proof::CertifiedAtlas;
-use schema::AtlasDocument;
-use top::body::{Body, Number, Preset};
-use verify::{Refused, Report, verify};
 
 pub fn preset(name: &str) -> Body {
     Preset::find(name).expect("a preset").body()

@@ -1,11 +1,11 @@
 //! Bodies as documents: numbers as they were given, flags, real parts, presets.
 
+use bifdiag_body::part::Part;
+use bifdiag_body::{Body, Preset, PrincipalForm, Tensor, TensorError};
+use bifdiag_numbers::symmetric::{PrincipalAxes, Real};
+use bifdiag_numbers::{Number, decimal};
+use bifdiag_schema::{BodiesDocument, Flags, GivenBody, PartDocument, PresetDocument, PrincipalDocument};
 use dashu_ratio::RBig;
-use numbers::symmetric::{PrincipalAxes, Real};
-use numbers::{Number, decimal};
-use part::Part;
-use schema::{BodiesDocument, Flags, GivenBody, PartDocument, PresetDocument, PrincipalDocument};
-use top::body::{Body, Preset, PrincipalForm, Tensor, TensorError};
 
 use crate::command::{CommandLine, head};
 
@@ -24,7 +24,7 @@ pub fn given(body: &Body) -> GivenBody {
 /// What is special about a body.
 #[must_use]
 pub fn flags(body: &Body) -> Flags {
-    let top::body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
+    let bifdiag_body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
     Flags { unphysical, plate, symmetric, plane, axis, euler }
 }
 

@@ -1,8 +1,8 @@
 //! Borders between classes as documents.
 
-use schema::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument};
-use survey::Range;
-use survey::border::{Border, BorderEvent, BorderEventKind, Segment};
+use bifdiag_schema::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument};
+use bifdiag_survey::Range;
+use bifdiag_survey::border::{Border, BorderEvent, BorderEventKind, Segment};
 
 use crate::command::{CommandLine, head};
 use crate::scan::{parameter, range};

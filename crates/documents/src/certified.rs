@@ -1,8 +1,8 @@
 //! The document of a proved atlas: drawn as the `f64` one, decided as proved, with its certificate.
 
-use proof::CertifiedAtlas;
-use schema::{Accuracy, AtlasDocument};
-use top::atlas::Atlas;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_exact::CertifiedAtlas;
+use bifdiag_schema::{Accuracy, AtlasDocument};
 
 use crate::atlas::{DocumentOptions, attach_part, command, document, name_command};
 use crate::subject::Subject;
@@ -60,7 +60,7 @@ pub fn leave_out_drawing(document: &mut AtlasDocument, subject: &Subject) -> Res
 /// # Errors
 /// When the document cannot be written as JSON.
 pub fn seal(document: &mut AtlasDocument) -> Result<(), serde_json::Error> {
-    let sum = schema::checksum(document)?;
+    let sum = bifdiag_schema::checksum(document)?;
     if let Some(certificate) = &mut document.certificate {
         certificate.checksum = sum;
     }

@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use proof::Accuracy;
-use schema::{
+use bifdiag_body::{Body, BodyError};
+use bifdiag_diagram::class::ClassName;
+use bifdiag_exact::Accuracy;
+use bifdiag_schema::{
     ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument, ClassesDocument, SCHEMA_VERSION,
     StandingDocument,
 };
-use survey::border::class_of;
-use survey::graph::{ClassGraph, Domain, Nearest, Node};
-use top::body::{Body, BodyError};
-use top::class::ClassName;
+use bifdiag_survey::border::class_of;
+use bifdiag_survey::graph::{ClassGraph, Domain, Nearest, Node};
 
 use crate::body::given;
 use crate::command::{CommandLine, head};

@@ -1,12 +1,12 @@
 //! The type of a point as a document.
 
-use numbers::Number;
-use proof::Prepared;
-use schema::{Accuracy, CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
-use top::atlas::Atlas;
-use top::classify::{Answer, Classification, Margin};
-use top::diagram::RegionId;
-use top::topology::{Component, signature};
+use bifdiag_diagram::arrangement::RegionId;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::classify::{Answer, Classification, Margin};
+use bifdiag_diagram::topology::{Component, signature};
+use bifdiag_exact::Prepared;
+use bifdiag_numbers::Number;
+use bifdiag_schema::{Accuracy, CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
 
 use crate::body::given;
 use crate::command::head;

@@ -3,9 +3,9 @@
 
 use std::fmt::Display;
 
-use numbers::Number;
-use schema::{Head, SCHEMA_VERSION};
-use top::body::Body;
+use bifdiag_body::Body;
+use bifdiag_numbers::Number;
+use bifdiag_schema::{Head, SCHEMA_VERSION};
 
 /// A command line that makes the document in which it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,11 +1,11 @@
 //! Relative equilibria as a document.
 
-use numbers::Number;
-use schema::{CriticalDocument, CurveDocument, RelativeEquilibriumDocument};
-use top::atlas::Atlas;
-use top::critical::{Equilibria, Equilibrium, Multiplicity};
-use top::curves::CurveName;
-use top::stability::{ChangeKind, LinearType, Setting, Verdict};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_equilibria::critical::{Equilibria, Equilibrium, Multiplicity};
+use bifdiag_equilibria::curves::CurveName;
+use bifdiag_equilibria::stability::{ChangeKind, LinearType, Setting, Verdict};
+use bifdiag_numbers::Number;
+use bifdiag_schema::{CriticalDocument, CurveDocument, RelativeEquilibriumDocument};
 
 use crate::body::given;
 use crate::command::head;
@@ -57,32 +57,32 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
 
 /// How many critical points an entry stands for.
 #[must_use]
-pub fn multiplicity(found: Multiplicity) -> schema::Multiplicity {
+pub fn multiplicity(found: Multiplicity) -> bifdiag_schema::Multiplicity {
     match found {
-        Multiplicity::Points(count) => schema::Multiplicity::Points(count),
-        Multiplicity::Circle => schema::Multiplicity::Circle,
-        Multiplicity::Sphere => schema::Multiplicity::Sphere,
+        Multiplicity::Points(count) => bifdiag_schema::Multiplicity::Points(count),
+        Multiplicity::Circle => bifdiag_schema::Multiplicity::Circle,
+        Multiplicity::Sphere => bifdiag_schema::Multiplicity::Sphere,
     }
 }
 
 /// The words for linear types, in the order of [`type_code`].
-pub const LINEAR_TYPES: [schema::Stability; 7] = [
-    schema::Stability::Elliptic,
-    schema::Stability::SaddleCentre,
-    schema::Stability::Saddle,
-    schema::Stability::Complex,
-    schema::Stability::DoubleElliptic,
-    schema::Stability::DoubleReal,
-    schema::Stability::Zero,
+pub const LINEAR_TYPES: [bifdiag_schema::Stability; 7] = [
+    bifdiag_schema::Stability::Elliptic,
+    bifdiag_schema::Stability::SaddleCentre,
+    bifdiag_schema::Stability::Saddle,
+    bifdiag_schema::Stability::Complex,
+    bifdiag_schema::Stability::DoubleElliptic,
+    bifdiag_schema::Stability::DoubleReal,
+    bifdiag_schema::Stability::Zero,
 ];
 
 /// The words for verdicts, in the order of [`verdict_code`].
-pub const VERDICTS: [schema::Verdict; 5] = [
-    schema::Verdict::Energy,
-    schema::Verdict::Integral,
-    schema::Verdict::Spectrum,
-    schema::Verdict::Unstable,
-    schema::Verdict::Open,
+pub const VERDICTS: [bifdiag_schema::Verdict; 5] = [
+    bifdiag_schema::Verdict::Energy,
+    bifdiag_schema::Verdict::Integral,
+    bifdiag_schema::Verdict::Spectrum,
+    bifdiag_schema::Verdict::Unstable,
+    bifdiag_schema::Verdict::Open,
 ];
 
 /// The place of a linear type among [`LINEAR_TYPES`].
@@ -113,13 +113,17 @@ pub fn verdict_code(verdict: Verdict) -> i8 {
 
 /// The word for a verdict.
 #[must_use]
-pub fn verdict(verdict: Verdict) -> schema::Verdict {
+pub fn verdict(verdict: Verdict) -> bifdiag_schema::Verdict {
     VERDICTS[verdict_code(verdict).unsigned_abs() as usize]
 }
 
 /// What is known of the rotations of a curve of an atlas where they have this type; `None` for a pole line.
 #[must_use]
-pub fn verdict_along(atlas: &Atlas, curve: &CurveDocument, kind: schema::Stability) -> Option<schema::Verdict> {
+pub fn verdict_along(
+    atlas: &Atlas,
+    curve: &CurveDocument,
+    kind: bifdiag_schema::Stability,
+) -> Option<bifdiag_schema::Verdict> {
     let set = &atlas.arrangement().set;
     let (_, found) = set.curves.pairs().find(|(id, _)| CurveName::of(set, *id).to_string() == curve.id)?;
     let kind = LinearType::ALL.into_iter().find(|known| stability(*known) == kind)?;
@@ -127,15 +131,15 @@ pub fn verdict_along(atlas: &Atlas, curve: &CurveDocument, kind: schema::Stabili
 }
 
 /// The word for a linear type.
-pub(crate) fn stability(kind: LinearType) -> schema::Stability {
+pub(crate) fn stability(kind: LinearType) -> bifdiag_schema::Stability {
     LINEAR_TYPES[type_code(kind).unsigned_abs() as usize]
 }
 
 /// The word for a change of the linear type.
-pub(crate) fn change(kind: ChangeKind) -> schema::StabilityChangeKind {
+pub(crate) fn change(kind: ChangeKind) -> bifdiag_schema::StabilityChangeKind {
     match kind {
-        ChangeKind::HamiltonianHopf => schema::StabilityChangeKind::HamiltonianHopf,
-        ChangeKind::RealCollision => schema::StabilityChangeKind::RealCollision,
-        ChangeKind::Zero => schema::StabilityChangeKind::Zero,
+        ChangeKind::HamiltonianHopf => bifdiag_schema::StabilityChangeKind::HamiltonianHopf,
+        ChangeKind::RealCollision => bifdiag_schema::StabilityChangeKind::RealCollision,
+        ChangeKind::Zero => bifdiag_schema::StabilityChangeKind::Zero,
     }
 }

@@ -1,7 +1,7 @@
 //! Searches and witnesses as documents.
 
-use schema::{FindDocument, NearestDocument, WitnessDocument};
-use survey::search::{Answer, Nearest, Search, Target, Witness};
+use bifdiag_schema::{FindDocument, NearestDocument, WitnessDocument};
+use bifdiag_survey::search::{Answer, Nearest, Search, Target, Witness};
 
 use crate::body::given;
 use crate::classification::{components, margin};

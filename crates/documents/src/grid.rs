@@ -1,7 +1,7 @@
 //! Grids of points.
 
-use numbers::Number;
-use schema::{Accuracy, GridAxisDocument, GridDocument};
+use bifdiag_numbers::Number;
+use bifdiag_schema::{Accuracy, GridAxisDocument, GridDocument};
 
 use crate::body::given;
 use crate::classification::accuracy_option;

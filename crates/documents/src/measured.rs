@@ -1,10 +1,10 @@
 //! Parts whose numbers are known to within so much, as documents.
 
+use bifdiag_body::part::{INPUT_NAMES, INPUTS, Measured, MeasuredPart, Part};
+use bifdiag_equilibria::permanent::{BoxedBody, SettledTypes, SpinRange, settled_types};
+use bifdiag_numbers::{decimal, sequence};
+use bifdiag_schema::{MeasuredDocument, SampledClassDocument, ToleranceDocument};
 use dashu_ratio::RBig;
-use numbers::{decimal, sequence};
-use part::{INPUT_NAMES, INPUTS, Measured, MeasuredPart, Part};
-use schema::{MeasuredDocument, SampledClassDocument, ToleranceDocument};
-use top::permanent::{BoxedBody, SettledTypes, SpinRange, settled_types};
 
 use crate::body::principal;
 use crate::command::CommandLine;

@@ -1,7 +1,9 @@
 //! Documents that come back: those of this version are read, older ones refused with the command that makes them anew.
 
-use numbers::Number;
-use schema::{AtlasDocument, DesignDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument, one_line, shown};
+use bifdiag_numbers::Number;
+use bifdiag_schema::{
+    AtlasDocument, DesignDocument, SCHEMA_VERSION, ScanSummaryDocument, WindowDocument, one_line, shown,
+};
 use serde::Deserialize;
 use thiserror::Error;
 

@@ -1,16 +1,16 @@
 //! Sections as documents.
 
-use dynamics::field::Integrals;
-use dynamics::integrator::DEFAULT_TOLERANCE;
-use dynamics::poincare::PoincareSection;
-use dynamics::section::chaos::{ChaosMeasure, Evidence, Judgement, Open, Rotation, RotationAngle, Verdict};
-use dynamics::section::{End, OrbitSection, SectionCondition, TorusPoint};
-use schema::{
+use bifdiag_diagram::topology::signature;
+use bifdiag_dynamics::field::Integrals;
+use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
+use bifdiag_dynamics::poincare::PoincareSection;
+use bifdiag_dynamics::section::chaos::{ChaosMeasure, Evidence, Judgement, Open, Rotation, RotationAngle, Verdict};
+use bifdiag_dynamics::section::{End, OrbitSection, SectionCondition, TorusPoint};
+use bifdiag_schema::{
     ChaosDocument, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument, IntegratorDocument,
     IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SectionDocument,
     SectionSummaryDocument, SectionsDocument, SkippedDocument, StartsDocument, VerdictName, VerdictsName,
 };
-use top::topology::signature;
 
 use crate::body::given;
 use crate::classification::components;

@@ -3,18 +3,19 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use dashu_ratio::RBig;
-use numbers::Number;
-use part::Spin;
-use proof::Accuracy;
-use schema::{SampledClassDocument, SpinChangeDocument, SpinDocument, SpinRangeDocument, ToleranceDocument};
-use survey::border::class_of;
-use top::atlas::Atlas;
-use top::body::Body;
-use top::class::ClassName;
-use top::permanent::{
-    AxisRotation, RegionChange, SAMPLES, SpinChange, SpinRange, SpinType, region_changes, sampled_bodies, spin_ranges,
+use bifdiag_body::Body;
+use bifdiag_body::part::Spin;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::class::ClassName;
+use bifdiag_diagram::region_changes::{RegionChange, region_changes};
+use bifdiag_equilibria::permanent::{
+    AxisRotation, SAMPLES, SpinChange, SpinRange, SpinType, sampled_bodies, spin_ranges,
 };
+use bifdiag_exact::Accuracy;
+use bifdiag_numbers::Number;
+use bifdiag_schema::{SampledClassDocument, SpinChangeDocument, SpinDocument, SpinRangeDocument, ToleranceDocument};
+use bifdiag_survey::border::class_of;
+use dashu_ratio::RBig;
 
 /// A rate of turning, from rad/s.
 #[must_use]
@@ -166,9 +167,9 @@ pub(crate) fn classes_of(bodies: impl Iterator<Item = Option<Body>>) -> Vec<Samp
 
 #[cfg(test)]
 mod tests {
+    use bifdiag_body::BodyAxis;
+    use bifdiag_numbers::Sign;
     use dashu_ratio::RBig;
-    use numbers::Sign;
-    use top::body::BodyAxis;
 
     use super::*;
 

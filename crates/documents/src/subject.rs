@@ -1,8 +1,8 @@
 //! What a document is about.
 
-use part::Part;
-use schema::{PartAnswerDocument, PartDocument};
-use top::body::{Body, TensorError};
+use bifdiag_body::part::Part;
+use bifdiag_body::{Body, TensorError};
+use bifdiag_schema::{PartAnswerDocument, PartDocument};
 
 use crate::body::principal;
 use crate::command::{CommandLine, head};

@@ -1,11 +1,11 @@
 //! The witnesses that come with the program.
 
-use numbers::{Number, ParseNumberError};
-use schema::{ComponentDocument, WitnessDocument};
-use survey::search::KnownPoint;
+use bifdiag_body::{Body, BodyError};
+use bifdiag_diagram::topology::{Component, Poles};
+use bifdiag_numbers::{Number, ParseNumberError};
+use bifdiag_schema::{ComponentDocument, WitnessDocument};
+use bifdiag_survey::search::KnownPoint;
 use thiserror::Error;
-use top::body::{Body, BodyError};
-use top::topology::{Component, Poles};
 
 /// `data/witnesses.json` of the repository; a test keeps the two the same.
 const SHIPPED: &str = include_str!("../data/witnesses.json");
@@ -52,8 +52,8 @@ fn read_component(document: &ComponentDocument) -> Component {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proof::Accuracy;
-    use survey::search::{Domain, Exclusion, Target, known_witness};
+    use bifdiag_exact::Accuracy;
+    use bifdiag_survey::search::{Domain, Exclusion, Target, known_witness};
 
     #[test]
     fn the_published_file_is_the_shipped_one() {

@@ -2,11 +2,13 @@
 
 use std::fmt::Display;
 
-use schema::{AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Verdict};
-use top::atlas::{Atlas, Passage};
-use top::curves::CurveName;
-use top::diagram::RegionId;
-use top::table::Id;
+use bifdiag_diagram::arrangement::RegionId;
+use bifdiag_diagram::atlas::{Atlas, Passage};
+use bifdiag_equilibria::curves::CurveName;
+use bifdiag_numbers::table::Id;
+use bifdiag_schema::{
+    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Verdict,
+};
 
 /// A number with the word for one of them or for several.
 pub fn counted<N: Copy + Display + PartialEq + From<u8>>(number: N, one: &str, several: &str) -> String {

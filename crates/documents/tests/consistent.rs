@@ -3,13 +3,13 @@
 
 use std::collections::BTreeSet;
 
-use documents::{DocumentOptions, Drawn};
+use bifdiag_body::Number;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_documents::{DocumentOptions, Drawn};
+use bifdiag_schema::{AtlasDocument, ComponentDocument, RegionDocument};
 use proptest::prelude::*;
-use schema::{AtlasDocument, ComponentDocument, RegionDocument};
 use support::property::{Verdict, holds_for_bodies};
 use support::strata::STRATA;
-use top::atlas::Atlas;
-use top::body::Number;
 
 fn number(x: f64) -> Number {
     Number::from_f64(x).unwrap()
@@ -30,7 +30,8 @@ fn atlas_documents_are_consistent() {
 }
 
 fn is_consistent(atlas: &Atlas, drawing: Drawn) -> Verdict {
-    let document = documents::atlas::document(atlas, &DocumentOptions { drawing, ..DocumentOptions::default() });
+    let document =
+        bifdiag_documents::atlas::document(atlas, &DocumentOptions { drawing, ..DocumentOptions::default() });
     let text = serde_json::to_string(&document).unwrap();
     let back: Result<AtlasDocument, _> = serde_json::from_str(&text);
     // A number that is not finite is written as null.
@@ -54,7 +55,7 @@ fn is_consistent(atlas: &Atlas, drawing: Drawn) -> Verdict {
     for (k, region) in document.regions.iter().enumerate() {
         prop_assert_eq!(&region.id, &format!("R{}", k + 1));
         starts.push(region.l_range[0].unwrap());
-        let from = |cell: &schema::CellDocument| cell.l_range[0].unwrap_or(0.0);
+        let from = |cell: &bifdiag_schema::CellDocument| cell.l_range[0].unwrap_or(0.0);
         prop_assert!(region.cells.is_sorted_by(|p, q| from(p) <= from(q) * (1.0 + 1e-12)), "{}", region.id);
         let known = region.boundary.iter().all(|id| curves.contains(id.as_str()) || id == "P+" || id == "P-");
         prop_assert!(known, "{:?}", region.boundary);
@@ -63,7 +64,7 @@ fn is_consistent(atlas: &Atlas, drawing: Drawn) -> Verdict {
         let sample = &region.sample;
         let found = atlas.classify(&number(sample.h), &number(sample.l));
         let thin = sample.margin.h <= 4.0 * sample.margin.error_bound + 1e-13 * sample.h.abs();
-        let found = found.ok().and_then(|found| found.components().map(documents::components));
+        let found = found.ok().and_then(|found| found.components().map(bifdiag_documents::components));
         // Where f64 proves no topology the region has none either.
         let open = region.components.is_empty() || found.is_none();
         prop_assert!(thin || open || found.as_ref() == Some(&region.components), "{}: {found:?}", region.id);
@@ -77,7 +78,8 @@ fn neighbours_know_it(region: &RegionDocument, document: &AtlasDocument) -> Verd
         prop_assert!(region.boundary.contains(&neighbour.curve), "{neighbour:?}");
         let Some(id) = &neighbour.region else { continue };
         let other = document.regions.iter().find(|other| other.id == *id).expect("a region of the atlas");
-        let back = |n: &schema::NeighbourDocument| n.region.as_ref() == Some(&region.id) && n.curve == neighbour.curve;
+        let back =
+            |n: &bifdiag_schema::NeighbourDocument| n.region.as_ref() == Some(&region.id) && n.curve == neighbour.curve;
         prop_assert!(other.neighbours.iter().any(back), "{} and {id} across {}", region.id, neighbour.curve);
     }
     Ok(())

@@ -1,9 +1,9 @@
 //! What a section's document says beside its orbits.
 
-use documents::section;
-use dynamics::poincare::Setting;
-use dynamics::section::{Monitor, SweepOptions};
-use top::body::Preset;
+use bifdiag_body::Preset;
+use bifdiag_documents::section;
+use bifdiag_dynamics::poincare::Setting;
+use bifdiag_dynamics::section::{Monitor, SweepOptions};
 
 #[test]
 fn a_stopped_run_says_so() {

@@ -1,10 +1,10 @@
 //! What is said where a way through the plane goes over curves.
 
-use documents::{DocumentOptions, words};
-use numbers::Number;
-use proof::{Accuracy, atlas_of};
-use top::body::Preset;
-use top::critical::critical;
+use bifdiag_body::Preset;
+use bifdiag_documents::{DocumentOptions, words};
+use bifdiag_equilibria::critical::critical;
+use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_numbers::Number;
 
 /// The sentences from below everything to above everything at one l, and on the way back.
 fn told(body: &str, l: f64) -> [Vec<String>; 2] {
@@ -13,7 +13,7 @@ fn told(body: &str, l: f64) -> [Vec<String>; 2] {
     let heights: Vec<f64> = critical(&body, &Number::from_f64(l).unwrap()).unwrap().list.iter().map(|e| e.h).collect();
     let (low, high) =
         (heights.iter().copied().fold(f64::MAX, f64::min), heights.iter().copied().fold(f64::MIN, f64::max));
-    let document = documents::atlas::document(&atlas, &DocumentOptions::default());
+    let document = bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default());
     let ends = [[low - 1.0, l], [high + 1.0, l]];
     [[0, 1], [1, 0]].map(|[from, to]| {
         let passages = atlas.passages(ends[from], ends[to]).unwrap();

@@ -2,16 +2,16 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dynamics::field::{HeavyTop, State, norm, sub};
-use dynamics::integrator::taylor::InstructionSet;
-use dynamics::integrator::{Taylor, ToleranceError};
-use dynamics::section::chaos::{
+use bifdiag_body::Body;
+use bifdiag_dynamics::field::{HeavyTop, State, norm, sub};
+use bifdiag_dynamics::integrator::taylor::InstructionSet;
+use bifdiag_dynamics::integrator::{Taylor, ToleranceError};
+use bifdiag_dynamics::section::chaos::{
     ChaosMeasure, ChaosOptions, Lyapunov, RotationAngle, RotationUndefined, chaos_measures, lyapunov_exponents,
 };
-use dynamics::section::{
+use bifdiag_dynamics::section::{
     Monitor, OrbitSection, PpTorus, SectionError, StartOptions, SweepOptions, TorusPoint, spread_starts, sweep,
 };
-use top::body::Body;
 
 fn top(moments: [f64; 3], center: [f64; 3]) -> HeavyTop {
     HeavyTop::new(&Body::from_f64(moments, center).unwrap())

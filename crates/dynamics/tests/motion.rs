@@ -2,11 +2,11 @@
 
 use std::sync::atomic::AtomicBool;
 
-use dynamics::field::{HeavyTop, State, cross, dot, norm, scale, sub};
-use dynamics::integrator::DEFAULT_TOLERANCE;
-use dynamics::motion::{Motion, MotionError, MotionOptions, MotionSample, Quaternion, azimuth_rate, follow};
+use bifdiag_body::Body;
+use bifdiag_dynamics::field::{HeavyTop, State, cross, dot, norm, scale, sub};
+use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
+use bifdiag_dynamics::motion::{Motion, MotionError, MotionOptions, MotionSample, Quaternion, azimuth_rate, follow};
 use support::peers::Method;
-use top::body::Body;
 
 fn top(moments: [f64; 3], center: [f64; 3]) -> HeavyTop {
     HeavyTop::new(&Body::from_f64(moments, center).unwrap())

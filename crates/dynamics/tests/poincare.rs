@@ -1,10 +1,10 @@
 //! Sections from the question to the answer: whether there is one, where the orbits start, and in which component.
 
-use dynamics::poincare::{PoincareError, Setting};
-use dynamics::section::{Monitor, OrbitSection, SweepOptions};
-use top::atlas::Atlas;
-use top::body::{Body, Number, Preset};
-use top::topology::signature;
+use bifdiag_body::{Body, Number, Preset};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::topology::signature;
+use bifdiag_dynamics::poincare::{PoincareError, Setting};
+use bifdiag_dynamics::section::{Monitor, OrbitSection, SweepOptions};
 
 fn number(x: f64) -> Number {
     Number::from_f64(x).unwrap()

@@ -1,14 +1,14 @@
 //! Poincaré sections: conservation, integrable tops, reversal, the same bits everywhere, and heyoka's crossings.
 
-use dynamics::field::{HeavyTop, Integrals, State, dot, kovalevskaya};
-use dynamics::integrator::taylor::InstructionSet;
-use dynamics::integrator::{DEFAULT_TOLERANCE, Taylor, ToleranceError};
-use dynamics::section::{
+use bifdiag_body::Body;
+use bifdiag_dynamics::field::{HeavyTop, Integrals, State, dot, kovalevskaya};
+use bifdiag_dynamics::integrator::taylor::InstructionSet;
+use bifdiag_dynamics::integrator::{DEFAULT_TOLERANCE, Taylor, ToleranceError};
+use bifdiag_dynamics::section::{
     End, Halt, Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, StartOptions,
     SweepOptions, Task, TorusPoint, spread_starts, sweep, sweep_on,
 };
 use support::peers::Method;
-use top::body::Body;
 
 fn torus(moments: [f64; 3], center: [f64; 3]) -> PpTorus {
     PpTorus::new(&HeavyTop::new(&Body::from_f64(moments, center).unwrap())).unwrap()

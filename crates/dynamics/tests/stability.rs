@@ -2,13 +2,13 @@
 
 use std::sync::atomic::AtomicBool;
 
-use dynamics::field::{HeavyTop, State};
-use dynamics::integrator::DEFAULT_TOLERANCE;
-use dynamics::motion::{MotionOptions, follow};
-use numbers::Number;
-use top::body::Body;
-use top::critical::{Equilibrium, Multiplicity, critical};
-use top::stability::Verdict;
+use bifdiag_body::Body;
+use bifdiag_dynamics::field::{HeavyTop, State};
+use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
+use bifdiag_dynamics::motion::{MotionOptions, follow};
+use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, critical};
+use bifdiag_equilibria::stability::Verdict;
+use bifdiag_numbers::Number;
 
 /// Steele, Lea and Flood's SplitMix64.
 struct Random(u64);
@@ -47,7 +47,7 @@ fn departure(body: &Body, point: &Equilibrium, random: &mut Random, duration: f6
     let options = MotionOptions { tolerance: DEFAULT_TOLERANCE, phi: 0.0, stop: &stop };
     let times: Vec<f64> = (0..=400).map(|k| duration * f64::from(k) / 400.0).collect();
     let motion = follow(&HeavyTop::new(body), &start, &times, &options).unwrap();
-    let far = |sample: &dynamics::motion::MotionSample| {
+    let far = |sample: &bifdiag_dynamics::motion::MotionSample| {
         (0..3)
             .map(|k| (sample.gamma[k] - point.gamma[k]).abs().max((sample.l[k] - l[k]).abs() / size))
             .fold(0.0, f64::max)

@@ -4,15 +4,15 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use dynamics::field::{HeavyTop, State};
-use dynamics::integrator::DEFAULT_TOLERANCE;
-use dynamics::motion::{MotionOptions, follow};
-use dynamics::section::chaos::{ChaosOptions, RotationUndefined, chaos_measures, lyapunov_exponents};
-use dynamics::section::{
+use bifdiag_body::Body;
+use bifdiag_dynamics::field::{HeavyTop, State};
+use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
+use bifdiag_dynamics::motion::{MotionOptions, follow};
+use bifdiag_dynamics::section::chaos::{ChaosOptions, RotationUndefined, chaos_measures, lyapunov_exponents};
+use bifdiag_dynamics::section::{
     Chart, End, Monitor, OrbitSection, Portrait, PortraitOptions, PpTorus, SectionCondition, SectionError,
     SectionPoint, StartOptions, SweepOptions, spread_starts, sweep,
 };
-use top::body::Body;
 
 /// Powers of two by which A and r are multiplied. Times are multiplied by the root of their quotient.
 const SCALES: [(i32, i32); 6] = [(100, 0), (0, 100), (-100, 0), (0, -100), (200, -300), (-300, -300)];

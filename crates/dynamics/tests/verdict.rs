@@ -1,16 +1,16 @@
 //! Verdicts: integrable orbits are never called chaotic, the paper's chaos is, islands and unstable periodic orbits are
 //! not.
 
-use dynamics::field::{HeavyTop, State, dot, norm, sub};
-use dynamics::poincare::Setting;
-use dynamics::section::chaos::{
+use bifdiag_body::{Body, Number};
+use bifdiag_dynamics::field::{HeavyTop, State, dot, norm, sub};
+use bifdiag_dynamics::poincare::Setting;
+use bifdiag_dynamics::section::chaos::{
     ChaosMeasure, ChaosOptions, Course, Judgement, Open, RotationAngle, UNIT, Verdict, chaos_measures, growths,
 };
-use dynamics::section::{
+use bifdiag_dynamics::section::{
     End, Monitor, OrbitSection, PpTorus, StartOptions, SweepOptions, TorusPoint, spread_starts, sweep,
 };
 use support::peers::Method;
-use top::body::{Body, Number};
 
 const PAPER: ([f64; 3], [f64; 3]) = ([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]);
 

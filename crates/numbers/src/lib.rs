@@ -16,6 +16,7 @@ pub mod root;
 pub mod sequence;
 mod sign;
 pub mod symmetric;
+pub mod table;
 pub mod vector;
 pub mod wide;
 pub mod words;

@@ -1,11 +1,11 @@
 //! The contract of interval arithmetic, held against exact rationals in every precision: each operation on random
 //! intervals, many of them with special ends, must contain the exact result for every member that is tried.
 
+use bifdiag_numbers::Sign;
+use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
+use bifdiag_numbers::interval::Interval;
+use bifdiag_numbers::wide::{Interval128, Interval384, Wide};
 use dashu_ratio::RBig;
-use numbers::Sign;
-use numbers::enclosure::{Arithmetic, Enclosure};
-use numbers::interval::Interval;
-use numbers::wide::{Interval128, Interval384, Wide};
 use proptest::prelude::*;
 
 const SPECIAL: [f64; 18] = [

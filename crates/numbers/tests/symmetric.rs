@@ -1,7 +1,7 @@
 //! Eigenvalues and principal axes of symmetric matrices against planted ones.
 
+use bifdiag_numbers::symmetric::{PrincipalAxes, Real, Symmetric, dot};
 use dashu_ratio::RBig;
-use numbers::symmetric::{PrincipalAxes, Real, Symmetric, dot};
 use proptest::prelude::*;
 
 fn whole(n: i64) -> RBig {

@@ -1,6 +1,6 @@
 //! A part as it was understood: three views of its ellipsoid with pivot, centre of mass and principal axes.
 
-use schema::PartDocument;
+use bifdiag_schema::PartDocument;
 
 use crate::page::{
     Anchor, Canvas, FAINT_INK, INK, Ink, POLE, Picture, PlotError, Point, Rect, Taken, Theme, number, render, rgb,

@@ -9,19 +9,19 @@ mod picture_svg;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use documents::DocumentOptions;
-use numbers::Number;
-use numbers::symmetric::Symmetric;
+use bifdiag_body::{Body, Preset, Tensor};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_documents::DocumentOptions;
+use bifdiag_equilibria::critical::critical;
+use bifdiag_numbers::Number;
+use bifdiag_numbers::symmetric::Symmetric;
+use bifdiag_plot::{CurveSource, DiagramOptions, Picture, Width, draw};
+use bifdiag_schema::{AtlasDocument, RelativeEquilibriumDocument};
 use picture_layout::Layout;
 use picture_letters::unprintable;
-use plot::{CurveSource, DiagramOptions, Picture, Width, draw};
-use schema::{AtlasDocument, RelativeEquilibriumDocument};
 use serde_json::Value;
 use support::bodies::{STRATA, Stratum, random_body};
 use support::random::SplitMix64;
-use top::atlas::Atlas;
-use top::body::{Body, Preset, Tensor};
-use top::critical::critical;
 
 /// Polylines as fine as a magnification needs.
 struct Curves(Atlas);
@@ -33,14 +33,14 @@ impl CurveSource for Curves {
 
     fn equilibria(&self, l: f64) -> Vec<RelativeEquilibriumDocument> {
         let found = Number::from_f64(l).ok().and_then(|l| critical(self.0.body(), &l).ok());
-        found.map_or_else(Vec::new, |found| documents::equilibria(&found))
+        found.map_or_else(Vec::new, |found| bifdiag_documents::equilibria(&found))
     }
 }
 
 fn drawn(body: &Body, width: Width) -> (AtlasDocument, Picture) {
     let atlas = Curves(Atlas::new(body).expect("the body has an atlas"));
     let options = DocumentOptions::default();
-    let document = documents::atlas::document(&atlas.0, &options);
+    let document = bifdiag_documents::atlas::document(&atlas.0, &options);
     let picture = draw(&document, Some(&atlas), &DiagramOptions { width, ..DiagramOptions::default() })
         .expect("the diagram can be drawn");
     (document, picture)

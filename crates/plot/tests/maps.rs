@@ -4,9 +4,9 @@ mod picture_letters;
 mod picture_svg;
 mod picture_texts;
 
+use bifdiag_plot::{Map, MapAxis, MapBodies, MapEntry, MapLine, Picture, Theme, Width, draw_map};
 use picture_letters::unprintable;
 use picture_texts::{assert_texts_are_apart, texts};
-use plot::{Map, MapAxis, MapBodies, MapEntry, MapLine, Picture, Theme, Width, draw_map};
 
 type Piece = (Option<usize>, Vec<[f64; 2]>);
 

@@ -5,11 +5,11 @@ mod picture_svg;
 mod picture_texts;
 mod plot_fixture;
 
+use bifdiag_plot::{DiagramOptions, Picture, PlotError, Width, draw};
+use bifdiag_schema::WindowDocument;
 use picture_texts::{assert_texts_are_apart, texts};
-use plot::{DiagramOptions, Picture, PlotError, Width, draw};
 use plot_fixture::{Fixture, kovalevskaya, paper, parabolas};
 use resvg::tiny_skia::Pixmap;
-use schema::WindowDocument;
 
 fn picture(name: &str, fixture: &Fixture) -> Picture {
     let picture = draw(&fixture.atlas, Some(fixture), &DiagramOptions::default()).expect("the fixture can be drawn");
@@ -268,7 +268,8 @@ fn themes_change_colours_and_nothing_else() {
         let options = DiagramOptions { theme, ..DiagramOptions::default() };
         draw(&fixture.atlas, Some(&fixture), &options).unwrap().svg
     };
-    let [light, dark, print] = [plot::Theme::Light, plot::Theme::Dark, plot::Theme::Print].map(with);
+    let [light, dark, print] =
+        [bifdiag_plot::Theme::Light, bifdiag_plot::Theme::Dark, bifdiag_plot::Theme::Print].map(with);
     let colorless = |svg: &str| -> String {
         let mut parts = svg.split('#');
         let first = parts.next().unwrap_or_default().to_owned();

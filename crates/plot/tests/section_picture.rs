@@ -12,16 +12,16 @@ mod picture_texts;
 
 use std::f64::consts::{PI, TAU};
 
-use dynamics::section::{
+use bifdiag_body::Body;
+use bifdiag_dynamics::section::{
     Chart, Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SweepOptions, sweep,
+};
+use bifdiag_plot::{
+    OrbitValues, Picture, PlotError, Projection, SectionOptions, SectionScene, Width, draw_section, draw_section_rows,
 };
 use picture_letters::unprintable;
 use picture_texts::{assert_texts_are_apart, texts};
-use plot::{
-    OrbitValues, Picture, PlotError, Projection, SectionOptions, SectionScene, Width, draw_section, draw_section_rows,
-};
 use resvg::tiny_skia::Pixmap;
-use top::body::Body;
 
 /// The plot areas of T⁻ and T⁺ in the first row: left, top, width, height.
 const PANELS: [[f64; 4]; 2] = [[56.0, 64.0, 384.0, 240.0], [480.0, 64.0, 384.0, 240.0]];

@@ -4,10 +4,10 @@ mod picture_letters;
 mod picture_svg;
 mod picture_texts;
 
+use bifdiag_plot::{SphereScene, Theme, Width, draw_sphere};
+use bifdiag_schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
 use picture_letters::unprintable;
 use picture_texts::{assert_texts_are_apart, texts};
-use plot::{SphereScene, Theme, Width, draw_sphere};
-use schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
 
 fn component(boundary_circles: u32) -> ComponentDocument {
     ComponentDocument {

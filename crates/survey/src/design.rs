@@ -5,9 +5,9 @@ use thiserror::Error;
 
 use crate::parameter::Parameter;
 use crate::range::Range;
-use numbers::Number;
-use numbers::sequence::{self, point};
-use top::body::{Body, BodyError};
+use bifdiag_body::{Body, BodyError};
+use bifdiag_numbers::Number;
+use bifdiag_numbers::sequence::{self, point};
 
 /// The bodies among which a scan chooses.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -22,7 +22,7 @@ pub fn lesser_moment(greater: f64) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::border::{self, BorderOptions, Segment};
-    use top::body::Body;
+    use bifdiag_body::Body;
 
     #[test]
     fn the_curve_begins_where_a_moment_vanishes_and_ends_on_the_line() {

@@ -6,7 +6,7 @@ use dashu_ratio::RBig;
 use thiserror::Error;
 
 use crate::parameter::{Parameter, ParseParameterError};
-use numbers::{Number, ParseNumberError};
+use bifdiag_numbers::{Number, ParseNumberError};
 
 /// The values that one parameter takes.
 #[derive(Clone, Debug, PartialEq, Eq)]

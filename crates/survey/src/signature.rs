@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use top::topology::{Component, ParseSurfaceError, Surface};
+use bifdiag_diagram::topology::{Component, ParseSurfaceError, Surface};
 
 /// The surfaces of a region, in the order of its components: those of the section, or those of U where r = 0, so that
 /// there is no section.
@@ -92,7 +92,7 @@ impl FromStr for ComponentType {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use top::topology::Poles;
+    use bifdiag_diagram::topology::Poles;
 
     #[test]
     fn keys_are_read_back() {

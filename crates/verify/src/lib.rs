@@ -27,7 +27,7 @@ mod refused;
 mod stability;
 mod topology;
 
-use schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
+use bifdiag_schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
 
 use document::{courses, listing, measures, samples, totals};
 use equilibria::body::Body;

@@ -1,6 +1,6 @@
 //! What a check can find wrong.
 
-use schema::shown;
+use bifdiag_schema::shown;
 use thiserror::Error;
 
 /// The first thing that is wrong. Messages quote texts of the document by [`shown`].

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::shapes::arrow_head;
-use plot::page::{Anchor, Canvas, INK, Ink, POLE, Picture, PlotError, Point, Theme, render, rgb};
+use bifdiag_plot::page::{Anchor, Canvas, INK, Ink, POLE, Picture, PlotError, Point, Theme, render, rgb};
 
 /// How far the axis is tilted towards the viewer, in radians.
 const TILT: f64 = 0.42;

@@ -1,6 +1,6 @@
 //! Schematic pictures of what a section is: nothing in them is computed from a body.
 
-use plot::{Picture, PlotError, Theme};
+use bifdiag_plot::{Picture, PlotError, Theme};
 
 mod cylinder;
 mod shapes;

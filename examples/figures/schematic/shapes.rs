@@ -1,6 +1,6 @@
 //! Directions, arcs and arrow heads.
 
-use plot::page::{Canvas, Ink, Point};
+use bifdiag_plot::page::{Canvas, Ink, Point};
 
 /// The direction at `degrees` from the x-axis, counterclockwise on the page.
 pub(super) fn direction(degrees: f64) -> Point {

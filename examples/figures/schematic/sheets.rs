@@ -6,7 +6,7 @@
 use plotters::style::RGBColor;
 
 use super::shapes::{arc, arrow_head, direction, polar};
-use plot::page::{
+use bifdiag_plot::page::{
     Anchor, Canvas, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, render, rgb, text_width,
 };
 

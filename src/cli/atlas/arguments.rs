@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use bifdiag_schema::{Accuracy, WindowDocument};
 use clap::Args;
-use schema::{Accuracy, WindowDocument};
 
 use crate::cli::export::{PictureArguments, WidthArgument};
 use crate::cli::input::{BodyArguments, accuracy, values};

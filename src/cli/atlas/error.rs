@@ -1,6 +1,6 @@
 //! Why there is no atlas.
 
-use proof::{NotProved, NotWritten};
+use bifdiag_exact::{NotProved, NotWritten};
 use thiserror::Error;
 
 use crate::cli::failure::{CommandError, Exit};
@@ -25,7 +25,7 @@ impl CommandError for AtlasInput {
 #[derive(Debug, Error)]
 pub enum NoAtlas {
     #[error("the atlas could not be made")]
-    Atlas(#[from] proof::NoAtlas),
+    Atlas(#[from] bifdiag_exact::NoAtlas),
     #[error("the atlas could not be proved")]
     NotProved(#[from] NotProved),
     #[error("the proved atlas could not be written")]

@@ -1,6 +1,6 @@
 //! The table of an atlas' events.
 
-use schema::{EventDocument, EventKind};
+use bifdiag_schema::{EventDocument, EventKind};
 
 use crate::cli::terminal::{Table, significant};
 

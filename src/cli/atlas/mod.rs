@@ -10,7 +10,7 @@ mod work;
 
 use std::borrow::Cow;
 
-use plot::{DiagramOptions, draw};
+use bifdiag_plot::{DiagramOptions, draw};
 
 use super::export::{ExportError, FileSet, Json, RESOLUTION, answer};
 use super::failure::Failure;
@@ -32,7 +32,7 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
     // Pictures and the table of regions need the drawing.
     let mut stored = Cow::Borrowed(&document);
     if !settings.drawing {
-        documents::leave_out_drawing(stored.to_mut(), &settings.subject).map_err(ExportError::from)?;
+        bifdiag_documents::leave_out_drawing(stored.to_mut(), &settings.subject).map_err(ExportError::from)?;
     }
     let mut written = Vec::new();
     if let Some(directory) = &settings.directory {

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-use schema::{AtlasDocument, ComponentDocument, RegionDocument};
+use bifdiag_schema::{AtlasDocument, ComponentDocument, RegionDocument};
 
 use super::stability;
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, significant};
-use documents::Subject;
-use documents::words::counted;
+use bifdiag_documents::Subject;
+use bifdiag_documents::words::counted;
 
 /// The table of regions fits a terminal of this width.
 const TABLE_WIDTH: usize = 100;
@@ -117,8 +117,8 @@ fn wrapped_signature(signature: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use schema::{MarginDocument, SampleDocument};
-    use top::topology::{Component, Poles, signature};
+    use bifdiag_diagram::topology::{Component, Poles, signature};
+    use bifdiag_schema::{MarginDocument, SampleDocument};
 
     use super::*;
 
@@ -127,7 +127,7 @@ mod tests {
         RegionDocument {
             id: id.to_owned(),
             sample: SampleDocument { h: sample[0], l: sample[1], margin },
-            components: documents::components(components),
+            components: bifdiag_documents::components(components),
             signature: signature(components),
             bounded: true,
             l_range: [Some(sample[1] / 3.0), Some(sample[1] / 0.7)],

@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use plot::{Theme, Width};
-use schema::{Accuracy, WindowDocument};
+use bifdiag_plot::{Theme, Width};
+use bifdiag_schema::{Accuracy, WindowDocument};
 
 use super::arguments::AtlasArguments;
 use super::error::AtlasInput;
 use crate::cli::export::{PictureFormat, directory};
 use crate::cli::failure::Failure;
-use documents::Subject;
+use bifdiag_documents::Subject;
 
 pub struct Settings {
     pub subject: Subject,

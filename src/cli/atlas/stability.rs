@@ -1,6 +1,6 @@
 //! The table of an atlas' changes of stability.
 
-use schema::StabilityChangeDocument;
+use bifdiag_schema::StabilityChangeDocument;
 
 use crate::cli::terminal::{Table, significant};
 

@@ -1,9 +1,9 @@
 //! The atlas of a body and its document.
 
-use documents::{DocumentOptions, Subject, attach_part, certified_atlas_of};
-use proof::{CertifiedAtlas, atlas_of};
-use schema::AtlasDocument;
-use top::atlas::Atlas;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_documents::{DocumentOptions, Subject, attach_part, certified_atlas_of};
+use bifdiag_exact::{CertifiedAtlas, atlas_of};
+use bifdiag_schema::AtlasDocument;
 
 use super::error::NoAtlas;
 use super::settings::Settings;
@@ -16,7 +16,7 @@ pub fn atlas(settings: &Settings, timings: &Timings) -> Result<(Atlas, AtlasDocu
     }
     let atlas = timings.stage("regions", || atlas_of(&subject.body, (*accuracy).into()))?;
     let options = DocumentOptions { window: *window, accuracy: *accuracy, ..DocumentOptions::default() };
-    let mut document = timings.stage("curves", || documents::atlas::document(&atlas, &options));
+    let mut document = timings.stage("curves", || bifdiag_documents::atlas::document(&atlas, &options));
     attach_part(&mut document, subject);
     Ok((atlas, document))
 }

@@ -10,14 +10,14 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 
+use bifdiag_schema::BatchErrorDocument;
 use rayon::prelude::*;
-use schema::BatchErrorDocument;
 
 use super::export::ExportError;
 use super::failure::{CommandError, Exit, Failure};
 use super::input::stdin;
 use super::terminal::{Progress, print, say};
-use documents::Subject;
+use bifdiag_documents::Subject;
 use error::{BatchRead, Unanswered};
 use lines::{Chunk, LineReader};
 

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use documents::Subject;
+use bifdiag_body::{Body, BodyError, Number, ParseNumberError};
+use bifdiag_documents::Subject;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 use thiserror::Error;
-use top::body::{Body, BodyError, Number, ParseNumberError};
 
 use super::lines::MAX_LINE;
 

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-use documents::DocumentOptions;
-use plot::{DiagramOptions, draw};
-use proof::{Accuracy, NoAtlas, atlas_of};
-use schema::{AtlasDocument, ClassDocument, ClassesDocument};
+use bifdiag_body::{Body, BodyError};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_documents::DocumentOptions;
+use bifdiag_exact::{Accuracy, NoAtlas, atlas_of};
+use bifdiag_plot::{DiagramOptions, draw};
+use bifdiag_schema::{AtlasDocument, ClassDocument, ClassesDocument};
 use thiserror::Error;
-use top::atlas::Atlas;
-use top::body::{Body, BodyError};
 
 use super::arguments::{ClassArguments, ClassesInput};
 use super::share;
@@ -31,7 +31,7 @@ impl CommandError for WitnessFailure {}
 pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure> {
     let mut class = find(&arguments.name)?;
     if arguments.json {
-        documents::add_text(&mut class);
+        bifdiag_documents::add_text(&mut class);
     }
     let directory = directory(arguments.out.as_deref(), !arguments.json && !arguments.no_plot)?;
     if arguments.json && directory.is_none() {
@@ -53,7 +53,7 @@ pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure>
 
 /// The class whose name begins so.
 fn find(name: &str) -> Result<ClassDocument, ClassesInput> {
-    let ClassesDocument { classes, others, .. } = documents::shipped_classes();
+    let ClassesDocument { classes, others, .. } = bifdiag_documents::shipped_classes();
     let all: Vec<ClassDocument> = classes.into_iter().chain(others).collect();
     let digits = name.to_ascii_lowercase();
     let mut found = all.iter().filter(|class| !name.is_empty() && class.name.starts_with(&digits));
@@ -77,7 +77,7 @@ fn nearest(digits: &str, all: &[ClassDocument]) -> String {
 fn witness(class: &ClassDocument) -> Result<(Atlas, AtlasDocument), WitnessFailure> {
     let body = Body::parse(&class.witness.body.moments, &class.witness.body.center)?;
     let atlas = atlas_of(&body, Accuracy::Exact)?;
-    let document = documents::atlas::document(&atlas, &DocumentOptions::default());
+    let document = bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default());
     Ok((atlas, document))
 }
 

@@ -4,7 +4,7 @@ mod arguments;
 mod class;
 mod standing;
 
-use schema::{ClassDocument, ClassesDocument};
+use bifdiag_schema::{ClassDocument, ClassesDocument};
 
 use super::export::answer;
 use super::failure::Failure;
@@ -20,13 +20,13 @@ pub fn run(arguments: &ClassesArguments) -> Result<(), Failure> {
     if let Some(option) = arguments.body.given().next() {
         return Err(arguments::ClassesInput::NotAt { option }.into());
     }
-    let mut document = documents::shipped_classes();
+    let mut document = bifdiag_documents::shipped_classes();
     if arguments.physical {
         document.classes.retain(|class| class.physical);
         document.others.retain(|class| class.physical);
     }
     if arguments.json {
-        document.classes.iter_mut().for_each(documents::add_text);
+        document.classes.iter_mut().for_each(bifdiag_documents::add_text);
     }
     Ok(answer(arguments.json, &document, || table(&document))?)
 }

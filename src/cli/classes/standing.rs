@@ -1,9 +1,9 @@
 //! `bifdiag classes --at`: where a body stands among the classes.
 
-use proof::Accuracy;
-use schema::StandingDocument;
-use survey::border::class_of;
-use survey::graph::{Domain, NearestOptions, Place, nearest};
+use bifdiag_exact::Accuracy;
+use bifdiag_schema::StandingDocument;
+use bifdiag_survey::border::class_of;
+use bifdiag_survey::graph::{Domain, NearestOptions, Place, nearest};
 
 use super::arguments::ClassesArguments;
 use crate::cli::export::answer;
@@ -32,7 +32,8 @@ pub fn run(arguments: &ClassesArguments) -> Result<(), Failure> {
         .flag("physical", arguments.physical)
         .option_if("lines", arguments.lines.filter(|lines| *lines != usual.lines))
         .option_if("seed", arguments.seed.filter(|seed| *seed != usual.seed));
-    let document = documents::standing(class.as_ref().ok().map(top::class::Class::name), &borders, command);
+    let document =
+        bifdiag_documents::standing(class.as_ref().ok().map(bifdiag_diagram::class::Class::name), &borders, command);
     Ok(answer(arguments.json, &document, || {
         let mut text = Report::default();
         head(&subject, &mut text);

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use bifdiag_body::Number;
+use bifdiag_schema::Accuracy;
 use clap::Args;
-use schema::Accuracy;
-use top::body::Number;
 
 use crate::cli::batch::BatchArguments;
 use crate::cli::input::values::Grid;

@@ -1,9 +1,9 @@
 //! Why a point has no answer.
 
-use proof::Unanswered;
+use bifdiag_diagram::classify::ClassifyError;
+use bifdiag_equilibria::curves::MomentumError;
+use bifdiag_exact::Unanswered;
 use thiserror::Error;
-use top::atlas::MomentumError;
-use top::classify::ClassifyError;
 
 use crate::cli::failure::{CommandError, Exit};
 

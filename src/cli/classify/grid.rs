@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use documents::{GridAxis, Subject, grid};
-use proof::{Prepared, Unanswered};
+use bifdiag_diagram::atlas::Spot;
+use bifdiag_documents::{GridAxis, Subject, grid};
+use bifdiag_exact::{Prepared, Unanswered};
+use bifdiag_numbers::table::Id;
+use bifdiag_schema::Accuracy;
 use rayon::prelude::*;
-use schema::Accuracy;
 use thiserror::Error;
-use top::atlas::Spot;
-use top::table::Id;
 
 use crate::cli::export::{Archive, ExportError, FileSet};
 use crate::cli::failure::{CommandError, Exit, Failure};
@@ -97,9 +97,11 @@ pub fn run(
             let kinds: Vec<String> = atlas
                 .regions()
                 .iter()
-                .map(|region| region.components.as_deref().ok().and_then(top::topology::signature).unwrap_or_default())
+                .map(|region| {
+                    region.components.as_deref().ok().and_then(bifdiag_diagram::topology::signature).unwrap_or_default()
+                })
                 .collect();
-            plot::draw_codes(h.len(), &codes, &kinds).map_err(ExportError::from)?
+            bifdiag_plot::draw_codes(h.len(), &codes, &kinds).map_err(ExportError::from)?
         }
     };
     let mut files = FileSet::new(Path::new("."));

@@ -9,10 +9,10 @@ mod settings;
 
 use std::sync::Arc;
 
-use documents::Subject;
-use proof::{Prepared, classify};
-use schema::{Accuracy, ClassificationDocument};
-use top::body::Number;
+use bifdiag_body::Number;
+use bifdiag_documents::Subject;
+use bifdiag_exact::{Prepared, classify};
+use bifdiag_schema::{Accuracy, ClassificationDocument};
 
 use super::batch::{Batch, Wanted};
 use super::export::answer;
@@ -52,5 +52,5 @@ fn point(
     } else {
         (classify(&subject.body, h, l, accuracy.into())?, None)
     };
-    Ok(documents::classification(subject, h, l, &found, accuracy, prepared.as_ref()))
+    Ok(bifdiag_documents::classification(subject, h, l, &found, accuracy, prepared.as_ref()))
 }

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use documents::Subject;
-use proof::{Prepared, Unanswered, classify};
+use bifdiag_body::Number;
+use bifdiag_diagram::classify::{Classification, ClassifyError};
+use bifdiag_documents::Subject;
+use bifdiag_exact::{Prepared, Unanswered, classify};
+use bifdiag_schema::Accuracy;
 use rayon::prelude::*;
-use schema::Accuracy;
 use thiserror::Error;
-use top::body::Number;
-use top::classify::{Classification, ClassifyError};
 
 use crate::cli::batch::Query;
 use crate::cli::failure::{CommandError, Exit};
@@ -76,7 +76,7 @@ impl Preparation {
                 let mut text = Vec::with_capacity(LINE);
                 serde_json::to_writer(
                     &mut text,
-                    &documents::classification(subject, &h, l, &found, accuracy, prepared),
+                    &bifdiag_documents::classification(subject, &h, l, &found, accuracy, prepared),
                 )?;
                 Ok(text)
             })

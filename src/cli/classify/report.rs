@@ -1,10 +1,10 @@
 //! What the terminal shows of a point.
 
-use schema::{ClassificationDocument, ComponentDocument, Status};
+use bifdiag_schema::{ClassificationDocument, ComponentDocument, Status};
 
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, bound, significant};
-use documents::Subject;
+use bifdiag_documents::Subject;
 
 pub fn text(subject: &Subject, document: &ClassificationDocument) -> String {
     let mut report = Report::default();

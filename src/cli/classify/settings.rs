@@ -2,15 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use schema::Accuracy;
-use top::body::Number;
+use bifdiag_body::Number;
+use bifdiag_schema::Accuracy;
 
 use super::arguments::ClassifyArguments;
 use super::grid::{GridError, GridFormat};
 use crate::cli::batch::BatchInput;
 use crate::cli::failure::Failure;
 use crate::cli::input::values::Grid;
-use documents::Subject;
+use bifdiag_documents::Subject;
 
 pub enum Settings<'a> {
     Point { subject: Subject, h: &'a Number, l: &'a Number, accuracy: Accuracy, regions: bool, json: bool },

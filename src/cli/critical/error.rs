@@ -1,7 +1,7 @@
 //! Why there is no list of relative equilibria.
 
+use bifdiag_equilibria::critical::CriticalError;
 use thiserror::Error;
-use top::critical::CriticalError;
 
 use super::table::NoTable;
 use crate::cli::failure::{CommandError, Exit};

@@ -9,8 +9,8 @@ mod table;
 
 use std::sync::Arc;
 
+use bifdiag_equilibria::critical::{CriticalError, RelativeEquilibria, critical};
 use rayon::prelude::*;
-use top::critical::{CriticalError, RelativeEquilibria, critical};
 
 use super::batch::{Batch, Query, Wanted};
 use super::export::{DataFormat, DataTarget, Exporter, FileSet, answer};
@@ -29,7 +29,7 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
                 Method::ClosedForm => critical(&subject.body, l),
                 Method::Newton => RelativeEquilibria::new(&subject.body)?.continued(l),
             });
-            let document = documents::critical(&subject, l, &found.map_err(NotFound::from)?);
+            let document = bifdiag_documents::critical(&subject, l, &found.map_err(NotFound::from)?);
             Ok(answer(json, &document, || report::text(&subject, &document))?)
         }
         Settings::Batch { path, strict, subject } => {
@@ -67,7 +67,7 @@ fn of_one_body(queries: &[Query]) -> Vec<Result<Vec<u8>, Unanswered>> {
     let line = |query: &Query| {
         let found = prepared.as_ref().map_err(CriticalError::clone)?.at(&query.l)?;
         let mut text = Vec::with_capacity(LINE);
-        serde_json::to_writer(&mut text, &documents::critical(&query.subject, &query.l, &found))?;
+        serde_json::to_writer(&mut text, &bifdiag_documents::critical(&query.subject, &query.l, &found))?;
         Ok(text)
     };
     queries.iter().map(line).collect()

@@ -1,7 +1,7 @@
 //! The momenta at which relative equilibria are wanted.
 
+use bifdiag_body::Number;
 use thiserror::Error;
-use top::body::Number;
 
 use crate::cli::input::values;
 

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use schema::{CriticalDocument, Multiplicity, Verdict, small_motions};
+use bifdiag_schema::{CriticalDocument, Multiplicity, Verdict, small_motions};
 
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, bound, fixed, significant};
-use documents::Subject;
+use bifdiag_documents::Subject;
 
 /// Significant digits of the table.
 const DIGITS: usize = 10;

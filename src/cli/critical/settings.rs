@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use top::body::Number;
+use bifdiag_body::Number;
 
 use super::arguments::{CriticalArguments, Method};
 use super::error::RangeInput;
@@ -10,7 +10,7 @@ use super::momenta::Momenta;
 use crate::cli::batch::BatchInput;
 use crate::cli::export::DataTarget;
 use crate::cli::failure::Failure;
-use documents::Subject;
+use bifdiag_documents::Subject;
 
 pub enum Settings<'a> {
     Momentum { subject: Subject, l: &'a Number, method: Method, json: bool },

@@ -1,14 +1,14 @@
 //! Relative equilibria at many l as columns.
 
-use schema::{Multiplicity, Stability, Verdict};
+use bifdiag_body::Body;
+use bifdiag_equilibria::critical::{CriticalError, Multiplicity as Points, RelativeEquilibria};
+use bifdiag_schema::{Multiplicity, Stability, Verdict};
 use serde::Serialize;
-use top::body::Body;
-use top::critical::{CriticalError, Multiplicity as Points, RelativeEquilibria};
 
 use super::momenta::Momenta;
 use crate::cli::export::{Columns, Values};
-use schema::SCHEMA_VERSION;
-use top::body::Number;
+use bifdiag_body::Number;
+use bifdiag_schema::SCHEMA_VERSION;
 
 /// What the codes in the columns mean.
 #[derive(Serialize)]
@@ -60,8 +60,8 @@ pub fn of(body: &Body, [from, to]: [&Number; 2], count: u32) -> Result<Columns, 
         moments: body.moments().each_ref().map(Number::text),
         center: body.center().each_ref().map(Number::text),
         l: (from.text(), to.text(), count),
-        stability: documents::LINEAR_TYPES,
-        stable: documents::VERDICTS,
+        stability: bifdiag_documents::LINEAR_TYPES,
+        stable: bifdiag_documents::VERDICTS,
         multiplicity: [Multiplicity::Points(1), Multiplicity::Points(2), Multiplicity::Circle, Multiplicity::Sphere],
         branches: rows.branches,
         eigenvalue_error: rows.eigenvalue_error,
@@ -113,8 +113,8 @@ impl Rows {
                 Points::Circle => 2,
                 Points::Sphere => 3,
             });
-            self.stability.push(documents::type_code(point.stability));
-            self.stable.push(documents::verdict_code(point.verdict));
+            self.stability.push(bifdiag_documents::type_code(point.stability));
+            self.stable.push(bifdiag_documents::verdict_code(point.verdict));
             self.eigenvalues.extend(point.eigenvalues.pairs.as_flattened());
             self.eigenvalue_error = self.eigenvalue_error.max(point.eigenvalues.error);
             let id = point.curve.map_or_else(String::new, |curve| curve.to_string());

@@ -9,10 +9,10 @@ use std::net::{Ipv4Addr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use bifdiag_body::Number;
+use bifdiag_documents::Subject;
 use clap::Args;
-use documents::Subject;
 use thiserror::Error;
-use top::body::Number;
 
 use super::failure::{CommandError, Exit, Failure};
 use super::input::{BodyArguments, values};

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use plot::PlotError;
+use bifdiag_plot::PlotError;
 use thiserror::Error;
 
 use crate::cli::failure::{CommandError, Exit};

@@ -4,8 +4,8 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use bifdiag_plot::Picture;
 use clap::ValueEnum;
-use plot::Picture;
 use tempfile::NamedTempFile;
 
 use super::error::{ExportError, FilesError};

@@ -15,7 +15,7 @@ impl<D: Serialize> Exporter<D> for Json {
     }
 
     fn bytes(&self, document: &D) -> Result<Vec<u8>, ExportError> {
-        Ok(documents::layout::text(document)?.into_bytes())
+        Ok(bifdiag_documents::layout::text(document)?.into_bytes())
     }
 }
 

@@ -1,8 +1,8 @@
 //! Pictures as SVG, PNG, PDF and TikZ.
 
+use bifdiag_plot::{Picture, PlotError, Theme, Width};
 use clap::builder::{EnumValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use plot::{Picture, PlotError, Theme, Width};
 
 use super::error::ExportError;
 use super::exporter::Exporter;

@@ -2,10 +2,10 @@
 
 use std::ffi::OsStr;
 
+use bifdiag_schema::Accuracy;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, Error};
-use schema::Accuracy;
 
 use super::values::{Named, named};
 

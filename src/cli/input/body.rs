@@ -1,10 +1,10 @@
 //! The body that the options describe.
 
+use bifdiag_body::part::{MeasuredPart, Part, Units};
+use bifdiag_body::{Body, BodyError, Number, Preset};
+use bifdiag_documents::Subject;
 use clap::Args;
-use documents::Subject;
-use part::{MeasuredPart, Part, Units};
 use thiserror::Error;
-use top::body::{Body, BodyError, Number, Preset};
 
 use super::part::{GivenPart, PartArguments, PartInput, shown};
 use super::values::{self, Triple};

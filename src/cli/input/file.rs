@@ -16,5 +16,9 @@ pub fn read(path: &Path) -> io::Result<String> {
 
 /// Standard input, unless it was closed when the process began.
 pub fn stdin() -> io::Result<Stdin> {
-    if streams::stdin_was_closed() { Err(io::Error::other("standard input is closed")) } else { Ok(io::stdin()) }
+    if bifdiag_streams::stdin_was_closed() {
+        Err(io::Error::other("standard input is closed"))
+    } else {
+        Ok(io::stdin())
+    }
 }

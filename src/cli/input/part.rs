@@ -2,14 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
+use bifdiag_body::part::file::{self, FileError, FileOptions};
+use bifdiag_body::part::{
+    Existence, MassError, MassProperties, Measured, MeasuredPart, Part, Products, Units, tensor_of,
+};
+use bifdiag_body::{PrincipalForm, TensorError};
+use bifdiag_numbers::Number;
+use bifdiag_numbers::symmetric::PrincipalAxes;
+use bifdiag_schema::PartDocument;
 use clap::Args;
-use numbers::Number;
-use numbers::symmetric::PrincipalAxes;
-use part::file::{self, FileError, FileOptions};
-use part::{Existence, MassError, MassProperties, Measured, MeasuredPart, Part, Products, Units, tensor_of};
-use schema::PartDocument;
 use thiserror::Error;
-use top::body::{PrincipalForm, TensorError};
 
 use super::values::{self, Entries, MeasuredPoint, Named, Triple};
 use crate::cli::terminal::significant;
@@ -122,7 +124,7 @@ impl GivenPart {
 
     /// The block of the documents.
     pub fn document(&self) -> PartDocument {
-        documents::part(&self.part, &self.principal)
+        bifdiag_documents::part(&self.part, &self.principal)
     }
 }
 
@@ -178,7 +180,7 @@ impl PartArguments {
         let gravity: Number = self.gravity.clone().unwrap_or_else(standard);
         let units = self.units.clone().unwrap_or_default();
         let part = Part { properties, gravity: gravity.value().clone(), units };
-        let principal = documents::principal(&part).map_err(|source| PartInput::Tensor { option, source })?;
+        let principal = bifdiag_documents::principal(&part).map_err(|source| PartInput::Tensor { option, source })?;
         Ok(Some(GivenPart { option, part, principal, measured: self.measured()? }))
     }
 

@@ -2,15 +2,15 @@
 
 use std::num::{NonZeroU32, NonZeroUsize};
 
+use bifdiag_body::part::{Measured, Units, UnitsError};
+use bifdiag_body::{Body, BodyError, Number, ParseNumberError, Preset};
+use bifdiag_documents::GridAxis;
+use bifdiag_dynamics::integrator::check_tolerance;
+use bifdiag_numbers::vector::dot;
+use bifdiag_schema::WindowDocument;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use dashu_ratio::RBig;
-use documents::GridAxis;
-use dynamics::integrator::check_tolerance;
-use numbers::vector::dot;
-use part::{Measured, Units, UnitsError};
-use schema::WindowDocument;
 use thiserror::Error;
-use top::body::{Body, BodyError, Number, ParseNumberError, Preset};
 
 /// The most threads that can be asked for.
 const MAX_THREADS: usize = 1024;
@@ -56,7 +56,7 @@ impl Vector {
         if (dot(self.0, self.0) - 1.0).abs() <= 2.0 * f64::EPSILON {
             return Ok(self);
         }
-        numbers::vector::direction(self.0).map(Self).ok_or(ValueError::NoDirection)
+        bifdiag_numbers::vector::direction(self.0).map(Self).ok_or(ValueError::NoDirection)
     }
 }
 

@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use dynamics::field::{HeavyTop, State, dot};
-use dynamics::motion::{MotionOptions, follow};
-use dynamics::section::{Chart, End, Monitor, Portrait, PortraitOptions, PpTorus, SweepOptions, sweep};
-use plot::{AnimatedCrossing, AnimationScene, draw_animation};
+use bifdiag_dynamics::field::{HeavyTop, State, dot};
+use bifdiag_dynamics::motion::{MotionOptions, follow};
+use bifdiag_dynamics::section::{Chart, End, Monitor, Portrait, PortraitOptions, PpTorus, SweepOptions, sweep};
+use bifdiag_plot::{AnimatedCrossing, AnimationScene, draw_animation};
 
 use super::error::OrbitFailure;
 use super::settings::Settings;
@@ -61,8 +61,8 @@ fn animation(settings: &Settings) -> Result<String, OrbitFailure> {
     let text = |numbers: [String; 3]| numbers.map(|number| shown(&number)).join(", ");
     let title = format!(
         "A = ({}), r = ({}), h = {}, l = {}, t from {first} to {last}",
-        text(documents::texts(subject.body.moments())),
-        text(documents::texts(subject.body.center())),
+        text(bifdiag_documents::texts(subject.body.moments())),
+        text(bifdiag_documents::texts(subject.body.center())),
         significant(h, 7),
         significant(l, 7),
     );

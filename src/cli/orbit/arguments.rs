@@ -1,7 +1,7 @@
 //! Options of `bifdiag orbit`.
 
+use bifdiag_body::Number;
 use clap::Args;
-use top::body::Number;
 
 use super::target::AnimationTarget;
 use super::times::Times;

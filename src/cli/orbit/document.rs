@@ -2,9 +2,9 @@
 
 use std::sync::atomic::AtomicBool;
 
-use dynamics::field::dot;
-use dynamics::motion::{Motion, MotionOptions, MotionReport, MotionSample, follow};
-use schema::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
+use bifdiag_dynamics::field::dot;
+use bifdiag_dynamics::motion::{Motion, MotionOptions, MotionReport, MotionSample, follow};
+use bifdiag_schema::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
 
 use super::error::OrbitFailure;
 use super::settings::Settings;
@@ -20,17 +20,17 @@ pub fn of(settings: &Settings, motion: &Motion) -> Result<MotionDocument, OrbitF
     };
     let [start_sample] = at_start[..] else { unreachable!("time 0 is the start itself") };
     Ok(MotionDocument {
-        head: documents::head(command(settings)),
-        body: documents::given(&subject.body),
+        head: bifdiag_documents::head(command(settings)),
+        body: bifdiag_documents::given(&subject.body),
         h: top.energy(start),
         l: dot(start.gamma, start.l),
         start: sample_document(&start_sample),
-        integrator: documents::integrator(*tolerance),
+        integrator: bifdiag_documents::integrator(*tolerance),
         complete: motion.samples.len() == times.len(),
         summary: MotionSummaryDocument {
             samples: motion.samples.len(),
             steps: report.steps,
-            drift: documents::drift(report.drift),
+            drift: bifdiag_documents::drift(report.drift),
             vertical_error: report.vertical_error,
             attitude_difference: report.attitude_difference,
             at_pole: report.at_pole,
@@ -47,7 +47,7 @@ fn command(settings: &Settings) -> String {
     let list = |v: [f64; 3]| v.map(|x| x.to_string()).join(",");
     let line = subject.command("orbit").option("gamma", list(start.gamma)).option("l-vector", list(start.l));
     let line = line.option_if("phi", (*phi != 0.0).then_some(phi)).option("times", given_times);
-    documents::tolerance_option(line, *tolerance).json()
+    bifdiag_documents::tolerance_option(line, *tolerance).json()
 }
 
 /// What is to be said about the samples.

@@ -3,8 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
-use dynamics::integrator::StepError;
-use dynamics::motion::MotionError;
+use bifdiag_dynamics::integrator::StepError;
+use bifdiag_dynamics::motion::MotionError;
 use thiserror::Error;
 
 use crate::cli::failure::{CommandError, Exit};

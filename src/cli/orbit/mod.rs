@@ -15,7 +15,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use dynamics::motion::{Motion, MotionOptions, follow};
+use bifdiag_dynamics::motion::{Motion, MotionOptions, follow};
 
 use super::export::{DataFormat, DataTarget, ExportError, Exporter, FileSet, answer};
 use super::failure::Failure;

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use dynamics::motion::MotionSample;
-use schema::MotionDocument;
+use bifdiag_dynamics::motion::MotionSample;
+use bifdiag_schema::MotionDocument;
 
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, bound, significant};
-use documents::Subject;
+use bifdiag_documents::Subject;
 
 /// Samples that are listed; those beyond, and all where they are written, are in the data.
 const LISTED: usize = 40;

@@ -1,7 +1,7 @@
 //! What the options ask for.
 
-use dynamics::field::{HeavyTop, State};
-use dynamics::integrator::DEFAULT_TOLERANCE;
+use bifdiag_dynamics::field::{HeavyTop, State};
+use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
 
 use super::arguments::OrbitArguments;
 use super::error::OrbitInput;
@@ -10,7 +10,7 @@ use super::target::AnimationTarget;
 use super::times::Times;
 use crate::cli::export::DataTarget;
 use crate::cli::failure::Failure;
-use documents::Subject;
+use bifdiag_documents::Subject;
 
 pub struct Settings<'a> {
     pub subject: Subject,

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use dynamics::field::{HeavyTop, State};
-use dynamics::section::{PpTorus, SectionError, TorusPoint};
+use bifdiag_dynamics::field::{HeavyTop, State};
+use bifdiag_dynamics::section::{PpTorus, SectionError, TorusPoint};
 
 use super::arguments::OrbitArguments;
 use super::error::OrbitInput;

@@ -1,7 +1,7 @@
 //! The samples of a motion as columns.
 
-use dynamics::motion::MotionSample;
-use schema::MotionDocument;
+use bifdiag_dynamics::motion::MotionSample;
+use bifdiag_schema::MotionDocument;
 
 use crate::cli::export::{Columns, Values};
 

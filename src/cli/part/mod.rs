@@ -3,9 +3,9 @@
 mod arguments;
 mod report;
 
-use documents::Subject;
-use part::file::edges;
-use plot::{PartScene, draw_part};
+use bifdiag_body::part::file::edges;
+use bifdiag_documents::Subject;
+use bifdiag_plot::{PartScene, draw_part};
 use thiserror::Error;
 
 use super::export::{ExportError, FileSet, RESOLUTION, answer};
@@ -32,7 +32,7 @@ impl CommandError for NoPart {
 
 pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failure> {
     let given = arguments.part.shown().map_err(NoPart::from)?.ok_or(NoPart::Nothing)?;
-    let document = documents::part(&given.part, &given.principal);
+    let document = bifdiag_documents::part(&given.part, &given.principal);
     let mut written = Vec::new();
     if let Some(directory) = &arguments.out {
         let mut files = FileSet::new(directory);
@@ -48,6 +48,6 @@ pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failu
 /// The mesh behind the ellipsoid.
 fn scene(arguments: &PartBodyArguments) -> PartScene {
     let pivot =
-        arguments.part.pivot.as_ref().map_or([0.0; 3], |pivot| pivot.0.each_ref().map(top::body::Number::to_f64));
+        arguments.part.pivot.as_ref().map_or([0.0; 3], |pivot| pivot.0.each_ref().map(bifdiag_body::Number::to_f64));
     PartScene { edges: arguments.part.file.as_ref().map(|path| edges(path, pivot)).unwrap_or_default() }
 }

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use numbers::vector::{dot, norm};
-use part::Existence;
-use schema::{PartDocument, PrincipalDocument};
+use bifdiag_body::part::Existence;
+use bifdiag_numbers::vector::{dot, norm};
+use bifdiag_schema::{PartDocument, PrincipalDocument};
 
 use crate::cli::input::{GivenPart, shown};
 use crate::cli::terminal::{Report, Table, significant};
@@ -43,7 +43,7 @@ pub fn text(given: &GivenPart, document: &PartDocument, written: &[PathBuf]) -> 
 
 /// Moments and axes about a point, with the angle of each axis to the line from the fixed point to the centre of mass.
 fn table(principal: &PrincipalDocument, document: &PartDocument, last: &'static str) -> String {
-    let value = |text: &String| text.parse::<numbers::Number>().map_or(f64::NAN, |number| number.to_f64());
+    let value = |text: &String| text.parse::<bifdiag_numbers::Number>().map_or(f64::NAN, |number| number.to_f64());
     let com = document.com.each_ref().map(value);
     let mass = value(&document.mass);
     let distance = norm(com);

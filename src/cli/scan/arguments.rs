@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use bifdiag_schema::Accuracy;
+use bifdiag_survey::scan::Shard;
+use bifdiag_survey::{Family, Parameter, Range};
 use clap::{Args, Subcommand};
-use schema::Accuracy;
-use survey::scan::Shard;
-use survey::{Family, Parameter, Range};
 
 use super::table::Format;
 use crate::cli::export::{PictureArguments, WidthArgument};

@@ -1,9 +1,9 @@
 //! `bifdiag scan border`: where the class changes between two bodies.
 
-use schema::{BorderDocument, FoundBorderDocument};
-use survey::Range;
-use survey::border::{self, BorderOptions, Segment};
-use top::body::{Body, Number};
+use bifdiag_body::{Body, Number};
+use bifdiag_schema::{BorderDocument, FoundBorderDocument};
+use bifdiag_survey::Range;
+use bifdiag_survey::border::{self, BorderOptions, Segment};
 
 use super::arguments::BorderArguments;
 use super::error::ScanInput;
@@ -47,8 +47,8 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
     let text = |range: &Range| format!("{}={}:{}", range.parameter, range.from.text(), range.to.text());
     let vary: Vec<String> = arguments.vary.iter().map(text).collect();
     let command = subject.command("scan border").option("vary", vary.join(","));
-    let command = command.option_if("accuracy", documents::accuracy_option(arguments.accuracy));
-    let document = documents::border(&border, &segment, &arguments.vary, command);
+    let command = command.option_if("accuracy", bifdiag_documents::accuracy_option(arguments.accuracy));
+    let document = bifdiag_documents::border(&border, &segment, &arguments.vary, command);
     Ok(answer(arguments.json, &document, || report(&document, &arguments.vary))?)
 }
 

@@ -3,8 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
-use documents::scan::ReadScanError;
-use survey::DesignError;
+use bifdiag_documents::scan::ReadScanError;
+use bifdiag_survey::DesignError;
 use thiserror::Error;
 
 use super::table::TableError;

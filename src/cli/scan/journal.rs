@@ -8,10 +8,10 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use schema::{Accuracy, RowDocument, ScanIdentityDocument};
+use bifdiag_schema::{Accuracy, RowDocument, ScanIdentityDocument};
+use bifdiag_survey::Design;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
-use survey::Design;
 
 use super::error::{ScanFailure, ScanInput};
 use super::hashing::hexadecimal;
@@ -36,7 +36,7 @@ impl Identity {
         ScanIdentityDocument {
             program: self.program.clone(),
             accuracy: self.accuracy,
-            design: documents::scan::design(&self.design),
+            design: bifdiag_documents::scan::design(&self.design),
             range: self.range,
         }
     }
@@ -44,7 +44,7 @@ impl Identity {
     /// That of the first line of a journal; `None` where it is another line.
     fn of_line(line: &[u8]) -> Option<Self> {
         let ScanIdentityDocument { program, accuracy, design, range } = serde_json::from_slice(line).ok()?;
-        let design = documents::scan::read_design(&design).ok()?;
+        let design = bifdiag_documents::scan::read_design(&design).ok()?;
         Some(Self { program, accuracy, design, range })
     }
 
@@ -200,8 +200,8 @@ fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<u64> {
 mod tests {
     use std::fs;
 
-    use survey::Family;
-    use survey::scan::Row;
+    use bifdiag_survey::Family;
+    use bifdiag_survey::scan::Row;
 
     use super::*;
     use crate::cli::failure::Exit;
@@ -212,8 +212,8 @@ mod tests {
     }
 
     fn rows(range: std::ops::Range<u64>) -> Vec<RowDocument> {
-        let row = |n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], proof::Accuracy::Exact);
-        range.map(|n| documents::scan::row(&row(n))).collect()
+        let row = |n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], bifdiag_exact::Accuracy::Exact);
+        range.map(|n| bifdiag_documents::scan::row(&row(n))).collect()
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! `bifdiag scan map`: the class of each body over two parameters.
 
-use plot::{Picture, Width, draw_map};
-use survey::Parameter;
+use bifdiag_plot::{Picture, Width, draw_map};
+use bifdiag_survey::Parameter;
 
 use super::arguments::MapArguments;
 use super::error::ScanInput;
@@ -29,7 +29,7 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
         let row = row.map_err(table)?;
         let not_a_row = |source| ScanInput::Row { path: file.clone(), body: row.index, source };
         let axes = [arguments.x, arguments.y];
-        bodies.push(Seen::new(&documents::scan::read_row(&row).map_err(not_a_row)?, axes, arguments.show));
+        bodies.push(Seen::new(&bifdiag_documents::scan::read_row(&row).map_err(not_a_row)?, axes, arguments.show));
     }
     let axes = [("--x", arguments.x), ("--y", arguments.y)];
     if bodies.is_empty() {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use schema::RowDocument;
+use bifdiag_schema::RowDocument;
 
 use super::arguments::MergeArguments;
 use super::error::ScanInput;

@@ -4,9 +4,9 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use documents::scan::{ScanFile, design, read_design, read_row, scan_summary};
-use schema::{RowDocument, ScanSummaryDocument};
-use survey::scan::Summary;
+use bifdiag_documents::scan::{ScanFile, design, read_design, read_row, scan_summary};
+use bifdiag_schema::{RowDocument, ScanSummaryDocument};
+use bifdiag_survey::scan::Summary;
 
 use super::error::{ScanFailure, ScanInput};
 use super::hashing::{self, HashingWriter};
@@ -76,7 +76,7 @@ pub fn write(
         sha256,
     };
     let document = scan_summary(&summary, file);
-    let text = documents::layout::text(&document).map_err(ScanFailure::from)?;
+    let text = bifdiag_documents::layout::text(&document).map_err(ScanFailure::from)?;
     let summary_out = summary_path(out);
     fs::write(&fresh_summary, text).map_err(failed(&fresh_summary))?;
     let _guard = uninterrupted();
@@ -89,8 +89,8 @@ pub fn write(
 /// The summary beside a file with rows, which are what it describes.
 pub fn checked_summary(rows: &Path) -> Result<ScanSummaryDocument, ScanInput> {
     let text = fs::read_to_string(summary_path(rows)).map_err(|error| no_summary(rows, &error))?;
-    let summary =
-        documents::reading::scan_summary(&text, &rows.to_string_lossy()).map_err(|error| no_summary(rows, &error))?;
+    let summary = bifdiag_documents::reading::scan_summary(&text, &rows.to_string_lossy())
+        .map_err(|error| no_summary(rows, &error))?;
     let digest = hashing::of_file(rows).map_err(|source| ScanInput::Shard { path: rows.to_owned(), source })?;
     if digest == summary.sha256 { Ok(summary) } else { Err(ScanInput::Altered { path: rows.to_owned() }) }
 }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use documents::words::counted;
-use schema::ScanSummaryDocument;
+use bifdiag_documents::words::counted;
+use bifdiag_schema::ScanSummaryDocument;
 
 use super::output::summary_path;
 use crate::cli::terminal::{Report, Table};

@@ -3,11 +3,11 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use documents::words::counted;
+use bifdiag_documents::words::counted;
+use bifdiag_schema::RowDocument;
+use bifdiag_survey::scan::Row;
+use bifdiag_survey::{Design, DesignError, Family};
 use rayon::prelude::*;
-use schema::RowDocument;
-use survey::scan::Row;
-use survey::{Design, DesignError, Family};
 
 use super::arguments::SampleArguments;
 use super::error::ScanInput;
@@ -50,7 +50,7 @@ pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
 /// The rows of the next bodies.
 fn block(identity: &Identity, from: u64) -> Vec<RowDocument> {
     let to = identity.range[1].min(from + BLOCK);
-    (from..to).into_par_iter().map(|n| documents::scan::row(&row(identity, n))).collect()
+    (from..to).into_par_iter().map(|n| bifdiag_documents::scan::row(&row(identity, n))).collect()
 }
 
 /// One row; not even a defect of this program ends the scan.

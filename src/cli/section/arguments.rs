@@ -3,10 +3,10 @@
 use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::PathBuf;
 
+use bifdiag_body::Number;
+use bifdiag_dynamics::section::SectionCondition;
+use bifdiag_plot::Projection;
 use clap::{Args, ValueEnum};
-use dynamics::section::SectionCondition;
-use plot::Projection;
-use top::body::Number;
 
 use crate::cli::export::{DataTarget, PictureArguments, WidthArgument};
 use crate::cli::input::values::Named;

@@ -3,12 +3,12 @@
 use std::io;
 use std::path::PathBuf;
 
-use documents::reading::ReadError;
-use dynamics::poincare::PoincareError;
-use schema::SCHEMA_VERSION;
+use bifdiag_diagram::classify::ClassifyError;
+use bifdiag_documents::reading::ReadError;
+use bifdiag_dynamics::poincare::PoincareError;
+use bifdiag_equilibria::curves::MomentumError;
+use bifdiag_schema::SCHEMA_VERSION;
 use thiserror::Error;
-use top::atlas::MomentumError;
-use top::classify::ClassifyError;
 
 use crate::cli::failure::{CommandError, Exit};
 use crate::cli::input::BodyInput;
@@ -76,15 +76,15 @@ pub enum SectionInput {
     #[error("--region and {option} both say where; leave out one of them")]
     RegionAnd { option: &'static str },
     #[error(transparent)]
-    NoAtlas(proof::NoAtlas),
+    NoAtlas(bifdiag_exact::NoAtlas),
     #[error("--atlas {path}: {source}; give an atlas.json that can be read, or - for stdin", path = path.display())]
     AtlasFile { path: PathBuf, source: io::Error },
     #[error("--atlas {path} is no atlas of version {SCHEMA_VERSION} (bifdiag atlas --json writes one): {source}", path = path.display())]
     NotAnAtlas { path: PathBuf, source: ReadError },
     #[error("--atlas {path}: its body is not one: {source}", path = path.display())]
-    AtlasBody { path: PathBuf, source: top::body::BodyError },
+    AtlasBody { path: PathBuf, source: bifdiag_body::BodyError },
     #[error("--atlas {path}: {source}", path = path.display())]
-    AtlasRegion { path: PathBuf, source: top::diagram::ParseRegionIdError },
+    AtlasRegion { path: PathBuf, source: bifdiag_diagram::arrangement::ParseRegionIdError },
     #[error("--region {region}: the body has no such region; {}", listed(known))]
     UnknownRegion { region: String, known: Vec<String> },
     #[error("--{given} cannot be used with --starts: the file says where the orbits start; leave out one of them")]

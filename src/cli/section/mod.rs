@@ -15,7 +15,7 @@ mod work;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-use dynamics::section::Monitor;
+use bifdiag_dynamics::section::Monitor;
 
 use super::failure::Failure;
 use super::terminal::interrupt::stoppable;

@@ -28,7 +28,7 @@ pub fn write(settings: &Settings, mut sections: Sections, complete: bool, timing
             let all = done.iter().map(|section| section.document.clone()).collect();
             answer(
                 outputs.json,
-                &documents::sections(&settings.sites.subject, all, sections.skipped.clone(), sections.complete),
+                &bifdiag_documents::sections(&settings.sites.subject, all, sections.skipped.clone(), sections.complete),
                 text,
             )
         }

@@ -1,9 +1,9 @@
 //! The picture of a section.
 
-use dynamics::poincare::PoincareError;
-use dynamics::section::{FAMILIES, Portrait, PortraitOptions, families};
-use plot::{OrbitFamilies, OrbitValues, Picture, SectionOptions, SectionScene, draw_section, section_type};
-use schema::{ConditionName, SectionDocument};
+use bifdiag_dynamics::poincare::PoincareError;
+use bifdiag_dynamics::section::{FAMILIES, Portrait, PortraitOptions, families};
+use bifdiag_plot::{OrbitFamilies, OrbitValues, Picture, SectionOptions, SectionScene, draw_section, section_type};
+use bifdiag_schema::{ConditionName, SectionDocument};
 
 use super::arguments::ColorArgument;
 use super::error::SectionFailure;
@@ -52,6 +52,6 @@ fn values(color: ColorArgument, document: &SectionDocument) -> Option<(&'static 
         ColorArgument::Lyapunov => ("Lyapunov exponent", table::lyapunov),
         ColorArgument::Rotation => ("rotation number", table::rotation),
     };
-    let of = |orbit: &schema::OrbitDocument| orbit.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
+    let of = |orbit: &bifdiag_schema::OrbitDocument| orbit.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
     Some((label, document.orbits.iter().map(of).collect()))
 }

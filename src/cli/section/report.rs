@@ -1,6 +1,6 @@
 //! What the terminal shows of a section.
 
-use schema::{ChaosDocument, ConditionName, EndName, SectionDocument, VerdictName, VerdictsName};
+use bifdiag_schema::{ChaosDocument, ConditionName, EndName, SectionDocument, VerdictName, VerdictsName};
 
 use super::table as data;
 use crate::cli::terminal::{Report, Table, significant};
@@ -27,7 +27,7 @@ pub fn add(report: &mut Report, document: &SectionDocument) {
 fn add_surfaces(report: &mut Report, document: &SectionDocument) {
     let region = document.region.as_ref().map_or_else(String::new, |region| format!("{region}: "));
     report.line(format!("{region}h = {}, l = {}", document.h, document.l));
-    let names = |name: &dyn Fn(&schema::ComponentDocument) -> String| {
+    let names = |name: &dyn Fn(&bifdiag_schema::ComponentDocument) -> String| {
         document.components.iter().map(name).collect::<Vec<_>>().join(" + ")
     };
     report.line(format!("U = {}", names(&|component| component.accessible_region.clone())));

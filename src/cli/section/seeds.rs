@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
-use dynamics::section::TorusPoint;
+use bifdiag_dynamics::section::TorusPoint;
 
 use super::error::{SectionInput, SeedProblem};
 use crate::cli::input::{read, values};

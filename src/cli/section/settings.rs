@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use dynamics::integrator::DEFAULT_TOLERANCE;
-use dynamics::poincare::PoincareError;
-use dynamics::section::SectionCondition;
-use plot::{Projection, Theme, Width};
+use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
+use bifdiag_dynamics::poincare::PoincareError;
+use bifdiag_dynamics::section::SectionCondition;
+use bifdiag_plot::{Projection, Theme, Width};
 
 use super::arguments::{ColorArgument, SectionArguments, VerdictArgument};
 use super::error::{SectionFailure, SectionInput};

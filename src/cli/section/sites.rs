@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use documents::Subject;
-use proof::{Accuracy, atlas_of};
-use top::body::{Body, Number};
-use top::diagram::RegionId;
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::arrangement::RegionId;
+use bifdiag_documents::Subject;
+use bifdiag_exact::{Accuracy, atlas_of};
 
 use super::arguments::SectionArguments;
 use super::error::SectionInput;
@@ -67,7 +67,7 @@ impl Sites {
     /// The samples of an atlas.json.
     fn of_file(path: &Path, wanted: &str) -> Result<Self, SectionInput> {
         let text = read(path).map_err(|source| SectionInput::AtlasFile { path: path.to_owned(), source })?;
-        let atlas = documents::reading::atlas(&text, &path.to_string_lossy())
+        let atlas = bifdiag_documents::reading::atlas(&text, &path.to_string_lossy())
             .map_err(|source| SectionInput::NotAnAtlas { path: path.to_owned(), source })?;
         let body = Body::parse(&atlas.body.given.moments, &atlas.body.given.center)
             .map_err(|source| SectionInput::AtlasBody { path: path.to_owned(), source })?;

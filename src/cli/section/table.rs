@@ -1,8 +1,8 @@
 //! The points of a section as columns.
 
-use dynamics::section::chaos::ChaosMeasure;
-use dynamics::section::{OrbitSection, SectionPoint};
-use schema::{ChaosDocument, SectionDocument};
+use bifdiag_dynamics::section::chaos::ChaosMeasure;
+use bifdiag_dynamics::section::{OrbitSection, SectionPoint};
+use bifdiag_schema::{ChaosDocument, SectionDocument};
 
 use crate::cli::export::{Column, Columns, Values};
 

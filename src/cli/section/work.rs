@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use dynamics::poincare::{PoincareError, PoincareSection, Setting};
-use dynamics::section::chaos::{ChaosMeasure, ChaosOptions};
-use dynamics::section::{Monitor, OrbitSection, SectionError, SweepOptions, TorusPoint};
-use schema::{SectionDocument, SkippedDocument};
+use bifdiag_dynamics::poincare::{PoincareError, PoincareSection, Setting};
+use bifdiag_dynamics::section::chaos::{ChaosMeasure, ChaosOptions};
+use bifdiag_dynamics::section::{Monitor, OrbitSection, SectionError, SweepOptions, TorusPoint};
+use bifdiag_schema::{SectionDocument, SkippedDocument};
 
 use super::arguments::VerdictArgument;
 use super::error::{SectionFailure, SectionInput, SeedProblem};
@@ -103,7 +103,7 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
             (section, None)
         }
     };
-    let document = documents::section(subject, &section, site.region.as_deref());
+    let document = bifdiag_documents::section(subject, &section, site.region.as_deref());
     let (h, l) = (setting.h(), setting.l());
     Ok(Done {
         h,

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use bifdiag_body::Number;
 use clap::Args;
-use top::body::Number;
 
 use crate::cli::export::{PictureArguments, WidthArgument};
 use crate::cli::input::BodyArguments;

@@ -1,10 +1,10 @@
 //! Why there is no picture of U.
 
-use proof::{NoAtlas, Unanswered};
+use bifdiag_diagram::classify::ClassifyError;
+use bifdiag_diagram::topology::merge::MergeError;
+use bifdiag_equilibria::curves::MomentumError;
+use bifdiag_exact::{NoAtlas, Unanswered};
 use thiserror::Error;
-use top::atlas::MomentumError;
-use top::classify::ClassifyError;
-use top::topology::merge::MergeError;
 
 use crate::cli::failure::{CommandError, Exit};
 
@@ -27,9 +27,9 @@ pub enum SphereError {
     #[error("the components of U could not be told apart")]
     Merge(#[from] MergeError),
     #[error("the sample of the region is beyond f64")]
-    Sample(#[from] numbers::ParseNumberError),
+    Sample(#[from] bifdiag_numbers::ParseNumberError),
     #[error("the relative equilibria could not be found")]
-    Critical(#[from] top::critical::CriticalError),
+    Critical(#[from] bifdiag_equilibria::critical::CriticalError),
 }
 
 impl From<Unanswered> for SphereError {

@@ -5,10 +5,10 @@ mod error;
 mod scene;
 mod site;
 
-use documents::{Subject, component};
-use plot::{Picture, Theme, Width, draw_sphere};
-use proof::{Accuracy, classify};
-use top::classify::{Answer, Components};
+use bifdiag_diagram::classify::{Answer, Components};
+use bifdiag_documents::{Subject, component};
+use bifdiag_exact::{Accuracy, classify};
+use bifdiag_plot::{Picture, Theme, Width, draw_sphere};
 
 use super::export::{ExportError, FileSet, RESOLUTION, directory};
 use super::failure::Failure;

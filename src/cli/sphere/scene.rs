@@ -1,12 +1,12 @@
 //! What the picture needs of a body at one point.
 
-use documents::Subject;
-use dynamics::field::dot;
-use plot::SphereScene;
-use schema::ComponentDocument;
-use top::accessible::{AccessibleRegion, component_of};
-use top::body::Body;
-use top::critical::critical;
+use bifdiag_body::Body;
+use bifdiag_diagram::accessible::{AccessibleRegion, component_of};
+use bifdiag_documents::Subject;
+use bifdiag_dynamics::field::dot;
+use bifdiag_equilibria::critical::critical;
+use bifdiag_plot::SphereScene;
+use bifdiag_schema::ComponentDocument;
 
 use super::error::SphereError;
 use super::site::Site;
@@ -45,7 +45,7 @@ pub fn scene<P>(
         r_hat,
         components,
         component_of: &component_of,
-        equilibria: &documents::equilibria(&found),
+        equilibria: &bifdiag_documents::equilibria(&found),
         axis: r_hat.unwrap_or_else(|| symmetry_axis(moments)),
         time_unit: subject.part.as_ref().map_or("", |part| part.time_unit()),
         view: view.map(|Vector(direction)| *direction),

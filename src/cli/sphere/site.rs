@@ -1,8 +1,8 @@
 //! Where U is drawn.
 
-use documents::Subject;
-use proof::{Accuracy, atlas_of};
-use top::body::Number;
+use bifdiag_body::Number;
+use bifdiag_documents::Subject;
+use bifdiag_exact::{Accuracy, atlas_of};
 
 use super::arguments::SphereArguments;
 use super::error::SphereError;

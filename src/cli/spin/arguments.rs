@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use bifdiag_body::part::Spin;
 use clap::Args;
-use part::Spin;
 
 use super::direction::{AxisArgument, axis};
 use super::tolerance::{ToleranceArgument, tolerance};

@@ -1,10 +1,10 @@
 //! `bifdiag campbell`: frequencies over the spin of a permanent axis.
 
+use bifdiag_documents::Subject;
+use bifdiag_equilibria::permanent::{AxisRotation, SpinType, permanent_axis};
+use bifdiag_numbers::Sign;
+use bifdiag_plot::{Campbell, draw_campbell};
 use dashu_ratio::RBig;
-use documents::Subject;
-use numbers::Sign;
-use plot::{Campbell, draw_campbell};
-use top::permanent::{AxisRotation, SpinType, permanent_axis};
 
 use super::arguments::CampbellArguments;
 use super::direction::{from_principal, second, to_principal};
@@ -37,7 +37,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     }
     let mut files = FileSet::new(&arguments.out);
     files.export("campbell", &columns(&rows), &DataFormat::Csv)?;
-    let (changes, beyond): (Vec<_>, Vec<_>) = documents::spin_changes(&rotation, "+axis", None, second)
+    let (changes, beyond): (Vec<_>, Vec<_>) = bifdiag_documents::spin_changes(&rotation, "+axis", None, second)
         .into_iter()
         .partition(|change| change.spin.rad_per_s <= largest);
     if !arguments.no_plot {
@@ -45,7 +45,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
             rows: rows.iter().map(|row| (row.rpm, row.frequencies, row.stable)).collect(),
             changes: changes.iter().map(|change| change.spin.rpm).collect(),
         };
-        let picture = draw_campbell(&scene, plot::Theme::Light).map_err(ExportError::from)?;
+        let picture = draw_campbell(&scene, bifdiag_plot::Theme::Light).map_err(ExportError::from)?;
         files.pictures("campbell", &picture, &[PictureFormat::Svg], RESOLUTION, timings)?;
     }
     let mut report = Report::default();
@@ -53,7 +53,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         report.line(format!("{} rpm: {} to {}", significant(change.spin.rpm, 8), change.from, change.to));
     }
     if changes.is_empty() {
-        report.line(format!("no change of type up to {} rpm", significant(part::Spin::rpm(largest), 8)));
+        report.line(format!("no change of type up to {} rpm", significant(bifdiag_body::part::Spin::rpm(largest), 8)));
     }
     if let Some(next) = beyond.first() {
         report.line(format!("the next change of type is at {} rpm, beyond --to", significant(next.spin.rpm, 8)));
@@ -89,10 +89,10 @@ fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
         let spin = largest * f64::from(k) / f64::from(STEPS);
         let omega = RBig::try_from(spin / second).unwrap_or_default();
         let (frequencies, growth) = rotation.squared_eigenvalues(&omega).frequencies_and_growth();
-        let [p, q] = frequencies.map(|frequency| part::Spin::hertz(frequency * second));
+        let [p, q] = frequencies.map(|frequency| bifdiag_body::part::Spin::hertz(frequency * second));
         let stable = rotation.type_at_spin(&omega).is_some_and(SpinType::is_stable);
         Row {
-            rpm: part::Spin::rpm(spin),
+            rpm: bifdiag_body::part::Spin::rpm(spin),
             frequencies: [p.min(q), p.max(q)].map(|frequency| if frequency == 0.0 { f64::NAN } else { frequency }),
             growth: if stable { 0.0 } else { growth * second },
             stable,

@@ -1,13 +1,13 @@
 //! `bifdiag critical-spin`.
 
+use bifdiag_body::part::{MeasuredPart, Part};
+use bifdiag_documents::{CommandLine, Subject, words};
+use bifdiag_equilibria::permanent::{AxisRotation, NearestAxis, SpinType, exact_spin, nearest_steady};
+use bifdiag_exact::{Accuracy, Prepared};
+use bifdiag_numbers::vector::dot;
+use bifdiag_numbers::{Number, Sign};
+use bifdiag_schema::{CriticalSpinDocument, SteadySpinDocument};
 use dashu_ratio::RBig;
-use documents::{CommandLine, Subject, words};
-use numbers::vector::dot;
-use numbers::{Number, Sign};
-use part::{MeasuredPart, Part};
-use proof::{Accuracy, Prepared};
-use schema::{CriticalSpinDocument, SteadySpinDocument};
-use top::permanent::{AxisRotation, NearestAxis, SpinType, exact_spin, nearest_steady};
 
 use super::arguments::CriticalSpinArguments;
 use super::direction::{AxisArgument, from_principal, second, to_principal_exactly};
@@ -50,8 +50,8 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         Axis::Principal | Axis::Unknown => None,
     };
     let mut document = CriticalSpinDocument {
-        head: documents::head(command(subject, given, known).json()),
-        body: documents::given(&subject.body),
+        head: bifdiag_documents::head(command(subject, given, known).json()),
+        body: bifdiag_documents::given(&subject.body),
         axis: given.direction,
         permanent: matches!(found, Axis::Permanent { .. }),
         nearest: nearest.filter(|nearest| nearest.angle_deg > 0.0),
@@ -88,17 +88,17 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
     // γ points down.
     for (up, gamma) in [("+axis", Sign::Negative), ("-axis", Sign::Positive)] {
         let Some(rotation) = AxisRotation::about(&subject.body, axis, gamma) else { continue };
-        document.changes.extend(documents::spin_changes(&rotation, up, atlas, second));
+        document.changes.extend(bifdiag_documents::spin_changes(&rotation, up, atlas, second));
         slow.push(at_slow_spins(&rotation).name().to_owned());
         rotations.push((up, rotation));
     }
     document.tolerance = match known {
         Known::Exactly => None,
-        Known::Relative(tolerance) => Some(documents::tolerance(&rotations, &tolerance.0, second)),
+        Known::Relative(tolerance) => Some(bifdiag_documents::tolerance(&rotations, &tolerance.0, second)),
         Known::Measured(part, measured) => {
             let up = from_principal(subject.part.as_ref(), axis.direction);
             let ends = [("+axis", up), ("-axis", up.map(|x| -x))];
-            Some(documents::measured_tolerance(part, measured, ends, second))
+            Some(bifdiag_documents::measured_tolerance(part, measured, ends, second))
         }
     };
     document.slow = slow.try_into().ok();
@@ -109,7 +109,7 @@ fn command(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Comman
     let axis = given.given.0.each_ref().map(Number::text).join(",");
     match known {
         Known::Measured(part, measured) => {
-            documents::measured_command("critical-spin", part, measured).option("axis", axis)
+            bifdiag_documents::measured_command("critical-spin", part, measured).option("axis", axis)
         }
         Known::Relative(tolerance) => {
             subject.command("critical-spin").option("axis", axis).option("tolerance", tolerance.text())
@@ -137,11 +137,11 @@ fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> O
     let found = nearest_steady(&subject.body, &exact_omega, &exact_up).filter(|found| found.angle <= MEANT);
     Some(SteadySpinDocument {
         up: end_up(s).to_owned(),
-        spin: documents::spin(omega * second(part)),
+        spin: bifdiag_documents::spin(omega * second(part)),
         l,
         h: 0.5 * omega * l + dot(up, r),
         stability: found.as_ref().map(|found| found.equilibrium.stability.word().to_owned()),
-        verdict: found.map(|found| documents::verdict(found.equilibrium.verdict)),
+        verdict: found.map(|found| bifdiag_documents::verdict(found.equilibrium.verdict)),
     })
 }
 

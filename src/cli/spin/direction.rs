@@ -1,8 +1,8 @@
 //! Directions in the frame of the question: the part's, or principal axes.
 
+use bifdiag_numbers::vector::dot;
+use bifdiag_schema::PartDocument;
 use dashu_ratio::RBig;
-use numbers::vector::dot;
-use schema::PartDocument;
 
 use crate::cli::input::values::{self, Triple, ValueError};
 
@@ -60,6 +60,6 @@ pub fn second(part: Option<&PartDocument>) -> f64 {
 
 /// The body's unit of time in seconds, exactly.
 pub fn unit_of_time(part: Option<&PartDocument>) -> RBig {
-    let units = part.and_then(|part| part.units.parse::<::part::Units>().ok());
+    let units = part.and_then(|part| part.units.parse::<bifdiag_body::part::Units>().ok());
     units.map_or(RBig::ONE, |units| units.time().clone())
 }

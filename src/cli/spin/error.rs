@@ -1,7 +1,7 @@
 //! Why there is no state.
 
+use bifdiag_body::ParseNumberError;
 use thiserror::Error;
-use top::body::ParseNumberError;
 
 use crate::cli::failure::{CommandError, Exit};
 

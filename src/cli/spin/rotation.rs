@@ -1,9 +1,9 @@
 //! The rotation that an axis means.
 
-use documents::Subject;
-use numbers::vector::{cross, dot, norm};
-use schema::NearestAxisDocument;
-use top::permanent::{NearestAxis, PermanentAxis, nearest_permanent, permanent_axis};
+use bifdiag_documents::Subject;
+use bifdiag_equilibria::permanent::{NearestAxis, PermanentAxis, nearest_permanent, permanent_axis};
+use bifdiag_numbers::vector::{cross, dot, norm};
+use bifdiag_schema::NearestAxisDocument;
 
 use super::direction::{from_principal, second, to_principal};
 
@@ -32,7 +32,7 @@ impl Axis {
         let document = |v: [f64; 3], angle: f64, squared_spin: Option<f64>| NearestAxisDocument {
             axis: from_principal(part, v),
             angle_deg: angle.to_degrees(),
-            spin: squared_spin.map(|s| documents::spin(s.abs().sqrt() * second(part))),
+            spin: squared_spin.map(|s| bifdiag_documents::spin(s.abs().sqrt() * second(part))),
             up: squared_spin.filter(|s| *s != 0.0).map(|s| end_up(s).to_owned()),
         };
         if let Some(axis) = permanent_axis(&subject.body, direction) {

@@ -1,14 +1,14 @@
 //! `bifdiag state`: where a state lies, and what it is.
 
+use bifdiag_body::Number;
+use bifdiag_body::part::Spin;
+use bifdiag_diagram::atlas::Spot;
+use bifdiag_documents::{CommandLine, Subject};
+use bifdiag_exact::{Accuracy, Prepared};
+use bifdiag_numbers::symmetric::{self, Real};
+use bifdiag_numbers::vector::{cross, dot, norm};
+use bifdiag_schema::{StateDocument, SteadyDocument};
 use dashu_ratio::RBig;
-use documents::{CommandLine, Subject};
-use numbers::symmetric::{self, Real};
-use numbers::vector::{cross, dot, norm};
-use part::Spin;
-use proof::{Accuracy, Prepared};
-use schema::{StateDocument, SteadyDocument};
-use top::atlas::Spot;
-use top::body::Number;
 
 use super::arguments::StateArguments;
 use super::direction::{AxisArgument, second, to_principal, to_principal_exactly, unit_of_time};
@@ -96,7 +96,7 @@ impl<'a> State<'a> {
         command.option("vertical", list(&self.vertical.given))
     }
 
-    fn document(&self, subject: &Subject) -> Result<StateDocument, top::body::ParseNumberError> {
+    fn document(&self, subject: &Subject) -> Result<StateDocument, bifdiag_body::ParseNumberError> {
         let part = subject.part.as_ref();
         let second = second(part);
         let omega = to_principal(part, self.omega).map(|x| x / second);
@@ -108,11 +108,11 @@ impl<'a> State<'a> {
         let (h, l) = (0.5 * dot(omega, momentum) + dot(up, r), dot(momentum, up));
         let spin = self.spin();
         let mut document = StateDocument {
-            head: documents::head(self.command(subject).json()),
-            body: documents::given(&subject.body),
+            head: bifdiag_documents::head(self.command(subject).json()),
+            body: bifdiag_documents::given(&subject.body),
             omega: self.omega,
             vertical,
-            spin: documents::spin(spin.to_f64().value()),
+            spin: bifdiag_documents::spin(spin.to_f64().value()),
             h,
             l,
             steady: None,
@@ -142,7 +142,7 @@ impl<'a> State<'a> {
                 document.nearest = other;
                 let [h, l] = [Number::from_f64(h)?, Number::from_f64(l)?];
                 if let Ok(found) = prepared.classify(&h, &l) {
-                    document.margin = Some(documents::margin(&found.margin));
+                    document.margin = Some(bifdiag_documents::margin(&found.margin));
                     // A curve rises by l/J, which is at most l/min A, and h and l are rounded.
                     let least = a.into_iter().fold(f64::INFINITY, f64::min);
                     let size = 0.5 * dot(omega, momentum).abs() + norm(r) + document.l * document.l / least;

@@ -1,14 +1,14 @@
 //! Steady rotations: about a permanent axis at every spin, about others at the spin that is asked about.
 
+use bifdiag_body::part::Spin;
+use bifdiag_diagram::atlas::Spot;
+use bifdiag_documents::{Subject, words};
+use bifdiag_equilibria::permanent::{AxisRotation, PermanentAxis, SteadyRotation, nearest_steady, permanent_axis};
+use bifdiag_exact::Prepared;
+use bifdiag_numbers::vector::norm;
+use bifdiag_numbers::{Number, Sign};
+use bifdiag_schema::{Multiplicity, SpinChangeDocument, SteadyDocument, Verdict};
 use dashu_ratio::RBig;
-use documents::{Subject, words};
-use numbers::vector::norm;
-use numbers::{Number, Sign};
-use part::Spin;
-use proof::Prepared;
-use schema::{Multiplicity, SpinChangeDocument, SteadyDocument, Verdict};
-use top::atlas::Spot;
-use top::permanent::{AxisRotation, PermanentAxis, SteadyRotation, nearest_steady, permanent_axis};
 
 use super::direction::{from_principal, second};
 use super::rotation::{Axis, MEANT, angle_between};
@@ -78,13 +78,13 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
     let second = second(subject.part.as_ref());
     // γ points down.
     let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative)?;
-    let [below, at, above] = documents::changes_beside(&rotation, "+axis", prepared.atlas(), second, omega);
+    let [below, at, above] = bifdiag_documents::changes_beside(&rotation, "+axis", prepared.atlas(), second, omega);
     let Some((kind, verdict)) = rotation.stability_at_spin(omega) else {
         let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
         let found = nearest_steady(&subject.body, omega, &up)?;
         return Some(SteadyDocument { below, at, above, ..steady(question, &found, prepared) });
     };
-    let verdict = documents::verdict(verdict);
+    let verdict = bifdiag_documents::verdict(verdict);
     let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
     let (h, l) = rotation.point(omega);
     let size = norm(subject.body.center_f64()) + 0.5 * l.to_f64() * omega.to_f64().value();
@@ -124,7 +124,7 @@ fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Prepared) 
         stability: point.stability.word().to_owned(),
         one_of: one_of(point.multiplicity),
         stable: !point.stability.is_unstable(),
-        verdict: documents::verdict(point.verdict),
+        verdict: bifdiag_documents::verdict(point.verdict),
         frequencies_hz: by_size(point.eigenvalues.pairs.map(|pair| Spin::hertz(pair[1] * second))),
         growth_time_s: (growth > 0.0).then(|| 1.0 / (growth * second)),
         at: None,
@@ -147,8 +147,8 @@ fn by_size([p, q]: [f64; 2]) -> [f64; 2] {
 }
 
 /// The set of steady rotations of which this is one.
-fn one_of(found: top::critical::Multiplicity) -> Option<Multiplicity> {
-    Some(documents::multiplicity(found)).filter(|found| !matches!(found, Multiplicity::Points(_)))
+fn one_of(found: bifdiag_equilibria::critical::Multiplicity) -> Option<Multiplicity> {
+    Some(bifdiag_documents::multiplicity(found)).filter(|found| !matches!(found, Multiplicity::Points(_)))
 }
 
 fn with_regions(document: SteadyDocument, regions: Option<[Spot; 2]>) -> SteadyDocument {

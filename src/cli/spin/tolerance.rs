@@ -1,9 +1,9 @@
 //! How well the moments and the weight are known.
 
+use bifdiag_body::Number;
+use bifdiag_numbers::decimal;
+use bifdiag_schema::{CriticalSpinDocument, SampledClassDocument, SpinRangeDocument, ToleranceDocument};
 use dashu_ratio::RBig;
-use numbers::decimal;
-use schema::{CriticalSpinDocument, SampledClassDocument, SpinRangeDocument, ToleranceDocument};
-use top::body::Number;
 
 use crate::cli::input::values::{self, ValueError};
 use crate::cli::terminal::{Report, Table, significant};

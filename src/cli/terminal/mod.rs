@@ -9,8 +9,8 @@ mod stdout;
 mod table;
 mod timings;
 
+pub use bifdiag_numbers::decimal::{bound, fixed, significant};
 pub use log::log;
-pub use numbers::decimal::{bound, fixed, significant};
 pub use progress::Progress;
 pub use report::Report;
 pub use stderr::{is_terminal, say, say_styled};

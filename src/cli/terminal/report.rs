@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::path::PathBuf;
 
-use schema::harmless;
+use bifdiag_schema::harmless;
 
 /// Lines of text.
 #[derive(Debug, Default)]

@@ -2,7 +2,7 @@
 
 use std::io::{self, IsTerminal, Write};
 
-use schema::harmless;
+use bifdiag_schema::harmless;
 
 /// A line on stderr, without control of the terminal: a message may quote files; a closed stderr is no reason to stop.
 pub fn say(message: &str) {

@@ -31,7 +31,7 @@ impl CommandError for OutputError {
 /// Writes bytes and flushes them; an interrupt waits until all are written.
 pub fn print(bytes: impl AsRef<[u8]>) -> Result<(), OutputError> {
     let bytes = bytes.as_ref();
-    if streams::stdout_was_closed() && !bytes.is_empty() {
+    if bifdiag_streams::stdout_was_closed() && !bytes.is_empty() {
         return Err(OutputError::Closed);
     }
     let _guard = uninterrupted();

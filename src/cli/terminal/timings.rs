@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use proof::work;
+use bifdiag_exact::work;
 
 use super::stderr::say;
 

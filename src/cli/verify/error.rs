@@ -3,10 +3,10 @@
 use std::io;
 use std::path::PathBuf;
 
-use documents::reading::ReadError;
-use schema::SCHEMA_VERSION;
+use bifdiag_documents::reading::ReadError;
+use bifdiag_schema::SCHEMA_VERSION;
+use bifdiag_verify::Refused;
 use thiserror::Error;
-use verify::Refused;
 
 use crate::cli::failure::{CommandError, Exit};
 

@@ -4,8 +4,8 @@ mod error;
 
 use std::path::PathBuf;
 
+use bifdiag_verify::verify;
 use clap::Args;
-use verify::verify;
 
 use super::export::ExportError;
 use super::failure::Failure;
@@ -33,11 +33,11 @@ pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure
     let path = || arguments.file.clone();
     let text = read(&arguments.file).map_err(|source| VerifyError::File { path: path(), source })?;
     let name = arguments.file.to_string_lossy();
-    let document =
-        documents::reading::atlas(&text, &name).map_err(|source| VerifyError::NoAtlas { path: path(), source })?;
+    let document = bifdiag_documents::reading::atlas(&text, &name)
+        .map_err(|source| VerifyError::NoAtlas { path: path(), source })?;
     // What a certificate proves is in the bytes: they must be those that bifdiag writes.
     if document.certificate.is_some() {
-        let own = documents::layout::text(&document).map_err(ExportError::from)?;
+        let own = bifdiag_documents::layout::text(&document).map_err(ExportError::from)?;
         if own.trim_end() != text.trim_end() {
             return Err(VerifyError::Damaged { path: path() }.into());
         }

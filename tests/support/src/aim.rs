@@ -1,10 +1,10 @@
 //! Points (h, l) that shrink: anywhere, or planted beside the curves and events of a body.
 
+use bifdiag_body::Number;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_numbers::table::Id;
 use dashu_ratio::RBig;
 use proptest::prelude::*;
-use top::atlas::Atlas;
-use top::body::Number;
-use top::table::Id;
 
 use crate::strata::{ten_to, tiny};
 

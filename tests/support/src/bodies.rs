@@ -1,6 +1,6 @@
 //! Random bodies, stratum by stratum.
 
-use top::body::Body;
+use bifdiag_body::Body;
 
 use super::random::SplitMix64;
 

@@ -2,8 +2,8 @@
 // The last bit of a cosine moves no cell that matters.
 #![allow(clippy::disallowed_methods)]
 
-use top::body::Body;
-use top::topology::{Component, Poles, sort_components};
+use bifdiag_body::Body;
+use bifdiag_diagram::topology::{Component, Poles, sort_components};
 
 /// U_hl by flood fill on a grid with the given number of rows.
 #[must_use]

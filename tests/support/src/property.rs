@@ -2,9 +2,9 @@
 
 use std::fmt::Debug;
 
+use bifdiag_body::{Body, Number};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
-use top::body::{Body, Number};
 
 use crate::aim::{Aim, aims};
 use crate::strata::Stratum;

@@ -1,11 +1,11 @@
 //! Bodies that shrink, one strategy for each way of being special. Numbers are exact rationals; what is near a coincidence
 //! is planted there, at a distance of 10⁻³ to 10⁻¹⁵ and further.
 
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::atlas::Atlas;
 use dashu_ratio::RBig;
 use proptest::prelude::*;
 use proptest::strategy::BoxedStrategy;
-use top::atlas::Atlas;
-use top::body::{Body, Number};
 
 /// A family of bodies, special in the way its name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,11 +1,11 @@
 //! Bodies and numbers from the texts of a permalink, and everything that can be wrong with them.
 
+use bifdiag::body::{BodyError, Preset};
 use bifdiag::dynamics::motion::MotionError;
 use bifdiag::dynamics::poincare::PoincareError;
 use bifdiag::dynamics::section::SectionError;
-use bifdiag::proof::NoAtlas;
-use bifdiag::top::body::{BodyError, Preset};
-use bifdiag::top::critical::CriticalError;
+use bifdiag::equilibria::critical::CriticalError;
+use bifdiag::exact::NoAtlas;
 use bifdiag::{Body, Number, Unanswered, numbers::ParseNumberError};
 use thiserror::Error;
 

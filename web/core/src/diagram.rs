@@ -1,10 +1,10 @@
 //! The (h, l) diagram of one body as numbers to draw, for any part of the plane.
 
+use bifdiag::diagram::atlas::Place;
 use bifdiag::documents::words;
+use bifdiag::equilibria::curves::CurveName;
+use bifdiag::numbers::table::Id;
 use bifdiag::schema::AtlasDocument;
-use bifdiag::top::atlas::Place;
-use bifdiag::top::curves::CurveName;
-use bifdiag::top::table::Id;
 use bifdiag::{Accuracy, Atlas, atlas_of};
 use wasm_bindgen::prelude::*;
 

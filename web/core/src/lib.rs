@@ -7,7 +7,7 @@ mod map;
 mod section;
 mod texts;
 
-use bifdiag::top::body::Preset;
+use bifdiag::body::Preset;
 use wasm_bindgen::prelude::*;
 
 pub use diagram::Diagram;

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use bifdiag::diagram::class::{Class, ClassName};
 use bifdiag::survey::border::{self, BorderOptions, Segment};
-use bifdiag::top::class::{Class, ClassName};
 use bifdiag::{Accuracy, Atlas, Body};
 use wasm_bindgen::prelude::*;
 

@@ -1,6 +1,6 @@
 //! The command line's documents.
 
-use bifdiag::proof::Prepared;
+use bifdiag::exact::Prepared;
 use bifdiag::schema::AtlasDocument;
 use bifdiag::{Accuracy, Atlas, atlas_of, documents};
 

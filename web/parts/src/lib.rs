@@ -3,7 +3,7 @@
 
 mod part;
 
-use bifdiag::part::Products;
+use bifdiag::body::part::Products;
 use bifdiag::schema::PartDocument;
 use wasm_bindgen::prelude::*;
 

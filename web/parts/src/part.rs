@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
+use bifdiag::body::TensorError;
+use bifdiag::body::part::file::{FileError, FileOptions, of_bytes};
+use bifdiag::body::part::{Existence, MassError, MassProperties, Part, Products, Units, UnitsError, tensor_of};
 use bifdiag::documents;
 use bifdiag::numbers::Number;
 use bifdiag::numbers::ParseNumberError;
-use bifdiag::part::file::{FileError, FileOptions, of_bytes};
-use bifdiag::part::{Existence, MassError, MassProperties, Part, Products, Units, UnitsError, tensor_of};
 use bifdiag::schema::PartDocument;
-use bifdiag::top::body::TensorError;
 use thiserror::Error;
 
 /// Why there is no part.

@@ -1,9 +1,9 @@
 //! Curves of an atlas document.
 
-use schema::{CurveDocument, CurveKind, TailDocument, UndecidedDocument};
-use top::atlas::Atlas;
-use top::curves::{Branch, BranchName, Curve, CurveId, CurveName, Orbit, Pole, branch_words};
-use top::table::Table;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_equilibria::curves::{Branch, BranchName, Curve, CurveId, CurveName, Orbit, Pole, branch_words};
+use bifdiag_numbers::table::Table;
+use bifdiag_schema::{CurveDocument, CurveKind, TailDocument, UndecidedDocument};
 
 use super::options::DocumentOptions;
 use super::stability::Stability;

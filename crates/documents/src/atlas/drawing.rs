@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use schema::{CurveDrawing, DrawingDocument, RegionDocument, RegionDrawing, ViewDocument, WindowDocument};
-use top::atlas::{Atlas, CourseOptions, View, Window};
-use top::curves::{CurveId, CurveName, Pole};
-use top::diagram::RegionId;
+use bifdiag_diagram::arrangement::RegionId;
+use bifdiag_diagram::atlas::{Atlas, CourseOptions, View, Window};
+use bifdiag_equilibria::curves::{CurveId, CurveName, Pole};
+use bifdiag_schema::{CurveDrawing, DrawingDocument, RegionDocument, RegionDrawing, ViewDocument, WindowDocument};
 
 use super::options::{DocumentOptions, Drawn};
 

@@ -1,9 +1,9 @@
 //! Events of an atlas document.
 
-use schema::{EventDocument, EventKind};
-use top::atlas::{Atlas, Window};
-use top::curves::CurveName;
-use top::diagram::Change;
+use bifdiag_diagram::arrangement::Change;
+use bifdiag_diagram::atlas::{Atlas, Window};
+use bifdiag_equilibria::curves::CurveName;
+use bifdiag_schema::{EventDocument, EventKind};
 
 pub(super) fn documents(atlas: &Atlas, window: Option<&Window>) -> Vec<EventDocument> {
     let set = &atlas.arrangement().set;

@@ -10,8 +10,8 @@ mod undecided;
 
 use std::collections::BTreeMap;
 
-use schema::{AtlasDocument, BodyDocument, EventDocument, RegionDocument, SummaryDocument, WindowDocument};
-use top::atlas::{Atlas, Window};
+use bifdiag_diagram::atlas::{Atlas, Window};
+use bifdiag_schema::{AtlasDocument, BodyDocument, EventDocument, RegionDocument, SummaryDocument, WindowDocument};
 
 use crate::body::{flags, given};
 use crate::classification::accuracy_option;

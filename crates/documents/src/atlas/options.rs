@@ -1,6 +1,6 @@
 //! What the document of an atlas holds.
 
-use schema::{Accuracy, WindowDocument};
+use bifdiag_schema::{Accuracy, WindowDocument};
 
 /// What of its drawing a document holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

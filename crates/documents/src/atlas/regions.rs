@@ -1,10 +1,10 @@
 //! Regions of an atlas document.
 
-use schema::{CellDocument, NeighbourDocument, RegionDocument, SampleDocument, UndecidedDocument};
-use top::atlas::{Atlas, Region, SamplePoint, Window};
-use top::curves::{CurveId, CurveName};
-use top::diagram::{Cell, RegionId};
-use top::topology::signature;
+use bifdiag_diagram::arrangement::{Cell, RegionId};
+use bifdiag_diagram::atlas::{Atlas, Region, SamplePoint, Window};
+use bifdiag_diagram::topology::signature;
+use bifdiag_equilibria::curves::{CurveId, CurveName};
+use bifdiag_schema::{CellDocument, NeighbourDocument, RegionDocument, SampleDocument, UndecidedDocument};
 
 use crate::classification::{components, margin};
 

@@ -1,9 +1,9 @@
 //! The linear type along the curves of an atlas, and where it changes.
 
-use schema::{StabilityChangeDocument, StabilitySpan, UndecidedDocument};
-use top::atlas::{Atlas, Window};
-use top::curves::{CurveId, CurveName};
-use top::stability::LinearTypes;
+use bifdiag_diagram::atlas::{Atlas, Window};
+use bifdiag_equilibria::curves::{CurveId, CurveName};
+use bifdiag_equilibria::stability::LinearTypes;
+use bifdiag_schema::{StabilityChangeDocument, StabilitySpan, UndecidedDocument};
 
 use crate::critical::{change, stability};
 
@@ -33,7 +33,7 @@ impl<'a> Stability<'a> {
             });
             return Vec::new();
         };
-        let document = |span: &top::stability::StabilitySpan| StabilitySpan {
+        let document = |span: &bifdiag_equilibria::stability::StabilitySpan| StabilitySpan {
             l_from: span.l_from,
             l_to: span.l_to,
             stability: stability(span.stability),

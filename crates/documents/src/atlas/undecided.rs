@@ -1,9 +1,9 @@
 //! What an atlas leaves undecided, in words.
 
-use schema::UndecidedDocument;
-use top::atlas::Atlas;
-use top::curves::{BranchName, CurveId, CurveName};
-use top::diagram::Undecided;
+use bifdiag_diagram::arrangement::Undecided;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_equilibria::curves::{BranchName, CurveId, CurveName};
+use bifdiag_schema::UndecidedDocument;
 
 /// What the arrangement left undecided.
 pub(super) fn documents(atlas: &Atlas) -> Vec<UndecidedDocument> {

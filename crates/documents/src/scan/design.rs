@@ -1,9 +1,9 @@
 //! Which bodies a scan looks at.
 
-use numbers::Number;
-use schema::{DesignDocument, FamilyDocument, ParameterName, RangeDocument};
-use survey::scan::Shard;
-use survey::{Design, Family, Parameter, Range};
+use bifdiag_numbers::Number;
+use bifdiag_schema::{DesignDocument, FamilyDocument, ParameterName, RangeDocument};
+use bifdiag_survey::scan::Shard;
+use bifdiag_survey::{Design, Family, Parameter, Range};
 
 use super::error::ReadScanError;
 use crate::body::texts;

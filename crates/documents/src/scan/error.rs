@@ -1,10 +1,10 @@
 //! What can be wrong with the documents of a scan.
 
-use numbers::ParseNumberError;
-use survey::{DesignError, ParseComponentTypeError};
+use bifdiag_diagram::class::ParseClassNameError;
+use bifdiag_diagram::topology::ParseSurfaceError;
+use bifdiag_numbers::ParseNumberError;
+use bifdiag_survey::{DesignError, ParseComponentTypeError};
 use thiserror::Error;
-use top::class::ParseClassNameError;
-use top::topology::ParseSurfaceError;
 
 /// Why a document of a scan cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

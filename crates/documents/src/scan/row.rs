@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::str::FromStr;
 
-use schema::{RowDocument, RowStatus};
-use survey::scan::{DiagramCounts, Room, Row, Status};
-use top::body::Flags;
+use bifdiag_body::Flags;
+use bifdiag_schema::{RowDocument, RowStatus};
+use bifdiag_survey::scan::{DiagramCounts, Room, Row, Status};
 
 use super::error::ReadScanError;
 
@@ -123,7 +123,7 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proof::Accuracy;
+    use bifdiag_exact::Accuracy;
 
     #[test]
     fn rows_come_back_as_they_went() {

@@ -3,9 +3,11 @@
 use crate::classification::accuracy_option;
 use crate::command::head;
 use crate::scan::command;
-use schema::{Accuracy, BodyRecordDocument, ClassRecordDocument, DesignDocument, RecordDocument, ScanSummaryDocument};
-use survey::scan::{BodyRecord, ClassRecord, Record, Summary, class_text};
-use top::class::ClassName;
+use bifdiag_diagram::class::ClassName;
+use bifdiag_schema::{
+    Accuracy, BodyRecordDocument, ClassRecordDocument, DesignDocument, RecordDocument, ScanSummaryDocument,
+};
+use bifdiag_survey::scan::{BodyRecord, ClassRecord, Record, Summary, class_text};
 
 /// The file with the rows of a scan.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! First integrals: the three of every top, and those of the integrable ones.
 
-use super::top::{HeavyTop, State};
+use super::heavy_top::{HeavyTop, State};
 use super::units::{Dimension, Units};
 use super::vector::dot;
 

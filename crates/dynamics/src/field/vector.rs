@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-pub use numbers::vector::{cross, dot, norm};
+pub use bifdiag_numbers::vector::{cross, dot, norm};
 
 /// u + v.
 #[must_use]

@@ -3,9 +3,9 @@
 use thiserror::Error;
 
 use crate::section::SectionError;
-use top::classify::ClassifyError;
-use top::critical::CriticalError;
-use top::topology::merge::MergeError;
+use bifdiag_diagram::classify::ClassifyError;
+use bifdiag_diagram::topology::merge::MergeError;
+use bifdiag_equilibria::critical::CriticalError;
 
 /// Why there is no section at a point, or why it could not be computed.
 #[derive(Clone, Debug, PartialEq, Error)]

@@ -8,11 +8,11 @@ pub use error::PoincareError;
 
 use std::sync::atomic::Ordering;
 
-use top::accessible::{AccessibleRegion, component_of};
-use top::body::{Body, Number};
-use top::classify::{Answer, Classification, classify};
-use top::critical::critical;
-use top::topology::Component;
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::accessible::{AccessibleRegion, component_of};
+use bifdiag_diagram::classify::{Answer, Classification, classify};
+use bifdiag_diagram::topology::Component;
+use bifdiag_equilibria::critical::critical;
 
 use crate::field::{HeavyTop, State};
 use crate::section::chaos::{ChaosMeasure, ChaosOptions, Judgement, chaos_measures, verdicts};

@@ -4,7 +4,7 @@ use super::{PoincareError, Setting};
 use crate::section::{
     Monitor, SectionError, StartOptions, TorusPoint, spread_starts, spread_starts_over, spread_starts_round,
 };
-use top::accessible::component_of;
+use bifdiag_diagram::accessible::component_of;
 
 /// Places of the whole sphere that are tried for each start before a component counts as small.
 const TRIES: u64 = 2000;

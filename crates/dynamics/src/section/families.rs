@@ -1,8 +1,8 @@
 //! Which orbits of a section belong together: those on one side of the plane through the fixed point across r̂, on each
 //! component where there are several. The same family has the same colour in every region.
 
-use top::accessible::{AccessibleRegion, component_of};
-use top::body::Body;
+use bifdiag_body::Body;
+use bifdiag_diagram::accessible::{AccessibleRegion, component_of};
 
 use super::orbit::OrbitSection;
 use crate::field::dot;

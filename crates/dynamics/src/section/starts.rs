@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::error::{SectionError, check_finite, check_stop};
 use super::torus::{PpTorus, TorusPoint};
 use crate::field::{Dimension, HeavyTop, Units, add, cross, norm, scale};
-use numbers::sequence::Square;
+use bifdiag_numbers::sequence::Square;
 
 /// How starting points are chosen.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! Windows of insets that do not reach into each other.
 
 use super::ranges::{area, contains, length};
-use schema::WindowDocument;
+use bifdiag_schema::WindowDocument;
 
 /// Between two windows, as a share of the smaller one.
 const BETWEEN: f64 = 0.03;

@@ -105,7 +105,7 @@ pub(super) fn paint_axes(canvas: &Canvas, panel: &Panel, is_main: bool, units: &
 mod tests {
     use super::*;
     use crate::page::Rect;
-    use schema::WindowDocument;
+    use bifdiag_schema::WindowDocument;
 
     #[test]
     fn every_axis_of_an_inset_has_two_ticks_and_labels_are_apart() {

@@ -6,7 +6,7 @@ use super::scene::Scene;
 use super::trace::{Trace, trace};
 use super::view::View;
 use crate::page::{PlotError, Rect};
-use schema::WindowDocument;
+use bifdiag_schema::WindowDocument;
 
 /// The widest window tried for a region shows it with an inscribed circle of at least this radius, the closest with
 /// at least that.

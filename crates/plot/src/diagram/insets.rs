@@ -8,7 +8,7 @@ use super::plan::Plan;
 use super::ranges::{area, clipped, contains, hull, length};
 use super::scene::Scene;
 use crate::page::PlotError;
-use schema::WindowDocument;
+use bifdiag_schema::WindowDocument;
 
 /// In the window that stands for it, a region's inscribed circle has at least this radius.
 const KEPT: f64 = 5.0;

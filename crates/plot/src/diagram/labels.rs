@@ -1,7 +1,7 @@
 //! The labels of regions.
 
 use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, Point, Rect, section_type, superscript, text_width};
-use schema::{AtlasDocument, RegionDocument};
+use bifdiag_schema::{AtlasDocument, RegionDocument};
 
 /// The energy.
 pub(super) const H: &str = "h";

@@ -11,7 +11,7 @@ use super::placement::Texts;
 use super::scene::Scene;
 use super::stroke::{self, Stroke, Verdict, WIDTH};
 use crate::page::{Canvas, FAINT_INK, Ink, Legend, Pattern, Point, Rect, pattern, short_number};
-use schema::{AtlasDocument, CurveKind, EventKind};
+use bifdiag_schema::{AtlasDocument, CurveKind, EventKind};
 
 const SAMPLE: f64 = 34.0;
 const SWATCH: f64 = 16.0;

@@ -1,7 +1,7 @@
 //! Marks of events and sample points.
 
 use crate::page::{Canvas, INK, Ink, PAPER, Point};
-use schema::EventKind;
+use bifdiag_schema::EventKind;
 
 /// Half the size of a marker.
 pub(super) const MARKER: f64 = 4.0;

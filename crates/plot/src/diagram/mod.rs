@@ -37,9 +37,9 @@ pub(crate) use palette::tint;
 pub use scene::{CurveSource, MarkedPoints};
 
 use crate::page::{Picture, PlotError};
+use bifdiag_schema::AtlasDocument;
 use page::Page;
 use plan::Plan;
-use schema::AtlasDocument;
 
 /// Draws the bifurcation diagram: h to the right, l upwards, each region tinted and labelled with the type of its
 /// section, and magnified insets for what the main panel is too coarse for.

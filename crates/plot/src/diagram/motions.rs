@@ -1,7 +1,7 @@
 //! The table of small motions: for each stretch of a curve that is seen, whether the relative equilibria on it are stable, and
 //! periods and growth times near both ends of what is seen.
 
-use schema::{AtlasDocument, CurveDocument, small_motions};
+use bifdiag_schema::{AtlasDocument, CurveDocument, small_motions};
 
 use super::labels::L;
 use super::panel::Panel;

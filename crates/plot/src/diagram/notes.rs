@@ -3,7 +3,7 @@
 use super::insets::Magnifications;
 use super::labels::{H, L, region_type};
 use crate::page::{Heading, body_line, short_number, text_width};
-use schema::AtlasDocument;
+use bifdiag_schema::AtlasDocument;
 
 /// Font size of the notes.
 pub(super) const NOTE_SIZE: f64 = 11.0;

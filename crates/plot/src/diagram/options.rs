@@ -2,7 +2,7 @@
 
 use super::scene::MarkedPoints;
 use crate::page::{Theme, Width};
-use schema::WindowDocument;
+use bifdiag_schema::WindowDocument;
 
 /// How a diagram is drawn.
 #[derive(Clone, Debug, Default, PartialEq)]

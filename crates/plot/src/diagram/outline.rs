@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use bifdiag_schema::RegionDocument;
 use plotters::style::RGBColor;
-use schema::RegionDocument;
 
 use super::palette::{Parts, ground};
 use crate::page::{Canvas, Path, Point, Rect, Stripes, to_pixels, to_units};

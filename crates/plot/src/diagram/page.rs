@@ -19,7 +19,7 @@ use crate::page::{
     Anchor, Canvas, FAINT_INK, HEIGHT, Heading, INK, Legend, Pattern, Picture, PlotError, Point, Rect, Table, Theme,
     pattern, render, title_size,
 };
-use schema::{AtlasDocument, WindowDocument};
+use bifdiag_schema::{AtlasDocument, WindowDocument};
 
 const TITLE_SIZE: f64 = 14.0;
 const NOTE: f64 = NOTE_SIZE * 1.4;

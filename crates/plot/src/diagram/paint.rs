@@ -11,7 +11,7 @@ use super::ranges::contains;
 use super::scene::Scene;
 use super::stroke::{self, Line, Stroke, Verdict};
 use crate::page::{Anchor, Canvas, INK, Ink, Point, distance, short, text_width};
-use schema::EventKind;
+use bifdiag_schema::EventKind;
 
 const FRAME: Ink = Ink { color: INK, width: 0.9 };
 

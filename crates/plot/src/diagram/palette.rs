@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use plotters::style::RGBColor;
 
 use crate::page::{FAINT_INK, rgb, rgbs};
-use schema::{AtlasDocument, CurveDocument, CurveKind, RegionDocument};
+use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, RegionDocument};
 
 /// The branch of the global minimum.
 const RED: RGBColor = rgb(0xa3_0d_18);

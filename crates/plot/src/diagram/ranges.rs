@@ -1,6 +1,6 @@
 //! Ranges of h and l, and windows: products of two.
 
-use schema::WindowDocument;
+use bifdiag_schema::WindowDocument;
 
 /// The range of l of a curve or a cell; the upper end may be infinite.
 pub(super) fn l_range(ends: [Option<f64>; 2]) -> [f64; 2] {

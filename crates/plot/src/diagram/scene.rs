@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::plan::Plan;
 use super::ranges::l_range;
 use crate::page::PlotError;
-use schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument};
+use bifdiag_schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument};
 
 /// Where polylines denser than those of the document come from.
 pub trait CurveSource {

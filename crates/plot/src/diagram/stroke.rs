@@ -9,7 +9,7 @@ use super::palette::{BranchStyle, is_pole};
 use super::panel::Panel;
 use super::ranges::l_range;
 use crate::page::{Canvas, FAINT_INK, POLE, Path, Pattern, Point, clip_polyline, distance, pattern};
-use schema::{AtlasDocument, CurveDocument, CurveKind, Stability, StabilitySpan};
+use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, Stability, StabilitySpan};
 
 /// Width of every curve in pixels.
 pub(super) const WIDTH: f64 = 1.5;

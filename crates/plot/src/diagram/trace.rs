@@ -3,7 +3,7 @@
 use super::ranges::{common, l_range};
 use super::scene::Scene;
 use crate::page::PlotError;
-use schema::{CurveDocument, TailDocument};
+use bifdiag_schema::{CurveDocument, TailDocument};
 
 /// Points added at most between two points of a document's polyline.
 const SUBDIVISIONS_MAX: f64 = 400.0;

@@ -2,7 +2,7 @@
 
 use super::ranges::length;
 use crate::page::{Point, Rect};
-use schema::WindowDocument;
+use bifdiag_schema::WindowDocument;
 
 /// A window on the page, h to the right and l upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::scene::Scene;
 use crate::page::{PlotError, is_proper};
-use schema::WindowDocument;
+use bifdiag_schema::WindowDocument;
 
 /// The part of the plane that the main panel shows, and the part that insets may show.
 pub(super) struct Windows {

@@ -6,7 +6,7 @@ use super::layout::SheetPanel;
 use super::walls;
 
 use crate::page::{Canvas, INK, Ink, Path, Point, Rect, rgb};
-use dynamics::section::{Chart, Portrait};
+use bifdiag_dynamics::section::{Chart, Portrait};
 
 /// Ground where Ṡ < 0 and where Ṡ > 0.
 pub(super) const INCOMING: RGBColor = rgb(0xcd_d5_df);

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::scene::{Projection, SectionScene};
 use crate::page::{Anchor, Canvas, HEIGHT, INK, Point, Rect, Width, number, short_number};
-use dynamics::section::Chart;
+use bifdiag_dynamics::section::Chart;
 
 /// Plot area of a panel.
 const PANEL: [f64; 2] = [384.0, 240.0];

@@ -9,7 +9,7 @@ use super::ground::{BOUNDARY, INCOMING, OUTGOING, POLAR, TANGENCY, pole_marker};
 
 use super::scene::{Projection, SectionScene};
 use crate::page::{Canvas, Ink, Legend, Path, Rect};
-use dynamics::section::SectionCondition;
+use bifdiag_dynamics::section::SectionCondition;
 
 const SAMPLE: f64 = 26.0;
 const LEFT: f64 = 56.0;

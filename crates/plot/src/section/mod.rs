@@ -16,8 +16,8 @@ mod walls;
 pub use scene::{OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
 
 use crate::page::{Anchor, Heading, INK, Picture, PlotError, body_line, render, text_width, title_size};
+use bifdiag_dynamics::section::SectionCondition;
 use colors::Coloring;
-use dynamics::section::SectionCondition;
 use layout::Layout;
 
 /// The most sections on one page.

@@ -1,7 +1,7 @@
 //! What a picture of sections shows.
 
 use crate::page::{Theme, Width};
-use dynamics::section::{OrbitSection, Portrait};
+use bifdiag_dynamics::section::{OrbitSection, Portrait};
 
 /// A number for each orbit, by which it is coloured.
 #[derive(Clone, Copy, Debug, PartialEq)]

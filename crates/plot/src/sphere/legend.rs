@@ -1,7 +1,7 @@
 //! What the tints, lines and marks are.
 
+use bifdiag_schema::ComponentDocument;
 use plotters::style::RGBColor;
-use schema::ComponentDocument;
 
 use super::ink::{BOUNDARY, FORBIDDEN, LEVEL, tint};
 use super::marks::{self, Mark};

@@ -4,8 +4,8 @@ use super::names::Names;
 use super::scene::SphereScene;
 use super::view::{Vector, View, turned};
 use crate::page::{Canvas, FAINT_INK, INK, Ink, PAPER, POLE, Point, Rect, rgb};
+use bifdiag_schema::Multiplicity;
 use plotters::style::RGBColor;
-use schema::Multiplicity;
 
 /// Font sizes of names, and of the numbers of components.
 const LABEL: f64 = 12.0;

@@ -1,6 +1,6 @@
 //! The table of the relative equilibria: where each stands, whether it is stable, and how fast what starts beside it moves.
 
-use schema::{Multiplicity, RelativeEquilibriumDocument, small_motions};
+use bifdiag_schema::{Multiplicity, RelativeEquilibriumDocument, small_motions};
 
 use super::marks::{self, MARK, Mark, letter};
 use super::scene::SphereScene;

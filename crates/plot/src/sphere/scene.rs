@@ -1,6 +1,6 @@
 //! What a picture of U on the Poisson sphere shows.
 
-use schema::{ComponentDocument, RelativeEquilibriumDocument};
+use bifdiag_schema::{ComponentDocument, RelativeEquilibriumDocument};
 
 /// The accessible region U_hl = {γ ∈ S²: U_l(γ) ≤ h}.
 pub struct SphereScene<'a> {

@@ -1,6 +1,6 @@
 //! Two views of the sphere from opposite sides, in orthographic projection.
 
-use dynamics::field::{cross, dot};
+use bifdiag_dynamics::field::{cross, dot};
 
 use crate::page::Point;
 

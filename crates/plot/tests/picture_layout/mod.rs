@@ -1,6 +1,6 @@
 //! Where boxes, leaders, frames and texts of a diagram lie, read from its SVG by the ids of its groups, and what meets.
 
-use plot::Picture;
+use bifdiag_plot::Picture;
 use resvg::tiny_skia::PathSegment;
 use resvg::usvg::{Group, Node, Path, Rect};
 

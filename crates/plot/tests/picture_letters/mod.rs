@@ -1,6 +1,6 @@
 //! How large a picture and its letters are in print.
 
-use plot::{Picture, Width};
+use bifdiag_plot::{Picture, Width};
 use resvg::usvg::TextChunk;
 
 use super::picture_svg::{content, each_text, tree};

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use plot::Picture;
+use bifdiag_plot::Picture;
 use resvg::usvg::{Group, Node, Options, Text, Tree, fontdb::Database};
 
 /// The elements of a picture.

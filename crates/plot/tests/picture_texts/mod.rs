@@ -1,6 +1,6 @@
 //! The texts of a picture and whether they can be read.
 
-use plot::Picture;
+use bifdiag_plot::Picture;
 
 use super::picture_svg::{content, each_text, tree};
 

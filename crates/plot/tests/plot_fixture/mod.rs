@@ -3,15 +3,15 @@
 
 use std::collections::BTreeMap;
 
-use plot::CurveSource;
-use schema::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
-use schema::{
+use bifdiag_body::Body;
+use bifdiag_plot::CurveSource;
+use bifdiag_schema::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
+use bifdiag_schema::{
     Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveDrawing, CurveKind,
     DrawingDocument, EventDocument, EventKind, Flags, GivenBody, Head, MarginDocument, RegionDocument, RegionDrawing,
     SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan, SummaryDocument, TailDocument, ViewDocument,
     WindowDocument,
 };
-use top::body::Body;
 
 /// (h, l) by a parameter.
 type Course = Box<dyn Fn(f64) -> [f64; 2]>;
@@ -445,7 +445,7 @@ pub fn atlas(
     events: Vec<EventDocument>,
     regions: Vec<RegionDocument>,
 ) -> AtlasDocument {
-    let top::body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
+    let bifdiag_body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
     let flags = Flags { unphysical, plate, symmetric, plane, axis, euler };
     AtlasDocument {
         head: Head { schema_version: SCHEMA_VERSION.to_owned(), ..Head::default() },

@@ -8,9 +8,9 @@ use super::segment::Segment;
 use super::side::{End, NoClass, Side};
 use super::special::{explained, special as special_body};
 use super::vanishing::{self, Root};
-use proof::Accuracy;
-use top::body::Flags;
-use top::class::{Class, ClassName};
+use bifdiag_body::Flags;
+use bifdiag_diagram::class::{Class, ClassName};
+use bifdiag_exact::Accuracy;
 
 /// Where an interval is cut: not in the middle, where special bodies lie.
 const GOLDEN: f64 = 0.381_966_011_250_105_2;

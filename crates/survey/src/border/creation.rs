@@ -4,8 +4,8 @@ use super::event::{BorderEventKind, Encounter};
 use super::group::{Finding, Group, distance, label, nearest};
 use super::label::EventLabel;
 use super::vanishing::{Neighbourhood, Vanishing};
-use top::curves::{Branch, BranchName, CurveId};
-use top::diagram::{Arrangement, Change, Event};
+use bifdiag_diagram::arrangement::{Arrangement, Change, Event};
+use bifdiag_equilibria::curves::{Branch, BranchName, CurveId};
 
 /// What the two sides do not share.
 pub(super) struct Surplus<'a, 'b> {

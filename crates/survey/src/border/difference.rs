@@ -8,9 +8,9 @@ use super::exchange::exchange;
 use super::group::{Finding, label};
 use super::label::{EventLabel, sort_by_text};
 use super::vanishing::Vanishing;
-use top::body::{Axis, BodyAxis};
-use top::curves::CriticalSet;
-use top::diagram::Arrangement;
+use bifdiag_body::{Axis, BodyAxis};
+use bifdiag_diagram::arrangement::Arrangement;
+use bifdiag_equilibria::curves::CriticalSet;
 
 /// How many events have each label.
 fn counts(side: &Arrangement) -> BTreeMap<EventLabel, usize> {

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::label::{EventLabel, joined};
-use top::body::BodyAxis;
-use top::curves::{BranchName, CurveName};
+use bifdiag_body::BodyAxis;
+use bifdiag_equilibria::curves::{BranchName, CurveName};
 
 /// What happens at a border.
 #[derive(Clone, Debug, PartialEq)]

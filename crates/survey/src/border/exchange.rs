@@ -4,8 +4,8 @@ use super::event::{BorderEventKind, Encounter};
 use super::group::{Finding, Group, distance, label};
 use super::label::{EventLabel, sort_by_text};
 use super::vanishing::{Neighbourhood, Vanishing};
-use top::curves::{Branch, BranchName, CurveId, Pole};
-use top::diagram::{Arrangement, Change, Event};
+use bifdiag_diagram::arrangement::{Arrangement, Change, Event};
+use bifdiag_equilibria::curves::{Branch, BranchName, CurveId, Pole};
 
 /// The events that are nearest to each other change places.
 pub(super) fn exchange(side: &Arrangement) -> Finding<'_> {

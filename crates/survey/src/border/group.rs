@@ -3,8 +3,8 @@
 use super::event::{BorderEventKind, Place};
 use super::label::EventLabel;
 use super::vanishing::Vanishing;
-use top::curves::{CurveId, CurveName};
-use top::diagram::{Arrangement, Event};
+use bifdiag_diagram::arrangement::{Arrangement, Event};
+use bifdiag_equilibria::curves::{CurveId, CurveName};
 
 /// What was found out about a border.
 pub(super) struct Finding<'a> {

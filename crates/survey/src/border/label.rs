@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use top::atlas::Atlas;
-use top::curves::{BranchName, CriticalSet, CurveId};
-use top::diagram::{Change, Event};
+use bifdiag_diagram::arrangement::{Change, Event};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_equilibria::curves::{BranchName, CriticalSet, CurveId};
 
 /// An event by its kind and the branches that meet in it; the two diagrams beside a border are compared by these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

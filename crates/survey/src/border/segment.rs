@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use top::body::{Body, Number};
+use bifdiag_body::{Body, Number};
 
 /// The bodies A(t) = (1 − t) A(0) + t A(1), r likewise, with exact numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,10 +5,10 @@ use std::fmt;
 use thiserror::Error;
 
 use super::segment::Segment;
-use proof::{Accuracy, NoAtlas, atlas_of};
-use top::atlas::Atlas;
-use top::body::Body;
-use top::class::{Class, Unclassified};
+use bifdiag_body::Body;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::class::{Class, Unclassified};
+use bifdiag_exact::{Accuracy, NoAtlas, atlas_of};
 
 /// An end of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use dashu_ratio::RBig;
 use super::event::BorderEventKind;
 use super::segment::Segment;
 use super::vanishing::Root;
-use top::body::BodyAxis;
+use bifdiag_body::BodyAxis;
 
 /// What is special about one body of a segment, and not about those beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,7 +73,7 @@ pub(super) fn explained(special: Option<Special>, found: BorderEventKind, is_sur
 #[cfg(test)]
 mod tests {
     use super::*;
-    use top::body::Body;
+    use bifdiag_body::Body;
 
     fn between([a, r]: [[f64; 3]; 2], [b, s]: [[f64; 3]; 2]) -> Option<(Special, f64, f64)> {
         let segment = Segment::new(Body::from_f64(a, r).unwrap(), Body::from_f64(b, s).unwrap());

@@ -6,9 +6,9 @@
 
 use super::event::Place;
 use super::segment::Segment;
-use top::body::{Axis, Frame};
-use top::curves::{Branch, CriticalSet, CurveId, Gap, Point};
-use top::diagram::{Arrangement, Change};
+use bifdiag_body::{Axis, Frame};
+use bifdiag_diagram::arrangement::{Arrangement, Change};
+use bifdiag_equilibria::curves::{Branch, CriticalSet, CurveId, Gap, Point};
 
 /// What vanishes at a border.
 #[derive(Clone, Debug, PartialEq)]

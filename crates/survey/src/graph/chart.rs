@@ -5,7 +5,7 @@ use rand_xoshiro::rand_core::RngCore;
 
 use super::line::Line;
 use super::place::{Change, Domain, Place};
-use numbers::vector::dot;
+use bifdiag_numbers::vector::dot;
 
 /// An orthonormal basis of the directions at a body: A keeps its sum and its equal moments, r its length and its zeros.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,12 +1,12 @@
 //! What lies on a line: stretches of one class, and the walls between them.
 
-use top::body::Body;
-use top::class::Class;
+use bifdiag_body::Body;
+use bifdiag_diagram::class::Class;
 
 use super::line::Line;
 use super::place::Place;
 use crate::border::{self, BorderEventKind, BorderOptions, Segment, class_of};
-use proof::Accuracy;
+use bifdiag_exact::Accuracy;
 
 /// A place where the class changes.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,9 +7,9 @@ use super::unseen::Unseen;
 use super::walk::Step;
 use crate::border::class_of;
 use crate::signature::ComponentType;
-use proof::Accuracy;
-use top::atlas::Atlas;
-use top::class::{Class, ClassName};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::class::{Class, ClassName};
+use bifdiag_exact::Accuracy;
 
 /// A class in the graph.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +65,7 @@ impl Node {
     #[must_use]
     pub fn of(witness: [[f64; 3]; 2]) -> Option<Self> {
         let place = Place::of(witness);
-        let body = top::body::Body::from_f64(witness[0], witness[1]).ok()?;
+        let body = bifdiag_body::Body::from_f64(witness[0], witness[1]).ok()?;
         let (atlas, class) = class_of(&body, Accuracy::Exact).ok()?;
         let (regions, types) = (atlas.regions().len(), types(&atlas));
         let physical = place.is_in(Domain::Existing);

@@ -9,9 +9,9 @@ use super::nearest::{NearestOptions, nearest, unit};
 use super::place::{Domain, Place};
 use crate::border::class_of;
 use crate::digits::{DIGITS, rounded};
-use proof::Accuracy;
-use top::body::Body;
-use top::class::ClassName;
+use bifdiag_body::Body;
+use bifdiag_diagram::class::ClassName;
+use bifdiag_exact::Accuracy;
 
 /// Goes to the middle of its class on so many random lines, one after the other.
 #[must_use]

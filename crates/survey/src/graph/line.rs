@@ -1,7 +1,7 @@
 //! Straight lines through the space of bodies.
 
 use super::place::{Domain, Place, length};
-use numbers::vector::norm;
+use bifdiag_numbers::vector::norm;
 
 /// A(s) = A + s a, r(s) = r + s d with d ⊥ r, so that r̂ runs on a great circle; |a|² + |d|² = 1.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use super::chart::Chart;
 use super::chord::{Wall, chord};
 use super::place::{Domain, Place};
 use crate::border::BorderEventKind;
-use top::class::{Class, ClassName};
+use bifdiag_diagram::class::{Class, ClassName};
 
 /// How borders are sought.
 #[derive(Clone, Copy, Debug, PartialEq)]

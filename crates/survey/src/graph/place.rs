@@ -1,7 +1,7 @@
 //! Bodies up to units, and the order and the signs of their axes.
 
-use numbers::vector::norm;
-use top::body::{Body, BodyError};
+use bifdiag_body::{Body, BodyError};
+use bifdiag_numbers::vector::norm;
 
 /// The bodies among which a walk stays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

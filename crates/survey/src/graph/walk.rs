@@ -6,7 +6,7 @@ use rand_xoshiro::rand_core::SeedableRng;
 use super::chart::{Chart, unit};
 use super::chord::{Chord, chord, class_at};
 use super::place::{Domain, Place};
-use top::class::ClassName;
+use bifdiag_diagram::class::ClassName;
 
 /// A body that goes from place to place within its class (hit and run): each step draws a random line through it, notes
 /// everything on the line, and goes to a random body of the stretch in which it stands.

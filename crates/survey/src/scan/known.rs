@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use top::atlas::Atlas;
-use top::body::Preset;
-use top::class::{Class, ClassName};
+use bifdiag_body::Preset;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::class::{Class, ClassName};
 
 /// The classes of the named bodies; of several bodies of one class the first.
 #[must_use]

@@ -3,11 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::signature::{ComponentType, Signature};
-use proof::{Accuracy, NoAtlas, atlas_of};
-use top::atlas::Atlas;
-use top::body::{Body, Flags};
-use top::class::{Class, ClassName, MapError, Unclassified};
-use top::diagram::Change;
+use bifdiag_body::{Body, Flags};
+use bifdiag_diagram::arrangement::Change;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::class::{Class, ClassName, MapError, Unclassified};
+use bifdiag_exact::{Accuracy, NoAtlas, atlas_of};
 
 /// How far a body was understood.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

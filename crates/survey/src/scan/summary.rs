@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use super::row::{Row, Status};
 use crate::signature::{ComponentType, Signature};
-use proof::{Accuracy, atlas_of};
-use top::body::Body;
-use top::class::{Class, ClassName};
+use bifdiag_body::Body;
+use bifdiag_diagram::class::{Class, ClassName};
+use bifdiag_exact::{Accuracy, atlas_of};
 
 /// A body that shows something, with its number in the scan.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use super::exclusion::Exclusion;
 use super::score::Domain;
 use super::witness::{Witness, WitnessError};
-use proof::Accuracy;
+use bifdiag_exact::Accuracy;
 
 /// How bodies are sought.
 #[derive(Clone, Copy, Debug, PartialEq)]

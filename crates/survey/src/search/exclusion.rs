@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::target::Target;
-use top::topology::{CIRCLES_MAX, accessible_regions};
+use bifdiag_diagram::topology::{CIRCLES_MAX, accessible_regions};
 
 /// The statement by which no body shows something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -3,10 +3,10 @@
 use super::score::Domain;
 use super::target::Target;
 use super::witness::Witness;
-use numbers::Number;
-use proof::Accuracy;
-use top::body::Body;
-use top::topology::Component;
+use bifdiag_body::Body;
+use bifdiag_diagram::topology::Component;
+use bifdiag_exact::Accuracy;
+use bifdiag_numbers::Number;
 
 /// A body and a point with the components of U_hl there.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Bodies to start from.
 
 use crate::design::{Design, Family};
-use numbers::sequence::point;
+use bifdiag_numbers::sequence::point;
 
 /// 10^(−4u).
 fn tiny(u: f64) -> f64 {

@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 
 use super::target::Target;
-use top::atlas::Atlas;
-use top::body::Body;
-use top::curves::Orbit;
-use top::topology::Component;
+use bifdiag_body::Body;
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::topology::Component;
+use bifdiag_equilibria::curves::Orbit;
 
 /// How well a body shows what is sought.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use crate::signature::ComponentType;
-use top::topology::{Component, Poles, Surface};
+use bifdiag_diagram::topology::{Component, Poles, Surface};
 
 /// What a region, or a body, must show.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -7,12 +7,12 @@ use thiserror::Error;
 use super::score::{Domain, Score, Seen, look};
 use super::target::Target;
 use crate::digits::{DIGITS, rounded};
-use numbers::Number;
-use proof::{Accuracy, Unanswered, classify};
-use top::body::{Body, BodyError};
-use top::classify::{Classification, Components, Margin};
-use top::critical::{CriticalError, critical};
-use top::topology::latitude::{self, SweepError};
+use bifdiag_body::{Body, BodyError};
+use bifdiag_diagram::classify::{Classification, Components, Margin};
+use bifdiag_diagram::topology::latitude::{self, SweepError};
+use bifdiag_equilibria::critical::{CriticalError, critical};
+use bifdiag_exact::{Accuracy, Unanswered, classify};
+use bifdiag_numbers::Number;
 
 /// A body and a point that show what was sought.
 #[derive(Clone, Debug, PartialEq)]

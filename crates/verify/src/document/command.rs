@@ -1,6 +1,6 @@
 //! The command that a document names: the canonical one of its body and of what it holds.
 
-use schema::AtlasDocument;
+use bifdiag_schema::AtlasDocument;
 
 /// The command line that makes a document with its certificate, from its body, or the part of which that is, and from what it
 /// holds.

@@ -1,6 +1,6 @@
 //! The curves that a document lists, against those that follow from the certificate.
 
-use schema::{AtlasDocument, CertificateDocument, CurveDocument, CurveKind};
+use bifdiag_schema::{AtlasDocument, CertificateDocument, CurveDocument, CurveKind};
 
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, Piece, Pieces};

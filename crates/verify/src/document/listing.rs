@@ -1,7 +1,7 @@
 //! The events that a document lists, and the ranges of l of its cells, against the events of the certificate.
 
+use bifdiag_schema::{AtlasDocument, CertificateDocument, EventDocument, EventKind, RegionDocument};
 use dashu_ratio::RBig;
-use schema::{AtlasDocument, CertificateDocument, EventDocument, EventKind, RegionDocument};
 
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, End, Pieces};

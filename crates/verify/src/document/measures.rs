@@ -1,8 +1,8 @@
 //! The words and numbers that a document tells of each curve: its branch, its Morse index, its ranges of μ and l, and how it
 //! goes on to infinity.
 
+use bifdiag_schema::{AtlasDocument, CertificateDocument, CurveDocument};
 use dashu_ratio::RBig;
-use schema::{AtlasDocument, CertificateDocument, CurveDocument};
 
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, End, Piece};

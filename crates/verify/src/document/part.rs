@@ -1,9 +1,9 @@
 //! The real part of which a body is the principal form: all that the document tells of it follows from its tensor, its centre
 //! of mass, its mass and gravity.
 
+use bifdiag_schema::{AtlasDocument, Flags, PartDocument, PrincipalDocument};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
-use schema::{AtlasDocument, Flags, PartDocument, PrincipalDocument};
 
 use crate::Refused;
 use crate::equilibria::body::Body;

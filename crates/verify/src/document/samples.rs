@@ -1,9 +1,9 @@
 //! The samples that a document lists, against those of the certificate, which are proved to lie in their regions.
 
+use bifdiag_schema::{AtlasDocument, CertificateDocument, MarginDocument};
 use dashu_base::Abs;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
-use schema::{AtlasDocument, CertificateDocument, MarginDocument};
 
 use super::measures::CONVERTED;
 use crate::Refused;

@@ -1,7 +1,7 @@
 //! What a document says of itself and of its body: flags, totals, the whole half-plane.
 
+use bifdiag_schema::{AtlasDocument, Flags};
 use dashu_ratio::RBig;
-use schema::{AtlasDocument, Flags};
 use std::collections::BTreeMap;
 
 use super::command;
@@ -16,7 +16,7 @@ use crate::topology::component;
 /// Checks the version by its form, the command, the flags of the body, and that nothing is left out.
 pub(crate) fn frame(document: &AtlasDocument, body: &Body) -> Result<(), Refused> {
     let refuse = |field| Err(Refused::Field { field });
-    if document.head.schema_version != schema::SCHEMA_VERSION {
+    if document.head.schema_version != bifdiag_schema::SCHEMA_VERSION {
         return refuse("schema_version");
     }
     let is_number = |part: &str| !part.is_empty() && part.bytes().all(|c| c.is_ascii_digit());

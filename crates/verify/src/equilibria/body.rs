@@ -4,7 +4,7 @@ use dashu_ratio::RBig;
 
 use crate::Refused;
 use crate::numbers::number;
-use schema::BodyDocument;
+use bifdiag_schema::BodyDocument;
 
 /// A and r as the document writes them.
 pub(crate) struct Body {

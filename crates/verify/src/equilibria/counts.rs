@@ -1,6 +1,6 @@
 //! How long the lists of a certificate can be: compared before anything is worked out from them.
 
-use schema::{CertificateDocument, CertifiedPair};
+use bifdiag_schema::{CertificateDocument, CertifiedPair};
 
 use super::meetings;
 use super::pieces::Pieces;

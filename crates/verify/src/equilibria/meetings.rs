@@ -1,7 +1,7 @@
 //! Meetings of critical curves with the pole lines.
 
+use bifdiag_schema::{CertificateDocument, CertifiedMeeting};
 use dashu_ratio::RBig;
-use schema::{CertificateDocument, CertifiedMeeting};
 
 use super::pieces::{Branch, End, Pieces};
 use super::place::{Place, Side};

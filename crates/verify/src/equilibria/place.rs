@@ -5,7 +5,7 @@ use dashu_ratio::RBig;
 use super::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;
-use schema::PlaceDocument;
+use bifdiag_schema::PlaceDocument;
 
 /// A half of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Isolated roots: cusps and the inflection of the generic family.
 
+use bifdiag_schema::CertificateDocument;
 use dashu_ratio::RBig;
-use schema::CertificateDocument;
 
 use super::place::{Place, Side};
 use super::point::Point;
@@ -11,7 +11,7 @@ use crate::numbers::sturm::Sturm;
 
 /// Places of the entries of a list, each at a positive distance from its space.
 pub(crate) fn places<'a>(
-    documents: impl Iterator<Item = &'a schema::PlaceDocument>,
+    documents: impl Iterator<Item = &'a bifdiag_schema::PlaceDocument>,
     spaces: &Spaces,
     what: &'static str,
 ) -> Result<Vec<Place>, Refused> {

@@ -1,7 +1,7 @@
 //! The events of a certificate: points where curves meet.
 
+use bifdiag_schema::{CertificateDocument, CertifiedEvent};
 use dashu_ratio::RBig;
-use schema::{CertificateDocument, CertifiedEvent};
 
 use super::orders::Orders;
 use super::pairs::Crossing;

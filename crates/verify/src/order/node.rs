@@ -1,6 +1,6 @@
 //! Where two curves are compared: nodes of their common range.
 
-use schema::{CertifiedNode, PlaceDocument};
+use bifdiag_schema::{CertifiedNode, PlaceDocument};
 
 use super::orders::Orders;
 use super::stand::Stand;

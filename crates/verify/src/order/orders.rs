@@ -1,6 +1,6 @@
 //! What is known when two curves are compared.
 
-use schema::PlaceDocument;
+use bifdiag_schema::PlaceDocument;
 
 use super::stand::{Stand, stand};
 use crate::Refused;

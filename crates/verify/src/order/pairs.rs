@@ -1,6 +1,6 @@
 //! The order of two critical curves over all their common range, stretch by stretch.
 
-use schema::{CertificateDocument, CertifiedPair, CertifiedStretch};
+use bifdiag_schema::{CertificateDocument, CertifiedPair, CertifiedStretch};
 
 use super::mirror;
 use super::node::{self, Node};

@@ -1,7 +1,7 @@
 //! The regions of the atlas against the faces: cells, boundaries, neighbours, totals.
 
+use bifdiag_schema::{AtlasDocument, CertificateDocument, RegionDocument};
 use dashu_ratio::RBig;
-use schema::{AtlasDocument, CertificateDocument, RegionDocument};
 
 use super::orders::Orders;
 use super::slabs::Slab;

@@ -1,7 +1,7 @@
 //! Slabs: the order of the curves between two transitions.
 
+use bifdiag_schema::{CertificateDocument, CertifiedSlab};
 use dashu_ratio::RBig;
-use schema::{CertificateDocument, CertifiedSlab};
 
 use super::events::Events;
 use super::orders::Orders;

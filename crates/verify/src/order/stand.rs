@@ -1,7 +1,7 @@
 //! Where a curve stands over one x.
 
+use bifdiag_schema::PlaceDocument;
 use dashu_ratio::RBig;
-use schema::PlaceDocument;
 
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, Piece, Pieces, coordinates, distance};

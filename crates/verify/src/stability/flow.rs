@@ -1,9 +1,9 @@
 //! The linearised flow along a branch of relative equilibria: λ⁴ + bλ² + c (Theorem 13.1), its signs as those of
 //! polynomials in a parameter of the branch, and the linear type that they tell (Corollary 13.2).
 
+use bifdiag_schema::Stability;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
-use schema::Stability;
 
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::sturm::{Coefficients, integers, plus, sign_at, times};

@@ -5,11 +5,11 @@
 mod chart;
 mod flow;
 
-use dashu_int::IBig;
-use dashu_ratio::RBig;
-use schema::{
+use bifdiag_schema::{
     AtlasDocument, CertificateDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind,
 };
+use dashu_int::IBig;
+use dashu_ratio::RBig;
 
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, End, coordinates, distance};

@@ -1,7 +1,7 @@
 //! Table 1 of Schmidt, Dullin and Richter (2008): what lies over a component of U (Proposition 9.1, Theorem 10.6,
 //! Proposition 10.7).
 
-use schema::ComponentDocument;
+use bifdiag_schema::ComponentDocument;
 
 /// A component of U: a sphere without `boundary_circles` discs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

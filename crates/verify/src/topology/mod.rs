@@ -9,7 +9,7 @@ pub(crate) mod morse;
 mod path;
 mod rings;
 
-use schema::{AtlasDocument, ComponentDocument, RegionDocument};
+use bifdiag_schema::{AtlasDocument, ComponentDocument, RegionDocument};
 
 use crate::Refused;
 use crate::order::orders::Orders;

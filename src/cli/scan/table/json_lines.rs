@@ -2,7 +2,7 @@
 
 use std::io::{BufRead, Write};
 
-use schema::RowDocument;
+use bifdiag_schema::RowDocument;
 
 use super::sink::{RowSink, TableError};
 

@@ -5,6 +5,7 @@ use std::fs::File;
 use std::io::Write;
 use std::sync::Arc;
 
+use bifdiag_schema::RowDocument;
 use parquet::basic::Repetition;
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::file::properties::WriterProperties;
@@ -13,7 +14,6 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::record::Field;
 use parquet::schema::parser::parse_message_type;
 use parquet::schema::types::TypePtr;
-use schema::RowDocument;
 use schemars::schema_for;
 use serde_json::{Map, Value};
 

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use schema::RowDocument;
+use bifdiag_schema::RowDocument;
 use thiserror::Error;
 
 /// Why rows cannot be read or written.

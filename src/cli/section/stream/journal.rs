@@ -8,8 +8,8 @@ use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use dynamics::field::Integrals;
-use dynamics::section::{End, Halt, OrbitReport, OrbitSection, SectionPoint};
+use bifdiag_dynamics::field::Integrals;
+use bifdiag_dynamics::section::{End, Halt, OrbitReport, OrbitSection, SectionPoint};
 use sha2::{Digest, Sha256};
 
 use super::super::error::{SectionFailure, SectionInput};

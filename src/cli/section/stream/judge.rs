@@ -2,10 +2,10 @@
 
 use std::io;
 
-use dynamics::field::State;
-use dynamics::poincare::{PoincareError, Setting};
-use dynamics::section::chaos::{ChaosOptions, Course, Judgement, Open, UNIT, growths};
-use dynamics::section::{End, Monitor, OrbitSection};
+use bifdiag_dynamics::field::State;
+use bifdiag_dynamics::poincare::{PoincareError, Setting};
+use bifdiag_dynamics::section::chaos::{ChaosOptions, Course, Judgement, Open, UNIT, growths};
+use bifdiag_dynamics::section::{End, Monitor, OrbitSection};
 
 use super::journal::Journal;
 use crate::cli::section::error::SectionFailure;

@@ -5,9 +5,9 @@ mod judge;
 
 use std::path::Path;
 
-use dynamics::poincare::{PoincareSection, Setting};
-use dynamics::section::chaos::ChaosOptions;
-use dynamics::section::{Monitor, OrbitReport, OrbitSection, SweepOptions, Task, TorusPoint, sweep_on};
+use bifdiag_dynamics::poincare::{PoincareSection, Setting};
+use bifdiag_dynamics::section::chaos::ChaosOptions;
+use bifdiag_dynamics::section::{Monitor, OrbitReport, OrbitSection, SweepOptions, Task, TorusPoint, sweep_on};
 
 use self::journal::Standing;
 use self::judge::verdicts;
@@ -38,7 +38,7 @@ pub fn follow(
     let mut journal = Journal::open(out, &identity(&section), starts.len(), discards)?;
     let mut states = Vec::with_capacity(starts.len());
     for start in starts {
-        states.push(setting.state(*start).map_err(dynamics::poincare::PoincareError::from)?);
+        states.push(setting.state(*start).map_err(bifdiag_dynamics::poincare::PoincareError::from)?);
     }
     let known = |standing: &Option<Standing>| standing.map_or(0, |standing| u64::from(standing.report.crossings));
     let before = journal.standings().iter().map(known).sum();
@@ -61,7 +61,7 @@ pub fn follow(
         }
         let most = (CROSSINGS / tasks.len()).max(1);
         let legs = sweep_on(setting.torus(), &tasks, options, most, monitor)
-            .map_err(dynamics::poincare::PoincareError::from)?;
+            .map_err(bifdiag_dynamics::poincare::PoincareError::from)?;
         for (orbit, halt) in legs {
             journal.append(&orbit, halt)?;
         }
@@ -82,7 +82,7 @@ pub fn follow(
 /// Which section it is: the starts, and all that is asked of them.
 fn identity(section: &PoincareSection) -> String {
     let PoincareSection { body, h, l, starts, options, .. } = section;
-    let [moments, center] = [body.moments(), body.center()].map(|numbers| documents::texts(numbers).join(","));
+    let [moments, center] = [body.moments(), body.center()].map(|numbers| bifdiag_documents::texts(numbers).join(","));
     let starts: Vec<String> =
         starts.iter().map(|start| format!("{:?} {:?} {}", start.theta, start.psi, start.sheet)).collect();
     format!(

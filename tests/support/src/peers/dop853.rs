@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use dynamics::field::{HeavyTop, State};
+use bifdiag_dynamics::field::{HeavyTop, State};
 use ode_solvers::dop_shared::IntegrationError;
 use ode_solvers::{OutputType, System, Vector6};
 

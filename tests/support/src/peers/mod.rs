@@ -13,9 +13,9 @@ mod splitting;
 
 use std::collections::VecDeque;
 
-use dynamics::field::{HeavyTop, Integrals, State};
-use dynamics::integrator::Instant;
-use dynamics::section::SectionCondition;
+use bifdiag_dynamics::field::{HeavyTop, Integrals, State};
+use bifdiag_dynamics::integrator::Instant;
+use bifdiag_dynamics::section::SectionCondition;
 
 /// Newton steps to a crossing: each doubles the digits of a first guess that has at least one.
 const NEWTON: usize = 8;

@@ -1,6 +1,6 @@
 //! The classical Runge–Kutta method of order 4.
 
-use dynamics::field::{HeavyTop, State, add, scale};
+use bifdiag_dynamics::field::{HeavyTop, State, add, scale};
 
 /// x + c k.
 fn shifted(x: &State, c: f64, k: &State) -> State {

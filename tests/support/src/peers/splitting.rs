@@ -4,7 +4,7 @@
 //! −⟨γ,r⟩ adds −t γ×r to l (Proposition 12.3 of docs/mathematics.md). All of them keep ⟨γ,γ⟩ and ⟨γ,l⟩, so that their
 //! composition does, to rounding.
 
-use dynamics::field::{HeavyTop, State, cross, scale, sub};
+use bifdiag_dynamics::field::{HeavyTop, State, cross, scale, sub};
 
 /// Suzuki's composition of five symmetric steps, of order 4: p, p, 1 − 4p, p, p with p = 1/(4 − 4^{1/3}).
 const OUTER: f64 = 0.414_490_771_794_375_7;
@@ -54,8 +54,8 @@ fn turn(top: &HeavyTop, state: &mut State, axis: usize, t: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dynamics::field::Integrals;
-    use top::body::Body;
+    use bifdiag_body::Body;
+    use bifdiag_dynamics::field::Integrals;
 
     #[test]
     fn casimirs_stay_at_rounding_and_the_energy_bounded() {

@@ -10,8 +10,8 @@ use super::seeds::{Field, bisect};
 use super::trace::{Traced, Tracer};
 use crate::field::{State, dot, scale};
 use crate::section::error::{SectionError, check_stop};
-use top::body::Body;
-use top::topology::latitude::{Arcs, Latitudes, components};
+use bifdiag_body::Body;
+use bifdiag_diagram::topology::latitude::{Arcs, Latitudes, components};
 
 /// The most circles of latitude on which ∂U is looked for.
 const MOST_ROWS: usize = 4096;

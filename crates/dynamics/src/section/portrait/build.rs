@@ -14,7 +14,7 @@ use crate::field::{Dimension, HeavyTop};
 use crate::section::condition::SectionCondition;
 use crate::section::error::{SectionError, check_finite};
 use crate::section::torus::PpTorus;
-use top::body::Body;
+use bifdiag_body::Body;
 
 /// Shorter steps near the poles of both charts.
 struct BothCharts([Axes; 2]);

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use super::*;
 use crate::field::{dot, norm};
 use crate::section::SectionError;
-use top::body::Body;
+use bifdiag_body::Body;
 
 /// Nodes of a grid that the areas of a portrait take for something else than they are; those within a thousandth of
 /// a line are left out.

@@ -1,0 +1,170 @@
+//! Mass properties about the centre of mass, about the fixed point, and under gravity.
+
+use bifdiag_numbers::symmetric::{Symmetric, dot};
+use dashu_ratio::RBig;
+use thiserror::Error;
+
+use super::existence::Existence;
+use super::units::Units;
+
+/// Mass, centre of mass and tensor of inertia, exactly, in units of their own.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MassProperties {
+    /// The mass.
+    pub mass: RBig,
+    /// The centre of mass from the origin.
+    pub com: [RBig; 3],
+    /// The tensor about the centre of mass.
+    pub about_com: Symmetric,
+}
+
+/// Why mass properties are none.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum MassError {
+    /// The mass is zero or negative.
+    #[error("the mass {value} is not positive")]
+    NotPositive {
+        /// As a decimal.
+        value: String,
+    },
+}
+
+/// A part under gravity whose fixed point is the origin.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Its mass properties, in `units`.
+    pub properties: MassProperties,
+    /// The acceleration of gravity in m/s².
+    pub gravity: RBig,
+    /// Units of everything.
+    pub units: Units,
+}
+
+impl MassProperties {
+    /// From a tensor about the centre of mass.
+    ///
+    /// # Errors
+    /// [`MassError::NotPositive`].
+    pub fn about_com(mass: RBig, com: [RBig; 3], tensor: Symmetric) -> Result<Self, MassError> {
+        if mass <= RBig::ZERO {
+            return Err(MassError::NotPositive { value: bifdiag_numbers::decimal::short(&mass) });
+        }
+        Ok(Self { mass, com, about_com: tensor })
+    }
+
+    /// From a tensor about the origin.
+    ///
+    /// # Errors
+    /// [`MassError::NotPositive`].
+    pub fn about_origin(mass: RBig, com: [RBig; 3], tensor: &Symmetric) -> Result<Self, MassError> {
+        let shift = parallel_axis(&com);
+        let about_com = tensor.plus(&-mass.clone(), &shift);
+        Self::about_com(mass, com, about_com)
+    }
+
+    /// The tensor about the origin: I_com + m (|c|² E − c cᵀ), the parallel-axis theorem.
+    #[must_use]
+    pub fn tensor_about_origin(&self) -> Symmetric {
+        self.about_com.plus(&self.mass, &parallel_axis(&self.com))
+    }
+
+    /// The same part, its origin moved to a point.
+    #[must_use]
+    pub fn seen_from(mut self, origin: &[RBig; 3]) -> Self {
+        for (c, o) in self.com.iter_mut().zip(origin) {
+            *c -= o;
+        }
+        self
+    }
+
+    /// The same part in other units.
+    #[must_use]
+    pub fn in_units(&self, from: &Units, to: &Units) -> Self {
+        let (mass, length) = (from.mass() / to.mass(), from.length() / to.length());
+        let moment = &mass * &length * &length;
+        Self {
+            mass: &self.mass * &mass,
+            com: self.com.each_ref().map(|c| c * &length),
+            about_com: self.about_com.map(|_, _, x| x * &moment),
+        }
+    }
+
+    /// Whether it can exist.
+    #[must_use]
+    pub fn existence(&self) -> Existence {
+        Existence::of(&self.about_com)
+    }
+}
+
+impl Part {
+    /// r = m g c, in the units of the part.
+    #[must_use]
+    pub fn weighted_center(&self) -> [RBig; 3] {
+        let weight = &self.properties.mass * self.units.acceleration(&self.gravity);
+        self.properties.com.each_ref().map(|c| c * &weight)
+    }
+}
+
+/// |c|² E − c cᵀ.
+fn parallel_axis(c: &[RBig; 3]) -> Symmetric {
+    Symmetric::outer(c).subtracted_from(&dot(c, c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bifdiag_numbers::Number;
+
+    fn value(text: &str) -> RBig {
+        text.parse::<Number>().unwrap().value().clone()
+    }
+
+    /// A rod of 1 kg and 1 m, 20 m from the pivot, as its CAD writes it about the pivot: still a rod, exactly.
+    #[test]
+    fn a_far_rod_stays_a_rod() {
+        let com = ["20", "0", "0"].map(value);
+        let about_com = Symmetric::diagonal([RBig::ZERO, value("1/12"), value("1/12")]);
+        let rod = MassProperties::about_com(RBig::ONE, com.clone(), about_com.clone()).unwrap();
+        let about_pivot = rod.tensor_about_origin();
+        assert_eq!(about_pivot.rows()[1][1], value("4801/12"));
+        assert_eq!(MassProperties::about_origin(RBig::ONE, com, &about_pivot).unwrap(), rod);
+        assert_eq!(rod.existence(), Existence::Flat);
+    }
+
+    #[test]
+    fn moving_the_origin_there_and_back_changes_nothing() {
+        let com = ["1/3", "-2", "0.7"].map(value);
+        let part = MassProperties::about_com(
+            value("2.5"),
+            com,
+            Symmetric::new(["3", "4", "5", "0.1", "-0.2", "0.3"].map(value)),
+        )
+        .unwrap();
+        let away = ["7", "-1/7", "1e-9"].map(value);
+        let back = away.clone().map(|x| -x);
+        assert_eq!(part.clone().seen_from(&away).seen_from(&back), part);
+    }
+
+    #[test]
+    fn units_change_nothing_but_the_numbers() {
+        let com = ["1", "2", "3"].map(value);
+        let part =
+            MassProperties::about_com(value("2.5"), com, Symmetric::diagonal(["3", "4", "5"].map(value))).unwrap();
+        let (si, other): (Units, Units) = (Units::default(), "lb,in,s".parse().unwrap());
+        assert_eq!(part.in_units(&si, &other).in_units(&other, &si), part);
+        let small = part.in_units(&si, &"g,mm,s".parse().unwrap());
+        assert_eq!(small.about_com.rows()[0][0], value("3e9"));
+        assert_eq!(small.tensor_about_origin().rows()[1][2], value("-2.5e9") * RBig::from(6));
+    }
+
+    #[test]
+    fn weight_is_in_the_units_of_the_part() {
+        let com = [RBig::ZERO, RBig::ZERO, RBig::from(10)];
+        let properties =
+            MassProperties::about_com(RBig::from(2), com, Symmetric::diagonal([RBig::ONE, RBig::ONE, RBig::ONE]))
+                .unwrap();
+        // 2 g, 10 mm: 2·9806.65·10 g mm²/s².
+        let part = Part { properties, gravity: value("9.80665"), units: "g,mm,s".parse().unwrap() };
+        assert_eq!(part.weighted_center()[2], value("196133"));
+    }
+}

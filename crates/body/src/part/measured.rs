@@ -1,0 +1,157 @@
+//! A part whose numbers are known to within so much each.
+
+use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
+use bifdiag_numbers::interval::Interval;
+use bifdiag_numbers::symmetric::Symmetric;
+use dashu_ratio::RBig;
+
+use crate::part::mass::{MassError, MassProperties};
+
+/// A number, and how far the true one may be from it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Measured {
+    /// The nominal value.
+    pub value: RBig,
+    /// The largest deviation, not negative; zero for a number that is exact.
+    pub within: RBig,
+}
+
+impl Measured {
+    /// The number at `step` of its deviation, from −1 to 1.
+    fn at(&self, step: &RBig) -> RBig {
+        &self.value + &self.within * step
+    }
+
+    fn enclosed(&self) -> Interval {
+        let end = |value: RBig| Interval::rational(&value, ());
+        end(&self.value - &self.within).hull(&end(&self.value + &self.within))
+    }
+}
+
+/// How many numbers a part has: six of the tensor, three of the centre of mass, the mass.
+pub const INPUTS: usize = 10;
+
+/// Their names.
+pub const INPUT_NAMES: [&str; INPUTS] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz", "com x", "com y", "com z", "mass"];
+
+/// The numbers of a part as they were measured.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeasuredPart {
+    /// The tensor is about the centre of mass, else about the fixed point.
+    pub about_com: bool,
+    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz as entries of the tensor, the centre of mass from the fixed point, and the mass, in the
+    /// order of [`INPUT_NAMES`].
+    pub inputs: [Measured; INPUTS],
+}
+
+impl MeasuredPart {
+    /// The numbers that are not exact.
+    pub fn uncertain(&self) -> impl Iterator<Item = usize> {
+        (0..INPUTS).filter(|&k| !self.inputs[k].within.is_zero())
+    }
+
+    /// The same part, of whose numbers only this one is uncertain.
+    #[must_use]
+    pub fn only(&self, input: usize) -> Self {
+        let mut only = self.clone();
+        for (k, measured) in only.inputs.iter_mut().enumerate() {
+            if k != input {
+                measured.within = RBig::ZERO;
+            }
+        }
+        only
+    }
+
+    /// The part each of whose numbers deviates by so much of what it may, from −1 to 1.
+    ///
+    /// # Errors
+    /// [`MassError`] for a mass that is not positive.
+    pub fn at(&self, steps: &[RBig; INPUTS]) -> Result<MassProperties, MassError> {
+        let values: [RBig; INPUTS] = std::array::from_fn(|k| self.inputs[k].at(&steps[k]));
+        let [xx, yy, zz, xy, xz, yz, x, y, z, mass] = values;
+        let (tensor, com) = (Symmetric::new([xx, yy, zz, xy, xz, yz]), [x, y, z]);
+        if self.about_com {
+            MassProperties::about_com(mass, com, tensor)
+        } else {
+            MassProperties::about_origin(mass, com, &tensor)
+        }
+    }
+
+    /// Bounds on the tensor about the fixed point and on r = m g c, for an acceleration in the units of the part.
+    #[must_use]
+    pub fn bounds(&self, acceleration: &RBig) -> ([[Interval; 3]; 3], [Interval; 3]) {
+        let [xx, yy, zz, xy, xz, yz, x, y, z, mass] = self.inputs.each_ref().map(Measured::enclosed);
+        let (com, shift) = ([x, y, z], if self.about_com { mass } else { Interval::ZERO });
+        let given = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        let tensor = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                // m (|c|² E − c cᵀ)
+                let moved =
+                    if i == j { com[(i + 1) % 3].square() + com[(i + 2) % 3].square() } else { -(com[i] * com[j]) };
+                given[i][j] + shift * moved
+            })
+        });
+        let weight = mass * Interval::rational(acceleration, ());
+        (tensor, com.map(|c| weight * c))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn exact(value: i64) -> RBig {
+        RBig::from(value)
+    }
+
+    #[test]
+    fn every_part_of_the_box_lies_within_the_bounds() {
+        let numbers = [30, 40, 50, 1, -2, 3, 1, 2, -4, 5];
+        for about_com in [true, false] {
+            let inputs = std::array::from_fn(|k| Measured {
+                value: exact(numbers[k]),
+                within: RBig::from_parts(1.into(), (k + 2).into()),
+            });
+            let part = MeasuredPart { about_com, inputs };
+            let acceleration = RBig::from_parts(981.into(), 100u32.into());
+            let (tensor, center) = part.bounds(&acceleration);
+            for number in 0..200_usize {
+                // −1, −1/2, 0, 1/2, 1 for each.
+                let steps: [RBig; INPUTS] = std::array::from_fn(|k| {
+                    let digit = (number * 7919 + (k + 1) * 104_729 + number / (k + 1)) % 5;
+                    RBig::from_parts(digit.into(), 2u32.into()) - RBig::ONE
+                });
+                let found = part.at(&steps).unwrap();
+                let about = found.tensor_about_origin();
+                let within = |bounds: Interval, value: &RBig| {
+                    let [lo, hi] = bounds.exact_bounds().unwrap();
+                    assert!(lo <= *value && *value <= hi, "{bounds:?} {value}");
+                };
+                for i in 0..3 {
+                    for j in 0..3 {
+                        within(tensor[i][j], &about.rows()[i][j]);
+                    }
+                    within(center[i], &(&found.com[i] * &found.mass * &acceleration));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn exact_numbers_stay_exact() {
+        let inputs = std::array::from_fn(|k| Measured {
+            value: RBig::from(k + 1),
+            within: if k == 7 { RBig::ONE } else { RBig::ZERO },
+        });
+        let part = MeasuredPart { about_com: false, inputs };
+        assert_eq!(part.uncertain().collect::<Vec<_>>(), [7]);
+        assert_eq!(part.only(3).uncertain().count(), 0);
+        let (tensor, center) = part.bounds(&RBig::ONE);
+        assert_eq!(tensor[0][1], Interval::point(4.0));
+        // Products round outward.
+        for (bounds, [from, to]) in [(center[0], [70.0, 70.0]), (center[1], [70.0, 90.0])] {
+            assert!(bounds.lo <= from && to <= bounds.hi, "{bounds:?}");
+            assert!(from - bounds.lo < 1e-12 && bounds.hi - to < 1e-12, "{bounds:?}");
+        }
+    }
+}

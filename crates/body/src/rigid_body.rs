@@ -1,0 +1,240 @@
+//! A heavy rigid body as it was given: principal moments and centre of mass, exact.
+
+use std::sync::Arc;
+
+use dashu_ratio::RBig;
+
+use super::error::BodyError;
+use super::tensor::Tensor;
+use bifdiag_numbers::Number;
+
+/// A heavy rigid body with a fixed point: A = diag(A1, A2, A3) and the centre of mass r, with the
+/// constants m g absorbed into r. Validated once; all values are exact, but for a body that was given by a [`Tensor`]
+/// whose principal form is irrational.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Body {
+    moments: [Number; 3],
+    center: [Number; 3],
+    tensor: Option<Arc<Tensor>>,
+}
+
+/// What is special about a body; every flag is decided exactly.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flags {
+    /// No mass distribution has these moments and this centre of mass: some A_i + A_j < A_k, or = A_k with r_k ≠ 0.
+    pub unphysical: bool,
+    /// The body exists and some A_i + A_j = A_k: all mass lies in a plane through the fixed point.
+    pub plate: bool,
+    /// Two or three moments are equal.
+    pub symmetric: bool,
+    /// Some r_i = 0.
+    pub plane: bool,
+    /// r is a principal direction: r̂ is an eigenvector of A.
+    pub axis: bool,
+    /// r = 0: Euler's case.
+    pub euler: bool,
+}
+
+impl Flags {
+    /// True when the closed form of the generic body needs a special case.
+    #[must_use]
+    pub fn degenerate(&self) -> bool {
+        self.symmetric || self.plane || self.axis || self.euler
+    }
+}
+
+impl Body {
+    /// A body from exact numbers.
+    ///
+    /// # Errors
+    /// [`BodyError::MomentNotPositive`] when some A_i ≤ 0.
+    pub fn new(moments: [Number; 3], center: [Number; 3]) -> Result<Self, BodyError> {
+        for (i, moment) in moments.iter().enumerate() {
+            if moment.value() <= &RBig::ZERO {
+                return Err(BodyError::MomentNotPositive { axis: i + 1, value: moment.text().to_owned() });
+            }
+        }
+        Ok(Self { moments, center, tensor: None })
+    }
+
+    /// The body whose moments and centre of mass are those of a tensor, rounded.
+    pub(super) fn with_tensor(mut self, tensor: Arc<Tensor>) -> Self {
+        self.tensor = Some(tensor);
+        self
+    }
+
+    /// The tensor from which the moments and r were rounded; `None` when they are exact.
+    #[must_use]
+    pub fn tensor(&self) -> Option<&Tensor> {
+        self.tensor.as_deref()
+    }
+
+    /// |r|², exact.
+    #[must_use]
+    pub fn center_squared(&self) -> RBig {
+        match &self.tensor {
+            Some(tensor) => tensor.center_squared(),
+            None => self.center.iter().fold(RBig::ZERO, |sum, r| sum + r.value() * r.value()),
+        }
+    }
+
+    /// rᵀAr = |r|² J_r, exact.
+    #[must_use]
+    pub fn weighted_moment(&self) -> RBig {
+        let weighted = |k: usize| self.moments[k].value() * self.center[k].value() * self.center[k].value();
+        match &self.tensor {
+            Some(tensor) => tensor.weighted_moment(),
+            None => (0..3).fold(RBig::ZERO, |sum, k| sum + weighted(k)),
+        }
+    }
+
+    /// A body from texts, each a decimal or a rational.
+    ///
+    /// # Errors
+    /// Every [`BodyError`].
+    pub fn parse<S: AsRef<str>>(moments: &[S], center: &[S]) -> Result<Self, BodyError> {
+        let moments = parse_triple("A", moments, |count| BodyError::MomentCount { count })?;
+        let center = parse_triple("r", center, |count| BodyError::CenterCount { count })?;
+        Self::new(moments, center)
+    }
+
+    /// A body from doubles, each read as its shortest decimal.
+    ///
+    /// # Errors
+    /// [`BodyError::MomentNotPositive`]; [`BodyError::Component`] for NaN, infinities and magnitudes out of range.
+    pub fn from_f64(moments: [f64; 3], center: [f64; 3]) -> Result<Self, BodyError> {
+        Self::new(numbers_from_f64("A", moments)?, numbers_from_f64("r", center)?)
+    }
+
+    /// A1, A2, A3 as given.
+    #[must_use]
+    pub fn moments(&self) -> &[Number; 3] {
+        &self.moments
+    }
+
+    /// r1, r2, r3 as given.
+    #[must_use]
+    pub fn center(&self) -> &[Number; 3] {
+        &self.center
+    }
+
+    /// The principal moments, rounded.
+    #[must_use]
+    pub fn moments_f64(&self) -> [f64; 3] {
+        self.moments.each_ref().map(Number::to_f64)
+    }
+
+    /// The centre of mass, rounded.
+    #[must_use]
+    pub fn center_f64(&self) -> [f64; 3] {
+        self.center.each_ref().map(Number::to_f64)
+    }
+
+    /// r = 0: Euler's case.
+    #[must_use]
+    pub fn is_euler(&self) -> bool {
+        self.center.iter().all(|x| x.value().is_zero())
+    }
+
+    /// What is special about this body.
+    #[must_use]
+    pub fn flags(&self) -> Flags {
+        let a = self.moments.each_ref().map(Number::value);
+        let r = self.center.each_ref().map(Number::value);
+        let mut flags = Flags::default();
+        for k in 0..3 {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            // ∫ x_k² dm = (A_i + A_j − A_k)/2; where it is 0 the centre of mass lies in the plane x_k = 0.
+            match (a[i] + a[j]).cmp(a[k]) {
+                std::cmp::Ordering::Greater => {}
+                std::cmp::Ordering::Equal if r[k].is_zero() => flags.plate = true,
+                std::cmp::Ordering::Equal | std::cmp::Ordering::Less => flags.unphysical = true,
+            }
+            flags.symmetric |= a[i] == a[j];
+            flags.plane |= r[k].is_zero();
+        }
+        if let Some(tensor) = &self.tensor {
+            [flags.unphysical, flags.plate] = tensor.existence();
+        }
+        flags.plate &= !flags.unphysical;
+        flags.euler = self.is_euler();
+        let moment_of_first = (0..3).find(|&i| !r[i].is_zero()).map(|i| a[i]);
+        flags.axis = moment_of_first.is_some_and(|first| (0..3).all(|i| r[i].is_zero() || a[i] == first));
+        flags
+    }
+}
+
+fn parse_triple<S: AsRef<str>>(
+    name: &'static str,
+    texts: &[S],
+    wrong_count: impl Fn(usize) -> BodyError,
+) -> Result<[Number; 3], BodyError> {
+    let [x, y, z] = texts else {
+        return Err(wrong_count(texts.len()));
+    };
+    let parse =
+        |axis: usize, text: &S| text.as_ref().parse().map_err(|source| BodyError::Component { name, axis, source });
+    Ok([parse(1, x)?, parse(2, y)?, parse(3, z)?])
+}
+
+fn numbers_from_f64(name: &'static str, values: [f64; 3]) -> Result<[Number; 3], BodyError> {
+    let number =
+        |axis: usize| Number::from_f64(values[axis - 1]).map_err(|source| BodyError::Component { name, axis, source });
+    Ok([number(1)?, number(2)?, number(3)?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moments_must_be_positive() {
+        let error = Body::parse(&["2", "0", "1"], &["1", "0", "0"]).unwrap_err();
+        assert_eq!(error, BodyError::MomentNotPositive { axis: 2, value: "0".into() });
+        let error = Body::from_f64([2.0, 1.0, f64::NAN], [1.0, 0.0, 0.0]).unwrap_err();
+        assert!(matches!(error, BodyError::Component { name: "A", axis: 3, .. }));
+        assert_eq!(Body::parse(&["2", "1"], &["1", "0"]).unwrap_err(), BodyError::MomentCount { count: 2 });
+    }
+
+    #[test]
+    fn plates_are_physical_and_decided_exactly() {
+        let flags = |a: [&str; 3]| Body::parse(&a, &["0", "1", "0"]).unwrap().flags();
+        assert!(flags(["0.3", "0.1", "0.2"]).plate);
+        assert!(!flags(["0.3", "0.1", "0.2"]).unphysical);
+        assert!(flags(["0.3000000000000000000001", "0.1", "0.2"]).unphysical);
+        assert!(!flags(["2", "1.1", "1"]).plate);
+    }
+
+    /// For some mass m, with r = m c, the second moments J = (tr A / 2) E − A exceed m c cᵀ = r rᵀ/m: J ⪰ 0 and r in its range.
+    #[test]
+    fn a_body_exists_where_its_second_moments_hold_its_centre() {
+        let values = |numbers: &[Number; 3]| numbers.each_ref().map(|x| x.value().clone());
+        for a in [["1", "1", "2"], ["3", "2", "1"], ["1", "2", "1"], ["2", "1", "1"], ["1", "1", "3"], ["2", "2", "3"]]
+        {
+            for bits in 0..8_usize {
+                let r: [&str; 3] = std::array::from_fn(|k| if bits >> k & 1 == 1 { "1/3" } else { "0" });
+                let body = Body::parse(&a, &r).unwrap();
+                let [a, r] = [values(body.moments()), values(body.center())];
+                let twice_j: [RBig; 3] = std::array::from_fn(|k| &a[(k + 1) % 3] + &a[(k + 2) % 3] - &a[k]);
+                let exists = (0..3).all(|k| twice_j[k] > RBig::ZERO || (twice_j[k].is_zero() && r[k].is_zero()));
+                let is_flat = twice_j.iter().any(RBig::is_zero);
+                let flags = body.flags();
+                assert_eq!([flags.unphysical, flags.plate], [!exists, exists && is_flat], "{a:?} {r:?}");
+                let matrix = bifdiag_numbers::symmetric::Symmetric::diagonal(a);
+                let tensor = Tensor::new(matrix, r).unwrap();
+                assert_eq!(tensor.existence(), [flags.unphysical, flags.plate]);
+            }
+        }
+    }
+
+    #[test]
+    fn special_bodies_are_flagged() {
+        let flags = |a: [&str; 3], r: [&str; 3]| Body::parse(&a, &r).unwrap().flags();
+        assert!(flags(["1", "1", "1"], ["1", "2", "3"]).axis);
+        assert!(flags(["1", "1", "2"], ["1", "2", "0"]).axis);
+        assert!(!flags(["1", "1", "2"], ["1", "2", "3"]).axis);
+        assert!(flags(["1", "1", "2"], ["0", "0", "0"]).euler);
+        assert!(!flags(["1", "1", "2"], ["0", "0", "0"]).axis);
+        assert!(!flags(["3", "1", "2.5"], ["1", "1", "1"]).degenerate());
+    }
+}

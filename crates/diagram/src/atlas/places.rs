@@ -1,0 +1,127 @@
+//! Which regions of an atlas a classified point lies in, or meets.
+
+use thiserror::Error;
+
+use super::exact::compare_with_r;
+use super::locate::{Place, each};
+use super::{Atlas, Component};
+use crate::arrangement::{RegionId, SlabId};
+use crate::topology::Answer;
+use bifdiag_body::Number;
+use bifdiag_equilibria::curves::CurveName;
+use bifdiag_equilibria::curves::abscissa;
+use bifdiag_numbers::table::Id;
+
+/// Where curves start: below this x = l²/2 every curve from l = 0 is at its limit to the last bit.
+const AT_REST: f64 = 1e-60;
+
+/// The curves over one x by name, on both sides of an energy.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sides {
+    /// Those below it.
+    pub below: Vec<CurveName>,
+    /// Those above it.
+    pub above: Vec<CurveName>,
+}
+
+/// Why no region is named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("no region of the atlas near the point alone has the curves on both sides that the point has")]
+pub struct NoCell;
+
+impl Sides {
+    /// The region of the cell that has these curves below and above it, in a slab with these curves by rising h; `None` for
+    /// the forbidden one.
+    ///
+    /// # Errors
+    /// [`NoCell`] where the slab has other curves, or no such cell.
+    pub fn cell(&self, order: &[CurveName], region_above: &[RegionId]) -> Result<Option<RegionId>, NoCell> {
+        let (below, above) = order.split_at_checked(self.below.len()).ok_or(NoCell)?;
+        let same = |there: &[CurveName], names: &[CurveName]| {
+            there.len() == names.len() && there.iter().all(|name| names.contains(name))
+        };
+        let fits = same(below, &self.below) && same(above, &self.above);
+        if fits { Ok(below.len().checked_sub(1).map(|highest| region_above[highest])) } else { Err(NoCell) }
+    }
+
+    /// The one region of all the cells in some slabs that have these curves on both sides.
+    ///
+    /// # Errors
+    /// [`NoCell`] where there is none, or more than one.
+    pub fn only<'a>(
+        &self,
+        slabs: impl Iterator<Item = (Vec<CurveName>, &'a [RegionId])>,
+    ) -> Result<Option<RegionId>, NoCell> {
+        let mut cells = slabs.filter_map(|(order, region_above)| self.cell(&order, region_above).ok());
+        let first = cells.next().ok_or(NoCell)?;
+        if cells.all(|cell| cell == first) { Ok(first) } else { Err(NoCell) }
+    }
+}
+
+impl Atlas {
+    /// The regions at a point of known type, each once; `None` in the list is the forbidden region. A regular or forbidden
+    /// point has one; a point on a curve each that meets there, and those within rounding that are of the same types. `None`
+    /// where `f64` cannot tell: what this atlas knows of the regions near the point does not fit the answer, or fits it twice.
+    #[must_use]
+    pub fn places(&self, h: &Number, l: &Number, answer: &Answer) -> Option<Vec<Option<RegionId>>> {
+        let frame = &self.arrangement.set.frame;
+        let at_rest = l.value().is_zero();
+        let x = abscissa(frame, l.to_f64()).ok()?.max(AT_REST);
+        let near = match self.locate_scaled(h.to_f64() / frame.energy_unit, x).place {
+            _ if at_rest && matches!(answer, Answer::Regular(_)) => vec![Some(self.region_at_rest(h)?)],
+            Place::Region(region) => vec![Some(region)],
+            Place::Forbidden => vec![None],
+            Place::Undecided(places) => places,
+        };
+        let fits = |&place: &Option<RegionId>| self.class(place).is_some_and(|class| answer.allows(class));
+        let there: Vec<_> = near.iter().copied().filter(fits).collect();
+        match answer {
+            Answer::Regular(_) | Answer::Forbidden => (there.len() == 1).then_some(there),
+            // At l = 0 regions end that no class of l = 0 itself shows.
+            Answer::Critical(_) | Answer::Undecided(_) if at_rest => Some(near),
+            Answer::Critical(classes) | Answer::Undecided(classes) => {
+                let found = |class: &Vec<Component>| there.iter().any(|&place| self.class(place) == Some(class));
+                classes.iter().all(found).then_some(there)
+            }
+        }
+    }
+
+    /// The components of U_hl in a region, none in the forbidden one; `None` where they are not known.
+    #[must_use]
+    pub fn class(&self, place: Option<RegionId>) -> Option<&[Component]> {
+        place.map_or(Some(&[]), |region| self.components(region).ok())
+    }
+
+    /// The region above h > −r at l = 0, h no critical value: every curve from l = 0 begins at −r or at r.
+    fn region_at_rest(&self, h: &Number) -> Option<RegionId> {
+        let first = SlabId::at(0);
+        let points = self.points_in(first, AT_REST);
+        let below = if compare_with_r(&self.body, h).is_lt() {
+            points.iter().filter(|point| point.h() < 0.0).count()
+        } else {
+            points.len()
+        };
+        self.arrangement.slabs[first].region_above.get(below.checked_sub(1)?).copied()
+    }
+
+    /// The curves of each slab by rising h, by name.
+    #[must_use]
+    pub fn orders(&self) -> impl ExactSizeIterator<Item = Vec<CurveName>> {
+        self.arrangement.slabs.ids().map(|slab| self.order_of(slab))
+    }
+
+    fn order_of(&self, slab: SlabId) -> Vec<CurveName> {
+        let name = |&curve: &_| CurveName::of(&self.arrangement.set, curve);
+        self.arrangement.slabs[slab].order.iter().map(name).collect()
+    }
+
+    /// The region at a point off the curves over x = l²/2 in the frame's units, with these curves on both sides of it; `None`
+    /// for the forbidden region.
+    ///
+    /// # Errors
+    /// [`NoCell`] where no slab within rounding of x has such a cell, or such cells are in several regions.
+    pub fn region_between(&self, x: f64, sides: &Sides) -> Result<Option<RegionId>, NoCell> {
+        let near = each(self.slabs_near(self.slab_at(x), x, true));
+        sides.only(near.map(|slab| (self.order_of(slab), self.arrangement.slabs[slab].region_above.as_slice())))
+    }
+}

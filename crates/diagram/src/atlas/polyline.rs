@@ -1,0 +1,180 @@
+//! Polylines from the closed form, with a bound on the distance between each chord and its curve.
+
+use super::Atlas;
+use bifdiag_body::Frame;
+use bifdiag_equilibria::curves::{Curve, CurveId, CurveName, Pole};
+use bifdiag_numbers::UNIT_ROUNDOFF;
+
+/// How far a chord may leave its curve.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tolerance {
+    /// In h, in the frame's units.
+    pub h: f64,
+    /// Width over height of the picture in whose units the distance is measured across the chord; 0: along h.
+    pub aspect: f64,
+}
+
+impl Tolerance {
+    /// In h, for a chord of this slope.
+    fn of_chord(&self, slope: f64) -> f64 {
+        let steepness = slope * self.aspect;
+        self.h * (1.0 + steepness * steepness).sqrt()
+    }
+}
+
+/// What a steep chord in a picture may be off in l, as a part of the picture's range.
+const STEEP: f64 = 1e-4;
+
+/// A point of a curve in the frame's units.
+#[derive(Clone, Copy)]
+struct Node {
+    l: f64,
+    h: f64,
+    /// dh/dx = 1/J, x = l²/2; so dh/dl = l/J.
+    slope: f64,
+}
+
+impl Node {
+    fn at(frame: &Frame, curve: &Curve, l: f64) -> Self {
+        let [from, to] = curve.x();
+        // Below this x every curve that starts at l = 0 is at its limit to the last bit.
+        let smallest = if from > 0.0 { from } else { 1e-60 };
+        let point = curve.point(frame, (0.5 * l * l).max(smallest).min(to));
+        Self { l, h: point.h(), slope: point.slope() }
+    }
+}
+
+impl Atlas {
+    /// Points [h, l] of a curve by rising l over the common part of its range and `l`, such that the straight line
+    /// between neighbours is off by at most `tolerance` in h. `None` when there is no such curve or no common part.
+    #[must_use]
+    pub fn polyline(&self, curve: CurveName, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
+        let h = tolerance / self.arrangement.set.frame.energy_unit;
+        self.chords(curve, l, Tolerance { h, aspect: 0.0 })
+    }
+
+    /// Likewise for a picture over the range `l`: where the curve is steep, a chord may be off by more in h, if it is off
+    /// by at most a ten-thousandth of the range in l. A rod's curves need a number of points that does not grow with
+    /// their steepness.
+    #[must_use]
+    pub fn polyline_to_draw(&self, curve: CurveName, l: [f64; 2], tolerance: f64) -> Option<Vec<[f64; 2]>> {
+        let frame = &self.arrangement.set.frame;
+        let h = tolerance / frame.energy_unit;
+        self.chords(curve, l, Tolerance { h, aspect: STEEP * (l[1] - l[0]) / frame.momentum_unit / h })
+    }
+
+    fn chords(&self, curve: CurveName, l: [f64; 2], tolerance: Tolerance) -> Option<Vec<[f64; 2]>> {
+        let set = &self.arrangement.set;
+        let number = set
+            .curves
+            .ids()
+            .find(|&c| CurveName::of(set, c) == curve || self.carries_pole(c).map(CurveName::Pole) == Some(curve))?;
+        let curve = &set.curves[number];
+        let range = curve.x().map(|x| self.momentum(x));
+        let range = [range[0].max(l[0]), range[1].min(l[1])];
+        (range[0] < range[1]).then(|| {
+            let mut points = self.sampled(curve, range.map(|l| l / set.frame.momentum_unit), tolerance);
+            let last = points.len() - 1;
+            (points[0][1], points[last][1]) = (range[0], range[1]);
+            points
+        })
+    }
+
+    /// The pole whose line runs on the last piece of this axis curve.
+    fn carries_pole(&self, curve: CurveId) -> Option<Pole> {
+        let curve = &self.arrangement.set.curves[curve];
+        curve.pole.filter(|_| curve.x()[1].is_infinite())
+    }
+
+    /// The polyline of a curve, in the body's units, over a range of l inside its own, in the frame's.
+    pub(super) fn sampled(&self, curve: &Curve, [from, to]: [f64; 2], tolerance: Tolerance) -> Vec<[f64; 2]> {
+        let frame = &self.arrangement.set.frame;
+        let mut nodes = vec![Node::at(frame, curve, from)];
+        for arc in &curve.arcs {
+            let end = (2.0 * arc.x[1]).sqrt().min(to);
+            if end > nodes[nodes.len() - 1].l {
+                extend(&mut nodes, end, tolerance, |l| Node::at(frame, curve, l));
+            }
+        }
+        nodes.iter().map(|node| [self.energy(node.h), node.l * frame.momentum_unit]).collect()
+    }
+
+    /// h of a curve at l, in the body's units; at its ends the limits.
+    pub(super) fn h_at(&self, curve: &Curve, l: f64) -> f64 {
+        let frame = &self.arrangement.set.frame;
+        self.energy(Node::at(frame, curve, l / frame.momentum_unit).h)
+    }
+}
+
+/// Adds nodes up to `end`, along an arc, with chords nearly as long as the tolerance allows.
+fn extend(nodes: &mut Vec<Node>, end: f64, tolerance: Tolerance, at: impl Fn(f64) -> Node) {
+    /// Share of the tolerance that is aimed at.
+    const AIM: f64 = 0.95;
+    /// A chord is not asked to be closer than so many units of roundoff of h, which no more points would mend.
+    const ROUNDINGS: f64 = 64.0;
+    let mut from = nodes[nodes.len() - 1];
+    let last = at(end);
+    let mut to = last;
+    while from.l < end {
+        let width = to.l - from.l;
+        let l = from.l + 0.5 * width;
+        let noise = ROUNDINGS * UNIT_ROUNDOFF * from.h.abs().max(to.h.abs());
+        let allowed = tolerance.of_chord((to.h - from.h) / width).max(noise);
+        // Between neighbouring doubles there is nothing to add.
+        let divisible = from.l < l && l < to.l;
+        let share = if divisible { excursion([from, at(l), to]) / allowed } else { AIM };
+        let factor = (AIM / share).sqrt();
+        let step = if share <= 1.0 {
+            nodes.push(to);
+            from = to;
+            width * factor.clamp(1.0, 4.0)
+        } else {
+            width * factor.clamp(0.1, 0.9)
+        };
+        let next = from.l + step;
+        to = if next < end { at(next.max(from.l.next_up())) } else { last };
+    }
+}
+
+/// A bound on the distance in h between an arc and the chord through its ends, from a third point between them.
+///
+/// Over x the slope 1/J is monotone along an arc (Proposition 3.8 of docs/mathematics.md), so that between two of its points
+/// the arc lies in the triangle of its chord over x and its tangents there. All three are parabolas over l.
+fn excursion([from, middle, to]: [Node; 3]) -> f64 {
+    let slope = (to.h - from.h) / (to.l - from.l);
+    let off = middle.h - from.h - slope * (middle.l - from.l);
+    half([from, middle], [0.0, off], slope).max(half([middle, to], [off, 0.0], slope))
+}
+
+/// The largest distance of such a triangle from a chord of this slope, given those of its two points on the arc.
+fn half([from, to]: [Node; 2], off: [f64; 2], slope: f64) -> f64 {
+    let width = to.l - from.l;
+    let x_width = 0.5 * width * (to.l + from.l);
+    let rise = to.h - from.h;
+    // Where the tangents meet: over x, from the first point, and then over l. On a straight arc: nowhere.
+    let meeting = (rise - to.slope * x_width) / (from.slope - to.slope);
+    let meeting = if meeting > 0.0 { meeting.min(x_width) } else { 0.0 };
+    let corner = if meeting > 0.0 { 2.0 * meeting / (from.l + (from.l * from.l + 2.0 * meeting).sqrt()) } else { 0.0 };
+    let corner = corner.min(width);
+    let chord = rise / x_width;
+    let first = Parabola { off: off[0], slope: from.slope * from.l - slope, bend: from.slope };
+    let second = Parabola { off: off[1], slope: to.slope * to.l - slope, bend: to.slope };
+    let between = Parabola { off: off[0], slope: chord * from.l - slope, bend: chord };
+    first.largest([0.0, corner]).max(second.largest([corner - width, 0.0])).max(between.largest([0.0, width]))
+}
+
+/// off + slope t + bend t²/2, bend > 0.
+struct Parabola {
+    off: f64,
+    slope: f64,
+    bend: f64,
+}
+
+impl Parabola {
+    /// The largest absolute value over a range.
+    fn largest(&self, [from, to]: [f64; 2]) -> f64 {
+        let lowest = (-self.slope / self.bend).clamp(from, to);
+        let value = |t: f64| (self.off + t * (self.slope + 0.5 * self.bend * t)).abs();
+        value(from).max(value(to)).max(value(lowest))
+    }
+}

@@ -1,0 +1,111 @@
+//! The default view of a body: the windows in which its diagram is seen.
+
+use super::{Atlas, Window};
+use bifdiag_equilibria::curves::{Curve, CurveId};
+
+/// Margin beyond the last event, as a share of its l.
+const BEYOND_EVENTS: f64 = 0.25;
+/// Curves that start at the top of the energies at l = 0 are followed by at least this share of their range.
+const BEYOND_START: f64 = 0.5;
+/// Margin at both ends in h, as a share of the range.
+const MARGIN: f64 = 0.05;
+/// An event at more than so many times the l of the one before would leave the others no room.
+const FAR_BEYOND: f64 = 12.0;
+/// Without events the window ends in h at most at this multiple of the median of the curves.
+const MEDIAN_MULTIPLE: f64 = 4.0;
+
+/// The windows of a diagram.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// All events but those that lie far beyond all others.
+    pub main: Window,
+    /// All events, and a part of every unbounded region.
+    pub everything: Window,
+}
+
+impl Atlas {
+    /// The default view: it depends on the diagram alone, not on what draws it.
+    #[must_use]
+    pub fn view(&self) -> View {
+        let l: Vec<f64> = self.arrangement.events.iter().map(|event| self.momentum(event.x)).collect();
+        let last = l.last().copied().unwrap_or(0.0);
+        // The events up to the first leap; those beyond it are for insets.
+        let before_leap = l.windows(2).find(|pair| pair[1] > FAR_BEYOND * pair[0]).map_or(last, |pair| pair[0]);
+        let everything = self.view_of_events(last);
+        let main = if before_leap < last { self.view_of_events(before_leap) } else { everything };
+        View { main, everything }
+    }
+
+    /// A window for the events up to `last_event` in l.
+    fn view_of_events(&self, last_event: f64) -> Window {
+        let events = || {
+            let events = self.arrangement.events.iter().filter(move |event| self.momentum(event.x) <= last_event);
+            events.map(|event| (self.momentum(event.x), self.energy(event.h), event.change.curves()))
+        };
+        let end = self.drawn_up_to();
+        let l_top = if last_event > 0.0 {
+            let start = self.start_of_positive_energies(end.min(FAR_BEYOND * last_event));
+            last_event.max(start) * (1.0 + BEYOND_EVENTS)
+        } else {
+            end
+        };
+        let mut at_top = Vec::new();
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for curve in &self.arrangement.set.curves {
+            let Some([(from, first), (to, last)]) = self.ends_below(curve, l_top) else { continue };
+            low = low.min(first);
+            if from == 0.0 {
+                high = high.max(first);
+            }
+            if to >= l_top {
+                // A pole line that runs on a critical curve is a curve of its own.
+                at_top.extend(std::iter::repeat_n(last, 1 + usize::from(curve.is_critical() && curve.pole.is_some())));
+            }
+        }
+        if high.is_finite() {
+            high += BEYOND_START * (high - low).max(0.0);
+        }
+        at_top.sort_by(f64::total_cmp);
+        high = events().map(|(_, h, _)| h).fold(high, f64::max);
+        // What begins at one of the last events must be seen to open.
+        let late = events().filter(|(l, ..)| *l > 0.7 * last_event).flat_map(|(.., curves)| curves);
+        for curve in late.collect::<Vec<CurveId>>() {
+            let ends = self.ends_below(&self.arrangement.set.curves[curve], l_top);
+            high = high.max(ends.map_or(high, |[_, (_, h)]| h));
+        }
+        if let (Some(&median), Some(&largest)) = (at_top.get(at_top.len() / 2), at_top.last()) {
+            let without_events = largest.min(MEDIAN_MULTIPLE * median.abs());
+            high = high.max(median).max(if last_event > 0.0 { high } else { without_events });
+        }
+        let margin = MARGIN * (high - low);
+        Window { h: [low - margin, high + margin], l: [0.0, l_top] }
+    }
+
+    /// l and h at both ends of the part of a curve up to `l_top`.
+    fn ends_below(&self, curve: &Curve, l_top: f64) -> Option<[(f64, f64); 2]> {
+        let [from, to] = curve.x().map(|x| self.momentum(x));
+        let to = to.min(l_top);
+        (from <= to).then(|| [from, to].map(|l| (l, self.h_at(curve, l))))
+    }
+
+    /// The l at which the lowest curve from l = 0 reaches h = 0, at most `l_top`; 0 where it starts there.
+    fn start_of_positive_energies(&self, l_top: f64) -> f64 {
+        const HALVINGS: usize = 40;
+        let starting = self.arrangement.set.curves.iter().filter(|curve| curve.x()[0] == 0.0);
+        let lowest = starting.min_by(|p, q| self.h_at(p, 0.0).total_cmp(&self.h_at(q, 0.0)));
+        let Some((curve, [_, (end, h)])) = lowest.and_then(|curve| Some((curve, self.ends_below(curve, l_top)?)))
+        else {
+            return 0.0;
+        };
+        if h < 0.0 {
+            return 0.0;
+        }
+        // h rises with l along every curve.
+        let (mut below, mut above) = (0.0, end);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (below + above);
+            if self.h_at(curve, middle) < 0.0 { below = middle } else { above = middle }
+        }
+        above
+    }
+}

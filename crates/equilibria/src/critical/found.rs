@@ -1,0 +1,169 @@
+//! The equilibria of one branch at one l: quickly, with bounds, or exactly.
+
+use super::{Equilibrium, Found, Multiplicity, Question, RelativeEquilibria};
+use crate::curves::{BranchName, CurveId, CurveName, Orbit, Point, Shape};
+use crate::stability::exact::{ExactPoint, Touch};
+use crate::stability::{LinearType, Place, Reduced, Setting};
+use bifdiag_body::Axis;
+use bifdiag_numbers::Sign;
+use bifdiag_numbers::UNIT_ROUNDOFF;
+use bifdiag_numbers::enclosure::Enclosure;
+use bifdiag_numbers::interval::Interval;
+use bifdiag_numbers::wide::Wide;
+
+/// A relative equilibrium in the frame, before it is told in the body's terms.
+struct Site {
+    point: Point,
+    orbit: Orbit,
+    /// Where curves end the point is degenerate.
+    is_degenerate: bool,
+    curve: CurveName,
+    setting: Setting,
+}
+
+impl RelativeEquilibria<'_> {
+    /// The equilibria of one curve, if intervals decide everything that is said of them.
+    pub(super) fn quickly(&self, id: CurveId, question: &Question<'_>, found: &mut Found) -> bool {
+        let curve = &self.set.curves[id];
+        let [from, to] = curve.x();
+        if curve.index.is_none() || !(from < question.x && question.x < to) {
+            return true;
+        }
+        let Some((site, reduced)) = self.enclosed(id, question.x) else { return false };
+        let kind = if is_set(site.orbit) { reduced.transverse_type() } else { reduced.linear_type() };
+        let Some(kind) = kind else { return false };
+        self.push(found, question, &site, &reduced, kind);
+        true
+    }
+
+    /// The point of a curve over x with its linearised flow.
+    fn enclosed(&self, id: CurveId, x: f64) -> Option<(Site, Reduced<Interval>)> {
+        let frame = &self.set.frame;
+        let curve = &self.set.curves[id];
+        let arc = curve.arc(x);
+        let (point, mu) = arc.point_and_mu(frame, x);
+        let place = match (&arc.shape, mu) {
+            (Shape::Generic(_), Some(mu)) => Place::Generic(mu),
+            (Shape::Symmetric { family, .. }, _) => {
+                Place::Over { axis: family.axis, s: 2.0 * x / (point.j * point.j), r_sum: family.r_sum }
+            }
+            _ => {
+                let axis = Axis::ALL.into_iter().find(|&k| point.gamma[k] != 0.0)?;
+                Place::About { axis, weight: point.gamma[axis] * frame.r[axis] }
+            }
+        };
+        // l and its square are rounded.
+        let state = place.enclosed(&self.constants, Interval::point(x).widened(4.0))?;
+        let global_minimum = mu.is_some_and(|mu| mu.minus_moment(frame, Axis::ALL[2]) >= 0.0);
+        let setting = Setting { index: curve.index?, global_minimum, integral: self.set.has_integral(curve) };
+        let site =
+            Site { point, orbit: curve.orbit, is_degenerate: false, curve: CurveName::of(&self.set, id), setting };
+        Some((site, Reduced::new(&self.constants, &state)))
+    }
+
+    /// All equilibria of a branch, from exact roots.
+    pub(super) fn exactly(&self, question: &Question<'_>, found: &mut Found) -> Option<()> {
+        if self.set.frame.is_euler() {
+            return self.without_weight(question, found);
+        }
+        for exact in &self.profile()?.points(question.branch, question.l)? {
+            let site = self.site(exact, question)?;
+            self.push(found, question, &site, &exact.reduced, exact.kind);
+        }
+        Some(())
+    }
+
+    fn site(&self, exact: &ExactPoint, question: &Question<'_>) -> Option<Site> {
+        let frame = &self.set.frame;
+        let last = exact.piece + usize::from(exact.touch.is_some());
+        let here = |id: &CurveId| (exact.piece..=last).contains(&self.set.curves[*id].piece);
+        // Where two curves meet, the one of smaller index.
+        let carrier = question.ids().filter(here).min_by_key(|&id| self.set.curves[id].index);
+        let curve = carrier.map(|id| &self.set.curves[id]);
+        let index = curve.and_then(|curve| curve.index).or(exact.index)?;
+        let at_largest = matches!(exact.touch, Some(Touch::Pitchfork(axis)) if frame.group[axis] == frame.group[2]);
+        let global_minimum = at_largest || exact.state.tau[2].sign() == Some(Sign::Positive);
+        let integral = curve.is_some_and(|curve| self.set.has_integral(curve));
+        Some(Site {
+            point: match curve.map(|curve| &curve.arcs[0].shape) {
+                Some(Shape::Straight { gamma, j }) => Point::over(frame, question.x, *gamma, *j),
+                _ => self.point(exact, question.x),
+            },
+            orbit: curve.map_or(Orbit::Point, |curve| curve.orbit),
+            is_degenerate: exact.touch.is_some(),
+            curve: carrier.map_or_else(
+                || CurveName::on(BranchName::of(frame, question.branch), exact.piece),
+                |id| CurveName::of(&self.set, id),
+            ),
+            setting: Setting { index, global_minimum, integral },
+        })
+    }
+
+    /// γ and J of an exact point, rounded.
+    fn point(&self, exact: &ExactPoint, x: f64) -> Point {
+        let frame = &self.set.frame;
+        let middle = |set: &Wide| {
+            let [lo, hi] = set.bounds();
+            0.5 * (lo + hi)
+        };
+        let gamma = std::array::from_fn(|k| {
+            let (w, r, tau) = (middle(&exact.state.w[k]), frame.r[k], middle(&exact.state.tau[k]));
+            // γ_k = r_k/(sτ_k) keeps the digits of a small γ_k.
+            if r == 0.0 { w.max(0.0).sqrt() } else { r / (middle(&exact.state.s) * tau) }
+        });
+        Point::over(frame, x, gamma, middle(&exact.state.j))
+    }
+
+    /// Euler's rotations where intervals leave the type open: a double pair, which the exact body tells.
+    fn without_weight(&self, question: &Question<'_>, found: &mut Found) -> Option<()> {
+        for id in question.ids() {
+            let (site, reduced) = self.enclosed(id, question.x)?;
+            let kind = self.profile()?.spans(&self.set, id)?.first()?.stability;
+            self.push(found, question, &site, &reduced, kind);
+        }
+        Some(())
+    }
+
+    /// Enters a point, or both of a symmetric pair.
+    fn push<E: Enclosure>(
+        &self,
+        found: &mut Found,
+        question: &Question<'_>,
+        site: &Site,
+        reduced: &Reduced<E>,
+        kind: LinearType,
+    ) {
+        let frame = &self.set.frame;
+        let Site { point, orbit, .. } = site;
+        let rounding = 8.0 * UNIT_ROUNDOFF * point.x * point.slope();
+        found.error_bound = found.error_bound.max((point.h_error() + rounding) * frame.energy_unit);
+        let sign = question.l.to_f64().signum();
+        let equilibrium = Equilibrium {
+            h: point.h() * frame.energy_unit,
+            gamma: frame.vector_to_body(point.gamma),
+            omega: sign * (2.0 * point.x).sqrt() / point.j * frame.frequency_unit,
+            index: site.setting.index,
+            multiplicity: match orbit {
+                Orbit::Circle(_) => Multiplicity::Circle,
+                Orbit::Sphere => Multiplicity::Sphere,
+                _ => Multiplicity::Points(if site.is_degenerate { 2 } else { 1 }),
+            },
+            stability: kind,
+            verdict: site.setting.verdict(kind),
+            eigenvalues: reduced.eigenvalues(kind, is_set(*orbit), frame.frequency_unit),
+            curve: Some(site.curve),
+            branch_name: self.words(question.branch),
+        };
+        if let Orbit::Pair(axis) = orbit {
+            let mut mirrored = point.gamma;
+            mirrored[*axis] = -mirrored[*axis];
+            found.list.push(Equilibrium { gamma: frame.vector_to_body(mirrored), ..equilibrium.clone() });
+        }
+        found.list.push(equilibrium);
+    }
+}
+
+/// A circle or a sphere of equilibria.
+fn is_set(orbit: Orbit) -> bool {
+    matches!(orbit, Orbit::Circle(_) | Orbit::Sphere)
+}

@@ -1,0 +1,175 @@
+//! All relative equilibria of a body at one l, or at many.
+
+mod at_rest;
+mod continued;
+mod equilibrium;
+mod found;
+
+use std::sync::{Arc, OnceLock};
+
+use thiserror::Error;
+
+use crate::curves::{Branch, CriticalSet, CurveId, CurveName, EquilibriaError, branch_words};
+use crate::curves::{MomentumError, abscissa};
+use crate::stability::{Constants, StabilityProfile};
+use bifdiag_body::{Body, Number};
+use bifdiag_numbers::UNIT_ROUNDOFF;
+use bifdiag_numbers::interval::Interval;
+use bifdiag_numbers::table::Id;
+
+pub use equilibrium::{Equilibrium, Multiplicity};
+
+/// All relative equilibria at one l.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibria {
+    /// By rising h, then γ lexicographically.
+    pub list: Vec<Equilibrium>,
+    /// Bound on the error of every `h`.
+    pub error_bound: f64,
+    /// False when it could not be decided whether further ones exist: roots closer than 2^-4000.
+    pub complete: bool,
+    /// γ, h, Ω and the index were found by Newton continuation, not from the closed form.
+    pub by_continuation: bool,
+}
+
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum CriticalError {
+    /// The body is beyond `f64`.
+    #[error(transparent)]
+    Equilibria(#[from] EquilibriaError),
+    /// l is beyond `f64`.
+    #[error(transparent)]
+    Momentum(#[from] MomentumError),
+    /// Newton continuation did not reach l along a curve.
+    #[error(
+        "Newton continuation {} does not reach this l; the closed form, which is the default, has the answer",
+        .curve.map_or_else(|| "along a branch".to_owned(), |curve| format!("along {curve}"))
+    )]
+    Lost {
+        /// The curve, if it has a name.
+        curve: Option<CurveName>,
+    },
+}
+
+/// All critical points of U_l with energy, angular velocity, Morse index, eigenvalues and stability.
+///
+/// # Errors
+/// [`CriticalError`] when the body or l leave the range of `f64`.
+pub fn critical(body: &Body, l: &Number) -> Result<Equilibria, CriticalError> {
+    RelativeEquilibria::new(body)?.at(l)
+}
+
+/// A body prepared for questions at many l.
+#[derive(Debug)]
+pub struct RelativeEquilibria<'a> {
+    body: &'a Body,
+    set: CriticalSet,
+    constants: Constants<Interval>,
+    /// Made when intervals leave something open.
+    profile: OnceLock<Option<StabilityProfile>>,
+    /// Each branch in words.
+    words: Vec<(Branch, Arc<str>)>,
+}
+
+/// A branch at one l.
+struct Question<'a> {
+    branch: Branch,
+    /// Its curves, which stand together.
+    curves: std::ops::Range<CurveId>,
+    l: &'a Number,
+    /// x = l²/2, rounded, in the frame's units.
+    x: f64,
+}
+
+impl Question<'_> {
+    fn ids(&self) -> impl Iterator<Item = CurveId> {
+        (self.curves.start.index()..self.curves.end.index()).map(CurveId::at)
+    }
+}
+
+/// What is found at one l, in the course of it.
+#[derive(Default)]
+struct Found {
+    list: Vec<Equilibrium>,
+    error_bound: f64,
+}
+
+impl<'a> RelativeEquilibria<'a> {
+    /// Finds all curves of the body.
+    ///
+    /// # Errors
+    /// [`CriticalError::Equilibria`].
+    pub fn new(body: &'a Body) -> Result<Self, CriticalError> {
+        let set = CriticalSet::new(body.frame())?;
+        let constants = Constants::rounded(&set.frame);
+        let mut words: Vec<(Branch, Arc<str>)> = Vec::with_capacity(6);
+        for curve in set.curves.iter().filter(|curve| curve.piece == 1 && curve.is_critical()) {
+            words.push((curve.branch, branch_words(&set, curve.branch).into()));
+        }
+        Ok(Self { body, constants, profile: OnceLock::new(), words, set })
+    }
+
+    fn words(&self, branch: Branch) -> Arc<str> {
+        let known = self.words.iter().find(|(known, _)| *known == branch);
+        known.map_or_else(|| branch_words(&self.set, branch).into(), |(_, words)| Arc::clone(words))
+    }
+
+    /// The equilibria at l: complete, however near to a cusp or pitchfork l lies.
+    ///
+    /// # Errors
+    /// [`CriticalError::Momentum`] when l leaves the range of `f64`.
+    pub fn at(&self, l: &Number) -> Result<Equilibria, CriticalError> {
+        let frame = &self.set.frame;
+        if l.to_f64() == 0.0 {
+            let error_bound = 8.0 * UNIT_ROUNDOFF * frame.r_norm * frame.energy_unit;
+            return Ok(Equilibria {
+                list: sorted(self.at_rest()),
+                error_bound,
+                complete: true,
+                by_continuation: false,
+            });
+        }
+        let x = abscissa(frame, l.to_f64())?;
+        let mut found = Found { list: Vec::with_capacity(8), error_bound: 0.0 };
+        let mut complete = true;
+        let mut next = 0;
+        let curves = self.set.curves.as_slice();
+        // Curves of one branch stand together.
+        while next < curves.len() {
+            let branch = curves[next].branch;
+            let end = next + curves[next..].iter().take_while(|curve| curve.branch == branch).count();
+            if curves[next].is_critical() {
+                let question = Question { branch, curves: CurveId::at(next)..CurveId::at(end), l, x };
+                complete &= self.on_branch(&question, &mut found);
+            }
+            next = end;
+        }
+        let list = sorted(found.list);
+        Ok(Equilibria { list, error_bound: found.error_bound, complete, by_continuation: false })
+    }
+
+    /// The equilibria of one branch: by f64 with bounds, or exactly where these leave something open.
+    fn on_branch(&self, question: &Question<'_>, found: &mut Found) -> bool {
+        let before = found.list.len();
+        if !self.set.ends_near(question.branch, question.curves.clone(), question.x)
+            && question.ids().all(|id| self.quickly(id, question, found))
+        {
+            return true;
+        }
+        found.list.truncate(before);
+        self.exactly(question, found).is_some()
+    }
+
+    fn profile(&self) -> Option<&StabilityProfile> {
+        self.profile.get_or_init(|| StabilityProfile::new(self.body, &self.set)).as_ref()
+    }
+}
+
+fn sorted(mut list: Vec<Equilibrium>) -> Vec<Equilibrium> {
+    list.sort_by(|p, q| {
+        let by_gamma = (0..3).map(|k| p.gamma[k].total_cmp(&q.gamma[k]));
+        by_gamma.fold(p.h.total_cmp(&q.h), std::cmp::Ordering::then)
+    });
+    list
+}

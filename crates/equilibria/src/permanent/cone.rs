@@ -1,0 +1,224 @@
+//! Permanent axes: principal ones through the centre of mass, and those of Staude's cone.
+
+use nalgebra::{Matrix3, Vector3};
+
+use bifdiag_body::{Body, BodyAxis};
+use bifdiag_numbers::vector::{self, cross, dot, norm, normalised};
+
+/// An axis about which rotation is permanent at every spin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PermanentAxis {
+    /// An axis of the frame with the same moment.
+    pub axis: BodyAxis,
+    /// A unit vector along it, in principal axes.
+    pub direction: [f64; 3],
+}
+
+/// The axis nearest to a direction among those that are principal and pass through the fixed point and the centre of mass:
+/// r̂ if its moments are equal; where r = 0 every axis of the eigenspaces of A.
+#[must_use]
+pub fn permanent_axis(body: &Body, up: [f64; 3]) -> Option<PermanentAxis> {
+    let moment = |k: BodyAxis| body.moments()[k].value();
+    let direction = if body.is_euler() {
+        let share = |k: BodyAxis| BodyAxis::ALL.map(|j| if moment(j) == moment(k) { up[j] } else { 0.0 });
+        BodyAxis::ALL.map(share).into_iter().max_by(|p, q| norm(*p).total_cmp(&norm(*q)))?
+    } else {
+        let mut active = BodyAxis::ALL.into_iter().filter(|&k| !body.center()[k].value().is_zero());
+        let first = active.next()?;
+        if active.any(|k| moment(k) != moment(first)) {
+            return None;
+        }
+        body.center_f64()
+    };
+    let direction = vector::direction(direction)?;
+    let direction = if dot(direction, up) < 0.0 { direction.map(|x| 0.0 - x) } else { direction };
+    let axis = BodyAxis::ALL.into_iter().max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs()))?;
+    Some(PermanentAxis { axis, direction })
+}
+
+/// The axis nearest to a direction among those that are permanent at some spin, and the principal ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearestAxis {
+    /// A unit vector in the body's principal axes, pointing up.
+    pub axis: [f64; 3],
+    /// The angle between the two lines, in radians.
+    pub angle: f64,
+    /// Ω² of the one spin at which the axis is permanent, or −Ω² if it has to point down for it, infinite beyond the range of
+    /// doubles; `None` for a principal axis: every spin if the centre of mass lies on it, else none.
+    pub squared_spin: Option<f64>,
+}
+
+impl NearestAxis {
+    /// The spin at which the axis is permanent, pointing up.
+    #[must_use]
+    pub fn omega(&self) -> Option<f64> {
+        self.squared_spin.filter(|s| *s >= 0.0).map(f64::sqrt)
+    }
+}
+
+/// The axis of Staude's cone nearest to a direction, which points up; where r = 0 or all moments are equal, the nearest axis
+/// that is permanent at every spin.
+///
+/// With n up, γ = −n, and s(n × An) = n × r needs ⟨n, An × r⟩ = 0: a quadratic cone nᵀSn = 0 with
+/// S_ij = r_k(A_j − A_i)/2 for cyclic (i, j, k).
+#[must_use]
+pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
+    let up = normalised(up);
+    let r = body.center_f64();
+    let difference = differences(body);
+    if body.is_euler() || difference == [0.0; 3] {
+        let PermanentAxis { direction, .. } = permanent_axis(body, up)?;
+        return Some(NearestAxis { axis: direction, angle: angle(direction, up), squared_spin: None });
+    }
+    let mut cone: Matrix3<f64> = Matrix3::zeros();
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let entry = 0.5 * r[k] * difference[k];
+        cone[(i, j)] += entry;
+        cone[(j, i)] += entry;
+    }
+    let scale = cone.amax();
+    // Of an axis that was moved onto the cone no more than thirteen digits are known.
+    let (axis, rounding) =
+        if scale == 0.0 || is_on_cone(&cone, up) { (up, 0.0) } else { (nearest_on_cone(cone / scale, up), 1e-13) };
+    Some(NearestAxis { axis, angle: angle(axis, up), squared_spin: squared_spin(difference, r, axis, rounding) })
+}
+
+/// A_j − A_i for cyclic (i, j, k), rounded once.
+fn differences(body: &Body) -> [f64; 3] {
+    let moment = |k: usize| body.moments()[k % 3].value();
+    [0, 1, 2].map(|k: usize| (moment(k + 2) - moment(k + 1)).to_f64().value())
+}
+
+/// The angle between a line and a direction at an acute angle to it.
+fn angle(axis: [f64; 3], up: [f64; 3]) -> f64 {
+    libm::atan2(norm(cross(axis, up)), dot(axis, up))
+}
+
+/// Whether uᵀSu vanishes within rounding.
+fn is_on_cone(cone: &Matrix3<f64>, up: [f64; 3]) -> bool {
+    let terms = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| cone[(i, j)] * up[i] * up[j]);
+    let size = terms.iter().map(|term| term.abs()).sum::<f64>();
+    terms.iter().sum::<f64>().abs() <= 4.0 * f64::EPSILON * size
+}
+
+/// The line of vᵀSv = 0 nearest to u: v solves (E + λS)v = u, and λ is a root of uᵀ(E + λS)⁻¹S(E + λS)⁻¹u. S has trace 0, so
+/// that it has eigenvalues of both signs; where E + λS is positive definite that function falls, and its root is the nearest
+/// of all. Where u has no share along an extreme eigenvector, λ may be the end of that interval, and the share is free.
+fn nearest_on_cone(cone: Matrix3<f64>, up: [f64; 3]) -> [f64; 3] {
+    /// Nearer to the end of the interval the share follows from vᵀSv = 0.
+    const SINGULAR: f64 = 1e-6;
+    let eigen = cone.symmetric_eigen();
+    let (sigma, u) = (eigen.eigenvalues, eigen.eigenvectors.transpose() * Vector3::from(up));
+    let (least, most) = (sigma.imin(), sigma.imax());
+    let at = |lambda: f64| Vector3::from_fn(|k, _| u[k] / (1.0 + lambda * sigma[k]));
+    let value = |v: Vector3<f64>| (0..3).map(|k| sigma[k] * v[k] * v[k]).sum::<f64>();
+    let (mut low, mut high) = (-1.0 / sigma[most], -1.0 / sigma[least]);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if value(at(middle)) > 0.0 { low = middle } else { high = middle }
+    }
+    let lambda = 0.5 * (low + high);
+    let mut v = at(lambda);
+    let end = if lambda < 0.0 { most } else { least };
+    if 1.0 + lambda * sigma[end] < SINGULAR {
+        for k in (0..3).filter(|&k| 1.0 + lambda * sigma[k] < SINGULAR) {
+            v[k] = 0.0;
+        }
+        v[end] = (-value(v) / sigma[end]).max(0.0).sqrt() * if u[end] < 0.0 { -1.0 } else { 1.0 };
+    }
+    onto_cone(&cone, eigen.eigenvectors * v)
+}
+
+/// A line near the cone moved onto it along the gradient 2Sv of vᵀSv, to the last digits that bisection leaves open.
+fn onto_cone(cone: &Matrix3<f64>, mut v: Vector3<f64>) -> [f64; 3] {
+    for _ in 0..3 {
+        v.normalize_mut();
+        let gradient = 2.0 * cone * v;
+        if is_on_cone(cone, v.into()) || gradient.norm_squared() == 0.0 {
+            break;
+        }
+        v -= gradient * (0.5 * v.dot(&gradient) / gradient.norm_squared());
+    }
+    normalised(v.into())
+}
+
+/// s with s(n × An) = n × r on the cone; `None` for a principal axis (within `rounding`), where the left side vanishes.
+fn squared_spin(difference: [f64; 3], r: [f64; 3], up: [f64; 3], rounding: f64) -> Option<f64> {
+    let products = [up[1] * up[2], up[2] * up[0], up[0] * up[1]];
+    if (0..3).all(|k| difference[k] == 0.0 || products[k].abs() <= rounding) {
+        return None;
+    }
+    let (left, right) = ([0, 1, 2].map(|k| difference[k] * products[k]), cross(up, r));
+    // Beside a principal axis the square of the left side would leave the range of doubles.
+    let size = left.into_iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let left = left.map(|x| x / size);
+    let s = if norm(right) <= 1e-13 * norm(r) { 0.0 } else { dot(left, right) / dot(left, left) / size };
+    Some(s)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn body(a: [&str; 3], r: [&str; 3]) -> Body {
+        Body::parse(&a, &r).unwrap()
+    }
+
+    #[test]
+    fn only_principal_axes_of_the_centre_of_mass_are_permanent() {
+        let axis = |a: [&str; 3], r: [&str; 3], up| permanent_axis(&body(a, r), up).map(|found| found.direction);
+        let (apart, symmetric) = (["1", "2", "3"], ["1", "1", "2"]);
+        assert_eq!(axis(apart, ["0", "1", "0"], [0.6, -0.8, 0.0]), Some([0.0, -1.0, 0.0]));
+        assert_eq!(axis(apart, ["0", "0", "0"], [0.6, 0.8, 0.0]), Some([0.0, 1.0, 0.0]));
+        assert_eq!(axis(apart, ["0", "1", "1"], [0.0, 1.0, 0.0]), None);
+        // Every axis across that of symmetry is principal.
+        assert_eq!(axis(symmetric, ["3", "4", "0"], [1.0, 0.0, 0.0]), Some([0.6, 0.8, 0.0]));
+        assert_eq!(axis(symmetric, ["0", "0", "0"], [0.6, 0.8, 0.0]), Some([0.6, 0.8, 0.0]));
+        assert_eq!(axis(["1", "1", "1"], ["0", "3", "-4"], [0.0, 0.0, 1.0]), Some([0.0, -0.6, 0.8]));
+    }
+
+    /// s A γ + r is along γ, with γ = −axis up or down.
+    fn assert_steady(body: &Body, found: &NearestAxis) {
+        let (a, r, s) = (body.moments_f64(), body.center_f64(), found.squared_spin.unwrap());
+        let gamma = found.axis.map(|x| if s < 0.0 { x } else { -x });
+        let force: [f64; 3] = std::array::from_fn(|k| s.abs() * a[k] * gamma[k] + r[k]);
+        assert!(norm(cross(force, gamma)) < 1e-9, "{found:?}");
+    }
+
+    /// The nearest permanent axis of a body whose centre of mass lies on none: on Staude's cone, with its spin.
+    #[test]
+    fn the_nearest_axis_lies_on_the_cone_of_staude() {
+        let (body, up) = (body(["2", "1", "1.5"], ["0.3", "0.4", "0.5"]), [0.6, 0.0, 0.8]);
+        // With one of its ends up it is permanent, with the other it would need s < 0.
+        let both = [up, up.map(|x: f64| -x)].map(|up| nearest_permanent(&body, up).unwrap());
+        assert!(both.iter().filter(|found| found.omega().is_some()).count() == 1, "{both:?}");
+        for found in both {
+            assert_steady(&body, &found);
+            assert!(found.angle < 0.6);
+        }
+    }
+
+    /// An axis given with all its digits is on the cone however near it is to a principal one.
+    #[test]
+    fn an_axis_beside_a_principal_one_has_its_own_spin() {
+        let body = body(["3", "1", "2"], ["0.5", "0.25", "1"]);
+        for omega in [1e3_f64, 1e10, 1e30, 1e80] {
+            // s(A - A₂)n = r across the axis, in the limit of large s.
+            let s = omega * omega;
+            let found = nearest_permanent(&body, [0.5 / (2.0 * s), 1.0, 1.0 / s]).unwrap();
+            let spin = found.squared_spin.unwrap();
+            assert!(found.angle < 1e-6 && (spin.abs() / s - 1.0).abs() < 1e-5, "{omega} {found:?}");
+        }
+    }
+
+    /// Midway between the two planes into which the cone falls the nearest axis is not the one that is asked about.
+    #[test]
+    fn an_axis_midway_between_planes_of_the_cone_is_not_on_it() {
+        let found = nearest_permanent(&body(["1", "2", "3"], ["0", "0", "1"]), [1.0, 1.0, 0.0]).unwrap();
+        assert!((found.angle.to_degrees() - 45.0).abs() < 1e-9, "{found:?}");
+    }
+}

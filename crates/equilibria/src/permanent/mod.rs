@@ -1,0 +1,27 @@
+//! Rotation about a principal axis through the centre of mass, which is permanent at every spin.
+//!
+//! With the vertical along the axis k, ρ = ⟨γ, r⟩ (positive: hanging), C = A_k, the other moments A and B, and s = Ω²:
+//! h = sC/2 − ρ, l = CΩ, and by Theorem 13.1 of docs/mathematics.md the eigenvalues of the linearised flow satisfy
+//! λ⁴ + bλ² + c = 0 with
+//!
+//! - c = K_A K_B / (AB), K_A = ρ + s(C − A), K_B = ρ + s(C − B),
+//! - b = [s(A + B − C)² + A K_A + B K_B] / (AB).
+//!
+//! All are polynomials in s with rational coefficients: where the type changes is a root of K_A, K_B or of the quadratic
+//! (AB)²(b² − 4c), isolated exactly.
+
+mod cone;
+mod near;
+mod rotation;
+mod spin_type;
+mod squares;
+mod steady;
+mod tolerance;
+
+pub use cone::{NearestAxis, PermanentAxis, nearest_permanent, permanent_axis};
+pub use near::{BoxedBody, SettledTypes, Vector, settled_types};
+pub use rotation::AxisRotation;
+pub use spin_type::{SpinChange, SpinType};
+pub use squares::Squares;
+pub use steady::{SteadyRotation, exact_spin, nearest_steady};
+pub use tolerance::{INPUTS, SAMPLES, SpinRange, sampled_bodies, spin_ranges};

@@ -1,0 +1,297 @@
+//! Rotation about a principal axis through the centre of mass: its spectral type over the spin, exactly.
+
+use bifdiag_numbers::polynomial::{Polynomial, Root, rational};
+use bifdiag_numbers::symmetric::{self, Real};
+use bifdiag_numbers::vector::dot;
+use bifdiag_numbers::{Number, Sign};
+use dashu_ratio::RBig;
+
+use super::cone::PermanentAxis;
+use super::spin_type::{SpinChange, SpinType};
+use super::squares::Squares;
+use crate::critical::Multiplicity;
+use crate::stability::{LinearType, Setting, Signs, Verdict};
+use bifdiag_body::{Body, BodyAxis};
+
+/// Digits of |r| where it is not rational.
+const DIGITS: usize = 60;
+
+/// Rotation about a principal axis through the centre of mass with the vertical at one of its ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisRotation {
+    axis: BodyAxis,
+    /// C, A, B.
+    pub moments: [RBig; 3],
+    /// ρ.
+    pub weight: RBig,
+}
+
+impl AxisRotation {
+    /// Rotation about a principal axis with γ = ±e_axis; `None` when the centre of
+    /// mass does not lie on the axis.
+    #[must_use]
+    pub fn new(body: &Body, axis: BodyAxis, gamma: Sign) -> Option<Self> {
+        let others = axis.others();
+        if others.iter().any(|&k| !body.center()[k].value().is_zero()) {
+            return None;
+        }
+        let moment = |k: BodyAxis| body.moments()[k].value().clone();
+        let weight = gamma.orient(body.center()[axis].value().clone());
+        Some(Self { axis, moments: [moment(axis), moment(others[0]), moment(others[1])], weight })
+    }
+
+    /// Rotation about an axis that is permanent at every spin, with γ along its direction or against it; where |r| is
+    /// not rational it is rounded to 60 digits.
+    #[must_use]
+    pub fn about(body: &Body, PermanentAxis { axis, direction }: PermanentAxis, gamma: Sign) -> Option<Self> {
+        let along = if direction[axis] < 0.0 { -gamma } else { gamma };
+        let on_axis = Self::new(body, axis, along);
+        on_axis.or_else(|| {
+            let r = body.center_f64();
+            let exact = body.center().each_ref().map(|x| x.value().clone());
+            let length = Real::root_of(&symmetric::dot(&exact, &exact), DIGITS).lo;
+            let weight = gamma.orient(if dot(direction, r) < 0.0 { -length } else { length });
+            let moment = |k: BodyAxis| body.moments()[k].value().clone();
+            let [second, third] = axis.others();
+            Some(Self { axis, moments: [moment(axis), moment(second), moment(third)], weight })
+        })
+    }
+
+    /// The body that turns, its centre of mass at the end of the axis that points along γ.
+    pub(super) fn body(&self) -> Option<Body> {
+        let mut moments = [const { String::new() }; 3];
+        let [second, third] = self.axis.others();
+        for (k, moment) in [self.axis, second, third].into_iter().zip(&self.moments) {
+            moments[k] = moment.to_string();
+        }
+        let center: [String; 3] =
+            BodyAxis::ALL.map(|k| if k == self.axis { self.weight.to_string() } else { "0".to_owned() });
+        Body::parse(&moments.each_ref().map(String::as_str), &center.each_ref().map(String::as_str)).ok()
+    }
+
+    /// The axis.
+    #[must_use]
+    pub fn axis(&self) -> BodyAxis {
+        self.axis
+    }
+
+    /// K_A, K_B and AB·b as polynomials in s.
+    fn polynomials(&self) -> [Vec<RBig>; 3] {
+        let [c, a, b] = &self.moments;
+        let stiffness = |moment: &RBig| vec![self.weight.clone(), c - moment];
+        let (first, second) = (stiffness(a), stiffness(b));
+        let coupling = a + b - c;
+        let gyroscopic = vec![RBig::ZERO, &coupling * &coupling];
+        let sum = rational::add(&rational::scale(&first, a), &rational::scale(&second, b));
+        let whole = rational::add(&gyroscopic, &sum);
+        [first, second, whole]
+    }
+
+    /// (AB)²(b² − 4c) as a polynomial in s.
+    fn discriminant(&self) -> Vec<RBig> {
+        let [_, a, b] = &self.moments;
+        let [first, second, whole] = self.polynomials();
+        let product = rational::scale(&rational::mul(&first, &second), &(RBig::from(4) * a * b));
+        rational::sub(&rational::mul(&whole, &whole), &product)
+    }
+
+    /// How many rotations at the same spin it is one of: where r = 0, those about all axes of an eigenspace of A.
+    #[must_use]
+    pub fn multiplicity(&self) -> Multiplicity {
+        let [c, a, b] = &self.moments;
+        match (self.weight.is_zero(), c == a, c == b) {
+            (true, true, true) => Multiplicity::Sphere,
+            (true, true, false) | (true, false, true) => Multiplicity::Circle,
+            _ => Multiplicity::Points(1),
+        }
+    }
+
+    /// Signs of K_A and K_B at a positive s; where one is 0 at every s (along a circle of equilibria), positive.
+    fn stiffness(&self, s: &RBig) -> [Sign; 2] {
+        let [first, second, _] = self.polynomials();
+        let is_zero = |p: &[RBig]| p.iter().all(RBig::is_zero);
+        [first, second].map(|p| if is_zero(&p) { Sign::Positive } else { sign_at(&p, s) })
+    }
+
+    /// The linear type at a positive s; across a circle or sphere of equilibria.
+    fn linear_type_at(&self, s: &RBig) -> LinearType {
+        let [.., whole] = self.polynomials();
+        let b = sign_at(&whole, s);
+        if self.multiplicity() != Multiplicity::Points(1) {
+            return Signs::transverse_type(b);
+        }
+        let [first, second] = self.stiffness(s);
+        Signs { b, c: first * second, discriminant: sign_at(&self.discriminant(), s) }.linear_type()
+    }
+
+    /// The type at a positive s.
+    fn type_at(&self, s: &RBig) -> SpinType {
+        match self.linear_type_at(s) {
+            _ if self.stiffness(s) == [Sign::Positive; 2] => SpinType::Minimum,
+            LinearType::Elliptic | LinearType::DoubleElliptic => SpinType::Elliptic,
+            LinearType::SaddleCentre => SpinType::SaddleCentre,
+            LinearType::Saddle => SpinType::Saddle,
+            LinearType::DoubleReal => SpinType::DoubleReal,
+            LinearType::Complex => SpinType::Complex,
+            LinearType::Zero => SpinType::Zero,
+            LinearType::ZeroReal => SpinType::ZeroReal,
+        }
+    }
+
+    /// All spins Ω > 0 at which the type changes, ascending; none where r = 0, since there the spin is only a unit of
+    /// time.
+    #[must_use]
+    pub fn changes(&self) -> Vec<SpinChange> {
+        let [first, second, _] = self.polynomials();
+        let mut roots: Vec<Root> = Vec::new();
+        for coefficients in [first, second, self.discriminant()] {
+            let polynomial = Polynomial::from_rationals(&coefficients);
+            if polynomial.is_zero() {
+                continue;
+            }
+            for mut root in polynomial.positive_roots().unwrap_or_default() {
+                root.refine(120);
+                roots.push(root);
+            }
+        }
+        roots.sort_by(|p, q| p.lo.cmp(&q.lo));
+        // Equal roots of two of the polynomials overlap.
+        roots.dedup_by(|later, earlier| later.lo <= earlier.hi);
+        let mut changes = Vec::new();
+        for (k, root) in roots.iter().enumerate() {
+            let two = RBig::from(2);
+            let below =
+                k.checked_sub(1).map_or_else(|| &root.lo / &two, |before| (&roots[before].hi + &root.lo) / &two);
+            let above = roots.get(k + 1).map_or_else(|| &root.hi * &two, |after| (&root.hi + &after.lo) / &two);
+            let (from, to) = (self.type_at(&below), self.type_at(&above));
+            if from != to {
+                let omega = root.hi.to_f64().value().sqrt();
+                let error_bound = 4.0 * f64::EPSILON * omega;
+                changes.push(SpinChange { omega, error_bound, from, to, squared: root.clone() });
+            }
+        }
+        changes
+    }
+
+    /// The type at a spin Ω ≠ 0.
+    #[must_use]
+    pub fn type_at_spin(&self, omega: &RBig) -> Option<SpinType> {
+        (!omega.is_zero()).then(|| self.type_at(&(omega * omega)))
+    }
+
+    /// The linear type at a spin Ω ≠ 0, and what is known of the rotation (Proposition 13.6 of docs/mathematics.md): what
+    /// [`critical`](crate::critical::critical()) says of it at the same l.
+    #[must_use]
+    pub fn stability_at_spin(&self, omega: &RBig) -> Option<(LinearType, Verdict)> {
+        if omega.is_zero() {
+            return None;
+        }
+        let (s, [_, a, b]) = (omega * omega, &self.moments);
+        let (kind, stiffness) = (self.linear_type_at(&s), self.stiffness(&s));
+        let falling = stiffness.into_iter().map(|sign| u8::from(sign == Sign::Negative)).sum();
+        let setting = Setting {
+            index: falling,
+            // μ is at least the largest moment: K_A, K_B ≥ 0 and ρ = s(μ − C) ≥ 0.
+            global_minimum: self.weight >= RBig::ZERO && falling == 0,
+            integral: a == b || self.weight.is_zero(),
+        };
+        Some((kind, setting.verdict(kind)))
+    }
+
+    /// l at a spin.
+    #[must_use]
+    pub fn l(&self, omega: f64) -> f64 {
+        self.moments[0].to_f64().value() * omega
+    }
+
+    /// (h, l) at a spin, exactly on the curve.
+    #[must_use]
+    pub fn point(&self, omega: &RBig) -> (Number, Number) {
+        let l = &self.moments[0] * omega;
+        let h = &l * omega / RBig::from(2) - &self.weight;
+        (Number::from_rational(h), Number::from_rational(l))
+    }
+
+    /// h at a spin.
+    #[must_use]
+    pub fn h(&self, omega: f64) -> f64 {
+        0.5 * self.moments[0].to_f64().value() * omega * omega - self.weight.to_f64().value()
+    }
+
+    /// λ₁² and λ₂² at a spin: real ones, or the real and imaginary parts of a conjugate pair.
+    #[must_use]
+    pub fn squared_eigenvalues(&self, omega: &RBig) -> Squares {
+        let [_, a, b] = self.moments.each_ref().map(|x| x.to_f64().value());
+        // Exact up to here: beside a root of the discriminant nothing of its sign is lost.
+        let s = omega * omega;
+        let at = |c: &[RBig]| c.iter().rev().fold(RBig::ZERO, |sum, c| sum * &s + c).to_f64().value();
+        let [first, second, whole] = self.polynomials().map(|c| at(&c));
+        let (half, product) = (0.5 * whole / (a * b), first * second / (a * b));
+        let discriminant = at(&self.discriminant()) / (4.0 * a * a * b * b);
+        if discriminant == 0.0 {
+            return Squares::Real([-half; 2]);
+        }
+        if discriminant < 0.0 {
+            return Squares::Conjugate { re: -half, im: (-discriminant).sqrt() };
+        }
+        // The larger one without cancellation, the other from the product.
+        let root = discriminant.sqrt();
+        let larger = -(half + if half < 0.0 { -root } else { root });
+        let smaller = if larger == 0.0 { 0.0 } else { product / larger };
+        Squares::Real([larger, smaller])
+    }
+}
+
+/// The sign of a polynomial.
+fn sign_at(coefficients: &[RBig], s: &RBig) -> Sign {
+    coefficients.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c).cmp(&RBig::ZERO).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rotation(a: [&str; 3], r: [&str; 3], axis: usize, gamma: Sign) -> AxisRotation {
+        AxisRotation::new(&Body::parse(&a, &r).unwrap(), BodyAxis::ALL[axis], gamma).unwrap()
+    }
+
+    /// Lagrange's upright top sleeps from C²Ω² = 4 A r on.
+    #[test]
+    fn the_sleeping_top_wakes_at_its_threshold() {
+        let upright = rotation(["2", "2", "0.5"], ["0", "0", "3"], 2, Sign::Negative);
+        let changes = upright.changes();
+        let threshold = 4.0 * (2.0_f64 * 3.0).sqrt();
+        assert_eq!(changes.len(), 1);
+        assert!((changes[0].omega - threshold).abs() < changes[0].error_bound);
+        assert_eq!((changes[0].from, changes[0].to), (SpinType::Complex, SpinType::Elliptic));
+        assert!(
+            rotation(["2", "2", "0.5"], ["0", "0", "3"], 2, Sign::Positive)
+                .changes()
+                .iter()
+                .all(|change| change.to.is_stable())
+        );
+    }
+
+    /// An asymmetric upright top: c < 0 between the roots of K_A and K_B.
+    #[test]
+    fn an_asymmetric_top_is_a_saddle_between_two_spins() {
+        // C = 3 > A, B: K_A = -1 + 2 s, K_B = -1 + s.
+        let changes = rotation(["1", "2", "3"], ["0", "0", "1"], 2, Sign::Negative).changes();
+        let types: Vec<_> = changes.iter().map(|change| (change.from, change.to)).collect();
+        assert_eq!(types.last(), Some(&(SpinType::SaddleCentre, SpinType::Minimum)));
+        let last = &changes[changes.len() - 1];
+        assert!((last.omega - 1.0).abs() <= last.error_bound);
+        let before = &changes[changes.len() - 2];
+        assert!((before.omega - 0.5_f64.sqrt()).abs() <= before.error_bound);
+    }
+
+    /// The middle axis of a free body is unstable, at every spin.
+    #[test]
+    fn a_free_body_tumbles_about_its_middle_axis() {
+        let body = ["1", "2", "3"];
+        let free = |axis| rotation(body, ["0", "0", "0"], axis, Sign::Positive);
+        let types = [0, 1, 2].map(|axis| free(axis).type_at_spin(&RBig::ONE));
+        assert_eq!(types, [SpinType::Elliptic, SpinType::SaddleCentre, SpinType::Minimum].map(Some));
+        assert!((0..3).all(|axis| free(axis).changes().is_empty()));
+    }
+}

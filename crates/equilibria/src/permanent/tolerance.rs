@@ -1,0 +1,339 @@
+//! What uncertain moments and weight do to the spins at which a rotation changes.
+//!
+//! With w = −ρ the roots of K_A, K_B and of the discriminant (see the head of this folder) are s = w/(C − A), w/(C − B) and, by
+//! Proposition 13.7 of docs/mathematics.md, where p = 2A − C and q = 2B − C have one sign and w > 0,
+//!
+//! - s± = 2w (√(A|q|) ± √(B|p|))² / (C² (|p| + |q|)).
+//!
+//! Over a box of parts each of them lies in an interval. Outside these intervals no root lies for any part of the box, and
+//! the box is connected: the type between two of them is that of one part.
+
+use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
+use bifdiag_numbers::interval::Interval;
+use dashu_ratio::RBig;
+
+use super::rotation::AxisRotation;
+use super::spin_type::{SpinChange, SpinType};
+use bifdiag_body::Body;
+
+/// The inputs that are varied, as they are told.
+pub const INPUTS: [&str; 4] =
+    ["moment about the axis", "first other moment", "second other moment", "weight times distance"];
+
+/// Parts that are tried: each input less, nominal and more.
+pub const SAMPLES: usize = 81;
+
+/// The moments are cut into so many pieces each, so that the intervals are narrow.
+const PIECES: u32 = 20;
+
+/// Spins at which a change may lie, over a box of parts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpinRange {
+    /// The type of every part at slower spins, as far as the next range; `None` where the range begins at rest.
+    pub from: Option<SpinType>,
+    /// The type of every part at faster spins; `None` where the range has no end.
+    pub to: Option<SpinType>,
+    /// Bounds on the spins Ω: no part of the box changes outside all ranges.
+    pub omega: [f64; 2],
+    /// Types other than these two that some of the sampled parts have inside.
+    pub between: Vec<SpinType>,
+    /// The input that moves the last nominal change in the range most by itself, and how far in Ω.
+    pub most: Option<(&'static str, f64)>,
+}
+
+/// The ranges of spins, ascending and apart, in which rotation of a part may change its type when C, A, B and the weight are
+/// known to relative tolerances below 1.
+#[must_use]
+pub fn spin_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<SpinRange> {
+    let ranges = joined(root_ranges(rotation, tolerances));
+    let gap = |low: f64, high: f64| {
+        let middle = if high.is_finite() { 0.5 * (low + high) } else { 2.0 * low.max(1.0) };
+        // A gap of a few doubles has no middle.
+        let is_between = low < middle && middle < high;
+        is_between.then(|| RBig::try_from(middle.sqrt()).ok()).flatten().and_then(|at| rotation.type_at_spin(&at))
+    };
+    let nominal = rotation.changes();
+    let sampled: Vec<Vec<SpinChange>> =
+        (0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances).changes()).collect();
+    let mut found = Vec::new();
+    for (number, &[low, high]) in ranges.iter().enumerate() {
+        let before = number.checked_sub(1).map_or(0.0, |k| ranges[k][1]);
+        let after = ranges.get(number + 1).map_or(f64::INFINITY, |next| next[0]);
+        let (from, to) = (gap(before, low), gap(high, after));
+        let omega = [low.sqrt().next_down().max(0.0), high.sqrt().next_up()];
+        let within = |change: &&SpinChange| omega[0] <= change.omega && change.omega <= omega[1];
+        let mut between: Vec<SpinType> =
+            sampled.iter().flatten().filter(within).flat_map(|change| [change.from, change.to]).collect();
+        between.sort();
+        between.dedup();
+        between.retain(|found| Some(*found) != from && Some(*found) != to);
+        let last = nominal.iter().rposition(|change| within(&change));
+        found.push(SpinRange { from, to, omega, between, most: last.and_then(|k| most(&nominal, &sampled, k)) });
+    }
+    // Where discriminant and stiffness vanish together the ends round.
+    found.retain(|range| range.from != range.to || !range.between.is_empty() || range.from.is_none());
+    found
+}
+
+/// The bodies of the sampled parts; `None` where one is no body.
+pub fn sampled_bodies(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> impl Iterator<Item = Option<Body>> {
+    (0..SAMPLES).map(|number| varied(rotation, steps(number), tolerances).body())
+}
+
+/// How many of the steps of a sampled part: −1, 0 or 1 tolerance for each input.
+fn steps(number: usize) -> [i8; 4] {
+    let mut rest = number;
+    std::array::from_fn(|_| {
+        let step = [-1, 0, 1][rest % 3];
+        rest /= 3;
+        step
+    })
+}
+
+/// Each input times 1 + step · tolerance.
+fn varied(rotation: &AxisRotation, steps: [i8; 4], tolerances: &[RBig; 4]) -> AxisRotation {
+    let factor = |k: usize| RBig::ONE + &tolerances[k] * RBig::from(steps[k]);
+    let mut varied = rotation.clone();
+    for (k, moment) in varied.moments.iter_mut().enumerate() {
+        *moment = &*moment * factor(k);
+    }
+    varied.weight = &rotation.weight * factor(3);
+    varied
+}
+
+/// The input that by itself moves the nominal change of this number most, among parts with the same changes.
+fn most(nominal: &[SpinChange], sampled: &[Vec<SpinChange>], at: usize) -> Option<(&'static str, f64)> {
+    let types = |found: &[SpinChange]| found.iter().map(|c| [c.from, c.to]).collect::<Vec<_>>();
+    let mut most: Option<(&'static str, f64)> = None;
+    for (number, found) in sampled.iter().enumerate() {
+        let steps = steps(number);
+        let [input] = (0..4).filter(|&k| steps[k] != 0).collect::<Vec<_>>()[..] else { continue };
+        if types(found) != types(nominal) {
+            continue;
+        }
+        let moved = (found[at].omega - nominal[at].omega).abs();
+        if moved > most.map_or(0.0, |(_, far)| far) {
+            most = Some((INPUTS[input], moved));
+        }
+    }
+    most
+}
+
+/// Ranges that overlap become one.
+fn joined(mut ranges: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    ranges.sort_by(|p, q| p[0].total_cmp(&q[0]));
+    let mut joined: Vec<[f64; 2]> = Vec::new();
+    for [low, high] in ranges {
+        match joined.last_mut() {
+            Some(last) if low <= last[1] => last[1] = last[1].max(high),
+            _ => joined.push([low, high]),
+        }
+    }
+    joined
+}
+
+/// Intervals of s that hold every root of K_A, K_B and the discriminant over the box.
+fn root_ranges(rotation: &AxisRotation, tolerances: &[RBig; 4]) -> Vec<[f64; 2]> {
+    let around = |value: &RBig, tolerance: &RBig| {
+        let end = |factor: RBig| Interval::rational(&(value * factor), ());
+        end(RBig::ONE - tolerance).hull(&end(RBig::ONE + tolerance))
+    };
+    let [axis, first, second]: [Interval; 3] = std::array::from_fn(|k| around(&rotation.moments[k], &tolerances[k]));
+    let weight = -around(&rotation.weight, &tolerances[3]);
+    let mut ranges: Vec<[f64; 2]> =
+        [first, second].into_iter().filter_map(|moment| quotient(weight, axis - moment)).collect();
+    if weight.is_positive() == Some(true) {
+        ranges.extend(collisions(axis, first, second).into_iter().flatten().map(|range| {
+            let range = range * weight.twice();
+            [range.lo.max(0.0), range.hi]
+        }));
+    }
+    // At rest nothing turns.
+    ranges.retain(|range| range[1] > 0.0);
+    ranges
+}
+
+/// All positive quotients of two intervals, of which the first is zero or has a sign.
+fn quotient(weight: Interval, difference: Interval) -> Option<[f64; 2]> {
+    let Some(upward) = weight.is_positive() else {
+        // s (C − A) alone: no root at any spin but where the difference vanishes.
+        return difference.is_positive().is_none().then_some([0.0, f64::INFINITY]);
+    };
+    let (weight, difference) = if upward { (weight, difference) } else { (-weight, -difference) };
+    if difference.hi <= 0.0 {
+        return None;
+    }
+    let least = (weight / Interval::point(difference.hi)).lo.max(0.0);
+    let most = if difference.lo > 0.0 { (weight / Interval::point(difference.lo)).hi } else { f64::INFINITY };
+    Some([least, most])
+}
+
+/// s−/(2w) and s+/(2w) over a box of moments, each the hull over its pieces; `None` where p and q have different signs
+/// throughout.
+fn collisions(axis: Interval, first: Interval, second: Interval) -> [Option<Interval>; 2] {
+    let mut hulls: [Option<Interval>; 2] = [None, None];
+    let [axis, first, second] = [axis, first, second].map(pieces);
+    for c in &axis {
+        for a in &first {
+            for b in &second {
+                let Some(found) = collisions_of_piece(*c, *a, *b) else { continue };
+                for (hull, found) in hulls.iter_mut().zip(found) {
+                    *hull = Some(hull.map_or(found, |hull| hull.hull(&found)));
+                }
+            }
+        }
+    }
+    hulls
+}
+
+fn collisions_of_piece(c: Interval, a: Interval, b: Interval) -> Option<[Interval; 2]> {
+    let (p, q) = (a.twice() - c, b.twice() - c);
+    if let (Some(p), Some(q)) = (p.is_positive(), q.is_positive())
+        && p != q
+    {
+        return None;
+    }
+    let size = |x: Interval| match x.is_positive() {
+        Some(true) => x,
+        Some(false) => -x,
+        None => Interval::between(0.0, x.magnitude()),
+    };
+    let (p, q) = (size(p), size(q));
+    let sum = ((a * q).sqrt() + (b * p).sqrt()).square();
+    let below = c.square() * (p + q);
+    // (√(Aq) + √(Bp))² ≤ (A + B)(p + q), (√(Aq) − √(Bp))² ≤ max(A, B)(p + q), and their product is C⁴(B − A)².
+    let most = |moment: Interval| Interval::between(0.0, (moment / c.square()).hi);
+    let kept = |found: Interval, most: Interval| found.meet(&most).unwrap_or(most);
+    let upper = kept(sum / below, most(a + b));
+    let lower = if a == b && a.lo >= a.hi {
+        Interval::ZERO
+    } else {
+        kept((b - a).square() / (sum * (p + q)), most(a.hull(&b)))
+    };
+    Some([lower, upper])
+}
+
+/// An interval in pieces that cover it; one alone where it is a point.
+fn pieces(whole: Interval) -> Vec<Interval> {
+    if whole.lo >= whole.hi {
+        return vec![whole];
+    }
+    let end = |k: u32| {
+        if k == PIECES { whole.hi } else { whole.lo + (whole.hi - whole.lo) * (f64::from(k) / f64::from(PIECES)) }
+    };
+    (0..PIECES).map(|k| Interval::between(end(k), end(k + 1))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bifdiag_body::{Body, BodyAxis};
+    use bifdiag_numbers::Sign;
+
+    fn percent(n: u32) -> RBig {
+        RBig::from_parts(n.into(), 100u32.into())
+    }
+
+    fn alike(tolerance: &RBig) -> [RBig; 4] {
+        std::array::from_fn(|_| tolerance.clone())
+    }
+
+    /// Ω = 2 √(Ar)/C of a top that is symmetric: C counts once, A and r half.
+    #[test]
+    fn the_axial_moment_matters_most_to_a_sleeping_top() {
+        let body = Body::parse(&["2", "2.000001", "0.5"], &["0", "0", "3"]).unwrap();
+        let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Negative).unwrap();
+        let found = spin_ranges(&rotation, &alike(&percent(1)));
+        // At rest a part that is nearly symmetric has two real pairs or a quadruple.
+        assert_eq!((found.len(), found[0].from, found[0].omega[0]), (2, None, 0.0), "{found:?}");
+        let last = &found[1];
+        assert_eq!((last.from, last.to), (Some(SpinType::Complex), Some(SpinType::Elliptic)));
+        let (input, moved) = last.most.unwrap();
+        assert_eq!(input, INPUTS[0]);
+        let nominal = 4.0 * 6.0_f64.sqrt();
+        assert!((moved / nominal - 1.0 / 99.0).abs() < 1e-5, "{found:?}");
+        // The extremes of a symmetric top lie at corners of the box, and the bounds are hardly wider.
+        let [least, most] = [(0.99, 1.01), (1.01, 0.99)].map(|(more, less): (f64, f64)| nominal * more / less);
+        assert!(last.omega[0] <= least && least - last.omega[0] < 0.1 * (nominal - least), "{found:?}");
+        assert!(last.omega[1] >= most && last.omega[1] - most < 0.1 * (most - nominal), "{found:?}");
+    }
+
+    /// Every change of random parts of the box lies in a range, and between the ranges their types are those that are told.
+    #[test]
+    fn no_part_of_the_box_changes_outside_the_ranges() {
+        let mut state = 1_u64;
+        let mut random = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            i64::try_from(state >> 44).unwrap()
+        };
+        let (mut inside, mut gaps) = (0, 0);
+        for _ in 0..25 {
+            let moments: [String; 3] = std::array::from_fn(|_| format!("{}/1000000", 300_000 + random()));
+            let body = Body::parse(&moments.each_ref().map(String::as_str), &["0", "0", "1"]).unwrap();
+            for gamma in Sign::BOTH {
+                let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], gamma).unwrap();
+                let tolerances: [RBig; 4] =
+                    std::array::from_fn(|_| RBig::from_parts((random() % 60).into(), 1000u32.into()));
+                let ranges = spin_ranges(&rotation, &tolerances);
+                for _ in 0..40 {
+                    let mut part = rotation.clone();
+                    let mut factor = |k: usize| {
+                        let step = RBig::from_parts((random() % 2001 - 1000).into(), 1000u32.into());
+                        RBig::ONE + &tolerances[k] * step
+                    };
+                    for (k, moment) in part.moments.iter_mut().enumerate() {
+                        *moment = &*moment * factor(k);
+                    }
+                    part.weight = &part.weight * factor(3);
+                    for change in part.changes() {
+                        let within =
+                            |range: &&SpinRange| range.omega[0] <= change.omega && change.omega <= range.omega[1];
+                        assert!(ranges.iter().any(|range| within(&range)), "{part:?} {change:?}\n{ranges:?}");
+                        inside += 1;
+                    }
+                    for (k, range) in ranges.iter().enumerate() {
+                        let next = ranges.get(k + 1).map_or(2.0 * range.omega[1], |next| next.omega[0]);
+                        let middle = 0.5 * (range.omega[1] + next);
+                        if let Some(to) = range.to {
+                            assert_eq!(
+                                part.type_at_spin(&RBig::try_from(middle).unwrap()),
+                                Some(to),
+                                "{part:?}\n{ranges:?}"
+                            );
+                            gaps += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(inside > 500 && gaps > 500, "{inside} {gaps}");
+    }
+
+    /// Without tolerance the ranges are the changes.
+    #[test]
+    fn exact_inputs_have_exact_changes() {
+        let body = Body::parse(&["1", "1.3", "1.6"], &["0", "0", "1"]).unwrap();
+        for gamma in Sign::BOTH {
+            let rotation = AxisRotation::new(&body, BodyAxis::ALL[2], gamma).unwrap();
+            let (found, changes) = (spin_ranges(&rotation, &alike(&RBig::ZERO)), rotation.changes());
+            assert_eq!(found.len(), changes.len(), "{found:?}\n{changes:?}");
+            for (range, change) in found.iter().zip(&changes) {
+                assert_eq!((range.from, range.to), (Some(change.from), Some(change.to)));
+                assert!(range.omega[0] <= change.omega && change.omega <= range.omega[1]);
+                assert!(range.omega[1] - range.omega[0] < 1e-12 * change.omega, "{range:?}");
+            }
+        }
+    }
+
+    /// A free body has no changes, but moments that may be equal leave its stability open.
+    #[test]
+    fn a_free_body_is_open_where_moments_may_be_equal() {
+        let rotation = |a: [&str; 3]| {
+            let body = Body::parse(&a, &["0", "0", "0"]).unwrap();
+            spin_ranges(&AxisRotation::new(&body, BodyAxis::ALL[2], Sign::Positive).unwrap(), &alike(&percent(1)))
+        };
+        assert_eq!(rotation(["1", "2", "2.5"]), []);
+        let open = rotation(["1", "2", "2.01"]);
+        assert_eq!((open.len(), open[0].from, open[0].to, open[0].omega), (1, None, None, [0.0, f64::INFINITY]));
+    }
+}

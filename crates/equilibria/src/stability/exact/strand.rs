@@ -1,0 +1,224 @@
+//! A family of relative equilibria on a coordinate t > 0, with the conditions for a change of type as polynomials in t.
+
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+
+use super::body::ExactBody;
+use super::forms::Forms;
+use crate::stability::{Constants, State};
+use bifdiag_body::Axis;
+use bifdiag_numbers::enclosure::Enclosure;
+use bifdiag_numbers::polynomial::{Polynomial, Root, rational};
+
+/// Which family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// The generic family over an interval between active moments, numbered from μ = −∞.
+    Generic(usize),
+    /// The family over the passive moment of this axis.
+    Over(Axis),
+}
+
+/// How t stands for the parameter.
+#[derive(Clone, Debug)]
+enum Chart {
+    /// μ = a_first − t.
+    Left(Axis),
+    /// μ = a_left + (a_right − a_left) t, t < 1.
+    Inner(Axis, Axis),
+    /// μ = a_last + t.
+    Right(Axis),
+    /// z = 1/s² = z_max t, t < 1.
+    Over { axis: Axis, z_max: RBig },
+}
+
+/// A family on its coordinate.
+#[derive(Clone, Debug)]
+pub struct Strand {
+    /// The family.
+    pub family: Family,
+    chart: Chart,
+    /// Pieces are numbered against t: by rising μ, by rising s, and on an axis by rising l.
+    pub is_reversed: bool,
+    /// Of the sign of c; the zero polynomial on a circle of equilibria.
+    pub zero: Polynomial,
+    /// Its factor that changes sign at cusps.
+    pub cusp: Polynomial,
+    /// Where the pairs over passive moments leave the family: the axis and t.
+    pub pitchforks: Vec<(Axis, RBig)>,
+    /// Of the sign of b.
+    pub swing: Polynomial,
+    /// Of the sign of b² − 4c.
+    pub collision: Polynomial,
+}
+
+impl Strand {
+    /// The generic family over interval `n`.
+    #[must_use]
+    pub fn generic(body: &ExactBody, forms: &Forms, n: usize) -> Self {
+        let left = n.checked_sub(1).map(|k| body.active[k]);
+        let right = body.active.get(n).copied();
+        let chart = match (left, right) {
+            (Some(left), Some(right)) => Chart::Inner(left, right),
+            (Some(last), None) => Chart::Right(last),
+            (None, right) => Chart::Left(right.unwrap_or(Axis::ALL[0])),
+        };
+        let pitchforks = body.passive.iter().filter_map(|&k| chart.coordinate(body, k).map(|t| (k, t))).collect();
+        let map = |p: &Polynomial| chart.mapped(body, p);
+        let (zero, cusp) = (map(&forms.zero()), map(&forms.cusp));
+        let (swing, collision) = (map(&forms.swing), map(&forms.collision));
+        let is_reversed = matches!(chart, Chart::Left(_)) || body.active.len() == 1;
+        Self { family: Family::Generic(n), zero, cusp, pitchforks, swing, collision, is_reversed, chart }
+    }
+
+    /// The family over a passive moment; needs r ≠ 0.
+    #[must_use]
+    pub fn over(body: &ExactBody, axis: Axis) -> Self {
+        let number = |x: &IBig| RBig::from(x.clone());
+        let gap = |k: Axis| number(&(&body.a[axis] - &body.a[k]));
+        let sums = |power: isize| {
+            body.active.iter().fold(RBig::ZERO, |sum, &k| sum + number(&body.rho[k]) / gap(k).pow(power))
+        };
+        let (r_sum, p_sum) = (sums(1), sums(2));
+        let z_max = RBig::ONE / p_sum;
+        // w_k linear in t; J = Σ w a.
+        let mut w: [Vec<RBig>; 3] = Axis::ALL.map(|k| {
+            if body.active.contains(&k) {
+                vec![RBig::ZERO, number(&body.rho[k]) * &z_max / gap(k).pow(2)]
+            } else {
+                Vec::new()
+            }
+        });
+        w[axis] = (0..3).fold(vec![RBig::ONE], |rest, k| rational::sub(&rest, &w[k]));
+        let mean = |power: isize| {
+            (0..3)
+                .fold(Vec::new(), |sum, k| rational::add(&sum, &rational::scale(&w[k], &number(&body.a[k]).pow(power))))
+        };
+        let (j, squared) = (mean(1), mean(2));
+        let determinant = number(&(&body.a[0] * &body.a[1] * &body.a[2]));
+        let trace = number(&(&body.a[0] + &body.a[1] + &body.a[2]));
+        let g = rational::sub(&rational::scale(&j, &trace), &rational::scale(&squared, &RBig::from(2)));
+        let swing = Axis::ALL.into_iter().fold(rational::mul(&g, &g), |sum, i| {
+            let [n, m] = i.others();
+            let hanging = rational::add(&rational::scale(&w[m], &gap(n)), &rational::scale(&w[n], &gap(m)));
+            let apart = number(&(&body.a[n] - &body.a[m]));
+            let coupled = rational::scale(&rational::mul(&w[n], &w[m]), &(RBig::from(4) * &apart * &apart));
+            let both = rational::add(&rational::mul(&j, &hanging), &coupled);
+            rational::add(&sum, &rational::scale(&both, &(&determinant / number(&body.a[i]))))
+        });
+        // χ det A = w_i τ_j τ_k (a_i + 3zR̂).
+        let across = axis.others().map(gap);
+        let cusp = vec![number(&body.a[axis]), RBig::from(3) * r_sum * &z_max];
+        let zero = rational::scale(&rational::mul(&w[axis], &cusp), &(&across[0] * &across[1]));
+        let collision = rational::sub(
+            &rational::mul(&swing, &swing),
+            &rational::scale(&rational::mul(&rational::mul(&j, &j), &zero), &(RBig::from(4) * determinant)),
+        );
+        let [zero, cusp, swing, collision] = [zero, cusp, swing, collision].map(|p| Polynomial::from_rationals(&p));
+        let (family, chart) = (Family::Over(axis), Chart::Over { axis, z_max });
+        Self { family, chart, is_reversed: true, zero, cusp, pitchforks: Vec::new(), swing, collision }
+    }
+
+    /// The polynomial whose roots are the equilibria at x.
+    #[must_use]
+    pub fn at_momentum(&self, body: &ExactBody, forms: &Forms, x: &RBig) -> Polynomial {
+        let Chart::Over { axis, z_max } = &self.chart else {
+            return self.chart.mapped(body, &forms.at_momentum(x));
+        };
+        // (a − zR̂)⁴ = 4x²z
+        let a = RBig::from(body.a[*axis].clone());
+        let r_sum = body
+            .active
+            .iter()
+            .fold(RBig::ZERO, |sum, &k| sum + RBig::from(body.rho[k].clone()) / (&a - RBig::from(body.a[k].clone())));
+        let j = [a, -(r_sum * z_max)];
+        let square = rational::mul(&j, &j);
+        let fourth = rational::mul(&square, &square);
+        Polynomial::from_rationals(&rational::sub(&fourth, &[RBig::ZERO, RBig::from(4) * x * x * z_max]))
+    }
+
+    /// Roots of a polynomial in t on the family, ascending. `None` when they are closer than 2^-4000.
+    #[must_use]
+    pub fn roots(&self, polynomial: &Polynomial) -> Option<Vec<Root>> {
+        if self.is_bounded() { polynomial.roots_in_unit() } else { polynomial.positive_roots() }
+    }
+
+    /// t < 1.
+    #[must_use]
+    pub fn is_bounded(&self) -> bool {
+        matches!(self.chart, Chart::Inner(..) | Chart::Over { .. })
+    }
+
+    /// c = 0 throughout: a circle of equilibria.
+    #[must_use]
+    pub fn is_circle(&self) -> bool {
+        self.zero.is_zero()
+    }
+
+    /// The equilibrium at a root, or the range that holds it, narrowed to 2^−bits relative to the next moment.
+    pub fn state<E: Enclosure>(&self, body: &ExactBody, c: &Constants<E>, root: &mut Root, bits: usize) -> State<E> {
+        root.refine(bits);
+        let number = |x: &RBig| E::rational(x, c.precision);
+        if let Chart::Over { axis, z_max } = &self.chart {
+            let [lo, hi] = [&root.lo, &root.hi].map(|t| number(&body.z_in_frame(&(t * z_max))));
+            return State::over(c, *axis, &lo.hull(&hi));
+        }
+        let (base, ends) = self.chart.distance(body, root, bits);
+        State::generic(c, base, &number(&ends[0]).hull(&number(&ends[1])))
+    }
+}
+
+impl Chart {
+    fn mapped(&self, body: &ExactBody, p: &Polynomial) -> Polynomial {
+        let number = |k: &Axis| RBig::from(body.a[*k].clone());
+        match self {
+            Self::Left(first) => p.composed(&number(first), &RBig::from(-1)),
+            Self::Inner(left, right) => p.composed(&number(left), &(number(right) - number(left))),
+            Self::Right(last) => p.composed(&number(last), &RBig::ONE),
+            Self::Over { .. } => p.clone(),
+        }
+    }
+
+    /// t of μ = a_k, if that is on the family.
+    fn coordinate(&self, body: &ExactBody, k: Axis) -> Option<RBig> {
+        let gap = |i: Axis, j: Axis| RBig::from(&body.a[i] - &body.a[j]);
+        let t = match *self {
+            Self::Left(first) => gap(first, k),
+            Self::Inner(left, right) => gap(k, left) / gap(right, left),
+            Self::Right(last) => gap(k, last),
+            Self::Over { .. } => return None,
+        };
+        let bounded = matches!(self, Self::Inner(..));
+        (t > RBig::ZERO && !(bounded && t >= RBig::ONE)).then_some(t)
+    }
+
+    /// The nearest active moment and μ − a_base at the ends of the root's range, in the frame's units.
+    fn distance(&self, body: &ExactBody, root: &mut Root, bits: usize) -> (Axis, [RBig; 2]) {
+        root.refine(bits);
+        let (base, scale, from) = match *self {
+            Self::Left(first) => (first, RBig::from(-1), RBig::ZERO),
+            Self::Right(last) => (last, RBig::ONE, RBig::ZERO),
+            Self::Over { axis, .. } => (axis, RBig::ZERO, RBig::ZERO),
+            Self::Inner(left, right) => {
+                let width = RBig::from(&body.a[right] - &body.a[left]);
+                let half = RBig::ONE / RBig::from(2);
+                if root.hi <= half {
+                    (left, width, RBig::ZERO)
+                } else {
+                    // Relative to 1 − t, which may be small.
+                    let mut finer = bits;
+                    while !root.is_exact()
+                        && (&root.hi - &root.lo) * RBig::from(IBig::ONE << bits) > RBig::ONE - &root.hi
+                    {
+                        finer *= 2;
+                        root.refine(finer);
+                    }
+                    (right, width, RBig::ONE)
+                }
+            }
+        };
+        let mut ends = [&root.lo, &root.hi].map(|t| body.moment_in_frame(&((t - &from) * &scale)));
+        ends.sort();
+        (base, ends)
+    }
+}

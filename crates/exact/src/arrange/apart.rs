@@ -1,0 +1,85 @@
+//! Events in proved order, as far as they need one.
+
+use dashu_ratio::RBig;
+
+use super::event::{Event, Source, crossing_event};
+use super::stages::STAGES;
+use super::undecided::Undecided;
+use crate::curves::Curves;
+use crate::id::TransitionId;
+use crate::model::Model;
+use crate::pair::{PairProof, Proof};
+use crate::point::Evaluator;
+use bifdiag_diagram::arrangement::EventId;
+use bifdiag_numbers::enclosure::Enclosure;
+use bifdiag_numbers::table::Table;
+use bifdiag_numbers::wide::{Interval128, Interval384};
+
+/// Narrows the boxes of crossings that overlap other events of their curves, with as many bits as it takes; which bits.
+pub(super) fn told_apart(events: &mut [Event], pairs: &mut [PairProof], model: &Model, curves: &Curves) -> usize {
+    let mut used = 0;
+    let mut open = overlapping(events);
+    if !open.is_empty() {
+        used = STAGES[0];
+        narrow(&Evaluator::<Interval128>::new(model, curves, &[], ()), &open, events, pairs);
+        open = overlapping(events);
+    }
+    if !open.is_empty() {
+        used = STAGES[1];
+        narrow(&Evaluator::<Interval384>::new(model, curves, &[], ()), &open, events, pairs);
+    }
+    used
+}
+
+/// The crossings whose boxes overlap other events of their curves.
+fn overlapping(events: &[Event]) -> Vec<usize> {
+    let overlaps = |p: &Event, q: &Event| {
+        p.x[0] <= q.x[1] && q.x[0] <= p.x[1] && p.curves.iter().any(|curve| q.curves.contains(curve))
+    };
+    (0..events.len())
+        .filter(|&n| matches!(events[n].sources[..], [Source::Crossing(_)]))
+        .filter(|&n| (0..events.len()).any(|m| m != n && overlaps(&events[n], &events[m])))
+        .collect()
+}
+
+/// Narrows the boxes of these crossings.
+fn narrow<E: Enclosure>(evaluator: &Evaluator<'_, E>, open: &[usize], events: &mut [Event], pairs: &mut [PairProof]) {
+    for &n in open {
+        let [Source::Crossing(pair)] = events[n].sources[..] else { continue };
+        if let Some(x) = evaluator.narrowed(pair, &events[n].x) {
+            let proofs = pairs.iter_mut().filter(|proof| proof.curves == pair).flat_map(|proof| &mut proof.stretches);
+            for stretch in proofs.filter(|stretch| stretch.proof == Proof::Crossing(events[n].x.clone())) {
+                stretch.proof = Proof::Crossing(x.clone());
+            }
+            events[n] = crossing_event(evaluator, pair, &x);
+        }
+    }
+}
+
+/// Groups of events whose x cannot be told apart; each group must consist of events on different curves.
+pub(super) fn transitions(events: &Table<EventId, Event>) -> Result<Table<TransitionId, Vec<EventId>>, Vec<Undecided>> {
+    let mut groups: Vec<Vec<EventId>> = Vec::new();
+    let mut reach: Option<RBig> = None;
+    for (number, event) in events.pairs() {
+        match (&reach, groups.last_mut()) {
+            (Some(limit), Some(group)) if event.x[0] <= *limit => group.push(number),
+            _ => groups.push(vec![number]),
+        }
+        reach = Some(reach.take().map_or_else(|| event.x[1].clone(), |limit| limit.max(event.x[1].clone())));
+    }
+    for group in &groups {
+        for (k, &p) in group.iter().enumerate() {
+            for &q in &group[k + 1..] {
+                if events[p].curves.iter().any(|c| events[q].curves.contains(c)) {
+                    let mut curves = events[p].curves.clone();
+                    curves.extend(&events[q].curves);
+                    curves.sort_unstable();
+                    curves.dedup();
+                    let x = [events[p].x[0].to_f64().value(), events[q].x[1].to_f64().value()];
+                    return Err(vec![Undecided::Events { curves, x }]);
+                }
+            }
+        }
+    }
+    Ok(groups.into())
+}

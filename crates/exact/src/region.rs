@@ -1,0 +1,116 @@
+//! Regions: a sample in each and the topology there, from the ridges over one exact point.
+
+use dashu_ratio::RBig;
+
+use super::arrange::{Arrangement, Slab};
+use super::margin::{Evaluators, Margin, exact};
+use super::plane::{Gap, Open, Plane, rounded};
+use super::point::Evaluator;
+use bifdiag_body::Frame;
+use bifdiag_diagram::arrangement::{Cell, RegionId};
+use bifdiag_diagram::topology::Component;
+use bifdiag_numbers::enclosure::Enclosure;
+use bifdiag_numbers::table::Table;
+
+/// A point of a region: proved to lie between the curves around it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Sample {
+    pub cell: Cell,
+    /// Energy: a double, unless the region is thinner than doubles are apart.
+    pub h: RBig,
+    /// Its distance to the curves around.
+    pub margin: Margin,
+}
+
+/// A region.
+#[derive(Clone, Debug)]
+pub(super) struct Region {
+    /// By rising slab.
+    pub cells: Vec<Cell>,
+    /// `None`: the heights around it are not told apart.
+    pub sample: Option<Sample>,
+    /// The components of U_hl, or why they are not proved.
+    pub components: Result<Vec<Component>, Open>,
+}
+
+pub(super) fn regions(arrangement: &Arrangement, frame: &Frame) -> Table<RegionId, Region> {
+    let mut cells = Table::<RegionId, Vec<Cell>>::filled(Vec::new(), arrangement.region_count);
+    for (slab, strip) in arrangement.slabs.pairs() {
+        for (position, &region) in strip.region_above.iter().enumerate() {
+            cells[region].push(Cell { slab, position });
+        }
+    }
+    let plane = Plane::new(&arrangement.model, frame);
+    let evaluators = Evaluators::new(arrangement);
+    cells.into_iter().map(|cells| region(arrangement, &evaluators, &plane, cells)).collect()
+}
+
+fn region(arrangement: &Arrangement, evaluators: &Evaluators<'_>, plane: &Plane<'_>, cells: Vec<Cell>) -> Region {
+    let samples = cells.iter().filter_map(|&cell| sample(arrangement, cell).map(|(room, h)| (room, cell, h)));
+    let best = samples.max_by(|p, q| p.0.total_cmp(&q.0)).map(|(_, cell, h)| (cell, h));
+    let cell = best.as_ref().map_or(cells[0], |(cell, _)| *cell);
+    let strip = &arrangement.slabs[cell.slab];
+    let found = gap(evaluators, strip, cell.position);
+    let thin = || {
+        let Ok(Gap { low: Some(low), high: Some(high) }) = &found else { return None };
+        let half = (high - low) / RBig::from(2);
+        Some((cell, rounded(low + &half, &half)))
+    };
+    let sample = best.or_else(thin);
+    let sample = sample.map(|(cell, h)| Sample { cell, margin: evaluators.margin(cell, &h), h });
+    let components = found.and_then(|gap| plane.class(&strip.x, &gap));
+    Region { cells, sample, components }
+}
+
+/// The bounds of a cell, with as many bits as part them.
+fn gap(evaluators: &Evaluators<'_>, strip: &Slab, position: usize) -> Result<Gap, Open> {
+    let [low, high] = [position, position + 1].map(|place| strip.heights.get(place));
+    let narrow = |low: &[f64; 2], high: Option<&[f64; 2]>| {
+        let apart = high.is_none_or(|high| low[1] < high[0] && high[0].is_finite());
+        let at = |h: f64| RBig::try_from(h).ok();
+        (apart && low[1].is_finite()).then(|| Gap { low: at(low[1]), high: high.and_then(|high| at(high[0])) })
+    };
+    if let Some(gap) = low.and_then(|low| narrow(low, high)) {
+        return Ok(gap);
+    }
+    wide_gap(evaluators.middle(), strip, position)
+        .or_else(|| wide_gap(evaluators.wide(), strip, position))
+        .ok_or(Open::Beside)
+}
+
+fn wide_gap<E: Enclosure<Precision = ()>>(evaluator: &Evaluator<'_, E>, strip: &Slab, position: usize) -> Option<Gap> {
+    let x = E::rational(&strip.x, ());
+    let height = |place: usize| evaluator.point(*strip.order.get(place)?, &x)?.h().exact_bounds();
+    let ([_, low], high) = (height(position)?, height(position + 1));
+    let high = match high {
+        None if position + 1 < strip.order.len() => return None,
+        high => high.map(|[high, _]| high),
+    };
+    high.as_ref().is_none_or(|high| low < *high).then_some(Gap { low: Some(low), high })
+}
+
+/// h of a sample of a cell, and how well it lies: its distance to the curves relative to the energies there.
+fn sample(arrangement: &Arrangement, cell: Cell) -> Option<(f64, RBig)> {
+    let Cell { slab, position } = cell;
+    let strip = &arrangement.slabs[slab];
+    strip.l?;
+    let x = strip.x.to_f64().value();
+    let low = strip.heights[position];
+    let scale = low[1].abs() + x + 1.0;
+    let (h, margin) = match strip.heights.get(position + 1) {
+        Some(high) => {
+            let h = low[1] + 0.5 * (high[0] - low[1]);
+            (h, (h - low[1]).min(high[0] - h))
+        }
+        None => (low[1] + 0.25 * scale, 0.25 * scale),
+    };
+    // Few bits, where that stays well inside.
+    let grid = f64::from_bits(((0.2 * margin).to_bits() >> 52) << 52);
+    let rounded = (h / grid).round() * grid;
+    let h = if (rounded - h).abs() <= 0.25 * margin { rounded } else { h };
+    let inside = low[1] < h && strip.heights.get(position + 1).is_none_or(|high| h < high[0]);
+    inside.then(|| {
+        let margin = (h - low[1]).min(strip.heights.get(position + 1).map_or(f64::INFINITY, |high| high[0] - h));
+        (margin / scale, exact(h))
+    })
+}
