@@ -49,6 +49,15 @@ impl Served {
         stream
     }
 
+    /// True if a request is refused. One that comes later than the server waits for is closed without an answer.
+    fn refuses(&self) -> bool {
+        let mut stream = self.connect();
+        let request = format!("GET / HTTP/1.1\r\nHost: {}\r\n\r\n", self.host());
+        let mut answer = String::new();
+        let read = stream.write_all(request.as_bytes()).and_then(|()| stream.read_to_string(&mut answer));
+        read.map_or(true, |_| answer.is_empty() || answer.starts_with("HTTP/1.1 503"))
+    }
+
     /// The answer to a request, its head and its body.
     fn ask(&self, request: &str) -> (String, Vec<u8>) {
         self.ask_with(request, &format!("Host: {}\r\n", self.host()))
@@ -175,7 +184,7 @@ fn connections_beyond_the_most_are_refused_and_others_are_served_again() {
     let served = Served::of(place.path(), &[]);
     let idle: Vec<TcpStream> = (0..64).map(|_| served.connect()).collect();
     std::thread::sleep(Duration::from_millis(500));
-    assert!(served.ask("GET /").0.starts_with("HTTP/1.1 503"));
+    assert!(served.refuses());
     drop(idle);
     std::thread::sleep(Duration::from_millis(500));
     assert_eq!(served.ask("GET /").1, b"here");
@@ -216,14 +225,7 @@ fn without_threads_requests_are_refused_and_the_server_stays() {
     // Room for a request, but for no thread's stack.
     let limit = Rlimit { current: size.map(|kilobytes| (kilobytes + 1024) << 10), maximum: None };
     let whole = prlimit(Some(Pid::from_child(&served.child)), Resource::As, limit).unwrap();
-    let refused = || {
-        let mut stream = served.connect();
-        // A request that does not come at once is refused without an answer.
-        let _closed = write!(stream, "GET / HTTP/1.1\r\nHost: {}\r\n\r\n", served.host());
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).map_or(true, |_| answer.is_empty() || answer.starts_with("HTTP/1.1 503"))
-    };
-    assert!((0..8).all(|_| refused()));
+    assert!((0..8).all(|_| served.refuses()));
     assert!(served.child.try_wait().unwrap().is_none());
     prlimit(Some(Pid::from_child(&served.child)), Resource::As, whole).unwrap();
     assert_eq!(served.ask("GET /").1, b"here");

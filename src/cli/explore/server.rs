@@ -126,7 +126,14 @@ fn is_own(host: &str) -> bool {
 
 /// Answers without a thread that there are too many connections.
 fn refuse(stream: &TcpStream) -> io::Result<()> {
-    let mut stream = Until(stream, Instant::now() + REFUSAL);
-    let _request = stream.read(&mut [0; 1 << 12])?;
-    stream.write_all(b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")
+    let until = Instant::now() + REFUSAL;
+    // The whole head is taken here, too: a request may come in several pieces.
+    let lines = BufReader::new(Until(stream, until).take(LONGEST_HEAD)).lines();
+    for line in lines {
+        if line?.is_empty() {
+            break;
+        }
+    }
+    Until(stream, until)
+        .write_all(b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")
 }
