@@ -10,14 +10,13 @@ use std::path::{Path, PathBuf};
 const ORDER: [(&str, &str); 12] = [
     (
         "crates/numbers/src",
-        "number decimal sign enclosure interval interval_newton directed words wide modular polynomial ring vector symmetric bernstein root form partition \
-         sequence table",
+        "number decimal sign enclosure interval directed fixed_float wide root polynomial vector symmetric bernstein form sequence table",
     ),
     (
         "crates/schema/src",
         "shown number head part certificate classification critical atlas checksum find grid listing section motion spin scan border classes",
     ),
-    ("crates/body/src", "axis error tensor rigid_body frame principal presets part"),
+    ("crates/body/src", "axis rigid_body frame principal presets part"),
     ("crates/equilibria/src", "curves stability continuation critical permanent"),
     ("crates/diagram/src", "topology arrangement atlas class classify accessible region_changes"),
     (

@@ -2,19 +2,15 @@
 //! have them.
 
 mod axis;
-mod error;
 mod frame;
 pub mod part;
 mod presets;
 mod principal;
 mod rigid_body;
-mod tensor;
 
 pub use axis::{Axis, BodyAxis};
 pub use bifdiag_numbers::{Number, ParseNumberError};
-pub use error::BodyError;
 pub use frame::{Frame, SymmetricSums};
 pub use presets::Preset;
 pub use principal::PrincipalForm;
-pub use rigid_body::{Body, Flags};
-pub use tensor::{Tensor, TensorError};
+pub use rigid_body::{Body, BodyError, Flags, Tensor, TensorError};

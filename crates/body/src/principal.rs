@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use super::error::BodyError;
-use super::rigid_body::Body;
-use super::tensor::{Tensor, TensorError};
+use super::rigid_body::{Body, BodyError, Tensor, TensorError};
 use bifdiag_numbers::symmetric::{PrincipalAxes, Real};
 use bifdiag_numbers::{Number, ParseNumberError, decimal};
 

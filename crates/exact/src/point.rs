@@ -381,7 +381,6 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
             let state = State::at(self.model, &self.estimate, half, &Estimate(at));
             (1.0 - target / state.x.0, target / state.x.0 * state.log_slope.0)
         })
-        .at
     }
 
     /// J − J' of two points or ranges, the narrowest over all moments to measure from.

@@ -3,8 +3,8 @@
 
 use super::Sign;
 use super::enclosure::Enclosure;
-use super::interval_newton::narrowed;
 use super::polynomial::Polynomial;
+use super::root::narrowed;
 
 /// Σ c_k v^(n−k) u^k with v = 1 − u. (The forms of [`bernstein`](super::bernstein) bound their rounding by magnitudes, which under-
 /// and overflow spoil.)
@@ -82,7 +82,7 @@ impl<E: Enclosure<Precision = ()>> EnclosedForm<E> {
             end.strict_sign()?;
         }
         let slope = self.derivative();
-        let mut open = vec![Part::whole(self)];
+        let mut open = vec![Piece::whole(self)];
         let mut found = Vec::new();
         let mut splits = 0;
         while let Some(part) = open.pop() {
@@ -106,7 +106,7 @@ impl<E: Enclosure<Precision = ()>> EnclosedForm<E> {
 }
 
 /// A part of (0, 1), with the Bernstein coefficients there.
-struct Part<E> {
+struct Piece<E> {
     b: Vec<E>,
     /// Its ends, as points.
     range: [E; 2],
@@ -114,7 +114,7 @@ struct Part<E> {
     share: f64,
 }
 
-impl<E: Enclosure<Precision = ()>> Part<E> {
+impl<E: Enclosure<Precision = ()>> Piece<E> {
     fn whole(form: &EnclosedForm<E>) -> Self {
         let degree = form.c.len() - 1;
         let mut binomial = 1.0;

@@ -1,4 +1,7 @@
-//! One root of a function inside a bracket.
+//! One root of a function inside a bracket: in doubles, with and without a derivative, and enclosed.
+
+use super::Sign;
+use super::enclosure::Enclosure;
 
 /// A bracket in which a function changes sign, for a function with derivative.
 #[derive(Clone, Copy, Debug)]
@@ -7,15 +10,6 @@ pub struct Bracket {
     pub negative: f64,
     /// End where the function is positive (or its limit is).
     pub positive: f64,
-}
-
-/// What a root search found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Root {
-    /// The abscissa.
-    pub at: f64,
-    /// Function evaluations spent.
-    pub evaluations: u32,
 }
 
 /// Between two positive reals of very different size, halve the logarithm, not the length. An end may be 0 or ∞.
@@ -36,7 +30,7 @@ fn middle(a: f64, b: f64) -> f64 {
 /// `f` returns value and derivative. Precondition: both bracket ends are ≥ 0 (0 and ∞ are allowed and never
 /// evaluated) and `f` is monotone between them. The search stops when |f| ≤ `tolerance` or the bracket has shrunk to
 /// neighbouring doubles, so that it always ends.
-pub fn newton_bracketed(bracket: Bracket, guess: f64, tolerance: f64, mut f: impl FnMut(f64) -> (f64, f64)) -> Root {
+pub fn newton_bracketed(bracket: Bracket, guess: f64, tolerance: f64, mut f: impl FnMut(f64) -> (f64, f64)) -> f64 {
     const MAX_EVALUATIONS: u32 = 200;
     let Bracket { mut negative, mut positive } = bracket;
     let inside = |y: f64, a: f64, b: f64| y > a.min(b) && y < a.max(b);
@@ -47,7 +41,7 @@ pub fn newton_bracketed(bracket: Bracket, guess: f64, tolerance: f64, mut f: imp
         let (value, slope) = f(y);
         evaluations += 1;
         if value.abs() <= tolerance || evaluations >= MAX_EVALUATIONS {
-            return Root { at: y, evaluations };
+            return y;
         }
         if value < 0.0 {
             negative = y;
@@ -60,7 +54,7 @@ pub fn newton_bracketed(bracket: Bracket, guess: f64, tolerance: f64, mut f: imp
         let next = if contracts && inside(newton, negative, positive) { newton } else { middle(negative, positive) };
         previous = if contracts { value.abs() } else { f64::INFINITY };
         if next == y || !inside(next, negative, positive) {
-            return Root { at: y, evaluations };
+            return y;
         }
         y = next;
     }
@@ -83,7 +77,7 @@ fn doubled_to(start: f64, goal: f64) -> f64 {
 ///
 /// Precondition: `f(a)` and `f(b)` have opposite signs, given as `fa` and `fb`. Returns the point with the smaller
 /// residual when the bracket has shrunk to `tolerance` (or to neighbouring doubles).
-pub fn itp(a: f64, b: f64, fa: f64, fb: f64, tolerance: f64, mut f: impl FnMut(f64) -> f64) -> Root {
+pub fn itp(a: f64, b: f64, fa: f64, fb: f64, tolerance: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     const MAX_EVALUATIONS: u32 = 200;
     let (mut a, mut b, mut fa, mut fb) = if a < b { (a, b, fa, fb) } else { (b, a, fb, fa) };
     let width = b - a;
@@ -107,7 +101,7 @@ pub fn itp(a: f64, b: f64, fa: f64, fb: f64, tolerance: f64, mut f: impl FnMut(f
         let value = f(y);
         evaluations += 1;
         if value == 0.0 {
-            return Root { at: y, evaluations };
+            return y;
         }
         if (value > 0.0) == (fb > 0.0) {
             (b, fb) = (y, value);
@@ -116,7 +110,46 @@ pub fn itp(a: f64, b: f64, fa: f64, fb: f64, tolerance: f64, mut f: impl FnMut(f
         }
         budget *= 0.5;
     }
-    Root { at: if fa.abs() < fb.abs() { a } else { b }, evaluations }
+    if fa.abs() < fb.abs() { a } else { b }
+}
+
+/// The one root of a function in a range, as narrow as the arithmetic makes it, by Newton's method for intervals: a root of f
+/// in X lies in m − f(m)/f′(X) for every m in X. Where that does not halve X, the sign in the middle does. Precondition: f has the
+/// sign `above` at the upper end, and the other one at the lower.
+#[must_use]
+pub(crate) fn narrowed<E: Enclosure>(
+    mut range: E,
+    above: Sign,
+    value: impl Fn(&E) -> E,
+    slope: impl Fn(&E) -> E,
+    precision: E::Precision,
+) -> E {
+    const STEPS: usize = 1000;
+    let width = |range: &E| range.upper() - range.lower();
+    for _ in 0..STEPS {
+        let middle = range.middle();
+        let residual = value(&middle);
+        let newton = middle.clone() - residual.clone() / slope(&range);
+        let Some(found) = newton.meet(&range) else { return E::line(precision) };
+        let next = if (width(&found) * E::small(2, precision)).is_below(&width(&range)) {
+            found
+        } else {
+            // The middle may all but be the root, and its sign not known.
+            let beside = (range.lower() + width(&range) * E::double(0.375, precision)).middle();
+            let sure = |at: E, value: &E| value.sign().map(|sign| (sign, at));
+            match sure(middle, &residual).or_else(|| sure(beside.clone(), &value(&beside))) {
+                Some((Sign::Zero, at)) => return at,
+                Some((sign, at)) if sign == above => range.lower().hull(&at),
+                Some((_, at)) => at.hull(&range.upper()),
+                None => return found,
+            }
+        };
+        if !width(&next).is_below(&width(&range)) {
+            return next;
+        }
+        range = next;
+    }
+    range
 }
 
 #[cfg(test)]
@@ -129,15 +162,19 @@ mod tests {
         fn planted_roots_are_found(root in 1e-9..1e9f64) {
             let found = newton_bracketed(
                 Bracket { negative: f64::INFINITY, positive: 0.0 }, 1.0, 0.0, |y| (1.0 - y / root, -1.0 / root));
-            prop_assert!((found.at / root - 1.0).abs() < 4e-16, "{found:?}");
+            prop_assert!((found / root - 1.0).abs() < 4e-16, "{found:?}");
         }
 
         #[test]
         fn planted_simple_roots_of_cubics_are_found(root in -0.9..0.9f64, scale in 0.1..10.0f64) {
             let f = |y: f64| (y - root) * (y * y + scale);
-            let found = itp(-1.0, 1.0, f(-1.0), f(1.0), 0.0, f);
-            prop_assert!((found.at - root).abs() < 1e-15);
-            prop_assert!(found.evaluations < 70);
+            let mut evaluations = 0;
+            let found = itp(-1.0, 1.0, f(-1.0), f(1.0), 0.0, |y| {
+                evaluations += 1;
+                f(y)
+            });
+            prop_assert!((found - root).abs() < 1e-15);
+            prop_assert!(evaluations < 70);
         }
     }
 
@@ -171,6 +208,6 @@ mod tests {
         let found = newton_bracketed(Bracket { negative: 1.0, positive: 2.0 }, 1.5, 0.0, |y| {
             ((y - 1.0) * (y - 1.0) - 1e-14, 2.0 * (y - 1.0))
         });
-        assert!((found.at - 1.0 - 1e-7).abs() < 1e-14, "{found:?}");
+        assert!((found - 1.0 - 1e-7).abs() < 1e-14, "{found:?}");
     }
 }

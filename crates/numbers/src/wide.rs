@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 use super::Sign;
 use super::directed::{Big, Directed, Toward};
 use super::enclosure::{Arithmetic, Enclosure};
-use super::words::Words;
+use super::fixed_float::FixedFloat;
 
 /// Finite ends of a given precision, or the whole line, under the contract of [`Enclosure`].
 #[derive(Clone, Debug)]
@@ -21,10 +21,10 @@ pub struct Bounded<F: Directed> {
 pub type Wide = Bounded<Big>;
 
 /// 128 bits.
-pub type Interval128 = Bounded<Words<2>>;
+pub type Interval128 = Bounded<FixedFloat<2>>;
 
 /// 384 bits.
-pub type Interval384 = Bounded<Words<6>>;
+pub type Interval384 = Bounded<FixedFloat<6>>;
 
 impl<F: Directed> Bounded<F> {
     /// Both ends, or the whole line when an operation had no finite result.

@@ -3,7 +3,6 @@
 //!
 //! All arithmetic is rational: a thin rod twenty metres from the pivot stays a rod.
 
-mod existence;
 #[cfg(feature = "files")]
 pub mod file;
 #[cfg(feature = "files")]
@@ -12,13 +11,8 @@ mod mass;
 mod measured;
 #[cfg(feature = "files")]
 pub mod mesh;
-mod products;
-mod spin;
 mod units;
 
-pub use existence::{Existence, Inequality};
-pub use mass::{MassError, MassProperties, Part};
+pub use mass::{Existence, Inequality, MassError, MassProperties, Part, Products, tensor_of};
 pub use measured::{INPUT_NAMES, INPUTS, Measured, MeasuredPart};
-pub use products::{Products, tensor_of};
-pub use spin::{Spin, SpinError, SpinUnit};
-pub use units::{Units, UnitsError};
+pub use units::{Spin, SpinError, SpinUnit, Units, UnitsError};

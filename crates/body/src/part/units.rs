@@ -1,10 +1,13 @@
-//! Units of mass, length and time, as exact factors.
+//! Units of mass, length and time as exact factors, and rates of rotation (rpm, Hz, rad/s, deg/s) without a factor 2π lost.
 //!
 //! A table of our own: libraries of units carry floats or another type of big rationals, and hundreds of units.
 
+use std::f64::consts::{PI, TAU};
 use std::fmt;
 use std::str::FromStr;
 
+use bifdiag_numbers::{Number, ParseNumberError};
+use dashu_int::IBig;
 use dashu_ratio::RBig;
 use thiserror::Error;
 
@@ -151,6 +154,129 @@ fn find(
     Ok((name, RBig::from(p) / RBig::from(q)))
 }
 
+/// Units of a rate of turning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpinUnit {
+    /// Turns in a minute.
+    Rpm,
+    /// Turns in a second.
+    Hertz,
+    /// Radians in a second.
+    RadPerSecond,
+    /// Degrees in a second.
+    DegPerSecond,
+}
+
+/// A rate of turning as it was given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spin {
+    value: Number,
+    unit: SpinUnit,
+}
+
+/// A text is no rate of turning.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum SpinError {
+    /// No unit, or an unknown one.
+    #[error("`{text}` has no unit of rpm, Hz, rad/s or deg/s; write for instance \"3000 rpm\"")]
+    Unit {
+        /// What was written.
+        text: String,
+    },
+    /// No number.
+    #[error(transparent)]
+    Number(#[from] ParseNumberError),
+}
+
+impl SpinUnit {
+    const ALL: [Self; 4] = [Self::Rpm, Self::RadPerSecond, Self::DegPerSecond, Self::Hertz];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Rpm => "rpm",
+            Self::Hertz => "Hz",
+            Self::RadPerSecond => "rad/s",
+            Self::DegPerSecond => "deg/s",
+        }
+    }
+
+    /// π rad/s in one unit; `None` for rad/s itself.
+    fn half_turns(self) -> Option<RBig> {
+        match self {
+            Self::Rpm => Some(RBig::from_parts(1.into(), 30u8.into())),
+            Self::Hertz => Some(RBig::from(2)),
+            Self::RadPerSecond => None,
+            Self::DegPerSecond => Some(RBig::from_parts(1.into(), 180u8.into())),
+        }
+    }
+
+    /// rad/s in one unit.
+    fn factor(self) -> f64 {
+        match self {
+            Self::Rpm => TAU / 60.0,
+            Self::Hertz => TAU,
+            Self::RadPerSecond => 1.0,
+            Self::DegPerSecond => PI / 180.0,
+        }
+    }
+}
+
+impl Spin {
+    /// In rad/s, within three roundings.
+    #[must_use]
+    pub fn rad_per_s(&self) -> f64 {
+        self.value.to_f64() * self.unit.factor()
+    }
+
+    /// In rad/s: exact if it was given in rad/s, else with 60 digits of π, so that it is none of the simple numbers near it.
+    #[must_use]
+    pub fn exact_rad_per_s(&self) -> RBig {
+        match self.unit.half_turns() {
+            Some(half_turns) => self.value.value() * half_turns * half_turn(),
+            None => self.value.value().clone(),
+        }
+    }
+
+    /// rpm of a rate in rad/s.
+    #[must_use]
+    pub fn rpm(rad_per_s: f64) -> f64 {
+        rad_per_s * (30.0 / PI)
+    }
+
+    /// Hz of a rate in rad/s.
+    #[must_use]
+    pub fn hertz(rad_per_s: f64) -> f64 {
+        rad_per_s / TAU
+    }
+}
+
+/// π, rounded down.
+fn half_turn() -> RBig {
+    const DIGITS: [u64; 4] = [314_159_265_358_979, 323_846_264_338_327, 950_288_419_716_939, 937_510_582_097_494];
+    let block = IBig::from(1_000_000_000_000_000_u64);
+    let whole = DIGITS.into_iter().fold(IBig::ZERO, |whole, digits| whole * &block + IBig::from(digits));
+    RBig::from(whole) / RBig::from(IBig::from(10).pow(59))
+}
+
+impl fmt::Display for Spin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.value, self.unit.name())
+    }
+}
+
+impl FromStr for Spin {
+    type Err = SpinError;
+
+    fn from_str(text: &str) -> Result<Self, SpinError> {
+        let trimmed = text.trim();
+        let lower = trimmed.to_ascii_lowercase();
+        let unit = SpinUnit::ALL.into_iter().find(|unit| lower.ends_with(&unit.name().to_ascii_lowercase()));
+        let unit = unit.ok_or_else(|| SpinError::Unit { text: trimmed.to_owned() })?;
+        let value = trimmed[..trimmed.len() - unit.name().len()].trim_end().parse()?;
+        Ok(Self { value, unit })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,5 +298,34 @@ mod tests {
         // 1 slug ft/s² is 1 lbf = 4.4482216152605 N.
         let newton = RBig::from_parts(44_482_216_152_605_i64.into(), 10_000_000_000_000_u64.into());
         assert_eq!(units.mass() * units.length(), newton);
+    }
+
+    #[test]
+    fn sixty_rpm_are_one_hertz() {
+        for text in ["60 rpm", "1 Hz", "1hz", "360 deg/s", "60/1 RPM"] {
+            assert_eq!(text.parse::<Spin>().unwrap().rad_per_s(), TAU, "{text}");
+        }
+        assert_eq!("2 rad/s".parse::<Spin>().unwrap().rad_per_s(), 2.0);
+        assert!((Spin::rpm(TAU) - 60.0).abs() < 1e-13);
+        assert_eq!(Spin::hertz(TAU), 1.0);
+    }
+
+    #[test]
+    fn only_rates_in_radians_are_simple_numbers() {
+        let exact = |text: &str| text.parse::<Spin>().unwrap().exact_rad_per_s();
+        assert_eq!(exact("1/3 rad/s"), RBig::from_parts(1.into(), 3u8.into()));
+        // The nearest double of these is 1 rad/s.
+        for text in ["9.549296585513720146133025802 rpm", "57.29577951308232087679815481 deg/s"] {
+            let spin = text.parse::<Spin>().unwrap();
+            assert!((spin.rad_per_s() - 1.0).abs() < 1e-15 && spin.exact_rad_per_s() != RBig::ONE, "{text}");
+            assert!((spin.exact_rad_per_s() - RBig::ONE).to_f64().value().abs() < 1e-27, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_rate_without_unit_is_refused() {
+        assert!(matches!("3000".parse::<Spin>(), Err(SpinError::Unit { .. })));
+        assert!(matches!("fast rpm".parse::<Spin>(), Err(SpinError::Number(_))));
+        assert_eq!("-3e3  rpm".parse::<Spin>().unwrap().to_string(), "-3e3 rpm");
     }
 }

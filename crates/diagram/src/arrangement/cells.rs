@@ -1,8 +1,7 @@
 //! The cells of all slabs, glued to faces.
 
 use super::id::{RegionId, SlabId};
-use bifdiag_numbers::partition::Partition;
-use bifdiag_numbers::table::{Id, Table};
+use bifdiag_numbers::table::{Id, Partition, Table};
 
 /// A gap of one slab and a gap of the next that are in one face. Gap k lies below the k-th curve of its slab; the last one is
 /// unbounded above.

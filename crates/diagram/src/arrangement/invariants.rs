@@ -5,8 +5,7 @@ use thiserror::Error;
 use super::{Arrangement, Change, SlabId};
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::UNIT_ROUNDOFF;
-use bifdiag_numbers::partition::Partition;
-use bifdiag_numbers::table::Id;
+use bifdiag_numbers::table::{Id, Partition};
 
 /// Relative rounding of x at the end of a curve, and at the event there.
 const SPAN_ROUNDING: f64 = 256.0 * UNIT_ROUNDOFF;

@@ -91,7 +91,7 @@ impl<'a> Strips<'a> {
             let [[x, y], slopes] = [ends.map(|place| self.places[place]), ends.map(|place| slope(here(place)))];
             if slopes[0] > 0.0 && slopes[1] < 0.0 {
                 let top = root::itp(x, y, slopes[0], slopes[1], 0.0, |x| slope(at(x).each_ref()));
-                widest = widest.max(gap(at(top.at).each_ref()));
+                widest = widest.max(gap(at(top).each_ref()));
             }
         }
         Some(widest)

@@ -73,7 +73,7 @@ impl Segment {
             let ratio = x / state.x;
             (1.0 - ratio, ratio * state.log_slope() * self.sign)
         });
-        mu(root.at)
+        mu(root)
     }
 
     /// |δ| at x to leading order at the ends: x ≈ a² r_base/(2|δ|) at a moment, x ≈ J_r² r/(2|δ|) at infinity, and
@@ -148,5 +148,4 @@ fn solve_symmetric(family: &SymmetricFamily, frame: &Frame, t: [f64; 2], x: f64)
         let state = family.at(frame, t);
         (state.x / x - 1.0, state.x_slope / x)
     })
-    .at
 }

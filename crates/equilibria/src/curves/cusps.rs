@@ -75,7 +75,7 @@ impl MuInterval {
             // Both ends are rounding-close to the root.
             if fa.abs() < fb.abs() { a } else { b }
         } else {
-            itp(a, b, fa, fb, 0.0, f).at
+            itp(a, b, fa, fb, 0.0, f)
         };
         Mu { base, delta: sign * y }
     }
@@ -235,5 +235,5 @@ pub fn inflection(frame: &Frame) -> Option<(usize, Mu)> {
     if (fa > 0.0) == (fb > 0.0) || a < 1e-290 {
         return None;
     }
-    Some((interval, Mu { base, delta: sign * itp(a, b, fa, fb, 0.0, g).at }))
+    Some((interval, Mu { base, delta: sign * itp(a, b, fa, fb, 0.0, g) }))
 }

@@ -191,7 +191,7 @@ impl Strand {
                 // The limit z = 0 is left out; the root is not there.
                 let from = if from == 0.0 { f64::EPSILON * to } else { from };
                 let (low, high) = (at(from), at(to));
-                ((low > 0.0) != (high > 0.0)).then(|| Parameter::Z(itp(from, to, low, high, 0.0, at).at))
+                ((low > 0.0) != (high > 0.0)).then(|| Parameter::Z(itp(from, to, low, high, 0.0, at)))
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Pieces of ridges, put together.
 
 use bifdiag_diagram::topology::{Component, Poles, sort_components};
-use bifdiag_numbers::partition::Partition;
+use bifdiag_numbers::table::Partition;
 
 /// Components of U_hl while they are put together: pieces of ridges, joined.
 #[derive(Debug, Default)]

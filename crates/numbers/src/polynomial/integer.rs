@@ -1,4 +1,4 @@
-//! Polynomials with integer coefficients.
+//! The ring of polynomials with integer coefficients.
 
 use dashu_base::{BitTest, Gcd};
 use dashu_int::{IBig, UBig};
@@ -7,7 +7,6 @@ use dashu_ratio::RBig;
 use super::rational::over_one_denominator;
 use crate::Sign;
 use crate::enclosure::Arithmetic;
-use crate::modular::surely_coprime;
 
 /// c\[0\] + c\[1\] t + …; no trailing zeros.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,7 +49,7 @@ impl Polynomial {
     }
 
     /// Divided by the greatest common divisor of the coefficients.
-    fn primitive(self) -> Self {
+    pub(super) fn primitive(self) -> Self {
         let content = self.c.iter().fold(UBig::ZERO, |content, c| {
             if content == UBig::ONE || *c == IBig::ZERO {
                 content
@@ -133,78 +132,6 @@ impl Polynomial {
         Self::new(self.c.iter().rev().cloned().collect())
     }
 
-    /// Greatest common divisor, primitive; by pseudo-remainders.
-    #[must_use]
-    pub fn gcd(&self, other: &Self) -> Self {
-        let (mut a, mut b) = (self.clone().primitive(), other.clone().primitive());
-        if a.c.len() < b.c.len() {
-            std::mem::swap(&mut a, &mut b);
-        }
-        while !b.is_zero() {
-            let remainder = a.pseudo_remainder(&b).primitive();
-            a = b;
-            b = remainder;
-        }
-        a.primitive()
-    }
-
-    /// True only if no common factor exists; false may mean either.
-    #[must_use]
-    pub fn is_surely_coprime_to(&self, other: &Self) -> bool {
-        surely_coprime(&self.c, &other.c)
-    }
-
-    /// True only if every root is simple; false may mean either.
-    pub(super) fn is_surely_squarefree(&self) -> bool {
-        self.is_surely_coprime_to(&self.derivative())
-    }
-
-    fn pseudo_remainder(&self, divisor: &Self) -> Self {
-        let mut rest = self.c.clone();
-        let n = divisor.c.len();
-        let lead = &divisor.c[n - 1];
-        while rest.len() >= n {
-            let top = rest[rest.len() - 1].clone();
-            let offset = rest.len() - n;
-            for c in &mut rest {
-                *c *= lead;
-            }
-            for (k, d) in divisor.c.iter().enumerate() {
-                rest[offset + k] -= d * &top;
-            }
-            rest.pop();
-        }
-        Self::new(rest)
-    }
-
-    /// self / divisor, which must divide.
-    fn quotient(&self, divisor: &Self) -> Self {
-        let mut rest: Vec<RBig> = self.c.iter().map(|c| RBig::from(c.clone())).collect();
-        let n = divisor.c.len();
-        let lead = RBig::from(divisor.c[n - 1].clone());
-        let mut quotient = vec![RBig::ZERO; (rest.len() + 1).saturating_sub(n)];
-        while rest.len() >= n {
-            let factor = &rest[rest.len() - 1] / &lead;
-            let offset = rest.len() - n;
-            for (k, d) in divisor.c.iter().enumerate() {
-                rest[offset + k] -= RBig::from(d.clone()) * &factor;
-            }
-            quotient[offset] = factor;
-            rest.pop();
-        }
-        Self::from_rationals(&quotient)
-    }
-
-    /// p / gcd(p, p′): the same roots, each simple.
-    #[must_use]
-    pub fn squarefree(&self) -> Self {
-        if self.is_surely_squarefree() {
-            return self.clone();
-        }
-        let shared = self.gcd(&self.derivative());
-        if shared.degree() == 0 { self.clone() } else { self.quotient(&shared) }
-    }
-
     /// p on [lo, hi] mapped to [0, 1].
     pub(super) fn on(&self, lo: &RBig, hi: &RBig) -> Self {
         self.composed(lo, &(hi - lo))
@@ -213,4 +140,96 @@ impl Polynomial {
 
 fn magnitude(x: &IBig) -> UBig {
     x.clone().into_parts().1
+}
+
+impl Polynomial {
+    /// A constant.
+    #[must_use]
+    pub fn constant(value: IBig) -> Self {
+        Self::new(vec![value])
+    }
+
+    /// t − root.
+    #[must_use]
+    pub fn linear(root: &IBig) -> Self {
+        Self::new(vec![-root.clone(), IBig::ONE])
+    }
+
+    /// p + q.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let (long, short) = if self.coefficients().len() >= other.coefficients().len() {
+            (self.coefficients(), other.coefficients())
+        } else {
+            (other.coefficients(), self.coefficients())
+        };
+        let mut sum = long.to_vec();
+        for (at, c) in sum.iter_mut().zip(short) {
+            *at += c;
+        }
+        Self::new(sum)
+    }
+
+    /// p q.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let (p, q) = (self.coefficients(), other.coefficients());
+        if p.is_empty() || q.is_empty() {
+            return Self::new(Vec::new());
+        }
+        let mut product = vec![IBig::ZERO; p.len() + q.len() - 1];
+        for (i, a) in p.iter().enumerate() {
+            for (j, b) in q.iter().enumerate() {
+                product[i + j] += a * b;
+            }
+        }
+        Self::new(product)
+    }
+
+    /// c p.
+    #[must_use]
+    pub fn scaled(&self, factor: &IBig) -> Self {
+        Self::new(self.coefficients().iter().map(|c| c * factor).collect())
+    }
+
+    /// p − q.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        self.plus(&other.scaled(&IBig::NEG_ONE))
+    }
+
+    /// p².
+    #[must_use]
+    pub fn squared(&self) -> Self {
+        self.times(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn polynomial(c: &[i32]) -> Polynomial {
+        Polynomial::new(c.iter().map(|&c| IBig::from(c)).collect())
+    }
+
+    proptest! {
+        #[test]
+        fn the_ring_of_polynomials_maps_to_values(
+            p in proptest::collection::vec(-9i32..9, 0..6),
+            q in proptest::collection::vec(-9i32..9, 0..6),
+            at in -5i32..5,
+        ) {
+            let value = |c: &Polynomial| {
+                c.coefficients().iter().rev().fold(IBig::ZERO, |sum, c| sum * IBig::from(at) + c)
+            };
+            let (p, q) = (polynomial(&p), polynomial(&q));
+            prop_assert_eq!(value(&p.plus(&q)), value(&p) + value(&q));
+            prop_assert_eq!(value(&p.minus(&q)), value(&p) - value(&q));
+            prop_assert_eq!(value(&p.times(&q)), value(&p) * value(&q));
+            prop_assert_eq!(value(&p.squared()), value(&p) * value(&p));
+            prop_assert_eq!(p.minus(&p).sign_at(&RBig::from(at)), crate::Sign::Zero);
+        }
+    }
 }

@@ -2,6 +2,7 @@
 //!
 //! No crate of pure Rust isolates roots of integer polynomials with certainty; the tests compare with python-flint.
 
+mod division;
 mod integer;
 mod isolation;
 pub mod rational;

@@ -11,7 +11,7 @@ use super::integer::Polynomial;
 use crate::Sign;
 use crate::enclosure::{Enclosure, horner};
 use crate::interval::Interval;
-use crate::interval_newton::narrowed;
+use crate::root::narrowed;
 
 /// Bits of a root that intervals of doubles tell, with a few to spare.
 const DOUBLES: usize = 40;
@@ -205,13 +205,7 @@ impl Polynomial {
         if root.lo != root.hi {
             return self.sign_at(&root.lo) * self.sign_at(&root.hi) == Sign::Negative;
         }
-        let mut derivative = self.clone();
-        let mut multiplicity = 0;
-        while !derivative.is_zero() && derivative.sign_at(&root.lo) == Sign::Zero {
-            derivative = derivative.derivative();
-            multiplicity += 1;
-        }
-        multiplicity % 2 == 1
+        self.multiplicity_at(&root.lo) % 2 == 1
     }
 }
 

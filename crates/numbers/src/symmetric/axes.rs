@@ -2,9 +2,8 @@
 
 use dashu_ratio::RBig;
 
-use super::eigenvalue::Eigenvalue;
+use super::eigenvalue::{Eigenvalue, Real};
 use super::matrix::{Symmetric, dot};
-use super::real::Real;
 use crate::enclosure::{Arithmetic, Enclosure};
 use crate::vector::{self, cross, normalised};
 use crate::wide::Wide;

@@ -7,9 +7,7 @@
 mod axes;
 mod eigenvalue;
 mod matrix;
-mod real;
 
 pub use axes::PrincipalAxes;
-pub use eigenvalue::Eigenvalue;
+pub use eigenvalue::{Eigenvalue, Real};
 pub use matrix::{Symmetric, dot};
-pub use real::Real;

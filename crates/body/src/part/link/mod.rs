@@ -1,18 +1,105 @@
 //! Inertial blocks of robots' links: URDF and MJCF, in the frame of the link. Both are in kg, m, s.
 
-mod error;
-mod mjcf;
 mod rotation;
-mod urdf;
-mod xml;
 
-use crate::part::mass::MassProperties;
-use xml::child;
+use bifdiag_numbers::symmetric::Symmetric;
+use bifdiag_numbers::{Number, ParseNumberError};
+use dashu_ratio::RBig;
+use roxmltree::Node;
+use thiserror::Error;
 
-pub use error::LinkError;
+use super::mass::{MassError, MassProperties};
+use rotation::{of_angles, rotated};
+
+/// Why a file gives no inertial block.
+#[derive(Debug, Error)]
+pub enum LinkError {
+    /// Not XML.
+    #[error("not readable as XML: {0}")]
+    Xml(#[from] roxmltree::Error),
+    /// Neither a robot nor a model.
+    #[error("the root element is <{found}>; <robot> (URDF) or <mujoco> (MJCF) is known")]
+    Root {
+        /// Its name.
+        found: String,
+    },
+    /// No block.
+    #[error(
+        "no link of the file has an inertial block; shapes alone are not read as masses: write <inertial>, or give a mesh"
+    )]
+    Nothing,
+    /// Several blocks.
+    #[error("the file has several links with an inertial block: {}; choose one by --link NAME", known.join(", "))]
+    Several {
+        /// Their names.
+        known: Vec<String>,
+    },
+    /// No such link.
+    #[error("--link {name}: no link of that name has an inertial block; there are {}", known.join(", "))]
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// Those that are there.
+        known: Vec<String>,
+    },
+    /// An attribute is missing.
+    #[error("<{element}> of link {link} has no {attribute}")]
+    Missing {
+        /// The link.
+        link: String,
+        /// The element.
+        element: &'static str,
+        /// The attribute.
+        attribute: &'static str,
+    },
+    /// An attribute is no number or not so many.
+    #[error("{attribute}=\"{value}\" of link {link}: {source}")]
+    Number {
+        /// The link.
+        link: String,
+        /// The attribute.
+        attribute: &'static str,
+        /// What is written.
+        value: String,
+        /// What is wrong.
+        source: ParseNumberError,
+    },
+    /// A list of another length.
+    #[error("{attribute}=\"{value}\" of link {link} has {found} numbers, {wanted} are needed")]
+    Count {
+        /// The link.
+        link: String,
+        /// The attribute.
+        attribute: &'static str,
+        /// What is written.
+        value: String,
+        /// How many numbers it has.
+        found: usize,
+        /// How many are needed.
+        wanted: usize,
+    },
+    /// An orientation that is not read.
+    #[error(
+        "link {link}: the orientation {attribute} is not read, since its meaning depends on other settings; write quat"
+    )]
+    Orientation {
+        /// The link.
+        link: String,
+        /// The attribute.
+        attribute: &'static str,
+    },
+    /// No mass.
+    #[error("link {link}: {source}")]
+    Mass {
+        /// The link.
+        link: String,
+        /// What is wrong.
+        source: MassError,
+    },
+}
 
 /// Reads the inertial block of a link.
-type Reader = fn(roxmltree::Node<'_, '_>, &str) -> Result<MassProperties, LinkError>;
+type Reader = fn(Node<'_, '_>, &str) -> Result<MassProperties, LinkError>;
 
 /// The mass properties of a link in its own frame, in kg, m, s.
 ///
@@ -22,8 +109,8 @@ pub fn read_link(text: &str, name: Option<&str>) -> Result<MassProperties, LinkE
     let document = roxmltree::Document::parse(text)?;
     let root = document.root_element();
     let (tag, read): (&str, Reader) = match root.tag_name().name() {
-        "robot" => ("link", urdf::properties),
-        "mujoco" => ("body", mjcf::properties),
+        "robot" => ("link", urdf),
+        "mujoco" => ("body", mjcf),
         found => return Err(LinkError::Root { found: found.to_owned() }),
     };
     let links: Vec<_> = root
@@ -42,4 +129,83 @@ pub fn read_link(text: &str, name: Option<&str>) -> Result<MassProperties, LinkE
         }
     };
     read(block, name)
+}
+
+/// URDF: the tensor is about the centre of mass, its products are entries of the tensor, its axes those of the block's
+/// `origin`.
+fn urdf(block: Node<'_, '_>, link: &str) -> Result<MassProperties, LinkError> {
+    let attribute = |element: &'static str, attribute: &'static str| {
+        let missing = || LinkError::Missing { link: link.to_owned(), element, attribute };
+        child(block, element).and_then(|node| node.attribute(attribute)).ok_or_else(missing)
+    };
+    let one = |element, name| list::<1>(link, name, attribute(element, name)?).map(|[x]| x);
+    let origin = |name: &'static str| match child(block, "origin").and_then(|node| node.attribute(name)) {
+        Some(value) => list::<3>(link, name, value),
+        None => Ok([RBig::ZERO, RBig::ZERO, RBig::ZERO]),
+    };
+    let mass = one("mass", "value")?;
+    let mut entries = Vec::with_capacity(6);
+    for name in ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"] {
+        entries.push(one("inertia", name)?);
+    }
+    let entries = <[RBig; 6]>::try_from(entries).unwrap_or_else(|_| unreachable!("six entries"));
+    let (com, angles) = (origin("xyz")?, origin("rpy")?);
+    let tensor = Symmetric::new(entries);
+    let tensor = if angles.iter().all(RBig::is_zero) { tensor } else { rotated(&tensor, &of_angles(&angles)) };
+    MassProperties::about_com(mass, com, tensor).map_err(|source| LinkError::Mass { link: link.to_owned(), source })
+}
+
+/// MJCF: `diaginertia` in the axes of `quat`, or `fullinertia` in the axes of the body, about the centre of mass.
+fn mjcf(block: Node<'_, '_>, link: &str) -> Result<MassProperties, LinkError> {
+    let missing = |attribute| LinkError::Missing { link: link.to_owned(), element: "inertial", attribute };
+    for attribute in ["axisangle", "xyaxes", "zaxis", "euler"] {
+        if block.has_attribute(attribute) {
+            return Err(LinkError::Orientation { link: link.to_owned(), attribute });
+        }
+    }
+    let mass = block.attribute("mass").ok_or_else(|| missing("mass"))?;
+    let [mass] = list::<1>(link, "mass", mass)?;
+    let com = list::<3>(link, "pos", block.attribute("pos").ok_or_else(|| missing("pos"))?)?;
+    let tensor = match (block.attribute("fullinertia"), block.attribute("diaginertia")) {
+        (Some(full), _) => Symmetric::new(list::<6>(link, "fullinertia", full)?),
+        (None, Some(diagonal)) => Symmetric::diagonal(list::<3>(link, "diaginertia", diagonal)?),
+        (None, None) => return Err(missing("diaginertia or fullinertia")),
+    };
+    let tensor = match block.attribute("quat") {
+        Some(quat) => {
+            let quat = list::<4>(link, "quat", quat)?;
+            if quat.iter().all(RBig::is_zero) {
+                return Err(missing("quat that is not zero"));
+            }
+            rotated(&tensor, &quat)
+        }
+        None => tensor,
+    };
+    MassProperties::about_com(mass, com, tensor).map_err(|source| LinkError::Mass { link: link.to_owned(), source })
+}
+
+/// The first child of that name.
+fn child<'a, 'input>(node: Node<'a, 'input>, tag: &str) -> Option<Node<'a, 'input>> {
+    node.children().find(|child| child.has_tag_name(tag))
+}
+
+/// The numbers of an attribute, exactly.
+fn list<const N: usize>(link: &str, attribute: &'static str, value: &str) -> Result<[RBig; N], LinkError> {
+    let mut numbers = Vec::with_capacity(N);
+    for word in value.split_whitespace() {
+        let number: Number = word.parse().map_err(|source| LinkError::Number {
+            link: link.to_owned(),
+            attribute,
+            value: value.to_owned(),
+            source,
+        })?;
+        numbers.push(number.value().clone());
+    }
+    numbers.try_into().map_err(|numbers: Vec<RBig>| LinkError::Count {
+        link: link.to_owned(),
+        attribute,
+        value: value.to_owned(),
+        found: numbers.len(),
+        wanted: N,
+    })
 }

@@ -6,8 +6,7 @@
 use bifdiag_numbers::Sign;
 use dashu_ratio::RBig;
 
-use super::error::MeshError;
-use super::surface::Mesh;
+use super::surface::{Mesh, MeshError};
 
 type Point = [f64; 3];
 

@@ -140,13 +140,14 @@ impl Isolation<'_> {
             (GapAt::Value(p), GapAt::Value(q)) => left.x + (right.x - left.x) * p.value / (p.value - q.value),
             _ => f64::NAN,
         };
-        let root = newton_bracketed(bracket, guess, 0.0, |x| {
+        let mut evaluations = 0;
+        let x = newton_bracketed(bracket, guess, 0.0, |x| {
+            evaluations += 2;
             let (gap, slope, _) = at(x);
             // Below an eighth of its bound the gap is noise.
             (if gap.value.abs() <= gap.error / 8.0 { 0.0 } else { gap.value }, slope)
         });
-        self.order.evaluations += 2 * root.evaluations;
-        let x = root.at;
+        self.order.evaluations += evaluations;
         let (gap, slope, point) = at(x);
         let x_error = (gap.error / slope.abs()).min(right.x - left.x) + 4.0 * UNIT_ROUNDOFF * x;
         let h_error = point.h_error() + x_error * point.slope();

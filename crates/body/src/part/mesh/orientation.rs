@@ -3,12 +3,11 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use bifdiag_numbers::partition::Partition;
+use bifdiag_numbers::table::Partition;
 use bifdiag_numbers::vector::{cross, dot, norm};
 
-use super::error::MeshError;
 use super::integrals::VolumeIntegrals;
-use super::surface::Mesh;
+use super::surface::{Mesh, MeshError};
 
 /// Checks that each edge belongs to two triangles that pass it in opposite directions.
 pub(super) fn check_edges(mesh: &Mesh) -> Result<(), MeshError> {
