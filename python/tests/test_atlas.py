@@ -215,7 +215,7 @@ def test_certificates_are_the_command_lines(body, command, tmp_path):
     assert body.atlas().certificate is None
     assert bifdiag.verify(proved) == bifdiag.verify(proved.document) == len(proved.regions)
     for event in proved.events:
-        low, high = map(Fraction, event.l_enclosure)
+        low, high = map(Fraction, event.enclosure.l)
         assert low <= high and abs(Fraction(event.l) - low) <= Fraction(event.l_error) + (high - low)
     assert [region.id for region in proved.regions] == [region.id for region in body.atlas().regions]
     proved.save(tmp_path / "atlas.json")

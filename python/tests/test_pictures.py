@@ -56,7 +56,7 @@ def test_unstable_stretches_are_dashed(atlas):
             assert line.get_color() == "0.4"
             continue
         middle = line.get_ydata()[[0, -1]].mean()
-        (word,) = {word for low, high, word in curve.stability if low < middle < high}
+        (word,) = {part.stability for part in curve.stability if part.l_from < middle < part.l_to}
         style = "-" if word in ("elliptic", "double-elliptic") else "--"
         assert line.get_linestyle() == style
         drawn[style] += 1

@@ -9,7 +9,7 @@ use super::{
     Accuracy, CertificateDocument, ComponentDocument, GivenBody, Head, MarginDocument, PartDocument, Stability,
 };
 
-/// What is special about a body; every flag is decided exactly.
+/// What is special about a body, decided exactly.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Flags {
     /// No mass distribution has these moments and this centre of mass: some A_i + A_j < A_k, or = A_k with r_k ≠ 0.
@@ -29,20 +29,20 @@ pub struct Flags {
 /// The body of an atlas.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BodyDocument {
-    /// Its numbers.
+    /// The numbers.
     #[serde(flatten)]
     pub given: GivenBody,
     /// What is special about the body.
     #[serde(flatten)]
     pub flags: Flags,
-    /// True when the generic closed form needs a special case.
+    /// One of `symmetric`, `plane`, `axis` and `euler`: the generic closed form needs a special case.
     pub degenerate: bool,
     /// The part from which A and r were computed, when one was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<PartDocument>,
 }
 
-/// What a curve in the (h, l) plane stands for.
+/// What a curve in the (h, l) plane consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum CurveKind {
@@ -65,15 +65,15 @@ pub enum CurveKind {
 /// A stretch of a curve with one kind of stability.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StabilitySpan {
-    /// From this l …
+    /// Where it begins.
     pub l_from: f64,
-    /// … to this l; null: to infinity.
+    /// Where it ends; null at infinity.
     pub l_to: Option<f64>,
     /// The linear type there.
     pub stability: Stability,
 }
 
-/// How the linear type changes along a branch.
+/// How the linear type changes along a branch. The list is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StabilityChangeKind {
@@ -97,7 +97,8 @@ impl StabilityChangeKind {
     }
 }
 
-/// A point of a branch at which the linear type changes.
+/// A point of a branch at which the linear type changes: a root of the polynomials of Proposition 13.4 of
+/// docs/mathematics.md, isolated exactly.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StabilityChangeDocument {
     /// Vertical angular momentum.
@@ -115,7 +116,7 @@ pub struct StabilityChangeDocument {
     pub from: Stability,
     /// The type at larger l or, at a cusp or pitchfork, on `onto`.
     pub to: Stability,
-    /// Bound on the error of `l` and `h`.
+    /// Bound on the errors of `l` and `h`; with a certificate at most 256 roundings (2⁻⁵²) of l + |h| + |r|.
     pub error_bound: f64,
 }
 
@@ -128,27 +129,27 @@ pub struct TailDocument {
     pub h_offset: f64,
 }
 
-/// A curve of critical values, or a pole line; l is monotone along it.
+/// A curve of critical values, or a pole line: a piece of a branch along which l is monotone.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CurveDocument {
     /// Id, unique in the atlas.
     pub id: String,
-    /// What it stands for.
+    /// What it consists of.
     pub kind: CurveKind,
     /// Branch: curves that continue each other through cusps and pitchforks share it.
     pub branch: String,
-    /// The branch in words, such as "from +r̂" or "pair over axis 2".
+    /// The branch in words: `from +r̂`, `between axis 1 and axis 2`, `pair over axis 2`, `circle over axes 1 and 2`, …
     pub branch_name: String,
     /// Morse index; null for a pole line off the critical curves.
     pub index: Option<u8>,
-    /// 2 for a symmetric pair (a double curve).
+    /// 2 for a symmetric pair (a double curve), else 1.
     pub multiplicity: u32,
-    /// Curves with the same (h, l).
+    /// Ids of the curves with the same (h, l): pole lines that run on critical curves.
     pub coincides_with: Vec<String>,
-    /// Range of μ of the closed form (docs/mathematics.md); null at an infinite end; absent for pole lines.
+    /// Range of μ of the closed form; an infinite end is null. Absent for pole lines.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mu_range: Option<[Option<f64>; 2]>,
-    /// Range of l; null: to infinity.
+    /// Range of l; an infinite end is null.
     pub l_range: [Option<f64>; 2],
     /// The linear type along the curve, by rising l; empty for pole lines.
     pub stability: Vec<StabilitySpan>,
@@ -160,18 +161,19 @@ pub struct CurveDocument {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum EventKind {
-    /// Two critical points meet and vanish.
+    /// Two curves meet and vanish.
     Cusp,
-    /// A symmetric pair leaves a curve.
+    /// A symmetric pair leaves a curve; `curves` holds the curve before, the curve after, and the pair.
     Pitchfork,
     /// Two curves cross.
     Crossing,
 }
 
-/// Proved bounds of a point, as decimals.
+/// Proved bounds of a point, as decimals. In l² they are at most as wide as the enclosure of the certificate and four
+/// roundings (2⁻⁵²) of l², in h as that and four roundings of |h| + |r|.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct EnclosureDocument {
-    /// l lies between these.
+    /// l lies between these; the lower one is not negative.
     pub l: [String; 2],
     /// h lies between these.
     pub h: [String; 2],
@@ -188,23 +190,24 @@ pub struct EventDocument {
     pub h: f64,
     /// Ids of the curves that meet.
     pub curves: Vec<String>,
-    /// Bound on the error of `l`.
+    /// Bound on the error of `l`; with a certificate at most the width of the enclosure and two roundings of l.
     pub l_error: f64,
-    /// Bound on the error of `h`.
+    /// Bound on the error of `h`; with a certificate at most the width of the enclosure and four roundings of |h| + |r|.
     pub h_error: f64,
     /// Proved bounds (certified only).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub enclosure: Option<EnclosureDocument>,
 }
 
-/// A point in a region, as far from its boundary in h as the region allows.
+/// A point well inside a region; where no double lies inside, the doubles nearest to one, which the certificate has exactly.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SampleDocument {
     /// Energy.
     pub h: f64,
     /// Vertical angular momentum.
     pub l: f64,
-    /// Distance to the boundary.
+    /// Distance of the exact point to the boundary. With a certificate its `error_bound` holds for the rounded point too, unless
+    /// a curve begins or ends in between.
     pub margin: MarginDocument,
 }
 
@@ -217,10 +220,10 @@ pub struct NeighbourDocument {
     pub curve: String,
 }
 
-/// A piece of a region between two consecutive events: all (h, l) with l in `l_range` and h between two curves.
+/// A part of a region: all (h, l) between two curves over a range of l that no event divides.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CellDocument {
-    /// Range of l; null: to infinity.
+    /// Range of l; an infinite end is null.
     pub l_range: [Option<f64>; 2],
     /// Id of the curve below (to the left in h).
     pub lower: String,
@@ -241,15 +244,16 @@ pub struct RegionDocument {
     pub signature: Option<String>,
     /// True when the region is bounded in the (h, l) plane.
     pub bounded: bool,
-    /// Range of l; null: to infinity.
+    /// Range of l; an infinite end is null.
     pub l_range: [Option<f64>; 2],
-    /// Ids of the curves on the boundary.
+    /// Ids of the curves on the boundary, each once: below and above each cell, in the order of `cells`.
     pub boundary: Vec<String>,
-    /// The regions next to this one.
+    /// The regions across these curves, in the same order.
     pub neighbours: Vec<NeighbourDocument>,
-    /// The cells that make up the region, by rising l.
+    /// The cells whose union it is, by rising l, then h.
     pub cells: Vec<CellDocument>,
-    /// True when a window cuts the region.
+    /// True when a window cuts it. Of a cut region `sample` lies in the window; `cells`, `l_range` and `h_width` are those of the
+    /// whole.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub clipped: bool,
 }
@@ -274,13 +278,13 @@ pub struct SummaryDocument {
     pub regions: usize,
     /// Number of events.
     pub events: usize,
-    /// How many regions have each signature.
+    /// How many regions have each signature (for r = 0, each type of U).
     pub signatures: BTreeMap<String, usize>,
-    /// The largest number of critical points at one l.
+    /// The largest number of relative equilibria at one l; a critical circle or sphere counts once.
     pub critical_points_max: usize,
     /// What could not be decided.
     pub undecided: Vec<UndecidedDocument>,
-    /// True when `regions` covers the whole half-plane l > 0.
+    /// True when `regions` covers the whole half-plane l > 0 and nothing is undecided.
     pub complete: bool,
 }
 
@@ -293,7 +297,7 @@ pub struct WindowDocument {
     pub l: [f64; 2],
 }
 
-/// The windows in which a diagram is seen.
+/// The windows in which a diagram is seen, to 10⁻⁶ of each.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ViewDocument {
     /// The default view: all events, and a part of every unbounded region; the `polygon` of each region lies in it.
@@ -305,21 +309,28 @@ pub struct ViewDocument {
 /// The drawing of a curve.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CurveDrawing {
-    /// Points [h, l] by rising l, dense enough for the chord tolerance.
+    /// Points [h, l] by rising l, from end to end; an unbounded curve at least up to l₁, the largest of 1.6 times the l of the
+    /// last event and 3√(A |r|) with the largest A (|r| here at least the unit of energy of the certificate). No chord leaves
+    /// its curve by more than 1/800 of l₁²/(2A) + 2|r| in h, measured across the chord in units of that height and of l₁.
     pub polyline: Vec<[f64; 2]>,
 }
 
 /// The drawing of a region.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RegionDrawing {
-    /// The part of the region inside the default view (inside the window, if one was asked for): closed outlines of points
-    /// [h, l], of which the last is the first; a hole is an outline of its own (fill by the even-odd rule).
+    /// The part of the region inside `view.everything` (inside the window, if one was asked for): closed outlines of points
+    /// [h, l] whose last point is the first; a hole is an outline of its own (fill by the even-odd rule). An outline begins at
+    /// its smallest l, there at the lowest h, and has the region on its left as l runs to the right and h upwards; outlines
+    /// stand by that l, then h. Where two events of the list are at one l, all outlines end at the l of each event. Corners
+    /// lie on the curves, but for those where a curve leaves the view. No edge leaves its curve by more than 1/250 of the
+    /// height of the view in h, or it spans less than 10⁻⁹ of the view's l.
     pub polygon: Vec<Vec<[f64; 2]>>,
-    /// The largest extent in h at one l; null if unbounded.
+    /// The largest extent in h at one l, to 10⁻⁶ of it and 4·10⁻⁹ of |r|; null if unbounded.
     pub h_width: Option<f64>,
 }
 
-/// What pictures of an atlas show: numbers of `f64` to the accuracy that docs/formats.md states, no part of the proof.
+/// What pictures of an atlas show, in f64: no part of a proof. The accuracies hold for all bodies but those whose curves
+/// doubles do not tell apart, such as rods of 10⁻¹¹ and less.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DrawingDocument {
     /// Where the diagram is seen; it depends on the body alone.
@@ -353,7 +364,7 @@ pub struct AtlasDocument {
     pub regions: Vec<RegionDocument>,
     /// Totals.
     pub summary: SummaryDocument,
-    /// What pictures show, rounded; absent if it was not asked for.
+    /// What pictures show; absent with `--no-drawing`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drawing: Option<DrawingDocument>,
     /// What is needed to check the atlas (certified only).

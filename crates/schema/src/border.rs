@@ -8,7 +8,6 @@ use super::{Head, ParameterName, RangeDocument};
 /// Kinds of borders, all of codimension one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-#[schemars(rename = "BorderEventKind")]
 pub enum BorderEventName {
     /// Two cusps of one branch, and with them a crossing, are born or vanish.
     Swallowtail,
@@ -40,7 +39,6 @@ pub enum BorderEventName {
 
 /// What happens at a border.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "BorderEvent")]
 pub struct BorderEventDocument {
     /// Which kind.
     pub kind: BorderEventName,
@@ -62,7 +60,6 @@ pub struct BorderEventDocument {
 
 /// The value of a parameter at a border.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "BorderValue")]
 pub struct BorderValueDocument {
     /// The parameter.
     pub parameter: ParameterName,
@@ -76,7 +73,6 @@ pub struct BorderValueDocument {
 
 /// A border between two classes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Border")]
 pub struct FoundBorderDocument {
     /// Where the class changes: a value of each parameter that varies.
     pub at: Vec<BorderValueDocument>,

@@ -7,7 +7,6 @@ use super::{GivenBody, Head};
 
 /// A body by its moments and its centre of mass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "ClassWitness")]
 pub struct ClassWitnessDocument {
     /// The body.
     #[serde(flatten)]
@@ -16,7 +15,6 @@ pub struct ClassWitnessDocument {
 
 /// A class beside another one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "ClassNeighbour")]
 pub struct ClassNeighbourDocument {
     /// The class beyond the border.
     pub class: String,
@@ -28,7 +26,6 @@ pub struct ClassNeighbourDocument {
 
 /// A class of bodies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Class")]
 pub struct ClassDocument {
     /// Its name.
     pub name: String,
@@ -75,7 +72,6 @@ pub struct ClassesDocument {
 
 /// A border of the class of a body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "ClassBorder")]
 pub struct ClassBorderDocument {
     /// The class beyond it.
     pub class: String,

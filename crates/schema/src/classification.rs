@@ -8,21 +8,22 @@ use super::{Accuracy, GivenBody, Head, Number, PartDocument};
 /// One connected component of U_hl with the components of E_hl and P_hl above it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct ComponentDocument {
-    /// Boundary circles of the component of U_hl.
+    /// k: the component of U_hl is the sphere without k discs.
     pub boundary_circles: u32,
-    /// `"+"` for r̂, `"-"` for −r̂; null when r = 0.
+    /// The poles inside: `[]`, `["+"]` (r̂), `["-"]` (−r̂) or both; null when r = 0.
     pub poles: Option<Vec<String>>,
-    /// `S2`, `D2`, `S2-2D2` … `S2-kD2`.
+    /// Its name: `S2` (the sphere), `D2` (a disc), `S2-2D2` (an annulus), … `S2-kD2`.
     pub accessible_region: String,
-    /// `RP3`, `S3`, `S1xS2`, `(S1xS2)#(S1xS2)`, `#3(S1xS2)` … `#(k-1)(S1xS2)`.
+    /// The component of E_hl above it: `RP3`, `S3`, `S1xS2`, `(S1xS2)#(S1xS2)`, `#3(S1xS2)` … `#(k-1)(S1xS2)`.
     pub energy_surface: String,
-    /// `S2`, `T2`, `M2`, `M3`, … by genus; null when r = 0.
+    /// The component of P_hl above it, by genus: `S2`, `T2`, `M2`, `M3`, …; null when r = 0.
     pub section: Option<String>,
-    /// Genus of the section's component; null when r = 0.
+    /// Genus of `section`: k + n − 1 with n poles inside; null when r = 0.
     pub genus: Option<u32>,
 }
 
-/// Distance in h to the nearest curve, and how much of it can be trusted.
+/// Distance in h to the nearest curve. With `fast`, curves that begin or end within rounding (1e-14) of l count on both
+/// sides; with `exact`, those at l itself.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MarginDocument {
     /// |h − h_c| to the nearest critical curve or pole line at this l.
@@ -47,7 +48,7 @@ pub enum Status {
     Undecided,
 }
 
-/// One region that meets at a critical or undecided point; without an atlas, one class.
+/// A region that meets at a critical or undecided point; without an atlas, a class.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct CandidateDocument {
     /// Id of the region; null for the forbidden region, and without an atlas.
@@ -77,8 +78,8 @@ pub struct ClassificationDocument {
     pub status: Status,
     /// The level of accuracy that was asked for.
     pub accuracy: Accuracy,
-    /// Id of the region in the body's atlas; null when forbidden, critical or undecided, where no region was asked for, and
-    /// where no atlas tells it (`note` says so).
+    /// Id of the region in the body's atlas; null unless regular, with `--no-region`, and where no atlas gives it (`note` says
+    /// so).
     pub region: Option<String>,
     /// Distance to the nearest curve.
     pub margin: MarginDocument,
@@ -86,7 +87,7 @@ pub struct ClassificationDocument {
     pub components: Option<Vec<ComponentDocument>>,
     /// The sections' names joined by `+`; null when r = 0 or no single class is known.
     pub signature: Option<String>,
-    /// Each region that meets at a critical or undecided point, once, and no other; without an atlas, each class.
+    /// Each region that meets at a critical or undecided point, once; without an atlas, each class.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub candidates: Vec<CandidateDocument>,
     /// Why something is null.

@@ -5,15 +5,15 @@ use serde::{Deserialize, Serialize};
 
 use super::{GivenBody, Head, Number, PartDocument};
 
-/// Linear type of a relative equilibrium: the eigenvalues ±λ₁, ±λ₂ of the Euler–Poisson flow reduced by l.
+/// Linear type of a relative equilibrium, decided exactly: the eigenvalues ±λ₁, ±λ₂ of the Euler–Poisson flow reduced by l.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stability {
-    /// Two imaginary pairs; across a circle of equilibria one.
+    /// Two imaginary pairs; across a circle of equilibria one pair.
     Elliptic,
     /// One real and one imaginary pair.
     SaddleCentre,
-    /// Two real pairs; across a circle of equilibria one.
+    /// Two real pairs; across a circle of equilibria one pair.
     Saddle,
     /// A complex quadruple.
     Complex,
@@ -122,9 +122,17 @@ impl JsonSchema for Verdict {
     }
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let words = [
+            (serde_json::json!("energy"), "Stable: a strict minimum of U_l."),
+            (serde_json::json!("integral"), "Stable by a further integral (Lagrange's top, Euler's)."),
+            (serde_json::json!("spectrum"), "All eigenvalues are imaginary; nothing more is claimed."),
+            (serde_json::json!(false), "Unstable."),
+            (serde_json::json!(null), "Not decided by the linearization."),
+        ];
+        let one = |(word, about): &(serde_json::Value, &str)| serde_json::json!({"const": word, "description": about});
         schemars::json_schema!({
-            "description": "Stable by a minimum of U_l (energy) or by a further integral; all eigenvalues imaginary and nothing more claimed (spectrum); unstable (false); not decided by the linearization (null).",
-            "enum": ["energy", "integral", "spectrum", false, null]
+            "description": "What is known of the stability; of a circle or sphere as a whole (Proposition 13.6 of docs/mathematics.md).",
+            "oneOf": words.iter().map(one).collect::<Vec<_>>()
         })
     }
 }
@@ -176,7 +184,7 @@ impl JsonSchema for Multiplicity {
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         schemars::json_schema!({
-            "description": "1, 2 (a degenerate root), or a critical circle or sphere.",
+            "description": "How many critical points an entry stands for: 1; 2 for a degenerate root, exactly at a cusp or pitchfork; or a circle or sphere, of which `gamma` is one.",
             "oneOf": [{"type": "integer", "minimum": 1}, {"enum": ["circle", "sphere"]}]
         })
     }
@@ -191,7 +199,7 @@ pub struct RelativeEquilibriumDocument {
     pub gamma: [f64; 3],
     /// Angular velocity l / J(γ), with the sign of l.
     pub omega: f64,
-    /// Morse index of U_l: 0 minimum, 1 saddle, 2 maximum.
+    /// Morse index of U_l: 0 minimum, 1 saddle, 2 maximum; for a circle, of its one normal direction.
     pub index: u8,
     /// How many critical points this entry stands for.
     pub multiplicity: Multiplicity,
@@ -199,9 +207,10 @@ pub struct RelativeEquilibriumDocument {
     pub stability: Stability,
     /// What is known of its stability.
     pub stable: Verdict,
-    /// The two of the eigenvalues ±λ₁, ±λ₂ of the flow reduced by l that have re ≥ 0 and im ≥ 0, as [re, im].
+    /// The two of ±λ₁, ±λ₂ with re ≥ 0 and im ≥ 0, as [re, im], real ones first, then by size. A complex quadruple gives the same
+    /// pair twice; a circle its transverse pair, then [0, 0].
     pub eigenvalues: [[f64; 2]; 2],
-    /// Bound on the error of each of these numbers.
+    /// Bound on the error of each of the four numbers.
     pub eigenvalue_error: f64,
     /// Id of the curve on which it lies.
     pub branch: String,
@@ -221,11 +230,12 @@ pub struct CriticalDocument {
     /// Vertical angular momentum as given.
     #[schemars(with = "Number")]
     pub l: String,
-    /// Relative equilibria sorted by h, then γ lexicographically.
+    /// All relative equilibria, by rising h, then γ lexicographically; a symmetric pair is two entries.
     pub critical: Vec<RelativeEquilibriumDocument>,
     /// Bound on the error of every `h`.
     pub error_bound: f64,
-    /// False when it could not be decided whether further critical points exist.
+    /// True: beside a cusp or pitchfork, points are counted in exact arithmetic. False only where two cusps are closer than
+    /// 2⁻⁴⁰⁰⁰.
     pub complete: bool,
     /// What could not be decided, in words.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -8,11 +8,11 @@ use super::Number;
 /// Where a document comes from: the first fields of each.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Head {
-    /// Version of this document.
+    /// Version of the documents.
     pub schema_version: String,
     /// Version of the program that made it.
     pub version: String,
-    /// The command that makes it: canonical, from body and settings.
+    /// The canonical command that prints the document, made from body and settings.
     pub command: String,
 }
 

@@ -64,7 +64,7 @@ pub use spin::{
 /// Version of every document in this module.
 pub const SCHEMA_VERSION: &str = "3";
 
-/// What an answer is worth.
+/// The level of accuracy that was asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Accuracy {

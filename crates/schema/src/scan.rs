@@ -9,7 +9,6 @@ use super::{Accuracy, Head, Number};
 
 /// One coordinate of (A, r).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Parameter")]
 pub enum ParameterName {
     /// A1.
     A1,
@@ -30,7 +29,6 @@ pub enum ParameterName {
 
 /// The values that one parameter takes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Range")]
 pub struct RangeDocument {
     /// Which.
     pub parameter: ParameterName,
@@ -46,7 +44,6 @@ pub struct RangeDocument {
 /// The bodies among which a scan chooses.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "family", rename_all = "lowercase")]
-#[schemars(rename = "Family")]
 pub enum FamilyDocument {
     /// Every body that exists, up to its symmetries and units: A_i = 1 − m_i, where the second moments of mass m are
     /// uniform on the simplex m1 + m2 + m3 = 1, and r̂ uniform on the positive octant of the sphere, |r| = 1. Four
@@ -71,7 +68,6 @@ pub enum FamilyDocument {
 
 /// A numbered list of bodies.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Design")]
 pub struct DesignDocument {
     /// The bodies.
     #[serde(rename = "bodies")]
@@ -103,7 +99,6 @@ pub struct ScanIdentityDocument {
 /// How far a body was understood.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-#[schemars(rename = "Status")]
 pub enum RowStatus {
     /// It has a class.
     Classified,
@@ -115,7 +110,6 @@ pub enum RowStatus {
 
 /// One body of a scan.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Row")]
 pub struct RowDocument {
     /// Number of the body in the scan, from 0.
     pub index: u64,
@@ -181,7 +175,6 @@ pub struct RowDocument {
 
 /// A body that shows something, with its number in the scan.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "BodyRecord")]
 pub struct BodyRecordDocument {
     /// Its number.
     pub index: u64,
@@ -195,7 +188,6 @@ pub struct BodyRecordDocument {
 
 /// A class and how often it was met.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "ClassRecord")]
 pub struct ClassRecordDocument {
     /// Its name.
     pub class: String,
@@ -213,7 +205,6 @@ pub struct ClassRecordDocument {
 
 /// Something that bodies show: how many do, and where it is seen best.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Record")]
 pub struct RecordDocument {
     /// Number of bodies.
     pub bodies: u64,
@@ -223,7 +214,6 @@ pub struct RecordDocument {
 
 /// The summary of a scan.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "SummaryDocument")]
 pub struct ScanSummaryDocument {
     /// Where it comes from.
     #[serde(flatten)]

@@ -116,7 +116,7 @@ pub enum RotationAngleName {
     Islands,
 }
 
-/// Is an orbit regular or chaotic? Chaotic is not unstable: an unstable periodic orbit is not chaotic.
+/// Whether an orbit is regular or chaotic. Chaotic is not unstable: an unstable periodic orbit is not chaotic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum VerdictName {
@@ -142,12 +142,13 @@ pub enum VerdictsName {
     None,
 }
 
-/// Where a verdict was decided; an orbit that is followed further keeps it.
+/// Where a verdict was decided: the time of the look that decided, and the last crossing before it. An orbit that is followed
+/// further keeps it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DecidedDocument {
     /// Time since the start.
     pub time: f64,
-    /// Number of the last crossing until then.
+    /// Number of the last crossing before it.
     pub crossing: u32,
 }
 
@@ -167,9 +168,9 @@ pub struct EvidenceDocument {
 /// How regular an orbit is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ChaosDocument {
-    /// Null for an orbit of no duration or one that was not finished.
+    /// The largest Lyapunov exponent; null for an orbit of no duration or one that was not finished.
     pub lyapunov: Option<LyapunovDocument>,
-    /// Null if there is none.
+    /// The rotation number; null if there is none.
     pub rotation: Option<RotationDocument>,
     /// Why there is no rotation number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -184,7 +185,7 @@ pub struct ChaosDocument {
 pub struct OrbitDocument {
     /// Its number, as in the data.
     pub orbit: u32,
-    /// The component (its number in `components`, from 0) that holds its start; null if it could not be told.
+    /// Number in `components`, from 0, of the component that holds its start; null if it is not known.
     pub component: Option<usize>,
     /// ϑ' of its start.
     pub theta: f64,

@@ -19,15 +19,19 @@ from .errors import BifdiagError, BodyError, BodyWarning, InputError, RangeError
 from .motion import Motion
 from .records import (
     Candidate,
+    Cell,
     Classification,
     Component,
     Curve,
+    Enclosure,
     Event,
     Margin,
     Neighbour,
     Region,
     Sample,
     StabilityChange,
+    StabilitySpan,
+    Tail,
 )
 from .section import Section
 from .survey import Witness, find, merge, scan, verify
@@ -39,9 +43,11 @@ __all__ = [
     "BodyError",
     "BodyWarning",
     "Candidate",
+    "Cell",
     "Classification",
     "Component",
     "Curve",
+    "Enclosure",
     "Event",
     "InputError",
     "Margin",
@@ -52,6 +58,8 @@ __all__ = [
     "Sample",
     "Section",
     "StabilityChange",
+    "StabilitySpan",
+    "Tail",
     "VerifyError",
     "Witness",
     "__version__",

@@ -11,10 +11,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, exact, files, pictures
+from .behaviour import Document, sections
 from .errors import InputError
 from .exact import Number
 from .explorer import Explorer
-from .records import Classification, Curve, Document, Event, Region, StabilityChange, sections
+from .records import Classification, Curve, Event, Region, StabilityChange
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -134,7 +135,7 @@ class Atlas:
     def regions(self) -> tuple[Region, ...]:
         """The regions, in the order of their ids: ``atlas.regions[4].id == "R5"``."""
         regions, widths = json.loads(self._inner.regions()), self._inner.h_widths()
-        return tuple(Region._of(*told, self._outlines) for told in zip(regions, widths, strict=True))
+        return tuple(Region._of(found, (width, self._outlines)) for found, width in zip(regions, widths, strict=True))
 
     @cached_property
     def events(self) -> tuple[Event, ...]:

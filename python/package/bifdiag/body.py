@@ -11,11 +11,12 @@ import numpy.typing as npt
 
 from . import _core, exact, pictures
 from .atlas import Atlas
+from .behaviour import table
 from .critical import equilibria
 from .errors import BodyWarning, InputError
 from .exact import Number
 from .motion import Motion
-from .records import Classification, table
+from .records import Classification
 from .section import Section
 
 UNPHYSICAL = (

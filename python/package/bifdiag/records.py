@@ -1,42 +1,33 @@
-"""What the documents of the program hold, as records: read-only, comparable, picklable, with all their fields printed."""
+"""What the documents of the program hold, as records: read-only, comparable, picklable, with all their fields printed.
 
-import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, fields
+Written by ``cargo run --release --example records`` from the JSON Schemas of the documents.
+"""
+
+from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
-Document = dict[str, Any]
-
-
-def sections(components: "tuple[Component, ...] | None") -> str:
-    """The sections of components in words; where there are none, the parts of U."""
-    if components is None:
-        return "not decided"
-    return " + ".join(component.section or component.accessible_region for component in components) or "nothing"
+from . import behaviour
+from .behaviour import Document, infinite, maybe, span
 
 
 @dataclass(frozen=True, slots=True)
 class Component:
-    """One connected component of the accessible region U, with the energy surface and the section over it.
+    """One connected component of U_hl with the components of E_hl and P_hl above it.
 
     Attributes
     ----------
     boundary_circles : int
-        Number k of circles that bound it.
-    poles : tuple of str or None
-        Which of r̂ (``"+"``) and −r̂ (``"-"``) it contains; None when r = 0.
+        k: the component of U_hl is the sphere without k discs.
+    poles : tuple[str, ...] or None
+        The poles inside: ``[]``, ``["+"]`` (r̂), ``["-"]`` (−r̂) or both; None when r = 0.
     accessible_region : str
-        Its name: ``"S2"`` the sphere, ``"D2"`` a disc, ``"S2-2D2"`` an annulus, ``"S2-3D2"`` the sphere without 3 discs, …
+        Its name: ``S2`` (the sphere), ``D2`` (a disc), ``S2-2D2`` (an annulus), … ``S2-kD2``.
     energy_surface : str
-        The component of the three-dimensional E above it: ``"RP3"`` (k = 0), ``"S3"`` (1), ``"S1xS2"`` (2),
-        ``"(S1xS2)#(S1xS2)"`` (3), ``"#3(S1xS2)"`` (4), …
+        The component of E_hl above it: ``RP3``, ``S3``, ``S1xS2``, ``(S1xS2)#(S1xS2)``, ``#3(S1xS2)`` … ``#(k-1)(S1xS2)``.
     section : str or None
-        The component of the Poincaré section P above it, by its genus: ``"S2"``, ``"T2"``, ``"M2"``, ``"M3"``, …; None when
-        r = 0.
+        The component of P_hl above it, by genus: ``S2``, ``T2``, ``M2``, ``M3``, …; None when r = 0.
     genus : int or None
-        The genus k + n − 1 of `section`, with n poles inside; None when r = 0.
+        Genus of ``section``: k + n − 1 with n poles inside; None when r = 0.
     """
 
     boundary_circles: int
@@ -48,33 +39,29 @@ class Component:
 
     @classmethod
     def _of(cls, document: Document) -> "Component":
-        poles = document["poles"]
         return cls(
             document["boundary_circles"],
-            None if poles is None else tuple(poles),
+            maybe(tuple, document["poles"]),
             document["accessible_region"],
             document["energy_surface"],
             document["section"],
             document["genus"],
         )
 
-    @classmethod
-    def _all_of(cls, documents: list[Document] | None) -> "tuple[Component, ...] | None":
-        return None if documents is None else tuple(cls._of(document) for document in documents)
-
 
 @dataclass(frozen=True, slots=True)
 class Margin:
-    """The distance in h to the nearest curve at the same l.
+    """Distance in h to the nearest curve. With ``fast``, curves that begin or end within rounding (1e-14) of l count on
+    both sides; with ``exact``, those at l itself.
 
     Attributes
     ----------
     h : float
-        The distance, in units of energy.
+        |h − h_c| to the nearest critical curve or pole line at this l.
     nearest : str
         Id of that curve.
     error_bound : float
-        Bound on the error of `h`.
+        Bound on the error of ``h``.
     """
 
     h: float
@@ -83,21 +70,25 @@ class Margin:
 
     @classmethod
     def _of(cls, document: Document) -> "Margin":
-        return cls(document["h"], document["nearest"], document["error_bound"])
+        return cls(
+            document["h"],
+            document["nearest"],
+            document["error_bound"],
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """A region that meets at a point on a curve, or to which a point may belong that is not decided.
+    """A region that meets at a critical or undecided point; without an atlas, a class.
 
     Attributes
     ----------
     region : str or None
-        Its id; None for the forbidden region.
+        Id of the region; None for the forbidden region, and without an atlas.
     status : str
-        ``"regular"`` or ``"forbidden"``.
-    components : tuple of Component
-        The components of U there.
+        ``regular``, or ``forbidden`` for the region below the lowest critical value.
+    components : tuple[Component, ...]
+        The components of U_hl there; none in the forbidden region.
     """
 
     region: str | None
@@ -105,31 +96,43 @@ class Candidate:
     components: tuple[Component, ...]
 
     @classmethod
-    def _of(cls, document: Any) -> "Candidate":
-        return cls(document["region"], document["status"], Component._all_of(document["components"]) or ())
+    def _of(cls, document: Document) -> "Candidate":
+        return cls(
+            document["region"],
+            document["status"],
+            tuple(map(Component._of, document["components"])),
+        )
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Classification:
-    """What is known of a point (h, l).
+class Classification(behaviour.Classification):
+    """The answer of ``classify``.
 
     Attributes
     ----------
-    h, l : str
-        The point, as it was given.
+    h : str
+        Energy as given.
+    l : str
+        Vertical angular momentum as given.
     status : str
-        ``"regular"``; ``"forbidden"`` (h below the minimum); ``"critical"`` (on a curve, by exact equality);
-        ``"undecided"`` (only with the accuracy ``"fast"``).
+        What is known of the point. ``"regular"``: Inside a region; ``components`` holds the answer. ``"forbidden"``: Below
+        the lowest critical value: U_hl is empty. ``"critical"``: Exactly on a curve (proved); ``candidates`` holds every
+        region that meets there. ``"undecided"``: Closer to a curve than the error bound (only with ``fast``);
+        ``candidates`` holds every possible region.
+    accuracy : str
+        The level of accuracy that was asked for. ``"exact"``: Never undecided: ``f64`` where its error bounds suffice,
+        exact arithmetic elsewhere. ``"fast"``: ``f64`` with error bounds alone; undecided where they do not suffice.
     region : str or None
-        Id of the region in the body's atlas; None unless regular.
-    signature : str or None
-        The names of the sections of `components` joined by ``+``, in their order; None unless regular, and when r = 0.
-    components : tuple of Component or None
-        The components of U; none where it is forbidden; None on a curve, or where nothing is decided.
-    candidates : tuple of Candidate
-        The regions that meet on a curve, or those that are possible.
+        Id of the region in the body's atlas; None unless regular, with ``--no-region``, and where no atlas gives it
+        (``note`` says so).
     margin : Margin
-        The distance to the nearest curve.
+        Distance to the nearest curve.
+    components : tuple[Component, ...] or None
+        The components of U_hl (none when forbidden); None when critical or undecided.
+    signature : str or None
+        The sections' names joined by ``+``; None when r = 0 or no single class is known.
+    candidates : tuple[Candidate, ...]
+        Each region that meets at a critical or undecided point, once; without an atlas, each class.
     note : str or None
         Why something is None.
     """
@@ -137,11 +140,12 @@ class Classification:
     h: str
     l: str
     status: str
+    accuracy: str
     region: str | None
-    signature: str | None
-    components: tuple[Component, ...] | None
-    candidates: tuple[Candidate, ...]
     margin: Margin
+    components: tuple[Component, ...] | None
+    signature: str | None
+    candidates: tuple[Candidate, ...]
     note: str | None
 
     @classmethod
@@ -150,47 +154,43 @@ class Classification:
             document["h"],
             document["l"],
             document["status"],
-            document.get("region"),
-            document.get("signature"),
-            Component._all_of(document["components"]),
-            tuple(Candidate._of(candidate) for candidate in document.get("candidates", ())),
+            document["accuracy"],
+            document["region"],
             Margin._of(document["margin"]),
+            maybe(lambda found: tuple(map(Component._of, found)), document["components"]),
+            document["signature"],
+            tuple(map(Candidate._of, document.get("candidates", ()))),
             document.get("note"),
         )
 
-    def __repr__(self) -> str:
-        region = f", region={self.region!r}" if self.region else ""
-        signature = f", signature={self.signature!r}" if self.signature else ""
-        candidates = f", candidates={[c.region or c.status for c in self.candidates]}" if self.candidates else ""
-        return (
-            f"Classification(h={self.h}, l={self.l}, status={self.status!r}{region}{signature}{candidates}, "
-            f"margin={self.margin.h:.6g} to {self.margin.nearest})"
-        )
-
-    def _repr_html_(self) -> str:
-        rows = [("status", self.status), ("region", self.region or "–"), ("sections", sections(self.components))]
-        rows.append(("distance to the nearest curve", f"{self.margin.h:.6g} to {self.margin.nearest}"))
-        return table([("(h, l)", f"({self.h}, {self.l})"), *rows])
-
 
 @dataclass(frozen=True, slots=True)
-class Sample:
-    """A well-placed point inside a region.
+class Sample(behaviour.Sample):
+    """A point well inside a region; where no double lies inside, the doubles nearest to one, which the certificate has
+    exactly.
 
     Attributes
     ----------
-    h, l : float
-        The point.
+    h : float
+        Energy.
+    l : float
+        Vertical angular momentum.
     margin : Margin
-        Its distance to the boundary.
+        Distance of the exact point to the boundary. With a certificate its ``error_bound`` holds for the rounded point too,
+        unless a curve begins or ends in between.
     """
 
     h: float
     l: float
     margin: Margin
 
-    def __iter__(self) -> Iterator[float]:
-        return iter((self.h, self.l))
+    @classmethod
+    def _of(cls, document: Document) -> "Sample":
+        return cls(
+            document["h"],
+            document["l"],
+            Margin._of(document["margin"]),
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,90 +200,129 @@ class Neighbour:
     Attributes
     ----------
     region : str or None
-        Its id; None for the forbidden region.
+        Id of the region; None: the forbidden region below the lowest critical value.
     curve : str
-        Id of the curve that is crossed.
+        Id of the curve crossed.
     """
 
     region: str | None
     curve: str
 
+    @classmethod
+    def _of(cls, document: Document) -> "Neighbour":
+        return cls(
+            document["region"],
+            document["curve"],
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A part of a region: all (h, l) between two curves over a range of l that no event divides.
+
+    Attributes
+    ----------
+    l_range : tuple[float, float]
+        Range of l; an infinite end is ``inf``.
+    lower : str
+        Id of the curve below (to the left in h).
+    upper : str or None
+        Id of the curve above; None: unbounded.
+    """
+
+    l_range: tuple[float, float]
+    lower: str
+    upper: str | None
+
+    @classmethod
+    def _of(cls, document: Document) -> "Cell":
+        return cls(
+            span(document["l_range"]),
+            document["lower"],
+            document["upper"],
+        )
+
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Region:
-    """A connected region of the (h, l) half-plane, on which the topology is constant.
+class Region(behaviour.Region):
+    """A connected face of the (h, l) half-plane l > 0, on which the topology is constant.
 
     Attributes
     ----------
     id : str
-        ``"R1"``, ``"R2"``, … by the first appearance as l, then h rise.
-    signature : str or None
-        The names of the sections of `components` joined by ``+``, in their order, such as ``"S2+T2"``; None when r = 0.
-    components : tuple of Component
-        The components of U.
+        Id, unique in the atlas.
     sample : Sample
-        A point inside.
+        A well-placed point inside.
+    components : tuple[Component, ...]
+        The components of U_hl.
+    signature : str or None
+        The sections' names joined by ``+``; None when r = 0.
     bounded : bool
-        Whether it is bounded in the (h, l) plane.
-    l_range : tuple of float
-        Its range of l; ``inf`` if it has no end.
-    h_width : float
-        Its largest extent in h at one l; ``inf`` if unbounded.
-    boundary : tuple of str
-        Ids of the curves on the boundary.
-    neighbours : tuple of Neighbour
-        The regions next to it.
+        True when the region is bounded in the (h, l) plane.
+    l_range : tuple[float, float]
+        Range of l; an infinite end is ``inf``.
+    boundary : tuple[str, ...]
+        Ids of the curves on the boundary, each once: below and above each cell, in the order of ``cells``.
+    neighbours : tuple[Neighbour, ...]
+        The regions across these curves, in the same order.
+    cells : tuple[Cell, ...]
+        The cells whose union it is, by rising l, then h.
     clipped : bool
-        Whether a window cuts it.
+        True when a window cuts it. Of a cut region ``sample`` lies in the window; ``cells``, ``l_range`` and ``h_width``
+        are those of the whole.
     """
 
     id: str
-    signature: str | None
-    components: tuple[Component, ...]
     sample: Sample
+    components: tuple[Component, ...]
+    signature: str | None
     bounded: bool
     l_range: tuple[float, float]
-    h_width: float
     boundary: tuple[str, ...]
     neighbours: tuple[Neighbour, ...]
+    cells: tuple[Cell, ...]
     clipped: bool
-    _outlines: Callable[[str], tuple[np.ndarray, ...]] = field(compare=False)
+    _drawn: Any = field(compare=False)
 
     @classmethod
-    def _of(cls, document: Document, h_width: float | None, outlines: Callable[[str], tuple[np.ndarray, ...]]) -> "Region":
-        sample = document["sample"]
+    def _of(cls, document: Document, drawn: Any) -> "Region":
         return cls(
             document["id"],
+            Sample._of(document["sample"]),
+            tuple(map(Component._of, document["components"])),
             document["signature"],
-            Component._all_of(document["components"]) or (),
-            Sample(sample["h"], sample["l"], Margin._of(sample["margin"])),
             document["bounded"],
             span(document["l_range"]),
-            infinite(h_width),
             tuple(document["boundary"]),
-            tuple(Neighbour(next_to["region"], next_to["curve"]) for next_to in document["neighbours"]),
+            tuple(map(Neighbour._of, document["neighbours"])),
+            tuple(map(Cell._of, document["cells"])),
             document.get("clipped", False),
-            outlines,
+            drawn,
         )
 
-    @property
-    def polygon(self) -> tuple[np.ndarray, ...]:
-        """Closed outlines of points [h, l] within the body's default view; a hole is an outline of its own.
 
-        They are fit for a picture of that view, ``atlas.document["drawing"]["view"]["everything"]``: their corners lie on
-        the curves, and between corners they are off by a thousandth of its range of h. `Atlas.outlines` gives finer ones
-        of a smaller window, `Atlas.region` decides points exactly.
-        """
-        return self._outlines(self.id)
+@dataclass(frozen=True, slots=True)
+class Enclosure:
+    """Proved bounds of a point, as decimals. In l² they are at most as wide as the enclosure of the certificate and four
+    roundings (2⁻⁵²) of l², in h as that and four roundings of |h| + |r|.
 
-    def __repr__(self) -> str:
-        names = ", ".join(["polygon", *(field.name for field in fields(self) if field.name[0] != "_")])
-        told = self.signature or sections(self.components)
-        return f"Region {self.id}: {told} at (h, l) = ({self.sample.h:.6g}, {self.sample.l:.6g}) [{names}]"
+    Attributes
+    ----------
+    l : tuple[str, str]
+        l lies between these; the lower one is not negative.
+    h : tuple[str, str]
+        h lies between these.
+    """
 
-    def _repr_html_(self) -> str:
-        at = f"({self.sample.h:.6g}, {self.sample.l:.6g})"
-        return table([("region", self.id), ("sections", sections(self.components)), ("a point (h, l) inside", at)])
+    l: tuple[str, str]
+    h: tuple[str, str]
+
+    @classmethod
+    def _of(cls, document: Document) -> "Enclosure":
+        return cls(
+            tuple(document["l"]),
+            tuple(document["h"]),
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -293,22 +332,20 @@ class Event:
     Attributes
     ----------
     kind : str
-        ``"cusp"``: two curves meet and vanish. ``"pitchfork"``: a symmetric pair leaves a curve. ``"crossing"``: two curves
-        cross. Others may follow.
-    l, h : float
-        The point, rounded.
-    curves : tuple of str
-        Ids of the curves that meet; at a pitchfork the curve before, after, and the pair.
-    l_error, h_error : float
-        Bounds on the errors of `l` and `h`.
-    l_enclosure, h_enclosure : tuple of two str, or None
-        Exact decimals between which `l` and `h` are proved to lie; of an atlas with certificate only.
-
-    Notes
-    -----
-    The coordinates of an event are algebraic numbers, which in general no decimal and no fraction is. So ``(event.h,
-    event.l)`` is a point beside it: `Body.classify` there gives one of the regions that meet, not ``"critical"``. What
-    meets at the event is told by `curves`, and by the `Region.boundary` that name them.
+        What happens. ``"cusp"``: Two curves meet and vanish. ``"pitchfork"``: A symmetric pair leaves a curve; ``curves``
+        holds the curve before, the curve after, and the pair. ``"crossing"``: Two curves cross.
+    l : float
+        Vertical angular momentum.
+    h : float
+        Energy.
+    curves : tuple[str, ...]
+        Ids of the curves that meet.
+    l_error : float
+        Bound on the error of ``l``; with a certificate at most the width of the enclosure and two roundings of l.
+    h_error : float
+        Bound on the error of ``h``; with a certificate at most the width of the enclosure and four roundings of |h| + |r|.
+    enclosure : Enclosure or None
+        Proved bounds (certified only).
     """
 
     kind: str
@@ -317,116 +354,187 @@ class Event:
     curves: tuple[str, ...]
     l_error: float
     h_error: float
-    l_enclosure: tuple[str, str] | None
-    h_enclosure: tuple[str, str] | None
+    enclosure: Enclosure | None
 
     @classmethod
     def _of(cls, document: Document) -> "Event":
-        curves = tuple(document["curves"])
-        errors = document["l_error"], document["h_error"]
-        l_ends, h_ends = (document.get("enclosure", {}).get(name) for name in ("l", "h"))
-        proved = None if l_ends is None else tuple(l_ends), None if h_ends is None else tuple(h_ends)
-        return cls(document["kind"], document["l"], document["h"], curves, *errors, *proved)
+        return cls(
+            document["kind"],
+            document["l"],
+            document["h"],
+            tuple(document["curves"]),
+            document["l_error"],
+            document["h_error"],
+            maybe(Enclosure._of, document.get("enclosure")),
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class StabilityChange:
-    """A point of a curve at which the stability of its relative equilibria changes.
+    """A point of a branch at which the linear type changes: a root of the polynomials of Proposition 13.4 of
+    docs/mathematics.md, isolated exactly.
 
     Attributes
     ----------
-    kind : str
-        ``"zero"``: a pair of eigenvalues goes through zero, at a cusp or pitchfork. ``"hamiltonian-hopf"``: two imaginary
-        pairs of opposite sign of energy meet and leave the axis. ``"real-collision"``: two real pairs meet and become a
-        complex quadruple. Others may follow.
-    l, h : float
-        The point.
+    l : float
+        Vertical angular momentum.
+    h : float
+        Energy.
     curve : str
-        Id of the curve.
+        Id of the curve on which it lies; at a cusp or pitchfork the first of the two.
+    onto : str or None
+        Id of the curve that goes on after a cusp or pitchfork.
+    kind : str
+        What happens. ``"hamiltonian-hopf"``: Two imaginary pairs of opposite Krein sign meet and leave the imaginary axis.
+        ``"real-collision"``: Two real pairs meet and become a complex quadruple. ``"zero"``: A pair of eigenvalues goes
+        through zero, at a cusp or pitchfork.
+    from_ : str
+        The type at smaller l or, at a cusp or pitchfork, on ``curve``. ``"elliptic"``: Two imaginary pairs; across a circle
+        of equilibria one pair. ``"saddle-centre"``: One real and one imaginary pair. ``"saddle"``: Two real pairs; across a
+        circle of equilibria one pair. ``"complex"``: A complex quadruple. ``"double-elliptic"``: A double imaginary pair.
+        ``"double-real"``: A double real pair. ``"zero"``: An eigenvalue zero.
+    to : str
+        The type at larger l or, at a cusp or pitchfork, on ``onto``.
     error_bound : float
-        Bound on the errors of `l` and `h`.
+        Bound on the errors of ``l`` and ``h``; with a certificate at most 256 roundings (2⁻⁵²) of l + |h| + |r|.
     """
 
-    kind: str
     l: float
     h: float
     curve: str
+    onto: str | None
+    kind: str
+    from_: str
+    to: str
     error_bound: float
 
     @classmethod
     def _of(cls, document: Document) -> "StabilityChange":
-        return cls(document["kind"], document["l"], document["h"], document["curve"], document["error_bound"])
+        return cls(
+            document["l"],
+            document["h"],
+            document["curve"],
+            document.get("onto"),
+            document["kind"],
+            document["from"],
+            document["to"],
+            document["error_bound"],
+        )
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
-class Curve:
-    """A curve of critical values, or a pole line; l is monotone along it.
+@dataclass(frozen=True, slots=True)
+class StabilitySpan:
+    """A stretch of a curve with one kind of stability.
+
+    Attributes
+    ----------
+    l_from : float
+        Where it begins.
+    l_to : float
+        Where it ends; ``inf`` at infinity.
+    stability : str
+        The linear type there. ``"elliptic"``: Two imaginary pairs; across a circle of equilibria one pair.
+        ``"saddle-centre"``: One real and one imaginary pair. ``"saddle"``: Two real pairs; across a circle of equilibria
+        one pair. ``"complex"``: A complex quadruple. ``"double-elliptic"``: A double imaginary pair. ``"double-real"``: A
+        double real pair. ``"zero"``: An eigenvalue zero.
+    """
+
+    l_from: float
+    l_to: float
+    stability: str
+
+    @classmethod
+    def _of(cls, document: Document) -> "StabilitySpan":
+        return cls(
+            document["l_from"],
+            infinite(document["l_to"]),
+            document["stability"],
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Tail:
+    """How a curve goes on to infinity: h = l²/(2 J) + h0 + O(l⁻²).
+
+    Attributes
+    ----------
+    moment : float
+        J: the moment of inertia of the limiting axis.
+    h_offset : float
+        h0.
+    """
+
+    moment: float
+    h_offset: float
+
+    @classmethod
+    def _of(cls, document: Document) -> "Tail":
+        return cls(
+            document["moment"],
+            document["h_offset"],
+        )
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Curve(behaviour.Curve):
+    """A curve of critical values, or a pole line: a piece of a branch along which l is monotone.
 
     Attributes
     ----------
     id : str
-        Its id, unique in the atlas.
+        Id, unique in the atlas.
     kind : str
-        ``"generic"`` equilibria; ``"pair"`` of two that are mirror images; ``"circle"`` and ``"sphere"`` of them;
-        ``"axis"``, rotation about the one axis that carries r; ``"pole-plus"`` and ``"pole-minus"``, where r̂ and −r̂
-        enter U.
+        What it consists of. ``"generic"``: Relative equilibria of the generic family γ(μ). ``"pair"``: A symmetric pair
+        over μ = A_i with r_i = 0. ``"circle"``: A circle of relative equilibria (Lagrange's top). ``"axis"``: Rotation
+        about a principal axis: a straight line in (l², h). ``"pole-plus"``: r̂ enters U_hl. ``"pole-minus"``: −r̂ enters
+        U_hl. ``"sphere"``: All of S² is critical.
     branch : str
-        Curves that continue each other through cusps and pitchforks share it.
+        Branch: curves that continue each other through cusps and pitchforks share it.
+    branch_name : str
+        The branch in words: ``from +r̂``, ``between axis 1 and axis 2``, ``pair over axis 2``, ``circle over axes 1 and
+        2``, …
     index : int or None
-        Morse index of U_l along it; None for a pole line.
+        Morse index; None for a pole line off the critical curves.
     multiplicity : int
-        2 for a symmetric pair.
-    coincides_with : tuple of str
-        Curves with the same (h, l).
-    l_range : tuple of float
-        Range of l.
-    stability : tuple of (float, float, str)
-        Stretches of l and the linear type there, in the words of `Body.critical`.
-    points : array (n, 2)
-        Points [h, l] by rising l; between them the curve is off by a thousandth of the ranges of the events. An unbounded
-        curve goes on beyond the last one. `Atlas.polyline` gives finer ones.
+        2 for a symmetric pair (a double curve), else 1.
+    coincides_with : tuple[str, ...]
+        Ids of the curves with the same (h, l): pole lines that run on critical curves.
+    mu_range : tuple[float, float] or None
+        Range of μ of the closed form; an infinite end is ``inf``. Absent for pole lines.
+    l_range : tuple[float, float]
+        Range of l; an infinite end is ``inf``.
+    stability : tuple[StabilitySpan, ...]
+        The linear type along the curve, by rising l; empty for pole lines.
+    tail : Tail or None
+        Asymptotics for l → ∞; None for a curve with two finite ends.
     """
 
     id: str
     kind: str
     branch: str
+    branch_name: str
     index: int | None
     multiplicity: int
     coincides_with: tuple[str, ...]
+    mu_range: tuple[float, float] | None
     l_range: tuple[float, float]
-    stability: tuple[tuple[float, float, str], ...]
-    points: np.ndarray
+    stability: tuple[StabilitySpan, ...]
+    tail: Tail | None
+    _drawn: Any = field(compare=False)
 
     @classmethod
-    def _of(cls, document: Document, points: Document | None) -> "Curve":
+    def _of(cls, document: Document, drawn: Any) -> "Curve":
         return cls(
             document["id"],
             document["kind"],
             document["branch"],
+            document["branch_name"],
             document["index"],
             document["multiplicity"],
             tuple(document["coincides_with"]),
+            maybe(span, document.get("mu_range")),
             span(document["l_range"]),
-            tuple((part["l_from"], infinite(part["l_to"]), part["stability"]) for part in document["stability"]),
-            np.array(points["polyline"] if points else [], dtype=float).reshape(-1, 2),
+            tuple(map(StabilitySpan._of, document["stability"])),
+            maybe(Tail._of, document["tail"]),
+            drawn,
         )
-
-    def __repr__(self) -> str:
-        names = ", ".join(field.name for field in fields(self))
-        return f"Curve {self.id}: {self.kind}, {len(self.points)} points [{names}]"
-
-
-def infinite(value: float | None) -> float:
-    """Null in a document is an infinite end."""
-    return math.inf if value is None else value
-
-
-def span(ends: list[float | None]) -> tuple[float, float]:
-    """A range whose lower end is finite."""
-    return infinite(ends[0]), infinite(ends[1])
-
-
-def table(rows: list[tuple[str, str]]) -> str:
-    """Names and values for a notebook."""
-    cells = "".join(f"<tr><th style='text-align:left'>{name}</th><td>{value}</td></tr>" for name, value in rows)
-    return f"<table>{cells}</table>"

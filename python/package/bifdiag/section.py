@@ -8,9 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, exact, pictures
+from .behaviour import table
 from .errors import InputError
 from .exact import Number
-from .records import table
 from .tables import Table
 
 ORBITS, CROSSINGS = 10**6, 2**31 - 1

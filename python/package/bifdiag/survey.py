@@ -10,9 +10,10 @@ from pathlib import Path
 
 from . import _core, exact, files
 from .atlas import Atlas
+from .behaviour import Document
 from .body import Body
 from .errors import BifdiagError, InputError
-from .records import Component, Document, Margin
+from .records import Component, Margin
 
 
 def scan(
@@ -200,7 +201,7 @@ class Witness:
             Body._of_document(there) if found else None,
             there["h"] if found else None,
             there["l"] if found else None,
-            Component._all_of(there["components"]) or () if found else (),
+            tuple(map(Component._of, there["components"])) if found else (),
             Margin._of(there["margin"]) if found else None,
             document["tried"],
             document,

@@ -1,126 +1,20 @@
-/** The parts of the command line's documents that the page reads. */
+/** The documents as the page receives them, and what it exchanges beside them. */
+import type { Atlas as AtlasDocument, Body, Drawing, Part, VerdictName } from "./schema";
 
-export type Triple = [string, string, string];
+export type { Classification, Component, Critical, Curve, Orbit, Region, Window } from "./schema";
 
-/** A part of the (h, l) plane. */
-export interface Window {
-  h: [number, number];
-  l: [number, number];
-}
+export type Triple = Part["A"];
 
-export interface Component {
-  boundary_circles: number;
-  poles: ("+" | "-")[] | null;
-  accessible_region: string;
-  energy_surface: string;
-  section: string | null;
-  genus: number | null;
-}
-
-export interface StabilitySpan {
-  l_from: number;
-  l_to: number;
-  stability: string;
-}
-
-export interface Curve {
-  id: string;
-  kind: string;
-  branch: string;
-  index: number | null;
-  multiplicity: number;
-  coincides_with: string[];
-  l_range: [number | null, number | null];
-  stability: StabilitySpan[];
-}
-
-export interface AtlasEvent {
-  kind: string;
-  l: number;
-  h: number;
-  curves: string[];
-}
-
-export interface Region {
-  id: string;
-  sample: { h: number; l: number };
-  components: Component[];
-  signature: string | null;
-  bounded: boolean;
-  l_range: [number | null, number | null];
-}
-
-export interface Flags {
-  unphysical: boolean;
-  symmetric: boolean;
-  axis: boolean;
-  euler: boolean;
-}
-
-/** What pictures show; `view`: where the diagram is seen. */
-export interface Picture {
-  view: { everything: Window; main: Window };
-  curves: Record<string, { polyline: [number, number][] }>;
-}
-
-export interface Atlas {
-  accuracy: string;
-  command?: string;
-  body: { A: Triple; r: Triple } & Flags;
-  curves: Curve[];
-  events: AtlasEvent[];
-  regions: Region[];
-  summary: { regions: number; complete: boolean };
-  drawing: Picture;
-}
+/** The page asks for no atlas without its drawing. */
+export type Atlas = AtlasDocument & { drawing: Drawing };
 
 /** A real part as it was understood. */
-export interface PartBlock {
-  A: Triple;
-  r: Triple;
-  mass: string;
-  g: string;
-  units: string;
-  exact: boolean;
-  principal_com: { moments: [number, number, number] };
-}
+export type PartBlock = Part;
 
-export interface Classification {
-  h: string;
-  l: string;
-  status: "regular" | "forbidden" | "critical" | "undecided";
-  region: string | null;
-  margin: { h: number; nearest: string; error_bound: number };
-  components: Component[] | null;
-  note?: string;
-}
+/** What is special about a body. */
+export type Flags = Omit<Body, "A" | "r" | "part">;
 
-export interface Equilibrium {
-  h: number;
-  gamma: [number, number, number];
-  omega: number;
-  index: number;
-  multiplicity: number | string;
-  stability: string;
-  stable?: string | false | null;
-  eigenvalues?: [number, number][];
-  branch: string | null;
-}
-
-export interface Critical {
-  l: string | number;
-  critical: Equilibrium[];
-}
-
-export type Verdict = "regular" | "chaotic" | "open";
-
-/** An orbit of a section. */
-export interface Orbit {
-  orbit: number;
-  verdict: Verdict;
-  reason: string;
-  chaos?: { lyapunov: { exponent: number } | null; rotation: { number: number } | null };
-}
+export type Verdict = VerdictName;
 
 export type Loop = [number, number][];
 

@@ -96,7 +96,7 @@ function paintCurves(pen: Pen, area: Area, { document, curves, window }: Drawn, 
     }
     const spans = curve.stability.length > 0 ? curve.stability : [{ l_from: 0, l_to: Infinity, stability: curve.index === 0 ? "elliptic" : "saddle" }];
     spans.forEach(({ l_from, l_to, stability }, i) => {
-      const last = i === spans.length - 1 ? Infinity : l_to;
+      const last = i === spans.length - 1 ? Infinity : (l_to ?? Infinity);
       stroke(pen, area, window, points, i === 0 ? -Infinity : l_from, last, stable(stability) ? [] : [7, 4]);
     });
   }

@@ -118,8 +118,8 @@ def _stretches(curve: "Curve", ink: str) -> Iterator[tuple[float, float, dict[st
     """The ranges of l over which a curve is drawn in one style."""
     if curve.kind in POLES:
         yield *curve.l_range, {"color": "0.4", "linestyle": POLES[curve.kind]}
-    for low, high, stability in curve.stability:
-        yield low, high, {"color": ink, "linestyle": STRETCHES.get(stability, ":")}
+    for part in curve.stability:
+        yield part.l_from, part.l_to, {"color": ink, "linestyle": STRETCHES.get(part.stability, ":")}
 
 
 def _name(atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, float], ink: str) -> None:

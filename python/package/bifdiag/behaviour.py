@@ -1,0 +1,124 @@
+"""What records do beside holding their fields: how they are printed, and what was drawn of them."""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import fields
+from typing import Any, TypeVar
+
+import numpy as np
+
+Document = dict[str, Any]
+
+Made = TypeVar("Made")
+
+
+class Classification:
+    """How a classification is printed."""
+
+    __slots__ = ()
+
+    def __repr__(self: Any) -> str:
+        region = f", region={self.region!r}" if self.region else ""
+        signature = f", signature={self.signature!r}" if self.signature else ""
+        candidates = f", candidates={[c.region or c.status for c in self.candidates]}" if self.candidates else ""
+        return (
+            f"Classification(h={self.h}, l={self.l}, status={self.status!r}{region}{signature}{candidates}, "
+            f"margin={self.margin.h:.6g} to {self.margin.nearest})"
+        )
+
+    def _repr_html_(self: Any) -> str:
+        rows = [("status", self.status), ("region", self.region or "–"), ("sections", sections(self.components))]
+        rows.append(("distance to the nearest curve", f"{self.margin.h:.6g} to {self.margin.nearest}"))
+        return table([("(h, l)", f"({self.h}, {self.l})"), *rows])
+
+
+class Sample:
+    """A point that unpacks as ``h, l``."""
+
+    __slots__ = ()
+
+    def __iter__(self: Any) -> Iterator[float]:
+        return iter((self.h, self.l))
+
+
+class Region:
+    """The drawing of a region, and how a region is printed."""
+
+    __slots__ = ()
+
+    @property
+    def h_width(self: Any) -> float:
+        """The largest extent in h at one l; ``inf`` if unbounded."""
+        return infinite(self._drawn[0])
+
+    @property
+    def polygon(self: Any) -> tuple[np.ndarray, ...]:
+        """Closed outlines of points [h, l] within the body's default view; a hole is an outline of its own.
+
+        They are fit for a picture of that view, ``atlas.document["drawing"]["view"]["everything"]``: their corners lie on
+        the curves, and between corners they are off by a thousandth of its range of h. `Atlas.outlines` gives finer ones
+        of a smaller window, `Atlas.region` decides points exactly.
+        """
+        outlines: tuple[np.ndarray, ...] = self._drawn[1](self.id)
+        return outlines
+
+    def __repr__(self: Any) -> str:
+        names = ", ".join(["polygon", "h_width", *public(self)])
+        shown = self.signature or sections(self.components)
+        return f"Region {self.id}: {shown} at (h, l) = ({self.sample.h:.6g}, {self.sample.l:.6g}) [{names}]"
+
+    def _repr_html_(self: Any) -> str:
+        at = f"({self.sample.h:.6g}, {self.sample.l:.6g})"
+        return table([("region", self.id), ("sections", sections(self.components)), ("a point (h, l) inside", at)])
+
+
+class Curve:
+    """The drawing of a curve, and how a curve is printed."""
+
+    __slots__ = ()
+
+    @property
+    def points(self: Any) -> np.ndarray:
+        """Points [h, l] by rising l; between them the curve is off by a thousandth of the ranges of the events.
+
+        An unbounded curve goes on beyond the last one. `Atlas.polyline` gives finer ones.
+        """
+        return np.array(self._drawn["polyline"] if self._drawn else [], dtype=float).reshape(-1, 2)
+
+    def __repr__(self: Any) -> str:
+        names = ", ".join([*public(self), "points"])
+        return f"Curve {self.id}: {self.kind}, {len(self.points)} points [{names}]"
+
+
+def public(record: Any) -> list[str]:
+    """Names of the fields of a record."""
+    return [field.name for field in fields(record) if field.name[0] != "_"]
+
+
+def sections(components: Any) -> str:
+    """The sections of components in words; where there are none, the parts of U."""
+    if components is None:
+        return "not decided"
+    return " + ".join(component.section or component.accessible_region for component in components) or "nothing"
+
+
+def infinite(value: float | None) -> float:
+    """Null in a document is an infinite end."""
+    return math.inf if value is None else value
+
+
+def span(ends: list[float | None]) -> tuple[float, float]:
+    """A range, of which an end may be infinite."""
+    low, high = ends
+    return -math.inf if low is None else low, infinite(high)
+
+
+def maybe(make: Callable[[Any], Made], value: Any) -> Made | None:
+    """What a function makes of a value; None of None."""
+    return None if value is None else make(value)
+
+
+def table(rows: list[tuple[str, str]]) -> str:
+    """Names and values for a notebook."""
+    cells = "".join(f"<tr><th style='text-align:left'>{name}</th><td>{value}</td></tr>" for name, value in rows)
+    return f"<table>{cells}</table>"
