@@ -34,8 +34,8 @@ pub fn report(root: &Path) -> Result<(), Failure> {
         &root.join("docs/survey.md"),
         &[
             ("rounds", rounds(&known.walked)),
-            ("found", format!("So {}", totals(&known.walked, Domain::Existing))),
-            ("all", format!("There {}", totals(&known.all, Domain::All))),
+            ("found", format!("In total, {}", totals(&known.walked, Domain::Existing))),
+            ("all", format!("In total, {}", totals(&known.all, Domain::All))),
             ("depth", depth(&known)),
             ("largest", largest(&known)),
             ("events", events(&known)),
@@ -84,10 +84,10 @@ fn totals(Stored { rounds, classes, borders }: &Stored, domain: Domain) -> Strin
     let pairs: BTreeSet<&[String; 2]> = borders.iter().map(|border| &border.classes).collect();
     let unseen = Unseen::of(classes.iter().map(|class| class.met[index]).filter(|met| *met > 0));
     format!(
-        "{} lines with {} walls have met **{} classes** and {} kinds of borders between {} pairs of them; the last {} walls\n\
+        "{} lines with {} walls found **{} classes** and {} kinds of borders between {} pairs of them. The last {} walls\n\
          led to nothing new. At {lost} places ({:.1}%) two classes meet within a stretch that bisection did not resolve, and\n\
-         no wall was noted. By Good and Turing the chance that the next wall leads to an unknown class is {:.1e}, and by\n\
-         Chao's estimate {:.0} more classes are there ({} met once, {} twice).",
+         no wall was recorded. By the Good–Turing estimate, the next wall leads to an unknown class with probability {:.1e};\n\
+         Chao's estimate of the number of unseen classes is {:.0} ({} {} met once, {} twice).",
         many(lines),
         many(walls),
         classes.len(),
@@ -98,6 +98,7 @@ fn totals(Stored { rounds, classes, borders }: &Stored, domain: Domain) -> Strin
         unseen.chance,
         unseen.classes,
         unseen.once,
+        if unseen.once == 1 { "class was" } else { "classes were" },
         unseen.twice
     )
 }
@@ -110,14 +111,13 @@ fn depth(known: &Known) -> String {
     let middle = distances[distances.len() / 2];
     let thin = distances.iter().filter(|distance| **distance < 1e-8).count();
     format!(
-        "The distances in the catalogue run from {largest:.2} to {least:.0e}; half of them are below {middle:.0e}, {thin} below \
-         1e-8."
+        "Distances from the borders range from {largest:.2} to {least:.0e}; half are below {middle:.0e}, {thin} below 1e-8."
     )
 }
 
 fn largest(known: &Known) -> String {
     let mut table =
-        "| class | share | regions | cusps | crossings | beside it |\n| --- | ---: | ---: | ---: | ---: | ---: |\n"
+        "| class | share | regions | cusps | crossings | neighbours |\n| --- | ---: | ---: | ---: | ---: | ---: |\n"
             .to_owned();
     let mut order: Vec<&ClassDocument> = known.classes.iter().filter(|class| class.physical).collect();
     order.sort_by(|p, q| q.measure.total_cmp(&p.measure));
@@ -187,14 +187,14 @@ fn events(known: &Known) -> String {
         let _always = writeln!(table, "| {name} | {borders} | {} | {} |", many(walls), names.join("; "));
     }
     format!(
-        "{table}\nNot listed are {others} walls with a name of their own, where two events lie nearer to each other than f64 \
-         resolves, or where the nearest event was taken for the one that happens."
+        "{table}\nNot listed are {others} walls of other kinds, where two events are closer than f64 resolves, or where the \
+         nearest event was mistaken for the one that happens."
     )
 }
 
 fn special(known: &Known) -> String {
     let mut table =
-        "| bodies | parameters | classes | of bodies that exist | borders | walls | last with a new class | named |\n\
+        "| bodies | parameters | classes | of physical bodies | borders | walls | last with a new class | named |\n\
                      | --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n"
             .to_owned();
     for StratumState { stratum, parameters, met, walked, existing, .. } in &known.special {
@@ -226,7 +226,7 @@ fn four(known: &Known) -> String {
     let classes: Vec<&ClassDocument> = known.classes.iter().filter(|class| class.physical).collect();
     let count = |test: &dyn Fn(&ClassDocument) -> bool| classes.iter().filter(|class| test(class)).count();
     format!(
-        "Of the {} classes of bodies that exist that are known, {} show k4n2 and {} show k4n1 ({} one of the two).",
+        "Of the {} known classes of physical bodies, {} show k4n2 and {} show k4n1 ({} show at least one).",
         classes.len(),
         count(&|class| has(class, "k4n2")),
         count(&|class| has(class, "k4n1")),

@@ -1,7 +1,7 @@
 """Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body.
 
-A body is its principal moments A and its centre of mass r; everything about it at energy h and vertical angular momentum l
-follows from exact numbers.
+A body is given by its principal moments A and its centre of mass r. All answers at energy h and vertical angular momentum l
+are computed from exact numbers.
 
 Examples
 --------

@@ -30,7 +30,7 @@ Span: TypeAlias = tuple[float, float]
 class Atlas:
     """Every region of the (h, l) half-plane of one body, with its topology; made by `Body.atlas`.
 
-    An atlas covers l ≥ 0; everything depends on l² only, so a negative l is answered as its absolute value.
+    An atlas covers l ≥ 0; everything depends only on l², so the sign of l does not matter.
 
     Attributes
     ----------
@@ -41,8 +41,8 @@ class Atlas:
 
     Notes
     -----
-    Two atlases are equal if their bodies are (by their numbers, whatever the texts), their accuracy, and what their
-    documents were asked to hold: a certificate, a window, outlines. Equal atlases have equal hashes, and the same regions.
+    Two atlases are equal if they agree in the numbers of the body, the accuracy, and the requested contents of their
+    documents: certificate, window, outlines. Equal atlases have equal hashes, and the same regions.
     """
 
     body: "Body"
@@ -74,8 +74,8 @@ class Atlas:
         Returns
         -------
         Atlas
-            Its `to_json` gives the bytes of the file. If that was made for a window, only `document`, `to_json` and
-            `Region.polygon` keep to it: `regions` are those of the whole half-plane.
+            Its `to_json` gives the bytes of the file. If the file was made for a window, only `document`, `to_json` and
+            `Region.polygon` are restricted to it; `regions` are those of the whole half-plane.
 
         Raises
         ------
@@ -118,7 +118,7 @@ class Atlas:
 
     @property
     def document(self) -> Document:
-        """Everything that `to_json` tells, as a dict; not to be changed."""
+        """The contents of `to_json` as a dict; do not modify it."""
         return self._document
 
     def _view(self) -> Document:
@@ -139,7 +139,7 @@ class Atlas:
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """Points where curves meet, by rising l: cusps, pitchforks, crossings. See `Event` for what their floats mean."""
+        """Cusps, pitchforks and crossings, by increasing l. `Event` explains the meaning of their floats."""
         return tuple(Event._of(document) for document in json.loads(self._inner.events()))
 
     @cached_property
@@ -155,12 +155,12 @@ class Atlas:
 
     @property
     def complete(self) -> bool:
-        """Whether `regions` covers the whole half-plane l > 0, and nothing is undecided."""
+        """Whether `regions` covers the whole half-plane l > 0 and nothing is undecided."""
         return bool(self._document["summary"]["complete"])
 
     @property
     def certificate(self) -> Document | None:
-        """What an independent program needs to check the atlas, as the document has it; None without ``certificate=True``.
+        """What an independent program needs to check the atlas; None without ``certificate=True``.
 
         `bifdiag.verify` checks it.
         """
@@ -168,7 +168,7 @@ class Atlas:
         return certificate
 
     def polyline(self, curve: str, l: Span, *, tolerance: float = 1e-6) -> npt.NDArray[np.float64]:
-        """Points of a curve, as fine as is wanted.
+        """Points of a curve to a given tolerance.
 
         Parameters
         ----------
@@ -177,17 +177,17 @@ class Atlas:
         l : (float, float)
             A range of l.
         tolerance : float
-            The straight line between neighbours is off by so much in h at most, as far as doubles can tell.
+            Largest deviation in h of the straight line between neighbours, up to rounding.
 
         Returns
         -------
         array (n, 2)
-            Points [h, l] by rising l, over the part of the range over which the curve runs; none if there is none.
+            Points [h, l] by increasing l, over the part of the range on which the curve exists; possibly none.
 
         Raises
         ------
         InputError
-            If there is no such curve, or the range is none.
+            If there is no such curve, or the range is invalid.
 
         Examples
         --------
@@ -206,7 +206,7 @@ class Atlas:
         return np.empty((0, 2)) if points is None else points
 
     def outlines(self, h: Span, l: Span) -> tuple[tuple[npt.NDArray[np.float64], ...], ...]:
-        """The regions as polygons within a window, as fine as a picture of it needs.
+        """The regions as polygons within a window, at the resolution of a picture.
 
         Parameters
         ----------
@@ -216,14 +216,14 @@ class Atlas:
         Returns
         -------
         tuple of tuples of arrays (n, 2)
-            For each of `regions` its closed outlines of points [h, l]; holes are outlines of their own. Corners lie on the
-            curves; between them an outline is off by a thousandth of the range of h, or, where a curve would need
-            more than 256 chords between two events, by as much as these leave.
+            For each of `regions` its closed outlines of points [h, l]; holes are separate outlines. Corners lie on the
+            curves; between them an outline deviates by at most a thousandth of the range of h, except where a curve would
+            need more than 256 chords between two events.
 
         Raises
         ------
         InputError
-            If a range is none.
+            If a range is invalid.
         """
         found = self._inner.outlines([exact.span(h, "h"), exact.span(l, "l")])
         return tuple(tuple(outlines) for outlines in found)
@@ -237,15 +237,15 @@ class Atlas:
         Path(path).write_text(self._text, encoding="utf-8", newline="\n")
 
     def region(self, h: Any, l: Any, *, threads: int | None = None) -> Any:
-        """Numbers of the regions of points.
+        """Indices of the regions of points.
 
         Parameters
         ----------
         h, l : number, or array of them
-            Energies and vertical angular momenta, of shapes that broadcast. The floats of an array mean what scalars mean:
-            their shortest decimals. Arrays of Fraction or str are taken exactly. A negative l means its absolute value.
+            Energies and vertical angular momenta, of shapes that broadcast. The floats of an array mean their shortest
+            decimals, as scalars do. Arrays of Fraction or str are exact. The sign of l does not matter.
         threads : int, optional
-            None: one; 0: as many as there are cores. The result does not depend on it.
+            None: one; 0: one per core. The result does not depend on it.
 
         Returns
         -------
@@ -255,9 +255,9 @@ class Atlas:
         Raises
         ------
         InputError
-            If something is no finite number, or the shapes do not broadcast.
+            If a value is not a finite number, or the shapes do not broadcast.
         RangeError
-            If a point cannot be answered.
+            If a point cannot be decided.
 
         Examples
         --------
@@ -293,7 +293,7 @@ class Atlas:
         return np.array(found, dtype=np.int64).reshape(energies.shape) if energies.ndim else found[0]
 
     def classify(self, h: Number, l: Number) -> Classification:
-        """The type of U, E and P at one point, as `Body.classify` gives it, sooner for many points."""
+        """The type of U, E and P at one point, like `Body.classify` but faster for many points."""
         return Classification._of(json.loads(self._inner.classify(exact.text(h, "h"), exact.text(l, "l"))))
 
     def plot(self, ax: "Axes | None" = None, **options: Any) -> "Axes":
@@ -301,7 +301,7 @@ class Atlas:
         return pictures.diagram(self, ax, **options)
 
     def svg(self) -> str:
-        """The picture of the command line, as SVG."""
+        """The command line's picture as SVG."""
         return self._inner.svg()
 
     def explore(self, h: Number | None = None, l: Number | None = None, *, height: int = 720) -> Explorer:
@@ -310,21 +310,21 @@ class Atlas:
         Parameters
         ----------
         h, l : number, optional
-            A point to begin with; both or none.
+            The initial point; both or neither.
         height : int
             Height of the cell in pixels.
 
         Raises
         ------
         InputError
-            If one of h and l is missing, or no number.
+            If one of h and l is missing or not a number.
         BifdiagError
             If the package was built without the page.
 
         Notes
         -----
-        The page is served to this machine alone, at ``127.0.0.1``, until the process ends. A notebook on another machine
-        shows it if the port in ``url`` is forwarded: ``ssh -L PORT:127.0.0.1:PORT``.
+        The page is served to this machine only, at ``127.0.0.1``, until the process ends. A notebook on another machine
+        can show it if the port in ``url`` is forwarded: ``ssh -L PORT:127.0.0.1:PORT``.
         """
         if (h is None) != (l is None):
             raise InputError("give both h and l, or none of them")

@@ -26,21 +26,21 @@ UNPHYSICAL = (
 
 
 class Body:
-    """A heavy rigid body with a fixed point, exact.
+    """A heavy rigid body with a fixed point, given by exact numbers.
 
     Parameters
     ----------
     A : three numbers
         Principal moments of inertia about the fixed point, A_i > 0.
     r : three numbers
-        Centre of mass from the fixed point in the principal axes, times m g.
+        Centre of mass relative to the fixed point in principal axes, times m g.
 
     Raises
     ------
     BodyError
         If a moment is not positive.
     InputError
-        If something is no number.
+        If a value is not a number.
 
     Warns
     -----
@@ -50,10 +50,10 @@ class Body:
 
     Notes
     -----
-    An int, a str, a Fraction and a Decimal are taken as they are, a float as its shortest decimal: ``1.1`` and
+    An int, a str, a Fraction and a Decimal are used as they are, a float as its shortest decimal: ``1.1`` and
     ``"11/10"`` are the same number. Units are those of A and r: with H = ½⟨l, A⁻¹ l⟩ − ⟨γ, r⟩, h has the unit of r, and l
     that of √(A r). γ points *down*: the body hangs at γ = +r̂ and stands at γ = −r̂. The page "Conventions" has the
-    equations of motion. Bodies are equal if their numbers are.
+    equations of motion. Bodies are equal if their numbers are equal.
 
     Examples
     --------
@@ -88,7 +88,7 @@ class Body:
         Raises
         ------
         InputError
-            If there is none of this name; the message lists those that there are.
+            If there is no body of this name; the message lists the names.
 
         Examples
         --------
@@ -110,13 +110,13 @@ class Body:
         units: str = "kg,m,s",
         unphysical: bool = False,
     ) -> "Body":
-        """A real part, from its tensor of inertia, which is kept exactly: no rotation is recognised, nothing is rounded.
+        """A real part from its tensor of inertia, which is kept exactly, without rounding.
 
         Parameters
         ----------
         tensor : 3 × 3 numbers
-            The symmetric matrix itself, with Ixy = −∫ x y dm beside the diagonal. Programs that print products of inertia
-            as +∫ x y dm need their signs turned.
+            The symmetric matrix itself, with Ixy = −∫ x y dm off the diagonal. Products of inertia printed as +∫ x y dm
+            must change sign.
         com : three numbers
             Centre of mass, from the fixed point, in the axes of the tensor.
         mass : number
@@ -124,18 +124,18 @@ class Body:
         g : number
             Acceleration of gravity, always in m/s².
         about : {"fixed point", "centre of mass"}
-            The point that the tensor is about.
+            The reference point of the tensor.
         units : str
-            Units of mass, length and time of everything that is given and of all results, such as ``"g,mm,s"``.
+            Units of mass, length and time of all inputs and results, such as ``"g,mm,s"``.
         unphysical : bool
-            Accept a part that no distribution of mass has.
+            Accept an unphysical part, which no distribution of mass can have.
 
         Raises
         ------
         BodyError
             If the part cannot exist, or its mass is not positive.
         InputError
-            If something is no number, the tensor is not symmetric, or a unit is unknown.
+            If a value is not a number, the tensor is not symmetric, or a unit is unknown.
 
         Examples
         --------
@@ -167,14 +167,14 @@ class Body:
         units: str | None = None,
         unphysical: bool = False,
     ) -> "Body":
-        """A real part, from a file.
+        """A real part from a file.
 
         Parameters
         ----------
         path : path
             A mesh (``.stl``, ``.obj``, ``.ply``) or an inertial block (``.urdf``, MJCF ``.xml``).
         density, mass : number, optional
-            One of them for a mesh, in `units`.
+            One of the two for a mesh, in `units`.
         link : str, optional
             Which link of a ``.urdf`` or ``.xml``.
         pivot : three numbers
@@ -184,14 +184,14 @@ class Body:
         units : str, optional
             Units of mass, length and time, such as ``"kg,mm,s"``: of a mesh and of all results.
         unphysical : bool
-            Accept a part that no distribution of mass has.
+            Accept an unphysical part, which no distribution of mass can have.
 
         Raises
         ------
         BodyError
             If the part cannot exist.
         InputError
-            If the file gives no part: it is not there, the mesh is open or inside out, nothing says how heavy it is, …
+            If the file does not define a part: it is missing, the mesh is open or inside out, its mass is not given, …
         """
         weight = [
             None if value is None else exact.text(value, name) for name, value in (("density", density), ("mass", mass))
@@ -217,28 +217,28 @@ class Body:
 
     @property
     def part(self) -> dict[str, Any] | None:
-        """The real part as it was understood, as the block ``part`` of the documents has it; None for another body."""
+        """The real part as understood, in the form of the block ``part`` of the documents; None for other bodies."""
         text = self._inner.part()
         return None if text is None else json.loads(text)
 
     @property
     def physical(self) -> bool:
-        """Whether some distribution of mass has these moments and this centre of mass.
+        """Whether a distribution of mass can have these moments and this centre of mass.
 
-        It needs A_i + A_j > A_k, or equality and r_k = 0; for a part, about its centre of mass. Where it is False the
+        It needs A_i + A_j > A_k, or equality and r_k = 0; for a part, about its centre of mass. If False, the
         answers are those of the equations.
         """
         return self._inner.physical()
 
     @property
     def A(self) -> tuple[str, str, str]:
-        """The principal moments as they were given."""
+        """The principal moments as given."""
         first, second, third = self._inner.moments
         return first, second, third
 
     @property
     def r(self) -> tuple[str, str, str]:
-        """The centre of mass as it was given."""
+        """The centre of mass as given."""
         first, second, third = self._inner.center
         return first, second, third
 
@@ -250,8 +250,8 @@ class Body:
         accuracy : {"exact", "fast"}
             ``"exact"`` decides everything; ``"fast"`` is floating point with error bounds, and may leave points undecided.
         certificate : bool
-            Prove the whole diagram, and put into the document what `bifdiag.verify` needs to check it, as ``bifdiag
-            --certificate`` does. It takes some ten times as long.
+            Prove the whole diagram and include in the document what `bifdiag.verify` needs to check it, like ``bifdiag
+            --certificate``. This takes about ten times as long.
 
         Returns
         -------
@@ -260,9 +260,9 @@ class Body:
         Raises
         ------
         RangeError
-            If the atlas of this body cannot be computed, or not be proved.
+            If the atlas of this body cannot be computed or proved.
         InputError
-            If a certificate is wanted of a fast atlas.
+            If a certificate is requested for a fast atlas.
 
         Examples
         --------
@@ -279,8 +279,8 @@ class Body:
         Parameters
         ----------
         h, l : number
-            Energy and vertical angular momentum; scalars only, `Atlas.region` takes arrays. Everything depends on l² only:
-            −l has the answer of l.
+            Energy and vertical angular momentum; scalars only; `Atlas.region` takes arrays. Everything depends only on l²,
+            so the sign of l does not matter.
         accuracy : {"exact", "fast"}
             As in `atlas`.
 
@@ -291,9 +291,9 @@ class Body:
         Raises
         ------
         InputError
-            If h or l is no finite number.
+            If h or l is not a finite number.
         RangeError
-            If the point cannot be answered.
+            If the point cannot be decided.
 
         Examples
         --------
@@ -310,14 +310,14 @@ class Body:
         Parameters
         ----------
         l : number, or array of them
-            Vertical angular momentum. At −l the same equilibria turn the other way round; at l = 0 the body rests, hanging
-            or standing.
+            Vertical angular momentum. At −l the same equilibria rotate in the opposite direction; at l = 0 the body is
+            at rest, hanging or standing.
 
         Returns
         -------
         structured array
-            A row for each relative equilibrium, by rising h. For an array of l there is the further field ``l_index``, the
-            position in ``np.ravel(l)``. Angular velocities and eigenvalues are in radians per unit of time.
+            A row for each relative equilibrium, by increasing h. For an array of l the additional field ``l_index``
+            is the position in ``np.ravel(l)``. Angular velocities and eigenvalues are in radians per unit of time.
 
             ========================= ====================================================================================
             ``l``, ``h``              Momentum and energy.
@@ -344,7 +344,7 @@ class Body:
         Raises
         ------
         InputError
-            If some l is no finite number.
+            If an l is not a finite number.
 
         Examples
         --------
@@ -376,27 +376,27 @@ class Body:
         ----------
         h, l : number
             Energy and vertical angular momentum, off the curves of the bifurcation diagram. The section at −l is the mirror
-            image of that at l, with time turned round: (γ, l, t) → (γ, −l, −t), and the sheets change places.
+            image of that at l, with time reversed: (γ, l, t) → (γ, −l, −t), and the sheets exchanged.
         orbits : int
-            Number of orbits, spread evenly over all components of the section.
+            Number of orbits, distributed evenly over all components of the section.
         crossings : int
             Crossings of each orbit, in both directions.
         seed : int
-            Another choice of the starting points.
+            Selects another set of starting points.
         starts : array (n, 3), optional
-            ``theta, psi, sheet`` of n starting points on the PP-torus, as the columns of a `Section` have them, instead of
-            `orbits` spread ones.
+            ``theta, psi, sheet`` of n starting points on the PP-torus, as in the columns of a `Section`, instead of
+            `orbits` evenly distributed ones.
         max_time : float, optional
             Stop each orbit at this time even if it has fewer crossings.
         condition : {"height", "angular-momentum"}
-            What vanishes: S = d⟨γ, r⟩/dt = ⟨ω, r × γ⟩, or S = ⟨l, γ × r⟩ = −½ d⟨l, l⟩/dt.
+            The section condition: S = d⟨γ, r⟩/dt = ⟨ω, r × γ⟩, or S = ⟨l, γ × r⟩ = −½ d⟨l, l⟩/dt.
         tolerance : float
             Error of a step relative to the size of the motion.
         chaos : bool
             Compute verdict, Lyapunov exponent and rotation number of each orbit. Without them a section takes a quarter
             of the time, and every verdict is ``"open"``.
         threads : int, optional
-            None: one; 0: as many as there are cores. The result does not depend on it.
+            None: one; 0: one per core. The result does not depend on it.
 
         Returns
         -------
@@ -405,7 +405,7 @@ class Body:
         Raises
         ------
         InputError
-            If (h, l) is forbidden or on a curve, r = 0, or a start does not lie in U.
+            If (h, l) is forbidden or on a curve, if r = 0, or if a start is not in U.
         RangeError
             If the section cannot be computed.
 
@@ -441,12 +441,12 @@ class Body:
         l : three floats
             Angular momentum in the body's axes at time 0.
         t : array of float, or float
-            Times, none before the one in front of it; negative ones lie in the past. A single number t stands for 201 times
-            from 0 to t, or from t to 0 if it is negative, and 0 for that time alone.
+            Times in non-decreasing order; negative ones lie in the past. A single number t means 201 equidistant times
+            from 0 to t, or from t to 0 if it is negative; 0 means only that time.
         omega : three floats, optional
             Angular velocity in the body's axes at time 0, instead of `l`.
         phi : float
-            Euler's angle φ at time 0: how the body is turned about the vertical, which γ leaves open.
+            Euler's angle φ at time 0: the rotation about the vertical, which γ does not determine.
         tolerance : float
             Error of a step relative to the size of the motion.
 
@@ -457,9 +457,9 @@ class Body:
         Raises
         ------
         InputError
-            For states and times that are none.
+            If the state or the times are invalid.
         RangeError
-            If the integrator cannot go on.
+            If the integrator cannot continue.
 
         Examples
         --------

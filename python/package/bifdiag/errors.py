@@ -1,28 +1,28 @@
-"""What can go wrong."""
+"""Exceptions and warnings."""
 
 
 class BifdiagError(Exception):
-    """Anything that this package raises on purpose."""
+    """Base class of the exceptions of this package."""
 
 
 class InputError(BifdiagError, ValueError):
-    """Something that the caller gave is wrong: the message names it and says what would be right."""
+    """Invalid input. The message names it and gives a valid alternative."""
 
 
 class BodyError(InputError):
-    """Moments and centre of mass that are no body."""
+    """Moments and centre of mass that do not define a body."""
 
 
 class RangeError(BifdiagError, ArithmeticError):
-    """A right question that cannot be answered."""
+    """A valid question that cannot be answered."""
 
 
 class VerifyError(BifdiagError):
-    """A document that says something wrong, or something that could not be confirmed."""
+    """A document with an item that is wrong or could not be confirmed."""
 
 
 class BodyWarning(UserWarning):
-    """No distribution of mass has these moments and this centre of mass; the answers are those of the equations.
+    """No distribution of mass can have these moments and this centre of mass. Answers are those of the equations.
 
     It needs A_i + A_j > A_k, or equality and r_k = 0.
     """

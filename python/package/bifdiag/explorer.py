@@ -1,4 +1,4 @@
-"""The explorer in a notebook: the built page, served to this machine alone."""
+"""The explorer in a notebook: the built page, served to this machine only."""
 
 import html
 from functools import cache, partial
@@ -40,7 +40,7 @@ def _address() -> str:
 
 
 class Explorer:
-    """The explorer's page; a notebook shows it by itself.
+    """The explorer's page, displayed by notebooks.
 
     Attributes
     ----------

@@ -18,8 +18,8 @@ class Motion(Table):
     """A motion in space: a row for each time; made by `Body.orbit`.
 
     The frame in space is right-handed and its **third axis points down**, along gravity, as γ does; the first two are
-    fixed by ``phi`` at the start. The body's axes are the principal axes, in the order of A. The page "Conventions" has
-    all of it.
+    fixed by ``phi`` at the start. The body's axes are the principal axes, in the order of A. See the page
+    "Conventions".
 
     Attributes
     ----------
@@ -28,9 +28,9 @@ class Motion(Table):
     gamma, l, omega : array (n, 3)
         The downward vertical γ, the angular momentum and the angular velocity ω = A⁻¹ l, in the body's axes.
     theta, psi, phi : array (n,)
-        Euler's angles of R = R_z(φ) R_x(ϑ) R_z(ψ), which takes vectors of the body to space; γ is its third row: γ = (sin
-        ψ sin ϑ, cos ψ sin ϑ, cos ϑ). So ϑ in [0, π] lies between the body's third axis and *down*; ψ is in (−π, π], and
-        φ, the angle about the vertical, is continuous. These are not the ``theta`` and ``psi`` of a `Section`.
+        Euler's angles of R = R_z(φ) R_x(ϑ) R_z(ψ), which takes vectors from the body frame to space; γ is its third
+        row: γ = (sin ψ sin ϑ, cos ψ sin ϑ, cos ϑ). So ϑ in [0, π] is the angle between the body's third axis and *down*;
+        ψ is in (−π, π], and φ, the angle about the vertical, is continuous. These are not the ``theta`` and ``psi`` of a `Section`.
     quaternion : array (n, 4)
         The same R as w, x, y, z; continuous in time.
     meta : dict
@@ -71,12 +71,12 @@ class Motion(Table):
         return cls(columns, json.dumps(about | meta))
 
     def attitude(self, *, scalar_first: bool = True) -> npt.NDArray[np.float64]:
-        """The quaternions in either order; they take vectors of the body to space.
+        """The quaternions in either order; they take vectors from the body frame to space.
 
         Parameters
         ----------
         scalar_first : bool
-            True: w, x, y, z. False: x, y, z, w, as ``scipy.spatial.transform.Rotation.from_quat`` takes them by default.
+            True: w, x, y, z. False: x, y, z, w, the default of ``scipy.spatial.transform.Rotation.from_quat``.
 
         Returns
         -------
@@ -85,7 +85,7 @@ class Motion(Table):
         return self.quaternion if scalar_first else np.roll(self.quaternion, -1, axis=1)
 
     def axes(self) -> npt.NDArray[np.float64]:
-        """The matrices R that take vectors of the body to space: ``axes()[k, :, i]`` is the body's i-th axis at time k.
+        """The matrices R from the body frame to space: ``axes()[k, :, i]`` is the body's i-th axis at time k.
 
         ``axes()[k] @ gamma[k]`` is (0, 0, 1), down.
 

@@ -20,8 +20,8 @@ ORBITS, CROSSINGS = 10**6, 2**31 - 1
 class Section(Table):
     """A Poincaré section: a row for each crossing, in the order of the orbits; made by `Body.section`.
 
-    It holds the states with energy h and momentum l at which S = d⟨γ, r⟩/dt vanishes: where the height of the centre of
-    mass is extremal. The page "Conventions" defines the symbols.
+    It contains the states with energy h and momentum l at which S = d⟨γ, r⟩/dt vanishes, that is, at which the centre of
+    mass is highest or lowest. The page "Conventions" defines the symbols.
 
     Attributes
     ----------
@@ -35,20 +35,20 @@ class Section(Table):
         +1 on the half T⁺ of the PP-torus, where Δ = ⟨ω × γ, A⁻¹(γ × r)⟩ > 0, −1 on T⁻, where Δ < 0. Over each γ of U lie
         two states of the section, one on each sheet.
     s_dot : array (n,)
-        dS/dt: negative where the crossing is incoming (the height of the centre of mass is least), positive where outgoing.
+        dS/dt: negative where the crossing is incoming (centre of mass lowest), positive where outgoing.
     theta, psi : array (n,)
         ϑ′ in [0, π] and ψ′ in [0, 2π), the point on the PP-torus: ϑ′ is the angle between γ and r, ψ′ the longitude about
         r. These are not the Euler angles ``theta`` and ``psi`` of a `Motion`.
     lyapunov : array (n,)
         Lyapunov exponent of the row's orbit, one number for each orbit; NaN where there is none; not with ``chaos=False``.
     rotation : array (n,)
-        Rotation number of the row's orbit under the return map to the incoming half, in turns per return, folded to [0,
-        1/2]; NaN where the crossings follow no closed curve in order (chaos, or too few returns). For a chain of q
-        islands that are visited in turn it is p/q exactly, the chain's; the turning within an island is not measured.
-        ``meta["orbits"][k]["chaos"]["rotation"]`` tells which: ``"angle"`` is ``"islands"``, with their number
+        Rotation number of the row's orbit under the return map to the incoming half, in turns per return, reduced to [0,
+        1/2]; NaN where the crossings do not follow a closed curve in order (chaos, or too few returns). For a chain of q
+        islands visited in turn it is exactly p/q; the rotation within an island is not measured. In this case
+        ``meta["orbits"][k]["chaos"]["rotation"]`` has ``"angle"`` equal to ``"islands"``, with their number
         ``"islands"``.
     exponent : array (n,)
-        λ(t), the Lyapunov exponent until then; NaN at the start.
+        λ(t), the Lyapunov exponent up to this crossing; NaN at the start.
     meta : dict
         The document of ``bifdiag section --json``: body, point, parameters, and of each orbit its start, end, drift of the
         integrals, verdict and measures.
@@ -87,13 +87,13 @@ class Section(Table):
 
     @property
     def signature(self) -> str | None:
-        """The names of the section's surfaces joined by ``+``; None where they are not those of the region."""
+        """The names of the section's surfaces joined by ``+``; None if they are not those of the region."""
         signature: str | None = self.meta["signature"]
         return signature
 
     @property
     def verdict(self) -> tuple[str, ...]:
-        """``"regular"``, ``"chaotic"`` or ``"open"`` for each orbit; `reason` tells why.
+        """``"regular"``, ``"chaotic"`` or ``"open"`` for each orbit; `reason` explains it.
 
         Chaotic is not unstable: an unstable periodic orbit is not chaotic.
         """
@@ -101,7 +101,7 @@ class Section(Table):
 
     @property
     def reason(self) -> tuple[str, ...]:
-        """Why the verdict of each orbit is what it is."""
+        """The reason for the verdict of each orbit."""
         return tuple(orbit["reason"] for orbit in self.meta["orbits"])
 
     def plot(self, ax: Any = None, projection: str = "torus", **options: Any) -> Any:
@@ -123,9 +123,9 @@ class Section(Table):
         Raises
         ------
         InputError
-            If a projection or a colour is unknown, or the axes are not as many as the sheets.
+            If a projection or colour is unknown, or the number of axes differs from that of the sheets.
         ImportError
-            Without matplotlib, which ``bifdiag[plot]`` brings.
+            If matplotlib is missing; ``bifdiag[plot]`` installs it.
         """
         return pictures.section(self, ax, projection, **options)
 

@@ -1,4 +1,4 @@
-"""Many bodies: scans, searches, and the check of atlases."""
+"""Many bodies: scans and searches; checking atlases."""
 
 import json
 import os
@@ -29,24 +29,24 @@ def scan(
 ) -> Document:
     """Computes the diagrams of many bodies into a file, with the same bytes as the command line.
 
-    The work is done by the package's command line in a process of its own; after an interrupt the same call goes on where
+    The package's command line does the work in a separate process; after an interrupt the same call resumes where
     it stopped.
 
     Parameters
     ----------
     family : {"general", "positive", "katok"}
-        Which bodies: ``"general"`` all that exist, up to units; ``"positive"`` all with A_i > 0; ``"katok"`` with r along
+        Which bodies: ``"general"`` physical ones, up to units; ``"positive"`` all with A_i > 0; ``"katok"`` with r along
         the first axis.
     samples : int, optional
-        Their number; it must be given unless `vary` gives the numbers of a grid.
+        Their number; required unless `vary` defines a grid.
     out : path
-        The file; its suffix says the format: ``.parquet``, ``.csv`` or ``.jsonl``.
+        The file; its suffix selects the format: ``.parquet``, ``.csv`` or ``.jsonl``.
     shard : (int, int), optional
         ``(i, n)``: only the i-th of n equal parts, i from 1.
     threads : int, optional
-        None: one; 0: as many as there are cores. The file does not depend on it.
+        None: one; 0: one per core. The file does not depend on it.
     seed : int
-        Where the sequence of bodies starts.
+        Start of the sequence of bodies.
     vary : str or list of str
         Ranges of the parameters ``A1``, ``A2``, ``A3``, ``r1``, ``r2``, ``r3``: ``"A2=1:2:101"`` is a grid of 101 values,
         both ends included, ``"A2=1:2"`` is sampled. Of `body`, or of the family ``"katok"``.
@@ -56,8 +56,8 @@ def scan(
     Returns
     -------
     dict
-        The summary of the scan, which is written to ``FILE.summary.json`` too. The page "Files" tells its fields, and the
-        columns of the file.
+        The summary of the scan, which is also written to ``FILE.summary.json``. The page "Files" describes its fields
+        and the columns of the file.
 
     Raises
     ------
@@ -99,7 +99,7 @@ def scan(
 
 
 def merge(shards: Iterable[str | os.PathLike[str]], out: str | os.PathLike[str], *, threads: int | None = None) -> Document:
-    """Joins the shards of a scan into a file with the bytes of the scan in one piece.
+    """Joins the shards of a scan into one file with the same bytes as an unsplit scan.
 
     Parameters
     ----------
@@ -129,14 +129,14 @@ def merge(shards: Iterable[str | os.PathLike[str]], out: str | os.PathLike[str],
 
 
 def command(*arguments: str) -> str:
-    """Runs the package's command line in a process of its own; what it prints.
+    """Runs the package's command line in a separate process; returns its output.
 
     Raises
     ------
     InputError
-        If it ends with exit status 2, with its message.
+        If its exit status is 2; carries its message.
     BifdiagError
-        If it ends with exit status 1.
+        If its exit status is 1.
     """
     line = [sys.executable, "-m", "bifdiag", *arguments]
     with subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8") as process:
@@ -155,14 +155,14 @@ def command(*arguments: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Witness:
-    """What a search found.
+    """The result of a search.
 
     Attributes
     ----------
     found : bool
-        Whether a body shows what was sought.
+        Whether a body with the property was found.
     exists : bool or None
-        False if a theorem says that no body shows it; `why` names it.
+        False if a theorem excludes it; `why` names the theorem.
     why : str or None
         The theorem.
     body : Body or None
@@ -174,7 +174,7 @@ class Witness:
     margin : Margin or None
         The distance to the nearest curve.
     tried : int
-        Number of bodies that were looked at; 0 if the answer was known.
+        Number of bodies tried; 0 if the answer was known.
     document : dict
         Everything that the command line prints with ``--json``.
     """
@@ -224,7 +224,7 @@ def find(
     accuracy: str = "exact",
     threads: int | None = None,
 ) -> Witness:
-    """A body and a point that show what is wanted.
+    """Searches for a body and a point with a given property.
 
     Parameters
     ----------
@@ -235,17 +235,17 @@ def find(
     signature : str, optional
         The sections of a region, such as ``"S2+T2"``, in any order.
     critical_points : int, optional
-        So many relative equilibria at one l, or more.
+        At least this number of relative equilibria at one l.
     physical : bool
-        Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0, as `Body.physical` says.
+        Only physical bodies: A_i + A_j > A_k, or equality and r_k = 0 (see `Body.physical`).
     samples : int
-        The most bodies that are tried.
+        Largest number of bodies tried.
     seed : int, optional
-        Where the sequence of bodies starts; search, although something is known.
+        Where the sequence of bodies starts; searches even if an answer is known.
     accuracy : {"exact", "fast"}
-        What the answer must be worth.
+        Accuracy of the answer.
     threads : int, optional
-        None: one; 0: as many as there are cores. The answer does not depend on it.
+        None: one; 0: one per core. The answer does not depend on it.
 
     Returns
     -------
@@ -255,7 +255,7 @@ def find(
     Raises
     ------
     InputError
-        If nothing, or nothing that is known, is sought.
+        If no property, or an unknown one, is given.
 
     Examples
     --------
@@ -289,7 +289,7 @@ def find(
 
 
 def verify(atlas: str | os.PathLike[str] | Document | Atlas) -> int:
-    """Re-checks an atlas that carries a certificate, by other means than those that made it, as ``bifdiag verify``.
+    """Checks an atlas with a certificate by independent code, like ``bifdiag verify``.
 
     Parameters
     ----------
@@ -299,15 +299,15 @@ def verify(atlas: str | os.PathLike[str] | Document | Atlas) -> int:
     Returns
     -------
     int
-        The number of regions that were confirmed: all.
+        The number of regions, all of which were confirmed.
 
     Raises
     ------
     VerifyError
-        With the first thing that is wrong or could not be confirmed; also if there is no certificate. Of a file every byte
-        counts.
+        Names the first item that is wrong or could not be confirmed; also raised if there is no certificate. For a
+        file every byte counts.
     InputError
-        If it is no atlas; the message says what it is.
+        If it is not an atlas; the message says what it is.
     OSError
         If the file cannot be read.
 

@@ -23,12 +23,12 @@ AnyTable = TypeVar("AnyTable", bound="Table")
 
 
 class Table:
-    """Columns of equal length with a document that says what they mean; every column is an attribute.
+    """Columns of equal length with a document that describes them; every column is an attribute.
 
     Attributes
     ----------
     meta : dict
-        The document of the run: body, point, parameters, and how it went.
+        The document of the run: body, point, parameters and outcome.
     """
 
     NAMES: ClassVar[tuple[str, ...]] = ()
@@ -60,7 +60,7 @@ class Table:
         return tuple(self._columns)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the file that the command line writes with ``--data FILE.npz``, byte for byte."""
+        """Writes the same bytes as the command line with ``--data FILE.npz``."""
         with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
             for name, column in [*self._columns.items(), ("meta", np.array(self._meta))]:
                 buffer = io.BytesIO()
@@ -72,12 +72,12 @@ class Table:
 
     @classmethod
     def load(cls: type[AnyTable], path: str | os.PathLike[str]) -> AnyTable:
-        """Reads a file of `save`, or of the command line's ``--data FILE.npz``.
+        """Reads a file written by `save` or by the command line with ``--data FILE.npz``.
 
         Raises
         ------
         InputError
-            If the file is no such archive; the message says what it is.
+            If the file is not such an archive; the message says what it is.
         OSError
             If the file cannot be read; FileNotFoundError if it is not there.
         """
@@ -93,7 +93,7 @@ class Table:
         return cls(arrays, str(arrays.pop("meta")))
 
     def flat(self) -> dict[str, npt.NDArray[Any]]:
-        """The columns, those of vectors taken apart: ``gamma_1``, ``gamma_2``, ``gamma_3``."""
+        """The columns, with vectors split: ``gamma_1``, ``gamma_2``, ``gamma_3``."""
         out: dict[str, npt.NDArray[Any]] = {}
         for name, column in self._columns.items():
             if column.ndim == 1:
@@ -104,13 +104,13 @@ class Table:
         return out
 
     def to_pandas(self) -> "pandas.DataFrame":
-        """A DataFrame with the columns of `flat`, and `meta` as its ``attrs``; ``bifdiag[tables]`` brings pandas."""
+        """A DataFrame with the columns of `flat`, and `meta` as its ``attrs``; ``bifdiag[tables]`` installs pandas."""
         frame: pandas.DataFrame = needed("pandas", "tables").DataFrame(self.flat())
         frame.attrs.update(self.meta)
         return frame
 
     def to_xarray(self) -> "xarray.Dataset":
-        """A Dataset with the columns over ``row`` (and ``axis`` for vectors); ``bifdiag[tables]`` brings xarray."""
+        """A Dataset with the columns over ``row`` (and ``axis`` for vectors); ``bifdiag[tables]`` installs xarray."""
         axes = {1: ("row",), 2: ("row", "axis")}
         variables = {}
         for name, column in self._columns.items():

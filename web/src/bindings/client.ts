@@ -95,7 +95,7 @@ export class Channel {
     this.current = undefined;
     if ("error" in reply) {
       if (reply.trapped) this.stop();
-      const message = reply.trapped ? `this question broke the program (${reply.error}); it was started anew` : reply.error;
+      const message = reply.trapped ? `the program failed on this question (${reply.error}) and was restarted` : reply.error;
       waiting.reject(new Error(message));
     } else {
       waiting.resolve(reply.value);

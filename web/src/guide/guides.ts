@@ -35,7 +35,7 @@ export function guides(session: Session): { card: HTMLElement; buttons: HTMLElem
     buttons: [
       button("Tour", "Eight steps through the paper", () => go(1), { testid: "tour" }),
       button("Lessons", "Three lessons for a class", () => session.update({ lesson: "list", tour: null }, "guide"), { testid: "lessons" }),
-      button("Words", "What the words mean", () => glossary.showModal(), { testid: "glossary" }),
+      button("Glossary", "What the terms mean", () => glossary.showModal(), { testid: "glossary" }),
     ],
   };
 }
@@ -44,16 +44,16 @@ const head = (title: string, close: () => void) => make("header", {}, make("h2",
 
 function tourCard(number: number, go: (number: number) => void, close: () => void): HTMLElement[] {
   const step = TOUR[number - 1]!;
-  const previous = button("Back", "The step before", () => go(number - 1));
+  const previous = button("Back", "Previous step", () => go(number - 1));
   previous.disabled = number === 1;
   const last = number === TOUR.length;
-  const next = button(last ? "End" : "Next", last ? "End the tour" : "The next step", () => (last ? close() : go(number + 1)), { testid: "tour-next" });
+  const next = button(last ? "End" : "Next", last ? "End the tour" : "Next step", () => (last ? close() : go(number + 1)), { testid: "tour-next" });
   return [head(`${number}. ${step.title}`, close), make("p", {}, step.text), make("p", { className: "attempt" }, step.attempt), make("div", { className: "row" }, previous, make("span", { className: "note" }, `${number} of ${TOUR.length}`), next)];
 }
 
 function lessonList(session: Session, close: () => void): HTMLElement[] {
   const rows = LESSONS.map((lesson) => button(`${lesson.title} (${lesson.minutes} minutes)`, lesson.objectives.join(" "), () => session.update({ lesson: lesson.id }, "guide")));
-  return [head("Lessons: predict first, then see", close), make("div", { className: "stack" }, ...rows)];
+  return [head("Lessons: predict, then observe", close), make("div", { className: "stack" }, ...rows)];
 }
 
 function lessonCard(session: Session, lesson: Lesson, close: () => void): HTMLElement[] {
@@ -64,7 +64,7 @@ function lessonCard(session: Session, lesson: Lesson, close: () => void): HTMLEl
     head(lesson.title, close),
     make("details", {}, make("summary", {}, "What you will be able to do"), make("ul", {}, ...lesson.objectives.map((objective) => make("li", {}, objective)))),
     place,
-    make("div", { className: "row" }, button("Worksheet", "A page to print", () => save(`${lesson.id}.html`, worksheetOf(lesson), "text/html"), { testid: "worksheet" })),
+    make("div", { className: "row" }, button("Worksheet", "A printable page", () => save(`${lesson.id}.html`, worksheetOf(lesson), "text/html"), { testid: "worksheet" })),
   ];
 }
 
@@ -84,13 +84,13 @@ function taskCard(session: Session, lesson: Lesson, number: number, turn: (numbe
 }
 
 const answer = ({ choices, right, explanation }: Task, chosen: number): HTMLElement[] => [
-  make("p", { className: "attempt" }, chosen === right ? "As you predicted; see for yourself." : `Look: ${choices[right]!.toLowerCase()}.`),
+  make("p", { className: "attempt" }, chosen === right ? "As you predicted." : `Not as predicted: ${choices[right]!.toLowerCase()}.`),
   make("p", {}, explanation),
 ];
 
 function glossaryDialog(): HTMLDialogElement {
-  const dialog = make("dialog", { attributes: { "aria-label": "What the words mean" } });
+  const dialog = make("dialog", { attributes: { "aria-label": "What the terms mean" } });
   const list = make("dl", {}, ...GLOSSARY.flatMap(([word, meaning]) => [make("dt", {}, word), make("dd", {}, meaning)]));
-  dialog.append(head("What the words mean", () => dialog.close()), list);
+  dialog.append(head("What the terms mean", () => dialog.close()), list);
   return dialog;
 }

@@ -32,9 +32,9 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
       loaded().then((found) => ((known = found), show()), () => undefined);
     }
     const words = name && known ? ` (${described(known, name)})` : "";
-    const here = name ? `Here: ${cell.regions} regions, class ${name}${words}.` : place ? (cell ? "Here: on a border, or not a body." : "") : "The present body does not lie in this plane.";
+    const here = name ? `Here: ${cell.regions} regions, class ${name}${words}.` : place ? (cell ? "Here: on a border, or not a body." : "") : "The current body does not lie in this plane.";
     text.textContent = cells.message || `${here} ${cells.classes} classes seen, ${cells.share < 0.999 ? `${Math.round(100 * cells.share)} %` : "complete"}`;
-    list.textContent = borders.length > 0 ? `Borders beside it: ${borders.map((border) => border.text).join("; ")}` : "";
+    list.textContent = borders.length > 0 ? `Nearest borders: ${borders.map((border) => border.text).join("; ")}` : "";
     stop.hidden = !cells.running;
     sheet.ask();
   };
@@ -86,6 +86,6 @@ export function bodiesPanel(session: Session): { element: HTMLElement; sheet: Sh
     seen = entries.some((entry) => entry.isIntersecting);
     if (seen && cells.share === 0 && session.atlas) void fill();
   }).observe(canvas);
-  const element = panel("The space of bodies", "Bodies of one colour have diagrams of one shape", make("div", { className: "bar" }, choice, stop), make("div", { className: "stage map" }, canvas), make("div", { className: "bar" }, text, list));
+  const element = panel("The space of bodies", "Bodies of the same colour have diagrams of the same shape", make("div", { className: "bar" }, choice, stop), make("div", { className: "stage map" }, canvas), make("div", { className: "bar" }, text, list));
   return { element, sheet };
 }

@@ -78,7 +78,7 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
   const moments = inputs("A", "A principal moment of inertia: a decimal or a quotient such as 11/10, read exactly");
   const center = inputs("r", "The centre of mass along a principal axis, times the weight: a decimal or a quotient, read exactly");
   const sliders = [0, 1, 2].map((axis) => slider(session, axis));
-  const choice = make("select", { title: "Bodies with a name", attributes: { "aria-label": "preset" }, data: { testid: "presets" } });
+  const choice = make("select", { title: "Named bodies", attributes: { "aria-label": "preset" }, data: { testid: "presets" } });
   choice.append(make("option", { value: "" }, "another body"));
   for (const { name, note } of presets) choice.append(make("option", { value: name, title: note }, `${name}: ${note}`));
   choice.addEventListener("change", () => {
@@ -115,9 +115,9 @@ export function bodyPanel(session: Session, presets: Preset[]): HTMLElement {
 /** What is special about a body, in words; the document knows. */
 function remarks(flags: Flags): string {
   const said: string[] = [];
-  if (flags.euler) said.push("No weight acts (r = 0): Euler's case. There are no poles and no section; regions are told apart by U and E alone.");
+  if (flags.euler) said.push("No gravity torque (r = 0): Euler's case. There are no poles and no section; regions differ in U and E only.");
   else if (flags.axis) said.push("The centre of mass lies on a principal axis.");
-  if (flags.symmetric) said.push("Two moments are equal: steady rotations can come in whole circles.");
-  if (flags.unphysical) said.push("No real body has these moments and this centre of mass. The diagram is computed all the same.");
+  if (flags.symmetric) said.push("Two moments are equal: steady rotations can form circles.");
+  if (flags.unphysical) said.push("No physical body has these moments and this centre of mass. The diagram is computed anyway.");
   return said.join(" ");
 }

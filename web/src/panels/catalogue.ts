@@ -13,10 +13,10 @@ export function described({ generic, special, strata }: Catalogue, name: string)
   const share = generic[name];
   if (share !== undefined) {
     const shares = Object.values(generic).filter((other) => other !== null);
-    if (share === null) return "known, of no body that exists";
-    if (share === 0) return `one of ${shares.length} of bodies that exist, less than one body in a million`;
+    if (share === null) return "known, but not for physical bodies";
+    if (share === 0) return `one of ${shares.length} classes of physical bodies, less than one body in a million`;
     const rank = 1 + shares.filter((other) => other > share).length;
-    return `number ${rank} of ${shares.length} of bodies that exist, ${Number((100 * share).toPrecision(3))} % of them`;
+    return `number ${rank} of ${shares.length} classes of physical bodies, ${Number((100 * share).toPrecision(3))} % of them`;
   }
   const entry = special[name];
   if (!entry) return "not in the catalogue";

@@ -65,7 +65,7 @@ export function diagramPanel(session: Session): { element: HTMLElement; sheet: S
     tool("−", "Zoom out", () => zoom([sheet.size.width / 2, sheet.size.height / 2], 2)),
     tool("⌂", "The whole diagram", () => session.view(null)),
   );
-  const element = panel("Diagram", "Every pair of energy h and vertical angular momentum l; on the curves the shape of what is accessible changes", make("div", { className: "stage" }, canvas, tip));
+  const element = panel("Diagram", "The plane of energy h and vertical angular momentum l; the topology of the motion changes on the curves", make("div", { className: "stage" }, canvas, tip));
   element.querySelector("header")!.append(tools);
   return { element, sheet };
 }
@@ -110,7 +110,7 @@ async function hover(session: Session, sheet: Sheet, tip: HTMLElement, x: number
   session.pointAt({ ...(region && { region: region.id }), ...(curve && { curve }) });
   const lines = [`h = ${shown(h)}, l = ${shown(l)}`];
   if (region) lines.push(`${region.id}: P = ${region.signature?.split("+").map(surface).join(" + ") ?? "none"}, U = ${region.components.map((c) => surface(c.accessible_region)).join(" + ")}`, `E = ${region.components.map((c) => surface(c.energy_surface)).join(" + ")}, genus ${region.components.map((c) => c.genus ?? "–").join(", ")}`);
-  else lines.push(place.region === -1 ? "no motion at so low an energy" : "on a curve, as far as quick arithmetic tells");
+  else lines.push(place.region === -1 ? "no motion at this low energy" : "on a curve, to within rounding");
   lines.push(`${shown(place.distance)} in h from ${place.nearest}`);
   if (curve) lines.push(...(await curveLines(session, curve, h, l)));
   tipAt(tip, sheet.size, [x, y], lines);

@@ -48,7 +48,7 @@ export const FAMILIES: Family[] = [
   },
   {
     id: "moments",
-    title: "All moments, with the centre of mass as it is",
+    title: "All moments, for the current centre of mass",
     axes: ["A₁/(A₁+A₂+A₃)", "A₂/(A₁+A₂+A₃)"],
     x: [0, 1],
     y: [0, 1],
@@ -61,7 +61,7 @@ export const FAMILIES: Family[] = [
   },
   {
     id: "center",
-    title: "All directions of the centre of mass, with the moments as they are",
+    title: "All directions of the centre of mass, for the current moments",
     axes: ["angle from axis 3 / °", "angle from axis 1 towards axis 2 / °"],
     x: [0, 90],
     y: [0, 90],

@@ -21,7 +21,7 @@ function axesOf(a: Vec): Vec {
 }
 
 export function motionPanel(session: Session, clock: Clock): { element: HTMLElement; sheet: Sheet } {
-  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "The turning body: drag to look from elsewhere, space to play or pause" }, data: { testid: "motion" } });
+  const canvas = make("canvas", { tabIndex: 0, attributes: { role: "application", "aria-label": "The turning body: drag to change the view, space to play or pause" }, data: { testid: "motion" } });
   let view: Turn = lookingAt([1, 0.5, 0.35], [0, 0, 1]);
   const angles = make("span", { className: "angles" });
   const sheet = new Sheet(canvas, (pen, size) => paint(pen, size, session, clock, view));

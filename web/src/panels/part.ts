@@ -19,20 +19,20 @@ const value = (field: HTMLInputElement): string => field.value.trim();
 export function partForm(session: Session, zone: HTMLElement): HTMLElement {
   const units = choice("units", ...["kg,m,s", "kg,mm,s", "g,mm,s", "g,cm,s"].map((name): [string, string] => [name, name.replace(/,/g, " ")]));
   const density = input("density", "density", "Density of a mesh, in the units of mass and length");
-  const mass = input("mass", "or mass", "Mass of a mesh or of a tensor");
+  const mass = input("mass", "or mass", "Mass, for a mesh or a tensor");
   const point = input("point", "fixed point / centre of mass: 0, 0, 0", "A file: the fixed point in its frame. A tensor: the centre of mass, from the fixed point");
   const file = make("input", { type: "file", accept: ".stl,.obj,.ply,.urdf,.xml", attributes: { "aria-label": "file of a part" }, data: { testid: "part-file" } });
   const tensor = input("tensor", "Ixx, Iyy, Izz, Ixy, Ixz, Iyz", "The tensor of inertia in the units of mass and length²");
   const about = choice("about", ["com", "about the centre of mass"], ["point", "about the fixed point"]);
   const products = choice("products", ["", "sign of the products?"], ["tensor", "Ixy = −∫ xy dm"], ["integral", "Ixy = +∫ xy dm"]);
   const told = make("p", { className: "note", data: { testid: "part-note" } });
-  const form = make("details", { className: "part", data: { testid: "part" } }, make("summary", {}, "A real part: drop a mesh here, or give a tensor"));
+  const form = make("details", { className: "part", data: { testid: "part" } }, make("summary", {}, "A real part: drop a mesh here, or enter a tensor"));
 
   const take = async (part: Promise<PartBlock>): Promise<void> => {
     try {
       const found = await part;
       const moments = found.principal_com.moments.map((moment) => shown(moment)).join(", ");
-      told.textContent = `Principal moments about the centre of mass: ${moments}; mass ${shown(Number(found.mass))} (${found.units.replace(/,/g, " ")}, g = ${found.g} m/s²). h, l and r are in these units${found.exact ? "" : "; A and r are rounded to 130 digits, and every symmetry is kept"}.`;
+      told.textContent = `Principal moments about the centre of mass: ${moments}; mass ${shown(Number(found.mass))} (${found.units.replace(/,/g, " ")}, g = ${found.g} m/s²). h, l and r are in these units${found.exact ? "" : "; A and r are rounded to 130 digits; symmetries are exact"}.`;
       session.fail("");
       session.state = { ...session.state, point: null };
       session.body(found.A, found.r);

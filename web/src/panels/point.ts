@@ -5,11 +5,11 @@ import type { Known } from "../state/known";
 import type { Session } from "../state/session";
 
 const STATUS: Record<Known["status"], string> = {
-  open: "Click into the diagram to choose an energy h and a vertical angular momentum l.",
+  open: "Click in the diagram to choose an energy h and a vertical angular momentum l.",
   regular: "",
-  forbidden: "Below the lowest possible energy: the body cannot move like this.",
-  critical: "Exactly on a curve: here the shape changes.",
-  undecided: "Too near to a curve for quick arithmetic to tell.",
+  forbidden: "Below the lowest possible energy: there is no such motion.",
+  critical: "Exactly on a curve: the topology changes here.",
+  undecided: "Too close to a curve for fast arithmetic to decide.",
 };
 
 export function pointPanel(session: Session): HTMLElement {

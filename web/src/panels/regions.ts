@@ -61,5 +61,5 @@ export function regionsPanel(session: Session): HTMLElement {
   session.on(["drawing", "atlas"], show);
   session.on(["theme"], () => ((shownDocument = undefined), show()));
   session.on(["hover", "point"], mark);
-  return panel("Regions", "Within a region nothing changes its shape; over each stand U (accessible region), E (energy surface) and P (Poincaré section)", make("div", { className: "scroll" }, make("table", {}, make("thead", {}, head), body)), caption);
+  return panel("Regions", "U (accessible region), E (energy surface) and P (Poincaré section) have the same topology throughout a region", make("div", { className: "scroll" }, make("table", {}, make("thead", {}, head), body)), caption);
 }

@@ -50,7 +50,7 @@ export function spherePanel(session: Session): { element: HTMLElement; sheet: Sh
   session.on(["section"], () => labels.learn());
   session.on(["point", "body", "hover", "theme", "section"], () => sheet.ask());
   session.on(["motion"], () => sheet.ask());
-  const element = panel("Accessible directions U", "The sphere of all directions of the vertical, seen from the body; coloured where the energy allows it", make("div", { className: "stage" }, canvas));
+  const element = panel("Accessible directions U", "The sphere of all directions of the vertical, seen from the body; coloured where accessible", make("div", { className: "stage" }, canvas));
   return { element, sheet };
 }
 

@@ -34,7 +34,7 @@ export function pythonLines(state: Asked): string {
 }
 
 export function takePanel(session: Session, sheets: Sheets): HTMLElement {
-  const link = make("a", { href: "#", data: { testid: "permalink" } }, "Address of all this");
+  const link = make("a", { href: "#", data: { testid: "permalink" } }, "Link to this view");
   link.addEventListener("click", (event) => {
     event.preventDefault();
     void navigator.clipboard?.writeText(location.href).then(() => (link.textContent = "Copied to the clipboard"));
@@ -43,35 +43,35 @@ export function takePanel(session: Session, sheets: Sheets): HTMLElement {
   const python = make("code", { data: { testid: "python-lines" } });
   const refresh = () => {
     link.href = location.href;
-    link.textContent = "Address of all this";
+    link.textContent = "Link to this view";
     shell.textContent = commandLines(session.state);
     python.textContent = pythonLines(session.state);
   };
   session.on(["body", "point", "atlas", "drawing", "theme"], refresh);
   const json = button("Atlas as JSON", "The document that bifdiag --json prints, byte for byte", () => save(`${nameOf(session)}.json`, session.text, "application/json"), { testid: "export-json" });
   const choice = make("select", { attributes: { "aria-label": "panel" } }, ...Object.keys(sheets).map((name) => make("option", { value: name }, name)));
-  const svg = button("SVG", "The chosen panel as SVG", async () => save(`${choice.value}.svg`, await svgOf(sheets[choice.value]!), "image/svg+xml"), { testid: "export-svg" });
-  const png = button("PNG", "The chosen panel as PNG", async () => save(`${choice.value}.png`, await pictureOf(sheets[choice.value]!)), { testid: "export-png" });
+  const svg = button("SVG", "The selected panel as SVG", async () => save(`${choice.value}.svg`, await svgOf(sheets[choice.value]!), "image/svg+xml"), { testid: "export-svg" });
+  const png = button("PNG", "The selected panel as PNG", async () => save(`${choice.value}.png`, await pictureOf(sheets[choice.value]!)), { testid: "export-png" });
   let finish: (() => void) | null = null;
-  const video = button("Record", "A video of the chosen panel; press again to end it", () => {
+  const video = button("Record", "Record a video of the selected panel; press again to stop", () => {
     try {
       if (finish) finish();
       finish = finish ? null : record(sheets[choice.value]!, choice.value);
     } catch (error) {
       session.fail(error instanceof Error ? error.message : String(error));
     }
-    video.textContent = finish ? "End and save" : "Record";
+    video.textContent = finish ? "Stop and save" : "Record";
     choice.disabled = finish !== null;
   }, { testid: "export-video" });
-  const csv = button("Crossings as CSV", "One line for each crossing", () => save("section.csv", crossingsCsv(session.orbits.rows), "text/csv"), { testid: "export-csv" });
+  const csv = button("Crossings as CSV", "One line per crossing", () => save("section.csv", crossingsCsv(session.orbits.rows), "text/csv"), { testid: "export-csv" });
   const npz = button("Crossings as NPZ", "Arrays for numpy.load", async () => save("section.npz", await crossingsNpz(session)), { testid: "export-npz" });
   return panel(
-    "Take it away",
-    "Addresses, documents, pictures and data",
+    "Export",
+    "Links, documents, pictures and data",
     make("div", { className: "take" },
       make("div", {}, make("div", { className: "row" }, link, json), make("h3", {}, "Picture of"), make("div", { className: "row" }, choice, svg, png, video), make("h3", {}, "Section"), make("div", { className: "row" }, csv, npz)),
-      make("div", {}, make("h3", {}, "The same on the command line"), shell),
-      make("div", {}, make("h3", {}, "The same in Python"), python),
+      make("div", {}, make("h3", {}, "On the command line"), shell),
+      make("div", {}, make("h3", {}, "In Python"), python),
     ),
   );
 }

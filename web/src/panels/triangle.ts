@@ -80,5 +80,5 @@ export function triangle(session: Session): HTMLElement {
     take(a.map((x, i) => x / sum + 0.005 * step[i]!) as [number, number, number]);
   });
   session.on(["body", "theme"], () => sheet.now());
-  return make("figure", {}, canvas, make("figcaption", {}, "moments; inner triangle: bodies that exist"));
+  return make("figure", {}, canvas, make("figcaption", {}, "moments; inner triangle: physical bodies"));
 }

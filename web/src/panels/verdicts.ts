@@ -23,7 +23,7 @@ export function verdicts(session: Session): { legend: HTMLElement; choice: HTMLE
   const chosen = () => {
     choice.value = String(orbits.selected);
     const orbit = orbits.judged[orbits.selected];
-    reason.textContent = orbit ? `Orbit ${orbit.orbit} is ${orbit.verdict}: ${orbit.reason}` : orbits.running ? "Orbits are followed …" : "";
+    reason.textContent = orbit ? `Orbit ${orbit.orbit} is ${orbit.verdict}: ${orbit.reason}` : orbits.running ? "Computing orbits …" : "";
     reason.dataset.verdict = orbit?.verdict ?? "";
   };
   const show = () => {

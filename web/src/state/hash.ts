@@ -64,7 +64,7 @@ function read(state: State, name: string, value: string): void {
 
 function triple(name: string, value: string): Triple {
   const parts = value.split(",").map((part) => part.trim());
-  if (parts.length !== 3) throw new Error(`${name} = ${value}: three numbers with commas between them are needed, such as ${name}=2,1.1,1`);
+  if (parts.length !== 3) throw new Error(`${name} = ${value}: three numbers separated by commas are needed, such as ${name}=2,1.1,1`);
   return parts as Triple;
 }
 

@@ -309,9 +309,9 @@ test("lessons ask first and show then", async () => {
   await page.getByRole("button", { name: "Next question" }).click();
   await page.getByRole("button", { name: "The whole sphere again" }).click();
   await ready(page);
-  expect(await page.getByTestId("guide").textContent()).toContain("Look: only a small cap");
+  expect(await page.getByTestId("guide").textContent()).toContain("Not as predicted: only a small cap");
   const [sheet] = await Promise.all([page.waitForEvent("download"), page.getByTestId("worksheet").click()]);
-  expect(await readFile((await sheet.path())!, "utf8")).toContain("Predict first, then see");
+  expect(await readFile((await sheet.path())!, "utf8")).toContain("Predict, then observe");
   expect(await page.getByTestId("input-l").inputValue()).toBe("2.1");
   await page.close();
 });

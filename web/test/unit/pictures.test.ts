@@ -69,10 +69,10 @@ describe("classes in words", () => {
   test("by share, by stratum, or not at all", () => {
     const known = { generic: { a: 0.32, b: 0.5, c: 0, d: null }, special: { e: { in: [1], preset: "katok:5" }, f: { in: [0, 1] } }, strata: ["Euler", "r on axis 3"] };
     expect([..."abcdefg"].map((name) => described(known, name))).toEqual([
-      "number 2 of 3 of bodies that exist, 32 % of them",
-      "number 1 of 3 of bodies that exist, 50 % of them",
-      "one of 3 of bodies that exist, less than one body in a million",
-      "known, of no body that exists",
+      "number 2 of 3 classes of physical bodies, 32 % of them",
+      "number 1 of 3 classes of physical bodies, 50 % of them",
+      "one of 3 classes of physical bodies, less than one body in a million",
+      "known, but not for physical bodies",
       "katok:5 (r on axis 3)",
       "Euler; r on axis 3",
       "not in the catalogue",
