@@ -29,7 +29,7 @@ const ORDER: [(&str, &str); 12] = [
     (
         "crates/documents/src",
         "command layout body subject classification critical grid atlas certified scan reading border classes find witnesses \
-         section spin measured words",
+         section spin words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
     ("crates/plot/src", "page animation campbell diagram codes map section sphere part"),

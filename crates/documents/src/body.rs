@@ -1,7 +1,7 @@
 //! Bodies as documents: numbers as they were given, flags, real parts, presets.
 
 use bifdiag_body::part::Part;
-use bifdiag_body::{Body, Preset, PrincipalForm, Tensor, TensorError};
+use bifdiag_body::{Body, Preset, PrincipalForm};
 use bifdiag_numbers::symmetric::{PrincipalAxes, Real};
 use bifdiag_numbers::{Number, decimal};
 use bifdiag_schema::{BodiesDocument, Flags, GivenBody, PartDocument, PresetDocument, PrincipalDocument};
@@ -26,14 +26,6 @@ pub fn given(body: &Body) -> GivenBody {
 pub fn flags(body: &Body) -> Flags {
     let bifdiag_body::Flags { unphysical, plate, symmetric, plane, axis, euler } = body.flags();
     Flags { unphysical, plate, symmetric, plane, axis, euler }
-}
-
-/// The body of a part about its fixed point.
-///
-/// # Errors
-/// [`TensorError`] for a tensor that is not positive definite.
-pub fn principal(part: &Part) -> Result<PrincipalForm, TensorError> {
-    Tensor::new(part.properties.tensor_about_origin(), part.weighted_center())?.principal()
 }
 
 /// A part as it was understood.

@@ -11,7 +11,6 @@ mod critical;
 mod find;
 mod grid;
 pub mod layout;
-mod measured;
 pub mod reading;
 pub mod scan;
 mod section;
@@ -21,7 +20,7 @@ mod witnesses;
 pub mod words;
 
 pub use atlas::{DocumentOptions, Drawn, attach_part};
-pub use body::{all_bodies, flags, given, part, principal, texts};
+pub use body::{all_bodies, flags, given, part, texts};
 pub use border::border;
 pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, seal};
 pub use classes::{ClassCounts, add_text, classes, other_class, shipped_classes, standing};
@@ -32,8 +31,7 @@ pub use critical::{
 };
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
-pub use measured::{measured_command, measured_tolerance};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
-pub use spin::{changes_beside, spin, spin_changes, tolerance};
+pub use spin::{changes_beside, measured_command, measured_tolerance, spin, spin_changes, tolerance};
 pub use subject::Subject;
 pub use witnesses::{ReadWitnessError, read_witness, shipped_witnesses};

@@ -4,7 +4,6 @@ use bifdiag_body::part::Part;
 use bifdiag_body::{Body, TensorError};
 use bifdiag_schema::{PartAnswerDocument, PartDocument};
 
-use crate::body::principal;
 use crate::command::{CommandLine, head};
 
 /// A body, and the part from which it was computed.
@@ -28,7 +27,7 @@ impl Subject {
     /// # Errors
     /// [`TensorError`] for a tensor that is not positive definite.
     pub fn of_part(part: &Part) -> Result<Self, TensorError> {
-        let principal = principal(part)?;
+        let principal = part.principal()?;
         Ok(Self { part: Some(crate::body::part(part, &principal)), body: principal.body })
     }
 

@@ -180,7 +180,7 @@ impl PartArguments {
         let gravity: Number = self.gravity.clone().unwrap_or_else(standard);
         let units = self.units.clone().unwrap_or_default();
         let part = Part { properties, gravity: gravity.value().clone(), units };
-        let principal = bifdiag_documents::principal(&part).map_err(|source| PartInput::Tensor { option, source })?;
+        let principal = part.principal().map_err(|source| PartInput::Tensor { option, source })?;
         Ok(Some(GivenPart { option, part, principal, measured: self.measured()? }))
     }
 

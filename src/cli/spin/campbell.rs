@@ -1,7 +1,7 @@
 //! `bifdiag campbell`: frequencies over the spin of a permanent axis.
 
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::permanent::{AxisRotation, SpinType, permanent_axis};
+use bifdiag_equilibria::permanent::{AxisRotation, SpinType, angle_between, permanent_axis};
 use bifdiag_numbers::Sign;
 use bifdiag_plot::{Campbell, draw_campbell};
 use dashu_ratio::RBig;
@@ -9,7 +9,7 @@ use dashu_ratio::RBig;
 use super::arguments::CampbellArguments;
 use super::direction::{from_principal, second, to_principal};
 use super::error::StateInput;
-use super::rotation::{Axis, angle_between};
+use super::rotation::Axis;
 use crate::cli::export::{Column, Columns, DataFormat, ExportError, FileSet, PictureFormat, RESOLUTION, Values};
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{Report, Timings, print, significant};
@@ -88,7 +88,7 @@ fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
     let row = |k: u32| {
         let spin = largest * f64::from(k) / f64::from(STEPS);
         let omega = RBig::try_from(spin / second).unwrap_or_default();
-        let (frequencies, growth) = rotation.squared_eigenvalues(&omega).frequencies_and_growth();
+        let (frequencies, growth) = rotation.frequencies_and_growth(&omega);
         let [p, q] = frequencies.map(|frequency| bifdiag_body::part::Spin::hertz(frequency * second));
         let stable = rotation.type_at_spin(&omega).is_some_and(SpinType::is_stable);
         Row {

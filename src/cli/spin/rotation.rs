@@ -1,8 +1,7 @@
 //! The rotation that an axis means.
 
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::permanent::{NearestAxis, PermanentAxis, nearest_permanent, permanent_axis};
-use bifdiag_numbers::vector::{cross, dot, norm};
+use bifdiag_equilibria::permanent::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
 use bifdiag_schema::NearestAxisDocument;
 
 use super::direction::{from_principal, second, to_principal};
@@ -51,11 +50,6 @@ impl Axis {
             None => Self::Principal,
         }
     }
-}
-
-/// The angle between two vectors, also when it is small.
-pub fn angle_between(v: [f64; 3], w: [f64; 3]) -> f64 {
-    libm::atan2(norm(cross(v, w)), dot(v, w))
 }
 
 /// The end of an axis of Staude's cone that is up, by ±Ω².

@@ -3,7 +3,9 @@
 use bifdiag_body::part::Spin;
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_documents::{Subject, words};
-use bifdiag_equilibria::permanent::{AxisRotation, PermanentAxis, SteadyRotation, nearest_steady, permanent_axis};
+use bifdiag_equilibria::permanent::{
+    AxisRotation, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
+};
 use bifdiag_exact::Prepared;
 use bifdiag_numbers::vector::norm;
 use bifdiag_numbers::{Number, Sign};
@@ -11,7 +13,7 @@ use bifdiag_schema::{Multiplicity, SpinChangeDocument, SteadyDocument, Verdict};
 use dashu_ratio::RBig;
 
 use super::direction::{from_principal, second};
-use super::rotation::{Axis, MEANT, angle_between};
+use super::rotation::{Axis, MEANT};
 use crate::cli::terminal::{Report, significant};
 
 /// Distances in h at which the regions beside a curve are looked up, relative to the size of the energies.
@@ -85,7 +87,7 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
         return Some(SteadyDocument { below, at, above, ..steady(question, &found, prepared) });
     };
     let verdict = bifdiag_documents::verdict(verdict);
-    let (frequencies, growth) = rotation.squared_eigenvalues(omega).frequencies_and_growth();
+    let (frequencies, growth) = rotation.frequencies_and_growth(omega);
     let (h, l) = rotation.point(omega);
     let size = norm(subject.body.center_f64()) + 0.5 * l.to_f64() * omega.to_f64().value();
     let document = SteadyDocument {

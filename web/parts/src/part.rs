@@ -88,7 +88,7 @@ fn document(properties: MassProperties, units: Units) -> Result<PartDocument, Re
         return Err(Refused::Impossible { inequality: inequality.to_string(), unit: units.moment() });
     }
     let part = Part { properties, gravity: number("g", GRAVITY)?.value().clone(), units };
-    let principal = documents::principal(&part)?;
+    let principal = part.principal()?;
     Ok(documents::part(&part, &principal))
 }
 

@@ -7,6 +7,8 @@ use dashu_ratio::RBig;
 use thiserror::Error;
 
 use super::units::Units;
+use crate::principal::PrincipalForm;
+use crate::rigid_body::{Tensor, TensorError};
 
 /// Mass, centre of mass and tensor of inertia, exactly, in units of their own.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -103,6 +105,14 @@ impl Part {
     pub fn weighted_center(&self) -> [RBig; 3] {
         let weight = &self.properties.mass * self.units.acceleration(&self.gravity);
         self.properties.com.each_ref().map(|c| c * &weight)
+    }
+
+    /// The body about the fixed point, in principal axes.
+    ///
+    /// # Errors
+    /// [`TensorError`] for a tensor that is not positive definite.
+    pub fn principal(&self) -> Result<PrincipalForm, TensorError> {
+        Tensor::new(self.properties.tensor_about_origin(), self.weighted_center())?.principal()
     }
 }
 

@@ -16,11 +16,13 @@ impl RelativeEquilibria<'_> {
         let frame = &self.set.frame;
         if frame.is_euler() {
             return vec![Equilibrium {
+                l: 0.0,
                 h: 0.0,
                 gamma: [0.0, 0.0, 1.0],
                 omega: 0.0,
                 index: 0,
                 multiplicity: Multiplicity::Sphere,
+                is_fold: false,
                 stability: LinearType::Zero,
                 verdict: Verdict::Energy,
                 eigenvalues: Eigenvalues { pairs: [[0.0; 2]; 2], error: 0.0 },
@@ -49,11 +51,13 @@ impl RelativeEquilibria<'_> {
         let curve = self.set.curves.ids().find(starts);
         let setting = Setting { index, global_minimum: index == 0, integral: self.set.is_lagrange() };
         Equilibrium {
+            l: 0.0,
             h: -side * frame.r_norm * frame.energy_unit,
             gamma: frame.vector_to_body(gamma),
             omega: 0.0,
             index,
             multiplicity: Multiplicity::Points(1),
+            is_fold: false,
             stability,
             verdict: setting.verdict(stability),
             eigenvalues: reduced.eigenvalues(stability, false, frame.frequency_unit),

@@ -19,6 +19,8 @@ pub enum Multiplicity {
 /// A relative equilibrium: the body turns about the vertical γ with constant angular velocity ω γ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
+    /// Vertical angular momentum.
+    pub l: f64,
     /// Energy h = U_l(γ).
     pub h: f64,
     /// The vertical in body coordinates.
@@ -29,6 +31,8 @@ pub struct Equilibrium {
     pub index: u8,
     /// How many critical points this entry stands for.
     pub multiplicity: Multiplicity,
+    /// Of those at one spin: two steady axes meet here, of which slower or faster spins have none.
+    pub is_fold: bool,
     /// The type of the flow reduced by l, linearised.
     pub stability: LinearType,
     /// What is known of its stability; of a circle or sphere as a whole.

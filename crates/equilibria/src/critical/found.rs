@@ -1,6 +1,6 @@
-//! The equilibria of one branch at one l: quickly, with bounds, or exactly.
+//! The equilibria of one branch at one l or spin: quickly, with bounds, or exactly.
 
-use super::{Equilibrium, Found, Multiplicity, Question, RelativeEquilibria};
+use super::{Equilibrium, Fixed, Found, Multiplicity, Question, RelativeEquilibria};
 use crate::curves::{BranchName, CurveId, CurveName, Orbit, Point, Shape};
 use crate::stability::exact::{ExactPoint, Touch};
 use crate::stability::{LinearType, Place, Reduced, Setting};
@@ -17,19 +17,20 @@ struct Site {
     orbit: Orbit,
     /// Where curves end the point is degenerate.
     is_degenerate: bool,
+    is_fold: bool,
     curve: CurveName,
     setting: Setting,
 }
 
 impl RelativeEquilibria<'_> {
     /// The equilibria of one curve, if intervals decide everything that is said of them.
-    pub(super) fn quickly(&self, id: CurveId, question: &Question<'_>, found: &mut Found) -> bool {
+    pub(super) fn quickly(&self, id: CurveId, x: f64, question: &Question<'_>, found: &mut Found) -> bool {
         let curve = &self.set.curves[id];
         let [from, to] = curve.x();
-        if curve.index.is_none() || !(from < question.x && question.x < to) {
+        if curve.index.is_none() || !(from < x && x < to) {
             return true;
         }
-        let Some((site, reduced)) = self.enclosed(id, question.x) else { return false };
+        let Some((site, reduced)) = self.enclosed(id, x) else { return false };
         let kind = if is_set(site.orbit) { reduced.transverse_type() } else { reduced.linear_type() };
         let Some(kind) = kind else { return false };
         self.push(found, question, &site, &reduced, kind);
@@ -56,8 +57,14 @@ impl RelativeEquilibria<'_> {
         let state = place.enclosed(&self.constants, Interval::point(x).widened(4.0))?;
         let global_minimum = mu.is_some_and(|mu| mu.minus_moment(frame, Axis::ALL[2]) >= 0.0);
         let setting = Setting { index: curve.index?, global_minimum, integral: self.set.has_integral(curve) };
-        let site =
-            Site { point, orbit: curve.orbit, is_degenerate: false, curve: CurveName::of(&self.set, id), setting };
+        let site = Site {
+            point,
+            orbit: curve.orbit,
+            is_degenerate: false,
+            is_fold: false,
+            curve: CurveName::of(&self.set, id),
+            setting,
+        };
         Some((site, Reduced::new(&self.constants, &state)))
     }
 
@@ -66,14 +73,23 @@ impl RelativeEquilibria<'_> {
         if self.set.frame.is_euler() {
             return self.without_weight(question, found);
         }
-        for exact in &self.profile()?.points(question.branch, question.l)? {
-            let site = self.site(exact, question)?;
+        let profile = self.profile()?;
+        let points = match question.fixed {
+            Fixed::Momentum { l, .. } => profile.points(question.branch, l)?,
+            Fixed::Spin(omega) => profile.points_at_spin(question.branch, omega)?,
+        };
+        for exact in &points {
+            let x = match question.fixed {
+                Fixed::Momentum { x, .. } => x,
+                Fixed::Spin(_) => 0.5 * middle(&exact.state.s) * middle(&exact.state.j).powi(2),
+            };
+            let site = self.site(exact, question, x)?;
             self.push(found, question, &site, &exact.reduced, exact.kind);
         }
         Some(())
     }
 
-    fn site(&self, exact: &ExactPoint, question: &Question<'_>) -> Option<Site> {
+    fn site(&self, exact: &ExactPoint, question: &Question<'_>, x: f64) -> Option<Site> {
         let frame = &self.set.frame;
         let last = exact.piece + usize::from(exact.touch.is_some());
         let here = |id: &CurveId| (exact.piece..=last).contains(&self.set.curves[*id].piece);
@@ -86,11 +102,12 @@ impl RelativeEquilibria<'_> {
         let integral = curve.is_some_and(|curve| self.set.has_integral(curve));
         Some(Site {
             point: match curve.map(|curve| &curve.arcs[0].shape) {
-                Some(Shape::Straight { gamma, j }) => Point::over(frame, question.x, *gamma, *j),
-                _ => self.point(exact, question.x),
+                Some(Shape::Straight { gamma, j }) => Point::over(frame, x, *gamma, *j),
+                _ => self.point(exact, x),
             },
             orbit: curve.map_or(Orbit::Point, |curve| curve.orbit),
             is_degenerate: exact.touch.is_some(),
+            is_fold: exact.is_double && matches!(question.fixed, Fixed::Spin(_)),
             curve: carrier.map_or_else(
                 || CurveName::on(BranchName::of(frame, question.branch), exact.piece),
                 |id| CurveName::of(&self.set, id),
@@ -102,10 +119,6 @@ impl RelativeEquilibria<'_> {
     /// γ and J of an exact point, rounded.
     fn point(&self, exact: &ExactPoint, x: f64) -> Point {
         let frame = &self.set.frame;
-        let middle = |set: &Wide| {
-            let [lo, hi] = set.bounds();
-            0.5 * (lo + hi)
-        };
         let gamma = std::array::from_fn(|k| {
             let (w, r, tau) = (middle(&exact.state.w[k]), frame.r[k], middle(&exact.state.tau[k]));
             // γ_k = r_k/(sτ_k) keeps the digits of a small γ_k.
@@ -117,7 +130,15 @@ impl RelativeEquilibria<'_> {
     /// Euler's rotations where intervals leave the type open: a double pair, which the exact body tells.
     fn without_weight(&self, question: &Question<'_>, found: &mut Found) -> Option<()> {
         for id in question.ids() {
-            let (site, reduced) = self.enclosed(id, question.x)?;
+            let x = match question.fixed {
+                Fixed::Momentum { x, .. } => x,
+                // l = JΩ, and J is the same along the whole curve.
+                Fixed::Spin(omega) => {
+                    let j = self.set.curves[id].point(&self.set.frame, 1.0).j;
+                    0.5 * (j * omega.to_f64().value() / self.set.frame.frequency_unit).powi(2)
+                }
+            };
+            let (site, reduced) = self.enclosed(id, x)?;
             let kind = self.profile()?.spans(&self.set, id)?.first()?.stability;
             self.push(found, question, &site, &reduced, kind);
         }
@@ -137,17 +158,19 @@ impl RelativeEquilibria<'_> {
         let Site { point, orbit, .. } = site;
         let rounding = 8.0 * UNIT_ROUNDOFF * point.x * point.slope();
         found.error_bound = found.error_bound.max((point.h_error() + rounding) * frame.energy_unit);
-        let sign = question.l.to_f64().signum();
+        let momentum = question.fixed.sign() * (2.0 * point.x).sqrt();
         let equilibrium = Equilibrium {
+            l: momentum * frame.momentum_unit,
             h: point.h() * frame.energy_unit,
             gamma: frame.vector_to_body(point.gamma),
-            omega: sign * (2.0 * point.x).sqrt() / point.j * frame.frequency_unit,
+            omega: momentum / point.j * frame.frequency_unit,
             index: site.setting.index,
             multiplicity: match orbit {
                 Orbit::Circle(_) => Multiplicity::Circle,
                 Orbit::Sphere => Multiplicity::Sphere,
                 _ => Multiplicity::Points(if site.is_degenerate { 2 } else { 1 }),
             },
+            is_fold: site.is_fold,
             stability: kind,
             verdict: site.setting.verdict(kind),
             eigenvalues: reduced.eigenvalues(kind, is_set(*orbit), frame.frequency_unit),
@@ -161,6 +184,12 @@ impl RelativeEquilibria<'_> {
         }
         found.list.push(equilibrium);
     }
+}
+
+/// The middle of an enclosure.
+fn middle(set: &Wide) -> f64 {
+    let [lo, hi] = set.bounds();
+    0.5 * (lo + hi)
 }
 
 /// A circle or a sphere of equilibria.

@@ -1,4 +1,4 @@
-//! All relative equilibria of a body at one l, or at many.
+//! All relative equilibria of a body at one l, at many, or at one spin.
 
 mod at_rest;
 mod continued;
@@ -7,6 +7,7 @@ mod found;
 
 use std::sync::{Arc, OnceLock};
 
+use dashu_ratio::RBig;
 use thiserror::Error;
 
 use crate::curves::{Branch, CriticalSet, CurveId, CurveName, EquilibriaError, branch_words};
@@ -72,14 +73,31 @@ pub struct RelativeEquilibria<'a> {
     words: Vec<(Branch, Arc<str>)>,
 }
 
-/// A branch at one l.
+/// A branch at one l or spin.
 struct Question<'a> {
     branch: Branch,
     /// Its curves, which stand together.
     curves: std::ops::Range<CurveId>,
-    l: &'a Number,
-    /// x = l²/2, rounded, in the frame's units.
-    x: f64,
+    fixed: Fixed<'a>,
+}
+
+/// What the equilibria have in common.
+#[derive(Clone, Copy)]
+enum Fixed<'a> {
+    /// l, and x = l²/2, rounded, in the frame's units.
+    Momentum { l: &'a Number, x: f64 },
+    /// Ω ≠ 0.
+    Spin(&'a RBig),
+}
+
+impl Fixed<'_> {
+    /// The sign of l and Ω.
+    fn sign(self) -> f64 {
+        match self {
+            Self::Momentum { l, .. } => l.to_f64().signum(),
+            Self::Spin(omega) => f64::from(i8::from(*omega > RBig::ZERO) - i8::from(*omega < RBig::ZERO)),
+        }
+    }
 }
 
 impl Question<'_> {
@@ -88,7 +106,7 @@ impl Question<'_> {
     }
 }
 
-/// What is found at one l, in the course of it.
+/// What is found at one l or spin, in the course of it.
 #[derive(Default)]
 struct Found {
     list: Vec<Equilibrium>,
@@ -122,15 +140,36 @@ impl<'a> RelativeEquilibria<'a> {
     pub fn at(&self, l: &Number) -> Result<Equilibria, CriticalError> {
         let frame = &self.set.frame;
         if l.to_f64() == 0.0 {
-            let error_bound = 8.0 * UNIT_ROUNDOFF * frame.r_norm * frame.energy_unit;
-            return Ok(Equilibria {
-                list: sorted(self.at_rest()),
-                error_bound,
-                complete: true,
-                by_continuation: false,
-            });
+            return Ok(self.all_at_rest());
         }
         let x = abscissa(frame, l.to_f64())?;
+        Ok(self.everywhere(Fixed::Momentum { l, x }))
+    }
+
+    /// All steady rotations with the angular velocity Ωγ: complete, from exact roots. Each has its own l.
+    ///
+    /// # Errors
+    /// [`CriticalError::Momentum`] when l of one of them leaves the range of `f64`.
+    pub fn at_spin(&self, omega: &RBig) -> Result<Equilibria, CriticalError> {
+        if omega.is_zero() {
+            return Ok(self.all_at_rest());
+        }
+        let mut found = self.everywhere(Fixed::Spin(omega));
+        for equilibrium in &mut found.list {
+            let least = f64::MIN_POSITIVE * self.set.frame.momentum_unit;
+            abscissa(&self.set.frame, equilibrium.l.abs().max(least))?;
+            equilibrium.omega = omega.to_f64().value();
+        }
+        Ok(found)
+    }
+
+    fn all_at_rest(&self) -> Equilibria {
+        let error_bound = 8.0 * UNIT_ROUNDOFF * self.set.frame.r_norm * self.set.frame.energy_unit;
+        Equilibria { list: sorted(self.at_rest()), error_bound, complete: true, by_continuation: false }
+    }
+
+    /// The equilibria of all branches.
+    fn everywhere(&self, fixed: Fixed<'_>) -> Equilibria {
         let mut found = Found { list: Vec::with_capacity(8), error_bound: 0.0 };
         let mut complete = true;
         let mut next = 0;
@@ -140,20 +179,21 @@ impl<'a> RelativeEquilibria<'a> {
             let branch = curves[next].branch;
             let end = next + curves[next..].iter().take_while(|curve| curve.branch == branch).count();
             if curves[next].is_critical() {
-                let question = Question { branch, curves: CurveId::at(next)..CurveId::at(end), l, x };
+                let question = Question { branch, curves: CurveId::at(next)..CurveId::at(end), fixed };
                 complete &= self.on_branch(&question, &mut found);
             }
             next = end;
         }
         let list = sorted(found.list);
-        Ok(Equilibria { list, error_bound: found.error_bound, complete, by_continuation: false })
+        Equilibria { list, error_bound: found.error_bound, complete, by_continuation: false }
     }
 
-    /// The equilibria of one branch: by f64 with bounds, or exactly where these leave something open.
+    /// The equilibria of one branch: at one l by f64 with bounds, and exactly where these leave something open.
     fn on_branch(&self, question: &Question<'_>, found: &mut Found) -> bool {
         let before = found.list.len();
-        if !self.set.ends_near(question.branch, question.curves.clone(), question.x)
-            && question.ids().all(|id| self.quickly(id, question, found))
+        if let Fixed::Momentum { x, .. } = question.fixed
+            && !self.set.ends_near(question.branch, question.curves.clone(), x)
+            && question.ids().all(|id| self.quickly(id, x, question, found))
         {
             return true;
         }

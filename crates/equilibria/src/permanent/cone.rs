@@ -68,7 +68,7 @@ pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
     let difference = differences(body);
     if body.is_euler() || difference == [0.0; 3] {
         let PermanentAxis { direction, .. } = permanent_axis(body, up)?;
-        return Some(NearestAxis { axis: direction, angle: angle(direction, up), squared_spin: None });
+        return Some(NearestAxis { axis: direction, angle: angle_between(direction, up), squared_spin: None });
     }
     let mut cone: Matrix3<f64> = Matrix3::zeros();
     for k in 0..3 {
@@ -81,7 +81,11 @@ pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
     // Of an axis that was moved onto the cone no more than thirteen digits are known.
     let (axis, rounding) =
         if scale == 0.0 || is_on_cone(&cone, up) { (up, 0.0) } else { (nearest_on_cone(cone / scale, up), 1e-13) };
-    Some(NearestAxis { axis, angle: angle(axis, up), squared_spin: squared_spin(difference, r, axis, rounding) })
+    Some(NearestAxis {
+        axis,
+        angle: angle_between(axis, up),
+        squared_spin: squared_spin(difference, r, axis, rounding),
+    })
 }
 
 /// A_j − A_i for cyclic (i, j, k), rounded once.
@@ -90,9 +94,10 @@ fn differences(body: &Body) -> [f64; 3] {
     [0, 1, 2].map(|k: usize| (moment(k + 2) - moment(k + 1)).to_f64().value())
 }
 
-/// The angle between a line and a direction at an acute angle to it.
-fn angle(axis: [f64; 3], up: [f64; 3]) -> f64 {
-    libm::atan2(norm(cross(axis, up)), dot(axis, up))
+/// The angle between two vectors, also when it is small.
+#[must_use]
+pub fn angle_between(v: [f64; 3], w: [f64; 3]) -> f64 {
+    libm::atan2(norm(cross(v, w)), dot(v, w))
 }
 
 /// Whether uᵀSu vanishes within rounding.

@@ -13,15 +13,11 @@
 mod cone;
 mod near;
 mod rotation;
-mod spin_type;
-mod squares;
 mod steady;
 mod tolerance;
 
-pub use cone::{NearestAxis, PermanentAxis, nearest_permanent, permanent_axis};
-pub use near::{BoxedBody, SettledTypes, Vector, settled_types};
-pub use rotation::AxisRotation;
-pub use spin_type::{SpinChange, SpinType};
-pub use squares::Squares;
+pub use cone::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
+pub use near::{BoxedBody, SettledTypes, Vector, sampled_parts, settled_types, settled_types_of_part};
+pub use rotation::{AxisRotation, SpinChange, SpinType};
 pub use steady::{SteadyRotation, exact_spin, nearest_steady};
 pub use tolerance::{INPUTS, SAMPLES, SpinRange, sampled_bodies, spin_ranges};

@@ -6,11 +6,15 @@
 //! the box and every spin of an interval; Theorem 13.1 of docs/mathematics.md gives its type over that square (Proposition
 //! 13.8). Squares at neighbouring spins have one middle, so that they hold the same rotation.
 
+use bifdiag_body::Body;
+use bifdiag_body::part::{INPUT_NAMES, INPUTS, MeasuredPart, Part};
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
+use bifdiag_numbers::sequence;
 use bifdiag_numbers::vector::{self, normalised};
+use dashu_ratio::RBig;
 
-use super::spin_type::SpinType;
+use super::rotation::SpinType;
 use super::tolerance::SpinRange;
 
 /// Three numbers known as intervals.
@@ -47,6 +51,54 @@ const COARSE: f64 = 0.02;
 
 /// The box is cut into so many pieces along each entry of the diagonal, where intervals of the whole are too wide.
 const CUTS: [u32; 3] = [1, 2, 5];
+
+/// Parts that are tried for their classes, the nominal one first.
+const MEASURED_SAMPLES: u64 = 81;
+
+/// The types of a measured part's steady rotations near the axis that points up along `up` in the part's frame. With each
+/// range the number that alone leaves the largest part of it unsettled, and half of that.
+#[must_use]
+pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3]) -> SettledTypes {
+    let settled = |measured: &MeasuredPart| {
+        let (tensor, center) = measured.bounds(&part.units.acceleration(&part.gravity));
+        settled_types(&BoxedBody { tensor, center }, up)
+    };
+    let mut found = settled(measured);
+    let alone: Vec<(usize, SettledTypes)> = measured.uncertain().map(|k| (k, settled(&measured.only(k)))).collect();
+    for range in &mut found.ranges {
+        let [from, to] = range.omega;
+        let unsettled = |found: &SettledTypes| {
+            let common = found.ranges.iter().map(|other| (other.omega[1].min(to) - other.omega[0].max(from)).max(0.0));
+            0.5 * common.sum::<f64>()
+        };
+        let moved = alone.iter().map(|(input, found)| (*input, unsettled(found))).filter(|(_, moved)| *moved > 0.0);
+        // Of equals the first.
+        let most = moved.max_by(|p, q| p.1.total_cmp(&q.1).then(q.0.cmp(&p.0)));
+        range.most = most.map(|(input, moved)| (INPUT_NAMES[input], moved));
+    }
+    found
+}
+
+/// The bodies of sampled parts that can exist (of all, where the nominal one cannot); `None` for one whose tensor is not
+/// positive definite.
+pub fn sampled_parts<'a>(part: &'a Part, measured: &'a MeasuredPart) -> impl Iterator<Item = Option<Body>> + 'a {
+    let physical = part.properties.existence().is_possible();
+    let sampled = (0..MEASURED_SAMPLES).filter_map(|number| measured.at(&deviations(number)).ok());
+    let possible = sampled.filter(move |properties| !physical || properties.existence().is_possible());
+    possible.map(|properties| Some(Part { properties, ..part.clone() }.principal().ok()?.body))
+}
+
+/// A random point of the cube from −1 to 1; number 0 is its middle.
+fn deviations(number: u64) -> [RBig; INPUTS] {
+    const BITS: u32 = 20;
+    std::array::from_fn(|k| {
+        if number == 0 {
+            return RBig::ZERO;
+        }
+        let bits = sequence::random(number * INPUTS as u64 + k as u64) >> (64 - BITS - 1);
+        RBig::from_parts(i64::try_from(bits).unwrap_or_default().into(), (1_u64 << BITS).into()) - RBig::ONE
+    })
+}
 
 /// The types of the steady rotations near the axis that points up along `up`, at all spins.
 #[must_use]

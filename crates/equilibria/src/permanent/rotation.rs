@@ -1,5 +1,7 @@
 //! Rotation about a principal axis through the centre of mass: its spectral type over the spin, exactly.
 
+use std::cmp::Ordering;
+
 use bifdiag_numbers::polynomial::{Polynomial, Root, rational};
 use bifdiag_numbers::symmetric::{self, Real};
 use bifdiag_numbers::vector::dot;
@@ -7,14 +9,78 @@ use bifdiag_numbers::{Number, Sign};
 use dashu_ratio::RBig;
 
 use super::cone::PermanentAxis;
-use super::spin_type::{SpinChange, SpinType};
-use super::squares::Squares;
 use crate::critical::Multiplicity;
 use crate::stability::{LinearType, Setting, Signs, Verdict};
 use bifdiag_body::{Body, BodyAxis};
 
 /// Digits of |r| where it is not rational.
 const DIGITS: usize = 60;
+
+/// The spectral type of such a rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SpinType {
+    /// Two imaginary pairs, and U_l has a strict local minimum (across a circle of rotations: of the circle): stable.
+    Minimum,
+    /// Two imaginary pairs only: linearly stable (and for a symmetric top stable by a further integral).
+    Elliptic,
+    /// One real and one imaginary pair: unstable.
+    SaddleCentre,
+    /// Two real pairs: unstable.
+    Saddle,
+    /// A double real pair: unstable.
+    DoubleReal,
+    /// A complex quadruple: unstable.
+    Complex,
+    /// An eigenvalue zero, and no real one: open.
+    Zero,
+    /// An eigenvalue zero and a real pair: unstable.
+    ZeroReal,
+}
+
+impl SpinType {
+    /// No eigenvalue has a positive real part.
+    #[must_use]
+    pub fn is_stable(self) -> bool {
+        matches!(self, Self::Minimum | Self::Elliptic | Self::Zero)
+    }
+
+    /// As it is printed.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Minimum => "elliptic (local minimum)",
+            Self::Elliptic => "elliptic",
+            Self::SaddleCentre => "saddle-centre",
+            Self::Saddle => "saddle",
+            Self::DoubleReal => "double-real",
+            Self::Complex => "complex",
+            Self::Zero | Self::ZeroReal => "zero",
+        }
+    }
+}
+
+/// A spin at which the type changes.
+#[derive(Clone, Debug)]
+pub struct SpinChange {
+    /// Ω in the body's units.
+    pub omega: f64,
+    /// Bound on its error.
+    pub error_bound: f64,
+    /// Below.
+    pub from: SpinType,
+    /// Above.
+    pub to: SpinType,
+    /// Ω².
+    squared: Root,
+}
+
+impl SpinChange {
+    /// Where a spin Ω ≥ 0 stands to the change, exactly.
+    #[must_use]
+    pub fn place_of(&self, omega: &RBig) -> Ordering {
+        self.squared.place_of(&(omega * omega))
+    }
+}
 
 /// Rotation about a principal axis through the centre of mass with the vertical at one of its ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -218,9 +284,9 @@ impl AxisRotation {
         0.5 * self.moments[0].to_f64().value() * omega * omega - self.weight.to_f64().value()
     }
 
-    /// λ₁² and λ₂² at a spin: real ones, or the real and imaginary parts of a conjugate pair.
+    /// The frequencies |Im λ|, in rad over the unit of time, and the largest rate of growth Re λ at a spin.
     #[must_use]
-    pub fn squared_eigenvalues(&self, omega: &RBig) -> Squares {
+    pub fn frequencies_and_growth(&self, omega: &RBig) -> ([f64; 2], f64) {
         let [_, a, b] = self.moments.each_ref().map(|x| x.to_f64().value());
         // Exact up to here: beside a root of the discriminant nothing of its sign is lost.
         let s = omega * omega;
@@ -228,17 +294,21 @@ impl AxisRotation {
         let [first, second, whole] = self.polynomials().map(|c| at(&c));
         let (half, product) = (0.5 * whole / (a * b), first * second / (a * b));
         let discriminant = at(&self.discriminant()) / (4.0 * a * a * b * b);
-        if discriminant == 0.0 {
-            return Squares::Real([-half; 2]);
-        }
         if discriminant < 0.0 {
-            return Squares::Conjugate { re: -half, im: (-discriminant).sqrt() };
+            // λ² = −half ± i im. The smaller part of λ from the product of both, im/2.
+            let im = (-discriminant).sqrt();
+            let large = (0.5 * ((half * half + im * im).sqrt() + half.abs())).sqrt();
+            let small = 0.5 * im / large;
+            let (frequency, growth) = if half < 0.0 { (small, large) } else { (large, small) };
+            return ([frequency; 2], growth);
         }
-        // The larger one without cancellation, the other from the product.
+        // Negative squares are frequencies, positive ones rates of growth: the larger one without cancellation, the other
+        // from the product.
         let root = discriminant.sqrt();
         let larger = -(half + if half < 0.0 { -root } else { root });
         let smaller = if larger == 0.0 { 0.0 } else { product / larger };
-        Squares::Real([larger, smaller])
+        let squares = if discriminant == 0.0 { [-half; 2] } else { [larger, smaller] };
+        (squares.map(|x| (-x).max(0.0).sqrt()), squares.into_iter().fold(0.0, f64::max).sqrt())
     }
 }
 

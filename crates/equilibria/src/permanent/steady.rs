@@ -4,9 +4,10 @@
 //! root of Σ r_k²/(ν − sA_k)² = 1, or ν = sA_k for an axis with r_k = 0, along which γ has what is missing of its length.
 
 use bifdiag_numbers::symmetric::{Real, dot as inner};
-use bifdiag_numbers::vector::{cross, dot, norm, normalised};
+use bifdiag_numbers::vector::{dot, norm, normalised};
 use dashu_ratio::RBig;
 
+use super::cone::angle_between;
 use crate::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
 use bifdiag_body::{Body, BodyAxis, Number};
 
@@ -36,7 +37,8 @@ pub fn nearest_steady(body: &Body, omega: &RBig, up: &[RBig; 3]) -> Option<Stead
     let (gamma, angle, l) = if let Some([_, l]) = &exact {
         (down, 0.0, Number::from_rational(l.clone()))
     } else {
-        let candidates = directions(body, spin * spin, down).into_iter().map(|gamma| (gamma, angle(gamma, down)));
+        let candidates =
+            directions(body, spin * spin, down).into_iter().map(|gamma| (gamma, angle_between(gamma, down)));
         let (gamma, angle) = candidates.min_by(|(_, p), (_, q)| p.total_cmp(q))?;
         let moment = (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
         (gamma, angle, Number::from_f64(spin * moment).ok()?)
@@ -126,11 +128,6 @@ fn exact_cross(v: &[RBig; 3], w: &[RBig; 3]) -> [RBig; 3] {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         &v[i] * &w[j] - &v[j] * &w[i]
     })
-}
-
-/// The angle between two unit vectors, also when it is small.
-fn angle(v: [f64; 3], w: [f64; 3]) -> f64 {
-    libm::atan2(norm(cross(v, w)), dot(v, w))
 }
 
 /// All γ with (sA − ν)γ = −r for some ν; of a circle or sphere of them the one nearest to `down`.

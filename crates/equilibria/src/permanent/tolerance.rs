@@ -12,8 +12,7 @@ use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
 use dashu_ratio::RBig;
 
-use super::rotation::AxisRotation;
-use super::spin_type::{SpinChange, SpinType};
+use super::rotation::{AxisRotation, SpinChange, SpinType};
 use bifdiag_body::Body;
 
 /// The inputs that are varied, as they are told.

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use dashu_ratio::RBig;
+
 use super::exact::{ExactBody, ExactPoint, Family, Forms, Profile, StationKind, Strand};
 use super::{Constants, LinearType, Signs, StabilitySpan, State};
 use crate::curves::{Branch, CriticalSet, Curve, CurveId, Orbit, Pole};
@@ -99,7 +101,16 @@ impl StabilityProfile {
     #[must_use]
     pub fn points(&self, branch: Branch, l: &Number) -> Option<Vec<ExactPoint>> {
         let (strand, profile) = self.strand(branch)?;
-        ExactPoint::all(&self.body, self.forms.as_ref()?, strand, profile, &self.body.abscissa(l))
+        let condition = strand.at_momentum(&self.body, self.forms.as_ref()?, &self.body.abscissa(l));
+        ExactPoint::all(&self.body, strand, profile, &condition)
+    }
+
+    /// The same at one spin Ω ≠ 0.
+    #[must_use]
+    pub fn points_at_spin(&self, branch: Branch, omega: &RBig) -> Option<Vec<ExactPoint>> {
+        let (strand, profile) = self.strand(branch)?;
+        let condition = strand.at_spin(&self.body, self.forms.as_ref()?, &self.body.squared_spin(omega));
+        ExactPoint::all(&self.body, strand, profile, &condition)
     }
 
     /// The exact body.
@@ -193,7 +204,7 @@ impl StabilityProfile {
     /// l rises with t from the sample of a stretch to the station after it.
     fn rises(&self, set: &CriticalSet, strand: &Strand, profile: &Profile, stretch: usize) -> bool {
         let t = &profile.samples[stretch];
-        let sample = Root::exact(&Polynomial::from_rationals(&[-t, dashu_ratio::RBig::ONE]), t.clone());
+        let sample = Root::exact(&Polynomial::from_rationals(&[-t, RBig::ONE]), t.clone());
         self.place(set, strand, &sample)[0].0 < self.place(set, strand, &profile.stations[stretch].root)[0].0
     }
 

@@ -19,4 +19,4 @@ pub use bisection::{Border, BorderError, BorderOptions, all, find};
 pub use event::{BorderEvent, BorderEventKind, Encounter, Place};
 pub use label::{EventLabel, named_events};
 pub use segment::Segment;
-pub use side::{End, NoClass, class_of};
+pub use side::{End, NoClass, class_of, classes_of};

@@ -1,5 +1,6 @@
 //! Bodies on the two sides of a border.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use thiserror::Error;
@@ -7,7 +8,7 @@ use thiserror::Error;
 use super::segment::Segment;
 use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::class::{Class, Unclassified};
+use bifdiag_diagram::class::{Class, ClassName, Unclassified};
 use bifdiag_exact::{Accuracy, NoAtlas, atlas_of};
 
 /// An end of a segment.
@@ -48,6 +49,19 @@ impl Side {
         let (atlas, class) = class_of(&segment.body(t), accuracy)?;
         Ok(Self { t, atlas, class })
     }
+}
+
+/// How many of some bodies have each class, the most frequent first; no class stands for bodies whose class is not decided,
+/// and for those that are none.
+pub fn classes_of(bodies: impl Iterator<Item = Option<Body>>) -> Vec<(Option<ClassName>, usize)> {
+    let mut counts: BTreeMap<Option<ClassName>, usize> = BTreeMap::new();
+    for body in bodies {
+        let class = body.and_then(|body| class_of(&body, Accuracy::Exact).ok());
+        *counts.entry(class.map(|(_, class)| class.name().clone())).or_default() += 1;
+    }
+    let mut counts: Vec<_> = counts.into_iter().collect();
+    counts.sort_by(|(p, p_count), (q, q_count)| q_count.cmp(p_count).then_with(|| p.cmp(q)));
+    counts
 }
 
 /// The atlas and the class of a body.

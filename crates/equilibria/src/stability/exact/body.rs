@@ -27,6 +27,7 @@ pub struct ExactBody {
     moments: [RBig; 3],
     squares: [RBig; 3],
     momentum_unit: RBig,
+    frequency_unit: RBig,
 }
 
 impl ExactBody {
@@ -60,6 +61,7 @@ impl ExactBody {
             unit_r,
             moments,
             squares,
+            frequency_unit: energy / &momentum,
             momentum_unit: momentum,
         }
     }
@@ -70,6 +72,14 @@ impl ExactBody {
         let l = l.value() / &self.momentum_unit;
         let units = RBig::from(&self.unit_a * &self.unit_r);
         &l * &l / RBig::from(2) * units
+    }
+
+    /// Ω² in the units of the integers.
+    #[must_use]
+    pub fn squared_spin(&self, omega: &RBig) -> RBig {
+        // s' = (M/N) s.
+        let omega = omega / &self.frequency_unit;
+        &omega * &omega * RBig::from(self.unit_r.clone()) / RBig::from(self.unit_a.clone())
     }
 
     /// A difference of multipliers in the frame's units.

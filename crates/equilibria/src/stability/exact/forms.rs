@@ -60,6 +60,14 @@ impl Forms {
         left.minus(&right.scaled(&(IBig::from(4) * over * over)))
     }
 
+    /// p − s²D²: its roots are the multipliers of the steady rotations with Ω² = s, since s² = P (Theorem 3.2 of
+    /// docs/mathematics.md).
+    #[must_use]
+    pub fn at_spin(&self, s: &RBig) -> Polynomial {
+        let (over, under) = (s.numerator(), IBig::from(s.denominator().clone()));
+        self.p.scaled(&(&under * &under)).minus(&self.product.squared().scaled(&(over * over)))
+    }
+
     /// Of the sign of c.
     #[must_use]
     pub fn zero(&self) -> Polynomial {

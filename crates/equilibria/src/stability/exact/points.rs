@@ -1,9 +1,6 @@
-//! The relative equilibria on a family at one l, counted exactly, with the linear type of each.
-
-use dashu_ratio::RBig;
+//! The relative equilibria on a family at one l or at one spin, counted exactly, with the linear type of each.
 
 use super::body::ExactBody;
-use super::forms::Forms;
 use super::profile::{Profile, StationKind, compare};
 use super::strand::Strand;
 use crate::stability::{Constants, LinearType, Reduced, Signs, State};
@@ -13,13 +10,15 @@ use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::polynomial::{Polynomial, Root};
 use bifdiag_numbers::wide::Wide;
 
-/// A relative equilibrium at the exact l.
+/// A relative equilibrium at the exact l or spin.
 #[derive(Clone, Debug)]
 pub struct ExactPoint {
     /// Number of its piece of the branch, from 1: the lower one where two meet.
     pub piece: usize,
     /// Where curves meet there.
     pub touch: Option<Touch>,
+    /// A double root of the condition: at one l a cusp, at one spin two steady axes that meet.
+    pub is_double: bool,
     /// The equilibrium, enclosed.
     pub state: State<Wide>,
     /// The linearised flow.
@@ -43,15 +42,14 @@ pub enum Touch {
 const BITS: usize = 192;
 
 impl ExactPoint {
-    /// All equilibria of a family at x = l²/2 (in the units of the integers), by rising number of the piece. `None` when
-    /// roots are closer than 2^-4000.
+    /// All equilibria of a family at the roots of a polynomial in its coordinate ([`Strand::at_momentum`],
+    /// [`Strand::at_spin`]), by rising number of the piece. `None` when roots are closer than 2^-4000.
     #[must_use]
-    pub fn all(body: &ExactBody, forms: &Forms, strand: &Strand, profile: &Profile, x: &RBig) -> Option<Vec<Self>> {
-        let condition = strand.at_momentum(body, forms, x);
+    pub fn all(body: &ExactBody, strand: &Strand, profile: &Profile, condition: &Polynomial) -> Option<Vec<Self>> {
         let mut cuts: Vec<(Root, StationKind)> =
             profile.stations.iter().filter(|s| s.is_cut()).map(|s| (s.root.clone(), s.kind)).collect();
         let mut points = Vec::new();
-        for mut root in strand.roots(&condition)? {
+        for mut root in strand.roots(condition)? {
             root.refine(BITS);
             let mut below = 0;
             let mut touch = None;
@@ -88,7 +86,7 @@ impl ExactPoint {
             let kind = kind(strand, &root, &mut reduced, &mut known);
             if let Some(kind) = kind {
                 let index = reduced.index(state.hessian_trace(&c).sign());
-                return Self { piece, touch, state, reduced, kind, index };
+                return Self { piece, touch, is_double: !root.odd, state, reduced, kind, index };
             }
             bits *= 4;
         }

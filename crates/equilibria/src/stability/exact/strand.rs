@@ -137,6 +137,16 @@ impl Strand {
         Polynomial::from_rationals(&rational::sub(&fourth, &[RBig::ZERO, RBig::from(4) * x * x * z_max]))
     }
 
+    /// The polynomial whose roots are the steady rotations with Ω² = s.
+    #[must_use]
+    pub fn at_spin(&self, body: &ExactBody, forms: &Forms, s: &RBig) -> Polynomial {
+        match &self.chart {
+            // z = 1/s²
+            Chart::Over { z_max, .. } => Polynomial::from_rationals(&[-RBig::ONE, s * s * z_max]),
+            chart => chart.mapped(body, &forms.at_spin(s)),
+        }
+    }
+
     /// Roots of a polynomial in t on the family, ascending. `None` when they are closer than 2^-4000.
     #[must_use]
     pub fn roots(&self, polynomial: &Polynomial) -> Option<Vec<Root>> {
