@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::classify::classify;
+use bifdiag_diagram::fast::{classify, classify_in};
 use bifdiag_diagram::topology::latitude;
 use bifdiag_documents::DocumentOptions;
 use bifdiag_equilibria::critical::critical;
@@ -60,7 +60,7 @@ fn atlases(criterion: &mut Criterion<Clock>) {
         ("rods", workload::rods()),
     ];
     for (name, cases) in &sets {
-        in_turn(criterion, &format!("atlas/{name}"), cases, |case| Atlas::new(&case.body));
+        in_turn(criterion, &format!("atlas/{name}"), cases, |case| bifdiag_diagram::fast::atlas(&case.body));
     }
     let curves = |case: &Case| CriticalSet::new(case.body.frame());
     in_turn(criterion, "curves/generic", &sets[0].1, curves);
@@ -77,7 +77,7 @@ fn atlases(criterion: &mut Criterion<Clock>) {
 }
 
 fn prepared(cases: &[Case]) -> Vec<Atlas> {
-    cases.iter().map(|case| Atlas::new(&case.body).expect("an atlas of the workload")).collect()
+    cases.iter().map(|case| bifdiag_diagram::fast::atlas(&case.body).expect("an atlas of the workload")).collect()
 }
 
 fn points(criterion: &mut Criterion<Clock>) {
@@ -103,7 +103,7 @@ fn points(criterion: &mut Criterion<Clock>) {
         })
         .collect();
     in_turn(criterion, "prepared/locate", &further, |&(number, h, l, ..)| atlases[number].locate(h, l));
-    in_turn(criterion, "prepared/classify", &further, |(number, _, _, h, l)| atlases[*number].classify(h, l));
+    in_turn(criterion, "prepared/classify", &further, |(number, _, _, h, l)| classify_in(&atlases[*number], h, l));
     // One body, many points: what a scan of one diagram costs.
     let one = &atlases[0];
     let own = workload::points(&cases[0].body, 1024);

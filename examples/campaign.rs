@@ -13,7 +13,8 @@ use std::collections::BTreeMap;
 
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::classify::{Answer, Classification, classify};
+use bifdiag_diagram::fast::classify;
+use bifdiag_diagram::topology::{Answer, Classification};
 use bifdiag_diagram::topology::{Poles, latitude};
 use dashu_ratio::RBig;
 use support::bodies::{STRATA, Stratum, random_body, random_point};
@@ -47,7 +48,7 @@ fn main() {
         let stratum = STRATA[usize::try_from(n).unwrap_or(0) % STRATA.len()];
         let body = random_body(&mut rng, stratum);
         let counts = tally.entry(stratum).or_default();
-        let Ok(atlas) = Atlas::new(&body) else {
+        let Ok(atlas) = bifdiag_diagram::fast::atlas(&body) else {
             counts.points += 4;
             counts.failed += 4;
             println!("no atlas: A={:?} r={:?}", body.moments_f64(), body.center_f64());
@@ -117,7 +118,10 @@ fn beside_a_curve(rng: &mut SplitMix64, atlas: &Atlas, l: f64) -> f64 {
 
 fn examine(body: &Body, atlas: &Atlas, h: f64, l: f64, counts: &mut Tally) -> Result<(), String> {
     let (Ok(number_h), Ok(number_l)) = (Number::from_f64(h), Number::from_f64(l)) else { return Ok(()) };
-    let (cold, prepared) = match (classify(body, &number_h, &number_l), atlas.classify(&number_h, &number_l)) {
+    let (cold, prepared) = match (
+        classify(body, &number_h, &number_l),
+        bifdiag_diagram::fast::classify_in(&atlas, &number_h, &number_l).map(|(found, _)| found),
+    ) {
         (Ok(cold), Ok(prepared)) => (cold, prepared),
         (Err(error), _) | (_, Err(error)) => {
             counts.failed += 1;

@@ -5,7 +5,6 @@
 use std::time::Instant;
 
 use bifdiag_body::Body;
-use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::topology::{Component, signature};
 use bifdiag_exact::CertifiedAtlas;
 
@@ -61,7 +60,7 @@ impl Tally {
         let regions = certified.region_count();
         self.regions += regions;
         self.regions_open += regions - proved.len();
-        let quick = Atlas::new(body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty());
+        let quick = bifdiag_diagram::fast::atlas(body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty());
         let Some(quick) = quick else { return Ok(()) };
         let mut all: Vec<String> =
             quick.regions().ids().filter_map(|region| quick.components(region).ok()).map(class).collect();

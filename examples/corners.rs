@@ -6,7 +6,6 @@
 use std::time::Instant;
 
 use bifdiag_body::{Body, Number};
-use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::topology::Component;
 use bifdiag_exact::CertifiedAtlas;
 use dashu_ratio::RBig;
@@ -131,7 +130,9 @@ impl Tally {
             eprintln!("open: {text}");
             return;
         }
-        let Some(quick) = Atlas::new(&body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty()) else {
+        let Some(quick) =
+            bifdiag_diagram::fast::atlas(&body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty())
+        else {
             return;
         };
         let found: Result<Vec<String>, _> =

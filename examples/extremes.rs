@@ -7,9 +7,8 @@
 use std::time::Instant;
 
 use bifdiag_body::{Body, Number};
-use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, certified_atlas};
-use bifdiag_exact::{Accuracy, CertifiedAtlas, atlas_of, classify_exactly};
+use bifdiag_exact::{Accuracy, CertifiedAtlas, classify_exactly};
 use bifdiag_schema::AtlasDocument;
 use dashu_ratio::RBig;
 
@@ -50,7 +49,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
 
 fn document(proved: &CertifiedAtlas) -> Option<AtlasDocument> {
     let options = DocumentOptions { drawing: bifdiag_documents::Drawn::Nothing, ..DocumentOptions::default() };
-    certified_atlas(proved, &proved.drawn().ok()?, &options).ok()
+    certified_atlas(proved, &proved.to_atlas().ok()?, &options).ok()
 }
 
 fn main() {
@@ -62,7 +61,7 @@ fn main() {
     for (name, parts) in FAMILIES.iter().filter(|(name, _)| name.contains(wanted.as_str())) {
         for &exponent in &exponents {
             let body = body(parts(&(RBig::ONE / RBig::from(10).pow(exponent))));
-            let fast = match Atlas::new(&body) {
+            let fast = match bifdiag_diagram::fast::atlas(&body) {
                 Ok(atlas) => {
                     let open = atlas.regions().iter().filter(|region| region.components.is_err()).count();
                     let undecided = atlas.arrangement().undecided.len();
@@ -70,7 +69,7 @@ fn main() {
                 }
                 Err(_) => "none".to_owned(),
             };
-            let (answer, time) = timed(|| atlas_of(&body, Accuracy::Exact));
+            let (answer, time) = timed(|| bifdiag_exact::atlas(&body, Accuracy::Exact));
             let (proved, proof_time) = timed(|| CertifiedAtlas::new(&body));
             let verified = proved.as_ref().ok().and_then(document).map_or_else(
                 || "no certificate".to_owned(),

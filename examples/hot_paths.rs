@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::classify::classify;
+use bifdiag_diagram::fast::classify;
 use bifdiag_diagram::topology::latitude;
 use bifdiag_documents::DocumentOptions;
 use bifdiag_equilibria::critical::critical;
@@ -24,11 +24,11 @@ fn in_turn<T: 'static, R>(items: Vec<T>, mut job: impl FnMut(&T) -> R + 'static)
 }
 
 fn atlas(cases: Vec<Case>) -> Job {
-    in_turn(cases, |case| Atlas::new(&case.body))
+    in_turn(cases, |case| bifdiag_diagram::fast::atlas(&case.body))
 }
 
 fn prepared(cases: &[Case]) -> Vec<Atlas> {
-    cases.iter().map(|case| Atlas::new(&case.body).expect("an atlas of the workload")).collect()
+    cases.iter().map(|case| bifdiag_diagram::fast::atlas(&case.body).expect("an atlas of the workload")).collect()
 }
 
 fn exact() -> Vec<(Body, Number, Number)> {

@@ -10,8 +10,7 @@ use std::io::{BufRead, Write};
 use std::time::Instant;
 
 use bifdiag_body::{Body, Number};
-use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::classify::classify;
+use bifdiag_diagram::fast::classify;
 use bifdiag_documents::DocumentOptions;
 use bifdiag_equilibria::critical::critical;
 use bifdiag_schema::Accuracy;
@@ -46,9 +45,9 @@ fn answer(line: &str) -> Result<serde_json::Value, Box<dyn std::error::Error>> {
     let query: Query = serde_json::from_str(line)?;
     let body = Body::from_f64(query.moments, query.center)?;
     let (h, l) = (Number::from_f64(query.h)?, Number::from_f64(query.l)?);
-    let atlas = Atlas::new(&body)?;
+    let atlas = bifdiag_diagram::fast::atlas(&body)?;
     Ok(serde_json::json!({
-        "atlas": microseconds(5, || Atlas::new(&body)),
+        "atlas": microseconds(5, || bifdiag_diagram::fast::atlas(&body)),
         "polylines": microseconds(1, || bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default())),
         "classify": microseconds(10, || classify(&body, &h, &l)),
         "critical": microseconds(10, || critical(&body, &l)),

@@ -4,7 +4,7 @@
 //! momentum l follows from exact numbers:
 //!
 //! ```
-//! use bifdiag::{Accuracy, Body, atlas_of, classify};
+//! use bifdiag::{Accuracy, Body, classify};
 //!
 //! let body = Body::parse(&["2", "11/10", "1"], &["0.94868", "0", "0.61623"])?;
 //! // One point: the components of U_hl with the energy surface and the section over each.
@@ -12,7 +12,7 @@
 //! let sections: Vec<_> = found.components().unwrap().iter().map(|component| component.section().unwrap()).collect();
 //! assert_eq!(sections, ["S2", "T2"]);
 //! // The whole plane.
-//! assert_eq!(atlas_of(&body, Accuracy::Exact)?.regions().len(), 9);
+//! assert_eq!(atlas(&body, Accuracy::Exact)?.regions().len(), 9);
 //! # Ok::<_, Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -32,19 +32,23 @@ pub use bifdiag_plot as plot;
 #[cfg(feature = "plot")]
 pub use pictures::Curves;
 pub use {
-    bifdiag_body as body, bifdiag_diagram as diagram, bifdiag_documents as documents, bifdiag_dynamics as dynamics,
+    bifdiag_body as body, bifdiag_documents as documents, bifdiag_dynamics as dynamics,
     bifdiag_equilibria as equilibria, bifdiag_exact as exact, bifdiag_numbers as numbers, bifdiag_schema as schema,
     bifdiag_survey as survey, bifdiag_verify as verify,
 };
 
+/// Regions and their topology. The answers themselves are [`atlas`], [`classify`] and [`critical`].
+pub mod diagram {
+    pub use bifdiag_diagram::{accessible, arrangement, atlas, class, region_changes, topology};
+}
+
 pub use bifdiag_body::Body;
 pub use bifdiag_diagram::atlas::{Atlas, Region};
-pub use bifdiag_diagram::classify::{Answer, Classification, Margin};
-pub use bifdiag_diagram::topology::Component;
+pub use bifdiag_diagram::topology::{Answer, Classification, Component, Margin};
 pub use bifdiag_dynamics::poincare::{PoincareSection, Setting};
-pub use bifdiag_equilibria::critical::{Equilibria, critical};
+pub use bifdiag_equilibria::critical::Equilibria;
 pub use bifdiag_equilibria::curves::CurveName;
-pub use bifdiag_exact::{Accuracy, CertifiedAtlas, Unanswered, atlas_of, classify};
+pub use bifdiag_exact::{Accuracy, AnswerError, CertifiedAtlas, Solver, atlas, classify, critical};
 pub use bifdiag_numbers::Number;
 
 /// The Rust examples of the documentation are tests.

@@ -2,7 +2,7 @@
 //! (`cargo test --release --test classes -- --ignored`).
 
 use bifdiag_body::Body;
-use bifdiag_exact::{Accuracy, CertifiedAtlas, atlas_of};
+use bifdiag_exact::{Accuracy, CertifiedAtlas};
 use bifdiag_schema::{ClassDocument, ClassesDocument};
 use bifdiag_survey::graph::{Domain, Node, Place, Stratum};
 use bifdiag_survey::{ComponentType, scan};
@@ -39,7 +39,7 @@ fn prove(class: &ClassDocument) {
     types.sort();
     types.dedup();
     assert_eq!(types.iter().map(ComponentType::to_string).collect::<Vec<_>>(), class.types, "{}", class.name);
-    let drawn = proof.drawn().unwrap();
+    let drawn = proof.to_atlas().unwrap();
     let document =
         bifdiag_documents::certified_atlas(&proof, &drawn, &bifdiag_documents::DocumentOptions::default()).unwrap();
     bifdiag_verify::verify(&document)
@@ -105,6 +105,6 @@ fn generic_presets_have_a_known_class() {
     for (name, preset) in scan::known_classes() {
         let generic = !preset.body().flags().degenerate();
         assert!(!generic || names.contains(&name.to_string()), "{}", preset.name());
-        assert!(atlas_of(&preset.body(), Accuracy::Exact).is_ok());
+        assert!(bifdiag_exact::atlas(&preset.body(), Accuracy::Exact).is_ok());
     }
 }

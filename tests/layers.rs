@@ -18,11 +18,11 @@ const ORDER: [(&str, &str); 12] = [
     ),
     ("crates/body/src", "axis rigid_body frame principal presets part"),
     ("crates/equilibria/src", "curves stability continuation critical permanent"),
-    ("crates/diagram/src", "topology arrangement atlas class classify accessible region_changes"),
+    ("crates/diagram/src", "topology arrangement atlas class fast accessible region_changes"),
     (
         "crates/exact/src",
-        "work id model family curves estimate point one_x ridges heights plane mirror pair polar arrange margin region certificate drawn vertex exact places \
-         accuracy prepared",
+        "statistics id model family curves estimate point equal_momentum ridges critical_values plane mirror pair polar arrange region certificate conversion vertex exact \
+         answers solver",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
     ("crates/survey/src", "digits parameter range design signature scan border graph mosaic katok search"),

@@ -1,7 +1,7 @@
 //! Every witness in `data/witnesses.json` shows what it says, by both topological methods, and with room.
 
 use bifdiag_body::{Body, Number};
-use bifdiag_diagram::classify::classify;
+use bifdiag_diagram::fast::classify;
 use bifdiag_diagram::topology::{Component, Poles, latitude};
 use bifdiag_documents::margin;
 use bifdiag_exact::classify_exactly;

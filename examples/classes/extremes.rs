@@ -3,7 +3,7 @@
 use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_equilibria::curves::Orbit;
-use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_exact::Accuracy;
 use bifdiag_schema::ClassesDocument;
 
 use crate::Failure;
@@ -37,7 +37,7 @@ pub fn extremes(classes: &str) -> Result<(), Failure> {
         let mut best = vec![(0, 0, String::new()); what.len()];
         for class in document.classes.iter().filter(|class| !physical || class.physical) {
             let body = Body::parse(&class.witness.body.moments, &class.witness.body.center)?;
-            let atlas = atlas_of(&body, Accuracy::Exact)?;
+            let atlas = bifdiag_exact::atlas(&body, Accuracy::Exact)?;
             let mut seen = vec![0; what.len()];
             for at_one_momentum in counts(&atlas) {
                 for (most, count) in seen.iter_mut().zip(at_one_momentum) {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use bifdiag_body::Body;
-use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_exact::Accuracy;
 use bifdiag_schema::{ClassDocument, ClassesDocument};
 use bifdiag_survey::ComponentType;
 
@@ -24,7 +24,7 @@ pub fn pages(classes: &str, folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder)?;
     for class in &document.classes {
         let body = Body::parse(&class.witness.body.moments, &class.witness.body.center)?;
-        let atlas = atlas_of(&body, Accuracy::Exact)?;
+        let atlas = bifdiag_exact::atlas(&body, Accuracy::Exact)?;
         std::fs::write(folder.join(format!("{}.svg", class.name)), sketch(&atlas)?)?;
         let mut page = head(class);
         page.push_str("| region | sections | components |\n| --- | --- | --- |\n");

@@ -5,7 +5,7 @@ use std::error::Error;
 use bifdiag::Curves;
 use bifdiag_body::Preset;
 use bifdiag_documents::DocumentOptions;
-use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_exact::Accuracy;
 use bifdiag_plot::{DiagramOptions, MarkedPoints, Picture, draw};
 
 use crate::figure::{Figure, THEME};
@@ -42,7 +42,7 @@ const DOTS: [[f64; 2]; 9] = [
 ];
 
 fn diagram(preset: &Preset) -> Result<Picture, Box<dyn Error>> {
-    let atlas = atlas_of(&preset.body(), Accuracy::Exact)?;
+    let atlas = bifdiag_exact::atlas(&preset.body(), Accuracy::Exact)?;
     let document = bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default());
     let dots = MarkedPoints { points: DOTS.to_vec(), text: "the paper's example of a region".to_owned() };
     let points = (preset.name() == "paper").then_some(dots);

@@ -5,7 +5,6 @@ use std::error::Error;
 
 use bifdiag::pictures::{Seen, Shown, map};
 use bifdiag_body::{Body, Preset};
-use bifdiag_diagram::atlas::Atlas;
 use bifdiag_exact::Accuracy;
 use bifdiag_plot::{Map, MapAxis, MapBodies, MapLine, MapNote, Width, draw_map};
 use bifdiag_survey::border::{self, BorderEventKind, BorderOptions, Segment};
@@ -198,7 +197,7 @@ fn add_events(map: &mut Map) {
     for n in 0..=COLUMNS {
         let eta = ETA[0] + (ETA[1] - ETA[0]) * (f64::from(n) + 0.37) / f64::from(COLUMNS + 1);
         let Ok(body) = Body::from_f64([2.0, eta, 1.0], [1.0, 0.0, 0.0]) else { continue };
-        let Ok(atlas) = Atlas::new(&body) else { continue };
+        let Ok(atlas) = bifdiag_diagram::fast::atlas(&body) else { continue };
         for (label, l) in border::named_events(&atlas) {
             lines.entry(label.to_string()).or_default().push([eta, l]);
         }

@@ -198,7 +198,7 @@ mod tests {
     use super::*;
     use bifdiag_diagram::atlas::Place;
     use bifdiag_diagram::topology::signature;
-    use bifdiag_exact::{Accuracy, atlas_of};
+    use bifdiag_exact::Accuracy;
     use bifdiag_plot::section_type;
 
     /// Kovalevskaya's tori are known to be integrable.
@@ -206,7 +206,7 @@ mod tests {
     fn kovalevskayas_regions_have_a_section_each_and_its_orbits_are_regular() {
         let figure = FIGURES.iter().find(|figure| figure.stem == KOVALEVSKAYA).unwrap();
         let body = body(figure.body).unwrap();
-        let atlas = atlas_of(&body, Accuracy::Exact).unwrap();
+        let atlas = bifdiag_exact::atlas(&body, Accuracy::Exact).unwrap();
         let mut shown = Vec::new();
         for row in figure.rows {
             let Place::Region(region) = atlas.locate(row.h, row.l).unwrap().place else { panic!("{}", row.caption) };
@@ -225,7 +225,7 @@ mod tests {
     #[test]
     fn captions_tell_the_regions() {
         for figure in FIGURES.iter().filter(|figure| figure.rows.iter().any(|row| row.caption.starts_with('R'))) {
-            let atlas = atlas_of(&body(figure.body).unwrap(), Accuracy::Exact).unwrap();
+            let atlas = bifdiag_exact::atlas(&body(figure.body).unwrap(), Accuracy::Exact).unwrap();
             for row in figure.rows {
                 let Place::Region(region) = atlas.locate(row.h, row.l).unwrap().place else {
                     panic!("{}", row.caption)

@@ -5,7 +5,7 @@ use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::topology::Component;
 use bifdiag_documents::DocumentOptions;
 use bifdiag_equilibria::curves::Branch;
-use bifdiag_exact::{Accuracy, CertifiedAtlas, atlas_of};
+use bifdiag_exact::{Accuracy, CertifiedAtlas};
 use bifdiag_numbers::table::Id;
 use rayon::prelude::*;
 
@@ -58,7 +58,7 @@ pub fn run(all: &[Asked]) {
         let (certified, truths) = proofs(&bodies);
         let mut bare = Tally::default();
         for (body, truth) in bodies.iter().zip(&truths) {
-            let (atlas, time) = timed(|| Atlas::new(body));
+            let (atlas, time) = timed(|| bifdiag_diagram::fast::atlas(body));
             let whole = atlas.as_ref().is_ok_and(is_whole);
             bare.add(time, atlas.ok().map(|atlas| classes(&atlas)).as_ref(), whole, truth.as_ref());
         }
@@ -75,7 +75,7 @@ pub fn run(all: &[Asked]) {
             let mut tally = Tally::default();
             for body in &bodies {
                 let (found, time) = timed(|| companion::cusps(body, real));
-                let truth = Atlas::new(body).ok().filter(is_whole);
+                let truth = bifdiag_diagram::fast::atlas(body).ok().filter(is_whole);
                 tally.add(time, found.as_ref(), true, truth.map(|atlas| cusps(&atlas)).as_ref());
             }
             tally.print(stratum, name);
@@ -100,11 +100,11 @@ fn proofs(bodies: &[&Body]) -> (Tally, Vec<Option<Classes>>) {
 }
 
 fn with_documents(bodies: &[&Body], truths: &[Option<Classes>], accuracy: Accuracy) -> Tally {
-    let options = DocumentOptions { accuracy: accuracy.into(), ..DocumentOptions::default() };
+    let options = DocumentOptions { accuracy: accuracy, ..DocumentOptions::default() };
     let mut tally = Tally::default();
     for (body, truth) in bodies.iter().zip(truths) {
         let (found, time) = timed(|| {
-            let atlas = atlas_of(body, accuracy).ok()?;
+            let atlas = bifdiag_exact::atlas(body, accuracy).ok()?;
             let document = bifdiag_documents::atlas::document(&atlas, &options);
             Some((atlas, document.summary.undecided.is_empty()))
         });

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use bifdiag_diagram::classify::Classification;
+use bifdiag_diagram::topology::Classification;
 use bifdiag_diagram::topology::Component;
-use bifdiag_exact::{Accuracy, Prepared};
+use bifdiag_exact::{Accuracy, Solver};
 use rayon::prelude::*;
 
 use super::clock::{spread, timed};
@@ -16,8 +16,8 @@ use support::flood_fill;
 /// A body and what is made of it once.
 struct Bodies<'a> {
     asked: &'a Asked,
-    fast: Prepared,
-    exact: Prepared,
+    fast: Solver,
+    exact: Solver,
 }
 
 /// Rows of the flood fill's grid; twice as many columns.
@@ -75,7 +75,7 @@ pub fn run(all: &[Asked], only: Option<&str>) -> Result<(), Failure> {
 
 fn answers(asked: &Asked, peers: bool) -> Result<Answers, String> {
     let prepared = |accuracy| {
-        let body = Prepared::new(asked.body.clone(), accuracy);
+        let body = Solver::new(asked.body.clone(), accuracy);
         // Its atlas is made here and not with the first point.
         let _answer = body.classify(&asked.l, &asked.l);
         body
@@ -127,7 +127,7 @@ fn classified(point: &Point, accuracy: Accuracy) -> (Verdict, f64) {
     (found.map_or(Verdict::Failed, |found| answer_against(point, &found, accuracy)), time)
 }
 
-fn prepared(point: &Point, body: &Prepared) -> (Verdict, f64) {
+fn prepared(point: &Point, body: &Solver) -> (Verdict, f64) {
     let (found, time) = timed(|| body.classify(&point.h, point.l));
     (found.map_or(Verdict::Failed, |found| answer_against(point, &found, body.accuracy())), time)
 }

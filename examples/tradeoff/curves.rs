@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use bifdiag_body::Body;
-use bifdiag_diagram::classify::Answer;
+use bifdiag_diagram::topology::Answer;
 use bifdiag_diagram::topology::Component;
 use bifdiag_exact::Accuracy;
 use rayon::prelude::*;

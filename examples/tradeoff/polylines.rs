@@ -18,7 +18,8 @@ const BETWEEN: usize = 7;
 
 pub fn run(all: &[Asked]) {
     let generic = all.iter().filter(|asked| asked.stratum == "generic");
-    let atlases: Vec<Atlas> = generic.take(BODIES).filter_map(|asked| Atlas::new(&asked.body).ok()).collect();
+    let atlases: Vec<Atlas> =
+        generic.take(BODIES).filter_map(|asked| bifdiag_diagram::fast::atlas(&asked.body).ok()).collect();
     println!(
         "tolerance,bodies,vertices,json_bytes,svg_bytes,deviation_median,deviation_largest,\
          document_us,picture_us"

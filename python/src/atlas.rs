@@ -5,9 +5,8 @@ use std::sync::atomic::AtomicBool;
 use bifdiag::diagram::atlas::Window;
 use bifdiag::documents::{self, DocumentOptions, Drawn, Subject, atlas::document};
 use bifdiag::equilibria::curves::CurveName;
-use bifdiag::exact::{CertifiedAtlas, Prepared};
 use bifdiag::schema::{Accuracy, AtlasDocument, WindowDocument};
-use bifdiag::{Curves, plot};
+use bifdiag::{CertifiedAtlas, Curves, Solver, plot};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
@@ -31,7 +30,7 @@ pub fn accuracy(level: &str) -> PyResult<Accuracy> {
 #[pyclass(frozen, module = "bifdiag._core")]
 pub struct Atlas {
     subject: Subject,
-    prepared: Prepared,
+    prepared: Solver,
     /// The proof, and the atlas as it is proved, if the document is to carry a certificate.
     proved: Option<(CertifiedAtlas, bifdiag::diagram::atlas::Atlas)>,
 }
@@ -39,12 +38,12 @@ pub struct Atlas {
 impl Atlas {
     /// An atlas that was made.
     pub fn of(python: Python<'_>, subject: &Subject, accuracy: Accuracy, certificate: bool) -> PyResult<Self> {
-        let made = python.detach(|| bifdiag::atlas_of(&subject.body, accuracy.into()));
-        let prepared = Prepared::of(made.map_err(|error| errors::range(&error))?, accuracy.into());
+        let made = python.detach(|| bifdiag::atlas(&subject.body, accuracy));
+        let prepared = Solver::of(made.map_err(|error| errors::range(&error))?, accuracy);
         let mut atlas = Self { subject: subject.clone(), prepared, proved: None };
         if certificate {
             let proof = python.detach(|| CertifiedAtlas::new(&subject.body)).map_err(|error| errors::range(&error))?;
-            let drawn = proof.drawn().map_err(|error| errors::range(&error))?;
+            let drawn = proof.to_atlas().map_err(|error| errors::range(&error))?;
             atlas.proved = Some((proof, drawn));
         }
         Ok(atlas)
@@ -52,7 +51,7 @@ impl Atlas {
 
     /// One that is made when it is needed; without it points are still answered.
     pub fn unmade(subject: &Subject, accuracy: Accuracy) -> Self {
-        let prepared = Prepared::new(subject.body.clone(), accuracy.into());
+        let prepared = Solver::new(subject.body.clone(), accuracy);
         Self { subject: subject.clone(), prepared, proved: None }
     }
 
@@ -61,7 +60,7 @@ impl Atlas {
     }
 
     fn accuracy(&self) -> Accuracy {
-        self.prepared.accuracy().into()
+        self.prepared.accuracy()
     }
 
     fn document(&self, options: &DocumentOptions) -> PyResult<AtlasDocument> {

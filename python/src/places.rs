@@ -3,9 +3,8 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use bifdiag::diagram::atlas::{Place, Spot};
-use bifdiag::exact::Prepared;
 use bifdiag::numbers::table::Id;
-use bifdiag::{Number, Unanswered};
+use bifdiag::{AnswerError, Number, Solver};
 use rayon::prelude::*;
 
 /// Below the lowest critical value.
@@ -31,7 +30,7 @@ fn code(spot: Spot) -> i64 {
 
 /// Places of points (h, l) of doubles, each meaning its shortest decimal; unfinished when `stop` is set. `None` without an
 /// atlas.
-pub fn of_points(prepared: &Prepared, h: &[f64], l: &[f64], stop: &AtomicBool) -> Option<Result<Vec<i64>, Unanswered>> {
+pub fn of_points(prepared: &Solver, h: &[f64], l: &[f64], stop: &AtomicBool) -> Option<Result<Vec<i64>, AnswerError>> {
     prepared.atlas()?;
     let chunk = h.len().div_ceil(rayon::current_num_threads()).max(CHUNK);
     let mut places = vec![UNDECIDED; h.len()];
@@ -43,13 +42,7 @@ pub fn of_points(prepared: &Prepared, h: &[f64], l: &[f64], stop: &AtomicBool) -
 }
 
 /// The points with one l, from whatever corner of the grid, are answered together.
-fn of_chunk(
-    prepared: &Prepared,
-    h: &[f64],
-    l: &[f64],
-    stop: &AtomicBool,
-    places: &mut [i64],
-) -> Result<(), Unanswered> {
+fn of_chunk(prepared: &Solver, h: &[f64], l: &[f64], stop: &AtomicBool, places: &mut [i64]) -> Result<(), AnswerError> {
     let mut order: Vec<(u64, u32)> = (0..).zip(l).map(|(point, l)| (l.to_bits(), point)).collect();
     order.sort_unstable();
     let mut heights = Vec::new();
@@ -74,7 +67,7 @@ fn of_chunk(
 }
 
 /// One point: a search among the curves, and exact arithmetic where that leaves it open.
-fn of_doubles(prepared: &Prepared, h: f64, l: f64) -> Result<i64, Unanswered> {
+fn of_doubles(prepared: &Solver, h: f64, l: f64) -> Result<i64, AnswerError> {
     let atlas = prepared.atlas().expect("the atlas was made");
     match if l == 0.0 { None } else { atlas.locate(h, l).ok() }.map(|location| location.place) {
         Some(Place::Region(region)) => Ok(code(Spot::Region(region))),
@@ -84,7 +77,7 @@ fn of_doubles(prepared: &Prepared, h: f64, l: f64) -> Result<i64, Unanswered> {
 }
 
 /// The place of one exact point.
-pub fn of_point(prepared: &Prepared, h: &Number, l: &Number) -> Result<i64, Unanswered> {
+pub fn of_point(prepared: &Solver, h: &Number, l: &Number) -> Result<i64, AnswerError> {
     let found = prepared.classify(h, l)?;
     Ok(code(prepared.spot(h, l, &found.answer)))
 }

@@ -58,7 +58,7 @@ pub fn find(
         domain: Domain { physical, ..Domain::default() },
         samples,
         seed: seed.unwrap_or_default(),
-        accuracy: accuracy(level)?.into(),
+        accuracy: accuracy(level)?,
         ..SearchOptions::default()
     };
     let known = if seed.is_some() { Vec::new() } else { documents::shipped_witnesses() };

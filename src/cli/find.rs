@@ -130,7 +130,7 @@ fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocume
         samples: arguments.samples,
         all: arguments.all,
         seed: arguments.seed.unwrap_or_default(),
-        accuracy: arguments.accuracy.into(),
+        accuracy: arguments.accuracy,
     };
     let progress = Progress::new(0, arguments.samples, "bodies", quiet);
     let mut watch = |bodies| {

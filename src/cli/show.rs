@@ -3,7 +3,7 @@
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, Drawn, words};
-use bifdiag_exact::{Accuracy, NoAtlas, atlas_of};
+use bifdiag_exact::{Accuracy, AnswerError};
 use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument};
 use clap::Args;
 use thiserror::Error;
@@ -36,7 +36,7 @@ pub struct ShowArguments {
 #[derive(Debug, Error)]
 enum NotShown {
     #[error("the atlas could not be made")]
-    NoAtlas(#[from] NoAtlas),
+    Answer(#[from] AnswerError),
     #[error("ID {id}: the body has no such thing; it has the regions {regions}, the curves {curves}{events}")]
     Unknown { id: String, regions: String, curves: String, events: String },
 }
@@ -44,7 +44,7 @@ enum NotShown {
 impl CommandError for NotShown {
     fn exit(&self) -> Exit {
         match self {
-            Self::NoAtlas(_) => Exit::Failed,
+            Self::Answer(_) => Exit::Failed,
             Self::Unknown { .. } => Exit::WrongInput,
         }
     }
@@ -55,7 +55,7 @@ const DIGITS: usize = 6;
 
 pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
-    let atlas = atlas_of(&subject.body, Accuracy::Exact).map_err(NotShown::from)?;
+    let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(NotShown::from)?;
     let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
     let document = bifdiag_documents::atlas::document(&atlas, &options);
     let mut report = Report::default();

@@ -1,9 +1,9 @@
 //! Families of bodies and points that run into an extreme as ε → 0, and what the levels answer on the way.
 
 use bifdiag_body::{Body, Number, Preset};
-use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::classify::{Components, classify};
+use bifdiag_diagram::fast::classify;
 use bifdiag_diagram::topology::Component;
+use bifdiag_diagram::topology::Components;
 use bifdiag_exact::{CertifiedAtlas, classify_exactly};
 use dashu_ratio::RBig;
 
@@ -172,7 +172,7 @@ pub fn answers(question: &Question) -> [Answer; 2] {
                 all.collect::<Option<Vec<_>>>().map(sorted)
             });
             let exact = if proved.is_some() { Answer::Right } else { Answer::Undecided };
-            let fast = Atlas::new(body).map_or(Answer::Refused, |atlas| {
+            let fast = bifdiag_diagram::fast::atlas(body).map_or(Answer::Refused, |atlas| {
                 let all = atlas.regions().ids().map(|region| atlas.components(region).ok().map(<[Component]>::to_vec));
                 let whole = all.collect::<Option<Vec<_>>>().filter(|_| atlas.arrangement().undecided.is_empty());
                 match (whole.map(sorted), &proved) {

@@ -23,13 +23,13 @@ pub fn document(body: &Body) -> AtlasDocument {
 
 pub fn certified(atlas: &CertifiedAtlas) -> AtlasDocument {
     let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
-    certified_atlas(atlas, &atlas.drawn().unwrap(), &options).unwrap()
+    certified_atlas(atlas, &atlas.to_atlas().unwrap(), &options).unwrap()
 }
 
 /// The document of a body with its drawing.
 pub fn whole(body: &Body) -> AtlasDocument {
     let atlas = CertifiedAtlas::new(body).unwrap();
-    certified_atlas(&atlas, &atlas.drawn().unwrap(), &DocumentOptions::default()).unwrap()
+    certified_atlas(&atlas, &atlas.to_atlas().unwrap(), &DocumentOptions::default()).unwrap()
 }
 
 /// Documents of a generic body, of one with a pitchfork where a pole line meets it, and of a tilted part.
@@ -43,7 +43,7 @@ pub fn of_tilted_part() -> AtlasDocument {
     let part = Part { properties, gravity: exact("9.80665"), units: "kg,cm,s".parse().unwrap() };
     let subject = Subject::of_part(&part).unwrap();
     let atlas = CertifiedAtlas::new(&subject.body).unwrap();
-    certified_atlas_of(&subject, &atlas, &atlas.drawn().unwrap(), &DocumentOptions::default()).unwrap()
+    certified_atlas_of(&subject, &atlas, &atlas.to_atlas().unwrap(), &DocumentOptions::default()).unwrap()
 }
 
 pub fn exact(text: &str) -> RBig {

@@ -1,7 +1,7 @@
 //! To which component of U_hl a point of the Poisson sphere belongs.
 
-use crate::atlas::{self, AtlasError};
-use crate::classify::ClassifyError;
+use crate::atlas;
+use crate::fast::FastError;
 use crate::topology::merge::{MergeError, Partition};
 use bifdiag_body::Body;
 use bifdiag_equilibria::curves::{CriticalSet, CurveId, Point};
@@ -16,12 +16,12 @@ pub struct AccessibleRegion {
 }
 
 impl AccessibleRegion {
-    /// The region at (h, l), which [`classify`](crate::classify::classify) must find regular.
+    /// The region at (h, l), which [`classify`](crate::fast::classify) must find regular.
     ///
     /// # Errors
-    /// [`ClassifyError`] when the body or l leave the range of `f64`.
-    pub fn new(body: &Body, h: f64, l: f64) -> Result<Self, ClassifyError> {
-        let set = CriticalSet::new(body.frame()).map_err(AtlasError::from)?;
+    /// [`FastError`] when the body or l leave the range of `f64`.
+    pub fn new(body: &Body, h: f64, l: f64) -> Result<Self, FastError> {
+        let set = CriticalSet::new(body.frame())?;
         let x = bifdiag_equilibria::curves::abscissa(&set.frame, l)?;
         let energy = h / set.frame.energy_unit;
         let mut below = Vec::new();

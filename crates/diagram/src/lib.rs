@@ -5,6 +5,6 @@ pub mod accessible;
 pub mod arrangement;
 pub mod atlas;
 pub mod class;
-pub mod classify;
+pub mod fast;
 pub mod region_changes;
 pub mod topology;

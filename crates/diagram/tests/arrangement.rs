@@ -13,7 +13,7 @@ fn arrangement(a: [&str; 3], r: [&str; 3]) -> Arrangement {
 #[test]
 fn the_papers_body_has_five_events_and_nine_faces() {
     let found = arrangement(["2", "1.1", "1"], ["0.94868", "0", "0.61623"]);
-    found.check_invariants().unwrap();
+    support::sanity::check_arrangement(&found).unwrap();
     assert!(found.undecided.is_empty(), "{:?}", found.undecided);
     let l: Vec<f64> = found.events.iter().map(|e| (2.0 * e.x).sqrt() * found.set.frame.momentum_unit).collect();
     for (found, expected) in l.iter().zip([2.0114, 2.5714, 2.8585, 2.8708, 6.8816]) {
@@ -30,7 +30,7 @@ fn regions_and_events_of_generic_bodies_match_the_oracle() {
         let triple = |key: &str| -> [f64; 3] { serde_json::from_value(case[key].clone()).unwrap() };
         let body = Body::from_f64(triple("A"), triple("r")).unwrap();
         let found = Arrangement::new(CriticalSet::new(body.frame()).unwrap());
-        found.check_invariants().unwrap();
+        support::sanity::check_arrangement(&found).unwrap();
         assert!(found.undecided.is_empty());
         assert_eq!(
             (found.region_count as u64, found.events.len() as u64),
@@ -45,7 +45,7 @@ fn regions_and_events_of_generic_bodies_match_the_oracle() {
 fn two_pitchforks_at_the_same_l_on_different_curves_commute() {
     for (a, faces) in [(["2", "1", "3"], 5), (["2", "3", "1"], 5), (["1", "79/100", "121/100"], 4)] {
         let found = arrangement(a, ["1", "0", "0"]);
-        found.check_invariants().unwrap();
+        support::sanity::check_arrangement(&found).unwrap();
         assert!(found.undecided.is_empty(), "{:?}", found.undecided);
         assert_eq!(
             found.events.iter().filter(|e| matches!(e.change, Change::Open { .. } | Change::Close { .. })).count(),
@@ -60,7 +60,7 @@ fn two_pitchforks_at_the_same_l_on_different_curves_commute() {
 fn a_pair_whose_cusp_has_just_left_its_pitchfork() {
     for a in ["0.749", "0.74999", "0.749997", "0.749999"] {
         let found = arrangement(["1", a, "0.86"], ["1", "0", "0"]);
-        found.check_invariants().unwrap();
+        support::sanity::check_arrangement(&found).unwrap();
         assert!(found.undecided.is_empty(), "{:?}", found.undecided);
         assert_eq!((found.events.len(), found.region_count), (4, 5));
     }
@@ -76,7 +76,7 @@ fn a_pitchfork_in_the_middle_between_two_moments() {
         (["2", "3", "4"], ["2", "0", "1"], 5, 9),
     ] {
         let found = arrangement(a, r);
-        found.check_invariants().unwrap();
+        support::sanity::check_arrangement(&found).unwrap();
         assert!(found.undecided.is_empty(), "{:?}", found.undecided);
         assert_eq!((found.events.len(), found.region_count), (events, faces), "{a:?} {r:?}");
     }
@@ -95,6 +95,6 @@ fn next_to_an_axis_the_far_crossing_is_found_to_relative_accuracy() {
         let expected = 8.0 / (epsilon * epsilon);
         assert!((x / expected - 1.0).abs() < 4.0 * epsilon * epsilon + 1e-13, "{text}: {x:e} {expected:e}");
         assert!(last.x_error < 1e-13 * last.x, "{text}: {last:?}");
-        found.check_invariants().unwrap();
+        support::sanity::check_arrangement(&found).unwrap();
     }
 }

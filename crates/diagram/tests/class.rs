@@ -3,14 +3,13 @@
 use std::collections::BTreeMap;
 
 use bifdiag_body::{Body, Number, Preset};
-use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::class::{Class, PlanarMap, Unclassified};
 use dashu_ratio::RBig;
 use support::bodies::{Stratum, random_body};
 use support::random::SplitMix64;
 
 fn class(body: &Body) -> Result<Class, Unclassified> {
-    Class::of(&Atlas::new(body).unwrap())
+    Class::of(&bifdiag_diagram::fast::atlas(body).unwrap())
 }
 
 /// A with other units and axes in another order, r likewise and with other signs.
@@ -61,7 +60,7 @@ fn maps_are_planar_in_every_stratum() {
     for stratum in [Stratum::Generic, Stratum::TinyR, Stratum::NearEqual, Stratum::NearAxis, Stratum::Plane] {
         for _ in 0..60 {
             let body = random_body(&mut rng, stratum);
-            let Ok(atlas) = Atlas::new(&body) else { continue };
+            let Ok(atlas) = bifdiag_diagram::fast::atlas(&body) else { continue };
             match PlanarMap::of(&atlas) {
                 Ok(map) => map.check().unwrap(),
                 Err(Unclassified::Map(error)) => panic!("{body:?}: {error}"),

@@ -1,8 +1,9 @@
 //! `classify` against flood-fill oracles and the paper's points, on cold and on prepared bodies.
 
 use bifdiag_body::{Body, Number};
-use bifdiag_diagram::atlas::{Atlas, Place};
-use bifdiag_diagram::classify::{Answer, Classification, classify};
+use bifdiag_diagram::atlas::Place;
+use bifdiag_diagram::fast::{classify, classify_in};
+use bifdiag_diagram::topology::{Answer, Classification};
 use bifdiag_diagram::topology::{Component, Poles, signature as join};
 use serde_json::Value;
 
@@ -41,7 +42,7 @@ fn flood_fill_oracles_agree() {
         let (body, h, l) = (body(&case), number(&case["h"]), number(&case["l"]));
         let cold = classify(&body, &h, &l).unwrap();
         assert_eq!(circles_and_poles(&cold), expected, "{line}");
-        let prepared = Atlas::new(&body).unwrap().classify(&h, &l).unwrap();
+        let prepared = classify_in(&bifdiag_diagram::fast::atlas(&body).unwrap(), &h, &l).unwrap().0;
         assert_eq!(prepared.components(), cold.components(), "{line}");
     }
 }
@@ -50,7 +51,7 @@ fn signature(a: [&str; 3], r: [&str; 3], h: &str, l: &str) -> String {
     let body = Body::parse(&a, &r).unwrap();
     let (h, l) = (h.parse().unwrap(), l.parse().unwrap());
     let cold = classify(&body, &h, &l).unwrap();
-    let prepared = Atlas::new(&body).unwrap().classify(&h, &l).unwrap();
+    let prepared = classify_in(&bifdiag_diagram::fast::atlas(&body).unwrap(), &h, &l).unwrap().0;
     assert_eq!(cold.components(), prepared.components());
     match cold.answer {
         Answer::Forbidden => "forbidden".to_owned(),
@@ -94,7 +95,7 @@ fn kovalevskayas_five_types() {
 fn points_at_events_that_rounding_has_put_out_of_order_are_answered() {
     let a = ["821353/500000", "769697/1000000", "1/5"];
     let r = ["1291/125000", "23/5000000000000000", "3/500000000000"];
-    let atlas = Atlas::new(&Body::parse(&a, &r).unwrap()).unwrap();
+    let atlas = bifdiag_diagram::fast::atlas(&Body::parse(&a, &r).unwrap()).unwrap();
     assert!(atlas.arrangement().slabs.iter().any(|slab| slab.x[0] > slab.x[1]), "the body shows it no more");
     for event in &atlas.arrangement().events {
         let found = atlas.locate(atlas.energy(event.h), atlas.momentum(event.x)).unwrap();
@@ -107,7 +108,7 @@ fn points_at_events_that_rounding_has_put_out_of_order_are_answered() {
 fn no_region_shows_what_no_body_does() {
     let moments = ["12957/20000", "51828000000000012957/80000000000000000000", "1/5"];
     let body = Body::parse(&moments, &["0", "17/5000000000000", "1549/40000"]).unwrap();
-    let atlas = Atlas::new(&body).unwrap();
+    let atlas = bifdiag_diagram::fast::atlas(&body).unwrap();
     let shown = atlas.regions().iter().filter_map(|region| region.components.as_ref().ok()).flatten();
     let impossible = |c: &Component| c.boundary_circles >= 3 && c.poles.is_some_and(|poles| !poles.plus);
     assert_eq!(shown.filter(|component| impossible(component)).count(), 0);

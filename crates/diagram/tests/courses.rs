@@ -1,14 +1,14 @@
 //! Polylines and ranges of curves where moments are of very different size.
 
 use bifdiag_body::Body;
-use bifdiag_diagram::atlas::{Atlas, CourseOptions};
+use bifdiag_diagram::atlas::{Atlas, PolylineOptions};
 use bifdiag_equilibria::curves::CurveName;
 use proptest::prelude::*;
 use support::property::holds_for_bodies;
 use support::strata::STRATA;
 
 fn atlas(a: [&str; 3], r: [&str; 3]) -> Atlas {
-    Atlas::new(&Body::parse(&a, &r).unwrap()).unwrap()
+    bifdiag_diagram::fast::atlas(&Body::parse(&a, &r).unwrap()).unwrap()
 }
 
 /// Pole lines of a needle rise by 10¹² over the width of the diagram: measured in h alone their chords would be millions.
@@ -16,9 +16,9 @@ fn atlas(a: [&str; 3], r: [&str; 3]) -> Atlas {
 fn polylines_of_a_needle_have_few_points() {
     for moment in ["1e-5", "1e-8", "1e-11", "1e-15"] {
         let atlas = atlas(["0.4066", moment, "1.9252"], ["1e-2", "1", "0"]);
-        let options = CourseOptions { chord_tolerance: 1.25e-3, l_least: 0.0 };
+        let options = PolylineOptions { chord_tolerance: 1.25e-3, l_least: 0.0 };
         for curve in atlas.arrangement().set.curves.ids() {
-            let points = atlas.course(curve, &options).len();
+            let points = atlas.polyline_of(curve, &options).len();
             assert!((2..3000).contains(&points), "{moment}: {points} points");
         }
     }
@@ -41,12 +41,12 @@ fn a_range_of_mu_ends_at_the_moment_of_its_pitchfork() {
 #[test]
 fn no_chord_leaves_its_curve_by_more_than_the_tolerance() {
     const TOLERANCE: f64 = 1.25e-3;
-    let options = CourseOptions { chord_tolerance: TOLERANCE, l_least: 0.0 };
+    let options = PolylineOptions { chord_tolerance: TOLERANCE, l_least: 0.0 };
     let (mut curves, mut points, mut largest, mut time) = (0, 0, 0.0_f64, std::time::Duration::ZERO);
     let totals = std::cell::RefCell::new((&mut curves, &mut points, &mut largest, &mut time));
     for stratum in STRATA {
         holds_for_bodies(stratum, 40, |body| {
-            let Ok(atlas) = Atlas::new(body) else { return Ok(()) };
+            let Ok(atlas) = bifdiag_diagram::fast::atlas(body) else { return Ok(()) };
             let set = &atlas.arrangement().set;
             let frame = &set.frame;
             let last = atlas.arrangement().events.last().map_or(0.0, |event| (2.0 * event.x).sqrt());
@@ -55,7 +55,7 @@ fn no_chord_leaves_its_curve_by_more_than_the_tolerance() {
             for id in set.curves.ids() {
                 let curve = &set.curves[id];
                 let begin = std::time::Instant::now();
-                let course = atlas.course(id, &options);
+                let course = atlas.polyline_of(id, &options);
                 let mut totals = totals.borrow_mut();
                 *totals.3 += begin.elapsed();
                 *totals.0 += 1;
@@ -94,7 +94,8 @@ fn no_chord_leaves_its_curve_by_more_than_the_tolerance() {
 #[test]
 fn a_picture_of_a_rod_needs_few_points() {
     let count = |thickness: f64| {
-        let atlas = Atlas::new(&Body::from_f64([1.0, thickness, 1.0], [1.0, 1.382, 1.0]).unwrap()).unwrap();
+        let atlas =
+            bifdiag_diagram::fast::atlas(&Body::from_f64([1.0, thickness, 1.0], [1.0, 1.382, 1.0]).unwrap()).unwrap();
         let set = &atlas.arrangement().set;
         let names = set.curves.ids().map(|curve| CurveName::of(set, curve));
         names.filter_map(|name| atlas.polyline_to_draw(name, [0.0, 3.0], 1e-4)).map(|points| points.len()).max()

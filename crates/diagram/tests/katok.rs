@@ -2,7 +2,6 @@
 
 use bifdiag_body::{Body, Preset};
 use bifdiag_diagram::arrangement::Change;
-use bifdiag_diagram::atlas::Atlas;
 use bifdiag_equilibria::critical::{Multiplicity, critical};
 use bifdiag_equilibria::stability::LinearType;
 
@@ -17,8 +16,8 @@ fn fingerprint(body: &Body) -> Fingerprint {
 
 /// The fingerprint and whether all of it is decided: beside a border events are closer than f64 tells apart.
 fn fingerprint_and_certainty(body: &Body) -> Option<(Fingerprint, bool)> {
-    let atlas = Atlas::new(body).ok()?;
-    atlas.arrangement().check_invariants().unwrap();
+    let atlas = bifdiag_diagram::fast::atlas(body).ok()?;
+    support::sanity::check_arrangement(atlas.arrangement()).unwrap();
     let mut regions: Vec<String> = atlas.regions().iter().map(|region| format!("{:?}", region.components)).collect();
     regions.sort();
     let mut events: Vec<&str> = atlas.arrangement().events.iter().map(|event| kind(event.change)).collect();
@@ -118,7 +117,7 @@ fn class_borders_are_found_by_bisection_on_the_atlas() {
 #[test]
 fn kovalevskayas_cusp_crossing_and_pitchfork() {
     let body = Body::parse(&["2", "2", "1"], &["1", "0", "0"]).unwrap();
-    let atlas = Atlas::new(&body).unwrap();
+    let atlas = bifdiag_diagram::fast::atlas(&body).unwrap();
     let frame = &atlas.arrangement().set.frame;
     let found: Vec<(&str, f64, f64)> = atlas
         .arrangement()

@@ -2,8 +2,8 @@
 
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::arrangement::{Arrangement, Change};
-use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::classify::{Answer, classify};
+use bifdiag_diagram::fast::{classify, classify_in};
+use bifdiag_diagram::topology::Answer;
 use bifdiag_diagram::topology::{Component, latitude};
 use bifdiag_equilibria::curves::{CriticalSet, Orbit, RelativeEquilibrium};
 use serde::Deserialize;
@@ -179,7 +179,7 @@ fn regions_and_events_are_those_of_the_independent_sweep() {
         let head = format!("{} A={:?} r={:?}", case.kind, case.moments, case.r);
         let body = Body::new(case.moments, case.r).unwrap();
         let found = Arrangement::new(CriticalSet::new(body.frame()).unwrap());
-        found.check_invariants().unwrap();
+        support::sanity::check_arrangement(&found).unwrap();
         let events: Vec<(&str, f64)> = found
             .events
             .iter()
@@ -247,7 +247,7 @@ fn points_beside_curves_are_classified_right_or_left_open() {
         let head = format!("{} {:e}: {line}", case.kind, case.relative);
         let body = Body::new(case.moments, case.r).unwrap();
         let cold = classify(&body, &case.h, &case.l).unwrap();
-        let prepared = Atlas::new(&body).unwrap().classify(&case.h, &case.l).unwrap();
+        let prepared = classify_in(&bifdiag_diagram::fast::atlas(&body).unwrap(), &case.h, &case.l).unwrap().0;
         if cold.components().is_some() && prepared.components().is_some() && cold.components() != prepared.components()
         {
             failures.push(format!("cold {:?}, prepared {:?}: {head}", cold.answer, prepared.answer));

@@ -4,10 +4,11 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use bifdiag_body::Body;
+use bifdiag_body::{Body, Number};
 use bifdiag_diagram::arrangement::{RegionId, Undecided};
-use bifdiag_diagram::atlas::{Atlas, AtlasError, Place};
-use bifdiag_diagram::classify::{Answer, Classification, ClassifyError, classify, classify_with_effort};
+use bifdiag_diagram::atlas::{Atlas, Place};
+use bifdiag_diagram::fast::{FastError, classify, classify_at_momentum, classify_in};
+use bifdiag_diagram::topology::{Answer, Classification};
 use bifdiag_diagram::topology::{Component, latitude};
 use bifdiag_equilibria::critical::{Multiplicity, critical};
 use proptest::prelude::*;
@@ -46,10 +47,15 @@ fn allows(found: &Classification, truth: &[Component]) -> bool {
     }
 }
 
+/// The answer of an atlas.
+fn classified(atlas: &Atlas, h: &Number, l: &Number) -> Result<Classification, FastError> {
+    classify_in(atlas, h, l).map(|(found, _)| found)
+}
+
 /// An answer, or none where `f64` cannot prove how the minima are joined.
-fn told<T>(found: Result<T, ClassifyError>) -> Option<T> {
+fn told<T>(found: Result<T, FastError>) -> Option<T> {
     match found {
-        Err(ClassifyError::Merge(_)) => None,
+        Err(FastError::Merge(_)) => None,
         found => Some(found.unwrap()),
     }
 }
@@ -92,8 +98,8 @@ fn merge_tree_latitude_sweep_and_point_location_agree_on_all_regions() {
 
 fn regions_are_confirmed(body: &Body, counts: &mut Tally) -> Verdict {
     counts.bodies += 1;
-    let atlas = match Atlas::new(body) {
-        Err(AtlasError::Unresolved { .. }) => {
+    let atlas = match bifdiag_diagram::fast::atlas(body) {
+        Err(FastError::Unresolved { .. }) => {
             counts.unresolved += 1;
             return Ok(());
         }
@@ -103,7 +109,7 @@ fn regions_are_confirmed(body: &Body, counts: &mut Tally) -> Verdict {
     counts.open += u32::from(!arrangement.undecided.is_empty());
     let unordered = arrangement.undecided.iter().any(|u| matches!(u, Undecided::Order { .. }));
     prop_assert!(!unordered, "{:?}", arrangement.undecided);
-    if let Err(contradiction) = atlas.sanity_check() {
+    if let Err(contradiction) = support::sanity::check(&atlas) {
         return Err(TestCaseError::fail(contradiction.to_string()));
     }
     for (k, h, l, margin) in samples(&atlas) {
@@ -113,7 +119,7 @@ fn regions_are_confirmed(body: &Body, counts: &mut Tally) -> Verdict {
             counts.undecided += u32::from(margin > THIN);
             continue;
         };
-        for found in [classify(body, &number(h), &number(l)), atlas.classify(&number(h), &number(l))].map(told) {
+        for found in [classify(body, &number(h), &number(l)), classified(&atlas, &number(h), &number(l))].map(told) {
             let decided = found.as_ref().is_some_and(|found| found.components().is_some());
             prop_assert!(found.as_ref().is_none_or(|found| allows(found, own)), "{found:?} for {own:?}, {here}");
             counts.undecided += u32::from(margin > THIN && !decided);
@@ -144,14 +150,14 @@ fn points_beside_curves_and_events_agree_with_the_sweep_cold_and_prepared() {
         holds_for_points(stratum, 300, |body, aim| {
             let mut counts = counts.borrow_mut();
             counts.bodies += 1;
-            let Ok(atlas) = Atlas::new(body) else {
+            let Ok(atlas) = bifdiag_diagram::fast::atlas(body) else {
                 counts.unresolved += 1;
                 return Ok(());
             };
             let (h, l) = aim.at(&atlas);
             let here = format!("--h={h:e} --l {l:e}");
             let (h_exact, l_exact) = (number(h), number(l));
-            let found = [classify(body, &h_exact, &l_exact), atlas.classify(&h_exact, &l_exact)].map(told);
+            let found = [classify(body, &h_exact, &l_exact), classified(&atlas, &h_exact, &l_exact)].map(told);
             let [Some(cold), Some(prepared)] = found else {
                 counts.unproved += 1;
                 return Ok(());
@@ -184,7 +190,7 @@ fn indices_of_all_equilibria_sum_to_two() {
     let (checked, open) = (RefCell::new(0), RefCell::new(0));
     for stratum in STRATA {
         holds_for_points(stratum, 300, |body, aim| {
-            let Ok(atlas) = Atlas::new(body) else { return Ok(()) };
+            let Ok(atlas) = bifdiag_diagram::fast::atlas(body) else { return Ok(()) };
             let (_, l) = aim.at(&atlas);
             let found = critical(body, &number(l)).unwrap();
             if !found.complete {
@@ -211,22 +217,25 @@ fn indices_of_all_equilibria_sum_to_two() {
 fn a_cold_point_costs_one_point_per_curve_and_a_prepared_one_a_binary_search() {
     for stratum in STRATA {
         holds_for_points(stratum, 50, |body, aim| {
-            let Ok(atlas) = Atlas::new(body) else { return Ok(()) };
+            let Ok(atlas) = bifdiag_diagram::fast::atlas(body) else { return Ok(()) };
             let (h, l) = aim.at(&atlas);
-            let Some((found, effort)) = told(classify_with_effort(body, &number(h), &number(l))) else { return Ok(()) };
+            let Some(found) = told(classify_at_momentum(body, &number(h), &number(l))) else {
+                return Ok(());
+            };
             let before = atlas.clone();
             let location = atlas.locate(h, l).unwrap();
             // One critical value or pole line each: curves over this l, no more.
             let scaled = l / atlas.arrangement().set.frame.momentum_unit;
             let x = 0.5 * scaled * scaled;
             let slab = atlas.arrangement().slabs.iter().find(|slab| x <= slab.x[1]).unwrap();
-            if !effort.built_atlas {
+            if let Some((found, _)) = found {
                 prop_assert!(found.components().is_some());
-                prop_assert!(effort.curve_points.abs_diff(slab.order.len()) <= 2, "{} points", effort.curve_points);
+                let (over, _) = atlas.arrangement().set.curves_over(x);
+                prop_assert!(over.len().abs_diff(slab.order.len()) <= 2, "{} points", over.len());
             }
             let bound = usize::BITS - slab.order.len().leading_zeros();
             prop_assert!(location.curve_points <= bound as usize, "{} points, bound {bound}", location.curve_points);
-            let _ = told(atlas.classify(&number(h), &number(l)));
+            let _ = told(classified(&atlas, &number(h), &number(l)));
             // As text, since r = 0 has no J_r: NaN differs from itself.
             let text = |atlas: &Atlas| format!("{:?}", atlas.arrangement());
             prop_assert_eq!(text(&atlas), text(&before), "a prepared body is not touched");
@@ -248,7 +257,7 @@ fn bodies_of_small_whole_numbers_have_complete_atlases() {
         }
         let body = Body::parse(&a.map(|x| x.to_string()), &r.map(|x| x.to_string())).unwrap();
         bodies += 1;
-        let atlas = match Atlas::new(&body) {
+        let atlas = match bifdiag_diagram::fast::atlas(&body) {
             Ok(atlas) => atlas,
             Err(error) => {
                 failures.push(format!("{error}: A={a:?} r={r:?}"));
@@ -256,7 +265,7 @@ fn bodies_of_small_whole_numbers_have_complete_atlases() {
             }
         };
         let arrangement = atlas.arrangement();
-        if let Err(contradiction) = atlas.sanity_check() {
+        if let Err(contradiction) = support::sanity::check(&atlas) {
             failures.push(format!("{contradiction}: A={a:?} r={r:?}"));
         }
         if !arrangement.undecided.is_empty() {

@@ -2,9 +2,9 @@
 
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::classify::{Answer, Classification, Margin};
+use bifdiag_diagram::topology::{Answer, Classification, Margin};
 use bifdiag_diagram::topology::{Component, signature};
-use bifdiag_exact::Prepared;
+use bifdiag_exact::Solver;
 use bifdiag_numbers::Number;
 use bifdiag_schema::{Accuracy, CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
 
@@ -50,7 +50,7 @@ pub fn classification(
     l: &Number,
     found: &Classification,
     accuracy: Accuracy,
-    prepared: Option<&Prepared>,
+    prepared: Option<&Solver>,
 ) -> ClassificationDocument {
     let body = &subject.body;
     let status = match found.answer {
@@ -86,7 +86,7 @@ pub fn classification(
         margin: margin(&found.margin),
         signature: of_u.filter(|components| !components.is_empty()).and_then(signature),
         components: of_u.map(components),
-        candidates: candidates(found, prepared.and_then(Prepared::atlas).zip(places)),
+        candidates: candidates(found, prepared.and_then(Solver::atlas).zip(places)),
         note: (!notes.is_empty()).then(|| notes.join("; ")),
         part: subject.part.clone(),
     }

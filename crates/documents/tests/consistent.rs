@@ -19,11 +19,11 @@ fn number(x: f64) -> Number {
 fn atlas_documents_are_consistent() {
     for stratum in STRATA {
         holds_for_bodies(stratum, 12, |body| {
-            let Ok(atlas) = Atlas::new(body) else { return Ok(()) };
+            let Ok(atlas) = bifdiag_diagram::fast::atlas(body) else { return Ok(()) };
             is_consistent(&atlas, Drawn::Nothing)
         });
         holds_for_bodies(stratum, 1, |body| {
-            let Ok(atlas) = Atlas::new(body) else { return Ok(()) };
+            let Ok(atlas) = bifdiag_diagram::fast::atlas(body) else { return Ok(()) };
             is_consistent(&atlas, Drawn::Everything)
         });
     }
@@ -62,7 +62,8 @@ fn is_consistent(atlas: &Atlas, drawing: Drawn) -> Verdict {
         neighbours_know_it(region, &document)?;
         region.components.iter().try_for_each(names_follow)?;
         let sample = &region.sample;
-        let found = atlas.classify(&number(sample.h), &number(sample.l));
+        let found =
+            bifdiag_diagram::fast::classify_in(&atlas, &number(sample.h), &number(sample.l)).map(|(found, _)| found);
         let thin = sample.margin.h <= 4.0 * sample.margin.error_bound + 1e-13 * sample.h.abs();
         let found = found.ok().and_then(|found| found.components().map(bifdiag_documents::components));
         // Where f64 proves no topology the region has none either.

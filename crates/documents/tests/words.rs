@@ -3,13 +3,13 @@
 use bifdiag_body::Preset;
 use bifdiag_documents::{DocumentOptions, words};
 use bifdiag_equilibria::critical::critical;
-use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_exact::Accuracy;
 use bifdiag_numbers::Number;
 
 /// The sentences from below everything to above everything at one l, and on the way back.
 fn told(body: &str, l: f64) -> [Vec<String>; 2] {
     let body = Preset::find(body).unwrap().body();
-    let atlas = atlas_of(&body, Accuracy::Exact).unwrap();
+    let atlas = bifdiag_exact::atlas(&body, Accuracy::Exact).unwrap();
     let heights: Vec<f64> = critical(&body, &Number::from_f64(l).unwrap()).unwrap().list.iter().map(|e| e.h).collect();
     let (low, high) =
         (heights.iter().copied().fold(f64::MAX, f64::min), heights.iter().copied().fold(f64::MIN, f64::max));

@@ -1,7 +1,6 @@
 //! Sections from the question to the answer: whether there is one, where the orbits start, and in which component.
 
 use bifdiag_body::{Body, Number, Preset};
-use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::topology::signature;
 use bifdiag_dynamics::poincare::{PoincareError, Setting};
 use bifdiag_dynamics::section::{Monitor, OrbitSection, SweepOptions};
@@ -68,7 +67,7 @@ fn every_region_of_every_named_body_has_starts() {
         if body.flags().euler {
             continue;
         }
-        let atlas = Atlas::new(&body).unwrap();
+        let atlas = bifdiag_diagram::fast::atlas(&body).unwrap();
         for region in atlas.regions().ids() {
             let components = atlas.components(region).unwrap().len();
             let sample = atlas.sample(region);

@@ -8,13 +8,12 @@ use super::arrange::{Arrangement, Source};
 use super::curves::{Place, Shape};
 use super::family::Half;
 use super::pair::{Mark, Proof, Stretch};
-use super::point::Evaluator;
+use super::point::{Evaluator, Evaluators};
 use bifdiag_diagram::arrangement::EventId;
 use bifdiag_equilibria::curves::{CurveId, CurveName, End, Pole};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::decimal;
 use bifdiag_numbers::enclosure::Enclosure;
-use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::table::Id;
 use bifdiag_numbers::wide::Interval384;
 use bifdiag_schema::{
@@ -45,8 +44,7 @@ impl CertifiedAtlas {
     pub fn certificate(&self) -> CertificateDocument {
         let a = &self.arrangement;
         let names = |list: &[CurveId]| list.iter().map(|&c| self.id(c)).collect::<Vec<_>>();
-        let narrow = Evaluator::<Interval>::new(&a.model, &a.curves, &[], ());
-        let wide = Evaluator::<Interval384>::new(&a.model, &a.curves, &[], ());
+        let evaluators = &Evaluators::new(&a.model, &a.curves, &[]);
         let spacing = Spacing::of(a);
         let root = |place: &Place| root(place, spacing.digits + ROOT_DIGITS - FINE_DIGITS);
         CertificateDocument {
@@ -74,7 +72,7 @@ impl CertifiedAtlas {
                 .iter()
                 .map(|pair| CertifiedPair {
                     curves: pair.curves.map(|c| self.id(c)),
-                    stretches: pair.stretches.iter().map(|s| self.stretch(&narrow, &wide, pair.curves, s)).collect(),
+                    stretches: pair.stretches.iter().map(|s| self.stretch(evaluators, pair.curves, s)).collect(),
                 })
                 .collect(),
             events: a
@@ -84,11 +82,11 @@ impl CertifiedAtlas {
                     sources: event.sources.iter().map(source).collect(),
                     curves: names(&event.curves),
                     x: spacing.outward(&event.x),
-                    h: decimal::outward(&event.h.map(super::margin::exact), NODE_DIGITS),
+                    h: decimal::outward(&event.h.map(super::region::exact), NODE_DIGITS),
                 })
                 .collect(),
             transitions: a.transitions.iter().map(|group| group.iter().map(|e| e.index()).collect()).collect(),
-            slabs: a.slabs.iter().map(|slab| self.slab(&narrow, &wide, slab)).collect(),
+            slabs: a.slabs.iter().map(|slab| self.slab(evaluators, slab)).collect(),
             samples: self
                 .regions
                 .pairs()
@@ -109,55 +107,39 @@ impl CertifiedAtlas {
         CertificateUnits { moment: decimal::exact(&moment), energy: decimal::exact(&energy) }
     }
 
-    fn stretch(
-        &self,
-        narrow: &Evaluator<'_, Interval>,
-        wide: &Evaluator<'_, Interval384>,
-        curves: [CurveId; 2],
-        stretch: &Stretch,
-    ) -> CertifiedStretch {
+    fn stretch(&self, evaluators: &Evaluators<'_>, curves: [CurveId; 2], stretch: &Stretch) -> CertifiedStretch {
         CertifiedStretch {
-            from: self.node(narrow, wide, curves, &stretch.x[0], 0),
-            to: self.node(narrow, wide, curves, &stretch.x[1], 1),
+            from: self.node(evaluators, curves, &stretch.x[0], 0),
+            to: self.node(evaluators, curves, &stretch.x[1], 1),
             sign: stretch.sign.into(),
             crossing: match &stretch.proof {
                 Proof::Crossing(x) => {
-                    Some(x.each_ref().map(|x| self.node(narrow, wide, curves, &Mark::At(x.clone()), 0)))
+                    Some(x.each_ref().map(|x| self.node(evaluators, curves, &Mark::At(x.clone()), 0)))
                 }
                 Proof::Constant => None,
             },
         }
     }
 
-    fn slab(
-        &self,
-        narrow: &Evaluator<'_, Interval>,
-        wide: &Evaluator<'_, Interval384>,
-        slab: &super::arrange::Slab,
-    ) -> CertifiedSlab {
+    fn slab(&self, evaluators: &Evaluators<'_>, slab: &super::arrange::Slab) -> CertifiedSlab {
         let curves = slab.order.iter().zip(&slab.region_above).map(|(&curve, region)| CertifiedHeight {
             curve: self.id(curve),
-            place: place_over(narrow, curve, &slab.x).or_else(|| place_over(wide, curve, &slab.x)),
+            place: place_over(evaluators.narrow(), curve, &slab.x)
+                .or_else(|| place_over(evaluators.wide(), curve, &slab.x)),
             region: region.to_string(),
         });
         CertifiedSlab { x: decimal::exact(&slab.x), curves: curves.collect() }
     }
 
     /// A node of a pair; `side` tells which end of the common range an unmarked one is.
-    fn node(
-        &self,
-        narrow: &Evaluator<'_, Interval>,
-        wide: &Evaluator<'_, Interval384>,
-        curves: [CurveId; 2],
-        mark: &Mark,
-        side: usize,
-    ) -> CertifiedNode {
+    fn node(&self, evaluators: &Evaluators<'_>, curves: [CurveId; 2], mark: &Mark, side: usize) -> CertifiedNode {
         if let Mark::At(x) = mark {
-            let places = curves.map(|c| place_over(narrow, c, x).or_else(|| place_over(wide, c, x)));
+            let places =
+                curves.map(|c| place_over(evaluators.narrow(), c, x).or_else(|| place_over(evaluators.wide(), c, x)));
             let [Some(p), Some(q)] = places else { return CertifiedNode { x: Some(decimal::exact(x)), places: None } };
             return CertifiedNode { x: Some(decimal::exact(x)), places: Some([p, q]) };
         }
-        CertifiedNode { x: None, places: self.end_places(wide, curves, side) }
+        CertifiedNode { x: None, places: self.end_places(evaluators.wide(), curves, side) }
     }
 
     /// Places at the beginning or end of the common range, where one curve ends and the other goes on.

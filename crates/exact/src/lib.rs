@@ -1,56 +1,55 @@
-//! Certified mathematics: every region of the (h, l) half-plane of a body, each step proved.
+//! Exact answers about the (h, l) half-plane of a body: [`atlas`], [`classify`] and [`critical`], one function for each
+//! question, and [`Solver`] for many questions about one body. Each tries `f64` with error bounds first
+//! ([`bifdiag_diagram::fast`]) and goes on to exact arithmetic where these do not suffice.
 //!
-//! The input is exact (rationals). What is proved, and from what:
+//! [`CertifiedAtlas`] proves the whole plane from rationals:
 //!
 //! - **Cusps** are the roots of an integer polynomial of degree at most ten, isolated by Descartes' rule
-//!   (`polynomial`); **meetings with pole lines** those of one of degree at most sixteen (`polar`). None can be missed.
+//!   (`curves`); **meetings with pole lines** those of one of degree at most sixteen (`polar`). None can be missed.
 //! - **Crossings** of two critical curves are alone in their boxes, and on every other stretch of x the order of the two
-//!   is proved (`pair`), up to x = l²/2 → 0 and ∞, in interval arithmetic of growing precision (`enclosure`, `wide`).
+//!   is proved (`pair`), up to x = l²/2 → 0 and ∞, in interval arithmetic of growing precision.
 //! - A critical point with μ ≥ the largest moment is the global minimum. For critical γ and any γ' on the sphere
 //!   U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'] (Proposition 3.9 of docs/mathematics.md), which
 //!   then is not negative. So the lowest curve needs no comparison.
 //! - **Events** are ordered by disjoint enclosures of x, or proved to coincide by gcd; **faces** follow from the
 //!   vertical orders at one exact x between events, each proved (`arrange`).
-//! - **Topology** comes from the latitude sweep, at a point proved to lie in the face (`region`).
+//! - **Topology** comes from the ridges of J over the latitudes (`ridges`), at a point proved to lie in the face (`region`).
 //!
-//! What cannot be proved is an error that says where, never an answer. Nothing is shared with the `f64` curves of
-//! `top` but their vocabulary ([`bifdiag_equilibria::curves::Branch`] and its like).
+//! What cannot be proved is an error that says where, never an answer. Nothing is shared with the `f64` arrangement but
+//! vocabulary ([`bifdiag_equilibria::curves::Branch`] and its like).
 
-mod accuracy;
+mod answers;
 mod arrange;
 mod certificate;
+mod conversion;
+mod critical_values;
 mod curves;
-mod drawn;
+mod equal_momentum;
 mod estimate;
 mod exact;
 mod family;
-mod heights;
 mod id;
-mod margin;
 mod mirror;
 mod model;
-mod one_x;
 mod pair;
-mod places;
 mod plane;
 mod point;
 mod polar;
-mod prepared;
 mod region;
 mod ridges;
+mod solver;
+pub mod statistics;
 mod vertex;
-pub mod work;
 
 use std::fmt;
 
 use thiserror::Error;
 
-pub use accuracy::{Accuracy, NoAtlas, Unanswered, atlas_of, classify};
-
-pub use exact::classify_exactly;
-pub use places::NotPlaced;
+pub use answers::{Accuracy, AnswerError, atlas, classify};
+pub use bifdiag_equilibria::critical::critical;
+pub use exact::{PlaceError, classify_exactly};
 pub use plane::Open;
-pub use prepared::Prepared;
+pub use solver::Solver;
 
 use arrange::{Arrangement, Undecided};
 use bifdiag_body::{Body, Frame};
@@ -58,7 +57,7 @@ use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::topology::Component;
 use bifdiag_equilibria::curves::{CurveId, CurveName, EquilibriaError};
 use bifdiag_numbers::table::Table;
-use curves::{Curves, NotIsolated};
+use curves::{Curves, IsolationError};
 use model::Model;
 use region::Region;
 
@@ -132,14 +131,14 @@ impl fmt::Display for Special {
 /// Why there is no certified atlas.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("not proved with {} bits and {} points of each pair of curves: {}", arrange::STAGES[arrange::STAGES.len() - 1], pair::POINTS, obstacles.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
-pub struct NotProved {
+pub struct ProofError {
     /// Each of them.
     pub obstacles: Vec<Obstacle>,
 }
 
 /// Why a proved atlas cannot be written as a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum NotWritten {
+pub enum ConversionError {
     /// The curves cannot be drawn.
     #[error(transparent)]
     Equilibria(EquilibriaError),
@@ -152,19 +151,19 @@ impl CertifiedAtlas {
     /// Proves the arrangement of a body and the topology of its regions.
     ///
     /// # Errors
-    /// [`NotProved`] when the order of curves or events is not proved with the largest precision. A region whose topology
+    /// [`ProofError`] when the order of curves or events is not proved with the largest precision. A region whose topology
     /// alone is not proved is no error: see [`Self::components`].
-    pub fn new(body: &Body) -> Result<Self, NotProved> {
+    pub fn new(body: &Body) -> Result<Self, ProofError> {
         Self::with_points(body, pair::POINTS)
     }
 
     /// The same with no more points of each pair of curves.
-    pub(crate) fn with_points(body: &Body, points: u32) -> Result<Self, NotProved> {
+    pub(crate) fn with_points(body: &Body, points: u32) -> Result<Self, ProofError> {
         let frame = body.frame();
         let model = Model::new(body, &frame);
         let curves = Curves::of(&model)
-            .map_err(|NotIsolated| NotProved { obstacles: vec![Obstacle::Roots { of: Special::Cusps }] })?;
-        let arrangement = arrange::arrange(model, &curves, points).map_err(|undecided| NotProved {
+            .map_err(|IsolationError| ProofError { obstacles: vec![Obstacle::Roots { of: Special::Cusps }] })?;
+        let arrangement = arrange::arrange(model, &curves, points).map_err(|undecided| ProofError {
             obstacles: undecided.iter().map(|u| obstacle(&frame, &curves, u)).collect(),
         })?;
         let regions = region::regions(&arrangement, &frame);

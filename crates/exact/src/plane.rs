@@ -1,7 +1,7 @@
 //! The (h, l) plane of a body: its curves by name, its cells with their classes.
 
 use bifdiag_body::Frame;
-use bifdiag_diagram::classify::Components;
+use bifdiag_diagram::topology::Components;
 use bifdiag_diagram::topology::whole_sphere;
 use bifdiag_equilibria::curves::{Branch, BranchName, CurveName, IntervalId, Pole};
 use bifdiag_numbers::Sign;
@@ -11,8 +11,8 @@ use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
+use super::critical_values::{CriticalValueError, Level, Source, refined};
 use super::curves::{Place, order, passive_place, roots_in_interval};
-use super::heights::{Level, NoHeights, Source, refined};
 use super::model::Model;
 use super::ridges::Ridges;
 
@@ -88,10 +88,10 @@ impl<'a> Plane<'a> {
     }
 
     /// Why a point has no answer, with the name of the curve.
-    pub fn open(&self, none: NoHeights, x: &RBig) -> Open {
+    pub fn open(&self, none: CriticalValueError, x: &RBig) -> Open {
         match none {
-            NoHeights::Roots => Open::Roots,
-            NoHeights::Sign(source) => Open::Sign { curve: self.name(&source, x) },
+            CriticalValueError::Roots => Open::Roots,
+            CriticalValueError::Sign(source) => Open::Sign { curve: self.name(&source, x) },
         }
     }
 

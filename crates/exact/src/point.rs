@@ -1,7 +1,7 @@
-//! The point of a curve over x, enclosed, and the difference of two heights.
+//! The point of a curve over x, enclosed.
 
 use std::borrow::Cow;
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 
 use super::curves::{Bound, Curve, Curves, Segment, Shape};
 use super::estimate::Estimate;
@@ -10,8 +10,10 @@ use super::model::{Constants, Model};
 use bifdiag_equilibria::curves::{CurveId, Pole};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
+use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::root::{Bracket, newton_bracketed};
 use bifdiag_numbers::table::Table;
+use bifdiag_numbers::wide::{Interval128, Interval384};
 
 /// A curve passes exactly through the end of another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,6 +39,35 @@ pub(super) struct Evaluator<'a, E: Enclosure> {
     left: Cell<u32>,
 }
 
+/// Evaluators in growing precision, each made when first needed.
+pub(super) struct Evaluators<'a> {
+    model: &'a Model,
+    curves: &'a Curves,
+    meetings: &'a [Passage],
+    narrow: OnceCell<Evaluator<'a, Interval>>,
+    middle: OnceCell<Evaluator<'a, Interval128>>,
+    wide: OnceCell<Evaluator<'a, Interval384>>,
+}
+
+impl<'a> Evaluators<'a> {
+    pub fn new(model: &'a Model, curves: &'a Curves, meetings: &'a [Passage]) -> Self {
+        let (narrow, middle, wide) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        Self { model, curves, meetings, narrow, middle, wide }
+    }
+
+    pub fn narrow(&self) -> &Evaluator<'a, Interval> {
+        self.narrow.get_or_init(|| Evaluator::new(self.model, self.curves, self.meetings, ()))
+    }
+
+    pub fn middle(&self) -> &Evaluator<'a, Interval128> {
+        self.middle.get_or_init(|| Evaluator::new(self.model, self.curves, self.meetings, ()))
+    }
+
+    pub fn wide(&self) -> &Evaluator<'a, Interval384> {
+        self.wide.get_or_init(|| Evaluator::new(self.model, self.curves, self.meetings, ()))
+    }
+}
+
 /// The ends of a segment, by rising x; y and x themselves only where they can be evaluated.
 #[derive(Clone, Debug)]
 struct Ends<E> {
@@ -56,11 +87,11 @@ pub(super) struct Point<E: Enclosure> {
     /// All states of that range; holds the state at x.
     pub over: State<E>,
     /// One state of the range.
-    at: State<E>,
+    pub at: State<E>,
     /// h(x) − (x/J − ρ) of `at`: of second order.
-    correction: E,
+    pub correction: E,
     /// A critical point (not merely on a pole line).
-    critical: bool,
+    pub critical: bool,
 }
 
 impl<E: Enclosure> Point<E> {
@@ -368,10 +399,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
 
     fn guess(&self, half: Half, y: [f64; 2], x: [f64; 2], target: f64) -> f64 {
         let start = match half {
-            Half::Generic { base, .. } if y[0].is_infinite() || y[1] == 0.0 => {
-                let _ = base;
-                y[0].min(y[1])
-            }
+            Half::Generic { .. } if y[0].is_infinite() || y[1] == 0.0 => y[0].min(y[1]),
             _ if x[1].is_finite() && x[1] > x[0] => {
                 y[0] + (y[1] - y[0]) * ((target - x[0]) / (x[1] - x[0])).clamp(0.0, 1.0).sqrt()
             }
@@ -382,65 +410,6 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
             (1.0 - target / state.x.0, target / state.x.0 * state.log_slope.0)
         })
     }
-
-    /// J − J' of two points or ranges, the narrowest over all moments to measure from.
-    pub fn moment_difference(&self, p: &State<E>, q: &State<E>) -> E {
-        let n = self.model.groups.len();
-        let squares: Vec<E> = (0..n)
-            .map(|k| (p.gamma[k].clone() - q.gamma[k].clone()) * (p.gamma[k].clone() + q.gamma[k].clone()))
-            .collect();
-        let about = |base: usize| {
-            (0..n)
-                .filter(|&k| k != base)
-                .fold(self.c.small(0), |sum, k| sum + squares[k].clone() * self.c.diff[k][base].clone())
-        };
-        let plain = p.j.clone() - q.j.clone();
-        (0..n).fold(plain, |best, base| self.c.common(&best, &about(base)))
-    }
-
-    /// h_a − h_b over one x.
-    pub fn gap(&self, a: &Point<E>, b: &Point<E>) -> E {
-        let x = self.c.common(&a.x, &b.x);
-        let difference = self.moment_difference(&b.at, &a.at);
-        let kinetic = x.clone() * difference / (a.at.j.clone() * b.at.j.clone());
-        let plain = kinetic - (a.at.rho.clone() - b.at.rho.clone()) + a.correction.clone() - b.correction.clone();
-        if a.critical && b.critical { self.c.common(&plain, &self.exact_gap(&x, &a.over, &b.over)) } else { plain }
-    }
-
-    /// h_a − h_b of two critical points over one x, without the cancellation of heights (Corollary 3.10 of
-    /// docs/mathematics.md):
-    /// h_a − h_b = x [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
-    ///
-    /// From U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'], which holds for a critical γ and every γ' on the
-    /// sphere, taken in both directions.
-    fn exact_gap(&self, x: &E, a: &State<E>, b: &State<E>) -> E {
-        self.gap_with(x, a, b, &self.moment_difference(a, b))
-    }
-
-    /// The same with J_a − J_b as it is known.
-    fn gap_with(&self, x: &E, a: &State<E>, b: &State<E>, moment: &E) -> E {
-        let n = self.model.groups.len();
-        let distance = (0..n).fold(self.c.small(0), |sum, k| sum + (a.gamma[k].clone() - b.gamma[k].clone()).square());
-        let cube = moment.clone() * moment.square() / (a.j.clone() * b.j.clone());
-        let mu = self.multiplier_difference(b, a);
-        x.clone() * (mu * distance - cube) / (a.j.square() + b.j.square())
-    }
-
-    /// μ_a − μ_b, the narrowest over all moments to measure from.
-    pub fn multiplier_difference(&self, a: &State<E>, b: &State<E>) -> E {
-        let about = |base: usize| a.tau[base].clone() - b.tau[base].clone();
-        (1..self.model.groups.len()).fold(about(0), |best, base| self.c.common(&best, &about(base)))
-    }
-
-    /// The sign of h_a − h_b all over two ranges of states that hold the points over the same x, by the same identity.
-    pub fn range_sign(&self, a: &State<E>, b: &State<E>) -> Option<Sign> {
-        self.range_sign_with(a, b, &self.moment_difference(a, b))
-    }
-
-    /// The same with J_a − J_b as it is known over these ranges.
-    pub fn range_sign_with(&self, a: &State<E>, b: &State<E>, moment: &E) -> Option<Sign> {
-        self.gap_with(&self.c.small(1), a, b, moment).strict_sign()
-    }
 }
 
 #[cfg(test)]
@@ -449,8 +418,7 @@ mod tests {
     use bifdiag_body::Body;
     use bifdiag_equilibria::curves::CriticalSet;
     use bifdiag_numbers::enclosure::Arithmetic;
-    use bifdiag_numbers::interval::Interval;
-    use bifdiag_numbers::wide::{Interval128, Wide};
+    use bifdiag_numbers::wide::Wide;
     use dashu_ratio::RBig;
 
     fn compare<E: Enclosure>(precision: E::Precision, width: f64) {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use dashu_ratio::RBig;
 
-use super::curves::{Curves, NotIsolated, Place, Shape, order, roots_in_interval};
+use super::curves::{Curves, IsolationError, Place, Shape, order, roots_in_interval};
 use super::family::Half;
 use super::id::MeetingId;
 use super::model::Model;
@@ -29,8 +29,12 @@ pub(super) struct Meeting {
     pub touch: bool,
 }
 
-/// All meetings. `NotIsolated` when a root cannot be told from a cusp or pitchfork, nor proved equal to it.
-pub(super) fn meetings(model: &Model, curves: &Curves, bits: usize) -> Result<Table<MeetingId, Meeting>, NotIsolated> {
+/// All meetings. `IsolationError` when a root cannot be told from a cusp or pitchfork, nor proved equal to it.
+pub(super) fn meetings(
+    model: &Model,
+    curves: &Curves,
+    bits: usize,
+) -> Result<Table<MeetingId, Meeting>, IsolationError> {
     let mut found = Table::new();
     if model.active.len() > 1 {
         let [side, polynomial] = model.pole_polynomials();
@@ -47,7 +51,7 @@ pub(super) fn meetings(model: &Model, curves: &Curves, bits: usize) -> Result<Ta
         }
         let (_, p_sum) = model.sums_over(group);
         let [side, polynomial] = model.pole_polynomials_over(group).map(|p| p.composed(&p_sum, &RBig::ONE));
-        let roots = polynomial.positive_roots().ok_or(NotIsolated)?;
+        let roots = polynomial.positive_roots().ok_or(IsolationError)?;
         for mut root in roots {
             root.refine(bits);
             let odd = root.odd;
@@ -65,14 +69,14 @@ pub(super) fn meetings(model: &Model, curves: &Curves, bits: usize) -> Result<Ta
 }
 
 /// P+ where N < 0, P− where N > 0.
-fn side_of(side: &Polynomial, model: &Model, place: &Place) -> Result<Pole, NotIsolated> {
+fn side_of(side: &Polynomial, model: &Model, place: &Place) -> Result<Pole, IsolationError> {
     let [lo, hi] = place.mu(model);
     sign_on(side, &lo, &hi)
 }
 
 /// The pole line from the sign of N (or E) at the root. N has no root in common with F unless P D vanishes there, which
 /// it does not on the open intervals.
-fn sign_on(side: &Polynomial, lo: &RBig, hi: &RBig) -> Result<Pole, NotIsolated> {
+fn sign_on(side: &Polynomial, lo: &RBig, hi: &RBig) -> Result<Pole, IsolationError> {
     let range = Interval384::rational(lo, ()).hull(&Interval384::rational(hi, ()));
     match horner(&side.enclosed(()), &range, ()).strict_sign() {
         Some(Sign::Positive) => return Ok(Pole::Minus),
@@ -84,7 +88,7 @@ fn sign_on(side: &Polynomial, lo: &RBig, hi: &RBig) -> Result<Pole, NotIsolated>
     match signs {
         [Sign::Positive, Sign::Positive] if none_between => Ok(Pole::Minus),
         [Sign::Negative, Sign::Negative] if none_between => Ok(Pole::Plus),
-        _ => Err(NotIsolated),
+        _ => Err(IsolationError),
     }
 }
 
@@ -96,12 +100,12 @@ fn on_branch(
     place: Place,
     pole: Pole,
     touch: bool,
-) -> Result<Meeting, NotIsolated> {
+) -> Result<Meeting, IsolationError> {
     let mut pieces: Vec<CurveId> = curves.list.ids().filter(|&c| curves.list[c].branch == branch).collect();
     pieces.sort_by_key(|&c| curves.list[c].piece);
     let mut at = 0;
     for window in pieces.windows(2) {
-        let (end, station) = station_between(curves, window[0], window[1]).ok_or(NotIsolated)?;
+        let (end, station) = station_between(curves, window[0], window[1]).ok_or(IsolationError)?;
         match order(model, &station, &place) {
             Some(Ordering::Less) => at += 1,
             Some(_) => break,
@@ -109,7 +113,7 @@ fn on_branch(
                 return if same_point(&place, &station) {
                     Ok(Meeting { pole, place, curves: window.to_vec(), end: Some(end), touch })
                 } else {
-                    Err(NotIsolated)
+                    Err(IsolationError)
                 };
             }
         }

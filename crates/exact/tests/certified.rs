@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use bifdiag_body::{Body, Number, Preset};
 use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::classify::Answer;
+use bifdiag_diagram::topology::Answer;
 use bifdiag_diagram::topology::{Component, signature};
 use bifdiag_exact::{CertifiedAtlas, classify_exactly};
 use proptest::prelude::*;
@@ -63,7 +63,12 @@ fn every_preset_agrees_with_the_standard_atlas() {
     for preset in Preset::all() {
         let body = preset.body();
         let certified = CertifiedAtlas::new(&body).unwrap_or_else(|error| panic!("{}: {error}", preset.name()));
-        assert_eq!(signatures(&certified), standard_signatures(&Atlas::new(&body).unwrap()), "{}", preset.name());
+        assert_eq!(
+            signatures(&certified),
+            standard_signatures(&bifdiag_diagram::fast::atlas(&body).unwrap()),
+            "{}",
+            preset.name()
+        );
     }
 }
 
@@ -78,11 +83,11 @@ fn bodies_of_every_stratum_agree_with_the_standard_atlas_and_contradict_no_theor
                 return Ok(());
             };
             *proved.borrow_mut() += 1;
-            let drawn = certified.drawn();
-            if let Ok(Err(contradiction)) = drawn.as_ref().map(Atlas::sanity_check) {
+            let drawn = certified.to_atlas();
+            if let Ok(Err(contradiction)) = drawn.as_ref().map(support::sanity::check) {
                 return Err(TestCaseError::fail(contradiction.to_string()));
             }
-            let Ok(standard) = Atlas::new(body) else { return Ok(()) };
+            let Ok(standard) = bifdiag_diagram::fast::atlas(body) else { return Ok(()) };
             if standard.arrangement().undecided.is_empty() {
                 prop_assert_eq!(certified.region_count(), standard.regions().len());
                 let open = standard.regions().iter().any(|region| region.components.is_err());

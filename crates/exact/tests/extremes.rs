@@ -3,7 +3,7 @@
 
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::atlas::Atlas;
-use bifdiag_exact::{Accuracy, CertifiedAtlas, atlas_of};
+use bifdiag_exact::{Accuracy, CertifiedAtlas};
 use dashu_ratio::RBig;
 
 type Parts = [RBig; 6];
@@ -27,15 +27,16 @@ fn classes(atlas: &Atlas) -> Vec<String> {
 /// At each of these distances 10⁻ᵏ the classes are those that `f64` finds at 10⁻ᶠⁱʳˢᵗ.
 fn stays_the_same(first: isize, further: &[isize], parts: impl Fn(&RBig) -> Parts) {
     let at = |exponent: isize| body(parts(&(RBig::ONE / RBig::from(10).pow(exponent))));
-    let near = Atlas::new(&at(first)).unwrap();
+    let near = bifdiag_diagram::fast::atlas(&at(first)).unwrap();
     assert!(near.arrangement().undecided.is_empty());
     let expected = classes(&near);
     for &exponent in further {
-        let found = atlas_of(&at(exponent), Accuracy::Exact).unwrap_or_else(|error| panic!("1e-{exponent}: {error}"));
+        let found = bifdiag_exact::atlas(&at(exponent), Accuracy::Exact)
+            .unwrap_or_else(|error| panic!("1e-{exponent}: {error}"));
         assert_eq!(classes(&found), expected, "1e-{exponent}");
         let proved = CertifiedAtlas::new(&at(exponent)).unwrap_or_else(|error| panic!("1e-{exponent}: {error}"));
         assert_eq!(proved.region_count(), expected.len(), "1e-{exponent}");
-        found.sanity_check().unwrap_or_else(|contradiction| panic!("1e-{exponent}: {contradiction}"));
+        support::sanity::check(&found).unwrap_or_else(|contradiction| panic!("1e-{exponent}: {contradiction}"));
     }
 }
 

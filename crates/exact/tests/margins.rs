@@ -2,9 +2,8 @@
 
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::arrangement::Change;
-use bifdiag_diagram::atlas::Atlas;
-use bifdiag_diagram::classify::{Classification, Margin};
-use bifdiag_exact::{Accuracy, CertifiedAtlas, Prepared, classify, classify_exactly};
+use bifdiag_diagram::topology::{Classification, Margin};
+use bifdiag_exact::{Accuracy, CertifiedAtlas, Solver, classify, classify_exactly};
 use dashu_ratio::RBig;
 use proptest::prelude::*;
 use support::property::{Verdict, holds_for_bodies};
@@ -16,7 +15,7 @@ fn body(a: [&str; 3], r: [&str; 3]) -> Body {
 
 fn margins(body: &Body, h: &Number, l: &Number, accuracy: Accuracy) -> [Margin; 2] {
     let cold = classify(body, h, l, accuracy).unwrap();
-    let prepared = Prepared::new(body.clone(), accuracy).classify(h, l).unwrap();
+    let prepared = Solver::new(body.clone(), accuracy).classify(h, l).unwrap();
     [cold, prepared].map(|found: Classification| found.margin)
 }
 
@@ -74,8 +73,8 @@ fn between_two_curves_the_nearer_one_is_named() {
 
 /// At every event of a body, at relative distances of 10⁻¹⁰ to 10⁻²⁰ from its l: near the event, and away from it.
 fn margins_hold_beside_events(body: &Body) -> Verdict {
-    let Ok(atlas) = Atlas::new(body) else { return Ok(()) };
-    let levels = [Accuracy::Exact, Accuracy::Fast].map(|accuracy| Prepared::new(body.clone(), accuracy));
+    let Ok(atlas) = bifdiag_diagram::fast::atlas(body) else { return Ok(()) };
+    let levels = [Accuracy::Exact, Accuracy::Fast].map(|accuracy| Solver::new(body.clone(), accuracy));
     let small = |exponent: isize| RBig::ONE / RBig::from(10).pow(exponent);
     for (event, exponent) in atlas.arrangement().events.iter().take(6).zip([14, 20, 15, 16, 10, 18]) {
         let exact = |x: f64| RBig::try_from(x).unwrap();
@@ -117,7 +116,7 @@ fn margins_beside_events_hold_and_name_the_nearest_curve() {
 /// The samples of a proved atlas, where they are written, but for those beside whose l, within rounding, a curve begins or ends.
 fn margins_of_samples_hold(body: &Body) -> Verdict {
     let Ok(proved) = CertifiedAtlas::new(body) else { return Ok(()) };
-    let Ok(drawn) = proved.drawn() else { return Ok(()) };
+    let Ok(drawn) = proved.to_atlas() else { return Ok(()) };
     for region in proved.region_ids() {
         let sample = drawn.sample(region);
         let is_near = |x: f64| (drawn.momentum(x) - sample.l).abs() <= 4.0 * f64::EPSILON * sample.l;

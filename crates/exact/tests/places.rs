@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use bifdiag_body::Body;
 use bifdiag_diagram::arrangement::RegionId;
-use bifdiag_exact::{Accuracy, CertifiedAtlas, Prepared};
+use bifdiag_exact::{Accuracy, CertifiedAtlas, Solver};
 use bifdiag_numbers::Number;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
@@ -48,7 +48,7 @@ fn samples(proved: &CertifiedAtlas) -> Vec<(RegionId, Number, Number)> {
 }
 
 /// The regions that meet at a point.
-fn places(prepared: &Prepared, h: &Number, l: &Number) -> Vec<Option<RegionId>> {
+fn places(prepared: &Solver, h: &Number, l: &Number) -> Vec<Option<RegionId>> {
     let found = prepared.classify(h, l).unwrap();
     prepared
         .places(h, l, &found.answer)
@@ -58,7 +58,7 @@ fn places(prepared: &Prepared, h: &Number, l: &Number) -> Vec<Option<RegionId>> 
 /// `beyond` counts those that `f64` does not tell.
 fn samples_lie_in_their_regions(body: &Body, beyond: &Cell<u32>) -> Verdict {
     let Ok(proved) = CertifiedAtlas::new(body) else { return Ok(()) };
-    let prepared = Prepared::new(body.clone(), Accuracy::Exact);
+    let prepared = Solver::new(body.clone(), Accuracy::Exact);
     let Some(atlas) = prepared.atlas() else { return Ok(()) };
     for (region, h, l) in samples(&proved) {
         let found = prepared.classify(&h, &l).unwrap();
@@ -89,7 +89,7 @@ fn proved_samples_lie_in_their_regions() {
 #[test]
 fn of_two_regions_of_one_class_within_rounding_the_right_one_is_named() {
     let body = Body::parse(&["2", "1.1", "1"], &["1", "1e-12", "1e-13"]).unwrap();
-    let prepared = Prepared::new(body, Accuracy::Exact);
+    let prepared = Solver::new(body, Accuracy::Exact);
     let [h, l]: [Number; 2] = ["1.9814239699980405", "1.9813368920989085"].map(|text| text.parse().unwrap());
     let found = prepared.classify(&h, &l).unwrap();
     assert_eq!(prepared.atlas().unwrap().places(&h, &l, &found.answer), None);
@@ -108,7 +108,7 @@ fn on_a_line_between_thin_regions_those_on_both_sides_meet_and_no_others() {
         let norm = &one + &small * &small;
         let body = Body::new(a.map(Number::from_rational), r.map(Number::from_rational)).unwrap();
         let proved = CertifiedAtlas::new(&body).unwrap();
-        let prepared = Prepared::new(body, Accuracy::Exact);
+        let prepared = Solver::new(body, Accuracy::Exact);
         let [_, square] = units(&proved);
         for slab in &proved.certificate().slabs {
             let l = root(&(exact(&slab.x) * RBig::from(2) * &square));

@@ -8,7 +8,7 @@ mod ties;
 use std::cell::RefCell;
 
 use bifdiag_body::{Body, Number};
-use bifdiag_diagram::classify::{Answer, Classification};
+use bifdiag_diagram::topology::{Answer, Classification};
 use bifdiag_diagram::topology::{latitude, whole_sphere};
 use bifdiag_exact::{Accuracy, classify, classify_exactly};
 use dashu_ratio::RBig;

@@ -38,7 +38,7 @@ impl CurveSource for Curves {
 }
 
 fn drawn(body: &Body, width: Width) -> (AtlasDocument, Picture) {
-    let atlas = Curves(Atlas::new(body).expect("the body has an atlas"));
+    let atlas = Curves(bifdiag_diagram::fast::atlas(body).expect("the body has an atlas"));
     let options = DocumentOptions::default();
     let document = bifdiag_documents::atlas::document(&atlas.0, &options);
     let picture = draw(&document, Some(&atlas), &DiagramOptions { width, ..DiagramOptions::default() })

@@ -1,6 +1,6 @@
 //! Why there is no atlas.
 
-use bifdiag_exact::{NotProved, NotWritten};
+use bifdiag_exact::{ConversionError, ProofError};
 use thiserror::Error;
 
 use crate::cli::failure::{CommandError, Exit};
@@ -25,11 +25,11 @@ impl CommandError for AtlasInput {
 #[derive(Debug, Error)]
 pub enum NoAtlas {
     #[error("the atlas could not be made")]
-    Atlas(#[from] bifdiag_exact::NoAtlas),
+    Atlas(#[from] bifdiag_exact::AnswerError),
     #[error("the atlas could not be proved")]
-    NotProved(#[from] NotProved),
+    Proof(#[from] ProofError),
     #[error("the proved atlas could not be written")]
-    NotWritten(#[from] NotWritten),
+    Conversion(#[from] ConversionError),
     #[error("the answer could not be written as JSON")]
     Json(#[from] serde_json::Error),
 }

@@ -2,7 +2,7 @@
 
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, Subject, attach_part, certified_atlas_of};
-use bifdiag_exact::{CertifiedAtlas, atlas_of};
+use bifdiag_exact::CertifiedAtlas;
 use bifdiag_schema::AtlasDocument;
 
 use super::error::NoAtlas;
@@ -14,7 +14,7 @@ pub fn atlas(settings: &Settings, timings: &Timings) -> Result<(Atlas, AtlasDocu
     if settings.certificate {
         return proved(subject, timings);
     }
-    let atlas = timings.stage("regions", || atlas_of(&subject.body, (*accuracy).into()))?;
+    let atlas = timings.stage("regions", || bifdiag_exact::atlas(&subject.body, *accuracy))?;
     let options = DocumentOptions { window: *window, accuracy: *accuracy, ..DocumentOptions::default() };
     let mut document = timings.stage("curves", || bifdiag_documents::atlas::document(&atlas, &options));
     attach_part(&mut document, subject);
@@ -23,7 +23,7 @@ pub fn atlas(settings: &Settings, timings: &Timings) -> Result<(Atlas, AtlasDocu
 
 fn proved(subject: &Subject, timings: &Timings) -> Result<(Atlas, AtlasDocument), NoAtlas> {
     let proof = timings.stage("proof", || CertifiedAtlas::new(&subject.body))?;
-    let drawn = proof.drawn()?;
+    let drawn = proof.to_atlas()?;
     let options = DocumentOptions::default();
     let document = timings.stage("certificate", || certified_atlas_of(subject, &proof, &drawn, &options))?;
     Ok((drawn, document))

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use bifdiag_body::{Body, BodyError};
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::DocumentOptions;
-use bifdiag_exact::{Accuracy, NoAtlas, atlas_of};
+use bifdiag_exact::{Accuracy, AnswerError};
 use bifdiag_plot::{DiagramOptions, draw};
 use bifdiag_schema::{AtlasDocument, ClassDocument, ClassesDocument};
 use thiserror::Error;
@@ -23,7 +23,7 @@ pub enum WitnessFailure {
     #[error("the witness of the class is no body")]
     Body(#[from] BodyError),
     #[error("the witness of the class has no atlas")]
-    NoAtlas(#[from] NoAtlas),
+    Answer(#[from] AnswerError),
 }
 
 impl CommandError for WitnessFailure {}
@@ -76,7 +76,7 @@ fn nearest(digits: &str, all: &[ClassDocument]) -> String {
 /// The diagram of the witness.
 fn witness(class: &ClassDocument) -> Result<(Atlas, AtlasDocument), WitnessFailure> {
     let body = Body::parse(&class.witness.body.moments, &class.witness.body.center)?;
-    let atlas = atlas_of(&body, Accuracy::Exact)?;
+    let atlas = bifdiag_exact::atlas(&body, Accuracy::Exact)?;
     let document = bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default());
     Ok((atlas, document))
 }

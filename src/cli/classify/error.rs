@@ -1,8 +1,8 @@
 //! Why a point has no answer.
 
-use bifdiag_diagram::classify::ClassifyError;
+use bifdiag_diagram::fast::FastError;
 use bifdiag_equilibria::curves::MomentumError;
-use bifdiag_exact::Unanswered;
+use bifdiag_exact::AnswerError;
 use thiserror::Error;
 
 use crate::cli::failure::{CommandError, Exit};
@@ -12,14 +12,14 @@ pub enum PointError {
     #[error("--l: {0}")]
     Momentum(MomentumError),
     #[error("the point could not be classified")]
-    Unanswered(#[source] Unanswered),
+    Answer(#[source] AnswerError),
 }
 
-impl From<Unanswered> for PointError {
-    fn from(error: Unanswered) -> Self {
+impl From<AnswerError> for PointError {
+    fn from(error: AnswerError) -> Self {
         match error {
-            Unanswered::Classify(ClassifyError::Momentum(error)) => Self::Momentum(error),
-            error => Self::Unanswered(error),
+            AnswerError::Fast(FastError::Momentum(error)) => Self::Momentum(error),
+            error => Self::Answer(error),
         }
     }
 }
@@ -28,7 +28,7 @@ impl CommandError for PointError {
     fn exit(&self) -> Exit {
         match self {
             Self::Momentum(_) => Exit::WrongInput,
-            Self::Unanswered(_) => Exit::Failed,
+            Self::Answer(_) => Exit::Failed,
         }
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_documents::{GridAxis, Subject, grid};
-use bifdiag_exact::{Prepared, Unanswered};
+use bifdiag_exact::{AnswerError, Solver};
 use bifdiag_numbers::table::Id;
 use bifdiag_schema::Accuracy;
 use rayon::prelude::*;
@@ -27,7 +27,7 @@ pub enum GridError {
     #[error("--grid and {0} both say where; leave out one of them")]
     Both(&'static str),
     #[error("--grid: {0}")]
-    Row(#[from] Unanswered),
+    Row(#[from] AnswerError),
     #[error("--grid: the atlas of this body was not finished within its budget")]
     NoAtlas,
     #[error("{0} points of the grid could not be answered; they are -3")]
@@ -80,10 +80,10 @@ pub fn run(
     (format, path): &(GridFormat, PathBuf),
     timings: &Timings,
 ) -> Result<(), Failure> {
-    let prepared = Prepared::new(subject.body.clone(), accuracy.into());
+    let prepared = Solver::new(subject.body.clone(), accuracy);
     let [h, l] = [&asked.h, &asked.l].map(GridAxis::values);
     let atlas = prepared.atlas().ok_or(GridError::NoAtlas)?;
-    let rows: Result<Vec<Vec<Spot>>, Unanswered> =
+    let rows: Result<Vec<Vec<Spot>>, AnswerError> =
         timings.stage("rows", || l.par_iter().map(|&l| prepared.row(l, &h).unwrap_or(Ok(Vec::new()))).collect());
     let codes: Vec<i32> = rows.map_err(GridError::from)?.into_iter().flatten().map(code).collect();
     let bytes = match format {

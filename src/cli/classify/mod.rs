@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use bifdiag_body::Number;
 use bifdiag_documents::Subject;
-use bifdiag_exact::{Prepared, classify};
+use bifdiag_exact::{Solver, classify};
 use bifdiag_schema::{Accuracy, ClassificationDocument};
 
 use super::batch::{Batch, Wanted};
@@ -47,10 +47,10 @@ fn point(
     regions: bool,
 ) -> Result<ClassificationDocument, PointError> {
     let (found, prepared) = if regions {
-        let prepared = Prepared::new(subject.body.clone(), accuracy.into());
+        let prepared = Solver::new(subject.body.clone(), accuracy);
         (prepared.classify(h, l)?, Some(prepared))
     } else {
-        (classify(&subject.body, h, l, accuracy.into())?, None)
+        (classify(&subject.body, h, l, accuracy)?, None)
     };
     Ok(bifdiag_documents::classification(subject, h, l, &found, accuracy, prepared.as_ref()))
 }

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use bifdiag_body::Number;
-use bifdiag_diagram::classify::{Classification, ClassifyError};
+use bifdiag_diagram::fast::FastError;
+use bifdiag_diagram::topology::Classification;
 use bifdiag_documents::Subject;
-use bifdiag_exact::{Prepared, Unanswered, classify};
+use bifdiag_exact::{AnswerError, Solver, classify};
 use bifdiag_schema::Accuracy;
 use rayon::prelude::*;
 use thiserror::Error;
@@ -25,7 +26,7 @@ const LINE: usize = 1024;
 #[derive(Debug, Error)]
 pub enum LineError {
     #[error(transparent)]
-    Unanswered(#[from] Unanswered),
+    Answer(#[from] AnswerError),
     #[error(transparent)]
     Json(#[from] serde_json::Error),
 }
@@ -33,8 +34,8 @@ pub enum LineError {
 impl CommandError for LineError {
     fn exit(&self) -> Exit {
         match self {
-            Self::Unanswered(Unanswered::Classify(ClassifyError::Momentum(_))) => Exit::WrongInput,
-            Self::Unanswered(_) | Self::Json(_) => Exit::Failed,
+            Self::Answer(AnswerError::Fast(FastError::Momentum(_))) => Exit::WrongInput,
+            Self::Answer(_) | Self::Json(_) => Exit::Failed,
         }
     }
 }
@@ -46,13 +47,13 @@ pub struct Preparation {
     /// Whether the ids of regions are wanted.
     regions: bool,
     length: usize,
-    last: Option<(Arc<Subject>, Arc<Prepared>)>,
+    last: Option<(Arc<Subject>, Arc<Solver>)>,
 }
 
 /// A query and what is, or will be, prepared of its body.
 struct Job<'a> {
     query: &'a Query,
-    prepared: Arc<Prepared>,
+    prepared: Arc<Solver>,
     /// To be answered without an atlas.
     cold: bool,
 }
@@ -88,7 +89,7 @@ impl Preparation {
         let same = |known: &Arc<Subject>| Arc::ptr_eq(known, subject) || known.body == subject.body;
         let known = self.last.take().filter(|(known, _)| same(known)).map(|(_, prepared)| prepared);
         self.length = if known.is_some() { self.length + 1 } else { 1 };
-        let fresh = || Arc::new(Prepared::new(subject.body.clone(), self.accuracy.into()));
+        let fresh = || Arc::new(Solver::new(subject.body.clone(), self.accuracy));
         let prepared = known.unwrap_or_else(fresh);
         self.last = Some((Arc::clone(subject), Arc::clone(&prepared)));
         Job { query, prepared, cold: !self.regions && self.length <= COLD_POINTS }
@@ -96,7 +97,7 @@ impl Preparation {
 }
 
 impl Job<'_> {
-    fn answer(&self, h: &Number) -> Result<Classification, Unanswered> {
+    fn answer(&self, h: &Number) -> Result<Classification, AnswerError> {
         let (body, l) = (&self.query.subject.body, &self.query.l);
         if self.cold { classify(body, h, l, self.prepared.accuracy()) } else { self.prepared.classify(h, l) }
     }

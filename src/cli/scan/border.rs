@@ -41,7 +41,7 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
         let texts: Vec<&str> = values.iter().map(Number::text).collect();
         Body::parse(&texts[..3], &texts[3..]).map_err(|error| wrong(format!("--vary: {error}")))
     };
-    let options = BorderOptions { accuracy: arguments.accuracy.into(), ..BorderOptions::default() };
+    let options = BorderOptions { accuracy: arguments.accuracy, ..BorderOptions::default() };
     let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
     let border = border::find(&segment, &options).map_err(|error| wrong(format!("--vary: {error}")))?;
     let text = |range: &Range| format!("{}={}:{}", range.parameter, range.from.text(), range.to.text());

@@ -56,7 +56,7 @@ fn block(identity: &Identity, from: u64) -> Vec<RowDocument> {
 /// One row; not even a defect of this program ends the scan.
 fn row(identity: &Identity, n: u64) -> Row {
     let values = identity.design.values(n);
-    catch_unwind(AssertUnwindSafe(|| Row::of(n, values, identity.accuracy.into()))).unwrap_or_else(|_panic| {
+    catch_unwind(AssertUnwindSafe(|| Row::of(n, values, identity.accuracy))).unwrap_or_else(|_panic| {
         Row::failed(n, values, "a defect of this program: the computation panicked".to_owned())
     })
 }

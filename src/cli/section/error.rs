@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use bifdiag_diagram::classify::ClassifyError;
+use bifdiag_diagram::fast::FastError;
 use bifdiag_documents::reading::ReadError;
 use bifdiag_dynamics::poincare::PoincareError;
 use bifdiag_equilibria::curves::MomentumError;
@@ -35,7 +35,7 @@ pub enum SectionFailure {
 impl From<PoincareError> for SectionFailure {
     fn from(error: PoincareError) -> Self {
         match error {
-            PoincareError::Classify(ClassifyError::Momentum(error)) => SectionInput::Momentum(error).into(),
+            PoincareError::Classify(FastError::Momentum(error)) => SectionInput::Momentum(error).into(),
             PoincareError::WeightlessBody
             | PoincareError::Forbidden { .. }
             | PoincareError::OnCurve { .. }
@@ -76,7 +76,7 @@ pub enum SectionInput {
     #[error("--region and {option} both say where; leave out one of them")]
     RegionAnd { option: &'static str },
     #[error(transparent)]
-    NoAtlas(bifdiag_exact::NoAtlas),
+    NoAtlas(bifdiag_exact::AnswerError),
     #[error("--atlas {path}: {source}; give an atlas.json that can be read, or - for stdin", path = path.display())]
     AtlasFile { path: PathBuf, source: io::Error },
     #[error("--atlas {path} is no atlas of version {SCHEMA_VERSION} (bifdiag atlas --json writes one): {source}", path = path.display())]

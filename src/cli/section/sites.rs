@@ -5,7 +5,7 @@ use std::path::Path;
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_documents::Subject;
-use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_exact::Accuracy;
 
 use super::arguments::SectionArguments;
 use super::error::SectionInput;
@@ -55,7 +55,7 @@ impl Sites {
 
     /// The samples of a body's own atlas.
     fn of_body(subject: Subject, wanted: &str) -> Result<Self, SectionInput> {
-        let atlas = atlas_of(&subject.body, Accuracy::Exact).map_err(SectionInput::NoAtlas)?;
+        let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(SectionInput::NoAtlas)?;
         let samples = atlas.regions().ids().map(|region| {
             let sample = atlas.sample(region);
             (region.to_string(), sample.h, sample.l)

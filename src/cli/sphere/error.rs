@@ -1,9 +1,9 @@
 //! Why there is no picture of U.
 
-use bifdiag_diagram::classify::ClassifyError;
+use bifdiag_diagram::fast::FastError;
 use bifdiag_diagram::topology::merge::MergeError;
 use bifdiag_equilibria::curves::MomentumError;
-use bifdiag_exact::{NoAtlas, Unanswered};
+use bifdiag_exact::AnswerError;
 use thiserror::Error;
 
 use crate::cli::failure::{CommandError, Exit};
@@ -19,11 +19,11 @@ pub enum SphereError {
     #[error("--l: {0}")]
     Momentum(MomentumError),
     #[error("the point could not be classified")]
-    Unanswered(#[source] Unanswered),
+    Point(#[source] AnswerError),
     #[error("the components of U could not be told apart in f64")]
-    Region(#[from] ClassifyError),
+    Region(#[from] FastError),
     #[error("the regions of this body could not be found")]
-    Atlas(#[from] NoAtlas),
+    Atlas(#[source] AnswerError),
     #[error("the components of U could not be told apart")]
     Merge(#[from] MergeError),
     #[error("the sample of the region is beyond f64")]
@@ -32,11 +32,11 @@ pub enum SphereError {
     Critical(#[from] bifdiag_equilibria::critical::CriticalError),
 }
 
-impl From<Unanswered> for SphereError {
-    fn from(error: Unanswered) -> Self {
+impl From<AnswerError> for SphereError {
+    fn from(error: AnswerError) -> Self {
         match error {
-            Unanswered::Classify(ClassifyError::Momentum(error)) => Self::Momentum(error),
-            error => Self::Unanswered(error),
+            AnswerError::Fast(FastError::Momentum(error)) => Self::Momentum(error),
+            error => Self::Point(error),
         }
     }
 }
@@ -47,7 +47,7 @@ impl CommandError for SphereError {
             Self::NoPoint { .. } | Self::UnknownRegion { .. } | Self::Empty { .. } | Self::Momentum(_) => {
                 Exit::WrongInput
             }
-            Self::Unanswered(_)
+            Self::Point(_)
             | Self::Region(_)
             | Self::Atlas(_)
             | Self::Merge(_)

@@ -5,7 +5,7 @@ mod error;
 mod scene;
 mod site;
 
-use bifdiag_diagram::classify::{Answer, Components};
+use bifdiag_diagram::topology::{Answer, Components};
 use bifdiag_documents::{Subject, component};
 use bifdiag_exact::{Accuracy, classify};
 use bifdiag_plot::{Picture, Theme, Width, draw_sphere};

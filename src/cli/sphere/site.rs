@@ -2,7 +2,7 @@
 
 use bifdiag_body::Number;
 use bifdiag_documents::Subject;
-use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_exact::Accuracy;
 
 use super::arguments::SphereArguments;
 use super::error::SphereError;
@@ -19,7 +19,7 @@ impl Site {
     /// The point of the options.
     pub fn new(arguments: &SphereArguments, subject: &Subject) -> Result<Self, SphereError> {
         if let Some(id) = &arguments.region {
-            let atlas = atlas_of(&subject.body, Accuracy::Exact)?;
+            let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(SphereError::Atlas)?;
             let ids = || atlas.regions().ids();
             let Some(region) = ids().find(|region| region.to_string() == *id) else {
                 return Err(SphereError::UnknownRegion {

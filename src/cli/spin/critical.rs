@@ -3,7 +3,7 @@
 use bifdiag_body::part::{MeasuredPart, Part};
 use bifdiag_documents::{CommandLine, Subject, words};
 use bifdiag_equilibria::permanent::{AxisRotation, NearestAxis, SpinType, exact_spin, nearest_steady};
-use bifdiag_exact::{Accuracy, Prepared};
+use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::vector::dot;
 use bifdiag_numbers::{Number, Sign};
 use bifdiag_schema::{CriticalSpinDocument, SteadySpinDocument};
@@ -76,7 +76,7 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         }
         return document;
     };
-    let prepared = Prepared::new(subject.body.clone(), Accuracy::Exact);
+    let prepared = Solver::new(subject.body.clone(), Accuracy::Exact);
     let atlas = prepared.atlas();
     if atlas.is_none() {
         document.note =

@@ -5,7 +5,7 @@ use bifdiag_body::part::Spin;
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_documents::{CommandLine, Subject};
 use bifdiag_equilibria::permanent::angle_between;
-use bifdiag_exact::{Accuracy, Prepared};
+use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::symmetric::{self, Real};
 use bifdiag_numbers::vector::{cross, dot, norm};
 use bifdiag_schema::{StateDocument, SteadyDocument};
@@ -123,7 +123,7 @@ impl<'a> State<'a> {
             note: None,
             part: subject.part.clone(),
         };
-        let prepared = Prepared::new(subject.body.clone(), Accuracy::Exact);
+        let prepared = Solver::new(subject.body.clone(), Accuracy::Exact);
         let question = Question {
             subject,
             vertical,

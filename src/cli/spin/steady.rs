@@ -6,7 +6,7 @@ use bifdiag_documents::{Subject, words};
 use bifdiag_equilibria::permanent::{
     AxisRotation, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
 };
-use bifdiag_exact::Prepared;
+use bifdiag_exact::Solver;
 use bifdiag_numbers::vector::norm;
 use bifdiag_numbers::{Number, Sign};
 use bifdiag_schema::{Multiplicity, SpinChangeDocument, SteadyDocument, Verdict};
@@ -37,7 +37,7 @@ pub struct Question<'a> {
 }
 
 /// The steady rotation whose axis is nearest to that of the question.
-pub fn at_spin(question: &Question<'_>, prepared: &Prepared) -> Option<SteadyDocument> {
+pub fn at_spin(question: &Question<'_>, prepared: &Solver) -> Option<SteadyDocument> {
     let body = &question.subject.body;
     if let Axis::Permanent { axis, .. } = Axis::of(question.subject, question.vertical) {
         return about_axis(question, axis, 0.0, prepared);
@@ -61,7 +61,7 @@ struct Place<'a> {
 
 /// The regions just below and just above a point of a curve: that curve is still the nearest one there, so that no other
 /// lies between.
-fn beside(prepared: &Prepared, place: &Place<'_>) -> Option<[Spot; 2]> {
+fn beside(prepared: &Solver, place: &Place<'_>) -> Option<[Spot; 2]> {
     let Place { h, l, size, is_exact } = place;
     let curve = prepared.classify(h, l).ok()?.margin.nearest;
     let near = |step: RBig| {
@@ -75,7 +75,7 @@ fn beside(prepared: &Prepared, place: &Place<'_>) -> Option<[Spot; 2]> {
 }
 
 /// Rotation about an axis that is permanent at every spin, at an angle to that of the question: exact, along its curve.
-fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared: &Prepared) -> Option<SteadyDocument> {
+fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared: &Solver) -> Option<SteadyDocument> {
     let Question { subject, omega, .. } = question;
     let second = second(subject.part.as_ref());
     // γ points down.
@@ -111,7 +111,7 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
 }
 
 /// Rotation about another axis, which is permanent at this spin.
-fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Prepared) -> SteadyDocument {
+fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Solver) -> SteadyDocument {
     let Question { subject, omega, .. } = question;
     let part = subject.part.as_ref();
     let second = second(part);

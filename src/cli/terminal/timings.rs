@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use bifdiag_exact::work;
+use bifdiag_exact::statistics;
 
 use super::stderr::say;
 
@@ -17,7 +17,7 @@ impl Timings {
     /// Starts the clock.
     pub fn new(wanted: bool) -> Self {
         if wanted {
-            work::count_from_here();
+            statistics::count_from_here();
         }
         Self { wanted, started: Instant::now() }
     }
@@ -33,8 +33,8 @@ impl Timings {
     /// Tells the time since the start, and how many questions were decided by which numbers.
     pub fn total(&self) {
         self.tell("total", self.started);
-        for (question, rung, count) in work::tally() {
-            say(&format!("work: {:<28} {:<8} {count:>12}", question.to_string(), rung.to_string()));
+        for (question, precision, count) in statistics::tally() {
+            say(&format!("work: {:<28} {:<8} {count:>12}", question.to_string(), precision.to_string()));
         }
     }
 

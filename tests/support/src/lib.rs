@@ -12,6 +12,7 @@ pub mod flood_fill;
 pub mod peers;
 pub mod property;
 pub mod random;
+pub mod sanity;
 pub mod strata;
 
 /// The text of a file of the repository's folder `data/`.

@@ -2,7 +2,6 @@
 //! is planted there, at a distance of 10⁻³ to 10⁻¹⁵ and further.
 
 use bifdiag_body::{Body, Number};
-use bifdiag_diagram::atlas::Atlas;
 use dashu_ratio::RBig;
 use proptest::prelude::*;
 use proptest::strategy::BoxedStrategy;
@@ -207,7 +206,9 @@ fn katok_border() -> BoxedStrategy<Parts> {
 /// distance from one of the other kind. The first itself where both are of one kind.
 fn beside_a_border(here: Parts, there: &Parts, depth: u32) -> Parts {
     let kind = |parts: &Parts| {
-        Atlas::new(&body(parts.clone())).ok().map(|atlas| (atlas.regions().len(), atlas.arrangement().events.len()))
+        bifdiag_diagram::fast::atlas(&body(parts.clone()))
+            .ok()
+            .map(|atlas| (atlas.regions().len(), atlas.arrangement().events.len()))
     };
     let middle = |p: &Parts, q: &Parts| -> Parts {
         let mean = |x: &[RBig; 3], y: &[RBig; 3]| std::array::from_fn(|i| (&x[i] + &y[i]) / RBig::from(2));

@@ -5,8 +5,7 @@ use bifdiag::dynamics::motion::MotionError;
 use bifdiag::dynamics::poincare::PoincareError;
 use bifdiag::dynamics::section::SectionError;
 use bifdiag::equilibria::critical::CriticalError;
-use bifdiag::exact::NoAtlas;
-use bifdiag::{Body, Number, Unanswered, numbers::ParseNumberError};
+use bifdiag::{AnswerError, Body, Number, numbers::ParseNumberError};
 use thiserror::Error;
 
 /// Why there is no answer.
@@ -25,9 +24,7 @@ pub enum Refused {
     #[error("{what} needs a multiple of {unit} numbers, {found} given")]
     Rows { what: &'static str, unit: usize, found: usize },
     #[error(transparent)]
-    Atlas(#[from] NoAtlas),
-    #[error(transparent)]
-    Classify(#[from] Unanswered),
+    Answer(#[from] AnswerError),
     #[error(transparent)]
     Critical(#[from] CriticalError),
     #[error(transparent)]

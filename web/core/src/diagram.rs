@@ -5,7 +5,7 @@ use bifdiag::documents::words;
 use bifdiag::equilibria::curves::CurveName;
 use bifdiag::numbers::table::Id;
 use bifdiag::schema::AtlasDocument;
-use bifdiag::{Accuracy, Atlas, atlas_of};
+use bifdiag::{Accuracy, Atlas, atlas};
 use wasm_bindgen::prelude::*;
 
 use crate::body::{Refused, body};
@@ -26,7 +26,7 @@ impl Diagram {
     /// A body that is none, or one whose regions `f64` cannot tell apart.
     #[wasm_bindgen(constructor)]
     pub fn new(text: &str) -> Result<Self, JsError> {
-        let atlas = atlas_of(&body(text)?, Accuracy::Fast).map_err(Refused::from)?;
+        let atlas = atlas(&body(text)?, Accuracy::Fast).map_err(Refused::from)?;
         let document = texts::sketch(&atlas);
         Ok(Self { atlas, document })
     }

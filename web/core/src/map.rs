@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use bifdiag::diagram::class::{Class, ClassName};
 use bifdiag::survey::border::{self, BorderOptions, Segment};
-use bifdiag::{Accuracy, Atlas, Body};
+use bifdiag::{Accuracy, Body, atlas};
 use wasm_bindgen::prelude::*;
 
 use crate::body::{Refused, rows};
@@ -69,7 +69,7 @@ fn border_texts(from: &[f64], to: &[f64]) -> Result<Vec<String>, Refused> {
 
 impl Classes {
     fn class(&mut self, moments: [f64; 3], center: [f64; 3]) -> Option<[i32; 2]> {
-        let atlas = Atlas::new(&Body::from_f64(moments, center).ok()?).ok()?;
+        let atlas = atlas(&Body::from_f64(moments, center).ok()?, Accuracy::Fast).ok()?;
         let class = Class::of(&atlas).ok()?;
         let names = &mut self.names;
         let number = *self.numbers.entry(class.name().clone()).or_insert_with(|| {

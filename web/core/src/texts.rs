@@ -1,8 +1,7 @@
 //! The command line's documents.
 
-use bifdiag::exact::Prepared;
 use bifdiag::schema::AtlasDocument;
-use bifdiag::{Accuracy, Atlas, atlas_of, documents};
+use bifdiag::{Accuracy, Atlas, Solver, documents};
 
 use crate::body::{Refused, body, number};
 
@@ -13,13 +12,13 @@ pub fn text(document: &impl serde::Serialize) -> Result<String, Refused> {
 
 /// `bifdiag --json`.
 pub fn atlas(of: &str) -> Result<String, Refused> {
-    let atlas = atlas_of(&body(of)?, Accuracy::Exact)?;
+    let atlas = bifdiag::atlas(&body(of)?, Accuracy::Exact)?;
     text(&documents::atlas::document(&atlas, &documents::DocumentOptions::default()))
 }
 
 /// `bifdiag --accuracy fast --json` of an atlas that is there, without outlines and widths of regions, which the page does not draw.
 pub fn sketch(atlas: &Atlas) -> AtlasDocument {
-    let accuracy = Accuracy::Fast.into();
+    let accuracy = Accuracy::Fast;
     let options = documents::DocumentOptions { accuracy, drawing: documents::Drawn::Curves, ..Default::default() };
     documents::atlas::document(atlas, &options)
 }
@@ -28,9 +27,9 @@ pub fn sketch(atlas: &Atlas) -> AtlasDocument {
 pub fn classify(of: &str, h: &str, l: &str) -> Result<String, Refused> {
     let (body, h, l) = (body(of)?, number("h", h)?, number("l", l)?);
     let subject = documents::Subject::from(body.clone());
-    let prepared = Prepared::new(body, Accuracy::Exact);
+    let prepared = Solver::new(body, Accuracy::Exact);
     let found = prepared.classify(&h, &l)?;
-    text(&documents::classification(&subject, &h, &l, &found, Accuracy::Exact.into(), Some(&prepared)))
+    text(&documents::classification(&subject, &h, &l, &found, Accuracy::Exact, Some(&prepared)))
 }
 
 /// `bifdiag critical --json`.

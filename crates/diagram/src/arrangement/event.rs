@@ -1,6 +1,6 @@
 //! Events: the points of the (x, h) plane where curves meet.
 
-use super::transitive::ProvedPair;
+use super::order::ProvedPair;
 use bifdiag_equilibria::curves::{CriticalSet, CurveId, End};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 

@@ -3,21 +3,17 @@
 //! Coordinates enter in `pair` (isolated crossings) and `event` (their order in x); `faces` works on vertical orders alone, and
 //! `cells` numbers what they leave.
 
-mod cells;
 mod event;
 mod faces;
 mod id;
-mod invariants;
 mod order;
 mod pair;
 mod settle;
-mod transitive;
 
-pub use cells::{Cells, Continued, Faces};
 pub use event::{Change, Event};
+pub use faces::{Cells, Continued, Faces};
 pub use faces::{InconsistentOrder, continued};
 pub use id::{Cell, EventId, ParseRegionIdError, RegionId, SlabId};
-pub use invariants::InvariantError;
 pub use order::{PairCrossing, PairOrder};
 
 use std::cmp::Ordering;
@@ -25,7 +21,7 @@ use std::ops::RangeInclusive;
 
 use bifdiag_equilibria::curves::{ClusterId, CriticalSet, Curve, CurveId, End, Gap};
 use bifdiag_numbers::table::{Id, Table};
-use transitive::ProvedPair;
+use order::ProvedPair;
 
 /// A strip between two events in which the vertical order of the curves is constant.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +79,19 @@ pub struct Arrangement {
 }
 
 impl Arrangement {
+    /// An abscissa well inside a slab.
+    #[must_use]
+    pub fn middle(&self, slab: SlabId) -> f64 {
+        let [from, to] = self.slabs[slab].x;
+        match (from > 0.0, to.is_finite()) {
+            (true, true) if to > 4.0 * from => from.sqrt() * to.sqrt(),
+            (true, true) => 0.5 * (from + to),
+            (true, false) => 2.0 * from,
+            (false, true) => 0.5 * to,
+            (false, false) => 1.0,
+        }
+    }
+
     /// Enumerates all crossings, orders the events and glues the faces.
     #[must_use]
     pub fn new(set: CriticalSet) -> Self {
@@ -97,11 +106,11 @@ impl Arrangement {
                 }
             }
         }
-        transitive::resolve(&set, &mut pairs);
+        order::resolve(&set, &mut pairs);
         for ProvedPair { curves, order } in &pairs {
             undecided.extend(order.open_ranges().into_iter().map(|x| Undecided::Contact { curves: *curves, x }));
         }
-        let order = |p: CurveId, q: CurveId, range: [f64; 2]| transitive::proved(&pairs, p, q, range);
+        let order = |p: CurveId, q: CurveId, range: [f64; 2]| order::proved(&pairs, p, q, range);
         let mut events = event::collect(&set, &pairs);
         settle::settle(&mut events, order);
         let orders = |events: &[Event]| vertical_orders(&set, events, &pairs);

@@ -2,9 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::cells::Faces;
 use super::event::{Change, Event};
-use super::faces::InconsistentOrder;
+use super::faces::{Faces, InconsistentOrder};
 use super::id::{EventId, SlabId};
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::table::{Id, Table};

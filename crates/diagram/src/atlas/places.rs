@@ -1,16 +1,18 @@
 //! Which regions of an atlas a classified point lies in, or meets.
+//!
+//! Many points at one l: the heights of the curves are computed once.
+//!
+//! Exact decisions: points that lie on a straight curve, by rational arithmetic.
 
-use thiserror::Error;
-
-use super::exact::compare_with_r;
-use super::locate::{Place, each};
+use super::locate::{Place, comparison_error, each};
 use super::{Atlas, Component};
 use crate::arrangement::{RegionId, SlabId};
 use crate::topology::Answer;
-use bifdiag_body::Number;
-use bifdiag_equilibria::curves::CurveName;
-use bifdiag_equilibria::curves::abscissa;
+use bifdiag_body::{Body, Number};
+use bifdiag_equilibria::curves::{CurveName, MomentumError, abscissa};
 use bifdiag_numbers::table::Id;
+use dashu_ratio::RBig;
+use thiserror::Error;
 
 /// Where curves start: below this x = l²/2 every curve from l = 0 is at its limit to the last bit.
 const AT_REST: f64 = 1e-60;
@@ -27,34 +29,34 @@ pub struct Sides {
 /// Why no region is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("no region of the atlas near the point alone has the curves on both sides that the point has")]
-pub struct NoCell;
+pub struct CellError;
 
 impl Sides {
     /// The region of the cell that has these curves below and above it, in a slab with these curves by rising h; `None` for
     /// the forbidden one.
     ///
     /// # Errors
-    /// [`NoCell`] where the slab has other curves, or no such cell.
-    pub fn cell(&self, order: &[CurveName], region_above: &[RegionId]) -> Result<Option<RegionId>, NoCell> {
-        let (below, above) = order.split_at_checked(self.below.len()).ok_or(NoCell)?;
+    /// [`CellError`] where the slab has other curves, or no such cell.
+    pub fn cell(&self, order: &[CurveName], region_above: &[RegionId]) -> Result<Option<RegionId>, CellError> {
+        let (below, above) = order.split_at_checked(self.below.len()).ok_or(CellError)?;
         let same = |there: &[CurveName], names: &[CurveName]| {
             there.len() == names.len() && there.iter().all(|name| names.contains(name))
         };
         let fits = same(below, &self.below) && same(above, &self.above);
-        if fits { Ok(below.len().checked_sub(1).map(|highest| region_above[highest])) } else { Err(NoCell) }
+        if fits { Ok(below.len().checked_sub(1).map(|highest| region_above[highest])) } else { Err(CellError) }
     }
 
     /// The one region of all the cells in some slabs that have these curves on both sides.
     ///
     /// # Errors
-    /// [`NoCell`] where there is none, or more than one.
+    /// [`CellError`] where there is none, or more than one.
     pub fn only<'a>(
         &self,
         slabs: impl Iterator<Item = (Vec<CurveName>, &'a [RegionId])>,
-    ) -> Result<Option<RegionId>, NoCell> {
+    ) -> Result<Option<RegionId>, CellError> {
         let mut cells = slabs.filter_map(|(order, region_above)| self.cell(&order, region_above).ok());
-        let first = cells.next().ok_or(NoCell)?;
-        if cells.all(|cell| cell == first) { Ok(first) } else { Err(NoCell) }
+        let first = cells.next().ok_or(CellError)?;
+        if cells.all(|cell| cell == first) { Ok(first) } else { Err(CellError) }
     }
 }
 
@@ -119,9 +121,93 @@ impl Atlas {
     /// for the forbidden region.
     ///
     /// # Errors
-    /// [`NoCell`] where no slab within rounding of x has such a cell, or such cells are in several regions.
-    pub fn region_between(&self, x: f64, sides: &Sides) -> Result<Option<RegionId>, NoCell> {
+    /// [`CellError`] where no slab within rounding of x has such a cell, or such cells are in several regions.
+    pub fn region_between(&self, x: f64, sides: &Sides) -> Result<Option<RegionId>, CellError> {
         let near = each(self.slabs_near(self.slab_at(x), x, true));
         sides.only(near.map(|slab| (self.order_of(slab), self.arrangement.slabs[slab].region_above.as_slice())))
     }
+}
+
+/// Where a point of a row lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spot {
+    /// Inside this region.
+    Region(RegionId),
+    /// Below the lowest critical value.
+    Forbidden,
+    /// Exactly on a curve.
+    Critical,
+    /// Not known.
+    Undecided,
+}
+
+impl Atlas {
+    /// Where each (h, l) of a row lies. The curves decide where they are farther than their error bounds; nearer points, and
+    /// rows at l = 0 or within rounding of an event, are asked of `decide`: each double stands for its shortest decimal.
+    ///
+    /// # Errors
+    /// [`MomentumError`] when l is out of range.
+    pub fn row(
+        &self,
+        l: f64,
+        h: &[f64],
+        mut decide: impl FnMut(&Number, &Number) -> Spot,
+    ) -> Result<Vec<Spot>, MomentumError> {
+        let frame = &self.arrangement.set.frame;
+        let x = abscissa(frame, l)?;
+        let slab = self.slab_at(x);
+        let near = self.slabs_near(slab, x, true);
+        let clear = x > 0.0 && near.start() == near.end() && self.order_is_certain(slab, x);
+        let points = if clear { self.points_in(slab, x) } else { Vec::new() };
+        let region_above = &self.arrangement.slabs[slab].region_above;
+        let mut ask = |h: f64| {
+            let (Ok(h), Ok(l)) = (Number::from_f64(h), Number::from_f64(l)) else { return Spot::Undecided };
+            decide(&h, &l)
+        };
+        let spots = h.iter().map(|&given| {
+            let h = given / frame.energy_unit;
+            let below = points.partition_point(|point| point.h() <= h);
+            let far = |point: &_| (h - bifdiag_equilibria::curves::Point::h(point)).abs() > comparison_error(point, h);
+            let sides = below.checked_sub(1).and_then(|k| points.get(k)).into_iter().chain(points.get(below));
+            if !clear || !sides.into_iter().all(far) {
+                return ask(given);
+            }
+            below.checked_sub(1).map_or(Spot::Forbidden, |k| Spot::Region(region_above[k]))
+        });
+        Ok(spots.collect())
+    }
+}
+
+/// True when h = l²/(2 J_r) ∓ r or, for r = 0, h = l²/(2 A_i) holds exactly.
+#[must_use]
+pub fn on_straight_curve(body: &Body, h: &Number, l: &Number) -> bool {
+    let x = l.value() * l.value() / RBig::from(2);
+    let norm_squared = body.center_squared();
+    if norm_squared.is_zero() {
+        return on_axis_line(body, h.value(), &x);
+    }
+    // J_r = Σ r_i² A_i / r².
+    let offset = h.value() - x * &norm_squared / body.weighted_moment();
+    &offset * &offset == norm_squared
+}
+
+/// h = x / A_i for a body with r = 0: x/h is a moment.
+fn on_axis_line(body: &Body, h: &RBig, x: &RBig) -> bool {
+    if h.is_zero() {
+        return false;
+    }
+    let at = x / h;
+    match body.tensor() {
+        Some(tensor) => {
+            let powers = tensor.matrix().characteristic();
+            powers.iter().rev().fold(RBig::ZERO, |sum, c| sum * &at + c).is_zero()
+        }
+        None => body.moments().iter().any(|a| *a.value() == at),
+    }
+}
+
+/// Compares |h| with r, exactly: for l = 0 the critical values are ∓r.
+#[must_use]
+pub fn compare_with_r(body: &Body, h: &Number) -> std::cmp::Ordering {
+    (h.value() * h.value()).cmp(&body.center_squared())
 }

@@ -43,7 +43,7 @@ struct Candidate<'a> {
 }
 
 /// Samples every region and finds its topology from the merge tree there.
-pub(super) fn classify_regions(arrangement: &Arrangement) -> Table<RegionId, Region> {
+pub(crate) fn regions(arrangement: &Arrangement) -> Table<RegionId, Region> {
     let mut cells = Table::<RegionId, Vec<Cell>>::filled(Vec::new(), arrangement.region_count);
     for (slab, strip) in arrangement.slabs.pairs() {
         for (position, &region) in strip.region_above.iter().enumerate() {

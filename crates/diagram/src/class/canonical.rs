@@ -1,6 +1,9 @@
 //! Numbers for vertices, edges and faces that depend on the map and its root alone.
+//!
+//! The canonical form as text.
 
 use std::collections::VecDeque;
+use std::fmt::Write;
 
 use super::planar_map::{PlanarMap, opposite};
 
@@ -52,14 +55,41 @@ pub(super) fn number(map: &PlanarMap) -> Numbering {
     Numbering { edge: edge.into_iter().map(Option::unwrap_or_default).collect(), face, first_dart }
 }
 
+/// First line of each text. It changes whenever texts change, since names of classes are kept in files.
+const HEAD: &str = "map 1";
+
+/// One line for each region: its type, then its boundary with the region on the left.
+pub(super) fn write(map: &PlanarMap, numbering: &Numbering) -> String {
+    let mut out = String::with_capacity(64 * map.faces.len());
+    out.push_str(HEAD);
+    out.push('\n');
+    for (number, &first) in numbering.first_dart.iter().enumerate() {
+        // Writing to a String cannot fail.
+        let _always = write!(out, "R{number} {}:", map.faces[map.left[first]]);
+        let mut dart = first;
+        loop {
+            let _always = write!(out, " {} {}", numbering.edge[dart / 2], map.edges[dart / 2]);
+            if let Some(beyond) = numbering.face[map.left[opposite(dart)]] {
+                let _always = write!(out, " R{beyond}");
+            }
+            out.push(' ');
+            out.push(map.vertices[map.origin[opposite(dart)]].mark());
+            dart = map.along_face(dart);
+            if dart == first {
+                break;
+            }
+        }
+        out.push('\n');
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
-    use proptest::prelude::*;
-
     use super::super::kinds::FaceKind;
     use super::super::{Class, MapError, PlanarMap};
-    use crate::atlas::Atlas;
     use bifdiag_body::Preset;
+    use proptest::prelude::*;
 
     /// A permutation of 0 … n − 1 from any numbers.
     fn permutation(n: usize, keys: &[u64]) -> Vec<usize> {
@@ -98,7 +128,7 @@ mod tests {
         fn numbers_of_vertices_edges_and_faces_do_not_matter(
             preset in 0..Preset::all().len(), keys in prop::collection::vec(any::<u64>(), 8)
         ) {
-            let atlas = Atlas::new(&Preset::all()[preset].body()).unwrap();
+            let atlas = crate::fast::atlas(&Preset::all()[preset].body()).unwrap();
             let map = PlanarMap::of(&atlas).unwrap();
             let new = renumbered(&map, &keys);
             prop_assert!(new.check().is_ok());
@@ -107,7 +137,7 @@ mod tests {
 
         #[test]
         fn one_changed_face_is_another_class(preset in 0..Preset::all().len(), face in 1_usize..100) {
-            let atlas = Atlas::new(&Preset::all()[preset].body()).unwrap();
+            let atlas = crate::fast::atlas(&Preset::all()[preset].body()).unwrap();
             let map = PlanarMap::of(&atlas).unwrap();
             let mut new = map.clone();
             let face = 1 + face % (map.faces.len() - 1);
@@ -119,7 +149,7 @@ mod tests {
     /// Each of the three conditions fails alone.
     #[test]
     fn a_map_that_is_none_is_refused() {
-        let atlas = Atlas::new(&Preset::find("paper").unwrap().body()).unwrap();
+        let atlas = crate::fast::atlas(&Preset::find("paper").unwrap().body()).unwrap();
         let refused = |map: &PlanarMap| matches!(map.check(), Err(MapError::NotPlanar { .. }));
         let mut map = PlanarMap::of(&atlas).unwrap();
         map.left[0] = (map.left[0] + 1) % map.faces.len();

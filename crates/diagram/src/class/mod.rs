@@ -14,17 +14,15 @@
 //! Permuted or reflected axes and other units change nothing, since the arrangement is made in the frame of the body.
 
 mod canonical;
-mod error;
 mod kinds;
 mod name;
 mod planar_map;
-mod text;
 
 use crate::atlas::Atlas;
 
-pub use error::{MapError, Unclassified};
 pub use kinds::{EdgeKind, FaceKind, VertexKind};
 pub use name::{ClassName, ParseClassNameError};
+pub use name::{MapError, Unclassified};
 pub use planar_map::PlanarMap;
 
 /// A class of bifurcation diagrams.
@@ -50,7 +48,7 @@ impl Class {
     /// The class of a map.
     #[must_use]
     pub fn of_map(map: &PlanarMap) -> Self {
-        let text = text::write(map, &canonical::number(map));
+        let text = canonical::write(map, &canonical::number(map));
         Self { name: ClassName::of_text(&text), text }
     }
 
@@ -77,7 +75,7 @@ mod tests {
     use bifdiag_body::{Body, Preset};
 
     fn class(body: &Body) -> Class {
-        Class::of(&Atlas::new(body).unwrap()).unwrap()
+        Class::of(&crate::fast::atlas(body).unwrap()).unwrap()
     }
 
     #[test]

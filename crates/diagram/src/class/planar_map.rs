@@ -3,8 +3,8 @@
 //! Edge e consists of two *darts*: 2e runs with rising l (on the frame: counter-clockwise), 2e + 1 back. Each dart knows
 //! the face on its left.
 
-use super::error::{MapError, Unclassified};
 use super::kinds::{EdgeKind, FaceKind, Side, VertexKind};
+use super::name::{MapError, Unclassified};
 use crate::arrangement::{Arrangement, Change, Event, RegionId, Slab, SlabId};
 use crate::atlas::Atlas;
 use bifdiag_equilibria::curves::CurveId;

@@ -6,10 +6,9 @@ pub mod latitude;
 pub mod merge;
 mod occurring;
 mod potential;
-mod surface;
 
-pub use answer::{Answer, Components};
+pub use answer::{Answer, Classification, Components, Margin};
 pub use component::{Component, Poles, signature, sort_components, whole_sphere};
+pub use component::{ParseSurfaceError, Surface};
 pub(crate) use occurring::is_excluded;
 pub use occurring::{CIRCLES_MAX, accessible_regions};
-pub use surface::{ParseSurfaceError, Surface};

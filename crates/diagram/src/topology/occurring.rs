@@ -50,7 +50,6 @@ fn region(circles: &[u32], poles: [Option<usize>; 2]) -> Vec<Component> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::atlas::Atlas;
     use bifdiag_body::Preset;
 
     #[test]
@@ -79,7 +78,7 @@ mod tests {
             if body.flags().euler {
                 continue;
             }
-            for region in Atlas::new(&body).unwrap().regions() {
+            for region in crate::fast::atlas(&body).unwrap().regions() {
                 let components = region.components.as_ref().unwrap();
                 assert!(regions.contains(components), "{}: {components:?}", preset.name());
             }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use bifdiag_diagram::arrangement::RegionId;
-use bifdiag_diagram::atlas::{Atlas, CourseOptions, View, Window};
+use bifdiag_diagram::atlas::{Atlas, PolylineOptions, View, Window};
 use bifdiag_equilibria::curves::{CurveId, CurveName, Pole};
 use bifdiag_schema::{CurveDrawing, DrawingDocument, RegionDocument, RegionDrawing, ViewDocument, WindowDocument};
 
@@ -31,13 +31,13 @@ pub(super) fn document(
 
 fn of_curves(atlas: &Atlas, options: &DocumentOptions) -> BTreeMap<String, CurveDrawing> {
     let set = &atlas.arrangement().set;
-    let course_options = CourseOptions {
+    let course_options = PolylineOptions {
         chord_tolerance: options.chord_tolerance,
         l_least: options.window.map_or(0.0, |window| window.l[1]),
     };
     let course = |id: CurveId| {
         let range = set.curves[id].x().map(|x| atlas.momentum(x));
-        if options.sees(range) { atlas.course(id, &course_options) } else { Vec::new() }
+        if options.sees(range) { atlas.polyline_of(id, &course_options) } else { Vec::new() }
     };
     let polylines: Vec<(CurveId, Vec<[f64; 2]>)> = set.curves.ids().map(|id| (id, course(id))).collect();
     let mut curves = BTreeMap::new();

@@ -68,7 +68,7 @@ fn record(record: &Record) -> RecordDocument {
 
 fn class(name: &ClassName, of: &ClassRecord, accuracy: Accuracy) -> ClassRecordDocument {
     let Record { bodies, first } = &of.record;
-    let text = class_text(first, accuracy.into()).unwrap_or_default();
+    let text = class_text(first, accuracy).unwrap_or_default();
     ClassRecordDocument {
         class: name.to_string(),
         bodies: *bodies,

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::section::SectionError;
-use bifdiag_diagram::classify::ClassifyError;
+use bifdiag_diagram::fast::FastError;
 use bifdiag_diagram::topology::merge::MergeError;
 use bifdiag_equilibria::critical::CriticalError;
 
@@ -63,7 +63,7 @@ pub enum PoincareError {
     },
     /// The point could not be classified.
     #[error(transparent)]
-    Classify(#[from] ClassifyError),
+    Classify(#[from] FastError),
     /// The relative equilibria could not be found.
     #[error(transparent)]
     Critical(#[from] CriticalError),

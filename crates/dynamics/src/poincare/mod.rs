@@ -10,8 +10,9 @@ use std::sync::atomic::Ordering;
 
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::accessible::{AccessibleRegion, component_of};
-use bifdiag_diagram::classify::{Answer, Classification, classify};
+use bifdiag_diagram::fast::classify;
 use bifdiag_diagram::topology::Component;
+use bifdiag_diagram::topology::{Answer, Classification};
 use bifdiag_equilibria::critical::critical;
 
 use crate::field::{HeavyTop, State};

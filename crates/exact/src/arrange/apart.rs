@@ -2,31 +2,27 @@
 
 use dashu_ratio::RBig;
 
-use super::event::{Event, Source, crossing_event};
+use super::event::{Event, Source, Undecided, crossing_event};
 use super::stages::STAGES;
-use super::undecided::Undecided;
-use crate::curves::Curves;
 use crate::id::TransitionId;
-use crate::model::Model;
 use crate::pair::{PairProof, Proof};
-use crate::point::Evaluator;
+use crate::point::{Evaluator, Evaluators};
 use bifdiag_diagram::arrangement::EventId;
 use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::table::Table;
-use bifdiag_numbers::wide::{Interval128, Interval384};
 
 /// Narrows the boxes of crossings that overlap other events of their curves, with as many bits as it takes; which bits.
-pub(super) fn told_apart(events: &mut [Event], pairs: &mut [PairProof], model: &Model, curves: &Curves) -> usize {
+pub(super) fn separate(events: &mut [Event], pairs: &mut [PairProof], evaluators: &Evaluators<'_>) -> usize {
     let mut used = 0;
     let mut open = overlapping(events);
     if !open.is_empty() {
         used = STAGES[0];
-        narrow(&Evaluator::<Interval128>::new(model, curves, &[], ()), &open, events, pairs);
+        narrow(evaluators.middle(), &open, events, pairs);
         open = overlapping(events);
     }
     if !open.is_empty() {
         used = STAGES[1];
-        narrow(&Evaluator::<Interval384>::new(model, curves, &[], ()), &open, events, pairs);
+        narrow(evaluators.wide(), &open, events, pairs);
     }
     used
 }

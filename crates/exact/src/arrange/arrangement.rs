@@ -1,22 +1,18 @@
 //! The whole arrangement of a body.
 
-use super::apart::{told_apart, transitions};
-use super::event::{Event, known_meetings};
+use super::apart::{separate, transitions};
+use super::event::{Event, Undecided, known_meetings, single_events};
 use super::glue::glue;
-use super::pairs::pairs;
-use super::single::single_events;
 use super::slab::{Slab, slabs};
-use super::stages::Stages;
-use super::undecided::Undecided;
-use crate::curves::{Curves, NotIsolated, ROOT_BITS};
+use super::stages::{Stages, pairs};
+use crate::curves::{Curves, IsolationError, ROOT_BITS};
 use crate::id::{MeetingId, TransitionId};
 use crate::model::Model;
 use crate::pair::PairProof;
-use crate::point::Evaluator;
+use crate::point::Evaluators;
 use crate::polar::{self, Meeting};
 use bifdiag_diagram::arrangement::{EventId, SlabId};
 use bifdiag_numbers::table::Table;
-use bifdiag_numbers::wide::Interval384;
 
 /// Everything that is proved of a body.
 #[derive(Clone, Debug)]
@@ -41,14 +37,14 @@ pub(crate) fn arrange(model: Model, curves: &Curves, points: u32) -> Result<Arra
     if !curves.degenerate.is_empty() {
         return Err(vec![Undecided::Degenerate]);
     }
-    let meetings = polar::meetings(&model, curves, ROOT_BITS).map_err(|NotIsolated| vec![Undecided::Roots])?;
-    let plain = Evaluator::<Interval384>::new(&model, curves, &[], ());
-    let mut events = single_events(&plain, &meetings)?;
+    let meetings = polar::meetings(&model, curves, ROOT_BITS).map_err(|IsolationError| vec![Undecided::Roots])?;
+    let plain = Evaluators::new(&model, curves, &[]);
+    let mut events = single_events(plain.wide(), &meetings)?;
     let known = known_meetings(curves, &events);
     let stages = Stages::new(&model, curves, &known, points);
-    let (mut pairs, crossings) = pairs(&plain, &stages)?;
+    let (mut pairs, crossings) = pairs(plain.wide(), &stages)?;
     events.extend(crossings);
-    let bits = stages.used.get().max(told_apart(&mut events, &mut pairs, &model, curves));
+    let bits = stages.used.get().max(separate(&mut events, &mut pairs, &plain));
     events.sort_by(|p, q| p.x[0].cmp(&q.x[0]).then(p.x[1].cmp(&q.x[1])));
     let events = Table::from(events);
     let transitions = transitions(&events)?;

@@ -1,8 +1,7 @@
 //! Faces: the cells between the curves, glued across events.
 
-use super::event::Event;
+use super::event::{Event, Undecided};
 use super::slab::Slab;
-use super::undecided::Undecided;
 use crate::id::TransitionId;
 use bifdiag_diagram::arrangement::{Cells, Continued, EventId, SlabId};
 use bifdiag_equilibria::curves::CurveId;

@@ -2,9 +2,8 @@
 
 use dashu_ratio::RBig;
 
-use super::event::{Event, Source};
+use super::event::{Event, Source, Undecided};
 use super::stages::{Ordered, Stages};
-use super::undecided::Undecided;
 use crate::curves::Curves;
 use crate::id::TransitionId;
 use bifdiag_diagram::arrangement::{EventId, RegionId, SlabId};

@@ -1,32 +1,27 @@
 //! Questions in growing precision until they are answered.
+//!
+//! The order of each pair of curves that needs one.
 
-use std::cell::{Cell, OnceCell};
+use std::cell::Cell;
 
-use dashu_ratio::RBig;
-
-use crate::curves::Curves;
+use super::event::{Event, Undecided, crossing_event};
+use crate::curves::{Curves, Shape};
 use crate::model::Model;
-use crate::pair::{Open, PairProof};
-use crate::point::{Evaluator, Passage, Point};
-use crate::work::{Question, Rung, decided};
+use crate::pair::{Open, POINTS, PairProof, Proof};
+use crate::point::{Evaluator, Evaluators, Passage, Point};
+use crate::statistics::{Precision, Question, count};
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
-use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::wide::{Interval128, Interval384};
+use dashu_ratio::RBig;
 
 /// Bits of the second and third stage.
 pub(crate) const STAGES: [usize; 2] = [128, 384];
 
 /// Runs a question in growing precision until it is answered.
 pub(super) struct Stages<'a> {
-    model: &'a Model,
-    curves: &'a Curves,
-    meetings: &'a [Passage],
-    narrow: Evaluator<'a, Interval>,
-    /// Made when first needed.
-    middle: OnceCell<Evaluator<'a, Interval128>>,
-    wide: OnceCell<Evaluator<'a, Interval384>>,
+    evaluators: Evaluators<'a>,
     pub used: Cell<usize>,
     /// The most points of a pair of curves at each precision.
     pub points: u32,
@@ -34,49 +29,47 @@ pub(super) struct Stages<'a> {
 
 impl<'a> Stages<'a> {
     pub(super) fn new(model: &'a Model, curves: &'a Curves, meetings: &'a [Passage], points: u32) -> Self {
-        let narrow = Evaluator::new(model, curves, meetings, ());
-        let (middle, wide, used) = (OnceCell::new(), OnceCell::new(), Cell::new(0));
-        Self { model, curves, meetings, narrow, middle, wide, used, points }
+        Self { evaluators: Evaluators::new(model, curves, meetings), used: Cell::new(0), points }
     }
 
     fn middle(&self) -> &Evaluator<'a, Interval128> {
         self.used.set(self.used.get().max(STAGES[0]));
-        self.middle.get_or_init(|| Evaluator::new(self.model, self.curves, self.meetings, ()))
+        self.evaluators.middle()
     }
 
     fn wide(&self) -> &Evaluator<'a, Interval384> {
         self.used.set(self.used.get().max(STAGES[1]));
-        self.wide.get_or_init(|| Evaluator::new(self.model, self.curves, self.meetings, ()))
+        self.evaluators.wide()
     }
 
     pub(super) fn pair(&self, a: CurveId, b: CurveId) -> Result<Option<PairProof>, Open> {
-        let mut rung = Rung::Double;
-        let found = self.narrow.pair(a, b, self.points);
+        let mut precision = Precision::Double;
+        let found = self.evaluators.narrow().pair(a, b, self.points);
         let found = found.or_else(|_| {
-            rung = Rung::Bits(STAGES[0]);
+            precision = Precision::Bits(STAGES[0]);
             self.middle().pair(a, b, self.points)
         });
         let found = found.or_else(|_| {
-            rung = Rung::Bits(STAGES[1]);
+            precision = Precision::Bits(STAGES[1]);
             self.wide().pair(a, b, self.points)
         });
-        decided(Question::Pair, if found.is_ok() { rung } else { Rung::Open });
+        count(Question::Pair, if found.is_ok() { precision } else { Precision::Open });
         found
     }
 
     /// The order of these curves over x, with enclosures of their heights.
     pub(super) fn order(&self, curves: &[CurveId], x: &RBig) -> Option<Ordered> {
-        let mut rung = Rung::Double;
-        let found = order(&self.narrow, curves, x);
+        let mut precision = Precision::Double;
+        let found = order(self.evaluators.narrow(), curves, x);
         let found = found.or_else(|| {
-            rung = Rung::Bits(STAGES[0]);
+            precision = Precision::Bits(STAGES[0]);
             order(self.middle(), curves, x)
         });
         let found = found.or_else(|| {
-            rung = Rung::Bits(STAGES[1]);
+            precision = Precision::Bits(STAGES[1]);
             order(self.wide(), curves, x)
         });
-        decided(Question::Order, if found.is_some() { rung } else { Rung::Open });
+        count(Question::Order, if found.is_some() { precision } else { Precision::Open });
         found
     }
 }
@@ -121,4 +114,41 @@ fn order<E: Enclosure>(evaluator: &Evaluator<'_, E>, curves: &[CurveId], x: &RBi
         curves: points.iter().map(|p| p.0).collect(),
         heights: points.iter().map(|p| p.2).collect(),
     })
+}
+
+/// The proofs of all pairs, and their crossings. With fewer than [`POINTS`] points of each pair the first one that is left
+/// open ends it.
+pub(super) fn pairs(
+    plain: &Evaluator<'_, Interval384>,
+    stages: &Stages<'_>,
+) -> Result<(Vec<PairProof>, Vec<Event>), Vec<Undecided>> {
+    let curves = plain.curves;
+    let (mut pairs, mut crossings, mut undecided) = (Vec::new(), Vec::new(), Vec::new());
+    for b in curves.list.ids().filter(|&b| needs_order(curves, b)) {
+        for a in curves.list.ids().take_while(|a| *a < b).filter(|&a| needs_order(curves, a)) {
+            match stages.pair(a, b) {
+                Ok(None) => {}
+                Ok(Some(proof)) => {
+                    for stretch in &proof.stretches {
+                        if let Proof::Crossing(x) = &stretch.proof {
+                            crossings.push(crossing_event(plain, [a, b], x));
+                        }
+                    }
+                    pairs.push(proof);
+                }
+                Err(open) => {
+                    undecided.push(Undecided::Pair { curves: [a, b], x: open.x });
+                    if stages.points < POINTS {
+                        return Err(undecided);
+                    }
+                }
+            }
+        }
+    }
+    if undecided.is_empty() { Ok((pairs, crossings)) } else { Err(undecided) }
+}
+
+/// Where lines cross others is known from isolated roots, and nothing crosses the lowest curve.
+fn needs_order(curves: &Curves, curve: CurveId) -> bool {
+    matches!(curves.list[curve].shape, Shape::Family(_)) && !curves.list[curve].lowest
 }

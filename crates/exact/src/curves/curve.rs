@@ -1,10 +1,16 @@
 //! A curve over which x is a coordinate, with the points at which curves end.
+//!
+//! The curves of a body.
+//!
+//! Every curve of a body, once.
 
-use super::place::Place;
+use super::place::{IsolationError, Place, ROOT_BITS};
 use crate::family::Half;
+use crate::model::Model;
 use bifdiag_body::{Axis, Frame};
-use bifdiag_equilibria::curves::{Branch, BranchName, CurveId, CurveName, End, Orbit, Pole};
+use bifdiag_equilibria::curves::{Branch, BranchName, CurveId, CurveName, CuspId, End, Orbit, PitchforkId, Pole};
 use bifdiag_numbers::Sign;
+use bifdiag_numbers::table::Table;
 
 /// Where a segment ends.
 #[derive(Clone, Debug)]
@@ -112,5 +118,45 @@ pub(super) fn orbit(size: usize, axis: Axis) -> Orbit {
         1 => Orbit::Pair(axis),
         2 => Orbit::Circle(axis),
         _ => Orbit::Sphere,
+    }
+}
+
+/// The curves of a body.
+#[derive(Clone, Debug)]
+pub(crate) struct Curves {
+    pub list: Table<CurveId, Curve>,
+    pub cusps: Table<CuspId, Cusp>,
+    pub pitchforks: Table<PitchforkId, Pitchfork>,
+    /// The one place where dJ/dμ = 0 on the generic family.
+    pub inflection: Option<(usize, Place)>,
+    /// Degenerate points that are no cusp (roots of even multiplicity) or that coincide with a pitchfork.
+    pub degenerate: Vec<Place>,
+}
+
+impl Curves {
+    /// The curves of a body, with the bits of a proof.
+    pub fn of(model: &Model) -> Result<Self, IsolationError> {
+        Self::new(model, ROOT_BITS)
+    }
+
+    /// Isolates all cusps (to `bits` bits) and cuts the families.
+    pub fn new(model: &Model, bits: usize) -> Result<Self, IsolationError> {
+        let mut curves = Self {
+            list: Table::new(),
+            cusps: Table::new(),
+            pitchforks: Table::new(),
+            inflection: None,
+            degenerate: Vec::new(),
+        };
+        match model.active.len() {
+            0 => curves.add_euler(model),
+            1 => curves.add_lines(model),
+            _ => curves.add_generic(model, bits)?,
+        }
+        curves.add_pairs(model);
+        if model.active.len() > 1 {
+            curves.add_pole_lines();
+        }
+        Ok(curves)
     }
 }

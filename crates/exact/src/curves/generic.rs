@@ -1,8 +1,7 @@
 //! The generic family, cut at cusps and pitchforks.
 
-use super::curve::{Bound, Curve, Cusp, Pitchfork, Segment, Shape};
-use super::list::Curves;
-use super::place::{NotIsolated, Place, charts, order, passive_place, roots_in_interval};
+use super::curve::{Bound, Curve, Curves, Cusp, Pitchfork, Segment, Shape};
+use super::place::{IsolationError, Place, charts, order, passive_place, roots_in_interval};
 use crate::model::Model;
 use bifdiag_equilibria::curves::{Branch, CurveId, End, IntervalId, Orbit};
 use bifdiag_numbers::table::Id;
@@ -51,7 +50,7 @@ fn rank(station: &Station) -> u8 {
 }
 
 impl Curves {
-    pub(super) fn add_generic(&mut self, model: &Model, bits: usize) -> Result<(), NotIsolated> {
+    pub(super) fn add_generic(&mut self, model: &Model, bits: usize) -> Result<(), IsolationError> {
         let polynomial = model.cusp_polynomial();
         let bend = model.inflection_polynomial();
         let last = model.active.len();

@@ -25,7 +25,7 @@ pub(crate) struct Place {
 
 /// Roots lie closer together than isolation goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct NotIsolated;
+pub(crate) struct IsolationError;
 
 /// A chart of the generic family: y in (0, limit], or (0, ∞).
 pub(super) struct Chart {
@@ -58,7 +58,7 @@ pub(crate) fn roots_in_interval(
     polynomial: &Polynomial,
     number: usize,
     bits: usize,
-) -> Result<Vec<(Place, bool)>, NotIsolated> {
+) -> Result<Vec<(Place, bool)>, IsolationError> {
     let mut found = Vec::new();
     for chart in charts(model, number) {
         let Half::Generic { base, sign } = chart.half else { continue };
@@ -66,7 +66,7 @@ pub(crate) fn roots_in_interval(
         let oriented = sign.orient(scale.clone());
         let local = polynomial.composed(model.a(base), &oriented);
         let mut roots =
-            if chart.limit.is_some() { local.roots_in_unit() } else { local.positive_roots() }.ok_or(NotIsolated)?;
+            if chart.limit.is_some() { local.roots_in_unit() } else { local.positive_roots() }.ok_or(IsolationError)?;
         if chart.limit.is_some() && sign == Sign::Positive && local.sign_at(&RBig::ONE) == Sign::Zero {
             roots.push(Root::exact(&local, RBig::ONE));
         }

@@ -2,8 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use super::curve::{Bound, Curve, Cusp, Limit, Pitchfork, Segment, Shape, orbit};
-use super::list::Curves;
+use super::curve::{Bound, Curve, Curves, Cusp, Limit, Pitchfork, Segment, Shape, orbit};
 use super::place::Place;
 use crate::family::Half;
 use crate::model::Model;

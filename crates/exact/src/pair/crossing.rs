@@ -2,8 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use super::node::Node;
-use super::proof::POINTS;
+use super::node::{Node, POINTS};
 use crate::point::Evaluator;
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::Sign;

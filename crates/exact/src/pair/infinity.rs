@@ -1,7 +1,6 @@
 //! The order of two curves towards x → ∞.
 
-use super::node::{Node, few_bits};
-use super::proof::{Mark, Open, Proof, Stretch};
+use super::node::{Mark, Node, Open, Proof, Stretch, few_bits};
 use super::stretch::DEPTH;
 use crate::point::Evaluator;
 use bifdiag_equilibria::curves::CurveId;

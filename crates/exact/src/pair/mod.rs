@@ -4,22 +4,19 @@
 //! On a stretch the slopes 1/J lie between their end values (J is monotone but for one known place). If they are
 //! disjoint, the gap is monotone and its signs at the ends tell whether the curves cross, once. Otherwise the gap is
 //! bounded from one end, by the identity of [`Evaluator::range_sign`](crate::point::Evaluator::range_sign), by the
-//! lemmas of `mirror`, or by what both points share over one x (`one_x`); otherwise the stretch is halved. Where r lies on
+//! lemmas of `mirror`, or by what both points share over one x (`equal_momentum`); otherwise the stretch is halved. Where r lies on
 //! an axis, families over moments are ordered all at once (`axis`). Both ends of the half-line are closed by limits: a
 //! common cusp by the monotony of J through it, a common pitchfork by curvature, x → ∞ by the limits of slope and of
 //! h − x/a.
 
-mod axis;
-mod common_end;
-mod course;
 mod crossing;
 mod infinity;
 mod moments;
 mod node;
-mod proof;
+mod ordering;
 mod side;
 mod stretch;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use proof::{Mark, Open, POINTS, PairProof, Proof, Stretch};
+pub(crate) use node::{Mark, Open, POINTS, PairProof, Proof, Stretch};

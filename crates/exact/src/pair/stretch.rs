@@ -1,7 +1,6 @@
 //! The order of two curves between two nodes.
 
-use super::node::Node;
-use super::proof::{Open, Proof, Stretch};
+use super::node::{Node, Open, Proof, Stretch};
 use crate::family::State;
 use crate::point::Evaluator;
 use bifdiag_equilibria::curves::CurveId;
@@ -13,7 +12,7 @@ pub(super) const DEPTH: u32 = 128;
 
 /// What the slopes tell of a stretch.
 #[derive(Clone, Copy, Debug)]
-enum Course {
+enum GapSign {
     /// One sign.
     Constant(Sign),
     /// From this sign to the opposite one, once.
@@ -58,7 +57,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
             return constant(sign);
         }
         let Some([a, b]) = states else { return Some(None) };
-        let moment = self.moments_over_one_x(&a, &b);
+        let moment = self.moments_at_equal_momentum(&a, &b);
         if let Some(sign) = self.range_sign_with(&a, &b, &moment) {
             return constant(sign);
         }
@@ -67,28 +66,28 @@ impl<E: Enclosure> Evaluator<'_, E> {
     }
 
     /// The course of the gap between two nodes with the range of the difference of slopes.
-    fn by_slopes(&self, from: &Node<E>, to: &Node<E>, slopes: &E) -> Option<Course> {
+    fn by_slopes(&self, from: &Node<E>, to: &Node<E>, slopes: &E) -> Option<GapSign> {
         let reach = (to.x.clone() - from.x.clone()).hull(&self.c.small(0));
         // The gap at the lower end, then at the upper end.
         let ends = [from.gap.clone() + slopes.clone() * reach.clone(), to.gap.clone() - slopes.clone() * reach];
         if let Some(sign) = ends.iter().find_map(Enclosure::strict_sign) {
-            return Some(Course::Constant(sign));
+            return Some(GapSign::Constant(sign));
         }
         slopes.strict_sign()?;
         match (from.sign?, to.sign?) {
-            (p, q) if p == q && p != Sign::Zero => Some(Course::Constant(p)),
+            (p, q) if p == q && p != Sign::Zero => Some(GapSign::Constant(p)),
             // They meet at one end, which is proved elsewhere.
-            (Sign::Zero, q) | (q, Sign::Zero) if q != Sign::Zero => Some(Course::Constant(q)),
-            (p, q) if p * q == Sign::Negative => Some(Course::Crossing(p)),
+            (Sign::Zero, q) | (q, Sign::Zero) if q != Sign::Zero => Some(GapSign::Constant(q)),
+            (p, q) if p * q == Sign::Negative => Some(GapSign::Crossing(p)),
             _ => None,
         }
     }
 
     /// What slopes tell, with the box of the crossing; `None` when that cannot be found.
-    fn resolved(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, found: Course) -> Option<(Sign, Proof)> {
+    fn resolved(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, found: GapSign) -> Option<(Sign, Proof)> {
         match found {
-            Course::Constant(sign) => Some((sign, Proof::Constant)),
-            Course::Crossing(sign) => Some((sign, Proof::Crossing(self.crossing(curves, from, to, sign)?))),
+            GapSign::Constant(sign) => Some((sign, Proof::Constant)),
+            GapSign::Crossing(sign) => Some((sign, Proof::Crossing(self.crossing(curves, from, to, sign)?))),
         }
     }
 

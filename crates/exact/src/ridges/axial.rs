@@ -3,9 +3,7 @@
 use dashu_ratio::RBig;
 
 use super::latitude::RootLatitude;
-use super::pair::Quadratic;
-use super::pieces::Pieces;
-use super::strand::Piece;
+use super::strand::{Piece, Pieces, Quadratic};
 use crate::model::Model;
 use bifdiag_diagram::topology::Component;
 

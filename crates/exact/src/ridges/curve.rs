@@ -7,11 +7,8 @@ use std::cmp::Ordering::Less;
 use bifdiag_numbers::wide::Interval128;
 use dashu_ratio::RBig;
 
-use super::cut::Cut;
 use super::latitude::{Latitude, RootLatitude, value};
-use super::pair::Quadratic;
-use super::pieces::Pieces;
-use super::strand::Piece;
+use super::strand::{Cut, Piece, Pieces, Quadratic};
 use super::whole::Whole;
 use super::{enclosed, exact};
 use crate::model::Model;

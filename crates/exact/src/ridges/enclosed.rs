@@ -9,7 +9,7 @@ use bifdiag_numbers::form::EnclosedForm;
 use bifdiag_numbers::interval::Interval;
 use dashu_ratio::RBig;
 
-use super::cut::Cut;
+use super::strand::Cut;
 use crate::model::Model;
 
 /// Numbers of the body and the point.

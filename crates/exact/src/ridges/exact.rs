@@ -9,9 +9,8 @@ use bifdiag_numbers::polynomial::{Polynomial, rational};
 use bifdiag_numbers::wide::Interval128;
 use dashu_ratio::RBig;
 
-use super::cut::Cut;
-use super::latitude::{Course, RealRoot, RootLatitude, value};
-use super::strand::samples;
+use super::latitude::{RealRoot, RootLatitude, StaudeCurve, value};
+use super::strand::{Cut, samples};
 use crate::model::Model;
 
 /// U − h on either sign of the curve: (A√p ∓ ρq)/(q√p) with A = xp − hq.
@@ -60,13 +59,10 @@ pub(super) fn cut(model: &Model, x: &RBig, h: &RBig) -> Option<Cut<RootLatitude>
     for root in &marks {
         valley_roots += usize::from(root.compare(&fold)? == Less);
     }
-    let course = moments.into_iter().zip(&model.active).map(|(a, &k)| [a, model.groups[k].q.clone()]);
-    let course = Rc::new(Course { moments: course.collect() });
-    let latitude = |root: &RealRoot| RootLatitude::OnCurve {
-        course: Rc::clone(&course),
-        root: root.clone(),
-        sign: Sign::Positive,
-    };
+    let along = moments.into_iter().zip(&model.active).map(|(a, &k)| [a, model.groups[k].q.clone()]);
+    let along = Rc::new(StaudeCurve { moments: along.collect() });
+    let latitude =
+        |root: &RealRoot| RootLatitude::OnCurve { along: Rc::clone(&along), root: root.clone(), sign: Sign::Positive };
     let roots = marks.iter().map(latitude).collect();
     marks.insert(valley_roots, fold.clone());
     let level = Level::new([&p[..], &excess, &pull]);

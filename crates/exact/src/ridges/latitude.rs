@@ -184,12 +184,12 @@ impl<E: Enclosure> Latitude for E {
 
 /// ω = RD/√(PD²) along Staude's curve.
 #[derive(Debug)]
-pub(super) struct Course {
+pub(super) struct StaudeCurve {
     /// Each moment that carries r, with q.
     pub moments: Vec<[RBig; 2]>,
 }
 
-impl Course {
+impl StaudeCurve {
     /// ω at a root: from the distances μ − a_k, so that close to a moment no digit is lost.
     fn at<E: Enclosure>(&self, root: &RealRoot, at: &E, precision: E::Precision) -> E {
         let tau: Vec<E> = self.moments.iter().map(|[a, _]| root.from(a, at, precision)).collect();
@@ -209,7 +209,7 @@ impl Course {
 #[derive(Clone, Debug)]
 pub(super) enum RootLatitude {
     /// ± ω at a root.
-    OnCurve { course: Rc<Course>, root: RealRoot, sign: Sign },
+    OnCurve { along: Rc<StaudeCurve>, root: RealRoot, sign: Sign },
     /// A root itself.
     Straight(RealRoot),
 }
@@ -225,7 +225,7 @@ impl RootLatitude {
     fn over<E: Enclosure>(&self, at: &E, precision: E::Precision) -> E {
         match self {
             Self::Straight(root) => root.from(&RBig::ZERO, at, precision),
-            Self::OnCurve { course, root, sign } => sign.orient(course.at(root, at, precision)),
+            Self::OnCurve { along, root, sign } => sign.orient(along.at(root, at, precision)),
         }
     }
 }

@@ -3,12 +3,9 @@
 
 mod axial;
 mod curve;
-mod cut;
 mod enclosed;
 mod exact;
 mod latitude;
-mod pair;
-mod pieces;
 mod strand;
 mod whole;
 

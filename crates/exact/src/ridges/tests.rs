@@ -8,7 +8,7 @@ use support::bodies::{STRATA, random_body};
 use support::random::SplitMix64;
 
 use super::*;
-use crate::heights::Heights;
+use crate::critical_values::CriticalValues;
 
 /// Compares both methods on a grid of one body; how many points were compared.
 fn compare(body: &Body) -> usize {
@@ -70,8 +70,8 @@ fn presets_and_symmetric_bodies() {
 
 /// The components from a cut in intervals, which is the exact one.
 fn agreed<E: Enclosure>(
-    enclosed: Option<cut::Cut<E>>,
-    exact: &cut::Cut<latitude::RootLatitude>,
+    enclosed: Option<strand::Cut<E>>,
+    exact: &strand::Cut<latitude::RootLatitude>,
 ) -> Option<Vec<Component>> {
     let enclosed = enclosed?;
     assert_eq!(enclosed.roots.len(), exact.roots.len());
@@ -110,7 +110,7 @@ fn the_cut_in_intervals_is_the_exact_one() {
                 assert_eq!(found, [true; 2], "{body:?} h = {h}, x = {x}");
                 told += 1;
                 // So close to the lowest critical value above h that no double tells it apart.
-                let heights = Heights::new(&model, x.clone()).enclosed(1).unwrap();
+                let heights = CriticalValues::new(&model, x.clone()).enclosed(1).unwrap();
                 let above = heights.iter().filter_map(|(_, height)| height.exact_bounds()).map(|[low, _]| low);
                 let Some(above) = above.filter(|above| *above > h).min() else { continue };
                 let beside = above - RBig::ONE / RBig::from(10).pow(20);

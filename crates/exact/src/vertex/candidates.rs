@@ -1,15 +1,14 @@
 //! The cells beside a point on curves, and their classes.
 
-use bifdiag_diagram::classify::Components;
+use bifdiag_diagram::topology::Components;
 use bifdiag_numbers::enclosure::Enclosure;
 use dashu_base::BitTest;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::fan;
-use super::point::Vertex;
-use super::strip;
-use crate::heights::{Heights, Source};
+use super::fan::Vertex;
+use super::{fan, strip};
+use crate::critical_values::{CriticalValues, Source};
 use crate::plane::{Gap, Open, Plane};
 
 /// A cell over one x.
@@ -91,9 +90,9 @@ struct Beside {
 
 /// The curves over x that pass within `room` of h, with the cells around them.
 fn beside_point(plane: &Plane<'_>, x: RBig, h: &RBig, room: &RBig) -> Result<Beside, Open> {
-    let mut heights = Heights::new(plane.model, x);
+    let mut heights = CriticalValues::new(plane.model, x);
     let [floor, ceiling] = [h - room, h + room];
-    for stage in 1..Heights::stages() {
+    for stage in 1..CriticalValues::stages() {
         let all = heights.enclosed(stage).map_err(|_none| Open::Roots)?;
         let bounds = all.iter().map(|(_, height)| height.exact_bounds());
         let Some(bounds) = bounds.collect::<Option<Vec<[RBig; 2]>>>() else { continue };

@@ -1,17 +1,18 @@
 //! The curves that leave a point on one side of it, and the proof that they do not meet on the way.
+//!
+//! A point of the plane on curves.
 
 use std::cmp::Ordering;
 
+use crate::critical_values::{CriticalValues, Level, Source, ordered};
+use crate::curves::Place;
+use crate::family::{Curvature, Half, State};
+use crate::model::{Constants, Model};
+use crate::plane::Plane;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::wide::Wide;
 use dashu_ratio::RBig;
-
-use super::point::Vertex;
-use crate::curves::Place;
-use crate::family::{Curvature, Half, State};
-use crate::heights::{Level, Source, ordered};
-use crate::model::{Constants, Model};
 
 /// Bits of the ranges of J.
 const BITS: usize = 256;
@@ -208,4 +209,12 @@ fn are_forked(model: &Model, c: &Constants<Wide>, [through, pair]: [&Arc<'_>; 2]
     };
     let curvatures = through.curvature(model, c).zip(pair.curvature(model, c));
     passes && curvatures.is_some_and(|(p, q)| p.minus(&q).is_some())
+}
+
+/// The point, and the heights over its x.
+pub(crate) struct Vertex<'a> {
+    pub plane: &'a Plane<'a>,
+    pub heights: &'a CriticalValues<'a>,
+    pub h: &'a RBig,
+    pub levels: &'a [Level],
 }

@@ -6,9 +6,8 @@
 
 mod candidates;
 mod fan;
-mod point;
 mod strip;
 
 pub(crate) use candidates::{Cell, candidates, cells, room};
-pub(crate) use point::Vertex;
+pub(crate) use fan::Vertex;
 pub(crate) use strip::reach;

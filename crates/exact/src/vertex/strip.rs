@@ -6,9 +6,9 @@ use bifdiag_numbers::wide::Wide;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use crate::curves::{NotIsolated, Place, roots_in_interval};
+use crate::critical_values::{CriticalValues, refined};
+use crate::curves::{IsolationError, Place, roots_in_interval};
 use crate::family::State;
-use crate::heights::{Heights, refined};
 use crate::model::{Constants, Model};
 use crate::plane::{Open, Plane};
 
@@ -20,7 +20,7 @@ const ROUNDING: usize = 400;
 
 /// No cusp or pitchfork has its x at less than this distance from that of the point, but at the point's x itself; and over
 /// this distance no height moves by more than `room`, as slopes are at most 1/a₁ (Proposition 3.6).
-pub(crate) fn reach(plane: &Plane<'_>, heights: &Heights<'_>, room: &RBig) -> Result<RBig, Open> {
+pub(crate) fn reach(plane: &Plane<'_>, heights: &CriticalValues<'_>, room: &RBig) -> Result<RBig, Open> {
     let (model, x) = (plane.model, &heights.x);
     let mut reach = (room * model.a(0)).min(x.clone());
     if model.active.is_empty() {
@@ -48,7 +48,7 @@ pub(crate) fn reach(plane: &Plane<'_>, heights: &Heights<'_>, room: &RBig) -> Re
 fn cusps(model: &Model, polynomial: &Polynomial) -> Result<Vec<Place>, Open> {
     let mut found = Vec::new();
     for number in 0..=model.active.len() {
-        let roots = roots_in_interval(model, polynomial, number, STAGES[0]).map_err(|NotIsolated| Open::Cusps)?;
+        let roots = roots_in_interval(model, polynomial, number, STAGES[0]).map_err(|IsolationError| Open::Cusps)?;
         found.extend(roots.into_iter().map(|(place, _)| place));
     }
     Ok(found)
@@ -80,7 +80,7 @@ fn distance_of_square(x: &RBig, square: &RBig) -> Option<RBig> {
 }
 
 /// A lower bound of the distance from x to that of a cusp of the generic family; `None` when it is 0.
-fn distance_of_cusp(plane: &Plane<'_>, heights: &Heights<'_>, mut place: Place) -> Result<Option<RBig>, Open> {
+fn distance_of_cusp(plane: &Plane<'_>, heights: &CriticalValues<'_>, mut place: Place) -> Result<Option<RBig>, Open> {
     let (model, x) = (plane.model, &heights.x);
     for (stage, bits) in STAGES.into_iter().enumerate() {
         if model.rounded && bits > ROUNDING {

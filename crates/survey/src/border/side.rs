@@ -9,7 +9,7 @@ use super::segment::Segment;
 use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::class::{Class, ClassName, Unclassified};
-use bifdiag_exact::{Accuracy, NoAtlas, atlas_of};
+use bifdiag_exact::{Accuracy, AnswerError};
 
 /// An end of a segment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +31,7 @@ impl fmt::Display for End {
 pub enum NoClass {
     /// It has no atlas.
     #[error(transparent)]
-    Atlas(#[from] NoAtlas),
+    Atlas(#[from] AnswerError),
     /// Its diagram is open.
     #[error(transparent)]
     Diagram(#[from] Unclassified),
@@ -69,7 +69,7 @@ pub fn classes_of(bodies: impl Iterator<Item = Option<Body>>) -> Vec<(Option<Cla
 /// # Errors
 /// [`NoClass`].
 pub fn class_of(body: &Body, accuracy: Accuracy) -> Result<(Atlas, Class), NoClass> {
-    let atlas = atlas_of(body, accuracy)?;
+    let atlas = bifdiag_exact::atlas(body, accuracy)?;
     let class = Class::of(&atlas)?;
     Ok((atlas, class))
 }

@@ -7,7 +7,7 @@ use bifdiag_body::{Body, Flags};
 use bifdiag_diagram::arrangement::Change;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::class::{Class, ClassName, MapError, Unclassified};
-use bifdiag_exact::{Accuracy, NoAtlas, atlas_of};
+use bifdiag_exact::{Accuracy, AnswerError};
 
 /// How far a body was understood.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -87,14 +87,14 @@ impl Row {
             Err(error) => return Self::failed(index, values, error.to_string()),
         };
         let row = Self { flags: body.flags(), ..Self::failed(index, values, String::new()) };
-        match atlas_of(&body, accuracy) {
+        match bifdiag_exact::atlas(&body, accuracy) {
             Ok(atlas) => {
                 let (status, class, error) = classified(&atlas);
                 Self { status, class, error, diagram: Some(DiagramCounts::of(&atlas)), ..row }
             }
             // What is not proved is open; without an atlas nothing is known.
             Err(error) => {
-                let status = if matches!(error, NoAtlas::Atlas(_)) { Status::Failed } else { Status::Undecided };
+                let status = if matches!(error, AnswerError::Fast(_)) { Status::Failed } else { Status::Undecided };
                 Self { status, error: Some(error.to_string()), ..row }
             }
         }

@@ -6,7 +6,7 @@ use super::row::{Row, Status};
 use crate::signature::{ComponentType, Signature};
 use bifdiag_body::Body;
 use bifdiag_diagram::class::{Class, ClassName};
-use bifdiag_exact::{Accuracy, atlas_of};
+use bifdiag_exact::Accuracy;
 
 /// A body that shows something, with its number in the scan.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,6 +112,6 @@ fn note<K: Ord>(records: &mut BTreeMap<K, Record>, key: K, body: &BodyRecord) {
 #[must_use]
 pub fn class_text(body: &BodyRecord, accuracy: Accuracy) -> Option<String> {
     let body = Body::from_f64(body.values[0], body.values[1]).ok()?;
-    let class = Class::of(&atlas_of(&body, accuracy).ok()?).ok()?;
+    let class = Class::of(&bifdiag_exact::atlas(&body, accuracy).ok()?).ok()?;
     Some(class.text().to_owned())
 }

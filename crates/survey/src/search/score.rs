@@ -7,6 +7,7 @@ use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::topology::Component;
 use bifdiag_equilibria::curves::Orbit;
+use bifdiag_exact::Accuracy;
 
 /// How well a body shows what is sought.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,7 +85,8 @@ impl Domain {
 #[must_use]
 pub fn look(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> Option<Seen> {
     let body = Body::from_f64(values[0], values[1]).ok().filter(|body| domain.holds(body))?;
-    let atlas = Atlas::new(&body).ok().filter(|atlas| atlas.arrangement().undecided.is_empty())?;
+    let atlas =
+        bifdiag_exact::atlas(&body, Accuracy::Fast).ok().filter(|atlas| atlas.arrangement().undecided.is_empty())?;
     Some(match target {
         Target::CriticalPoints(wanted) => critical_points(&atlas, *wanted),
         _ => regions(&atlas, target),

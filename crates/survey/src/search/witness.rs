@@ -8,10 +8,10 @@ use super::score::{Domain, Score, Seen, look};
 use super::target::Target;
 use crate::digits::{DIGITS, rounded};
 use bifdiag_body::{Body, BodyError};
-use bifdiag_diagram::classify::{Classification, Components, Margin};
 use bifdiag_diagram::topology::latitude::{self, SweepError};
+use bifdiag_diagram::topology::{Classification, Components, Margin};
 use bifdiag_equilibria::critical::{CriticalError, critical};
-use bifdiag_exact::{Accuracy, Unanswered, classify};
+use bifdiag_exact::{Accuracy, AnswerError, classify};
 use bifdiag_numbers::Number;
 
 /// A body and a point that show what was sought.
@@ -64,7 +64,7 @@ pub enum WitnessError {
     Body(#[from] BodyError),
     /// The first method has no answer.
     #[error(transparent)]
-    Classify(#[from] Unanswered),
+    Classify(#[from] AnswerError),
     /// The relative equilibria cannot be found.
     #[error(transparent)]
     Critical(#[from] CriticalError),

@@ -7,8 +7,6 @@
 //! What proves an order is Lemma 7.1 to Lemma 7.6 there.
 
 mod arcs;
-mod axis;
-mod curvature;
 mod mirror;
 mod node;
 mod pole;
@@ -19,12 +17,12 @@ use std::cmp::Ordering;
 
 use super::order::{PairCrossing, PairOrder};
 use arcs::{ArcPair, pole_gaps};
-use axis::line_and_pair;
 use bifdiag_body::Frame;
 use bifdiag_equilibria::curves::{Curve, Gap};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::root::{Bracket, newton_bracketed};
 use node::{GapAt, Node, is_noise, slope_order};
+use structure::line_and_pair;
 use structure::structural_order;
 
 /// Splitting stops when so many points were computed for one pair of arcs.

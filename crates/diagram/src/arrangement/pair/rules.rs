@@ -3,9 +3,8 @@
 use std::cmp::Ordering;
 
 use super::arcs::ArcPair;
-use super::curvature::curvature;
 use super::mirror::{MirrorPair, left_is_above};
-use super::node::{GapAt, Node, slope_order};
+use super::node::{GapAt, Node, curvature, slope_order};
 use bifdiag_equilibria::curves::{Arc, Mu};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;

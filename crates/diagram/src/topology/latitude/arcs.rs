@@ -2,8 +2,7 @@
 
 use super::angle::Trig;
 use super::circle::{Circle, root_between};
-use super::effort::Effort;
-use super::error::{Obstacle, SweepError, check_finite};
+use super::error::{Effort, Obstacle, SweepError, check_finite};
 use super::level::Level;
 use bifdiag_body::Frame;
 use bifdiag_numbers::vector::{cross, dot};

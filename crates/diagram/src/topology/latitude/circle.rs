@@ -1,7 +1,7 @@
 //! One circle of latitude: its accessible arcs, certified.
 
 use super::angle::{Longitude, Stretch, Trig, half_angle_reach};
-use super::effort::Effort;
+use super::error::Effort;
 use super::level::{Level, variation};
 use bifdiag_numbers::interval::Interval;
 

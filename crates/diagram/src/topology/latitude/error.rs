@@ -1,4 +1,6 @@
 //! What the sweep refuses.
+//!
+//! A bound on the work of one answer.
 
 use thiserror::Error;
 
@@ -51,4 +53,27 @@ pub enum SweepError {
 
 pub(super) fn check_finite(h: f64, l: f64) -> Result<(), SweepError> {
     if h.is_finite() && l.is_finite() { Ok(()) } else { Err(SweepError::NotFinite { h, l }) }
+}
+
+/// Boxes that may still be examined.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Effort {
+    left: u32,
+}
+
+impl Effort {
+    const LIMIT: u32 = 200_000;
+
+    pub fn new() -> Self {
+        Self { left: Self::LIMIT }
+    }
+
+    pub fn spend(&mut self) -> Option<()> {
+        self.left = self.left.checked_sub(1)?;
+        Some(())
+    }
+
+    pub fn spent(self) -> u32 {
+        Self::LIMIT - self.left
+    }
 }

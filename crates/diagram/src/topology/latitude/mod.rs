@@ -13,12 +13,10 @@
 mod angle;
 mod arcs;
 mod circle;
-mod effort;
 mod error;
 mod level;
 mod slab;
 mod sweep;
-mod union;
 
 pub use arcs::{Arc, Arcs, Latitudes};
 pub use error::{Obstacle, SweepError};

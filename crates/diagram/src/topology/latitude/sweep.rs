@@ -2,11 +2,9 @@
 
 use super::angle::Trig;
 use super::circle::{CUTS, Circle};
-use super::effort::Effort;
-use super::error::{Obstacle, SweepError};
+use super::error::{Effort, Obstacle, SweepError};
 use super::level::Level;
-use super::slab::{self, Brick, Hemisphere, Kind};
-use super::union::Gluing;
+use super::slab::{self, Brick, Gluing, Hemisphere, Kind};
 use crate::topology::component::{Component, Poles, sort_components};
 
 /// tan(ϑ/2) of the circle where both hemispheres meet, exact with its reciprocal; the next is tried when ∂U_hl is

@@ -10,10 +10,10 @@ use bifdiag_numbers::polynomial::{Polynomial, Root, rational};
 use bifdiag_numbers::wide::Wide;
 use dashu_ratio::RBig;
 
-use super::curves::{NotIsolated, Place, order, roots_in_interval};
+use super::curves::{IsolationError, Place, order, roots_in_interval};
 use super::family::{Half, State};
 use super::model::{Constants, Model};
-use super::work::{Question, Rung, decided as worked};
+use super::statistics::{Precision, Question, count};
 
 /// Bits in which h is compared with a height; beyond the second one equality is looked for by gcd.
 const STAGES: [usize; 6] = [64, 160, 400, 1000, 2500, 6000];
@@ -44,33 +44,33 @@ pub(super) struct Level {
 
 /// Why the heights are not known.
 #[derive(Clone, Debug)]
-pub(super) enum NoHeights {
+pub(super) enum CriticalValueError {
     /// Roots of the polynomial of critical points (Proposition 4.8) that are not isolated.
     Roots,
     /// The largest precision does not tell the sign of h against this height, and it is not 0.
     Sign(Box<Source>),
 }
 
-impl From<NotIsolated> for NoHeights {
-    fn from(_: NotIsolated) -> Self {
+impl From<IsolationError> for CriticalValueError {
+    fn from(_: IsolationError) -> Self {
         Self::Roots
     }
 }
 
 /// The body at one x, with constants in growing precision made when first needed.
-pub(super) struct Heights<'a> {
+pub(super) struct CriticalValues<'a> {
     pub model: &'a Model,
     pub x: RBig,
     constants: Vec<Constants<Wide>>,
 }
 
-impl<'a> Heights<'a> {
+impl<'a> CriticalValues<'a> {
     pub fn new(model: &'a Model, x: RBig) -> Self {
         Self { model, x, constants: Vec::new() }
     }
 
     /// All heights with the signs of h against them.
-    pub fn against(&mut self, h: &RBig) -> Result<Vec<Level>, NoHeights> {
+    pub fn against(&mut self, h: &RBig) -> Result<Vec<Level>, CriticalValueError> {
         let sources = self.sources()?;
         sources.into_iter().map(|source| self.level(source, h)).collect()
     }
@@ -80,7 +80,7 @@ impl<'a> Heights<'a> {
     pub fn nearest(&mut self, levels: &[Level], h: &RBig) -> Option<Level> {
         let farthest = levels.iter().map(|level| level.distance[1]).fold(f64::INFINITY, f64::min);
         let mut rivals: Vec<Level> = levels.iter().filter(|level| level.distance[0] <= farthest).cloned().collect();
-        for stage in self.stages_told() {
+        for stage in self.useful_stages() {
             if rivals.len() < 2 || farthest == 0.0 {
                 break;
             }
@@ -100,14 +100,14 @@ impl<'a> Heights<'a> {
         rivals.into_iter().next()
     }
 
-    /// The precisions that tell something: what more bits would show of a rounded body is its rounding.
-    fn stages_told(&self) -> std::ops::Range<usize> {
+    /// The precisions worth trying: what more bits would show of a rounded body is its rounding.
+    fn useful_stages(&self) -> std::ops::Range<usize> {
         let told = |bits: &&usize| !self.model.rounded || **bits <= 400;
         0..STAGES.iter().take_while(told).count()
     }
 
     /// All heights, enclosed with so many bits at least.
-    pub fn enclosed(&mut self, stage: usize) -> Result<Vec<(Source, Wide)>, NoHeights> {
+    pub fn enclosed(&mut self, stage: usize) -> Result<Vec<(Source, Wide)>, CriticalValueError> {
         let sources = self.sources()?;
         Ok(sources.into_iter().map(|source| self.enclosure(source, stage)).collect())
     }
@@ -117,7 +117,7 @@ impl<'a> Heights<'a> {
         STAGES.len()
     }
 
-    fn sources(&self) -> Result<Vec<Source>, NoHeights> {
+    fn sources(&self) -> Result<Vec<Source>, CriticalValueError> {
         let model = self.model;
         let mut found = Vec::new();
         if model.active.is_empty() {
@@ -154,7 +154,7 @@ impl<'a> Heights<'a> {
     }
 
     /// (a v − R̂)⁴ = 4x² v³ for v = s² ≥ P̂ (Proposition 4.8), in y = v − P̂.
-    fn over(&self, group: usize) -> Result<Vec<Source>, NoHeights> {
+    fn over(&self, group: usize) -> Result<Vec<Source>, CriticalValueError> {
         let (r_sum, p_sum) = self.model.sums_over(group);
         let moment = [-r_sum, self.model.a(group).clone()];
         let square = rational::mul(&moment, &moment);
@@ -166,7 +166,7 @@ impl<'a> Heights<'a> {
         if local.sign_at(&RBig::ZERO) == Sign::Zero {
             places.push(Place::exact(half, RBig::ZERO));
         }
-        for mut root in local.positive_roots().ok_or(NoHeights::Roots)? {
+        for mut root in local.positive_roots().ok_or(CriticalValueError::Roots)? {
             root.refine(STAGES[0]);
             places.push(of_root(half, root, &RBig::ONE));
         }
@@ -181,11 +181,11 @@ impl<'a> Heights<'a> {
         &self.constants[stage]
     }
 
-    fn level(&mut self, mut source: Source, h: &RBig) -> Result<Level, NoHeights> {
+    fn level(&mut self, mut source: Source, h: &RBig) -> Result<Level, CriticalValueError> {
         /// A distance is known to this relative accuracy.
         const ACCURACY: f64 = 1e-12;
         let equal = |source: Source| {
-            worked(Question::Sign, Rung::Algebra);
+            count(Question::Sign, Precision::Algebra);
             Ok(Level { source, height: Wide::rational(h, STAGES[0]), sign: Sign::Zero, distance: [0.0; 2] })
         };
         let straight = self.straight_sign(&source, h);
@@ -193,7 +193,7 @@ impl<'a> Heights<'a> {
             return equal(source);
         }
         let mut decided = None;
-        for stage in self.stages_told() {
+        for stage in self.useful_stages() {
             let bits = STAGES[stage];
             if stage == 2 && decided.is_none() && straight.is_none() && self.is_equal(&source, h) {
                 return equal(source);
@@ -205,14 +205,14 @@ impl<'a> Heights<'a> {
             let [lo, hi] = difference.bounds().map(f64::abs);
             let distance = [lo.min(hi), lo.max(hi)];
             if decided.is_none() {
-                worked(Question::Sign, Rung::Bits(bits));
+                count(Question::Sign, Precision::Bits(bits));
             }
             decided = Some(Level { source: source.clone(), height, sign, distance });
             if distance[1] - distance[0] <= ACCURACY * distance[1] {
                 break;
             }
         }
-        decided.ok_or_else(|| NoHeights::Sign(Box::new(source)))
+        decided.ok_or_else(|| CriticalValueError::Sign(Box::new(source)))
     }
 
     /// The sign of h against a straight line, which rational arithmetic decides.

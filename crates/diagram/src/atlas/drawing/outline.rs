@@ -6,8 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{Atlas, Window};
+use super::Window;
 use crate::arrangement::{EventId, RegionId, SlabId, continued};
+use crate::atlas::Atlas;
 use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::table::{Id, Table};

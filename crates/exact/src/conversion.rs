@@ -6,9 +6,8 @@ use dashu_ratio::RBig;
 use super::arrange::{Event, Source};
 use super::curves::Curves;
 use super::id::TransitionId;
-use super::margin::{self, Margin, exact};
-use super::region::{Region, Sample};
-use super::{CertifiedAtlas, NotWritten};
+use super::region::{self, Margin, Region, Sample, exact};
+use super::{CertifiedAtlas, ConversionError};
 use bifdiag_diagram::arrangement::{self, Arrangement, Cell, Change, EventId, RegionId, SlabId};
 use bifdiag_diagram::atlas::{self, Atlas};
 use bifdiag_diagram::topology::merge::MergeError;
@@ -28,9 +27,9 @@ impl CertifiedAtlas {
     /// from the proof.
     ///
     /// # Errors
-    /// [`NotWritten`] when the curves in `f64`, which give the polylines, are not those that are proved.
-    pub fn drawn(&self) -> Result<Atlas, NotWritten> {
-        let set = CriticalSet::new(self.frame.clone()).map_err(NotWritten::Equilibria)?;
+    /// [`ConversionError`] when the curves in `f64`, which give the polylines, are not those that are proved.
+    pub fn to_atlas(&self) -> Result<Atlas, ConversionError> {
+        let set = CriticalSet::new(self.frame.clone()).map_err(ConversionError::Equilibria)?;
         let proved = &self.arrangement;
         let map: Option<Table<CurveId, CurveId>> = proved
             .curves
@@ -41,19 +40,19 @@ impl CertifiedAtlas {
                 set.curves.ids().find(same)
             })
             .collect();
-        let map = map.filter(|map| map.len() == set.curves.len()).ok_or(NotWritten::Curves)?;
+        let map = map.filter(|map| map.len() == set.curves.len()).ok_or(ConversionError::Curves)?;
         let arrangement = Arrangement {
-            slabs: self.drawn_slabs(&map),
+            slabs: self.converted_slabs(&map),
             region_count: proved.region_count,
-            events: self.drawn_events(&map),
+            events: self.converted_events(&map),
             undecided: Vec::new(),
             evaluations: 0,
             set,
         };
-        Ok(Atlas::of_parts(self.body.clone(), arrangement, self.drawn_regions(&map)))
+        Ok(Atlas::of_parts(self.body.clone(), arrangement, self.converted_regions(&map)))
     }
 
-    fn drawn_events(&self, map: &Table<CurveId, CurveId>) -> Table<EventId, arrangement::Event> {
+    fn converted_events(&self, map: &Table<CurveId, CurveId>) -> Table<EventId, arrangement::Event> {
         let proved = &self.arrangement;
         let events = proved.transitions.iter().flatten().flat_map(|&number| {
             let event = &proved.events[number];
@@ -72,7 +71,7 @@ impl CertifiedAtlas {
         events.collect()
     }
 
-    fn drawn_slabs(&self, map: &Table<CurveId, CurveId>) -> Table<SlabId, arrangement::Slab> {
+    fn converted_slabs(&self, map: &Table<CurveId, CurveId>) -> Table<SlabId, arrangement::Slab> {
         let proved = &self.arrangement;
         let x = |transition| proved.transitions.get(transition).map(|group| middle(&proved.events[group[0]]));
         let slabs = proved.slabs.pairs().map(|(number, slab)| arrangement::Slab {
@@ -86,9 +85,9 @@ impl CertifiedAtlas {
         slabs.collect()
     }
 
-    fn drawn_regions(&self, map: &Table<CurveId, CurveId>) -> Table<RegionId, atlas::Region> {
+    fn converted_regions(&self, map: &Table<CurveId, CurveId>) -> Table<RegionId, atlas::Region> {
         let regions = self.regions.iter().map(|region| {
-            let sample = self.drawn_sample(region, map);
+            let sample = self.converted_sample(region, map);
             atlas::Region {
                 cells: region.cells.clone(),
                 sample,
@@ -100,7 +99,7 @@ impl CertifiedAtlas {
 
     /// The doubles nearest to the sample of a region, with the margin of the sample itself and an error for the rounding too. A
     /// region without a sample has the height of the curve below it.
-    fn drawn_sample(&self, region: &Region, map: &Table<CurveId, CurveId>) -> atlas::Sample {
+    fn converted_sample(&self, region: &Region, map: &Table<CurveId, CurveId>) -> atlas::Sample {
         let proved = &self.arrangement;
         let below = || {
             let Cell { slab, position } = region.cells[0];
@@ -112,7 +111,7 @@ impl CertifiedAtlas {
             region.sample.as_ref().map_or_else(below, of_sample);
         let exact_x = &proved.slabs[slab].x;
         let (x, rounded_h) = (double(exact_x), double(&h));
-        let rounding = margin::rounding([exact_x, &h], [(2.0 * x).sqrt(), rounded_h], most, self.frame.r_norm);
+        let rounding = region::rounding([exact_x, &h], [(2.0 * x).sqrt(), rounded_h], most, self.frame.r_norm);
         let error = ((most - least).next_up() + rounding).next_up();
         atlas::Sample { x, h: rounded_h, margin: least, error, nearest: map[nearest] }
     }

@@ -4,37 +4,48 @@ use std::sync::OnceLock;
 
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::arrangement::RegionId;
-use bifdiag_diagram::atlas::{Atlas, NoCell, Spot};
-use bifdiag_diagram::classify::{Answer, Classification, ClassifyError};
+use bifdiag_diagram::atlas::{Atlas, CellError, Spot};
+use bifdiag_diagram::fast::{self, FastError};
+use bifdiag_diagram::topology::{Answer, Classification};
 
 use crate::CertifiedAtlas;
-use crate::accuracy::{Accuracy, Unanswered, classify, decided as settled, proved_atlas, quick_atlas};
-use crate::places::{NotPlaced, places};
-use crate::work::{Question, Rung, decided};
+use crate::answers::{Accuracy, AnswerError, classify, complete, is_decided};
+use crate::exact::{PlaceError, places};
+use crate::statistics::{Precision, Question, count};
 
-/// A body and what is known of it.
+/// So many points of each pair of curves at each precision are spent on a proof of the whole plane for the sake of one point.
+const POINTS_AT_ONCE: u32 = 400;
+
+/// Answers questions about one body.
 #[derive(Debug)]
-pub struct Prepared {
+pub struct Solver {
     body: Body,
     accuracy: Accuracy,
-    quick: OnceLock<Option<Atlas>>,
-    proof: OnceLock<Option<CertifiedAtlas>>,
-    /// That of the proof, where there is none of `f64`.
-    drawn: OnceLock<Option<Atlas>>,
+    /// The atlas that was given or that of `f64`: it answers points.
+    fast: OnceLock<Option<Atlas>>,
+    proof: OnceLock<Option<Proof>>,
 }
 
-impl Prepared {
+/// A proof that was finished at once.
+#[derive(Debug)]
+struct Proof {
+    certified: CertifiedAtlas,
+    /// `None` where a region's topology is not proved.
+    atlas: Option<Atlas>,
+}
+
+impl Solver {
     /// Nothing is computed yet.
     #[must_use]
     pub fn new(body: Body, accuracy: Accuracy) -> Self {
-        Self { body, accuracy, quick: OnceLock::new(), proof: OnceLock::new(), drawn: OnceLock::new() }
+        Self { body, accuracy, fast: OnceLock::new(), proof: OnceLock::new() }
     }
 
     /// One whose atlas is made already.
     #[must_use]
     pub fn of(atlas: Atlas, accuracy: Accuracy) -> Self {
         let body = atlas.body().clone();
-        Self { quick: OnceLock::from(Some(atlas)), ..Self::new(body, accuracy) }
+        Self { fast: OnceLock::from(Some(atlas)), ..Self::new(body, accuracy) }
     }
 
     /// The body.
@@ -51,31 +62,31 @@ impl Prepared {
 
     /// The atlas, or `None` where none is finished at once: points are then still answered one by one.
     pub fn atlas(&self) -> Option<&Atlas> {
-        let drawn = || self.drawn.get_or_init(|| settled(self.proof()?.drawn().ok()?).ok()).as_ref();
-        self.quick().or_else(drawn)
+        self.fast().or_else(|| self.proof()?.atlas.as_ref())
     }
 
-    fn proof(&self) -> Option<&CertifiedAtlas> {
-        self.proof.get_or_init(|| proved_atlas(&self.body, self.accuracy)).as_ref()
+    fn fast(&self) -> Option<&Atlas> {
+        let is_answer = |atlas: &Atlas| self.accuracy == Accuracy::Fast || is_decided(atlas);
+        self.fast.get_or_init(|| fast::atlas(&self.body).ok().filter(is_answer)).as_ref()
     }
 
-    /// The one that was given or that of `f64`: it answers points.
-    fn quick(&self) -> Option<&Atlas> {
-        self.quick.get_or_init(|| quick_atlas(&self.body, self.accuracy)).as_ref()
+    fn proof(&self) -> Option<&Proof> {
+        let prove = || {
+            let certified = CertifiedAtlas::with_points(&self.body, POINTS_AT_ONCE).ok()?;
+            let atlas = certified.to_atlas().ok().and_then(|atlas| complete(atlas).ok());
+            Some(Proof { certified, atlas })
+        };
+        self.proof.get_or_init(|| if self.accuracy == Accuracy::Exact { prove() } else { None }).as_ref()
     }
 
     /// The type of a point, from the atlas where its error bounds suffice.
     ///
     /// # Errors
-    /// [`Unanswered`].
-    pub fn classify(&self, h: &Number, l: &Number) -> Result<Classification, Unanswered> {
-        let answered = self.quick().map(|atlas| match self.accuracy {
-            Accuracy::Fast => atlas.classify(h, l).map(Some),
-            Accuracy::Exact => atlas.classify_if_clear(h, l),
-        });
-        match answered {
-            Some(Ok(Some(found))) => {
-                decided(Question::Point, Rung::Double);
+    /// [`AnswerError`].
+    pub fn classify(&self, h: &Number, l: &Number) -> Result<Classification, AnswerError> {
+        match self.fast().map(|atlas| fast::classify_in(atlas, h, l)) {
+            Some(Ok((found, named))) if self.accuracy == Accuracy::Fast || (named && found.components().is_some()) => {
+                count(Question::Point, Precision::Double);
                 Ok(found)
             }
             Some(Err(error)) if self.accuracy == Accuracy::Fast => Err(error.into()),
@@ -88,9 +99,9 @@ impl Prepared {
     /// exact order of the curves over l.
     ///
     /// # Errors
-    /// [`NotPlaced`].
-    pub fn places(&self, h: &Number, l: &Number, answer: &Answer) -> Result<Vec<Option<RegionId>>, NotPlaced> {
-        let atlas = self.atlas().ok_or(NotPlaced::NoAtlas)?;
+    /// [`PlaceError`].
+    pub fn places(&self, h: &Number, l: &Number, answer: &Answer) -> Result<Vec<Option<RegionId>>, PlaceError> {
+        let atlas = self.atlas().ok_or(PlaceError::NoAtlas)?;
         let places = atlas.places(h, l, answer);
         let is_exact = match (self.accuracy, answer) {
             // Each class of a critical point is that of one region at least.
@@ -101,21 +112,21 @@ impl Prepared {
         };
         match places {
             Some(places) if is_exact => Ok(places),
-            _ if self.accuracy == Accuracy::Fast || l.value().is_zero() => Err(NotPlaced::Rounding),
+            _ if self.accuracy == Accuracy::Fast || l.value().is_zero() => Err(PlaceError::Rounding),
             // What does not fit the answer is no answer.
             _ => self.placed_exactly(atlas, h, l).and_then(|found| {
                 let fits = |&place: &Option<RegionId>| atlas.class(place).is_some_and(|class| answer.allows(class));
-                if found.iter().all(fits) { Ok(found) } else { Err(NoCell.into()) }
+                if found.iter().all(fits) { Ok(found) } else { Err(CellError.into()) }
             }),
         }
     }
 
     /// By the slabs within rounding of l; where several of them have such a cell, by those of the proof.
-    fn placed_exactly(&self, atlas: &Atlas, h: &Number, l: &Number) -> Result<Vec<Option<RegionId>>, NotPlaced> {
+    fn placed_exactly(&self, atlas: &Atlas, h: &Number, l: &Number) -> Result<Vec<Option<RegionId>>, PlaceError> {
         let found = places(&self.body, h, l, &|x, sides| atlas.region_between(x.to_f64().value(), sides));
-        let proof = || self.proof().filter(|proof| proof.agrees_with(atlas));
+        let proof = || Some(&self.proof()?.certified).filter(|proof| proof.agrees_with(atlas));
         match found {
-            Err(NotPlaced::Cells(_)) => match proof() {
+            Err(PlaceError::Cells(_)) => match proof() {
                 Some(proof) => places(&self.body, h, l, &|x, sides| proof.region_between(x, sides)),
                 None => found,
             },
@@ -141,11 +152,11 @@ impl Prepared {
     /// undecided. `None` without an atlas.
     ///
     /// # Errors
-    /// [`Unanswered`] when l is out of range.
-    pub fn row(&self, l: f64, h: &[f64]) -> Option<Result<Vec<Spot>, Unanswered>> {
+    /// [`AnswerError`] when l is out of range.
+    pub fn row(&self, l: f64, h: &[f64]) -> Option<Result<Vec<Spot>, AnswerError>> {
         let decide = |h: &Number, l: &Number| {
             self.classify(h, l).map_or(Spot::Undecided, |found| self.spot(h, l, &found.answer))
         };
-        Some(self.atlas()?.row(l, h, decide).map_err(|error| ClassifyError::from(error).into()))
+        Some(self.atlas()?.row(l, h, decide).map_err(|error| FastError::from(error).into()))
     }
 }

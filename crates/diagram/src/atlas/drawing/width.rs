@@ -2,8 +2,8 @@
 
 use std::cell::OnceCell;
 
-use super::Atlas;
 use crate::arrangement::{RegionId, Slab};
+use crate::atlas::Atlas;
 use bifdiag_equilibria::curves::{CriticalSet, CurveId, Gap, Point};
 use bifdiag_numbers::root;
 use bifdiag_numbers::table::Table;

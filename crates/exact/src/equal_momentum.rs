@@ -1,14 +1,74 @@
-//! The difference of the moments of inertia of two relative equilibria over one x, from ranges that hold both (Lemma 7.8
-//! of docs/mathematics.md): as small as μ and the moments between them are close, however wide the ranges are.
+//! Differences of two relative equilibria over one x: of energies, moments of inertia and multipliers, without the
+//! cancellation of the numbers themselves.
 
 use super::family::State;
-use super::point::Evaluator;
+use super::point::{Evaluator, Point};
+use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
 impl<E: Enclosure> Evaluator<'_, E> {
+    /// J − J' of two points or ranges, the narrowest over all moments to measure from.
+    pub fn moment_difference(&self, p: &State<E>, q: &State<E>) -> E {
+        let n = self.model.groups.len();
+        let squares: Vec<E> = (0..n)
+            .map(|k| (p.gamma[k].clone() - q.gamma[k].clone()) * (p.gamma[k].clone() + q.gamma[k].clone()))
+            .collect();
+        let about = |base: usize| {
+            (0..n)
+                .filter(|&k| k != base)
+                .fold(self.c.small(0), |sum, k| sum + squares[k].clone() * self.c.diff[k][base].clone())
+        };
+        let plain = p.j.clone() - q.j.clone();
+        (0..n).fold(plain, |best, base| self.c.common(&best, &about(base)))
+    }
+
+    /// h_a − h_b over one x.
+    pub fn gap(&self, a: &Point<E>, b: &Point<E>) -> E {
+        let x = self.c.common(&a.x, &b.x);
+        let difference = self.moment_difference(&b.at, &a.at);
+        let kinetic = x.clone() * difference / (a.at.j.clone() * b.at.j.clone());
+        let plain = kinetic - (a.at.rho.clone() - b.at.rho.clone()) + a.correction.clone() - b.correction.clone();
+        if a.critical && b.critical { self.c.common(&plain, &self.exact_gap(&x, &a.over, &b.over)) } else { plain }
+    }
+
+    /// h_a − h_b of two critical points over one x, without the cancellation of heights (Corollary 3.10 of
+    /// docs/mathematics.md):
+    /// h_a − h_b = x [(μ_b − μ_a)|γ_a − γ_b|² − (J_a − J_b)³/(J_a J_b)]/(J_a² + J_b²).
+    ///
+    /// From U(γ') − U(γ) = (s/2)[⟨γ'−γ, (μ−A)(γ'−γ)⟩ + (J'−J)²/J'], which holds for a critical γ and every γ' on the
+    /// sphere, taken in both directions.
+    fn exact_gap(&self, x: &E, a: &State<E>, b: &State<E>) -> E {
+        self.gap_with(x, a, b, &self.moment_difference(a, b))
+    }
+
+    /// The same with J_a − J_b as it is known.
+    fn gap_with(&self, x: &E, a: &State<E>, b: &State<E>, moment: &E) -> E {
+        let n = self.model.groups.len();
+        let distance = (0..n).fold(self.c.small(0), |sum, k| sum + (a.gamma[k].clone() - b.gamma[k].clone()).square());
+        let cube = moment.clone() * moment.square() / (a.j.clone() * b.j.clone());
+        let mu = self.multiplier_difference(b, a);
+        x.clone() * (mu * distance - cube) / (a.j.square() + b.j.square())
+    }
+
+    /// μ_a − μ_b, the narrowest over all moments to measure from.
+    pub fn multiplier_difference(&self, a: &State<E>, b: &State<E>) -> E {
+        let about = |base: usize| a.tau[base].clone() - b.tau[base].clone();
+        (1..self.model.groups.len()).fold(about(0), |best, base| self.c.common(&best, &about(base)))
+    }
+
+    /// The sign of h_a − h_b all over two ranges of states that hold the points over the same x, by the same identity.
+    pub fn range_sign(&self, a: &State<E>, b: &State<E>) -> Option<Sign> {
+        self.range_sign_with(a, b, &self.moment_difference(a, b))
+    }
+
+    /// The same with J_a − J_b as it is known over these ranges.
+    pub fn range_sign_with(&self, a: &State<E>, b: &State<E>, moment: &E) -> Option<Sign> {
+        self.gap_with(&self.c.small(1), a, b, moment).strict_sign()
+    }
+
     /// J_a − J_b of two critical points over the same x, each anywhere in its range, the narrowest over all a_k and a_j of
-    /// the lemma.
-    pub fn moments_over_one_x(&self, a: &State<E>, b: &State<E>) -> E {
+    /// Lemma 7.8 of docs/mathematics.md: as small as μ and the moments between them are close, however wide the ranges are.
+    pub fn moments_at_equal_momentum(&self, a: &State<E>, b: &State<E>) -> E {
         let c = &self.c;
         let n = self.model.groups.len();
         let squares: Vec<E> = (0..n).map(|i| a.gamma[i].square() - b.gamma[i].square()).collect();
@@ -69,7 +129,7 @@ mod tests {
                 let known: Vec<_> = curves.list.ids().filter_map(|c| Some((over(c)?, inside(c)?.over))).collect();
                 for (n, (p, at_p)) in known.iter().enumerate() {
                     for (q, at_q) in &known[..n] {
-                        let [lo, hi] = coarse.moments_over_one_x(p, q).bounds();
+                        let [lo, hi] = coarse.moments_at_equal_momentum(p, q).bounds();
                         let [below, above] = (at_p.j.clone() - at_q.j.clone()).bounds();
                         assert!(lo <= above && below <= hi, "{a:?} {r:?} {x}: [{below}, {above}] outside [{lo}, {hi}]");
                         let [first, last] = p.j.bounds();

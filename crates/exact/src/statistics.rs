@@ -1,4 +1,4 @@
-//! How many questions each rung of the ladder of numbers decided. Nothing is counted until [`count_from_here`] is called.
+//! How many questions each precision decided. Nothing is counted until [`count_from_here`] is called.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -22,7 +22,7 @@ pub enum Question {
 
 /// What decided it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Rung {
+pub enum Precision {
     /// `f64` with proved bounds.
     Double,
     /// Intervals of so many bits.
@@ -47,7 +47,7 @@ impl fmt::Display for Question {
     }
 }
 
-impl fmt::Display for Rung {
+impl fmt::Display for Precision {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Double => f.write_str("f64"),
@@ -60,24 +60,24 @@ impl fmt::Display for Rung {
 }
 
 static COUNTS: AtomicBool = AtomicBool::new(false);
-static DECIDED: Mutex<BTreeMap<(Question, Rung), u64>> = Mutex::new(BTreeMap::new());
+static DECIDED: Mutex<BTreeMap<(Question, Precision), u64>> = Mutex::new(BTreeMap::new());
 
 /// Begins to count, in all threads.
 pub fn count_from_here() {
     COUNTS.store(true, Ordering::Relaxed);
 }
 
-/// How many questions of each kind each rung decided.
+/// How many questions of each kind each precision decided.
 #[must_use]
-pub fn tally() -> Vec<(Question, Rung, u64)> {
+pub fn tally() -> Vec<(Question, Precision, u64)> {
     let decided = DECIDED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-    decided.iter().map(|(&(question, rung), &count)| (question, rung, count)).collect()
+    decided.iter().map(|(&(question, precision), &count)| (question, precision, count)).collect()
 }
 
-/// A rung decided a question.
-pub(crate) fn decided(question: Question, rung: Rung) {
+/// Counts a question and what decided it.
+pub(crate) fn count(question: Question, precision: Precision) {
     if COUNTS.load(Ordering::Relaxed) {
         let mut all = DECIDED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        *all.entry((question, rung)).or_default() += 1;
+        *all.entry((question, precision)).or_default() += 1;
     }
 }
