@@ -28,8 +28,8 @@ const ORDER: [(&str, &str); 12] = [
     ("crates/survey/src", "digits parameter range design signature scan border graph mosaic katok search"),
     (
         "crates/documents/src",
-        "command layout body subject classification critical grid atlas certified scan reading border classes find witnesses \
-         section spin words",
+        "command layout body subject spin classification critical grid atlas certified scan reading border classes find witnesses \
+         section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),
     ("crates/plot/src", "page animation campbell diagram codes map section sphere part"),

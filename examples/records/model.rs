@@ -60,8 +60,8 @@ impl Model {
         }
         documents! {
             Head GivenBody AtlasDocument ClassificationDocument GridDocument CriticalDocument SectionsDocument MotionDocument
-            PartAnswerDocument StateDocument CriticalSpinDocument BodiesDocument BatchErrorDocument RowDocument
-            ScanSummaryDocument BorderDocument FindDocument ClassesDocument StandingDocument
+            PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument BodiesDocument BatchErrorDocument
+            RowDocument ScanSummaryDocument BorderDocument FindDocument ClassesDocument StandingDocument
         }
         let definitions = generator.take_definitions(true);
         let types = definitions.iter().map(|(name, schema)| Type {

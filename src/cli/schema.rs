@@ -4,7 +4,7 @@ use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
     ClassificationDocument, CriticalDocument, CriticalSpinDocument, FindDocument, GridDocument, MotionDocument,
     PartAnswerDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, StandingDocument,
-    StateDocument,
+    StateDocument, SteadyAxesDocument,
 };
 use clap::{Args, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -41,6 +41,8 @@ pub enum Name {
     Grid,
     /// The answer of `bifdiag critical --json`, and a line of its batch
     Critical,
+    /// The answer of `bifdiag critical --spin … --json`
+    SteadyAxes,
     /// The answer of `bifdiag section --json`, and the `meta` of its data
     Section,
     /// The answer of `bifdiag section --atlas … --json`
@@ -80,6 +82,7 @@ impl Name {
             Self::Classify => schema_for!(ClassificationDocument),
             Self::Grid => schema_for!(GridDocument),
             Self::Critical => schema_for!(CriticalDocument),
+            Self::SteadyAxes => schema_for!(SteadyAxesDocument),
             Self::Section => schema_for!(SectionDocument),
             Self::Sections => schema_for!(SectionsDocument),
             Self::Orbit => schema_for!(MotionDocument),

@@ -89,6 +89,8 @@ fn documents_fit_their_schemas() {
         assert_fits("atlas", &bifdiag(&format!("{body} --json")).succeeds().json());
         assert_fits("classify", &bifdiag(&format!("classify {body} --h 1.5 --l 0.5 --json")).succeeds().json());
         assert_fits("critical", &bifdiag(&format!("critical {body} --l 1.5 --json")).succeeds().json());
+        let axes = bifdiag(&format!("critical {body} --json --spin")).and("300 rpm").succeeds().json();
+        assert_fits("steady-axes", &axes);
     }
     assert_fits("atlas", &bifdiag("--body paper --json --window 0:6,0:4").succeeds().json());
     let section = "section --body paper --h 4.45 --l 3.25 --orbits 3 --crossings 40 --json";
@@ -109,7 +111,12 @@ fn documents_fit_their_schemas() {
         assert_fits("state", &bifdiag(&format!("state {PART} {state} --json")).succeeds().json());
         assert_fits("state", &bifdiag(&format!("state --A 2,1.1,1 --r 0,0,1 {state} --json")).succeeds().json());
     }
-    for axis in ["--A 2,1.1,1 --r 0,0,1 --axis z --tolerance 1%", "--body euler --axis x", "--body paper --axis x"] {
+    for axis in [
+        "--A 2,1.1,1 --r 0,0,1 --axis z --tolerance 1%",
+        "--body euler --axis x",
+        "--body paper --axis x",
+        "--body lagrange",
+    ] {
         assert_fits("critical-spin", &bifdiag(&format!("critical-spin {axis} --json")).succeeds().json());
     }
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
@@ -150,6 +157,7 @@ fn all_schemas_come_in_one_object() {
         "atlas",
         "classify",
         "critical",
+        "steady-axes",
         "section",
         "sections",
         "orbit",

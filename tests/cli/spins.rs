@@ -61,6 +61,80 @@ fn special_bodies_have_the_permanent_axes_of_their_eigenspaces() {
     state.succeeds().printing("no change at any larger spin");
 }
 
+/// Every axis at a spin, in a part's frame too: each is steady by `state`, and the relative equilibrium of its own l.
+#[test]
+fn all_steady_axes_at_a_spin_are_listed() {
+    let part = "--inertia 3,2.6,4.2,0.2,-0.1,0.15 --products tensor --com 0.02,0.01,0.03 --mass 50 --g 9.80665";
+    let paper = "--body paper";
+    for (body, spin, count) in [(paper, "2 rad/s", 4), (paper, "6 rad/s", 6), (part, "300 rpm", 6)] {
+        let all = bifdiag(&format!("critical {body} --json --spin")).and(spin).succeeds().json();
+        let axes = all["axes"].as_array().unwrap();
+        assert_eq!(axes.len(), count, "{all}");
+        for axis in axes {
+            let text: Vec<String> =
+                axis["axis"].as_array().unwrap().iter().map(|x| format!("{:?}", number(x))).collect();
+            let state = format!("state {body} --axis={} --json --spin", text.join(","));
+            let state = bifdiag(&state).and(spin).succeeds().json();
+            assert_eq!(state["steady"]["verdict"], axis["stable"], "{state}\n{axis}");
+            assert!(
+                (number(&state["steady"]["h"]) - number(&axis["h"])).abs() < 1e-9 * number(&axis["h"]).abs(),
+                "{axis}"
+            );
+            let same = bifdiag(&format!("critical {body} --l {:?} --json", number(&axis["l"]))).succeeds().json();
+            let found = same["critical"].as_array().unwrap().iter().find(|point| point["branch"] == axis["branch"]);
+            assert_eq!(found.unwrap()["stability"], axis["stability"]);
+        }
+    }
+    let text = bifdiag("critical --body lagrange --spin").and("300 rpm").succeeds();
+    text.printing("steady axes at 300 rpm = 31.415927 rad/s").printing("circle");
+    bifdiag("critical --A 1,2,2 --r 0,0,0 --spin").and("1 Hz").succeeds().printing("circle");
+    bifdiag("critical --body paper --spin").and("0 rpm").succeeds().printing("at rest").printing("from −r̂");
+    let csv = bifdiag("critical --body paper --out - --spin").and("2 rad/s").succeeds().stdout();
+    assert!(csv.starts_with("axis1,axis2,axis3,l,h,gamma1,"), "{csv}");
+    assert_eq!(csv.lines().count(), 5);
+    bifdiag("critical --body paper --l 1 --spin").and("1 Hz").refused().telling("cannot be used with");
+    bifdiag("critical --body paper --method newton --spin").and("1 Hz").refused().telling("follows the curves");
+}
+
+/// Within half a degree of a permanent axis that axis is followed; the given one may be steady at a spin of its own.
+#[test]
+fn an_axis_beside_a_permanent_one_is_followed() {
+    let (body, directory) = ("--A 1,2,3 --r 0,0,1", tempfile::tempdir().unwrap());
+    let beside = bifdiag(&format!("critical-spin {body} --axis 1e-3,1e-3,1 --json")).succeeds().json();
+    let exact = bifdiag(&format!("critical-spin {body} --axis z --json")).succeeds().json();
+    assert_eq!((&beside["permanent"], &beside["changes"]), (&json!(true), &exact["changes"]));
+    assert_eq!((&beside["nearest"]["axis"], &beside["steady"]), (&json!([0.0, 0.0, 1.0]), &json!([])));
+    assert!(near(number(&beside["nearest"]["angle_deg"]), 0.0810285, 1.0), "{beside}");
+    let own = bifdiag(&format!("critical-spin {body} --axis 1e-3,0,1")).succeeds();
+    own.printing("0.0573° from the one given, is followed")
+        .printing("the given axis itself is steady at one spin only");
+    let far = bifdiag(&format!("critical-spin {body} --axis 0.01,0,1 --json")).succeeds().json();
+    assert_eq!(far["permanent"], json!(false), "0.57 degrees away");
+    let run = bifdiag(&format!("campbell {body} --axis 1e-3,0,1 --no-plot --to")).and("2 rad/s");
+    run.inside(directory.path()).succeeds().printing("is followed").printing("saddle to saddle-centre");
+}
+
+/// Without --axis the one that is permanent at every spin is meant.
+#[test]
+fn the_permanent_axis_needs_no_name() {
+    let named = bifdiag("critical-spin --A 1,2,3 --r 0,0,-2 --axis=-z").succeeds().stdout();
+    assert_eq!(bifdiag("critical-spin --A 1,2,3 --r 0,0,-2").succeeds().stdout(), named);
+    bifdiag("critical-spin --body paper").refused().telling("no axis of this body is permanent at every spin");
+    bifdiag("critical-spin --body euler").refused().telling("without weight every principal axis is permanent");
+}
+
+/// At a range each line is the answer at one momentum.
+#[test]
+fn a_range_of_momenta_is_a_line_of_json_each() {
+    let lines = bifdiag("critical --body paper --l 0:4:9 --json").succeeds().json_lines();
+    assert_eq!(lines.len(), 9);
+    for (k, line) in lines.iter().enumerate() {
+        let one = bifdiag(&format!("critical --body paper --l {}/2 --json", k)).succeeds().json();
+        assert_eq!(line["critical"], one["critical"]);
+    }
+    bifdiag("critical --body paper --l 3.25").succeeds().printing("±0.4807").printing("eigenvalues");
+}
+
 /// A body that hangs at rest is in equilibrium, and turns unsteadily nowhere.
 #[test]
 fn a_body_at_rest_on_its_axis_is_steady() {

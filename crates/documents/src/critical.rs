@@ -1,11 +1,14 @@
 //! Relative equilibria as a document.
 
+use bifdiag_body::part::Spin;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_equilibria::critical::{Equilibria, Equilibrium, Multiplicity};
 use bifdiag_equilibria::curves::CurveName;
 use bifdiag_equilibria::stability::{ChangeKind, LinearType, Setting, Verdict};
 use bifdiag_numbers::Number;
-use bifdiag_schema::{CriticalDocument, CurveDocument, RelativeEquilibriumDocument};
+use bifdiag_schema::{
+    CriticalDocument, CurveDocument, RelativeEquilibriumDocument, SteadyAxesDocument, SteadyAxisDocument,
+};
 
 use crate::body::given;
 use crate::command::head;
@@ -29,6 +32,27 @@ pub fn critical(subject: &Subject, l: &Number, found: &Equilibria) -> CriticalDo
         error_bound: found.error_bound,
         complete: found.complete,
         note,
+        part: subject.part.clone(),
+    }
+}
+
+/// The axes about which a body turns steadily at a spin.
+#[must_use]
+pub fn steady_axes(subject: &Subject, spin: &Spin, found: &Equilibria) -> SteadyAxesDocument {
+    let axis = |found: &Equilibrium| SteadyAxisDocument {
+        // γ points down.
+        axis: subject.to_given(found.gamma.map(|x| 0.0 - x)),
+        l: found.l,
+        fold: found.is_fold,
+        equilibrium: equilibrium(found),
+    };
+    SteadyAxesDocument {
+        head: head(subject.command("critical").option("spin", spin).json()),
+        body: given(&subject.body),
+        spin: crate::spin::spin(spin.rad_per_s()),
+        axes: found.list.iter().map(axis).collect(),
+        error_bound: found.error_bound,
+        complete: found.complete,
         part: subject.part.clone(),
     }
 }

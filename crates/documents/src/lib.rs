@@ -27,7 +27,8 @@ pub use classes::{ClassCounts, add_text, classes, other_class, shipped_classes, 
 pub use classification::{accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, head, version};
 pub use critical::{
-    LINEAR_TYPES, VERDICTS, critical, equilibria, multiplicity, type_code, verdict, verdict_along, verdict_code,
+    LINEAR_TYPES, VERDICTS, critical, equilibria, multiplicity, steady_axes, type_code, verdict, verdict_along,
+    verdict_code,
 };
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};

@@ -1,8 +1,10 @@
 //! What a document is about.
 
-use bifdiag_body::part::Part;
+use bifdiag_body::part::{Part, Units};
 use bifdiag_body::{Body, TensorError};
+use bifdiag_numbers::vector::dot;
 use bifdiag_schema::{PartAnswerDocument, PartDocument};
+use dashu_ratio::RBig;
 
 use crate::command::{CommandLine, head};
 
@@ -29,6 +31,32 @@ impl Subject {
     pub fn of_part(part: &Part) -> Result<Self, TensorError> {
         let principal = part.principal()?;
         Ok(Self { part: Some(crate::body::part(part, &principal)), body: principal.body })
+    }
+
+    /// A vector of the question's frame, which is the part's, in principal axes; without a part they are the same.
+    #[must_use]
+    pub fn to_principal(&self, v: [f64; 3]) -> [f64; 3] {
+        self.part.as_ref().map_or(v, |part| part.principal.axes.map(|axis| dot(axis, v)))
+    }
+
+    /// A vector in principal axes in the frame of the question.
+    #[must_use]
+    pub fn to_given(&self, v: [f64; 3]) -> [f64; 3] {
+        let Some(part) = &self.part else { return v };
+        std::array::from_fn(|i| (0..3).map(|k| part.principal.axes[k][i] * v[k]).sum())
+    }
+
+    /// The body's unit of time in seconds, exactly.
+    #[must_use]
+    pub fn unit_of_time(&self) -> RBig {
+        let units = self.part.as_ref().and_then(|part| part.units.parse::<Units>().ok());
+        units.map_or(RBig::ONE, |units| units.time().clone())
+    }
+
+    /// One second in the body's unit of time.
+    #[must_use]
+    pub fn second(&self) -> f64 {
+        1.0 / self.unit_of_time().to_f64().value()
     }
 
     /// The answer of `bifdiag body`, of a subject that is a part.

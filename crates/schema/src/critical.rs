@@ -272,9 +272,34 @@ pub fn small_motions(at: &[[[f64; 2]; 2]], number: impl Fn(f64) -> String) -> St
     }
 }
 
+/// The eigenvalues ±λ₁, ±λ₂ of one equilibrium: `±0.5, ±1.2i`, of a quadruple `±0.5 ± 1.2i`.
+#[must_use]
+pub fn eigenvalues_in_words([first, second]: &[[f64; 2]; 2], number: impl Fn(f64) -> String) -> String {
+    let pair = |[re, im]: [f64; 2]| match (re > 0.0, im > 0.0) {
+        (true, true) => format!("±{} ± {}i", number(re), number(im)),
+        (true, false) => format!("±{}", number(re)),
+        (false, true) => format!("±{}i", number(im)),
+        (false, false) => "0".to_owned(),
+    };
+    match (first == second, first[0] > 0.0 && first[1] > 0.0) {
+        (true, true) => pair(*first),
+        (true, false) => format!("{}, twice", pair(*first)),
+        (false, _) => format!("{}, {}", pair(*first), pair(*second)),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_quadruple_is_one_pair_with_two_signs() {
+        let words = |pairs| eigenvalues_in_words(&pairs, |x| format!("{x}"));
+        assert_eq!(words([[0.5, 0.0], [0.0, 1.5]]), "±0.5, ±1.5i");
+        assert_eq!(words([[0.5, 1.5], [0.5, 1.5]]), "±0.5 ± 1.5i");
+        assert_eq!(words([[0.0, 1.5], [0.0, 1.5]]), "±1.5i, twice");
+        assert_eq!(words([[0.5, 0.0], [0.0, 0.0]]), "±0.5, 0");
+    }
 
     #[test]
     fn times_that_stay_the_same_are_told_once() {

@@ -38,7 +38,10 @@ pub use classes::{
     ClassBorderDocument, ClassDocument, ClassNeighbourDocument, ClassWitnessDocument, ClassesDocument, StandingDocument,
 };
 pub use classification::{CandidateDocument, ClassificationDocument, ComponentDocument, MarginDocument, Status};
-pub use critical::{CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict, small_motions};
+pub use critical::{
+    CriticalDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict, eigenvalues_in_words,
+    small_motions,
+};
 pub use find::{FindDocument, NearestDocument, WitnessDocument};
 pub use grid::{GridAxisDocument, GridDocument};
 pub use head::{GivenBody, Head};
@@ -58,7 +61,8 @@ pub use section::{
 pub use shown::{harmless, one_line, shown};
 pub use spin::{
     CriticalSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument,
-    SpinDocument, SpinRangeDocument, StateDocument, SteadyDocument, SteadySpinDocument, ToleranceDocument,
+    SpinDocument, SpinRangeDocument, StateDocument, SteadyAxesDocument, SteadyAxisDocument, SteadyDocument,
+    SteadySpinDocument, ToleranceDocument,
 };
 
 /// Version of every document in this module.

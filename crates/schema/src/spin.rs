@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GivenBody, Head, MarginDocument, Multiplicity, PartDocument, Verdict};
+use super::{GivenBody, Head, MarginDocument, Multiplicity, PartDocument, RelativeEquilibriumDocument, Verdict};
 
 /// A rate of turning in two units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -12,6 +12,42 @@ pub struct SpinDocument {
     pub rpm: f64,
     /// Radians in a second.
     pub rad_per_s: f64,
+}
+
+/// An axis about which the body turns steadily at one spin.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SteadyAxisDocument {
+    /// The axis, a unit vector in the frame of the question, pointing up.
+    pub axis: [f64; 3],
+    /// Vertical angular momentum, in the units of the body.
+    pub l: f64,
+    /// At this spin it meets another steady axis: slower bodies have neither.
+    pub fold: bool,
+    /// The relative equilibrium, as `critical` lists it at this l.
+    #[serde(flatten)]
+    pub equilibrium: RelativeEquilibriumDocument,
+}
+
+/// The answer of `critical --spin`: every axis about which the body turns steadily at one spin.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SteadyAxesDocument {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub head: Head,
+    /// The body.
+    #[serde(flatten)]
+    pub body: GivenBody,
+    /// The spin.
+    pub spin: SpinDocument,
+    /// By rising h, then γ lexicographically.
+    pub axes: Vec<SteadyAxisDocument>,
+    /// Bound on the error of every `h`.
+    pub error_bound: f64,
+    /// False when it could not be decided whether further axes exist.
+    pub complete: bool,
+    /// The part from which A and r were computed, when one was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<PartDocument>,
 }
 
 /// A permanent axis near to the one that was asked about.
@@ -81,11 +117,12 @@ pub struct CriticalSpinDocument {
     pub axis: [f64; 3],
     /// Rotation about it is permanent at every spin.
     pub permanent: bool,
-    /// The angle to the principal axis that is meant, in degrees; else the nearest permanent axis is told.
+    /// The permanent axis that is taken where `permanent` is true and the given one is not it to the last digit; else the
+    /// nearest permanent axis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nearest: Option<NearestAxisDocument>,
-    /// With `permanent` false: the spin at which rotation about it is steady, at an angle of 10⁻⁶ at most; empty if there is
-    /// none.
+    /// The spin at which rotation about the given axis itself is steady, at an angle of 10⁻⁶ at most; empty if there is none;
+    /// absent where the given axis is permanent at every spin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steady: Option<Vec<SteadySpinDocument>>,
     /// The spectral type at rest or at the slowest spins, with `+axis` and with `-axis` up.

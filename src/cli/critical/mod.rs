@@ -1,56 +1,165 @@
-//! `bifdiag critical`: all relative equilibria at one l, or at many.
+//! `bifdiag critical`: all relative equilibria at one l, at many, or at one spin.
 
-mod arguments;
-mod error;
 mod momenta;
 mod report;
-mod settings;
 mod table;
 
 use std::sync::Arc;
 
-use bifdiag_equilibria::critical::{CriticalError, RelativeEquilibria, critical};
+use bifdiag_body::Number;
+use bifdiag_body::part::Spin;
+use bifdiag_documents::Subject;
+use bifdiag_equilibria::critical::{CriticalError, RelativeEquilibria};
+use clap::{Args, ValueEnum};
 use rayon::prelude::*;
+use thiserror::Error;
 
-use super::batch::{Batch, Query, Wanted};
-use super::export::{DataFormat, DataTarget, Exporter, FileSet, answer};
-use super::failure::Failure;
+use super::batch::{Batch, BatchArguments, BatchInput, Query, Wanted};
+use super::export::{Columns, DataFormat, DataTarget, Exporter, FileSet, answer};
+use super::failure::{CommandError, Exit, Failure};
+use super::input::BodyArguments;
 use super::terminal::{Timings, print};
-use arguments::Method;
-use error::{NotFound, Unanswered};
-use settings::Settings;
+use momenta::Momenta;
+use table::Unanswered;
 
-pub use arguments::{CriticalArguments, EXAMPLES};
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag critical --A 2,1.1,1 --r 0.94868,0,0.61623 --l 3.25
+  bifdiag critical --body katok:6 --l 7/3 --json
+  bifdiag critical --body paper --spin \"2 rad/s\"
+  bifdiag critical --A 2,1.1,1 --r 0.94868,0,0.61623 --l 3.25 --method newton
+  bifdiag critical --body lagrange --l 0:4:401 --out lagrange.npz
+  bifdiag critical --batch momenta.jsonl --threads 4 > equilibria.jsonl
+
+Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"l\": 3.25}, numbers or strings; a line \
+without A and r means the body of the command line, other keys are ignored. One line is written for each, in the \
+same order; a wrong line gives {\"error\": …, \"line\": n}.";
+
+/// How relative equilibria are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// All of them from the closed form, with bounds
+    #[default]
+    ClosedForm,
+    /// Follow each curve from l = 0, its cusp or its pitchfork by Newton continuation: slower, a second way to the same
+    /// list; eigenvalues and verdicts are those of the closed form
+    Newton,
+}
+
+/// `bifdiag critical`.
+#[derive(Debug, Args)]
+pub struct CriticalArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// Vertical angular momentum, or a range a:b:n of n momenta; its sign is that of omega
+    #[arg(long = "l", value_name = "l|a:b:n", allow_hyphen_values = true, value_parser = Momenta::parse)]
+    #[arg(help_heading = "Momentum")]
+    pub momentum: Option<Momenta>,
+    /// Instead of l: list every axis about which the body turns steadily at this spin (rpm, Hz, rad/s, deg/s)
+    #[arg(long, value_name = "\"300 rpm\"", allow_hyphen_values = true, conflicts_with = "momentum")]
+    #[arg(help_heading = "Momentum")]
+    pub spin: Option<Spin>,
+    /// How they are found
+    #[arg(long, value_enum, default_value_t, value_name = "METHOD", help_heading = "Momentum")]
+    pub method: Method,
+    #[command(flatten)]
+    pub batch: BatchArguments,
+    /// Print the answer as JSON, at a range one line for each momentum (a batch always is)
+    #[arg(long, conflicts_with = "out", help_heading = "Output")]
+    pub json: bool,
+    /// Write the table of a range or a spin to FILE (.npz, .parquet, .csv, .jsonl; -: CSV to stdout, as a range without --out)
+    #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
+    pub out: Option<DataTarget>,
+}
+
+/// Options that do not fit together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+enum CriticalInput {
+    #[error("--out needs a range of momenta, such as --l 0:4:401, or --spin; at one momentum --json writes to stdout")]
+    OutWithoutRange,
+    #[error("--method newton follows the curves to one momentum: give --l a number, and no --batch or --spin")]
+    NewtonOfMany,
+}
+
+impl CommandError for CriticalInput {
+    fn exit(&self) -> Exit {
+        Exit::WrongInput
+    }
+}
+
+/// The one question of the command line has no answer.
+#[derive(Debug, Error)]
+#[error("the relative equilibria could not be found")]
+struct NotFound(#[source] Unanswered);
+
+impl CommandError for NotFound {}
 
 pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
-    match Settings::new(arguments)? {
-        Settings::Momentum { subject, l, method, json } => {
-            let found = timings.stage("critical", || match method {
-                Method::ClosedForm => critical(&subject.body, l),
-                Method::Newton => RelativeEquilibria::new(&subject.body)?.continued(l),
+    let CriticalArguments { body, momentum, spin, method, batch, json, out } = arguments;
+    let is_range = matches!(momentum, Some(Momenta::Range { .. }));
+    if *method == Method::Newton && (is_range || spin.is_some() || batch.batch.is_some()) {
+        return Err(CriticalInput::NewtonOfMany.into());
+    }
+    let replaced = [("--l", momentum.is_some()), ("--spin", spin.is_some()), ("--out", out.is_some())];
+    if let Some(path) = batch.path(&replaced)? {
+        let subject = body.optional_subject()?.map(Arc::new);
+        return Batch { path, strict: batch.strict, subject, wanted: Wanted::Momentum, quiet }
+            .run(|queries| timings.stage("chunk", || lines(queries)));
+    }
+    let subject = body.subject()?;
+    match (momentum, spin) {
+        (_, Some(spin)) => at_spin(&subject, spin, *json, out.as_ref(), timings),
+        (None, None) => Err(BatchInput::NoPoint { missing: "--l", example: "the momentum, such as --l 3.25" }.into()),
+        (Some(Momenta::One(_)), None) if out.is_some() => Err(CriticalInput::OutWithoutRange.into()),
+        (Some(Momenta::One(l)), None) => {
+            let found = timings.stage("critical", || {
+                let prepared = RelativeEquilibria::new(&subject.body)?;
+                if *method == Method::Newton { prepared.continued(l) } else { prepared.at(l) }
             });
-            let document = bifdiag_documents::critical(&subject, l, &found.map_err(NotFound::from)?);
-            Ok(answer(json, &document, || report::text(&subject, &document))?)
+            let document = bifdiag_documents::critical(&subject, l, &found.map_err(|error| NotFound(error.into()))?);
+            Ok(answer(*json, &document, || report::text(&subject, &document))?)
         }
-        Settings::Batch { path, strict, subject } => {
-            Batch { path, strict, subject: subject.map(Arc::new), wanted: Wanted::Momentum, quiet }
-                .run(|queries| timings.stage("chunk", || lines(queries)))
+        (Some(Momenta::Range { from, to, count }), None) if *json => {
+            timings.stage("critical", || ranged_lines(&subject, [from, to], *count))
         }
-        Settings::Momenta { subject, ends, count, target } => {
-            let columns =
-                timings.stage("critical", || table::of(&subject.body, ends, count)).map_err(NotFound::from)?;
-            match target {
-                DataTarget::Stdout => Ok(print(DataFormat::Csv.bytes(&columns)?)?),
-                DataTarget::File { path, format } => {
-                    let bytes = timings.stage("table", || format.bytes(&columns))?;
-                    let mut files = FileSet::new(path.parent().unwrap_or(&path));
-                    files.add_at(&path, bytes);
-                    let written = timings.stage("files", || files.write())?;
-                    Ok(print(report::written(columns.rows(), &written))?)
-                }
-            }
+        (Some(Momenta::Range { from, to, count }), None) => {
+            let columns = timings.stage("critical", || table::at_momenta(&subject.body, [from, to], *count));
+            written(&columns.map_err(NotFound)?, out.as_ref(), timings)
         }
     }
+}
+
+/// Every axis about which the body turns steadily at a spin.
+fn at_spin(
+    subject: &Subject,
+    spin: &Spin,
+    json: bool,
+    out: Option<&DataTarget>,
+    timings: &Timings,
+) -> Result<(), Failure> {
+    let omega = spin.exact_rad_per_s() * subject.unit_of_time();
+    let found = timings.stage("critical", || RelativeEquilibria::new(&subject.body)?.at_spin(&omega));
+    let found = found.map_err(|error| NotFound(error.into()))?;
+    let document = bifdiag_documents::steady_axes(subject, spin, &found);
+    match out {
+        Some(_) => {
+            let columns = table::at_spin(&subject.body, &document, &found).map_err(NotFound)?;
+            written(&columns, out, timings)
+        }
+        None => Ok(answer(json, &document, || report::steady_axes(subject, &document))?),
+    }
+}
+
+/// Writes a table.
+fn written(columns: &Columns, target: Option<&DataTarget>, timings: &Timings) -> Result<(), Failure> {
+    let Some(DataTarget::File { path, format }) = target else {
+        return Ok(print(DataFormat::Csv.bytes(columns)?)?);
+    };
+    let bytes = timings.stage("table", || format.bytes(columns))?;
+    let mut files = FileSet::new(path.parent().unwrap_or(path));
+    files.add_at(path, bytes);
+    let written = timings.stage("files", || files.write())?;
+    Ok(print(report::written(columns.rows(), &written))?)
 }
 
 /// The answers to lines of a batch; of lines in a row about one body its curves are found once in each block.
@@ -64,13 +173,33 @@ fn lines(queries: &[Query]) -> Vec<Result<Vec<u8>, Unanswered>> {
 /// The answers to lines about one body.
 fn of_one_body(queries: &[Query]) -> Vec<Result<Vec<u8>, Unanswered>> {
     let prepared = RelativeEquilibria::new(&queries[0].subject.body);
-    let line = |query: &Query| {
-        let found = prepared.as_ref().map_err(CriticalError::clone)?.at(&query.l)?;
-        let mut text = Vec::with_capacity(LINE);
-        serde_json::to_writer(&mut text, &bifdiag_documents::critical(&query.subject, &query.l, &found))?;
-        Ok(text)
-    };
-    queries.iter().map(line).collect()
+    let answer = |query: &Query| line(&query.subject, prepared.as_ref().map_err(CriticalError::clone)?, &query.l);
+    queries.iter().map(answer).collect()
+}
+
+/// The answer at one momentum on one line.
+fn line(subject: &Subject, prepared: &RelativeEquilibria<'_>, l: &Number) -> Result<Vec<u8>, Unanswered> {
+    let found = prepared.at(l)?;
+    let mut text = Vec::with_capacity(LINE);
+    serde_json::to_writer(&mut text, &bifdiag_documents::critical(subject, l, &found))?;
+    Ok(text)
+}
+
+/// Prints the answers at the momenta of a range, a line for each.
+fn ranged_lines(subject: &Subject, ends: [&Number; 2], count: u32) -> Result<(), Failure> {
+    let not_found = |error: CriticalError| NotFound(error.into());
+    let prepared = RelativeEquilibria::new(&subject.body).map_err(not_found)?;
+    let numbers: Vec<u32> = (0..count).collect();
+    for block in numbers.chunks(BLOCK) {
+        let lines = block.par_iter().map(|&k| {
+            let mut line = line(subject, &prepared, &Momenta::at(ends, count, k))?;
+            line.push(b'\n');
+            Ok(line)
+        });
+        let lines: Vec<Vec<u8>> = lines.collect::<Result<_, _>>().map_err(NotFound)?;
+        print(lines.concat())?;
+    }
+    Ok(())
 }
 
 /// Lines that one thread answers.

@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use bifdiag_schema::{CriticalDocument, Multiplicity, Verdict, small_motions};
+use bifdiag_schema::{
+    CriticalDocument, Multiplicity, RelativeEquilibriumDocument, SteadyAxesDocument, SteadyAxisDocument, Verdict,
+    eigenvalues_in_words, small_motions,
+};
 
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, bound, fixed, significant};
@@ -13,27 +16,15 @@ const DIGITS: usize = 10;
 
 pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     let mut places = Table::new(&["h", "gamma", "omega", "index", "mult", "curve", "branch"]);
-    let mut motions = Table::new(&["curve", "type", "stable", "small motions"]);
     for point in &document.critical {
-        let [x, y, z] = point.gamma.map(|x| fixed(x, 6));
         places.row([
             significant(point.h, DIGITS),
-            format!("({x:>9}, {y:>9}, {z:>9})"),
+            vector(point.gamma),
             significant(point.omega, 6),
             point.index.to_string(),
-            match point.multiplicity {
-                Multiplicity::Points(count) => count.to_string(),
-                Multiplicity::Circle => "circle".to_owned(),
-                Multiplicity::Sphere => "sphere".to_owned(),
-            },
+            count(point.multiplicity),
             point.branch.clone(),
             point.branch_name.clone(),
-        ]);
-        motions.row([
-            point.branch.clone(),
-            point.stability.word().to_owned(),
-            point.stable.word().to_owned(),
-            small_motions(&[point.eigenvalues], |time| significant(time, 6)),
         ]);
     }
     let mut report = Report::default();
@@ -41,23 +32,8 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
     report.line(format!("l = {}", document.l));
     report.line("");
     report.line(places.text());
-    report.line("");
-    report.line(motions.text());
-    report.line("");
-    let unit = document.part.as_ref().map_or_else(String::new, |part| format!(", in {}", part.time_unit()));
-    report.line(format!(
-        "period: of a small oscillation; growth: the time in which a small deviation grows by the factor e{unit}"
-    ));
-    if document.critical.iter().any(|point| point.stable == Verdict::Spectrum) {
-        report.line("spectrally stable is not stable: all eigenvalues are imaginary, and nothing more is known");
-    }
-    if let Some(all) = document.critical.iter().find(|point| point.multiplicity == Multiplicity::Sphere) {
-        report.line(if all.omega == 0.0 {
-            "sphere: at rest every orientation is an equilibrium"
-        } else {
-            "sphere: rotation about every axis is a relative equilibrium"
-        });
-    }
+    let points: Vec<&RelativeEquilibriumDocument> = document.critical.iter().collect();
+    motions(&mut report, subject, &points);
     report.line(format!("error bound of h: {}", bound(document.error_bound, 2)));
     if !document.complete {
         report.line("there may be more: l lies beside cusps closer than 2^-4000");
@@ -66,6 +42,92 @@ pub fn text(subject: &Subject, document: &CriticalDocument) -> String {
         report.line(format!("note: {note}"));
     }
     report.text()
+}
+
+/// Every axis about which a body turns steadily at a spin.
+pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
+    let mut places = Table::new(&["axis (up)", "h", "l", "index", "mult", "curve", "branch"]);
+    for SteadyAxisDocument { axis, l, equilibrium: point, .. } in &document.axes {
+        places.row([
+            vector(*axis),
+            significant(point.h, DIGITS),
+            significant(*l, DIGITS),
+            point.index.to_string(),
+            count(point.multiplicity),
+            point.branch.clone(),
+            point.branch_name.clone(),
+        ]);
+    }
+    let mut report = Report::default();
+    head(subject, &mut report);
+    let [rpm, rad_per_s] = [document.spin.rpm, document.spin.rad_per_s].map(|x| significant(x, 8));
+    report.line(format!("steady axes at {rpm} rpm = {rad_per_s} rad/s"));
+    report.line("");
+    report.line(places.text());
+    let points: Vec<&RelativeEquilibriumDocument> = document.axes.iter().map(|axis| &axis.equilibrium).collect();
+    motions(&mut report, subject, &points);
+    let frame = if document.part.is_some() { "in the part's frame" } else { "in principal axes" };
+    report.line(format!("axis: the end that points up, {frame}; gamma in the JSON points down, in principal axes"));
+    for axis in document.axes.iter().filter(|axis| axis.fold) {
+        report.line(format!(
+            "at this spin two steady axes meet on {}: slower, there is neither",
+            axis.equilibrium.branch
+        ));
+    }
+    report.line(format!("error bound of h: {}", bound(document.error_bound, 2)));
+    if !document.complete {
+        report.line("there may be more: roots are closer than 2^-4000");
+    }
+    report.text()
+}
+
+fn vector(v: [f64; 3]) -> String {
+    let [x, y, z] = v.map(|x| fixed(x, 6));
+    format!("({x:>9}, {y:>9}, {z:>9})")
+}
+
+fn count(multiplicity: Multiplicity) -> String {
+    match multiplicity {
+        Multiplicity::Points(count) => count.to_string(),
+        Multiplicity::Circle => "circle".to_owned(),
+        Multiplicity::Sphere => "sphere".to_owned(),
+    }
+}
+
+/// Types, verdicts, small motions and eigenvalues as a table, and what its words mean.
+fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriumDocument]) {
+    let mut motions = Table::new(&["curve", "type", "stable", "small motions", "eigenvalues"]);
+    for point in points {
+        motions.row([
+            point.branch.clone(),
+            point.stability.word().to_owned(),
+            point.stable.word().to_owned(),
+            small_motions(&[point.eigenvalues], |time| significant(time, 6)),
+            eigenvalues_in_words(&point.eigenvalues, |x| significant(x, 6)),
+        ]);
+    }
+    report.line("");
+    report.line(motions.text());
+    report.line("");
+    let unit = subject.part.as_ref().map(bifdiag_schema::PartDocument::time_unit);
+    let (times, rates) = match unit {
+        Some(unit) => (format!(", in {unit}"), format!("per {unit}")),
+        None => (String::new(), "per unit of time".to_owned()),
+    };
+    report.line(format!(
+        "period: of a small oscillation; growth: the time in which a small deviation grows by the factor e{times}"
+    ));
+    report.line(format!("eigenvalues: of the linearised flow at fixed l, {rates}"));
+    if points.iter().any(|point| point.stable == Verdict::Spectrum) {
+        report.line("spectrally stable is not stable: all eigenvalues are imaginary, and nothing more is known");
+    }
+    if let Some(all) = points.iter().find(|point| point.multiplicity == Multiplicity::Sphere) {
+        report.line(if all.omega == 0.0 {
+            "sphere: at rest every orientation is an equilibrium"
+        } else {
+            "sphere: rotation about every axis is a relative equilibrium"
+        });
+    }
 }
 
 /// What was written of a table.

@@ -1,14 +1,33 @@
-//! Relative equilibria at many l as columns.
+//! Relative equilibria at many l, or at one spin, as columns.
 
-use bifdiag_body::Body;
-use bifdiag_equilibria::critical::{CriticalError, Multiplicity as Points, RelativeEquilibria};
-use bifdiag_schema::{Multiplicity, Stability, Verdict};
+use bifdiag_body::{Body, Number};
+use bifdiag_equilibria::critical::{CriticalError, Equilibria, Multiplicity as Points, RelativeEquilibria};
+use bifdiag_schema::{Multiplicity, SCHEMA_VERSION, SpinDocument, Stability, SteadyAxesDocument, Verdict};
 use serde::Serialize;
+use thiserror::Error;
 
 use super::momenta::Momenta;
 use crate::cli::export::{Columns, Values};
-use bifdiag_body::Number;
-use bifdiag_schema::SCHEMA_VERSION;
+use crate::cli::failure::{CommandError, Exit};
+
+/// Why there is no answer.
+#[derive(Debug, Error)]
+pub enum Unanswered {
+    #[error(transparent)]
+    Critical(#[from] CriticalError),
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
+}
+
+/// In a batch a momentum out of range is a wrong line.
+impl CommandError for Unanswered {
+    fn exit(&self) -> Exit {
+        match self {
+            Self::Critical(CriticalError::Momentum(_)) => Exit::WrongInput,
+            Self::Critical(CriticalError::Equilibria(_) | CriticalError::Lost { .. }) | Self::Json(_) => Exit::Failed,
+        }
+    }
+}
 
 /// What the codes in the columns mean.
 #[derive(Serialize)]
@@ -19,7 +38,10 @@ struct Meta<'a> {
     #[serde(rename = "r")]
     center: [&'a str; 3],
     /// The momenta: first, last, number.
-    l: (&'a str, &'a str, u32),
+    #[serde(skip_serializing_if = "Option::is_none")]
+    l: Option<(&'a str, &'a str, u32)>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spin: Option<SpinDocument>,
     stability: [Stability; 7],
     stable: [Verdict; 5],
     multiplicity: [Multiplicity; 4],
@@ -49,60 +71,34 @@ struct Rows {
 }
 
 /// All equilibria at all momenta of a range.
-pub fn of(body: &Body, [from, to]: [&Number; 2], count: u32) -> Result<Columns, NoTable> {
+pub fn at_momenta(body: &Body, [from, to]: [&Number; 2], count: u32) -> Result<Columns, Unanswered> {
     let prepared = RelativeEquilibria::new(body)?;
     let mut rows = Rows::default();
     for k in 0..count {
-        rows.extend(&prepared, k, &Momenta::at([from, to], count, k))?;
+        let l = Momenta::at([from, to], count, k);
+        rows.extend(&prepared.at(&l)?, k, Some(l.to_f64()));
     }
-    let meta = Meta {
-        schema_version: SCHEMA_VERSION,
-        moments: body.moments().each_ref().map(Number::text),
-        center: body.center().each_ref().map(Number::text),
-        l: (from.text(), to.text(), count),
-        stability: bifdiag_documents::LINEAR_TYPES,
-        stable: bifdiag_documents::VERDICTS,
-        multiplicity: [Multiplicity::Points(1), Multiplicity::Points(2), Multiplicity::Circle, Multiplicity::Sphere],
-        branches: rows.branches,
-        eigenvalue_error: rows.eigenvalue_error,
-        error_bound: rows.error_bound,
-        complete: !rows.incomplete,
-    };
-    let ids: Vec<&str> = meta.branches.iter().map(|(id, _)| id.as_str()).collect();
-    let eigenvalues = Values::Float { parts: &["1_re", "1_im", "2_re", "2_im"], values: rows.eigenvalues };
-    let columns = [
-        ("l_index", Values::Int32(rows.index_of_l)),
-        ("l", Values::floats(rows.l.into_iter())),
-        ("h", Values::floats(rows.h.into_iter())),
-        ("gamma", Values::vectors(rows.gamma.into_iter())),
-        ("omega", Values::floats(rows.omega.into_iter())),
-        ("index", Values::Int8(rows.index)),
-        ("multiplicity", Values::words(&meta.multiplicity, Values::Int8(rows.multiplicity))?),
-        ("stability", Values::words(&meta.stability, Values::Int8(rows.stability))?),
-        ("stable", Values::words(&meta.stable, Values::Int8(rows.stable))?),
-        ("eigenvalues", eigenvalues),
-        ("branch", Values::words(&ids, Values::Int32(rows.branch))?),
-    ];
-    Ok(Columns::new(columns, &meta)?)
+    let numbers = ("l_index", Values::Int32(std::mem::take(&mut rows.index_of_l)));
+    Ok(rows.columns(body, Some((from.text(), to.text(), count)), None, [numbers], [])?)
 }
 
-/// Why there is no table.
-#[derive(Debug, thiserror::Error)]
-pub enum NoTable {
-    #[error(transparent)]
-    Critical(#[from] CriticalError),
-    #[error(transparent)]
-    Json(#[from] serde_json::Error),
+/// All steady axes at a spin.
+pub fn at_spin(body: &Body, document: &SteadyAxesDocument, found: &Equilibria) -> Result<Columns, Unanswered> {
+    let mut rows = Rows::default();
+    rows.extend(found, 0, None);
+    let axes = ("axis", Values::vectors(document.axes.iter().map(|axis| axis.axis)));
+    let folds = ("fold", Values::Int8(document.axes.iter().map(|axis| i8::from(axis.fold)).collect()));
+    Ok(rows.columns(body, None, Some(document.spin), [axes], [folds])?)
 }
 
 impl Rows {
-    fn extend(&mut self, prepared: &RelativeEquilibria<'_>, k: u32, l: &Number) -> Result<(), CriticalError> {
-        let found = prepared.at(l)?;
+    /// Adds the equilibria of question `k`, at l as it was given.
+    fn extend(&mut self, found: &Equilibria, k: u32, l: Option<f64>) {
         self.error_bound = self.error_bound.max(found.error_bound);
         self.incomplete |= !found.complete;
         for point in &found.list {
             self.index_of_l.push(k.cast_signed());
-            self.l.push(l.to_f64());
+            self.l.push(l.unwrap_or(point.l));
             self.h.push(point.h);
             self.gamma.push(point.gamma);
             self.omega.push(point.omega);
@@ -125,6 +121,50 @@ impl Rows {
             });
             self.branch.push(i32::try_from(branch).unwrap_or(i32::MAX));
         }
-        Ok(())
+    }
+
+    /// The table, between columns of the question's own.
+    fn columns<const N: usize, const M: usize>(
+        self,
+        body: &Body,
+        l: Option<(&str, &str, u32)>,
+        spin: Option<SpinDocument>,
+        before: [(&'static str, Values); N],
+        after: [(&'static str, Values); M],
+    ) -> Result<Columns, serde_json::Error> {
+        let meta = Meta {
+            schema_version: SCHEMA_VERSION,
+            moments: body.moments().each_ref().map(Number::text),
+            center: body.center().each_ref().map(Number::text),
+            l,
+            spin,
+            stability: bifdiag_documents::LINEAR_TYPES,
+            stable: bifdiag_documents::VERDICTS,
+            multiplicity: [
+                Multiplicity::Points(1),
+                Multiplicity::Points(2),
+                Multiplicity::Circle,
+                Multiplicity::Sphere,
+            ],
+            branches: self.branches,
+            eigenvalue_error: self.eigenvalue_error,
+            error_bound: self.error_bound,
+            complete: !self.incomplete,
+        };
+        let ids: Vec<&str> = meta.branches.iter().map(|(id, _)| id.as_str()).collect();
+        let eigenvalues = Values::Float { parts: &["1_re", "1_im", "2_re", "2_im"], values: self.eigenvalues };
+        let common = [
+            ("l", Values::floats(self.l.into_iter())),
+            ("h", Values::floats(self.h.into_iter())),
+            ("gamma", Values::vectors(self.gamma.into_iter())),
+            ("omega", Values::floats(self.omega.into_iter())),
+            ("index", Values::Int8(self.index)),
+            ("multiplicity", Values::words(&meta.multiplicity, Values::Int8(self.multiplicity))?),
+            ("stability", Values::words(&meta.stability, Values::Int8(self.stability))?),
+            ("stable", Values::words(&meta.stable, Values::Int8(self.stable))?),
+            ("eigenvalues", eigenvalues),
+            ("branch", Values::words(&ids, Values::Int32(self.branch))?),
+        ];
+        Columns::new(before.into_iter().chain(common).chain(after), &meta)
     }
 }

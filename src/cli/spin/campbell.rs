@@ -1,18 +1,49 @@
 //! `bifdiag campbell`: frequencies over the spin of a permanent axis.
 
+use std::path::PathBuf;
+
+use bifdiag_body::part::Spin;
 use bifdiag_documents::Subject;
 use bifdiag_equilibria::permanent::{AxisRotation, SpinType, angle_between, permanent_axis};
 use bifdiag_numbers::Sign;
 use bifdiag_plot::{Campbell, draw_campbell};
+use clap::Args;
 use dashu_ratio::RBig;
 
-use super::arguments::CampbellArguments;
-use super::direction::{from_principal, second, to_principal};
-use super::error::StateInput;
-use super::rotation::Axis;
+use super::axis::{Axis, AxisArgument, axis, followed_text};
+use super::input::StateInput;
 use crate::cli::export::{Column, Columns, DataFormat, ExportError, FileSet, PictureFormat, RESOLUTION, Values};
 use crate::cli::failure::Failure;
+use crate::cli::input::BodyArguments;
 use crate::cli::terminal::{Report, Timings, print, significant};
+
+pub const CAMPBELL_EXAMPLES: &str = "\
+Examples:
+  bifdiag campbell --inertia-com 8e-5,9e-5,1.2e-4,0,0,0 --com 0,0,0.04 \\
+      --mass 0.2 --axis z --to \"4000 rpm\"
+  bifdiag campbell --A 2,1.1,1 --r 0,0,1 --axis=-z --to \"5 rad/s\" --out campbell";
+
+/// `bifdiag campbell`.
+#[derive(Debug, Args)]
+pub struct CampbellArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// The axis of rotation, pointing up: x, y, z or a direction
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
+    pub axis: AxisArgument,
+    /// The largest spin, with its unit: rpm, Hz, rad/s, deg/s
+    #[arg(long, value_name = "\"6000 rpm\"", allow_hyphen_values = true, help_heading = "Rotation")]
+    pub to: Spin,
+    /// Write campbell.svg and campbell.csv to DIR
+    #[arg(long, value_name = "DIR", default_value = "bifdiag-out", help_heading = "Output")]
+    pub out: PathBuf,
+    /// Draw nothing
+    #[arg(long, help_heading = "Output")]
+    pub no_plot: bool,
+}
+
+/// An axis farther than this, in degrees, from the one that is followed is reported.
+const TOLD: f64 = 1e-9;
 
 /// Spins in the table.
 const STEPS: u32 = 400;
@@ -23,14 +54,14 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     if largest <= 0.0 {
         return Err(StateInput::NoSpins { to: arguments.to.to_string() }.into());
     }
-    let Axis::Permanent { axis, .. } = Axis::of(&subject, arguments.axis.direction) else {
+    let Axis::Permanent { axis, nearest } = Axis::followed(&subject, arguments.axis.direction) else {
         return Err(not_permanent(&subject, arguments.axis.direction).into());
     };
     // γ points down.
     let Some(rotation) = AxisRotation::about(&subject.body, axis, Sign::Negative) else {
         return Err(StateInput::NoPermanentAxis.into());
     };
-    let second = second(subject.part.as_ref());
+    let second = subject.second();
     let rows = rows(&rotation, largest, second);
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
         return Err(StateInput::TooFast { to: arguments.to.to_string() }.into());
@@ -49,11 +80,14 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         files.pictures("campbell", &picture, &[PictureFormat::Svg], RESOLUTION, timings)?;
     }
     let mut report = Report::default();
+    if nearest.angle_deg > TOLD {
+        report.line(followed_text(&nearest));
+    }
     for change in &changes {
         report.line(format!("{} rpm: {} to {}", significant(change.spin.rpm, 8), change.from, change.to));
     }
     if changes.is_empty() {
-        report.line(format!("no change of type up to {} rpm", significant(bifdiag_body::part::Spin::rpm(largest), 8)));
+        report.line(format!("no change of type up to {} rpm", significant(Spin::rpm(largest), 8)));
     }
     if let Some(next) = beyond.first() {
         report.line(format!("the next change of type is at {} rpm, beyond --to", significant(next.spin.rpm, 8)));
@@ -64,10 +98,9 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
 
 /// Why an axis has no frequencies over the spin.
 fn not_permanent(subject: &Subject, given: [f64; 3]) -> StateInput {
-    let part = subject.part.as_ref();
-    match permanent_axis(&subject.body, to_principal(part, given)) {
+    match permanent_axis(&subject.body, subject.to_principal(given)) {
         Some(nearest) => {
-            let axis = from_principal(part, nearest.direction);
+            let axis = subject.to_given(nearest.direction);
             let angle = significant(angle_between(axis, given).to_degrees(), 3);
             StateInput::NotPermanent { axis: axis.map(|x| significant(x, 6)).join(", "), angle }
         }
@@ -89,10 +122,10 @@ fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
         let spin = largest * f64::from(k) / f64::from(STEPS);
         let omega = RBig::try_from(spin / second).unwrap_or_default();
         let (frequencies, growth) = rotation.frequencies_and_growth(&omega);
-        let [p, q] = frequencies.map(|frequency| bifdiag_body::part::Spin::hertz(frequency * second));
+        let [p, q] = frequencies.map(|frequency| Spin::hertz(frequency * second));
         let stable = rotation.type_at_spin(&omega).is_some_and(SpinType::is_stable);
         Row {
-            rpm: bifdiag_body::part::Spin::rpm(spin),
+            rpm: Spin::rpm(spin),
             frequencies: [p.min(q), p.max(q)].map(|frequency| if frequency == 0.0 { f64::NAN } else { frequency }),
             growth: if stable { 0.0 } else { growth * second },
             stable,

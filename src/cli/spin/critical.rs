@@ -7,17 +7,40 @@ use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::vector::dot;
 use bifdiag_numbers::{Number, Sign};
 use bifdiag_schema::{CriticalSpinDocument, SteadySpinDocument};
+use clap::Args;
 use dashu_ratio::RBig;
 
-use super::arguments::CriticalSpinArguments;
-use super::direction::{AxisArgument, from_principal, second, to_principal_exactly};
-use super::error::StateInput;
-use super::rotation::{Axis, MEANT, end_up};
+use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, followed_text};
+use super::input::StateInput;
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
-use crate::cli::input::head;
+use crate::cli::input::{BodyArguments, head};
 use crate::cli::terminal::{Report, Table, Timings, significant};
+
+pub const CRITICAL_SPIN_EXAMPLES: &str = "\
+Examples:
+  bifdiag critical-spin --inertia-com 8e-5,8e-5,1.2e-4,0,0,0 --com 0,0,0.04 \\
+      --mass 0.2 --axis z --tolerance 1%
+  bifdiag critical-spin --A 2,1.1,1 --r 0,0,1 --axis 0,0,1 --json";
+
+/// `bifdiag critical-spin`.
+#[derive(Debug, Args)]
+pub struct CriticalSpinArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// The axis of rotation: x, y, z or a direction; a permanent axis within 0.5 degrees of it is followed (default: the axis
+    /// that is permanent at every spin)
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
+    pub axis: Option<AxisArgument>,
+    /// How well moments and weight are known: 1%, or axis=0.5%,across=1%,weight=2% (moments for the first two); bounds on the
+    /// spins at which such parts change
+    #[arg(long, value_name = "1%", value_parser = tolerance::tolerance, help_heading = "Rotation")]
+    pub tolerance: Option<ToleranceArgument>,
+    /// Print the spins as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
 
 pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), Failure> {
     let (subject, measured) = arguments.body.measured_subject()?;
@@ -29,8 +52,24 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
         (None, Some((part, measured))) => Known::Measured(part, measured),
         (None, None) => Known::Exactly,
     };
-    let document = timings.stage("spins", || document(&subject, &arguments.axis, &known));
+    let axis = match &arguments.axis {
+        Some(axis) => axis.clone(),
+        None => the_permanent_axis(&subject)?,
+    };
+    let document = timings.stage("spins", || document(&subject, &axis, &known));
     Ok(answer(arguments.json, &document, || text(&subject, &document))?)
+}
+
+/// The axis that is permanent at every spin, where there is one alone.
+fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, StateInput> {
+    if subject.body.is_euler() {
+        return Err(StateInput::NoWeight);
+    }
+    let axis = AxisArgument::of_the_centre_of_mass(subject).map_err(|_no_direction| StateInput::NoAxis)?;
+    match Axis::of(subject, axis.direction) {
+        Axis::Permanent { .. } => Ok(axis),
+        _ => Err(StateInput::NoAxis),
+    }
 }
 
 /// How well the numbers of the body are known.
@@ -42,7 +81,7 @@ enum Known<'a> {
 
 /// The spins at which rotation about an axis changes.
 fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> CriticalSpinDocument {
-    let found = Axis::of(subject, given.direction);
+    let (found, exactly) = (Axis::followed(subject, given.direction), Axis::of(subject, given.direction));
     let nearest = match &found {
         Axis::Permanent { nearest, .. } | Axis::AtOneSpin { nearest, .. } | Axis::Other { nearest } => {
             Some(nearest.clone())
@@ -55,7 +94,11 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         axis: given.direction,
         permanent: matches!(found, Axis::Permanent { .. }),
         nearest: nearest.filter(|nearest| nearest.angle_deg > 0.0),
-        steady: None,
+        steady: match exactly {
+            Axis::AtOneSpin { axis, .. } => Some(steady_spin(subject, given, &axis).into_iter().collect()),
+            Axis::Permanent { .. } | Axis::Unknown => None,
+            Axis::Principal | Axis::Other { .. } => Some(Vec::new()),
+        },
         slow: None,
         changes: Vec::new(),
         tolerance: None,
@@ -63,11 +106,6 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         part: subject.part.clone(),
     };
     let Axis::Permanent { axis, .. } = found else {
-        document.steady = match found {
-            Axis::AtOneSpin { axis, .. } => Some(steady_spin(subject, given, &axis).into_iter().collect()),
-            Axis::Unknown => None,
-            _ => Some(Vec::new()),
-        };
         if !matches!(known, Known::Exactly) {
             document.note = Some(
                 "tolerances are reported for an axis that is permanent at every spin for the nominal numbers"
@@ -82,7 +120,7 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         document.note =
             Some("the regions of this body were not found: only changes of stability are listed".to_owned());
     }
-    let second = second(subject.part.as_ref());
+    let second = subject.second();
     let mut slow = Vec::new();
     let mut rotations = Vec::new();
     // γ points down.
@@ -96,7 +134,7 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         Known::Exactly => None,
         Known::Relative(tolerance) => Some(bifdiag_documents::tolerance(&rotations, &tolerance.0, second)),
         Known::Measured(part, measured) => {
-            let up = from_principal(subject.part.as_ref(), axis.direction);
+            let up = subject.to_given(axis.direction);
             let ends = [("+axis", up), ("-axis", up.map(|x| -x))];
             Some(bifdiag_documents::measured_tolerance(part, measured, ends, second))
         }
@@ -124,9 +162,8 @@ fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> O
     let s = axis.squared_spin.filter(|s| *s != 0.0)?;
     let end = s.signum();
     let up = axis.axis.map(|x| end * x);
-    let part = subject.part.as_ref();
     let rational = |x: f64| RBig::try_from(x).unwrap_or_default();
-    let exact_up = to_principal_exactly(part, &given.given).map(|x| x * rational(end));
+    let exact_up = given.in_principal_axes(subject).map(|x| x * rational(end));
     let (exact_up, exact_omega) = match exact_spin(&subject.body, &exact_up) {
         Some(omega) => (exact_up, omega),
         None => (up.map(rational), rational(s.abs().sqrt())),
@@ -137,7 +174,7 @@ fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> O
     let found = nearest_steady(&subject.body, &exact_omega, &exact_up).filter(|found| found.angle <= MEANT);
     Some(SteadySpinDocument {
         up: end_up(s).to_owned(),
-        spin: bifdiag_documents::spin(omega * second(part)),
+        spin: bifdiag_documents::spin(omega * subject.second()),
         l,
         h: 0.5 * omega * l + dot(up, r),
         stability: found.as_ref().map(|found| found.equilibrium.stability.word().to_owned()),
@@ -158,18 +195,21 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     let [x, y, z] = document.axis.map(|x| significant(x, 6));
     report.line(format!("axis ({x}, {y}, {z})"));
     report.line("");
-    if let Some(nearest) = &document.nearest {
-        let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
-        let angle = significant(nearest.angle_deg, 3);
-        let taken = nearest.angle_deg <= MEANT.to_degrees();
-        let end = if nearest.up.as_deref() == Some("-axis") { ", with its other end up" } else { "" };
-        let spin = match &nearest.spin {
-            _ if taken => ", which is taken".to_owned(),
-            Some(spin) => format!(", at {} rpm only{end}", significant(spin.rpm, 6)),
-            None => String::new(),
-        };
-        report.line(format!("the nearest permanent axis is ({x}, {y}, {z}), {angle}° away{spin}"));
+    match &document.nearest {
+        Some(nearest) if document.permanent => report.line(followed_text(nearest)),
+        Some(nearest) => {
+            let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
+            let angle = significant(nearest.angle_deg, 3);
+            let end = if nearest.up.as_deref() == Some("-axis") { ", with its other end up" } else { "" };
+            let spin = match &nearest.spin {
+                Some(spin) => format!(", at {} rpm only{end}", significant(spin.rpm, 6)),
+                None => String::new(),
+            };
+            report.line(format!("the nearest permanent axis is ({x}, {y}, {z}), {angle}° away{spin}"));
+        }
+        None => {}
     }
+    at_one_spin(&mut report, document);
     if !document.permanent {
         not_permanent(&mut report, subject, document);
         note(&mut report, document);
@@ -193,12 +233,13 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     report.text()
 }
 
-/// What an axis is that is not permanent at every spin.
-fn not_permanent(report: &mut Report, subject: &Subject, document: &CriticalSpinDocument) {
+/// At which spin rotation about the axis itself is steady.
+fn at_one_spin(report: &mut Report, document: &CriticalSpinDocument) {
+    let which = if document.permanent { "the given axis itself" } else { "this axis" };
     for steady in document.steady.iter().flatten() {
         let [rpm, rad_per_s] = [steady.spin.rpm, steady.spin.rad_per_s].map(|x| significant(x, 8));
         report.line(format!(
-            "rotation about this axis is steady at one spin only: {rpm} rpm = {rad_per_s} rad/s, {} up",
+            "rotation about {which} is steady at one spin only: {rpm} rpm = {rad_per_s} rad/s, {} up",
             steady.up
         ));
         let stability = match (steady.verdict, &steady.stability) {
@@ -207,6 +248,10 @@ fn not_permanent(report: &mut Report, subject: &Subject, document: &CriticalSpin
         };
         report.line(format!("h = {}, l = {}{stability}", significant(steady.h, 10), significant(steady.l, 10)));
     }
+}
+
+/// Why an axis is steady at no spin or at one only.
+fn not_permanent(report: &mut Report, subject: &Subject, document: &CriticalSpinDocument) {
     match Axis::of(subject, document.axis) {
         Axis::AtOneSpin { axis, .. } if axis.squared_spin == Some(0.0) => report.line(
             "the centre of mass lies on this axis, which is not principal: the body rests with either end up, but rotation \

@@ -9,18 +9,49 @@ use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::symmetric::{self, Real};
 use bifdiag_numbers::vector::{cross, dot, norm};
 use bifdiag_schema::{StateDocument, SteadyDocument};
+use clap::Args;
 use dashu_ratio::RBig;
 
-use super::arguments::StateArguments;
-use super::direction::{AxisArgument, second, to_principal, to_principal_exactly, unit_of_time};
-use super::error::{StateFailure, StateInput};
-use super::rotation::Axis;
+use super::axis::{Axis, AxisArgument, axis};
+use super::input::{StateFailure, StateInput};
 use super::steady::{Question, at_spin, changes, told};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
-use crate::cli::input::head;
-use crate::cli::input::values::Triple;
+use crate::cli::input::values::{self, Triple};
+use crate::cli::input::{BodyArguments, head};
 use crate::cli::terminal::{Report, Timings, significant};
+
+pub const STATE_EXAMPLES: &str = "\
+Examples:
+  bifdiag state --inertia-com 8e-5,8e-5,1.2e-4,0,0,0 --com 0,0,0.04 --mass 0.2 \\
+      --spin \"3000 rpm\" --axis z
+  bifdiag state --body paper --spin \"2 rad/s\" --axis 0,1,1 --vertical 0,0,1
+  bifdiag state --body paper --omega 1,0,2 --vertical 0,0,1 --json
+
+A body turns about a fixed point; --vertical points up, in the part's frame (without a part: in principal axes). With --spin \
+and --axis the default is: the axis points up.";
+
+/// `bifdiag state`.
+#[derive(Debug, Args)]
+pub struct StateArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// Rate of turning about --axis, with its unit: rpm, Hz, rad/s, deg/s
+    #[arg(long, value_name = "\"3000 rpm\"", allow_hyphen_values = true, help_heading = "State")]
+    pub spin: Option<Spin>,
+    /// The axis of the spin: x, y, z or a direction
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "State")]
+    pub axis: Option<AxisArgument>,
+    /// The angular velocity in rad/s, instead of --spin and --axis
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::triple, help_heading = "State")]
+    pub omega: Option<Triple>,
+    /// The direction upward (default: along --axis)
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "State")]
+    pub vertical: Option<AxisArgument>,
+    /// Print the state as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
 
 /// h and l of a state are computed with a smaller error, relative to the size of their terms.
 const ROUNDING: f64 = 1e-14;
@@ -98,11 +129,10 @@ impl<'a> State<'a> {
     }
 
     fn document(&self, subject: &Subject) -> Result<StateDocument, bifdiag_body::ParseNumberError> {
-        let part = subject.part.as_ref();
-        let second = second(part);
-        let omega = to_principal(part, self.omega).map(|x| x / second);
+        let second = subject.second();
+        let omega = subject.to_principal(self.omega).map(|x| x / second);
         let vertical = self.vertical.direction;
-        let up = to_principal(part, vertical);
+        let up = subject.to_principal(vertical);
         let (a, r) = (subject.body.moments_f64(), subject.body.center_f64());
         let momentum: [f64; 3] = std::array::from_fn(|k| a[k] * omega[k]);
         // γ = −up: U = −⟨γ, r⟩ = ⟨up, r⟩; l = ⟨Aω, γ⟩, of which the sign does not matter.
@@ -127,8 +157,8 @@ impl<'a> State<'a> {
         let question = Question {
             subject,
             vertical,
-            up: to_principal_exactly(part, &self.vertical.given),
-            omega: spin * unit_of_time(part),
+            up: self.vertical.in_principal_axes(subject),
+            omega: spin * subject.unit_of_time(),
         };
         let steady = at_spin(&question, &prepared);
         if prepared.atlas().is_none() {

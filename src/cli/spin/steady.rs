@@ -12,8 +12,7 @@ use bifdiag_numbers::{Number, Sign};
 use bifdiag_schema::{Multiplicity, SpinChangeDocument, SteadyDocument, Verdict};
 use dashu_ratio::RBig;
 
-use super::direction::{from_principal, second};
-use super::rotation::{Axis, MEANT};
+use super::axis::{Axis, MEANT};
 use crate::cli::terminal::{Report, significant};
 
 /// Distances in h at which the regions beside a curve are looked up, relative to the size of the energies.
@@ -77,7 +76,7 @@ fn beside(prepared: &Solver, place: &Place<'_>) -> Option<[Spot; 2]> {
 /// Rotation about an axis that is permanent at every spin, at an angle to that of the question: exact, along its curve.
 fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared: &Solver) -> Option<SteadyDocument> {
     let Question { subject, omega, .. } = question;
-    let second = second(subject.part.as_ref());
+    let second = subject.second();
     // γ points down.
     let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative)?;
     let [below, at, above] = bifdiag_documents::changes_beside(&rotation, "+axis", prepared.atlas(), second, omega);
@@ -91,7 +90,7 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
     let (h, l) = rotation.point(omega);
     let size = norm(subject.body.center_f64()) + 0.5 * l.to_f64() * omega.to_f64().value();
     let document = SteadyDocument {
-        axis: from_principal(subject.part.as_ref(), axis.direction),
+        axis: subject.to_given(axis.direction),
         angle_deg: told_angle(angle),
         h: h.to_f64(),
         l: l.to_f64(),
@@ -113,13 +112,12 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
 /// Rotation about another axis, which is permanent at this spin.
 fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Solver) -> SteadyDocument {
     let Question { subject, omega, .. } = question;
-    let part = subject.part.as_ref();
-    let second = second(part);
+    let second = subject.second();
     let point = &found.equilibrium;
     let growth = point.eigenvalues.pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max);
     let [h, l] = &found.place;
     let document = SteadyDocument {
-        axis: from_principal(part, found.gamma.map(|x| 0.0 - x)),
+        axis: subject.to_given(found.gamma.map(|x| 0.0 - x)),
         angle_deg: told_angle(found.angle),
         h: h.to_f64(),
         l: l.to_f64(),

@@ -81,7 +81,10 @@ impl RelativeEquilibria<'_> {
         for exact in &points {
             let x = match question.fixed {
                 Fixed::Momentum { x, .. } => x,
-                Fixed::Spin(_) => 0.5 * middle(&exact.state.s) * middle(&exact.state.j).powi(2),
+                Fixed::Spin(_) => {
+                    let j = middle(&exact.state.j);
+                    0.5 * middle(&exact.state.s) * j * j
+                }
             };
             let site = self.site(exact, question, x)?;
             self.push(found, question, &site, &exact.reduced, exact.kind);
@@ -135,7 +138,8 @@ impl RelativeEquilibria<'_> {
                 // l = JΩ, and J is the same along the whole curve.
                 Fixed::Spin(omega) => {
                     let j = self.set.curves[id].point(&self.set.frame, 1.0).j;
-                    0.5 * (j * omega.to_f64().value() / self.set.frame.frequency_unit).powi(2)
+                    let momentum = j * omega.to_f64().value() / self.set.frame.frequency_unit;
+                    0.5 * momentum * momentum
                 }
             };
             let (site, reduced) = self.enclosed(id, x)?;

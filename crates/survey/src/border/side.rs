@@ -53,6 +53,7 @@ impl Side {
 
 /// How many of some bodies have each class, the most frequent first; no class stands for bodies whose class is not decided,
 /// and for those that are none.
+#[must_use]
 pub fn classes_of(bodies: impl Iterator<Item = Option<Body>>) -> Vec<(Option<ClassName>, usize)> {
     let mut counts: BTreeMap<Option<ClassName>, usize> = BTreeMap::new();
     for body in bodies {

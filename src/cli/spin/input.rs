@@ -1,4 +1,4 @@
-//! Why there is no state.
+//! What is wrong with the options of these commands.
 
 use bifdiag_body::ParseNumberError;
 use thiserror::Error;
@@ -25,6 +25,16 @@ pub enum StateInput {
          `bifdiag critical-spin` gives the spin at which rotation about an axis is steady, if there is one"
     )]
     NoPermanentAxis,
+    #[error(
+        "no axis of this body is permanent at every spin: give --axis, or list all steady axes at one spin with \
+         `bifdiag critical --spin \"300 rpm\"`"
+    )]
+    NoAxis,
+    #[error(
+        "without weight every principal axis is permanent, and nothing changes with the spin: give --axis x, y or z for its \
+         type, or list all with `bifdiag critical --spin \"300 rpm\"`"
+    )]
+    NoWeight,
     #[error("--to {to}: the largest spin must be greater than 0, such as \"6000 rpm\"")]
     NoSpins { to: String },
     #[error("--to {to}: at such a spin the frequencies leave the range of numbers; give a smaller one")]

@@ -1,0 +1,126 @@
+//! Axes of questions, and the rotations that they mean.
+
+use bifdiag_documents::Subject;
+use bifdiag_equilibria::permanent::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
+use bifdiag_schema::NearestAxisDocument;
+use dashu_ratio::RBig;
+
+use crate::cli::input::values::{self, Triple, ValueError};
+
+/// An axis nearer to a permanent one than this, in radians, is that axis: directions are given with some digits.
+pub const MEANT: f64 = 1e-6;
+
+/// Half a degree, in radians: an axis that misses a permanent one by less stands for it where changes over the spin are asked
+/// for, since only a permanent axis has them.
+const FOLLOWED: f64 = std::f64::consts::PI / 360.0;
+
+/// x, y, z or three coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisArgument {
+    /// Of length 1.
+    pub direction: [f64; 3],
+    /// As it was given.
+    pub given: Triple,
+}
+
+/// Reads a direction; its length does not matter.
+pub fn axis(text: &str) -> Result<AxisArgument, ValueError> {
+    let given = values::triple(match text.strip_prefix('+').unwrap_or(text) {
+        "x" => "1,0,0",
+        "y" => "0,1,0",
+        "z" => "0,0,1",
+        "-x" => "-1,0,0",
+        "-y" => "0,-1,0",
+        "-z" => "0,0,-1",
+        _ => text,
+    })?;
+    Ok(AxisArgument { direction: given.rounded().direction()?.0, given })
+}
+
+impl AxisArgument {
+    /// The axis through the centre of mass.
+    pub fn of_the_centre_of_mass(subject: &Subject) -> Result<Self, ValueError> {
+        let center = match &subject.part {
+            Some(part) => part.com.join(","),
+            None => subject.body.center().each_ref().map(bifdiag_body::Number::text).join(","),
+        };
+        axis(&center)
+    }
+
+    /// The direction in principal axes; exact without a part.
+    pub fn in_principal_axes(&self, subject: &Subject) -> [RBig; 3] {
+        if subject.part.is_none() {
+            return self.given.values();
+        }
+        subject.to_principal(self.given.rounded().0).map(|x| RBig::try_from(x).unwrap_or_default())
+    }
+}
+
+/// What an axis is.
+pub enum Axis {
+    /// Permanent at every spin, and how far it is from the one given.
+    Permanent { axis: PermanentAxis, nearest: NearestAxisDocument },
+    /// Permanent at one spin, or with the other end up.
+    AtOneSpin { axis: NearestAxis, nearest: NearestAxisDocument },
+    /// Principal, but the centre of mass lies beside it: permanent at no spin.
+    Principal,
+    /// Permanent at no spin; the nearest one that is.
+    Other { nearest: NearestAxisDocument },
+    /// Not found within the range of `f64`.
+    Unknown,
+}
+
+impl Axis {
+    /// The axis of a direction that points up, in the frame of the question.
+    pub fn of(subject: &Subject, up: [f64; 3]) -> Self {
+        let direction = subject.to_principal(up);
+        if let Some(found) = Self::permanent(subject, direction, MEANT) {
+            return found;
+        }
+        let Some(axis) = nearest_permanent(&subject.body, direction) else { return Self::Unknown };
+        let nearest = near(subject, axis.axis, axis.angle, axis.squared_spin);
+        match axis.squared_spin {
+            Some(s) if !s.is_finite() => Self::Unknown,
+            _ if axis.angle.is_nan() => Self::Unknown,
+            _ if axis.angle > MEANT => Self::Other { nearest },
+            Some(_) => Self::AtOneSpin { axis, nearest },
+            None => Self::Principal,
+        }
+    }
+
+    /// The same, where a permanent axis within half a degree is followed in place of the one given.
+    pub fn followed(subject: &Subject, up: [f64; 3]) -> Self {
+        Self::permanent(subject, subject.to_principal(up), FOLLOWED).unwrap_or_else(|| Self::of(subject, up))
+    }
+
+    /// The axis that is permanent at every spin, if one is as near as `within` to a direction in principal axes.
+    fn permanent(subject: &Subject, direction: [f64; 3], within: f64) -> Option<Self> {
+        let axis = permanent_axis(&subject.body, direction)?;
+        let angle = angle_between(axis.direction, direction);
+        let nearest = near(subject, axis.direction, angle, None);
+        (angle <= within).then_some(Self::Permanent { axis, nearest })
+    }
+}
+
+/// An axis near the one of the question.
+fn near(subject: &Subject, axis: [f64; 3], angle: f64, squared_spin: Option<f64>) -> NearestAxisDocument {
+    NearestAxisDocument {
+        axis: subject.to_given(axis),
+        angle_deg: angle.to_degrees(),
+        spin: squared_spin.map(|s| bifdiag_documents::spin(s.abs().sqrt() * subject.second())),
+        up: squared_spin.filter(|s| *s != 0.0).map(|s| end_up(s).to_owned()),
+    }
+}
+
+/// The end of an axis of Staude's cone that is up, by ±Ω².
+pub fn end_up(squared_spin: f64) -> &'static str {
+    if squared_spin < 0.0 { "-axis" } else { "+axis" }
+}
+
+/// What is said of a permanent axis that is followed in place of the given one.
+pub fn followed_text(nearest: &NearestAxisDocument) -> String {
+    use crate::cli::terminal::significant;
+    let [x, y, z] = nearest.axis.map(|x| significant(x, 6));
+    let angle = significant(nearest.angle_deg, 3);
+    format!("the nearest permanent axis, ({x}, {y}, {z}), {angle}° from the one given, is followed")
+}
