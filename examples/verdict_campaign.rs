@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 use bifdiag::Body;
 use bifdiag::dynamics::field::{HeavyTop, State};
-use bifdiag::dynamics::section::chaos::{ChaosMeasure, ChaosOptions, Verdict, chaos_measures};
+use bifdiag::dynamics::section::chaos::{ChaosMeasure, ChaosOptions, OrbitVerdict, chaos_measures};
 use bifdiag::dynamics::section::{Monitor, PpTorus, SectionError, StartOptions, SweepOptions, spread_starts, sweep};
 use support::random::SplitMix64;
 
@@ -112,7 +112,7 @@ fn count(tally: &mut Tally, measure: &ChaosMeasure, place: impl Fn() -> String) 
     tally.orbits += 1;
     tally.turned_out_chaotic += usize::from(turned_out_chaotic);
     let Some((_, crossing)) = judgement.decided else { return };
-    let chaotic = judgement.verdict == Verdict::Chaotic;
+    let chaotic = judgement.verdict == OrbitVerdict::Chaotic;
     for (row, _) in tally.decided.iter_mut().zip(CROSSINGS).filter(|(_, crossings)| crossing <= *crossings) {
         row[usize::from(chaotic)] += 1;
     }

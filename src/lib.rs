@@ -45,7 +45,7 @@ pub mod diagram {
 pub use bifdiag_body::Body;
 pub use bifdiag_diagram::atlas::{Atlas, Region};
 pub use bifdiag_diagram::topology::{Answer, Classification, Component, Margin};
-pub use bifdiag_dynamics::poincare::{PoincareSection, Setting};
+pub use bifdiag_dynamics::poincare::{PoincareSection, SectionSetting};
 pub use bifdiag_equilibria::critical::Equilibria;
 pub use bifdiag_equilibria::curves::CurveName;
 pub use bifdiag_exact::{Accuracy, AnswerError, CertifiedAtlas, Solver, atlas, classify, critical};

@@ -25,7 +25,7 @@ const ORDER: [(&str, &str); 12] = [
          answers solver",
     ),
     ("crates/dynamics/src", "field integrator motion section poincare"),
-    ("crates/survey/src", "digits parameter range design signature scan border graph mosaic katok search"),
+    ("crates/survey/src", "parameter design signature scan border space nearest subdivision search"),
     (
         "crates/documents/src",
         "command layout body subject spin classification critical grid atlas certified scan reading border classes find witnesses \

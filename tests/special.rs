@@ -5,10 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bifdiag_body::Body;
 use bifdiag_diagram::class::ClassName;
-use bifdiag_survey::border::{self, BorderOptions, Segment};
-use bifdiag_survey::graph::{Node, Place, STRATA, Stratum};
-use bifdiag_survey::{katok, scan};
+use bifdiag_exact::Accuracy;
+use bifdiag_survey::border::{self, BodySegment, BorderOptions, class_of};
+use bifdiag_survey::scan;
+use bifdiag_survey::space::ReducedBody;
 use serde::Deserialize;
+use support::katok;
+use support::special::{SPECIAL_STRATA, SpecialStratum};
 
 #[derive(Deserialize)]
 struct Walked {
@@ -55,15 +58,16 @@ fn named(preset: &str) -> String {
 #[test]
 fn every_stratum_has_its_classes_and_its_borders() {
     let strata = strata();
-    assert!(strata.iter().map(|walked| &walked.stratum).eq(STRATA.iter().map(|stratum| stratum.name)));
+    assert!(strata.iter().map(|walked| &walked.stratum).eq(SPECIAL_STRATA.iter().map(|stratum| stratum.name)));
     for walked in &strata {
         let names: BTreeSet<&str> = walked.met.keys().map(String::as_str).collect();
         assert!(walked.classes.iter().map(|class| class.name.as_str()).eq(names.iter().copied()), "{}", walked.stratum);
         // A sample of the larger ones.
         for class in walked.classes.iter().step_by(1 + walked.classes.len() / 8) {
             let values = [class.moments, class.center];
-            assert_eq!(Stratum::of(&Place::of(values)).unwrap().name, walked.stratum);
-            assert_eq!(Node::of(values).unwrap().class.name().as_str(), class.name);
+            assert_eq!(SpecialStratum::of(&ReducedBody::of(values)).unwrap().name, walked.stratum);
+            let body = Body::from_f64(class.moments, class.center).unwrap();
+            assert_eq!(class_of(&body, Accuracy::Exact).unwrap().1.name().as_str(), class.name);
         }
         for border in &walked.borders {
             assert!(border.classes.iter().all(|class| names.contains(class.as_str())), "{}", walked.stratum);
@@ -97,7 +101,7 @@ fn katoks_seven_classes_are_those_of_r_on_an_axis_and_their_borders_are_his() {
 fn the_papers_family_has_three_classes_between_lagrange_and_kovalevskaya() {
     let body = |eta: f64| Body::from_f64([2.0, eta, 1.0], [1.0, 0.0, 0.0]).unwrap();
     let (from, to) = (1.001, 1.999);
-    let borders = border::all(&Segment::new(body(from), body(to)), &BorderOptions::default());
+    let borders = border::all(&BodySegment::new(body(from), body(to)), &BorderOptions::default());
     let places: Vec<f64> = borders.iter().map(|border| from + (to - from) * border.t).collect();
     assert_eq!(places.len(), 2, "{places:?}");
     // 4 (1/√(1 − η/2) − 1) = 1/(1 − 1/2) and η/2 = 3/4.
@@ -108,7 +112,21 @@ fn the_papers_family_has_three_classes_between_lagrange_and_kovalevskaya() {
     let expected = ["katok:7", "katok:6", "katok:6", "katok:5"].map(named);
     assert!(classes.eq(expected));
     // Its ends are special in more than one way.
-    let kovalevskaya = Place::of_body(&body(2.0));
-    assert_eq!(Stratum::of(&kovalevskaya).unwrap().name, "A2 = A3, r across axis 1");
-    assert_eq!(Stratum::of(&Place::of_body(&body(1.0))).unwrap().name, "A1 = A2, Lagrange");
+    let kovalevskaya = ReducedBody::of_body(&body(2.0));
+    assert_eq!(SpecialStratum::of(&kovalevskaya).unwrap().name, "A2 = A3, r across axis 1");
+    assert_eq!(SpecialStratum::of(&ReducedBody::of_body(&body(1.0))).unwrap().name, "A1 = A2, Lagrange");
+}
+
+#[test]
+fn classes_change_on_katoks_curve() {
+    for greater in [0.5, 0.6, 0.7] {
+        let lesser = katok::lesser_moment(greater).unwrap();
+        let body = |a: f64| Body::from_f64([1.0, greater, a], [1.0, 0.0, 0.0]).unwrap();
+        // On this side of the diagonal, on which two moments are equal.
+        let half = 0.3 * (greater - lesser);
+        let (from, to) = (lesser - half, lesser + half);
+        let segment = BodySegment::new(body(from), body(to));
+        let border = border::find(&segment, &BorderOptions::default()).unwrap();
+        assert!((from + (to - from) * border.t - lesser).abs() < 1e-10, "{greater}: {border:?}");
+    }
 }

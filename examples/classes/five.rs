@@ -4,9 +4,9 @@
 //! r_i²/(μ − A_i)², Σ w_i = 1 and J = Σ A_i w_i,
 //! d ln x/dμ = (1/J) Σ w_i (3J − 4A_i)/(μ − A_i). On the first branch x rises from 0 to ∞, on the second it falls from ∞
 //! and rises to ∞ again; five maxima at one l need seven folds: six on the first, or four there and three on the second.
-//! How far a body is from so many is told by the *swing*: the largest θ for which the slope, over the sum of its terms'
+//! The *swing* measures how far a body is from that many: the largest θ for which the slope, over the sum of its terms'
 //! sizes, is beyond θ to the one and the other side by turns. It is positive exactly if the folds are there (as far as a
-//! grid tells). An evolution strategy (one parent, one child, the 1/5 rule) makes it as large as it can. Nothing is shared
+//! grid shows). An evolution strategy (one parent, one child, the 1/5 rule) makes it as large as it can. Nothing is shared
 //! with the program.
 
 /// Slopes of x along both branches, between −1 and 1, in the direction of rising μ.
@@ -36,7 +36,7 @@ fn slopes(a: [f64; 3], r: [f64; 3]) -> [Vec<f64>; 2] {
     [(0..POINTS).map(first).collect(), (0..POINTS).map(second).collect()]
 }
 
-/// The largest θ so that the slopes reach beyond −θ, θ, −θ, … in this order, so many times in all.
+/// The largest θ so that the slopes reach beyond −θ, θ, −θ, … in this order, `turns` times in all.
 fn swing(slopes: &[f64], first_sign: f64, turns: usize) -> f64 {
     let mut reached = vec![f64::NEG_INFINITY; turns];
     for slope in slopes {
@@ -49,7 +49,7 @@ fn swing(slopes: &[f64], first_sign: f64, turns: usize) -> f64 {
     reached.last().copied().unwrap_or(f64::INFINITY)
 }
 
-/// So many folds on the two branches.
+/// The swing for these numbers of folds on the two branches.
 fn folds_swing([first, second]: &[Vec<f64>; 2], folds: [usize; 2]) -> f64 {
     // The first branch ends rising as it begins, the second begins falling and ends rising.
     let on_first = swing(first, -1.0, folds[0].saturating_sub(1));

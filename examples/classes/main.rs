@@ -20,8 +20,12 @@
 //! numbers of `docs/survey.md` and `docs/types.md` between their marks. `five` searches for a fifth maximum. `data/classes.sh` has the
 //! commands that made what is published.
 
+mod chord;
+mod deepen;
+mod document;
 mod extremes;
 mod five;
+mod graph;
 mod map;
 mod others;
 mod pages;
@@ -29,15 +33,19 @@ mod report;
 mod sketch;
 mod special;
 mod state;
+mod walk;
 
 use std::path::Path;
 
 use bifdiag_diagram::class::ClassName;
 use bifdiag_schema::{ClassDocument, ClassesDocument};
-use bifdiag_survey::graph::{Domain, NearestOptions, Place, centre, deepen, plain};
+use bifdiag_survey::nearest::NearestOptions;
 use bifdiag_survey::scan::Shard;
+use bifdiag_survey::space::{BodySet, ReducedBody};
 use rayon::prelude::*;
 
+use deepen::{centre, deepen, plain};
+use document::ClassCounts;
 use state::{State, Summary, part};
 
 type Failure = Box<dyn std::error::Error>;
@@ -47,7 +55,7 @@ fn main() -> Result<(), Failure> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words[..] {
         ["grow", state, domain, seed, steps, walls, ref rest @ ..] => {
-            let (path, domain, walls) = (Path::new(state), of_word(domain), walls.parse()?);
+            let (path, domain, walls) = (Path::new(state), set_of_word(domain), walls.parse()?);
             let (seed, steps, (shard, summaries)) = (seed.parse()?, steps.parse()?, shard(rest)?);
             let mut state = begun(path, summaries)?;
             while state.quiet(domain, seed) < walls {
@@ -57,7 +65,7 @@ fn main() -> Result<(), Failure> {
         }
         ["round", state, domain, seed, steps, ref rest @ ..] => {
             let (path, (shard, summaries)) = (Path::new(state), shard(rest)?);
-            walk(path, &mut begun(path, summaries)?, of_word(domain), [seed.parse()?, steps.parse()?], shard)
+            walk(path, &mut begun(path, summaries)?, set_of_word(domain), [seed.parse()?, steps.parse()?], shard)
         }
         ["join", state, ref shards @ ..] => {
             let mut whole = State::read_or_new(Path::new(state))?;
@@ -69,8 +77,8 @@ fn main() -> Result<(), Failure> {
         ["deepen", state, steps, ref rest @ ..] => deepen_all(Path::new(state), steps.parse()?, shard(rest)?.0),
         ["write", state, all, special, general, positive, published, shipped] => {
             let state = State::read(Path::new(state))?;
-            let counts = bifdiag_documents::ClassCounts { existing: counts(general)?, all: counts(positive)? };
-            let mut document = bifdiag_documents::classes(&state.graph, &counts)?;
+            let counts = ClassCounts { existing: counts(general)?, all: counts(positive)? };
+            let mut document = document::classes(&state.graph, &counts)?;
             document.others = others::others(all, special, &document.classes, &counts)?;
             std::fs::write(published, lines(&document)?)?;
             document.classes.iter_mut().for_each(|class| class.text.clear());
@@ -106,8 +114,8 @@ fn shard<'a>(words: &'a [&'a str]) -> Result<(Shard, &'a [&'a str]), Failure> {
     }
 }
 
-fn of_word(domain: &str) -> Domain {
-    if domain == state::word(Domain::All) { Domain::All } else { Domain::Existing }
+fn set_of_word(domain: &str) -> BodySet {
+    if domain == state::word(BodySet::All) { BodySet::All } else { BodySet::Physical }
 }
 
 fn counts(path: &str) -> Result<(std::collections::BTreeMap<ClassName, u64>, u64), Failure> {
@@ -121,21 +129,21 @@ fn begun(path: &Path, summaries: &[&str]) -> Result<State, Failure> {
     let mut state = State::read_or_new(path)?;
     for summary in summaries {
         for class in Summary::read(summary)?.classes {
-            state.graph.add_body(Place::of([class.first.moments, class.first.center]).values());
+            state.graph.add_body(ReducedBody::of([class.first.moments, class.first.center]).values());
         }
     }
     Ok(state)
 }
 
 /// One round more, which is written.
-fn walk(path: &Path, state: &mut State, domain: Domain, [seed, steps]: [u64; 2], shard: Shard) -> Result<(), Failure> {
+fn walk(path: &Path, state: &mut State, domain: BodySet, [seed, steps]: [u64; 2], shard: Shard) -> Result<(), Failure> {
     let number = state.rounds_of(domain, seed).count() as u64;
     let round = state.round(domain, [seed, number, steps], shard);
-    let told = round.to_string();
+    let report = round.to_string();
     state.rounds.push(round);
     let (quiet, unseen) = (state.quiet(domain, seed), state.graph.unseen(domain));
     let (classes, borders) = (state.graph.nodes.len(), state.graph.edges.len());
-    eprintln!("{told} {quiet} quiet, {classes} classes, {borders} borders, {unseen:?}");
+    eprintln!("{report} {quiet} quiet, {classes} classes, {borders} borders, {unseen:?}");
     state.write(path)
 }
 
@@ -156,9 +164,9 @@ fn deepen_all(path: &Path, steps: u32, shard: Shard) -> Result<(), Failure> {
             .par_iter()
             .map(|name| {
                 let node = &state.graph.nodes[name];
-                let domain = if node.physical { Domain::Existing } else { Domain::All };
-                let options = NearestOptions { lines: 8, improved: 3, domain, seed: 1 };
-                let place = centre(Place::of(node.witness), name, LINES, domain, 1);
+                let domain = if node.physical { BodySet::Physical } else { BodySet::All };
+                let options = NearestOptions { lines: 8, improved: 3, set: domain, seed: 1 };
+                let place = centre(ReducedBody::of(node.witness), name, LINES, domain, 1);
                 let (place, distance) = deepen(place, name, steps, &options);
                 (name, plain(place, name, distance, &NearestOptions { seed: 2, ..options }))
             })

@@ -5,11 +5,13 @@ use std::path::Path;
 
 use bifdiag_body::{Body, Preset};
 use bifdiag_diagram::class::ClassName;
-use bifdiag_documents::{ClassCounts, other_class};
 use bifdiag_schema::ClassDocument;
-use bifdiag_survey::graph::{Node, Place, Stratum};
+use bifdiag_survey::space::ReducedBody;
+use support::special::SpecialStratum;
 
 use crate::Failure;
+use crate::document::{ClassCounts, other_class};
+use crate::graph::Node;
 use crate::special::StratumState;
 use crate::state::State;
 
@@ -53,7 +55,7 @@ pub fn others(
 }
 
 /// A body of a class of which walks have met a border alone: the first of those around it.
-fn beside(border: &Place, name: &ClassName) -> Option<Node> {
+fn beside(border: &ReducedBody, name: &ClassName) -> Option<Node> {
     let steps = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
     steps.into_iter().flat_map(|step| (0..64).map(move |signs| (step, signs))).find_map(|(step, signs): (f64, u32)| {
         let moved = |x: f64, k: usize| if signs >> k & 1 == 0 { x * (1.0 + step) } else { x * (1.0 - step) };
@@ -65,14 +67,14 @@ fn beside(border: &Place, name: &ClassName) -> Option<Node> {
 
 /// The witness with as few digits as leave it in its class and stratum; never a plate, which a rounded body could become.
 fn plain(node: &Node) -> Result<Body, Failure> {
-    let stratum = Stratum::of(&Place::of(node.witness));
+    let stratum = SpecialStratum::of(&ReducedBody::of(node.witness));
     for digits in 2..16 {
         let values = node.witness.map(|part| part.map(|x| format!("{x:.digits$e}").parse().unwrap_or(x)));
         let body = Body::from_f64(values[0], values[1])?;
         let flags = body.flags();
         if !flags.plate
             && node.physical != flags.unphysical
-            && Stratum::of(&Place::of(values)) == stratum
+            && SpecialStratum::of(&ReducedBody::of(values)) == stratum
             && Node::of(values).is_some_and(|found| found.class == node.class && found.physical == node.physical)
         {
             return Ok(body);

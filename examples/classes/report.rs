@@ -5,13 +5,14 @@ use std::fmt::Write;
 use std::path::Path;
 
 use bifdiag_schema::{ClassDocument, ClassesDocument};
-use bifdiag_survey::graph::{Domain, Unseen};
+use bifdiag_survey::space::BodySet;
 
 use crate::Failure;
+use crate::graph::Unseen;
 use crate::special::StratumState;
 use crate::state::{Round, Stored, Summary, word};
 
-/// What is told from.
+/// The files from which the numbers are taken.
 struct Known {
     walked: Stored,
     all: Stored,
@@ -34,8 +35,8 @@ pub fn report(root: &Path) -> Result<(), Failure> {
         &root.join("docs/survey.md"),
         &[
             ("rounds", rounds(&known.walked)),
-            ("found", format!("In total, {}", totals(&known.walked, Domain::Existing))),
-            ("all", format!("In total, {}", totals(&known.all, Domain::All))),
+            ("found", format!("In total, {}", totals(&known.walked, BodySet::Physical))),
+            ("all", format!("In total, {}", totals(&known.all, BodySet::All))),
             ("depth", depth(&known)),
             ("largest", largest(&known)),
             ("events", events(&known)),
@@ -75,8 +76,8 @@ fn rounds(walked: &Stored) -> String {
 }
 
 /// What the walks in a domain have met, and what they have not.
-fn totals(Stored { rounds, classes, borders }: &Stored, domain: Domain) -> String {
-    let index = usize::from(domain == Domain::All);
+fn totals(Stored { rounds, classes, borders }: &Stored, domain: BodySet) -> String {
+    let index = usize::from(domain == BodySet::All);
     let rounds = || rounds.iter().filter(|round| round.domain == word(domain));
     let sum = |of: fn(&Round) -> u64| rounds().map(of).sum::<u64>();
     let (lines, walls, lost) = (sum(|round| round.lines), sum(|round| round.walls), sum(|round| round.lost));

@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use bifdiag_body::Body;
 use bifdiag_exact::Accuracy;
 use bifdiag_survey::border::class_of;
-use bifdiag_survey::graph::{Chart, Domain, STRATA, Stratum};
 use bifdiag_survey::scan;
+use bifdiag_survey::space::{BodySet, TangentBasis};
 use serde::{Deserialize, Serialize};
+use support::special::{SPECIAL_STRATA, SpecialStratum};
 
 use crate::Failure;
 use crate::state::{State, Stored, replace};
@@ -47,7 +49,7 @@ pub fn special(path: &Path, [seed, lines]: [u64; 2]) -> Result<(), Failure> {
         Err(_) => Vec::new(),
     };
     // Those with few parameters are done soonest.
-    for (number, stratum) in STRATA.iter().enumerate().rev() {
+    for (number, stratum) in SPECIAL_STRATA.iter().enumerate().rev() {
         if known.iter().any(|done| done.stratum == stratum.name) {
             continue;
         }
@@ -61,13 +63,13 @@ pub fn special(path: &Path, [seed, lines]: [u64; 2]) -> Result<(), Failure> {
     Ok(())
 }
 
-fn walk(stratum: &Stratum, [seed, lines]: [u64; 2]) -> Result<StratumState, Failure> {
+fn walk(stratum: &SpecialStratum, [seed, lines]: [u64; 2]) -> Result<StratumState, Failure> {
     let mut state = State::default();
     let mut met: BTreeMap<String, Met> = BTreeMap::new();
-    let parameters = stratum.bodies(Domain::All, seed).next().map_or(0, |place| Chart::new(place).dimensions());
-    for (index, domain) in [Domain::Existing, Domain::All].into_iter().enumerate() {
+    let parameters = stratum.bodies(BodySet::All, seed).next().map_or(0, |place| TangentBasis::new(place).dimensions());
+    for (index, domain) in [BodySet::Physical, BodySet::All].into_iter().enumerate() {
         for place in stratum.bodies(domain, seed).take(BODIES) {
-            let Ok((_, class)) = class_of(&place.body()?, Accuracy::Fast) else { continue };
+            let Ok((_, class)) = class_of(&Body::from_f64(place.a, place.r)?, Accuracy::Fast) else { continue };
             let Met { bodies, .. } = met.entry(class.name().to_string()).or_default();
             bodies[index] += 1;
             if bodies[index] == 1 {

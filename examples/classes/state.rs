@@ -4,12 +4,14 @@ use std::fmt;
 use std::path::Path;
 
 use bifdiag_diagram::class::ClassName;
-use bifdiag_survey::graph::{ClassGraph, Domain, Edge, Node, Place, Step, Walk};
 use bifdiag_survey::scan::Shard;
+use bifdiag_survey::space::{BodySet, ReducedBody};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::Failure;
+use crate::graph::{ClassGraph, Edge, Node};
+use crate::walk::{Step, Walk};
 
 /// Everything that walks have met.
 #[derive(Default)]
@@ -96,20 +98,20 @@ impl Summary {
     }
 }
 
-pub fn word(domain: Domain) -> &'static str {
+pub fn word(domain: BodySet) -> &'static str {
     match domain {
-        Domain::Existing => "existing",
-        Domain::All => "all",
+        BodySet::Physical => "existing",
+        BodySet::All => "all",
     }
 }
 
 impl Round {
-    pub fn new(domain: Domain, seed: u64, number: u64) -> Self {
+    pub fn new(domain: BodySet, seed: u64, number: u64) -> Self {
         let domain = word(domain).to_owned();
         Self { domain, seed, number, lines: 0, walls: 0, lost: 0, new_at: Vec::new() }
     }
 
-    pub fn add(&mut self, step: &Step, graph: &mut ClassGraph, domain: Domain) {
+    pub fn add(&mut self, step: &Step, graph: &mut ClassGraph, domain: BodySet) {
         let (walls, new) = graph.add_step(step, domain);
         self.lines += 1;
         self.lost += step.sides.iter().map(|(chord, _)| u64::from(chord.lost)).sum::<u64>();
@@ -117,7 +119,7 @@ impl Round {
         self.walls += walls;
     }
 
-    /// Walls since the last new class, if there were so many before.
+    /// Walls since the last new class; `quiet` more where there was none.
     pub fn after(&self, quiet: u64) -> u64 {
         self.new_at.last().map_or(quiet + self.walls, |last| self.walls - last)
     }
@@ -153,31 +155,31 @@ impl State {
         }
         for border in stored.borders {
             let [one, other] = &border.classes;
-            let place = Place { a: border.moments, r: border.center };
+            let place = ReducedBody { a: border.moments, r: border.center };
             let edge = Edge { place, error: border.error, walls: border.walls };
             state.graph.edges.insert(([one.parse()?, other.parse()?], border.event), edge);
         }
         Ok(state)
     }
 
-    pub fn rounds_of(&self, domain: Domain, seed: u64) -> impl Iterator<Item = &Round> {
+    pub fn rounds_of(&self, domain: BodySet, seed: u64) -> impl Iterator<Item = &Round> {
         self.rounds.iter().filter(move |round| round.domain == word(domain) && round.seed == seed)
     }
 
     /// Walls in a row that led to no new class.
-    pub fn quiet(&self, domain: Domain, seed: u64) -> u64 {
+    pub fn quiet(&self, domain: BodySet, seed: u64) -> u64 {
         self.rounds_of(domain, seed).fold(0, |quiet, round| round.after(quiet))
     }
 
-    /// Lets each class of a domain, or a shard of them, walk so many steps. The numbers are the seed, that of the round, and
+    /// Lets each class of a domain, or a shard of them, walk `steps` steps. The numbers are the seed, that of the round, and
     /// that of the steps.
-    pub fn round(&mut self, domain: Domain, [seed, number, steps]: [u64; 3], shard: Shard) -> Round {
-        let known: Vec<(ClassName, Place)> = self
+    pub fn round(&mut self, domain: BodySet, [seed, number, steps]: [u64; 3], shard: Shard) -> Round {
+        let known: Vec<(ClassName, ReducedBody)> = self
             .graph
             .nodes
             .iter()
-            .filter(|(_, node)| domain == Domain::All || node.physical)
-            .map(|(name, node)| (name.clone(), Place::of(node.witness)))
+            .filter(|(_, node)| domain == BodySet::All || node.physical)
+            .map(|(name, node)| (name.clone(), ReducedBody::of(node.witness)))
             .collect();
         let seed_here = seed.wrapping_mul(1 << 20).wrapping_add(number);
         let walks: Vec<_> = part(&known, shard)

@@ -7,10 +7,11 @@ use bifdiag::pictures::{Seen, Shown, map};
 use bifdiag_body::{Body, Preset};
 use bifdiag_exact::Accuracy;
 use bifdiag_plot::{Map, MapAxis, MapBodies, MapLine, MapNote, Width, draw_map};
-use bifdiag_survey::border::{self, BorderEventKind, BorderOptions, Segment};
-use bifdiag_survey::scan::{Row, known_classes};
-use bifdiag_survey::{Design, Family, Parameter, katok};
+use bifdiag_survey::border::{self, BodySegment, BorderEventKind, BorderOptions};
+use bifdiag_survey::scan::{ScanRow, known_classes};
+use bifdiag_survey::{BodyFamily, BodyParameter, Design};
 use rayon::prelude::*;
+use support::katok;
 
 use crate::figure::{Figure, THEME};
 
@@ -31,30 +32,30 @@ pub fn figures() -> impl Iterator<Item = Figure> {
 }
 
 /// The rows of a grid.
-fn rows(family: Family, vary: &[&str]) -> Result<Vec<Row>, Box<dyn Error>> {
+fn rows(family: BodyFamily, vary: &[&str]) -> Result<Vec<ScanRow>, Box<dyn Error>> {
     let mut ranges = Vec::with_capacity(vary.len());
     for text in vary {
         ranges.push(text.parse()?);
     }
     let design = Design::new(family, ranges, None, 0)?;
-    Ok((0..design.count()).into_par_iter().map(|n| Row::of(n, design.values(n), Accuracy::Exact)).collect())
+    Ok((0..design.count()).into_par_iter().map(|n| ScanRow::of(n, design.values(n), Accuracy::Exact)).collect())
 }
 
-fn classes_of(family: Family, vary: &[&str], axes: [Parameter; 2]) -> Result<Map, Box<dyn Error>> {
+fn classes_of(family: BodyFamily, vary: &[&str], axes: [BodyParameter; 2]) -> Result<Map, Box<dyn Error>> {
     let seen: Vec<Seen> = rows(family, vary)?.iter().map(|row| Seen::new(row, axes, Shown::Class)).collect();
     Ok(map(&seen, axes, Shown::Class))
 }
 
-fn body_family(moments: [&str; 3], center: [&str; 3]) -> Result<Family, Box<dyn Error>> {
+fn body_family(moments: [&str; 3], center: [&str; 3]) -> Result<BodyFamily, Box<dyn Error>> {
     let body = Body::parse(&moments, &center)?;
-    Ok(Family::Body { moments: body.moments().clone(), center: body.center().clone() })
+    Ok(BodyFamily::Body { moments: body.moments().clone(), center: body.center().clone() })
 }
 
 /// The Katok plane. The grid and its halves, quarters and eighths avoid the lines on which bodies are special: A_j = 1,
 /// A_j = 3/4, A2 = A3.
 fn katok_plane() -> Result<Map, Box<dyn Error>> {
     let vary = ["A2=0.3:1.69:72", "A3=0.305:1.7:72"];
-    let mut map = classes_of(Family::Katok, &vary, [Parameter::A2, Parameter::A3])?;
+    let mut map = classes_of(BodyFamily::Katok, &vary, [BodyParameter::A2, BodyParameter::A3])?;
     number_as_katok(&mut map);
     map.title = String::from("Tops with the centre of mass on a principal axis: Katok's seven classes");
     map.subtitle = String::from("A = (A1, A2, A3), r = (1, 0, 0); colours: class computed for each of 5184 bodies");
@@ -136,7 +137,7 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Box<dyn Error>> {
     let family = body_family(["2", "1", "1"], ["1", "0", "0"])?;
     let vary = ["A2=0.8025:2.1975:280"];
     let found = rows(family, &vary)?;
-    let axes = [Parameter::A2, Parameter::A3];
+    let axes = [BodyParameter::A2, BodyParameter::A3];
     let seen: Vec<Seen> = found.iter().map(|row| Seen::new(row, axes, Shown::Class)).collect();
     let mut map = map(&seen, axes, Shown::Class);
     let borders = borders(&found);
@@ -168,7 +169,7 @@ fn lagrange_to_kovalevskaya() -> Result<Map, Box<dyn Error>> {
 }
 
 /// The classes over η between their borders, over all of l, which is no parameter of the body.
-fn strips(map: &Map, found: &[Row], borders: &[(f64, BorderEventKind)]) -> MapBodies {
+fn strips(map: &Map, found: &[ScanRow], borders: &[(f64, BorderEventKind)]) -> MapBodies {
     let mut ends = vec![ETA[0]];
     ends.extend(borders.iter().map(|(eta, _)| *eta));
     ends.push(ETA[1]);
@@ -215,15 +216,15 @@ fn add_events(map: &mut Map) {
 }
 
 /// Where the class changes between neighbouring bodies over η, and what happens there.
-fn borders(rows: &[Row]) -> Vec<(f64, BorderEventKind)> {
-    let body = |row: &Row| Body::from_f64(row.values[0], row.values[1]).ok();
-    let between = |pair: &[Row]| {
+fn borders(rows: &[ScanRow]) -> Vec<(f64, BorderEventKind)> {
+    let body = |row: &ScanRow| Body::from_f64(row.values[0], row.values[1]).ok();
+    let between = |pair: &[ScanRow]| {
         if pair[0].class.as_ref()? == pair[1].class.as_ref()? {
             return None;
         }
-        let segment = Segment::new(body(&pair[0])?, body(&pair[1])?);
+        let segment = BodySegment::new(body(&pair[0])?, body(&pair[1])?);
         let border = border::find(&segment, &BorderOptions::default()).ok()?;
-        Some((segment.coordinate(Parameter::A2.place(), border.t).to_f64().value(), border.event.kind))
+        Some((segment.coordinate(BodyParameter::A2.place(), border.t).to_f64().value(), border.event.kind))
     };
     rows.windows(2).filter_map(between).collect()
 }
@@ -232,7 +233,7 @@ fn borders(rows: &[Row]) -> Vec<(f64, BorderEventKind)> {
 fn paper_off_the_axis() -> Result<Map, Box<dyn Error>> {
     let family = body_family(["2", "1.1", "1"], ["0.94868", "0", "0"])?;
     let vary = ["r2=0.0002:0.15:70", "r3=0.001:0.7:70"];
-    let mut map = classes_of(family, &vary, [Parameter::R2, Parameter::R3])?;
+    let mut map = classes_of(family, &vary, [BodyParameter::R2, BodyParameter::R3])?;
     map.title = String::from("Around the paper's body: the centre of mass leaves the axis");
     map.subtitle = String::from("A = (2, 1.1, 1), r = (0.94868, r2, r3); the paper's body has r2 = 0, r3 = 0.61623");
     map.notes.push(MapNote { at: [0.0, 0.61623], text: "the paper's body".to_owned(), hue: 0, ring: true });
@@ -244,7 +245,7 @@ fn plane(vary: [&str; 2]) -> Result<Map, Box<dyn Error>> {
     let paper = Preset::find("paper").map(Preset::body);
     let center = paper.map(|body| body.center()[0].text().to_owned()).unwrap_or_default();
     let family = body_family(["2", "1.1", "1"], [&center, "0", "0"])?;
-    classes_of(family, &vary, [Parameter::A2, Parameter::R3])
+    classes_of(family, &vary, [BodyParameter::A2, BodyParameter::R3])
 }
 
 /// Where the classes are few.

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use bifdiag_body::{Body, Preset};
 use bifdiag_dynamics::field::State;
-use bifdiag_dynamics::section::chaos::{ChaosOptions, Verdict, chaos_measures};
+use bifdiag_dynamics::section::chaos::{ChaosOptions, OrbitVerdict, chaos_measures};
 use bifdiag_dynamics::section::{
     FAMILIES, Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SectionError, SweepOptions,
     TorusPoint, families, sweep,
@@ -172,7 +172,7 @@ fn orbits(portrait: &Portrait, row: &Row) -> Result<Vec<OrbitSection>, SectionEr
 const JUDGED: usize = 6000;
 
 /// Whether each orbit is regular.
-fn verdicts(portrait: &Portrait, orbits: &[OrbitSection]) -> Result<Vec<Verdict>, SectionError> {
+fn verdicts(portrait: &Portrait, orbits: &[OrbitSection]) -> Result<Vec<OrbitVerdict>, SectionError> {
     let start = |orbit: &OrbitSection| orbit.points.first().map(|point| State { gamma: point.gamma, l: point.l });
     let starts: Vec<State> = orbits.iter().filter_map(start).collect();
     let options = SweepOptions { crossings: JUDGED, condition: portrait.condition(), ..SweepOptions::default() };
@@ -182,12 +182,12 @@ fn verdicts(portrait: &Portrait, orbits: &[OrbitSection]) -> Result<Vec<Verdict>
 }
 
 /// How many orbits are regular, chaotic and open.
-fn counted(verdicts: &[Verdict]) -> String {
-    let count = |is: fn(&Verdict) -> bool| verdicts.iter().filter(|verdict| is(verdict)).count();
+fn counted(verdicts: &[OrbitVerdict]) -> String {
+    let count = |is: fn(&OrbitVerdict) -> bool| verdicts.iter().filter(|verdict| is(verdict)).count();
     let counts = [
-        (count(|verdict| *verdict == Verdict::Regular), "regular"),
-        (count(|verdict| *verdict == Verdict::Chaotic), "chaotic"),
-        (count(|verdict| matches!(verdict, Verdict::Open(_))), "open"),
+        (count(|verdict| *verdict == OrbitVerdict::Regular), "regular"),
+        (count(|verdict| *verdict == OrbitVerdict::Chaotic), "chaotic"),
+        (count(|verdict| matches!(verdict, OrbitVerdict::Open(_))), "open"),
     ];
     let told = counts.into_iter().filter(|(count, _)| *count > 0);
     told.map(|(count, word)| format!("{count} {word}")).collect::<Vec<_>>().join(", ")
@@ -213,8 +213,8 @@ mod tests {
             shown.push(region);
             let portrait = Portrait::new(&body, row.h, row.l, &PortraitOptions::default()).unwrap();
             let verdicts = verdicts(&portrait, &typical_orbits(&portrait).unwrap()).unwrap();
-            assert!(!verdicts.contains(&Verdict::Chaotic), "{}", row.caption);
-            let regular = verdicts.iter().filter(|verdict| **verdict == Verdict::Regular).count();
+            assert!(!verdicts.contains(&OrbitVerdict::Chaotic), "{}", row.caption);
+            let regular = verdicts.iter().filter(|verdict| **verdict == OrbitVerdict::Regular).count();
             // Near a separatrix an orbit turns too slowly for a verdict.
             assert!(verdicts.len() >= 16 && 10 * regular >= 8 * verdicts.len(), "{}: {verdicts:?}", row.caption);
         }

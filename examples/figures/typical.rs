@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::f64::consts::{PI, TAU};
 
 use bifdiag_dynamics::field::State;
-use bifdiag_dynamics::section::{Chart, Monitor, OrbitSection, Portrait, SectionError, SweepOptions, sweep};
+use bifdiag_dynamics::section::{Monitor, OrbitSection, Portrait, SectionChart, SectionError, SweepOptions, sweep};
 
 /// Crossings of each orbit.
 const CROSSINGS: usize = 1600;
@@ -26,8 +26,9 @@ type Start = ([f64; 2], usize, State);
 pub fn typical_orbits(portrait: &Portrait) -> Result<Vec<OrbitSection>, SectionError> {
     let mut orbits: Vec<OrbitSection> = Vec::new();
     for side in [true, false] {
-        let on_side =
-            |place: [f64; 2]| portrait.states(Chart::Torus, place).filter(|states| (states[0].gamma[0] > 0.0) == side);
+        let on_side = |place: [f64; 2]| {
+            portrait.states(SectionChart::Torus, place).filter(|states| (states[0].gamma[0] > 0.0) == side)
+        };
         let total = 2 * ROWS * ROWS;
         let found = (0..total).filter(|k| {
             let (row, column) = (k / (2 * ROWS), k % (2 * ROWS));
@@ -88,7 +89,7 @@ fn cell_of([x, y]: [f64; 2], cell: f64) -> [i64; 2] {
 /// The cells that an orbit has visited.
 fn cells(portrait: &Portrait, orbit: &OrbitSection, cell: f64) -> impl Iterator<Item = (usize, [i64; 2])> {
     orbit.points.iter().map(move |point| {
-        let (place, sheet) = portrait.crossing(Chart::Torus, point);
+        let (place, sheet) = portrait.crossing(SectionChart::Torus, point);
         (usize::from(sheet > 0), cell_of(place, cell))
     })
 }

@@ -2,7 +2,7 @@
 
 use bifdiag::body::{Body as Top, Number};
 use bifdiag::documents::{self, Subject};
-use bifdiag::dynamics::poincare::{PoincareError, PoincareSection, Setting};
+use bifdiag::dynamics::poincare::{PoincareError, PoincareSection, SectionSetting};
 use bifdiag::dynamics::section::chaos::ChaosOptions;
 use bifdiag::dynamics::section::{Monitor, SectionCondition, SectionPoint, SweepOptions, TorusPoint};
 use pyo3::prelude::*;
@@ -76,7 +76,7 @@ fn compute(
     options: &SweepOptions,
     monitor: &Monitor,
 ) -> Result<PoincareSection, PoincareError> {
-    let setting = Setting::new(body, h, l)?;
+    let setting = SectionSetting::new(body, h, l)?;
     let (starts, seed) = match &request.starts {
         Some(given) => (given.iter().map(|&(theta, psi, sheet)| TorusPoint { theta, psi, sheet }).collect(), None),
         None => (setting.spread_watched(request.orbits, request.seed, monitor)?, Some(request.seed)),

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use bifdiag::documents::{self, CommandLine};
 use bifdiag::schema::{AtlasDocument, SCHEMA_VERSION};
-use bifdiag::survey::search::{self, Domain, SearchOptions, Target};
+use bifdiag::survey::search::{self, SearchDomain, SearchOptions, Target};
 use bifdiag::verify::Refused;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -55,7 +55,7 @@ pub fn find(
     let wanted: Wanted = wanted.extract()?;
     let target = wanted.target()?;
     let options = SearchOptions {
-        domain: Domain { physical, ..Domain::default() },
+        domain: SearchDomain { physical, ..SearchDomain::default() },
         samples,
         seed: seed.unwrap_or_default(),
         accuracy: accuracy(level)?,

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use bifdiag_documents::CommandLine;
 use bifdiag_documents::words::counted;
 use bifdiag_schema::{Accuracy, FindDocument};
-use bifdiag_survey::search::{Domain, SearchOptions, Target, find};
+use bifdiag_survey::search::{SearchDomain, SearchOptions, Target, find};
 use clap::Args;
 use thiserror::Error;
 
@@ -126,7 +126,7 @@ fn target(arguments: &FindArguments) -> Result<Target, ScanInput> {
 /// What the library finds.
 fn search(arguments: &FindArguments, target: &Target, quiet: bool) -> FindDocument {
     let options = SearchOptions {
-        domain: Domain { physical: arguments.physical, moment_ratio: arguments.moment_ratio },
+        domain: SearchDomain { physical: arguments.physical, moment_ratio: arguments.moment_ratio },
         samples: arguments.samples,
         all: arguments.all,
         seed: arguments.seed.unwrap_or_default(),

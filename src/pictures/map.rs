@@ -5,19 +5,20 @@ use std::collections::BTreeMap;
 use bifdiag_documents::words::counted;
 use bifdiag_numbers::decimal::significant;
 use bifdiag_plot::{Map, MapAxis, MapBodies, MapEntry};
-use bifdiag_survey::Parameter;
-use bifdiag_survey::mosaic::{Mosaic, divide};
+use bifdiag_survey::BodyParameter;
 use bifdiag_survey::scan::known_classes;
+use bifdiag_survey::subdivision::{Subdivision, divide};
 
 use super::shown::{Bodies, Seen, Shown, Shows, shared};
 
 /// The map of some bodies, the most frequent class first.
 #[must_use]
-pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
+pub fn map(bodies: &[Seen], axes: [BodyParameter; 2], show: Shown) -> Map {
     let grid = Grid::of(bodies);
-    let mosaic = grid.as_ref().and_then(|grid| grid.divided(bodies, axes, show));
+    let subdivision = grid.as_ref().and_then(|grid| grid.divided(bodies, axes, show));
     // What is met between the bodies only is told, too.
-    let between = mosaic.iter().flat_map(|mosaic| &mosaic.pieces).filter_map(|(shown, _)| shown.as_ref());
+    let between =
+        subdivision.iter().flat_map(|subdivision| &subdivision.pieces).filter_map(|(shown, _)| shown.as_ref());
     let mut counts: BTreeMap<&Shows, (usize, u32)> = between.map(|shown| (shown, (0, 0))).collect();
     for body in bodies {
         if let Some(shown) = &body.shows {
@@ -32,8 +33,8 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
     }
     let number: BTreeMap<&Shows, usize> = order.iter().enumerate().map(|(k, (name, _, _))| (*name, k)).collect();
     let entry = |shown: &Option<Shows>| shown.as_ref().and_then(|shown| number.get(shown).copied());
-    let (bodies_drawn, ranges) = match (&grid, &mosaic) {
-        (Some(grid), Some(mosaic)) => (areas(mosaic, entry, show), grid.ends(0.0)),
+    let (bodies_drawn, ranges) = match (&grid, &subdivision) {
+        (Some(grid), Some(subdivision)) => (areas(subdivision, entry, show), grid.ends(0.0)),
         (Some(grid), None) => {
             let entries = grid.cells.iter().map(|&body| entry(&bodies[body].shows)).collect();
             (MapBodies::Grid { columns: grid.axes[0].len(), entries }, grid.ends(0.5))
@@ -69,8 +70,8 @@ pub fn map(bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Map {
 }
 
 /// The parameters that are the same for all bodies, in words; empty where there are none.
-fn fixed(bodies: &[Seen], axes: [Parameter; 2]) -> String {
-    let told = Parameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter)).filter_map(|parameter| {
+fn fixed(bodies: &[Seen], axes: [BodyParameter; 2]) -> String {
+    let told = BodyParameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter)).filter_map(|parameter| {
         shared(bodies, parameter).map(|value| format!("{} = {}", parameter.name(), significant(value, 6)))
     });
     let told: Vec<String> = told.collect();
@@ -156,7 +157,7 @@ impl Grid {
     }
 
     /// The plane of the bodies along its exact borders; none where other parameters vary too.
-    fn divided(&self, bodies: &[Seen], axes: [Parameter; 2], show: Shown) -> Option<Mosaic<Option<Shows>>> {
+    fn divided(&self, bodies: &[Seen], axes: [BodyParameter; 2], show: Shown) -> Option<Subdivision<Option<Shows>>> {
         let steps = self.axes.each_ref().map(|values| step(values));
         let plane = Bodies::of(bodies, axes, steps, show)?;
         let shown: Vec<Option<Shows>> = self.cells.iter().map(|&body| bodies[body].shows.clone()).collect();
@@ -169,13 +170,17 @@ fn step(values: &[f64]) -> f64 {
     (values[values.len() - 1] - values[0]) / (values.len().max(2) - 1) as f64
 }
 
-/// The pieces of a mosaic.
-fn areas(mosaic: &Mosaic<Option<Shows>>, entry: impl Fn(&Option<Shows>) -> Option<usize>, show: Shown) -> MapBodies {
-    let pieces = mosaic.pieces.iter().map(|(shown, corners)| (entry(shown), corners.clone())).collect();
-    let seen = mosaic.seen.iter().filter_map(|(shown, at)| Some((entry(shown)?, *at))).collect();
+/// The pieces of a subdivision.
+fn areas(
+    subdivision: &Subdivision<Option<Shows>>,
+    entry: impl Fn(&Option<Shows>) -> Option<usize>,
+    show: Shown,
+) -> MapBodies {
+    let pieces = subdivision.pieces.iter().map(|(shown, corners)| (entry(shown), corners.clone())).collect();
+    let seen = subdivision.seen.iter().filter_map(|(shown, at)| Some((entry(shown)?, *at))).collect();
     let told = match show {
         Shown::Class => "borders between classes, as scan border finds them",
         Shown::Regions | Shown::CriticalPoints => "borders at which the number changes",
     };
-    MapBodies::Areas { pieces, seen, borders: mosaic.borders.clone(), told: told.to_owned() }
+    MapBodies::Areas { pieces, seen, borders: subdivision.borders.clone(), told: told.to_owned() }
 }

@@ -5,10 +5,10 @@ use std::fmt;
 use bifdiag_body::Body;
 use bifdiag_diagram::class::ClassName;
 use bifdiag_exact::Accuracy;
-use bifdiag_survey::Parameter;
-use bifdiag_survey::border::{self, Border, BorderOptions, Segment};
-use bifdiag_survey::mosaic::{Place, Plane};
-use bifdiag_survey::scan::Row;
+use bifdiag_survey::BodyParameter;
+use bifdiag_survey::border::{self, BodySegment, Border, BorderOptions};
+use bifdiag_survey::scan::ScanRow;
+use bifdiag_survey::subdivision::{LabelledPlane, PlanePoint};
 use rayon::prelude::*;
 
 /// What a map shows by its colours.
@@ -57,7 +57,7 @@ pub struct Seen {
 impl Seen {
     /// What a row shows.
     #[must_use]
-    pub fn new(row: &Row, axes: [Parameter; 2], show: Shown) -> Self {
+    pub fn new(row: &ScanRow, axes: [BodyParameter; 2], show: Shown) -> Self {
         let at = axes.map(|parameter| row.values.as_flattened()[parameter.place()]);
         let counts = row.diagram.as_ref();
         let shows = row.class.as_ref().zip(counts).map(|(class, counts)| match show {
@@ -70,7 +70,7 @@ impl Seen {
 }
 
 /// The value of a parameter that all bodies have; `None` where they differ.
-pub fn shared(bodies: &[Seen], parameter: Parameter) -> Option<f64> {
+pub fn shared(bodies: &[Seen], parameter: BodyParameter) -> Option<f64> {
     let value = |body: &Seen| body.values.as_flattened()[parameter.place()];
     let first = value(bodies.first()?);
     bodies.iter().all(|body| value(body) == first).then_some(first)
@@ -79,7 +79,7 @@ pub fn shared(bodies: &[Seen], parameter: Parameter) -> Option<f64> {
 /// The bodies over two parameters, the other four as given.
 pub struct Bodies {
     values: [[f64; 3]; 2],
-    axes: [Parameter; 2],
+    axes: [BodyParameter; 2],
     show: Shown,
     /// To what in each parameter borders are sought by bisection.
     tolerance: [f64; 2],
@@ -91,8 +91,8 @@ const BISECTED: f64 = 1.0 / 128.0;
 
 impl Bodies {
     /// Those among which these are, a grid with these steps; none where another parameter varies too.
-    pub fn of(bodies: &[Seen], axes: [Parameter; 2], steps: [f64; 2], show: Shown) -> Option<Self> {
-        let mut others = Parameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter));
+    pub fn of(bodies: &[Seen], axes: [BodyParameter; 2], steps: [f64; 2], show: Shown) -> Option<Self> {
+        let mut others = BodyParameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter));
         others.all(|parameter| shared(bodies, parameter).is_some()).then_some(Self {
             values: bodies.first()?.values,
             axes,
@@ -101,7 +101,7 @@ impl Bodies {
         })
     }
 
-    fn values(&self, place: Place) -> [[f64; 3]; 2] {
+    fn values(&self, place: PlanePoint) -> [[f64; 3]; 2] {
         let mut values = self.values;
         for (parameter, value) in self.axes.into_iter().zip(place) {
             values.as_flattened_mut()[parameter.place()] = value;
@@ -110,11 +110,11 @@ impl Bodies {
     }
 
     fn shown(&self, values: [[f64; 3]; 2]) -> Option<Shows> {
-        Seen::new(&Row::of(0, values, Accuracy::Exact), self.axes, self.show).shows
+        Seen::new(&ScanRow::of(0, values, Accuracy::Exact), self.axes, self.show).shows
     }
 
     /// What is shown on the two sides of a border.
-    fn beside(&self, segment: &Segment, border: &Border) -> [Option<Shows>; 2] {
+    fn beside(&self, segment: &BodySegment, border: &Border) -> [Option<Shows>; 2] {
         let side = |k: usize| match self.show {
             Shown::Class => Some(Shows::Class(border.classes[k].name().clone())),
             Shown::Regions | Shown::CriticalPoints => {
@@ -125,13 +125,13 @@ impl Bodies {
         [side(0), side(1)]
     }
 
-    fn changes_on(&self, [from, to]: [Place; 2]) -> Vec<(f64, [Option<Shows>; 2])> {
+    fn changes_on(&self, [from, to]: [PlanePoint; 2]) -> Vec<(f64, [Option<Shows>; 2])> {
         let body = |place| {
             let [moments, center] = self.values(place);
             Body::from_f64(moments, center)
         };
         let (Ok(lower), Ok(upper)) = (body(from), body(to)) else { return vec![(0.5, [None, None])] };
-        let segment = Segment::new(lower, upper);
+        let segment = BodySegment::new(lower, upper);
         let tolerance = self.tolerance[usize::from(from[0] == to[0])];
         let options = BorderOptions { tolerance, ..BorderOptions::default() };
         let borders = border::all(&segment, &options);
@@ -145,14 +145,14 @@ impl Bodies {
     }
 }
 
-impl Plane for Bodies {
+impl LabelledPlane for Bodies {
     type Label = Option<Shows>;
 
-    fn labels(&self, places: &[Place]) -> Vec<Self::Label> {
+    fn labels(&self, places: &[PlanePoint]) -> Vec<Self::Label> {
         places.par_iter().map(|place| self.shown(self.values(*place))).collect()
     }
 
-    fn changes(&self, ways: &[[Place; 2]]) -> Vec<Vec<(f64, [Self::Label; 2])>> {
+    fn changes(&self, ways: &[[PlanePoint; 2]]) -> Vec<Vec<(f64, [Self::Label; 2])>> {
         ways.par_iter().map(|way| self.changes_on(*way)).collect()
     }
 }

@@ -1,16 +1,16 @@
 //! Borders between classes as documents.
 
 use bifdiag_schema::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument};
-use bifdiag_survey::Range;
-use bifdiag_survey::border::{Border, BorderEvent, BorderEventKind, Segment};
+use bifdiag_survey::ParameterRange;
+use bifdiag_survey::border::{BodySegment, Border, BorderEvent, BorderEventKind};
 
 use crate::command::{CommandLine, head};
 use crate::scan::{parameter, range};
 
 /// A border on a segment along which some parameters vary.
 #[must_use]
-pub fn border(border: &Border, segment: &Segment, vary: &[Range], command: CommandLine) -> BorderDocument {
-    let value = |range: &Range| {
+pub fn border(border: &Border, segment: &BodySegment, vary: &[ParameterRange], command: CommandLine) -> BorderDocument {
+    let value = |range: &ParameterRange| {
         let at = |t: f64| segment.coordinate(range.parameter.place(), t).to_f64().value();
         BorderValueDocument {
             parameter: parameter(range.parameter),

@@ -1,7 +1,7 @@
 //! Searches and witnesses as documents.
 
 use bifdiag_schema::{FindDocument, NearestDocument, WitnessDocument};
-use bifdiag_survey::search::{Answer, Nearest, Search, Target, Witness};
+use bifdiag_survey::search::{METHODS, NearestBody, SearchAnswer, SearchResult, Target, Witness};
 
 use crate::body::given;
 use crate::classification::{components, margin};
@@ -23,7 +23,7 @@ pub fn witness(witness: &Witness) -> WitnessDocument {
 
 /// The answer of a search; `command` asked for it.
 #[must_use]
-pub fn find(target: &Target, search: &Search, command: CommandLine) -> FindDocument {
+pub fn find(target: &Target, search: &SearchResult, command: CommandLine) -> FindDocument {
     let mut document = FindDocument {
         head: head(command.json()),
         found: false,
@@ -38,22 +38,22 @@ pub fn find(target: &Target, search: &Search, command: CommandLine) -> FindDocum
         nearest: None,
     };
     match &search.answer {
-        Answer::Found(found) => {
+        SearchAnswer::Found(found) => {
             document.found = true;
-            document.verified_by = found.methods.iter().map(ToString::to_string).collect();
+            document.verified_by = METHODS.map(str::to_owned).to_vec();
             document.witness = Some(witness(found));
         }
-        Answer::NotFound { nearest: body } => document.nearest = body.as_ref().map(nearest),
-        Answer::Excluded(theorem) => {
+        SearchAnswer::NotFound { nearest: body } => document.nearest = body.as_ref().map(nearest),
+        SearchAnswer::Excluded(theorem) => {
             document.exists = Some(false);
             document.why = Some(theorem.to_string());
         }
-        Answer::Stopped => {}
+        SearchAnswer::Stopped => {}
     }
     document
 }
 
-fn nearest(nearest: &Nearest) -> NearestDocument {
+fn nearest(nearest: &NearestBody) -> NearestDocument {
     let [moments, center] = nearest.values;
     let [h, l] = nearest.at.map_or([None; 2], |at| at.map(Some));
     NearestDocument { moments, center, h, l, missing: nearest.missing }

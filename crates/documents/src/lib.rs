@@ -23,7 +23,7 @@ pub use atlas::{DocumentOptions, Drawn, attach_part};
 pub use body::{all_bodies, flags, given, part, texts};
 pub use border::border;
 pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, seal};
-pub use classes::{ClassCounts, add_text, classes, other_class, shipped_classes, standing};
+pub use classes::{add_text, shipped_classes, standing};
 pub use classification::{accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, head, version};
 pub use critical::{

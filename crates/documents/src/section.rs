@@ -4,8 +4,10 @@ use bifdiag_diagram::topology::signature;
 use bifdiag_dynamics::field::Integrals;
 use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
 use bifdiag_dynamics::poincare::PoincareSection;
-use bifdiag_dynamics::section::chaos::{ChaosMeasure, Evidence, Judgement, Open, Rotation, RotationAngle, Verdict};
-use bifdiag_dynamics::section::{End, OrbitSection, SectionCondition, TorusPoint};
+use bifdiag_dynamics::section::chaos::{
+    ChaosMeasure, Evidence, Judgement, OpenReason, OrbitVerdict, RotationAngle, RotationNumber,
+};
+use bifdiag_dynamics::section::{OrbitEnd, OrbitSection, SectionCondition, TorusPoint};
 use bifdiag_schema::{
     ChaosDocument, ConditionName, DecidedDocument, DriftDocument, EndName, EvidenceDocument, IntegratorDocument,
     IntegratorName, LyapunovDocument, OrbitDocument, RotationAngleName, RotationDocument, SectionDocument,
@@ -83,9 +85,9 @@ pub fn section(subject: &Subject, section: &PoincareSection, region: Option<&str
 /// Adds a verdict.
 fn judge(orbit: &mut OrbitDocument, judgement: &Judgement) {
     orbit.verdict = match judgement.verdict {
-        Verdict::Regular => VerdictName::Regular,
-        Verdict::Chaotic => VerdictName::Chaotic,
-        Verdict::Open(_) => VerdictName::Open,
+        OrbitVerdict::Regular => VerdictName::Regular,
+        OrbitVerdict::Chaotic => VerdictName::Chaotic,
+        OrbitVerdict::Open(_) => VerdictName::Open,
     };
     orbit.reason = judgement.to_string();
     orbit.decided = judgement.decided.map(|(time, crossing)| DecidedDocument { time, crossing });
@@ -182,14 +184,14 @@ pub fn drift(drift: Integrals) -> DriftDocument {
     DriftDocument { h: drift.energy, l: drift.vertical_momentum, gamma: drift.gamma_squared }
 }
 
-fn end(end: End) -> EndName {
+fn end(end: OrbitEnd) -> EndName {
     match end {
-        End::Crossings => EndName::Crossings,
-        End::Time => EndName::Time,
-        End::Decided => EndName::Decided,
-        End::StaysOnSection => EndName::StaysOnSection,
-        End::Failed(_) => EndName::Failed,
-        End::Interrupted => EndName::Interrupted,
+        OrbitEnd::Crossings => EndName::Crossings,
+        OrbitEnd::Time => EndName::Time,
+        OrbitEnd::Decided => EndName::Decided,
+        OrbitEnd::StaysOnSection => EndName::StaysOnSection,
+        OrbitEnd::Failed(_) => EndName::Failed,
+        OrbitEnd::Interrupted => EndName::Interrupted,
     }
 }
 
@@ -203,14 +205,14 @@ fn orbit(orbit: &OrbitSection, start: TorusPoint, component: Option<usize>) -> O
         sheet: start.sheet,
         crossings: report.crossings as usize,
         end: end(report.end),
-        failure: if let End::Failed(error) = report.end { Some(error.to_string()) } else { None },
+        failure: if let OrbitEnd::Failed(error) = report.end { Some(error.to_string()) } else { None },
         time: report.time,
         steps: report.steps,
         tangencies: report.tangencies,
         drift: drift(report.drift),
         residual: report.residual,
         verdict: VerdictName::Open,
-        reason: Open::NotAsked.to_string(),
+        reason: OpenReason::NotAsked.to_string(),
         decided: None,
         chaos: None,
     }
@@ -257,7 +259,7 @@ fn evidence(look: &Evidence) -> EvidenceDocument {
     EvidenceDocument { time: look.time, apart: look.apart, growth: look.growth, log: look.log }
 }
 
-fn rotation(rotation: &Rotation) -> RotationDocument {
+fn rotation(rotation: &RotationNumber) -> RotationDocument {
     let (angle, islands) = match rotation.angle {
         RotationAngle::Axis => (RotationAngleName::Axis, None),
         RotationAngle::Mean => (RotationAngleName::Mean, None),

@@ -53,7 +53,7 @@ fn read_component(document: &ComponentDocument) -> Component {
 mod tests {
     use super::*;
     use bifdiag_exact::Accuracy;
-    use bifdiag_survey::search::{Domain, Exclusion, Target, known_witness};
+    use bifdiag_survey::search::{Exclusion, SearchDomain, Target, known_witness};
 
     #[test]
     fn the_published_file_is_the_shipped_one() {
@@ -72,7 +72,7 @@ mod tests {
             let target = Target::of_type(&document.kind).or_else(|_| Target::of_signature(&document.kind)).unwrap();
             assert_eq!(Exclusion::of(&target), None, "{}", document.kind);
             let known = [read_witness(document).unwrap()];
-            let everything = Domain { physical: false, moment_ratio: f64::INFINITY };
+            let everything = SearchDomain { physical: false, moment_ratio: f64::INFINITY };
             let witness = known_witness(&known, &target, &everything, Accuracy::Exact).unwrap();
             assert_eq!(crate::witness(&witness), *document);
         }
@@ -81,7 +81,7 @@ mod tests {
     #[test]
     fn bodies_that_exist_are_asked_for() {
         let known = shipped_witnesses();
-        let physical = Domain { physical: true, ..Domain::default() };
+        let physical = SearchDomain { physical: true, ..SearchDomain::default() };
         for kind in ["k1n0", "k2n0", "k1n1", "k2n1", "k3n1", "k0n2", "k1n2", "k2n2", "k3n2", "k4n1", "k4n2", "M5"] {
             let witness = known_witness(&known, &Target::of_type(kind).unwrap(), &physical, Accuracy::Exact);
             assert!(!witness.unwrap().body.flags().unphysical, "{kind}");

@@ -2,13 +2,13 @@
 
 use bifdiag_body::Preset;
 use bifdiag_documents::section;
-use bifdiag_dynamics::poincare::Setting;
+use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::{Monitor, SweepOptions};
 
 #[test]
 fn a_stopped_run_says_so() {
     let body = Preset::find("paper").unwrap().body();
-    let setting = Setting::new(&body, &"4.45".parse().unwrap(), &"3.25".parse().unwrap()).unwrap();
+    let setting = SectionSetting::new(&body, &"4.45".parse().unwrap(), &"3.25".parse().unwrap()).unwrap();
     let starts = setting.spread(4, 0).unwrap();
     let monitor = Monitor::default();
     monitor.stop.store(true, std::sync::atomic::Ordering::Relaxed);

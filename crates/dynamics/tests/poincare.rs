@@ -2,15 +2,15 @@
 
 use bifdiag_body::{Body, Number, Preset};
 use bifdiag_diagram::topology::signature;
-use bifdiag_dynamics::poincare::{PoincareError, Setting};
+use bifdiag_dynamics::poincare::{PoincareError, SectionSetting};
 use bifdiag_dynamics::section::{Monitor, OrbitSection, SweepOptions};
 
 fn number(x: f64) -> Number {
     Number::from_f64(x).unwrap()
 }
 
-fn setting(body: &Body, h: f64, l: f64) -> Result<Setting, PoincareError> {
-    Setting::new(body, &number(h), &number(l))
+fn setting(body: &Body, h: f64, l: f64) -> Result<SectionSetting, PoincareError> {
+    SectionSetting::new(body, &number(h), &number(l))
 }
 
 /// Without the start itself, which has index 0.

@@ -5,8 +5,8 @@ use bifdiag_dynamics::field::{HeavyTop, Integrals, State, dot, kovalevskaya};
 use bifdiag_dynamics::integrator::taylor::InstructionSet;
 use bifdiag_dynamics::integrator::{DEFAULT_TOLERANCE, Taylor, ToleranceError};
 use bifdiag_dynamics::section::{
-    End, Halt, Monitor, OrbitSection, PpTorus, SectionCondition, SectionError, SectionPoint, StartOptions,
-    SweepOptions, Task, TorusPoint, spread_starts, sweep, sweep_on,
+    Monitor, OrbitCheckpoint, OrbitEnd, OrbitSection, OrbitTask, PpTorus, SectionCondition, SectionError, SectionPoint,
+    StartOptions, SweepOptions, TorusPoint, spread_starts, sweep, sweep_on,
 };
 use support::peers::Method;
 
@@ -63,7 +63,7 @@ fn integrals_hold_to_1e13_over_a_thousand_crossings() {
     assert_eq!(monitor.orbits.into_inner(), 64);
     assert_eq!(monitor.crossings.into_inner(), 64_000);
     for orbit in &orbits {
-        assert_eq!((orbit.report.end, orbit.points.len()), (End::Crossings, 1001));
+        assert_eq!((orbit.report.end, orbit.points.len()), (OrbitEnd::Crossings, 1001));
         assert!(orbit.report.drift.largest() <= 1e-13, "{:?}", orbit.report);
         // S is a sum of terms |ω||r||γ| of about 3.
         assert!(orbit.report.residual <= 1e-14, "{:?}", orbit.report);
@@ -82,7 +82,7 @@ fn drift_over_a_million_units_of_time_is_a_random_walk() {
     let options = SweepOptions { crossings: usize::MAX, max_time: 1e6, tolerance: 1e-18, ..SweepOptions::default() };
     let starts = [starts(&torus, 2.6, 3.25, 1), starts(&torus, 4.45, 3.25, 1)].concat();
     for orbit in sweep(&torus, &starts, &options, &Monitor::default()).unwrap() {
-        assert_eq!(orbit.report.end, End::Time);
+        assert_eq!(orbit.report.end, OrbitEnd::Time);
         assert!(orbit.report.steps > 4_000_000);
         assert!(orbit.report.drift.largest() < 4e-13, "{:?}", orbit.report);
     }
@@ -245,7 +245,7 @@ fn random_orbits_of_random_bodies_all_return() {
         let Ok(points) = spread_starts(&torus, h, l, &options) else { continue };
         let starts: Vec<State> = points.iter().map(|&p| torus.state(p, h, l).unwrap()).collect();
         for orbit in run(&torus, &starts, 4) {
-            assert_eq!(orbit.report.end, End::Crossings, "body {k} orbit {}", orbit.orbit);
+            assert_eq!(orbit.report.end, OrbitEnd::Crossings, "body {k} orbit {}", orbit.orbit);
             returned += 1;
         }
     }
@@ -261,7 +261,7 @@ fn regular_precession_stays_on_the_section() {
     let state = State { gamma: [sin, 0.0, cos], l: [precession * sin, 0.0, l3] };
     assert!(SectionCondition::Height.rate(torus.top(), &state).abs() < 1e-14);
     let orbits = run(&torus, &[state], 10);
-    assert_eq!(orbits[0].report.end, End::StaysOnSection);
+    assert_eq!(orbits[0].report.end, OrbitEnd::StaysOnSection);
     assert_eq!(orbits[0].points.len(), 1);
 }
 
@@ -271,7 +271,7 @@ fn relative_equilibria_stay_on_the_section() {
     let torus = torus([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]);
     let state = State { gamma: [1.0, 0.0, 0.0], l: [1.3, 0.0, 0.0] };
     let orbits = run(&torus, &[state], 10);
-    assert_eq!(orbits[0].report.end, End::StaysOnSection);
+    assert_eq!(orbits[0].report.end, OrbitEnd::StaysOnSection);
 }
 
 #[test]
@@ -288,7 +288,7 @@ fn time_ends_an_orbit() {
     let torus = paper();
     let options = SweepOptions { max_time: 10.0, ..SweepOptions::default() };
     for orbit in sweep(&torus, &starts(&torus, 4.45, 3.25, 9), &options, &Monitor::default()).unwrap() {
-        assert_eq!(orbit.report.end, End::Time);
+        assert_eq!(orbit.report.end, OrbitEnd::Time);
         assert!(orbit.points.len() > 5 && orbit.report.time >= 10.0);
         assert!(orbit.points.iter().all(|point| point.time <= 10.0));
     }
@@ -323,7 +323,7 @@ fn other_integrators_find_the_same_crossings() {
         };
         let expected = run(DEFAULT_TOLERANCE);
         for (coarser, fine) in run(1e-12).iter().zip(&expected) {
-            assert_eq!((coarser.report.end, coarser.points.len()), (End::Crossings, fine.points.len()));
+            assert_eq!((coarser.report.end, coarser.points.len()), (OrbitEnd::Crossings, fine.points.len()));
             assert!(coarser.report.residual < 1e-14, "{:?}", coarser.report);
             for (p, q) in coarser.points.iter().zip(&fine.points) {
                 let error = distance(&state_of(p), &state_of(q)).max((p.time - q.time).abs());
@@ -431,8 +431,8 @@ fn orbits_that_are_halted_go_on_bit_for_bit() {
             let starts: Vec<State> = points.iter().map(|&point| torus.state(point, 4.45, l).unwrap()).collect();
             let options = SweepOptions { crossings: 150, condition, ..SweepOptions::default() };
             let whole = sweep(&torus, &starts, &options, &Monitor::default()).unwrap();
-            let mut tasks: Vec<Task> =
-                starts.iter().zip(0..).map(|(&start, orbit)| Task { orbit, start, halt: None }).collect();
+            let mut tasks: Vec<OrbitTask> =
+                starts.iter().zip(0..).map(|(&start, orbit)| OrbitTask { orbit, start, halt: None }).collect();
             let mut pieces: Vec<Vec<_>> = vec![Vec::new(); starts.len()];
             let mut rounds = 0;
             while !tasks.is_empty() {
@@ -443,7 +443,7 @@ fn orbits_that_are_halted_go_on_bit_for_bit() {
                     pieces[orbit].extend(leg.points);
                     let task = tasks.iter().position(|task| task.orbit == leg.orbit).unwrap();
                     if let Some(halt) = halt {
-                        tasks[task].halt = Some(Halt::from_words(halt.words()));
+                        tasks[task].halt = Some(OrbitCheckpoint::from_words(halt.words()));
                     } else {
                         tasks.remove(task);
                         assert_eq!(leg.report, whole[orbit].report);

@@ -10,7 +10,7 @@ use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
 use bifdiag_dynamics::motion::{MotionOptions, follow};
 use bifdiag_dynamics::section::chaos::{ChaosOptions, RotationUndefined, chaos_measures, lyapunov_exponents};
 use bifdiag_dynamics::section::{
-    Chart, End, Monitor, OrbitSection, Portrait, PortraitOptions, PpTorus, SectionCondition, SectionError,
+    Monitor, OrbitEnd, OrbitSection, Portrait, PortraitOptions, PpTorus, SectionChart, SectionCondition, SectionError,
     SectionPoint, StartOptions, SweepOptions, spread_starts, sweep,
 };
 
@@ -162,12 +162,12 @@ fn exponents_motions_and_portraits_of_scaled_bodies_are_the_same_bit_for_bit() {
             assert_eq!((large.report(), large.boundary()), (portrait.report(), portrait.boundary()));
             assert_eq!((large.tangency(-1), large.tangency(1)), (portrait.tangency(-1), portrait.tangency(1)));
             assert_eq!(large.energy_momentum(), (h * scale.energy, l * scale.momentum));
-            let place = large.position(Chart::Torus, states[2].gamma);
+            let place = large.position(SectionChart::Torus, states[2].gamma);
             let rates = portrait
-                .rates(Chart::Torus, place)
+                .rates(SectionChart::Torus, place)
                 .map(|rates| rates.map(|x| x * scale.energy / scale.time / scale.time));
             assert!(rates.is_some());
-            assert_eq!(large.rates(Chart::Torus, place), rates);
+            assert_eq!(large.rates(SectionChart::Torus, place), rates);
         }
     }
 }
@@ -185,7 +185,7 @@ fn a_body_of_any_weight_has_its_section() {
     for (weight, h) in [(1e60, 0.0), (1e-60, 1e-60), (1e-60, 0.0), (1e140, 1e140), (1e-140, 1e-140)] {
         let expected = section(1.0, h / weight);
         for (orbit, expected) in section(weight, h).iter().zip(&expected) {
-            assert_eq!(orbit.report.end, End::Crossings, "{weight:e} {h:e}");
+            assert_eq!(orbit.report.end, OrbitEnd::Crossings, "{weight:e} {h:e}");
             assert_eq!((orbit.points.len(), orbit.report.tangencies), (11, 0));
             for (point, expected) in orbit.points.iter().zip(&expected.points) {
                 let time = point.time * weight.sqrt();
@@ -202,7 +202,11 @@ fn motions_beyond_the_range_of_numbers_fail_at_once() {
         let state = State { gamma: [0.6, 0.0, 0.8], l: [size, 0.5 * size, 2.0 * size] };
         let options = SweepOptions { crossings: 10, max_time: 1e3 / size, ..SweepOptions::default() };
         let orbits = sweep(&torus, &[state], &options, &Monitor::default()).unwrap();
-        assert!(matches!(orbits[0].report.end, End::Failed(_) | End::Time | End::Crossings), "{:?}", orbits[0]);
+        assert!(
+            matches!(orbits[0].report.end, OrbitEnd::Failed(_) | OrbitEnd::Time | OrbitEnd::Crossings),
+            "{:?}",
+            orbits[0]
+        );
     }
 }
 
@@ -232,7 +236,7 @@ fn an_interrupt_ends_all_work_within_a_second() {
     let states = starts(&torus, h, l);
     let options = SweepOptions { crossings: usize::MAX, ..SweepOptions::default() };
     let orbits = stopped(|monitor| sweep(&torus, &states, &options, monitor)).unwrap();
-    assert!(orbits.iter().all(|orbit| orbit.report.end == End::Interrupted));
+    assert!(orbits.iter().all(|orbit| orbit.report.end == OrbitEnd::Interrupted));
     let motion = stopped(|monitor| {
         let options = MotionOptions { tolerance: DEFAULT_TOLERANCE, phi: 0.0, stop: &monitor.stop };
         follow(torus.top(), &states[0], &[0.0, 1e9], &options).unwrap()

@@ -3,12 +3,13 @@
 
 use bifdiag_body::{Body, Number};
 use bifdiag_dynamics::field::{HeavyTop, State, dot, norm, sub};
-use bifdiag_dynamics::poincare::Setting;
+use bifdiag_dynamics::poincare::SectionSetting;
 use bifdiag_dynamics::section::chaos::{
-    ChaosMeasure, ChaosOptions, Course, Judgement, Open, RotationAngle, UNIT, Verdict, chaos_measures, growths,
+    ChaosMeasure, ChaosOptions, Judgement, OpenReason, OrbitVerdict, RotationAngle, TangentCourse, UNIT,
+    chaos_measures, growths,
 };
 use bifdiag_dynamics::section::{
-    End, Monitor, OrbitSection, PpTorus, StartOptions, SweepOptions, TorusPoint, spread_starts, sweep,
+    Monitor, OrbitEnd, OrbitSection, PpTorus, StartOptions, SweepOptions, TorusPoint, spread_starts, sweep,
 };
 use support::peers::Method;
 
@@ -29,7 +30,7 @@ fn judged(torus: &PpTorus, starts: &[State], crossings: usize) -> Vec<ChaosMeasu
     chaos_measures(torus, &orbits, &ChaosOptions::default(), &Monitor::default()).unwrap()
 }
 
-fn counted(measures: &[ChaosMeasure], verdict: fn(&Verdict) -> bool) -> usize {
+fn counted(measures: &[ChaosMeasure], verdict: fn(&OrbitVerdict) -> bool) -> usize {
     measures.iter().filter(|measure| verdict(&measure.judgement.verdict)).count()
 }
 
@@ -50,9 +51,9 @@ fn integrable_orbits_are_regular_or_open_never_chaotic() {
         for &(h, l) in places {
             let measures = judged(&torus, &starts(&torus, h, l, 64), 2000);
             for measure in &measures {
-                assert_ne!(measure.judgement.verdict, Verdict::Chaotic, "{body:?} ({h}, {l}): {measure:?}");
+                assert_ne!(measure.judgement.verdict, OrbitVerdict::Chaotic, "{body:?} ({h}, {l}): {measure:?}");
             }
-            regular += counted(&measures, |verdict| *verdict == Verdict::Regular);
+            regular += counted(&measures, |verdict| *verdict == OrbitVerdict::Regular);
             all += measures.len();
         }
     }
@@ -69,30 +70,32 @@ fn the_papers_chaos_is_seen_and_its_islands_are_regular() {
         measures.iter().filter(|one| matches!(one.rotation, Ok(r) if matches!(r.angle, RotationAngle::Islands(_))));
     let (mut chains, mut calm) = (0, 0);
     for island in islands {
-        assert_ne!(island.judgement.verdict, Verdict::Chaotic, "{island:?}");
+        assert_ne!(island.judgement.verdict, OrbitVerdict::Chaotic, "{island:?}");
         chains += 1;
-        calm += u32::from(island.judgement.verdict == Verdict::Regular);
+        calm += u32::from(island.judgement.verdict == OrbitVerdict::Regular);
     }
     assert!(chains > 0 && calm > 0, "{calm} of {chains}");
     for measure in &measures {
         let (lyapunov, judgement) = (measure.lyapunov.unwrap(), &measure.judgement);
         match judgement.verdict {
-            Verdict::Chaotic => assert!(lyapunov.mean_rate * lyapunov.time > 16.0, "{measure:?}"),
-            Verdict::Regular => assert!(lyapunov.mean_rate * lyapunov.time < 8.0, "{measure:?}"),
-            Verdict::Open(_) => assert_eq!(judgement.decided, None),
+            OrbitVerdict::Chaotic => assert!(lyapunov.mean_rate * lyapunov.time > 16.0, "{measure:?}"),
+            OrbitVerdict::Regular => assert!(lyapunov.mean_rate * lyapunov.time < 8.0, "{measure:?}"),
+            OrbitVerdict::Open(_) => assert_eq!(judgement.decided, None),
         }
         let length = |&(time, crossing): &(f64, u32)| time <= lyapunov.time && (70..=6000).contains(&crossing);
         assert!(judgement.decided.iter().all(length), "{judgement:?}");
         assert!(!judgement.to_string().is_empty());
     }
-    let [chaotic, open] =
-        [|verdict: &Verdict| *verdict == Verdict::Chaotic, |verdict: &Verdict| matches!(verdict, Verdict::Open(_))]
-            .map(|kind| counted(&measures, kind));
+    let [chaotic, open] = [
+        |verdict: &OrbitVerdict| *verdict == OrbitVerdict::Chaotic,
+        |verdict: &OrbitVerdict| matches!(verdict, OrbitVerdict::Open(_)),
+    ]
+    .map(|kind| counted(&measures, kind));
     println!("{chaotic} of {} chaotic, {open} open", measures.len());
     assert!(chaotic > 48 && open < 16);
     // Chaos is seen long before the end.
     let early = measures.iter().filter_map(|one| Some((one.judgement.verdict, one.judgement.decided?.1)));
-    assert!(early.filter(|(verdict, crossing)| *verdict == Verdict::Chaotic && *crossing <= 1000).count() > 24);
+    assert!(early.filter(|(verdict, crossing)| *verdict == OrbitVerdict::Chaotic && *crossing <= 1000).count() > 24);
 }
 
 #[test]
@@ -103,7 +106,7 @@ fn an_unstable_periodic_orbit_is_not_chaotic() {
     let start = State { gamma: [0.8, 0.0, 0.6], l: [0.0, 9.0, 0.0] };
     for crossings in [100, 500, 2000] {
         let measure = &judged(&torus, &[start], crossings)[0];
-        assert_eq!(measure.judgement.verdict, Verdict::Open(Open::GrowsButSettles), "{measure:?}");
+        assert_eq!(measure.judgement.verdict, OrbitVerdict::Open(OpenReason::GrowsButSettles), "{measure:?}");
         assert!(measure.lyapunov.unwrap().exponent > 0.1);
     }
 }
@@ -112,16 +115,19 @@ fn an_unstable_periodic_orbit_is_not_chaotic() {
 fn what_cannot_be_judged_is_open_and_says_why() {
     let torus = torus(PAPER);
     let starts = starts(&torus, 4.45, 3.25, 2);
-    assert_eq!(judged(&torus, &starts, 40)[0].judgement.verdict, Verdict::Open(Open::TooShort { crossings: 40 }));
+    assert_eq!(
+        judged(&torus, &starts, 40)[0].judgement.verdict,
+        OrbitVerdict::Open(OpenReason::TooShort { crossings: 40 })
+    );
     // A relative equilibrium: uniform rotation about r̂ of Lagrange's top.
     let lagrange = self::torus(([1.0, 1.0, 0.6], [0.0, 0.0, 1.0]));
     let sleeping = State { gamma: [0.0, 0.0, 1.0], l: [0.0, 0.0, 3.0] };
-    assert_eq!(judged(&lagrange, &[sleeping], 40)[0].judgement.verdict, Verdict::Open(Open::StaysOnSection));
+    assert_eq!(judged(&lagrange, &[sleeping], 40)[0].judgement.verdict, OrbitVerdict::Open(OpenReason::StaysOnSection));
     let stopped = Monitor::default();
     let orbits = sweep(&torus, &starts, &SweepOptions::default(), &stopped).unwrap();
     stopped.stop.store(true, std::sync::atomic::Ordering::Relaxed);
     let measures = chaos_measures(&torus, &orbits, &ChaosOptions::default(), &stopped).unwrap();
-    assert_eq!(measures[0].judgement.verdict, Verdict::Open(Open::Unfinished));
+    assert_eq!(measures[0].judgement.verdict, OrbitVerdict::Open(OpenReason::Unfinished));
 }
 
 #[test]
@@ -140,7 +146,7 @@ fn the_running_exponent_ends_at_the_exponent() {
 fn a_look_is_what_a_fine_sum_over_the_motion_sees() {
     let torus = torus(PAPER);
     let start = starts(&torus, 4.45, 3.25, 1)[0];
-    let course = Course { start, time: 60.0, unit: 40.0, ..Course::default() };
+    let course = TangentCourse { start, time: 60.0, unit: 40.0, ..TangentCourse::default() };
     let options = ChaosOptions::default();
     let found = &growths(torus.top(), vec![course], &options, &Monitor::default()).unwrap()[0].evidence;
     assert_eq!(found.len(), 2);
@@ -219,15 +225,15 @@ fn no_orbit_is_called_regular_that_turns_out_to_be_chaotic() {
             let lyapunov = measure.lyapunov.unwrap();
             let [log, log_half] = [lyapunov.exponent * lyapunov.time, lyapunov.exponent_half * 0.5 * lyapunov.time];
             match measure.judgement.verdict {
-                Verdict::Regular => {
+                OrbitVerdict::Regular => {
                     assert!(log < 25.0, "{body:?} ({h}, {l}): {measure:?}");
                     regular += 1;
                 }
-                Verdict::Chaotic => {
+                OrbitVerdict::Chaotic => {
                     assert!(log > 50.0 && log > log_half + 15.0, "{body:?} ({h}, {l}): {measure:?}");
                     chaotic += 1;
                 }
-                Verdict::Open(_) => {}
+                OrbitVerdict::Open(_) => {}
             }
         }
     }
@@ -241,12 +247,12 @@ fn the_verdict_alone_is_that_beside_the_exponents() {
     let starts = starts(&torus, 5.3, 3.25, 12);
     let options = SweepOptions { crossings: 3000, ..SweepOptions::default() };
     let orbits = sweep(&torus, &starts, &options, &Monitor::default()).unwrap();
-    let course = |orbit: &OrbitSection| Course {
+    let course = |orbit: &OrbitSection| TangentCourse {
         start: State { gamma: orbit.points[0].gamma, l: orbit.points[0].l },
         time: orbit.report.time,
         unit: orbit.points[UNIT].time,
         until_decided: true,
-        ..Course::default()
+        ..TangentCourse::default()
     };
     let courses = orbits.iter().map(course).collect();
     let alone = growths(torus.top(), courses, &ChaosOptions::default(), &Monitor::default()).unwrap();
@@ -263,7 +269,7 @@ fn the_verdict_alone_is_that_beside_the_exponents() {
 fn orbits_can_end_where_they_are_decided() {
     let body = Body::from_f64(PAPER.0, PAPER.1).unwrap();
     let number = |x: f64| Number::from_f64(x).unwrap();
-    let setting = Setting::new(&body, &number(5.3), &number(3.25)).unwrap();
+    let setting = SectionSetting::new(&body, &number(5.3), &number(3.25)).unwrap();
     let starts: Vec<TorusPoint> = setting.spread(24, 0).unwrap();
     let (options, chaos) = (SweepOptions { crossings: 3000, ..SweepOptions::default() }, ChaosOptions::default());
     let monitor = Monitor::default();
@@ -275,8 +281,8 @@ fn orbits_can_end_where_they_are_decided() {
         let OrbitSection { points, report, orbit } = orbit;
         assert_eq!((*orbit, measure.orbit), (whole.orbit, whole.orbit));
         assert_eq!(points[..], whole.points[..points.len()]);
-        let open = matches!(measure.judgement.verdict, Verdict::Open(_));
-        assert_eq!(report.end, if open || points.len() == 3001 { End::Crossings } else { End::Decided });
+        let open = matches!(measure.judgement.verdict, OrbitVerdict::Open(_));
+        assert_eq!(report.end, if open || points.len() == 3001 { OrbitEnd::Crossings } else { OrbitEnd::Decided });
         lengths.insert(points.len());
     }
     assert!(lengths.len() > 2, "{lengths:?}");

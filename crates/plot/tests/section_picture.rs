@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 
 use bifdiag_body::Body;
 use bifdiag_dynamics::section::{
-    Chart, Monitor, OrbitSection, Portrait, PortraitOptions, SectionCondition, SweepOptions, sweep,
+    Monitor, OrbitSection, Portrait, PortraitOptions, SectionChart, SectionCondition, SweepOptions, sweep,
 };
 use bifdiag_plot::{
     OrbitValues, Picture, PlotError, Projection, SectionOptions, SectionScene, Width, draw_section, draw_section_rows,
@@ -34,7 +34,7 @@ fn portrait(h: f64, l: f64, condition: SectionCondition) -> Portrait {
 /// Orbits from accessible places of a coarse grid, the sheets in turn.
 fn orbits(portrait: &Portrait, count: usize, crossings: usize) -> Vec<OrbitSection> {
     let places = (0..).map(|k| [f64::from(k) * 2.4 % TAU, f64::from(k) * 0.618 % 1.0 * PI]);
-    let states = places.enumerate().filter_map(|(k, place)| Some(portrait.states(Chart::Torus, place)?[k % 2]));
+    let states = places.enumerate().filter_map(|(k, place)| Some(portrait.states(SectionChart::Torus, place)?[k % 2]));
     let starts: Vec<_> = states.take(count).collect();
     let options = SweepOptions { crossings, condition: portrait.condition(), ..SweepOptions::default() };
     sweep(portrait.torus(), &starts, &options, &Monitor::default()).unwrap()
@@ -120,7 +120,7 @@ fn the_ground_is_shaded_as_the_equations_say() {
                 let at = [(f64::from(k % 60) + 0.5) / 60.0 * width, (f64::from(k / 60) + 0.5) / 40.0 * height];
                 let kind = |dx: f64, dy: f64| {
                     let place = [(at[0] + dx) / width * TAU, (at[1] + dy) / height * PI];
-                    portrait.rates(Chart::Torus, place).map(|rates| rates[sheet] < 0.0)
+                    portrait.rates(SectionChart::Torus, place).map(|rates| rates[sheet] < 0.0)
                 };
                 // Lines are up to three pixels wide.
                 let mut near = (0..32).map(|k| {
@@ -163,7 +163,7 @@ fn every_crossing_is_drawn_once_and_where_it_is() {
             let (x, y) = (left + point.psi / TAU * width, top + point.theta / PI * height);
             let [red, _, blue] = color(&pixels, x, y);
             // The frame, ∂U and the line of tangency are drawn over the points.
-            let rates = portrait.rates(Chart::Torus, [point.psi, point.theta]);
+            let rates = portrait.rates(SectionChart::Torus, [point.psi, point.theta]);
             let at_rim = x - left < 3.0 || left + width - x < 3.0 || y - top < 3.0 || top + height - y < 3.0;
             let on_a_line = at_rim || rates.is_none_or(|rates| rates[usize::from(point.sheet > 0)].abs() < 0.2);
             looked_at += u32::from(!on_a_line);

@@ -3,8 +3,7 @@
 use dashu_ratio::RBig;
 use thiserror::Error;
 
-use crate::parameter::Parameter;
-use crate::range::Range;
+use crate::parameter::{BodyParameter, ParameterRange};
 use bifdiag_body::{Body, BodyError};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::sequence::{self, point};
@@ -12,7 +11,7 @@ use bifdiag_numbers::sequence::{self, point};
 /// The bodies among which a scan chooses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[expect(clippy::large_enum_variant, reason = "there is one design in a scan")]
-pub enum Family {
+pub enum BodyFamily {
     /// Every body that exists, up to its symmetries and units: A_i = 1 − m_i, where the second moments of mass m are
     /// uniform on the simplex m1 + m2 + m3 = 1, and r̂ uniform on the positive octant of the sphere, |r| = 1. Four
     /// parameters.
@@ -34,9 +33,9 @@ pub enum Family {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Design {
     /// The bodies.
-    pub family: Family,
+    pub family: BodyFamily,
     /// What varies; on a grid the last one varies fastest.
-    pub vary: Vec<Range>,
+    pub vary: Vec<ParameterRange>,
     /// Number of points of the low-discrepancy sequence; absent for a grid.
     pub samples: Option<u64>,
     /// Where the sequence starts.
@@ -56,19 +55,19 @@ pub enum DesignError {
     #[error("{parameter} is given twice")]
     Twice {
         /// Which.
-        parameter: Parameter,
+        parameter: BodyParameter,
     },
     /// The family fixes it.
     #[error("the family katok keeps {parameter} fixed; it varies A2 and A3")]
     Fixed {
         /// Which.
-        parameter: Parameter,
+        parameter: BodyParameter,
     },
     /// Some ranges with, some without a number of values.
     #[error("{parameter} has no number of values while others have; write it as {parameter}=from:to:N")]
     HalfGrid {
         /// Which has none.
-        parameter: Parameter,
+        parameter: BodyParameter,
     },
     /// A grid and a number of samples.
     #[error("a grid has its own number of bodies; leave out the number of samples, or the numbers of grid values")]
@@ -86,7 +85,7 @@ pub enum DesignError {
     #[error("{parameter} = {value} is no moment of inertia; it must be greater than zero")]
     NotPositive {
         /// Which.
-        parameter: Parameter,
+        parameter: BodyParameter,
         /// The lower end.
         value: String,
     },
@@ -100,22 +99,27 @@ impl Design {
     ///
     /// # Errors
     /// [`DesignError`].
-    pub fn new(family: Family, mut vary: Vec<Range>, samples: Option<u64>, seed: u64) -> Result<Self, DesignError> {
-        let whole = matches!(family, Family::General | Family::Positive);
+    pub fn new(
+        family: BodyFamily,
+        mut vary: Vec<ParameterRange>,
+        samples: Option<u64>,
+        seed: u64,
+    ) -> Result<Self, DesignError> {
+        let whole = matches!(family, BodyFamily::General | BodyFamily::Positive);
         if whole && !vary.is_empty() {
             return Err(DesignError::NothingToVary);
         }
-        if family == Family::Katok {
+        if family == BodyFamily::Katok {
             if vary.is_empty() {
                 let [from, to] = [(3, 10_u8), (17, 10)].map(|(p, q)| RBig::from_parts(p.into(), q.into()));
-                vary.extend([Parameter::A2, Parameter::A3].map(|parameter| Range {
+                vary.extend([BodyParameter::A2, BodyParameter::A3].map(|parameter| ParameterRange {
                     parameter,
                     from: Number::from_rational(from.clone()),
                     to: Number::from_rational(to.clone()),
                     steps: None,
                 }));
             }
-            let fixed = vary.iter().find(|range| !matches!(range.parameter, Parameter::A2 | Parameter::A3));
+            let fixed = vary.iter().find(|range| !matches!(range.parameter, BodyParameter::A2 | BodyParameter::A3));
             if let Some(range) = fixed {
                 return Err(DesignError::Fixed { parameter: range.parameter });
             }
@@ -168,18 +172,18 @@ impl Design {
     #[must_use]
     pub fn values(&self, n: u64) -> [[f64; 3]; 2] {
         let (mut a, mut r) = match &self.family {
-            Family::General | Family::Positive => {
+            BodyFamily::General | BodyFamily::Positive => {
                 let u = point(n, 4, self.seed);
                 let m = on_simplex(u[0], u[1]);
-                let a = if self.family == Family::General { m.map(|m| 1.0 - m) } else { m };
+                let a = if self.family == BodyFamily::General { m.map(|m| 1.0 - m) } else { m };
                 return [a, on_octant(u[2], u[3])];
             }
-            Family::Katok => ([1.0; 3], [1.0, 0.0, 0.0]),
-            Family::Body { moments, center } => {
+            BodyFamily::Katok => ([1.0; 3], [1.0, 0.0, 0.0]),
+            BodyFamily::Body { moments, center } => {
                 (moments.each_ref().map(Number::to_f64), center.each_ref().map(Number::to_f64))
             }
         };
-        let mut set = |parameter: Parameter, value: f64| match parameter.place() {
+        let mut set = |parameter: BodyParameter, value: f64| match parameter.place() {
             place @ 0..3 => a[place] = value,
             place => r[place - 3] = value,
         };
@@ -226,12 +230,12 @@ fn on_octant(u: f64, v: f64) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::range::ParseRangeError;
+    use crate::parameter::ParseRangeError;
 
     #[test]
     fn grid_values_are_the_nearest_to_their_exact_fractions() {
         let vary = vec!["A2=0.3:1.7:141".parse().unwrap(), "A3=1/3:2/3:2".parse().unwrap()];
-        let design = Design::new(Family::Katok, vary, None, 0).unwrap();
+        let design = Design::new(BodyFamily::Katok, vary, None, 0).unwrap();
         assert_eq!(design.count(), 282);
         assert_eq!(design.values(2 * 45)[0], [1.0, 0.75, 1.0 / 3.0]);
         assert_eq!(design.values(2 * 45 + 1)[0], [1.0, 0.75, 2.0 / 3.0]);
@@ -241,7 +245,7 @@ mod tests {
 
     #[test]
     fn bodies_of_the_general_family_exist_and_fill_their_domain() {
-        let design = Design::new(Family::General, Vec::new(), Some(2000), 0).unwrap();
+        let design = Design::new(BodyFamily::General, Vec::new(), Some(2000), 0).unwrap();
         let mut small = 0;
         for n in 0..design.count() {
             let [a, r] = design.values(n);
@@ -255,26 +259,26 @@ mod tests {
 
     #[test]
     fn designs_that_say_too_little_or_too_much_are_refused() {
-        let range = |text: &str| text.parse::<Range>().unwrap();
+        let range = |text: &str| text.parse::<ParameterRange>().unwrap();
         let katok = |vary: &[&str], samples| {
-            Design::new(Family::Katok, vary.iter().map(|text| range(text)).collect(), samples, 0).unwrap_err()
+            Design::new(BodyFamily::Katok, vary.iter().map(|text| range(text)).collect(), samples, 0).unwrap_err()
         };
-        assert_eq!(katok(&["A1=1:2:3"], None), DesignError::Fixed { parameter: Parameter::A1 });
-        assert_eq!(katok(&["A2=1:2:3", "A2=1:2:3"], None), DesignError::Twice { parameter: Parameter::A2 });
-        assert_eq!(katok(&["A2=1:2:3", "A3=1:2"], None), DesignError::HalfGrid { parameter: Parameter::A3 });
+        assert_eq!(katok(&["A1=1:2:3"], None), DesignError::Fixed { parameter: BodyParameter::A1 });
+        assert_eq!(katok(&["A2=1:2:3", "A2=1:2:3"], None), DesignError::Twice { parameter: BodyParameter::A2 });
+        assert_eq!(katok(&["A2=1:2:3", "A3=1:2"], None), DesignError::HalfGrid { parameter: BodyParameter::A3 });
         assert_eq!(katok(&["A2=1:2:3"], Some(5)), DesignError::GridAndSamples);
         assert_eq!(katok(&["A2=1:2"], None), DesignError::NoSamples);
         assert_eq!(
             katok(&["A2=0:2:9"], None),
-            DesignError::NotPositive { parameter: Parameter::A2, value: "0".into() }
+            DesignError::NotPositive { parameter: BodyParameter::A2, value: "0".into() }
         );
-        let general = Design::new(Family::General, vec![range("A2=1:2:3")], None, 0);
+        let general = Design::new(BodyFamily::General, vec![range("A2=1:2:3")], None, 0);
         assert_eq!(general.unwrap_err(), DesignError::NothingToVary);
-        let refused = |text: &str| text.parse::<Range>().unwrap_err();
-        assert!(matches!(refused("A2=2:1"), ParseRangeError::Empty { parameter: Parameter::A2, .. }));
-        assert!(matches!(refused("A4=1:2"), ParseRangeError::Parameter(_)));
+        let refused = |text: &str| text.parse::<ParameterRange>().unwrap_err();
+        assert!(matches!(refused("A2=2:1"), ParseRangeError::Empty { parameter: BodyParameter::A2, .. }));
+        assert!(matches!(refused("A4=1:2"), ParseRangeError::Parameter { .. }));
         assert!(matches!(refused("A2=1"), ParseRangeError::Shape));
-        assert!(matches!(refused("A2=1:x"), ParseRangeError::End { parameter: Parameter::A2, .. }));
-        assert!(matches!(refused("A2=1:2:1"), ParseRangeError::Steps { parameter: Parameter::A2, .. }));
+        assert!(matches!(refused("A2=1:x"), ParseRangeError::End { parameter: BodyParameter::A2, .. }));
+        assert!(matches!(refused("A2=1:2:1"), ParseRangeError::Steps { parameter: BodyParameter::A2, .. }));
     }
 }

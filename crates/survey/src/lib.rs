@@ -1,18 +1,15 @@
-//! Many bodies: scans, the borders between classes, the graph of classes, the search for types.
+//! Many bodies: scans, the borders between classes, the search for types.
 
 pub mod border;
 mod design;
-mod digits;
-pub mod graph;
-pub mod katok;
-pub mod mosaic;
+pub mod nearest;
 mod parameter;
-mod range;
 pub mod scan;
 pub mod search;
 mod signature;
+pub mod space;
+pub mod subdivision;
 
-pub use design::{Design, DesignError, Family};
-pub use parameter::{Parameter, ParseParameterError};
-pub use range::{ParseRangeError, Range};
+pub use design::{BodyFamily, Design, DesignError};
+pub use parameter::{BodyParameter, ParameterRange, ParseRangeError};
 pub use signature::{ComponentType, ParseComponentTypeError, Signature};

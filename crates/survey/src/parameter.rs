@@ -1,13 +1,16 @@
-//! The parameters of a body that can vary.
+//! The parameters of a body that can vary, and their ranges as they are written.
 
 use std::fmt;
 use std::str::FromStr;
 
+use dashu_ratio::RBig;
 use thiserror::Error;
+
+use bifdiag_numbers::{Number, ParseNumberError};
 
 /// One coordinate of (A, r).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Parameter {
+pub enum BodyParameter {
     /// A1.
     A1,
     /// A2.
@@ -22,15 +25,7 @@ pub enum Parameter {
     R3,
 }
 
-/// A text that names no parameter.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("`{text}` is no parameter of a body; the parameters are A1, A2, A3, r1, r2, r3")]
-pub struct ParseParameterError {
-    /// What was written.
-    pub text: String,
-}
-
-impl Parameter {
+impl BodyParameter {
     /// All six.
     pub const ALL: [Self; 6] = [Self::A1, Self::A2, Self::A3, Self::R1, Self::R2, Self::R3];
 
@@ -54,17 +49,109 @@ impl Parameter {
     }
 }
 
-impl fmt::Display for Parameter {
+impl fmt::Display for BodyParameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
 }
 
-impl FromStr for Parameter {
-    type Err = ParseParameterError;
+impl FromStr for BodyParameter {
+    type Err = ParseRangeError;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let found = Self::ALL.into_iter().find(|parameter| parameter.name() == text.trim());
-        found.ok_or_else(|| ParseParameterError { text: text.trim().to_owned() })
+        found.ok_or_else(|| ParseRangeError::Parameter { text: text.trim().to_owned() })
+    }
+}
+
+/// The values that one parameter takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParameterRange {
+    /// Which.
+    pub parameter: BodyParameter,
+    /// Lower end.
+    pub from: Number,
+    /// Upper end.
+    pub to: Number,
+    /// Number of values of a grid, both ends included; without it, the range is sampled.
+    pub steps: Option<u32>,
+}
+
+/// Why a text is not a range of a parameter.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum ParseRangeError {
+    /// Not of the form.
+    #[error("a range is written A2=0.5:2 or, for a grid of 200 values, A2=0.5:2:200")]
+    Shape,
+    /// No such parameter.
+    #[error("`{text}` is no parameter of a body; the parameters are A1, A2, A3, r1, r2, r3")]
+    Parameter {
+        /// What was written.
+        text: String,
+    },
+    /// An end is no number.
+    #[error("{parameter}: {source}")]
+    End {
+        /// Of which parameter.
+        parameter: BodyParameter,
+        /// What is wrong.
+        source: ParseNumberError,
+    },
+    /// The ends are in the wrong order.
+    #[error("{parameter}={from}:{to} is empty; write the lower end first")]
+    Empty {
+        /// Of which parameter.
+        parameter: BodyParameter,
+        /// As written.
+        from: String,
+        /// As written.
+        to: String,
+    },
+    /// The number of values is none.
+    #[error("{parameter}: `{text}` is no number of grid values; write a whole number from 2 to 1000000")]
+    Steps {
+        /// Of which parameter.
+        parameter: BodyParameter,
+        /// As written.
+        text: String,
+    },
+}
+
+impl ParameterRange {
+    /// Value k of a grid, rounded once from the exact fraction.
+    pub(crate) fn grid_value(&self, k: u64, steps: u64) -> f64 {
+        let (from, to) = (self.from.value(), self.to.value());
+        let part = RBig::from_parts(k.into(), (steps - 1).max(1).into());
+        (from + (to - from) * part).to_f64().value()
+    }
+}
+
+impl FromStr for ParameterRange {
+    type Err = ParseRangeError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const STEPS_MAX: u32 = 1_000_000;
+        let (parameter, rest) = text.split_once('=').ok_or(ParseRangeError::Shape)?;
+        let parameter: BodyParameter = parameter.parse()?;
+        let parts: Vec<&str> = rest.split(':').collect();
+        let (from, to, steps) = match parts[..] {
+            [from, to] => (from, to, None),
+            [from, to, steps] => (from, to, Some(steps)),
+            _ => return Err(ParseRangeError::Shape),
+        };
+        let end = |text: &str| text.parse::<Number>().map_err(|source| ParseRangeError::End { parameter, source });
+        let (from, to) = (end(from)?, end(to)?);
+        if from >= to {
+            let [from, to] = [from, to].map(|end| end.text().to_owned());
+            return Err(ParseRangeError::Empty { parameter, from, to });
+        }
+        let steps = match steps {
+            None => None,
+            Some(text) => {
+                let count = text.trim().parse::<u32>().ok().filter(|count| (2..=STEPS_MAX).contains(count));
+                Some(count.ok_or_else(|| ParseRangeError::Steps { parameter, text: text.to_owned() })?)
+            }
+        };
+        Ok(Self { parameter, from, to, steps })
     }
 }

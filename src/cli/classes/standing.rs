@@ -3,7 +3,8 @@
 use bifdiag_exact::Accuracy;
 use bifdiag_schema::StandingDocument;
 use bifdiag_survey::border::class_of;
-use bifdiag_survey::graph::{Domain, NearestOptions, Place, nearest};
+use bifdiag_survey::nearest::{NearestOptions, nearest};
+use bifdiag_survey::space::{BodySet, ReducedBody};
 
 use super::arguments::ClassesArguments;
 use crate::cli::export::answer;
@@ -17,13 +18,12 @@ pub fn run(arguments: &ClassesArguments) -> Result<(), Failure> {
     let options = NearestOptions {
         lines: arguments.lines.unwrap_or(usual.lines),
         seed: arguments.seed.unwrap_or(usual.seed),
-        domain: if arguments.physical { Domain::Existing } else { Domain::All },
+        set: if arguments.physical { BodySet::Physical } else { BodySet::All },
         ..usual
     };
     let class = class_of(&subject.body, Accuracy::Exact).map(|(_, class)| class);
-    let place = Place::of_body(&subject.body);
     let borders = match &class {
-        Ok(_) => nearest(place, &options),
+        Ok(_) => nearest(ReducedBody::of_body(&subject.body), &options),
         Err(_) => Vec::new(),
     };
     let command = subject

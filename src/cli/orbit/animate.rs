@@ -4,7 +4,9 @@ use std::sync::atomic::AtomicBool;
 
 use bifdiag_dynamics::field::{HeavyTop, State, dot};
 use bifdiag_dynamics::motion::{MotionOptions, follow};
-use bifdiag_dynamics::section::{Chart, End, Monitor, Portrait, PortraitOptions, PpTorus, SweepOptions, sweep};
+use bifdiag_dynamics::section::{
+    Monitor, OrbitEnd, Portrait, PortraitOptions, PpTorus, SectionChart, SweepOptions, sweep,
+};
 use bifdiag_plot::{AnimatedCrossing, AnimationScene, draw_animation};
 
 use super::error::OrbitFailure;
@@ -54,7 +56,7 @@ fn animation(settings: &Settings) -> Result<String, OrbitFailure> {
     let (h, l) = (top.energy(start), dot(start.gamma, start.l));
     let accessible = match &crossings {
         Some(_) => Portrait::new(&subject.body, h, l, &PortraitOptions::default())
-            .map(|portrait| portrait.accessible(Chart::Torus).loops)
+            .map(|portrait| portrait.accessible(SectionChart::Torus).loops)
             .unwrap_or_default(),
         None => Vec::new(),
     };
@@ -83,7 +85,7 @@ fn crossings(top: &HeavyTop, start: &State, time: f64) -> Option<Vec<AnimatedCro
     let torus = PpTorus::new(top).ok()?;
     let options = SweepOptions { crossings: CROSSINGS, max_time: time, ..SweepOptions::default() };
     let orbits = sweep(&torus, &[*start], &options, &Monitor::default()).ok()?;
-    let orbit = orbits.first().filter(|orbit| orbit.report.end != End::StaysOnSection)?;
+    let orbit = orbits.first().filter(|orbit| orbit.report.end != OrbitEnd::StaysOnSection)?;
     let shown = orbit.points.iter().map(|point| AnimatedCrossing {
         at: point.time / time,
         sheet: point.sheet,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use bifdiag_schema::Accuracy;
 use bifdiag_survey::scan::Shard;
-use bifdiag_survey::{Family, Parameter, Range};
+use bifdiag_survey::{BodyFamily, BodyParameter, ParameterRange};
 use clap::{Args, Subcommand};
 
 use super::table::Format;
@@ -70,18 +70,18 @@ pub enum ScanCommand {
 }
 
 /// Families of bodies.
-static FAMILIES: [Named<Family>; 3] = [
+static FAMILIES: [Named<BodyFamily>; 3] = [
     (
         "general",
         "Every body that exists: A_i = 1 - m_i, the second moments m uniform on a simplex, r/|r| uniform on an octant",
-        Family::General,
+        BodyFamily::General,
     ),
     (
         "positive",
         "As general, but A uniform on a simplex, whether or not bodies with these moments exist",
-        Family::Positive,
+        BodyFamily::Positive,
     ),
-    ("katok", "A = (1, A2, A3), r = (1, 0, 0)", Family::Katok),
+    ("katok", "A = (1, A2, A3), r = (1, 0, 0)", BodyFamily::Katok),
 ];
 
 /// The scan itself.
@@ -91,10 +91,10 @@ pub struct SampleArguments {
     pub body: BodyArguments,
     /// The bodies to choose from; without it, the body of --A and --r with --vary
     #[arg(long, value_parser = named(&FAMILIES), help_heading = "Bodies")]
-    pub family: Option<Family>,
+    pub family: Option<BodyFamily>,
     /// A parameter (A1, A2, A3, r1, r2, r3) and its range; with N: a grid of N values
     #[arg(long, value_name = "A2=FROM:TO[:N]", value_delimiter = ',', help_heading = "Bodies")]
-    pub vary: Vec<Range>,
+    pub vary: Vec<ParameterRange>,
     /// Number of bodies of a low-discrepancy sequence
     #[arg(long, value_name = "N", help_heading = "Bodies", value_parser = clap::value_parser!(u64).range(1..1 << 53))]
     pub samples: Option<u64>,
@@ -146,10 +146,10 @@ pub struct MapArguments {
     pub file: PathBuf,
     /// Parameter to the right
     #[arg(long, value_name = "PARAMETER", help_heading = "Map")]
-    pub x: Parameter,
+    pub x: BodyParameter,
     /// Parameter upwards
     #[arg(long, value_name = "PARAMETER", help_heading = "Map")]
-    pub y: Parameter,
+    pub y: BodyParameter,
     /// What the colours show
     #[arg(long, value_enum, default_value = "class", help_heading = "Map")]
     pub show: Shown,
@@ -169,7 +169,7 @@ pub struct BorderArguments {
     pub body: BodyArguments,
     /// A parameter and the two values between which the class changes; several are varied together
     #[arg(long, value_name = "A2=FROM:TO", value_delimiter = ',', help_heading = "Border")]
-    pub vary: Vec<Range>,
+    pub vary: Vec<ParameterRange>,
     /// What the answers must be worth
     #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
     pub accuracy: Accuracy,

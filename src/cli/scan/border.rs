@@ -2,8 +2,8 @@
 
 use bifdiag_body::{Body, Number};
 use bifdiag_schema::{BorderDocument, FoundBorderDocument};
-use bifdiag_survey::Range;
-use bifdiag_survey::border::{self, BorderOptions, Segment};
+use bifdiag_survey::ParameterRange;
+use bifdiag_survey::border::{self, BodySegment, BorderOptions};
 
 use super::arguments::BorderArguments;
 use super::error::ScanInput;
@@ -33,7 +33,7 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
             return Err(wrong(format!("--vary: {parameter} is given twice")).into());
         }
     }
-    let end = |value: fn(&Range) -> &Number| {
+    let end = |value: fn(&ParameterRange) -> &Number| {
         let mut values: Vec<Number> = subject.body.moments().iter().chain(subject.body.center()).cloned().collect();
         for range in &arguments.vary {
             values[range.parameter.place()] = value(range).clone();
@@ -42,9 +42,9 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
         Body::parse(&texts[..3], &texts[3..]).map_err(|error| wrong(format!("--vary: {error}")))
     };
     let options = BorderOptions { accuracy: arguments.accuracy, ..BorderOptions::default() };
-    let segment = Segment::new(end(|range| &range.from)?, end(|range| &range.to)?);
+    let segment = BodySegment::new(end(|range| &range.from)?, end(|range| &range.to)?);
     let border = border::find(&segment, &options).map_err(|error| wrong(format!("--vary: {error}")))?;
-    let text = |range: &Range| format!("{}={}:{}", range.parameter, range.from.text(), range.to.text());
+    let text = |range: &ParameterRange| format!("{}={}:{}", range.parameter, range.from.text(), range.to.text());
     let vary: Vec<String> = arguments.vary.iter().map(text).collect();
     let command = subject.command("scan border").option("vary", vary.join(","));
     let command = command.option_if("accuracy", bifdiag_documents::accuracy_option(arguments.accuracy));
@@ -52,7 +52,7 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
     Ok(answer(arguments.json, &document, || report(&document, &arguments.vary))?)
 }
 
-fn report(document: &BorderDocument, vary: &[Range]) -> String {
+fn report(document: &BorderDocument, vary: &[ParameterRange]) -> String {
     let mut report = Report::default();
     for border in &document.borders {
         tell(&mut report, border, vary);
@@ -60,7 +60,7 @@ fn report(document: &BorderDocument, vary: &[Range]) -> String {
     report.text()
 }
 
-fn tell(report: &mut Report, border: &FoundBorderDocument, vary: &[Range]) {
+fn tell(report: &mut Report, border: &FoundBorderDocument, vary: &[ParameterRange]) {
     for (value, range) in border.at.iter().zip(vary) {
         let [from, to] = value.enclosure;
         if value.error == 0.0 {

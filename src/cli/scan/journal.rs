@@ -200,19 +200,19 @@ fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<u64> {
 mod tests {
     use std::fs;
 
-    use bifdiag_survey::Family;
-    use bifdiag_survey::scan::Row;
+    use bifdiag_survey::BodyFamily;
+    use bifdiag_survey::scan::ScanRow;
 
     use super::*;
     use crate::cli::failure::Exit;
 
     fn identity(samples: u64) -> Identity {
-        let design = Design::new(Family::General, Vec::new(), Some(samples), 0).unwrap();
+        let design = Design::new(BodyFamily::General, Vec::new(), Some(samples), 0).unwrap();
         Identity::new(design, [0, samples], Accuracy::Exact)
     }
 
     fn rows(range: std::ops::Range<u64>) -> Vec<RowDocument> {
-        let row = |n| Row::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], bifdiag_exact::Accuracy::Exact);
+        let row = |n| ScanRow::of(n, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], bifdiag_exact::Accuracy::Exact);
         range.map(|n| bifdiag_documents::scan::row(&row(n))).collect()
     }
 

@@ -1,7 +1,7 @@
 //! `bifdiag scan map`: the class of each body over two parameters.
 
 use bifdiag_plot::{Picture, Width, draw_map};
-use bifdiag_survey::Parameter;
+use bifdiag_survey::BodyParameter;
 
 use super::arguments::MapArguments;
 use super::error::ScanInput;
@@ -62,5 +62,5 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
 }
 
 fn names() -> String {
-    Parameter::ALL.map(Parameter::name).join(", ")
+    BodyParameter::ALL.map(BodyParameter::name).join(", ")
 }

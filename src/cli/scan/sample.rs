@@ -5,8 +5,8 @@ use std::path::Path;
 
 use bifdiag_documents::words::counted;
 use bifdiag_schema::RowDocument;
-use bifdiag_survey::scan::Row;
-use bifdiag_survey::{Design, DesignError, Family};
+use bifdiag_survey::scan::ScanRow;
+use bifdiag_survey::{BodyFamily, Design, DesignError};
 use rayon::prelude::*;
 
 use super::arguments::SampleArguments;
@@ -54,10 +54,10 @@ fn block(identity: &Identity, from: u64) -> Vec<RowDocument> {
 }
 
 /// One row; not even a defect of this program ends the scan.
-fn row(identity: &Identity, n: u64) -> Row {
+fn row(identity: &Identity, n: u64) -> ScanRow {
     let values = identity.design.values(n);
-    catch_unwind(AssertUnwindSafe(|| Row::of(n, values, identity.accuracy))).unwrap_or_else(|_panic| {
-        Row::failed(n, values, "a defect of this program: the computation panicked".to_owned())
+    catch_unwind(AssertUnwindSafe(|| ScanRow::of(n, values, identity.accuracy))).unwrap_or_else(|_panic| {
+        ScanRow::failed(n, values, "a defect of this program: the computation panicked".to_owned())
     })
 }
 
@@ -106,7 +106,7 @@ pub fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
         }
         (Some(family), None) => family.clone(),
         (None, Some(subject)) => {
-            Family::Body { moments: subject.body.moments().clone(), center: subject.body.center().clone() }
+            BodyFamily::Body { moments: subject.body.moments().clone(), center: subject.body.center().clone() }
         }
         (None, None) => return Err(ScanInput::NoFamily.into()),
     };

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use bifdiag_dynamics::poincare::{PoincareError, PoincareSection, Setting};
+use bifdiag_dynamics::poincare::{PoincareError, PoincareSection, SectionSetting};
 use bifdiag_dynamics::section::chaos::{ChaosMeasure, ChaosOptions};
 use bifdiag_dynamics::section::{Monitor, OrbitSection, SectionError, SweepOptions, TorusPoint};
 use bifdiag_schema::{SectionDocument, SkippedDocument};
@@ -67,7 +67,7 @@ pub fn compute(settings: &Settings, monitor: &Monitor) -> Result<Sections, Secti
 
 fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Done, SectionFailure> {
     let subject = &settings.sites.subject;
-    let setting = Setting::new(&subject.body, &site.h, &site.l)?;
+    let setting = SectionSetting::new(&subject.body, &site.h, &site.l)?;
     let (starts, seed) = match &settings.starts {
         Starts::Given { path, seeds } => (accessible(&setting, path, seeds)?, None),
         Starts::Spread { orbits, seed } => (setting.spread_watched(*orbits, *seed, monitor)?, Some(*seed)),
@@ -119,7 +119,7 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
 /// Adds the verdicts, if these are wanted.
 fn judge(
     settings: &Settings,
-    setting: &Setting,
+    setting: &SectionSetting,
     section: &mut PoincareSection,
     chaos: &ChaosOptions,
     monitor: &Monitor,
@@ -138,7 +138,7 @@ fn chaos_options(options: &SweepOptions) -> ChaosOptions {
 }
 
 /// The seeds of a file, if all of them are accessible.
-fn accessible(setting: &Setting, path: &Path, seeds: &[Seed]) -> Result<Vec<TorusPoint>, SectionFailure> {
+fn accessible(setting: &SectionSetting, path: &Path, seeds: &[Seed]) -> Result<Vec<TorusPoint>, SectionFailure> {
     let mut points = Vec::with_capacity(seeds.len());
     for seed in seeds {
         match setting.state(seed.point) {

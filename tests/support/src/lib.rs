@@ -8,11 +8,14 @@
 pub mod aim;
 pub mod bodies;
 pub mod flood_fill;
+pub mod katok;
 #[cfg(feature = "peers")]
 pub mod peers;
 pub mod property;
 pub mod random;
 pub mod sanity;
+#[cfg(feature = "survey")]
+pub mod special;
 pub mod strata;
 
 /// The text of a file of the repository's folder `data/`.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use bifdiag::diagram::class::{Class, ClassName};
-use bifdiag::survey::border::{self, BorderOptions, Segment};
+use bifdiag::survey::border::{self, BodySegment, BorderOptions};
 use bifdiag::{Accuracy, Body, atlas};
 use wasm_bindgen::prelude::*;
 
@@ -61,7 +61,7 @@ fn border_texts(from: &[f64], to: &[f64]) -> Result<Vec<String>, Refused> {
         let [a1, a2, a3, r1, r2, r3] = row;
         Ok::<_, Refused>(Body::from_f64([a1, a2, a3], [r1, r2, r3])?)
     };
-    let segment = Segment::new(body(from)?, body(to)?);
+    let segment = BodySegment::new(body(from)?, body(to)?);
     let options = BorderOptions { accuracy: Accuracy::Fast, ..BorderOptions::default() };
     let border = border::find(&segment, &options)?;
     Ok(vec![border.t.to_string(), border.error.to_string(), border.event.kind.to_string()])

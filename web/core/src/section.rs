@@ -6,9 +6,9 @@ use bifdiag::dynamics::integrator::DEFAULT_TOLERANCE;
 use bifdiag::dynamics::motion::{MotionOptions, follow};
 use bifdiag::dynamics::section::chaos::ChaosOptions;
 use bifdiag::dynamics::section::{
-    Chart, Line, Monitor, OrbitSection, Portrait, PortraitOptions, SweepOptions, TorusPoint, sweep,
+    Monitor, OrbitSection, Portrait, PortraitOptions, SectionChart, SectionLine, SweepOptions, TorusPoint, sweep,
 };
-use bifdiag::{Setting, documents};
+use bifdiag::{SectionSetting, documents};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -20,7 +20,7 @@ const ROW: usize = 13;
 /// A body and a point (h, l) that have a section.
 #[wasm_bindgen]
 pub struct Section {
-    setting: Setting,
+    setting: SectionSetting,
 }
 
 /// The picture behind the orbits: everything as (ψ', ϑ') on T⁻ and T⁺.
@@ -151,10 +151,12 @@ impl Section {
         let setting = &self.setting;
         let options = PortraitOptions { rows: rows as usize, ..PortraitOptions::default() };
         let portrait = Portrait::new(setting.body(), setting.h(), setting.l(), &options)?;
-        let lines = |lines: &[Line]| lines.iter().flat_map(|line| portrait.in_chart(Chart::Torus, line)).collect();
+        let lines = |lines: &[SectionLine]| {
+            lines.iter().flat_map(|line| portrait.in_chart(SectionChart::Torus, line)).collect()
+        };
         json(&PortraitPicture {
-            accessible: portrait.accessible(Chart::Torus).loops,
-            incoming: [-1, 1].map(|sheet| portrait.incoming(Chart::Torus, sheet).loops),
+            accessible: portrait.accessible(SectionChart::Torus).loops,
+            incoming: [-1, 1].map(|sheet| portrait.incoming(SectionChart::Torus, sheet).loops),
             boundary: lines(portrait.boundary()),
             tangency: [-1, 1].map(|sheet| lines(portrait.tangency(sheet))),
             sphere: portrait.boundary().iter().map(|line| line.points.clone()).collect(),
@@ -162,8 +164,8 @@ impl Section {
     }
 }
 
-fn setting(text: &str, h: &str, l: &str) -> Result<Setting, Refused> {
-    Ok(Setting::new(&body(text)?, &number("h", h)?, &number("l", l)?)?)
+fn setting(text: &str, h: &str, l: &str) -> Result<SectionSetting, Refused> {
+    Ok(SectionSetting::new(&body(text)?, &number("h", h)?, &number("l", l)?)?)
 }
 
 /// Points of the torus from ϑ', ψ', sheet of each.

@@ -3,35 +3,35 @@
 use bifdiag_numbers::Number;
 use bifdiag_schema::{DesignDocument, FamilyDocument, ParameterName, RangeDocument};
 use bifdiag_survey::scan::Shard;
-use bifdiag_survey::{Design, Family, Parameter, Range};
+use bifdiag_survey::{BodyFamily, BodyParameter, Design, ParameterRange};
 
 use super::error::ReadScanError;
 use crate::body::texts;
 use crate::command::CommandLine;
 
 /// The parameters with their names.
-const PARAMETERS: [(Parameter, ParameterName); 6] = [
-    (Parameter::A1, ParameterName::A1),
-    (Parameter::A2, ParameterName::A2),
-    (Parameter::A3, ParameterName::A3),
-    (Parameter::R1, ParameterName::R1),
-    (Parameter::R2, ParameterName::R2),
-    (Parameter::R3, ParameterName::R3),
+const PARAMETERS: [(BodyParameter, ParameterName); 6] = [
+    (BodyParameter::A1, ParameterName::A1),
+    (BodyParameter::A2, ParameterName::A2),
+    (BodyParameter::A3, ParameterName::A3),
+    (BodyParameter::R1, ParameterName::R1),
+    (BodyParameter::R2, ParameterName::R2),
+    (BodyParameter::R3, ParameterName::R3),
 ];
 
 /// The name of a parameter.
 #[must_use]
-pub fn parameter(parameter: Parameter) -> ParameterName {
+pub fn parameter(parameter: BodyParameter) -> ParameterName {
     PARAMETERS[parameter.place()].1
 }
 
-fn read_parameter(name: ParameterName) -> Parameter {
-    Parameter::ALL.into_iter().find(|known| parameter(*known) == name).expect("every name has its parameter")
+fn read_parameter(name: ParameterName) -> BodyParameter {
+    BodyParameter::ALL.into_iter().find(|known| parameter(*known) == name).expect("every name has its parameter")
 }
 
 /// A range of a parameter.
 #[must_use]
-pub fn range(range: &Range) -> RangeDocument {
+pub fn range(range: &ParameterRange) -> RangeDocument {
     RangeDocument {
         parameter: parameter(range.parameter),
         from: range.from.text().to_owned(),
@@ -44,10 +44,10 @@ pub fn range(range: &Range) -> RangeDocument {
 #[must_use]
 pub fn design(design: &Design) -> DesignDocument {
     let family = match &design.family {
-        Family::General => FamilyDocument::General,
-        Family::Positive => FamilyDocument::Positive,
-        Family::Katok => FamilyDocument::Katok,
-        Family::Body { moments, center } => FamilyDocument::Body { moments: texts(moments), center: texts(center) },
+        BodyFamily::General => FamilyDocument::General,
+        BodyFamily::Positive => FamilyDocument::Positive,
+        BodyFamily::Katok => FamilyDocument::Katok,
+        BodyFamily::Body { moments, center } => FamilyDocument::Body { moments: texts(moments), center: texts(center) },
     };
     let vary = design.vary.iter().map(range).collect();
     DesignDocument { family, vary, samples: design.samples, seed: design.seed }
@@ -61,16 +61,16 @@ pub fn read_design(document: &DesignDocument) -> Result<Design, ReadScanError> {
     let numbers =
         |[a, b, c]: &[String; 3]| -> Result<[Number; 3], ReadScanError> { Ok([a.parse()?, b.parse()?, c.parse()?]) };
     let family = match &document.family {
-        FamilyDocument::General => Family::General,
-        FamilyDocument::Positive => Family::Positive,
-        FamilyDocument::Katok => Family::Katok,
+        FamilyDocument::General => BodyFamily::General,
+        FamilyDocument::Positive => BodyFamily::Positive,
+        FamilyDocument::Katok => BodyFamily::Katok,
         FamilyDocument::Body { moments, center } => {
-            Family::Body { moments: numbers(moments)?, center: numbers(center)? }
+            BodyFamily::Body { moments: numbers(moments)?, center: numbers(center)? }
         }
     };
-    let read_range = |range: &RangeDocument| -> Result<Range, ReadScanError> {
+    let read_range = |range: &RangeDocument| -> Result<ParameterRange, ReadScanError> {
         let (parameter, steps) = (read_parameter(range.parameter), range.steps);
-        Ok(Range { parameter, from: range.from.parse()?, to: range.to.parse()?, steps })
+        Ok(ParameterRange { parameter, from: range.from.parse()?, to: range.to.parse()?, steps })
     };
     let vary = document.vary.iter().map(read_range).collect::<Result<_, _>>()?;
     Ok(Design::new(family, vary, document.samples, document.seed)?)
@@ -111,13 +111,13 @@ mod tests {
 
     #[test]
     fn designs_come_back_as_they_went() {
-        let ranges = |texts: &[&str]| texts.iter().map(|text| text.parse().unwrap()).collect::<Vec<Range>>();
+        let ranges = |texts: &[&str]| texts.iter().map(|text| text.parse().unwrap()).collect::<Vec<ParameterRange>>();
         let body = |texts: [&str; 3]| texts.map(|text| text.parse().unwrap());
-        let paper = Family::Body { moments: body(["2", "11/10", "1.0"]), center: body(["0.94868", "0", "-1e-3"]) };
+        let paper = BodyFamily::Body { moments: body(["2", "11/10", "1.0"]), center: body(["0.94868", "0", "-1e-3"]) };
         for known in [
-            Design::new(Family::General, Vec::new(), Some(7), 3).unwrap(),
-            Design::new(Family::Positive, Vec::new(), Some(1), 0).unwrap(),
-            Design::new(Family::Katok, Vec::new(), Some(9), 0).unwrap(),
+            Design::new(BodyFamily::General, Vec::new(), Some(7), 3).unwrap(),
+            Design::new(BodyFamily::Positive, Vec::new(), Some(1), 0).unwrap(),
+            Design::new(BodyFamily::Katok, Vec::new(), Some(9), 0).unwrap(),
             Design::new(paper.clone(), ranges(&["A2=1/3:2:9", "r3=-0.50:0.5:2"]), None, 0).unwrap(),
             Design::new(paper, ranges(&["r1=0:1e-2"]), Some(5), 1).unwrap(),
         ] {
@@ -130,7 +130,7 @@ mod tests {
 
     #[test]
     fn damaged_designs_are_refused() {
-        let mut document = design(&Design::new(Family::General, Vec::new(), Some(7), 3).unwrap());
+        let mut document = design(&Design::new(BodyFamily::General, Vec::new(), Some(7), 3).unwrap());
         document.samples = None;
         assert!(matches!(read_design(&document), Err(ReadScanError::Design(_))));
         document.family =

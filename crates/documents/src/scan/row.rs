@@ -6,19 +6,19 @@ use std::str::FromStr;
 
 use bifdiag_body::Flags;
 use bifdiag_schema::{RowDocument, RowStatus};
-use bifdiag_survey::scan::{DiagramCounts, Room, Row, Status};
+use bifdiag_survey::scan::{DiagramCounts, RegionMargin, RowOutcome, ScanRow};
 
 use super::error::ReadScanError;
 
 /// What a scan notes about one body.
 #[must_use]
-pub fn row(row: &Row) -> RowDocument {
+pub fn row(row: &ScanRow) -> RowDocument {
     let [[a1, a2, a3], [r1, r2, r3]] = row.values;
     let Flags { unphysical, plate, symmetric, plane, axis, euler } = row.flags;
     let diagram = row.diagram.as_ref();
     let count = |of: fn(&DiagramCounts) -> u32| diagram.map(of);
-    let margin = |room: Option<&Room>| room.map(|room| room.margin);
-    let region = |room: Option<&Room>| room.map(|room| room.signature.to_string());
+    let margin = |room: Option<&RegionMargin>| room.map(|room| room.margin);
+    let region = |room: Option<&RegionMargin>| room.map(|room| room.signature.to_string());
     let [largest, smallest] = [diagram.and_then(|d| d.largest.as_ref()), diagram.and_then(|d| d.smallest.as_ref())];
     RowDocument {
         index: row.index,
@@ -29,9 +29,9 @@ pub fn row(row: &Row) -> RowDocument {
         r2,
         r3,
         status: match row.status {
-            Status::Classified => RowStatus::Classified,
-            Status::Undecided => RowStatus::Undecided,
-            Status::Failed => RowStatus::Failed,
+            RowOutcome::Classified => RowStatus::Classified,
+            RowOutcome::Undecided => RowStatus::Undecided,
+            RowOutcome::Failed => RowStatus::Failed,
         },
         class: row.class.as_ref().map(ToString::to_string),
         regions: count(|diagram| diagram.regions),
@@ -60,14 +60,14 @@ pub fn row(row: &Row) -> RowDocument {
 ///
 /// # Errors
 /// [`ReadScanError`] for names and counts that no scan has written.
-pub fn read_row(document: &RowDocument) -> Result<Row, ReadScanError> {
+pub fn read_row(document: &RowDocument) -> Result<ScanRow, ReadScanError> {
     let RowDocument { a1, a2, a3, r1, r2, r3, unphysical, plate, symmetric, plane, axis, euler, .. } = *document;
     let status = match document.status {
-        RowStatus::Classified => Status::Classified,
-        RowStatus::Undecided => Status::Undecided,
-        RowStatus::Failed => Status::Failed,
+        RowStatus::Classified => RowOutcome::Classified,
+        RowStatus::Undecided => RowOutcome::Undecided,
+        RowStatus::Failed => RowOutcome::Failed,
     };
-    Ok(Row {
+    Ok(ScanRow {
         index: document.index,
         values: [[a1, a2, a3], [r1, r2, r3]],
         status,
@@ -94,10 +94,10 @@ fn read_diagram(row: &RowDocument, regions: u32) -> Result<DiagramCounts, ReadSc
     })
 }
 
-fn read_room(margin: Option<f64>, region: Option<&str>) -> Result<Option<Room>, ReadScanError> {
+fn read_room(margin: Option<f64>, region: Option<&str>) -> Result<Option<RegionMargin>, ReadScanError> {
     // In CSV an empty name is no name.
     let signature = region.unwrap_or_default().parse()?;
-    Ok(margin.map(|margin| Room { margin, signature }))
+    Ok(margin.map(|margin| RegionMargin { margin, signature }))
 }
 
 /// `S2:2 S2+T2:1`, in the order of the names.
@@ -133,21 +133,21 @@ mod tests {
             [[2.0, 1.5, 1.0], [0.0; 3]],
             [[0.9, 0.3, 0.6], [1.0, 0.0, 0.9]],
         ] {
-            let known = Row::of(3, values, Accuracy::Exact);
+            let known = ScanRow::of(3, values, Accuracy::Exact);
             assert_eq!(read_row(&row(&known)).unwrap(), known);
         }
     }
 
     #[test]
     fn counts_are_written_by_name() {
-        let paper = row(&Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact));
+        let paper = row(&ScanRow::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact));
         assert_eq!(paper.signatures.as_deref(), Some("M2:2 M3:1 S2:1 S2+S2:1 S2+T2:1 T2:2 T2+T2:1"));
         assert_eq!(paper.types.as_deref(), Some("k0n2:1 k1n0:3 k1n1:3 k1n2:1 k2n1:1 k2n2:1"));
     }
 
     #[test]
     fn damaged_rows_are_refused() {
-        let paper = row(&Row::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact));
+        let paper = row(&ScanRow::of(0, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact));
         let damaged = |change: fn(&mut RowDocument)| {
             let mut row = paper.clone();
             change(&mut row);

@@ -1,7 +1,7 @@
-//! A heavy top as the equations of motion see it.
+//! A heavy top as the equations of motion see it, and its first integrals.
 
-use super::units::{Dimension, Units};
-use super::vector::{add, cross, dot, norm, scale, sub};
+use super::units::{Dimension, TopUnits};
+use super::{add, cross, dot, norm, scale, sub};
 use bifdiag_body::Body;
 
 /// A point of phase space: the vertical γ and the angular momentum l, both in body coordinates.
@@ -17,14 +17,14 @@ impl State {
     /// The state in other units.
     #[must_use]
     #[inline]
-    pub fn reduced(&self, units: Units) -> Self {
+    pub fn reduced(&self, units: TopUnits) -> Self {
         Self { gamma: self.gamma, l: self.l.map(|x| units.reduce(x, Dimension::MOMENTUM)) }
     }
 
     /// A [`reduced`](Self::reduced) state as it was given.
     #[must_use]
     #[inline]
-    pub fn restored(&self, units: Units) -> Self {
+    pub fn restored(&self, units: TopUnits) -> Self {
         Self { gamma: self.gamma, l: self.l.map(|x| units.restore(x, Dimension::MOMENTUM)) }
     }
 }
@@ -35,7 +35,7 @@ pub struct HeavyTop {
     moments: [f64; 3],
     inverse: [f64; 3],
     center: [f64; 3],
-    units: Units,
+    units: TopUnits,
 }
 
 impl HeavyTop {
@@ -47,12 +47,12 @@ impl HeavyTop {
 
     /// A top from doubles; the moments must be positive and everything finite, as in a [`Body`].
     pub(crate) fn from_f64(moments: [f64; 3], center: [f64; 3]) -> Self {
-        Self { moments, inverse: moments.map(|a| 1.0 / a), center, units: Units::of(moments, center) }
+        Self { moments, inverse: moments.map(|a| 1.0 / a), center, units: TopUnits::of(moments, center) }
     }
 
     /// Units in which the top's numbers are of moderate size.
     #[must_use]
-    pub fn units(&self) -> Units {
+    pub fn units(&self) -> TopUnits {
         self.units
     }
 
@@ -65,7 +65,7 @@ impl HeavyTop {
         }
         let moments = self.moments.map(|x| self.units.reduce(x, Dimension::INERTIA));
         let center = self.center.map(|x| self.units.reduce(x, Dimension::ENERGY));
-        Self { moments, inverse: moments.map(|a| 1.0 / a), center, units: Units::ONE }
+        Self { moments, inverse: moments.map(|a| 1.0 / a), center, units: TopUnits::ONE }
     }
 
     /// A1, A2, A3.
@@ -179,4 +179,72 @@ impl HeavyTop {
         let largest = self.moments.iter().fold(0.0, |m: f64, &a| m.max(a));
         (2.0 * largest * (h + self.center_norm()).max(0.0)).sqrt()
     }
+}
+
+/// The three integrals that every heavy top has.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Integrals {
+    /// H.
+    pub energy: f64,
+    /// ⟨γ, l⟩.
+    pub vertical_momentum: f64,
+    /// ⟨γ, γ⟩.
+    pub gamma_squared: f64,
+}
+
+impl Integrals {
+    /// The integrals at a point of phase space.
+    #[must_use]
+    pub fn of(top: &HeavyTop, state: &State) -> Self {
+        Self {
+            energy: top.energy(state),
+            vertical_momentum: dot(state.gamma, state.l),
+            gamma_squared: dot(state.gamma, state.gamma),
+        }
+    }
+
+    /// |self − other|, component by component.
+    #[must_use]
+    pub fn distance(&self, other: &Self) -> Self {
+        Self {
+            energy: (self.energy - other.energy).abs(),
+            vertical_momentum: (self.vertical_momentum - other.vertical_momentum).abs(),
+            gamma_squared: (self.gamma_squared - other.gamma_squared).abs(),
+        }
+    }
+
+    /// Those of a reduced top as those of the top as given.
+    #[must_use]
+    pub fn restored(&self, units: TopUnits) -> Self {
+        Self {
+            energy: units.restore(self.energy, Dimension::ENERGY),
+            vertical_momentum: units.restore(self.vertical_momentum, Dimension::MOMENTUM),
+            gamma_squared: self.gamma_squared,
+        }
+    }
+
+    /// The larger of each component.
+    #[must_use]
+    pub fn max(&self, other: &Self) -> Self {
+        Self {
+            energy: self.energy.max(other.energy),
+            vertical_momentum: self.vertical_momentum.max(other.vertical_momentum),
+            gamma_squared: self.gamma_squared.max(other.gamma_squared),
+        }
+    }
+
+    /// The largest of the three components.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        self.energy.max(self.vertical_momentum).max(self.gamma_squared)
+    }
+}
+
+/// Kovalevskaya's integral K = (ω₁² − ω₂² + γ₁)² + (2ω₁ω₂ + γ₂)² of A = (2,2,1), r = (1,0,0).
+#[must_use]
+pub fn kovalevskaya(state: &State) -> f64 {
+    let (omega_1, omega_2) = (0.5 * state.l[0], 0.5 * state.l[1]);
+    let real = omega_1 * omega_1 - omega_2 * omega_2 + state.gamma[0];
+    let imaginary = 2.0 * omega_1 * omega_2 + state.gamma[1];
+    real * real + imaginary * imaginary
 }

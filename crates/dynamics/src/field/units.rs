@@ -36,7 +36,7 @@ impl Dimension {
 /// units and nothing else; a body whose numbers are moderate as given keeps them, since both units are powers of a
 /// coarse step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Units {
+pub struct TopUnits {
     /// Exponents of two.
     inertia: i32,
     time: i32,
@@ -46,7 +46,7 @@ pub struct Units {
 const INERTIA_STEP: i32 = 100;
 const TIME_STEP: i32 = 25;
 
-impl Units {
+impl TopUnits {
     /// Those in which numbers are given.
     pub const ONE: Self = Self { inertia: 0, time: 0 };
 
@@ -56,7 +56,9 @@ impl Units {
             let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
             (largest > 0.0 && largest.is_finite()).then(|| libm::ilogb(largest))
         };
-        let Some(inertia) = exponent(moments) else { return Self::ONE };
+        let Some(inertia) = exponent(moments) else {
+            return Self::ONE;
+        };
         // The time of a pendulum, √(A/r); without weight there is none.
         let time_squared = exponent(center).map_or(0, |energy| inertia - energy);
         Self {
@@ -65,7 +67,7 @@ impl Units {
         }
     }
 
-    /// Are they those in which numbers are given?
+    /// True for the units in which numbers are given.
     #[must_use]
     #[inline]
     pub fn are_one(self) -> bool {
@@ -106,14 +108,14 @@ mod tests {
         for a in (-300..300).step_by(7) {
             for r in (-300..300).step_by(11) {
                 let of = |da: i32, dr: i32| {
-                    Units::of(
+                    TopUnits::of(
                         [0.3, 1.7, 0.2].map(|x| x * power(a + da)),
                         [0.0, 1.9 * power(r + dr), power(r + dr - 60)],
                     )
                 };
-                let Units { inertia, time } = of(0, 0);
-                assert_eq!(of(100, 0), Units { inertia: inertia + 100, time: time + 50 });
-                assert_eq!(of(0, 100), Units { inertia, time: time - 50 });
+                let TopUnits { inertia, time } = of(0, 0);
+                assert_eq!(of(100, 0), TopUnits { inertia: inertia + 100, time: time + 50 });
+                assert_eq!(of(0, 100), TopUnits { inertia, time: time - 50 });
                 assert!((a - inertia).abs() <= 50 && (a - r - 2 * time).abs() <= 25);
             }
         }
@@ -123,15 +125,15 @@ mod tests {
     fn moderate_bodies_keep_their_numbers() {
         for a in [1e-3, 0.2, 1.0, 1e4] {
             for r in [1e-3, 0.5, 30.0] {
-                assert!(Units::of([a, 0.7 * a, 0.9 * a], [0.0, r, 0.3 * r]).are_one(), "{a} {r}");
+                assert!(TopUnits::of([a, 0.7 * a, 0.9 * a], [0.0, r, 0.3 * r]).are_one(), "{a} {r}");
             }
         }
-        assert!(Units::of([2.0, 1.0, 1.0], [0.0; 3]).are_one());
+        assert!(TopUnits::of([2.0, 1.0, 1.0], [0.0; 3]).are_one());
     }
 
     #[test]
     fn numbers_come_back_as_they_were() {
-        let units = Units::of([1e60, 2e60, 1.5e60], [1e-30, 0.0, 3e-31]);
+        let units = TopUnits::of([1e60, 2e60, 1.5e60], [1e-30, 0.0, 3e-31]);
         assert!(!units.are_one());
         for dimension in [Dimension::INERTIA, Dimension::TIME, Dimension::ENERGY.rate().rate()] {
             for x in [0.0, 1.1e7, -3.3e-12, f64::INFINITY] {

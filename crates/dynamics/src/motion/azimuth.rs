@@ -1,6 +1,6 @@
 //! The angle φ by quadrature, also where γ passes ±e₃.
 
-use super::piece::Piece;
+use super::piece::StepPiece;
 use crate::field::{HeavyTop, State, norm};
 
 /// Nodes and weights of Gauss's quadrature of order 24 on [−1, 1], one of each pair. Over a piece, in which the body
@@ -34,20 +34,13 @@ pub(super) fn longitude(gamma: [f64; 3]) -> f64 {
     libm::atan2(gamma[0], gamma[1])
 }
 
-/// How φ changes over a piece of a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Advance {
-    pub phi: f64,
-    /// γ was at ±e₃ within rounding, so that φ and ψ there are one possible choice.
-    pub at_pole: bool,
-}
-
-/// The change of φ over a piece at whose ends ψ is `psi`, modulo 2π.
+/// The change of φ over a piece at whose ends ψ is `psi`, modulo 2π; and whether γ was at ±e₃ within rounding, so that φ
+/// and ψ there are one possible choice.
 ///
 /// On the northern half d(φ+ψ)/dt = ω₃ + (ω₁γ₁+ω₂γ₂)/(1+γ₃) is integrated, on the southern half
 /// d(φ−ψ)/dt = (ω₁γ₁+ω₂γ₂)/(1−γ₃) − ω₃; both are smooth there. The change of ψ is that of the ends, with the number of
 /// turns about the pole that the polynomials of γ₁ and γ₂ show.
-pub(super) fn advance(top: &HeavyTop, piece: &Piece, coefficients: &[State], psi: [f64; 2]) -> Advance {
+pub(super) fn advance(top: &HeavyTop, piece: &StepPiece, coefficients: &[State], psi: [f64; 2]) -> (f64, bool) {
     let pole = if piece.state(0.5).gamma[2] >= 0.0 { 1.0 } else { -1.0 };
     let integrand = |y: f64| {
         let state = piece.state(y);
@@ -61,22 +54,16 @@ pub(super) fn advance(top: &HeavyTop, piece: &Piece, coefficients: &[State], psi
     }
     let combined = 0.5 * piece.duration() * sum;
     let horizontal: Vec<[f64; 2]> = coefficients.iter().map(|c| [c.gamma[0], c.gamma[1]]).collect();
-    let turn = turn(&horizontal, 64);
+    let (angle, at_pole) = turn(&horizontal, 64);
     let change = psi[1] - psi[0];
-    let turns = ((turn.angle - change) / std::f64::consts::TAU).round();
+    let turns = ((angle - change) / std::f64::consts::TAU).round();
     let psi = change + turns * std::f64::consts::TAU;
-    Advance { phi: combined - pole * psi, at_pole: turn.at_pole }
+    (combined - pole * psi, at_pole)
 }
 
-/// By how much a curve turns about the origin.
-#[derive(Clone, Copy, Debug)]
-struct Turn {
-    angle: f64,
-    at_pole: bool,
-}
-
-/// The change of the angle atan2(γ₁, γ₂) along Σ c_k yᵏ, y ∈ [0, 1], halving until the curve cannot go round 0.
-fn turn(c: &[[f64; 2]], depth: u32) -> Turn {
+/// The change of the angle atan2(γ₁, γ₂) along Σ c_k yᵏ, y ∈ [0, 1], halving until the curve cannot go round 0; and whether
+/// the curve came to 0 within rounding.
+fn turn(c: &[[f64; 2]], depth: u32) -> (f64, bool) {
     let size = |v: [f64; 2]| (v[0] * v[0] + v[1] * v[1]).sqrt();
     let start = c[0];
     let reach = c[1..].iter().fold(0.0, |sum, &v| sum + size(v));
@@ -85,7 +72,7 @@ fn turn(c: &[[f64; 2]], depth: u32) -> Turn {
     let at_pole = !clear && (depth == 0 || reach.max(size(start)) <= AT_POLE);
     if clear || at_pole {
         let angle = libm::atan2(start[1] * end[0] - start[0] * end[1], start[0] * end[0] + start[1] * end[1]);
-        return Turn { angle, at_pole };
+        return (angle, at_pole);
     }
     let mut first = c.to_vec();
     let mut power = 1.0;
@@ -101,7 +88,7 @@ fn turn(c: &[[f64; 2]], depth: u32) -> Turn {
         }
     }
     let (first, second) = (turn(&first, depth - 1), turn(&second, depth - 1));
-    Turn { angle: first.angle + second.angle, at_pole: first.at_pole || second.at_pole }
+    (first.0 + second.0, first.1 || second.1)
 }
 
 #[cfg(test)]
@@ -117,14 +104,14 @@ mod tests {
             let right = turn(&[[-1.0, d], [2.0, 0.0]], 64);
             let left = turn(&[[-1.0, -d], [2.0, 0.0]], 64);
             let expected = 2.0 * libm::atan2(1.0, d);
-            assert!((right.angle - expected).abs() < 1e-12 && !right.at_pole, "{d}: {right:?}");
-            assert!((left.angle + expected).abs() < 1e-12 && !left.at_pole, "{d}: {left:?}");
+            assert!((right.0 - expected).abs() < 1e-12 && !right.1, "{d}: {right:?}");
+            assert!((left.0 + expected).abs() < 1e-12 && !left.1, "{d}: {left:?}");
         }
-        // Straight through the origin there is no turn to tell: any whole number of half turns will do.
+        // Straight through the origin there is no definite turn: any whole number of half turns will do.
         let through = turn(&[[-1.0, 0.0], [2.0, 0.0]], 64);
-        let halves = through.angle / PI;
-        assert!(through.at_pole && (halves - halves.round()).abs() < 1e-12, "{through:?}");
+        let halves = through.0 / PI;
+        assert!(through.1 && (halves - halves.round()).abs() < 1e-12, "{through:?}");
         let resting = turn(&[[1e-17, 0.0], [-3e-17, 1e-17]], 64);
-        assert!(resting.at_pole);
+        assert!(resting.1);
     }
 }

@@ -4,11 +4,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use thiserror::Error;
 
-use super::piece::Piece;
-use super::quaternion::Quaternion;
+use super::attitude::Quaternion;
+use super::piece::StepPiece;
 use super::{attitude, azimuth};
 use crate::field::{HeavyTop, Integrals, State, norm, sub};
-use crate::integrator::{Instant, Step, StepError, Taylor, ToleranceError, check_tolerance};
+use crate::integrator::{Instant, StepError, Taylor, TaylorStep, ToleranceError, check_tolerance};
 
 /// What to compute.
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +17,7 @@ pub struct MotionOptions<'a> {
     pub tolerance: f64,
     /// φ at the start.
     pub phi: f64,
-    /// Set it from outside, and the motion ends there.
+    /// Cancellation: once it is set, the motion ends.
     pub stop: &'a AtomicBool,
 }
 
@@ -121,7 +121,7 @@ pub fn follow(
     // (γ, −l, −t) solves the equations if (γ, l, t) does.
     let reversed = State { gamma: start.gamma, l: start.l.map(|x| -x) };
     let back: Vec<f64> = past.iter().rev().map(|time| -time).collect();
-    let mut samples = Follower::new(top, &reversed, options).run(&back, &mut report)?;
+    let mut samples = MotionFollower::new(top, &reversed, options).run(&back, &mut report)?;
     samples.reverse();
     for sample in &mut samples {
         sample.time = -sample.time;
@@ -129,13 +129,13 @@ pub fn follow(
         sample.omega = sample.omega.map(|x| -x);
     }
     if !report.interrupted {
-        samples.extend(Follower::new(top, start, options).run(future, &mut report)?);
+        samples.extend(MotionFollower::new(top, start, options).run(future, &mut report)?);
     }
     Ok(Motion { samples, report })
 }
 
 /// The motion in one direction of time.
-struct Follower<'a> {
+struct MotionFollower<'a> {
     top: &'a HeavyTop,
     options: &'a MotionOptions<'a>,
     start: State,
@@ -146,7 +146,7 @@ struct Follower<'a> {
     psi: f64,
 }
 
-impl<'a> Follower<'a> {
+impl<'a> MotionFollower<'a> {
     fn new(top: &'a HeavyTop, start: &State, options: &'a MotionOptions<'a>) -> Self {
         let psi = azimuth::longitude(start.gamma);
         Self {
@@ -205,20 +205,20 @@ impl<'a> Follower<'a> {
     }
 
     /// Carries attitude and φ over a part of a step; the state at its end, which means nothing after an interrupt.
-    fn advance(&mut self, step: &Step, ends: [f64; 2], report: &mut MotionReport) -> State {
+    fn advance(&mut self, step: &TaylorStep, ends: [f64; 2], report: &mut MotionReport) -> State {
         let at = |x: f64| if x == 1.0 { *step.end_state() } else { step.state(x) };
         if ends[1] > ends[0] {
-            for piece in Piece::cut(self.top, step, ends) {
+            for piece in StepPiece::cut(self.top, step, ends) {
                 if self.is_stopped(report) {
                     break;
                 }
                 let coefficients = piece.coefficients();
                 self.attitude = attitude::advance(self.top, &piece, &coefficients, self.attitude);
                 let psi = azimuth::longitude(at(piece.ends[1]).gamma);
-                let advance = azimuth::advance(self.top, &piece, &coefficients, [self.psi, psi]);
-                self.phi = self.phi.after(advance.phi);
+                let (phi, at_pole) = azimuth::advance(self.top, &piece, &coefficients, [self.psi, psi]);
+                self.phi = self.phi.after(phi);
                 self.psi = psi;
-                report.at_pole += u64::from(advance.at_pole);
+                report.at_pole += u64::from(at_pole);
             }
         }
         at(ends[1])

@@ -16,8 +16,7 @@ mod attitude;
 mod azimuth;
 mod follow;
 mod piece;
-mod quaternion;
 
+pub use attitude::Quaternion;
 pub use azimuth::azimuth_rate;
 pub use follow::{Motion, MotionError, MotionOptions, MotionReport, MotionSample, follow};
-pub use quaternion::Quaternion;

@@ -1,19 +1,19 @@
 //! A piece of a step with its polynomials in its own time y ∈ [0, 1].
 
 use crate::field::{HeavyTop, State};
-use crate::integrator::Step;
+use crate::integrator::TaylorStep;
 
 /// The part a ≤ x ≤ b of a step, short enough that the body turns by no more than about a radian.
 #[derive(Clone, Debug)]
-pub(super) struct Piece<'a> {
-    pub step: &'a Step,
+pub(super) struct StepPiece<'a> {
+    pub step: &'a TaylorStep,
     /// Where in the step it begins and ends.
     pub ends: [f64; 2],
 }
 
-impl<'a> Piece<'a> {
+impl<'a> StepPiece<'a> {
     /// Cuts the part a ≤ x ≤ b of a step into equal pieces.
-    pub fn cut(top: &HeavyTop, step: &'a Step, [a, b]: [f64; 2]) -> impl Iterator<Item = Self> + use<'a> {
+    pub fn cut(top: &HeavyTop, step: &'a TaylorStep, [a, b]: [f64; 2]) -> impl Iterator<Item = Self> + use<'a> {
         let largest = |v: [f64; 3]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let speeds = step.coefficients().iter().map(|c| largest(top.angular_velocity(c.l)));
         let turn = speeds.fold(0.0, |sum, speed| sum + speed) * step.length() * (b - a);

@@ -67,7 +67,7 @@ pub enum PoincareError {
     /// The relative equilibria could not be found.
     #[error(transparent)]
     Critical(#[from] CriticalError),
-    /// The components could not be told apart.
+    /// The components could not be separated.
     #[error(transparent)]
     Merge(#[from] MergeError),
     /// The section itself.

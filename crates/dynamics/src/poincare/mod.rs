@@ -1,13 +1,15 @@
 //! The Poincaré section of one body at one (h, l): is there one, where do its orbits start, how did they go.
 
-mod decide;
 mod error;
 mod starts;
 
-pub use error::PoincareError;
-
 use std::sync::atomic::Ordering;
 
+pub use error::PoincareError;
+
+use crate::field::{HeavyTop, State};
+use crate::section::chaos::{ChaosMeasure, ChaosOptions, Judgement, chaos_measures, verdicts};
+use crate::section::{Monitor, OrbitEnd, OrbitSection, PpTorus, SectionError, SweepOptions, TorusPoint, sweep};
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::accessible::{AccessibleRegion, component_of};
 use bifdiag_diagram::fast::classify;
@@ -15,13 +17,9 @@ use bifdiag_diagram::topology::Component;
 use bifdiag_diagram::topology::{Answer, Classification};
 use bifdiag_equilibria::critical::critical;
 
-use crate::field::{HeavyTop, State};
-use crate::section::chaos::{ChaosMeasure, ChaosOptions, Judgement, chaos_measures, verdicts};
-use crate::section::{End, Monitor, OrbitSection, PpTorus, SectionError, SweepOptions, TorusPoint, sweep};
-
 /// A body and a point (h, l) that have a section: r ≠ 0, and (h, l) is accessible and on no curve.
 #[derive(Clone, Debug)]
-pub struct Setting {
+pub struct SectionSetting {
     body: Body,
     torus: PpTorus,
     components: Vec<Component>,
@@ -72,11 +70,11 @@ impl PoincareSection {
     /// Orbits that were not cut short by an interrupt.
     #[must_use]
     pub fn whole_orbits(&self) -> usize {
-        self.orbits.iter().filter(|orbit| orbit.report.end != End::Interrupted).count()
+        self.orbits.iter().filter(|orbit| orbit.report.end != OrbitEnd::Interrupted).count()
     }
 }
 
-impl Setting {
+impl SectionSetting {
     /// Looks whether there is a section.
     ///
     /// # Errors
@@ -101,7 +99,9 @@ impl Setting {
                     branch: lowest.and_then(|point| point.curve).map_or_else(String::new, |curve| curve.to_string()),
                 });
             }
-            Answer::Critical(_) => return Err(PoincareError::OnCurve { h: h_text, l: l_text, curve }),
+            Answer::Critical(_) => {
+                return Err(PoincareError::OnCurve { h: h_text, l: l_text, curve });
+            }
             Answer::Undecided(_) => {
                 return Err(PoincareError::Undecided {
                     h: h_text,
@@ -247,5 +247,62 @@ impl Setting {
     /// How many components U_hl has.
     fn component_count(&self) -> usize {
         self.components.len()
+    }
+}
+
+/// Crossings after which a verdict is looked for; then after twice as many, and so on.
+const FIRST_LOOK: usize = 128;
+
+impl SectionSetting {
+    /// As [`run`](Self::run) and [`measure`](Self::measure), but an orbit ends where its verdict is found: after 128
+    /// crossings, or 256, 512, …, or as many as the options allow. Those that go on begin anew, so that this takes at most
+    /// twice the time of the orbits that it returns.
+    ///
+    /// # Errors
+    /// As both of them.
+    pub fn run_until_decided(
+        &self,
+        starts: &[TorusPoint],
+        seed: Option<u64>,
+        options: &SweepOptions,
+        chaos: &ChaosOptions,
+        monitor: &Monitor,
+    ) -> Result<PoincareSection, PoincareError> {
+        let mut section = self.begin(starts, seed, options)?;
+        section.early = true;
+        let mut pending: Vec<u32> = (0_u32..).zip(starts).map(|(orbit, _)| orbit).collect();
+        let mut done: Vec<(OrbitSection, ChaosMeasure)> = Vec::with_capacity(starts.len());
+        let mut crossings = FIRST_LOOK.min(options.crossings);
+        while !pending.is_empty() {
+            let mut states = Vec::with_capacity(pending.len());
+            for &orbit in &pending {
+                states.push(self.state(starts[orbit as usize])?);
+            }
+            let orbits = sweep(self.torus(), &states, &SweepOptions { crossings, ..*options }, monitor)?;
+            let measures = chaos_measures(self.torus(), &orbits, chaos, monitor)?;
+            let last = crossings >= options.crossings || monitor.is_stopped();
+            let mut undecided = Vec::new();
+            for (mut orbit, mut measure) in orbits.into_iter().zip(measures) {
+                let number = pending[orbit.orbit as usize];
+                let open = measure.judgement.verdict.is_open();
+                if orbit.report.end == OrbitEnd::Crossings && !last {
+                    if open {
+                        undecided.push(number);
+                        continue;
+                    }
+                    orbit.report.end = OrbitEnd::Decided;
+                }
+                orbit.orbit = number;
+                orbit.points.iter_mut().for_each(|point| point.orbit = number);
+                measure.orbit = number;
+                done.push((orbit, measure));
+            }
+            pending = undecided;
+            crossings = (2 * crossings).min(options.crossings);
+        }
+        done.sort_by_key(|(orbit, _)| orbit.orbit);
+        (section.orbits, section.chaos) = done.into_iter().unzip();
+        section.chaos_interrupted = monitor.is_stopped();
+        Ok(section)
     }
 }

@@ -1,6 +1,6 @@
 //! Starting points in every component of the section.
 
-use super::{PoincareError, Setting};
+use super::{PoincareError, SectionSetting};
 use crate::section::{
     Monitor, SectionError, StartOptions, TorusPoint, spread_starts, spread_starts_over, spread_starts_round,
 };
@@ -9,13 +9,13 @@ use bifdiag_diagram::accessible::component_of;
 /// Places of the whole sphere that are tried for each start before a component counts as small.
 const TRIES: u64 = 2000;
 
-impl Setting {
+impl SectionSetting {
     /// `count` points, an equal share in each component of U_hl, both sheets in turn: low-discrepancy, reproducible.
     ///
     /// A component too small to be met by points spread over the sphere is filled from around its minimum.
     ///
     /// # Errors
-    /// [`PoincareError::Merge`] when components could not be told apart, [`PoincareError::NoStart`] when one is too
+    /// [`PoincareError::Merge`] when components could not be separated, [`PoincareError::NoStart`] when one is too
     /// small for `f64`.
     pub fn spread(&self, count: usize, seed: u64) -> Result<Vec<TorusPoint>, PoincareError> {
         self.spread_watched(count, seed, &Monitor::default())

@@ -51,7 +51,7 @@ pub enum SectionError {
     /// This processor lacks the instructions that were asked for.
     #[error("this processor does not have the {0:?} instructions")]
     InstructionSet(InstructionSet),
-    /// The work was told to stop before it had a result.
+    /// The work was cancelled before it had a result.
     #[error("interrupted")]
     Interrupted,
 }
@@ -66,7 +66,7 @@ pub(super) fn check_finite(h: f64, l: f64) -> Result<(), SectionError> {
     Ok(())
 }
 
-/// Refuses to go on when the work was told to stop.
+/// Refuses to go on when the work was cancelled.
 pub(super) fn check_stop(stop: Option<&AtomicBool>) -> Result<(), SectionError> {
     if stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) { Err(SectionError::Interrupted) } else { Ok(()) }
 }

@@ -5,23 +5,22 @@
 
 use pulp::Simd;
 
-use super::condition::SectionCondition;
-use super::halt::{Halt, LANE};
-use super::orbit::{End, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
-use super::polish::polished;
+use super::condition::{SectionCondition, polished};
+use super::orbit::{OrbitEnd, OrbitReport, OrbitSection, SectionPoint, SweepOptions};
 use super::readings::{Gauge, Reading};
 use super::roots::all_roots;
 use super::scan::Scan;
 use super::torus::PpTorus;
+use super::workers::{LANE, OrbitCheckpoint};
 use crate::field::{Integrals, State};
-use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, lane_values_mut, state_of};
+use crate::integrator::taylor::{LaneVector, Lanes, ROWS, lane_values, lane_values_mut, state_of};
 use crate::integrator::{Instant, StepError};
 
 /// |S| below this part of its scale over a whole step is rounding.
 const FLAT: f64 = 1.0 / (1u64 << 42) as f64;
 /// |S| below this part of its scale is rounding.
 const ROUNDING: f64 = 1.0 / (1u64 << 50) as f64;
-/// So many flat steps in a row: S ≡ 0.
+/// Flat steps in a row that mean S ≡ 0.
 const FLAT_STEPS: u32 = 64;
 
 /// What the current step holds for the lanes that may cross the section in it.
@@ -30,7 +29,7 @@ pub(super) struct News<'a, S: Simd> {
     scan: &'a Scan<S>,
     /// Roots of the lanes that have exactly one, as times after the step's start, and the states there.
     offsets: [S::f64s; 1],
-    states: [Vector<S>; 2],
+    states: [LaneVector<S>; 2],
 }
 
 impl<'a, S: Simd> News<'a, S> {
@@ -42,11 +41,11 @@ impl<'a, S: Simd> News<'a, S> {
 }
 
 /// An orbit in a lane.
-pub(super) struct Follower {
+pub(super) struct OrbitFollower {
     pub start: State,
     /// Unit of |l| for the tolerance.
     pub momentum_scale: f64,
-    pub end: Option<End>,
+    pub end: Option<OrbitEnd>,
     orbit: u32,
     /// S at the start; NaN if the start lies on the section.
     pub start_value: f64,
@@ -61,7 +60,7 @@ pub(super) struct Follower {
     points: Vec<SectionPoint>,
     crossings: u32,
     /// Crossings that the monitor knows of.
-    told: u32,
+    reported: u32,
     /// Steps of the lanes before the orbit's first.
     origin: u64,
     steps: u64,
@@ -72,7 +71,7 @@ pub(super) struct Follower {
     roots: Vec<f64>,
 }
 
-impl Follower {
+impl OrbitFollower {
     pub fn new(torus: &PpTorus, options: &SweepOptions, most: usize, orbit: u32, start: &State) -> Self {
         let top = torus.top();
         let integrals = Integrals::of(top, start);
@@ -82,7 +81,7 @@ impl Follower {
         let mut follower = Self {
             start: *start,
             momentum_scale: top.momentum_scale(integrals.energy).max(f64::MIN_POSITIVE.sqrt()),
-            end: (options.crossings == 0).then_some(End::Crossings),
+            end: (options.crossings == 0).then_some(OrbitEnd::Crossings),
             orbit,
             start_value: if on_section { f64::NAN } else { value },
             flat: FLAT * scale,
@@ -93,7 +92,7 @@ impl Follower {
             // Room for what was asked for, unless that is a way of saying "many".
             points: Vec::with_capacity(options.crossings.min(most).min(1 << 16) + 1),
             crossings: 0,
-            told: 0,
+            reported: 0,
             origin: 0,
             steps: 0,
             time: 0.0,
@@ -109,7 +108,7 @@ impl Follower {
     }
 
     /// Goes on where it was halted.
-    pub fn resume(&mut self, halt: &Halt) {
+    pub fn resume(&mut self, halt: &OrbitCheckpoint) {
         let [.., energy, vertical_momentum, gamma_squared, residual, time] = halt.numbers;
         let [crossings, steps, tangencies, flat_steps, last_flat] = halt.counts;
         // Counts of `u32` were kept as more.
@@ -118,35 +117,35 @@ impl Follower {
         self.start_value = halt.value();
         self.drift = Integrals { energy, vertical_momentum, gamma_squared };
         (self.residual, self.time) = (residual, time);
-        (self.crossings, self.told) = (narrow(crossings), narrow(crossings));
+        (self.crossings, self.reported) = (narrow(crossings), narrow(crossings));
         (self.steps, self.tangencies) = (steps, narrow(tangencies));
         (self.flat_steps, self.last_flat) = (narrow(flat_steps), last_flat);
     }
 
     /// What it needs to go on, with what its lane and the scan know: S there.
-    pub fn halt(&self, lane: [f64; LANE], value: f64) -> Halt {
+    pub fn halt(&self, lane: [f64; LANE], value: f64) -> OrbitCheckpoint {
         let Integrals { energy, vertical_momentum, gamma_squared } = self.drift;
         let more = [value, energy, vertical_momentum, gamma_squared, self.residual, self.time];
         let counts = [self.crossings, self.tangencies, self.flat_steps].map(u64::from);
-        Halt {
+        OrbitCheckpoint {
             numbers: std::array::from_fn(|k| if k < LANE { lane[k] } else { more[k - LANE] }),
             counts: [counts[0], self.steps, counts[1], counts[2], self.last_flat],
         }
     }
 
-    /// Has it so many points?
+    /// True once `most` points are stored.
     #[inline(always)]
     pub fn has(&self, most: usize) -> bool {
         self.points.len() >= most
     }
 
-    /// Enters the lanes after so many of their steps.
+    /// Enters the lanes after `step` of their steps.
     #[inline(always)]
     pub fn enter(&mut self, step: u64) {
         self.origin = step.wrapping_sub(self.steps);
     }
 
-    /// The lanes have made so many steps.
+    /// The lanes have made `step` steps.
     #[inline(always)]
     pub fn count(&mut self, step: u64) {
         self.steps = step.wrapping_sub(self.origin);
@@ -159,17 +158,17 @@ impl Follower {
     }
 
     /// Crossings since the last call.
-    pub fn untold(&mut self) -> u64 {
-        let new = self.crossings - self.told;
-        self.told = self.crossings;
+    pub fn unreported(&mut self) -> u64 {
+        let new = self.crossings - self.reported;
+        self.reported = self.crossings;
         u64::from(new)
     }
 
-    /// Is there nothing more to do?
+    /// True when there is nothing more to do.
     #[inline(always)]
     pub fn is_over(&mut self, options: &SweepOptions) -> bool {
         if self.end.is_none() && self.time >= options.max_time {
-            self.end = Some(End::Time);
+            self.end = Some(OrbitEnd::Time);
         }
         self.end.is_some()
     }
@@ -190,7 +189,7 @@ impl Follower {
             let mut room = [0.0; ROWS];
             let c = scan.coefficients(lane, &mut room);
             if !c.iter().all(|x| x.is_finite()) {
-                self.end = Some(End::Failed(StepError { time: start.seconds() }));
+                self.end = Some(OrbitEnd::Failed(StepError { time: start.seconds() }));
                 return;
             }
             let mut roots = std::mem::take(&mut self.roots);
@@ -206,7 +205,7 @@ impl Follower {
             self.roots = roots;
         }
         if !verdict.end.is_finite() {
-            self.end = Some(End::Failed(StepError { time: start.seconds() }));
+            self.end = Some(OrbitEnd::Failed(StepError { time: start.seconds() }));
         }
     }
 
@@ -215,7 +214,7 @@ impl Follower {
         self.flat_steps = if self.last_flat + 1 == self.steps { self.flat_steps + 1 } else { 1 };
         self.last_flat = self.steps;
         if self.flat_steps >= FLAT_STEPS {
-            self.end = Some(End::StaysOnSection);
+            self.end = Some(OrbitEnd::StaysOnSection);
         }
     }
 
@@ -237,13 +236,13 @@ impl Follower {
     #[inline(always)]
     fn cross(&mut self, options: &SweepOptions, time: Instant, state: &State) {
         if time.seconds() > options.max_time {
-            self.end = Some(End::Time);
+            self.end = Some(OrbitEnd::Time);
             return;
         }
         self.crossings += 1;
         self.record(time, state);
         if self.crossings as usize >= options.crossings {
-            self.end = Some(End::Crossings);
+            self.end = Some(OrbitEnd::Crossings);
         }
     }
 
@@ -315,7 +314,7 @@ impl Follower {
         OrbitSection {
             points: self.points,
             report: OrbitReport {
-                end: self.end.unwrap_or(End::Interrupted),
+                end: self.end.unwrap_or(OrbitEnd::Interrupted),
                 crossings: self.crossings,
                 steps: self.steps,
                 time: self.time,

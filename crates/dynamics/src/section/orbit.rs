@@ -1,9 +1,11 @@
 //! An orbit on the section: what is asked of it, and what was found.
 
 use super::condition::SectionCondition;
-use crate::field::{Dimension, Integrals, Units};
+use crate::field::{Dimension, Integrals, TopUnits, dot};
 use crate::integrator::taylor::InstructionSet;
 use crate::integrator::{DEFAULT_TOLERANCE, StepError};
+use bifdiag_body::Body;
+use bifdiag_diagram::accessible::{AccessibleRegion, component_of};
 
 /// What to compute of each orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +61,7 @@ pub struct SectionPoint {
 
 /// Why an orbit ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum End {
+pub enum OrbitEnd {
     /// It has the crossings that were asked for.
     Crossings,
     /// Its time is up.
@@ -78,7 +80,7 @@ pub enum End {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrbitReport {
     /// Why it ended.
-    pub end: End,
+    pub end: OrbitEnd,
     /// Crossings since the start, which is not counted.
     pub crossings: u32,
     /// Steps of the integrator.
@@ -106,7 +108,7 @@ pub struct OrbitSection {
 
 impl SweepOptions {
     /// The same for a top in other units.
-    pub(super) fn reduced(&self, units: Units) -> Self {
+    pub(super) fn reduced(&self, units: TopUnits) -> Self {
         let max_time = units.reduce(self.max_time, Dimension::TIME);
         Self { max_time, ..*self }
     }
@@ -114,7 +116,7 @@ impl SweepOptions {
 
 impl OrbitSection {
     /// That of a reduced top as that of the top as given.
-    pub(super) fn restored(mut self, units: Units, condition: SectionCondition) -> Self {
+    pub(super) fn restored(mut self, units: TopUnits, condition: SectionCondition) -> Self {
         let value = condition.dimension();
         let given = |x: &mut f64, dimension| *x = units.restore(*x, dimension);
         for point in &mut self.points {
@@ -130,8 +132,8 @@ impl OrbitSection {
 
 impl OrbitReport {
     /// That of a reduced top as that of the top as given.
-    pub(super) fn restored(mut self, units: Units, condition: SectionCondition) -> Self {
-        if let End::Failed(error) = &mut self.end {
+    pub(super) fn restored(mut self, units: TopUnits, condition: SectionCondition) -> Self {
+        if let OrbitEnd::Failed(error) = &mut self.end {
             *error = error.restored(units);
         }
         self.time = units.restore(self.time, Dimension::TIME);
@@ -139,4 +141,40 @@ impl OrbitReport {
         self.drift = self.drift.restored(units);
         self
     }
+}
+
+/// What the families are called.
+pub const FAMILIES: [&str; 4] = ["on the side of +r̂", "on the side of −r̂", "on both sides", "on a further component"];
+
+/// The family of each orbit, a place in [`FAMILIES`]. On a section of several components the majority of the crossings
+/// decides the side of a component; two components on one side are distinguished.
+#[must_use]
+pub fn families(body: &Body, h: f64, l: f64, orbits: &[OrbitSection]) -> Vec<usize> {
+    let center = body.center_f64();
+    let region = AccessibleRegion::new(body, h, l).ok();
+    let partition = region.as_ref().and_then(|region| region.partition().ok().flatten());
+    let parts = partition.as_ref().filter(|partition| partition.components().len() > 1);
+    // Crossings with ⟨γ, r⟩ > 0, and all.
+    let count = |orbit: &OrbitSection| {
+        let above = orbit.points.iter().filter(|point| dot(point.gamma, center) > 0.0).count();
+        [above, orbit.points.len()]
+    };
+    let Some(parts) = parts else {
+        let side = |[above, all]: [usize; 2]| if above == all { 0 } else { 2 - usize::from(above == 0) };
+        return orbits.iter().map(|orbit| side(count(orbit))).collect();
+    };
+    let component =
+        |orbit: &OrbitSection| orbit.points.first().and_then(|point| component_of(parts, point.gamma)).unwrap_or(0);
+    let components: Vec<usize> = orbits.iter().map(component).collect();
+    let mut family: Vec<Option<usize>> = vec![None; parts.components().len()];
+    for place in 0..family.len() {
+        let own = orbits.iter().zip(&components).filter(|(_, component)| **component == place);
+        let [above, all] = own.fold([0, 0], |[a, n], (orbit, _)| {
+            let [above, all] = count(orbit);
+            [a + above, n + all]
+        });
+        let side = usize::from(2 * above < all);
+        family[place] = Some(if family.contains(&Some(side)) { FAMILIES.len() - 1 } else { side });
+    }
+    components.into_iter().map(|component| family[component].unwrap_or(0)).collect()
 }

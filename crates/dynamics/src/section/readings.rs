@@ -6,16 +6,16 @@ use super::angle::angle;
 use super::condition::SectionCondition;
 use super::torus::{PpTorus, TorusPoint, positive_angle};
 use crate::field::{Integrals, State};
-use crate::integrator::taylor::{Vector, lane_values};
+use crate::integrator::taylor::{LaneVector, lane_values};
 
 /// The constants of one top and its torus in every lane.
 #[repr(C, align(64))]
 pub(super) struct Gauge<S: Simd> {
-    moments: Vector<S>,
-    inverse: Vector<S>,
-    center: Vector<S>,
+    moments: LaneVector<S>,
+    inverse: LaneVector<S>,
+    center: LaneVector<S>,
     /// e_x', e_y', r̂.
-    axes: [Vector<S>; 3],
+    axes: [LaneVector<S>; 3],
     condition: SectionCondition,
 }
 
@@ -58,7 +58,7 @@ impl<S: Simd> Gauge<S> {
 
     /// Reads states (γ, l). Without fused operations, so that the numbers are those of the scalar formulas.
     #[inline(always)]
-    pub fn read(&self, simd: S, [gamma, l]: [Vector<S>; 2]) -> Readings<S> {
+    pub fn read(&self, simd: S, [gamma, l]: [LaneVector<S>; 2]) -> Readings<S> {
         let omega = times(simd, l, self.inverse);
         let torque = cross(simd, gamma, self.center);
         let gamma_dot = cross(simd, gamma, omega);
@@ -124,14 +124,14 @@ impl Reading {
 
 /// ⟨u, v⟩.
 #[inline(always)]
-fn dot<S: Simd>(simd: S, u: Vector<S>, v: Vector<S>) -> S::f64s {
+fn dot<S: Simd>(simd: S, u: LaneVector<S>, v: LaneVector<S>) -> S::f64s {
     let [x, y, z] = times(simd, u, v);
     simd.add_f64s(simd.add_f64s(x, y), z)
 }
 
 /// u × v.
 #[inline(always)]
-fn cross<S: Simd>(simd: S, u: Vector<S>, v: Vector<S>) -> Vector<S> {
+fn cross<S: Simd>(simd: S, u: LaneVector<S>, v: LaneVector<S>) -> LaneVector<S> {
     let mut product = u;
     for i in 0..3 {
         let (p, q) = ((i + 1) % 3, (i + 2) % 3);
@@ -142,13 +142,13 @@ fn cross<S: Simd>(simd: S, u: Vector<S>, v: Vector<S>) -> Vector<S> {
 
 /// Component by component.
 #[inline(always)]
-fn times<S: Simd>(simd: S, u: Vector<S>, v: Vector<S>) -> Vector<S> {
+fn times<S: Simd>(simd: S, u: LaneVector<S>, v: LaneVector<S>) -> LaneVector<S> {
     [simd.mul_f64s(u[0], v[0]), simd.mul_f64s(u[1], v[1]), simd.mul_f64s(u[2], v[2])]
 }
 
 /// u − v.
 #[inline(always)]
-fn sub<S: Simd>(simd: S, u: Vector<S>, v: Vector<S>) -> Vector<S> {
+fn sub<S: Simd>(simd: S, u: LaneVector<S>, v: LaneVector<S>) -> LaneVector<S> {
     [simd.sub_f64s(u[0], v[0]), simd.sub_f64s(u[1], v[1]), simd.sub_f64s(u[2], v[2])]
 }
 

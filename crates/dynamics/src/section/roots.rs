@@ -65,7 +65,7 @@ fn bracketed_zero(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, ri
 }
 
 /// The search for all roots of one polynomial.
-struct Search<'a, S: Simd> {
+struct RootSearch<'a, S: Simd> {
     simd: S,
     c: &'a [f64],
     /// Values below this are rounding.
@@ -75,7 +75,7 @@ struct Search<'a, S: Simd> {
 }
 
 /// Appends every root in (0, 1), ascending, and returns the number of extrema whose sign is within rounding:
-/// there, a double root cannot be told from two or none. The coefficients must be finite.
+/// there, a double root cannot be distinguished from two or none. The coefficients must be finite.
 ///
 /// Bernstein coefficients bound the polynomial and its differences on an interval; halving goes on until it is
 /// seen to have no root, to be monotone, or to have exactly one extremum, at which it is then split. A nearly
@@ -93,7 +93,7 @@ pub(super) fn all_roots<S: Simd>(
     let size = c.iter().fold(0.0, |sum, x| sum + x.abs());
     let mut bernstein = [0.0; MAX_TERMS];
     to_bernstein(c, &mut bernstein);
-    let mut search = Search { simd, c, noise: size * f64::EPSILON * 16.0, roots, tangencies: 0 };
+    let mut search = RootSearch { simd, c, noise: size * f64::EPSILON * 16.0, roots, tangencies: 0 };
     search.interval(&bernstein[..c.len()], (0.0, 1.0), (start_positive, end_positive), 0);
     search.tangencies
 }
@@ -113,22 +113,22 @@ fn to_bernstein(c: &[f64], b: &mut [f64; MAX_TERMS]) {
     }
 }
 
-/// Do all consecutive differences have one sign?
+/// True when all consecutive differences have one sign.
 fn is_monotone(b: &(impl Iterator<Item = f64> + Clone)) -> bool {
     let pairs = || b.clone().zip(b.clone().skip(1));
     pairs().all(|(x, y)| x <= y) || pairs().all(|(x, y)| x >= y)
 }
 
 /// A part of the search: an interval, the Bernstein coefficients there, the signs at its ends, halvings so far.
-struct Interval<'s, 'a, S: Simd> {
-    search: &'s mut Search<'a, S>,
+struct RootInterval<'s, 'a, S: Simd> {
+    search: &'s mut RootSearch<'a, S>,
     b: &'s [f64],
     ends: (f64, f64),
     positive: (bool, bool),
     depth: u32,
 }
 
-impl<S: Simd> WithSimd for Interval<'_, '_, S> {
+impl<S: Simd> WithSimd for RootInterval<'_, '_, S> {
     type Output = ();
 
     #[inline(always)]
@@ -137,11 +137,11 @@ impl<S: Simd> WithSimd for Interval<'_, '_, S> {
     }
 }
 
-impl<S: Simd> Search<'_, S> {
+impl<S: Simd> RootSearch<'_, S> {
     /// Searches an interval, in a function compiled for the instructions.
     fn interval(&mut self, b: &[f64], ends: (f64, f64), positive: (bool, bool), depth: u32) {
         let simd = self.simd;
-        simd.vectorize(Interval { search: self, b, ends, positive, depth });
+        simd.vectorize(RootInterval { search: self, b, ends, positive, depth });
     }
 
     #[inline(always)]

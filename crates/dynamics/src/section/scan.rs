@@ -1,11 +1,11 @@
-//! The series of S over a step, and the cheap bounds that tell most steps apart, all lanes at once.
+//! The series of S over a step, and the cheap bounds that decide most steps, all lanes at once.
 
 use pulp::Simd;
 
 use super::condition::SectionCondition;
 use super::halley::{ROOM, single_roots};
 use crate::integrator::product::ProductSum;
-use crate::integrator::taylor::{Lanes, ROWS, Vector, lane_values, lane_values_mut, magnitude};
+use crate::integrator::taylor::{LaneVector, Lanes, ROWS, lane_values, lane_values_mut, magnitude};
 
 /// Terms whose Bernstein coefficients are taken; the others are so small that the sum of their sizes will do.
 const LEADING: usize = 7;
@@ -54,7 +54,7 @@ pub(super) struct Scan<S: Simd> {
 
 /// What the bounds say of one lane's step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Verdict {
+pub(super) struct StepVerdict {
     /// S at the step's start: its sign is that of the end before; NaN if the orbit starts here with S = 0.
     pub start: f64,
     /// S at the step's end.
@@ -232,12 +232,12 @@ impl<S: Simd> Scan<S> {
 
     /// What the bounds say of a lane.
     #[inline(always)]
-    pub fn verdict(&self, lane: usize) -> Verdict {
+    pub fn verdict(&self, lane: usize) -> StepVerdict {
         let of = lane_values::<S>;
         let (start, end) = (of(&self.start)[lane], of(&self.end)[lane]);
         let monotone = of(&self.least_slope)[lane] > 0.0 || of(&self.greatest_slope)[lane] < 0.0;
         let unimodal = monotone || of(&self.least_bend)[lane] > 0.0 || of(&self.greatest_bend)[lane] < 0.0;
-        Verdict {
+        StepVerdict {
             start,
             end,
             single: unimodal && (start >= 0.0) != (end >= 0.0) && !start.is_nan(),
@@ -272,7 +272,7 @@ impl<S: Simd> Scan<S> {
 
 /// γ×r.
 #[inline(always)]
-fn torque<S: Simd>(simd: S, r: Vector<S>, gamma: Vector<S>) -> Vector<S> {
+fn torque<S: Simd>(simd: S, r: LaneVector<S>, gamma: LaneVector<S>) -> LaneVector<S> {
     let mut product = gamma;
     for i in 0..3 {
         let (p, q) = ((i + 1) % 3, (i + 2) % 3);
@@ -284,7 +284,7 @@ fn torque<S: Simd>(simd: S, r: Vector<S>, gamma: Vector<S>) -> Vector<S> {
 
 /// ⟨u, v⟩ + sum.
 #[inline(always)]
-fn add_dot<S: Simd>(simd: S, u: Vector<S>, v: Vector<S>, sum: S::f64s) -> S::f64s {
+fn add_dot<S: Simd>(simd: S, u: LaneVector<S>, v: LaneVector<S>, sum: S::f64s) -> S::f64s {
     simd.product_sum(u[2], v[2], simd.product_sum(u[1], v[1], simd.product_sum(u[0], v[0], sum)))
 }
 
@@ -309,7 +309,7 @@ fn range<S: Simd>(simd: S, b: &[S::f64s]) -> (S::f64s, S::f64s) {
     (least, greatest)
 }
 
-/// Is 0 outside [least, greatest]?
+/// True when 0 is outside [least, greatest].
 #[inline(always)]
 fn one_sign<S: Simd>(simd: S, least: S::f64s, greatest: S::f64s) -> S::m64s {
     let zero = simd.splat_f64s(0.0);

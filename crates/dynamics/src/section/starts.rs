@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::error::{SectionError, check_finite, check_stop};
 use super::torus::{PpTorus, TorusPoint};
-use crate::field::{Dimension, HeavyTop, Units, add, cross, norm, scale};
+use crate::field::{Dimension, HeavyTop, TopUnits, add, cross, norm, scale};
 use bifdiag_numbers::sequence::Square;
 
 /// How starting points are chosen.
@@ -15,9 +15,9 @@ pub struct StartOptions<'a> {
     pub count: usize,
     /// Shifts the sequence.
     pub seed: u64,
-    /// Give up after so many places for each point wanted.
+    /// Places that are tried for each point wanted.
     pub tries_per_start: u64,
-    /// Set it from outside, and the search ends with [`SectionError::Interrupted`].
+    /// Cancellation: once it is set, the search ends with [`SectionError::Interrupted`].
     pub stop: Option<&'a AtomicBool>,
 }
 
@@ -28,23 +28,23 @@ impl Default for StartOptions<'_> {
 }
 
 /// U_l of one top, in the top's own units, and what was seen of it.
-struct Potential {
+struct StartPotential {
     top: HeavyTop,
-    units: Units,
+    units: TopUnits,
     h: f64,
     l: f64,
     lowest: f64,
     tried: u64,
 }
 
-impl Potential {
+impl StartPotential {
     fn new(torus: &PpTorus, h: f64, l: f64) -> Self {
         let units = torus.top().units();
         let (h, l) = (units.reduce(h, Dimension::ENERGY), units.reduce(l, Dimension::MOMENTUM));
         Self { top: torus.top().reduced(), units, h, l, lowest: f64::INFINITY, tried: 0 }
     }
 
-    /// Is U_l(γ) ≤ h?
+    /// True where U_l(γ) ≤ h.
     fn allows(&self, gamma: [f64; 3]) -> bool {
         self.top.effective_potential(gamma, self.l) <= self.h
     }
@@ -82,7 +82,7 @@ pub fn spread_starts(
 
 /// Likewise, with an equal share for each of `components` parts of the accessible region, however small.
 ///
-/// `component_of` tells in which part γ lies (below `components`); points for which it says None are passed over.
+/// `component_of` gives the part in which γ lies (below `components`); points for which it gives None are passed over.
 /// The parts take turns in the result as far as the sequence allows; the first parts get the odd ones.
 ///
 /// # Errors
@@ -101,7 +101,7 @@ pub fn spread_starts_over(
     let mut taken = vec![0_usize; components];
     let limit = options.tries_per_start.saturating_mul(options.count.max(1) as u64);
     let mut places = Square::new(options.seed);
-    let mut potential = Potential::new(torus, h, l);
+    let mut potential = StartPotential::new(torus, h, l);
     let mut starts = Vec::with_capacity(options.count.min(1 << 16));
     while components > 0 && starts.len() < options.count {
         if potential.tried == limit {
@@ -139,13 +139,13 @@ pub fn spread_starts_round(
     center: [f64; 3],
     wanted: &dyn Fn([f64; 3]) -> bool,
 ) -> Result<Vec<TorusPoint>, SectionError> {
-    /// So many places of a cap for each point wanted.
+    /// Places of a cap for each point wanted.
     const TRIES: u64 = 64;
     let smallest = (0..3).min_by(|&i, &j| center[i].abs().total_cmp(&center[j].abs())).unwrap_or(0);
     let first = cross(center, std::array::from_fn(|i| if i == smallest { 1.0 } else { 0.0 }));
     let first = scale(1.0 / norm(first), first);
     let second = cross(center, first);
-    let mut potential = Potential::new(torus, h, l);
+    let mut potential = StartPotential::new(torus, h, l);
     let mut radius = 1.0;
     while radius > f64::EPSILON {
         let mut places = Square::new(options.seed);

@@ -5,18 +5,18 @@ use std::sync::atomic::Ordering;
 use pulp::{Arch, Simd, WithSimd};
 
 use super::error::SectionError;
-use super::follow::{Follower, News};
-use super::halt::{Halt, Task};
-use super::orbit::{End, OrbitSection, SweepOptions};
+use super::follow::{News, OrbitFollower};
+use super::orbit::{OrbitEnd, OrbitSection, SweepOptions};
 use super::readings::Gauge;
 use super::scan::Scan;
 use super::torus::PpTorus;
 use super::workers::{Monitor, Turns, run_workers};
+use super::workers::{OrbitCheckpoint, OrbitTask};
 use crate::field::State;
 use crate::integrator::check_tolerance;
 use crate::integrator::taylor::Lanes;
 
-/// Steps after which the monitor is told.
+/// Steps between two updates of the monitor.
 const STEPS_BETWEEN_NEWS: u32 = 256;
 
 /// Follows every start to its crossings; orbit k is `starts[k]`. A start on the section, within rounding, is the
@@ -34,8 +34,8 @@ pub fn sweep(
     options: &SweepOptions,
     monitor: &Monitor,
 ) -> Result<Vec<OrbitSection>, SectionError> {
-    let tasks: Vec<Task> =
-        starts.iter().zip(0_u32..).map(|(&start, orbit)| Task { orbit, start, halt: None }).collect();
+    let tasks: Vec<OrbitTask> =
+        starts.iter().zip(0_u32..).map(|(&start, orbit)| OrbitTask { orbit, start, halt: None }).collect();
     if tasks.len() < starts.len() {
         return Err(SectionError::Parameter {
             name: "orbits",
@@ -46,7 +46,7 @@ pub fn sweep(
     Ok(sweep_on(torus, &tasks, options, usize::MAX, monitor)?.into_iter().map(|(orbit, _)| orbit).collect())
 }
 
-/// Follows orbits from their starts or from where they were halted, and halts them when they have so many points, or a
+/// Follows orbits from their starts or from where they were halted, and halts them when they have `most` points, or a
 /// few more, or when the run is stopped. The points of an orbit that goes on follow those before.
 ///
 /// Orbits come back in the order of their numbers, each with where to go on; None where it has ended.
@@ -55,11 +55,11 @@ pub fn sweep(
 /// Those of [`sweep`].
 pub fn sweep_on(
     torus: &PpTorus,
-    tasks: &[Task],
+    tasks: &[OrbitTask],
     options: &SweepOptions,
     most: usize,
     monitor: &Monitor,
-) -> Result<Vec<(OrbitSection, Option<Halt>)>, SectionError> {
+) -> Result<Vec<(OrbitSection, Option<OrbitCheckpoint>)>, SectionError> {
     check_tolerance(options.tolerance)?;
     if options.max_time.is_nan() || options.max_time <= 0.0 {
         return Err(SectionError::Parameter {
@@ -73,25 +73,26 @@ pub fn sweep_on(
     if units.are_one() {
         return Ok(followed(arch, torus, tasks, options, most, monitor));
     }
-    let tasks: Vec<Task> = tasks.iter().map(|task| Task { start: task.start.reduced(units), ..*task }).collect();
+    let tasks: Vec<OrbitTask> =
+        tasks.iter().map(|task| OrbitTask { start: task.start.reduced(units), ..*task }).collect();
     let orbits = followed(arch, &torus.reduced(), &tasks, &options.reduced(units), most, monitor);
     Ok(orbits.into_iter().map(|(orbit, halt)| (orbit.restored(units, options.condition), halt)).collect())
 }
 
 /// An orbit's points, and where it goes on.
-type Leg = (OrbitSection, Option<Halt>);
+type Leg = (OrbitSection, Option<OrbitCheckpoint>);
 
 /// The orbits of a top in its own units.
 fn followed(
     arch: Arch,
     torus: &PpTorus,
-    tasks: &[Task],
+    tasks: &[OrbitTask],
     options: &SweepOptions,
     most: usize,
     monitor: &Monitor,
 ) -> Vec<Leg> {
     let queue = Queue { torus, tasks, options, most, turns: Turns::new(monitor) };
-    let mut orbits = run_workers(|| arch.dispatch(Worker { queue: &queue }));
+    let mut orbits = run_workers(|| arch.dispatch(SweepWorker { queue: &queue }));
     orbits.sort_by_key(|(orbit, _)| orbit.orbit);
     orbits
 }
@@ -99,7 +100,7 @@ fn followed(
 /// The orbits still to be done, shared by the workers.
 struct Queue<'a> {
     torus: &'a PpTorus,
-    tasks: &'a [Task],
+    tasks: &'a [OrbitTask],
     options: &'a SweepOptions,
     /// Points after which an orbit is halted.
     most: usize,
@@ -108,9 +109,9 @@ struct Queue<'a> {
 
 impl Queue<'_> {
     /// The next orbit.
-    fn pop(&self) -> Option<(Follower, Option<Halt>)> {
+    fn pop(&self) -> Option<(OrbitFollower, Option<OrbitCheckpoint>)> {
         let (_, task) = self.turns.next(self.tasks)?;
-        let mut follower = Follower::new(self.torus, self.options, self.most, task.orbit, &task.start);
+        let mut follower = OrbitFollower::new(self.torus, self.options, self.most, task.orbit, &task.start);
         if let Some(halt) = &task.halt {
             follower.resume(halt);
         }
@@ -121,25 +122,25 @@ impl Queue<'_> {
         self.turns.monitor
     }
 
-    fn close(&self, mut follower: Follower, halt: Option<Halt>, done: &mut Vec<Leg>) {
-        self.tell(&mut follower);
+    fn close(&self, mut follower: OrbitFollower, halt: Option<OrbitCheckpoint>, done: &mut Vec<Leg>) {
+        self.report(&mut follower);
         if halt.is_none() {
             self.monitor().orbits.fetch_add(1, Ordering::Relaxed);
         }
         done.push((follower.finish(), halt));
     }
 
-    fn tell(&self, follower: &mut Follower) {
-        self.monitor().crossings.fetch_add(follower.untold(), Ordering::Relaxed);
+    fn report(&self, follower: &mut OrbitFollower) {
+        self.monitor().crossings.fetch_add(follower.unreported(), Ordering::Relaxed);
     }
 }
 
 /// One worker: fills its lanes from the queue until it is empty.
-struct Worker<'a> {
+struct SweepWorker<'a> {
     queue: &'a Queue<'a>,
 }
 
-impl WithSimd for Worker<'_> {
+impl WithSimd for SweepWorker<'_> {
     type Output = Vec<Leg>;
 
     #[inline(always)]
@@ -149,7 +150,7 @@ impl WithSimd for Worker<'_> {
         let mut lanes = Lanes::<S>::new(simd, queue.torus.top(), queue.options.tolerance);
         let mut scan = Scan::<S>::new(simd);
         let gauge = Gauge::<S>::new(simd, queue.torus, queue.options.condition);
-        let mut followers: Vec<Option<Follower>> = Vec::new();
+        let mut followers: Vec<Option<OrbitFollower>> = Vec::new();
         for lane in 0..S::F64_LANES {
             followers.push(load(&mut lanes, &mut scan, lane, queue.pop(), 0));
         }
@@ -157,7 +158,7 @@ impl WithSimd for Worker<'_> {
         while followers.iter().any(Option::is_some) {
             step += 1;
             if step.is_multiple_of(STEPS_BETWEEN_NEWS.into()) {
-                followers.iter_mut().flatten().for_each(|follower| queue.tell(follower));
+                followers.iter_mut().flatten().for_each(|follower| queue.report(follower));
             }
             lanes.expand(simd);
             scan.read(simd, &lanes, queue.options.condition);
@@ -176,7 +177,7 @@ impl WithSimd for Worker<'_> {
             let stopped = queue.monitor().is_stopped();
             let all = stopped || lanes.any_is_at(queue.options.max_time);
             for lane in bits(if all { u32::MAX >> (32 - S::F64_LANES) } else { news }) {
-                let ends = |follower: &mut Follower| {
+                let ends = |follower: &mut OrbitFollower| {
                     follower.count(step);
                     follower.arrive(lanes.time(lane).seconds());
                     follower.is_over(queue.options) || follower.has(queue.most) || stopped
@@ -185,7 +186,7 @@ impl WithSimd for Worker<'_> {
                     follower.settle(simd, &gauge, queue.torus, queue.options.condition);
                     let goes_on = follower.end.is_none();
                     let halt = goes_on.then(|| follower.halt(lanes.saved(lane), scan.start_of(lane)));
-                    follower.end.get_or_insert(End::Interrupted);
+                    follower.end.get_or_insert(OrbitEnd::Interrupted);
                     queue.close(follower, halt, &mut done);
                     followers[lane] = load(&mut lanes, &mut scan, lane, queue.pop(), step);
                 }
@@ -205,15 +206,15 @@ fn bits(mut word: u32) -> impl Iterator<Item = usize> {
     })
 }
 
-/// Puts an orbit into a lane, after so many steps. An idle lane keeps what it has; nobody looks at it.
+/// Puts an orbit into a lane, after `step` steps. An idle lane keeps what it has; nobody looks at it.
 #[inline(always)]
 fn load<S: Simd>(
     lanes: &mut Lanes<S>,
     scan: &mut Scan<S>,
     lane: usize,
-    task: Option<(Follower, Option<Halt>)>,
+    task: Option<(OrbitFollower, Option<OrbitCheckpoint>)>,
     step: u64,
-) -> Option<Follower> {
+) -> Option<OrbitFollower> {
     let (mut follower, halt) = task?;
     follower.enter(step);
     lanes.load(lane, &follower.start, follower.momentum_scale);

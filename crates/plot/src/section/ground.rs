@@ -6,7 +6,7 @@ use super::layout::SheetPanel;
 use super::walls;
 
 use crate::page::{Canvas, INK, Ink, Path, Point, Rect, rgb};
-use bifdiag_dynamics::section::{Chart, Portrait};
+use bifdiag_dynamics::section::{Portrait, SectionChart};
 
 /// Ground where Ṡ < 0 and where Ṡ > 0.
 pub(super) const INCOMING: RGBColor = rgb(0xcd_d5_df);
@@ -40,7 +40,7 @@ pub(super) fn outline(canvas: &Canvas, portrait: &Portrait, panel: &SheetPanel) 
     frame(&panel.rect).draw(canvas, &canvas.stroke(Ink { color: INK, width: 0.9 }));
     let poles: Vec<i8> = [1, -1].into_iter().filter(|&sign| portrait.has_pole(sign)).collect();
     match panel.chart {
-        Chart::Torus => {
+        SectionChart::Torus => {
             let mut rims = Path::default();
             for sign in poles {
                 let y = if sign > 0 { panel.rect.y } else { panel.rect.bottom() };
@@ -48,11 +48,11 @@ pub(super) fn outline(canvas: &Canvas, portrait: &Portrait, panel: &SheetPanel) 
             }
             rims.draw(canvas, &canvas.stroke(POLAR));
         }
-        Chart::Sphere => {
+        SectionChart::Sphere => {
             let [.., r_hat] = portrait.torus().axes();
             for sign in poles {
                 let gamma = r_hat.map(|x| f64::from(sign) * x);
-                let at = panel.position(portrait.position(Chart::Sphere, gamma));
+                let at = panel.position(portrait.position(SectionChart::Sphere, gamma));
                 pole_marker(canvas, sign, at);
             }
         }

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::scene::{Projection, SectionScene};
 use crate::page::{Anchor, Canvas, HEIGHT, INK, Point, Rect, Width, number, short_number};
-use bifdiag_dynamics::section::Chart;
+use bifdiag_dynamics::section::SectionChart;
 
 /// Plot area of a panel.
 const PANEL: [f64; 2] = [384.0, 240.0];
@@ -33,7 +33,7 @@ pub(super) const TITLE_AT: Point = [LEFT, TITLE - 8.0];
 pub(super) struct SheetPanel {
     /// Index of the scene.
     pub scene: usize,
-    pub chart: Chart,
+    pub chart: SectionChart,
     /// −1 or +1.
     pub sheet: i8,
     pub rect: Rect,
@@ -51,10 +51,10 @@ impl SheetPanel {
 
     fn name(&self) -> &'static str {
         match (self.chart, self.sheet > 0) {
-            (Chart::Torus, false) => "T⁻",
-            (Chart::Torus, true) => "T⁺",
-            (Chart::Sphere, false) => "S⁻",
-            (Chart::Sphere, true) => "S⁺",
+            (SectionChart::Torus, false) => "T⁻",
+            (SectionChart::Torus, true) => "T⁺",
+            (SectionChart::Sphere, false) => "S⁻",
+            (SectionChart::Sphere, true) => "S⁺",
         }
     }
 }
@@ -70,10 +70,10 @@ pub(super) struct Layout {
 impl Layout {
     /// Both sheets beside each other on a page, below each other in a column.
     pub fn new(scenes: &[SectionScene<'_>], projection: Projection, with_bar: bool, paper: Width) -> Self {
-        let charts: &[Chart] = match projection {
-            Projection::Torus => &[Chart::Torus],
-            Projection::Sphere => &[Chart::Sphere],
-            Projection::Both => &[Chart::Sphere, Chart::Torus],
+        let charts: &[SectionChart] = match projection {
+            Projection::Torus => &[SectionChart::Torus],
+            Projection::Sphere => &[SectionChart::Sphere],
+            Projection::Both => &[SectionChart::Sphere, SectionChart::Torus],
         };
         let bar = if with_bar { BAR } else { 0.0 };
         let across = if paper == Width::Page { 2.0 } else { 1.0 };
@@ -137,8 +137,8 @@ fn rounded(name: &str, value: f64) -> String {
 fn draw_ticks(canvas: &Canvas, panel: &SheetPanel) {
     let rect = panel.rect;
     let (psi, theta) = match panel.chart {
-        Chart::Torus => ("ψ′", "ϑ′"),
-        Chart::Sphere => ("ψ", "ϑ"),
+        SectionChart::Torus => ("ψ′", "ϑ′"),
+        SectionChart::Sphere => ("ψ", "ϑ"),
     };
     for (k, label) in ["0", "π/2", "π", "3π/2", "2π"].into_iter().enumerate() {
         let at = [rect.x + 0.25 * k as f64 * rect.width, rect.bottom() + 17.0];

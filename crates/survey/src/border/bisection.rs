@@ -1,16 +1,18 @@
-//! Bisection on the class.
+//! Bisection on the class between two bodies.
+
+use std::collections::BTreeMap;
 
 use thiserror::Error;
 
 use super::difference;
 use super::event::BorderEvent;
-use super::segment::Segment;
-use super::side::{End, NoClass, Side};
+use super::segment::BodySegment;
 use super::special::{explained, special as special_body};
-use super::vanishing::{self, Root};
-use bifdiag_body::Flags;
-use bifdiag_diagram::class::{Class, ClassName};
-use bifdiag_exact::Accuracy;
+use super::vanishing::{self, ParameterRoot};
+use bifdiag_body::{Body, Flags};
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_diagram::class::{Class, ClassName, Unclassified};
+use bifdiag_exact::{Accuracy, AnswerError};
 
 /// Where an interval is cut: not in the middle, where special bodies lie.
 const GOLDEN: f64 = 0.381_966_011_250_105_2;
@@ -60,8 +62,8 @@ pub enum BorderError {
     /// An end of the way has no class.
     #[error("the body at the {end} end has no class: {source}")]
     NoClass {
-        /// Which end.
-        end: End,
+        /// Lower (t = 0) or upper (t = 1).
+        end: &'static str,
         /// Why.
         source: NoClass,
     },
@@ -79,16 +81,16 @@ pub enum BorderError {
 ///
 /// # Errors
 /// [`BorderError`].
-pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, BorderError> {
-    let mut bracket = Bracket::new(segment, options)?;
+pub fn find(segment: &BodySegment, options: &BorderOptions) -> Result<Border, BorderError> {
+    let mut bracket = ClassBracket::new(segment, options)?;
     while let Some(t) = bracket.next() {
         bracket.look(t);
     }
-    let Bracket { low, high, wanted, atlases, .. } = bracket;
+    let ClassBracket { low, high, wanted, atlases, .. } = bracket;
     let (mut event, vanishing) = difference::between(low.atlas.arrangement(), high.atlas.arrangement());
     let enclosure = [low.t, high.t];
-    let by_class = Root { t: 0.5 * (low.t + high.t), error: 0.5 * (high.t - low.t) };
-    let inside = |root: &Root| enclosure[0] <= root.t && root.t <= enclosure[1];
+    let by_class = ParameterRoot { t: 0.5 * (low.t + high.t), error: 0.5 * (high.t - low.t) };
+    let inside = |root: &ParameterRoot| enclosure[0] <= root.t && root.t <= enclosure[1];
     let by_diagram = vanishing::root(segment, &vanishing, enclosure).filter(inside);
     let (special, by_body) = special_body(segment, enclosure).unzip();
     let kind = explained(special, event.kind.clone(), by_diagram.is_some());
@@ -102,7 +104,7 @@ pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, Border
         by_diagram
     };
     event.kind = kind;
-    let Root { t, error } = by_zero.unwrap_or(by_class);
+    let ParameterRoot { t, error } = by_zero.unwrap_or(by_class);
     let reached = error <= wanted;
     Ok(Border { enclosure, t, error, classes: [low.class, high.class], reached, event, atlases })
 }
@@ -110,12 +112,12 @@ pub fn find(segment: &Segment, options: &BorderOptions) -> Result<Border, Border
 /// The borders of a segment in order: what [`find`] finds, and again behind it until the class is that of the upper end.
 /// None where an end has no class, or both have one.
 #[must_use]
-pub fn all(segment: &Segment, options: &BorderOptions) -> Vec<Border> {
+pub fn all(segment: &BodySegment, options: &BorderOptions) -> Vec<Border> {
     let mut borders = Vec::new();
-    let Ok(last) = Side::of(segment, 1.0, options.accuracy) else { return borders };
+    let Ok(last) = ClassifiedBody::of(segment, 1.0, options.accuracy) else { return borders };
     let mut from = 0.0;
     while borders.len() < BORDERS_MAX {
-        let rest = Segment::new(segment.body(from), segment.body(1.0));
+        let rest = BodySegment::new(segment.body(from), segment.body(1.0));
         let Ok(mut border) = find(&rest, options) else { break };
         // The class below a border is that of the lower end; above it bisection may have met any other.
         let whole = |t: f64| from + (1.0 - from) * t;
@@ -133,11 +135,11 @@ pub fn all(segment: &Segment, options: &BorderOptions) -> Vec<Border> {
 }
 
 /// The part of a segment that holds the border.
-struct Bracket<'a> {
-    segment: &'a Segment,
+struct ClassBracket<'a> {
+    segment: &'a BodySegment,
     options: &'a BorderOptions,
-    low: Side,
-    high: Side,
+    low: ClassifiedBody,
+    high: ClassifiedBody,
     /// A zone where nothing is decided, once one was met.
     zone: Option<[f64; 2]>,
     /// The width of t that is wanted.
@@ -147,12 +149,12 @@ struct Bracket<'a> {
     atlases: u32,
 }
 
-impl<'a> Bracket<'a> {
-    fn new(segment: &'a Segment, options: &'a BorderOptions) -> Result<Self, BorderError> {
-        let side = |t: f64, end: End| {
-            Side::of(segment, t, options.accuracy).map_err(|source| BorderError::NoClass { end, source })
+impl<'a> ClassBracket<'a> {
+    fn new(segment: &'a BodySegment, options: &'a BorderOptions) -> Result<Self, BorderError> {
+        let side = |t: f64, end| {
+            ClassifiedBody::of(segment, t, options.accuracy).map_err(|source| BorderError::NoClass { end, source })
         };
-        let (low, high) = (side(0.0, End::Lower)?, side(1.0, End::Upper)?);
+        let (low, high) = (side(0.0, "lower")?, side(1.0, "upper")?);
         if low.class == high.class {
             return Err(BorderError::SameClass { class: low.class.name().clone() });
         }
@@ -187,8 +189,8 @@ impl<'a> Bracket<'a> {
 
     fn look(&mut self, t: f64) {
         self.atlases += 1;
-        // Inside, f64 tells a class or leaves a zone open, whose sides are sought; a proof would fill the zone in part.
-        match Side::of(self.segment, t, Accuracy::Fast) {
+        // Inside, f64 gives a class or leaves a zone open, whose sides are sought; a proof would fill the zone in part.
+        match ClassifiedBody::of(self.segment, t, Accuracy::Fast) {
             // Bodies that are more special than those around them lie on a border, and belong to neither side.
             Ok(side) if special(self.segment, t) == self.ordinary => {
                 if side.class == self.low.class {
@@ -208,6 +210,55 @@ impl<'a> Bracket<'a> {
 }
 
 /// What is special about a body but for the sums of its moments, which no diagram shows.
-fn special(segment: &Segment, t: f64) -> Flags {
+fn special(segment: &BodySegment, t: f64) -> Flags {
     Flags { plate: false, unphysical: false, ..segment.body(t).flags() }
+}
+
+/// Why a body has no class.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum NoClass {
+    /// It has no atlas.
+    #[error(transparent)]
+    Atlas(#[from] AnswerError),
+    /// Its diagram is open.
+    #[error(transparent)]
+    Diagram(#[from] Unclassified),
+}
+
+/// A body of a segment with its atlas and class.
+struct ClassifiedBody {
+    t: f64,
+    atlas: Atlas,
+    class: Class,
+}
+
+impl ClassifiedBody {
+    fn of(segment: &BodySegment, t: f64, accuracy: Accuracy) -> Result<Self, NoClass> {
+        let (atlas, class) = class_of(&segment.body(t), accuracy)?;
+        Ok(Self { t, atlas, class })
+    }
+}
+
+/// How many of some bodies have each class, the most frequent first; no class stands for bodies whose class is not decided,
+/// and for those that are none.
+#[must_use]
+pub fn classes_of(bodies: impl Iterator<Item = Option<Body>>) -> Vec<(Option<ClassName>, usize)> {
+    let mut counts: BTreeMap<Option<ClassName>, usize> = BTreeMap::new();
+    for body in bodies {
+        let class = body.and_then(|body| class_of(&body, Accuracy::Exact).ok());
+        *counts.entry(class.map(|(_, class)| class.name().clone())).or_default() += 1;
+    }
+    let mut counts: Vec<_> = counts.into_iter().collect();
+    counts.sort_by(|(p, p_count), (q, q_count)| q_count.cmp(p_count).then_with(|| p.cmp(q)));
+    counts
+}
+
+/// The atlas and the class of a body.
+///
+/// # Errors
+/// [`NoClass`].
+pub fn class_of(body: &Body, accuracy: Accuracy) -> Result<(Atlas, Class), NoClass> {
+    let atlas = bifdiag_exact::atlas(body, accuracy)?;
+    let class = Class::of(&atlas)?;
+    Ok((atlas, class))
 }

@@ -1,16 +1,15 @@
-//! Events that happen together.
+//! Events of one diagram that draw together at a border, and borders at which they only change places.
 
-use super::event::{BorderEventKind, Place};
-use super::label::EventLabel;
-use super::vanishing::Vanishing;
-use bifdiag_diagram::arrangement::{Arrangement, Event};
-use bifdiag_equilibria::curves::{CurveId, CurveName};
+use super::event::{BorderEventKind, Encounter, EventLabel, EventLocation, sort_by_text};
+use super::vanishing::{Neighbourhood, Vanishing};
+use bifdiag_diagram::arrangement::{Arrangement, Change, Event};
+use bifdiag_equilibria::curves::{Branch, BranchName, CurveId, CurveName, Pole};
 
 /// What was found out about a border.
 pub(super) struct Finding<'a> {
     pub kind: BorderEventKind,
     /// The events that draw together there.
-    pub group: Option<Group<'a>>,
+    pub group: Option<EventGroup<'a>>,
     pub vanishing: Vanishing,
 }
 
@@ -22,18 +21,18 @@ impl Finding<'_> {
 }
 
 /// A few events of one side; at least one.
-pub(super) struct Group<'a> {
+pub(super) struct EventGroup<'a> {
     side: &'a Arrangement,
     events: Vec<Event>,
 }
 
-impl<'a> Group<'a> {
+impl<'a> EventGroup<'a> {
     pub(super) fn new(side: &'a Arrangement, events: Vec<Event>) -> Option<Self> {
         if events.is_empty() { None } else { Some(Self { side, events }) }
     }
 
     /// The middle of the events.
-    pub(super) fn place(&self) -> Place {
+    pub(super) fn place(&self) -> EventLocation {
         let n = self.events.len() as f64;
         let x = self.events.iter().map(|event| event.x).sum::<f64>() / n;
         let h = self.events.iter().map(|event| event.h).sum::<f64>() / n;
@@ -42,7 +41,7 @@ impl<'a> Group<'a> {
         let momentum = |x: f64| (2.0 * x).sqrt() * frame.momentum_unit;
         let h_error = spread(&|event| (event.h - h).abs() + event.h_error) * frame.energy_unit;
         let l_error = spread(&|event| (momentum(event.x) - momentum(x)).abs());
-        Place { h: h * frame.energy_unit, l: momentum(x), error: h_error.max(l_error) }
+        EventLocation { h: h * frame.energy_unit, l: momentum(x), error: h_error.max(l_error) }
     }
 
     /// The curves that take part, each once.
@@ -78,4 +77,92 @@ pub(super) fn nearest(candidates: &[Event]) -> Option<[Event; 2]> {
         }
     }
     best.map(|(_, pair)| pair)
+}
+
+/// The events that are nearest to each other change places.
+pub(super) fn exchange(side: &Arrangement) -> Finding<'_> {
+    let Some(near) = nearest_cluster(side) else {
+        return Finding::nowhere(BorderEventKind::Unexplained, Vanishing::Nothing);
+    };
+    let labels: Vec<EventLabel> = near.iter().map(|event| label(side, event)).collect();
+    let mut branches: Vec<BranchName> = labels.iter().flat_map(EventLabel::branches).copied().collect();
+    sort_by_text(&mut branches);
+    branches.dedup();
+    let pitchfork =
+        labels.iter().find_map(|label| if let EventLabel::Pitchfork(own) = label { Some(*own) } else { None });
+    let cusp = labels.iter().find_map(|label| if let EventLabel::Cusp(own) = label { Some(*own) } else { None });
+    let encounter = Encounter::Meets;
+    let kind = match (pitchfork, cusp) {
+        (Some(pitchfork), _) => {
+            let others: Vec<BranchName> = branches.into_iter().filter(|name| !pitchfork.contains(name)).collect();
+            let curves = if others.is_empty() { pitchfork.to_vec() } else { others };
+            BorderEventKind::PitchforkOnCurve { pitchfork, encounter, curves }
+        }
+        (None, Some(cusp)) => BorderEventKind::CuspOnCurve { cusp, encounter, curves: branches },
+        (None, None) => BorderEventKind::TriplePoint { branches },
+    };
+    let vanishing = exchanged(side, &near).unwrap_or(Vanishing::Nothing);
+    Finding { kind, group: EventGroup::new(side, near), vanishing }
+}
+
+/// The two events with a common branch that are nearest to each other, and those that are as near to both.
+fn nearest_cluster(side: &Arrangement) -> Option<Vec<Event>> {
+    let labels: Vec<EventLabel> = side.events.iter().map(|event| label(side, event)).collect();
+    let mut best: Option<(f64, [Event; 2])> = None;
+    for (k, event) in side.events.iter().enumerate() {
+        for (m, other) in side.events.iter().enumerate().skip(k + 1) {
+            let labels = [labels[k], labels[m]];
+            let shared = labels[0].branches().iter().any(|name| labels[1].branches().contains(name));
+            let apart = distance(event, other);
+            if shared && !have_both_pole_lines(&labels) && best.is_none_or(|(least, _)| apart < least) {
+                best = Some((apart, [*event, *other]));
+            }
+        }
+    }
+    let (apart, [p, q]) = best?;
+    let is_near = |event: &&Event| distance(event, &p).max(distance(event, &q)) <= 1e3 * apart + 1e-12;
+    let mut near = vec![p, q];
+    let mut labels: Vec<EventLabel> = near.iter().map(|event| label(side, event)).collect();
+    for event in side.events.iter().filter(is_near).filter(|event| **event != p && **event != q) {
+        labels.push(label(side, event));
+        if have_both_pole_lines(&labels) {
+            labels.pop();
+        } else {
+            near.push(*event);
+        }
+    }
+    Some(near)
+}
+
+/// Far out the two pole lines look near to each other, but they are parallel: no place has both.
+fn have_both_pole_lines(labels: &[EventLabel]) -> bool {
+    let has = |pole| labels.iter().any(|label| label.branches().contains(&BranchName::Pole(pole)));
+    has(Pole::Plus) && has(Pole::Minus)
+}
+
+/// What vanishes where events change places: the height of a third curve over one of them.
+fn exchanged(side: &Arrangement, near: &[Event]) -> Option<Vanishing> {
+    let branch = |c: CurveId| side.set.curves[c].branch;
+    let place = |event: &Event| Neighbourhood::of(&side.set.frame, event.x, event.h);
+    let (crossing, pair) = near.iter().find_map(|event| match event.change {
+        Change::Swap(curves) => Some((event, curves.map(branch))),
+        _ => None,
+    })?;
+    let beside = |own: &[Branch]| pair.into_iter().find(|branch| !own.contains(branch));
+    for event in near {
+        match event.change {
+            Change::Open { through, pair } | Change::Close { through, pair } => {
+                let Branch::Symmetric(axis) = branch(pair) else { return None };
+                let curve = beside(&[branch(through[0]), branch(pair)])?;
+                return Some(Vanishing::PitchforkOnCurve { axis, curve });
+            }
+            Change::Birth([one, _]) | Change::Death([one, _]) => {
+                let (cusp, near) = (branch(one), place(event));
+                return Some(Vanishing::CuspOnCurve { cusp, curve: beside(&[cusp])?, near });
+            }
+            Change::Swap(_) => {}
+        }
+    }
+    let curve = near.iter().flat_map(|event| event.change.curves()).map(branch).find(|other| !pair.contains(other))?;
+    Some(Vanishing::CurveOnCrossing { crossing: pair, curve, near: place(crossing) })
 }

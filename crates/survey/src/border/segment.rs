@@ -6,12 +6,12 @@ use bifdiag_body::{Body, Number};
 
 /// The bodies A(t) = (1 − t) A(0) + t A(1), r likewise, with exact numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Segment {
+pub struct BodySegment {
     from: Body,
     to: Body,
 }
 
-impl Segment {
+impl BodySegment {
     /// The way between two bodies.
     #[must_use]
     pub fn new(from: Body, to: Body) -> Self {

@@ -3,13 +3,13 @@
 use dashu_ratio::RBig;
 
 use super::event::BorderEventKind;
-use super::segment::Segment;
-use super::vanishing::Root;
+use super::segment::BodySegment;
+use super::vanishing::ParameterRoot;
 use bifdiag_body::BodyAxis;
 
 /// What is special about one body of a segment, and not about those beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Special {
+pub(super) enum SpecialBody {
     /// r = 0.
     NoWeight,
     /// The moments of these axes are equal.
@@ -19,7 +19,7 @@ pub(super) enum Special {
 }
 
 /// A special body between two values of t, and where it is, from exact fractions.
-pub(super) fn special(segment: &Segment, t: [f64; 2]) -> Option<(Special, Root)> {
+pub(super) fn special(segment: &BodySegment, t: [f64; 2]) -> Option<(SpecialBody, ParameterRoot)> {
     // Every finite double is a fraction.
     let [from, to] = t.map(|t| RBig::try_from(t).unwrap_or(RBig::ZERO));
     let inside = |t: &RBig| from <= *t && *t <= to;
@@ -29,18 +29,18 @@ pub(super) fn special(segment: &Segment, t: [f64; 2]) -> Option<(Special, Root)>
     let leaves = BodyAxis::ALL.map(|axis| zero(|t| component(axis, t)).filter(inside));
     let is_weightless = |t: &&RBig| BodyAxis::ALL.iter().all(|axis| component(*axis, t).is_zero());
     if let Some(t) = leaves.iter().flatten().find(is_weightless) {
-        return Some((Special::NoWeight, root(t)));
+        return Some((SpecialBody::NoWeight, root(t)));
     }
     for (i, axis) in BodyAxis::ALL.into_iter().enumerate() {
         for other in BodyAxis::ALL.into_iter().skip(i + 1) {
             let Some(t) = zero(|t| moment(axis, t) - moment(other, t)).filter(inside) else { continue };
             let value = moment(axis, &t);
             let axes = BodyAxis::ALL.into_iter().filter(|axis| moment(*axis, &t) == value).collect();
-            return Some((Special::EqualMoments(axes), root(&t)));
+            return Some((SpecialBody::EqualMoments(axes), root(&t)));
         }
     }
     let mut leaves = BodyAxis::ALL.into_iter().zip(&leaves);
-    leaves.find_map(|(axis, t)| t.as_ref().map(|t| (Special::Component(axis), root(t))))
+    leaves.find_map(|(axis, t)| t.as_ref().map(|t| (SpecialBody::Component(axis), root(t))))
 }
 
 /// Where a linear function vanishes that is not the same everywhere.
@@ -49,24 +49,24 @@ fn zero(of: impl Fn(&RBig) -> RBig) -> Option<RBig> {
     (from != to).then(|| &from / (&from - to))
 }
 
-fn root(exact: &RBig) -> Root {
+fn root(exact: &RBig) -> ParameterRoot {
     let t = exact.to_f64().value();
     let is_exact = RBig::try_from(t).is_ok_and(|t| t == *exact);
-    Root { t, error: if is_exact { 0.0 } else { f64::EPSILON * t.abs() } }
+    ParameterRoot { t, error: if is_exact { 0.0 } else { f64::EPSILON * t.abs() } }
 }
 
-/// What happens at a border on which bodies are special, or none is; `found` is what the diagrams beside it suggest, and
-/// `is_sure` tells whether that vanishes between them.
-pub(super) fn explained(special: Option<Special>, found: BorderEventKind, is_sure: bool) -> BorderEventKind {
+/// What happens at a border on which bodies are special, or none is; `found` is what the diagrams on its two sides suggest,
+/// `is_sure` is true when that vanishes between them.
+pub(super) fn explained(special: Option<SpecialBody>, found: BorderEventKind, is_sure: bool) -> BorderEventKind {
     use BorderEventKind as Kind;
     match (special, found) {
         // Only where moments pass each other does a pitchfork go through infinity.
         (None, Kind::PitchforkAtInfinity { .. }) => Kind::Several,
-        (None, found) | (Some(Special::EqualMoments(_)), found @ Kind::PitchforkAtInfinity { .. }) => found,
+        (None, found) | (Some(SpecialBody::EqualMoments(_)), found @ Kind::PitchforkAtInfinity { .. }) => found,
         (Some(_), found) if is_sure && !found.is_guess() => found,
-        (Some(Special::NoWeight), _) => Kind::WeightVanishes,
-        (Some(Special::EqualMoments(axes)), _) => Kind::MomentsEqual { axes },
-        (Some(Special::Component(axis)), _) => Kind::SymmetryBroken { axis },
+        (Some(SpecialBody::NoWeight), _) => Kind::WeightVanishes,
+        (Some(SpecialBody::EqualMoments(axes)), _) => Kind::MomentsEqual { axes },
+        (Some(SpecialBody::Component(axis)), _) => Kind::SymmetryBroken { axis },
     }
 }
 
@@ -75,13 +75,13 @@ mod tests {
     use super::*;
     use bifdiag_body::Body;
 
-    fn between([a, r]: [[f64; 3]; 2], [b, s]: [[f64; 3]; 2]) -> Option<(Special, f64, f64)> {
-        let segment = Segment::new(Body::from_f64(a, r).unwrap(), Body::from_f64(b, s).unwrap());
+    fn between([a, r]: [[f64; 3]; 2], [b, s]: [[f64; 3]; 2]) -> Option<(SpecialBody, f64, f64)> {
+        let segment = BodySegment::new(Body::from_f64(a, r).unwrap(), Body::from_f64(b, s).unwrap());
         special(&segment, [0.0, 1.0]).map(|(special, root)| (special, root.t, root.error))
     }
 
     #[test]
-    fn special_bodies_are_told_apart() {
+    fn special_bodies_are_distinguished() {
         let generic = [[1.0, 1.5, 2.0], [0.5, 0.25, 1.0]];
         let with = |k: usize, value: f64| {
             let mut body = generic;
@@ -90,13 +90,13 @@ mod tests {
         };
         assert_eq!(between(generic, with(0, 1.25)), None);
         let [first, second, third] = BodyAxis::ALL;
-        assert_eq!(between(generic, with(0, 2.0)), Some((Special::EqualMoments(vec![first, second]), 0.5, 0.0)));
-        assert_eq!(between(generic, with(4, -0.75)), Some((Special::Component(second), 0.25, 0.0)));
+        assert_eq!(between(generic, with(0, 2.0)), Some((SpecialBody::EqualMoments(vec![first, second]), 0.5, 0.0)));
+        assert_eq!(between(generic, with(4, -0.75)), Some((SpecialBody::Component(second), 0.25, 0.0)));
         let [a, r] = generic;
-        assert_eq!(between([a, [0.0; 3]], generic), Some((Special::NoWeight, 0.0, 0.0)));
-        assert_eq!(between([a, r.map(|x| -x)], generic), Some((Special::NoWeight, 0.5, 0.0)));
+        assert_eq!(between([a, [0.0; 3]], generic), Some((SpecialBody::NoWeight, 0.0, 0.0)));
+        assert_eq!(between([a, r.map(|x| -x)], generic), Some((SpecialBody::NoWeight, 0.5, 0.0)));
         // The third of two equal moments passes them; a third of the way is no double.
         let ball = between([[1.0, 1.0, 0.5], r], [[1.0, 1.0, 2.0], r]);
-        assert_eq!(ball, Some((Special::EqualMoments(vec![first, second, third]), 1.0 / 3.0, f64::EPSILON / 3.0)));
+        assert_eq!(ball, Some((SpecialBody::EqualMoments(vec![first, second, third]), 1.0 / 3.0, f64::EPSILON / 3.0)));
     }
 }

@@ -4,8 +4,8 @@
 //! happens there is known by then, and with it a function of the parameter that passes through 0 with a slope: a difference
 //! of heights, an exact excess. Its zero is found without any atlas.
 
-use super::event::Place;
-use super::segment::Segment;
+use super::event::EventLocation;
+use super::segment::BodySegment;
 use bifdiag_body::{Axis, Frame};
 use bifdiag_diagram::arrangement::{Arrangement, Change};
 use bifdiag_equilibria::curves::{Branch, CriticalSet, CurveId, Gap, Point};
@@ -49,13 +49,13 @@ impl Neighbourhood {
 }
 
 /// A value of t with an estimate of its error, which is 0 only for an exact zero.
-pub(super) struct Root {
+pub(super) struct ParameterRoot {
     pub t: f64,
     pub error: f64,
 }
 
 /// Between two values of t the zero of what vanishes.
-pub(super) fn root(segment: &Segment, vanishing: &Vanishing, t: [f64; 2]) -> Option<Root> {
+pub(super) fn root(segment: &BodySegment, vanishing: &Vanishing, t: [f64; 2]) -> Option<ParameterRoot> {
     match vanishing {
         Vanishing::Nothing => None,
         Vanishing::TwoCusps { branch, near, above } => extrapolated(segment, *branch, near, *above, t),
@@ -65,7 +65,7 @@ pub(super) fn root(segment: &Segment, vanishing: &Vanishing, t: [f64; 2]) -> Opt
 
 /// The point (in the body's units) at which it happens to the body at the border, with a bound on the error of both: a
 /// cusp or pitchfork, which that body has for itself.
-pub(super) fn place(segment: &Segment, vanishing: &Vanishing, root: &Root) -> Option<Place> {
+pub(super) fn place(segment: &BodySegment, vanishing: &Vanishing, root: &ParameterRoot) -> Option<EventLocation> {
     let set = CriticalSet::new(segment.body(root.t).frame()).ok()?;
     let point = match vanishing {
         Vanishing::Excess(axis) | Vanishing::PitchforkOnCurve { axis, .. } => pitchfork(&set, *axis)?,
@@ -77,7 +77,7 @@ pub(super) fn place(segment: &Segment, vanishing: &Vanishing, root: &Root) -> Op
     let h = point.h() * frame.energy_unit;
     // Between these the point moves by as much as the border is uncertain, and a little.
     let rounding = 64.0 * f64::EPSILON * (l.abs() + h.abs() + point.rho_scale * frame.energy_unit);
-    Some(Place { h, l, error: rounding + 1e3 * root.error * (l.abs() + h.abs()) })
+    Some(EventLocation { h, l, error: rounding + 1e3 * root.error * (l.abs() + h.abs()) })
 }
 
 fn pitchfork(set: &CriticalSet, axis: Axis) -> Option<Point> {
@@ -90,7 +90,7 @@ fn nearest_cusp(set: &CriticalSet, branch: Branch, near: &Neighbourhood) -> Opti
     on_branch.map(|found| found.point).min_by(|p, q| far(p).total_cmp(&far(q)))
 }
 
-fn value(segment: &Segment, vanishing: &Vanishing, t: f64) -> Option<Gap> {
+fn value(segment: &BodySegment, vanishing: &Vanishing, t: f64) -> Option<Gap> {
     let frame = segment.body(t).frame();
     let exact = |value: f64| Some(Gap { value, error: 0.0 });
     match vanishing {
@@ -134,12 +134,12 @@ fn height(set: &CriticalSet, point: &Point, branch: Branch) -> Option<Gap> {
 }
 
 /// Bisection on the sign, until rounding hides it.
-fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -> Option<Root> {
+fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -> Option<ParameterRoot> {
     const STEPS: usize = 120;
     let is_zero = |gap: &Gap| *gap == Gap { value: 0.0, error: 0.0 };
     let (first, last) = (value(low)?, value(high)?);
     if let Some((_, t)) = [(&first, low), (&last, high)].into_iter().find(|(gap, _)| is_zero(gap)) {
-        return Some(Root { t, error: 0.0 });
+        return Some(ParameterRoot { t, error: 0.0 });
     }
     if first.order()? == last.order()? {
         return None;
@@ -156,19 +156,25 @@ fn bisected(value: impl Fn(f64) -> Option<Gap>, [mut low, mut high]: [f64; 2]) -
             Some(_) => high = t,
             None => {
                 if is_zero(&found) {
-                    return Some(Root { t, error: 0.0 });
+                    return Some(ParameterRoot { t, error: 0.0 });
                 }
                 let t = t - found.value / slope;
-                return Some(Root { t, error: 2.0 * found.error / slope.abs() + f64::EPSILON * t.abs() });
+                return Some(ParameterRoot { t, error: 2.0 * found.error / slope.abs() + f64::EPSILON * t.abs() });
             }
         }
     }
-    Some(Root { t: 0.5 * (low + high), error: high - low })
+    Some(ParameterRoot { t: 0.5 * (low + high), error: high - low })
 }
 
 /// Inverse interpolation of t over f = (J − J')² of the two cusps, beyond the side on which they exist: they part like the
 /// root of the distance from the border, so f is smooth there and vanishes with a slope.
-fn extrapolated(segment: &Segment, branch: Branch, near: &Neighbourhood, above: bool, t: [f64; 2]) -> Option<Root> {
+fn extrapolated(
+    segment: &BodySegment,
+    branch: Branch,
+    near: &Neighbourhood,
+    above: bool,
+    t: [f64; 2],
+) -> Option<ParameterRoot> {
     const POINTS: usize = 6;
     let width = (t[1] - t[0]).max(1e-7);
     let mut known: Vec<(f64, f64)> = Vec::with_capacity(POINTS);
@@ -196,7 +202,7 @@ fn extrapolated(segment: &Segment, branch: Branch, near: &Neighbourhood, above: 
     }
     let whole = neville(&known);
     let fewer = neville(&known[..known.len() - 1]);
-    Some(Root { t: whole, error: (whole - fewer).abs() + f64::EPSILON })
+    Some(ParameterRoot { t: whole, error: (whole - fewer).abs() + f64::EPSILON })
 }
 
 /// The value at 0 of the polynomial through (f, t).

@@ -1,4 +1,4 @@
-//! What a scan notes about one body.
+//! What a scan records of one body.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,24 +11,24 @@ use bifdiag_exact::{Accuracy, AnswerError};
 
 /// How far a body was understood.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Status {
+pub enum RowOutcome {
     /// It has a class.
     Classified,
     /// Something about its diagram is open at this accuracy; the numbers of the row are what was found.
     Undecided,
-    /// There is no atlas; [`Row::error`] says why.
+    /// There is no atlas; [`ScanRow::error`] says why.
     Failed,
 }
 
 /// One body of a scan.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct ScanRow {
     /// Number of the body in the scan, from 0.
     pub index: u64,
     /// A and r.
     pub values: [[f64; 3]; 2],
     /// How far the body was understood.
-    pub status: Status,
+    pub status: RowOutcome,
     /// The class of its diagram.
     pub class: Option<ClassName>,
     /// What its diagram shows, if there is an atlas.
@@ -57,16 +57,16 @@ pub struct DiagramCounts {
     /// How many regions show a component of each type.
     pub types: BTreeMap<ComponentType, u32>,
     /// The region that is most easily seen, of all but those unbounded above.
-    pub largest: Option<Room>,
+    pub largest: Option<RegionMargin>,
     /// The region that is hardest to see, of the same.
-    pub smallest: Option<Room>,
+    pub smallest: Option<RegionMargin>,
     /// Points of curves that were computed to find the crossings.
     pub work: u32,
 }
 
-/// How much room a region has.
+/// How large a region is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Room {
+pub struct RegionMargin {
     /// The distance in h of its sample from the boundary, divided by |r|.
     pub margin: f64,
     /// What it shows.
@@ -78,7 +78,7 @@ fn count(n: usize) -> u32 {
     u32::try_from(n).unwrap_or(u32::MAX)
 }
 
-impl Row {
+impl ScanRow {
     /// Looks at one body. Whatever is wrong with it is part of the row.
     #[must_use]
     pub fn of(index: u64, values: [[f64; 3]; 2], accuracy: Accuracy) -> Self {
@@ -94,7 +94,8 @@ impl Row {
             }
             // What is not proved is open; without an atlas nothing is known.
             Err(error) => {
-                let status = if matches!(error, AnswerError::Fast(_)) { Status::Failed } else { Status::Undecided };
+                let status =
+                    if matches!(error, AnswerError::Fast(_)) { RowOutcome::Failed } else { RowOutcome::Undecided };
                 Self { status, error: Some(error.to_string()), ..row }
             }
         }
@@ -104,18 +105,18 @@ impl Row {
     #[must_use]
     pub fn failed(index: u64, values: [[f64; 3]; 2], error: String) -> Self {
         let flags = Flags::default();
-        Self { index, values, status: Status::Failed, class: None, diagram: None, flags, error: Some(error) }
+        Self { index, values, status: RowOutcome::Failed, class: None, diagram: None, flags, error: Some(error) }
     }
 }
 
 /// The class of an atlas, or why it has none.
-fn classified(atlas: &Atlas) -> (Status, Option<ClassName>, Option<String>) {
+fn classified(atlas: &Atlas) -> (RowOutcome, Option<ClassName>, Option<String>) {
     match Class::of(atlas) {
-        Ok(class) => (Status::Classified, Some(class.name().clone()), None),
+        Ok(class) => (RowOutcome::Classified, Some(class.name().clone()), None),
         Err(error) => {
             // A map that is none is a defect, and no question of accuracy.
             let is_defect = matches!(&error, Unclassified::Map(defect) if *defect != MapError::Coincident);
-            let status = if is_defect { Status::Failed } else { Status::Undecided };
+            let status = if is_defect { RowOutcome::Failed } else { RowOutcome::Undecided };
             (status, None, Some(error.to_string()))
         }
     }
@@ -149,19 +150,19 @@ impl DiagramCounts {
             }
             let margin = region.sample.margin / frame.r_norm;
             if Some(number) != top && margin.is_finite() {
-                counts.note_room(&Room { margin, signature: signature.clone() });
+                counts.note_margin(&RegionMargin { margin, signature: signature.clone() });
             }
             *counts.signatures.entry(signature).or_default() += 1;
         }
         counts
     }
 
-    fn note_room(&mut self, room: &Room) {
-        if self.largest.as_ref().is_none_or(|largest| room.margin > largest.margin) {
-            self.largest = Some(room.clone());
+    fn note_margin(&mut self, region: &RegionMargin) {
+        if self.largest.as_ref().is_none_or(|largest| region.margin > largest.margin) {
+            self.largest = Some(region.clone());
         }
-        if self.smallest.as_ref().is_none_or(|smallest| room.margin < smallest.margin) {
-            self.smallest = Some(room.clone());
+        if self.smallest.as_ref().is_none_or(|smallest| region.margin < smallest.margin) {
+            self.smallest = Some(region.clone());
         }
     }
 }
@@ -172,9 +173,9 @@ mod tests {
 
     #[test]
     fn the_papers_body_has_its_nine_regions() {
-        let row = Row::of(7, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact);
+        let row = ScanRow::of(7, [[2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]], Accuracy::Exact);
         let diagram = row.diagram.unwrap();
-        assert_eq!((row.index, row.status, diagram.regions, diagram.cusps), (7, Status::Classified, 9, 1));
+        assert_eq!((row.index, row.status, diagram.regions, diagram.cusps), (7, RowOutcome::Classified, 9, 1));
         assert_eq!((diagram.pitchforks, diagram.crossings, diagram.critical_points), (1, 3, 6));
         let types: Vec<String> = diagram.types.iter().map(|(kind, count)| format!("{kind}:{count}")).collect();
         assert_eq!(types.join(" "), "k0n2:1 k1n0:3 k1n1:3 k1n2:1 k2n1:1 k2n2:1");
@@ -185,10 +186,10 @@ mod tests {
 
     #[test]
     fn a_body_that_fails_is_a_row_with_its_error() {
-        let row = Row::of(0, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], Accuracy::Exact);
-        assert_eq!((row.status, row.class), (Status::Failed, None));
+        let row = ScanRow::of(0, [[2.0, -1.0, 1.0], [1.0, 0.0, 0.0]], Accuracy::Exact);
+        assert_eq!((row.status, row.class), (RowOutcome::Failed, None));
         assert!(row.error.unwrap().contains("A2 = -1.0 is not positive"));
-        let row = Row::of(0, [[2.0, 1.0, 1e-80], [1.0, 0.0, 0.0]], Accuracy::Exact);
-        assert_eq!((row.status, row.diagram), (Status::Failed, None));
+        let row = ScanRow::of(0, [[2.0, 1.0, 1e-80], [1.0, 0.0, 0.0]], Accuracy::Exact);
+        assert_eq!((row.status, row.diagram), (RowOutcome::Failed, None));
     }
 }

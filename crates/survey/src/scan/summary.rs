@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::row::{Row, Status};
+use super::row::{RowOutcome, ScanRow};
 use crate::signature::{ComponentType, Signature};
 use bifdiag_body::Body;
 use bifdiag_diagram::class::{Class, ClassName};
@@ -62,12 +62,12 @@ pub struct Summary {
 
 impl Summary {
     /// Counts one more body. Of an undecided body only that it is one.
-    pub fn add(&mut self, row: &Row) {
+    pub fn add(&mut self, row: &ScanRow) {
         self.rows += 1;
         match row.status {
-            Status::Classified => {}
-            Status::Undecided => self.undecided += 1,
-            Status::Failed => self.failed += 1,
+            RowOutcome::Classified => {}
+            RowOutcome::Undecided => self.undecided += 1,
+            RowOutcome::Failed => self.failed += 1,
         }
         let Some(diagram) = &row.diagram else { return };
         self.work += u64::from(diagram.work);

@@ -2,14 +2,12 @@
 
 use std::ops::ControlFlow;
 
-use super::answer::{Answer, Nearest, Search, SearchOptions};
 use super::exclusion::Exclusion;
 use super::improve::improve;
-use super::known::{KnownPoint, known_witness};
-use super::sample::sample;
-use super::score::{Score, Seen, look};
+use super::score::{Score, ScoredPoint, look, sample};
 use super::target::Target;
-use super::witness::Witness;
+use super::witness::{KnownPoint, Witness, known_witness};
+use super::{NearestBody, SearchAnswer, SearchOptions, SearchResult};
 
 /// Bodies between two looks at what was found.
 const BLOCK: u64 = 2048;
@@ -21,35 +19,35 @@ const CANDIDATES: usize = 6;
 const STEPS: u64 = 150;
 
 /// A body and what was seen of it.
-type Candidate = ([[f64; 3]; 2], Seen);
+type ScoredBody = ([[f64; 3]; 2], ScoredPoint);
 
-/// Finds a body and a point that show what is sought: a theorem that excludes it is told, a known point that shows it is
+/// Finds a body and a point that show what is sought: a theorem that excludes it is the answer, a known point that shows it is
 /// taken (after confirmation), else bodies are [searched](search).
 pub fn find(
     target: &Target,
     known: &[KnownPoint],
     options: &SearchOptions,
     watch: &mut dyn FnMut(u64) -> ControlFlow<()>,
-) -> Search {
+) -> SearchResult {
     if let Some(theorem) = Exclusion::of(target) {
-        return Search::at_once(Answer::Excluded(theorem));
+        return SearchResult::at_once(SearchAnswer::Excluded(theorem));
     }
     match known_witness(known, target, &options.domain, options.accuracy) {
-        Some(witness) => Search::at_once(Answer::Found(Box::new(witness))),
+        Some(witness) => SearchResult::at_once(SearchAnswer::Found(Box::new(witness))),
         None => search(target, options, watch),
     }
 }
 
-/// Samples bodies, improves the best of them and confirms the winner; the same for any number of threads. `watch` is told
-/// how many more bodies were drawn, and may stop the search.
-pub fn search(target: &Target, options: &SearchOptions, watch: &mut dyn FnMut(u64) -> ControlFlow<()>) -> Search {
-    let mut best: Vec<Candidate> = Vec::new();
+/// Samples bodies, improves the best of them and confirms the winner; the same for any number of threads. `watch` gets
+/// the number of bodies drawn since, and may stop the search.
+pub fn search(target: &Target, options: &SearchOptions, watch: &mut dyn FnMut(u64) -> ControlFlow<()>) -> SearchResult {
+    let mut best: Vec<ScoredBody> = Vec::new();
     let (mut drawn, mut tried, mut showing) = (0, 0, 0);
     while drawn < options.samples && (showing == 0 || options.all) {
         let to = options.samples.min(drawn + BLOCK);
         let numbers: Vec<u64> = (drawn..to).collect();
         let found = each(&numbers, |n| seen(sample(*n, options.seed, options.domain.physical), target, options));
-        let found: Vec<Candidate> = found.into_iter().flatten().collect();
+        let found: Vec<ScoredBody> = found.into_iter().flatten().collect();
         tried += found.len() as u64;
         showing += found.iter().filter(|(_, seen)| matches!(seen.score, Score::Shown(_))).count() as u64;
         best.extend(found.into_iter().filter(|(_, seen)| seen.score != Score::Nothing));
@@ -58,38 +56,38 @@ pub fn search(target: &Target, options: &SearchOptions, watch: &mut dyn FnMut(u6
         let more = to - drawn;
         drawn = to;
         if watch(more).is_break() {
-            return Search { answer: Answer::Stopped, drawn, tried, showing, refused: Vec::new() };
+            return SearchResult { answer: SearchAnswer::Stopped, drawn, tried, showing, refused: Vec::new() };
         }
     }
     let better = each(&best, |(values, _)| seen(improve(*values, target, &options.domain, STEPS), target, options));
-    let mut improved: Vec<Candidate> = better.into_iter().flatten().chain(best).collect();
+    let mut improved: Vec<ScoredBody> = better.into_iter().flatten().chain(best).collect();
     sort(&mut improved);
     let mut refused = Vec::new();
     let witness = improved.iter().find_map(|(values, _)| {
         Witness::of_body(*values, target, options.accuracy).map_err(|error| refused.push((*values, error))).ok()
     });
     let answer = match witness {
-        Some(witness) => Answer::Found(Box::new(witness)),
-        None => Answer::NotFound { nearest: improved.first().map(nearest) },
+        Some(witness) => SearchAnswer::Found(Box::new(witness)),
+        None => SearchAnswer::NotFound { nearest: improved.first().map(nearest) },
     };
-    Search { answer, drawn, tried, showing, refused }
+    SearchResult { answer, drawn, tried, showing, refused }
 }
 
-fn seen(values: [[f64; 3]; 2], target: &Target, options: &SearchOptions) -> Option<Candidate> {
+fn seen(values: [[f64; 3]; 2], target: &Target, options: &SearchOptions) -> Option<ScoredBody> {
     look(values, target, &options.domain).map(|seen| (values, seen))
 }
 
 /// The best first. A stable sort: of equal ones the first stays first.
-fn sort(candidates: &mut [Candidate]) {
+fn sort(candidates: &mut [ScoredBody]) {
     candidates.sort_by(|p, q| q.1.score.compare(p.1.score));
 }
 
-fn nearest((values, seen): &Candidate) -> Nearest {
+fn nearest((values, seen): &ScoredBody) -> NearestBody {
     let missing = match seen.score {
         Score::Near(missing) => missing,
         Score::Shown(_) | Score::Nothing => 0.0,
     };
-    Nearest { values: *values, at: seen.at, missing }
+    NearestBody { values: *values, at: seen.at, missing }
 }
 
 /// The results for each item, in their order.
@@ -106,7 +104,7 @@ fn each<T, R>(items: &[T], of: impl Fn(&T) -> R) -> Vec<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::score::Domain;
+    use super::super::score::SearchDomain;
     use super::*;
 
     fn go_on(_: u64) -> ControlFlow<()> {
@@ -114,22 +112,23 @@ mod tests {
     }
 
     fn physical() -> SearchOptions {
-        SearchOptions { domain: Domain { physical: true, ..Domain::default() }, ..SearchOptions::default() }
+        SearchOptions { domain: SearchDomain { physical: true, ..SearchDomain::default() }, ..SearchOptions::default() }
     }
 
     #[test]
     fn a_found_witness_shows_what_was_sought() {
         let target = Target::of_type("k2n1").unwrap();
         let found = search(&target, &SearchOptions { samples: 64, ..physical() }, &mut go_on);
-        let Answer::Found(witness) = &found.answer else { panic!("{found:?}") };
+        let SearchAnswer::Found(witness) = &found.answer else { panic!("{found:?}") };
         assert!(target.accepts_region(&witness.components) && !witness.body.flags().unphysical);
         assert!(witness.margin.h > 1e-3 && found.drawn == 64 && found.showing > 0);
         // The same point, known before, is the answer at once, unless the domain is narrower than its body.
         let Witness { body, h, l, components, .. } = (**witness).clone();
         let known = [KnownPoint { body, h, l, components }];
         let again = find(&target, &known, &physical(), &mut go_on);
-        assert_eq!(again, Search::at_once(found.answer.clone()));
-        let narrow = SearchOptions { domain: Domain { moment_ratio: 1.0, physical: true }, samples: 8, ..physical() };
+        assert_eq!(again, SearchResult::at_once(found.answer.clone()));
+        let narrow =
+            SearchOptions { domain: SearchDomain { moment_ratio: 1.0, physical: true }, samples: 8, ..physical() };
         assert_eq!(find(&target, &known, &narrow, &mut go_on).drawn, 8);
     }
 
@@ -137,7 +136,7 @@ mod tests {
     fn bodies_outside_of_the_domain_are_not_counted_as_looked_at() {
         let target = Target::of_type("k0n2").unwrap();
         let counted = |moment_ratio| {
-            let domain = Domain { physical: false, moment_ratio };
+            let domain = SearchDomain { physical: false, moment_ratio };
             let found = search(&target, &SearchOptions { domain, samples: 64, all: true, ..physical() }, &mut go_on);
             (found.drawn, found.tried)
         };
@@ -147,10 +146,10 @@ mod tests {
     }
 
     #[test]
-    fn a_search_without_success_tells_the_nearest_body() {
+    fn a_search_without_success_reports_the_nearest_body() {
         let target = Target::CriticalPoints(12);
         let found = search(&target, &SearchOptions { samples: 16, ..SearchOptions::default() }, &mut go_on);
-        let Answer::NotFound { nearest: Some(nearest) } = found.answer else { panic!("{found:?}") };
+        let SearchAnswer::NotFound { nearest: Some(nearest) } = found.answer else { panic!("{found:?}") };
         assert!(nearest.missing >= 2.0 && found.drawn == 16 && found.showing == 0);
     }
 
@@ -158,9 +157,9 @@ mod tests {
     fn what_a_theorem_excludes_is_not_searched_and_a_search_can_be_stopped() {
         let never = &mut |_| panic!("nothing is to be searched");
         let excluded = find(&Target::of_type("k3n0").unwrap(), &[], &SearchOptions::default(), never);
-        assert_eq!(excluded, Search::at_once(Answer::Excluded(Exclusion::ThreeCircles)));
+        assert_eq!(excluded, SearchResult::at_once(SearchAnswer::Excluded(Exclusion::ThreeCircles)));
         let options = SearchOptions { samples: 8, ..SearchOptions::default() };
         let stopped = search(&Target::of_type("k2n1").unwrap(), &options, &mut |_| ControlFlow::Break(()));
-        assert_eq!((stopped.answer, stopped.drawn), (Answer::Stopped, 8));
+        assert_eq!((stopped.answer, stopped.drawn), (SearchAnswer::Stopped, 8));
     }
 }

@@ -1,20 +1,19 @@
-//! Local optimisation.
+//! Local optimisation in logarithms of ratios, so that near-axis and near-symmetric bodies are ordinary.
 
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
 
-use super::chart::Chart;
-use super::score::{Domain, Score, look};
+use super::score::{Score, SearchDomain, look};
 use super::target::Target;
-use crate::digits::{DIGITS, rounded};
+use super::witness::{DIGITS, rounded};
 
 /// First steps of the simplex in logarithms.
 const STEP: f64 = 0.08;
 
 struct Problem<'a> {
-    chart: Chart,
+    coordinates: LogCoordinates,
     target: &'a Target,
-    domain: Domain,
+    domain: SearchDomain,
 }
 
 impl CostFunction for Problem<'_> {
@@ -22,7 +21,7 @@ impl CostFunction for Problem<'_> {
     type Output = f64;
 
     fn cost(&self, coordinates: &Vec<f64>) -> Result<f64, argmin::core::Error> {
-        let seen = look(self.chart.values(coordinates), self.target, &self.domain);
+        let seen = look(self.coordinates.values(coordinates), self.target, &self.domain);
         Ok(-seen.map_or(Score::Nothing, |seen| seen.score).value())
     }
 }
@@ -31,12 +30,12 @@ impl CostFunction for Problem<'_> {
 /// its moments and of the components of r that are not 0. Gives A and r, rounded to six digits, or to fewer where that
 /// costs little.
 #[must_use]
-pub fn improve(start: [[f64; 3]; 2], target: &Target, domain: &Domain, steps: u64) -> [[f64; 3]; 2] {
-    let chart = Chart::around(start);
-    let dimensions = chart.dimensions();
+pub fn improve(start: [[f64; 3]; 2], target: &Target, domain: &SearchDomain, steps: u64) -> [[f64; 3]; 2] {
+    let coordinates = LogCoordinates::around(start);
+    let dimensions = coordinates.dimensions();
     let origin = vec![0.0; dimensions];
     if dimensions == 0 {
-        return chart.values(&origin);
+        return coordinates.values(&origin);
     }
     let simplex = (0..=dimensions)
         .map(|corner| {
@@ -47,16 +46,16 @@ pub fn improve(start: [[f64; 3]; 2], target: &Target, domain: &Domain, steps: u6
             at
         })
         .collect();
-    let problem = Problem { chart: chart.clone(), target, domain: *domain };
+    let problem = Problem { coordinates: coordinates.clone(), target, domain: *domain };
     let done = NelderMead::new(simplex)
         .with_sd_tolerance(1e-7)
         .and_then(|solver| Executor::new(problem, solver).configure(|state| state.max_iters(steps)).run());
     let best = done.ok().and_then(|done| done.state().get_best_param().cloned());
-    tidied(chart.values(best.as_ref().unwrap_or(&origin)), target, domain)
+    tidied(coordinates.values(best.as_ref().unwrap_or(&origin)), target, domain)
 }
 
 /// The body with as few digits as leave most of what it shows.
-fn tidied(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> [[f64; 3]; 2] {
+fn tidied(values: [[f64; 3]; 2], target: &Target, domain: &SearchDomain) -> [[f64; 3]; 2] {
     const KEPT: f64 = 0.8;
     const SMALL: f64 = 0.01;
     let visibility = |values| match look(values, target, domain)?.score {
@@ -78,4 +77,37 @@ fn tidied(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> [[f64; 3];
         .map(|digits| values.map(|triple| triple.map(|x| rounded(x, digits))))
         .find(|rough| shows(*rough))
         .unwrap_or(values)
+}
+
+/// Coordinates around a body; components of r that are 0 stay 0, and units stay the same.
+#[derive(Clone, Debug)]
+struct LogCoordinates {
+    base: [[f64; 3]; 2],
+    /// Places of (A1, A2, A3, r1, r2, r3) that vary.
+    free: Vec<usize>,
+}
+
+impl LogCoordinates {
+    /// All ratios vary but those of the largest moment and of the largest component of r.
+    fn around(base: [[f64; 3]; 2]) -> Self {
+        let largest =
+            |values: &[f64; 3]| (0..3).max_by(|&i, &j| values[i].abs().total_cmp(&values[j].abs())).unwrap_or_default();
+        let fixed = [largest(&base[0]), 3 + largest(&base[1])];
+        let free = (0..6).filter(|place| !fixed.contains(place) && base[place / 3][place % 3] != 0.0).collect();
+        Self { base, free }
+    }
+
+    /// Number of coordinates.
+    fn dimensions(&self) -> usize {
+        self.free.len()
+    }
+
+    /// A and r at these coordinates, rounded to a few digits: so that what is found can be written down.
+    fn values(&self, coordinates: &[f64]) -> [[f64; 3]; 2] {
+        let mut values = self.base;
+        for (place, coordinate) in self.free.iter().zip(coordinates) {
+            values[place / 3][place % 3] *= libm::exp(*coordinate);
+        }
+        values.map(|triple| triple.map(|x| rounded(x, DIGITS)))
+    }
 }

@@ -6,28 +6,93 @@
 //! (`argmin`, with the feature `search`), and the winner becomes a [`Witness`] only after both topological methods have
 //! confirmed it. Nothing found says nothing about existence; an [`Exclusion`] does.
 
-mod answer;
-#[cfg(feature = "search")]
-mod chart;
 mod exclusion;
 #[cfg(feature = "search")]
 mod find;
 #[cfg(feature = "search")]
 mod improve;
-mod known;
-mod sample;
 mod score;
 mod target;
 mod witness;
 
-pub use answer::{Answer, Nearest, Search, SearchOptions};
 pub use exclusion::Exclusion;
 #[cfg(feature = "search")]
 pub use find::{find, search};
 #[cfg(feature = "search")]
 pub use improve::improve;
-pub use known::{KnownPoint, known_witness};
-pub use sample::sample;
-pub use score::{Domain, Score, Seen, look};
+pub use score::{Score, ScoredPoint, SearchDomain, look, sample};
 pub use target::{ParseTargetError, Target};
-pub use witness::{Method, Witness, WitnessError};
+pub use witness::{KnownPoint, METHODS, Witness, WitnessError, known_witness};
+
+use bifdiag_exact::Accuracy;
+
+/// How bodies are sought.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SearchOptions {
+    /// Which bodies are looked at.
+    pub domain: SearchDomain,
+    /// The most bodies that are drawn.
+    pub samples: u64,
+    /// Draw all of them, although something was found before.
+    pub all: bool,
+    /// Where the sequence of bodies starts.
+    pub seed: u64,
+    /// What the answer must be worth.
+    pub accuracy: Accuracy,
+}
+
+impl Default for SearchOptions {
+    fn default() -> Self {
+        Self { domain: SearchDomain::default(), samples: 20_000, all: false, seed: 0, accuracy: Accuracy::Exact }
+    }
+}
+
+/// What a search came to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SearchAnswer {
+    /// A body and a point that show what was sought.
+    Found(Box<Witness>),
+    /// None of the bodies that were drawn; this says nothing about others.
+    NotFound {
+        /// The body that came nearest, if a distance is known.
+        nearest: Option<NearestBody>,
+    },
+    /// No body shows it.
+    Excluded(Exclusion),
+    /// The search was stopped.
+    Stopped,
+}
+
+/// How near a body came.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearestBody {
+    /// A and r.
+    pub values: [[f64; 3]; 2],
+    /// h and l where it came nearest.
+    pub at: Option<[f64; 2]>,
+    /// What is missing, as in [`Score::Near`](super::Score::Near); 0 where it seemed to show it and was not confirmed.
+    pub missing: f64,
+}
+
+/// The answer of a search, and what it is worth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SearchResult {
+    /// The answer.
+    pub answer: SearchAnswer,
+    /// Bodies that were drawn while sampling.
+    pub drawn: u64,
+    /// Of these, bodies that were looked at: those of the domain that are decided.
+    pub tried: u64,
+    /// Of these, bodies that seemed to show it.
+    pub showing: u64,
+    /// Bodies that seemed to show it best and were not confirmed.
+    pub refused: Vec<([[f64; 3]; 2], WitnessError)>,
+}
+
+impl SearchResult {
+    /// Without any search.
+    #[cfg(feature = "search")]
+    pub(super) fn at_once(answer: SearchAnswer) -> Self {
+        Self { answer, drawn: 0, tried: 0, showing: 0, refused: Vec::new() }
+    }
+}

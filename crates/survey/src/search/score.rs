@@ -3,11 +3,13 @@
 use std::cmp::Ordering;
 
 use super::target::Target;
+use crate::design::{BodyFamily, Design};
 use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::topology::Component;
 use bifdiag_equilibria::curves::Orbit;
 use bifdiag_exact::Accuracy;
+use bifdiag_numbers::sequence::point;
 
 /// How well a body shows what is sought.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,14 +43,14 @@ impl Score {
 
 /// A score, and where in the (h, l) plane it was reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
+pub struct ScoredPoint {
     /// The score.
     pub score: Score,
     /// h and l in the body's units.
     pub at: Option<[f64; 2]>,
 }
 
-impl Seen {
+impl ScoredPoint {
     const NOTHING: Self = Self { score: Score::Nothing, at: None };
 
     fn better(self, other: Self) -> Self {
@@ -58,20 +60,20 @@ impl Seen {
 
 /// Which bodies are looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Domain {
+pub struct SearchDomain {
     /// Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0.
     pub physical: bool,
-    /// The largest moment is at most so many times the smallest.
+    /// The largest moment is at most this many times the smallest.
     pub moment_ratio: f64,
 }
 
-impl Default for Domain {
+impl Default for SearchDomain {
     fn default() -> Self {
         Self { physical: false, moment_ratio: 10.0 }
     }
 }
 
-impl Domain {
+impl SearchDomain {
     /// True for a body of the domain.
     #[must_use]
     pub fn holds(&self, body: &Body) -> bool {
@@ -83,7 +85,7 @@ impl Domain {
 
 /// Looks at a body; `None` for one that is undecided or outside of the domain.
 #[must_use]
-pub fn look(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> Option<Seen> {
+pub fn look(values: [[f64; 3]; 2], target: &Target, domain: &SearchDomain) -> Option<ScoredPoint> {
     let body = Body::from_f64(values[0], values[1]).ok().filter(|body| domain.holds(body))?;
     let atlas =
         bifdiag_exact::atlas(&body, Accuracy::Fast).ok().filter(|atlas| atlas.arrangement().undecided.is_empty())?;
@@ -93,9 +95,9 @@ pub fn look(values: [[f64; 3]; 2], target: &Target, domain: &Domain) -> Option<S
     })
 }
 
-fn regions(atlas: &Atlas, target: &Target) -> Seen {
+fn regions(atlas: &Atlas, target: &Target) -> ScoredPoint {
     let frame = &atlas.arrangement().set.frame;
-    let mut best = Seen::NOTHING;
+    let mut best = ScoredPoint::NOTHING;
     for region in atlas.regions() {
         let Ok(components) = &region.components else { continue };
         let sample = &region.sample;
@@ -107,7 +109,7 @@ fn regions(atlas: &Atlas, target: &Target) -> Seen {
         } else {
             missing(atlas, target, components, [sample.x, sample.h, sample.margin])
         };
-        best = best.better(Seen { score, at: Some(at) });
+        best = best.better(ScoredPoint { score, at: Some(at) });
     }
     best
 }
@@ -140,11 +142,11 @@ fn missing(atlas: &Atlas, target: &Target, components: &[Component], [x, h, marg
     best
 }
 
-fn critical_points(atlas: &Atlas, wanted: u32) -> Seen {
+fn critical_points(atlas: &Atlas, wanted: u32) -> ScoredPoint {
     let arrangement = atlas.arrangement();
     let set = &arrangement.set;
     let frame = &set.frame;
-    let mut best = Seen::NOTHING;
+    let mut best = ScoredPoint::NOTHING;
     for (number, slab) in arrangement.slabs.pairs() {
         let count: u32 = slab
             .order
@@ -163,7 +165,46 @@ fn critical_points(atlas: &Atlas, wanted: u32) -> Seen {
         let widest = heights.windows(2).max_by(|p, q| (p[1] - p[0]).total_cmp(&(q[1] - q[0])));
         let Some(h) = widest.map(|pair| 0.5 * (pair[0] + pair[1])) else { continue };
         let at = [h * frame.energy_unit, (2.0 * x).sqrt() * frame.momentum_unit];
-        best = best.better(Seen { score, at: Some(at) });
+        best = best.better(ScoredPoint { score, at: Some(at) });
     }
     best
+}
+
+/// 10^(−4u).
+fn tiny(u: f64) -> f64 {
+    libm::exp(-4.0 * std::f64::consts::LN_10 * u)
+}
+
+/// A and r of body n of the search, from four strata in turn: the whole family, r near a principal axis, two moments
+/// nearly equal, and r in a principal plane or on an axis.
+#[must_use]
+pub fn sample(n: u64, seed: u64, physical: bool) -> [[f64; 3]; 2] {
+    let family = if physical { BodyFamily::General } else { BodyFamily::Positive };
+    let design = Design { family, vary: Vec::new(), samples: Some(u64::MAX), seed };
+    let (stratum, k) = (n % 4, n / 4);
+    let [a, r] = design.values(k);
+    let u = point(k, 4, seed.wrapping_add(1 + stratum));
+    let axis = usize::try_from(k % 3).unwrap_or_default();
+    match stratum {
+        0 => [a, r],
+        1 => {
+            let mut r = [1.0; 3];
+            r[(axis + 1) % 3] = tiny(u[2]);
+            r[(axis + 2) % 3] = tiny(u[3]);
+            [a, r]
+        }
+        2 => {
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let third = if physical { 2.0 } else { 4.0 } * u[1];
+            [[1.0, 1.0 + sign * 0.5 * tiny(u[0]), third], r]
+        }
+        _ => {
+            let mut r = r;
+            r[axis] = 0.0;
+            if k % 4 == 0 {
+                r[(axis + 1) % 3] = 0.0;
+            }
+            [a, r]
+        }
+    }
 }

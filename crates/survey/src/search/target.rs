@@ -10,7 +10,7 @@ use bifdiag_diagram::topology::{Component, Poles, Surface};
 /// What a region, or a body, must show.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// A component of U with so many boundary circles and poles; `None`: any number.
+    /// A component of U with these numbers of boundary circles and poles; `None`: any number.
     Component {
         /// Boundary circles.
         circles: Option<u32>,
@@ -21,7 +21,7 @@ pub enum Target {
     Section(Surface),
     /// A region whose components have exactly these sections, by rising genus.
     Signature(Vec<Surface>),
-    /// So many relative equilibria at one l, or more.
+    /// This many relative equilibria at one l, or more.
     CriticalPoints(u32),
 }
 

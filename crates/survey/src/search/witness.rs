@@ -1,15 +1,12 @@
-//! Witnesses: found, rounded, and confirmed by two methods.
-
-use std::fmt;
+//! Witnesses: known or found, rounded, and confirmed by two methods.
 
 use thiserror::Error;
 
-use super::score::{Domain, Score, Seen, look};
+use super::score::{Score, ScoredPoint, SearchDomain, look};
 use super::target::Target;
-use crate::digits::{DIGITS, rounded};
 use bifdiag_body::{Body, BodyError};
 use bifdiag_diagram::topology::latitude::{self, SweepError};
-use bifdiag_diagram::topology::{Classification, Components, Margin};
+use bifdiag_diagram::topology::{Classification, Component, Components, Margin};
 use bifdiag_equilibria::critical::{CriticalError, critical};
 use bifdiag_exact::{Accuracy, AnswerError, classify};
 use bifdiag_numbers::Number;
@@ -31,27 +28,10 @@ pub struct Witness {
     pub margin: Margin,
     /// Relative equilibria at this l, where their number was sought.
     pub critical_points: Option<usize>,
-    /// The methods that confirm it.
-    pub methods: Vec<Method>,
 }
 
-/// A way to find the components of U_hl.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Method {
-    /// Minima joined by saddles.
-    MergeTree,
-    /// Circles of latitude, without any critical point.
-    LatitudeSweep,
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::MergeTree => "merge tree",
-            Self::LatitudeSweep => "latitude sweep",
-        })
-    }
-}
+/// The ways in which every witness is confirmed: minima joined by saddles, and circles of latitude without any critical point.
+pub const METHODS: [&str; 2] = ["merge tree", "latitude sweep"];
 
 /// Why a candidate is no witness.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -94,7 +74,6 @@ impl Witness {
         target: &Target,
     ) -> Result<Self, WitnessError> {
         let Some(components) = answer.components().map(<[_]>::to_vec) else { return Err(WitnessError::NotShown) };
-        let methods = vec![Method::MergeTree, Method::LatitudeSweep];
         let frame = body.frame();
         let swept = latitude::components(&frame, h.to_f64() / frame.energy_unit, l.to_f64() / frame.momentum_unit)?;
         if swept != components {
@@ -112,7 +91,7 @@ impl Witness {
             _ => return Err(WitnessError::NotShown),
         };
         let (target, margin) = (target.clone(), answer.margin);
-        Ok(Self { target, body, h, l, components, margin, critical_points, methods })
+        Ok(Self { target, body, h, l, components, margin, critical_points })
     }
 
     /// Makes a witness of a body: the place where it shows best what is sought, with h and l rounded to a few digits,
@@ -121,8 +100,8 @@ impl Witness {
     /// # Errors
     /// [`WitnessError`].
     pub fn of_body(values: [[f64; 3]; 2], target: &Target, accuracy: Accuracy) -> Result<Self, WitnessError> {
-        let everything = Domain { physical: false, moment_ratio: f64::INFINITY };
-        let Some(Seen { score: Score::Shown(_), at: Some(at) }) = look(values, target, &everything) else {
+        let everything = SearchDomain { physical: false, moment_ratio: f64::INFINITY };
+        let Some(ScoredPoint { score: Score::Shown(_), at: Some(at) }) = look(values, target, &everything) else {
             return Err(WitnessError::NotShown);
         };
         let body = Body::from_f64(values[0], values[1])?;
@@ -150,4 +129,40 @@ fn plain_point(body: &Body, at: [f64; 2], accuracy: Accuracy) -> Result<([Number
         }
     }
     Ok(exact)
+}
+
+/// A body and a point with the components of U_hl there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KnownPoint {
+    /// The body.
+    pub body: Body,
+    /// Energy.
+    pub h: Number,
+    /// Vertical angular momentum.
+    pub l: Number,
+    /// The components of U_hl.
+    pub components: Vec<Component>,
+}
+
+/// The first of the known points that shows what is sought, with a body of the domain; confirmed anew.
+#[must_use]
+pub fn known_witness(
+    known: &[KnownPoint],
+    target: &Target,
+    domain: &SearchDomain,
+    accuracy: Accuracy,
+) -> Option<Witness> {
+    let shows = |point: &&KnownPoint| target.accepts_region(&point.components) && domain.holds(&point.body);
+    known.iter().filter(shows).find_map(|point| {
+        let place = [point.h.clone(), point.l.clone()];
+        Witness::confirm(point.body.clone(), place, target, accuracy).ok()
+    })
+}
+
+/// Significant digits of the numbers of a body and of a point.
+pub(super) const DIGITS: usize = 6;
+
+/// The nearest number with a few significant digits.
+pub(super) fn rounded(x: f64, digits: usize) -> f64 {
+    format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x)
 }

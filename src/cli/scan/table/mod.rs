@@ -80,7 +80,7 @@ impl Format {
 #[cfg(test)]
 mod tests {
     use bifdiag_schema::RowDocument;
-    use bifdiag_survey::scan::Row;
+    use bifdiag_survey::scan::ScanRow;
 
     use super::*;
 
@@ -92,7 +92,7 @@ mod tests {
             [[2.0, -1.0, 1.0 / 3.0], [1e-300, 0.0, 6e150]],
             [[2.0, 1.5, 1.0], [0.0; 3]],
         ];
-        let row = |(n, values)| bifdiag_documents::scan::row(&Row::of(n, values, bifdiag_exact::Accuracy::Exact));
+        let row = |(n, values)| bifdiag_documents::scan::row(&ScanRow::of(n, values, bifdiag_exact::Accuracy::Exact));
         let mut rows: Vec<RowDocument> = (0..).zip(bodies).map(row).collect();
         rows[1].error = Some("a \"text\", with commas;\nand a line".to_owned());
         for format in [Format::Csv, Format::Jsonl, Format::Parquet] {

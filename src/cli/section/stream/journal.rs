@@ -9,7 +9,7 @@ use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use bifdiag_dynamics::field::Integrals;
-use bifdiag_dynamics::section::{End, Halt, OrbitReport, OrbitSection, SectionPoint};
+use bifdiag_dynamics::section::{OrbitCheckpoint, OrbitEnd, OrbitReport, OrbitSection, SectionPoint};
 use sha2::{Digest, Sha256};
 
 use super::super::error::{SectionFailure, SectionInput};
@@ -17,7 +17,7 @@ use crate::cli::export::{Column, Pieces, Values, journal_path, open_alone};
 use crate::cli::section::table;
 
 /// Words before the rows of a block: orbit, end and number of rows; the report; the halt.
-const HEAD: usize = 3 + REPORT + Halt::WORDS;
+const HEAD: usize = 3 + REPORT + OrbitCheckpoint::WORDS;
 /// Words of a report.
 const REPORT: usize = 8;
 /// Bytes after the rows.
@@ -28,7 +28,7 @@ const SEAL: usize = 32;
 pub struct Standing {
     pub report: OrbitReport,
     /// Where it goes on; `None` where it has ended.
-    pub halt: Option<Halt>,
+    pub halt: Option<OrbitCheckpoint>,
 }
 
 /// Crossings of one orbit in the journal.
@@ -157,7 +157,7 @@ impl Journal {
     }
 
     /// Adds an orbit's next crossings.
-    pub fn append(&mut self, orbit: &OrbitSection, halt: Option<Halt>) -> Result<(), SectionFailure> {
+    pub fn append(&mut self, orbit: &OrbitSection, halt: Option<OrbitCheckpoint>) -> Result<(), SectionFailure> {
         let mut words = [0; HEAD];
         words[..3].copy_from_slice(&[
             u64::from(orbit.orbit),
@@ -331,12 +331,12 @@ fn words(bytes: &[u8; 8 * HEAD]) -> [u64; HEAD] {
 }
 
 /// The ends that are kept.
-const ENDS: [End; 3] = [End::Crossings, End::Time, End::StaysOnSection];
+const ENDS: [OrbitEnd; 3] = [OrbitEnd::Crossings, OrbitEnd::Time, OrbitEnd::StaysOnSection];
 /// An orbit that goes on, and one that failed.
 const GOES_ON: u64 = 100;
 const FAILED: u64 = 101;
 
-fn end_code(end: End, halt: Option<Halt>) -> u64 {
+fn end_code(end: OrbitEnd, halt: Option<OrbitCheckpoint>) -> u64 {
     match (halt, ENDS.iter().position(|one| *one == end)) {
         (Some(_), _) => GOES_ON,
         (None, Some(place)) => place as u64,
@@ -353,10 +353,10 @@ fn report_words(report: &OrbitReport) -> [u64; REPORT] {
 
 /// How far the orbit of a block has come; `None` where it failed.
 fn standing(words: &[u64; HEAD]) -> Option<Standing> {
-    let mut halt = [0; Halt::WORDS];
+    let mut halt = [0; OrbitCheckpoint::WORDS];
     halt.copy_from_slice(&words[3 + REPORT..]);
     let (halt, end) = match words[1] {
-        GOES_ON => (Some(Halt::from_words(halt)), End::Interrupted),
+        GOES_ON => (Some(OrbitCheckpoint::from_words(halt)), OrbitEnd::Interrupted),
         code => (None, *ENDS.get(usize::try_from(code).ok()?)?),
     };
     let word = |k: usize| words[3 + k];

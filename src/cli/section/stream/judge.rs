@@ -3,9 +3,9 @@
 use std::io;
 
 use bifdiag_dynamics::field::State;
-use bifdiag_dynamics::poincare::{PoincareError, Setting};
-use bifdiag_dynamics::section::chaos::{ChaosOptions, Course, Judgement, Open, UNIT, growths};
-use bifdiag_dynamics::section::{End, Monitor, OrbitSection};
+use bifdiag_dynamics::poincare::{PoincareError, SectionSetting};
+use bifdiag_dynamics::section::chaos::{ChaosOptions, Judgement, OpenReason, TangentCourse, UNIT, growths};
+use bifdiag_dynamics::section::{Monitor, OrbitEnd, OrbitSection};
 
 use super::journal::Journal;
 use crate::cli::section::error::SectionFailure;
@@ -16,7 +16,7 @@ use crate::cli::section::error::SectionFailure;
 /// # Errors
 /// When the journal cannot be read.
 pub fn verdicts(
-    setting: &Setting,
+    setting: &SectionSetting,
     orbits: &[OrbitSection],
     journal: &mut Journal,
     options: &ChaosOptions,
@@ -34,8 +34,8 @@ pub fn verdicts(
     let mut judgements = Vec::with_capacity(orbits.len());
     for (orbit, growth) in orbits.iter().zip(&growths) {
         judgements.push(match orbit.report.end {
-            End::StaysOnSection => Judgement::open(Open::StaysOnSection),
-            _ if stopped || !growth.finite => Judgement::open(Open::Unfinished),
+            OrbitEnd::StaysOnSection => Judgement::open(OpenReason::StaysOnSection),
+            _ if stopped || !growth.finite => Judgement::open(OpenReason::Unfinished),
             _ => {
                 let crossings = orbit.report.crossings as usize;
                 let crossing_at = |time: f64| crossing_at(journal, orbit.orbit, time);
@@ -47,8 +47,8 @@ pub fn verdicts(
 }
 
 /// An orbit from its first point until its end, or until its verdict is found.
-fn course(journal: &mut Journal, orbit: &OrbitSection) -> io::Result<Course> {
-    let Some(first) = journal.first(orbit.orbit)? else { return Ok(Course::default()) };
+fn course(journal: &mut Journal, orbit: &OrbitSection) -> io::Result<TangentCourse> {
+    let Some(first) = journal.first(orbit.orbit)? else { return Ok(TangentCourse::default()) };
     let mut passed = 0;
     let mut unit = 0.0;
     journal.times(orbit.orbit, &mut |time| {
@@ -58,12 +58,12 @@ fn course(journal: &mut Journal, orbit: &OrbitSection) -> io::Result<Course> {
         passed += 1;
         passed <= UNIT
     })?;
-    Ok(Course {
+    Ok(TangentCourse {
         start: State { gamma: first.gamma, l: first.l },
         time: orbit.report.time - first.time,
         unit,
         until_decided: true,
-        ..Course::default()
+        ..TangentCourse::default()
     })
 }
 

@@ -5,9 +5,9 @@ mod judge;
 
 use std::path::Path;
 
-use bifdiag_dynamics::poincare::{PoincareSection, Setting};
+use bifdiag_dynamics::poincare::{PoincareSection, SectionSetting};
 use bifdiag_dynamics::section::chaos::ChaosOptions;
-use bifdiag_dynamics::section::{Monitor, OrbitReport, OrbitSection, SweepOptions, Task, TorusPoint, sweep_on};
+use bifdiag_dynamics::section::{Monitor, OrbitReport, OrbitSection, OrbitTask, SweepOptions, TorusPoint, sweep_on};
 
 use self::journal::Standing;
 use self::judge::verdicts;
@@ -28,7 +28,7 @@ const ORBITS: usize = 128;
 /// When the journal cannot be read or written, or belongs to another section; with `discards` it is begun anew instead.
 pub fn follow(
     (out, discards): (&Path, bool),
-    setting: &Setting,
+    setting: &SectionSetting,
     (starts, seed): (&[TorusPoint], Option<u64>),
     options: &SweepOptions,
     chaos: Option<&ChaosOptions>,
@@ -48,9 +48,9 @@ pub fn follow(
         let goes_on = |standing: &Option<Standing>| standing.is_none_or(|standing| standing.halt.is_some());
         let pending =
             journal.standings().iter().zip(&states).zip(0_u32..).filter(|((standing, _), _)| goes_on(standing));
-        let tasks: Vec<Task> = pending
+        let tasks: Vec<OrbitTask> = pending
             .take(at_once)
-            .map(|((standing, start), orbit)| Task {
+            .map(|((standing, start), orbit)| OrbitTask {
                 orbit,
                 start: *start,
                 halt: standing.and_then(|known| known.halt),

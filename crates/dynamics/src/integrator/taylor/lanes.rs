@@ -3,11 +3,11 @@
 use pulp::Simd;
 
 use super::moments::{MOMENTS, Moments};
-use super::series::{Constants, Series, Vector, lane_values, lane_values_mut};
+use super::series::{LaneVector, Series, TopConstants, lane_values, lane_values_mut};
 use super::step_size::{StepRule, order_for};
 use crate::field::{HeavyTop, State};
 use crate::integrator::product::ProductSum;
-use crate::integrator::time::Instant;
+use crate::integrator::step::Instant;
 
 /// As many orbits as a register has lanes.
 ///
@@ -17,15 +17,15 @@ use crate::integrator::time::Instant;
 pub(crate) struct Lanes<S: Simd> {
     pub series: Series<S>,
     /// γ and l at the step's end.
-    pub next: [Vector<S>; 2],
+    pub next: [LaneVector<S>; 2],
     /// Length of the step.
     pub step: [S::f64s; 1],
     /// What the rows 0 leave out.
-    low: [Vector<S>; 2],
-    next_low: [Vector<S>; 2],
+    low: [LaneVector<S>; 2],
+    next_low: [LaneVector<S>; 2],
     /// 1/scale of l.
     momentum_weight: [S::f64s; 1],
-    pub constants: Constants<S>,
+    pub constants: TopConstants<S>,
     /// Time at the step's start, in two parts.
     time: [S::f64s; 1],
     time_low: [S::f64s; 1],
@@ -49,7 +49,7 @@ impl<S: Simd> Lanes<S> {
             low: [[zero; 3]; 2],
             next_low: [[zero; 3]; 2],
             momentum_weight: [zero],
-            constants: Constants::new(simd, top),
+            constants: TopConstants::new(simd, top),
             time: [zero],
             time_low: [zero],
             order,
@@ -120,7 +120,7 @@ impl<S: Simd> Lanes<S> {
         lane_values::<S>(&self.time)[lane] + self.step_of(lane)
     }
 
-    /// Is any lane at this time or beyond?
+    /// True when some lane is at this time or beyond.
     #[inline(always)]
     pub fn any_is_at(&self, time: f64) -> bool {
         lane_values::<S>(&self.time).iter().any(|&t| t >= time)
@@ -148,7 +148,7 @@ impl<S: Simd> Lanes<S> {
 
     /// Σ_{k≥1} x_k tᵏ⁻¹ of γ and l.
     #[inline(always)]
-    fn slopes(&self, simd: S, t: S::f64s) -> [Vector<S>; 2] {
+    fn slopes(&self, simd: S, t: S::f64s) -> [LaneVector<S>; 2] {
         let (mut gamma, mut l) = (self.series.gamma[self.order], self.series.l[self.order]);
         let rows = 1..self.order;
         for (gamma_k, l_k) in self.series.gamma[rows.clone()].iter().zip(&self.series.l[rows]).rev() {
@@ -175,7 +175,7 @@ impl<S: Simd> Lanes<S> {
 
     /// ∫ (ξ − 1/2)ʲ γ dt over the step for j < `MOMENTS`, where ξ runs from 0 to 1.
     #[inline(always)]
-    pub fn gamma_moments(&self, simd: S, moments: &Moments) -> [Vector<S>; MOMENTS] {
+    pub fn gamma_moments(&self, simd: S, moments: &Moments) -> [LaneVector<S>; MOMENTS] {
         let t = self.step[0];
         let mut sums = [[simd.splat_f64s(0.0); 3]; MOMENTS];
         let mut power = t;
@@ -203,7 +203,7 @@ impl<S: Simd> Lanes<S> {
 
     /// The states of all lanes, each `offset` after its step's start.
     #[inline(always)]
-    pub fn states_at(&self, simd: S, offset: S::f64s) -> [Vector<S>; 2] {
+    pub fn states_at(&self, simd: S, offset: S::f64s) -> [LaneVector<S>; 2] {
         let [mut gamma, mut l] = self.slopes(simd, offset);
         for i in 0..3 {
             let increment = simd.product_sum(gamma[i], offset, self.low[0][i]);
@@ -217,7 +217,7 @@ impl<S: Simd> Lanes<S> {
 
 /// One lane of vectors γ and l.
 #[inline(always)]
-pub(crate) fn state_of<S: Simd>(vectors: &[Vector<S>; 2], lane: usize) -> State {
+pub(crate) fn state_of<S: Simd>(vectors: &[LaneVector<S>; 2], lane: usize) -> State {
     let values = lane_values::<S>(vectors.as_flattened());
     let at = |i: usize| values[i * S::F64_LANES + lane];
     State { gamma: [at(0), at(1), at(2)], l: [at(3), at(4), at(5)] }
@@ -226,7 +226,7 @@ pub(crate) fn state_of<S: Simd>(vectors: &[Vector<S>; 2], lane: usize) -> State 
 /// The largest |component|. (A function: closures are not always inlined, and a call of a SIMD instruction
 /// outside the functions compiled for it costs more than the instruction.)
 #[inline(always)]
-fn largest<S: Simd>(simd: S, v: Vector<S>) -> S::f64s {
+fn largest<S: Simd>(simd: S, v: LaneVector<S>) -> S::f64s {
     let two = simd.max_f64s(magnitude(simd, v[0]), magnitude(simd, v[1]));
     simd.max_f64s(two, magnitude(simd, v[2]))
 }

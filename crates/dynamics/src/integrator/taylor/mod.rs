@@ -23,10 +23,10 @@ mod tangent;
 
 pub(crate) use lanes::{Lanes, magnitude, state_of};
 pub(crate) use moments::{MOMENTS, Moments};
-pub(crate) use series::{ROWS, Vector, lane_values, lane_values_mut};
+pub(crate) use series::{LaneVector, ROWS, lane_values, lane_values_mut};
 pub use step_size::{MAX_ORDER, order_for};
 pub use stepper::{DEFAULT_TOLERANCE, Taylor, ToleranceError, check_tolerance};
-pub(crate) use tangent::Tangent;
+pub(crate) use tangent::TangentLanes;
 
 use pulp::Arch;
 

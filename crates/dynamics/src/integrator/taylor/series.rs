@@ -19,7 +19,7 @@ const REGISTERS_FOR_TWO: usize = 27;
 const WASM: bool = cfg!(target_family = "wasm");
 
 /// A vector of ℝ³ in every lane.
-pub(crate) type Vector<S> = [<S as Simd>::f64s; 3];
+pub(crate) type LaneVector<S> = [<S as Simd>::f64s; 3];
 
 /// The lanes of registers as plain numbers: the lanes of the first register, then those of the next.
 #[inline(always)]
@@ -35,18 +35,18 @@ pub(crate) fn lane_values_mut<S: Simd>(registers: &mut [S::f64s]) -> &mut [f64] 
 
 /// The top's constants in every lane.
 #[repr(C, align(64))]
-pub(crate) struct Constants<S: Simd> {
+pub(crate) struct TopConstants<S: Simd> {
     /// 1/A_i in two parts. A rounding error of a constant would be the same in every step and let the energy drift
     /// linearly; fused into a product that has to be rounded anyway, the second part is lost in no direction.
-    inverse: Vector<S>,
-    inverse_low: Vector<S>,
+    inverse: LaneVector<S>,
+    inverse_low: LaneVector<S>,
     /// A_j − A_k in two parts; the second is 0 unless the moments are of different size.
-    difference: Vector<S>,
-    difference_low: Vector<S>,
+    difference: LaneVector<S>,
+    difference_low: LaneVector<S>,
     /// r and −r.
-    pub center: Vector<S>,
-    opposite: Vector<S>,
-    /// Is any second part of a difference not 0?
+    pub center: LaneVector<S>,
+    opposite: LaneVector<S>,
+    /// True when some second part of a difference is not 0.
     differences_have_low_parts: bool,
     divisors: [Divisor; ROWS],
 }
@@ -75,7 +75,7 @@ fn quotient_in_two_parts((high, low): (f64, f64), k: f64) -> (f64, f64) {
     (quotient, ((-quotient).mul_add(k, high) + low) / k)
 }
 
-impl<S: Simd> Constants<S> {
+impl<S: Simd> TopConstants<S> {
     #[inline(always)]
     pub fn new(simd: S, top: &HeavyTop) -> Self {
         let a = top.moments();
@@ -84,7 +84,7 @@ impl<S: Simd> Constants<S> {
         let mut low = [0.0; 3];
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
-            (difference[i], low[i]) = super::super::time::two_sum(a[p], -a[q]);
+            (difference[i], low[i]) = super::super::step::two_sum(a[p], -a[q]);
         }
         let splat = |v: [f64; 3]| [simd.splat_f64s(v[0]), simd.splat_f64s(v[1]), simd.splat_f64s(v[2])];
         let divisors = std::array::from_fn(|k| {
@@ -126,7 +126,7 @@ impl<S: Simd> Constants<S> {
 
     /// ω_pω_q D − (γ×r)_i; `low`: D has a second part.
     #[inline(always)]
-    fn torques(&self, simd: S, gamma: Vector<S>, omega_omega: Vector<S>, low: bool) -> Vector<S> {
+    fn torques(&self, simd: S, gamma: LaneVector<S>, omega_omega: LaneVector<S>, low: bool) -> LaneVector<S> {
         let mut sums = gamma;
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
@@ -144,7 +144,7 @@ impl<S: Simd> Constants<S> {
 
     /// ω = A⁻¹ l with the second part of A⁻¹.
     #[inline(always)]
-    fn exact_angular_velocity(&self, simd: S, l: Vector<S>) -> Vector<S> {
+    fn exact_angular_velocity(&self, simd: S, l: LaneVector<S>) -> LaneVector<S> {
         let mut omega = l;
         for i in 0..3 {
             omega[i] = product(simd, l[i], self.inverse[i], self.inverse_low[i]);
@@ -154,7 +154,7 @@ impl<S: Simd> Constants<S> {
 
     /// ω = A⁻¹ l.
     #[inline(always)]
-    pub fn angular_velocity(&self, simd: S, l: Vector<S>) -> Vector<S> {
+    pub fn angular_velocity(&self, simd: S, l: LaneVector<S>) -> LaneVector<S> {
         [
             simd.mul_f64s(l[0], self.inverse[0]),
             simd.mul_f64s(l[1], self.inverse[1]),
@@ -168,19 +168,19 @@ impl<S: Simd> Constants<S> {
 /// Rows are whole cache lines: a register that crosses one costs two loads, and loads limit the kernel.
 #[repr(C, align(64))]
 pub(crate) struct Series<S: Simd> {
-    pub gamma: [Vector<S>; ROWS],
-    pub l: [Vector<S>; ROWS],
-    pub(super) omega: [Vector<S>; ROWS],
+    pub gamma: [LaneVector<S>; ROWS],
+    pub l: [LaneVector<S>; ROWS],
+    pub(super) omega: [LaneVector<S>; ROWS],
 }
 
 /// Sums of Cauchy products of one order: those of γ×ω, and ω_jω_k of l×ω.
 #[derive(Clone, Copy)]
-struct Products<S: Simd> {
-    gamma_omega: Vector<S>,
-    omega_omega: Vector<S>,
+struct SeriesProducts<S: Simd> {
+    gamma_omega: LaneVector<S>,
+    omega_omega: LaneVector<S>,
 }
 
-impl<S: Simd> Products<S> {
+impl<S: Simd> SeriesProducts<S> {
     #[inline(always)]
     fn zero(simd: S) -> Self {
         let zero = simd.splat_f64s(0.0);
@@ -189,7 +189,7 @@ impl<S: Simd> Products<S> {
 
     /// Adds γ_j × ω_k and the products of ω_j with ω_k.
     #[inline(always)]
-    fn add(&mut self, simd: S, gamma_j: Vector<S>, omega_j: Vector<S>, omega_k: Vector<S>) {
+    fn add(&mut self, simd: S, gamma_j: LaneVector<S>, omega_j: LaneVector<S>, omega_k: LaneVector<S>) {
         for i in 0..3 {
             let (p, q) = ((i + 1) % 3, (i + 2) % 3);
             self.gamma_omega[i] = simd.product_sum(gamma_j[p], omega_k[q], self.gamma_omega[i]);
@@ -216,7 +216,7 @@ impl<S: Simd> Series<S> {
     /// first for speed of compiling: this one must be left and entered again before a better one takes its place.)
     #[cfg_attr(target_family = "wasm", inline(never))]
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
-    pub fn expand(&mut self, simd: S, top: &Constants<S>, order: usize) {
+    pub fn expand(&mut self, simd: S, top: &TopConstants<S>, order: usize) {
         debug_assert!(order.is_multiple_of(2) && order < ROWS);
         // What does not change from row to row is known where the rows are compiled: they have no branches.
         if top.differences_have_low_parts {
@@ -228,12 +228,12 @@ impl<S: Simd> Series<S> {
 
     /// `low`: the differences have second parts.
     #[inline(always)]
-    fn expand_with(&mut self, simd: S, top: &Constants<S>, order: usize, low: bool) {
+    fn expand_with(&mut self, simd: S, top: &TopConstants<S>, order: usize, low: bool) {
         self.omega[0] = top.exact_angular_velocity(simd, self.l[0]);
-        let mut first = Products::zero(simd);
+        let mut first = SeriesProducts::zero(simd);
         first.add(simd, self.gamma[0], self.omega[0], self.omega[0]);
         self.set_row(simd, top, 1, first, low, true);
-        let mut second = Products::zero(simd);
+        let mut second = SeriesProducts::zero(simd);
         second.add(simd, self.gamma[1], self.omega[1], self.omega[0]);
         second.add(simd, self.gamma[0], self.omega[0], self.omega[1]);
         self.set_row(simd, top, 2, second, low, true);
@@ -251,7 +251,7 @@ impl<S: Simd> Series<S> {
 
     /// The rows k+1 and k+2, the newest coefficients last; `exact`: with the second parts of the divisors.
     #[inline(always)]
-    fn pair(&mut self, simd: S, top: &Constants<S>, k: usize, low: bool, exact: [bool; 2]) {
+    fn pair(&mut self, simd: S, top: &TopConstants<S>, k: usize, low: bool, exact: [bool; 2]) {
         assert!(k + 2 < ROWS);
         let (mut even, mut odd) = self.known_products(simd, k);
         let (gamma_k, omega_k) = (self.gamma[k], self.omega[k]);
@@ -268,10 +268,10 @@ impl<S: Simd> Series<S> {
     /// The terms of orders k and k+1 that need the rows 1 … k−1 only. Two orders at a time share their loads where
     /// there are registers for the sums of both.
     #[inline(always)]
-    fn known_products(&self, simd: S, k: usize) -> (Products<S>, Products<S>) {
+    fn known_products(&self, simd: S, k: usize) -> (SeriesProducts<S>, SeriesProducts<S>) {
         let (gamma, omega) = (&self.gamma[1..k], &self.omega[1..k]);
         let last = k - 2;
-        let (mut even, mut odd) = (Products::zero(simd), Products::zero(simd));
+        let (mut even, mut odd) = (SeriesProducts::zero(simd), SeriesProducts::zero(simd));
         if last > 0 {
             // Slices of one length: indices need no checks, which would take a tenth of the loop's time.
             let turns = last - 1;
@@ -303,7 +303,15 @@ impl<S: Simd> Series<S> {
 
     /// Row k from the Cauchy products of order k − 1; `exact`: with the second parts of the divisors.
     #[inline(always)]
-    fn set_row(&mut self, simd: S, top: &Constants<S>, k: usize, products: Products<S>, low: bool, exact: bool) {
+    fn set_row(
+        &mut self,
+        simd: S,
+        top: &TopConstants<S>,
+        k: usize,
+        products: SeriesProducts<S>,
+        low: bool,
+        exact: bool,
+    ) {
         let sums = top.torques(simd, self.gamma[k - 1], products.omega_omega, low);
         let divisor = &top.divisors[k];
         let (reciprocal, reciprocal_low) =

@@ -4,8 +4,8 @@ use pulp::Scalar;
 use thiserror::Error;
 
 use super::lanes::Lanes;
-use crate::field::{HeavyTop, State, Units};
-use crate::integrator::step::{Step, StepError};
+use crate::field::{HeavyTop, State, TopUnits};
+use crate::integrator::step::{StepError, TaylorStep};
 
 /// The tolerance that is taken unless another is asked for.
 pub const DEFAULT_TOLERANCE: f64 = 1e-15;
@@ -18,7 +18,7 @@ pub struct ToleranceError {
     pub tolerance: f64,
 }
 
-/// Is a tolerance usable: the truncation error of a step, relative to the size of the energy surface, 1e-18 to 1e-2?
+/// Checks a tolerance, the truncation error of a step relative to the size of the energy surface: 1e-18 to 1e-2.
 ///
 /// # Errors
 /// [`ToleranceError`] if it is not.
@@ -30,7 +30,7 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), ToleranceError> {
 pub struct Taylor {
     lanes: Box<Lanes<Scalar>>,
     /// Of the top as given; the lanes are in the top's own.
-    units: Units,
+    units: TopUnits,
 }
 
 impl Taylor {
@@ -51,7 +51,7 @@ impl Taylor {
     ///
     /// # Errors
     /// [`StepError`]; the integrator is of no use afterwards.
-    pub fn step(&mut self) -> Result<Step, StepError> {
+    pub fn step(&mut self) -> Result<TaylorStep, StepError> {
         let lanes = &mut *self.lanes;
         lanes.expand(Scalar::new());
         let length = lanes.step_of(0);
@@ -65,7 +65,7 @@ impl Taylor {
         let start = lanes.time(0);
         let end_state = State { gamma: lanes.next[0], l: lanes.next[1] };
         lanes.commit(Scalar::new());
-        let step = Step::new(start, length, end_state, coefficients);
+        let step = TaylorStep::new(start, length, end_state, coefficients);
         step.map(|step| step.restored(self.units)).map_err(|error| error.restored(self.units))
     }
 }

@@ -3,7 +3,7 @@
 use pulp::Simd;
 
 use super::lanes::Lanes;
-use super::series::{Constants, ROWS, Series, Vector, lane_values, lane_values_mut};
+use super::series::{LaneVector, ROWS, Series, TopConstants, lane_values, lane_values_mut};
 use crate::field::State;
 use crate::integrator::product::ProductSum;
 
@@ -17,10 +17,10 @@ const SHORT: f64 = 1.0 / (1u128 << 100) as f64;
 ///
 /// Call [`advance`](Self::advance) between [`Lanes::expand`] and [`Lanes::commit`]. The orbits do not feel it.
 #[repr(C, align(64))]
-pub(crate) struct Tangent<S: Simd> {
-    gamma: [Vector<S>; ROWS],
-    l: [Vector<S>; ROWS],
-    omega: [Vector<S>; ROWS],
+pub(crate) struct TangentLanes<S: Simd> {
+    gamma: [LaneVector<S>; ROWS],
+    l: [LaneVector<S>; ROWS],
+    omega: [LaneVector<S>; ROWS],
     /// 1/scale of δl.
     momentum_weight: [S::f64s; 1],
     /// |δγ|² + |δl|²/scale² at the step's end.
@@ -29,16 +29,16 @@ pub(crate) struct Tangent<S: Simd> {
 
 /// Sums of the Cauchy products of one order, apart where that shortens the chains of dependent sums.
 #[derive(Clone, Copy)]
-struct Products<S: Simd> {
+struct TangentProducts<S: Simd> {
     /// Of δγ×ω.
-    varied_gamma: Vector<S>,
+    varied_gamma: LaneVector<S>,
     /// Of γ×δω.
-    varied_omega: Vector<S>,
+    varied_omega: LaneVector<S>,
     /// Of δω_pω_q + ω_pδω_q.
-    omega_omega: Vector<S>,
+    omega_omega: LaneVector<S>,
 }
 
-impl<S: Simd> Tangent<S> {
+impl<S: Simd> TangentLanes<S> {
     #[inline(always)]
     pub fn new(simd: S) -> Self {
         let zero = simd.splat_f64s(0.0);
@@ -92,9 +92,9 @@ impl<S: Simd> Tangent<S> {
 
     /// The products of order k, the newest coefficients last.
     #[inline(always)]
-    fn products(&self, simd: S, orbit: &Series<S>, k: usize) -> Products<S> {
+    fn products(&self, simd: S, orbit: &Series<S>, k: usize) -> TangentProducts<S> {
         let zero = [simd.splat_f64s(0.0); 3];
-        let mut sums = Products::<S> { varied_gamma: zero, varied_omega: zero, omega_omega: zero };
+        let mut sums = TangentProducts::<S> { varied_gamma: zero, varied_omega: zero, omega_omega: zero };
         for j in 0..=k {
             let (gamma, omega) = (orbit.gamma[k - j], orbit.omega[k - j]);
             let (delta_gamma, delta_omega) = (self.gamma[j], self.omega[j]);
@@ -116,7 +116,7 @@ impl<S: Simd> Tangent<S> {
 
     /// Row k from the products of order k − 1.
     #[inline(always)]
-    fn set_row(&mut self, simd: S, top: &Constants<S>, k: usize, products: Products<S>) {
+    fn set_row(&mut self, simd: S, top: &TopConstants<S>, k: usize, products: TangentProducts<S>) {
         let reciprocal = simd.splat_f64s(top.reciprocal(k));
         let gamma = self.gamma[k - 1];
         for i in 0..3 {

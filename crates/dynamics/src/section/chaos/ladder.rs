@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 use std::f64::consts::SQRT_2;
 
-use super::evidence::{Evidence, first_decision};
-use super::passed::Passed;
-use super::window::Window;
+use super::averages::MeanWindow;
+use super::averages::TangentStep;
+use super::verdict::{Evidence, first_decision};
 use crate::field::{norm, sub};
 
 /// A spread of γ below this is taken as this.
@@ -32,7 +32,7 @@ pub(super) struct Ladder {
 #[derive(Clone, Copy, Debug)]
 struct Look {
     time: f64,
-    windows: [Window; 2],
+    windows: [MeanWindow; 2],
 }
 
 impl Ladder {
@@ -41,14 +41,14 @@ impl Ladder {
         Self { unit, begun: if unit > 0.0 { 0 } else { LOOKS }, ..Self::default() }
     }
 
-    /// Is there nothing more to see?
+    /// True when there is nothing more to see.
     pub fn is_over(&self) -> bool {
         self.decided || self.begun == LOOKS && self.open.is_empty()
     }
 
     /// Goes over a step, on which ln|δ| grew by `growth` to `log`.
     #[inline]
-    pub fn take(&mut self, step: &Passed, growth: f64, log: f64) {
+    pub fn take(&mut self, step: &TangentStep, growth: f64, log: f64) {
         while self.begun < LOOKS && PARTS[0] * self.time_of(self.begun) < step.time {
             self.open.push_back(Look::new(self.time_of(self.begun)));
             self.begun += 1;
@@ -73,7 +73,7 @@ impl Ladder {
 impl Look {
     fn new(time: f64) -> Self {
         let [begin, middle, end] = PARTS.map(|part| part * time);
-        Self { time, windows: [Window::new(begin, middle), Window::new(middle, end)] }
+        Self { time, windows: [MeanWindow::new(begin, middle), MeanWindow::new(middle, end)] }
     }
 
     fn evidence(&self, log: f64) -> Evidence {

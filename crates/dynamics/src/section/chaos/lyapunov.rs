@@ -1,15 +1,14 @@
-//! The largest Lyapunov exponent of finite-time orbits, from the variational equations.
+//! The largest Lyapunov exponent of finite-time orbits, from the variational equations and their first tangent vector.
 
 use std::sync::atomic::Ordering;
 
 use pulp::{Simd, WithSimd};
 
-use super::direction::{momentum_unit, tangent_vector};
-use super::growth::{Course, Growth, Lyapunov};
-use super::passed::Passed;
-use super::stretching::Stretching;
-use crate::field::{Dimension, HeavyTop, State};
-use crate::integrator::taylor::{InstructionSet, Lanes, Moments, Tangent, lane_values};
+use super::averages::TangentStep;
+use super::growth::Stretching;
+use super::growth::{Growth, Lyapunov, TangentCourse};
+use crate::field::{Dimension, HeavyTop, State, dot};
+use crate::integrator::taylor::{InstructionSet, Lanes, Moments, TangentLanes, lane_values};
 use crate::integrator::{DEFAULT_TOLERANCE, check_tolerance};
 use crate::section::error::SectionError;
 use crate::section::workers::{Monitor, Turns, run_workers};
@@ -39,8 +38,8 @@ pub fn lyapunov_exponents(
     options: &ChaosOptions,
     monitor: &Monitor,
 ) -> Result<Vec<Option<Lyapunov>>, SectionError> {
-    let courses: Vec<Course> =
-        starts.iter().map(|&(start, time)| Course { start, time, ..Course::default() }).collect();
+    let courses: Vec<TangentCourse> =
+        starts.iter().map(|&(start, time)| TangentCourse { start, time, ..TangentCourse::default() }).collect();
     Ok(growths(top, courses, options, monitor)?.into_iter().map(|growth| growth.lyapunov).collect())
 }
 
@@ -54,7 +53,7 @@ pub fn lyapunov_exponents(
 /// instructions, [`SectionError::Parameter`] for 2³² orbits or more.
 pub fn growths(
     top: &HeavyTop,
-    mut courses: Vec<Course>,
+    mut courses: Vec<TangentCourse>,
     options: &ChaosOptions,
     monitor: &Monitor,
 ) -> Result<Vec<Growth>, SectionError> {
@@ -74,7 +73,7 @@ pub fn growths(
     let (top, courses) = (&top.reduced(), &courses[..]);
     let turns = Turns::new(monitor);
     let tolerance = options.tolerance;
-    let found = run_workers(|| arch.dispatch(Worker { top, courses, turns: &turns, tolerance }));
+    let found = run_workers(|| arch.dispatch(GrowthWorker { top, courses, turns: &turns, tolerance }));
     let mut growths = vec![Growth::default(); courses.len()];
     for (orbit, growth) in found {
         growths[orbit as usize] = growth.restored(units);
@@ -83,14 +82,14 @@ pub fn growths(
 }
 
 /// One thread's share: fills its lanes from the list until that is empty.
-struct Worker<'a> {
+struct GrowthWorker<'a> {
     top: &'a HeavyTop,
-    courses: &'a [Course],
+    courses: &'a [TangentCourse],
     turns: &'a Turns<'a>,
     tolerance: f64,
 }
 
-impl Worker<'_> {
+impl GrowthWorker<'_> {
     fn pop(&self) -> Option<Stretching> {
         let (orbit, course) = self.turns.next(self.courses)?;
         Some(Stretching::new(orbit, course))
@@ -98,7 +97,7 @@ impl Worker<'_> {
 
     /// Puts an orbit into a lane. An idle lane keeps what it has; nobody looks at it.
     #[inline(always)]
-    fn load<S: Simd>(&self, lanes: &mut Lanes<S>, tangent: &mut Tangent<S>, lane: usize, orbit: u32) {
+    fn load<S: Simd>(&self, lanes: &mut Lanes<S>, tangent: &mut TangentLanes<S>, lane: usize, orbit: u32) {
         let start = &self.courses[orbit as usize].start;
         let momentum_scale = self.top.momentum_scale(self.top.energy(start)).max(f64::MIN_POSITIVE.sqrt());
         lanes.load(lane, start, momentum_scale);
@@ -107,7 +106,7 @@ impl Worker<'_> {
     }
 }
 
-impl WithSimd for Worker<'_> {
+impl WithSimd for GrowthWorker<'_> {
     type Output = Vec<(u32, Growth)>;
 
     #[inline(always)]
@@ -115,7 +114,7 @@ impl WithSimd for Worker<'_> {
         let mut done = Vec::new();
         let powers = Moments::new();
         let mut lanes = Lanes::<S>::new(simd, self.top, self.tolerance);
-        let mut tangent = Tangent::<S>::new(simd);
+        let mut tangent = TangentLanes::<S>::new(simd);
         let mut orbits: Vec<Option<Stretching>> = Vec::new();
         for lane in 0..S::F64_LANES {
             orbits.push(self.pop());
@@ -131,7 +130,7 @@ impl WithSimd for Worker<'_> {
             for (lane, slot) in orbits.iter_mut().enumerate() {
                 if let Some(orbit) = slot {
                     let course = &self.courses[orbit.orbit as usize];
-                    let step = Passed {
+                    let step = TangentStep {
                         time: lanes.end_of(lane),
                         length: lanes.step_of(lane),
                         length_squared: tangent.length_squared(lane),
@@ -158,6 +157,58 @@ impl WithSimd for Worker<'_> {
         }
         done
     }
+}
+
+/// √(2 A_max (h + 2|r|)): the unit of δl. (Unlike the largest |l| it does not vanish where the top is at rest.)
+pub(super) fn momentum_unit(top: &HeavyTop, state: &State) -> f64 {
+    top.momentum_scale(top.energy(state) + top.center_norm()).max(f64::MIN_POSITIVE.sqrt())
+}
+
+/// A vector of length 1 tangent to the surface of constant H, ⟨γ,γ⟩ and ⟨γ,l⟩, with l in units of `momentum_unit`.
+///
+/// It is the projection of one fixed vector, chosen with no symmetry, so that it has a share of every direction.
+pub(super) fn tangent_vector(top: &HeavyTop, state: &State, momentum_unit: f64) -> State {
+    const DIRECTION: [f64; 6] = [0.57, -0.31, 0.43, 0.37, 0.29, -0.41];
+    let State { gamma, l } = *state;
+    let omega = top.angular_velocity(l);
+    let r = top.center();
+    // The gradients in (γ, l/unit).
+    let mut normals: [[f64; 6]; 3] = [[0.0; 6]; 3];
+    for i in 0..3 {
+        (normals[0][i], normals[1][i], normals[2][i]) = (gamma[i], l[i], -r[i]);
+        (normals[1][i + 3], normals[2][i + 3]) = (momentum_unit * gamma[i], momentum_unit * omega[i]);
+    }
+    let mut vector = DIRECTION;
+    for k in 0..3 {
+        let size = length(&normals[k]);
+        for j in 0..k {
+            normals[k] = without(normals[k], &normals[j]);
+        }
+        // At a relative equilibrium the gradients are dependent.
+        let rest = length(&normals[k]);
+        let factor = if rest > size * 1e-12 { 1.0 / rest } else { 0.0 };
+        normals[k] = normals[k].map(|x| x * factor);
+    }
+    // Twice: once would leave the rounding of the cancelled part.
+    for normal in normals.iter().chain(&normals) {
+        vector = without(vector, normal);
+    }
+    let [a, b, c, d, e, f] = vector.map(|x| x / length(&vector));
+    State { gamma: [a, b, c], l: [d, e, f].map(|x| x * momentum_unit) }
+}
+
+/// v − n⟨n,v⟩.
+fn without(mut v: [f64; 6], n: &[f64; 6]) -> [f64; 6] {
+    let share: f64 = v.iter().zip(n).map(|(a, b)| a * b).sum();
+    for (a, b) in v.iter_mut().zip(n) {
+        *a -= share * b;
+    }
+    v
+}
+
+fn length(v: &[f64; 6]) -> f64 {
+    let [a, b, c, d, e, f] = *v;
+    (dot([a, b, c], [a, b, c]) + dot([d, e, f], [d, e, f])).sqrt()
 }
 
 #[cfg(test)]
@@ -192,5 +243,24 @@ mod tests {
         let growth = size.sqrt() / (2.0 * epsilon);
         assert!((libm::log(growth) - found.exponent * found.time).abs() < 1e-6, "{growth} {found:?}");
         assert!(growth > 5.0);
+    }
+
+    #[test]
+    fn tangent_vectors_keep_the_integrals_and_have_length_1() {
+        let top = HeavyTop::from_f64([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623]);
+        for k in 0..50 {
+            let x = |step: f64| 2.0 * (f64::from(k) * step % 1.0) - 1.0;
+            let gamma = [x(0.41), x(0.73), x(0.27)];
+            let size = dot(gamma, gamma).sqrt();
+            let state = State { gamma: gamma.map(|g| g / size), l: [3.0 * x(0.13), 3.0 * x(0.59), 3.0 * x(0.87)] };
+            let scale = top.momentum_scale(top.energy(&state));
+            let vector = tangent_vector(&top, &state, scale);
+            let momentum = vector.l.map(|x| x / scale);
+            assert!((dot(vector.gamma, vector.gamma) + dot(momentum, momentum) - 1.0).abs() < 1e-14);
+            assert!(dot(state.gamma, vector.gamma).abs() < 1e-14);
+            assert!((dot(state.gamma, vector.l) + dot(state.l, vector.gamma)).abs() < 1e-13 * scale);
+            let energy = dot(top.angular_velocity(state.l), vector.l) - dot(top.center(), vector.gamma);
+            assert!(energy.abs() < 1e-13 * scale * scale, "{energy:e}");
+        }
     }
 }

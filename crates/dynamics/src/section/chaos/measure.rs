@@ -1,13 +1,13 @@
 //! Both measures of the orbits of a section, and the verdict.
 
-use super::growth::{Course, Growth, Lyapunov};
-use super::judgement::Judgement;
+use super::growth::{Growth, Lyapunov, TangentCourse};
 use super::lyapunov::{ChaosOptions, growths};
-use super::rotation::{Rotation, RotationUndefined, rotation_number};
-use super::verdict::{Open, UNIT};
+use super::rotation::{RotationNumber, RotationUndefined, rotation_number};
+use super::verdict::Judgement;
+use super::verdict::{OpenReason, UNIT};
 use crate::field::State;
 use crate::section::error::SectionError;
-use crate::section::orbit::{End, OrbitSection};
+use crate::section::orbit::{OrbitEnd, OrbitSection};
 use crate::section::torus::PpTorus;
 use crate::section::workers::Monitor;
 
@@ -19,7 +19,7 @@ pub struct ChaosMeasure {
     /// Of the orbit from its first point to its last; None for an orbit of no duration or one that was not finished.
     pub lyapunov: Option<Lyapunov>,
     /// Of its incoming crossings, or why there is none.
-    pub rotation: Result<Rotation, RotationUndefined>,
+    pub rotation: Result<RotationNumber, RotationUndefined>,
     /// Regular, chaotic or open.
     pub judgement: Judgement,
     /// λ(t) = ln(|δ(t)|/|δ(0)|)/t at each crossing; NaN at the first one, where t = 0, and where the tangent vector did
@@ -44,7 +44,7 @@ pub fn chaos_measures(
 ) -> Result<Vec<ChaosMeasure>, SectionError> {
     let with_times = |orbit: &OrbitSection| {
         let begin = orbit.points.first().map_or(0.0, |first| first.time);
-        Course { at: orbit.points.iter().map(|point| point.time - begin).collect(), ..course(orbit) }
+        TangentCourse { at: orbit.points.iter().map(|point| point.time - begin).collect(), ..course(orbit) }
     };
     let growths = growths(torus.top(), orbits.iter().map(with_times).collect(), options, monitor)?;
     let stopped = monitor.is_stopped();
@@ -53,8 +53,8 @@ pub fn chaos_measures(
         lyapunov: growth.lyapunov,
         rotation: if stopped { Err(RotationUndefined::Interrupted) } else { rotation_number(&orbit.points) },
         judgement: match (orbit.report.end, growth.lyapunov) {
-            (End::StaysOnSection, _) => Judgement::open(Open::StaysOnSection),
-            (_, None) => Judgement::open(Open::Unfinished),
+            (OrbitEnd::StaysOnSection, _) => Judgement::open(OpenReason::StaysOnSection),
+            (_, None) => Judgement::open(OpenReason::Unfinished),
             _ => judge(orbit, &growth),
         },
         running: running(orbit, &growth.logs),
@@ -73,25 +73,27 @@ pub fn verdicts(
     options: &ChaosOptions,
     monitor: &Monitor,
 ) -> Result<Vec<Judgement>, SectionError> {
-    let until_decided = |orbit: &OrbitSection| Course { until_decided: true, ..course(orbit) };
+    let until_decided = |orbit: &OrbitSection| TangentCourse { until_decided: true, ..course(orbit) };
     let growths = growths(torus.top(), orbits.iter().map(until_decided).collect(), options, monitor)?;
     let stopped = monitor.is_stopped();
     let judge = |(orbit, growth): (&OrbitSection, &Growth)| match orbit.report.end {
-        End::StaysOnSection => Judgement::open(Open::StaysOnSection),
-        _ if stopped || !growth.finite => Judgement::open(Open::Unfinished),
+        OrbitEnd::StaysOnSection => Judgement::open(OpenReason::StaysOnSection),
+        _ if stopped || !growth.finite => Judgement::open(OpenReason::Unfinished),
         _ => judge(orbit, growth),
     };
     Ok(orbits.iter().zip(&growths).map(judge).collect())
 }
 
 /// The course of an orbit from its first point, without times of its own.
-fn course(orbit: &OrbitSection) -> Course {
-    let Some(first) = orbit.points.first() else { return Course::default() };
-    Course {
+fn course(orbit: &OrbitSection) -> TangentCourse {
+    let Some(first) = orbit.points.first() else {
+        return TangentCourse::default();
+    };
+    TangentCourse {
         start: State { gamma: first.gamma, l: first.l },
         time: orbit.report.time - first.time,
         unit: orbit.points.get(UNIT).map_or(0.0, |point| point.time - first.time),
-        ..Course::default()
+        ..TangentCourse::default()
     }
 }
 

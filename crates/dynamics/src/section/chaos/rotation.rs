@@ -2,9 +2,9 @@
 
 use thiserror::Error;
 
-use super::average::weighted_mean;
+use super::averages::weighted_mean;
 use super::curve::rotation_along_curve;
-use super::plane::{centred, principal_coordinates};
+use super::curve::{centred, principal_coordinates};
 use crate::section::orbit::SectionPoint;
 
 /// Fewest returns from which a rotation number is computed.
@@ -20,7 +20,7 @@ const POINTS_PER_ISLAND: usize = 6;
 /// topological invariant: any angle along the curve gives the same up to whole turns and the sense of turning. It is
 /// therefore given in turns per return, in [0, 1/2].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rotation {
+pub struct RotationNumber {
     /// Turns per return, in [0, 1/2].
     pub number: f64,
     /// |number from the first half of the returns − number from the second half|; 0 for a chain of islands.
@@ -68,7 +68,7 @@ pub enum RotationUndefined {
 ///
 /// # Errors
 /// [`RotationUndefined`] says why there is none.
-pub fn rotation_number(points: &[SectionPoint]) -> Result<Rotation, RotationUndefined> {
+pub fn rotation_number(points: &[SectionPoint]) -> Result<RotationNumber, RotationUndefined> {
     let incoming: Vec<&SectionPoint> = points.iter().filter(|point| point.s_dot < 0.0).collect();
     let returns = incoming.len().saturating_sub(1);
     if returns < FEWEST_RETURNS {
@@ -83,16 +83,16 @@ pub fn rotation_number(points: &[SectionPoint]) -> Result<Rotation, RotationUnde
             let advances: Vec<f64> = turns.windows(2).map(|pair| advance(pair[0], pair[1])).collect();
             let (first, second) = advances.split_at(returns / 2);
             let error = (weighted_mean(first) - weighted_mean(second)).abs();
-            return Ok(Rotation { number: folded(weighted_mean(&advances)), error, angle: *angle, returns });
+            return Ok(RotationNumber { number: folded(weighted_mean(&advances)), error, angle: *angle, returns });
         }
     }
     if let Some((number, error)) = rotation_along_curve(&cloud) {
-        return Ok(Rotation { number: folded(number), error, angle: RotationAngle::Curve, returns });
+        return Ok(RotationNumber { number: folded(number), error, angle: RotationAngle::Curve, returns });
     }
     let chain = candidates.iter().find_map(|(_, turns)| island_chain(turns));
     let (steps, islands) = chain.ok_or(RotationUndefined::NoCircle)?;
     let (number, angle) = (folded(steps as f64 / islands as f64), RotationAngle::Islands(islands));
-    Ok(Rotation { number, error: 0.0, angle, returns })
+    Ok(RotationNumber { number, error: 0.0, angle, returns })
 }
 
 /// The angle of (x, y) in turns.
@@ -113,7 +113,7 @@ fn folded(number: f64) -> f64 {
     number.min(1.0 - number)
 }
 
-/// Do the images of the angles, each the angle after it, stand in the same cyclic order as the angles themselves?
+/// True when the images of the angles, each the angle after it, stand in the same cyclic order as the angles themselves.
 fn keeps_cyclic_order(turns: &[f64]) -> bool {
     let count = turns.len() - 1;
     let mut order: Vec<usize> = (0..count).collect();

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use std::sync::atomic::AtomicBool;
 
 use super::equations::Zero;
-use super::linear::Vector;
+use super::linear::PhaseVector;
 use super::seeds::{Field, bisect};
 use super::trace::{Traced, Tracer};
 use crate::field::{State, dot, scale};
@@ -16,42 +16,33 @@ use bifdiag_diagram::topology::latitude::{Arcs, Latitudes, components};
 /// The most circles of latitude on which ∂U is looked for.
 const MOST_ROWS: usize = 4096;
 
-/// ∂U.
-pub(super) struct Boundary {
-    pub lines: Vec<Traced>,
-    /// How many circles it has, if the certified sweep could tell.
-    pub certified_circles: Option<usize>,
-}
-
-impl Boundary {
-    /// Of a body at (h, l) as given: from its arcs on `rows` circles of latitude, and on more as long as circles are
-    /// missing.
-    pub fn new(
-        body: &Body,
-        (h, l): (f64, f64),
-        field: Field<'_>,
-        rows: usize,
-        tracer: Tracer<'_>,
-    ) -> Result<Self, SectionError> {
-        let frame = body.frame();
-        let (h, l) = (h / frame.energy_unit, l / frame.momentum_unit);
-        let parts = components(&frame, h, l).ok();
-        let certified_circles = parts.map(|parts| parts.iter().map(|part| part.boundary_circles as usize).sum());
-        let mut lines = Vec::new();
-        if let Ok(latitudes) = Latitudes::new(&frame, h, l) {
-            let mut rows = rows;
-            loop {
-                let seeds = on_latitudes(field, &latitudes, rows, tracer.stop)?;
-                tracer.extend(&mut lines, seeds)?;
-                rows *= 2;
-                let complete = certified_circles.is_none_or(|circles| lines.len() >= circles);
-                if complete || rows > MOST_ROWS {
-                    break;
-                }
+/// ∂U of a body at (h, l) as given: from its arcs on `rows` circles of latitude, and on more as long as circles are
+/// missing. With the number of its circles, if the certified sweep decided it.
+pub(super) fn traced_boundary(
+    body: &Body,
+    (h, l): (f64, f64),
+    field: Field<'_>,
+    rows: usize,
+    tracer: Tracer<'_>,
+) -> Result<(Vec<Traced>, Option<usize>), SectionError> {
+    let frame = body.frame();
+    let (h, l) = (h / frame.energy_unit, l / frame.momentum_unit);
+    let parts = components(&frame, h, l).ok();
+    let certified_circles = parts.map(|parts| parts.iter().map(|part| part.boundary_circles as usize).sum());
+    let mut lines = Vec::new();
+    if let Ok(latitudes) = Latitudes::new(&frame, h, l) {
+        let mut rows = rows;
+        loop {
+            let seeds = on_latitudes(field, &latitudes, rows, tracer.stop)?;
+            tracer.extend(&mut lines, seeds)?;
+            rows *= 2;
+            let complete = certified_circles.is_none_or(|circles| lines.len() >= circles);
+            if complete || rows > MOST_ROWS {
+                break;
             }
         }
-        Ok(Self { lines, certified_circles })
     }
+    Ok((lines, certified_circles))
 }
 
 /// Points of ∂U on `rows` circles of latitude.
@@ -62,13 +53,13 @@ fn on_latitudes(
     latitudes: &Latitudes,
     rows: usize,
     stop: Option<&AtomicBool>,
-) -> Result<Vec<Vector>, SectionError> {
+) -> Result<Vec<PhaseVector>, SectionError> {
     let mut seeds = Vec::new();
     let mut before: Option<(f64, bool)> = None;
     for row in 0..=rows {
         check_stop(stop)?;
         let theta = PI * row as f64 / rows as f64;
-        // A circle that touches ∂U within rounding cannot be told; its neighbours can.
+        // A circle that touches ∂U within rounding is undecided; its neighbours are not.
         let Some((theta, arcs)) = [0.0, 1e-3, -1e-3].into_iter().find_map(|shift| {
             let theta = (theta + shift * PI / rows as f64).clamp(0.0, PI);
             latitudes.arcs_at(libm::cos(theta)).ok().map(|arcs| (theta, arcs))
@@ -99,7 +90,7 @@ fn on_latitudes(
 }
 
 /// The state l = l Aγ/J over a point of ∂U.
-fn on_boundary(field: Field<'_>, [cos, sin]: [f64; 2], theta: f64) -> Vector {
+fn on_boundary(field: Field<'_>, [cos, sin]: [f64; 2], theta: f64) -> PhaseVector {
     let gamma = field.torus.gamma(theta, libm::atan2(sin, cos));
     let moment = field.torus.top().inertia(gamma);
     field.equations.vector(&State { gamma, l: scale(field.equations.l / dot(gamma, moment), moment) })

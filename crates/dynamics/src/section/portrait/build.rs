@@ -2,29 +2,19 @@
 
 use std::f64::consts::PI;
 
-use super::boundary::Boundary;
-use super::chart::{Axes, Chart};
-use super::cut::{self, Piece, boundary_pieces, tangency_pieces};
-use super::equations::{Equations, Zero};
-use super::linear::Vector;
+use super::boundary::traced_boundary;
+use super::chart::{Axes, SectionChart};
+use super::cut::{self, CurvePiece, boundary_pieces, tangency_pieces};
+use super::equations::{SectionEquations, Zero};
+use super::linear::PhaseVector;
 use super::seeds::Field;
-use super::trace::{Spacing, Traced, Tracer};
-use super::{Line, Portrait, PortraitOptions, PortraitReport};
+use super::trace::{Traced, Tracer};
+use super::{Portrait, PortraitOptions, PortraitReport, SectionLine};
 use crate::field::{Dimension, HeavyTop};
 use crate::section::condition::SectionCondition;
 use crate::section::error::{SectionError, check_finite};
 use crate::section::torus::PpTorus;
 use bifdiag_body::Body;
-
-/// Shorter steps near the poles of both charts.
-struct BothCharts([Axes; 2]);
-
-impl Spacing for BothCharts {
-    fn at(&self, gamma: [f64; 3]) -> f64 {
-        let nearest = self.0.iter().map(|axes| axes.sine(gamma)).fold(1.0, f64::min);
-        (4.0 * nearest).clamp(0.01, 1.0)
-    }
-}
 
 impl Portrait {
     /// The section at energy h and vertical angular momentum l.
@@ -39,18 +29,18 @@ impl Portrait {
         let units = torus.top().units();
         let reduced_h = units.reduce(h, Dimension::ENERGY);
         let reduced_l = units.reduce(l, Dimension::MOMENTUM);
-        let equations = Equations::new(*reduced.top(), options.condition, reduced_h, reduced_l);
+        let equations = SectionEquations::new(*reduced.top(), options.condition, reduced_h, reduced_l);
         let field = Field { torus: &reduced, equations: &equations };
-        let spacing = BothCharts([Chart::Torus, Chart::Sphere].map(|chart| Axes::new(chart, &torus)));
+        let charts = [SectionChart::Torus, SectionChart::Sphere].map(|chart| Axes::new(chart, &torus));
         let (rows, stop) = (options.rows.max(8), options.stop);
-        let tracer = |zero| Tracer { equations: &equations, spacing: &spacing, stop, zero };
-        let grid = field.on_grid(Chart::Torus, rows, stop)?;
-        let Boundary { lines: boundary, certified_circles } = match options.condition {
-            SectionCondition::Height => Boundary::new(body, (h, l), field, rows, tracer(Zero::Sheets))?,
+        let tracer = |zero| Tracer { equations: &equations, charts: &charts, stop, zero };
+        let grid = field.on_grid(SectionChart::Torus, rows, stop)?;
+        let (boundary, certified_circles) = match options.condition {
+            SectionCondition::Height => traced_boundary(body, (h, l), field, rows, tracer(Zero::Sheets))?,
             SectionCondition::AngularMomentum => {
                 let mut lines = Vec::new();
                 tracer(Zero::Sheets).extend(&mut lines, grid.boundary)?;
-                Boundary { lines, certified_circles: None }
+                (lines, None)
             }
         };
         let mut meetings = cut::sign_changes(&equations, &boundary);
@@ -88,7 +78,7 @@ impl Portrait {
         for row in 0..rows {
             for column in 0..2 * rows {
                 let [x, y] = [(column as f64 + 0.25) * PI / rows as f64, (row as f64 + 0.5) * PI / rows as f64];
-                if self.states(Chart::Torus, [x, y]).is_some() {
+                if self.states(SectionChart::Torus, [x, y]).is_some() {
                     return Ok(());
                 }
                 tried += 1;
@@ -99,14 +89,14 @@ impl Portrait {
     }
 }
 
-fn gammas(points: &[Vector]) -> Vec<[f64; 3]> {
+fn gammas(points: &[PhaseVector]) -> Vec<[f64; 3]> {
     points.iter().map(|x| [x[0], x[1], x[2]]).collect()
 }
 
-fn whole(traced: &Traced) -> Line {
-    Line { points: gammas(&traced.points), closed: traced.closed }
+fn whole(traced: &Traced) -> SectionLine {
+    SectionLine { points: gammas(&traced.points), closed: traced.closed }
 }
 
-fn part(piece: &Piece) -> Line {
-    Line { points: gammas(&piece.points), closed: piece.closed }
+fn part(piece: &CurvePiece) -> SectionLine {
+    SectionLine { points: gammas(&piece.points), closed: piece.closed }
 }

@@ -10,7 +10,7 @@ const EDGE_PLACES: usize = 720;
 
 /// Which angles (x, y) = (ψ, ϑ) of γ are drawn, x in [0, 2π) and y in [0, π].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Chart {
+pub enum SectionChart {
     /// The PP-torus: (ψ', ϑ') with r̂ as polar axis; y = 0 and y = π are the polar circles.
     #[default]
     Torus,
@@ -23,10 +23,10 @@ pub enum Chart {
 pub(super) struct Axes([[f64; 3]; 3]);
 
 impl Axes {
-    pub fn new(chart: Chart, torus: &PpTorus) -> Self {
+    pub fn new(chart: SectionChart, torus: &PpTorus) -> Self {
         Self(match chart {
-            Chart::Torus => torus.axes(),
-            Chart::Sphere => [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            SectionChart::Torus => torus.axes(),
+            SectionChart::Sphere => [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         })
     }
 
@@ -80,12 +80,12 @@ impl Axes {
 
 /// An area of a chart: the points that an odd number of its loops encloses.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Area {
+pub struct ChartArea {
     /// Closed polygons, (x, y) in radians.
     pub loops: Vec<Vec<[f64; 2]>>,
 }
 
-impl Area {
+impl ChartArea {
     /// The area that is bounded by `lines` and contains the part `bottom` of the edge y = π.
     ///
     /// Each line is closed by straight walls up to y = 0, unless it ends where it begins: a point lies over an odd number
@@ -102,7 +102,7 @@ impl Area {
         Self { loops: walled.chain(columns).collect() }
     }
 
-    /// Is a point inside?
+    /// True for a point inside.
     #[must_use]
     pub fn contains(&self, [x, y]: [f64; 2]) -> bool {
         let mut inside = false;
@@ -149,7 +149,7 @@ mod tests {
 
     fn axes() -> Axes {
         let torus = PpTorus::new(&HeavyTop::from_f64([2.0, 1.1, 1.0], [0.94868, 0.0, 0.61623])).unwrap();
-        Axes::new(Chart::Torus, &torus)
+        Axes::new(SectionChart::Torus, &torus)
     }
 
     #[test]
@@ -171,8 +171,8 @@ mod tests {
             .collect();
         let pieces = axes().cut(&circle, true);
         assert_eq!(pieces.len(), 3, "the line begins inside, leaves, comes back and leaves again");
-        let disc = Area::new(pieces.clone(), &[]);
-        let rest = Area::new(pieces, &[[0.0, TAU]]);
+        let disc = ChartArea::new(pieces.clone(), &[]);
+        let rest = ChartArea::new(pieces, &[[0.0, TAU]]);
         for ([x, y], inside) in
             [([0.1, 1.0], true), ([6.2, 1.2], true), ([3.0, 1.0], false), ([0.1, 2.0], false), ([0.3, 0.4], false)]
         {
@@ -189,7 +189,7 @@ mod tests {
                 [2.0 + 0.5 * cos, 1.0 + 0.5 * sin]
             })
             .collect();
-        let disc = Area::new(vec![circle.clone()], &[]);
+        let disc = ChartArea::new(vec![circle.clone()], &[]);
         assert_eq!(disc.loops, [circle]);
         assert!(disc.contains([2.0, 1.0]) && !disc.contains([2.0, 0.2]) && !disc.contains([2.0, 1.6]));
     }
@@ -197,7 +197,7 @@ mod tests {
     #[test]
     fn a_circle_round_the_axis_bounds_its_cap() {
         let circle: Vec<[f64; 3]> = (0..100).map(|k| axes().gamma([f64::from(k) / 100.0 * TAU, 1.0])).collect();
-        let cap = Area::new(axes().cut(&circle, true), &[]);
+        let cap = ChartArea::new(axes().cut(&circle, true), &[]);
         assert!(cap.contains([0.01, 0.5]) && cap.contains([6.27, 0.5]) && !cap.contains([3.0, 1.5]));
     }
 }

@@ -1,8 +1,8 @@
 //! Where the two kinds of curves meet: the line of tangency changes its sheet on ∂U, and there Ṡ changes its sign
 //! along ∂U.
 
-use super::equations::{Equations, Zero};
-use super::linear::{Vector, along, inner, length};
+use super::equations::{SectionEquations, Zero};
+use super::linear::{PhaseVector, along, inner, length};
 use super::trace::Traced;
 
 /// Meeting points nearer than this are one.
@@ -10,18 +10,18 @@ const SAME: f64 = 1e-7;
 
 /// A part of a curve between two meeting points.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Piece {
-    pub points: Vec<Vector>,
+pub(super) struct CurvePiece {
+    pub points: Vec<PhaseVector>,
     pub closed: bool,
     /// The sign of Δ (line of tangency) or of Ṡ (∂U) on it.
     pub positive: bool,
 }
 
 /// A cut: the step of the curve, the share of the step, the point.
-type Cut = (usize, f64, Vector);
+type CurveCut = (usize, f64, PhaseVector);
 
 /// The points of ∂U at which Ṡ changes its sign.
-pub(super) fn sign_changes(equations: &Equations, boundary: &[Traced]) -> Vec<Vector> {
+pub(super) fn sign_changes(equations: &SectionEquations, boundary: &[Traced]) -> Vec<PhaseVector> {
     let mut meetings = Vec::new();
     for line in boundary {
         let rates: Vec<f64> = line.points.iter().map(|x| equations.rate(&equations.state(x))).collect();
@@ -35,7 +35,11 @@ pub(super) fn sign_changes(equations: &Equations, boundary: &[Traced]) -> Vec<Ve
 }
 
 /// The line of tangency cut at ∂U; meeting points that are not known yet are added.
-pub(super) fn tangency_pieces(equations: &Equations, lines: &[Traced], meetings: &mut Vec<Vector>) -> Vec<Piece> {
+pub(super) fn tangency_pieces(
+    equations: &SectionEquations,
+    lines: &[Traced],
+    meetings: &mut Vec<PhaseVector>,
+) -> Vec<CurvePiece> {
     let mut pieces = Vec::new();
     for line in lines {
         let deltas: Vec<f64> = line.points.iter().map(|x| equations.delta(&equations.state(x))).collect();
@@ -56,10 +60,14 @@ pub(super) fn tangency_pieces(equations: &Equations, lines: &[Traced], meetings:
 }
 
 /// ∂U cut at the meeting points.
-pub(super) fn boundary_pieces(equations: &Equations, lines: &[Traced], meetings: &[Vector]) -> Vec<Piece> {
-    let mut cuts: Vec<Vec<Cut>> = vec![Vec::new(); lines.len()];
+pub(super) fn boundary_pieces(
+    equations: &SectionEquations,
+    lines: &[Traced],
+    meetings: &[PhaseVector],
+) -> Vec<CurvePiece> {
+    let mut cuts: Vec<Vec<CurveCut>> = vec![Vec::new(); lines.len()];
     for meeting in meetings {
-        let mut nearest: Option<(f64, usize, Cut)> = None;
+        let mut nearest: Option<(f64, usize, CurveCut)> = None;
         for (index, line) in lines.iter().enumerate() {
             for (i, j) in line.steps() {
                 let chord = along(&line.points[j], -1.0, &line.points[i]);
@@ -75,22 +83,22 @@ pub(super) fn boundary_pieces(equations: &Equations, lines: &[Traced], meetings:
             cuts[index].push(cut);
         }
     }
-    let rate = |x: &Vector| equations.rate(&equations.state(x));
+    let rate = |x: &PhaseVector| equations.rate(&equations.state(x));
     lines.iter().zip(cuts).flat_map(|(line, cuts)| pieces_of(line, cuts, rate)).collect()
 }
 
-fn between(a: &Vector, b: &Vector, share: f64) -> Vector {
+fn between(a: &PhaseVector, b: &PhaseVector, share: f64) -> PhaseVector {
     along(a, share, &along(b, -1.0, a))
 }
 
 /// The pieces of a line between its cuts, with the sign of `value` on each.
-fn pieces_of(line: &Traced, mut cuts: Vec<Cut>, value: impl Fn(&Vector) -> f64) -> Vec<Piece> {
-    let sign = |points: &[Vector]| {
+fn pieces_of(line: &Traced, mut cuts: Vec<CurveCut>, value: impl Fn(&PhaseVector) -> f64) -> Vec<CurvePiece> {
+    let sign = |points: &[PhaseVector]| {
         let largest = points.iter().map(&value).max_by(|a, b| a.abs().total_cmp(&b.abs()));
         largest.is_some_and(|value| value > 0.0)
     };
     cuts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let piece = |points: Vec<Vector>, closed: bool| Piece { positive: sign(&points), points, closed };
+    let piece = |points: Vec<PhaseVector>, closed: bool| CurvePiece { positive: sign(&points), points, closed };
     let Some((first, ..)) = cuts.first() else {
         return vec![piece(line.points.clone(), line.closed)];
     };
@@ -98,14 +106,14 @@ fn pieces_of(line: &Traced, mut cuts: Vec<Cut>, value: impl Fn(&Vector) -> f64) 
     let count = line.points.len();
     let offset = if line.closed { first + 1 } else { 0 };
     let mut pieces = Vec::new();
-    let mut points: Vec<Vector> = Vec::new();
-    let mut close = |points: &mut Vec<Vector>| {
+    let mut points: Vec<PhaseVector> = Vec::new();
+    let mut close = |points: &mut Vec<PhaseVector>| {
         let finished = std::mem::take(points);
         if finished.len() > 1 {
             pieces.push(piece(finished, false));
         }
     };
-    let mut visit = |step: usize, points: &mut Vec<Vector>, skip_first: bool| {
+    let mut visit = |step: usize, points: &mut Vec<PhaseVector>, skip_first: bool| {
         let here = cuts.iter().enumerate().filter(|(_, cut)| cut.0 == step);
         for (_, (.., x)) in here.filter(|(k, _)| !(skip_first && *k == 0)) {
             points.push(*x);

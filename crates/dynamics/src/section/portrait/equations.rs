@@ -1,6 +1,6 @@
 //! The equations of curves on P_hl, in phase space, where neither ∂U nor a pole is an exception.
 
-use super::linear::{N, Vector, along, length, null_vector, solve};
+use super::linear::{N, PhaseVector, along, length, null_vector, solve};
 use crate::field::{HeavyTop, State, add, cross, dot, sub};
 use crate::section::SectionCondition;
 
@@ -22,7 +22,7 @@ pub(super) enum Zero {
 
 /// P_hl as the zeros of (|γ|² − 1)/2, ⟨γ,l⟩ − l, H − h and S in the coordinates (γ, l/λ), λ = max |l| on H = h.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Equations {
+pub(super) struct SectionEquations {
     pub top: HeavyTop,
     pub condition: SectionCondition,
     pub h: f64,
@@ -30,17 +30,17 @@ pub(super) struct Equations {
     lambda: f64,
 }
 
-impl Equations {
+impl SectionEquations {
     pub fn new(top: HeavyTop, condition: SectionCondition, h: f64, l: f64) -> Self {
         Self { top, condition, h, l, lambda: top.momentum_scale(h).max(f64::MIN_POSITIVE.sqrt()) }
     }
 
-    pub fn vector(&self, state: &State) -> Vector {
+    pub fn vector(&self, state: &State) -> PhaseVector {
         let ([a, b, c], [d, e, f]) = (state.gamma, state.l.map(|l| l / self.lambda));
         [a, b, c, d, e, f]
     }
 
-    pub fn state(&self, x: &Vector) -> State {
+    pub fn state(&self, x: &PhaseVector) -> State {
         let [a, b, c, d, e, f] = *x;
         State { gamma: [a, b, c], l: [d, e, f].map(|l| l * self.lambda) }
     }
@@ -135,7 +135,7 @@ impl Equations {
         })
     }
 
-    fn jacobian(&self, zero: Zero, state: &State) -> [Vector; N - 1] {
+    fn jacobian(&self, zero: Zero, state: &State) -> [PhaseVector; N - 1] {
         let directions = self.directions();
         let columns = directions.map(|d| self.values_along(state, &d));
         let mut rows = [[0.0; N]; N - 1];
@@ -147,13 +147,13 @@ impl Equations {
     }
 
     /// The unit tangent of a curve, up to its sign; `None` at a singular point.
-    pub fn tangent(&self, zero: Zero, x: &Vector) -> Option<Vector> {
+    pub fn tangent(&self, zero: Zero, x: &PhaseVector) -> Option<PhaseVector> {
         null_vector(&self.jacobian(zero, &self.state(x)))
     }
 
     /// The point of a curve next to `guess` in the plane ⊥ `normal` through it; `None` if Newton's method does not
     /// converge or goes far away.
-    pub fn correct(&self, zero: Zero, guess: &Vector, normal: &Vector) -> Option<Vector> {
+    pub fn correct(&self, zero: Zero, guess: &PhaseVector, normal: &PhaseVector) -> Option<PhaseVector> {
         self.newton(guess, |state| {
             let [a, b, c, d, e] = self.jacobian(zero, state);
             let [p, q, r, s] = self.values(state);
@@ -162,7 +162,7 @@ impl Equations {
     }
 
     /// The common point of both curves next to `guess`.
-    pub fn meeting(&self, guess: &Vector) -> Option<Vector> {
+    pub fn meeting(&self, guess: &PhaseVector) -> Option<PhaseVector> {
         self.newton(guess, |state| {
             let [a, b, c, d, e] = self.jacobian(Zero::Sheets, state);
             let tangency = self.directions().map(|d| self.zero_along(Zero::Tangency, state, &d));
@@ -172,12 +172,16 @@ impl Equations {
     }
 
     /// The point of a curve next to `guess`.
-    pub fn polish(&self, zero: Zero, guess: &Vector) -> Option<Vector> {
+    pub fn polish(&self, zero: Zero, guess: &PhaseVector) -> Option<PhaseVector> {
         let normal = self.tangent(zero, guess)?;
         self.correct(zero, guess, &normal)
     }
 
-    fn newton(&self, guess: &Vector, system: impl Fn(&State) -> ([Vector; N], Vector)) -> Option<Vector> {
+    fn newton(
+        &self,
+        guess: &PhaseVector,
+        system: impl Fn(&State) -> ([PhaseVector; N], PhaseVector),
+    ) -> Option<PhaseVector> {
         let mut x = *guess;
         let mut previous = f64::INFINITY;
         for _ in 0..ITERATIONS {
@@ -207,7 +211,7 @@ mod tests {
         let top = HeavyTop::from_f64([2.0, 1.1, 1.0], [0.94868, 0.2, 0.61623]);
         let state = State { gamma: [0.3, -0.5, 0.7], l: [1.2, -0.4, 2.1] };
         for condition in [SectionCondition::Height, SectionCondition::AngularMomentum] {
-            let equations = Equations::new(top, condition, 4.45, 3.25);
+            let equations = SectionEquations::new(top, condition, 4.45, 3.25);
             let x = equations.vector(&state);
             for zero in [Zero::Tangency, Zero::Sheets] {
                 let rows = equations.jacobian(zero, &state);

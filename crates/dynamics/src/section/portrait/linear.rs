@@ -4,24 +4,24 @@
 pub(super) const N: usize = 6;
 
 /// A point or a direction of phase space.
-pub(super) type Vector = [f64; N];
+pub(super) type PhaseVector = [f64; N];
 
-pub(super) fn inner(u: &Vector, v: &Vector) -> f64 {
+pub(super) fn inner(u: &PhaseVector, v: &PhaseVector) -> f64 {
     u.iter().zip(v).map(|(a, b)| a * b).sum()
 }
 
 /// u + c v.
-pub(super) fn along(u: &Vector, c: f64, v: &Vector) -> Vector {
+pub(super) fn along(u: &PhaseVector, c: f64, v: &PhaseVector) -> PhaseVector {
     std::array::from_fn(|i| u[i] + c * v[i])
 }
 
-pub(super) fn length(u: &Vector) -> f64 {
+pub(super) fn length(u: &PhaseVector) -> f64 {
     inner(u, u).sqrt()
 }
 
 /// The solution of six equations `rows`·x = `rhs` by elimination with partial pivoting of equilibrated rows; `None`
 /// where they are singular to rounding.
-pub(super) fn solve(mut rows: [Vector; N], mut rhs: [f64; N]) -> Option<Vector> {
+pub(super) fn solve(mut rows: [PhaseVector; N], mut rhs: [f64; N]) -> Option<PhaseVector> {
     for (row, value) in rows.iter_mut().zip(&mut rhs) {
         let size = length(row);
         if size == 0.0 || !size.is_finite() {
@@ -52,7 +52,7 @@ pub(super) fn solve(mut rows: [Vector; N], mut rhs: [f64; N]) -> Option<Vector> 
 }
 
 /// The unit vector, up to its sign, on which five equations vanish; `None` where there is more than one.
-pub(super) fn null_vector(rows: &[Vector; N - 1]) -> Option<Vector> {
+pub(super) fn null_vector(rows: &[PhaseVector; N - 1]) -> Option<PhaseVector> {
     let mut rows = *rows;
     let mut columns: [usize; N] = std::array::from_fn(|i| i);
     for row in &mut rows {
@@ -104,8 +104,8 @@ mod tests {
     fn planted_solutions_are_found() {
         for seed in 0..50 {
             let mut next = entries(seed);
-            let rows: [Vector; N] = std::array::from_fn(|_| std::array::from_fn(|_| next()));
-            let planted: Vector = std::array::from_fn(|_| next());
+            let rows: [PhaseVector; N] = std::array::from_fn(|_| std::array::from_fn(|_| next()));
+            let planted: PhaseVector = std::array::from_fn(|_| next());
             let found = solve(rows, rows.each_ref().map(|row| inner(row, &planted))).unwrap();
             assert!(length(&along(&found, -1.0, &planted)) < 1e-10);
         }
@@ -115,7 +115,7 @@ mod tests {
     fn null_vectors_vanish_on_every_row() {
         for seed in 0..50 {
             let mut next = entries(seed);
-            let rows: [Vector; N - 1] = std::array::from_fn(|_| std::array::from_fn(|_| next()));
+            let rows: [PhaseVector; N - 1] = std::array::from_fn(|_| std::array::from_fn(|_| next()));
             let null = null_vector(&rows).unwrap();
             assert!((length(&null) - 1.0).abs() < 1e-14);
             assert!(rows.iter().all(|row| inner(row, &null).abs() < 1e-12));
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn dependent_equations_have_no_single_answer() {
         let mut next = entries(7);
-        let mut rows: [Vector; N - 1] = std::array::from_fn(|_| std::array::from_fn(|_| next()));
+        let mut rows: [PhaseVector; N - 1] = std::array::from_fn(|_| std::array::from_fn(|_| next()));
         rows[4] = along(&rows[0], -0.5, &rows[2]);
         assert_eq!(null_vector(&rows), None);
     }

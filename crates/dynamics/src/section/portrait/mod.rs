@@ -12,7 +12,6 @@ mod build;
 mod chart;
 mod cut;
 mod equations;
-mod lift;
 mod linear;
 mod seeds;
 mod trace;
@@ -20,14 +19,14 @@ mod trace;
 use std::f64::consts::PI;
 use std::sync::atomic::AtomicBool;
 
-pub use chart::{Area, Chart};
+pub use chart::{ChartArea, SectionChart};
 
 use super::condition::SectionCondition;
 use super::orbit::SectionPoint;
 use super::torus::PpTorus;
 use crate::field::{Dimension, State};
 use chart::{Axes, edge_parts};
-use equations::Equations;
+use equations::SectionEquations;
 use seeds::Field;
 
 /// How finely a portrait is looked at.
@@ -37,7 +36,7 @@ pub struct PortraitOptions<'a> {
     pub condition: SectionCondition,
     /// Rows of the grid on which the line of tangency is looked for: closed lines smaller than π/rows may be missed.
     pub rows: usize,
-    /// Set it from outside, and the work ends with [`SectionError::Interrupted`](super::SectionError::Interrupted).
+    /// Cancellation: once it is set, the work ends with [`SectionError::Interrupted`](super::SectionError::Interrupted).
     pub stop: Option<&'a AtomicBool>,
 }
 
@@ -49,7 +48,7 @@ impl Default for PortraitOptions<'_> {
 
 /// A polyline of unit vectors γ.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct SectionLine {
     /// Vertices, on the curve to rounding; neighbours are at most 0.02 rad apart.
     pub points: Vec<[f64; 3]>,
     /// The last vertex is joined to the first.
@@ -61,14 +60,14 @@ pub struct Line {
 pub struct PortraitReport {
     /// Closed curves of ∂U that were traced.
     pub boundary_circles: usize,
-    /// How many there are, if the certified sweep could tell.
+    /// How many there are, if the certified sweep decided it.
     pub certified_circles: Option<usize>,
     /// Lines that could not be followed to their end.
     pub open_lines: usize,
 }
 
 impl PortraitReport {
-    /// Is ∂U known to be complete, and was every line followed?
+    /// True when ∂U is known to be complete and every line was followed.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.open_lines == 0 && self.certified_circles.is_none_or(|circles| circles == self.boundary_circles)
@@ -81,12 +80,12 @@ pub struct Portrait {
     torus: PpTorus,
     /// The torus and the equations of the top in its own units.
     reduced: PpTorus,
-    equations: Equations,
-    boundary: Vec<Line>,
+    equations: SectionEquations,
+    boundary: Vec<SectionLine>,
     /// ∂U cut where the line of tangency touches it; whether Ṡ < 0.
-    boundary_pieces: Vec<(Line, bool)>,
+    boundary_pieces: Vec<(SectionLine, bool)>,
     /// On T⁻ and T⁺.
-    tangency: [Vec<Line>; 2],
+    tangency: [Vec<SectionLine>; 2],
     report: PortraitReport,
 }
 
@@ -119,30 +118,30 @@ impl Portrait {
 
     /// ∂U, or for S = ⟨l, γ×r⟩ the boundary of the projection of P_hl.
     #[must_use]
-    pub fn boundary(&self) -> &[Line] {
+    pub fn boundary(&self) -> &[SectionLine] {
         &self.boundary
     }
 
     /// The line of tangency on T⁺ (`sheet` > 0) or T⁻.
     #[must_use]
-    pub fn tangency(&self, sheet: i8) -> &[Line] {
+    pub fn tangency(&self, sheet: i8) -> &[SectionLine] {
         &self.tangency[usize::from(sheet > 0)]
     }
 
     /// The states on T⁻ and T⁺ over a point (x, y) of a chart; `None` if it is inaccessible.
     #[must_use]
-    pub fn states(&self, chart: Chart, point: [f64; 2]) -> Option<[State; 2]> {
+    pub fn states(&self, chart: SectionChart, point: [f64; 2]) -> Option<[State; 2]> {
         let units = self.torus.top().units();
         self.reduced_states(chart, point).map(|states| states.map(|state| state.restored(units)))
     }
 
     /// The same in the top's own units.
-    fn reduced_states(&self, chart: Chart, point: [f64; 2]) -> Option<[State; 2]> {
+    fn reduced_states(&self, chart: SectionChart, point: [f64; 2]) -> Option<[State; 2]> {
         let place = match chart {
-            Chart::Torus => point,
-            Chart::Sphere => {
+            SectionChart::Torus => point,
+            SectionChart::Sphere => {
                 let gamma = Axes::new(chart, &self.torus).gamma(point);
-                Axes::new(Chart::Torus, &self.torus).angles(gamma)
+                Axes::new(SectionChart::Torus, &self.torus).angles(gamma)
             }
         };
         Field { torus: &self.reduced, equations: &self.equations }.states(place)
@@ -150,27 +149,27 @@ impl Portrait {
 
     /// Ṡ on T⁻ and T⁺ at a point of a chart; `None` if it is inaccessible.
     #[must_use]
-    pub fn rates(&self, chart: Chart, point: [f64; 2]) -> Option<[f64; 2]> {
+    pub fn rates(&self, chart: SectionChart, point: [f64; 2]) -> Option<[f64; 2]> {
         let (units, dimension) = (self.torus.top().units(), self.condition().dimension().rate());
         let rate = |state| units.restore(self.equations.rate(&state), dimension);
         self.reduced_states(chart, point).map(|states| states.map(rate))
     }
 
-    /// Is +r̂ (`sign` > 0) or −r̂ accessible, so that the polar circle belongs to the section?
+    /// True when +r̂ (`sign` > 0) or −r̂ is accessible, so that the polar circle belongs to the section.
     #[must_use]
     pub fn has_pole(&self, sign: i8) -> bool {
-        self.states(Chart::Torus, [0.0, if sign > 0 { 0.0 } else { PI }]).is_some()
+        self.states(SectionChart::Torus, [0.0, if sign > 0 { 0.0 } else { PI }]).is_some()
     }
 
     /// (x, y) of a vector in a chart.
     #[must_use]
-    pub fn position(&self, chart: Chart, gamma: [f64; 3]) -> [f64; 2] {
+    pub fn position(&self, chart: SectionChart, gamma: [f64; 3]) -> [f64; 2] {
         Axes::new(chart, &self.torus).angles(gamma)
     }
 
     /// (x, y) of a crossing in a chart, and its sheet.
     #[must_use]
-    pub fn crossing(&self, chart: Chart, point: &SectionPoint) -> ([f64; 2], i8) {
+    pub fn crossing(&self, chart: SectionChart, point: &SectionPoint) -> ([f64; 2], i8) {
         let sheet = match self.equations.condition {
             SectionCondition::Height => point.sheet,
             SectionCondition::AngularMomentum => {
@@ -179,33 +178,33 @@ impl Portrait {
             }
         };
         let place = match chart {
-            Chart::Torus => [point.psi, point.theta],
-            Chart::Sphere => self.position(chart, point.gamma),
+            SectionChart::Torus => [point.psi, point.theta],
+            SectionChart::Sphere => self.position(chart, point.gamma),
         };
         (place, sheet)
     }
 
     /// A line in a chart, cut at its seam.
     #[must_use]
-    pub fn in_chart(&self, chart: Chart, line: &Line) -> Vec<Vec<[f64; 2]>> {
+    pub fn in_chart(&self, chart: SectionChart, line: &SectionLine) -> Vec<Vec<[f64; 2]>> {
         Axes::new(chart, &self.torus).cut(&line.points, line.closed)
     }
 
     /// The accessible area of a chart.
     #[must_use]
-    pub fn accessible(&self, chart: Chart) -> Area {
+    pub fn accessible(&self, chart: SectionChart) -> ChartArea {
         let lines = self.boundary.iter().flat_map(|line| self.in_chart(chart, line)).collect();
-        Area::new(lines, &edge_parts(&|x| self.states(chart, [x, PI]).is_some()))
+        ChartArea::new(lines, &edge_parts(&|x| self.states(chart, [x, PI]).is_some()))
     }
 
     /// The area where Ṡ < 0 on T⁺ (`sheet` > 0) or T⁻.
     #[must_use]
-    pub fn incoming(&self, chart: Chart, sheet: i8) -> Area {
+    pub fn incoming(&self, chart: SectionChart, sheet: i8) -> ChartArea {
         let own = self.tangency(sheet).iter();
         let along_boundary = self.boundary_pieces.iter().filter(|(_, incoming)| *incoming).map(|(line, _)| line);
         let lines = own.chain(along_boundary).flat_map(|line| self.in_chart(chart, line)).collect();
         let incoming = |x: f64| self.rates(chart, [x, PI]).is_some_and(|rates| rates[usize::from(sheet > 0)] < 0.0);
-        Area::new(lines, &edge_parts(&incoming))
+        ChartArea::new(lines, &edge_parts(&incoming))
     }
 }
 

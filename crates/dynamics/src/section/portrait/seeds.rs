@@ -1,16 +1,15 @@
-//! Points from which the curves of a portrait are traced.
+//! The two states over a point of the Poisson sphere, and the points from which the curves of a portrait are traced.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
 
-use super::chart::{Axes, Chart};
-use super::equations::{Equations, Zero};
-use super::lift::states;
-use super::linear::Vector;
-use crate::field::State;
+use super::chart::{Axes, SectionChart};
+use super::equations::{SectionEquations, Zero};
+use super::linear::PhaseVector;
+use crate::field::{State, add, dot, scale};
 use crate::section::condition::SectionCondition;
 use crate::section::error::{SectionError, check_stop};
-use crate::section::torus::PpTorus;
+use crate::section::torus::{PpTorus, TorusPoint};
 
 /// Bisections of an edge.
 const HALVINGS: usize = 50;
@@ -19,7 +18,7 @@ const HALVINGS: usize = 50;
 #[derive(Clone, Copy)]
 pub(super) struct Field<'a> {
     pub torus: &'a PpTorus,
-    pub equations: &'a Equations,
+    pub equations: &'a SectionEquations,
 }
 
 impl Field<'_> {
@@ -39,9 +38,14 @@ impl Field<'_> {
 
     /// What a grid of places shows: points of the boundary of the projection between places with states and places
     /// without, and points of tangency between places where Ṡ has different signs.
-    pub fn on_grid(&self, chart: Chart, rows: usize, stop: Option<&AtomicBool>) -> Result<GridSeeds, SectionError> {
+    pub fn on_grid(
+        &self,
+        chart: SectionChart,
+        rows: usize,
+        stop: Option<&AtomicBool>,
+    ) -> Result<GridSeeds, SectionError> {
         let axes = Axes::new(chart, self.torus);
-        let torus = Axes::new(Chart::Torus, self.torus);
+        let torus = Axes::new(SectionChart::Torus, self.torus);
         let columns = 2 * rows;
         let place = |row: usize, column: usize| {
             [(column as f64 + 0.25) * TAU / columns as f64, (row as f64 + 0.5) * PI / rows as f64]
@@ -57,7 +61,9 @@ impl Field<'_> {
             check_stop(stop)?;
             for column in 0..columns {
                 for (to_row, to_column) in [(row, column + 1), (row + 1, column)] {
-                    let Some(to) = nodes.get(to_row).map(|row| row[to_column]) else { continue };
+                    let Some(to) = nodes.get(to_row).map(|row| row[to_column]) else {
+                        continue;
+                    };
                     let from = nodes[row][column];
                     let (p, q) = (place(row, column), place(to_row, to_column));
                     let at = |t: f64| {
@@ -106,8 +112,8 @@ impl Field<'_> {
 
 /// What a grid shows.
 pub(super) struct GridSeeds {
-    pub boundary: Vec<Vector>,
-    pub tangency: Vec<Vector>,
+    pub boundary: Vec<PhaseVector>,
+    pub tangency: Vec<PhaseVector>,
 }
 
 /// Where in [0, 1] a condition changes that fails at 0 and holds at 1.
@@ -118,4 +124,40 @@ pub(super) fn bisect(holds: impl Fn(f64) -> bool) -> f64 {
         if holds(middle) { high = middle } else { low = middle }
     }
     0.5 * (low + high)
+}
+
+/// The states with Δ < 0 and Δ > 0 over γ(ϑ', ψ'); `None` where there are none.
+fn states(
+    torus: &PpTorus,
+    condition: SectionCondition,
+    (h, l): (f64, f64),
+    [psi, theta]: [f64; 2],
+) -> Option<[State; 2]> {
+    match condition {
+        SectionCondition::Height => {
+            let state = |sheet| torus.state(TorusPoint { theta, psi, sheet }, h, l).ok();
+            Some([state(-1)?, state(1)?])
+        }
+        SectionCondition::AngularMomentum => {
+            // S = ⟨l, γ×r⟩ = 0 and ⟨γ, l⟩ = l: l = lγ + t e with e = ∂γ/∂ϑ'; H = h is a quadratic equation for t.
+            let [e_x, e_y, r_hat] = torus.axes();
+            let ((sin_psi, cos_psi), (sin, cos)) = (libm::sincos(psi), libm::sincos(theta));
+            let equator = add(scale(sin_psi, e_x), scale(cos_psi, e_y));
+            let gamma = add(scale(sin, equator), scale(cos, r_hat));
+            let e = add(scale(cos, equator), scale(-sin, r_hat));
+            let top = torus.top();
+            let (weighted_e, weighted_gamma) = (top.inverse_inertia(e), top.inverse_inertia(gamma));
+            let a = dot(e, weighted_e);
+            let b = l * dot(gamma, weighted_e);
+            let c = l * l * dot(gamma, weighted_gamma) - 2.0 * (h + dot(gamma, top.center()));
+            let discriminant = b * b - a * c;
+            if discriminant.is_nan() || discriminant < 0.0 {
+                return None;
+            }
+            // Δ = ⟨ω, e⟩ |r| sin ϑ' = ∂H/∂t |r| sin ϑ' has the sign of the root.
+            let root = discriminant.sqrt();
+            let state = |t: f64| State { gamma, l: add(scale(l, gamma), scale(t / a, e)) };
+            Some([state(-b - root), state(-b + root)])
+        }
+    }
 }

@@ -7,7 +7,7 @@ use bifdiag_body::Body;
 
 /// Nodes of a grid that the areas of a portrait take for something else than they are; those within a thousandth of
 /// a line are left out.
-fn misplaced(portrait: &Portrait, chart: Chart, rows: usize) -> Vec<([f64; 2], &'static str)> {
+fn misplaced(portrait: &Portrait, chart: SectionChart, rows: usize) -> Vec<([f64; 2], &'static str)> {
     let accessible = portrait.accessible(chart);
     let incoming = [portrait.incoming(chart, -1), portrait.incoming(chart, 1)];
     let kind = |point| portrait.rates(chart, point).map(|rates| rates.map(|rate| rate < 0.0));
@@ -57,7 +57,7 @@ fn the_papers_nine_regions_are_mapped_completely() {
         let report = portrait.report();
         assert_eq!(report.certified_circles, Some(circles), "({h}, {l})");
         assert_eq!((report.boundary_circles, report.open_lines), (circles, 0), "({h}, {l})");
-        for chart in [Chart::Torus, Chart::Sphere] {
+        for chart in [SectionChart::Torus, SectionChart::Sphere] {
             let wrong = misplaced(&portrait, chart, 40);
             assert!(wrong.is_empty(), "({h}, {l}) {chart:?}: {} nodes, first {:?}", wrong.len(), wrong[0]);
         }
@@ -79,7 +79,8 @@ fn vertices_lie_on_their_curves() {
         for line in portrait.tangency(sheet) {
             for &gamma in &line.points {
                 // At ∂U, where lines end, rounding decides whether there is a state.
-                let Some(rates) = portrait.rates(Chart::Torus, portrait.position(Chart::Torus, gamma)) else {
+                let Some(rates) = portrait.rates(SectionChart::Torus, portrait.position(SectionChart::Torus, gamma))
+                else {
                     assert!((top.effective_potential(gamma, 3.25) - 4.675).abs() < 1e-12);
                     continue;
                 };
@@ -106,7 +107,7 @@ fn symmetric_bodies_are_no_exception() {
         let body = Body::parse(&a, &r).unwrap();
         let portrait = Portrait::new(&body, h, l, &PortraitOptions::default()).unwrap();
         assert!(portrait.report().is_complete(), "{a:?} {r:?}: {:?}", portrait.report());
-        for chart in [Chart::Torus, Chart::Sphere] {
+        for chart in [SectionChart::Torus, SectionChart::Sphere] {
             let wrong = misplaced(&portrait, chart, 30);
             assert!(wrong.is_empty(), "{a:?} {r:?} {chart:?}: {} nodes, first {:?}", wrong.len(), wrong[0]);
         }
@@ -118,7 +119,7 @@ fn the_other_condition_has_its_map_too() {
     let options = PortraitOptions { condition: SectionCondition::AngularMomentum, ..PortraitOptions::default() };
     for (h, l) in [(2.6, 3.25), (4.45, 3.25), (6.5, 3.25)] {
         let portrait = Portrait::new(&paper(), h, l, &options).unwrap();
-        let wrong = misplaced(&portrait, Chart::Sphere, 40);
+        let wrong = misplaced(&portrait, SectionChart::Sphere, 40);
         assert!(wrong.is_empty(), "({h}, {l}): {} nodes, first {:?}; {:?}", wrong.len(), wrong[0], portrait.report());
     }
 }
@@ -158,7 +159,7 @@ fn random_bodies_are_mapped_completely() {
             "case {case}: {moments:?} {center:?} ({h}, {l}): {:?}",
             portrait.report()
         );
-        let wrong = misplaced(&portrait, Chart::Torus, 24);
+        let wrong = misplaced(&portrait, SectionChart::Torus, 24);
         assert!(wrong.is_empty(), "case {case}: {moments:?} {center:?} ({h}, {l}): {wrong:?}");
     }
     assert!(drawn > 30, "{drawn}");

@@ -2,8 +2,9 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::equations::{Equations, Zero};
-use super::linear::{Vector, along, inner, length};
+use super::chart::Axes;
+use super::equations::{SectionEquations, Zero};
+use super::linear::{PhaseVector, along, inner, length};
 use crate::section::error::{SectionError, check_stop};
 
 /// The largest change of γ in a step, in radians.
@@ -18,33 +19,34 @@ const VERTICES: usize = 100_000;
 /// A traced curve.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Traced {
-    pub points: Vec<Vector>,
-    pub tangents: Vec<Vector>,
+    pub points: Vec<PhaseVector>,
+    pub tangents: Vec<PhaseVector>,
     /// It came back to its first point; else it ends where it could not be followed any further.
     pub closed: bool,
-}
-
-/// Steps are shorter near the poles of the charts, whose angles change fast there.
-pub(super) trait Spacing {
-    /// The part of [`STEP`] that a step from γ may take.
-    fn at(&self, gamma: [f64; 3]) -> f64;
 }
 
 /// What is traced, and how.
 #[derive(Clone, Copy)]
 pub(super) struct Tracer<'a> {
-    pub equations: &'a Equations,
-    pub spacing: &'a dyn Spacing,
+    pub equations: &'a SectionEquations,
+    /// Steps are shorter near the poles of these charts, whose angles change fast there.
+    pub charts: &'a [Axes],
     pub stop: Option<&'a AtomicBool>,
     pub zero: Zero,
 }
 
 impl Tracer<'_> {
     /// Traces every curve that has a seed and is not among `lines` yet.
-    pub fn extend(&self, lines: &mut Vec<Traced>, seeds: impl IntoIterator<Item = Vector>) -> Result<(), SectionError> {
+    pub fn extend(
+        &self,
+        lines: &mut Vec<Traced>,
+        seeds: impl IntoIterator<Item = PhaseVector>,
+    ) -> Result<(), SectionError> {
         for seed in seeds {
             check_stop(self.stop)?;
-            let Some(direction) = self.equations.tangent(self.zero, &seed) else { continue };
+            let Some(direction) = self.equations.tangent(self.zero, &seed) else {
+                continue;
+            };
             if !lines.iter().any(|line| line.covers(&seed, &direction)) {
                 let line = self.trace(seed, direction)?;
                 lines.extend(Some(line).filter(|line| line.points.len() > 1));
@@ -54,13 +56,13 @@ impl Tracer<'_> {
     }
 
     /// Follows the curve through `start` until it closes, or from one end to the other.
-    fn trace(&self, start: Vector, tangent: Vector) -> Result<Traced, SectionError> {
+    fn trace(&self, start: PhaseVector, tangent: PhaseVector) -> Result<Traced, SectionError> {
         let forward = self.follow(start, tangent)?;
         if forward.closed {
             return Ok(forward);
         }
         let backward = self.follow(start, tangent.map(|t| -t))?;
-        let join = |back: Vec<Vector>, on: Vec<Vector>, sign: f64| -> Vec<Vector> {
+        let join = |back: Vec<PhaseVector>, on: Vec<PhaseVector>, sign: f64| -> Vec<PhaseVector> {
             back.into_iter().skip(1).rev().map(|x| x.map(|entry| sign * entry)).chain(on).collect()
         };
         Ok(Traced {
@@ -70,14 +72,14 @@ impl Tracer<'_> {
         })
     }
 
-    fn follow(&self, start: Vector, tangent: Vector) -> Result<Traced, SectionError> {
+    fn follow(&self, start: PhaseVector, tangent: PhaseVector) -> Result<Traced, SectionError> {
         let mut line = Traced { points: vec![start], tangents: vec![tangent], closed: false };
         let (mut x, mut t) = (start, tangent);
-        let mut step = 0.25 * longest(&x, &t, self.spacing);
+        let mut step = 0.25 * longest(&x, &t, self.charts);
         let mut travelled = 0.0;
         while line.points.len() < VERTICES {
             check_stop(self.stop)?;
-            step = step.min(longest(&x, &t, self.spacing));
+            step = step.min(longest(&x, &t, self.charts));
             let next = self.equations.correct(self.zero, &along(&x, step, &t), &t).and_then(|next| {
                 let tangent = self.equations.tangent(self.zero, &next)?;
                 let cosine = inner(&tangent, &t);
@@ -105,14 +107,15 @@ impl Tracer<'_> {
 }
 
 /// The longest step from x, in the metric of phase space.
-fn longest(x: &Vector, t: &Vector, spacing: &dyn Spacing) -> f64 {
+fn longest(x: &PhaseVector, t: &PhaseVector, charts: &[Axes]) -> f64 {
     let gamma = [x[0], x[1], x[2]];
+    let nearest_pole = charts.iter().map(|axes| axes.sine(gamma)).fold(1.0, f64::min);
     let speed = (t[0] * t[0] + t[1] * t[1] + t[2] * t[2]).sqrt();
-    STEP * spacing.at(gamma) / speed.max(0.2)
+    STEP * (4.0 * nearest_pole).clamp(0.01, 1.0) / speed.max(0.2)
 }
 
-/// Does the step from x to `next` along `t` come past `target`, where the curve has the direction `there`?
-fn passes(x: &Vector, next: &Vector, t: &Vector, target: &Vector, there: &Vector) -> bool {
+/// True when the step from x to `next` along `t` comes past `target`, where the curve has the direction `there`.
+fn passes(x: &PhaseVector, next: &PhaseVector, t: &PhaseVector, target: &PhaseVector, there: &PhaseVector) -> bool {
     let (step, offset) = (length(&along(next, -1.0, x)), along(target, -1.0, x));
     let advance = inner(&offset, t);
     let aside = length(&along(&offset, -advance, t));
@@ -120,7 +123,7 @@ fn passes(x: &Vector, next: &Vector, t: &Vector, target: &Vector, there: &Vector
 }
 
 /// How far a curve can lie beside a step with these tangents.
-fn bulge(t: &Vector, there: &Vector, step: f64) -> f64 {
+fn bulge(t: &PhaseVector, there: &PhaseVector, step: f64) -> f64 {
     let turn = (2.0 - 2.0 * inner(t, there)).max(0.0).sqrt();
     step * (turn + 0.01)
 }
@@ -132,9 +135,9 @@ impl Traced {
         (0..count - usize::from(!self.closed)).map(move |k| (k, (k + 1) % count))
     }
 
-    /// Does the curve, within its chords' error, come through a point at which its direction is `direction`, up to
-    /// its sign?
-    pub fn covers(&self, x: &Vector, direction: &Vector) -> bool {
+    /// True when the curve, within its chords' error, comes through a point at which its direction is `direction`, up to
+    /// its sign.
+    pub fn covers(&self, x: &PhaseVector, direction: &PhaseVector) -> bool {
         self.steps().any(|(i, j)| {
             let chord = along(&self.points[j], -1.0, &self.points[i]);
             let step = length(&chord);

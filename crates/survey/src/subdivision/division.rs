@@ -2,41 +2,41 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::lattice::{Cell, Change, Node, Place, Side, Stop, UNIT, mean};
+use super::lattice::{BoundaryStop, CellSide, LabelChange, LatticeCell, LatticeNode, PlanePoint, UNIT, mean};
 
 /// Where what is shown changes on a way: at which share of it, and what is shown before and after.
 pub type Changes<L> = Vec<(f64, [L; 2])>;
 
 /// What the points of a plane show.
-pub trait Plane {
+pub trait LabelledPlane {
     /// What is shown at a point.
     type Label: Clone + PartialEq;
 
     /// What is shown at these points.
-    fn labels(&self, places: &[Place]) -> Vec<Self::Label>;
+    fn labels(&self, places: &[PlanePoint]) -> Vec<Self::Label>;
 
     /// Where what is shown changes on these ways from one point to another, in order.
-    fn changes(&self, ways: &[[Place; 2]]) -> Vec<Changes<Self::Label>>;
+    fn changes(&self, ways: &[[PlanePoint; 2]]) -> Vec<Changes<Self::Label>>;
 }
 
 /// What is known while a rectangle is divided.
-pub(super) struct Division<'a, P: Plane> {
+pub(super) struct Division<'a, P: LabelledPlane> {
     pub plane: &'a P,
     pub axes: [&'a [f64]; 2],
-    pub labels: BTreeMap<Node, P::Label>,
+    pub labels: BTreeMap<LatticeNode, P::Label>,
     /// The changes on each side; where both halves of a side are known, theirs count.
-    pub sides: BTreeMap<Side, Vec<Change<P::Label>>>,
+    pub sides: BTreeMap<CellSide, Vec<LabelChange<P::Label>>>,
     /// How the changes of a cell are joined, where that can be in several ways.
-    pub joined: BTreeMap<(Node, u32), Vec<usize>>,
+    pub joined: BTreeMap<(LatticeNode, u32), Vec<usize>>,
     /// What was looked at besides the nodes.
-    pub seen: Vec<(P::Label, Place)>,
+    pub seen: Vec<(P::Label, PlanePoint)>,
     /// Where the border of a cell with one chord has a corner.
-    pub bends: BTreeMap<Node, Place>,
+    pub bends: BTreeMap<LatticeNode, PlanePoint>,
 }
 
-impl<P: Plane> Division<'_, P> {
+impl<P: LabelledPlane> Division<'_, P> {
     /// A point of the lattice in the plane.
-    pub(super) fn place(&self, at: Place) -> Place {
+    pub(super) fn place(&self, at: PlanePoint) -> PlanePoint {
         let coordinate = |axis: usize| {
             let values = self.axes[axis];
             let position = at[axis] / f64::from(UNIT);
@@ -49,24 +49,24 @@ impl<P: Plane> Division<'_, P> {
     }
 
     /// Looks at nodes and sides that are not known.
-    pub(super) fn learn_nodes(&mut self, nodes: BTreeSet<Node>) {
-        let new: Vec<Node> = nodes.into_iter().filter(|node| !self.labels.contains_key(node)).collect();
-        let places: Vec<Place> = new.iter().map(|node| self.place(node.map(f64::from))).collect();
+    pub(super) fn learn_nodes(&mut self, nodes: BTreeSet<LatticeNode>) {
+        let new: Vec<LatticeNode> = nodes.into_iter().filter(|node| !self.labels.contains_key(node)).collect();
+        let places: Vec<PlanePoint> = new.iter().map(|node| self.place(node.map(f64::from))).collect();
         self.labels.extend(new.into_iter().zip(self.plane.labels(&places)));
     }
 
-    pub(super) fn learn_sides(&mut self, sides: BTreeSet<Side>) {
-        let new: Vec<Side> = sides.into_iter().filter(|side| !self.sides.contains_key(side)).collect();
-        let (plain, crossed): (Vec<Side>, Vec<Side>) =
+    pub(super) fn learn_sides(&mut self, sides: BTreeSet<CellSide>) {
+        let new: Vec<CellSide> = sides.into_iter().filter(|side| !self.sides.contains_key(side)).collect();
+        let (plain, crossed): (Vec<CellSide>, Vec<CellSide>) =
             new.into_iter().partition(|side| self.labels[&side.from] == self.labels[&side.end()]);
-        let ways: Vec<[Place; 2]> =
+        let ways: Vec<[PlanePoint; 2]> =
             crossed.iter().map(|side| [side.from, side.end()].map(|node| self.place(node.map(f64::from)))).collect();
         let found = self.plane.changes(&ways);
         for (side, found) in crossed.into_iter().zip(found) {
             let change = |(share, labels)| {
                 let mut at = side.from.map(f64::from);
                 at[side.along] += share * f64::from(side.size);
-                Change { at, labels }
+                LabelChange { at, labels }
             };
             self.sides.insert(side, found.into_iter().map(change).collect());
         }
@@ -74,7 +74,7 @@ impl<P: Plane> Division<'_, P> {
     }
 
     /// The changes on a side, from its lower end.
-    pub(super) fn changes(&self, side: Side) -> Vec<Change<P::Label>> {
+    pub(super) fn changes(&self, side: CellSide) -> Vec<LabelChange<P::Label>> {
         let halves = side.halves();
         if side.size > 1 && halves.iter().all(|half| self.sides.contains_key(half)) {
             return halves.into_iter().flat_map(|half| self.changes(half)).collect();
@@ -92,12 +92,13 @@ impl<P: Plane> Division<'_, P> {
         }
         let between = self.sides.values().flat_map(|changes| changes.windows(2));
         let unseen = between.filter(|pair| !known.contains(&&pair[0].labels[1]));
-        let places: Vec<Place> = unseen.map(|pair| self.place(mean(pair.iter().map(|change| change.at)))).collect();
+        let places: Vec<PlanePoint> =
+            unseen.map(|pair| self.place(mean(pair.iter().map(|change| change.at)))).collect();
         self.seen.extend(self.plane.labels(&places).into_iter().zip(places));
     }
 
-    /// Must a cell be quartered?
-    pub(super) fn is_open(&self, cell: Cell) -> bool {
+    /// True when a cell must be quartered.
+    pub(super) fn is_open(&self, cell: LatticeCell) -> bool {
         let counts = cell.sides().map(|side| self.changes(side).len());
         let total: usize = counts.iter().sum();
         let corners = || [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().map(|[right, up]| cell.node(right, up));
@@ -106,24 +107,24 @@ impl<P: Plane> Division<'_, P> {
     }
 
     /// Whether what is shown at a node is narrower there than cells of this size.
-    fn is_thin(&self, node: Node, size: u32) -> bool {
+    fn is_thin(&self, node: LatticeNode, size: u32) -> bool {
         (0..2).any(|along| {
             let mut from = node;
             let Some(low) = node[along].checked_sub(size) else { return false };
             from[along] = low;
-            let [before, after] = [from, node].map(|from| self.changes(Side { from, along, size }));
+            let [before, after] = [from, node].map(|from| self.changes(CellSide { from, along, size }));
             let ([.., first], [second, ..]) = (&before[..], &after[..]) else { return false };
             first.labels[0] == second.labels[1] && second.at[along] - first.at[along] < f64::from(size)
         })
     }
 
     /// Learns what the quarters of cells need.
-    pub(super) fn split(&mut self, cells: &[Cell]) {
+    pub(super) fn split(&mut self, cells: &[LatticeCell]) {
         let quarters = || cells.iter().flat_map(|cell| cell.quarters());
         self.learn_nodes(
             quarters().flat_map(|cell| [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[x, y]| cell.node(x, y))).collect(),
         );
-        // What is known of a side holds for its halves, unless the middle tells otherwise.
+        // What is known of a side holds for its halves, unless the middle contradicts it.
         for side in cells.iter().flat_map(|cell| cell.sides()) {
             let [low, high] = side.halves();
             if self.sides.contains_key(&low) && self.sides.contains_key(&high) {
@@ -138,16 +139,16 @@ impl<P: Plane> Division<'_, P> {
                 self.sides.insert(high, after);
             }
         }
-        self.learn_sides(quarters().flat_map(Cell::sides).collect());
+        self.learn_sides(quarters().flat_map(LatticeCell::sides).collect());
     }
 
     /// Corners and changes on the way round a cell, counterclockwise.
-    pub(super) fn round(&self, cell: Cell) -> Vec<Stop<P::Label>> {
+    pub(super) fn round(&self, cell: LatticeCell) -> Vec<BoundaryStop<P::Label>> {
         let mut round = Vec::new();
         for (number, side) in cell.sides().into_iter().enumerate() {
             let backwards = number > 1;
             let corner = if backwards { side.end() } else { side.from };
-            round.push(Stop { at: corner.map(f64::from), side: number, after: None });
+            round.push(BoundaryStop { at: corner.map(f64::from), side: number, after: None });
             let mut changes = self.changes(side);
             if backwards {
                 changes.reverse();
@@ -156,7 +157,7 @@ impl<P: Plane> Division<'_, P> {
                 let [before, after] = labels;
                 if backwards { before } else { after }
             };
-            round.extend(changes.into_iter().map(|change| Stop {
+            round.extend(changes.into_iter().map(|change| BoundaryStop {
                 at: change.at,
                 side: number,
                 after: Some(after(change.labels)),

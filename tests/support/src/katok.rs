@@ -21,8 +21,6 @@ pub fn lesser_moment(greater: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::border::{self, BorderOptions, Segment};
-    use bifdiag_body::Body;
 
     #[test]
     fn the_curve_begins_where_a_moment_vanishes_and_ends_on_the_line() {
@@ -30,19 +28,5 @@ mod tests {
         assert!(lesser_moment(0.36).is_none_or(|lesser| lesser < 1e-15) && lesser_moment(0.3).is_none());
         // There it touches the diagonal.
         assert!((lesser_moment(0.7499).unwrap() - 0.7499).abs() < 1e-7 && lesser_moment(0.75).is_none());
-    }
-
-    #[test]
-    fn classes_change_on_the_curve() {
-        for greater in [0.5, 0.6, 0.7] {
-            let lesser = lesser_moment(greater).unwrap();
-            let body = |a: f64| Body::from_f64([1.0, greater, a], [1.0, 0.0, 0.0]).unwrap();
-            // On this side of the diagonal, on which two moments are equal.
-            let half = 0.3 * (greater - lesser);
-            let (from, to) = (lesser - half, lesser + half);
-            let segment = Segment::new(body(from), body(to));
-            let border = border::find(&segment, &BorderOptions::default()).unwrap();
-            assert!((from + (to - from) * border.t - lesser).abs() < 1e-10, "{greater}: {border:?}");
-        }
     }
 }

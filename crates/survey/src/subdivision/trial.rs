@@ -2,10 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::chords::joinings;
-use super::division::{Division, Plane};
-use super::lattice::{Cell, Node, Place, area, mean};
-use super::pieces::{changes_of, parts};
+use super::division::{Division, LabelledPlane};
+use super::lattice::{LatticeCell, LatticeNode, PlanePoint, area, mean};
+use super::pieces::{changes_of, joinings, parts};
 
 /// Where on a chord the way to its bend begins: not in the middle, where special points lie.
 const ALONG: f64 = 0.45;
@@ -13,28 +12,32 @@ const ALONG: f64 = 0.45;
 const SEEN: f64 = 1e-6;
 
 /// Parts of a cell that were tried.
-struct Trial<L> {
+struct CellTrial<L> {
     /// How its changes are joined.
     partners: Vec<usize>,
     /// What its parts show, and their corners.
-    parts: Vec<(Option<L>, Vec<Place>)>,
+    parts: Vec<(Option<L>, Vec<PlanePoint>)>,
     /// Which of them show something else than the plane does amid their corners.
     wrong: Vec<usize>,
 }
 
-impl<P: Plane> Division<'_, P> {
+impl<P: LabelledPlane> Division<'_, P> {
     /// Looks at the parts of cells. Where changes can be joined in several ways, that which shows fewest wrong parts is kept;
-    /// where a border has one chord that is wrong, its cell is quartered (these are told), and in one of the finest lattice it
+    /// where a border has one chord that is wrong, its cell is quartered (these cells are returned), and in one of the finest lattice it
     /// is bent.
-    pub(super) fn try_parts(&mut self, cells: &[Cell], tried: &mut BTreeSet<(Node, u32, usize)>) -> Vec<Cell> {
-        let count = |cell: &Cell| cell.sides().iter().map(|side| self.changes(*side).len()).sum::<usize>();
-        let is_new = |cell: &Cell| tried.insert((cell.from, cell.size, count(cell)));
-        let new: Vec<Cell> = cells.iter().copied().filter(is_new).collect();
+    pub(super) fn try_parts(
+        &mut self,
+        cells: &[LatticeCell],
+        tried: &mut BTreeSet<(LatticeNode, u32, usize)>,
+    ) -> Vec<LatticeCell> {
+        let count = |cell: &LatticeCell| cell.sides().iter().map(|side| self.changes(*side).len()).sum::<usize>();
+        let is_new = |cell: &LatticeCell| tried.insert((cell.from, cell.size, count(cell)));
+        let new: Vec<LatticeCell> = cells.iter().copied().filter(is_new).collect();
         let mut open = Vec::new();
         let mut bent = Vec::new();
         for (cell, mut trials) in self.trials(&new) {
             let Some(best) = (0..trials.len()).min_by_key(|&k| trials[k].wrong.len()) else { continue };
-            let Trial { partners, parts, wrong } = trials.swap_remove(best);
+            let CellTrial { partners, parts, wrong } = trials.swap_remove(best);
             if partners.len() > 2 {
                 self.joined.insert((cell.from, cell.size), partners);
             } else if let (Some(&part), true) = (wrong.first(), cell.size == 1) {
@@ -48,7 +51,7 @@ impl<P: Plane> Division<'_, P> {
     }
 
     /// The parts of cells for each way to join their changes.
-    fn trials(&mut self, cells: &[Cell]) -> Vec<(Cell, Vec<Trial<P::Label>>)> {
+    fn trials(&mut self, cells: &[LatticeCell]) -> Vec<(LatticeCell, Vec<CellTrial<P::Label>>)> {
         let mut places = Vec::new();
         let mut all = Vec::new();
         for &cell in cells {
@@ -65,9 +68,9 @@ impl<P: Plane> Division<'_, P> {
             }
             let trial = |partners: Vec<usize>| {
                 let parts = parts(&round, &changes, &partners, None);
-                Trial { partners, parts, wrong: Vec::new() }
+                CellTrial { partners, parts, wrong: Vec::new() }
             };
-            let trials: Vec<Trial<P::Label>> = ways.into_iter().map(trial).collect();
+            let trials: Vec<CellTrial<P::Label>> = ways.into_iter().map(trial).collect();
             places.extend(
                 trials
                     .iter()
@@ -82,7 +85,7 @@ impl<P: Plane> Division<'_, P> {
         for (cell, trials) in &mut all {
             let least = SEEN * f64::from(cell.size * cell.size);
             for trial in trials {
-                let is_wrong = |(label, corners): &(Option<P::Label>, Vec<Place>)| {
+                let is_wrong = |(label, corners): &(Option<P::Label>, Vec<PlanePoint>)| {
                     shown.next() != *label && area(corners).abs() > least
                 };
                 let is_wrong: Vec<bool> = trial.parts.iter().map(is_wrong).collect();
@@ -93,18 +96,18 @@ impl<P: Plane> Division<'_, P> {
     }
 
     /// Bends the chords of cells: towards the corners of the part that shows something else.
-    fn bend(&mut self, cells: Vec<(Cell, Vec<Place>)>) {
-        let way = |(cell, part): (Cell, Vec<Place>)| {
+    fn bend(&mut self, cells: Vec<(LatticeCell, Vec<PlanePoint>)>) {
+        let way = |(cell, part): (LatticeCell, Vec<PlanePoint>)| {
             let round = self.round(cell);
-            let ends: Vec<Place> = changes_of(&round).into_iter().map(|k| round[k].at).collect();
+            let ends: Vec<PlanePoint> = changes_of(&round).into_iter().map(|k| round[k].at).collect();
             let [from, to] = ends[..] else { return None };
-            let is_corner = |at: &Place| round.iter().any(|stop| stop.after.is_none() && stop.at == *at);
+            let is_corner = |at: &PlanePoint| round.iter().any(|stop| stop.after.is_none() && stop.at == *at);
             let corners = || part.iter().copied().filter(|at| is_corner(at) && *at != from && *at != to);
             let start = [0, 1].map(|axis| from[axis] + ALONG * (to[axis] - from[axis]));
             corners().next().map(|_| (cell, [start, mean(corners())]))
         };
-        let ways: Vec<(Cell, [Place; 2])> = cells.into_iter().filter_map(way).collect();
-        let drawn: Vec<[Place; 2]> = ways.iter().map(|(_, way)| way.map(|at| self.place(at))).collect();
+        let ways: Vec<(LatticeCell, [PlanePoint; 2])> = cells.into_iter().filter_map(way).collect();
+        let drawn: Vec<[PlanePoint; 2]> = ways.iter().map(|(_, way)| way.map(|at| self.place(at))).collect();
         for ((cell, [from, to]), found) in ways.into_iter().zip(self.plane.changes(&drawn)) {
             if let Some((share, _)) = found.first() {
                 self.bends.insert(cell.from, [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis])));
@@ -116,25 +119,25 @@ impl<P: Plane> Division<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::super::tests::holds;
-    use super::super::{Changes, Plane, divide};
+    use super::super::{Changes, LabelledPlane, divide};
     use super::*;
 
     /// Lands whose borders cross a way where some functions vanish.
     struct Lands {
-        land: fn(Place) -> u8,
+        land: fn(PlanePoint) -> u8,
         /// Each is linear on a way along an axis.
-        zeros: fn(Place) -> Vec<f64>,
+        zeros: fn(PlanePoint) -> Vec<f64>,
     }
 
-    impl Plane for Lands {
+    impl LabelledPlane for Lands {
         type Label = u8;
 
-        fn labels(&self, places: &[Place]) -> Vec<u8> {
+        fn labels(&self, places: &[PlanePoint]) -> Vec<u8> {
             places.iter().map(|place| (self.land)(*place)).collect()
         }
 
-        fn changes(&self, ways: &[[Place; 2]]) -> Vec<Changes<u8>> {
-            let of = |[p, q]: &[Place; 2]| {
+        fn changes(&self, ways: &[[PlanePoint; 2]]) -> Vec<Changes<u8>> {
+            let of = |[p, q]: &[PlanePoint; 2]| {
                 let on = |t: f64| if t == 1.0 { *q } else { [p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t] };
                 let ends = (self.zeros)(*p).into_iter().zip((self.zeros)(*q));
                 let mut cuts: Vec<f64> = ends.map(|(f, g)| f / (f - g)).filter(|t| (0.0..=1.0).contains(t)).collect();
@@ -152,14 +155,15 @@ mod tests {
         }
     }
 
-    /// Which places the mosaic of a grid of 8 × 8 cells shows otherwise than the plane.
-    fn wrong(plane: &Lands, places: impl Iterator<Item = Place>) -> Vec<Place> {
+    /// Which places the subdivision of a grid of 8 × 8 cells shows otherwise than the plane.
+    fn wrong(plane: &Lands, places: impl Iterator<Item = PlanePoint>) -> Vec<PlanePoint> {
         let axis: Vec<f64> = (0..=8).map(|k| f64::from(k) / 8.0).collect();
         let shown: Vec<u8> = axis.iter().flat_map(|&y| axis.iter().map(move |&x| (plane.land)([x, y]))).collect();
-        let mosaic = divide(plane, [&axis, &axis], &shown);
-        let total: f64 = mosaic.pieces.iter().map(|(_, corners)| area(corners).abs()).sum();
+        let subdivision = divide(plane, [&axis, &axis], &shown);
+        let total: f64 = subdivision.pieces.iter().map(|(_, corners)| area(corners).abs()).sum();
         assert!((total - 1.0).abs() < 1e-9, "{total}");
-        let at = |place: Place| mosaic.pieces.iter().find(|(_, piece)| holds(piece, place)).map(|(land, _)| *land);
+        let at =
+            |place: PlanePoint| subdivision.pieces.iter().find(|(_, piece)| holds(piece, place)).map(|(land, _)| *land);
         places.filter(|place| at(*place) != Some((plane.land)(*place))).collect()
     }
 
@@ -178,13 +182,13 @@ mod tests {
         let places = (1..1000).flat_map(|k| beside.map(|part| (1e-3 * f64::from(k), part)));
         let places = places.map(|(t, part)| [t + 0.08 * part * (1.0 - t), t - 0.08 * part * (1.0 - t)]);
         let inside = places.filter(|place| place.iter().all(|x| (0.0..1.0).contains(x)) && place[0] < 1.0 - 1.0 / 64.0);
-        assert_eq!(wrong(&WEDGE, inside), Vec::<Place>::new());
+        assert_eq!(wrong(&WEDGE, inside), Vec::<PlanePoint>::new());
     }
 
     #[test]
     fn four_lands_meet_in_a_point() {
         // Straight borders through a point of no lattice.
-        const SIDES: fn(Place) -> [f64; 2] = |[x, y]| [x - 0.41 - 0.2 * (y - 0.57), y - 0.57 + 0.3 * (x - 0.41)];
+        const SIDES: fn(PlanePoint) -> [f64; 2] = |[x, y]| [x - 0.41 - 0.2 * (y - 0.57), y - 0.57 + 0.3 * (x - 0.41)];
         let plane = Lands {
             land: |place| SIDES(place).into_iter().enumerate().map(|(k, side)| u8::from(side > 0.0) << k).sum(),
             zeros: |place| SIDES(place).to_vec(),
@@ -193,8 +197,8 @@ mod tests {
             let (angle, away) = (0.01 * f64::from(k), 0.002 + 0.01 * f64::from(k % 37) / 37.0);
             [0.41 + away * libm::cos(angle), 0.57 + away * libm::sin(angle)]
         });
-        let off = |place: &Place| SIDES(*place).iter().all(|side| side.abs() > 1e-6);
-        assert_eq!(wrong(&plane, places.filter(off)), Vec::<Place>::new());
+        let off = |place: &PlanePoint| SIDES(*place).iter().all(|side| side.abs() > 1e-6);
+        assert_eq!(wrong(&plane, places.filter(off)), Vec::<PlanePoint>::new());
     }
 
     #[test]

@@ -2,22 +2,22 @@
 
 use std::collections::BTreeSet;
 
-use super::chords::joinings;
-use super::division::{Changes, Division, Plane};
-use super::lattice::{Cell, Change, Node, Place, Side, distance, inward, mean};
+use super::division::{Changes, Division, LabelledPlane};
+use super::lattice::{CellSide, LabelChange, LatticeCell, LatticeNode, PlanePoint, distance, inward, mean};
+use super::pieces::joinings;
 
-impl<P: Plane> Division<'_, P> {
-    /// Looks for strips that end at a side of a cell of the finest lattice: on the far sides, straight on. Tells whether one
+impl<P: LabelledPlane> Division<'_, P> {
+    /// Looks for strips that end at a side of a cell of the finest lattice: on the far sides, straight on. True when one
     /// goes on.
-    pub(super) fn follow(&mut self, cells: &[Cell], followed: &mut BTreeSet<Node>) -> bool {
+    pub(super) fn follow(&mut self, cells: &[LatticeCell], followed: &mut BTreeSet<LatticeNode>) -> bool {
         let ends = cells.iter().filter(|cell| cell.size == 1 && !followed.contains(&cell.from));
-        let ends: Vec<(Cell, StripEnd<P::Label>)> =
+        let ends: Vec<(LatticeCell, StripEnd<P::Label>)> =
             ends.filter_map(|cell| Some((*cell, self.strip_end(*cell)?))).collect();
         followed.extend(ends.iter().map(|(cell, _)| cell.from));
         let mut goes_on = false;
         let mut left = ends;
         for shift in PROBES {
-            let places: Vec<Place> = left.iter().map(|(_, end)| self.place(end.probe(shift))).collect();
+            let places: Vec<PlanePoint> = left.iter().map(|(_, end)| self.place(end.probe(shift))).collect();
             let shown = self.plane.labels(&places);
             self.seen.extend(shown.iter().cloned().zip(places));
             let (met, missed): (Vec<_>, Vec<_>) =
@@ -32,16 +32,19 @@ impl<P: Plane> Division<'_, P> {
     }
 
     /// The sides on which strips were met, with the changes at both edges of the strip.
-    fn edges(&self, met: Vec<StripEnd<P::Label>>, shift: f64) -> Vec<(Side, Vec<Change<P::Label>>)> {
+    fn edges(&self, met: Vec<StripEnd<P::Label>>, shift: f64) -> Vec<(CellSide, Vec<LabelChange<P::Label>>)> {
         let ways = |end: &StripEnd<P::Label>| {
             let [from, to] = [end.side.from, end.side.end()].map(|node| node.map(f64::from));
             [[from, end.probe(shift)], [end.probe(shift), to]]
         };
-        let drawn: Vec<[Place; 2]> = met.iter().flat_map(ways).map(|way| way.map(|at| self.place(at))).collect();
+        let drawn: Vec<[PlanePoint; 2]> = met.iter().flat_map(ways).map(|way| way.map(|at| self.place(at))).collect();
         let found = self.plane.changes(&drawn);
-        let changes = |(found, [from, to]): (&Changes<P::Label>, [Place; 2])| {
+        let changes = |(found, [from, to]): (&Changes<P::Label>, [PlanePoint; 2])| {
             let at = |share: f64| [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]));
-            found.iter().map(|(share, labels)| Change { at: at(*share), labels: labels.clone() }).collect::<Vec<_>>()
+            found
+                .iter()
+                .map(|(share, labels)| LabelChange { at: at(*share), labels: labels.clone() })
+                .collect::<Vec<_>>()
         };
         let side = |(end, found): (StripEnd<P::Label>, &[Changes<P::Label>])| {
             let [before, after] = &found.iter().zip(ways(&end)).map(changes).collect::<Vec<_>>()[..] else {
@@ -55,7 +58,7 @@ impl<P: Plane> Division<'_, P> {
     }
 
     /// A strip that comes into a cell through one of its sides or corners and leaves it nowhere.
-    fn strip_end(&self, cell: Cell) -> Option<StripEnd<P::Label>> {
+    fn strip_end(&self, cell: LatticeCell) -> Option<StripEnd<P::Label>> {
         let round = self.round(cell);
         let ends: Vec<usize> = (0..round.len()).filter(|&k| round[k].after.is_some()).collect();
         let [mut first, mut second] = ends[..] else { return None };
@@ -115,19 +118,19 @@ impl<P: Plane> Division<'_, P> {
     }
 
     /// The middle of what else of a strip is met round the corner of a cell at which a side begins.
-    fn beyond_corner(&self, cell: Cell, side: usize, ends: [Place; 2]) -> Option<Place> {
+    fn beyond_corner(&self, cell: LatticeCell, side: usize, ends: [PlanePoint; 2]) -> Option<PlanePoint> {
         let one = cell.beyond(side)?;
         let other = cell.beyond((side + 3) % 4)?;
         let cells = [one, other, one.beyond((side + 3) % 4)?];
         let changes = cells.iter().flat_map(|cell| cell.sides()).flat_map(|side| self.changes(side));
-        let mut others: Vec<Place> = changes.map(|change| change.at).filter(|at| !ends.contains(at)).collect();
+        let mut others: Vec<PlanePoint> = changes.map(|change| change.at).filter(|at| !ends.contains(at)).collect();
         others.sort_by(|p, q| p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])));
         others.dedup();
         (!others.is_empty()).then(|| mean(others.into_iter()))
     }
 
     /// The middle and the width of a strip on the other side of the cell from which it comes.
-    pub(super) fn strip_before(&self, cell: Cell, number: usize, ends: [Place; 2]) -> (Place, f64) {
+    pub(super) fn strip_before(&self, cell: LatticeCell, number: usize, ends: [PlanePoint; 2]) -> (PlanePoint, f64) {
         let here = mean(ends.into_iter());
         let width = distance(ends[0], ends[1]);
         let inward = inward(number);
@@ -144,7 +147,7 @@ impl<P: Plane> Division<'_, P> {
             return across;
         }
         let Some(partners) = joinings(&round, &changes).into_iter().next() else { return (mean(others()), width) };
-        let partner = |end: Place| {
+        let partner = |end: PlanePoint| {
             let own = changes.iter().position(|&k| round[k].at == end)?;
             Some(round[changes[partners[own]]].at).filter(|at| !ends.contains(at))
         };
@@ -157,8 +160,8 @@ impl<P: Plane> Division<'_, P> {
 
 /// The place on a side where a strip is looked for.
 pub(super) struct StripEnd<L> {
-    side: Side,
-    at: Place,
+    side: CellSide,
+    at: PlanePoint,
     width: f64,
     inside: L,
     outside: L,
@@ -168,7 +171,7 @@ pub(super) struct StripEnd<L> {
 pub(super) const PROBES: [f64; 5] = [0.0, 0.3, -0.3, 0.7, -0.7];
 
 impl<L> StripEnd<L> {
-    pub(super) fn probe(&self, shift: f64) -> Place {
+    pub(super) fn probe(&self, shift: f64) -> PlanePoint {
         let mut at = self.at;
         let along = self.side.along;
         let low = f64::from(self.side.from[along]);

@@ -3,10 +3,9 @@
 use bifdiag_body::Body;
 use bifdiag_diagram::class::Class;
 
-use super::line::Line;
-use super::place::Place;
-use crate::border::{self, BorderEventKind, BorderOptions, Segment, class_of};
 use bifdiag_exact::Accuracy;
+use bifdiag_survey::border::{self, BodySegment, BorderEventKind, BorderOptions, class_of};
+use bifdiag_survey::space::{BodyLine, ReducedBody};
 
 /// A place where the class changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +19,7 @@ pub struct Wall {
     /// What happens there.
     pub event: BorderEventKind,
     /// The body there.
-    pub place: Place,
+    pub place: ReducedBody,
 }
 
 /// A part of a line on which the class seems to be the same.
@@ -50,7 +49,7 @@ const WALLS: usize = 8;
 /// different classes. Bodies that f64 does not decide are passed over, but for the start. With `first` it ends at the first
 /// wall.
 #[must_use]
-pub fn chord(line: &Line, nodes: &[f64], first: bool) -> Chord {
+pub fn chord(line: &BodyLine, nodes: &[f64], first: bool) -> Chord {
     let mut found = Chord::default();
     let by_f64 = class_at(line, 0.0);
     let accuracy = if by_f64.is_some() { Accuracy::Fast } else { Accuracy::Exact };
@@ -75,11 +74,11 @@ pub fn chord(line: &Line, nodes: &[f64], first: bool) -> Chord {
 
 impl Chord {
     /// The walls between two bodies of different classes, which are decided at this accuracy.
-    fn cross(&mut self, line: &Line, [mut from, to]: [f64; 2], class: &Class, accuracy: Accuracy) {
+    fn cross(&mut self, line: &BodyLine, [mut from, to]: [f64; 2], class: &Class, accuracy: Accuracy) {
         let options = BorderOptions { tolerance: 1e-9, accuracy, ..BorderOptions::default() };
         for _ in 0..WALLS {
             let (Some(start), Some(end)) = (body_at(line, from), body_at(line, to)) else { break };
-            let Ok(border) = border::find(&Segment::new(start, end), &options) else { break };
+            let Ok(border) = border::find(&BodySegment::new(start, end), &options) else { break };
             let at = |t: f64| from + t * (to - from);
             let (s, behind) = (at(border.t), at(border.enclosure[1]));
             let error = border.error * (to - from).abs();
@@ -88,7 +87,7 @@ impl Chord {
                 stretch.s[1] = at(border.enclosure[0]);
             }
             self.stretches.push(Stretch { s: [behind, to], class: beyond.clone() });
-            let place = Place::of(line.at(s));
+            let place = ReducedBody::of(line.at(s));
             self.walls.push(Wall { s, error, classes: border.classes, event: border.event.kind, place });
             if beyond == *class {
                 return;
@@ -101,16 +100,16 @@ impl Chord {
 }
 
 /// The body at s.
-fn body_at(line: &Line, s: f64) -> Option<Body> {
+fn body_at(line: &BodyLine, s: f64) -> Option<Body> {
     let [a, r] = line.at(s);
     Body::from_f64(a, r).ok()
 }
 
-/// The class at s, as far as f64 tells it.
-pub(super) fn class_at(line: &Line, s: f64) -> Option<Class> {
+/// The class at s, as far as f64 decides it.
+pub fn class_at(line: &BodyLine, s: f64) -> Option<Class> {
     class_by(line, s, Accuracy::Fast)
 }
 
-fn class_by(line: &Line, s: f64, accuracy: Accuracy) -> Option<Class> {
+fn class_by(line: &BodyLine, s: f64, accuracy: Accuracy) -> Option<Class> {
     class_of(&body_at(line, s)?, accuracy).ok().map(|(_, class)| class)
 }

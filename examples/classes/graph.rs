@@ -1,15 +1,16 @@
-//! What walks have met, joined.
+//! The graph of classes that walks have met.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::place::{Domain, Place};
-use super::unseen::Unseen;
-use super::walk::Step;
-use crate::border::class_of;
-use crate::signature::ComponentType;
+use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::class::{Class, ClassName};
 use bifdiag_exact::Accuracy;
+use bifdiag_survey::ComponentType;
+use bifdiag_survey::border::class_of;
+use bifdiag_survey::space::{BodySet, ReducedBody};
+
+use crate::walk::Step;
 
 /// A class in the graph.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +35,7 @@ pub struct Node {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
     /// A body on it, one that exists if there is any.
-    pub place: Place,
+    pub place: ReducedBody,
     /// Estimate of its error, as a distance on the line on which it was found.
     pub error: f64,
     /// Walls of this kind that were met, by walks among bodies that exist, and among all.
@@ -53,10 +54,10 @@ pub struct ClassGraph {
     pub edges: BTreeMap<EdgeKey, Edge>,
 }
 
-fn index(domain: Domain) -> usize {
+fn index(domain: BodySet) -> usize {
     match domain {
-        Domain::Existing => 0,
-        Domain::All => 1,
+        BodySet::Physical => 0,
+        BodySet::All => 1,
     }
 }
 
@@ -64,11 +65,11 @@ impl Node {
     /// The class of a body with all that is known of it; `None` where it has none.
     #[must_use]
     pub fn of(witness: [[f64; 3]; 2]) -> Option<Self> {
-        let place = Place::of(witness);
-        let body = bifdiag_body::Body::from_f64(witness[0], witness[1]).ok()?;
+        let place = ReducedBody::of(witness);
+        let body = Body::from_f64(witness[0], witness[1]).ok()?;
         let (atlas, class) = class_of(&body, Accuracy::Exact).ok()?;
         let (regions, types) = (atlas.regions().len(), types(&atlas));
-        let physical = place.is_in(Domain::Existing);
+        let physical = place.is_in(BodySet::Physical);
         Some(Self { class, regions, types, witness, physical, distance: 0.0, met: [0; 2] })
     }
 }
@@ -101,14 +102,14 @@ impl ClassGraph {
     }
 
     /// Adds what a step has met. Gives the number of its walls, and for each that led to something new its number, from 1.
-    pub fn add_step(&mut self, step: &Step, domain: Domain) -> (u64, Vec<u64>) {
+    pub fn add_step(&mut self, step: &Step, domain: BodySet) -> (u64, Vec<u64>) {
         let (mut walls, mut news) = (0, Vec::new());
         for (chord, places) in &step.sides {
             for (wall, place) in chord.walls.iter().zip(&places[1.min(places.len())..]) {
                 walls += 1;
                 let [from, to] = wall.classes.each_ref().map(Class::name);
                 let news_here = match self.nodes.get(to) {
-                    Some(known) => !known.physical && place.is_in(Domain::Existing),
+                    Some(known) => !known.physical && place.is_in(BodySet::Physical),
                     None => true,
                 } && self.add_body(place.values());
                 if news_here {
@@ -121,7 +122,7 @@ impl ClassGraph {
                 between.sort();
                 let new = Edge { place: wall.place, error: wall.error, walls: [0; 2] };
                 let edge = self.edges.entry((between, wall.event.to_string())).or_insert_with(|| new.clone());
-                if new.place.is_in(Domain::Existing) && !edge.place.is_in(Domain::Existing) {
+                if new.place.is_in(BodySet::Physical) && !edge.place.is_in(BodySet::Physical) {
                     *edge = Edge { walls: edge.walls, ..new };
                 }
                 edge.walls[index(domain)] += 1;
@@ -152,7 +153,50 @@ impl ClassGraph {
 
     /// What the walks of a domain have not met, estimated from what they have.
     #[must_use]
-    pub fn unseen(&self, domain: Domain) -> Unseen {
+    pub fn unseen(&self, domain: BodySet) -> Unseen {
         Unseen::of(self.nodes.values().map(|node| node.met[index(domain)]).filter(|met| *met > 0))
+    }
+}
+
+/// Estimates from how often each class was met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unseen {
+    /// Classes that were met once.
+    pub once: u64,
+    /// Classes that were met twice.
+    pub twice: u64,
+    /// The chance that the next meeting is with a class not met before: once / meetings (Good and Turing; I. J. Good,
+    /// Biometrika 40, 1953).
+    pub chance: f64,
+    /// A lower bound on the number of classes not met, once (once − 1) / (2 (twice + 1)) (A. Chao, *Nonparametric
+    /// estimation of the number of classes in a population*, Scand. J. Statist. 11, 1984; the form without bias).
+    pub classes: f64,
+}
+
+impl Unseen {
+    /// From the number of meetings with each class.
+    #[must_use]
+    pub fn of(meetings: impl Iterator<Item = u64>) -> Self {
+        let (mut once, mut twice, mut all) = (0_u64, 0_u64, 0_u64);
+        for count in meetings {
+            all += count;
+            once += u64::from(count == 1);
+            twice += u64::from(count == 2);
+        }
+        let chance = if all == 0 { 1.0 } else { once as f64 / all as f64 };
+        let classes = (once * once.saturating_sub(1)) as f64 / (2.0 * (twice + 1) as f64);
+        Self { once, twice, chance, classes }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn single_meetings_estimate_what_was_not_met() {
+        let unseen = Unseen::of([1, 1, 1, 2, 5, 90].into_iter());
+        assert_eq!((unseen.once, unseen.twice, unseen.chance, unseen.classes), (3, 1, 0.03, 1.5));
+        assert_eq!(Unseen::of([4, 9].into_iter()).classes, 0.0);
     }
 }

@@ -1,15 +1,15 @@
-//! The borders around a body.
+//! The borders of classes around a body.
 
 use std::collections::BTreeMap;
 
 use rand_xoshiro::SplitMix64;
 use rand_xoshiro::rand_core::SeedableRng;
 
-use super::chart::Chart;
-use super::chord::{Wall, chord};
-use super::place::{Domain, Place};
-use crate::border::BorderEventKind;
+use crate::border::{self, BodySegment, BorderEventKind, BorderOptions, class_of};
+use crate::space::{BodyLine, BodySet, ReducedBody, TangentBasis};
+use bifdiag_body::Body;
 use bifdiag_diagram::class::{Class, ClassName};
+use bifdiag_exact::Accuracy;
 
 /// How borders are sought.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,20 +19,20 @@ pub struct NearestOptions {
     /// Borders whose distance is improved, the nearest first.
     pub improved: usize,
     /// Where lines end.
-    pub domain: Domain,
+    pub set: BodySet,
     /// Chooses the lines.
     pub seed: u64,
 }
 
 impl Default for NearestOptions {
     fn default() -> Self {
-        Self { lines: 48, improved: 6, domain: Domain::All, seed: 0 }
+        Self { lines: 48, improved: 6, set: BodySet::All, seed: 0 }
     }
 }
 
 /// A border of the class of a body, as near to the body as it was found.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Nearest {
+pub struct NearestBorder {
     /// The class beyond.
     pub class: Class,
     /// What happens there.
@@ -40,8 +40,8 @@ pub struct Nearest {
     /// How far it is: √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the two r.
     pub distance: f64,
     /// The body on the border.
-    pub place: Place,
-    /// Coordinates of its direction in the body's [`Chart`], of length 1.
+    pub body: ReducedBody,
+    /// Coordinates of its direction in the body's [`TangentBasis`], of length 1.
     pub direction: Vec<f64>,
 }
 
@@ -50,101 +50,129 @@ pub struct Nearest {
 ///
 /// Each distance is that of a body on the border: the border is as near, and a nearer part of it may be unknown.
 #[must_use]
-pub fn nearest(place: Place, options: &NearestOptions) -> Vec<Nearest> {
-    let search = Search { chart: Chart::new(place), domain: options.domain };
+pub fn nearest(body: ReducedBody, options: &NearestOptions) -> Vec<NearestBorder> {
+    let Some(search) = BorderSearch::new(body, options.set) else { return Vec::new() };
     let mut rng = SplitMix64::seed_from_u64(options.seed);
-    let mut found: BTreeMap<(ClassName, String), Nearest> = BTreeMap::new();
+    let mut found: BTreeMap<(ClassName, String), NearestBorder> = BTreeMap::new();
     for _ in 0..options.lines {
-        let direction = search.chart.random(&mut rng);
+        let direction = search.basis.random(&mut rng);
         let Some(direction) = unit(direction) else { break };
         for sign in [1.0, -1.0] {
             let direction: Vec<f64> = direction.iter().map(|x| sign * x).collect();
-            let Some(wall) = search.first(&direction) else { continue };
-            let key = (wall.class.name().clone(), wall.event.to_string());
-            if found.get(&key).is_none_or(|known| wall.distance < known.distance) {
-                found.insert(key, wall);
+            let Some((_, border)) = search.first(&direction, |line| line.nodes(true, 0.5)) else { continue };
+            let key = (border.class.name().clone(), border.event.to_string());
+            if found.get(&key).is_none_or(|known| border.distance < known.distance) {
+                found.insert(key, border);
             }
         }
     }
-    let mut found: Vec<Nearest> = found.into_values().collect();
+    let mut found: Vec<NearestBorder> = found.into_values().collect();
     found.sort_by(|p, q| p.distance.total_cmp(&q.distance));
-    for wall in found.iter_mut().take(options.improved) {
-        search.improve(wall);
+    for border in found.iter_mut().take(options.improved) {
+        search.improve(border);
     }
     found.sort_by(|p, q| p.distance.total_cmp(&q.distance));
     found
 }
 
-struct Search {
-    chart: Chart,
-    domain: Domain,
+/// Lines through one body.
+struct BorderSearch {
+    basis: TangentBasis,
+    set: BodySet,
+    class: Class,
+    /// What the class of the body needs, which f64 may leave open; other such bodies are passed over.
+    accuracy: Accuracy,
 }
 
 /// Improvements of a distance.
 const STEPS: u32 = 5;
 
-impl Search {
-    /// The first wall in a direction.
-    fn first(&self, direction: &[f64]) -> Option<Nearest> {
-        let line = self.chart.line(direction, self.domain)?;
-        let wall = chord(&line, &line.nodes(true, 0.5), true).walls.into_iter().next()?;
-        Some(Nearest::new(wall, |s| line.distance(s), direction))
+impl BorderSearch {
+    fn new(body: ReducedBody, set: BodySet) -> Option<Self> {
+        let body_itself = Body::from_f64(body.a, body.r).ok()?;
+        let (accuracy, class) = [Accuracy::Fast, Accuracy::Exact]
+            .into_iter()
+            .find_map(|accuracy| Some((accuracy, class_of(&body_itself, accuracy).ok()?.1)))?;
+        Some(Self { basis: TangentBasis::new(body), set, class, accuracy })
     }
 
-    /// A wall with the same event to the same class in another direction, near to s.
-    fn again(&self, like: &Nearest, direction: &[f64], s: f64) -> Option<(f64, Nearest)> {
-        let line = self.chart.line(direction, self.domain)?;
-        let nodes: Vec<f64> =
-            [0.5, 0.9, 1.1, 1.5, 2.5].into_iter().map(|share| share * s).filter(|s| *s < line.reach()[1]).collect();
-        let wall = chord(&line, &nodes, true).walls.into_iter().next()?;
-        let same = wall.classes[1] == like.class && wall.event == like.event;
-        same.then(|| (wall.s, Nearest::new(wall, |s| line.distance(s), direction)))
+    /// The first border in a direction that shows between bodies at some values of s, which grow, and where on the line it
+    /// is.
+    fn first(&self, direction: &[f64], nodes: impl Fn(&BodyLine) -> Vec<f64>) -> Option<(f64, NearestBorder)> {
+        let line = self.basis.line(direction, self.set)?;
+        let body_at = |s: f64| {
+            let [a, r] = line.at(s);
+            Body::from_f64(a, r).ok()
+        };
+        let is_other = |s: &f64| {
+            let class = body_at(*s).and_then(|body| class_of(&body, Accuracy::Fast).ok());
+            class.map(|(_, class)| class != self.class)
+        };
+        let mut last = 0.0;
+        for s in nodes(&line) {
+            match is_other(&s) {
+                None => {}
+                Some(false) => last = s,
+                Some(true) => {
+                    let accuracy = if last == 0.0 { self.accuracy } else { Accuracy::Fast };
+                    let options = BorderOptions { tolerance: 1e-9, accuracy, ..BorderOptions::default() };
+                    let border = border::find(&BodySegment::new(body_at(last)?, body_at(s)?), &options).ok()?;
+                    let at = last + border.t * (s - last);
+                    let (distance, body) = (line.distance(at), ReducedBody::of(line.at(at)));
+                    let ([_, class], event) = (border.classes, border.event.kind);
+                    return Some((at, NearestBorder { class, event, distance, body, direction: direction.to_vec() }));
+                }
+            }
+        }
+        None
     }
 
-    /// Goes to the foot of the perpendicular: the plane through places of the border in as many directions as there are
+    /// A border with the same event to the same class in another direction, near to s.
+    fn again(&self, like: &NearestBorder, direction: &[f64], s: f64) -> Option<(f64, NearestBorder)> {
+        let nodes = |line: &BodyLine| {
+            let near = [0.5, 0.9, 1.1, 1.5, 2.5].into_iter().map(|share| share * s);
+            near.filter(|s| *s < line.reach()[1]).collect()
+        };
+        let found = self.first(direction, nodes)?;
+        (found.1.class == like.class && found.1.event == like.event).then_some(found)
+    }
+
+    /// Goes to the foot of the perpendicular: the plane through points of the border in as many directions as there are
     /// parameters has a foot, near to which the border's own lies.
-    fn improve(&self, wall: &mut Nearest) {
-        let Some((mut s, _)) = self.again(wall, &wall.direction.clone(), wall.distance) else { return };
+    fn improve(&self, border: &mut NearestBorder) {
+        let Some((mut s, _)) = self.again(border, &border.direction.clone(), border.distance) else { return };
         let mut tilt = 0.4;
         for _ in 0..STEPS {
             tilt *= 0.5;
-            let direction = wall.direction.clone();
-            let mut places = vec![direction.iter().map(|x| s * x).collect::<Vec<f64>>()];
+            let direction = border.direction.clone();
+            let mut points = vec![direction.iter().map(|x| s * x).collect::<Vec<f64>>()];
             for tangent in tangents(&direction) {
                 let tilted = direction.iter().zip(&tangent).map(|(x, t)| x + tilt * t).collect();
                 let Some(tilted) = unit(tilted) else { return };
-                let Some((s, _)) = self.again(wall, &tilted, s) else { return };
-                places.push(tilted.iter().map(|x| s * x).collect());
+                let Some((s, _)) = self.again(border, &tilted, s) else { return };
+                points.push(tilted.iter().map(|x| s * x).collect());
             }
             // ⟨n, p⟩ = 1 on the plane.
-            let ones = vec![1.0; places.len()];
-            let Some(normal) = solved(places, ones) else { return };
+            let ones = vec![1.0; points.len()];
+            let Some(normal) = solved(points, ones) else { return };
             let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
             let Some(foot) = unit(normal) else { return };
-            let Some((foot_s, better)) = self.again(wall, &foot, 1.0 / length) else { return };
-            if better.distance >= wall.distance {
+            let Some((foot_s, better)) = self.again(border, &foot, 1.0 / length) else { return };
+            if better.distance >= border.distance {
                 return;
             }
-            let gained = wall.distance - better.distance;
+            let gained = border.distance - better.distance;
             s = foot_s;
-            *wall = better;
-            if gained < 1e-6 * wall.distance {
+            *border = better;
+            if gained < 1e-6 * border.distance {
                 return;
             }
         }
     }
 }
 
-impl Nearest {
-    fn new(wall: Wall, distance: impl Fn(f64) -> f64, direction: &[f64]) -> Self {
-        let [_, class] = wall.classes;
-        let distance = distance(wall.s);
-        Self { class, event: wall.event, distance, place: wall.place, direction: direction.to_vec() }
-    }
-}
-
 /// A vector of length 1; `None` for none.
-pub(super) fn unit(v: Vec<f64>) -> Option<Vec<f64>> {
+fn unit(v: Vec<f64>) -> Option<Vec<f64>> {
     let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
     (length > 0.0 && length.is_finite()).then(|| v.into_iter().map(|x| x / length).collect())
 }
@@ -205,22 +233,22 @@ mod tests {
     /// Where the border is known: J_r = A2 is a cone over r, and the nearest of its bodies is sought by other means.
     #[test]
     fn the_distance_to_the_middle_moment_is_found() {
-        let place = Place::of([[0.5, 0.6, 0.9], [0.6, 0.12, 0.45]]);
+        let body = ReducedBody::of([[0.5, 0.6, 0.9], [0.6, 0.12, 0.45]]);
         let options = NearestOptions { lines: 8, ..NearestOptions::default() };
-        let borders = nearest(place, &options);
+        let borders = nearest(body, &options);
         let border = borders.iter().find(|border| matches!(border.event, BorderEventKind::PoleLinesAtInfinity { .. }));
         let border = border.unwrap();
-        let excess = |place: &Place| (0..3).map(|k| (place.a[k] - place.a[1]) * place.r[k] * place.r[k]).sum::<f64>();
-        assert!(excess(&border.place).abs() < 1e-8, "{border:?}");
+        let excess = |body: &ReducedBody| (0..3).map(|k| (body.a[k] - body.a[1]) * body.r[k] * body.r[k]).sum::<f64>();
+        assert!(excess(&border.body).abs() < 1e-8, "{border:?}");
         // First order: |excess| over the length of its gradient along the chart.
-        let chart = Chart::new(place);
+        let basis = TangentBasis::new(body);
         let step = 1e-6;
         let slope = |k: usize| {
             let mut y = vec![0.0; 4];
             y[k] = step;
-            (excess(&chart.body(&y, Domain::All).unwrap()) - excess(&place)) / step
+            (excess(&ReducedBody::of(basis.line(&y, BodySet::All).unwrap().at(step))) - excess(&body)) / step
         };
-        let estimate = excess(&place).abs() / (0..4).map(|k| slope(k) * slope(k)).sum::<f64>().sqrt();
+        let estimate = excess(&body).abs() / (0..4).map(|k| slope(k) * slope(k)).sum::<f64>().sqrt();
         assert!((border.distance / estimate - 1.0).abs() < 0.2, "{} {estimate}", border.distance);
     }
 }
