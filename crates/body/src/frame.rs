@@ -47,7 +47,7 @@ pub struct Frame {
     pub frequency_unit: f64,
 }
 
-/// Sums over the axes that carry r, seen from an axis that does not.
+/// Sums over the axes k with r_k ≠ 0, for an axis i with r_i = 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SymmetricSums {
     /// R̂.
@@ -164,7 +164,7 @@ impl Frame {
         self.r.map(|x| x / self.r_norm)
     }
 
-    /// The axes that carry r, by rising moment.
+    /// The axes k with r_k ≠ 0, by rising moment.
     #[must_use]
     pub fn active(&self) -> Vec<Axis> {
         Axis::ALL.into_iter().filter(|&k| self.r[k] > 0.0).collect()

@@ -45,13 +45,13 @@ pub enum BodyError {
         /// The moment as given.
         value: String,
     },
-    /// Not three moments.
+    /// A has a number of moments other than three.
     #[error("A needs three moments of inertia, {count} given")]
     MomentCount {
         /// How many were given.
         count: usize,
     },
-    /// Not three coordinates.
+    /// r has a number of coordinates other than three.
     #[error("r needs three coordinates, {count} given")]
     CenterCount {
         /// How many were given.
@@ -254,15 +254,15 @@ pub enum TensorError {
         /// What is wrong with it.
         source: ParseNumberError,
     },
-    /// No body.
+    /// The numbers of the principal form are not a body.
     #[error(transparent)]
     Body(#[from] BodyError),
 }
 
 impl Tensor {
     /// Digits that a rounded principal form keeps: of each moment, of each difference of two moments and of each
-    /// component of r. That is finer than 400 bits (120 digits), the last rung of the proofs for a rounded body, so that
-    /// what is decided there is farther off than the rounding.
+    /// component of r. That is finer than 400 bits (120 digits), the highest precision of the proofs for a rounded body, so that
+    /// the rounding changes nothing that is decided there.
     pub const DIGITS: usize = 130;
 
     /// A tensor about the fixed point with r = m g c.

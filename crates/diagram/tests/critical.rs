@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bifdiag_body::Body;
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, critical};
 use bifdiag_equilibria::curves::{CriticalSet, CurveName};
-use bifdiag_equilibria::stability::{ChangeKind, LinearType, StabilityProfile, StabilitySpan, Verdict};
+use bifdiag_equilibria::stability::{ChangeKind, LinearType, LinearTypes, StabilitySpan, Verdict};
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -167,12 +167,12 @@ fn changes_of_stability_are_all_that_a_dense_scan_sees() {
     for (a, r) in bodies {
         let body = Body::parse(&a, &r).unwrap();
         let set = CriticalSet::new(body.frame()).unwrap();
-        let profile = StabilityProfile::new(&body, &set).unwrap();
-        let changes = profile.changes(&set);
+        let types = LinearTypes::exact(&body, &set);
+        let changes = types.changes();
         hopf += changes.iter().filter(|change| change.kind == ChangeKind::HamiltonianHopf).count();
         for id in set.curves.ids().filter(|&id| set.curves[id].is_critical()) {
             let name = CurveName::of(&set, id).to_string();
-            let spans = profile.spans(&set, id).unwrap();
+            let spans = types.spans(id).unwrap();
             let mut l = 0.01;
             for _ in 0..600 {
                 l *= 1.012;
@@ -204,7 +204,7 @@ fn lagranges_threshold_is_exact() {
     {
         let body = Body::parse(&a, &r).unwrap();
         let set = CriticalSet::new(body.frame()).unwrap();
-        let changes = StabilityProfile::new(&body, &set).unwrap().changes(&set);
+        let changes = LinearTypes::exact(&body, &set).changes();
         let hopf: Vec<_> = changes.iter().filter(|change| change.kind == ChangeKind::HamiltonianHopf).collect();
         assert_eq!(hopf.len(), 1, "{changes:?}");
         let across: f64 = a.iter().zip(r).find(|(_, r)| *r == "0").unwrap().0.parse().unwrap();

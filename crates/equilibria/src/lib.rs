@@ -1,6 +1,5 @@
 //! Relative equilibria of a heavy rigid body: the critical points of U_l on the Poisson sphere, in closed form.
 
-pub mod continuation;
 pub mod critical;
 pub mod curves;
 pub mod permanent;

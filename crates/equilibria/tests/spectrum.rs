@@ -1,13 +1,13 @@
 //! Linear types and verdicts against the eigenvalues of the whole linearisation: on the strata, at every coincidence of
 //! their curves, and where l meets a coincidence exactly.
 
+mod whole;
+
 use bifdiag_body::{Body, BodyAxis, Frame, Preset};
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
 use bifdiag_equilibria::curves::CriticalSet;
 use bifdiag_equilibria::permanent::{AxisRotation, permanent_axis};
-use bifdiag_equilibria::stability::{
-    LinearType, LinearTypes, RelativeEquilibrium, Verdict, whole_matrix, whole_spectrum,
-};
+use bifdiag_equilibria::stability::{LinearType, LinearTypes, Verdict};
 use bifdiag_numbers::{Number, Sign};
 use dashu_ratio::RBig;
 use proptest::prelude::*;
@@ -18,11 +18,10 @@ use support::strata::STRATA;
 const CLEAR: f64 = 1e-2;
 
 /// The real parts of the whole spectrum in the body's units, and the size of the matrix.
-fn whole(frame: &Frame, gamma: [f64; 3], omega: f64) -> (Vec<f64>, f64) {
-    let gamma = std::array::from_fn(|j| (0..3).map(|i| frame.to_body[i][j] * gamma[i]).sum());
-    let point = RelativeEquilibrium::new(frame, gamma, omega.abs() / frame.frequency_unit);
-    let size = whole_matrix(frame, &point).as_flattened().iter().map(|x| x.abs()).fold(0.0, f64::max);
-    let real = whole_spectrum(frame, &point).unwrap().iter().map(|x| x.re * frame.frequency_unit).collect();
+fn real_parts(frame: &Frame, gamma: [f64; 3], omega: f64) -> (Vec<f64>, f64) {
+    let matrix = whole::matrix(frame, frame.vector_from_body(gamma), omega.abs() / frame.frequency_unit);
+    let size = matrix.as_flattened().iter().map(|x| x.abs()).fold(0.0, f64::max);
+    let real = whole::spectrum(&matrix).iter().map(|x| x.re * frame.frequency_unit).collect();
     (real, size * frame.frequency_unit)
 }
 
@@ -49,7 +48,7 @@ fn agrees(frame: &Frame, found: &Equilibrium) -> Held {
     prop_assert!(is_of_type(found), "{found:?}");
     prop_assert_eq!(growth > 0.0, found.verdict == Verdict::Unstable, "{:?}", found);
     prop_assert_eq!(found.stability.is_unstable(), found.verdict == Verdict::Unstable, "{:?}", found);
-    let (real, size) = whole(frame, found.gamma, found.omega);
+    let (real, size) = real_parts(frame, found.gamma, found.omega);
     let largest = real.iter().copied().fold(0.0, f64::max);
     prop_assert!((largest - growth).abs() <= CLEAR * size + found.eigenvalues.error, "{real:?} {found:?}");
     Ok(())
@@ -197,7 +196,7 @@ fn rotations_without_weight_have_the_types_of_the_whole_spectrum() {
             let rotation = AxisRotation::about(&body, axis, sign).unwrap();
             let (kind, verdict) = rotation.stability_at_spin(&RBig::ONE).unwrap();
             let (_, growth) = rotation.frequencies_and_growth(&RBig::ONE);
-            let (real, size) = whole(&frame, axis.direction.map(|x| f64::from(sign) * x), 1.0);
+            let (real, size) = real_parts(&frame, axis.direction.map(|x| f64::from(sign) * x), 1.0);
             let largest = real.into_iter().fold(0.0, f64::max);
             prop_assert!((largest - growth).abs() <= CLEAR * size, "{largest} {growth}");
             prop_assert_eq!(kind.is_unstable(), growth > 0.0);

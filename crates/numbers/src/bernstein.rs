@@ -36,7 +36,7 @@ impl<const SIZE: usize> Form<SIZE> {
         form
     }
 
-    /// n.
+    /// The degree n, which all terms share.
     #[must_use]
     pub fn degree(&self) -> usize {
         self.degree
@@ -109,9 +109,9 @@ impl Cell {
 /// A part of (0, 1) that holds roots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isolation {
-    /// Where.
+    /// The part of (0, 1) that holds them.
     pub cell: Cell,
-    /// `None`: exactly one root, simple. `Some(n)`: at most n roots (perhaps none) that rounding cannot tell apart.
+    /// `None`: exactly one root, simple. `Some(n)`: at most n roots (perhaps none) that rounding does not separate.
     pub cluster: Option<u32>,
     /// For a simple root: the polynomial is positive to its right.
     pub rising: bool,
@@ -241,7 +241,7 @@ mod tests {
                 assert!(found.len() <= 64, "{gap}: {}", found.len());
             }
         }
-        // A cell of one bit of u near 1, where v tells much more.
+        // A cell of one bit of u near 1, where v has many more digits.
         let u = [1.0 - f64::EPSILON, 1.0 - f64::EPSILON / 2.0];
         let wide = Cell { u, v: [2e-16, 1e-16] };
         assert!(!wide.is_exhausted());

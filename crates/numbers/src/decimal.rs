@@ -3,7 +3,7 @@
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-/// The exact decimal of a number whose denominator is a power of two, `p/q` of any other.
+/// The exact decimal of a number whose denominator is a power of two; `p/q` for any other.
 #[must_use]
 pub fn exact(x: &RBig) -> String {
     let denominator = x.denominator();
@@ -15,7 +15,7 @@ pub fn exact(x: &RBig) -> String {
     if power == 0 { digits.to_string() } else { format!("{digits}e-{power}") }
 }
 
-/// A decimal of some digits or one less, not above the number (`up`: not below).
+/// A decimal of `digits` digits or one fewer, not above the number (`up`: not below).
 #[must_use]
 pub fn rounded(x: &RBig, digits: usize, up: bool) -> String {
     if x.is_zero() {
@@ -24,8 +24,8 @@ pub fn rounded(x: &RBig, digits: usize, up: bool) -> String {
     to_place(x, i64::try_from(digits).unwrap_or(0) - 1 - about_exponent(x), up)
 }
 
-/// A decimal of so many digits (one more where a negative number carries), not above the number: it does not depend on how
-/// long numerator and denominator are.
+/// A decimal of `digits` digits (one more where a negative number carries), not above the number. Its length does not depend
+/// on that of numerator and denominator.
 #[must_use]
 pub fn of_length(x: &RBig, digits: usize) -> String {
     if x.is_zero() {
@@ -48,14 +48,14 @@ fn times_ten_to(x: &RBig, power: i64) -> RBig {
     if power >= 0 { x * ten } else { x / ten }
 }
 
-/// With so many decimal places.
+/// The decimal with `places` places after the point (negative: zeros before it), rounded down or up.
 fn to_place(x: &RBig, places: i64, up: bool) -> String {
     let scaled = times_ten_to(x, places);
     let whole = if up { scaled.ceil() } else { scaled.floor() };
     if places == 0 { whole.to_string() } else { format!("{whole}e{}", -places) }
 }
 
-/// Both ends, outward.
+/// Decimals of both ends of an interval, rounded outward.
 #[must_use]
 pub fn outward([lo, hi]: &[RBig; 2], digits: usize) -> [String; 2] {
     [rounded(lo, digits, false), rounded(hi, digits, true)]

@@ -1,4 +1,4 @@
-//! Binary floating-point numbers whose operations round down or up as they are told: the ends of intervals.
+//! Binary floating-point numbers whose operations round in a given direction: the ends of intervals.
 
 use std::fmt::Debug;
 
@@ -11,7 +11,7 @@ use dashu_ratio::RBig;
 
 use super::Sign;
 
-/// Where a result lies that is no number of the precision.
+/// The direction in which a result is rounded that the precision cannot represent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Toward {
     /// Not above the exact result.
@@ -41,11 +41,11 @@ pub trait Directed: Clone + Debug + Ord {
     fn over(&self, other: &Self, precision: Self::Precision, toward: Toward) -> Option<Self>;
     /// √x.
     fn root(&self, precision: Self::Precision, toward: Toward) -> Option<Self>;
-    /// A rational number.
+    /// A rational number, rounded once.
     fn rational(value: &RBig, precision: Self::Precision, toward: Toward) -> Option<Self>;
     /// A double, exactly; `None` when it is not finite.
     fn double(value: f64, precision: Self::Precision) -> Option<Self>;
-    /// The number itself.
+    /// The number as a rational, without rounding.
     fn to_rational(&self) -> RBig;
     /// The nearest double that is not above it.
     fn to_double(&self) -> f64;
@@ -53,7 +53,7 @@ pub trait Directed: Clone + Debug + Ord {
     fn bits(precision: Self::Precision) -> usize;
 }
 
-/// A number with as many bits as it takes.
+/// A number of any precision.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Big(Repr<2>);
 

@@ -56,7 +56,7 @@ pub trait Arithmetic:
     }
 }
 
-/// Intervals.
+/// Intervals: operations that look at the ends.
 pub trait Enclosure: Arithmetic {
     /// The sign that all members share; zero only for the point 0.
     fn sign(&self) -> Option<Sign>;

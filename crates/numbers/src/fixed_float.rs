@@ -1,4 +1,4 @@
-//! A floating-point number in N words of 64 bits: no memory is asked for, and an operation costs tens of nanoseconds.
+//! A floating-point number in N words of 64 bits: nothing is allocated, and an operation costs tens of nanoseconds.
 
 use std::cmp::Ordering;
 
@@ -9,7 +9,7 @@ use dashu_ratio::RBig;
 use super::Sign;
 use super::directed::{Directed, Toward};
 
-/// Exponents beyond these are no numbers.
+/// Results with a larger exponent count as overflow.
 const LARGEST: i64 = 1 << 40;
 
 /// ± m 2^exponent with N words in m, the leading bit of which is 1; or 0. At least two words.
@@ -76,8 +76,7 @@ impl<const N: usize> FixedFloat<N> {
         }
     }
 
-    /// The same of words of which that number `top` is the last that is not 0. (Inlined with a number that is known it costs a
-    /// third.)
+    /// The same for words whose last one that is not 0 is number `top`. (Inlined with a constant `top` it costs a third.)
     #[inline]
     fn led_by(top: usize, sign: Sign, words: &[u64], rest: bool, exponent: i64, toward: Toward) -> Option<Self> {
         let mut m = [0; N];
@@ -91,7 +90,8 @@ impl<const N: usize> FixedFloat<N> {
         Self::normalized(sign, m, [next, rest], exponent + width(from), toward)
     }
 
-    /// ± m 2^exponent of words whose leading one is not 0, with the word below them and what is 0 if nothing lies below that.
+    /// ± m 2^exponent for words whose leading one is not 0. `below` is the word below them, and a word that is 0 if nothing lies
+    /// below that.
     #[inline]
     fn normalized(sign: Sign, mut m: [u64; N], below: [u64; 2], mut exponent: i64, toward: Toward) -> Option<Self> {
         let [next, rest] = below;
@@ -347,7 +347,7 @@ mod tests {
         })
     }
 
-    /// The number beside this one in a direction.
+    /// The next number in a direction.
     fn beside<const N: usize>(x: &FixedFloat<N>, toward: Toward) -> RBig {
         let grows = (toward == Toward::Up) == (x.sign == Sign::Positive);
         // Towards 0 the numbers lie twice as close below a power of two.

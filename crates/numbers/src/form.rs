@@ -28,7 +28,7 @@ impl<E: Enclosure<Precision = ()>> EnclosedForm<E> {
         Self { c }
     }
 
-    /// The product.
+    /// The product; the degrees add up.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let mut c = vec![E::small(0, ()); self.c.len() + other.c.len() - 1];
@@ -73,8 +73,8 @@ impl<E: Enclosure<Precision = ()>> EnclosedForm<E> {
         value
     }
 
-    /// The roots in 0 < u < 1, ascending, in ranges that share ends at most. `None` when the coefficients do not tell how many
-    /// there are, one is not simple, or one is at 0 or 1.
+    /// The roots in 0 < u < 1, ascending, in ranges that share ends at most. `None` when the coefficients leave their number
+    /// open, a root is not simple, or one is at 0 or 1.
     #[must_use]
     pub fn simple_roots(&self) -> Option<Vec<E>> {
         const SPLITS: usize = 400;

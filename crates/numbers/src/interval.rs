@@ -92,7 +92,7 @@ impl Interval {
         Self { lo: (2.0 * self.lo).min(f64::MAX), hi: (2.0 * self.hi).max(f64::MIN) }
     }
 
-    /// The largest |x|.
+    /// The largest |x| of its members.
     #[must_use]
     pub fn magnitude(self) -> f64 {
         self.hi.max(-self.lo)

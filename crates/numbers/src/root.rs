@@ -60,7 +60,7 @@ pub fn newton_bracketed(bracket: Bracket, guess: f64, tolerance: f64, mut f: imp
     }
 }
 
-/// The first of start, 2 start, 4 start, … that is not less than `goal`; `start` is a normal double > 0.
+/// The first of start, 2 start, 4 start, … that reaches `goal`; `start` is a normal double > 0.
 fn doubled_to(start: f64, goal: f64) -> f64 {
     const EXPONENT: u64 = f64::INFINITY.to_bits();
     if start < goal {

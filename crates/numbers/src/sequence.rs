@@ -14,7 +14,7 @@ const STEPS: [&[u64]; 4] = [
 /// The most dimensions of [`point`].
 pub const DIMENSIONS_MAX: usize = STEPS.len();
 
-/// Point n of the sequence in the open unit cube of so many dimensions: x_j = frac(x_j(0) + n g^−j) (M. Roberts, *The
+/// Point n of the sequence in the open unit cube of `dimensions` dimensions: x_j = frac(x_j(0) + n g^−j) (M. Roberts, *The
 /// unreasonable effectiveness of quasirandom sequences*, 2018; for one dimension the golden ratio). The fractions are
 /// taken in 64-bit integers, so the numbers are the same on every machine. `seed` chooses the point at which it starts.
 ///

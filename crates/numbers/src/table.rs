@@ -1,5 +1,5 @@
-//! Typed numbers, and tables that only their own numbers index: the number of a curve cannot be taken for that of an
-//! event.
+//! Typed ids, tables that only their own ids index (the id of a curve cannot be taken for that of an event), and partitions
+//! of indices.
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
@@ -43,7 +43,7 @@ pub struct Table<I, T> {
 }
 
 impl<I: Id, T> Table<I, T> {
-    /// No rows.
+    /// An empty table.
     #[must_use]
     pub fn new() -> Self {
         Self::from(Vec::new())
@@ -67,7 +67,7 @@ impl<I: Id, T> Table<I, T> {
         I::at(self.rows.len())
     }
 
-    /// Adds a row.
+    /// Adds a row and returns its id.
     pub fn push(&mut self, row: T) -> I {
         let id = self.next_id();
         self.rows.push(row);
@@ -123,11 +123,6 @@ impl<I: Id, T> Table<I, T> {
     #[must_use]
     pub fn as_slice(&self) -> &[T] {
         &self.rows
-    }
-
-    /// The rows, to be put in another order: ids that were given before are then void.
-    pub fn as_mut_slice(&mut self) -> &mut [T] {
-        &mut self.rows
     }
 }
 

@@ -1,5 +1,5 @@
-//! Interval arithmetic with ends of any kind: floats with as many bits as it takes, or with a few words of 64 bits, which are
-//! ten times as fast and give the same ends.
+//! Interval arithmetic with ends of any kind: floats of any precision, or of a few words of 64 bits, which are ten times as
+//! fast and give the same ends.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -17,13 +17,13 @@ pub struct Bounded<F: Directed> {
     precision: F::Precision,
 }
 
-/// As many bits as it takes.
+/// Intervals whose ends have any number of bits.
 pub type Wide = Bounded<Big>;
 
-/// 128 bits.
+/// Intervals whose ends have 128 bits.
 pub type Interval128 = Bounded<FixedFloat<2>>;
 
-/// 384 bits.
+/// Intervals whose ends have 384 bits.
 pub type Interval384 = Bounded<FixedFloat<6>>;
 
 impl<F: Directed> Bounded<F> {

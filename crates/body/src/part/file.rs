@@ -10,7 +10,7 @@ use crate::part::link::{LinkError, read_link};
 use crate::part::mesh::{Mesh, MeshError, MeshFormat, ReadError};
 use crate::part::{MassError, MassProperties, Units};
 
-/// What is said beside the file.
+/// What the file itself does not say.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FileOptions<'a> {
     /// Which link of an inertial block.
@@ -30,7 +30,7 @@ pub struct FilePart {
     pub units: Option<Units>,
 }
 
-/// A file gives no part.
+/// Why a file gives no part.
 #[derive(Debug, Error)]
 pub enum FileError {
     /// It cannot be read.
@@ -65,13 +65,13 @@ pub enum FileError {
         /// What the file is.
         kind: &'static str,
     },
-    /// A mass that is none.
+    /// The mass is not positive.
     #[error(transparent)]
     Mass(#[from] MassError),
 }
 
 impl FilePart {
-    /// The mass properties seen from a point of the file's frame, and their units: a mesh is in the units that are given
+    /// The mass properties relative to a point of the file's frame, and their units: a mesh is in the units that are given
     /// for it, an inertial block is brought to them.
     #[must_use]
     pub fn seen_from(self, pivot: &[RBig; 3], units: Option<Units>) -> (MassProperties, Units) {
@@ -99,7 +99,7 @@ fn kind(path: &Path) -> Result<Kind, FileError> {
     }
 }
 
-/// Reads a part.
+/// Reads a part from a file.
 ///
 /// # Errors
 /// [`FileError`].
@@ -108,7 +108,7 @@ pub fn read(path: &Path, options: &FileOptions<'_>) -> Result<FilePart, FileErro
     of_bytes(path, std::fs::read(path)?, options)
 }
 
-/// A part of what a file holds; its name tells the format.
+/// Reads a part from the contents of a file, in the format that the suffix of its name says.
 ///
 /// # Errors
 /// [`FileError`].
@@ -138,10 +138,10 @@ pub fn of_bytes(name: &Path, bytes: Vec<u8>, options: &FileOptions<'_>) -> Resul
     }
 }
 
-/// The edges of a mesh, from a point, as far as they can be told apart in a picture; none of another file.
+/// The edges of a mesh relative to a point, at most as many as a picture can show; none of any other file.
 #[must_use]
 pub fn edges(path: &Path, pivot: [f64; 3]) -> Vec<[[f64; 3]; 2]> {
-    /// More would be a grey surface.
+    /// With more edges the picture is a grey surface.
     const MOST: usize = 20_000;
     let Ok(Kind::Mesh(format)) = kind(path) else { return Vec::new() };
     let Some(mesh) = std::fs::read(path).ok().and_then(|bytes| Mesh::read(&bytes, format).ok()) else {

@@ -13,7 +13,7 @@ use crate::rigid_body::{Tensor, TensorError};
 /// Mass, centre of mass and tensor of inertia, exactly, in units of their own.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MassProperties {
-    /// The mass.
+    /// The mass, positive.
     pub mass: RBig,
     /// The centre of mass from the origin.
     pub com: [RBig; 3],
@@ -21,7 +21,7 @@ pub struct MassProperties {
     pub about_com: Symmetric,
 }
 
-/// Why mass properties are none.
+/// Why numbers are not the mass properties of a part.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum MassError {
     /// The mass is zero or negative.

@@ -1,4 +1,4 @@
-//! A part whose numbers are known to within so much each.
+//! A part whose numbers are known to within a tolerance each.
 
 use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
@@ -45,12 +45,12 @@ pub struct MeasuredPart {
 }
 
 impl MeasuredPart {
-    /// The numbers that are not exact.
+    /// Indices of the numbers that are not exact.
     pub fn uncertain(&self) -> impl Iterator<Item = usize> {
         (0..INPUTS).filter(|&k| !self.inputs[k].within.is_zero())
     }
 
-    /// The same part, of whose numbers only this one is uncertain.
+    /// The same part with all numbers but this one exact.
     #[must_use]
     pub fn only(&self, input: usize) -> Self {
         let mut only = self.clone();
@@ -62,7 +62,7 @@ impl MeasuredPart {
         only
     }
 
-    /// The part each of whose numbers deviates by so much of what it may, from −1 to 1.
+    /// The part each of whose numbers deviates by `steps` times its tolerance, with steps from −1 to 1.
     ///
     /// # Errors
     /// [`MassError`] for a mass that is not positive.

@@ -43,7 +43,7 @@ pub struct Units {
     factors: [RBig; 3],
 }
 
-/// A text names no system of units.
+/// Why a text does not name a system of units.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum UnitsError {
     /// Not three names.
@@ -154,7 +154,7 @@ fn find(
     Ok((name, RBig::from(p) / RBig::from(q)))
 }
 
-/// Units of a rate of turning.
+/// Units of a rate of rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpinUnit {
     /// Turns in a minute.
@@ -167,14 +167,14 @@ pub enum SpinUnit {
     DegPerSecond,
 }
 
-/// A rate of turning as it was given.
+/// A rate of rotation as it was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spin {
     value: Number,
     unit: SpinUnit,
 }
 
-/// A text is no rate of turning.
+/// Why a text is not a rate of rotation.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum SpinError {
     /// No unit, or an unknown one.

@@ -1,17 +1,17 @@
-//! The equilibria of one branch at one l or spin: quickly, with bounds, or exactly.
+//! The equilibria of one branch at one l or spin, quickly, with bounds, or exactly; and those at rest.
 
 use super::{Equilibrium, Fixed, Found, Multiplicity, Question, RelativeEquilibria};
 use crate::curves::{BranchName, CurveId, CurveName, Orbit, Point, Shape};
-use crate::stability::exact::{ExactPoint, Touch};
-use crate::stability::{LinearType, Place, Reduced, Setting};
+use crate::stability::exact::{ExactBody, ExactPoint, Touch};
+use crate::stability::{Constants, Eigenvalues, LinearType, Place, Reduced, Setting, Verdict};
 use bifdiag_body::Axis;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::UNIT_ROUNDOFF;
-use bifdiag_numbers::enclosure::Enclosure;
+use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::wide::Wide;
 
-/// A relative equilibrium in the frame, before it is told in the body's terms.
+/// A relative equilibrium in the frame, before it is expressed in the body's axes and units.
 struct Site {
     point: Point,
     orbit: Orbit,
@@ -23,7 +23,7 @@ struct Site {
 }
 
 impl RelativeEquilibria<'_> {
-    /// The equilibria of one curve, if intervals decide everything that is said of them.
+    /// The equilibria of one curve, if intervals decide everything that is reported of them.
     pub(super) fn quickly(&self, id: CurveId, x: f64, question: &Question<'_>, found: &mut Found) -> bool {
         let curve = &self.set.curves[id];
         let [from, to] = curve.x();
@@ -130,7 +130,7 @@ impl RelativeEquilibria<'_> {
         Point::over(frame, x, gamma, middle(&exact.state.j))
     }
 
-    /// Euler's rotations where intervals leave the type open: a double pair, which the exact body tells.
+    /// Euler's rotations where intervals leave the type open: a double pair, which the exact body decides.
     fn without_weight(&self, question: &Question<'_>, found: &mut Found) -> Option<()> {
         for id in question.ids() {
             let x = match question.fixed {
@@ -143,7 +143,7 @@ impl RelativeEquilibria<'_> {
                 }
             };
             let (site, reduced) = self.enclosed(id, x)?;
-            let kind = self.profile()?.spans(&self.set, id)?.first()?.stability;
+            let kind = self.profile()?.without_weight(&self.set.curves[id]);
             self.push(found, question, &site, &reduced, kind);
         }
         Some(())
@@ -199,4 +199,73 @@ fn middle(set: &Wide) -> f64 {
 /// A circle or a sphere of equilibria.
 fn is_set(orbit: Orbit) -> bool {
     matches!(orbit, Orbit::Circle(_) | Orbit::Sphere)
+}
+
+/// Enough for every eigenvalue to be right to rounding.
+const REST_BITS: usize = 160;
+
+impl RelativeEquilibria<'_> {
+    /// The body hangs (γ = r̂) or stands (γ = −r̂) at rest; for r = 0 every γ is an equilibrium.
+    pub(super) fn at_rest(&self) -> Vec<Equilibrium> {
+        let frame = &self.set.frame;
+        if frame.is_euler() {
+            return vec![Equilibrium {
+                l: 0.0,
+                h: 0.0,
+                gamma: [0.0, 0.0, 1.0],
+                omega: 0.0,
+                index: 0,
+                multiplicity: Multiplicity::Sphere,
+                is_fold: false,
+                stability: LinearType::Zero,
+                verdict: Verdict::Energy,
+                eigenvalues: Eigenvalues { pairs: [[0.0; 2]; 2], error: 0.0 },
+                curve: Some(CurveName::Rest),
+                branch_name: "at rest".into(),
+            }];
+        }
+        let body = ExactBody::new(self.body, frame);
+        [(1.0, 0), (-1.0, 2)].map(|(side, index)| self.resting(&body, side, index)).to_vec()
+    }
+
+    fn resting(&self, body: &ExactBody, side: f64, index: u8) -> Equilibrium {
+        let frame = &self.set.frame;
+        let (reduced, is_double) = at_rest(body, side);
+        let stability = match (index, is_double) {
+            (0, true) => LinearType::DoubleElliptic,
+            (0, false) => LinearType::Elliptic,
+            (_, true) => LinearType::DoubleReal,
+            (_, false) => LinearType::Saddle,
+        };
+        let gamma = frame.r_hat().map(|c| side * c);
+        let starts = |c: &CurveId| {
+            let curve = &self.set.curves[*c];
+            curve.is_critical() && curve.x()[0] == 0.0 && (curve.index == Some(0)) == (index == 0)
+        };
+        let curve = self.set.curves.ids().find(starts);
+        let setting = Setting { index, global_minimum: index == 0, integral: self.set.is_lagrange() };
+        Equilibrium {
+            l: 0.0,
+            h: -side * frame.r_norm * frame.energy_unit,
+            gamma: frame.vector_to_body(gamma),
+            omega: 0.0,
+            index,
+            multiplicity: Multiplicity::Points(1),
+            is_fold: false,
+            stability,
+            verdict: setting.verdict(stability),
+            eigenvalues: reduced.eigenvalues(stability, false, frame.frequency_unit),
+            curve: curve.map(|c| CurveName::of(&self.set, c)),
+            branch_name: curve.map_or_else(|| "at rest".into(), |c| self.words(self.set.curves[c].branch)),
+        }
+    }
+}
+
+/// The linearised flow at γ = ±r̂, and whether its two pairs agree: where A⁻¹ across r̂ is a multiple of 1.
+fn at_rest(body: &ExactBody, side: f64) -> (Reduced<Wide>, bool) {
+    let c: Constants<Wide> = body.constants(REST_BITS);
+    let total = c.rho[0].clone() + c.rho[1].clone() + c.rho[2].clone();
+    let w = c.rho.clone().map(|rho| rho / total.clone());
+    let r = total.sqrt() * Wide::double(side, REST_BITS);
+    (Reduced::at_rest(&c, &w, &r), body.is_round_across_r())
 }

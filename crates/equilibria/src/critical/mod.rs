@@ -1,8 +1,6 @@
 //! All relative equilibria of a body at one l, at many, or at one spin.
 
-mod at_rest;
-mod continued;
-mod equilibrium;
+mod continuation;
 mod found;
 
 use std::sync::{Arc, OnceLock};
@@ -10,15 +8,53 @@ use std::sync::{Arc, OnceLock};
 use dashu_ratio::RBig;
 use thiserror::Error;
 
-use crate::curves::{Branch, CriticalSet, CurveId, CurveName, EquilibriaError, branch_words};
-use crate::curves::{MomentumError, abscissa};
-use crate::stability::{Constants, StabilityProfile};
+use crate::curves::{Branch, CriticalSet, CurveId, CurveName, EquilibriaError, MomentumError, abscissa, branch_words};
+use crate::stability::exact::StabilityProfile;
+use crate::stability::{Constants, Eigenvalues, LinearType, Verdict};
 use bifdiag_body::{Body, Number};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::table::Id;
 
-pub use equilibrium::{Equilibrium, Multiplicity};
+/// How many critical points an entry stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Multiplicity {
+    /// One critical point; 2 is a degenerate root (at a cusp or pitchfork).
+    Points(u32),
+    /// A circle of critical points (Lagrange's top); `gamma` is one of them.
+    Circle,
+    /// All of S² is critical (r = 0).
+    Sphere,
+}
+
+/// A relative equilibrium: the body turns about the vertical γ with constant angular velocity ω γ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// Vertical angular momentum.
+    pub l: f64,
+    /// Energy h = U_l(γ).
+    pub h: f64,
+    /// The vertical in body coordinates.
+    pub gamma: [f64; 3],
+    /// Angular velocity l / J(γ), with the sign of l.
+    pub omega: f64,
+    /// Morse index of U_l: 0 minimum, 1 saddle, 2 maximum; across a circle.
+    pub index: u8,
+    /// How many critical points this entry stands for.
+    pub multiplicity: Multiplicity,
+    /// Of those at one spin: two steady axes meet here, of which slower or faster spins have none.
+    pub is_fold: bool,
+    /// The type of the flow reduced by l, linearised.
+    pub stability: LinearType,
+    /// What is known of its stability; of a circle or sphere as a whole.
+    pub verdict: Verdict,
+    /// The eigenvalues of the flow reduced by l, per unit of time.
+    pub eigenvalues: Eigenvalues,
+    /// The curve on which it lies; `None` when no curve carries it.
+    pub curve: Option<CurveName>,
+    /// Its branch in words.
+    pub branch_name: Arc<str>,
+}
 
 /// All relative equilibria at one l.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +69,7 @@ pub struct Equilibria {
     pub by_continuation: bool,
 }
 
-/// Why there is no answer.
+/// Why the equilibria cannot be computed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum CriticalError {
     /// The body is beyond `f64`.
@@ -61,7 +97,7 @@ pub fn critical(body: &Body, l: &Number) -> Result<Equilibria, CriticalError> {
     RelativeEquilibria::new(body)?.at(l)
 }
 
-/// A body prepared for questions at many l.
+/// The curves of a body, computed once for queries at many l.
 #[derive(Debug)]
 pub struct RelativeEquilibria<'a> {
     body: &'a Body,
@@ -76,7 +112,7 @@ pub struct RelativeEquilibria<'a> {
 /// A branch at one l or spin.
 struct Question<'a> {
     branch: Branch,
-    /// Its curves, which stand together.
+    /// Its curves, which have consecutive ids.
     curves: std::ops::Range<CurveId>,
     fixed: Fixed<'a>,
 }
@@ -106,7 +142,7 @@ impl Question<'_> {
     }
 }
 
-/// What is found at one l or spin, in the course of it.
+/// What has been found at one l or spin so far.
 #[derive(Default)]
 struct Found {
     list: Vec<Equilibrium>,
@@ -174,7 +210,7 @@ impl<'a> RelativeEquilibria<'a> {
         let mut complete = true;
         let mut next = 0;
         let curves = self.set.curves.as_slice();
-        // Curves of one branch stand together.
+        // Curves of one branch have consecutive ids.
         while next < curves.len() {
             let branch = curves[next].branch;
             let end = next + curves[next..].iter().take_while(|curve| curve.branch == branch).count();

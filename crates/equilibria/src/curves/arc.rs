@@ -1,8 +1,7 @@
 //! Arcs: pieces of curves on which x = l²/2 is a coordinate and the slope dh/dx = 1/J is monotone.
 
-use super::generic::{GenericState, Mu};
+use super::families::{GenericState, Mu, SymmetricFamily};
 use super::point::Point;
-use super::symmetric::SymmetricFamily;
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::root::{Bracket, newton_bracketed};
@@ -56,8 +55,8 @@ pub struct Arc {
 const X_TOLERANCE: f64 = 16.0 * UNIT_ROUNDOFF;
 
 impl Segment {
-    /// μ at x. Precondition: x lies between the segment's ends. `seen` is shown every state on the way, at last the one
-    /// at μ; none at an end, where nothing is sought.
+    /// μ at x. Precondition: x lies between the segment's ends. `seen` is called with every state on the way, the last
+    /// one at μ; not at all at an end, where nothing has to be solved.
     fn solve(&self, frame: &Frame, x: f64, mut seen: impl FnMut(GenericState)) -> Mu {
         let mu = |distance: f64| Mu { base: self.base, delta: self.sign * distance };
         let [from, to] = self.distance;
@@ -131,6 +130,47 @@ impl Arc {
             Shape::Straight { .. } => None,
             Shape::Generic(segments) => Some(generic_mu(segments, frame, x, |_| {})),
             Shape::Symmetric { family, .. } => Some(Mu { base: family.axis, delta: 0.0 }),
+        }
+    }
+
+    /// The limit of the curve's last arc. (An arc with a finite end has none: then the answer is that of the axis next
+    /// to which it ends.)
+    #[must_use]
+    pub fn asymptote(&self, frame: &Frame) -> Asymptote {
+        match &self.shape {
+            Shape::Straight { gamma, .. } => {
+                // A component may round to 1 while the others are not zero.
+                let axis =
+                    Axis::ALL.into_iter().find(|&k| Axis::ALL.into_iter().all(|j| (gamma[j] != 0.0) == (j == k)));
+                Asymptote { axis, rho: (0..3).map(|k| gamma[k] * frame.r[k]).sum() }
+            }
+            Shape::Generic(segments) => {
+                let last = segments[segments.len() - 1];
+                Asymptote { axis: Some(last.base), rho: last.sign * frame.r[last.base] }
+            }
+            Shape::Symmetric { family, .. } => Asymptote { axis: Some(family.axis), rho: 0.0 },
+        }
+    }
+}
+
+/// As x → ∞, h = x/J∞ − ρ∞ + O(1/x) (Proposition 6.2 of docs/mathematics.md).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asymptote {
+    /// J∞ is the moment of this axis of the frame; `None`: J_r, of a pole line off the axes.
+    pub axis: Option<Axis>,
+    /// ρ∞ = lim ⟨γ, r⟩.
+    pub rho: f64,
+}
+
+impl Asymptote {
+    /// J∞ of `other` less J∞ of `self`, from exact differences rounded once.
+    #[must_use]
+    pub fn moment_gap(&self, frame: &Frame, other: &Self) -> f64 {
+        match (self.axis, other.axis) {
+            (Some(i), Some(j)) => frame.diff[j][i],
+            (None, Some(j)) => frame.offset[j],
+            (Some(i), None) => -frame.offset[i],
+            (None, None) => 0.0,
         }
     }
 }

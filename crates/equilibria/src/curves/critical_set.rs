@@ -2,8 +2,7 @@
 
 use thiserror::Error;
 
-use super::curve::{Branch, Curve, Orbit};
-use super::id::{ClusterId, CurveId, CuspId, IntervalId, PitchforkId};
+use super::curve::{Branch, ClusterId, Curve, CurveId, CuspId, IntervalId, Orbit, PitchforkId};
 use super::point::Point;
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::UNIT_ROUNDOFF;
@@ -33,7 +32,7 @@ pub struct Pitchfork {
     pub pair: Option<CurveId>,
 }
 
-/// A place where f64 does not tell how many cusps there are.
+/// A place where f64 cannot count the cusps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CuspCluster {
     /// The point in the (x, h) plane.
@@ -60,11 +59,11 @@ pub struct CriticalSet {
     pub frame: Frame,
     /// Curves; pole lines last.
     pub curves: Table<CurveId, Curve>,
-    /// Cusps.
+    /// Where two curves end in one another.
     pub cusps: Table<CuspId, Cusp>,
-    /// Pitchforks.
+    /// Where a symmetric pair leaves a curve.
     pub pitchforks: Table<PitchforkId, Pitchfork>,
-    /// What is not decided.
+    /// Places where the number of cusps is open.
     pub clusters: Table<ClusterId, CuspCluster>,
 }
 
@@ -72,7 +71,7 @@ impl CriticalSet {
     /// Finds every curve of the body.
     ///
     /// # Errors
-    /// [`EquilibriaError::Range`] when the data differ so much that products leave the range of `f64`.
+    /// [`EquilibriaError::Range`] when the data differ in size so much that products leave the range of `f64`.
     pub fn new(frame: Frame) -> Result<Self, EquilibriaError> {
         check_range(&frame)?;
         let mut set =
@@ -103,7 +102,7 @@ impl CriticalSet {
         }
     }
 
-    /// A further integral confines the motion beside a curve, unless an eigenvalue says otherwise.
+    /// A further integral confines the motion near a curve, unless an eigenvalue has a positive real part.
     #[must_use]
     pub fn has_integral(&self, curve: &Curve) -> bool {
         let is_set = matches!(curve.orbit, Orbit::Circle(_) | Orbit::Sphere);
@@ -122,14 +121,7 @@ impl CriticalSet {
             || self.clusters.iter().any(|cluster| (cluster.point.x - x).abs() <= 1e-6 * x);
         (over.map(|(c, _)| c).collect(), near)
     }
-}
 
-/// Distance in x up to which rounding does not tell on which side of the end of a curve x lies.
-pub(super) fn end_tolerance(x: f64) -> f64 {
-    64.0 * UNIT_ROUNDOFF * x
-}
-
-impl CriticalSet {
     /// Whether x lies within rounding of an end of one of these curves, or near cusps on their branch that f64 does not
     /// count.
     #[must_use]
@@ -142,6 +134,11 @@ impl CriticalSet {
                 .iter()
                 .any(|cluster| branch == Branch::Generic(cluster.interval) && (cluster.point.x - x).abs() <= 1e-6 * x)
     }
+}
+
+/// Distance in x from the end of a curve within which rounding leaves open on which side of it x lies.
+fn end_tolerance(x: f64) -> f64 {
+    64.0 * UNIT_ROUNDOFF * x
 }
 
 fn check_range(frame: &Frame) -> Result<(), EquilibriaError> {

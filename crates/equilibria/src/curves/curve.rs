@@ -1,9 +1,22 @@
 //! Curves: maximal pieces of critical curves and pole lines between cusps and pitchforks.
 
 use super::arc::Arc;
-use super::id::{CuspId, IntervalId, PitchforkId};
 use super::point::Point;
 use bifdiag_body::{Axis, Frame};
+use bifdiag_numbers::table::ids;
+
+ids! {
+    /// A curve of a [`CriticalSet`](super::CriticalSet).
+    CurveId;
+    /// A cusp.
+    CuspId;
+    /// A pitchfork.
+    PitchforkId;
+    /// A cluster of cusps that f64 cannot count.
+    ClusterId;
+    /// An interval of μ between moments with r_k ≠ 0, numbered from μ = −∞: a branch of the generic family.
+    IntervalId;
+}
 
 /// One of the poles ±r̂ of the Poisson sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -107,9 +120,7 @@ impl Curve {
             _ => self.pole,
         }
     }
-}
 
-impl Curve {
     /// (−1)^index times the number of critical points; a circle counts 0, S² counts 2, a pole line 0.
     #[must_use]
     pub fn euler_contribution(&self) -> i32 {

@@ -1,6 +1,6 @@
 //! Cusps and the inflection of the generic family, isolated completely.
 
-use super::generic::{GenericState, Mu};
+use super::families::{GenericState, Mu};
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::bernstein::{Cell, Form as FormOf, Isolation};
 use bifdiag_numbers::root::itp;
@@ -20,12 +20,12 @@ pub struct MuInterval {
     pub right: Option<Axis>,
 }
 
-/// What was found on one interval.
+/// The cusps on one interval.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cusps {
     /// Simple cusps by rising μ.
     pub at: Vec<Mu>,
-    /// Places where rounding does not tell how many cusps there are (two at a time may be born or gone).
+    /// Places where rounding leaves the number of cusps open (they appear and vanish in pairs).
     pub clusters: Vec<Mu>,
 }
 
@@ -176,7 +176,7 @@ pub fn cusps(frame: &Frame, interval: &MuInterval, active: &[Axis]) -> Cusps {
     found
 }
 
-/// Narrows [first, second] (one may be 0, one ∞) to a ratio of at most 4; `beyond(y)` tells whether the root lies
+/// Narrows [first, second] (one may be 0, one ∞) to a ratio of at most 4; `beyond(y)` says whether the root lies
 /// between `first` and y.
 fn bracket_by_ratio(ends: [f64; 2], beyond: impl Fn(f64) -> bool) -> [f64; 2] {
     const RATIO: f64 = 4.0;

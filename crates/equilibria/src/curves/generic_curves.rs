@@ -2,10 +2,9 @@
 
 use super::arc::{Arc, Segment, Shape};
 use super::critical_set::{CriticalSet, Cusp, CuspCluster, Pitchfork};
-use super::curve::{Branch, Curve, End, Orbit};
+use super::curve::{Branch, Curve, CurveId, End, IntervalId, Orbit};
 use super::cusps::{MuInterval, cusps, inflection};
-use super::generic::{GenericState, Mu};
-use super::id::{CurveId, IntervalId};
+use super::families::{GenericState, Mu};
 use super::index;
 use super::point::Point;
 use bifdiag_body::Axis;
@@ -13,14 +12,14 @@ use bifdiag_numbers::table::Id;
 
 /// A place where the generic family is cut.
 #[derive(Clone, Copy)]
-enum Station {
+enum Cut {
     End(Option<Axis>),
     Cusp(Mu),
     Pitchfork(Mu, Axis),
     Inflection(Mu),
 }
 
-impl Station {
+impl Cut {
     fn mu(&self) -> Option<Mu> {
         match *self {
             Self::End(_) => None,
@@ -49,21 +48,21 @@ impl CriticalSet {
                 let point = Point::over(&self.frame, state.x, state.gamma, state.j);
                 self.clusters.push(CuspCluster { point, interval: IntervalId::at(n) });
             }
-            let mut stations: Vec<Station> = found.at.into_iter().map(Station::Cusp).collect();
-            stations.extend(bend.iter().filter(|(at, _)| *at == n).map(|&(_, mu)| Station::Inflection(mu)));
+            let mut cuts: Vec<Cut> = found.at.into_iter().map(Cut::Cusp).collect();
+            cuts.extend(bend.iter().filter(|(at, _)| *at == n).map(|&(_, mu)| Cut::Inflection(mu)));
             for &k in passive {
                 if let Some(mu) = self.passive_mu(&interval, k) {
-                    stations.push(Station::Pitchfork(mu, k));
+                    cuts.push(Cut::Pitchfork(mu, k));
                 }
             }
-            stations.sort_by(|p, q| {
-                let key = |station: &Station| station.mu().map_or((Axis::ALL[0], 0.0), |mu| (mu.base, mu.delta));
+            cuts.sort_by(|p, q| {
+                let key = |cut: &Cut| cut.mu().map_or((Axis::ALL[0], 0.0), |mu| (mu.base, mu.delta));
                 let (p, q) = (key(p), key(q));
                 p.0.cmp(&q.0).then(p.1.total_cmp(&q.1))
             });
-            stations.insert(0, Station::End(interval.left));
-            stations.push(Station::End(interval.right));
-            self.cut_interval(IntervalId::at(n), &interval, &stations);
+            cuts.insert(0, Cut::End(interval.left));
+            cuts.push(Cut::End(interval.right));
+            self.cut_interval(IntervalId::at(n), &interval, &cuts);
         }
     }
 
@@ -81,9 +80,9 @@ impl CriticalSet {
         inside.then(|| Mu { base, delta: diff[k][base] })
     }
 
-    /// Turns the stations of an interval into curves, cusps and pitchforks.
-    fn cut_interval(&mut self, number: IntervalId, interval: &MuInterval, stations: &[Station]) {
-        let nodes: Vec<Node> = stations.iter().map(|station| self.node(station)).collect();
+    /// Turns the cuts of an interval into curves, cusps and pitchforks.
+    fn cut_interval(&mut self, number: IntervalId, interval: &MuInterval, cuts: &[Cut]) {
+        let nodes: Vec<Node> = cuts.iter().map(|cut| self.node(cut)).collect();
         let middle = match (interval.left, interval.right) {
             (Some(left), Some(right)) => {
                 Some(self.node_at(Mu { base: left, delta: 0.5 * self.frame.diff[right][left] }))
@@ -92,15 +91,15 @@ impl CriticalSet {
         };
         let mut arcs: Vec<Arc> = Vec::new();
         let mut piece = 0;
-        let mut start = self.end_of(&stations[0], None);
+        let mut start = self.end_of(&cuts[0], None);
         for (k, window) in nodes.windows(2).enumerate() {
             arcs.push(self.arc(interval, &window[0], &window[1], middle.as_ref()));
-            if matches!(stations[k + 1], Station::Inflection(_)) {
+            if matches!(cuts[k + 1], Cut::Inflection(_)) {
                 continue;
             }
             piece += 1;
             let this = self.curves.next_id();
-            let end = self.end_of(&stations[k + 1], Some((this, &nodes[k + 1])));
+            let end = self.end_of(&cuts[k + 1], Some((this, &nodes[k + 1])));
             let rising = nodes_rise(&nodes, k, arcs.len());
             let mut done = std::mem::take(&mut arcs);
             let ends = if rising { [start, end] } else { [end, start] };
@@ -138,15 +137,15 @@ impl CriticalSet {
         }
     }
 
-    /// The end of a curve at a station; makes the cusp or pitchfork when its first curve is known.
-    fn end_of(&mut self, station: &Station, first: Option<(CurveId, &Node)>) -> End {
-        match (*station, first) {
-            (Station::End(None), _) => End::Origin,
-            (Station::Cusp(mu), Some((curve, node))) => {
+    /// The end of a curve at a cut; makes the cusp or pitchfork when its first curve is known.
+    fn end_of(&mut self, cut: &Cut, first: Option<(CurveId, &Node)>) -> End {
+        match (*cut, first) {
+            (Cut::End(None), _) => End::Origin,
+            (Cut::Cusp(mu), Some((curve, node))) => {
                 let point = self.point(mu, node);
                 End::Cusp(self.cusps.push(Cusp { point, curves: [curve; 2], opens_upward: false }))
             }
-            (Station::Pitchfork(mu, axis), Some((curve, node))) => {
+            (Cut::Pitchfork(mu, axis), Some((curve, node))) => {
                 let point = self.point(mu, node);
                 End::Pitchfork(self.pitchforks.push(Pitchfork { point, axis, through: [curve; 2], pair: None }))
             }
@@ -164,24 +163,24 @@ impl CriticalSet {
         Node { mu: Some(mu), x: state.x, slope: 1.0 / state.j }
     }
 
-    fn node(&self, station: &Station) -> Node {
-        match *station {
-            Station::End(None) => Node { mu: None, x: 0.0, slope: 1.0 / self.frame.j_r },
-            Station::End(Some(k)) => {
+    fn node(&self, cut: &Cut) -> Node {
+        match *cut {
+            Cut::End(None) => Node { mu: None, x: 0.0, slope: 1.0 / self.frame.j_r },
+            Cut::End(Some(k)) => {
                 Node { mu: Some(Mu { base: k, delta: 0.0 }), x: f64::INFINITY, slope: 1.0 / self.frame.a[k] }
             }
-            Station::Cusp(mu) | Station::Pitchfork(mu, _) | Station::Inflection(mu) => self.node_at(mu),
+            Cut::Cusp(mu) | Cut::Pitchfork(mu, _) | Cut::Inflection(mu) => self.node_at(mu),
         }
     }
 
-    /// The arc between neighbouring stations, by rising x.
+    /// The arc between neighbouring cuts, by rising x.
     fn arc(&self, interval: &MuInterval, from: &Node, to: &Node, middle: Option<&Node>) -> Arc {
         let side = |node: &Node| node.mu.map(|mu| mu.base);
         let straddles = matches!((side(from), side(to)), (Some(p), Some(q)) if p != q);
         let mut segments = match middle.filter(|_| straddles) {
             Some(middle) => {
                 let on_right = segment(interval, &self.seen_from_right(interval, middle), to);
-                // A station in the very middle (a passive moment half-way) begins the right half.
+                // A cut in the very middle (a passive moment half-way) begins the right half.
                 if from.mu == middle.mu { vec![on_right] } else { vec![segment(interval, from, middle), on_right] }
             }
             None => vec![segment(interval, from, to)],
@@ -205,7 +204,7 @@ impl CriticalSet {
     }
 }
 
-/// The segment between two neighbouring stations on one side of an interval.
+/// The segment between two neighbouring cuts on one side of an interval.
 fn segment(interval: &MuInterval, from: &Node, to: &Node) -> Segment {
     let base = [to, from].iter().find_map(|node| node.mu.map(|mu| mu.base));
     let base = base.or(interval.right).or(interval.left).unwrap_or(Axis::ALL[0]);

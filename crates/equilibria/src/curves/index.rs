@@ -1,14 +1,13 @@
-//! Morse index of U_l along the curves.
+//! The Morse index of U_l along the curves.
 //!
 //! On the tangent plane at a critical point the Hessian is s [(μ − A) + (4/J) Aγ (Aγ)ᵀ] (Proposition 4.1 of
 //! docs/mathematics.md). Its determinant has the sign of −dx/dμ · Π_k (μ − a_k) along the generic family, and of
-//! dx/ds · Π_{j≠i} (a_i − a_j) along the family over a_i; where it is positive, the sign of the trace tells minimum
+//! dx/ds · Π_{j≠i} (a_i − a_j) along the family over a_i; where it is positive, the sign of the trace separates minimum
 //! from maximum (Proposition 4.2).
 
 use super::arc::{Arc, Segment, Shape};
 use super::curve::Orbit;
-use super::generic::{GenericState, Mu};
-use super::symmetric::SymmetricFamily;
+use super::families::{GenericState, Mu, SymmetricFamily};
 use bifdiag_body::{Axis, Frame};
 
 /// Trace of the Hessian over s: Σ (μ−a) − Σ w (μ−a) + (4/J) Var_w(a), with its scale.
@@ -91,8 +90,8 @@ pub(super) fn symmetric(frame: &Frame, family: &SymmetricFamily, t: [f64; 2], s_
     }))
 }
 
-/// Index along the line γ = ±e_axis that carries r, on which μ − a_axis has the sign `sign`, behind the pitchforks of these
-/// axes: the number of the other axes with μ < a_k.
+/// Index along the line γ = ±e_axis = ±r̂, on which μ − a_axis has the sign `sign`, beyond the pitchforks of these axes: the
+/// number of the other axes with μ < a_k.
 pub(super) fn on_axis(frame: &Frame, axis: Axis, sign: f64, passed: impl Iterator<Item = Axis>) -> u8 {
     let passed: Vec<_> = passed.map(|k| frame.group[k]).collect();
     let is_negative = |k: &Axis| (sign < 0.0) != passed.contains(&frame.group[*k]);

@@ -3,31 +3,21 @@
 //!
 //! Works in x = l²/2, in which U_l(γ) = x/J(γ) − ⟨γ, r⟩ is linear for each γ.
 
-mod abscissa;
 mod arc;
-mod asymptote;
-mod at_momentum;
 mod critical_set;
 mod curve;
 mod cusps;
-mod generic;
+mod families;
 mod generic_curves;
-mod id;
 mod index;
 mod name;
 mod point;
 mod special_curves;
-mod symmetric;
 
-pub use abscissa::{MomentumError, X_ROUNDINGS, abscissa};
-pub use arc::{Arc, Segment, Shape};
-pub use asymptote::Asymptote;
-pub use at_momentum::{EquilibriaAt, RelativeEquilibrium};
+pub use arc::{Arc, Asymptote, Segment, Shape};
 pub use critical_set::{CriticalSet, Cusp, CuspCluster, EquilibriaError, Pitchfork};
-pub use curve::{Branch, Curve, End, Orbit, Pole};
+pub use curve::{Branch, ClusterId, Curve, CurveId, CuspId, End, IntervalId, Orbit, PitchforkId, Pole};
 pub use cusps::MuInterval;
-pub use generic::{GenericState, Mu};
-pub use id::{ClusterId, CurveId, CuspId, IntervalId, PitchforkId};
+pub use families::{GenericState, Mu, SymmetricFamily, SymmetricState};
 pub use name::{BranchName, CurveName, ParseCurveNameError, branch_words};
-pub use point::{Gap, Point};
-pub use symmetric::{SymmetricFamily, SymmetricState};
+pub use point::{Gap, MomentumError, Point, X_ROUNDINGS, abscissa};

@@ -4,6 +4,38 @@ use std::cmp::Ordering;
 
 use bifdiag_body::Frame;
 use bifdiag_numbers::UNIT_ROUNDOFF;
+use thiserror::Error;
+
+/// An angular momentum at which `f64` cannot compute.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("l = {l:e} is too {} for this body in f64; |l| between {smallest:e} and {largest:e}, or 0, is possible", if *.l < *.smallest { "small" } else { "large" })]
+pub struct MomentumError {
+    /// |l| as asked for.
+    pub l: f64,
+    /// Smallest |l| > 0.
+    pub smallest: f64,
+    /// Largest |l|.
+    pub largest: f64,
+}
+
+/// Roundings of x = l²/2 relative to its exact value: l itself, the square.
+pub const X_ROUNDINGS: f64 = 4.0;
+
+/// x = l²/2 in the frame's units.
+///
+/// # Errors
+/// [`MomentumError`] when squares and cubes of x would leave the range of `f64`.
+#[inline]
+pub fn abscissa(frame: &Frame, l: f64) -> Result<f64, MomentumError> {
+    const LIMIT: f64 = 1e45;
+    let scaled = l.abs() / frame.momentum_unit;
+    if scaled == 0.0 || (1.0 / LIMIT..=LIMIT).contains(&scaled) {
+        Ok(0.5 * scaled * scaled)
+    } else {
+        let unit = frame.momentum_unit;
+        Err(MomentumError { l: l.abs(), smallest: unit / LIMIT, largest: unit * LIMIT })
+    }
+}
 
 /// One point of a critical curve or pole line.
 ///
@@ -71,14 +103,14 @@ pub struct Gap {
 }
 
 impl Gap {
-    /// How the first curve stands to the other, never equal; `None` when the bound does not decide.
+    /// Whether the first curve lies above the other or below, never equal; `None` when the bound leaves it open.
     #[must_use]
     pub fn order(&self) -> Option<Ordering> {
         (self.value.abs() > self.error).then(|| self.value.total_cmp(&0.0))
     }
 
-    /// h_a − h_b at one x, by the difference of moments: so two branches that end at the same axis, or at axes with nearly
-    /// equal moments, are told apart although h ~ x/a swallows the difference.
+    /// h_a − h_b at one x, by the difference of moments: this separates two branches that end at the same axis, or at
+    /// axes with nearly equal moments, although h ~ x/a swallows the difference.
     #[must_use]
     pub fn between(frame: &Frame, a: &Point, b: &Point) -> Self {
         let [moment_gap, moment_error] = Self::moments(frame, a, b);

@@ -2,11 +2,10 @@
 
 use super::arc::{Arc, Shape};
 use super::critical_set::{CriticalSet, Cusp, Pitchfork};
-use super::curve::{Branch, Curve, End, Orbit, Pole};
-use super::id::{CurveId, PitchforkId};
+use super::curve::{Branch, Curve, CurveId, End, Orbit, PitchforkId, Pole};
+use super::families::SymmetricFamily;
 use super::index;
 use super::point::Point;
-use super::symmetric::SymmetricFamily;
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::table::Id;
 

@@ -6,11 +6,11 @@
 
 use std::cell::OnceCell;
 
-use super::changes::{ChangeKind, StabilityChange, StabilityProfile};
-use super::collisions::{Collision, Parameter, Strand, collisions};
-use super::exact::ExactBody;
-use super::{Constants, LinearType, StabilitySpan};
-use crate::curves::{Branch, CriticalSet, Curve, CurveId, End, Mu, MuInterval, Segment, Shape};
+use super::changes::{Along, ChangeKind, StabilityChange, StabilitySpan, Turn};
+use super::collisions::{Collision, CollisionFamily, Parameter, collisions};
+use super::exact::{ExactBody, StabilityProfile};
+use super::{Constants, LinearType};
+use crate::curves::{Branch, CriticalSet, Curve, CurveId, End, Mu, MuInterval, Point, Segment, Shape};
 use bifdiag_body::{Body, Frame};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::interval::Interval;
@@ -20,30 +20,11 @@ use bifdiag_numbers::table::{Id, Table};
 #[derive(Debug)]
 pub struct LinearTypes<'a> {
     set: &'a CriticalSet,
-    way: Way,
-}
-
-#[derive(Debug)]
-enum Way {
-    Quick(Table<CurveId, Along>),
-    /// `None`: roots closer than 2^-4000.
-    Exact(Option<Box<StabilityProfile>>),
-}
-
-/// One curve, by rising x: the type at its start and its collisions; nothing of a pole line.
-#[derive(Clone, Debug, Default)]
-struct Along {
-    first: Option<LinearType>,
-    collisions: Vec<Turn>,
-}
-
-/// A collision on a curve.
-#[derive(Clone, Copy, Debug)]
-struct Turn {
-    place: [(f64, f64); 2],
-    from: LinearType,
-    to: LinearType,
-    kind: ChangeKind,
+    /// `None` where f64 cut the curve's branch otherwise than the exact roots do.
+    along: Table<CurveId, Option<Along>>,
+    /// Where one curve goes over into another.
+    between: Vec<StabilityChange>,
+    is_quick: bool,
 }
 
 /// The smallest ratio of the body's numbers with which products of degree 18 stay in the range of `f64`.
@@ -53,79 +34,60 @@ impl<'a> LinearTypes<'a> {
     /// Decides the type along every curve.
     #[must_use]
     pub fn new(body: &Body, set: &'a CriticalSet) -> Self {
-        let way =
-            quick(body, set).map_or_else(|| Way::Exact(StabilityProfile::new(body, set).map(Box::new)), Way::Quick);
-        Self { set, way }
+        let Some(along) = quick(body, set) else { return Self::exact(body, set) };
+        Self { set, between: between(set, &along), along: along.into_iter().map(Some).collect(), is_quick: true }
+    }
+
+    /// Decides the type along every curve by exact roots alone; nothing where roots are closer than 2^-4000.
+    #[must_use]
+    pub fn exact(body: &Body, set: &'a CriticalSet) -> Self {
+        let (along, between) = StabilityProfile::new(body, set)
+            .map_or_else(|| (set.curves.map(|_| None), Vec::new()), |profile| profile.along(set));
+        Self { set, along, between, is_quick: false }
     }
 
     /// True where f64 with bounds decided everything.
     #[must_use]
     pub fn is_quick(&self) -> bool {
-        matches!(self.way, Way::Quick(_))
+        self.is_quick
     }
 
     /// The types along a curve by rising l, in the body's units; `None` where f64 cut its branch otherwise.
     #[must_use]
     pub fn spans(&self, id: CurveId) -> Option<Vec<StabilitySpan>> {
-        let along = match &self.way {
-            Way::Quick(along) => &along[id],
-            Way::Exact(profile) => return profile.as_ref()?.spans(self.set, id),
-        };
         let momentum = |x: f64| (2.0 * x).sqrt() * self.set.frame.momentum_unit;
-        let [from, to] = self.set.curves[id].x().map(momentum);
-        let Some(first) = along.first else { return Some(Vec::new()) };
-        let starts = std::iter::once((from, first));
-        let starts: Vec<_> = starts.chain(along.collisions.iter().map(|turn| (turn.place[0].0, turn.to))).collect();
-        let ends = starts[1..].iter().map(|(l, _)| Some(*l)).chain([to.is_finite().then_some(to)]);
-        let span = |(&(l_from, stability), l_to)| StabilitySpan { l_from, l_to, stability };
-        Some(starts.iter().zip(ends).map(span).collect())
+        Some(self.along[id].as_ref()?.spans(self.set.curves[id].x().map(momentum)))
     }
 
     /// Every change of the linear type along a branch, by rising l, then h.
     #[must_use]
     pub fn changes(&self) -> Vec<StabilityChange> {
-        let along = match &self.way {
-            Way::Quick(along) => along,
-            Way::Exact(profile) => return profile.as_ref().map_or_else(Vec::new, |profile| profile.changes(self.set)),
-        };
-        let mut changes: Vec<StabilityChange> = along
-            .pairs()
-            .flat_map(|(id, along)| along.collisions.iter().map(move |turn| turn.on(id)))
-            .chain(self.ends(along))
-            .collect();
+        let inside = self.along.pairs().flat_map(|(id, along)| {
+            along.iter().flat_map(move |along| along.turns.iter().map(move |turn| turn.on(id, None)))
+        });
+        let mut changes: Vec<StabilityChange> = inside.chain(self.between.iter().copied()).collect();
         changes.sort_by(|p, q| p.l.total_cmp(&q.l).then(p.h.total_cmp(&q.h)));
         changes
     }
+}
 
-    /// The changes at cusps and pitchforks.
-    fn ends<'b>(&'b self, along: &'b Table<CurveId, Along>) -> impl Iterator<Item = StabilityChange> + 'b {
-        let set = self.set;
-        let cusps = set.cusps.pairs().map(|(id, cusp)| (End::Cusp(id), &cusp.point, cusp.curves));
-        let pitchforks = set.pitchforks.pairs().map(|(id, fork)| (End::Pitchfork(id), &fork.point, fork.through));
-        cusps.chain(pitchforks).filter_map(move |(end, point, mut curves)| {
-            curves.sort_by_key(|&id| set.curves[id].piece);
-            let at_end = |id: CurveId| {
-                let Along { first, collisions } = &along[id];
-                if set.curves[id].ends[0] == end { *first } else { collisions.last().map(|turn| turn.to).or(*first) }
-            };
-            let (from, to) = (at_end(curves[0])?, at_end(curves[1])?);
-            // As for events: x is right to its rounding, and dl = dx/l.
-            let x_error = 64.0 * UNIT_ROUNDOFF * point.x;
-            let l = (2.0 * point.x).sqrt();
-            let l_error = x_error / l * set.frame.momentum_unit;
-            let h_error = (point.h_error() + x_error * point.slope()) * set.frame.energy_unit;
-            (from != to).then(|| StabilityChange {
-                l: l * set.frame.momentum_unit,
-                h: point.h() * set.frame.energy_unit,
-                error_bound: l_error.max(h_error),
-                curve: curves[0],
-                onto: Some(curves[1]),
-                kind: ChangeKind::Zero,
-                from,
-                to,
-            })
-        })
-    }
+/// The changes at cusps and pitchforks.
+fn between(set: &CriticalSet, along: &Table<CurveId, Along>) -> Vec<StabilityChange> {
+    let cusps = set.cusps.pairs().map(|(id, cusp)| (End::Cusp(id), &cusp.point, cusp.curves));
+    let pitchforks = set.pitchforks.pairs().map(|(id, fork)| (End::Pitchfork(id), &fork.point, fork.through));
+    let change = |(end, point, mut curves): (End, &Point, [CurveId; 2])| {
+        curves.sort_by_key(|&id| set.curves[id].piece);
+        let at_end = |id: CurveId| if set.curves[id].ends[0] == end { along[id].first } else { along[id].last() };
+        let (from, to) = (at_end(curves[0])?, at_end(curves[1])?);
+        // As for events: x is right to its rounding, and dl = dx/l.
+        let x_error = 64.0 * UNIT_ROUNDOFF * point.x;
+        let l = (2.0 * point.x).sqrt();
+        let h_error = point.h_error() + x_error * point.slope();
+        let (l_unit, h_unit) = (set.frame.momentum_unit, set.frame.energy_unit);
+        let place = [(l * l_unit, x_error / l * l_unit), (point.h() * h_unit, h_error * h_unit)];
+        (from != to).then(|| Turn { place, from, to, kind: ChangeKind::Zero }.on(curves[0], Some(curves[1])))
+    };
+    cusps.chain(pitchforks).filter_map(change).collect()
 }
 
 /// The types along all curves of a body with three distinct moments, r on no axis, if f64 decides them.
@@ -151,20 +113,20 @@ fn quick(body: &Body, set: &CriticalSet) -> Option<Table<CurveId, Along>> {
         }
     }
     for (branch, curves) in maxima {
-        let strand = match (branch, &set.curves[curves[0]].arcs[0].shape) {
-            (Branch::Generic(n), _) => Strand::Generic(MuInterval::numbered(&active, n.index())),
-            (_, Shape::Symmetric { family, .. }) => Strand::Over(*family),
+        let family = match (branch, &set.curves[curves[0]].arcs[0].shape) {
+            (Branch::Generic(n), _) => CollisionFamily::Generic(MuInterval::numbered(&active, n.index())),
+            (_, Shape::Symmetric { family, .. }) => CollisionFamily::Over(*family),
             _ => return None,
         };
-        if matches!(strand, Strand::Generic(interval) if interval.right.is_none()) {
+        if matches!(family, CollisionFamily::Generic(interval) if interval.right.is_none()) {
             return None;
         }
-        let found = collisions(frame, &constants, &exact, &strand)?;
+        let found = collisions(frame, &constants, &exact, &family)?;
         let mut placed = 0;
         for id in curves {
-            let (first, turns) = types_along(&set.curves[id], &strand, &constants, &found)?;
+            let (first, turns) = types_along(&set.curves[id], &family, &constants, &found)?;
             placed += turns.len();
-            along[id] = Along { first: Some(first), collisions: turns };
+            along[id] = Along { first: Some(first), turns };
         }
         if placed != found.len() {
             return None;
@@ -183,7 +145,7 @@ fn is_extreme(frame: &Frame) -> bool {
 /// The type at the start of a curve of maxima, and the collisions on it by rising x.
 fn types_along(
     curve: &Curve,
-    strand: &Strand,
+    family: &CollisionFamily,
     constants: &Constants<Interval>,
     found: &[Collision],
 ) -> Option<(LinearType, Vec<Turn>)> {
@@ -192,7 +154,7 @@ fn types_along(
         match spot(curve, &collision.at) {
             Spot::Elsewhere => {}
             Spot::NearEnd => return None,
-            Spot::On { rising } => turns.push(Turn::new(collision, rising)),
+            Spot::On { rising } => turns.push(turn(collision, rising)),
         }
     }
     turns.sort_by(|p, q| p.place[0].0.total_cmp(&q.place[0].0));
@@ -202,34 +164,27 @@ fn types_along(
     }
     let first = match turns.first() {
         Some(turn) => turn.from,
-        None => strand.reduced(constants, sample(curve)?).linear_type()?,
+        None => family.reduced(constants, sample(curve)?).linear_type()?,
     };
     Some((first, turns))
 }
 
-impl Turn {
-    /// `rising`: x rises with |δ|, or z.
-    fn new(collision: &Collision, rising: bool) -> Self {
-        let (apart, kind) = if collision.is_imaginary {
-            (LinearType::Elliptic, ChangeKind::HamiltonianHopf)
-        } else {
-            (LinearType::Saddle, ChangeKind::RealCollision)
-        };
-        let apart_after = collision.apart_above == rising;
-        let (from, to) = if apart_after { (LinearType::Complex, apart) } else { (apart, LinearType::Complex) };
-        Self { place: collision.place, from, to, kind }
-    }
-
-    fn on(&self, curve: CurveId) -> StabilityChange {
-        let Self { place: [(l, l_error), (h, h_error)], from, to, kind } = *self;
-        StabilityChange { l, h, error_bound: l_error.max(h_error), curve, onto: None, kind, from, to }
-    }
+/// `rising`: x rises with |δ|, or z.
+fn turn(collision: &Collision, rising: bool) -> Turn {
+    let (apart, kind) = if collision.is_imaginary {
+        (LinearType::Elliptic, ChangeKind::HamiltonianHopf)
+    } else {
+        (LinearType::Saddle, ChangeKind::RealCollision)
+    };
+    let apart_after = collision.apart_above == rising;
+    let (from, to) = if apart_after { (LinearType::Complex, apart) } else { (apart, LinearType::Complex) };
+    Turn { place: collision.place, from, to, kind }
 }
 
-/// Where a parameter stands to a curve.
+/// Where a parameter lies relative to a curve.
 enum Spot {
     Elsewhere,
-    /// Rounding may leave it open on which side of an end it is.
+    /// So near to an end that rounding leaves the side open.
     NearEnd,
     /// On it; x rises with |δ|, or z.
     On {

@@ -1,18 +1,9 @@
-//! The linear type along every curve of a body, and where it changes: complete, from exact roots.
+//! Changes of the linear type along curves, however they are found.
 
 use std::fmt;
 
-use dashu_ratio::RBig;
-
-use super::exact::{ExactBody, ExactPoint, Family, Forms, Profile, StationKind, Strand};
-use super::{Constants, LinearType, Signs, StabilitySpan, State};
-use crate::curves::{Branch, CriticalSet, Curve, CurveId, Orbit, Pole};
-use bifdiag_body::Body;
-use bifdiag_numbers::Number;
-use bifdiag_numbers::Sign;
-use bifdiag_numbers::polynomial::{Polynomial, Root};
-use bifdiag_numbers::table::Id;
-use bifdiag_numbers::wide::Wide;
+use super::LinearType;
+use crate::curves::CurveId;
 
 /// How the linear type changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -26,7 +17,7 @@ pub enum ChangeKind {
 }
 
 impl ChangeKind {
-    /// The word for it.
+    /// The word in tables and documents.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -56,7 +47,7 @@ pub struct StabilityChange {
     pub curve: CurveId,
     /// The curve that goes on after a cusp or pitchfork.
     pub onto: Option<CurveId>,
-    /// What happens.
+    /// Which eigenvalues meet.
     pub kind: ChangeKind,
     /// The type before: at smaller l, or on `curve`.
     pub from: LinearType,
@@ -64,187 +55,60 @@ pub struct StabilityChange {
     pub to: LinearType,
 }
 
-/// The families of a body with everything that decides the linear type along them.
-#[derive(Clone, Debug)]
-pub struct StabilityProfile {
-    body: ExactBody,
-    forms: Option<Forms>,
-    strands: Vec<(Strand, Profile)>,
+/// A stretch of a curve with one linear type.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StabilitySpan {
+    /// From this l …
+    pub l_from: f64,
+    /// … to this l; `None`: to infinity.
+    pub l_to: Option<f64>,
+    /// The type there.
+    pub stability: LinearType,
 }
 
-/// Bits with which places of changes are evaluated.
-const BITS: usize = 160;
+/// One curve, by rising x: the type at its start and the changes on it; nothing of a pole line.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Along {
+    pub first: Option<LinearType>,
+    pub turns: Vec<Turn>,
+}
 
-impl StabilityProfile {
-    /// Isolates every change. `None` when roots are closer than 2^-4000, which no body of the supported range has.
-    #[must_use]
-    pub fn new(body: &Body, set: &CriticalSet) -> Option<Self> {
-        let body = ExactBody::new(body, &set.frame);
-        if body.active.is_empty() {
-            return Some(Self { body, forms: None, strands: Vec::new() });
-        }
-        let forms = Forms::new(&body);
-        let generic = (0..=body.active.len()).map(|n| Strand::generic(&body, &forms, n));
-        let over = body.passive.iter().map(|&axis| Strand::over(&body, axis));
-        let strands: Option<Vec<_>> =
-            generic.chain(over).map(|strand| Some((strand.clone(), Profile::new(&strand)?))).collect();
-        Some(Self { strands: strands?, forms: Some(forms), body })
+/// A change of the type inside a curve.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turn {
+    /// l and h in the body's units, each with a bound on its error.
+    pub place: [(f64, f64); 2],
+    pub from: LinearType,
+    pub to: LinearType,
+    pub kind: ChangeKind,
+}
+
+impl Along {
+    /// The type at the end of larger x.
+    pub fn last(&self) -> Option<LinearType> {
+        self.turns.last().map(|turn| turn.to).or(self.first)
     }
 
-    fn strand(&self, branch: Branch) -> Option<&(Strand, Profile)> {
-        let family = family(branch)?;
-        self.strands.iter().find(|(strand, _)| strand.family == family)
-    }
-
-    /// All relative equilibria of a branch at l ≠ 0, counted exactly; `None` without weight (Euler's rotations are not
-    /// on families with a parameter).
-    #[must_use]
-    pub fn points(&self, branch: Branch, l: &Number) -> Option<Vec<ExactPoint>> {
-        let (strand, profile) = self.strand(branch)?;
-        let condition = strand.at_momentum(&self.body, self.forms.as_ref()?, &self.body.abscissa(l));
-        ExactPoint::all(&self.body, strand, profile, &condition)
-    }
-
-    /// The same at one spin Ω ≠ 0.
-    #[must_use]
-    pub fn points_at_spin(&self, branch: Branch, omega: &RBig) -> Option<Vec<ExactPoint>> {
-        let (strand, profile) = self.strand(branch)?;
-        let condition = strand.at_spin(&self.body, self.forms.as_ref()?, &self.body.squared_spin(omega));
-        ExactPoint::all(&self.body, strand, profile, &condition)
-    }
-
-    /// The exact body.
-    #[must_use]
-    pub fn body(&self) -> &ExactBody {
-        &self.body
-    }
-
-    /// The types along a curve by rising l, in the body's units; `None` where f64 cut its branch otherwise.
-    #[must_use]
-    pub fn spans(&self, set: &CriticalSet, id: CurveId) -> Option<Vec<StabilitySpan>> {
-        let curve = &set.curves[id];
-        let [from, to] = curve.x().map(|x| (2.0 * x).sqrt() * set.frame.momentum_unit);
-        let whole = |stability| StabilitySpan { l_from: from, l_to: to.is_finite().then_some(to), stability };
-        if !curve.is_critical() {
-            return Some(Vec::new());
-        }
-        let Some((strand, profile)) = self.strand(curve.branch) else {
-            return Some(vec![whole(self.without_weight(curve))]);
-        };
-        let pieces = profile.pieces(strand.is_reversed);
-        if pieces.len() != branch(set, curve.branch).count() {
-            return None;
-        }
-        let stretches = pieces.get(curve.piece - 1)?.clone();
-        let mut changes: Vec<(f64, LinearType)> = stretches
-            .clone()
-            .skip(1)
-            .map(|k| (self.place(set, strand, &profile.stations[k - 1].root)[0].0, profile.types[k]))
-            .collect();
-        let mut first = profile.types[*stretches.start()];
-        if !changes.is_empty() && !self.rises(set, strand, profile, *stretches.start()) {
-            let mut types: Vec<LinearType> = std::iter::once(first).chain(changes.iter().map(|c| c.1)).collect();
-            let mut places: Vec<f64> = changes.iter().map(|c| c.0).collect();
-            types.reverse();
-            places.reverse();
-            first = types[0];
-            changes = places.into_iter().zip(types.into_iter().skip(1)).collect();
-        }
-        let mut spans = vec![whole(first)];
-        for (l, kind) in changes {
-            let last = spans.len() - 1;
-            if spans[last].stability != kind {
-                spans[last].l_to = Some(l);
-                spans.push(StabilitySpan { l_from: l, ..whole(kind) });
-            }
-        }
-        Some(spans)
-    }
-
-    /// Every change of the linear type along a branch, by rising l, then h.
-    #[must_use]
-    pub fn changes(&self, set: &CriticalSet) -> Vec<StabilityChange> {
-        let mut changes = Vec::new();
-        for (strand, profile) in &self.strands {
-            let here = |id: &CurveId| family(set.curves[*id].branch) == Some(strand.family);
-            let mut curves: Vec<CurveId> = set.curves.ids().filter(here).collect();
-            curves.sort_by_key(|&id| set.curves[id].piece);
-            let pieces = profile.pieces(strand.is_reversed);
-            if pieces.len() != curves.len() {
-                continue;
-            }
-            for (k, station) in profile.stations.iter().enumerate() {
-                let (mut from, mut to) = (profile.types[k], profile.types[k + 1]);
-                if from == to {
-                    continue;
-                }
-                let piece_of = |stretch: usize| pieces.iter().position(|piece| piece.contains(&stretch));
-                let (Some(before), Some(after)) = (piece_of(k), piece_of(k + 1)) else { continue };
-                let reversed = if station.is_cut() { strand.is_reversed } else { !self.rises(set, strand, profile, k) };
-                if reversed {
-                    std::mem::swap(&mut from, &mut to);
-                }
-                let [(l, l_error), (h, h_error)] = self.place(set, strand, &station.root);
-                changes.push(StabilityChange {
-                    l,
-                    h,
-                    error_bound: l_error.max(h_error),
-                    curve: curves[before.min(after)],
-                    onto: station.is_cut().then(|| curves[before.max(after)]),
-                    kind: kind(station.kind, from, to),
-                    from,
-                    to,
-                });
-            }
-        }
-        changes.sort_by(|p, q| p.l.total_cmp(&q.l).then(p.h.total_cmp(&q.h)));
-        changes
-    }
-
-    /// l rises with t from the sample of a stretch to the station after it.
-    fn rises(&self, set: &CriticalSet, strand: &Strand, profile: &Profile, stretch: usize) -> bool {
-        let t = &profile.samples[stretch];
-        let sample = Root::exact(&Polynomial::from_rationals(&[-t, RBig::ONE]), t.clone());
-        self.place(set, strand, &sample)[0].0 < self.place(set, strand, &profile.stations[stretch].root)[0].0
-    }
-
-    /// l and h at a point of a family, each with a bound on its error.
-    fn place(&self, set: &CriticalSet, strand: &Strand, root: &Root) -> [(f64, f64); 2] {
-        let c: Constants<Wide> = self.body.constants(BITS);
-        let state: State<Wide> = strand.state(&self.body, &c, &mut root.clone(), BITS);
-        state.place(&c, &set.frame)
-    }
-
-    /// The type of a rotation without weight: λ² = −Ω² and −Ω²(a_k − a_i)(a_k − a_j)/(a_i a_j).
-    fn without_weight(&self, curve: &Curve) -> LinearType {
-        let (Orbit::Pair(axis), a) = (curve.orbit, &self.body.a) else { return Signs::transverse_type(Sign::Positive) };
-        let [i, j] = axis.others().map(|k| &a[k]);
-        let product = (&a[axis] - i) * (&a[axis] - j);
-        let apart = Sign::from(&(&product - i * j));
-        Signs { b: Sign::Positive, c: Sign::from(&product), discriminant: apart * apart }.linear_type()
+    /// The types between both ends of the curve, given in l.
+    pub fn spans(&self, [from, to]: [f64; 2]) -> Vec<StabilitySpan> {
+        let Some(first) = self.first else { return Vec::new() };
+        let starts: Vec<(f64, LinearType)> =
+            std::iter::once((from, first)).chain(self.turns.iter().map(|turn| (turn.place[0].0, turn.to))).collect();
+        let ends = starts[1..].iter().map(|(l, _)| Some(*l)).chain([to.is_finite().then_some(to)]);
+        let span = |(&(l_from, stability), l_to)| StabilitySpan { l_from, l_to, stability };
+        starts.iter().zip(ends).map(span).collect()
     }
 }
 
-/// The family of a branch.
-fn family(branch: Branch) -> Option<Family> {
-    match branch {
-        Branch::Generic(n) => Some(Family::Generic(n.index())),
-        Branch::Axis(Pole::Minus) => Some(Family::Generic(0)),
-        Branch::Axis(Pole::Plus) => Some(Family::Generic(1)),
-        Branch::Symmetric(axis) => Some(Family::Over(axis)),
-        Branch::Pole(_) => None,
+impl Turn {
+    /// The same change, seen the other way.
+    pub fn reversed(self) -> Self {
+        Self { from: self.to, to: self.from, ..self }
     }
-}
 
-/// The curves of a branch.
-fn branch(set: &CriticalSet, branch: Branch) -> impl Iterator<Item = &Curve> {
-    set.curves.iter().filter(move |curve| curve.branch == branch)
-}
-
-fn kind(station: StationKind, from: LinearType, to: LinearType) -> ChangeKind {
-    match station {
-        StationKind::Collision(_) if [from, to].contains(&LinearType::Elliptic) => ChangeKind::HamiltonianHopf,
-        StationKind::Collision(_) => ChangeKind::RealCollision,
-        _ => ChangeKind::Zero,
+    /// The change on a curve; with `onto` where the curve goes over into that one.
+    pub fn on(&self, curve: CurveId, onto: Option<CurveId>) -> StabilityChange {
+        let Self { place: [(l, l_error), (h, h_error)], from, to, kind } = *self;
+        StabilityChange { l, h, error_bound: l_error.max(h_error), curve, onto, kind, from, to }
     }
 }

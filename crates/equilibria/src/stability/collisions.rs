@@ -4,9 +4,8 @@
 //! Q = Σ a_k g_k the discriminant b² − 4c of Theorem 13.1 of docs/mathematics.md has the sign of B² − 4 det A Q² C, where
 //! B and C are the sums in [`collision_form`]. Bernstein's form counts its roots, f64 finds each, and wider intervals fence it.
 
-use super::constants::Constants;
 use super::reduced::Reduced;
-use super::state::State;
+use super::state::{Constants, State};
 use crate::curves::{Mu, MuInterval, SymmetricFamily};
 use bifdiag_body::{Axis, Frame};
 use bifdiag_numbers::Sign;
@@ -25,14 +24,14 @@ const ROUNDINGS: f64 = 256.0;
 
 /// The family on which collisions are sought.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Strand {
+pub(super) enum CollisionFamily {
     /// The generic family over an interval that has a right end.
     Generic(MuInterval),
     /// The family over a passive moment, on z = 1/s².
     Over(SymmetricFamily),
 }
 
-/// A parameter of a strand.
+/// A parameter of a family.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Parameter {
     /// μ.
@@ -54,29 +53,29 @@ pub(super) struct Collision {
     pub apart_above: bool,
 }
 
-/// Every collision on a strand; `None` where rounding leaves their number or place open. `exact` gives the body's
+/// Every collision on a family; `None` where rounding leaves their number or place open. `exact` gives the body's
 /// numbers, enclosed.
 pub(super) fn collisions(
     frame: &Frame,
     c: &Constants<Interval>,
     exact: &dyn Fn() -> Constants<Interval128>,
-    strand: &Strand,
+    family: &CollisionFamily,
 ) -> Option<Vec<Collision>> {
-    let isolations = collision_form(frame, strand).isolate_roots(ROUNDINGS);
+    let isolations = collision_form(frame, family).isolate_roots(ROUNDINGS);
     let roots: Vec<Parameter> =
-        isolations.iter().map(|isolation| strand.root(frame, c, isolation)).collect::<Option<_>>()?;
+        isolations.iter().map(|isolation| family.root(frame, c, isolation)).collect::<Option<_>>()?;
     if roots.is_empty() {
         return Some(Vec::new());
     }
     let exact = exact();
-    roots.into_iter().map(|at| strand.fenced(&exact, c, frame, at)).collect()
+    roots.into_iter().map(|at| family.fenced(&exact, c, frame, at)).collect()
 }
 
 /// B² − 4 det A Q² C with S = Σ a_k² g_k, unit U of the lines, and i, j, k cyclic:
 /// B = (tr A Q − 2S)² U + Σ a_j a_k ((T_j g_k + T_k g_j) Q + 4 (a_j − a_k)² g_j g_k U),
 /// C = Σ (g_i T_j T_k Q + 4 (a_j − a_k)² T_i g_j g_k U).
-fn collision_form(frame: &Frame, strand: &Strand) -> Form {
-    let Lines { unit, line, weight } = strand.lines(frame);
+fn collision_form(frame: &Frame, family: &CollisionFamily) -> Form {
+    let Lines { unit, line, weight } = family.lines(frame);
     let a = frame.a;
     let degree = weight.iter().flatten().map(Form::degree).max().unwrap_or(0);
     let mean = |factor: &dyn Fn(usize) -> f64| {
@@ -123,7 +122,7 @@ struct Lines {
     weight: [Option<Form>; 3],
 }
 
-impl Strand {
+impl CollisionFamily {
     fn lines(&self, frame: &Frame) -> Lines {
         let active = |k: Axis| frame.r[k] > 0.0;
         match self {

@@ -1,8 +1,7 @@
 //! The flow reduced by l near a relative equilibrium: λ⁴ + bλ² + c, its signs and its roots, in any arithmetic.
 
-use super::constants::Constants;
-use super::kind::{LinearType, Signs};
-use super::state::State;
+use super::linear_type::{LinearType, Signs};
+use super::state::{Constants, State};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
@@ -131,7 +130,7 @@ impl<E: Enclosure> Reduced<E> {
         Eigenvalues { pairs: sorted(pairs), error }
     }
 
-    /// λ² = −b beside a pair of zeros.
+    /// λ² = −b, and a pair of zeros.
     fn beside_zero(&self) -> [[Option<E>; 2]; 2] {
         let size = |x: E| Some((self.s.clone() * x).sqrt());
         let first = match self.beta.sign() {

@@ -1,8 +1,84 @@
-//! A relative equilibrium as the linearisation sees it, enclosed: squares of γ, gaps to the multiplier, J and Ω².
+//! A relative equilibrium as the linearisation sees it, in any arithmetic: squares of γ, gaps to the multiplier, J and Ω²;
+//! and one that f64 found, enclosed by Newton's method in intervals.
 
-use super::constants::Constants;
+use dashu_ratio::RBig;
+
+use crate::curves::Mu;
 use bifdiag_body::{Axis, Frame};
-use bifdiag_numbers::enclosure::Enclosure;
+use bifdiag_numbers::Sign;
+use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
+use bifdiag_numbers::interval::Interval;
+
+/// A body in the frame's axes and units.
+#[derive(Clone, Debug)]
+pub struct Constants<E: Arithmetic> {
+    /// Principal moments, ascending.
+    pub a: [E; 3],
+    /// Their inverses.
+    pub inverse: [E; 3],
+    /// `diff[i][j]` = a_i − a_j.
+    pub diff: [[E; 3]; 3],
+    /// r_k².
+    pub rho: [E; 3],
+    /// r_k ≠ 0.
+    pub active: [bool; 3],
+    /// tr A.
+    pub trace: E,
+    /// det A.
+    pub determinant: E,
+    /// The precision of all of them.
+    pub precision: E::Precision,
+}
+
+impl<E: Arithmetic> Constants<E> {
+    fn of(a: [E; 3], diff: [[E; 3]; 3], rho: [E; 3], active: [bool; 3], precision: E::Precision) -> Self {
+        let [a1, a2, a3] = a.clone();
+        Self {
+            inverse: a.clone().map(|a| E::small(1, precision) / a),
+            trace: a1.clone() + a2.clone() + a3.clone(),
+            determinant: a1 * a2 * a3,
+            a,
+            diff,
+            rho,
+            active,
+            precision,
+        }
+    }
+
+    /// From exact moments and squares r_k².
+    #[must_use]
+    pub fn exact(a: &[RBig; 3], rho: &[RBig; 3], precision: E::Precision) -> Self {
+        let number = |x: &RBig| E::rational(x, precision);
+        let diff = std::array::from_fn(|i| std::array::from_fn(|j| number(&(&a[i] - &a[j]))));
+        Self::of(
+            a.each_ref().map(number),
+            diff,
+            rho.each_ref().map(number),
+            rho.each_ref().map(|x| !x.is_zero()),
+            precision,
+        )
+    }
+
+    /// A small whole number.
+    pub(super) fn small(&self, value: i32) -> E {
+        E::small(value, self.precision)
+    }
+}
+
+impl Constants<Interval> {
+    /// From a frame, whose numbers are rounded.
+    #[must_use]
+    pub fn rounded(frame: &Frame) -> Self {
+        // Square roots in a frame are rounded twice.
+        const ROOT: f64 = 3.0;
+        let squared = |x: f64| {
+            let r = if x == 0.0 { Interval::ZERO } else { Interval::point(x).widened(ROOT) };
+            r * r
+        };
+        let diff = frame.diff.map(|row| row.map(Interval::rounded));
+        Self::of(frame.a.map(Interval::rounded), diff, frame.r.map(squared), frame.r.map(|x| x != 0.0), ())
+    }
+}
 
 /// A relative equilibrium (Theorem 3.2 and Theorem 3.3 of docs/mathematics.md), or all those over a range of the parameter.
 #[derive(Clone, Debug)]
@@ -116,4 +192,80 @@ impl<E: Enclosure> State<E> {
         let gap = (0..3).fold(c.small(0), |sum, k| sum + self.w[k].clone() * self.tau[k].clone());
         self.s.clone() * gap
     }
+}
+
+/// Where a relative equilibrium lies on its family, as f64 found it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// On the generic family.
+    Generic(Mu),
+    /// Over a passive moment, with this s = Ω².
+    Over {
+        /// The axis of the frame.
+        axis: Axis,
+        /// Ω².
+        s: f64,
+        /// R̂ (Theorem 3.3 of docs/mathematics.md).
+        r_sum: f64,
+    },
+    /// Rotation about a principal axis of the frame.
+    About {
+        /// The axis.
+        axis: Axis,
+        /// ⟨γ, r⟩: r, −r or, without weight, 0.
+        weight: f64,
+    },
+}
+
+/// Distance searched for the root, in units of the distance that the residual suggests.
+const SAFETY: f64 = 2.0;
+
+impl Place {
+    /// An enclosure of the equilibrium at x = l²/2; `None` where f64 cannot separate it from a neighbour.
+    #[must_use]
+    pub fn enclosed(self, c: &Constants<Interval>, x: Interval) -> Option<State<Interval>> {
+        match self {
+            Self::Generic(mu) => {
+                let at = State::generic(c, mu.base, &Interval::point(mu.delta));
+                let change = logarithm(x, at.x(c))?;
+                let reach = SAFETY * change.magnitude() / at.falling(c).magnitude();
+                let range = around(mu.delta, reach)?;
+                let over = State::generic(c, mu.base, &range);
+                let step = change / over.falling(c);
+                (step.magnitude() <= reach).then_some(over)
+            }
+            Self::Over { axis, s, r_sum } => {
+                let r_sum = Interval::rounded(r_sum);
+                let z = 1.0 / (s * s);
+                // −d ln x/dz = (a + 3zR̂)/(2zJ)
+                let falling = |at: &State<Interval>, z: Interval| (c.a[axis] + z * r_sum * 3.0) / (z * 2.0 * at.j);
+                let point = Interval::point(z);
+                let at = State::over(c, axis, &point);
+                let change = logarithm(x, at.x(c))?;
+                let reach = SAFETY * change.magnitude() / falling(&at, point).magnitude();
+                let range = around(z, reach)?;
+                let over = State::over(c, axis, &range);
+                let step = change / falling(&over, range);
+                (step.magnitude() <= reach && over.w[axis].sign() == Some(Sign::Positive)).then_some(over)
+            }
+            Self::About { axis, weight } => {
+                let s = x * 2.0 / c.a[axis].square();
+                let shift = if weight == 0.0 { Interval::ZERO } else { Interval::point(weight).widened(3.0) / s };
+                Some(State::about(c, axis, &s, &shift))
+            }
+        }
+    }
+}
+
+/// The doubles from y − reach to y + reach, if all of them have the sign of y.
+fn around(y: f64, reach: f64) -> Option<Interval> {
+    let range = Interval::between((y - reach).next_down(), (y + reach).next_up());
+    range.is_positive().map(|_| range)
+}
+
+/// ln(x/y) of neighbours: with e = (x − y)/y it is e up to e².
+fn logarithm(x: Interval, y: Interval) -> Option<Interval> {
+    let e = (x - y) / y;
+    let size = e.magnitude();
+    (size < 1e-3).then(|| e + Interval::between(-size * size, size * size).widened(4.0))
 }

@@ -113,7 +113,7 @@ fn difference(a: u64, b: u64) -> u64 {
     if a >= b { a - b } else { a + PRIME - b }
 }
 
-/// Fermat's inverse.
+/// a⁻¹ = a^(p − 2), by Fermat's little theorem.
 fn inverse(a: u64) -> u64 {
     let (mut power, mut result, mut exponent) = (a, 1, PRIME - 2);
     while exponent > 0 {
@@ -133,7 +133,7 @@ fn trimmed(mut c: Vec<u64>) -> Vec<u64> {
     c
 }
 
-/// Coefficients by rising power: surely without a common factor over the rationals.
+/// True only if the polynomials with these coefficients, by rising power, have no common factor over the rationals.
 fn surely_coprime(p: &[IBig], q: &[IBig]) -> bool {
     let residues = |c: &[IBig]| c.iter().map(reduced).collect::<Vec<_>>();
     let (mut a, mut b) = (residues(p), residues(q));

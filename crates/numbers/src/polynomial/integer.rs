@@ -49,7 +49,8 @@ impl Polynomial {
     }
 
     /// Divided by the greatest common divisor of the coefficients.
-    pub(super) fn primitive(self) -> Self {
+    #[must_use]
+    pub fn primitive(self) -> Self {
         let content = self.c.iter().fold(UBig::ZERO, |content, c| {
             if content == UBig::ONE || *c == IBig::ZERO {
                 content

@@ -1,4 +1,4 @@
-//! A real root of a polynomial, isolated, and refined as far as is asked.
+//! A real root of a polynomial: isolated, and refined to any precision.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use crate::enclosure::{Enclosure, horner};
 use crate::interval::Interval;
 use crate::root::narrowed;
 
-/// Bits of a root that intervals of doubles tell, with a few to spare.
+/// Bits of a root that intervals of doubles give, less a safety margin.
 const DOUBLES: usize = 40;
 
 /// A real root in a range that holds no other.
@@ -23,14 +23,14 @@ pub struct Root {
     pub(super) polynomial: Arc<Polynomial>,
     /// lo ≤ root ≤ hi; equal when the root is this rational, else neither end is a root.
     pub lo: RBig,
-    /// The upper end.
+    /// The upper end of the range.
     pub hi: RBig,
-    /// Whether the polynomial that was asked about changes sign.
+    /// Whether the polynomial whose roots were isolated changes sign here.
     pub odd: bool,
 }
 
 impl Root {
-    /// With a positive lower end.
+    /// Halves the range until its lower end is positive.
     pub(super) fn away_from_zero(mut self) -> Self {
         while self.lo.is_zero() {
             self.halve();
@@ -42,7 +42,7 @@ impl Root {
         self.halve_below(self.polynomial.sign_at(&self.hi));
     }
 
-    /// Halves, with the sign at the upper end.
+    /// Halves the range, given the sign at the upper end.
     fn halve_below(&mut self, above: Sign) {
         let middle = (&self.lo + &self.hi) / RBig::from(2);
         self.cut(middle, above);
@@ -74,7 +74,7 @@ impl Root {
         self.lo == self.hi
     }
 
-    /// Where a rational number stands to the root.
+    /// The order of a rational number and the root.
     #[must_use]
     pub fn place_of(&self, at: &RBig) -> Ordering {
         if *at < self.lo {
@@ -120,7 +120,7 @@ impl Root {
         self.is_exact() || (&self.hi - &self.lo) * RBig::from(IBig::ONE << bits) <= self.hi
     }
 
-    /// Narrows as far as intervals of doubles tell, which take a hundredth of the time of exact numbers; exact signs have
+    /// Narrows as far as intervals of doubles allow, at a hundredth of the cost of exact numbers; exact signs have
     /// the last word. The sign at the upper end is `above`.
     fn narrow_in_doubles(&mut self, above: Sign) {
         let range: Interval = self.enclosed_below(above, ());
@@ -144,7 +144,7 @@ impl Root {
         self.enclosed_below(self.polynomial.sign_at(&self.hi), precision)
     }
 
-    /// The same of a root that is not exact, with the sign at the upper end.
+    /// The same for a root that is not exact, given the sign at the upper end.
     fn enclosed_below<E: Enclosure>(&self, above: Sign, precision: E::Precision) -> E {
         let number = |x: &RBig| E::rational(x, precision);
         let range = number(&self.lo).hull(&number(&self.hi));

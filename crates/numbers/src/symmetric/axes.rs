@@ -15,7 +15,7 @@ use crate::wide::Wide;
 /// first axis lies along the vector's projection.
 #[derive(Clone, Debug)]
 pub struct PrincipalAxes {
-    /// The eigenvalues.
+    /// The eigenvalues; they ascend unless the matrix was diagonal.
     pub values: [Real; 3],
     /// The components of the vector; exactly 0 where it is orthogonal to an axis.
     pub components: [Real; 3],
@@ -111,7 +111,7 @@ struct Line {
 }
 
 impl Line {
-    /// `None` when so many bits do not suffice.
+    /// `None` when `bits` are too few.
     fn new(
         matrix: &Symmetric,
         value: &Real,

@@ -19,7 +19,7 @@ pub struct Eigenvalue {
 }
 
 impl Symmetric {
-    /// The distinct eigenvalues, ascending. Those that are not simple are rational, and so is what is left beside them.
+    /// The distinct eigenvalues, ascending. Multiple ones are rational, and so is the simple one beside a double one.
     #[must_use]
     pub fn eigenvalues(&self) -> Vec<Eigenvalue> {
         let shift = self.positive_shift();
@@ -99,7 +99,7 @@ pub struct Real {
 }
 
 impl Real {
-    /// A rational.
+    /// The rational number itself, with equal ends.
     #[must_use]
     pub fn exact(value: RBig) -> Self {
         Self { lo: value.clone(), hi: value }
@@ -124,7 +124,7 @@ impl Real {
         self.is_exact() || (&self.hi - &self.lo) * power_of_ten(digits) <= *size
     }
 
-    /// √x of a rational x ≥ 0: exact where x is a square, else known to so many digits.
+    /// √x of a rational x ≥ 0: exact where x is a square, else enclosed to `digits` decimal digits.
     #[must_use]
     pub fn root_of(x: &RBig, digits: usize) -> Self {
         let (numerator, denominator) = (x.numerator().clone().into_parts().1, x.denominator().clone());
@@ -132,7 +132,7 @@ impl Real {
         if &p * &p == numerator && &q * &q == denominator {
             return Self::exact(RBig::from_parts(p.into(), q));
         }
-        // √(p/q) = √(p q 4^s) / (q 2^s), with so large an s that one unit is below 10^-digits of it.
+        // √(p/q) = √(p q 4^s) / (q 2^s), where s makes one unit less than 10^-digits of it.
         let product = &numerator * &denominator;
         let wanted = 4 * digits + 4;
         let shift = wanted.saturating_sub(product.bit_len() / 2);
@@ -142,8 +142,8 @@ impl Real {
         Self { lo: over(root.clone()), hi: over(root + UBig::ONE) }
     }
 
-    /// A decimal of so many significant digits, off by at most one unit of the last one and the width of the enclosure;
-    /// an exact number with fewer digits stays what it is.
+    /// A decimal of `digits` significant digits, off by at most one unit of the last one and the width of the enclosure;
+    /// an exact number with fewer digits is unchanged.
     #[must_use]
     pub fn decimal(&self, digits: usize) -> String {
         let middle = (&self.lo + &self.hi) / RBig::from(2);

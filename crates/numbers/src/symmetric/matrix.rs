@@ -17,7 +17,7 @@ impl Symmetric {
         Self { entries: [[xx, xy.clone(), xz.clone()], [xy, yy, yz.clone()], [xz, yz, zz]] }
     }
 
-    /// The diagonal matrix.
+    /// The matrix with these entries on the diagonal and 0 elsewhere.
     #[must_use]
     pub fn diagonal([x, y, z]: [RBig; 3]) -> Self {
         Self::new([x, y, z, RBig::ZERO, RBig::ZERO, RBig::ZERO])
@@ -29,7 +29,7 @@ impl Symmetric {
         Self::new([x * x, y * y, z * z, x * y, x * z, y * z])
     }
 
-    /// The rows.
+    /// The entries, row by row.
     #[must_use]
     pub fn rows(&self) -> &[[RBig; 3]; 3] {
         &self.entries
@@ -42,7 +42,7 @@ impl Symmetric {
         xy.is_zero() && xz.is_zero() && yz.is_zero()
     }
 
-    /// Entry by entry.
+    /// The matrix with the entries f(i, j, x_ij); f is called with i ≤ j only and must return one value for each pair.
     #[must_use]
     pub fn map(&self, f: impl Fn(usize, usize, &RBig) -> RBig) -> Self {
         Self { entries: std::array::from_fn(|i| std::array::from_fn(|j| f(i.min(j), i.max(j), &self.entries[i][j]))) }
@@ -76,7 +76,7 @@ impl Symmetric {
         })
     }
 
-    /// The determinant.
+    /// det(self), expanded along the first row.
     #[must_use]
     pub fn determinant(&self) -> RBig {
         let adjugate = self.adjugate();
@@ -130,7 +130,7 @@ impl Symmetric {
     }
 }
 
-/// ⟨v, w⟩.
+/// ⟨v, w⟩ = Σ v_i w_i, exactly.
 #[must_use]
 pub fn dot(v: &[RBig; 3], w: &[RBig; 3]) -> RBig {
     &v[0] * &w[0] + &v[1] * &w[1] + &v[2] * &w[2]

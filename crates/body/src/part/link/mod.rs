@@ -14,10 +14,10 @@ use rotation::{of_angles, rotated};
 /// Why a file gives no inertial block.
 #[derive(Debug, Error)]
 pub enum LinkError {
-    /// Not XML.
+    /// The file is not XML.
     #[error("not readable as XML: {0}")]
     Xml(#[from] roxmltree::Error),
-    /// Neither a robot nor a model.
+    /// The root is neither that of URDF nor that of MJCF.
     #[error("the root element is <{found}>; <robot> (URDF) or <mujoco> (MJCF) is known")]
     Root {
         /// Its name.
@@ -52,7 +52,7 @@ pub enum LinkError {
         /// The attribute.
         attribute: &'static str,
     },
-    /// An attribute is no number or not so many.
+    /// An attribute is not a number.
     #[error("{attribute}=\"{value}\" of link {link}: {source}")]
     Number {
         /// The link.
@@ -64,7 +64,7 @@ pub enum LinkError {
         /// What is wrong.
         source: ParseNumberError,
     },
-    /// A list of another length.
+    /// A list of numbers has the wrong length.
     #[error("{attribute}=\"{value}\" of link {link} has {found} numbers, {wanted} are needed")]
     Count {
         /// The link.
@@ -78,7 +78,7 @@ pub enum LinkError {
         /// How many are needed.
         wanted: usize,
     },
-    /// An orientation that is not read.
+    /// The orientation is given in a form that is not supported.
     #[error(
         "link {link}: the orientation {attribute} is not read, since its meaning depends on other settings; write quat"
     )]
@@ -88,7 +88,7 @@ pub enum LinkError {
         /// The attribute.
         attribute: &'static str,
     },
-    /// No mass.
+    /// The mass is not positive.
     #[error("link {link}: {source}")]
     Mass {
         /// The link.

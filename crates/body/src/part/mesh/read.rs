@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use super::surface::Mesh;
 
-/// Formats of meshes.
+/// The file formats that are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshFormat {
     /// STL.
@@ -20,7 +20,7 @@ pub enum MeshFormat {
     Ply,
 }
 
-/// A file is no mesh.
+/// Why a file cannot be read as a mesh.
 #[derive(Debug, Error)]
 pub enum ReadError {
     /// What the reader of STL or PLY says.
@@ -40,7 +40,7 @@ pub enum ReadError {
         /// Which.
         what: &'static str,
     },
-    /// A face names a corner that is not there.
+    /// A face refers to a corner that does not exist.
     #[error("a face names corner {index}, but there are {count}")]
     NoCorner {
         /// From 0.

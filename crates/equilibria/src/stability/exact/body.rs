@@ -1,4 +1,5 @@
-//! A body as integers: moments and squares of r in the frame's order, with the units in which they are whole.
+//! A body as integers, moments and squares of r in the frame's order with the units in which they are whole, and the
+//! polynomials of its generic family in μ (Proposition 13.4 of docs/mathematics.md).
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
@@ -7,6 +8,7 @@ use crate::stability::Constants;
 use bifdiag_body::{Axis, Body, Frame};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::enclosure::Arithmetic;
+use bifdiag_numbers::polynomial::Polynomial;
 use bifdiag_numbers::polynomial::rational::over_one_denominator;
 
 /// A body in the frame's order of axes, exact.
@@ -111,4 +113,98 @@ impl ExactBody {
         let sum = (q + r) * b * c + (p + r) * a * c + (p + q) * a * b;
         &sum * &sum == IBig::from(4) * (p + q + r) * (p * a + q * b + r * c) * (a * b * c)
     }
+}
+
+/// With P = p/D², Q = q/D² over the active axes: χ = `zero`/(p² det A), β = `swing`/(p q det A) and
+/// β² − 4χ = `collision`/(p q det A)².
+#[derive(Clone, Debug)]
+pub struct Forms {
+    p: Polynomial,
+    q: Polynomial,
+    /// D = Π (μ − a_k) over the active axes.
+    product: Polynomial,
+    /// The cusp polynomial of Lemma 4.5 of docs/mathematics.md.
+    pub cusp: Polynomial,
+    /// Of the sign of c: the cusp polynomial times Π (μ − a_k) over the other axes.
+    pub zero: Polynomial,
+    /// Of the sign of b.
+    pub swing: Polynomial,
+    /// Of the sign of b² − 4c.
+    pub collision: Polynomial,
+}
+
+impl Forms {
+    /// The polynomials of a body with r ≠ 0.
+    #[must_use]
+    pub fn new(body: &ExactBody) -> Self {
+        let line = body.a.each_ref().map(Polynomial::linear);
+        let one = Polynomial::constant(IBig::ONE);
+        let product_of = |axes: &mut dyn Iterator<Item = Axis>| axes.fold(one.clone(), |p, k| p.times(&line[k]));
+        let product = product_of(&mut body.active.iter().copied());
+        let passive = product_of(&mut Axis::ALL.into_iter().filter(|k| !body.active.contains(k)));
+        // D² r_k²/τ_k²
+        let weight: [Polynomial; 3] = Axis::ALL.map(|k| {
+            let others = product_of(&mut body.active.iter().copied().filter(|&m| m != k));
+            if body.active.contains(&k) { others.squared().scaled(&body.rho[k]) } else { Polynomial::new(Vec::new()) }
+        });
+        let (p, q) = (moment(body, &weight, 0), moment(body, &weight, 1));
+        let cusp = cusp(&p, &q, &product);
+        let zero = passive.times(&cusp);
+        let [swing, collision] = swing_and_collision(body, &line, &weight, &zero);
+        Self { p, q, product, cusp, zero, swing, collision }
+    }
+
+    /// q⁴ − 4x²p³D²: its roots are the multipliers of the equilibria at x (Proposition 4.8 of docs/mathematics.md).
+    #[must_use]
+    pub fn at_momentum(&self, x: &RBig) -> Polynomial {
+        let (over, under) = (x.numerator(), IBig::from(x.denominator().clone()));
+        let left = self.q.squared().squared().scaled(&(&under * &under));
+        let right = self.p.squared().times(&self.p).times(&self.product.squared());
+        left.minus(&right.scaled(&(IBig::from(4) * over * over)))
+    }
+
+    /// p − s²D²: its roots are the multipliers of the steady rotations with Ω² = s, since s² = P (Theorem 3.2 of
+    /// docs/mathematics.md).
+    #[must_use]
+    pub fn at_spin(&self, s: &RBig) -> Polynomial {
+        let (over, under) = (s.numerator(), IBig::from(s.denominator().clone()));
+        self.p.scaled(&(&under * &under)).minus(&self.product.squared().scaled(&(over * over)))
+    }
+}
+
+/// Σ a_k^power g_k.
+fn moment(body: &ExactBody, weight: &[Polynomial; 3], power: usize) -> Polynomial {
+    let zero = Polynomial::new(Vec::new());
+    (0..3).fold(zero, |sum, k| sum.plus(&weight[k].scaled(&body.a[k].pow(power))))
+}
+
+/// −½[4(q′D − 2qD′)p − 3(p′D − 2pD′)q], which is C D⁵.
+fn cusp(p: &Polynomial, q: &Polynomial, d: &Polynomial) -> Polynomial {
+    let slope = d.derivative();
+    let of = |f: &Polynomial| f.derivative().times(d).minus(&f.times(&slope).scaled(&IBig::from(2)));
+    let twice = of(p).times(q).scaled(&IBig::from(3)).minus(&of(q).times(p).scaled(&IBig::from(4)));
+    Polynomial::new(twice.coefficients().iter().map(|c| c / IBig::from(2)).collect())
+}
+
+/// The signs of b and of b² − 4c on a family with weights g_k, proportional to γ_k², and lines T_k = μ − a_k; `zero` is
+/// C = Σ (g_i T_j T_k Q + 4 (a_j − a_k)² T_i g_j g_k). With Q = Σ a g and S = Σ a² g they are
+/// B = (tr A Q − 2S)² + Σ a_j a_k ((T_j g_k + T_k g_j) Q + 4 (a_j − a_k)² g_j g_k) and B² − 4 det A Q² C.
+pub(super) fn swing_and_collision(
+    body: &ExactBody,
+    line: &[Polynomial; 3],
+    weight: &[Polynomial; 3],
+    zero: &Polynomial,
+) -> [Polynomial; 2] {
+    let [a, b, c] = &body.a;
+    let (q, second) = (moment(body, weight, 1), moment(body, weight, 2));
+    let gyroscopic = q.scaled(&(a + b + c)).minus(&second.scaled(&IBig::from(2))).squared();
+    let swing = (0..3).fold(gyroscopic, |sum, i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let gap = &body.a[j] - &body.a[k];
+        let hanging = line[j].times(&weight[k]).plus(&line[k].times(&weight[j])).times(&q);
+        let coupled = weight[j].times(&weight[k]).scaled(&(IBig::from(4) * &gap * &gap));
+        sum.plus(&hanging.plus(&coupled).scaled(&(&body.a[j] * &body.a[k])))
+    });
+    let collision = swing.squared().minus(&q.squared().times(zero).scaled(&(IBig::from(4) * (a * b * c))));
+    [swing, collision]
 }

@@ -28,7 +28,7 @@ pub enum LinearType {
 }
 
 impl LinearType {
-    /// Every type.
+    /// All types, in the order of their declaration.
     pub const ALL: [Self; 8] = [
         Self::Elliptic,
         Self::SaddleCentre,
@@ -46,7 +46,7 @@ impl LinearType {
         matches!(self, Self::SaddleCentre | Self::Saddle | Self::Complex | Self::DoubleReal | Self::ZeroReal)
     }
 
-    /// The word for it.
+    /// The word in tables and documents.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

@@ -3,14 +3,14 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::body::ExactBody;
-use super::forms::Forms;
+use super::body::{ExactBody, Forms, swing_and_collision};
 use crate::stability::{Constants, State};
 use bifdiag_body::Axis;
 use bifdiag_numbers::enclosure::Enclosure;
-use bifdiag_numbers::polynomial::{Polynomial, Root, rational};
+use bifdiag_numbers::polynomial::rational::{self, over_one_denominator};
+use bifdiag_numbers::polynomial::{Polynomial, Root};
 
-/// Which family.
+/// A family of relative equilibria with one parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// The generic family over an interval between active moments, numbered from μ = −∞.
@@ -19,9 +19,9 @@ pub enum Family {
     Over(Axis),
 }
 
-/// How t stands for the parameter.
+/// The parameter as a function of t.
 #[derive(Clone, Debug)]
-enum Chart {
+enum Coordinate {
     /// μ = a_first − t.
     Left(Axis),
     /// μ = a_left + (a_right − a_left) t, t < 1.
@@ -29,15 +29,15 @@ enum Chart {
     /// μ = a_last + t.
     Right(Axis),
     /// z = 1/s² = z_max t, t < 1.
-    Over { axis: Axis, z_max: RBig },
+    Over { axis: Axis, r_sum: RBig, z_max: RBig },
 }
 
 /// A family on its coordinate.
 #[derive(Clone, Debug)]
-pub struct Strand {
+pub struct FamilyChart {
     /// The family.
     pub family: Family,
-    chart: Chart,
+    coordinate: Coordinate,
     /// Pieces are numbered against t: by rising μ, by rising s, and on an axis by rising l.
     pub is_reversed: bool,
     /// Of the sign of c; the zero polynomial on a circle of equilibria.
@@ -52,86 +52,62 @@ pub struct Strand {
     pub collision: Polynomial,
 }
 
-impl Strand {
+impl FamilyChart {
     /// The generic family over interval `n`.
     #[must_use]
     pub fn generic(body: &ExactBody, forms: &Forms, n: usize) -> Self {
         let left = n.checked_sub(1).map(|k| body.active[k]);
         let right = body.active.get(n).copied();
-        let chart = match (left, right) {
-            (Some(left), Some(right)) => Chart::Inner(left, right),
-            (Some(last), None) => Chart::Right(last),
-            (None, right) => Chart::Left(right.unwrap_or(Axis::ALL[0])),
+        let coordinate = match (left, right) {
+            (Some(left), Some(right)) => Coordinate::Inner(left, right),
+            (Some(last), None) => Coordinate::Right(last),
+            (None, right) => Coordinate::Left(right.unwrap_or(Axis::ALL[0])),
         };
-        let pitchforks = body.passive.iter().filter_map(|&k| chart.coordinate(body, k).map(|t| (k, t))).collect();
-        let map = |p: &Polynomial| chart.mapped(body, p);
-        let (zero, cusp) = (map(&forms.zero()), map(&forms.cusp));
+        let pitchforks = body.passive.iter().filter_map(|&k| coordinate.of_moment(body, k).map(|t| (k, t))).collect();
+        let map = |p: &Polynomial| coordinate.mapped(body, p);
+        let (zero, cusp) = (map(&forms.zero), map(&forms.cusp));
         let (swing, collision) = (map(&forms.swing), map(&forms.collision));
-        let is_reversed = matches!(chart, Chart::Left(_)) || body.active.len() == 1;
-        Self { family: Family::Generic(n), zero, cusp, pitchforks, swing, collision, is_reversed, chart }
+        let is_reversed = matches!(coordinate, Coordinate::Left(_)) || body.active.len() == 1;
+        Self { family: Family::Generic(n), zero, cusp, pitchforks, swing, collision, is_reversed, coordinate }
     }
 
     /// The family over a passive moment; needs r ≠ 0.
     #[must_use]
     pub fn over(body: &ExactBody, axis: Axis) -> Self {
         let number = |x: &IBig| RBig::from(x.clone());
-        let gap = |k: Axis| number(&(&body.a[axis] - &body.a[k]));
+        let gap = |k: Axis| &body.a[axis] - &body.a[k];
         let sums = |power: isize| {
-            body.active.iter().fold(RBig::ZERO, |sum, &k| sum + number(&body.rho[k]) / gap(k).pow(power))
+            body.active.iter().fold(RBig::ZERO, |sum, &k| sum + number(&body.rho[k]) / number(&gap(k)).pow(power))
         };
-        let (r_sum, p_sum) = (sums(1), sums(2));
-        let z_max = RBig::ONE / p_sum;
-        // w_k linear in t; J = Σ w a.
-        let mut w: [Vec<RBig>; 3] = Axis::ALL.map(|k| {
-            if body.active.contains(&k) {
-                vec![RBig::ZERO, number(&body.rho[k]) * &z_max / gap(k).pow(2)]
-            } else {
-                Vec::new()
-            }
-        });
-        w[axis] = (0..3).fold(vec![RBig::ONE], |rest, k| rational::sub(&rest, &w[k]));
-        let mean = |power: isize| {
-            (0..3)
-                .fold(Vec::new(), |sum, k| rational::add(&sum, &rational::scale(&w[k], &number(&body.a[k]).pow(power))))
-        };
-        let (j, squared) = (mean(1), mean(2));
-        let determinant = number(&(&body.a[0] * &body.a[1] * &body.a[2]));
-        let trace = number(&(&body.a[0] + &body.a[1] + &body.a[2]));
-        let g = rational::sub(&rational::scale(&j, &trace), &rational::scale(&squared, &RBig::from(2)));
-        let swing = Axis::ALL.into_iter().fold(rational::mul(&g, &g), |sum, i| {
-            let [n, m] = i.others();
-            let hanging = rational::add(&rational::scale(&w[m], &gap(n)), &rational::scale(&w[n], &gap(m)));
-            let apart = number(&(&body.a[n] - &body.a[m]));
-            let coupled = rational::scale(&rational::mul(&w[n], &w[m]), &(RBig::from(4) * &apart * &apart));
-            let both = rational::add(&rational::mul(&j, &hanging), &coupled);
-            rational::add(&sum, &rational::scale(&both, &(&determinant / number(&body.a[i]))))
-        });
-        // χ det A = w_i τ_j τ_k (a_i + 3zR̂).
-        let across = axis.others().map(gap);
-        let cusp = vec![number(&body.a[axis]), RBig::from(3) * r_sum * &z_max];
-        let zero = rational::scale(&rational::mul(&w[axis], &cusp), &(&across[0] * &across[1]));
-        let collision = rational::sub(
-            &rational::mul(&swing, &swing),
-            &rational::scale(&rational::mul(&rational::mul(&j, &j), &zero), &(RBig::from(4) * determinant)),
-        );
-        let [zero, cusp, swing, collision] = [zero, cusp, swing, collision].map(|p| Polynomial::from_rationals(&p));
-        let (family, chart) = (Family::Over(axis), Chart::Over { axis, z_max });
-        Self { family, chart, is_reversed: true, zero, cusp, pitchforks: Vec::new(), swing, collision }
+        let (r_sum, z_max) = (sums(1), RBig::ONE / sums(2));
+        // γ_k² and a_i + 3zR̂ are linear in t: [at 0, slope], taken over one denominator.
+        let mut linear = [const { [RBig::ZERO, RBig::ZERO] }; 4];
+        for &k in &body.active {
+            linear[k.index()][1] = number(&body.rho[k]) * &z_max / number(&gap(k)).pow(2);
+        }
+        linear[axis.index()] = [RBig::ONE, linear[..3].iter().fold(RBig::ZERO, |rest, [_, slope]| rest - slope)];
+        linear[3] = [number(&body.a[axis]), RBig::from(3) * &r_sum * &z_max];
+        let whole = over_one_denominator(linear.as_flattened()).0;
+        let polynomial = |n: usize| Polynomial::new(whole[2 * n..2 * n + 2].to_vec());
+        let (weight, cusp) = ([0, 1, 2].map(polynomial), polynomial(3));
+        // χ det A = γ_i² τ_j τ_k (a_i + 3zR̂).
+        let [j, k] = axis.others().map(gap);
+        let zero = weight[axis].times(&cusp).scaled(&(j * k));
+        let line = Axis::ALL.map(|k| Polynomial::constant(gap(k)));
+        let [swing, collision] = swing_and_collision(body, &line, &weight, &zero);
+        let [zero, cusp, swing, collision] = [zero, cusp, swing, collision].map(Polynomial::primitive);
+        let (family, coordinate) = (Family::Over(axis), Coordinate::Over { axis, r_sum, z_max });
+        Self { family, coordinate, is_reversed: true, zero, cusp, pitchforks: Vec::new(), swing, collision }
     }
 
     /// The polynomial whose roots are the equilibria at x.
     #[must_use]
     pub fn at_momentum(&self, body: &ExactBody, forms: &Forms, x: &RBig) -> Polynomial {
-        let Chart::Over { axis, z_max } = &self.chart else {
-            return self.chart.mapped(body, &forms.at_momentum(x));
+        let Coordinate::Over { axis, r_sum, z_max } = &self.coordinate else {
+            return self.coordinate.mapped(body, &forms.at_momentum(x));
         };
         // (a − zR̂)⁴ = 4x²z
-        let a = RBig::from(body.a[*axis].clone());
-        let r_sum = body
-            .active
-            .iter()
-            .fold(RBig::ZERO, |sum, &k| sum + RBig::from(body.rho[k].clone()) / (&a - RBig::from(body.a[k].clone())));
-        let j = [a, -(r_sum * z_max)];
+        let j = [RBig::from(body.a[*axis].clone()), -(r_sum * z_max)];
         let square = rational::mul(&j, &j);
         let fourth = rational::mul(&square, &square);
         Polynomial::from_rationals(&rational::sub(&fourth, &[RBig::ZERO, RBig::from(4) * x * x * z_max]))
@@ -140,10 +116,10 @@ impl Strand {
     /// The polynomial whose roots are the steady rotations with Ω² = s.
     #[must_use]
     pub fn at_spin(&self, body: &ExactBody, forms: &Forms, s: &RBig) -> Polynomial {
-        match &self.chart {
+        match &self.coordinate {
             // z = 1/s²
-            Chart::Over { z_max, .. } => Polynomial::from_rationals(&[-RBig::ONE, s * s * z_max]),
-            chart => chart.mapped(body, &forms.at_spin(s)),
+            Coordinate::Over { z_max, .. } => Polynomial::from_rationals(&[-RBig::ONE, s * s * z_max]),
+            coordinate => coordinate.mapped(body, &forms.at_spin(s)),
         }
     }
 
@@ -156,7 +132,7 @@ impl Strand {
     /// t < 1.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
-        matches!(self.chart, Chart::Inner(..) | Chart::Over { .. })
+        matches!(self.coordinate, Coordinate::Inner(..) | Coordinate::Over { .. })
     }
 
     /// c = 0 throughout: a circle of equilibria.
@@ -169,16 +145,16 @@ impl Strand {
     pub fn state<E: Enclosure>(&self, body: &ExactBody, c: &Constants<E>, root: &mut Root, bits: usize) -> State<E> {
         root.refine(bits);
         let number = |x: &RBig| E::rational(x, c.precision);
-        if let Chart::Over { axis, z_max } = &self.chart {
+        if let Coordinate::Over { axis, z_max, .. } = &self.coordinate {
             let [lo, hi] = [&root.lo, &root.hi].map(|t| number(&body.z_in_frame(&(t * z_max))));
             return State::over(c, *axis, &lo.hull(&hi));
         }
-        let (base, ends) = self.chart.distance(body, root, bits);
+        let (base, ends) = self.coordinate.distance(body, root, bits);
         State::generic(c, base, &number(&ends[0]).hull(&number(&ends[1])))
     }
 }
 
-impl Chart {
+impl Coordinate {
     fn mapped(&self, body: &ExactBody, p: &Polynomial) -> Polynomial {
         let number = |k: &Axis| RBig::from(body.a[*k].clone());
         match self {
@@ -190,7 +166,7 @@ impl Chart {
     }
 
     /// t of μ = a_k, if that is on the family.
-    fn coordinate(&self, body: &ExactBody, k: Axis) -> Option<RBig> {
+    fn of_moment(&self, body: &ExactBody, k: Axis) -> Option<RBig> {
         let gap = |i: Axis, j: Axis| RBig::from(&body.a[i] - &body.a[j]);
         let t = match *self {
             Self::Left(first) => gap(first, k),
