@@ -164,7 +164,7 @@ impl<'a> AtMomentum<'a> {
         }
     }
 
-    /// The components of U_hl above so many of the curves.
+    /// The components of U_hl above the lowest `count` curves.
     fn components_above(&self, count: usize) -> Result<Components, MergeError> {
         match count {
             0 => Ok(Vec::new()),

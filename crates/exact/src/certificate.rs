@@ -7,6 +7,7 @@ use super::CertifiedAtlas;
 use super::arrange::{Arrangement, Source};
 use super::curves::{Place, Shape};
 use super::family::Half;
+use super::model::exact_unit;
 use super::pair::{Mark, Proof, Stretch};
 use super::point::{Evaluator, Evaluators};
 use bifdiag_diagram::arrangement::EventId;
@@ -101,9 +102,9 @@ impl CertifiedAtlas {
     }
 
     fn units(&self) -> CertificateUnits {
-        let unit = |x: f64| RBig::try_from(x).unwrap_or(RBig::ONE);
-        let energy = unit(self.frame.energy_unit);
-        let moment = unit(self.frame.momentum_unit) * unit(self.frame.momentum_unit) / &energy;
+        let energy = exact_unit(self.frame.energy_unit);
+        let momentum = exact_unit(self.frame.momentum_unit);
+        let moment = &momentum * &momentum / &energy;
         CertificateUnits { moment: decimal::exact(&moment), energy: decimal::exact(&energy) }
     }
 
@@ -131,7 +132,7 @@ impl CertifiedAtlas {
         CertifiedSlab { x: decimal::exact(&slab.x), curves: curves.collect() }
     }
 
-    /// A node of a pair; `side` tells which end of the common range an unmarked one is.
+    /// A node of a pair; `side` says which end of the common range an unmarked one is.
     fn node(&self, evaluators: &Evaluators<'_>, curves: [CurveId; 2], mark: &Mark, side: usize) -> CertifiedNode {
         if let Mark::At(x) = mark {
             let places =

@@ -47,7 +47,7 @@ pub(super) struct Level {
 pub(super) enum CriticalValueError {
     /// Roots of the polynomial of critical points (Proposition 4.8) that are not isolated.
     Roots,
-    /// The largest precision does not tell the sign of h against this height, and it is not 0.
+    /// The largest precision does not decide the sign of h against this height, and it is not 0.
     Sign(Box<Source>),
 }
 
@@ -75,7 +75,7 @@ impl<'a> CriticalValues<'a> {
         sources.into_iter().map(|source| self.level(source, h)).collect()
     }
 
-    /// The level nearest to h. Those that their bounds do not tell apart are compared with more bits; what the largest
+    /// The level nearest to h. Those that their bounds do not separate are compared with more bits; what the largest
     /// precision finds equal is, like two curves that cross over x, equally near, and the first is taken.
     pub fn nearest(&mut self, levels: &[Level], h: &RBig) -> Option<Level> {
         let farthest = levels.iter().map(|level| level.distance[1]).fold(f64::INFINITY, f64::min);
@@ -102,11 +102,11 @@ impl<'a> CriticalValues<'a> {
 
     /// The precisions worth trying: what more bits would show of a rounded body is its rounding.
     fn useful_stages(&self) -> std::ops::Range<usize> {
-        let told = |bits: &&usize| !self.model.rounded || **bits <= 400;
-        0..STAGES.iter().take_while(told).count()
+        let is_useful = |bits: &&usize| !self.model.rounded || **bits <= 400;
+        0..STAGES.iter().take_while(is_useful).count()
     }
 
-    /// All heights, enclosed with so many bits at least.
+    /// All heights, enclosed with at least the bits of a stage.
     pub fn enclosed(&mut self, stage: usize) -> Result<Vec<(Source, Wide)>, CriticalValueError> {
         let sources = self.sources()?;
         Ok(sources.into_iter().map(|source| self.enclosure(source, stage)).collect())
@@ -306,7 +306,7 @@ fn of_root(half: Half, root: Root, scale: &RBig) -> Place {
     Place { half, lo: &root.lo * scale, hi: &root.hi * scale, root: Some(Arc::new(root)) }
 }
 
-/// The same place with an isolating range of so many bits.
+/// The same place with an isolating range of this many bits.
 pub(super) fn refined(place: &Place, bits: usize) -> Place {
     let Some(root) = &place.root else { return place.clone() };
     let scale = if root.hi.is_zero() { RBig::ONE } else { &place.hi / &root.hi };
@@ -315,7 +315,7 @@ pub(super) fn refined(place: &Place, bits: usize) -> Place {
     of_root(place.half, finer, &scale)
 }
 
-/// The order of two places of one family by rising μ, or v; `None` when so many bits do not tell them apart.
+/// The order of two places of one family by rising μ, or v; `None` when the largest precision does not separate them.
 pub(super) fn ordered(model: &Model, p: &Place, q: &Place) -> Option<Ordering> {
     STAGES.into_iter().find_map(|bits| order(model, &refined(p, bits), &refined(q, bits)))
 }

@@ -1,12 +1,12 @@
 //! One point (h, l), decided exactly: signs against every height over l, and the topology between them.
 //!
-//! The regions at a point where `f64` does not tell them apart: from the curves on both sides of it, by name.
+//! The regions at a point where `f64` does not separate them: from the curves on both sides of it, by name.
 //!
-//! A cell of the plane is told by its x and the set of curves below it: within a slab that set grows with the cell. So the
+//! A cell of the plane is identified by its x and the set of curves below it: within a slab that set grows with the cell. So the
 //! exact signs of h against every height over x name the cell, and the atlas names its region.
 
 use super::critical_values::{CriticalValues, Level};
-use super::model::{Model, exact};
+use super::model::{Model, exact_unit};
 use super::plane::{Gap, Open, Plane};
 use super::vertex::{self, Vertex};
 use crate::CertifiedAtlas;
@@ -31,8 +31,8 @@ pub(crate) struct Point {
 impl Point {
     /// (h, l) in the body's units.
     pub fn scaled(frame: &Frame, h: &Number, l: &Number) -> Self {
-        let momentum = l.value() / exact(frame.momentum_unit);
-        Self { x: &momentum * &momentum / RBig::from(2), h: h.value() / exact(frame.energy_unit) }
+        let momentum = l.value() / exact_unit(frame.momentum_unit);
+        Self { x: &momentum * &momentum / RBig::from(2), h: h.value() / exact_unit(frame.energy_unit) }
     }
 }
 

@@ -73,7 +73,7 @@ pub struct CertifiedAtlas {
 /// Why the arrangement of a body is not proved. Ranges are in the body's units.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Obstacle {
-    /// Roots that neither isolation nor gcd tells apart.
+    /// Roots that neither isolation nor gcd separates.
     #[error("two roots of the polynomial of {of} cannot be told apart")]
     Roots {
         /// What its roots are.

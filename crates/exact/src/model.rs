@@ -37,14 +37,14 @@ pub(super) struct Model {
 }
 
 /// A power of two, exactly.
-pub(super) fn exact(unit: f64) -> RBig {
+pub(super) fn exact_unit(unit: f64) -> RBig {
     RBig::try_from(unit).unwrap_or(RBig::ONE)
 }
 
 impl Model {
     pub fn new(body: &Body, frame: &Frame) -> Self {
-        let energy = exact(frame.energy_unit);
-        let momentum = exact(frame.momentum_unit);
+        let energy = exact_unit(frame.energy_unit);
+        let momentum = exact_unit(frame.momentum_unit);
         // momentum² = (unit of A) · (unit of r).
         let moment = &momentum * &momentum / &energy;
         let mut axes: Vec<(RBig, RBig)> = body

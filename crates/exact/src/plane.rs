@@ -16,7 +16,7 @@ use super::curves::{Place, order, passive_place, roots_in_interval};
 use super::model::Model;
 use super::ridges::Ridges;
 
-/// Bits in which a place is told from a cusp or pitchfork: what agrees to the last of them is the cusp itself.
+/// Bits in which a place is separated from a cusp or pitchfork: what agrees to the last of them is the cusp itself.
 const CUT_BITS: [usize; 3] = [64, 128, 320];
 
 /// Why a point has no answer.

@@ -151,7 +151,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         Ends { y, x, y_estimate, x_estimate: y_estimate.map(x_of) }
     }
 
-    /// The next question may ask for so many points.
+    /// The next question may ask for at most this many points.
     pub fn allow(&self, points: u32) {
         self.left.set(points);
     }
@@ -356,7 +356,7 @@ impl<'a, E: Enclosure> Evaluator<'a, E> {
         y
     }
 
-    /// y of x, not proved, where doubles do not tell it from an end of the segment: Newton's method inside a bracket.
+    /// y of x, not proved, where doubles do not separate it from an end of the segment: Newton's method inside a bracket.
     fn bisected(&self, segment: &Segment, ends: &Ends<E>, x: &E) -> Option<E> {
         const STEPS: usize = 600;
         let c = &self.c;

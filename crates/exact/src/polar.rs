@@ -29,7 +29,7 @@ pub(super) struct Meeting {
     pub touch: bool,
 }
 
-/// All meetings. `IsolationError` when a root cannot be told from a cusp or pitchfork, nor proved equal to it.
+/// All meetings. `IsolationError` when a root cannot be separated from a cusp or pitchfork, nor proved equal to it.
 pub(super) fn meetings(
     model: &Model,
     curves: &Curves,

@@ -30,7 +30,7 @@ pub(super) struct Sample {
 pub(super) struct Region {
     /// By rising slab.
     pub cells: Vec<Cell>,
-    /// `None`: the heights around it are not told apart.
+    /// `None`: the heights around it are not separated.
     pub sample: Option<Sample>,
     /// The components of U_hl, or why they are not proved.
     pub components: Result<Vec<Component>, Open>,
@@ -131,7 +131,7 @@ pub(super) struct Margin {
 }
 
 /// The distance of h from the two curves around a cell over the slab's abscissa: no other curve is as near. Where the
-/// largest precision does not tell which of the two is nearer, it is the lower one.
+/// largest precision does not decide which of the two is nearer, it is the lower one.
 fn margin(evaluators: &Evaluators<'_>, strip: &Slab, position: usize, h: &RBig) -> Margin {
     let clear = |(margin, is_clear): (Margin, bool)| is_clear.then_some(margin);
     among(evaluators.middle(), strip, position, h)
@@ -140,7 +140,7 @@ fn margin(evaluators: &Evaluators<'_>, strip: &Slab, position: usize, h: &RBig) 
         .unwrap_or_else(|| of_doubles(strip, position, h))
 }
 
-/// The margin among the curves on both sides, and whether these bits tell which is nearer and how far it is.
+/// The margin among the curves on both sides, and whether these bits decide which is nearer and how far it is.
 fn among<E: Enclosure<Precision = ()>>(
     evaluator: &Evaluator<'_, E>,
     strip: &Slab,

@@ -13,7 +13,7 @@ use crate::answers::{Accuracy, AnswerError, classify, complete, is_decided};
 use crate::exact::{PlaceError, places};
 use crate::statistics::{Precision, Question, count};
 
-/// So many points of each pair of curves at each precision are spent on a proof of the whole plane for the sake of one point.
+/// Points of each pair of curves spent at each precision on a proof of the whole plane for the sake of one point.
 const POINTS_AT_ONCE: u32 = 400;
 
 /// Answers questions about one body.
@@ -95,7 +95,7 @@ impl Solver {
     }
 
     /// The regions at a point of known type, each once; `None` in the list is the forbidden region. A regular or forbidden
-    /// point has one; a point on a curve each that meets there. Where `f64` does not tell them apart, they follow from the
+    /// point has one; a point on a curve each that meets there. Where `f64` does not separate them, they follow from the
     /// exact order of the curves over l.
     ///
     /// # Errors

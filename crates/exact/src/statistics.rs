@@ -25,7 +25,7 @@ pub enum Question {
 pub enum Precision {
     /// `f64` with proved bounds.
     Double,
-    /// Intervals of so many bits.
+    /// Intervals of this many bits.
     Bits(usize),
     /// Equality, or its absence, in exact rational arithmetic: by squares or by a gcd of polynomials.
     Algebra,

@@ -49,7 +49,7 @@ pub enum Undecided {
         /// Number in [`CriticalSet::clusters`].
         cluster: ClusterId,
     },
-    /// The order of two events that share a curve and cannot be told apart.
+    /// The order of two events that share a curve and cannot be separated.
     Simultaneous {
         /// The events.
         events: [EventId; 2],

@@ -86,7 +86,7 @@ impl PairOrder {
     }
 
     /// Crossings by rising x. Where an open range separates opposite orders there is at least one crossing: it is given
-    /// the middle of the range, half of which is its error; `height` tells h and its error bound at x.
+    /// the middle of the range, half of which is its error; `height` gives h and its error bound at x.
     #[must_use]
     pub fn crossings(&self, height: impl Fn(f64) -> (f64, f64)) -> Vec<PairCrossing> {
         let mut found = Vec::new();

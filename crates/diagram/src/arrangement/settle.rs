@@ -28,7 +28,7 @@ pub(super) fn settle(events: &mut [Event], order: impl Fn(CurveId, CurveId, [f64
 
 /// Glues the faces; where orders and events contradict each other, tries those orders of the events that their errors
 /// allow. An order of events that cannot be glued is wrong; one that can is taken, and events that then still stand
-/// within their errors of each other are found and told by the caller.
+/// within their errors of each other are found and reported by the caller.
 pub(super) fn settle_by_gluing(
     events: &mut [Event],
     orders: impl Fn(&[Event]) -> Table<SlabId, Vec<CurveId>>,

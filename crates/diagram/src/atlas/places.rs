@@ -63,7 +63,7 @@ impl Sides {
 impl Atlas {
     /// The regions at a point of known type, each once; `None` in the list is the forbidden region. A regular or forbidden
     /// point has one; a point on a curve each that meets there, and those within rounding that are of the same types. `None`
-    /// where `f64` cannot tell: what this atlas knows of the regions near the point does not fit the answer, or fits it twice.
+    /// where `f64` does not decide: what this atlas knows of the regions near the point does not fit the answer, or fits it twice.
     #[must_use]
     pub fn places(&self, h: &Number, l: &Number, answer: &Answer) -> Option<Vec<Option<RegionId>>> {
         let frame = &self.arrangement.set.frame;

@@ -182,7 +182,7 @@ pub(crate) fn components_below<'a>(
     partition_below(set, x, below).map(merge::Partition::into_components)
 }
 
-/// [`components_below`], and the means to tell in which of them a point lies.
+/// [`components_below`], and the means to find the one in which a point lies.
 ///
 /// # Errors
 /// As [`components_below`].

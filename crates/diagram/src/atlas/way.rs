@@ -17,7 +17,7 @@ pub struct Passage {
     pub to: Option<RegionId>,
 }
 
-/// A place on the way, t ∈ [0, 1]; the outer `None` stands where `f64` cannot tell.
+/// A place on the way, t ∈ [0, 1]; the outer `None` stands where `f64` does not decide.
 type Stop = (f64, Option<Option<RegionId>>);
 
 /// The way is looked at in this many equal parts, so that a region it enters and leaves on the same side is seen unless

@@ -85,7 +85,7 @@ pub enum MapError {
     /// There are no slabs or no curves.
     #[error("the arrangement is empty")]
     Empty,
-    /// Several events are proved to lie at one l, so that the orders between them are not told one by one.
+    /// Several events are proved to lie at one l, so that the orders between them are not known one by one.
     #[error("several events lie exactly at one l")]
     Coincident,
     /// A curve begins or ends in the middle of the plane without an event.

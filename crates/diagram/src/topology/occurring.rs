@@ -41,7 +41,7 @@ fn component(boundary_circles: u32, plus: bool, minus: bool) -> Component {
     Component { boundary_circles, poles: Some(Poles { plus, minus }) }
 }
 
-/// Components with so many circles, and the places of the two poles among them.
+/// Components with these numbers of circles, and the places of the two poles among them.
 fn region(circles: &[u32], poles: [Option<usize>; 2]) -> Vec<Component> {
     let has = |pole: usize, place: usize| poles[pole] == Some(place);
     circles.iter().enumerate().map(|(place, k)| component(*k, has(0, place), has(1, place))).collect()

@@ -52,7 +52,7 @@ fn narrow<E: Enclosure>(evaluator: &Evaluator<'_, E>, open: &[usize], events: &m
     }
 }
 
-/// Groups of events whose x cannot be told apart; each group must consist of events on different curves.
+/// Groups of events whose x cannot be separated; each group must consist of events on different curves.
 pub(super) fn transitions(events: &Table<EventId, Event>) -> Result<Table<TransitionId, Vec<EventId>>, Vec<Undecided>> {
     let mut groups: Vec<Vec<EventId>> = Vec::new();
     let mut reach: Option<RBig> = None;

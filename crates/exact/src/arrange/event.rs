@@ -78,7 +78,7 @@ pub(super) fn crossing_event<E: Enclosure>(evaluator: &Evaluator<'_, E>, pair: [
 /// Why nothing more is proved.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Undecided {
-    /// Roots that cannot be told apart.
+    /// Roots that cannot be separated.
     Roots,
     /// A cusp on a pitchfork, or a degenerate point of the generic family.
     Degenerate,

@@ -8,7 +8,7 @@ use bifdiag_equilibria::curves::CurveId;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
-/// The relative width of a box, if events need not be told apart that lie nearer.
+/// The relative width of a box, if events lie nearer need not be separated.
 const WIDTH: f64 = 1e-24;
 /// How often a box is made smaller; it is halved in three steps at least.
 const STEPS: usize = 240;

@@ -12,7 +12,7 @@ use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
 impl<E: Enclosure> Evaluator<'_, E> {
-    /// True when dJ/dμ may vanish between two points of one branch. `None` when that cannot be told.
+    /// True when dJ/dμ may vanish between two points of one branch. `None` when that is not decided.
     pub(super) fn bends(&self, curve: CurveId, p: &Point<E>, q: &Point<E>) -> Option<bool> {
         let Some((_, place)) = &self.curves.inflection else { return Some(false) };
         let (p, q) = (p.place.as_ref()?, q.place.as_ref()?);

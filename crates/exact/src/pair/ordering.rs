@@ -13,7 +13,7 @@ use bifdiag_numbers::enclosure::Enclosure;
 
 impl<E: Enclosure> Evaluator<'_, E> {
     /// The order of curves a and b, neither of which is a line or structurally lowest. `None` when they have no common x.
-    /// Left open when more than so many `points` of the two would be needed.
+    /// Left open when more than `points` points of the two would be needed.
     pub fn pair(&self, a: CurveId, b: CurveId, points: u32) -> Result<Option<PairProof>, Open> {
         self.allow(points);
         let curves = [a, b];

@@ -10,7 +10,7 @@ use bifdiag_numbers::enclosure::Enclosure;
 /// How deep a stretch is halved: beside a cusp as deep as the cusp's neighbourhood is small.
 pub(super) const DEPTH: u32 = 128;
 
-/// What the slopes tell of a stretch.
+/// What the slopes imply on a stretch.
 #[derive(Clone, Copy, Debug)]
 enum GapSign {
     /// One sign.
@@ -83,7 +83,7 @@ impl<E: Enclosure> Evaluator<'_, E> {
         }
     }
 
-    /// What slopes tell, with the box of the crossing; `None` when that cannot be found.
+    /// What the slopes imply, with the box of the crossing; `None` when that cannot be found.
     fn resolved(&self, curves: [CurveId; 2], from: &Node<E>, to: &Node<E>, found: GapSign) -> Option<(Sign, Proof)> {
         match found {
             GapSign::Constant(sign) => Some((sign, Proof::Constant)),

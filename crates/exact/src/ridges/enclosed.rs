@@ -1,4 +1,4 @@
-//! The cut of Staude's curve with three active moments in intervals, where they tell it.
+//! The cut of Staude's curve with three active moments in intervals, where they decide it.
 //!
 //! From a moment half the way to the next all μ − a_k are linear forms in u and 1 − u, and on the way to infinity after
 //! multiplication by 1 − u; so are polynomials in μ forms, and beside the moment nothing cancels.
@@ -94,7 +94,7 @@ impl<E: Enclosure<Precision = ()>> Range<E> {
         self.rho.at(u) / self.p.at(u).sqrt()
     }
 
-    /// U < h on both signs of the curve, that is (xp − hq)√p < ± ρq: the side with the larger square tells, and q > 0.
+    /// U < h on both signs of the curve, that is (xp − hq)√p < ± ρq: the side with the larger square decides, and q > 0.
     fn is_below(&self, u: &E) -> Option<[bool; 2]> {
         Some(if self.level.at(u).strict_sign()? == Sign::Positive {
             [self.excess.at(u).strict_sign()? == Sign::Negative; 2]
@@ -124,7 +124,7 @@ fn between<E: Enclosure>(low: &E, high: &E) -> E {
     low.upper().hull(&high.lower()).middle()
 }
 
-/// `None`: these intervals do not tell.
+/// `None`: these intervals do not decide.
 pub(super) fn cut<E: Enclosure<Precision = ()>>(ranges: &[Range<E>; 6]) -> Option<Cut<E>> {
     let mut marks = Vec::new();
     for range in ranges {

@@ -45,7 +45,7 @@ impl<'a> Level<'a> {
     }
 }
 
-/// `None`: two roots cannot be told apart, or one is a moment.
+/// `None`: two roots cannot be separated, or one is a moment.
 pub(super) fn cut(model: &Model, x: &RBig, h: &RBig) -> Option<Cut<RootLatitude>> {
     let [_, p, q, rho] = model.family();
     let excess = rational::sub(&rational::scale(&p, x), &rational::scale(&q, h));

@@ -13,7 +13,7 @@ use dashu_ratio::RBig;
 /// Precisions in which two roots are compared.
 const STAGES: [usize; 7] = [64, 128, 256, 512, 1024, 2048, 4096];
 
-/// Precisions in which two latitudes are compared that intervals of 128 and 384 bits do not tell apart; they are equal only
+/// Precisions in which two latitudes are compared that intervals of 128 and 384 bits do not separate; they are equal only
 /// where the answer does not depend on them.
 const FURTHER: [usize; 4] = [512, 1024, 2048, 4096];
 
@@ -167,7 +167,7 @@ pub(super) trait Latitude: Clone {
     /// −ω.
     fn negated(self) -> Self;
 
-    /// The order of two latitudes; `None`: they are equal, or what is known of them does not tell them apart.
+    /// The order of two latitudes; `None`: they are equal, or what is known of them does not separate them.
     fn compare(&self, other: &Self) -> Option<Ordering>;
 }
 

@@ -29,8 +29,8 @@ impl<'a> Ridges<'a> {
 
     /// The components of U_hl for x = l²/2 > 0 and an h that is no critical value and not U(±r̂).
     ///
-    /// `None`: two latitudes cannot be told apart, which depends on h and not on the answer; another h in the same region
-    /// may tell.
+    /// `None`: two latitudes cannot be separated, which depends on h and not on the answer; another h in the same region
+    /// may decide.
     pub fn components(&self, x: &RBig, h: &RBig) -> Option<Vec<Component>> {
         match self.model.active.len() {
             0 => Some(euler(self.model, x, h)),

@@ -21,7 +21,7 @@ pub(super) struct Piece<L> {
 }
 
 impl<L: Latitude> Piece<L> {
-    /// A latitude within the strand lies on this piece; `None` when it cannot be told from an end.
+    /// A latitude within the strand lies on this piece; `None` when it cannot be separated from an end.
     pub fn holds(&self, latitude: &L) -> Option<bool> {
         let [low, high] = &self.ends;
         let above = low.as_ref().map_or(Some(true), |low| Some(low.compare(latitude)? == Less))?;
@@ -33,7 +33,7 @@ impl<L: Latitude> Piece<L> {
         self.ends[end].is_none()
     }
 
-    /// Euler's characteristic with compact support, where `open` tells which ends do not belong to the strand.
+    /// Euler's characteristic with compact support, where `open` says which ends do not belong to the strand.
     pub fn characteristic(&self, open: [bool; 2]) -> i32 {
         1 - (0..2).map(|end| i32::from(open[end] && self.reaches(end))).sum::<i32>()
     }
@@ -147,7 +147,7 @@ pub(super) struct Quadratic {
 }
 
 impl Quadratic {
-    /// The pieces in U_hl, where (h + w) J ≥ x; `None` when a root cannot be told from an end.
+    /// The pieces in U_hl, where (h + w) J ≥ x; `None` when a root cannot be separated from an end.
     pub fn pieces(&self, x: &RBig, h: &RBig) -> Option<Vec<Piece<RootLatitude>>> {
         let line = [h.clone(), RBig::ONE];
         let moment = [self.alpha.clone(), RBig::ZERO, self.kappa.clone()];

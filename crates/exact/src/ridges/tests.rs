@@ -109,7 +109,7 @@ fn the_cut_in_intervals_is_the_exact_one() {
                 let Some(found) = cuts_told(&model, &whole, &x, &h) else { continue };
                 assert_eq!(found, [true; 2], "{body:?} h = {h}, x = {x}");
                 told += 1;
-                // So close to the lowest critical value above h that no double tells it apart.
+                // So close to the lowest critical value above h that no double separates it.
                 let heights = CriticalValues::new(&model, x.clone()).enclosed(1).unwrap();
                 let above = heights.iter().filter_map(|(_, height)| height.exact_bounds()).map(|[low, _]| low);
                 let Some(above) = above.filter(|above| *above > h).min() else { continue };

@@ -12,10 +12,10 @@ use crate::family::State;
 use crate::model::{Constants, Model};
 use crate::plane::{Open, Plane};
 
-/// Bits in which a cusp is told from the x of the point; before the third it is asked whether they are equal.
+/// Bits in which a cusp is separated from the x of the point; before the third it is asked whether they are equal.
 const STAGES: [usize; 6] = [64, 160, 400, 1000, 2500, 6000];
 
-/// Bits of the rounding of a tensor's moments: what is nearer than that is not told apart.
+/// Bits of the rounding of a tensor's moments: what is nearer than that is not separated.
 const ROUNDING: usize = 400;
 
 /// No cusp or pitchfork has its x at less than this distance from that of the point, but at the point's x itself; and over

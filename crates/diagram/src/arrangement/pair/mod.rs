@@ -1,7 +1,7 @@
 //! All crossings of two curves, isolated by slope bounds.
 //!
 //! On an arc the slope dh/dx = 1/J is monotone, so between two abscissae it lies between its end values. If the slope
-//! ranges of two arcs are disjoint their gap is monotone and its signs at the ends tell whether they cross, once; else
+//! ranges of two arcs are disjoint their gap is monotone and its signs at the ends decide whether they cross, once; else
 //! the gap is bounded from its end values and the slope ranges; else the interval is split. Both ends of the half-line
 //! are closed by the known limits (Corollary 6.3 of docs/mathematics.md), so nothing is sampled and nothing missed.
 //! What proves an order is Lemma 7.1 to Lemma 7.6 there.
@@ -25,7 +25,7 @@ use node::{GapAt, Node, is_noise, slope_order};
 use structure::line_and_pair;
 use structure::structural_order;
 
-/// Splitting stops when so many points were computed for one pair of arcs.
+/// Splitting stops after this number of points for one pair of arcs.
 const BUDGET: u32 = 600;
 
 /// Compares two curves a and b; `None` when no x is common to them.

@@ -117,9 +117,9 @@ impl Atlas {
 const CHORD: f64 = 1e-3;
 /// … and as a share of the gap to the next curve, so that thin regions are not lost.
 const GAP_SHARE: f64 = 0.1;
-/// A range of l is halved so many times for thin regions,
+/// A range of l is halved at most this often for thin regions,
 const DEPTH: u32 = 8;
-/// and so many times for a curve that leaves its chord where the window shows it.
+/// and this often for a curve that leaves its chord where the window shows it.
 const DEEPEST: u32 = 32;
 
 /// Energies of the curves of a slab at the ends, the middle, the quarters, … of a range of l, each computed when it is first

@@ -112,7 +112,7 @@ impl Atlas {
 fn extend(nodes: &mut Vec<Node>, end: f64, tolerance: Tolerance, at: impl Fn(f64) -> Node) {
     /// Share of the tolerance that is aimed at.
     const AIM: f64 = 0.95;
-    /// A chord is not asked to be closer than so many units of roundoff of h, which no more points would mend.
+    /// A chord is not asked to be closer than this many units of roundoff of h, which no more points would mend.
     const ROUNDINGS: f64 = 64.0;
     let mut from = nodes[nodes.len() - 1];
     let last = at(end);

@@ -13,7 +13,7 @@ const BEYOND_EVENTS: f64 = 0.25;
 const BEYOND_START: f64 = 0.5;
 /// Margin at both ends in h, as a share of the range.
 const MARGIN: f64 = 0.05;
-/// An event at more than so many times the l of the one before would leave the others no room.
+/// An event at more than this multiple of the l of the one before would leave the others no room.
 const FAR_BEYOND: f64 = 12.0;
 /// Without events the window ends in h at most at this multiple of the median of the curves.
 const MEDIAN_MULTIPLE: f64 = 4.0;

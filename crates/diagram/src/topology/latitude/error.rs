@@ -31,7 +31,7 @@ pub enum SweepError {
         /// c as given.
         cosine: f64,
     },
-    /// The arcs could not be told apart near the latitude c.
+    /// The arcs could not be separated near the latitude c.
     #[error("the boundary of U_hl cannot be resolved near c = {cosine} ({obstacle:?}, after {effort} evaluations)")]
     Undecided {
         /// ⟨γ,r̂⟩ where the sweep stopped.

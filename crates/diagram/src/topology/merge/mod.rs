@@ -37,7 +37,7 @@ pub struct CriticalPoint {
     pub extent: Extent,
 }
 
-/// Why the components could not be told.
+/// Why the components are not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum MergeError {
     /// Rounding hides on which side of a saddle U falls.
@@ -86,7 +86,7 @@ pub fn components(
     Ok(MergeTree { steps: partition.steps(), components: partition.into_components() })
 }
 
-/// [`components`], and the means to tell in which of them a point lies.
+/// [`components`], and the means to find the one in which a point lies.
 ///
 /// # Errors
 /// As [`components`].
