@@ -1,7 +1,7 @@
 //! Where two ways of being special meet: bodies in the corners, what is not proved there, and what f64 finds otherwise.
 //!
-//! `cargo run --release --example corners [bodies] [moments] [centre]`: so many bodies of each kind of moments with each kind
-//! of centre of mass; one line for each pair, and one on stderr for each body that is refused or differs.
+//! `cargo run --release --example corners [bodies] [moments] [centre]` takes that number of bodies of each kind of moments with
+//! each kind of centre of mass; one line for each pair, and one on stderr for each body that is refused or differs.
 
 use std::time::Instant;
 

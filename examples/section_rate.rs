@@ -1,6 +1,6 @@
 //! Crossings a second of the Poincaré section on one core, for `benches/section_peers.py` and for profilers.
 //!
-//! `section_rate crossings|time VALUE RUNS`: each orbit to so many crossings, or all crossings of each to that time. The
+//! `section_rate crossings|time VALUE RUNS`: each orbit to VALUE crossings, or all crossings of each up to time VALUE. The
 //! starts are lines of γ and l on stdin, on S = 0 of the paper's body. Writes one JSON object: the crossings, the
 //! integrator's steps and order, the seconds of processor time of each run, the largest drift of the first integrals and
 //! |S|, and the multiply-adds a second of the products alone and of a loop that does nothing else.

@@ -38,7 +38,7 @@ impl Tally {
         self.verdicts.push(match (found, truth) {
             (None, _) => Verdict::Failed,
             (Some(_), _) if !whole => Verdict::Undecided,
-            (Some(_), None) => Verdict::Untold,
+            (Some(_), None) => Verdict::Unknown,
             (Some(found), Some(truth)) if found == truth => Verdict::Right,
             (Some(_), Some(_)) => Verdict::Wrong,
         });
@@ -120,7 +120,7 @@ fn flood_fills(bodies: &[&Body], truths: &[Option<Classes>], points: usize, rows
         bodies.par_iter().take(FLOODED).map(|body| timed(|| flooded(body, points, rows))).collect();
     let mut tally = Tally::default();
     for ((found, time), truth) in found.into_iter().zip(truths) {
-        // A grid cannot tell two regions of one class apart.
+        // A grid cannot distinguish two regions of one class.
         let kinds = truth.clone().map(|mut all| {
             all.dedup();
             all

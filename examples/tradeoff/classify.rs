@@ -108,7 +108,7 @@ fn against(point: &Point, found: &[Component]) -> Verdict {
         _ if !point.admits(found) => Verdict::Wrong,
         Some(truth) if truth == found => Verdict::Right,
         Some(_) => Verdict::Wrong,
-        None => Verdict::Untold,
+        None => Verdict::Unknown,
     }
 }
 
@@ -137,7 +137,8 @@ fn flood(point: &Point, rows: usize) -> (Verdict, f64) {
     (against(point, &found), time)
 }
 
-/// `real`: the imaginary part up to which a root counts as real, relative to its size. Right if it counts the relative equilibria below h right, which does not yet tell the components.
+/// `real`: the imaginary part up to which a root counts as real, relative to its size. Right if it counts the relative
+/// equilibria below h right, which does not yet give the components.
 fn companion_matrix(point: &Point, real: f64) -> (Verdict, f64) {
     let (found, time) = timed(|| companion::equilibria_below(point.body, point.h.to_f64(), point.l.to_f64(), real));
     let verdict = match found {

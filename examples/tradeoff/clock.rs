@@ -32,7 +32,7 @@ pub fn quantiles(times: &mut [f64]) -> [f64; 2] {
     [times[times.len() / 2], times[times.len() * 99 / 100]]
 }
 
-/// Median, 99th percentile and the largest, as cells of a table; the first two with so many digits.
+/// Median, 99th percentile and the largest, as cells of a table; the first two with `digits` digits.
 pub fn spread(times: &mut [f64], digits: usize) -> String {
     let [median, high] = quantiles(times);
     format!("{median:.digits$},{high:.digits$},{:.1}", times[times.len() - 1])

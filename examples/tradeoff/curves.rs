@@ -49,7 +49,7 @@ pub fn run(path: &str) -> Result<(), Failure> {
     );
     for (kind, answers) in kinds {
         let verdicts: Vec<Verdict> = answers.iter().map(|answer| answer.verdict).collect();
-        let counts = counts(&verdicts, &[Verdict::Right, Verdict::Wrong, Verdict::Failed, Verdict::Untold]);
+        let counts = counts(&verdicts, &[Verdict::Right, Verdict::Wrong, Verdict::Failed, Verdict::Unknown]);
         let meeting = |classes| answers.iter().filter(|answer| answer.classes == classes).count().to_string();
         let meeting = (1..=4).map(meeting).collect::<Vec<_>>().join(",");
         let mut times: Vec<f64> = answers.iter().map(|answer| answer.time).collect();
@@ -76,7 +76,7 @@ fn answered(line: &str) -> Result<Answered, Failure> {
     let verdict = match (found.as_ref().map(|found| &found.answer), &classes) {
         (Err(_), _) => Verdict::Failed,
         // The sweep refuses a point around.
-        (Ok(Answer::Critical(_)), None) => Verdict::Untold,
+        (Ok(Answer::Critical(_)), None) => Verdict::Unknown,
         (Ok(Answer::Critical(candidates)), Some(classes)) => {
             let all = candidates.len() == classes.len() && candidates.iter().all(|class| classes.contains(class));
             if all { Verdict::Right } else { Verdict::Wrong }

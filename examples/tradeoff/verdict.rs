@@ -7,14 +7,14 @@ pub enum Verdict {
     Undecided,
     /// No answer at all.
     Failed,
-    /// More is not known than that nothing known speaks against it.
-    Untold,
+    /// Nothing that is known contradicts it, and no more is known.
+    Unknown,
 }
 
-pub const ALL: [Verdict; 5] = [Verdict::Right, Verdict::Wrong, Verdict::Undecided, Verdict::Failed, Verdict::Untold];
+pub const ALL: [Verdict; 5] = [Verdict::Right, Verdict::Wrong, Verdict::Undecided, Verdict::Failed, Verdict::Unknown];
 
 /// How often each of some verdicts was given, as cells of a table.
-pub fn counts(given: &[Verdict], told: &[Verdict]) -> String {
+pub fn counts(given: &[Verdict], listed: &[Verdict]) -> String {
     let count = |verdict| given.iter().filter(|other| **other == verdict).count().to_string();
-    told.iter().copied().map(count).collect::<Vec<_>>().join(",")
+    listed.iter().copied().map(count).collect::<Vec<_>>().join(",")
 }

@@ -1,5 +1,5 @@
 //! Scaling a body by powers of two changes the scale of its motion and nothing else; extreme bodies are followed; work
-//! that is told to stop stops.
+//! that is cancelled stops.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -221,9 +221,9 @@ where
         std::thread::sleep(Duration::from_millis(100));
         assert!(!worker.is_finished(), "the work is over before it could be stopped");
         monitor.stop.store(true, Ordering::Relaxed);
-        let told = Instant::now();
+        let cancelled = Instant::now();
         let result = worker.join().unwrap();
-        assert!(told.elapsed() < Duration::from_secs(1), "{:?}", told.elapsed());
+        assert!(cancelled.elapsed() < Duration::from_secs(1), "{:?}", cancelled.elapsed());
         result
     })
 }

@@ -125,7 +125,7 @@ fn the_other_condition_has_its_map_too() {
 }
 
 #[test]
-fn forbidden_and_senseless_parameters_are_told() {
+fn forbidden_and_senseless_parameters_are_reported() {
     let error = Portrait::new(&paper(), 1.0, 3.25, &PortraitOptions::default()).unwrap_err();
     assert!(matches!(error, SectionError::Inaccessible { lowest, .. } if (1.639..1.66).contains(&lowest)), "{error}");
     let euler = Body::parse(&["2", "1.1", "1"], &["0", "0", "0"]).unwrap();
