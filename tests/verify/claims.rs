@@ -38,12 +38,12 @@ fn false_claims_are_refused_by_the_mathematics() {
     assert!(matches!(refused, Err(Refused::Region { .. })), "{refused:?}");
     // A cell given to another region.
     let refused = mutated(|d| certificate(d, &|c| c.slabs[3].curves[2].region = "R1".to_owned()));
-    assert!(matches!(refused, Err(Refused::Slab { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(Refused::Entry { what: "slab", .. })), "{refused:?}");
     // A missing root, and a missing cusp.
     let refused = mutated(|d| certificate(d, &|c| drop(c.meetings.pop())));
-    assert!(matches!(refused, Err(Refused::MeetingCount { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(Refused::Count { what: "meetings with pole lines", .. })), "{refused:?}");
     let refused = mutated(|d| certificate(d, &|c| drop(c.cusps.pop())));
-    assert!(matches!(refused, Err(Refused::CuspCount { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(Refused::Count { what: "cusps", .. })), "{refused:?}");
     // An invented root.
     let refused = mutated(|d| {
         certificate(d, &|c| {
@@ -51,16 +51,16 @@ fn false_claims_are_refused_by_the_mathematics() {
             c.cusps.push(again);
         });
     });
-    assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(Refused::Entry { why: "its range does not isolate it", .. })), "{refused:?}");
     // An isolating range that misses its root.
     let refused = mutated(|d| certificate(d, &|c| c.cusps[0].place.y[1] = c.cusps[0].place.y[0].clone()));
-    assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(Refused::Entry { why: "its range does not isolate it", .. })), "{refused:?}");
     // An enclosure that is too narrow.
     let refused = mutated(|d| certificate(d, &|c| c.events[0].x[1] = c.events[0].x[0].clone()));
-    assert!(matches!(refused, Err(Refused::Event { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(Refused::Entry { what: "event", .. })), "{refused:?}");
     // Curves in the wrong order.
     let refused = mutated(|d| certificate(d, &|c| c.slabs[2].curves.swap(1, 2)));
-    assert!(matches!(refused, Err(Refused::Slab { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(Refused::Entry { what: "slab", .. })), "{refused:?}");
     // A pair with the wrong sign, one that is missing, and one with a gap.
     let refused = mutated(|d| certificate(d, &|c| c.pairs[0].stretches[0].sign *= -1));
     assert!(matches!(refused, Err(Refused::Pair { .. })), "{refused:?}");
@@ -89,7 +89,7 @@ fn false_claims_are_refused_by_the_mathematics() {
         d.body.given.moments[1] = "1.2".parse().unwrap();
         d.head.command = d.head.command.replace("1.1", "1.2");
     });
-    assert!(matches!(refused, Err(Refused::NotIsolated { .. })), "{refused:?}");
+    assert!(matches!(refused, Err(Refused::Entry { why: "its range does not isolate it", .. })), "{refused:?}");
 }
 
 /// The box of a crossing with both its ends on one side of it: the gap of the curves has the right sign at one end alone.
@@ -151,14 +151,14 @@ fn nothing_is_counted_twice() {
             *source = "cusp:00".to_owned();
         });
     });
-    assert!(matches!(renamed, Err(Refused::Event { .. })), "{renamed:?}");
+    assert!(matches!(renamed, Err(Refused::Entry { what: "event", .. })), "{renamed:?}");
     let repeated = mutated(|d| {
         certificate(d, &|c| {
             let again = c.events[0].clone();
             c.events.push(again);
         });
     });
-    assert!(matches!(repeated, Err(Refused::Event { .. })), "{repeated:?}");
+    assert!(matches!(repeated, Err(Refused::Entry { what: "event", .. })), "{repeated:?}");
     let repeated = mutated(|d| {
         certificate(d, &|c| {
             let again = c.pairs[0].clone();
@@ -322,7 +322,7 @@ fn a_wide_enclosure_of_an_event_is_refused() {
         let EventDocument { l, h, .. } = true_one.events[number];
         let refused = |change: &dyn Fn(&mut EnclosureDocument)| {
             let refused = forged(&true_one, |d| change(d.events[number].enclosure.as_mut().unwrap()));
-            assert!(matches!(refused, Err(Refused::Event { .. })), "{number}: {refused:?}");
+            assert!(matches!(refused, Err(Refused::Entry { what: "event", .. })), "{number}: {refused:?}");
         };
         let text = |x: f64| bifdiag_numbers::decimal::exact(&RBig::try_from(x).unwrap());
         refused(&|e| e.l = [text(-l - 1.0), text(l + 1.0)]);

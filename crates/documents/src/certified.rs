@@ -27,7 +27,7 @@ pub fn certified_atlas(
     Ok(document)
 }
 
-/// The same of whatever the body was made from, which the document of a real part tells.
+/// The same with the part from which the body was computed, if there is one.
 ///
 /// # Errors
 /// As [`certified_atlas`].

@@ -42,7 +42,7 @@ pub fn margin(margin: &Margin) -> MarginDocument {
     MarginDocument { h: margin.h, nearest, error_bound: margin.error_bound }
 }
 
-/// The answer for a point (h, l) of a body, with its regions if it is prepared to tell them.
+/// The answer for a point (h, l) of a body, with its regions if an atlas is prepared.
 #[must_use]
 pub fn classification(
     subject: &Subject,

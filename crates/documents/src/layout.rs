@@ -1,4 +1,5 @@
-//! JSON for people: what fits a line stands on one line.
+//! JSON for people: what fits a line stands on one line. Not a `Formatter` of serde_json, which sees a value only while it is
+//! written: how long one is must be known before.
 
 use std::ops::Range;
 

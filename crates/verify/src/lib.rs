@@ -1,6 +1,6 @@
 //! Checks an atlas with its certificate without searching again, by other means than those that made it.
 //!
-//! - Roots are counted in exact integers, by Descartes' rule of signs and by Sturm's theorem where its signs do not tell.
+//! - Roots are counted in exact integers, by Descartes' rule of signs and by Sturm's theorem where its signs do not decide.
 //!   The cusp polynomial is built from T J + 4V, not from 4Q'P − 3P'Q.
 //! - Intervals have integer ends (`fixed`) or, for paths on the sphere, ends that move outward (`interval`).
 //! - Each stretch of each pair, each slab and each box of a crossing is checked where the certificate names it.
@@ -29,20 +29,19 @@ mod topology;
 
 use bifdiag_schema::{Accuracy, AtlasDocument, CertificateDocument, checksum};
 
-use document::{courses, listing, measures, samples, totals};
-use equilibria::body::Body;
+use document::{curves, listing, samples, totals};
 use equilibria::pieces::Pieces;
-use equilibria::spaces::Spaces;
-use equilibria::{counts, meetings, roots};
+use equilibria::spaces::{Body, Spaces};
+use equilibria::{meetings, roots};
 use numbers::number;
 use order::events::Events;
-use order::orders::Orders;
+use order::stand::Orders;
 use order::{gluing, pairs, regions, slabs};
 
 pub use refused::Refused;
 
-/// Fractional bits with which a certificate is checked, until it is confirmed.
-const BITS: [usize; 3] = [256, 512, 1024];
+/// Fractional bits with which a certificate is checked, until it is confirmed. The first are enough for most proofs in doubles.
+const BITS: [usize; 4] = [176, 256, 512, 1024];
 
 /// The bits with which proofs are made.
 const PROOFS: [usize; 3] = [53, 128, 384];
@@ -76,10 +75,11 @@ pub fn verify(document: &AtlasDocument) -> Result<Report, Refused> {
     }
     totals::frame(document, &body)?;
     let check = |bits| certified(document, certificate, &body, bits);
-    BITS[1..].iter().fold(check(BITS[0]), |found, &bits| found.or_else(|_undecided| check(bits)))
+    let first = usize::from(certificate.bits > PROOFS[0]);
+    BITS[first + 1..].iter().fold(check(BITS[first]), |found, &bits| found.or_else(|_undecided| check(bits)))
 }
 
-/// What one precision confirms is true, whatever a lower one could not tell.
+/// What one precision confirms is true, whatever a lower one left open.
 fn certified(
     document: &AtlasDocument,
     certificate: &CertificateDocument,
@@ -88,10 +88,10 @@ fn certified(
 ) -> Result<Report, Refused> {
     let spaces =
         Spaces::new(body, &number::unit(&certificate.units.moment)?, &number::unit(&certificate.units.energy)?, bits)?;
-    counts::roots(certificate, &spaces)?;
+    meetings::count_roots(certificate, &spaces)?;
     let cusps = roots::cusps(certificate, &spaces)?;
     let pieces = Pieces::new(&spaces, cusps)?;
-    counts::lists(certificate, &spaces, &pieces)?;
+    meetings::count_lists(certificate, &spaces, &pieces)?;
     let inflection = roots::inflection(certificate, &spaces)?;
     let meetings = meetings::meetings(certificate, &spaces, &pieces)?;
     let mut orders = Orders { spaces: &spaces, pieces: &pieces, inflection, meetings: Vec::new() };
@@ -101,10 +101,9 @@ fn certified(
     let slabs = slabs::slabs(certificate, &orders, &events, &crossings)?;
     gluing::check(&certificate.transitions, &events, &slabs)?;
     let cells = regions::regions(document, certificate, &pieces, &slabs)?;
-    courses::curves(document, certificate, &spaces, &pieces)?;
+    curves::check(document, certificate, &orders, &slabs)?;
     listing::events(document, certificate, &events, &orders)?;
     listing::ranges(document, certificate, &cells)?;
-    measures::curves(document, certificate, &orders, &slabs)?;
     stability::check(document, certificate, &orders)?;
     let samples = regions::samples(document, certificate, &orders, &slabs, &cells)?;
     topology::check(document, &orders, &slabs, &samples)?;

@@ -12,7 +12,7 @@ pub enum Refused {
     /// A certificate is exact.
     #[error("there is a certificate, but the accuracy is not `exact`")]
     Accuracy,
-    /// A moment of inertia of the body.
+    /// A moment of inertia of the body is not positive.
     #[error("A{axis} = {} is not positive; a moment of inertia must be greater than zero", shown(value))]
     Body {
         /// 1, 2 or 3.
@@ -20,81 +20,50 @@ pub enum Refused {
         /// The moment as written.
         value: String,
     },
-    /// The checksum.
+    /// The file is damaged.
     #[error("the checksum does not fit: the file is damaged")]
     Checksum,
-    /// A text that is not a number within 10^±150, in the units in which it is told.
+    /// A text is not a number within 10^±150, in its units.
     #[error("`{}` is not a number, or out of range", shown(text))]
     Number {
         /// The text.
         text: String,
     },
-    /// A place off the families of equilibria, or on the wrong one.
-    #[error("{what} number {number} is not at a place where it can be")]
-    BadPlace {
-        /// Cusp or meeting.
-        what: &'static str,
-        /// Which.
-        number: usize,
-    },
-    /// A list that is longer than it can be.
+    /// A list is longer than it can be for this body.
     #[error("the certificate lists {listed} {what}, but there are at most {most}")]
     TooMany {
-        /// Of what.
+        /// What is listed.
         what: &'static str,
-        /// In the certificate.
+        /// Entries of the list.
         listed: usize,
-        /// For this body.
+        /// Their largest number.
         most: usize,
     },
-    /// Cusps are missing or invented.
-    #[error("branch {branch} has {counted} cusps but the certificate lists {listed}")]
-    CuspCount {
-        /// The branch.
-        branch: String,
-        /// In the certificate.
-        listed: i64,
-        /// In the branch.
-        counted: i64,
-    },
-    /// A range does not hold exactly one root.
-    #[error("{what} number {number} is not isolated by its range")]
-    NotIsolated {
-        /// Cusp or meeting.
+    /// Cusps, or meetings with pole lines, are missing or invented.
+    #[error("branch {branch} has {counted} {what}, but the certificate lists {listed}")]
+    Count {
+        /// What is counted.
         what: &'static str,
-        /// Which.
-        number: usize,
-    },
-    /// Meetings with pole lines are missing or invented.
-    #[error("branch {branch} meets the pole lines {counted} times but the certificate lists {listed}")]
-    MeetingCount {
         /// The branch.
         branch: String,
-        /// In the certificate.
+        /// Entries of the certificate.
         listed: i64,
-        /// In the branch.
+        /// Roots of the branch.
         counted: i64,
     },
-    /// A meeting with the wrong pole line or curve.
-    #[error("meeting number {number}: {why}")]
-    Meeting {
-        /// Which.
+    /// An entry of a list of the certificate: a cusp, a meeting, an event, a slab.
+    #[error("{what} number {number}: {why}")]
+    Entry {
+        /// The kind of entry.
+        what: &'static str,
+        /// Its number, from 0.
         number: usize,
         /// What is wrong.
         why: &'static str,
     },
-    /// The place where the slope turns.
-    #[error("the inflection of the generic family is not where the certificate says")]
-    Inflection,
-    /// Ranges overlap.
-    #[error("the ranges of {what} overlap")]
-    Overlap {
-        /// Of what.
-        what: String,
-    },
-    /// Something that should be finite.
-    #[error("{what} cannot be enclosed")]
-    Unbounded {
+    /// Something cannot be decided with the ranges that the certificate gives.
+    #[error("{what}")]
+    Uncertain {
         /// What.
         what: String,
     },
@@ -104,7 +73,7 @@ pub enum Refused {
         /// Its id.
         id: String,
     },
-    /// A point that is not on its curve.
+    /// A point is not on its curve.
     #[error("curve {} is not where the certificate says at x = {x}", shown(curve))]
     Place {
         /// The curve.
@@ -122,26 +91,10 @@ pub enum Refused {
         /// What is wrong.
         why: &'static str,
     },
-    /// An event.
-    #[error("event number {number}: {why}")]
-    Event {
-        /// Which.
-        number: usize,
-        /// What is wrong.
-        why: &'static str,
-    },
-    /// A slab.
-    #[error("slab number {number}: {why}")]
-    Slab {
-        /// Which.
-        number: usize,
-        /// What is wrong.
-        why: &'static str,
-    },
     /// A region.
     #[error("region {}: {why}", shown(region))]
     Region {
-        /// Which.
+        /// Its id.
         region: String,
         /// What is wrong.
         why: &'static str,
@@ -149,18 +102,12 @@ pub enum Refused {
     /// The topology of a region.
     #[error("region {} is said to be {}, but it is {found}", shown(region), shown(claimed))]
     Topology {
-        /// Which.
+        /// Its id.
         region: String,
         /// In the atlas.
         claimed: String,
         /// By this check.
         found: String,
-    },
-    /// A region whose topology this check cannot decide, or that the atlas leaves open.
-    #[error("the topology of region {} is not confirmed", shown(region))]
-    Open {
-        /// Which.
-        region: String,
     },
     /// A field of the document.
     #[error("{field} is not what this check finds")]
@@ -175,7 +122,26 @@ pub enum Refused {
         what: &'static str,
         /// In the atlas.
         claimed: usize,
-        /// Counted.
+        /// By this check.
         found: usize,
     },
+}
+
+impl Refused {
+    /// The refusal of an entry of a list.
+    pub(crate) fn entry(what: &'static str, number: usize, why: &'static str) -> Self {
+        Self::Entry { what, number, why }
+    }
+
+    pub(crate) fn misplaced(what: &'static str, number: usize) -> Self {
+        Self::entry(what, number, "it is not at a place where it can be")
+    }
+
+    pub(crate) fn not_isolated(what: &'static str, number: usize) -> Self {
+        Self::entry(what, number, "its range does not isolate it")
+    }
+
+    pub(crate) fn uncertain(what: &str) -> Self {
+        Self::Uncertain { what: what.to_owned() }
+    }
 }

@@ -8,8 +8,8 @@ use crate::equilibria::pieces::{Branch, End, Pieces};
 use crate::numbers::bounds::{around, holds, holds_root, is_at_most, roundings};
 use crate::numbers::number;
 use crate::order::events::{Events, Source};
-use crate::order::orders::Orders;
 use crate::order::regions::Cell;
+use crate::order::stand::Orders;
 
 /// An event of a document, and what it is said to be.
 struct Listed<'a> {
@@ -19,7 +19,7 @@ struct Listed<'a> {
     source: Source,
 }
 
-/// An error that is stated is the width of the enclosure and so many roundings, at most.
+/// Largest stated error beyond the width of the enclosure, in roundings.
 const ROUNDINGS: u32 = 4;
 
 /// Checks every event: its kind, its curves, and that l and h are within their errors and enclosures.
@@ -39,7 +39,7 @@ pub(crate) fn events(
         .map_err(|_infinite| Refused::Field { field: "certificate.units" })?;
     let norm = &orders.spaces.norm.ends()[1] * &energy;
     for listed in listed(document, certificate) {
-        let refuse = |why| Refused::Event { number: listed.number, why };
+        let refuse = |why| Refused::entry("event", listed.number, why);
         let claim = &certificate.events[listed.number];
         listed.is_of_its_kind(pieces, &events.curves[listed.number]).map_err(refuse)?;
         let squares = claim.x.each_ref().map(|x| number::read(x).map(|x| x * &l2));

@@ -1,9 +1,7 @@
-//! What a document says beside its certificate.
+//! Everything that a document says beside its certificate.
 
-mod command;
-pub(crate) mod courses;
+pub(crate) mod curves;
 pub(crate) mod listing;
-pub(crate) mod measures;
 mod part;
 pub(crate) mod samples;
 pub(crate) mod totals;

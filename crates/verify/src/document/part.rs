@@ -1,4 +1,4 @@
-//! The real part of which a body is the principal form: all that the document tells of it follows from its tensor, its centre
+//! The real part of which a body is the principal form: everything that the document says of it follows from its tensor, its centre
 //! of mass, its mass and gravity.
 
 use bifdiag_schema::{AtlasDocument, Flags, PartDocument, PrincipalDocument};
@@ -6,10 +6,10 @@ use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
 use crate::Refused;
-use crate::equilibria::body::Body;
+use crate::equilibria::spaces::Body;
 use crate::numbers::number;
 
-/// Rounded numbers of a principal form are right to so many digits: ten fewer than they are written with.
+/// Correct digits of the rounded numbers of a principal form: ten fewer than are written.
 const DIGITS: usize = 120;
 /// Numbers in doubles, likewise.
 const ROUNDED: f64 = 1e-12;
@@ -34,7 +34,9 @@ struct Matrix([Vector; 3]);
 
 /// Checks the part of a document, if it has one; the flags of its body, which are those of its tensor.
 pub(crate) fn check(document: &AtlasDocument, body: &Body, flags: Flags) -> Result<Flags, Refused> {
-    let Some(part) = &document.body.part else { return Ok(flags) };
+    let Some(part) = &document.body.part else {
+        return Ok(flags);
+    };
     let tensor = Matrix::read(&part.inertia)?;
     let center = read(&part.com)?;
     let (mass, g) = (number::given(&part.mass)?, number::given(&part.g)?);
@@ -75,7 +77,9 @@ pub(crate) fn check(document: &AtlasDocument, body: &Body, flags: Flags) -> Resu
 /// g in the units of a part, if they are known.
 fn acceleration(part: &PartDocument, g: &RBig) -> Option<RBig> {
     let names: Vec<&str> = part.units.split(',').collect();
-    let [mass, length, time] = names[..] else { return None };
+    let [mass, length, time] = names[..] else {
+        return None;
+    };
     let factor = |table: &[(&str, i64, i64)], name: &str| {
         let (_, p, q) = table.iter().find(|(known, ..)| *known == name)?;
         Some(RBig::from(*p) / RBig::from(*q))

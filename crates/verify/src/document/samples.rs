@@ -5,16 +5,16 @@ use dashu_base::Abs;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::measures::CONVERTED;
+use super::curves::CONVERTED;
 use crate::Refused;
 use crate::numbers::bounds::{exact, roundings};
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;
-use crate::order::orders::Orders;
 use crate::order::regions::Sample;
 use crate::order::slabs::Slab;
+use crate::order::stand::Orders;
 
-/// The error of a margin is at most so many roundings of the energies there.
+/// Largest error of a margin, in roundings of the energies there.
 const ROUNDINGS: u32 = 8;
 
 /// A sample, as it is written and as it is proved, in the certificate's units.
@@ -90,16 +90,22 @@ impl Place<'_> {
         let around: Vec<(usize, Fixed)> =
             [below, above].into_iter().flatten().map(|(level, distance)| (level.curve, distance)).collect();
         let is_named = |curve: usize| orders.pieces.list[curve].id == claim.nearest;
-        let Some((_, nearest)) = around.iter().find(|(curve, _)| is_named(*curve)) else { return false };
+        let Some((_, nearest)) = around.iter().find(|(curve, _)| is_named(*curve)) else {
+            return false;
+        };
         if around.iter().any(|(_, distance)| distance.below(nearest)) {
             return false;
         }
-        let [Some(margin), Some(error)] = [claim.h, claim.error_bound].map(exact) else { return false };
+        let [Some(margin), Some(error)] = [claim.h, claim.error_bound].map(exact) else {
+            return false;
+        };
         let (margin, error) = (margin / energy, error / energy);
         let (ends, norm) = (nearest.ends(), orders.spaces.norm.ends()[1].clone());
         let most = roundings(ROUNDINGS, &(self.exact[1].clone().abs() + &norm));
         let off = ends.iter().map(|end| (end - &margin).abs()).max();
-        let Some((off, rounding)) = off.zip(self.rounding(&ends[1], &norm)) else { return false };
+        let Some((off, rounding)) = off.zip(self.rounding(&ends[1], &norm)) else {
+            return false;
+        };
         margin >= RBig::ZERO && off + rounding <= error && error <= most
     }
 }

@@ -4,13 +4,12 @@ use bifdiag_schema::{AtlasDocument, Flags};
 use dashu_ratio::RBig;
 use std::collections::BTreeMap;
 
-use super::command;
 use super::part;
 use crate::Refused;
-use crate::equilibria::body::Body;
 use crate::equilibria::pieces::Branch;
-use crate::order::orders::Orders;
+use crate::equilibria::spaces::Body;
 use crate::order::slabs::Slab;
+use crate::order::stand::Orders;
 use crate::topology::component;
 
 /// Checks the version by its form, the command, the flags of the body, and that nothing is left out.
@@ -29,7 +28,7 @@ pub(crate) fn frame(document: &AtlasDocument, body: &Body) -> Result<(), Refused
     if !is_version(&document.head.version) {
         return refuse("version");
     }
-    if document.head.command != command::canonical(document) {
+    if document.head.command != command(document) {
         return refuse("command");
     }
     let flags = part::check(document, body, flags(body))?;
@@ -93,6 +92,54 @@ pub(crate) fn totals(document: &AtlasDocument, orders: &Orders, slabs: &[Slab]) 
         Ok(())
     } else {
         Err(Refused::Field { field: "summary.critical_points_max" })
+    }
+}
+
+/// The command line that makes a document with its certificate, from its body, or the part of which that is, and from what it
+/// holds.
+fn command(document: &AtlasDocument) -> String {
+    let given = &document.body.given;
+    let mut line = Line("bifdiag atlas".to_owned());
+    if let Some(part) = &document.body.part {
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = &part.inertia;
+        line.option("inertia", &[xx, yy, zz, xy, xz, yz].map(String::as_str).join(","));
+        if [xy, xz, yz].iter().any(|product| *product != "0") {
+            line.option("products", "tensor");
+        }
+        line.option("com", &part.com.join(","));
+        line.option("mass", &part.mass);
+        line.option("units", &part.units);
+        line.option("g", &part.g);
+        line.flag("unphysical", !part.physical);
+    } else {
+        line.option("A", &given.moments.join(","));
+        line.option("r", &given.center.join(","));
+    }
+    line.flag("certificate", true);
+    line.flag("no-drawing", document.drawing.is_none());
+    line.flag("json", true);
+    line.0
+}
+
+struct Line(String);
+
+impl Line {
+    /// `--name value`, as a POSIX shell reads it: a hyphen at the front is joined by `=`, what is not plain is quoted.
+    fn option(&mut self, name: &str, value: &str) {
+        let joint = if value.starts_with('-') { "=" } else { " " };
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || "+-./:=,_".contains(c);
+        let value = if !value.is_empty() && value.chars().all(is_plain) {
+            value.to_owned()
+        } else {
+            format!("'{}'", value.replace('\'', r"'\''"))
+        };
+        self.0.extend([" --", name, joint, &value]);
+    }
+
+    fn flag(&mut self, name: &str, is_set: bool) {
+        if is_set {
+            self.0.extend([" --", name]);
+        }
     }
 }
 

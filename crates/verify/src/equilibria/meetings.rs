@@ -1,11 +1,12 @@
-//! Meetings of critical curves with the pole lines.
+//! Meetings of critical curves with the pole lines, and how long the lists of a certificate can be: compared before anything is
+//! worked out from them.
 
-use bifdiag_schema::{CertificateDocument, CertifiedMeeting};
+use bifdiag_schema::{CertificateDocument, CertifiedMeeting, CertifiedPair};
 use dashu_ratio::RBig;
 
 use super::pieces::{Branch, End, Pieces};
-use super::place::{Place, Side};
-use super::roots::{count, isolated, listed, places};
+use super::point::{Place, Side};
+use super::roots::{isolated, listed, places};
 use super::spaces::Spaces;
 use crate::Refused;
 use crate::numbers::sturm::{Coefficients, Sturm};
@@ -23,7 +24,7 @@ pub(crate) struct Meeting {
     pub polynomial: Coefficients,
 }
 
-/// The polynomials of a branch: `meeting` is 0 where it meets a pole line, and the sign of `side` there tells which.
+/// The polynomials of a branch: `meeting` is 0 where it meets a pole line, and the sign of `side` there says which one.
 struct Equations {
     branch: Branch,
     side: Coefficients,
@@ -45,18 +46,13 @@ pub(crate) fn meetings(
         let sturm = Sturm::new(&equations.meeting);
         let ends = equations.ends.each_ref().map(Option::as_ref);
         let ranges = listed(&places, spaces, |place| equations.branch.holds(place), ends);
-        isolated(&sturm, &ranges, "meeting")?;
-        let (listed, counted) = (count(&ranges), sturm.inside(ends[0], ends[1]));
-        if counted != listed {
-            let branch = match equations.branch {
-                Branch::Generic(number) => format!("G{number}"),
-                _ => "over a moment".to_owned(),
-            };
-            return Err(Refused::MeetingCount { branch, listed, counted });
-        }
+        isolated(&sturm, &ranges, ends, ["meeting", "meetings with pole lines"], || match equations.branch {
+            Branch::Generic(number) => format!("G{number}"),
+            _ => "over a moment".to_owned(),
+        })?;
         let sides = Sturm::new(&equations.side);
         for (number, range) in ranges {
-            let refuse = |why| Refused::Meeting { number, why };
+            let refuse = |why| Refused::entry("meeting", number, why);
             let claim = &certificate.meetings[number];
             let plus = line(claim, &sturm, &sides, &equations, &range).map_err(refuse)?;
             let (curves, end) =
@@ -68,17 +64,57 @@ pub(crate) fn meetings(
             found[number] = Some(Meeting { plus, place, curves, end, polynomial });
         }
     }
-    let proper =
-        |(number, meeting): (usize, Option<Meeting>)| meeting.ok_or(Refused::BadPlace { what: "meeting", number });
+    let proper = |(number, meeting): (usize, Option<Meeting>)| meeting.ok_or(Refused::misplaced("meeting", number));
     found.into_iter().enumerate().map(proper).collect()
 }
 
 /// The meetings that there can be at most, by the degrees of their polynomials: that of the generic family is one for all of
 /// its branches.
-pub(crate) fn most(spaces: &Spaces) -> usize {
-    let generic = if spaces.active.len() > 1 { spaces.pole_polynomials()[1].len() } else { 0 };
-    let bases = if spaces.active.is_empty() { Vec::new() } else { spaces.passive() };
-    generic + bases.into_iter().map(|base| spaces.pole_polynomials_over(base)[1].len()).sum::<usize>()
+fn most_meetings(spaces: &Spaces) -> usize {
+    match spaces.active.len() {
+        0 => 0,
+        n => (if n > 1 { 8 * n - 5 } else { 0 }) + 5 * spaces.passive().len(),
+    }
+}
+
+/// Stretches of a pair of curves at most: the prover visits no more points of curves for one.
+const STRETCHES: usize = 4000;
+
+/// A list is not longer than the body allows.
+fn is_short(what: &'static str, listed: usize, most: usize) -> Result<(), Refused> {
+    if listed <= most { Ok(()) } else { Err(Refused::TooMany { what, listed, most }) }
+}
+
+/// Cusps and meetings: no more than the degrees of their polynomials.
+pub(crate) fn count_roots(certificate: &CertificateDocument, spaces: &Spaces) -> Result<(), Refused> {
+    let n = spaces.active.len();
+    let generic = if n > 1 { 5 * n - 4 } else { 0 };
+    is_short("cusps", certificate.cusps.len(), generic + spaces.passive().len())?;
+    is_short("meetings", certificate.meetings.len(), most_meetings(spaces))
+}
+
+/// What is listed of curves and of the slabs between events.
+pub(crate) fn count_lists(certificate: &CertificateDocument, spaces: &Spaces, pieces: &Pieces) -> Result<(), Refused> {
+    let curves = pieces.list.len();
+    is_short("pairs", certificate.pairs.len(), curves * curves / 2)?;
+    for pair in &certificate.pairs {
+        is_short("stretches of a pair", pair.stretches.len(), STRETCHES)?;
+    }
+    let crossings = |pair: &CertifiedPair| pair.stretches.iter().filter(|stretch| stretch.crossing.is_some()).count();
+    let crossings: usize = certificate.pairs.iter().map(crossings).sum();
+    let sources = pieces.cusps.len() + pieces.forks.len() + most_meetings(spaces) + crossings;
+    is_short("events", certificate.events.len(), sources)?;
+    for event in &certificate.events {
+        is_short("sources of an event", event.sources.len(), sources)?;
+        is_short("curves of an event", event.curves.len(), curves)?;
+    }
+    is_short("transitions", certificate.transitions.len(), sources)?;
+    is_short("events of transitions", certificate.transitions.iter().map(Vec::len).sum(), sources)?;
+    is_short("slabs", certificate.slabs.len(), sources + 1)?;
+    for slab in &certificate.slabs {
+        is_short("curves of a slab", slab.curves.len(), curves)?;
+    }
+    is_short("samples", certificate.samples.len(), (sources + 1) * curves)
 }
 
 /// Every branch that can meet a pole line: those of the generic family, and those over spaces without r.

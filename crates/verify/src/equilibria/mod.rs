@@ -1,10 +1,7 @@
 //! The body, its curves of relative equilibria, and that the certificate lacks none of them.
 
-pub(crate) mod body;
-pub(crate) mod counts;
 pub(crate) mod meetings;
 pub(crate) mod pieces;
-pub(crate) mod place;
 pub(crate) mod point;
 pub(crate) mod roots;
 pub(crate) mod spaces;

@@ -2,8 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use super::place::{Place, Side};
-use super::point::Point;
+use super::point::{Place, Point, Side};
 use super::roots::count;
 use super::spaces::Spaces;
 use crate::Refused;
@@ -69,6 +68,8 @@ pub(crate) struct Pieces {
     pub list: Vec<Piece>,
     pub cusps: Vec<Place>,
     pub forks: Vec<Fork>,
+    /// x at both ends of each curve; `None` for infinity.
+    ends: Vec<[Option<Fixed>; 2]>,
 }
 
 #[derive(Clone)]
@@ -80,7 +81,7 @@ struct Station {
 impl Pieces {
     /// `cusps` are known to be all of the generic family and over the spaces without r, in the certificate's order.
     pub fn new(spaces: &Spaces, cusps: Vec<Place>) -> Result<Self, Refused> {
-        let mut pieces = Self { list: Vec::new(), cusps, forks: Vec::new() };
+        let mut pieces = Self { list: Vec::new(), cusps, forks: Vec::new(), ends: Vec::new() };
         match spaces.active.len() {
             0 => pieces.rotations(spaces),
             1 => pieces.lines(spaces),
@@ -97,6 +98,8 @@ impl Pieces {
                 pieces.list.push(line(id, plus, [End::Origin, End::Infinity], false, false));
             }
         }
+        let ends = |curve| Ok([pieces.x_of_end(spaces, curve, 0)?, pieces.x_of_end(spaces, curve, 1)?]);
+        pieces.ends = (0..pieces.list.len()).map(ends).collect::<Result<_, Refused>>()?;
         Ok(pieces)
     }
 
@@ -162,7 +165,9 @@ impl Pieces {
         }
         stations.sort_by(|p, q| p.range[0].cmp(&q.range[0]));
         if stations.windows(2).any(|pair| pair[0].range[1] >= pair[1].range[0]) {
-            return Err(Refused::Overlap { what: format!("cusps or pitchforks of the branch G{number}") });
+            return Err(Refused::Uncertain {
+                what: format!("the ranges of cusps or pitchforks of the branch G{number} overlap"),
+            });
         }
         Ok(stations)
     }
@@ -218,7 +223,7 @@ impl Pieces {
         }
         for base in spaces.passive() {
             let Some(fork) = self.forks.iter().position(|f| f.base == base) else {
-                return Err(Refused::Overlap { what: "pitchforks".to_owned() });
+                return Err(Refused::uncertain("the ranges of pitchforks overlap"));
             };
             let piece = |number: usize, range, rising, ends, limit| Piece {
                 id: format!("{}.{number}", pair_name(spaces, base)),
@@ -258,7 +263,7 @@ impl Pieces {
         let held = listed.iter().all(|&c| self.cusps[c].lo <= turn && turn <= self.cusps[c].hi);
         if listed.len() != counted || !held {
             let (listed, counted) = (count(&listed), i64::from(turn > RBig::ZERO));
-            return Err(Refused::CuspCount { branch: pair_name(spaces, base), listed, counted });
+            return Err(Refused::Count { what: "cusps", branch: pair_name(spaces, base), listed, counted });
         }
         Ok(listed.first().map(|&cusp| (cusp, turn)))
     }
@@ -298,14 +303,20 @@ impl Pieces {
         }
     }
 
-    /// x where a curve ends: 0, `None` for infinity.
-    pub fn end_x(&self, spaces: &Spaces, curve: usize, side: usize) -> Result<Option<Fixed>, Refused> {
+    /// x where a curve ends; `None` for infinity.
+    pub fn end_x(&self, curve: usize, side: usize) -> Option<&Fixed> {
+        self.ends[curve][side].as_ref()
+    }
+
+    fn x_of_end(&self, spaces: &Spaces, curve: usize, side: usize) -> Result<Option<Fixed>, Refused> {
         match self.list[curve].ends[side] {
             End::Origin => Ok(Some(Fixed::whole(0))),
             End::Infinity => Ok(None),
             _ => match self.end_point(spaces, curve, side) {
                 Some(point) => Ok(Some(point.x)),
-                None => Err(Refused::Unbounded { what: format!("an end of {}", self.list[curve].id) }),
+                None => {
+                    Err(Refused::Uncertain { what: format!("an end of {} cannot be enclosed", self.list[curve].id) })
+                }
             },
         }
     }

@@ -1,8 +1,61 @@
-//! The relative equilibria of a body over ranges of their places (Theorems 3.2 and 3.3), enclosed in [`Fixed`].
+//! Places on families of relative equilibria, as certificates write them, and the equilibria over ranges of them (Theorems
+//! 3.2 and 3.3), enclosed in [`Fixed`].
 
-use super::place::Side;
+use bifdiag_schema::PlaceDocument;
+use dashu_ratio::RBig;
+
 use super::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
+use crate::numbers::number;
+
+/// A half of a family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// μ = a + y.
+    Plus,
+    /// μ = a − y.
+    Minus,
+    /// v = P̂ + y over a space without r.
+    Over,
+}
+
+/// A range of places, as exact numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Place {
+    pub base: usize,
+    pub side: Side,
+    pub lo: RBig,
+    pub hi: RBig,
+}
+
+impl Place {
+    /// A place whose base is a space and whose ends are numbers in order.
+    pub fn read(document: &PlaceDocument, spaces: &Spaces) -> Option<Self> {
+        let side = match document.side.as_str() {
+            "+" => Side::Plus,
+            "-" => Side::Minus,
+            "over" => Side::Over,
+            _ => return None,
+        };
+        let [lo, hi] = document.y.each_ref().map(|text| number::exact(text));
+        let (lo, hi) = (lo?, hi?);
+        (lo <= hi && document.base < spaces.list.len()).then_some(Self { base: document.base, side, lo, hi })
+    }
+
+    pub fn y(&self, spaces: &Spaces) -> Fixed {
+        spaces.set(&self.lo).hull(&spaces.set(&self.hi))
+    }
+
+    /// The range of μ (of y over a space without r).
+    pub fn range(&self, spaces: &Spaces) -> [RBig; 2] {
+        let a = &spaces.list[self.base].a;
+        match self.side {
+            Side::Plus => [a + &self.lo, a + &self.hi],
+            Side::Minus => [a - &self.hi, a - &self.lo],
+            Side::Over => [self.lo.clone(), self.hi.clone()],
+        }
+    }
+}
 
 /// Equilibria over a range of y.
 #[derive(Clone, Debug)]
@@ -34,6 +87,13 @@ struct Generic<'a> {
     w: Vec<Fixed>,
 }
 
+/// √Σ q t², J and x, of which s = √Σ q t²/|δ| makes the last.
+struct Momentum {
+    root: Fixed,
+    j: Fixed,
+    x: Fixed,
+}
+
 impl Spaces {
     /// All equilibria over a range of y; `None` when it reaches a moment.
     pub fn point(&self, base: usize, side: Side, y: &Fixed) -> Option<Point> {
@@ -41,6 +101,15 @@ impl Spaces {
             Side::Over => self.pair(base, y),
             Side::Plus => Generic::new(self, base, y.clone())?.point(side, y),
             Side::Minus => Generic::new(self, base, -y)?.point(side, y),
+        }
+    }
+
+    /// x of the equilibria over a range of y, without the rest.
+    pub fn x(&self, base: usize, side: Side, y: &Fixed) -> Option<Fixed> {
+        let delta = if side == Side::Minus { -y } else { y.clone() };
+        match side {
+            Side::Over => Some(self.pair(base, y)?.x),
+            _ => Some(Generic::new(self, base, delta)?.x(y)?.x),
         }
     }
 
@@ -131,18 +200,22 @@ impl<'a> Generic<'a> {
         Some(Self { spaces, base, delta, inverse, t, total, w })
     }
 
+    fn x(&self, y: &Fixed) -> Option<Momentum> {
+        let root = self.total.root()?;
+        let j = self.moment_of_inertia()?;
+        let x = (&root.over(y)? * &j.square()).half();
+        Some(Momentum { root, j, x })
+    }
+
     fn point(&self, side: Side, y: &Fixed) -> Option<Point> {
         let spaces = self.spaces;
         let sign = |e: Fixed| if side == Side::Plus { e } else { -&e };
-        let root = self.total.root()?;
-        let s = root.over(y)?;
+        let Momentum { root, j, x } = self.x(y)?;
         let mut gamma = Vec::with_capacity(spaces.list.len());
         for (space, t) in spaces.list.iter().zip(&self.t) {
             gamma.push(sign((&space.root_q * t).over(&root)?));
         }
         let rho = gamma.iter().zip(&spaces.list).fold(Fixed::whole(0), |sum, (g, space)| &sum + &(g * &space.root_q));
-        let j = self.moment_of_inertia()?;
-        let x = (&s * &j.square()).half();
         let mean = self.w.iter().zip(&self.t).fold(Fixed::whole(0), |sum, (w, t)| &sum + &(w * t));
         let spread = self.spread();
         let bracket = &mean + &(&Fixed::whole(4) * &spread).over(&j)?;

@@ -3,8 +3,7 @@
 use bifdiag_schema::CertificateDocument;
 use dashu_ratio::RBig;
 
-use super::place::{Place, Side};
-use super::point::Point;
+use super::point::{Place, Point, Side};
 use super::spaces::Spaces;
 use crate::Refused;
 use crate::numbers::sturm::Sturm;
@@ -17,7 +16,7 @@ pub(crate) fn places<'a>(
 ) -> Result<Vec<Place>, Refused> {
     let place = |(number, document)| {
         let place = Place::read(document, spaces).filter(|place| place.lo > RBig::ZERO);
-        place.ok_or(Refused::BadPlace { what, number })
+        place.ok_or(Refused::misplaced(what, number))
     };
     documents.enumerate().map(place).collect()
 }
@@ -38,18 +37,29 @@ fn lies_in(range: &[RBig; 2], [low, high]: [Option<&RBig>; 2]) -> bool {
     low.is_none_or(|low| range[0] > *low) && high.is_none_or(|high| range[1] < *high)
 }
 
-/// Every range holds one root, and they are disjoint.
-pub(crate) fn isolated(sturm: &Sturm, ranges: &[(usize, [RBig; 2])], what: &'static str) -> Result<(), Refused> {
+/// Every range holds one root: they are disjoint, hold a root each, and are as many as the roots between the ends. `names` are
+/// those of one root and of several, `branch` is that of the branch.
+pub(crate) fn isolated(
+    sturm: &Sturm,
+    ranges: &[(usize, [RBig; 2])],
+    ends: [Option<&RBig>; 2],
+    [what, several]: [&'static str; 2],
+    branch: impl Fn() -> String,
+) -> Result<(), Refused> {
     for (number, [lo, hi]) in ranges {
-        if sturm.closed(lo, hi) != 1 {
-            return Err(Refused::NotIsolated { what, number: *number });
+        let changes_sign = sturm.sign_at(lo) * sturm.sign_at(hi) <= 0;
+        if !changes_sign && sturm.closed(lo, hi) == 0 {
+            return Err(Refused::not_isolated(what, *number));
         }
     }
     let mut sorted: Vec<&(usize, [RBig; 2])> = ranges.iter().collect();
     sorted.sort_by(|p, q| p.1[0].cmp(&q.1[0]));
-    match sorted.windows(2).find(|pair| pair[0].1[1] >= pair[1].1[0]) {
-        Some(pair) => Err(Refused::NotIsolated { what, number: pair[1].0 }),
-        None => Ok(()),
+    if let Some(pair) = sorted.windows(2).find(|pair| pair[0].1[1] >= pair[1].1[0]) {
+        return Err(Refused::not_isolated(what, pair[1].0));
+    }
+    match (count(ranges), sturm.inside(ends[0], ends[1])) {
+        (listed, counted) if listed == counted => Ok(()),
+        (listed, counted) => Err(Refused::Count { what: several, branch: branch(), listed, counted }),
     }
 }
 
@@ -66,22 +76,18 @@ pub(crate) fn cusps(certificate: &CertificateDocument, spaces: &Spaces) -> Resul
         for branch in 0..=spaces.active.len() {
             let ends = spaces.interval(branch);
             let ranges = listed(&cusps, spaces, |place| place.side != Side::Over, ends);
-            isolated(&sturm, &ranges, "cusp")?;
-            let (listed, counted) = (count(&ranges), sturm.inside(ends[0], ends[1]));
-            if counted != listed {
-                return Err(Refused::CuspCount { branch: format!("G{branch}"), listed, counted });
-            }
+            isolated(&sturm, &ranges, ends, ["cusp", "cusps"], || format!("G{branch}"))?;
             for (number, [lo, hi]) in ranges {
                 // A root of even multiplicity is no cusp.
                 if sturm.sign_at(&lo) * sturm.sign_at(&hi) > 0 {
-                    return Err(Refused::NotIsolated { what: "cusp", number });
+                    return Err(Refused::not_isolated("cusp", number));
                 }
                 known[number] = true;
             }
         }
     }
     match known.iter().position(|known| !known) {
-        Some(number) => Err(Refused::BadPlace { what: "cusp", number }),
+        Some(number) => Err(Refused::misplaced("cusp", number)),
         None => Ok(cusps),
     }
 }
@@ -97,20 +103,30 @@ pub(crate) fn inflection(
     spaces: &Spaces,
 ) -> Result<Option<(usize, Point)>, Refused> {
     if spaces.active.len() < 3 {
-        return if certificate.inflection.is_none() { Ok(None) } else { Err(Refused::Inflection) };
+        return if certificate.inflection.is_none() {
+            Ok(None)
+        } else {
+            Err(Refused::Field { field: "certificate.inflection" })
+        };
     }
     let sturm = Sturm::new(&spaces.inflection_polynomial());
     let Some(place) = &certificate.inflection else {
         // The one root is a moment itself, which lies on no branch.
         let is_at_a_moment = spaces.active.iter().any(|&k| sturm.sign_at(&spaces.list[k].a) == 0);
-        return if is_at_a_moment && sturm.inside(None, None) == 1 { Ok(None) } else { Err(Refused::Inflection) };
+        return if is_at_a_moment && sturm.inside(None, None) == 1 {
+            Ok(None)
+        } else {
+            Err(Refused::Field { field: "certificate.inflection" })
+        };
     };
-    let place = Place::read(place, spaces).filter(|place| place.side != Side::Over).ok_or(Refused::Inflection)?;
+    let place = Place::read(place, spaces)
+        .filter(|place| place.side != Side::Over)
+        .ok_or(Refused::Field { field: "certificate.inflection" })?;
     let range = place.range(spaces);
     let branch = (0..=spaces.active.len()).find(|&branch| lies_in(&range, spaces.interval(branch)));
     let point = spaces.point(place.base, place.side, &place.y(spaces));
     match branch.zip(point) {
         Some(found) if sturm.closed(&range[0], &range[1]) == 1 && sturm.inside(None, None) == 1 => Ok(Some(found)),
-        _ => Err(Refused::Inflection),
+        _ => Err(Refused::Field { field: "certificate.inflection" }),
     }
 }

@@ -1,12 +1,31 @@
-//! The eigenspaces of A in the certificate's units, and the exact polynomials whose roots are cusps, inflections and
+//! The body of a document, exact: the eigenspaces of A in the certificate's units, and the exact polynomials whose roots are cusps, inflections and
 //! meetings with pole lines.
 
+use bifdiag_schema::BodyDocument;
 use dashu_ratio::RBig;
 
-use super::body::Body;
 use crate::Refused;
 use crate::numbers::fixed::Fixed;
+use crate::numbers::number;
 use crate::numbers::sturm::{Coefficients, plus, times};
+
+/// A and r as the document writes them.
+pub(crate) struct Body {
+    pub moments: [RBig; 3],
+    pub center: [RBig; 3],
+}
+
+impl Body {
+    pub fn read(document: &BodyDocument) -> Result<Self, Refused> {
+        let [a1, a2, a3] = document.given.moments.each_ref().map(|text| number::given(text));
+        let [r1, r2, r3] = document.given.center.each_ref().map(|text| number::given(text));
+        let body = Self { moments: [a1?, a2?, a3?], center: [r1?, r2?, r3?] };
+        match body.moments.iter().position(|moment| *moment <= RBig::ZERO) {
+            Some(axis) => Err(Refused::Body { axis: axis + 1, value: document.given.moments[axis].clone() }),
+            None => Ok(body),
+        }
+    }
+}
 
 /// An eigenspace of A.
 #[derive(Clone, Debug)]
@@ -46,7 +65,7 @@ impl Space {
 }
 
 impl Spaces {
-    /// A in units of `moment`, r in units of `energy`; sets have so many bits.
+    /// A in units of `moment`, r in units of `energy`; sets have this number of bits.
     pub fn new(body: &Body, moment: &RBig, energy: &RBig, bits: usize) -> Result<Self, Refused> {
         let r = body.center.each_ref().map(|r| r / energy);
         let mut order = [0, 1, 2];
@@ -59,7 +78,7 @@ impl Spaces {
                 _ => groups.push((a, vec![i])),
             }
         }
-        let unbounded = || Refused::Unbounded { what: "the centre of mass".to_owned() };
+        let unbounded = || Refused::uncertain("the centre of mass cannot be enclosed");
         let list: Option<Vec<Space>> = groups.into_iter().map(|(a, axes)| Space::new(a, axes, &r, bits)).collect();
         let list = list.ok_or_else(unbounded)?;
         let r2 = r.iter().fold(RBig::ZERO, |sum, c| sum + c * c);
@@ -176,7 +195,9 @@ impl Spaces {
 
     /// The cubic whose one root is the place where dJ/dμ = 0 (Proposition 3.8).
     pub fn inflection_polynomial(&self) -> Coefficients {
-        let [i, j, k] = self.active[..] else { return Vec::new() };
+        let [i, j, k] = self.active[..] else {
+            return Vec::new();
+        };
         [(i, j, k), (j, k, i), (k, i, j)].into_iter().fold(Vec::new(), |sum, (i, j, k)| {
             let d = &self.list[i].a - &self.list[j].a;
             let cube = (0..3).fold(vec![RBig::ONE], |cube, _| times(&cube, &self.factor(k)));

@@ -21,7 +21,9 @@ pub(crate) fn shift(p: &mut [IBig]) {
 /// Changes of sign along the coefficients.
 pub(crate) fn variations(p: &[IBig]) -> usize {
     let mut signs = p.iter().map(sign).filter(|s| *s != 0);
-    let Some(mut last) = signs.next() else { return 0 };
+    let Some(mut last) = signs.next() else {
+        return 0;
+    };
     signs.filter(|&s| std::mem::replace(&mut last, s) != s).count()
 }
 
@@ -58,7 +60,7 @@ fn product(p: &[IBig], [low, high]: &[IBig; 2]) -> Vec<IBig> {
     product
 }
 
-/// Number of different roots in an open interval, where `None` is −∞ or ∞; `None` if the signs do not tell.
+/// Number of different roots in an open interval, where `None` is −∞ or ∞; `None` if the signs do not decide.
 pub(crate) fn inside(p: &[IBig], ends: [Option<&RBig>; 2]) -> Option<i64> {
     let whole = |x: &RBig| (x.numerator().clone(), IBig::from(x.denominator().clone()));
     let (above, below) = match ends {

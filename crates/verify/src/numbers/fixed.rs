@@ -50,7 +50,7 @@ impl Fixed {
         Self { lo: n.clone(), hi: n, bits: 0 }
     }
 
-    /// The same set with at least so many bits.
+    /// The same set with at least `bits` bits.
     fn at(&self, bits: usize) -> Cow<'_, Self> {
         if self.bits >= bits {
             return Cow::Borrowed(self);
@@ -157,6 +157,12 @@ impl Fixed {
     pub fn middle(&self) -> Self {
         let middle: IBig = (&self.lo + &self.hi) >> 1usize;
         Self { lo: middle.clone(), hi: middle, bits: self.bits }
+    }
+
+    /// Its width is at most 2⁻ᵇ of each of its numbers.
+    pub fn is_sharp(&self, bits: usize) -> bool {
+        let width = (&self.hi - &self.lo) << bits;
+        width <= self.lo || width <= -&self.hi
     }
 
     /// Every number here is below every number there.

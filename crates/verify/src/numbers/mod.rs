@@ -1,7 +1,6 @@
 //! Numbers exact and enclosed, and the roots of polynomials.
 
 pub(crate) mod bounds;
-pub(crate) mod classes;
 pub(crate) mod descartes;
 pub(crate) mod fixed;
 pub(crate) mod interval;

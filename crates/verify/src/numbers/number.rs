@@ -5,21 +5,19 @@ use dashu_ratio::RBig;
 
 use crate::Refused;
 
-/// What is read at most: powers of ten of the first digit, and digits.
-struct Limits {
-    exponent: u64,
-    digits: usize,
-}
+/// Digits of a number at most.
+const DIGITS: usize = 1000;
 
-/// Of a body, and of a certificate in its units: beyond 10^±150 the square would leave the range of `f64`.
-const PLAIN: Limits = Limits { exponent: 150, digits: 1000 };
+/// Powers of ten of the first digit of a number of a body, and of a certificate in its units: beyond 10^±150 the square would
+/// leave the range of `f64`.
+const PLAIN: u64 = 150;
 
-/// Of what is told in the units of the body, which may be as large themselves.
-const IN_UNITS: Limits = Limits { exponent: 500, digits: 1000 };
+/// Likewise in the units of the body, which may be as large themselves.
+const IN_UNITS: u64 = 500;
 
 /// The number of a body as it was given: a decimal, a decimal with exponent, or a quotient of two.
 pub(crate) fn given(text: &str) -> Result<RBig, Refused> {
-    within(text, &PLAIN).filter(is_plain).ok_or_else(|| refused(text))
+    within(text, PLAIN).filter(is_plain).ok_or_else(|| refused(text))
 }
 
 /// The number that a text of a certificate denotes, or the refusal that names the text.
@@ -29,12 +27,12 @@ pub(crate) fn read(text: &str) -> Result<RBig, Refused> {
 
 /// The number that a text of a certificate denotes.
 pub(crate) fn exact(text: &str) -> Option<RBig> {
-    is_written(text).then(|| within(text, &PLAIN).filter(is_plain))?
+    is_written(text).then(|| within(text, PLAIN).filter(is_plain))?
 }
 
 /// A number in the units of the body; divided by the unit it is within the limits of those in a certificate.
 pub(crate) fn in_units(text: &str, unit: &RBig) -> Result<RBig, Refused> {
-    let value = is_written(text).then(|| within(text, &IN_UNITS)).flatten();
+    let value = is_written(text).then(|| within(text, IN_UNITS)).flatten();
     value.filter(|value| is_plain(&(value / unit))).ok_or_else(|| refused(text))
 }
 
@@ -42,7 +40,7 @@ pub(crate) fn in_units(text: &str, unit: &RBig) -> Result<RBig, Refused> {
 /// product of two, and in the one form in which it is written.
 pub(crate) fn unit(text: &str) -> Result<RBig, Refused> {
     let is_unit = |value: &RBig| (1e-152..=1e152).contains(&value.to_f64().value());
-    within(text, &IN_UNITS).filter(is_unit).filter(|value| unit_text(value) == text).ok_or_else(|| refused(text))
+    within(text, IN_UNITS).filter(is_unit).filter(|value| unit_text(value) == text).ok_or_else(|| refused(text))
 }
 
 fn is_plain(value: &RBig) -> bool {
@@ -59,7 +57,7 @@ fn is_written(text: &str) -> bool {
     if let Some((above, below)) = text.split_once('/') {
         return is_integer(above)
             && is_integer(below)
-            && within(text, &IN_UNITS).is_some_and(|value| value.to_string() == text);
+            && within(text, IN_UNITS).is_some_and(|value| value.to_string() == text);
     }
     match text.split_once('e') {
         Some((digits, power)) => [digits, power].iter().all(|part| is_integer(part) && *part != "0"),
@@ -84,17 +82,17 @@ fn unit_text(value: &RBig) -> String {
     if power == 0 { digits.to_string() } else { format!("{digits}e-{power}") }
 }
 
-fn within(text: &str, limits: &Limits) -> Option<RBig> {
+fn within(text: &str, exponents: u64) -> Option<RBig> {
     match text.trim().split_once('/') {
         Some((above, below)) => {
-            let below = decimal(below.trim(), limits).filter(|below| !below.is_zero())?;
-            Some(decimal(above.trim(), limits)? / below)
+            let below = decimal(below.trim(), exponents).filter(|below| !below.is_zero())?;
+            Some(decimal(above.trim(), exponents)? / below)
         }
-        None => decimal(text.trim(), limits),
+        None => decimal(text.trim(), exponents),
     }
 }
 
-fn decimal(text: &str, limits: &Limits) -> Option<RBig> {
+fn decimal(text: &str, exponents: u64) -> Option<RBig> {
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),
         None => (text, 0),
@@ -103,14 +101,16 @@ fn decimal(text: &str, limits: &Limits) -> Option<RBig> {
     let magnitude = mantissa.strip_prefix(['+', '-']).unwrap_or(mantissa);
     let (whole, fraction) = magnitude.split_once('.').unwrap_or((magnitude, ""));
     let digits = [whole, fraction].concat();
-    if digits.is_empty() || digits.len() > limits.digits || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+    if digits.is_empty() || digits.len() > DIGITS || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
         return None;
     }
     let significant = digits.trim_start_matches('0');
-    let Some(behind_first) = significant.len().checked_sub(1) else { return Some(RBig::ZERO) };
+    let Some(behind_first) = significant.len().checked_sub(1) else {
+        return Some(RBig::ZERO);
+    };
     let power = exponent.saturating_sub(i64::try_from(fraction.len()).ok()?);
     let leading = power.saturating_add(i64::try_from(behind_first).ok()?);
-    if leading.unsigned_abs() > limits.exponent {
+    if leading.unsigned_abs() > exponents {
         return None;
     }
     let integer = IBig::from(UBig::from_str_radix(significant, 10).ok()?);

@@ -1,4 +1,4 @@
-//! Counting real roots, exactly: by Descartes' rule where its signs tell, by Sturm's theorem elsewhere.
+//! Counting real roots, exactly: by Descartes' rule where its signs decide, by Sturm's theorem elsewhere.
 
 use std::cell::OnceCell;
 

@@ -3,13 +3,12 @@
 use bifdiag_schema::{CertificateDocument, CertifiedEvent};
 use dashu_ratio::RBig;
 
-use super::orders::Orders;
 use super::pairs::Crossing;
+use super::stand::Orders;
 use crate::Refused;
 use crate::equilibria::meetings::Meeting;
 use crate::equilibria::pieces::{Branch, End};
-use crate::equilibria::place::Side;
-use crate::equilibria::point::Point;
+use crate::equilibria::point::{Point, Side};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;
@@ -42,7 +41,9 @@ pub(crate) enum Source {
 impl Source {
     /// A source with its number in canonical form, so that none has two names.
     pub fn read(text: &str) -> Option<Self> {
-        let Some((kind, digits)) = text.split_once(':') else { return (text == "crossing").then_some(Self::Crossing) };
+        let Some((kind, digits)) = text.split_once(':') else {
+            return (text == "crossing").then_some(Self::Crossing);
+        };
         let number: usize = digits.parse().ok().filter(|number: &usize| number.to_string() == digits)?;
         match kind {
             "cusp" => Some(Self::Cusp(number)),
@@ -91,7 +92,7 @@ impl Events {
         let mut found = Self::default();
         let mut seen: Vec<Source> = Vec::new();
         for (at, event) in certificate.events.iter().enumerate() {
-            let refuse = |why| Refused::Event { number: at, why };
+            let refuse = |why| Refused::entry("event", at, why);
             let sources = sources(event, &mut seen).map_err(refuse)?;
             let x = [number::read(&event.x[0])?, number::read(&event.x[1])?];
             let h = [number::read(&event.h[0])?, number::read(&event.h[1])?];
@@ -123,7 +124,7 @@ impl Events {
         if seen.len() == orders.pieces.cusps.len() + orders.pieces.forks.len() + meetings.len() {
             Ok(found)
         } else {
-            Err(Refused::Event { number: certificate.events.len(), why: "an event is missing" })
+            Err(Refused::entry("event", certificate.events.len(), "an event is missing"))
         }
     }
 
@@ -148,14 +149,10 @@ impl Events {
             let [lo, hi] = &self.x[*at];
             let place =
                 open.iter().position(|(curves, boxed)| curves == pair && boxed.iter().all(|x| x.lies_in(lo, hi)));
-            let place = place.ok_or(Refused::Event { number: *at, why: "the curves do not cross there" })?;
+            let place = place.ok_or(Refused::entry("event", *at, "the curves do not cross there"))?;
             open.remove(place);
         }
-        if open.is_empty() {
-            Ok(())
-        } else {
-            Err(Refused::Event { number: self.x.len(), why: "a crossing is missing" })
-        }
+        if open.is_empty() { Ok(()) } else { Err(Refused::entry("event", self.x.len(), "a crossing is missing")) }
     }
 }
 
@@ -230,22 +227,20 @@ fn encloses(x: &[RBig; 2], h: &[RBig; 2], point: &Point) -> bool {
 /// The pole line of a meeting: when r lies on an axis, the piece of the line over its x.
 fn line(orders: &Orders, meeting: &Meeting, x: &Fixed, end: Option<End>) -> Result<Vec<usize>, Why> {
     let pieces = orders.pieces;
-    let uncertain = "its piece of the pole line is not certain";
     let mut found = Vec::new();
     for (curve, piece) in pieces.list.iter().enumerate() {
         if piece.branch != Branch::Line(meeting.plus) {
             continue;
         }
-        let ends = [0, 1].map(|side| pieces.end_x(orders.spaces, curve, side));
-        let [Ok(low), Ok(high)] = ends else { return Err(uncertain) };
-        if low.is_none_or(|low| low.below(x)) && high.is_none_or(|high| x.below(&high)) {
+        let [low, high] = [0, 1].map(|side| pieces.end_x(curve, side));
+        if low.is_none_or(|low| low.below(x)) && high.is_none_or(|high| x.below(high)) {
             return Ok(vec![curve]);
         }
         if end.is_some_and(|end| piece.ends.contains(&end)) {
             found.push(curve);
         }
     }
-    if found.is_empty() { Err(uncertain) } else { Ok(found) }
+    if found.is_empty() { Err("its piece of the pole line is not certain") } else { Ok(found) }
 }
 
 /// r on an axis: the meeting of a pair with the line lies exactly at this pitchfork. 4x²v³ = (a v − R̂)⁴ on the pair,

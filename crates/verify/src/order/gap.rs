@@ -40,7 +40,9 @@ impl Spaces {
         let j = a.j.hull(&b.j);
         for &k in &self.active {
             let u = a.gamma[k].square().hull(&b.gamma[k].square());
-            let Some(shift) = (&(&p[0] - &q[0]) * &(&u * &Fixed::whole(2))).over(&p[k].hull(&q[k])) else { continue };
+            let Some(shift) = (&(&p[0] - &q[0]) * &(&u * &Fixed::whole(2))).over(&p[k].hull(&q[k])) else {
+                continue;
+            };
             for m in (0..self.list.len()).filter(|&m| m != k) {
                 let lever = self.difference(k, m);
                 let others = (0..self.list.len()).filter(|&i| i != k && i != m);
@@ -71,8 +73,8 @@ mod tests {
     use dashu_ratio::RBig;
 
     use super::*;
-    use crate::equilibria::body::Body;
-    use crate::equilibria::place::Side;
+    use crate::equilibria::point::Side;
+    use crate::equilibria::spaces::Body;
 
     fn spaces() -> Spaces {
         let body = Body {

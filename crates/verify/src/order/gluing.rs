@@ -3,9 +3,8 @@
 use super::events::Events;
 use super::slabs::Slab;
 use crate::Refused;
-use crate::numbers::classes::Classes;
 
-/// More events in one transition than this are not told apart.
+/// Most events of one transition that are ordered by trial.
 const MOST_EVENTS: usize = 6;
 
 /// The faces named in the slabs are those that gluing gives: cells of neighbouring slabs are one face unless they end
@@ -20,7 +19,7 @@ pub(crate) fn check(transitions: &[Vec<usize>], events: &Events, slabs: &[Slab])
     }
     let mut faces = Classes::new(count);
     for (t, group) in transitions.iter().enumerate() {
-        let refuse = |event, why| Refused::Event { number: event, why };
+        let refuse = |event, why| Refused::entry("event", event, why);
         let order = |slab: usize| slabs[slab].levels.iter().map(|level| level.curve).collect::<Vec<_>>();
         let blocks: Vec<&[usize]> = group.iter().map(|&event| events.curves[event].as_slice()).collect();
         for (k, block) in blocks.iter().enumerate() {
@@ -46,10 +45,12 @@ fn one_name_each(slabs: &[Slab], offsets: &[usize], faces: &mut Classes) -> Resu
             match names.iter().find(|(f, n)| *f == face || *n == name) {
                 Some((f, n)) if *f == face && *n == name => {}
                 Some(_) => {
-                    return Err(Refused::Slab { number, why: "a cell is given to another region than it belongs to" });
+                    return Err(Refused::entry("slab", number, "a cell is given to another region than it belongs to"));
                 }
                 None if *name == format!("R{}", names.len() + 1) => names.push((face, name)),
-                None => return Err(Refused::Slab { number, why: "a region has not the name of its place" }),
+                None => {
+                    return Err(Refused::entry("slab", number, "a region has not the name of its place"));
+                }
             }
         }
     }
@@ -87,7 +88,9 @@ impl Run {
     /// Where the curves of a block stand in an order: `Some(None)` if none does, `None` if they are no run.
     #[allow(clippy::option_option)]
     fn of(block: &[usize], order: &[usize]) -> Option<Option<Self>> {
-        let Some(first) = order.iter().position(|c| block.contains(c)) else { return Some(None) };
+        let Some(first) = order.iter().position(|c| block.contains(c)) else {
+            return Some(None);
+        };
         let size = order[first..].iter().take_while(|c| block.contains(c)).count();
         let all = order.iter().filter(|c| block.contains(c)).count();
         (all == size).then_some(Some(Self { first, size }))
@@ -148,6 +151,30 @@ fn sequences(n: usize) -> Vec<Vec<usize>> {
     })
 }
 
+/// Disjoint classes of 0 … n − 1, each named by its least member.
+pub(crate) struct Classes {
+    parent: Vec<usize>,
+}
+
+impl Classes {
+    pub fn new(n: usize) -> Self {
+        Self { parent: (0..n).collect() }
+    }
+
+    pub fn root(&mut self, mut k: usize) -> usize {
+        while self.parent[k] != k {
+            self.parent[k] = self.parent[self.parent[k]];
+            k = self.parent[k];
+        }
+        k
+    }
+
+    pub fn join(&mut self, p: usize, q: usize) {
+        let (p, q) = (self.root(p), self.root(q));
+        self.parent[p.max(q)] = p.min(q);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -179,5 +206,14 @@ mod tests {
         assert_eq!(continuations(&[0, 1, 2, 3, 4], &[0, 4, 1], blocks).unwrap(), [(0, 0), (4, 2)]);
         assert_eq!(continuations(&[0, 1], &[1, 0], &[]), None);
         assert_eq!(continuations(&[0, 1, 2], &[0, 2, 1], &[&[0, 1]]), None);
+    }
+
+    #[test]
+    fn classes_are_named_by_their_least_member() {
+        let mut classes = Classes::new(6);
+        for (p, q) in [(4, 2), (5, 4), (1, 3)] {
+            classes.join(p, q);
+        }
+        assert_eq!((0..6).map(|k| classes.root(k)).collect::<Vec<_>>(), [0, 1, 2, 1, 2, 2]);
     }
 }

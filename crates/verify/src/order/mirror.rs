@@ -6,7 +6,7 @@ use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
 use super::node::Node;
-use super::orders::Orders;
+use super::stand::Orders;
 use crate::equilibria::pieces::Branch;
 use crate::equilibria::point::Point;
 use crate::equilibria::spaces::Spaces;
@@ -101,7 +101,9 @@ impl Mirrored<'_> {
         let before = |v: &Fixed| self.x(v).is_some_and(|x| x.below(&from.x));
         let behind = |v: &Fixed| to.is_none_or(|to| self.x(v).is_some_and(|x| to.x.below(&x)));
         let large = |room: &Fixed| Some((&held * room).upper());
-        let small = |room: &Fixed| if to.is_none() { Some(Fixed::whole(0)) } else { Some(held.over(room)?.lower()) };
+        let small = |room: &Fixed| {
+            if to.is_none() { Some(Fixed::whole(0)) } else { Some(held.over(room)?.lower()) }
+        };
         // About as far as the branches lie apart.
         let shift = |edge: &Edge| Some((&edge.v[0].over(&edge.v[1])? - &Fixed::whole(1)).square().root()?.lower());
         let shift = shift(from)?;

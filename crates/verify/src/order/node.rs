@@ -2,12 +2,10 @@
 
 use bifdiag_schema::{CertifiedNode, PlaceDocument};
 
-use super::orders::Orders;
-use super::stand::Stand;
+use super::stand::{Orders, Stand};
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, coordinates};
-use crate::equilibria::place::{Place, Side};
-use crate::equilibria::point::Point;
+use crate::equilibria::point::{Place, Point, Side};
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;
 
@@ -21,7 +19,7 @@ pub(crate) struct Node {
     pub meet: bool,
 }
 
-/// A node; `None` at an end that both curves share, or at infinity. `side` tells which end of the common range one
+/// A node; `None` at an end that both curves share, or at infinity. `side` is the end of the common range that one
 /// without x is.
 pub(crate) fn read(
     orders: &Orders,
@@ -46,11 +44,10 @@ pub(crate) fn read(
 /// The node at an end of one curve over or under which the other goes on.
 fn at_end(orders: &Orders, curves: [usize; 2], node: &CertifiedNode, side: usize) -> Result<Node, Refused> {
     let refuse = |why| orders.refused(curves, 0.0, why);
-    let range = common_range(orders, curves)?.ok_or_else(|| refuse("the curves have no common range"))?;
+    let range = common_range(orders, curves).ok_or_else(|| refuse("the curves have no common range"))?;
     let missing = || refuse("an end is missing");
-    let x = range[side].clone().ok_or_else(missing)?;
-    let own = |c: usize| orders.pieces.end_x(orders.spaces, c, side);
-    let ending = match &[own(curves[0])?, own(curves[1])?] {
+    let x = range[side].cloned().ok_or_else(missing)?;
+    let ending = match curves.map(|curve| orders.pieces.end_x(curve, side)) {
         [Some(p), Some(q)] if p.below(q) => usize::from(side == 0),
         [Some(p), Some(q)] if q.below(p) => usize::from(side == 1),
         [Some(_), None] => 0,
@@ -68,12 +65,14 @@ fn at_end(orders: &Orders, curves: [usize; 2], node: &CertifiedNode, side: usize
     compare(orders, curves, x, stands, meet)
 }
 
-/// A place holds the range in which the end of a curve is known to lie, or is not told where the other curve needs none.
+/// A place holds the range in which the end of a curve is known to lie, or is absent where the other curve needs none.
 fn is_end_held(orders: &Orders, curve: usize, place: Option<&PlaceDocument>, side: usize) -> bool {
     let piece = &orders.pieces.list[curve];
     let Some(place) = place else { return true };
     let end = &piece.range[if piece.rising { side } else { 1 - side }];
-    let (Some(place), Some([low, high])) = (Place::read(place, orders.spaces), end) else { return false };
+    let (Some(place), Some([low, high])) = (Place::read(place, orders.spaces), end) else {
+        return false;
+    };
     let [from, to] = place.range(orders.spaces);
     let of_branch = match piece.branch {
         Branch::Over(base) => place.side == Side::Over && place.base == base,
@@ -90,30 +89,29 @@ fn compare(orders: &Orders, curves: [usize; 2], x: Fixed, stands: [Stand; 2], me
 }
 
 /// The common range of two curves: how it begins and ends. `None` when it is empty.
-pub(crate) fn common_range(orders: &Orders, curves: [usize; 2]) -> Result<Option<[Option<Fixed>; 2]>, Refused> {
-    let (spaces, pieces) = (orders.spaces, orders.pieces);
-    let end = |curve: usize, side: usize| pieces.end_x(spaces, curve, side);
-    let (p, q) = ([end(curves[0], 0)?, end(curves[0], 1)?], [end(curves[1], 0)?, end(curves[1], 1)?]);
+pub(crate) fn common_range<'a>(orders: &Orders<'a>, curves: [usize; 2]) -> Option<[Option<&'a Fixed>; 2]> {
+    let pieces = orders.pieces;
+    let [p, q] = curves.map(|curve| [0, 1].map(|side| pieces.end_x(curve, side)));
     let touching = |a: usize, b: usize| {
         let upper = pieces.list[a].ends[1];
         upper == pieces.list[b].ends[0] && upper.is_station()
     };
-    for (upper, lower, a, b) in [(&p[1], &q[0], curves[0], curves[1]), (&q[1], &p[0], curves[1], curves[0])] {
+    for (upper, lower, a, b) in [(p[1], q[0], curves[0], curves[1]), (q[1], p[0], curves[1], curves[0])] {
         if let (Some(upper), Some(lower)) = (upper, lower)
             && (upper.at_most(lower) || touching(a, b))
         {
-            return Ok(None);
+            return None;
         }
     }
-    let later = match (&p[0], &q[0]) {
+    let later = match (p[0], q[0]) {
         (Some(a), Some(b)) => Some(if a.below(b) { b } else { a }),
         _ => None,
     };
-    let earlier = match (&p[1], &q[1]) {
+    let earlier = match (p[1], q[1]) {
         (Some(a), Some(b)) => Some(if b.below(a) { b } else { a }),
-        (a, b) => a.as_ref().or(b.as_ref()),
+        (a, b) => a.or(b),
     };
-    Ok(Some([later.cloned(), earlier.cloned()]))
+    Some([later, earlier])
 }
 
 /// y of an equilibrium in the coordinate of its curve.

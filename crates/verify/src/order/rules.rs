@@ -6,11 +6,9 @@
 //! (Proposition 3.8).
 
 use super::node::{Node, coordinate};
-use super::orders::Orders;
-use super::stand::Stand;
+use super::stand::{Orders, Stand};
 use crate::equilibria::pieces::{Branch, End, coordinates};
-use crate::equilibria::place::Side;
-use crate::equilibria::point::Point;
+use crate::equilibria::point::{Point, Side};
 use crate::numbers::fixed::Fixed;
 
 /// g keeps its sign between two nodes, by one of four rules.
@@ -120,7 +118,9 @@ pub(crate) fn parts_for_ever(orders: &Orders, curves: [usize; 2], node: &Node, s
 /// x/a is monotone and so lies between its value at the node and its limit: g has the sign if all of one range lies on
 /// that side of the other.
 pub(crate) fn tends_to_one_axis(orders: &Orders, curves: [usize; 2], node: &Node, sign: i8) -> bool {
-    let [Some(p), Some(q)] = curves.map(|c| orders.pieces.list[c].limit) else { return false };
+    let [Some(p), Some(q)] = curves.map(|c| orders.pieces.list[c].limit) else {
+        return false;
+    };
     if node.gap.strict_sign() != Some(sign) || p.0 != q.0 {
         return false;
     }
@@ -141,9 +141,13 @@ pub(crate) fn tends_to_one_axis(orders: &Orders, curves: [usize; 2], node: &Node
 /// Lemma 7.7: where r lies on one axis, of two families over moments on one side of that axis' moment that both go on to
 /// infinity, or both do not, the one over the smaller moment is the higher, wherever both run.
 pub(crate) fn ordered_on_axis(orders: &Orders, curves: [usize; 2]) -> Option<i8> {
-    let [active] = orders.spaces.active[..] else { return None };
+    let [active] = orders.spaces.active[..] else {
+        return None;
+    };
     let [p, q] = curves.map(|curve| &orders.pieces.list[curve]);
-    let (Branch::Over(first), Branch::Over(second)) = (p.branch, q.branch) else { return None };
+    let (Branch::Over(first), Branch::Over(second)) = (p.branch, q.branch) else {
+        return None;
+    };
     let goes_on = [p, q].map(|piece| piece.ends[1] == End::Infinity);
     let comparable = first != second && (first < active) == (second < active) && goes_on[0] == goes_on[1];
     comparable.then_some(if first < second { 1 } else { -1 })
@@ -168,7 +172,9 @@ fn moments(orders: &Orders, curve: usize, from: &Stand, to: Option<&Stand>) -> O
         None => limit()?.clone(),
     };
     let range = from.point.j.hull(&end);
-    let Some(bend) = orders.turn(curve) else { return Some(range) };
+    let Some(bend) = orders.turn(curve) else {
+        return Some(range);
+    };
     let last = match to {
         Some(stand) => first_tau(&stand.point)?.clone(),
         None => limit()? - &orders.spaces.list[0].a_set,

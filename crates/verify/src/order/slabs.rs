@@ -4,8 +4,8 @@ use bifdiag_schema::{CertificateDocument, CertifiedSlab};
 use dashu_ratio::RBig;
 
 use super::events::Events;
-use super::orders::Orders;
 use super::pairs::Crossing;
+use super::stand::Orders;
 use crate::Refused;
 use crate::equilibria::pieces::{End, Pieces};
 use crate::equilibria::point::Point;
@@ -45,7 +45,7 @@ pub(crate) fn slabs(
     events.compare_crossings(crossings)?;
     let transitions = Transitions::read(certificate, events)?;
     if certificate.slabs.len() != transitions.groups.len() + 1 {
-        return Err(Refused::Slab { number: 0, why: "there must be one slab more than transitions" });
+        return Err(Refused::entry("slab", 0, "there must be one slab more than transitions"));
     }
     let read = |(number, claim)| slab(number, claim, orders, &transitions);
     certificate.slabs.iter().enumerate().map(read).collect()
@@ -54,7 +54,7 @@ pub(crate) fn slabs(
 impl<'a> Transitions<'a> {
     /// Groups that hold every event once, each wholly before the next.
     fn read(certificate: &'a CertificateDocument, events: &'a Events) -> Result<Self, Refused> {
-        let refuse = |number, why| Err(Refused::Slab { number, why });
+        let refuse = |number, why| Err(Refused::entry("slab", number, why));
         let groups = &certificate.transitions;
         let listed = groups.iter().flatten().copied();
         if !listed.eq(0..events.x.len()) || groups.iter().any(Vec::is_empty) {
@@ -112,7 +112,7 @@ impl<'a> Transitions<'a> {
 
 /// Every curve that lives in a slab, once, in the right order over its abscissa.
 fn slab(number: usize, claim: &CertifiedSlab, orders: &Orders, transitions: &Transitions) -> Result<Slab, Refused> {
-    let refuse = |why| Refused::Slab { number, why };
+    let refuse = |why| Refused::entry("slab", number, why);
     let pieces = orders.pieces;
     let x = number::read(&claim.x)?;
     if !transitions.hold(number, &x) {

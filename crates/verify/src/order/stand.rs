@@ -1,16 +1,16 @@
-//! Where a curve stands over one x.
+//! What is known when two curves are compared, and where a curve stands over one x.
 
 use bifdiag_schema::PlaceDocument;
 use dashu_ratio::RBig;
 
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, Piece, Pieces, coordinates, distance};
-use crate::equilibria::place::{Place, Side};
-use crate::equilibria::point::Point;
+use crate::equilibria::point::{Place, Point, Side};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::fixed::Fixed;
 
-/// Newton steps that sharpen a place at most: each doubles its digits, and they end where it gains nothing.
+/// Newton steps that sharpen a place at most: each doubles its digits. They end where three quarters of the bits are known, or
+/// one gains nothing.
 const STEPS: usize = 12;
 /// Halvings at most.
 const HALVINGS: usize = 256;
@@ -33,31 +33,47 @@ struct Coordinate {
     inner: [Option<Fixed>; 2],
 }
 
-/// The equilibrium of a curve over x, from the place that the certificate names: x of both its ends must enclose x.
-pub(crate) fn stand(
-    spaces: &Spaces,
-    pieces: &Pieces,
-    curve: usize,
-    place: Option<&PlaceDocument>,
-    x: &Fixed,
-) -> Result<Stand, Refused> {
-    let piece = &pieces.list[curve];
-    let found = match piece.branch {
-        Branch::Line(_) | Branch::Rotation(_) if place.is_some() => None,
-        Branch::Line(plus) => spaces.line(plus, x).map(|point| Stand { y: None, point }),
-        Branch::Rotation(base) => Some(Stand { y: None, point: spaces.rotation(base, x) }),
-        Branch::Generic(_) | Branch::Over(_) => place
-            .and_then(|place| Place::read(place, spaces))
-            .and_then(|place| enclosed(spaces, pieces, curve, &place, x))
-            .and_then(|(coordinate, y)| coordinate.sharpened(spaces, y, x)),
-    };
-    found.ok_or_else(|| Refused::Place { curve: piece.id.clone(), x: x.to_f64() })
+/// What is known when curves are compared.
+pub(crate) struct Orders<'a> {
+    pub spaces: &'a Spaces,
+    pub pieces: &'a Pieces,
+    /// The branch of the generic family on which dJ/dμ = 0 once, and the equilibrium there.
+    pub inflection: Option<(usize, Point)>,
+    /// (curve, side, other): the other passes exactly through this end.
+    pub meetings: Vec<(usize, usize, usize)>,
+}
+
+impl Orders<'_> {
+    /// The equilibrium of a curve over x, from the place that the certificate names: x of both its ends must enclose x.
+    pub fn stand(&self, curve: usize, place: Option<&PlaceDocument>, x: &Fixed) -> Result<Stand, Refused> {
+        let (spaces, piece) = (self.spaces, &self.pieces.list[curve]);
+        let found = match piece.branch {
+            Branch::Line(_) | Branch::Rotation(_) if place.is_some() => None,
+            Branch::Line(plus) => spaces.line(plus, x).map(|point| Stand { y: None, point }),
+            Branch::Rotation(base) => Some(Stand { y: None, point: spaces.rotation(base, x) }),
+            Branch::Generic(_) | Branch::Over(_) => place
+                .and_then(|place| Place::read(place, spaces))
+                .and_then(|place| enclosed(spaces, piece, &place, x))
+                .and_then(|(coordinate, y)| coordinate.sharpened(spaces, y, x)),
+        };
+        found.ok_or_else(|| Refused::Place { curve: piece.id.clone(), x: x.to_f64() })
+    }
+
+    /// The inflection, if it lies on the branch of a curve.
+    pub fn turn(&self, curve: usize) -> Option<&Point> {
+        let (branch, bend) = self.inflection.as_ref()?;
+        (self.pieces.list[curve].branch == Branch::Generic(*branch)).then_some(bend)
+    }
+
+    /// The refusal of a pair near x.
+    pub fn refused(&self, curves: [usize; 2], x: f64, why: &'static str) -> Refused {
+        Refused::Pair { curves: curves.map(|c| self.pieces.list[c].id.clone()), x, why }
+    }
 }
 
 /// A range of y on the curve that holds the place over x. x is monotone along a curve; so it is enough that x of the
 /// ends of the range lies on both sides.
-fn enclosed(spaces: &Spaces, pieces: &Pieces, curve: usize, place: &Place, x: &Fixed) -> Option<(Coordinate, Fixed)> {
-    let piece = &pieces.list[curve];
+fn enclosed(spaces: &Spaces, piece: &Piece, place: &Place, x: &Fixed) -> Option<(Coordinate, Fixed)> {
     // Digits are rounded outward, so that a place may reach beyond an end of its curve.
     let [low, high] = place.range(spaces);
     let clipped = |end: RBig, side: usize| match &piece.range[side] {
@@ -87,7 +103,7 @@ fn enclosed(spaces: &Spaces, pieces: &Pieces, curve: usize, place: &Place, x: &F
         piece.range[1].as_ref().is_some_and(|end| *high >= end[0]),
     ];
     for which in (0..2).filter(|&which| !at_station[which]) {
-        let reached = spaces.point(coordinate.base, coordinate.side, &ends[which])?.x;
+        let reached = spaces.x(coordinate.base, coordinate.side, &ends[which])?;
         let smaller_x = (which == 0) == piece.rising;
         let holds = if smaller_x { reached.at_most(x) } else { x.at_most(&reached) };
         if !holds {
@@ -116,17 +132,19 @@ impl Coordinate {
     fn sharpened(&self, spaces: &Spaces, mut y: Fixed, x: &Fixed) -> Option<Stand> {
         let state = |y: &Fixed| spaces.point(self.base, self.side, y);
         let (mut steps, mut halvings) = (0, 0);
-        while steps < STEPS && halvings < HALVINGS {
+        while steps < STEPS && halvings < HALVINGS && !y.is_sharp(spaces.bits() * 3 / 4) {
             let middle = y.middle();
-            let (at, over) = (state(&middle)?, state(&y)?);
+            let (at, over) = (spaces.x(self.base, self.side, &middle)?, state(&y)?);
             let slope = over.slopes.as_ref().map(|[log_slope, _]| &over.x * log_slope);
-            let newton = slope.and_then(|slope| (&at.x - x).over(&slope));
+            let newton = slope.and_then(|slope| (&at - x).over(&slope));
             let next = if let Some(step) = newton {
                 steps += 1;
                 y.meet(&(&middle - &step))?
             } else {
                 halvings += 1;
-                let Some(next) = self.halved(&y, &middle, &at.x, x) else { break };
+                let Some(next) = self.halved(&y, &middle, &at, x) else {
+                    break;
+                };
                 next
             };
             if next == y {
@@ -138,7 +156,7 @@ impl Coordinate {
     }
 
     /// The half of a range that holds the solution, since x is monotone along a curve; `None` when x in the middle, which
-    /// must lie on the curve, does not tell.
+    /// must lie on the curve, does not decide it.
     fn halved(&self, y: &Fixed, middle: &Fixed, at: &Fixed, x: &Fixed) -> Option<Fixed> {
         let [low, high] = &self.inner;
         let on_curve =

@@ -1,5 +1,5 @@
 //! The linearised flow along a branch of relative equilibria: λ⁴ + bλ² + c (Theorem 13.1), its signs as those of
-//! polynomials in a parameter of the branch, and the linear type that they tell (Corollary 13.2).
+//! polynomials in a parameter of the branch, and the linear type that follows (Corollary 13.2).
 
 use bifdiag_schema::Stability;
 use dashu_int::IBig;
@@ -13,7 +13,7 @@ pub(crate) struct Flow {
     b: Vec<IBig>,
     c: Vec<IBig>,
     discriminant: Vec<IBig>,
-    /// A circle of equilibria, along which c = 0: b alone tells the type across it.
+    /// A circle of equilibria, along which c = 0: b alone decides the type across it.
     circle: bool,
 }
 
@@ -103,19 +103,11 @@ fn axes(spaces: &Spaces, of: impl Fn(usize) -> (Coefficients, Coefficients)) -> 
 /// Rotation without weight about an axis of a space: λ² = −Ω² and −Ω²(a_k − a_i)(a_k − a_j)/(a_i a_j).
 pub(crate) fn without_weight(spaces: &Spaces, base: usize) -> Stability {
     let a = &spaces.list[base].a;
-    let mut others = spaces.list.iter().enumerate().filter(|(k, _)| *k != base).map(|(_, space)| &space.a);
-    let (1, Some(i), Some(j)) = (spaces.list[base].axes.len(), others.next(), others.next()) else {
-        // Two axes of one space beside it, or a circle or sphere of equilibria.
-        return if spaces.list[base].axes.len() == 1 { beside_a_circle(spaces, base) } else { across(1) };
-    };
+    let others = spaces.list.iter().enumerate().filter(|(k, _)| *k != base);
+    let moments: Vec<&RBig> = others.flat_map(|(_, space)| std::iter::repeat_n(&space.a, space.axes.len())).collect();
+    // Else a circle or sphere of equilibria.
+    let [i, j] = moments[..] else { return across(1) };
     let (product, others) = ((a - i) * (a - j), i * j);
-    linear_type(1, sign(&product), sign(&((&product - &others) * (product - others))))
-}
-
-/// As [`without_weight`] with a_i = a_j.
-fn beside_a_circle(spaces: &Spaces, base: usize) -> Stability {
-    let [a, i] = [&spaces.list[base].a, &spaces.list[1 - base].a];
-    let (product, others) = ((a - i) * (a - i), i * i);
     linear_type(1, sign(&product), sign(&((&product - &others) * (product - others))))
 }
 

@@ -1,4 +1,4 @@
-//! The linear type along every curve and where it changes, as a document tells them, against the signs of the linearised
+//! The linear type along every curve and where it changes, as a document gives them, against the signs of the linearised
 //! flow: between the ends of curves it changes where b² − 4c changes its sign (on a circle of equilibria, b), and all
 //! zeros of that are isolated.
 
@@ -13,27 +13,26 @@ use dashu_ratio::RBig;
 
 use crate::Refused;
 use crate::equilibria::pieces::{Branch, End, coordinates, distance};
-use crate::equilibria::place::Side;
-use crate::equilibria::point::Point;
+use crate::equilibria::point::{Point, Side};
 use crate::equilibria::spaces::Spaces;
 use crate::numbers::bounds::{is_at_most, is_root_within, is_within, roundings};
 use crate::numbers::fixed::Fixed;
 use crate::numbers::isolation::{Root, roots};
 use crate::numbers::number;
-use crate::order::orders::Orders;
+use crate::order::stand::Orders;
 use chart::Chart;
 use flow::{Flow, without_weight};
 
-/// A root's range is narrowed to so many bits for every 256 of the numbers, relative to its distance from the ends of the chart:
-/// thirty digits of what is evaluated there; the other bits are for what cancels.
-const NARROW: usize = 100;
+/// The part of the bits to which a root's range is narrowed, relative to its distance from the ends of the chart; the others are
+/// for what cancels where the root is evaluated.
+const NARROW: [usize; 2] = [1, 2];
 /// Halvings of a root's range at most.
 const NARROWEST: usize = 2000;
 
 /// Numbers that a document rounds from doubles.
 const ROUNDED: f64 = 1e-9;
 
-/// An error that is stated is at most so many roundings of l, h and |r|.
+/// Largest stated error, in roundings of l, h and |r|.
 const ROUNDINGS: u32 = 256;
 
 const CHANGES: Refused = Refused::Field { field: "stability_changes" };
@@ -45,7 +44,7 @@ struct Along {
     turns: Vec<[Fixed; 2]>,
 }
 
-/// What a document ought to tell of one change, in the certificate's units.
+/// What a document ought to say of one change, in the certificate's units.
 struct Change {
     curve: usize,
     onto: Option<usize>,
@@ -143,7 +142,7 @@ fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve:
     for (n, root) in inside.iter_mut().enumerate() {
         // A zero without a change of the type is none.
         if types[n] != types[n + 1] {
-            narrow(root, orders.spaces.bits() * NARROW / 256);
+            narrow(root, orders.spaces.bits() * NARROW[0] / NARROW[1]);
             turns.push(place(orders.spaces, piece.branch, chart, root).ok_or(CHANGES)?);
         }
     }
@@ -155,7 +154,7 @@ fn along(orders: &Orders, flow: &Flow, chart: &Chart, zeros: &mut [Root], curve:
     Ok(Along { curve, types, turns })
 }
 
-/// Halves the range of a root until it is 2⁻ᵇ of its distance from 0 and 1: equilibria are told by that distance.
+/// Halves the range of a root until it is 2⁻ᵇ of its distance from 0 and 1: equilibria are distinguished by that distance.
 fn narrow(root: &mut Root, bits: usize) {
     let finer = RBig::from(IBig::ONE << bits);
     for _ in 0..NARROWEST {
@@ -232,7 +231,9 @@ fn changes(orders: &Orders, along: &[Along]) -> Result<Vec<Change>, Refused> {
             curves.retain(|&c| !matches!(pieces.list[c].branch, Branch::Over(_)));
         }
         curves.sort_unstable();
-        let [first, second] = curves[..] else { continue };
+        let [first, second] = curves[..] else {
+            continue;
+        };
         let side = |curve: usize| usize::from(pieces.list[curve].ends[0] != end);
         let type_at = |curve: usize| {
             let types = along.iter().find(|along| along.curve == curve).map(|along| &along.types)?;
@@ -254,7 +255,7 @@ fn is_circle(orders: &Orders, curve: usize) -> bool {
 }
 
 impl Change {
-    /// The document tells this change; l and h are right within the error that it states.
+    /// The document lists this change; l and h are right within the error that it states.
     fn is_told_by(&self, claim: &StabilityChangeDocument, orders: &Orders, l2: &RBig, energy: &RBig) -> bool {
         let id = |curve: usize| orders.pieces.list[curve].id.as_str();
         let told = claim.curve == id(self.curve)
@@ -272,7 +273,9 @@ impl Change {
 /// The types along a curve are those of a document.
 fn spans(curve: &CurveDocument, along: Option<&Along>, l2: &RBig) -> bool {
     let spans = &curve.stability;
-    let Some(along) = along else { return spans.is_empty() };
+    let Some(along) = along else {
+        return spans.is_empty();
+    };
     let joined = spans.windows(2).all(|pair| pair[0].l_to == Some(pair[1].l_from));
     let ends = [spans.first().map(|span| span.l_from), spans.last().and_then(|span| span.l_to)];
     let same = |(p, q): (&Option<f64>, &Option<f64>)| match (p, q) {

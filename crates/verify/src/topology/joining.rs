@@ -1,7 +1,7 @@
 //! Which minima the saddles join, with as few paths as possible: what the sphere's being connected and its symmetry tell
 //! needs none (Corollary 9.8).
 
-use crate::numbers::classes::Classes;
+use crate::order::gluing::Classes;
 
 /// Minima and saddles by their positions in a slab, which rise with their heights; two that are mirror images of each other
 /// share one.
@@ -17,7 +17,7 @@ struct Saddle {
 }
 
 impl<'a> Joining<'a> {
-    /// Finds the arms of all saddles, which are listed by rising position; `path` tells those of the saddle of a number.
+    /// Finds the arms of all saddles, which are listed by rising position; `path` finds those of one saddle by its number.
     /// `None` when not all of them follow.
     pub fn new(minima: &'a [usize], saddles: &[usize], path: impl Fn(usize) -> Option<[usize; 2]>) -> Option<Self> {
         let saddles = saddles.iter().map(|&position| Saddle { position, arms: None }).collect();
@@ -26,7 +26,9 @@ impl<'a> Joining<'a> {
         loop {
             found.settle();
             let open: Vec<usize> = (0..lost.len()).filter(|&n| found.saddles[n].arms.is_none()).collect();
-            let Some(&first) = open.first() else { return Some(found) };
+            let Some(&first) = open.first() else {
+                return Some(found);
+            };
             let position = found.saddles[first].position;
             let last = open.iter().all(|&n| found.saddles[n].position == position);
             if let Some(arms) = if last { found.joined(position) } else { None } {
@@ -66,7 +68,9 @@ impl<'a> Joining<'a> {
     /// The arms of all saddles at a position, where all others are known and leave two components of the sphere: one of them
     /// joins these, and another one is its mirror image.
     fn joined(&self, position: usize) -> Option<[usize; 2]> {
-        let [p, q] = self.components(position)[..] else { return None };
+        let [p, q] = self.components(position)[..] else {
+            return None;
+        };
         let mut all = self.classes(usize::MAX);
         let parts = self.components(usize::MAX).len();
         (parts == 2 && all.root(p) != all.root(q)).then_some([p, q])
@@ -109,7 +113,9 @@ mod tests {
         let saddles = prop::collection::vec(saddle, 1..6);
         (prop::collection::vec(0..8usize, 1..6), saddles, any::<bool>()).prop_map(|(mut minima, saddles, mirrored)| {
             minima.sort_unstable();
-            let image = |n: usize, count: usize| if mirrored && (n ^ 1) < count { n ^ 1 } else { n };
+            let image = |n: usize, count: usize| {
+                if mirrored && (n ^ 1) < count { n ^ 1 } else { n }
+            };
             let count = minima.len();
             if mirrored {
                 (1..count).step_by(2).for_each(|n| minima[n] = minima[n - 1]);
@@ -165,7 +171,7 @@ mod tests {
         let found = Joining::new(&[0, 1], &[2, 2], |_| unreachable!("no path is needed")).unwrap();
         assert_eq!(found.arms(), [(2, [0, 1]), (2, [0, 1])]);
         assert_eq!((found.only(1), found.only(2), found.only(3)), (Some(0), None, Some(0)));
-        // A saddle that may be on either side of another one is not told.
+        // A saddle that may be on either side of another one is not decided.
         assert!(Joining::new(&[0, 1], &[2, 3], |_| None).is_none());
     }
 }

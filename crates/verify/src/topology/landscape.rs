@@ -80,7 +80,9 @@ impl<'a> Landscape<'a> {
     }
 
     fn origin(&self, point: &Point, mirrored: Option<usize>, kind: Kind) -> Option<Origin> {
-        let sign = |k: usize| if mirrored == Some(k) { -&point.gamma[k] } else { point.gamma[k].clone() };
+        let sign = |k: usize| {
+            if mirrored == Some(k) { -&point.gamma[k] } else { point.gamma[k].clone() }
+        };
         let gamma = spread(self.spaces, sign, |_| Fixed::whole(0))?;
         let ratio = self.x * Interval::of(&point.j).recip();
         Some(Origin { p: gamma.each_ref().map(Interval::of), gamma, ratio, kind })
@@ -128,7 +130,7 @@ impl<'a> Landscape<'a> {
     }
 
     /// How a valley runs at p + w, rounded: the way to its floor, and the direction in which it falls, along the sphere and of
-    /// length 1. The second derivatives tell the stiff direction, across the valley, from the soft one, along it.
+    /// length 1. The second derivatives distinguish the stiff direction, across the valley, from the soft one, along it.
     pub fn valley(&self, from: &Origin, w: &[f64; 3]) -> [[f64; 3]; 2] {
         let start = w.map(Interval::point);
         let derivatives = |direction: [f64; 3]| {
@@ -156,7 +158,9 @@ impl<'a> Landscape<'a> {
     /// The tangent direction of least second derivative at an equilibrium, rounded: that of the lower eigenvalue of
     /// (μ−A) + (4/J) Aγ(Aγ)ᵀ on γ⊥ (Proposition 4.1).
     pub fn softest(&self, from: &Origin) -> Option<[f64; 3]> {
-        let Kind::Equilibrium(tau) = from.kind else { return None };
+        let Kind::Equilibrium(tau) = from.kind else {
+            return None;
+        };
         let (p, tau) = (from.p.map(Interval::middle), tau.map(Interval::middle));
         let (a, offset) = (self.a.map(Interval::middle), self.offset.map(Interval::middle));
         let [first, second] = tangents(&p);

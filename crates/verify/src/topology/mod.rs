@@ -12,9 +12,9 @@ mod rings;
 use bifdiag_schema::{AtlasDocument, ComponentDocument, RegionDocument};
 
 use crate::Refused;
-use crate::order::orders::Orders;
 use crate::order::regions::Sample;
 use crate::order::slabs::Slab;
+use crate::order::stand::Orders;
 use component::{Component, documents, signature, words};
 use merging::Merging;
 use rings::Rings;
@@ -35,7 +35,7 @@ pub(crate) fn check(
     let mut known: Vec<Option<Landscape>> = slabs.iter().map(|_| None).collect();
     for (region, sample) in document.regions.iter().zip(samples) {
         let (number, position) = sample.cell;
-        let open = || Refused::Open { region: region.id.clone() };
+        let open = || Refused::Region { region: region.id.clone(), why: "its topology is not confirmed" };
         let slab = &slabs[number];
         let found = if position + 1 == slab.levels.len() {
             // Above every critical value U is the sphere.

@@ -1,7 +1,7 @@
-//! The words and numbers that a document tells of each curve: its branch, its Morse index, its ranges of μ and l, and how it
-//! goes on to infinity.
+//! The curves that a document lists, against those that follow from the certificate: which there are, on which others they
+//! run, their branches, Morse indices, ranges of μ and l, and how they go on to infinity.
 
-use bifdiag_schema::{AtlasDocument, CertificateDocument, CurveDocument};
+use bifdiag_schema::{AtlasDocument, CertificateDocument, CurveDocument, CurveKind};
 use dashu_ratio::RBig;
 
 use crate::Refused;
@@ -10,8 +10,8 @@ use crate::equilibria::spaces::Spaces;
 use crate::numbers::bounds;
 use crate::numbers::fixed::Fixed;
 use crate::numbers::number;
-use crate::order::orders::Orders;
 use crate::order::slabs::Slab;
+use crate::order::stand::Orders;
 use crate::topology::morse;
 
 /// A double is what a set is within 2⁻ᵇ of the set's size: μ and l of cusps, which the document rounds from roots in doubles.
@@ -20,8 +20,11 @@ const ROOT: usize = 20;
 pub(crate) const CONVERTED: usize = 40;
 
 /// What a document ought to say of a curve, in the certificate's units.
-struct Measures {
-    branch: String,
+struct Expected<'a> {
+    id: &'a str,
+    kind: CurveKind,
+    coincides_with: Vec<&'a str>,
+    branch: &'a str,
     words: String,
     index: Option<u8>,
     mu: Option<[Option<Fixed>; 2]>,
@@ -30,48 +33,82 @@ struct Measures {
     tail: Option<[Fixed; 2]>,
 }
 
-/// Checks what is told of each curve.
-pub(crate) fn curves(
+/// Checks every curve, and the names of the curves at each cusp.
+pub(crate) fn check(
     document: &AtlasDocument,
     certificate: &CertificateDocument,
     orders: &Orders,
     slabs: &[Slab],
 ) -> Result<(), Refused> {
     let units = [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?];
-    for curve in &document.curves {
-        let found = match orders.pieces.find(&curve.id) {
-            Ok(number) => Measures::of(orders, slabs, number)?,
-            // A pole line that runs on critical lines.
-            Err(_) => Measures::of_line(orders.spaces, curve.id == "P+"),
-        };
-        found.compare(curve, &units, &orders.spaces.norm)?;
+    let pieces = &orders.pieces.list;
+    let mut expected = (0..pieces.len()).map(|n| Expected::of(orders, slabs, n)).collect::<Result<Vec<_>, _>>()?;
+    for plus in [true, false] {
+        // A pole line that runs on critical lines is listed beside them.
+        let on = |piece: &&Piece| piece.critical && piece.branch == Branch::Line(plus);
+        let runs_on: Vec<&str> = pieces.iter().filter(on).map(|piece| piece.id.as_str()).collect();
+        if !runs_on.is_empty() {
+            expected.push(Expected::line(orders.spaces, plus, runs_on));
+        }
+    }
+    if expected.len() != document.curves.len() {
+        return Err(Refused::Field { field: "the number of curves" });
+    }
+    for (curve, expected) in document.curves.iter().zip(&expected) {
+        expected.compare(curve, &units, &orders.spaces.norm)?;
+    }
+    for (number, cusp) in certificate.cusps.iter().enumerate() {
+        let named = cusp.curves.iter().map(|id| orders.pieces.find(id)).collect::<Result<Vec<usize>, _>>()?;
+        if named != orders.pieces.at_cusp(number) {
+            return Err(Refused::misplaced("cusp", number));
+        }
     }
     Ok(())
 }
 
-impl Measures {
-    fn of(orders: &Orders, slabs: &[Slab], number: usize) -> Result<Self, Refused> {
+impl<'a> Expected<'a> {
+    fn of(orders: &Orders<'a>, slabs: &[Slab], number: usize) -> Result<Self, Refused> {
         let (spaces, piece) = (orders.spaces, &orders.pieces.list[number]);
-        let x = [orders.pieces.end_x(spaces, number, 0)?, orders.pieces.end_x(spaces, number, 1)?];
+        let axes = match piece.branch {
+            Branch::Over(base) | Branch::Rotation(base) => spaces.list[base].axes.len(),
+            _ => 1,
+        };
         let index = if piece.critical {
-            let levels = slabs.iter().flat_map(|slab| &slab.levels).filter(|level| level.curve == number);
-            let axes = match piece.branch {
-                Branch::Over(base) | Branch::Rotation(base) => spaces.list[base].axes.len(),
-                _ => 1,
-            };
-            let found = levels.map(|level| &level.point).find_map(|point| morse::index(spaces, point, axes));
+            let mut levels = slabs.iter().flat_map(|slab| &slab.levels).filter(|level| level.curve == number);
+            let found = levels.find_map(|level| morse::index(spaces, &level.point, axes));
             Some(found.ok_or(Refused::Field { field: "curves.index" })?)
         } else {
             None
         };
-        let branch = piece.id.split('.').next().unwrap_or_default().to_owned();
-        let mu = mu_range(spaces, piece, &x);
-        Ok(Self { branch, words: words(spaces, piece), index, mu, x, tail: tail(spaces, piece) })
+        let (kind, coincides_with) = match (piece.branch, axes) {
+            (Branch::Generic(_), _) => (CurveKind::Generic, Vec::new()),
+            (Branch::Line(plus), _) if piece.critical => (CurveKind::Axis, vec![pole_id(plus)]),
+            (Branch::Line(plus), _) => (pole_kind(plus), Vec::new()),
+            (_, 1) => (CurveKind::Pair, Vec::new()),
+            (_, 2) => (CurveKind::Circle, Vec::new()),
+            _ => (CurveKind::Sphere, Vec::new()),
+        };
+        let x = [0, 1].map(|side| orders.pieces.end_x(number, side));
+        Ok(Self {
+            id: &piece.id,
+            kind,
+            coincides_with,
+            branch: piece.id.split('.').next().unwrap_or_default(),
+            words: words(spaces, piece),
+            index,
+            mu: mu_range(spaces, piece, x),
+            x: x.map(Option::<&Fixed>::cloned),
+            tail: tail(spaces, piece),
+        })
     }
 
-    fn of_line(spaces: &Spaces, plus: bool) -> Self {
+    /// A pole line on which critical lines run.
+    fn line(spaces: &Spaces, plus: bool, coincides_with: Vec<&'a str>) -> Self {
         Self {
-            branch: if plus { "P+" } else { "P-" }.to_owned(),
+            id: pole_id(plus),
+            kind: pole_kind(plus),
+            coincides_with,
+            branch: pole_id(plus),
             words: pole_line(plus),
             index: None,
             mu: None,
@@ -81,15 +118,12 @@ impl Measures {
     }
 
     fn compare(&self, curve: &CurveDocument, [moment, energy]: &[RBig; 2], norm: &Fixed) -> Result<(), Refused> {
-        let refuse = |field| Err(Refused::Field { field });
-        if curve.branch != self.branch {
-            return refuse("curves.branch");
-        }
-        if curve.branch_name != self.words {
-            return refuse("curves.branch_name");
-        }
-        if curve.index != self.index {
-            return refuse("curves.index");
+        let multiplicity = if self.kind == CurveKind::Pair { 2 } else { 1 };
+        if curve.id != self.id
+            || (curve.kind, curve.multiplicity) != (self.kind, multiplicity)
+            || curve.coincides_with != self.coincides_with
+        {
+            return Err(Refused::UnknownCurve { id: self.id.to_owned() });
         }
         let same = |claim: Option<f64>, found: Option<&Fixed>, power: i32, unit: &RBig| match (claim, found) {
             (None, None) => true,
@@ -101,13 +135,7 @@ impl Measures {
             (Some(claim), Some(found)) => (0..2).all(|end| same(claim[end], found[end].as_ref(), 1, moment)),
             _ => false,
         };
-        if !mu {
-            return refuse("curves.mu_range");
-        }
         let l2 = moment * energy * RBig::from(2);
-        if !(0..2).all(|end| same(curve.l_range[end], self.x[end].as_ref(), 2, &l2)) {
-            return refuse("curves.l_range");
-        }
         let tail = match (&curve.tail, &self.tail) {
             (None, None) => true,
             (Some(claim), Some([j, h])) => {
@@ -116,8 +144,27 @@ impl Measures {
             }
             _ => false,
         };
-        if tail { Ok(()) } else { refuse("curves.tail") }
+        let fields = [
+            ("curves.branch", curve.branch == self.branch),
+            ("curves.branch_name", curve.branch_name == self.words),
+            ("curves.index", curve.index == self.index),
+            ("curves.mu_range", mu),
+            ("curves.l_range", (0..2).all(|end| same(curve.l_range[end], self.x[end].as_ref(), 2, &l2))),
+            ("curves.tail", tail),
+        ];
+        match fields.into_iter().find(|(_, is_right)| !is_right) {
+            Some((field, _)) => Err(Refused::Field { field }),
+            None => Ok(()),
+        }
     }
+}
+
+fn pole_id(plus: bool) -> &'static str {
+    if plus { "P+" } else { "P-" }
+}
+
+fn pole_kind(plus: bool) -> CurveKind {
+    if plus { CurveKind::PolePlus } else { CurveKind::PoleMinus }
 }
 
 /// The largest absolute value of a set.
@@ -128,7 +175,9 @@ fn size(set: &Fixed) -> RBig {
 
 /// A double, or its square, is a unit times every number of a set, within 2⁻ᵇ of a size.
 pub(crate) fn is_near(claim: f64, power: i32, unit: &RBig, set: &Fixed, size: &RBig, bits: usize) -> bool {
-    let Some(exact) = bounds::exact(claim).filter(|exact| power == 1 || *exact >= RBig::ZERO) else { return false };
+    let Some(exact) = bounds::exact(claim).filter(|exact| power == 1 || *exact >= RBig::ZERO) else {
+        return false;
+    };
     let value = if power == 2 { &exact * &exact } else { exact } / unit;
     let room = size / RBig::from(dashu_int::IBig::ONE << bits);
     set.lies_in(&(&value - &room), &(value + room))
@@ -164,7 +213,7 @@ fn words(spaces: &Spaces, piece: &Piece) -> String {
 }
 
 /// The range of μ of the closed form; absent where there is none.
-fn mu_range(spaces: &Spaces, piece: &Piece, x: &[Option<Fixed>; 2]) -> Option<[Option<Fixed>; 2]> {
+fn mu_range(spaces: &Spaces, piece: &Piece, x: [Option<&Fixed>; 2]) -> Option<[Option<Fixed>; 2]> {
     match piece.branch {
         Branch::Generic(number) => {
             let limits = spaces.interval(number);
@@ -177,7 +226,7 @@ fn mu_range(spaces: &Spaces, piece: &Piece, x: &[Option<Fixed>; 2]) -> Option<[O
         Branch::Line(plus) if piece.critical => {
             // μ = a ± r/s with s = 2x/a², which falls from ∞ on +r̂ and rises from −∞ on −r̂.
             let a = spaces.set(&spaces.j_r());
-            let at = |side: usize| match (piece.ends[side], &x[side]) {
+            let at = |side: usize| match (piece.ends[side], x[side]) {
                 (End::Infinity, _) => Some(a.clone()),
                 (_, Some(x)) => {
                     let shift = (&spaces.norm * &a.square()).over(&(&Fixed::whole(2) * x))?;
