@@ -35,7 +35,7 @@ const ORDER: [(&str, &str); 12] = [
     ("crates/plot/src", "page animation campbell diagram codes map section sphere part"),
     (
         "src/cli",
-        "failure terminal input export batch bodies part spin pages schema atlas show classify critical verify section sphere \
+        "failure terminal input export batch listings part spin atlas show classify critical verify section sphere \
          orbit explore scan find classes arguments",
     ),
 ];

@@ -5,23 +5,22 @@ use std::num::NonZeroUsize;
 
 use bifdiag_body::{Number, Preset};
 use bifdiag_schema::one_line;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::parser::ValueSource;
 use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser};
-use thiserror::Error;
 
 use super::atlas::{self, AtlasArguments};
-use super::bodies::{self, BodiesArguments};
 use super::classes::{self, ClassArguments, ClassesArguments};
 use super::classify::{self, ClassifyArguments};
 use super::critical::{self, CriticalArguments};
 use super::explore::{self, ExploreArguments};
+use super::failure::Failure;
 use super::find::{self, FindArguments};
-use super::input::values;
+use super::input::{PART, values};
+use super::listings::{self, BodiesArguments, CompletionsArguments, ManArguments, SchemaArguments};
 use super::orbit::{self, OrbitArguments};
-use super::pages::{self, CompletionsArguments, ManArguments};
 use super::part::{self, PartBodyArguments};
 use super::scan::{self, ScanArguments};
-use super::schema::{self, SchemaArguments};
 use super::section::{self, SectionArguments};
 use super::show::{self, ShowArguments};
 use super::sphere::{self, SphereArguments};
@@ -34,16 +33,12 @@ const MAIN_EXAMPLES: &str = "\
 Examples:
   bifdiag --A 2,1.1,1 --r 0.94868,0,0.61623        all regions of (h, l)
   bifdiag --body kovalevskaya --format svg,png --out kovalevskaya
-  bifdiag --body paper --json | jq .summary
   bifdiag classify --body paper --h 3.8 --l 3.25   U, E and P at one point
-  bifdiag critical --body paper --l 3.25           relative equilibria at one l
   bifdiag show R5 --body paper                     a region in words
-  bifdiag sphere --body paper --region R5          a picture of U
   bifdiag section --body paper --region R5         regular or chaotic?
-  bifdiag orbit --body paper --gamma 0,0.6,0.8 --omega 1,0,1
-  bifdiag bodies                                   the named bodies
 
-Numbers are decimals, decimals with exponent or rationals (1.1, 11e-1, 11/10) and are read exactly.
+Numbers are decimals, decimals with exponent or rationals (1.1, 11e-1, 11/10) and are read exactly. Without a command, \
+`atlas` is meant; `bifdiag atlas --help` describes all of its options.
 Exit status: 0 done; 2 the input is wrong; 1 anything else.";
 
 /// The whole command line.
@@ -60,9 +55,7 @@ pub struct Options {
     name = "bifdiag",
     version,
     about = ABOUT,
-    after_help = MAIN_EXAMPLES,
     arg_required_else_help = true,
-    disable_help_subcommand = true,
     max_term_width = 100
 )]
 struct MainArguments {
@@ -72,33 +65,32 @@ struct MainArguments {
     common: CommonArguments,
 }
 
-/// Commands that work on one thread: they take --threads, and do not show it.
-const ON_ONE_THREAD: [&str; 15] = [
-    "classes",
-    "class",
-    "show",
-    "sphere",
-    "orbit",
-    "explore",
-    "verify",
-    "body",
-    "state",
-    "critical-spin",
-    "campbell",
-    "bodies",
-    "schema",
-    "completions",
-    "man",
-];
+/// Where the options of every command are described.
+const GENERAL: &str = "Every command takes --threads N, --timings, -q and -v; `bifdiag --help` describes them.";
 
-/// A command with its options, of which those of every command are shown only where they do something.
-fn with_options<T: Args>(command: clap::Command) -> clap::Command {
-    let command = T::augment_args(command);
-    if !ON_ONE_THREAD.contains(&command.get_name()) {
-        return command;
-    }
-    let threads = clap::Arg::new("threads").long("threads").value_name("N").allow_hyphen_values(true);
-    command.arg(threads.value_parser(values::threads).hide(true))
+/// The main command. Its page describes the options of every command, and of the atlas those of the first hour.
+fn main_command() -> clap::Command {
+    let is_of_atlas = |argument: &clap::Arg| {
+        let is_rare = argument.is_hide_short_help_set() && !argument.is_global_set();
+        is_rare || argument.get_help_heading() == Some(PART)
+    };
+    let main = MainArguments::command().disable_help_subcommand(true);
+    with_examples(main, MAIN_EXAMPLES)
+        .mut_args(|argument| if is_of_atlas(&argument) { argument.hide(true) } else { argument })
+}
+
+/// The options of every command, which the pages of the commands do not repeat.
+fn general_options(main: &clap::Command) -> Vec<clap::Arg> {
+    main.get_arguments()
+        .filter(|argument| argument.is_global_set())
+        .map(|argument| argument.clone().hide(true))
+        .collect()
+}
+
+/// A command whose short page ends with its examples, and whose long page with all that is to be said.
+fn with_examples(command: clap::Command, text: &str) -> clap::Command {
+    let examples = text.split("\n\n").next().unwrap_or_default();
+    command.after_help(examples.to_owned()).after_long_help(text.to_owned())
 }
 
 /// Declares the commands: with clap's derive the options of all of them would be made at every start, which takes longer
@@ -114,13 +106,14 @@ macro_rules! commands {
         impl Command {
             /// Adds the commands to the main one; only those that are `wanted` with their options.
             fn add_to(mut main: clap::Command, wanted: impl Fn(&str) -> bool) -> clap::Command {
+                let general = general_options(&main);
                 $(
                     let mut command = clap::Command::new($name);
                     if wanted($name) {
-                        command = with_options::<$arguments>(command);
+                        command = <$arguments>::augment_args(command).args(&general);
                     }
-                    let about = $about.trim_start();
-                    main = main.subcommand(command.about(about).long_about(None::<&str>).after_help($examples));
+                    command = command.about($about.trim_start()).long_about(None::<&str>);
+                    main = main.subcommand(with_examples(command, &format!("{}\n\n{GENERAL}", $examples)));
                 )+
                 main
             }
@@ -139,15 +132,15 @@ macro_rules! commands {
 commands! {
     /// Find every region of the (h, l) plane with its topology (the default)
     Atlas(AtlasArguments) = "atlas", atlas::EXAMPLES;
-    /// Tell the type of U, E and P at one point (h, l), or at many
+    /// Classify a point (h, l), or many: the types of U, E and P
     Classify(ClassifyArguments) = "classify", classify::EXAMPLES;
     /// List all relative equilibria at one l, or at many
     Critical(CriticalArguments) = "critical", critical::EXAMPLES;
-    /// Look at many bodies: which classes of diagrams they have
+    /// Find the classes of diagrams of many bodies
     Scan(Box<ScanArguments>) = "scan", scan::SCAN_EXAMPLES;
     /// Search for a body and a point that show a wanted type
     Find(FindArguments) = "find", find::FIND_EXAMPLES;
-    /// List the classes of bodies, or tell where a body stands among them
+    /// List the classes of bodies, or find the class of a body and its borders
     Classes(Box<ClassesArguments>) = "classes", classes::CLASSES_EXAMPLES;
     /// Show one class of bodies: its types, a body of it, the classes beside it
     Class(ClassArguments) = "class", classes::CLASS_EXAMPLES;
@@ -163,70 +156,73 @@ commands! {
     Explore(Box<ExploreArguments>) = "explore", explore::EXAMPLES;
     /// Check an atlas by other means than those that made it
     Verify(VerifyArguments) = "verify", verify::EXAMPLES;
-    /// Show and draw a real part as it was understood
+    /// Show a real part as it was read, and draw it
     Body(PartBodyArguments) = "body", part::BODY_EXAMPLES;
-    /// Tell where a state lies: its (h, l), its region or curve, and whether it is stable
+    /// Locate a state: its (h, l), its region or curve, and whether it is stable
     State(Box<StateArguments>) = "state", spin::STATE_EXAMPLES;
     /// List the spins at which rotation about an axis changes its stability or its regions
     CriticalSpin(Box<CriticalSpinArguments>) = "critical-spin", spin::CRITICAL_SPIN_EXAMPLES;
     /// Draw the frequencies of small oscillations over the spin of a permanent axis
     Campbell(Box<CampbellArguments>) = "campbell", spin::CAMPBELL_EXAMPLES;
     /// List the named bodies
-    Bodies(BodiesArguments) = "bodies", bodies::EXAMPLES;
+    Bodies(BodiesArguments) = "bodies", listings::BODIES_EXAMPLES;
     /// Print the JSON Schemas of the documents
-    Schema(SchemaArguments) = "schema", schema::EXAMPLES;
+    Schema(SchemaArguments) = "schema", listings::SCHEMA_EXAMPLES;
     /// Print the completions of a shell
-    Completions(CompletionsArguments) = "completions", pages::COMPLETIONS_EXAMPLES;
+    Completions(CompletionsArguments) = "completions", listings::COMPLETIONS_EXAMPLES;
     /// Print the manual page, or write the pages of all commands
-    Man(ManArguments) = "man", pages::MAN_EXAMPLES;
+    Man(ManArguments) = "man", listings::MAN_EXAMPLES;
 }
 
 /// Options of every command.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Every command")]
 pub struct CommonArguments {
     /// Use N threads for batches, scans and sections (default: all cores)
     #[arg(long, value_name = "N", global = true, allow_hyphen_values = true, value_parser = values::threads)]
-    #[arg(help_heading = "General")]
+    #[arg(hide_short_help = true)]
     pub threads: Option<NonZeroUsize>,
-    /// Tell on stderr how long each stage took, and how many questions were decided by f64, by intervals and by algebra
-    #[arg(long, global = true, help_heading = "General")]
+    /// Report on stderr how long each stage took, and how many questions f64, intervals and algebra decided
+    #[arg(long, global = true, hide_short_help = true)]
     pub timings: bool,
     /// Print no warnings and no progress
-    #[arg(short, long, global = true, conflicts_with = "verbose", help_heading = "General")]
+    #[arg(short, long, global = true, conflicts_with = "verbose", hide_short_help = true)]
     pub quiet: bool,
-    /// Tell on stderr what is done; twice: in detail
-    #[arg(short, long, global = true, action = ArgAction::Count, help_heading = "General")]
+    /// Report on stderr what is done; twice: in detail
+    #[arg(short, long, global = true, action = ArgAction::Count, hide_short_help = true)]
     pub verbose: u8,
 }
 
 /// A command line that is not accepted; also the answer to --help and --version.
-#[derive(Debug, Error)]
+#[derive(Debug)]
 pub enum Refusal {
-    #[error("{}", .0.render())]
-    Clap(#[from] clap::Error),
-    #[error("{option} has no value ({next} follows it); write it as {option} {value}, or {option}=VALUE")]
-    ValueMissing { option: String, next: String, value: String },
-    #[error("{option} is gone; write {successor}")]
-    Gone { option: String, successor: &'static str },
-    #[error("{value} stands alone after {option}; write a list with commas: {option} {list}")]
-    ListWithBlanks { option: String, value: String, list: String },
-    #[error("{name} is a body, not a command; write bifdiag --body {name}")]
-    BodyAsCommand { name: String },
-    #[error("{option} stands before the command {command}; write it after: bifdiag {command} {option} …")]
-    OptionBeforeCommand { option: String, command: String },
+    Clap(clap::Error),
+    Failure(Failure),
+}
+
+impl From<clap::Error> for Refusal {
+    fn from(error: clap::Error) -> Self {
+        Self::Clap(error)
+    }
+}
+
+impl From<Failure> for Refusal {
+    fn from(failure: Failure) -> Self {
+        Self::Failure(failure)
+    }
 }
 
 impl Options {
     /// The clap command, for completions and manual pages.
     pub fn command() -> clap::Command {
-        Command::add_to(MainArguments::command(), |_| true)
+        Command::add_to(main_command(), |_| true)
     }
 
     /// The options of a command line; the first argument is the name of the program.
     pub fn from_arguments(arguments: impl IntoIterator<Item = OsString>) -> Result<Self, Refusal> {
         let arguments: Vec<OsString> = arguments.into_iter().collect();
         let is_named = |name: &str| arguments.iter().any(|argument| argument == name);
-        let mut command = Command::add_to(MainArguments::command(), is_named);
+        let mut command = Command::add_to(main_command(), is_named);
         check_gone(&arguments)?;
         check_forms(&command, &arguments)?;
         check_values(&command, &arguments)?;
@@ -235,7 +231,9 @@ impl Options {
             // clap quotes arguments as they are: it is asked again about what may be shown.
             Err(error) => {
                 let shown = arguments.iter().map(|argument| one_line(&argument.to_string_lossy()));
-                return Err(command.try_get_matches_from_mut(shown).err().unwrap_or(error).into());
+                let error = command.try_get_matches_from_mut(shown).err().unwrap_or(error);
+                check_part(&command, &error)?;
+                return Err(without_wild_guess(error).into());
             }
         };
         let MainArguments { atlas, common } = MainArguments::from_arg_matches(&matches)?;
@@ -250,8 +248,40 @@ impl Options {
     }
 }
 
+/// The options of a real part at a command that knows only A and r.
+fn check_part(command: &clap::Command, error: &clap::Error) -> Result<(), Failure> {
+    let Some(ContextValue::String(unknown)) = error.get(ContextKind::InvalidArg) else { return Ok(()) };
+    let mut of_parts = command.get_arguments().filter(|argument| argument.get_help_heading() == Some(PART));
+    let is_of_part = of_parts.any(|part| part.get_long() == unknown.strip_prefix("--"));
+    if error.kind() != ErrorKind::UnknownArgument || !is_of_part {
+        return Ok(());
+    }
+    Err(Failure::input(format!(
+        "{unknown} describes a real part, which this command does not read; give the --A and --r of the part: `bifdiag body` \
+         prints them"
+    )))
+}
+
+/// clap compares names by the letters that they share: of `--format` it would say that `--r` is similar. A slip of the
+/// keyboard leaves all of a name but for two letters in one place.
+fn without_wild_guess(mut error: clap::Error) -> clap::Error {
+    let name = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => text.trim_start_matches('-').as_bytes(),
+        _ => &[],
+    };
+    let (written, guessed) = (name(ContextKind::InvalidArg), name(ContextKind::SuggestedArg));
+    let start = written.iter().zip(guessed).take_while(|(p, q)| p == q).count();
+    let ends = written[start..].iter().rev().zip(guessed[start..].iter().rev());
+    let end = ends.take_while(|(p, q)| p == q).count();
+    if start + end + 2 < written.len().max(guessed.len()) || start + end == 0 {
+        error.remove(ContextKind::SuggestedArg);
+    }
+    error
+}
+
 /// Options of earlier versions, and what is written now.
-const GONE: [(&str, &str); 4] = [
+const GONE: [(&str, &str); 5] = [
+    ("no-polygons", "--no-drawing, which leaves out polylines, polygons, widths and views"),
     ("rng-seed", "--seed K"),
     ("seeds", "--starts FILE.csv"),
     ("integrator", "--tol 1e-12: motions are integrated by Taylor series, and their tolerance says how finely"),
@@ -259,40 +289,40 @@ const GONE: [(&str, &str); 4] = [
 ];
 
 /// An option of an earlier version is named with its successor, unless some command still has it.
-fn check_gone(arguments: &[OsString]) -> Result<(), Refusal> {
+fn check_gone(arguments: &[OsString]) -> Result<(), Failure> {
     let long = |text: &OsString| Some(text.to_str()?.strip_prefix("--")?.split('=').next()?.to_owned());
     for name in arguments.iter().filter_map(long) {
         let Some((option, successor)) = GONE.into_iter().find(|(option, _)| *option == name) else { continue };
         let command = Options::command();
         let mut everywhere = command.get_subcommands().chain([&command]).flat_map(clap::Command::get_arguments);
         if !everywhere.any(|argument| argument.get_long() == Some(option)) {
-            return Err(Refusal::Gone { option: format!("--{option}"), successor });
+            return Err(Failure::input(format!("--{option} is gone; write {successor}")));
         }
     }
     Ok(())
 }
 
 /// Forms that are near to right ones: `--A 2 1.1 1`, and the name of a body where a command should be.
-fn check_forms(command: &clap::Command, arguments: &[OsString]) -> Result<(), Refusal> {
+fn check_forms(command: &clap::Command, arguments: &[OsString]) -> Result<(), Failure> {
     let texts: Vec<&str> = arguments.iter().filter_map(|text| text.to_str()).collect();
     let number = |text: &&&str| text.parse::<Number>().is_ok();
     for (place, option) in texts.iter().enumerate().filter(|(_, text)| matches!(**text, "--A" | "--r" | "--com")) {
         let list: Vec<&str> = texts[place + 1..].iter().take_while(number).copied().collect();
         if let [_, value, ..] = list[..] {
-            let (option, value) = ((*option).to_owned(), value.to_owned());
-            return Err(Refusal::ListWithBlanks { option, value, list: list.join(",") });
+            let right = format!("write a list with commas: {option} {}", list.join(","));
+            return Err(Failure::input(format!("{value} stands alone after {option}; {right}")));
         }
     }
     match texts.get(1) {
         Some(name) if command.find_subcommand(name).is_none() && Preset::find(name).is_some() => {
-            Err(Refusal::BodyAsCommand { name: (*name).to_owned() })
+            Err(Failure::input(format!("{name} is a body, not a command; write bifdiag --body {name}")))
         }
         _ => Ok(()),
     }
 }
 
 /// Values may start with a hyphen, so `--A --r 1,0,0` would take `--r` for the value of `--A`.
-fn check_values(command: &clap::Command, arguments: &[OsString]) -> Result<(), Refusal> {
+fn check_values(command: &clap::Command, arguments: &[OsString]) -> Result<(), Failure> {
     let find = |text: &OsString| {
         let long = text.to_str()?.strip_prefix("--")?;
         let mut everywhere = command.get_subcommands().chain([command]).flat_map(clap::Command::get_arguments);
@@ -303,25 +333,27 @@ fn check_values(command: &clap::Command, arguments: &[OsString]) -> Result<(), R
         let Some(argument) = find(option).filter(|argument| argument.get_action().takes_values()) else { continue };
         if find(next).is_some() {
             let names = argument.get_value_names().unwrap_or_default();
-            return Err(Refusal::ValueMissing {
-                option: option.to_string_lossy().into_owned(),
-                next: next.to_string_lossy().into_owned(),
-                value: names.iter().map(ToString::to_string).collect(),
-            });
+            let (option, next) = (option.to_string_lossy(), next.to_string_lossy());
+            let value: String = names.iter().map(ToString::to_string).collect();
+            return Err(Failure::input(format!(
+                "{option} has no value ({next} follows it); write it as {option} {value}, or {option}=VALUE"
+            )));
         }
     }
     Ok(())
 }
 
 /// Options of the atlas in front of another command would be ignored in silence.
-fn check_no_stray_option(command: &clap::Command, matches: &clap::ArgMatches, name: &str) -> Result<(), Refusal> {
+fn check_no_stray_option(command: &clap::Command, matches: &clap::ArgMatches, name: &str) -> Result<(), Failure> {
     let stray = command.get_arguments().find(|argument| {
         let id = argument.get_id().as_str();
         let there = matches.ids().any(|there| there == argument.get_id());
         !argument.is_global_set() && there && matches.value_source(id) == Some(ValueSource::CommandLine)
     });
     match stray.and_then(clap::Arg::get_long) {
-        Some(long) => Err(Refusal::OptionBeforeCommand { option: format!("--{long}"), command: name.to_owned() }),
+        Some(long) => Err(Failure::input(format!(
+            "--{long} stands before the command {name}; write it after: bifdiag {name} --{long} …"
+        ))),
         None => Ok(()),
     }
 }
@@ -350,7 +382,8 @@ mod tests {
         let root = Options::command();
         let scan = root.find_subcommand("scan").unwrap();
         for command in root.get_subcommands().chain(scan.get_subcommands()).chain([&root]) {
-            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let help = command.get_after_long_help().or(command.get_after_help());
+            let help = help.map(ToString::to_string).unwrap_or_default();
             let (examples, prose) = help.split_once("\n\n").unwrap_or((&help, ""));
             assert!(examples.lines().all(|line| line.chars().count() <= 80), "{}: {examples}", command.get_name());
             let broken = |pair: &[&str]| !pair[0].is_empty() && !pair[1].is_empty() && !pair[1].starts_with(' ');

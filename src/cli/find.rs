@@ -7,12 +7,10 @@ use bifdiag_documents::words::counted;
 use bifdiag_schema::{Accuracy, FindDocument};
 use bifdiag_survey::search::{SearchDomain, SearchOptions, Target, find};
 use clap::Args;
-use thiserror::Error;
 
 use super::export::answer;
-use super::failure::{CommandError, Exit, Failure};
+use super::failure::Failure;
 use super::input::accuracy;
-use super::scan::ScanInput;
 use super::terminal::{Progress, Report, significant};
 
 pub const FIND_EXAMPLES: &str = "\
@@ -23,8 +21,8 @@ Examples:
   bifdiag find --critical-points 8 --samples 20000
 
 A type of the witnesses that come with bifdiag is answered at once; --search looks for another, and so do --seed and --all. \
-Nothing found (exit status 1) means that so many bodies were tried, and tells how near the best one came; that there is none is said only where a theorem \
-says so.";
+If nothing is found (exit status 1), the answer says how many bodies were tried and how near the best one came; it says \
+that there is none only where a theorem does.";
 
 /// `bifdiag find`.
 #[derive(Debug, Args)]
@@ -51,23 +49,23 @@ pub struct FindArguments {
     #[arg(long, help_heading = "Work")]
     pub physical: bool,
     /// Only bodies whose largest moment is at most R times the smallest
-    #[arg(long, value_name = "R", default_value_t = 10.0, help_heading = "Work", value_parser = moment_ratio)]
+    #[arg(long, value_name = "R", default_value_t = 10.0, help_heading = "Work", value_parser = moment_ratio, hide_short_help = true)]
     pub moment_ratio: f64,
     /// Search, although a witness that comes with bifdiag is known
-    #[arg(long, help_heading = "Work")]
+    #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub search: bool,
     /// The most bodies that are drawn
     #[arg(long, value_name = "N", default_value_t = 20_000, help_heading = "Work")]
     #[arg(value_parser = clap::value_parser!(u64).range(1..1 << 53))]
     pub samples: u64,
     /// Draw all of them, although something was found before; search
-    #[arg(long, help_heading = "Work")]
+    #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub all: bool,
     /// Where the sequence of bodies starts (default: 0); search
-    #[arg(long, value_name = "N", help_heading = "Work")]
+    #[arg(long, value_name = "N", help_heading = "Work", hide_short_help = true)]
     pub seed: Option<u64>,
     /// What the answers must be worth
-    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
+    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work", hide_short_help = true)]
     pub accuracy: Accuracy,
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]
@@ -79,20 +77,6 @@ fn moment_ratio(text: &str) -> Result<f64, String> {
     ratio.ok_or_else(|| "a ratio is a number from 1 on, such as 10".to_owned())
 }
 
-/// A question without an answer.
-#[derive(Debug, Error)]
-#[error("{sought} was not found among {tried}")]
-struct NotFound {
-    sought: String,
-    tried: String,
-}
-
-impl CommandError for NotFound {
-    fn exit(&self) -> Exit {
-        Exit::Failed
-    }
-}
-
 pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
     let target = target(arguments)?;
     let document = search(arguments, &target, quiet);
@@ -101,24 +85,23 @@ pub fn run(arguments: &FindArguments, quiet: bool) -> Result<(), Failure> {
         return Ok(());
     }
     let tried = counted(document.tried, "body", "bodies");
-    Err(NotFound { sought: document.sought, tried }.into())
+    Err(Failure::work(format!("{} was not found among {tried}", document.sought)))
 }
 
-fn target(arguments: &FindArguments) -> Result<Target, ScanInput> {
-    let wrong = |option: &str, error: &dyn std::fmt::Display| ScanInput::Find(format!("--{option}: {error}"));
+fn target(arguments: &FindArguments) -> Result<Target, Failure> {
     if let Some(kind) = &arguments.kind {
-        return Target::of_type(kind).map_err(|error| wrong("type", &error));
+        return Target::of_type(kind).map_err(|error| Failure::input(format!("--type: {error}")));
     }
     if let Some(signature) = &arguments.signature {
-        return Target::of_signature(signature).map_err(|error| wrong("signature", &error));
+        return Target::of_signature(signature).map_err(|error| Failure::input(format!("--signature: {error}")));
     }
     if let Some(count) = arguments.critical_points {
         return Ok(Target::CriticalPoints(count));
     }
     if arguments.circles.is_none() && arguments.poles.is_none() {
-        let text = "nothing says what is sought; give --type M4, --circles 3 --poles 1, --signature S2+T2 or \
-                    --critical-points 8";
-        return Err(ScanInput::Find(text.to_owned()));
+        return Err(Failure::input(
+            "nothing says what is sought; give --type M4, --circles 3 --poles 1, --signature S2+T2 or --critical-points 8",
+        ));
     }
     Ok(Target::Component { circles: arguments.circles, poles: arguments.poles })
 }

@@ -1,13 +1,12 @@
-//! The command line. From the top: [`run`] reads the options (`arguments`) and calls a command; a command turns its
-//! options into settings, works, and hands its results out (`export`), and so do its parts (`batch`, `input`); below are
-//! what speaks to the terminal (`terminal`) and what a failure is (`failure`).
+//! The command line. From the top: [`run`] reads the options (`arguments`) and calls a command; a command reads
+//! its arguments (`input`), works, and writes its results (`export`); below are the terminal (`terminal`) and the one type of
+//! failure (`failure`).
 //!
 //! Only this part of the package prints, writes files or chooses an exit status.
 
 mod arguments;
 mod atlas;
 mod batch;
-mod bodies;
 mod classes;
 mod classify;
 mod critical;
@@ -16,11 +15,10 @@ mod export;
 mod failure;
 mod find;
 mod input;
+mod listings;
 mod orbit;
-mod pages;
 mod part;
 mod scan;
-mod schema;
 mod section;
 mod show;
 mod sphere;
@@ -32,10 +30,8 @@ use std::ffi::OsString;
 use std::io::{self, IsTerminal};
 use std::num::NonZeroUsize;
 
-use thiserror::Error;
-
 use arguments::{Command, Options, Refusal};
-use failure::{CommandError, Exit, Failure};
+use failure::{Exit, Failure, failed};
 use terminal::{Timings, interrupt, is_terminal, log, print, say, say_styled};
 
 /// Stack of the threads of `--threads`, on which whole commands run: as large as a process's own.
@@ -47,14 +43,15 @@ const STACK: usize = 8 << 20;
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let done = match Options::from_arguments(arguments) {
         Ok(options) => start(&options),
-        Err(refusal) => refuse(&refusal),
+        Err(Refusal::Clap(error)) => answer_of_clap(&error),
+        Err(Refusal::Failure(failure)) => Err(failure),
     };
-    let exit = done.unwrap_or_else(|failure| tell(&failure));
+    let exit = done.unwrap_or_else(|failure| report(&failure));
     exit as u8
 }
 
-/// Tells a failure on stderr. A reader that closed the pipe wants no more, and no message.
-fn tell(failure: &Failure) -> Exit {
+/// Reports a failure on stderr. A reader that closed the pipe wants no more, and no message.
+fn report(failure: &Failure) -> Exit {
     let exit = failure.exit();
     if exit != Exit::Done {
         say(&format!("error: {failure}"));
@@ -63,11 +60,7 @@ fn tell(failure: &Failure) -> Exit {
 }
 
 /// Help goes to stdout, errors to stderr.
-fn refuse(refusal: &Refusal) -> Result<Exit, Failure> {
-    let Refusal::Clap(error) = refusal else {
-        say(&format!("error: {refusal}"));
-        return Ok(Exit::WrongInput);
-    };
+fn answer_of_clap(error: &clap::Error) -> Result<Exit, Failure> {
     let text = |terminal: bool| {
         let text = error.render();
         if terminal { text.ansi().to_string() } else { text.to_string() }
@@ -80,26 +73,16 @@ fn refuse(refusal: &Refusal) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
-/// What a run needs could not be set up.
-#[derive(Debug, Error)]
-enum StartError {
-    #[error("the threads could not be started")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    #[error("the answer to interrupts could not be set up")]
-    Interrupt(#[from] ctrlc::Error),
-}
-
-impl CommandError for StartError {}
-
 /// Sets up logging, the answer to interrupts and the threads, and works.
 fn start(options: &Options) -> Result<Exit, Failure> {
     log(options.common.quiet, options.common.verbose);
-    interrupt::install().map_err(StartError::from)?;
-    on_threads(options.common.threads, || work(options)).map_err(StartError::from)??;
+    interrupt::install().map_err(failed("the answer to interrupts could not be set up"))?;
+    let done = on_threads(options.common.threads, || work(options));
+    done.map_err(failed("the threads could not be started"))??;
     Ok(Exit::Done)
 }
 
-/// Works on so many threads, or on as many as there are cores.
+/// Works on this number of threads, or on as many as there are cores.
 fn on_threads<T: Send>(
     threads: Option<NonZeroUsize>,
     work: impl FnOnce() -> T + Send,
@@ -132,10 +115,10 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::State(arguments)) => spin::state(arguments, &timings),
         Some(Command::CriticalSpin(arguments)) => spin::critical_spin(arguments, &timings),
         Some(Command::Campbell(arguments)) => spin::campbell(arguments, &timings),
-        Some(Command::Bodies(arguments)) => bodies::run(arguments),
-        Some(Command::Schema(arguments)) => schema::run(arguments),
-        Some(Command::Completions(arguments)) => pages::completions(arguments, Options::command()),
-        Some(Command::Man(arguments)) => pages::man(arguments, Options::command()),
+        Some(Command::Bodies(arguments)) => listings::bodies(arguments),
+        Some(Command::Schema(arguments)) => listings::schema(arguments),
+        Some(Command::Completions(arguments)) => listings::completions(arguments, Options::command()),
+        Some(Command::Man(arguments)) => listings::man(arguments, Options::command()),
         Some(Command::Classes(arguments)) => classes::run(arguments),
         Some(Command::Class(arguments)) => classes::class(arguments, &timings),
         Some(Command::Find(arguments)) => find::run(arguments, quiet),

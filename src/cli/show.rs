@@ -3,12 +3,11 @@
 use bifdiag_diagram::arrangement::RegionId;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, Drawn, words};
-use bifdiag_exact::{Accuracy, AnswerError};
+use bifdiag_exact::Accuracy;
 use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument};
 use clap::Args;
-use thiserror::Error;
 
-use super::failure::{CommandError, Exit, Failure};
+use super::failure::{Failure, failed};
 use super::input::{BodyArguments, head};
 use super::terminal::{Report, bound, print, significant};
 
@@ -32,30 +31,12 @@ pub struct ShowArguments {
     pub body: BodyArguments,
 }
 
-/// Why nothing can be shown.
-#[derive(Debug, Error)]
-enum NotShown {
-    #[error("the atlas could not be made")]
-    Answer(#[from] AnswerError),
-    #[error("ID {id}: the body has no such thing; it has the regions {regions}, the curves {curves}{events}")]
-    Unknown { id: String, regions: String, curves: String, events: String },
-}
-
-impl CommandError for NotShown {
-    fn exit(&self) -> Exit {
-        match self {
-            Self::Answer(_) => Exit::Failed,
-            Self::Unknown { .. } => Exit::WrongInput,
-        }
-    }
-}
-
 /// Significant digits.
 const DIGITS: usize = 6;
 
 pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
-    let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(NotShown::from)?;
+    let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(failed("the atlas could not be made"))?;
     let options = DocumentOptions { drawing: Drawn::Nothing, ..DocumentOptions::default() };
     let document = bifdiag_documents::atlas::document(&atlas, &options);
     let mut report = Report::default();
@@ -80,12 +61,12 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
             show_curve(&mut report, &atlas, &document, curve);
         }
     } else {
-        return Err(unknown(&arguments.id, &document).into());
+        return Err(unknown(&arguments.id, &document));
     }
-    Ok(print(report.text())?)
+    print(report.text())
 }
 
-fn unknown(id: &str, document: &AtlasDocument) -> NotShown {
+fn unknown(id: &str, document: &AtlasDocument) -> Failure {
     let curves: Vec<&str> = document.curves.iter().map(|curve| curve.id.as_str()).collect();
     let up_to = |letter: &str, count: usize| {
         if count == 1 { format!("{letter}1") } else { format!("{letter}1 to {letter}{count}") }
@@ -94,12 +75,10 @@ fn unknown(id: &str, document: &AtlasDocument) -> NotShown {
         0 => " and no events".to_owned(),
         count => format!(" and the events {}", up_to("E", count)),
     };
-    NotShown::Unknown {
-        id: id.to_owned(),
-        regions: up_to("R", document.regions.len()),
-        curves: curves.join(", "),
-        events,
-    }
+    let (regions, curves) = (up_to("R", document.regions.len()), curves.join(", "));
+    Failure::input(format!(
+        "ID {id}: the body has no such thing; it has the regions {regions}, the curves {curves}{events}"
+    ))
 }
 
 fn range([from, to]: [Option<f64>; 2]) -> String {

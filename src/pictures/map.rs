@@ -16,7 +16,7 @@ use super::shown::{Bodies, Seen, Shown, Shows, shared};
 pub fn map(bodies: &[Seen], axes: [BodyParameter; 2], show: Shown) -> Map {
     let grid = Grid::of(bodies);
     let subdivision = grid.as_ref().and_then(|grid| grid.divided(bodies, axes, show));
-    // What is met between the bodies only is told, too.
+    // What lies only between the bodies is listed too.
     let between =
         subdivision.iter().flat_map(|subdivision| &subdivision.pieces).filter_map(|(shown, _)| shown.as_ref());
     let mut counts: BTreeMap<&Shows, (usize, u32)> = between.map(|shown| (shown, (0, 0))).collect();
@@ -71,11 +71,11 @@ pub fn map(bodies: &[Seen], axes: [BodyParameter; 2], show: Shown) -> Map {
 
 /// The parameters that are the same for all bodies, in words; empty where there are none.
 fn fixed(bodies: &[Seen], axes: [BodyParameter; 2]) -> String {
-    let told = BodyParameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter)).filter_map(|parameter| {
+    let shown = BodyParameter::ALL.into_iter().filter(|parameter| !axes.contains(parameter)).filter_map(|parameter| {
         shared(bodies, parameter).map(|value| format!("{} = {}", parameter.name(), significant(value, 6)))
     });
-    let told: Vec<String> = told.collect();
-    if told.is_empty() { String::new() } else { format!("; {}", told.join(", ")) }
+    let shown: Vec<String> = shown.collect();
+    if shown.is_empty() { String::new() } else { format!("; {}", shown.join(", ")) }
 }
 
 /// The legend: what is shown, by how many of the bodies, with how many regions.
@@ -85,15 +85,15 @@ fn entries(order: &[(&Shows, usize, u32)], bodies: usize) -> Vec<MapEntry> {
         percent => format!("{percent:.1}%"),
     };
     // The regions of a class that none of the bodies has were not counted.
-    let told = |regions: u32| if regions == 0 { String::new() } else { format!("{regions} regions, ") };
+    let counted = |regions: u32| if regions == 0 { String::new() } else { format!("{regions} regions, ") };
     let has_classes = order.iter().any(|(shown, _, _)| matches!(shown, Shows::Class(_)));
     let known = if has_classes { known_classes() } else { BTreeMap::new() };
     let entry = |(number, (shown, bodies, regions)): (usize, &(&Shows, usize, u32))| match shown {
         Shows::Class(class) => MapEntry {
             name: class.to_string(),
             note: match known.get(class) {
-                Some(preset) => format!("{}{}; {}", told(*regions), share(*bodies), preset.name()),
-                None => format!("{}{}", told(*regions), share(*bodies)),
+                Some(preset) => format!("{}{}; {}", counted(*regions), share(*bodies), preset.name()),
+                None => format!("{}{}", counted(*regions), share(*bodies)),
             },
             mark: (number + 1).to_string(),
             color: number,
@@ -148,7 +148,7 @@ impl Grid {
         Some(Self { cells: cells.into_iter().collect::<Option<_>>()?, axes })
     }
 
-    /// The ranges with so many steps more on each side.
+    /// The ranges, extended by `more` steps on each side.
     fn ends(&self, more: f64) -> [[f64; 2]; 2] {
         self.axes.each_ref().map(|values| {
             let margin = more * step(values);
@@ -178,9 +178,9 @@ fn areas(
 ) -> MapBodies {
     let pieces = subdivision.pieces.iter().map(|(shown, corners)| (entry(shown), corners.clone())).collect();
     let seen = subdivision.seen.iter().filter_map(|(shown, at)| Some((entry(shown)?, *at))).collect();
-    let told = match show {
+    let legend = match show {
         Shown::Class => "borders between classes, as scan border finds them",
         Shown::Regions | Shown::CriticalPoints => "borders at which the number changes",
     };
-    MapBodies::Areas { pieces, seen, borders: subdivision.borders.clone(), told: told.to_owned() }
+    MapBodies::Areas { pieces, seen, borders: subdivision.borders.clone(), told: legend.to_owned() }
 }

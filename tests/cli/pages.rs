@@ -103,3 +103,34 @@ fn bodies_are_listed_and_each_can_be_used() {
     }
     assert!(bodies.len() >= 16);
 }
+
+/// Options on a page, but for those that ask for the page itself.
+fn slots(page: &str) -> usize {
+    let option = |line: &&str| {
+        let (indent, name) = (line.len() - line.trim_start().len(), line.trim_start());
+        (2..=6).contains(&indent) && name.starts_with('-') && !name.starts_with("-h,") && !name.starts_with("-V,")
+    };
+    page.lines().filter(option).count()
+}
+
+/// The options of the first hour fit a screen, and all pages together a patient reader.
+#[test]
+fn short_pages_fit_a_screen_and_long_ones_do_not_repeat_themselves() {
+    let mut all = 0;
+    for command in commands() {
+        let short = bifdiag(&format!("{command} -h")).succeeds().stdout();
+        assert!(short.lines().count() <= 50, "{command}: {} lines\n{short}", short.lines().count());
+        all += slots(&bifdiag(&format!("{command} --help")).succeeds().stdout());
+    }
+    assert!(all < 330, "{all} options on all pages");
+}
+
+#[test]
+fn what_is_like_nothing_gets_no_advice() {
+    let misled = "similar argument";
+    for line in ["bodies --format svg", "scan --family katok --inertia 1,1,1,0,0,0", "classify --certify"] {
+        let told = bifdiag(line).refused().stderr();
+        assert!(!told.contains(misled), "{told}");
+    }
+    bifdiag("--boddy paper").refused().telling("a similar argument exists: '--body'");
+}

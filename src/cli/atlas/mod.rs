@@ -1,28 +1,76 @@
 //! `bifdiag atlas`, the main job: the table of regions, `atlas.json` and the diagram.
 
-mod arguments;
-mod error;
-mod events;
 mod report;
-mod settings;
-mod stability;
-mod work;
 
 use std::borrow::Cow;
+use std::path::PathBuf;
 
+use bifdiag_diagram::atlas::Atlas;
+use bifdiag_documents::{DocumentOptions, Subject, attach_part, certified_atlas_of};
+use bifdiag_exact::CertifiedAtlas;
 use bifdiag_plot::{DiagramOptions, draw};
+use bifdiag_schema::{Accuracy, AtlasDocument, WindowDocument};
+use clap::Args;
 
-use super::export::{ExportError, FileSet, Json, RESOLUTION, answer};
-use super::failure::Failure;
+use super::export::{FileSet, PictureArguments, WidthArgument, answer, directory};
+use super::failure::{Failure, failed};
+use super::input::{BodyArguments, accuracy, values};
 use super::terminal::Timings;
 use crate::Curves;
-use settings::Settings;
 
-pub use arguments::{AtlasArguments, EXAMPLES};
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag atlas --A 2,1.1,1 --r 0.94868,0,0.61623
+  bifdiag atlas --body katok:7 --window 0:4,0:3 --format png --out katok7
+  bifdiag atlas --A 2,11/10,1 --r=-1,0,1/2 --json > atlas.json
+  bifdiag atlas --inertia 0.30,0.21,0.17,0.01,0,-0.02 --products tensor \\
+      --com 0,0.02,0.15 --mass 2.5 --g 9.80665 --no-plot";
+
+/// `bifdiag atlas`.
+#[derive(Debug, Args)]
+pub struct AtlasArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// Only this part of the plane
+    #[arg(long, value_name = "hmin:hmax,lmin:lmax", allow_hyphen_values = true, value_parser = values::window)]
+    #[arg(help_heading = "Work", hide_short_help = true)]
+    pub window: Option<WindowDocument>,
+    /// What the answer must be worth
+    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work", hide_short_help = true)]
+    pub accuracy: Accuracy,
+    /// Prove every step and write down what `bifdiag verify` needs to check it
+    #[arg(long, help_heading = "Work", hide_short_help = true)]
+    pub certificate: bool,
+    /// Write atlas.json and the diagram to DIR (default: bifdiag-out)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
+    #[command(flatten)]
+    pub width: WidthArgument,
+    /// Draw nothing
+    #[arg(long, help_heading = "Output")]
+    pub no_plot: bool,
+    /// Leave polylines, polygons, widths and views out of atlas.json
+    #[arg(long, help_heading = "Output", hide_short_help = true)]
+    pub no_drawing: bool,
+    /// Print the atlas as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
 
 pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure> {
-    let settings = Settings::new(arguments)?;
-    let (atlas, document) = work::atlas(&settings, timings)?;
+    if arguments.certificate && arguments.window.is_some() {
+        let why = "speaks of the whole plane and --window of a part of it; leave out one of them";
+        return Err(Failure::input(format!("--certificate {why}")));
+    }
+    if arguments.certificate && arguments.accuracy == Accuracy::Fast {
+        let why = "is a proof and --accuracy fast does without; leave out one of them";
+        return Err(Failure::input(format!("--certificate {why}")));
+    }
+    let subject = arguments.body.subject()?;
+    let directory = directory(arguments.out.as_deref(), !arguments.json)?;
+    let (atlas, document) = atlas(arguments, &subject, timings)?;
     tracing::info!(
         regions = document.summary.regions,
         events = document.summary.events,
@@ -31,24 +79,41 @@ pub fn run(arguments: &AtlasArguments, timings: &Timings) -> Result<(), Failure>
     );
     // Pictures and the table of regions need the drawing.
     let mut stored = Cow::Borrowed(&document);
-    if !settings.drawing {
-        bifdiag_documents::leave_out_drawing(stored.to_mut(), &settings.subject).map_err(ExportError::from)?;
+    if arguments.no_drawing {
+        bifdiag_documents::leave_out_drawing(stored.to_mut(), &subject)?;
     }
     let mut written = Vec::new();
-    if let Some(directory) = &settings.directory {
+    if let Some(directory) = &directory {
         let mut files = FileSet::new(directory);
-        files.export("atlas", &*stored, &Json)?;
+        files.json("atlas", &*stored)?;
         files.remove_pictures("diagram");
         // A window without a region would be an empty frame.
-        if !settings.formats.is_empty() && !document.regions.is_empty() {
-            let (theme, width) = (settings.theme, settings.width);
-            let options = DiagramOptions { window: settings.window, points: None, theme, width };
-            let picture = timings
-                .stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))
-                .map_err(ExportError::from)?;
-            files.pictures("diagram", &picture, &settings.formats, RESOLUTION, timings)?;
+        if !arguments.no_plot && !document.regions.is_empty() {
+            let (window, theme, width) = (arguments.window, arguments.picture.theme, arguments.width.width);
+            let options = DiagramOptions { window, points: None, theme, width };
+            let picture = timings.stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))?;
+            files.pictures("diagram", &picture, &arguments.picture.format, timings)?;
         }
         written = timings.stage("files", || files.write())?;
     }
-    Ok(answer(settings.json, &*stored, || report::text(&settings.subject, &document, &written))?)
+    answer(arguments.json, &*stored, || report::text(&subject, &document, &written))
+}
+
+/// The atlas of a body, to draw it, and its document.
+fn atlas(arguments: &AtlasArguments, subject: &Subject, timings: &Timings) -> Result<(Atlas, AtlasDocument), Failure> {
+    if arguments.certificate {
+        let proof = timings.stage("proof", || CertifiedAtlas::new(&subject.body));
+        let proof = proof.map_err(failed("the atlas could not be proved"))?;
+        let drawn = proof.to_atlas().map_err(failed("the atlas could not be made"))?;
+        let options = DocumentOptions::default();
+        let document = timings.stage("certificate", || certified_atlas_of(subject, &proof, &drawn, &options));
+        return Ok((drawn, document.map_err(failed("the proved atlas could not be written"))?));
+    }
+    let accuracy = arguments.accuracy;
+    let atlas = timings.stage("regions", || bifdiag_exact::atlas(&subject.body, accuracy));
+    let atlas = atlas.map_err(failed("the atlas could not be made"))?;
+    let options = DocumentOptions { window: arguments.window, accuracy, ..DocumentOptions::default() };
+    let mut document = timings.stage("curves", || bifdiag_documents::atlas::document(&atlas, &options));
+    attach_part(&mut document, subject);
+    Ok((atlas, document))
 }

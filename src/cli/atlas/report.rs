@@ -2,13 +2,17 @@
 
 use std::path::PathBuf;
 
-use bifdiag_schema::{AtlasDocument, ComponentDocument, RegionDocument};
-
-use super::stability;
-use crate::cli::input::head;
-use crate::cli::terminal::{Report, Table, significant};
 use bifdiag_documents::Subject;
 use bifdiag_documents::words::counted;
+use bifdiag_schema::{
+    AtlasDocument, ComponentDocument, EventDocument, EventKind, RegionDocument, StabilityChangeDocument,
+};
+
+use crate::cli::input::head;
+use crate::cli::terminal::{Report, Table, significant};
+
+/// Significant digits of a place in the plane.
+const DIGITS: usize = 8;
 
 /// The table of regions fits a terminal of this width.
 const TABLE_WIDTH: usize = 100;
@@ -24,11 +28,11 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
         report.line(region_table(document));
     }
     report.line("");
-    if let Some(table) = super::events::table(&document.events) {
+    if let Some(table) = event_table(&document.events) {
         report.line(table);
         report.line("");
     }
-    if let Some(table) = stability::table(&document.stability_changes) {
+    if let Some(table) = stability_table(&document.stability_changes) {
         report.line(table);
         report.line("");
     }
@@ -58,8 +62,8 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
         report.line(format!(
             "undecided: {} near l = {}, h = {} ({})",
             undecided.what,
-            significant(undecided.l, 8),
-            significant(undecided.h, 8),
+            significant(undecided.l, DIGITS),
+            significant(undecided.h, DIGITS),
             undecided.curves.join(", "),
         ));
     }
@@ -113,6 +117,42 @@ fn wrapped_signature(signature: &str) -> String {
         }
     }
     lines.join("\n")
+}
+
+/// Cusps, pitchforks and crossings by rising l; `None` without events.
+fn event_table(events: &[EventDocument]) -> Option<String> {
+    let mut table = Table::new(&["event", "kind", "l", "h", "curves"]);
+    for (place, event) in events.iter().enumerate() {
+        let kind = match event.kind {
+            EventKind::Cusp => "cusp",
+            EventKind::Pitchfork => "pitchfork",
+            EventKind::Crossing => "crossing",
+        };
+        table.row([
+            format!("E{}", place + 1),
+            kind.to_owned(),
+            significant(event.l, DIGITS),
+            significant(event.h, DIGITS),
+            event.curves.join(", "),
+        ]);
+    }
+    (!events.is_empty()).then(|| table.text())
+}
+
+/// Where the linear type changes along a branch; `None` without changes.
+fn stability_table(changes: &[StabilityChangeDocument]) -> Option<String> {
+    let mut table = Table::new(&["l", "h", "change of stability", "curve", "from", "to"]);
+    for change in changes {
+        table.row([
+            significant(change.l, DIGITS),
+            significant(change.h, DIGITS),
+            change.kind.word().to_owned(),
+            change.onto.as_ref().map_or(change.curve.clone(), |onto| format!("{}, {onto}", change.curve)),
+            change.from.word().to_owned(),
+            change.to.word().to_owned(),
+        ]);
+    }
+    (!changes.is_empty()).then(|| table.text())
 }
 
 #[cfg(test)]

@@ -1,30 +1,61 @@
 //! Batches: JSON Lines in, one line out for each, in the same order, errors in place.
 
-mod arguments;
-mod error;
 mod lines;
 mod query;
 
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use bifdiag_schema::BatchErrorDocument;
+use clap::Args;
 use rayon::prelude::*;
 
-use super::export::ExportError;
-use super::failure::{CommandError, Exit, Failure};
+use super::failure::{Exit, Failure, failed};
 use super::input::stdin;
 use super::terminal::{Progress, print, say};
 use bifdiag_documents::Subject;
-use error::{BatchRead, Unanswered};
 use lines::{Chunk, LineReader};
 
-pub use arguments::BatchArguments;
-pub use error::BatchInput;
 use query::QueryReader;
 pub use query::{Query, Wanted};
+
+/// Many points at once.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Batch")]
+pub struct BatchArguments {
+    /// Read one JSON object a line from FILE (-: stdin) and write one line for each
+    #[arg(long, value_name = "FILE")]
+    pub batch: Option<PathBuf>,
+    /// Exit with status 2 if a line of the batch is wrong
+    #[arg(long, hide_short_help = true)]
+    pub strict: bool,
+}
+
+impl BatchArguments {
+    /// The file of the batch, if one is asked for and none of the options that its lines replace is given.
+    pub fn path(&self, replaced: &[(&'static str, bool)]) -> Result<Option<&Path>, Failure> {
+        let Some(path) = &self.batch else {
+            if self.strict {
+                let why = "it says what a wrong line of a batch means; add --batch FILE or leave it out";
+                return Err(Failure::input(format!("--strict needs --batch: {why}")));
+            }
+            return Ok(None);
+        };
+        match replaced.iter().find(|(_, given)| *given) {
+            Some((option, _)) => Err(Failure::input(format!(
+                "{option} cannot be used with --batch: the lines of the batch say it; leave out {option} or --batch"
+            ))),
+            None => Ok(Some(path)),
+        }
+    }
+}
+
+/// A part of the point that is neither an option nor in a batch.
+pub fn no_point(missing: &str, example: &str) -> Failure {
+    Failure::input(format!("{missing} is missing; give {example}, or --batch FILE for many points"))
+}
 
 /// A batch that is to be answered.
 pub struct Batch<'a> {
@@ -49,28 +80,27 @@ struct Tally {
     unphysical: usize,
 }
 
-/// So many lines are read one after the other: what is known of a body is used again for the next line.
+/// Lines that one thread reads one after the other: what is known of a body is used again for the next line.
 const BLOCK: usize = 256;
 
 impl Batch<'_> {
     /// Answers every line and writes the answers to stdout.
     ///
     /// What has arrived is answered before more is waited for, so that a program can write a line and read its answer.
-    pub fn run<E: CommandError>(
-        &self,
-        mut answer: impl FnMut(&[Query]) -> Vec<Result<Vec<u8>, E>>,
-    ) -> Result<(), Failure> {
-        let (source, bytes) =
-            open(self.path).map_err(|source| BatchInput::File { path: self.path.to_owned(), source })?;
+    pub fn run(&self, mut answer: impl FnMut(&[Query]) -> Vec<Result<Vec<u8>, Failure>>) -> Result<(), Failure> {
+        let path = self.path.display();
+        let (source, bytes) = open(self.path).map_err(|error| {
+            Failure::input(format!("--batch {path}: {error}; give a file that can be read, or - for stdin"))
+        })?;
         let mut reader = LineReader::new(source);
         let progress = Progress::of_bytes(bytes, self.quiet);
         let (mut tally, mut chunk) = (Tally::default(), Chunk::default());
         loop {
-            reader.next_chunk(&mut chunk).map_err(|source| BatchRead { path: self.path.to_owned(), source })?;
+            reader.next_chunk(&mut chunk).map_err(failed(format!("--batch {path}: reading stopped")))?;
             if chunk.len() == 0 {
                 break;
             }
-            print(self.answers(&chunk, &mut tally, &mut answer).map_err(ExportError::from)?)?;
+            print(self.answers(&chunk, &mut tally, &mut answer)?)?;
             progress.message(format!("{} lines", tally.lines));
             progress.set(tally.bytes);
         }
@@ -79,11 +109,11 @@ impl Batch<'_> {
     }
 
     /// A line for each line.
-    fn answers<E: CommandError>(
+    fn answers(
         &self,
         chunk: &Chunk,
         tally: &mut Tally,
-        answer: &mut impl FnMut(&[Query]) -> Vec<Result<Vec<u8>, E>>,
+        answer: &mut impl FnMut(&[Query]) -> Vec<Result<Vec<u8>, Failure>>,
     ) -> Result<Vec<u8>, serde_json::Error> {
         let lines: Vec<&[u8]> = chunk.lines().collect();
         let blocks: Vec<Vec<_>> = lines
@@ -106,16 +136,19 @@ impl Batch<'_> {
             // One more for the end of the line.
             tally.bytes += line.len() as u64 + 1;
             let answered = match refused {
-                Some(error) => Err((error.to_string(), Exit::WrongInput)),
-                None => answers.next().transpose().map_err(|error| (error.to_string(), error.exit())),
+                Some(failure) => Err(failure),
+                None => answers.next().transpose(),
             };
             match answered {
                 Ok(text) => out.extend(text.unwrap_or_default()),
-                Err((error, exit)) => {
-                    let wrong = exit == Exit::WrongInput;
+                Err(failure) => {
+                    let wrong = failure.exit() == Exit::WrongInput;
                     tally.bad += usize::from(wrong);
                     tally.unanswered += usize::from(!wrong);
-                    serde_json::to_writer(&mut out, &BatchErrorDocument { error, line: tally.lines })?;
+                    serde_json::to_writer(
+                        &mut out,
+                        &BatchErrorDocument { error: failure.to_string(), line: tally.lines },
+                    )?;
                 }
             }
             out.push(b'\n');
@@ -130,12 +163,19 @@ impl Batch<'_> {
             );
         }
         if bad > 0 && self.strict {
-            return Err(BatchInput::BadLines { bad, lines }.into());
+            return Err(Failure::input(format!(
+                "--strict: {bad} of {lines} lines of the batch are wrong; see the lines with \"error\""
+            )));
         }
         if bad > 0 && !self.quiet {
             say(&format!("{bad} of {lines} lines of the batch are wrong; see the lines with \"error\""));
         }
-        if unanswered > 0 { Err(Unanswered { unanswered, lines }.into()) } else { Ok(()) }
+        if unanswered == 0 {
+            return Ok(());
+        }
+        Err(Failure::work(format!(
+            "{unanswered} of {lines} lines of the batch have no answer; see the lines with \"error\""
+        )))
     }
 }
 

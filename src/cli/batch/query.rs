@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use bifdiag_body::{Body, BodyError, Number, ParseNumberError};
+use bifdiag_body::{Body, Number};
 use bifdiag_documents::Subject;
 use serde::Deserialize;
 use serde_json::value::RawValue;
-use thiserror::Error;
 
 use super::lines::MAX_LINE;
+use crate::cli::failure::Failure;
 
 /// What a line must say besides the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,31 +30,6 @@ pub struct Query {
     pub unphysical: bool,
 }
 
-/// Why a line is wrong.
-#[derive(Debug, Error)]
-pub enum QueryError {
-    #[error("the line is empty; write {{\"A\": [A1, A2, A3], \"r\": [r1, r2, r3], …}}")]
-    Empty,
-    #[error("the line is longer than {MAX_LINE} bytes; write one point on each line")]
-    TooLong,
-    #[error("the line is not UTF-8 from byte {at} on")]
-    NotUtf8 { at: usize },
-    #[error("the line is not a JSON object; write {{\"A\": [A1, A2, A3], \"r\": [r1, r2, r3], …}}")]
-    NotAnObject,
-    #[error("the line is not valid JSON: {what} (column {column})")]
-    Json { what: String, column: usize },
-    #[error("{key} is missing; add {example}")]
-    Missing { key: &'static str, example: &'static str },
-    #[error("{key}: {value} is not a list of three numbers; write it as {example}")]
-    NotAList { key: &'static str, value: String, example: &'static str },
-    #[error("{key}: {value} is not a number; write a number, or a string such as \"11/10\"")]
-    NotANumber { key: String, value: String },
-    #[error("{key}: {source}")]
-    Number { key: String, source: ParseNumberError },
-    #[error(transparent)]
-    Body(#[from] BodyError),
-}
-
 /// The values keep their text: a number of JSON is the decimal that is written, never its nearest double.
 #[derive(Deserialize)]
 struct RawQuery<'a> {
@@ -67,6 +42,9 @@ struct RawQuery<'a> {
     #[serde(borrow)]
     l: Option<&'a RawValue>,
 }
+
+/// What a line looks like.
+const SHAPE: &str = "write {\"A\": [A1, A2, A3], \"r\": [r1, r2, r3], …}";
 
 const MOMENTS: (&str, &str) = ("A", "\"A\": [2, 1.1, 1]");
 const CENTER: (&str, &str) = ("r", "\"r\": [0.94868, 0, 0.61623]");
@@ -96,18 +74,22 @@ impl<'a> QueryReader<'a> {
     }
 
     /// Reads a line.
-    pub fn read(&mut self, line: &[u8]) -> Result<Query, QueryError> {
+    pub fn read(&mut self, line: &[u8]) -> Result<Query, Failure> {
         if line.len() > MAX_LINE {
-            return Err(QueryError::TooLong);
+            return Err(Failure::input(format!(
+                "the line is longer than {MAX_LINE} bytes; write one point on each line"
+            )));
         }
-        let text = std::str::from_utf8(line).map_err(|error| QueryError::NotUtf8 { at: error.valid_up_to() + 1 })?;
+        let text = std::str::from_utf8(line).map_err(|error| {
+            Failure::input(format!("the line is not UTF-8 from byte {} on", error.valid_up_to() + 1))
+        })?;
         // Some editors put a byte order mark at the start of a file.
         let text = text.trim_start_matches('\u{feff}').trim();
         if text.is_empty() {
-            return Err(QueryError::Empty);
+            return Err(Failure::input(format!("the line is empty; {SHAPE}")));
         }
         if !text.starts_with('{') {
-            return Err(QueryError::NotAnObject);
+            return Err(Failure::input(format!("the line is not a JSON object; {SHAPE}")));
         }
         let raw: RawQuery = serde_json::from_str(text).map_err(|error| json_error(&error))?;
         let (subject, unphysical) = match (raw.moments, raw.center, self.subject) {
@@ -123,18 +105,14 @@ impl<'a> QueryReader<'a> {
     }
 
     /// The body of a line, and whether no mass distribution has its moments.
-    fn body(
-        &mut self,
-        moments: Option<&RawValue>,
-        center: Option<&RawValue>,
-    ) -> Result<(Arc<Subject>, bool), QueryError> {
+    fn body(&mut self, moments: Option<&RawValue>, center: Option<&RawValue>) -> Result<(Arc<Subject>, bool), Failure> {
         let same = |last: &&LastBody| {
             moments.is_some_and(|raw| raw.get() == last.moments) && center.is_some_and(|raw| raw.get() == last.center)
         };
         if let Some(last) = self.last.as_ref().filter(same) {
             return Ok((Arc::clone(&last.subject), last.unphysical));
         }
-        let body = Body::parse(&list(MOMENTS, moments)?, &list(CENTER, center)?)?;
+        let body = Body::parse(&list(MOMENTS, moments)?, &list(CENTER, center)?).map_err(Failure::input)?;
         let unphysical = body.flags().unphysical;
         let subject = Arc::new(Subject::from(body));
         let text = |raw: Option<&RawValue>| raw.map_or_else(String::new, |raw| raw.get().to_owned());
@@ -144,30 +122,36 @@ impl<'a> QueryReader<'a> {
     }
 }
 
-fn json_error(error: &serde_json::Error) -> QueryError {
-    let message = error.to_string();
-    let what = message.rsplit_once(" at line ").map_or(message.as_str(), |(what, _)| what).to_owned();
-    QueryError::Json { what, column: error.column() }
+fn missing(key: &str, example: &str) -> Failure {
+    Failure::input(format!("{key} is missing; add {example}"))
 }
 
-fn list((key, example): (&'static str, &'static str), raw: Option<&RawValue>) -> Result<Vec<String>, QueryError> {
-    let raw = raw.ok_or(QueryError::Missing { key, example })?;
-    let items: Vec<&RawValue> = serde_json::from_str(raw.get()).map_err(|_not_a_list| QueryError::NotAList {
-        key,
-        value: shortened(raw.get()),
-        example,
+fn json_error(error: &serde_json::Error) -> Failure {
+    let message = error.to_string();
+    let what = message.rsplit_once(" at line ").map_or(message.as_str(), |(what, _)| what);
+    Failure::input(format!("the line is not valid JSON: {what} (column {})", error.column()))
+}
+
+fn list((key, example): (&'static str, &'static str), raw: Option<&RawValue>) -> Result<Vec<String>, Failure> {
+    let raw = raw.ok_or_else(|| missing(key, example))?;
+    let items: Vec<&RawValue> = serde_json::from_str(raw.get()).map_err(|_not_a_list| {
+        let value = shortened(raw.get());
+        Failure::input(format!("{key}: {value} is not a list of three numbers; write it as {example}"))
     })?;
     items.iter().enumerate().map(|(i, item)| number_text(&format!("{key}{}", i + 1), item)).collect()
 }
 
-fn number((key, example): (&'static str, &'static str), raw: Option<&RawValue>) -> Result<Number, QueryError> {
-    let raw = raw.ok_or(QueryError::Missing { key, example })?;
-    number_text(key, raw)?.parse().map_err(|source| QueryError::Number { key: key.to_owned(), source })
+fn number((key, example): (&'static str, &'static str), raw: Option<&RawValue>) -> Result<Number, Failure> {
+    let text = number_text(key, raw.ok_or_else(|| missing(key, example))?)?;
+    text.parse().map_err(|error| Failure::input(format!("{key}: {error}")))
 }
 
 /// The text of a number, or of the string that denotes one.
-fn number_text(key: &str, raw: &RawValue) -> Result<String, QueryError> {
-    let not_a_number = || QueryError::NotANumber { key: key.to_owned(), value: shortened(raw.get()) };
+fn number_text(key: &str, raw: &RawValue) -> Result<String, Failure> {
+    let not_a_number = || {
+        let value = shortened(raw.get());
+        Failure::input(format!("{key}: {value} is not a number; write a number, or a string such as \"11/10\""))
+    };
     match raw.get().as_bytes().first() {
         Some(b'"') => serde_json::from_str(raw.get()).map_err(|_bad_escape| not_a_number()),
         Some(b'-' | b'0'..=b'9') => Ok(raw.get().to_owned()),
@@ -190,7 +174,7 @@ mod tests {
 
     use super::*;
 
-    fn parse(line: &str) -> Result<Query, QueryError> {
+    fn parse(line: &str) -> Result<Query, Failure> {
         QueryReader::new(Wanted::Point, None).read(line.as_bytes())
     }
 
@@ -219,7 +203,7 @@ mod tests {
         assert_eq!(query.subject.body, body);
         let half = br#"{"A": [1, 1, 1], "l": 1}"#;
         let error = QueryReader::new(Wanted::Momentum, Some(&subject)).read(half).unwrap_err();
-        assert!(matches!(error, QueryError::Missing { key: "r", .. }));
+        assert!(error.to_string().starts_with("r is missing"));
     }
 
     proptest! {

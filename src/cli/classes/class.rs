@@ -2,31 +2,45 @@
 
 use std::path::PathBuf;
 
-use bifdiag_body::{Body, BodyError};
+use bifdiag_body::Body;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::DocumentOptions;
-use bifdiag_exact::{Accuracy, AnswerError};
+use bifdiag_exact::Accuracy;
 use bifdiag_plot::{DiagramOptions, draw};
 use bifdiag_schema::{AtlasDocument, ClassDocument, ClassesDocument};
-use thiserror::Error;
+use clap::Args;
 
-use super::arguments::{ClassArguments, ClassesInput};
-use super::share;
 use crate::Curves;
-use crate::cli::export::{ExportError, FileSet, RESOLUTION, answer, directory};
-use crate::cli::failure::{CommandError, Failure};
+use crate::cli::export::{FileSet, PictureArguments, answer, directory};
+use crate::cli::failure::{Failure, failed};
 use crate::cli::terminal::{Report, Table, Timings, significant};
 
-/// The witness of a class that comes with the program has no diagram: a defect.
-#[derive(Debug, Error)]
-pub enum WitnessFailure {
-    #[error("the witness of the class is no body")]
-    Body(#[from] BodyError),
-    #[error("the witness of the class has no atlas")]
-    Answer(#[from] AnswerError),
-}
+pub const CLASS_EXAMPLES: &str = "\
+Examples:
+  bifdiag class 01036ac4a504
+  bifdiag class 01036ac4a504 --no-plot
+  bifdiag class 0103 --json
 
-impl CommandError for WitnessFailure {}
+The beginning of a name is enough where no other class begins so.";
+
+/// `bifdiag class`.
+#[derive(Debug, Args)]
+pub struct ClassArguments {
+    /// The name of a class, 12 hexadecimal digits, or its beginning
+    #[arg(value_name = "NAME")]
+    pub name: String,
+    /// Write no picture
+    #[arg(long, help_heading = "Output")]
+    pub no_plot: bool,
+    /// Print the class as JSON; pictures only with --out
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+    /// Write the diagram of the class's witness to DIR (default: bifdiag-out)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
+}
 
 pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure> {
     let mut class = find(&arguments.name)?;
@@ -35,7 +49,7 @@ pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure>
     }
     let directory = directory(arguments.out.as_deref(), !arguments.json && !arguments.no_plot)?;
     if arguments.json && directory.is_none() {
-        return Ok(answer(true, &class, String::new)?);
+        return answer(true, &class, String::new);
     }
     let (atlas, document) = timings.stage("regions", || witness(&class))?;
     let mut written = Vec::new();
@@ -43,16 +57,15 @@ pub fn run(arguments: &ClassArguments, timings: &Timings) -> Result<(), Failure>
         let mut files = FileSet::new(&directory);
         let name = format!("class-{}", class.name);
         let options = DiagramOptions { theme: arguments.picture.theme, ..DiagramOptions::default() };
-        let picture =
-            timings.stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options)).map_err(ExportError::from)?;
-        files.pictures(&name, &picture, &arguments.picture.format, RESOLUTION, timings)?;
+        let picture = timings.stage("diagram", || draw(&document, Some(&Curves(&atlas)), &options))?;
+        files.pictures(&name, &picture, &arguments.picture.format, timings)?;
         written = timings.stage("files", || files.write())?;
     }
-    Ok(answer(arguments.json, &class, || report(&class, &document, &written))?)
+    answer(arguments.json, &class, || report(&class, &document, &written))
 }
 
 /// The class whose name begins so.
-fn find(name: &str) -> Result<ClassDocument, ClassesInput> {
+fn find(name: &str) -> Result<ClassDocument, Failure> {
     let ClassesDocument { classes, others, .. } = bifdiag_documents::shipped_classes();
     let all: Vec<ClassDocument> = classes.into_iter().chain(others).collect();
     let digits = name.to_ascii_lowercase();
@@ -60,9 +73,15 @@ fn find(name: &str) -> Result<ClassDocument, ClassesInput> {
     match (found.next(), found.count()) {
         (Some(only), 0) => Ok(only.clone()),
         (Some(first), more) => {
-            Err(ClassesInput::Several { name: name.to_owned(), count: more + 1, first: first.name.clone() })
+            let (count, first) = (more + 1, &first.name);
+            Err(Failure::input(format!("NAME {name}: {count} classes begin so, {first} and others; give more digits")))
         }
-        (None, _) => Err(ClassesInput::Unknown { name: name.to_owned(), nearest: nearest(&digits, &all) }),
+        (None, _) => Err(Failure::input(format!(
+            "NAME {name}: none of the classes that come with bifdiag begins so{}; a name is computed from the structure of a \
+             diagram, so it does not lead back to a body: `bifdiag classes --at --body …` (or --A … --r …) gives the class of a \
+             body and the classes beside it, and `bifdiag classes` lists those that are known",
+            nearest(&digits, &all)
+        ))),
     }
 }
 
@@ -73,12 +92,22 @@ fn nearest(digits: &str, all: &[ClassDocument]) -> String {
     best.map_or_else(String::new, |class| format!(" (the nearest is {})", class.name))
 }
 
-/// The diagram of the witness.
-fn witness(class: &ClassDocument) -> Result<(Atlas, AtlasDocument), WitnessFailure> {
-    let body = Body::parse(&class.witness.body.moments, &class.witness.body.center)?;
-    let atlas = bifdiag_exact::atlas(&body, Accuracy::Exact)?;
+/// The diagram of the witness; without it, the program has a defect.
+fn witness(class: &ClassDocument) -> Result<(Atlas, AtlasDocument), Failure> {
+    let body = Body::parse(&class.witness.body.moments, &class.witness.body.center);
+    let body = body.map_err(failed("the witness of the class is no body"))?;
+    let atlas =
+        bifdiag_exact::atlas(&body, Accuracy::Exact).map_err(failed("the witness of the class has no atlas"))?;
     let document = bifdiag_documents::atlas::document(&atlas, &DocumentOptions::default());
     Ok((atlas, document))
+}
+
+/// Its share of bodies in percent, or that it is too small to be known.
+pub fn share(class: &ClassDocument) -> String {
+    if class.measure == 0.0 {
+        return format!("< {}%", significant(100.0 * class.measure_error, 1));
+    }
+    format!("{}%", significant(100.0 * class.measure, 3))
 }
 
 fn report(class: &ClassDocument, document: &AtlasDocument, written: &[PathBuf]) -> String {

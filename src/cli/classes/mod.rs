@@ -1,24 +1,63 @@
-//! `bifdiag classes` and `bifdiag class`: the classes of bodies, one of them, and where a body stands among them.
+//! `bifdiag classes`: the classes of bodies, and where a body stands among them.
 
-mod arguments;
 mod class;
-mod standing;
 
-use bifdiag_schema::{ClassDocument, ClassesDocument};
+use bifdiag_exact::Accuracy;
+use bifdiag_schema::{ClassDocument, ClassesDocument, StandingDocument};
+use bifdiag_survey::border::class_of;
+use bifdiag_survey::nearest::{NearestOptions, nearest};
+use bifdiag_survey::space::{BodySet, ReducedBody};
+use clap::Args;
 
 use super::export::answer;
 use super::failure::Failure;
+use super::input::{PlainBodyArguments, head};
 use super::terminal::{Report, Table, significant};
+use class::share;
 
-pub use arguments::{CLASS_EXAMPLES, CLASSES_EXAMPLES, ClassArguments, ClassesArguments};
-pub use class::run as class;
+pub use class::{CLASS_EXAMPLES, ClassArguments, run as class};
+
+pub const CLASSES_EXAMPLES: &str = "\
+Examples:
+  bifdiag classes
+  bifdiag classes --physical --json | jq -r '.classes[].name'
+  bifdiag classes --at --A 1,1.1,1.4 --r 0.5,0.3,0.8
+  bifdiag classes --at --body paper --json
+
+Two bodies have one class when their diagrams are the same but for the lengths in them. With --at: which class a body has, and \
+how far it is to its borders. Distances are √(|ΔA|² + ∠²), for A with the sum 2 and the angle between the two r.";
+
+/// `bifdiag classes`.
+#[derive(Debug, Args)]
+pub struct ClassesArguments {
+    /// Find the class of a body, and how far it is to the borders of that class
+    #[arg(long)]
+    pub at: bool,
+    #[command(flatten)]
+    pub body: PlainBodyArguments,
+    /// Only bodies that exist: A_i + A_j > A_k, or equality and r_k = 0
+    #[arg(long, help_heading = "Work")]
+    pub physical: bool,
+    /// With --at: random lines through the body, each in both directions (default: 48)
+    #[arg(long, value_name = "N", help_heading = "Work", requires = "at")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1_000_000), hide_short_help = true)]
+    pub lines: Option<u32>,
+    /// With --at: chooses the lines (default: 0)
+    #[arg(long, value_name = "N", help_heading = "Work", requires = "at", hide_short_help = true)]
+    pub seed: Option<u64>,
+    /// Print the answer as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
 
 pub fn run(arguments: &ClassesArguments) -> Result<(), Failure> {
     if arguments.at {
-        return standing::run(arguments);
+        return standing(arguments);
     }
     if let Some(option) = arguments.body.given().next() {
-        return Err(arguments::ClassesInput::NotAt { option }.into());
+        return Err(Failure::input(format!(
+            "{option} describes a body, and nothing is asked of it; add --at to tell its class"
+        )));
     }
     let mut document = bifdiag_documents::shipped_classes();
     if arguments.physical {
@@ -28,15 +67,7 @@ pub fn run(arguments: &ClassesArguments) -> Result<(), Failure> {
     if arguments.json {
         document.classes.iter_mut().for_each(bifdiag_documents::add_text);
     }
-    Ok(answer(arguments.json, &document, || table(&document))?)
-}
-
-/// Its share of bodies in percent, or that it is less than can be told.
-fn share(class: &ClassDocument) -> String {
-    if class.measure == 0.0 {
-        return format!("< {}%", significant(100.0 * class.measure_error, 1));
-    }
-    format!("{}%", significant(100.0 * class.measure, 3))
+    answer(arguments.json, &document, || table(&document))
 }
 
 fn table(ClassesDocument { classes, others, .. }: &ClassesDocument) -> String {
@@ -70,4 +101,67 @@ fn table(ClassesDocument { classes, others, .. }: &ClassesDocument) -> String {
         others.len() - special
     ));
     report.text()
+}
+
+/// `--at`: where a body stands among the classes.
+fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let usual = NearestOptions::default();
+    let options = NearestOptions {
+        lines: arguments.lines.unwrap_or(usual.lines),
+        seed: arguments.seed.unwrap_or(usual.seed),
+        set: if arguments.physical { BodySet::Physical } else { BodySet::All },
+        ..usual
+    };
+    let class = class_of(&subject.body, Accuracy::Exact).map(|(_, class)| class);
+    let borders = match &class {
+        Ok(_) => nearest(ReducedBody::of_body(&subject.body), &options),
+        Err(_) => Vec::new(),
+    };
+    let command = subject
+        .command("classes")
+        .flag("at", true)
+        .flag("physical", arguments.physical)
+        .option_if("lines", arguments.lines.filter(|lines| *lines != usual.lines))
+        .option_if("seed", arguments.seed.filter(|seed| *seed != usual.seed));
+    let document =
+        bifdiag_documents::standing(class.as_ref().ok().map(bifdiag_diagram::class::Class::name), &borders, command);
+    answer(arguments.json, &document, || {
+        let mut text = Report::default();
+        head(&subject, &mut text);
+        match &class {
+            Ok(_) => standing_report(&mut text, &document),
+            Err(error) => text.line(format!("the body has no class: {error}")),
+        }
+        text.text()
+    })
+}
+
+fn standing_report(report: &mut Report, document: &StandingDocument) {
+    let name = document.name.as_deref().unwrap_or_default();
+    report.line(format!("class {name}"));
+    if document.known {
+        report.line(format!("  bifdiag class {name} tells more"));
+    } else {
+        report.line("  it is none of the classes that come with bifdiag, so `bifdiag class` does not know it");
+    }
+    if document.borders.is_empty() {
+        report.line("no border was met on the lines through it");
+        return;
+    }
+    report.line("");
+    let mut table = Table::new(&["at most so far", "class beyond", "what happens on the border"]);
+    for border in &document.borders {
+        table.row([distance(border.distance), border.class.clone(), border.event.clone()]);
+    }
+    report.line(table.text());
+    report
+        .line("axes by rising moments; special bodies (two equal moments, a component of r that is 0) are not counted");
+}
+
+/// A distance, as far as the body's own rounding leaves it.
+fn distance(distance: f64) -> String {
+    /// A few roundings of A with the sum 2 and of r with the length 1.
+    const ROUNDING: f64 = 1e-15;
+    if distance < ROUNDING { "0".to_owned() } else { significant(distance, 4) }
 }

@@ -1,56 +1,157 @@
 //! `bifdiag classify`: the type of U, E and P at one point, or at many.
 
-mod arguments;
-mod error;
-mod grid;
-mod preparation;
-mod report;
-mod settings;
+mod many;
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use bifdiag_body::Number;
 use bifdiag_documents::Subject;
 use bifdiag_exact::{Solver, classify};
-use bifdiag_schema::{Accuracy, ClassificationDocument};
+use bifdiag_schema::{Accuracy, ClassificationDocument, ComponentDocument, Status};
+use clap::Args;
 
-use super::batch::{Batch, Wanted};
+use super::batch::{Batch, BatchArguments, Wanted, no_point};
 use super::export::answer;
 use super::failure::Failure;
-use super::terminal::Timings;
-use error::PointError;
-use preparation::Preparation;
-use settings::Settings;
+use super::input::values::Grid;
+use super::input::{BodyArguments, PointArguments, accuracy, head, values};
+use super::terminal::{Report, Table, Timings, bound, significant};
+use many::{Preparation, unanswered};
 
-pub use arguments::{ClassifyArguments, EXAMPLES};
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag classify --A 2,1.1,1 --r 0.94868,0,0.61623 --h 3.8 --l 3.25
+  bifdiag classify --body kovalevskaya --h 1.84 --l=-1.84 --json
+  bifdiag classify --body paper --grid -1:6:200,0:4:200 --out grid.npz
+  bifdiag classify --batch points.jsonl > types.jsonl
+  echo '{\"h\": 3.8, \"l\": \"13/4\"}' | bifdiag classify --body paper --batch -
 
-pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
-    match Settings::new(arguments)? {
-        Settings::Point { subject, h, l, accuracy, regions, json } => {
-            let document = timings.stage("classify", || point(&subject, h, l, accuracy, regions))?;
-            Ok(answer(json, &document, || report::text(&subject, &document))?)
-        }
-        Settings::Grid { subject, grid, accuracy, out } => grid::run(&subject, grid, accuracy, &out, timings),
-        Settings::Batch { path, strict, subject, accuracy, regions } => {
-            let mut preparation = Preparation::new(accuracy, regions);
-            Batch { path, strict, subject: subject.map(Arc::new), wanted: Wanted::Point, quiet }
-                .run(|queries| timings.stage("chunk", || preparation.answer(queries)))
-        }
-    }
+Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"h\": 3.8, \"l\": 3.25}, numbers or strings; a \
+line without A and r means the body of the command line, other keys are ignored. One line is written for each, in \
+the same order; a wrong line gives {\"error\": …, \"line\": n}.";
+
+/// `bifdiag classify`.
+#[derive(Debug, Args)]
+pub struct ClassifyArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    #[command(flatten)]
+    pub point: PointArguments,
+    #[command(flatten)]
+    pub batch: BatchArguments,
+    /// The regions of all points of a grid: n energies and m momenta, both ends included; with --out FILE
+    #[arg(long, value_name = "hmin:hmax:n,lmin:lmax:m", allow_hyphen_values = true, value_parser = values::grid)]
+    #[arg(help_heading = "Grid")]
+    pub grid: Option<Grid>,
+    /// Where the grid goes: FILE.npz (arrays h, l, region, regions, meta) or FILE.png (a pixel for each point)
+    #[arg(long, value_name = "FILE", help_heading = "Grid")]
+    pub out: Option<PathBuf>,
+    /// What the answer must be worth
+    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work", hide_short_help = true)]
+    pub accuracy: Accuracy,
+    /// Leave the ids of the regions out: no atlas is made (for batches over many bodies)
+    #[arg(long, help_heading = "Work", hide_short_help = true)]
+    pub no_region: bool,
+    /// Print the answer as JSON (a batch always is)
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
 }
 
-fn point(
-    subject: &Subject,
-    h: &Number,
-    l: &Number,
-    accuracy: Accuracy,
-    regions: bool,
-) -> Result<ClassificationDocument, PointError> {
-    let (found, prepared) = if regions {
-        let prepared = Solver::new(subject.body.clone(), accuracy);
-        (prepared.classify(h, l)?, Some(prepared))
-    } else {
-        (classify(&subject.body, h, l, accuracy)?, None)
-    };
-    Ok(bifdiag_documents::classification(subject, h, l, &found, accuracy, prepared.as_ref()))
+pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
+    let (h, l) = (arguments.point.energy.as_ref(), arguments.point.momentum.as_ref());
+    let (accuracy, regions) = (arguments.accuracy, !arguments.no_region);
+    if let Some(grid) = &arguments.grid {
+        let batch = arguments.batch.batch.is_some();
+        let replaced = [("--h", h.is_some()), ("--l", l.is_some()), ("--batch", batch)];
+        if let Some((option, _)) = replaced.into_iter().find(|(_, given)| *given) {
+            return Err(Failure::input(format!("--grid and {option} both say where; leave out one of them")));
+        }
+        let out = many::target(arguments.out.as_deref())?;
+        return many::grid(&arguments.body.subject()?, grid, accuracy, out, timings);
+    }
+    if arguments.out.is_some() {
+        return Err(Failure::input("--out is for --grid; leave it out"));
+    }
+    if let Some(path) = arguments.batch.path(&[("--h", h.is_some()), ("--l", l.is_some())])? {
+        let subject = arguments.body.optional_subject()?.map(Arc::new);
+        let mut preparation = Preparation::new(accuracy, regions);
+        return Batch { path, strict: arguments.batch.strict, subject, wanted: Wanted::Point, quiet }
+            .run(|queries| timings.stage("chunk", || preparation.answer(queries)));
+    }
+    let subject = arguments.body.subject()?;
+    let h = h.ok_or_else(|| no_point("--h", "the energy, such as --h 3.8"))?;
+    let l = l.ok_or_else(|| no_point("--l", "the momentum, such as --l 3.25"))?;
+    let document = timings.stage("classify", || {
+        let (found, prepared) = if regions {
+            let prepared = Solver::new(subject.body.clone(), accuracy);
+            (prepared.classify(h, l)?, Some(prepared))
+        } else {
+            (classify(&subject.body, h, l, accuracy)?, None)
+        };
+        Ok(bifdiag_documents::classification(&subject, h, l, &found, accuracy, prepared.as_ref()))
+    });
+    let document = document.map_err(unanswered)?;
+    answer(arguments.json, &document, || report(&subject, &document))
+}
+
+/// What the terminal shows of a point.
+fn report(subject: &Subject, document: &ClassificationDocument) -> String {
+    let mut report = Report::default();
+    head(subject, &mut report);
+    report.line(format!("h = {}", document.h));
+    report.line(format!("l = {}", document.l));
+    report.line("");
+    if let Some(region) = &document.region {
+        report.line(format!("region {region}"));
+    }
+    report.line(match document.status {
+        Status::Regular => "regular",
+        Status::Forbidden => "forbidden: h is below the minimum of the effective potential, U is empty",
+        Status::Critical => "critical: exactly on a curve; there meet",
+        Status::Undecided => "undecided: closer to a curve than the error bound; possible are",
+    });
+    if let Some(components) = document.components.as_ref().filter(|components| !components.is_empty()) {
+        report.line("");
+        report.line(component_table(components));
+    }
+    for (i, candidate) in document.candidates.iter().enumerate() {
+        report.line("");
+        report.line(match (&candidate.region, candidate.status) {
+            (Some(region), _) => format!("region {region}"),
+            (None, Status::Forbidden) => "the forbidden region".to_owned(),
+            (None, _) => format!("class {}", i + 1),
+        });
+        report.line(component_table(&candidate.components));
+    }
+    report.line("");
+    let margin = &document.margin;
+    report.line(format!(
+        "margin: {} in h to {} (error bound {})",
+        significant(margin.h, 6),
+        margin.nearest,
+        bound(margin.error_bound, 2),
+    ));
+    if let Some(note) = &document.note {
+        report.line(format!("note: {note}"));
+    }
+    report.text()
+}
+
+/// The components of one class.
+fn component_table(class: &[ComponentDocument]) -> String {
+    if class.is_empty() {
+        return "U is empty\n".to_owned();
+    }
+    let mut table = Table::new(&["U", "E", "P", "genus", "poles"]);
+    let missing = || "-".to_owned();
+    for component in class {
+        table.row([
+            component.accessible_region.clone(),
+            component.energy_surface.clone(),
+            component.section.clone().unwrap_or_else(missing),
+            component.genus.map_or_else(missing, |genus| genus.to_string()),
+            component.poles.as_ref().map_or_else(missing, |poles| poles.join(" ")),
+        ]);
+    }
+    table.text()
 }

@@ -12,15 +12,14 @@ use bifdiag_documents::Subject;
 use bifdiag_equilibria::critical::{CriticalError, RelativeEquilibria};
 use clap::{Args, ValueEnum};
 use rayon::prelude::*;
-use thiserror::Error;
 
-use super::batch::{Batch, BatchArguments, BatchInput, Query, Wanted};
-use super::export::{Columns, DataFormat, DataTarget, Exporter, FileSet, answer};
-use super::failure::{CommandError, Exit, Failure};
+use super::batch::{Batch, BatchArguments, Query, Wanted, no_point};
+use super::export::{Columns, DataFormat, DataTarget, FileSet, answer};
+use super::failure::{Failure, failed};
 use super::input::BodyArguments;
 use super::terminal::{Timings, print};
 use momenta::Momenta;
-use table::Unanswered;
+use table::NOT_FOUND;
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -60,7 +59,7 @@ pub struct CriticalArguments {
     #[arg(help_heading = "Momentum")]
     pub spin: Option<Spin>,
     /// How they are found
-    #[arg(long, value_enum, default_value_t, value_name = "METHOD", help_heading = "Momentum")]
+    #[arg(long, value_enum, default_value_t, value_name = "METHOD", help_heading = "Momentum", hide_short_help = true)]
     pub method: Method,
     #[command(flatten)]
     pub batch: BatchArguments,
@@ -72,33 +71,13 @@ pub struct CriticalArguments {
     pub out: Option<DataTarget>,
 }
 
-/// Options that do not fit together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-enum CriticalInput {
-    #[error("--out needs a range of momenta, such as --l 0:4:401, or --spin; at one momentum --json writes to stdout")]
-    OutWithoutRange,
-    #[error("--method newton follows the curves to one momentum: give --l a number, and no --batch or --spin")]
-    NewtonOfMany,
-}
-
-impl CommandError for CriticalInput {
-    fn exit(&self) -> Exit {
-        Exit::WrongInput
-    }
-}
-
-/// The one question of the command line has no answer.
-#[derive(Debug, Error)]
-#[error("the relative equilibria could not be found")]
-struct NotFound(#[source] Unanswered);
-
-impl CommandError for NotFound {}
-
 pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Result<(), Failure> {
     let CriticalArguments { body, momentum, spin, method, batch, json, out } = arguments;
     let is_range = matches!(momentum, Some(Momenta::Range { .. }));
     if *method == Method::Newton && (is_range || spin.is_some() || batch.batch.is_some()) {
-        return Err(CriticalInput::NewtonOfMany.into());
+        return Err(Failure::input(
+            "--method newton follows the curves to one momentum: give --l a number, and no --batch or --spin",
+        ));
     }
     let replaced = [("--l", momentum.is_some()), ("--spin", spin.is_some()), ("--out", out.is_some())];
     if let Some(path) = batch.path(&replaced)? {
@@ -109,22 +88,24 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
     let subject = body.subject()?;
     match (momentum, spin) {
         (_, Some(spin)) => at_spin(&subject, spin, *json, out.as_ref(), timings),
-        (None, None) => Err(BatchInput::NoPoint { missing: "--l", example: "the momentum, such as --l 3.25" }.into()),
-        (Some(Momenta::One(_)), None) if out.is_some() => Err(CriticalInput::OutWithoutRange.into()),
+        (None, None) => Err(no_point("--l", "the momentum, such as --l 3.25")),
+        (Some(Momenta::One(_)), None) if out.is_some() => Err(Failure::input(
+            "--out needs a range of momenta, such as --l 0:4:401, or --spin; at one momentum --json writes to stdout",
+        )),
         (Some(Momenta::One(l)), None) => {
             let found = timings.stage("critical", || {
                 let prepared = RelativeEquilibria::new(&subject.body)?;
                 if *method == Method::Newton { prepared.continued(l) } else { prepared.at(l) }
             });
-            let document = bifdiag_documents::critical(&subject, l, &found.map_err(|error| NotFound(error.into()))?);
-            Ok(answer(*json, &document, || report::text(&subject, &document))?)
+            let document = bifdiag_documents::critical(&subject, l, &found.map_err(failed(NOT_FOUND))?);
+            answer(*json, &document, || report::text(&subject, &document))
         }
         (Some(Momenta::Range { from, to, count }), None) if *json => {
             timings.stage("critical", || ranged_lines(&subject, [from, to], *count))
         }
         (Some(Momenta::Range { from, to, count }), None) => {
             let columns = timings.stage("critical", || table::at_momenta(&subject.body, [from, to], *count));
-            written(&columns.map_err(NotFound)?, out.as_ref(), timings)
+            written(&columns?, out.as_ref(), timings)
         }
     }
 }
@@ -139,31 +120,31 @@ fn at_spin(
 ) -> Result<(), Failure> {
     let omega = spin.exact_rad_per_s() * subject.unit_of_time();
     let found = timings.stage("critical", || RelativeEquilibria::new(&subject.body)?.at_spin(&omega));
-    let found = found.map_err(|error| NotFound(error.into()))?;
+    let found = found.map_err(failed(NOT_FOUND))?;
     let document = bifdiag_documents::steady_axes(subject, spin, &found);
     match out {
         Some(_) => {
-            let columns = table::at_spin(&subject.body, &document, &found).map_err(NotFound)?;
+            let columns = table::at_spin(&subject.body, &document, &found)?;
             written(&columns, out, timings)
         }
-        None => Ok(answer(json, &document, || report::steady_axes(subject, &document))?),
+        None => answer(json, &document, || report::steady_axes(subject, &document)),
     }
 }
 
 /// Writes a table.
 fn written(columns: &Columns, target: Option<&DataTarget>, timings: &Timings) -> Result<(), Failure> {
     let Some(DataTarget::File { path, format }) = target else {
-        return Ok(print(DataFormat::Csv.bytes(columns)?)?);
+        return print(DataFormat::Csv.bytes(columns)?);
     };
     let bytes = timings.stage("table", || format.bytes(columns))?;
     let mut files = FileSet::new(path.parent().unwrap_or(path));
     files.add_at(path, bytes);
     let written = timings.stage("files", || files.write())?;
-    Ok(print(report::written(columns.rows(), &written))?)
+    print(report::written(columns.rows(), &written))
 }
 
 /// The answers to lines of a batch; of lines in a row about one body its curves are found once in each block.
-fn lines(queries: &[Query]) -> Vec<Result<Vec<u8>, Unanswered>> {
+fn lines(queries: &[Query]) -> Vec<Result<Vec<u8>, Failure>> {
     let same = |one: &Query, other: &Query| {
         Arc::ptr_eq(&one.subject, &other.subject) || one.subject.body == other.subject.body
     };
@@ -171,32 +152,42 @@ fn lines(queries: &[Query]) -> Vec<Result<Vec<u8>, Unanswered>> {
 }
 
 /// The answers to lines about one body.
-fn of_one_body(queries: &[Query]) -> Vec<Result<Vec<u8>, Unanswered>> {
+fn of_one_body(queries: &[Query]) -> Vec<Result<Vec<u8>, Failure>> {
     let prepared = RelativeEquilibria::new(&queries[0].subject.body);
-    let answer = |query: &Query| line(&query.subject, prepared.as_ref().map_err(CriticalError::clone)?, &query.l);
+    let answer = |query: &Query| match &prepared {
+        Ok(prepared) => line(&query.subject, prepared, &query.l),
+        Err(error) => Err(unanswered(error)),
+    };
     queries.iter().map(answer).collect()
 }
 
 /// The answer at one momentum on one line.
-fn line(subject: &Subject, prepared: &RelativeEquilibria<'_>, l: &Number) -> Result<Vec<u8>, Unanswered> {
-    let found = prepared.at(l)?;
+fn line(subject: &Subject, prepared: &RelativeEquilibria<'_>, l: &Number) -> Result<Vec<u8>, Failure> {
+    let found = prepared.at(l).map_err(|error| unanswered(&error))?;
     let mut text = Vec::with_capacity(LINE);
     serde_json::to_writer(&mut text, &bifdiag_documents::critical(subject, l, &found))?;
     Ok(text)
 }
 
+/// A line without an answer; a momentum out of range makes it a wrong one.
+fn unanswered(error: &CriticalError) -> Failure {
+    match error {
+        CriticalError::Momentum(_) => Failure::input(error),
+        CriticalError::Equilibria(_) | CriticalError::Lost { .. } => Failure::work(error),
+    }
+}
+
 /// Prints the answers at the momenta of a range, a line for each.
 fn ranged_lines(subject: &Subject, ends: [&Number; 2], count: u32) -> Result<(), Failure> {
-    let not_found = |error: CriticalError| NotFound(error.into());
-    let prepared = RelativeEquilibria::new(&subject.body).map_err(not_found)?;
+    let prepared = RelativeEquilibria::new(&subject.body).map_err(failed(NOT_FOUND))?;
     let numbers: Vec<u32> = (0..count).collect();
     for block in numbers.chunks(BLOCK) {
         let lines = block.par_iter().map(|&k| {
             let mut line = line(subject, &prepared, &Momenta::at(ends, count, k))?;
             line.push(b'\n');
-            Ok(line)
+            Ok::<_, Failure>(line)
         });
-        let lines: Vec<Vec<u8>> = lines.collect::<Result<_, _>>().map_err(NotFound)?;
+        let lines: Vec<Vec<u8>> = lines.collect::<Result<_, _>>().map_err(failed(NOT_FOUND))?;
         print(lines.concat())?;
     }
     Ok(())

@@ -1,8 +1,8 @@
 //! The momenta at which relative equilibria are wanted.
 
 use bifdiag_body::Number;
-use thiserror::Error;
 
+use crate::cli::failure::Failure;
 use crate::cli::input::values;
 
 /// Momenta as the option says them.
@@ -17,37 +17,26 @@ pub enum Momenta {
 /// The most momenta of a range.
 const MOST: u32 = 10_000_000;
 
-/// Why momenta are refused.
-#[derive(Debug, PartialEq, Error)]
-pub enum MomentaError {
-    #[error("a range of momenta is written a:b:n, such as 0:4:401 for 401 momenta from 0 to 4")]
-    Shape,
-    #[error("{name}: {source}")]
-    End { name: &'static str, source: values::ValueError },
-    #[error("{0}")]
-    One(values::ValueError),
-    #[error("n = `{value}` is not a whole number from 1 to {MOST}")]
-    Count { value: String },
-    #[error("a = {from} is above b = {to}; write the smaller momentum first")]
-    Falling { from: String, to: String },
-}
-
 impl Momenta {
     /// Of the text of the option.
-    pub fn parse(text: &str) -> Result<Self, MomentaError> {
+    pub fn parse(text: &str) -> Result<Self, Failure> {
         if !text.contains(':') {
-            return values::number(text).map(Self::One).map_err(MomentaError::One);
+            return values::number(text).map(Self::One);
         }
         let parts: Vec<&str> = text.split(':').collect();
-        let [from, to, count] = parts[..] else { return Err(MomentaError::Shape) };
-        let end = |name, text| values::number(text).map_err(|source| MomentaError::End { name, source });
+        let [from, to, count] = parts[..] else {
+            return Err(Failure::input(
+                "a range of momenta is written a:b:n, such as 0:4:401 for 401 momenta from 0 to 4",
+            ));
+        };
+        let end = |name, text| values::number(text).map_err(|error| Failure::input(format!("{name}: {error}")));
         let (from, to) = (end("a", from)?, end("b", to)?);
         if from > to {
-            return Err(MomentaError::Falling { from: from.to_string(), to: to.to_string() });
+            return Err(Failure::input(format!("a = {from} is above b = {to}; write the smaller momentum first")));
         }
         match count.parse() {
             Ok(count) if (1..=MOST).contains(&count) => Ok(Self::Range { from, to, count }),
-            _ => Err(MomentaError::Count { value: count.to_owned() }),
+            _ => Err(Failure::input(format!("n = `{count}` is not a whole number from 1 to {MOST}"))),
         }
     }
 
@@ -71,10 +60,11 @@ mod tests {
 
     #[test]
     fn wrong_ranges_say_what_is_right() {
-        assert_eq!(Momenta::parse("1:2"), Err(MomentaError::Shape));
-        assert!(matches!(Momenta::parse("2:1:5"), Err(MomentaError::Falling { .. })));
-        assert!(matches!(Momenta::parse("1:2:0"), Err(MomentaError::Count { .. })));
-        assert!(matches!(Momenta::parse("1:x:3"), Err(MomentaError::End { name: "b", .. })));
-        assert!(matches!(Momenta::parse("x"), Err(MomentaError::One(_))));
+        let wrong = |text| Momenta::parse(text).unwrap_err().to_string();
+        assert!(wrong("1:2").starts_with("a range of momenta is written a:b:n"));
+        assert!(wrong("2:1:5").starts_with("a = 2 is above b = 1"));
+        assert!(wrong("1:2:0").starts_with("n = `0` is not a whole number"));
+        assert!(wrong("1:x:3").starts_with("b: `x` is not a number"));
+        assert!(wrong("x").starts_with("`x` is not a number"));
     }
 }

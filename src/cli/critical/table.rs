@@ -1,33 +1,16 @@
 //! Relative equilibria at many l, or at one spin, as columns.
 
 use bifdiag_body::{Body, Number};
-use bifdiag_equilibria::critical::{CriticalError, Equilibria, Multiplicity as Points, RelativeEquilibria};
+use bifdiag_equilibria::critical::{Equilibria, Multiplicity as Points, RelativeEquilibria};
 use bifdiag_schema::{Multiplicity, SCHEMA_VERSION, SpinDocument, Stability, SteadyAxesDocument, Verdict};
 use serde::Serialize;
-use thiserror::Error;
 
 use super::momenta::Momenta;
 use crate::cli::export::{Columns, Values};
-use crate::cli::failure::{CommandError, Exit};
+use crate::cli::failure::{Failure, failed};
 
-/// Why there is no answer.
-#[derive(Debug, Error)]
-pub enum Unanswered {
-    #[error(transparent)]
-    Critical(#[from] CriticalError),
-    #[error(transparent)]
-    Json(#[from] serde_json::Error),
-}
-
-/// In a batch a momentum out of range is a wrong line.
-impl CommandError for Unanswered {
-    fn exit(&self) -> Exit {
-        match self {
-            Self::Critical(CriticalError::Momentum(_)) => Exit::WrongInput,
-            Self::Critical(CriticalError::Equilibria(_) | CriticalError::Lost { .. }) | Self::Json(_) => Exit::Failed,
-        }
-    }
-}
+/// What is said where there is no answer.
+pub const NOT_FOUND: &str = "the relative equilibria could not be found";
 
 /// What the codes in the columns mean.
 #[derive(Serialize)]
@@ -71,19 +54,19 @@ struct Rows {
 }
 
 /// All equilibria at all momenta of a range.
-pub fn at_momenta(body: &Body, [from, to]: [&Number; 2], count: u32) -> Result<Columns, Unanswered> {
-    let prepared = RelativeEquilibria::new(body)?;
+pub fn at_momenta(body: &Body, [from, to]: [&Number; 2], count: u32) -> Result<Columns, Failure> {
+    let prepared = RelativeEquilibria::new(body).map_err(failed(NOT_FOUND))?;
     let mut rows = Rows::default();
     for k in 0..count {
         let l = Momenta::at([from, to], count, k);
-        rows.extend(&prepared.at(&l)?, k, Some(l.to_f64()));
+        rows.extend(&prepared.at(&l).map_err(failed(NOT_FOUND))?, k, Some(l.to_f64()));
     }
     let numbers = ("l_index", Values::Int32(std::mem::take(&mut rows.index_of_l)));
     Ok(rows.columns(body, Some((from.text(), to.text(), count)), None, [numbers], [])?)
 }
 
 /// All steady axes at a spin.
-pub fn at_spin(body: &Body, document: &SteadyAxesDocument, found: &Equilibria) -> Result<Columns, Unanswered> {
+pub fn at_spin(body: &Body, document: &SteadyAxesDocument, found: &Equilibria) -> Result<Columns, Failure> {
     let mut rows = Rows::default();
     rows.extend(found, 0, None);
     let axes = ("axis", Values::vectors(document.axes.iter().map(|axis| axis.axis)));

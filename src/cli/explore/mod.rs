@@ -1,10 +1,8 @@
 //! `bifdiag explore`: the explorer's page, served to this machine alone.
 
-mod folder;
 mod server;
 
 use std::env;
-use std::io;
 use std::net::{Ipv4Addr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -12,12 +10,11 @@ use std::process::{Command, Stdio};
 use bifdiag_body::Number;
 use bifdiag_documents::Subject;
 use clap::Args;
-use thiserror::Error;
 
-use super::failure::{CommandError, Exit, Failure};
-use super::input::{BodyArguments, values};
+use super::failure::{Failure, failed};
+use super::input::{PlainBodyArguments, values};
 use super::terminal::{print, say};
-use folder::Folder;
+use server::Folder;
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -32,7 +29,7 @@ this machine alone, until Ctrl-C.";
 #[derive(Debug, Args)]
 pub struct ExploreArguments {
     #[command(flatten)]
-    pub body: BodyArguments,
+    pub body: PlainBodyArguments,
     /// Energy to begin with
     #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number)]
     #[arg(requires = "momentum", help_heading = "Point")]
@@ -42,47 +39,39 @@ pub struct ExploreArguments {
     #[arg(requires = "energy", help_heading = "Point")]
     pub momentum: Option<Number>,
     /// The built page (default: `page` beside the program, else web/dist here)
-    #[arg(long, value_name = "DIR", help_heading = "Page")]
+    #[arg(long, value_name = "DIR", help_heading = "Page", hide_short_help = true)]
     pub page: Option<PathBuf>,
     /// The port to serve at (default: one that is free)
-    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, help_heading = "Page")]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        hide_default_value = true,
+        help_heading = "Page",
+        hide_short_help = true
+    )]
     pub port: u16,
     /// Print the address only, and open no browser
     #[arg(long, help_heading = "Page")]
     pub no_open: bool,
 }
 
-/// Why there is nothing to explore.
-#[derive(Debug, Error)]
-enum NotServed {
-    #[error("--page {}: {source}; give the folder that `npm run build` makes in web/", page.display())]
-    Page { page: PathBuf, source: io::Error },
-    #[error(
-        "this program has no page beside it; give --page DIR, the folder that `npm ci && npm run build` makes in web/ of the sources, or install the wheel, which carries it"
-    )]
-    NoPage,
-    #[error("--port {port}: {source}; leave it out to take one that is free")]
-    Port { port: u16, source: io::Error },
-    #[error("the page could not be served")]
-    Serve(#[source] io::Error),
-}
-
-impl CommandError for NotServed {
-    fn exit(&self) -> Exit {
-        match self {
-            Self::Serve(_) => Exit::Failed,
-            _ => Exit::WrongInput,
-        }
-    }
-}
-
 pub fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     let subject = arguments.body.optional_subject()?;
-    let page = arguments.page.clone().map_or_else(|| found().ok_or(NotServed::NoPage), Ok)?;
-    let folder = Folder::read(&page).map_err(|source| NotServed::Page { page, source })?;
+    let page = arguments.page.clone().or_else(found).ok_or_else(|| {
+        Failure::input(
+            "this program has no page beside it; give --page DIR, the folder that `npm ci && npm run build` makes in web/ of the \
+             sources, or install the wheel, which carries it",
+        )
+    })?;
+    let folder = Folder::read(&page).map_err(|error| {
+        let page = page.display();
+        Failure::input(format!("--page {page}: {error}; give the folder that `npm run build` makes in web/"))
+    })?;
     let port = arguments.port;
-    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|source| NotServed::Port { port, source })?;
-    let address = listener.local_addr().map_err(NotServed::Serve)?;
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))
+        .map_err(|error| Failure::input(format!("--port {port}: {error}; leave it out to take one that is free")))?;
+    let address = listener.local_addr().map_err(failed("the page could not be served"))?;
     let point = arguments.energy.as_ref().zip(arguments.momentum.as_ref());
     let url = format!("http://{address}/{}", state(subject.as_ref(), point));
     print(format!("{url}\n"))?;

@@ -1,13 +1,15 @@
-//! As much of HTTP/1.1 as a browser on this machine needs to load a page: GET and HEAD, one request a connection.
+//! As much of HTTP/1.1 as a browser on this machine needs to load a page: GET and HEAD, one request a connection. Only what
+//! lies in the page's folder when the program starts is served, under the name that it has there: regular files, none of
+//! them outside of the folder.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
-
-use super::folder::Folder;
 
 /// The longest head of a request.
 const LONGEST_HEAD: u64 = 16 << 10;
@@ -23,6 +25,60 @@ const CONNECTIONS: usize = 64;
 const PAUSE: Duration = Duration::from_millis(50);
 /// Names of this machine. A page of another site whose name was made to lead here (DNS rebinding) says that name.
 const HOSTS: [&str; 3] = ["localhost", "127.0.0.1", "[::1]"];
+
+/// A folder and its files by their paths in an address.
+#[derive(Debug)]
+pub struct Folder {
+    root: PathBuf,
+    files: BTreeMap<String, PathBuf>,
+}
+
+impl Folder {
+    /// All files below a folder.
+    ///
+    /// # Errors
+    /// The folder cannot be read, or holds no `index.html`.
+    pub fn read(root: &Path) -> io::Result<Self> {
+        let root = root.canonicalize()?;
+        let mut files = BTreeMap::new();
+        let mut folders = vec![(root.clone(), "/".to_owned())];
+        while let Some((folder, prefix)) = folders.pop() {
+            for entry in fs::read_dir(folder)? {
+                let entry = entry?;
+                let path = format!("{prefix}{}", entry.file_name().to_string_lossy());
+                if entry.file_type()?.is_dir() {
+                    folders.push((entry.path(), format!("{path}/")));
+                } else {
+                    files.insert(path, entry.path());
+                }
+            }
+        }
+        match files.get("/index.html").filter(|index| inside(&root, index).is_some()).cloned() {
+            Some(index) => files.insert("/".to_owned(), index),
+            None => return Err(io::Error::new(io::ErrorKind::NotFound, "it holds no index.html")),
+        };
+        Ok(Self { root, files })
+    }
+
+    /// The file of a path, and the type that a browser needs to be told.
+    pub fn file(&self, path: &str) -> Option<(PathBuf, &'static str)> {
+        let file = self.files.get(path)?;
+        let kind = match file.extension().and_then(|suffix| suffix.to_str()) {
+            Some("html") => "text/html; charset=utf-8",
+            Some("js") => "text/javascript",
+            Some("css") => "text/css",
+            Some("wasm") => "application/wasm",
+            Some("svg") => "image/svg+xml",
+            _ => "application/octet-stream",
+        };
+        Some((inside(&self.root, file)?, kind))
+    }
+}
+
+/// Where a regular file of a folder lies once links are followed, if that is in the folder.
+fn inside(root: &Path, file: &Path) -> Option<PathBuf> {
+    file.canonicalize().ok().filter(|file| file.starts_with(root) && file.is_file())
+}
 
 /// Answers until the process ends.
 pub fn serve(listener: &TcpListener, folder: &Folder) {

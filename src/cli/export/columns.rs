@@ -1,5 +1,6 @@
-//! Columns of numbers.
+//! Tables: columns of numbers, in memory or piece by piece.
 
+use std::io;
 use std::ops::Range;
 
 use serde::Serialize;
@@ -168,7 +169,7 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Of names and values, and the document that tells what they mean.
+    /// Of names and values, and the document that says what they mean.
     ///
     /// # Errors
     /// When the document cannot be written as JSON.
@@ -183,5 +184,51 @@ impl Columns {
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
+    }
+}
+
+/// A table that may be too long for the memory.
+pub trait Pieces {
+    /// Its columns, without rows.
+    fn columns(&self) -> Vec<Column>;
+
+    /// Number of rows.
+    fn rows(&self) -> usize;
+
+    /// The parameters, as JSON on one line.
+    fn meta(&self) -> &str;
+
+    /// The little-endian bytes of a column, in their order.
+    ///
+    /// # Errors
+    /// When the table cannot be read, and those of `take`.
+    fn column(&mut self, number: usize, take: &mut dyn FnMut(&[u8]) -> io::Result<()>) -> io::Result<()>;
+
+    /// The rows, some at a time, in their order.
+    ///
+    /// # Errors
+    /// As [`column`](Self::column).
+    fn pieces(&mut self, take: &mut dyn FnMut(&[Column]) -> io::Result<()>) -> io::Result<()>;
+}
+
+impl Pieces for &Columns {
+    fn columns(&self) -> Vec<Column> {
+        self.columns.iter().map(Column::without_rows).collect()
+    }
+
+    fn rows(&self) -> usize {
+        Columns::rows(self)
+    }
+
+    fn meta(&self) -> &str {
+        &self.meta
+    }
+
+    fn column(&mut self, number: usize, take: &mut dyn FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
+        take(&self.columns[number].values.bytes())
+    }
+
+    fn pieces(&mut self, take: &mut dyn FnMut(&[Column]) -> io::Result<()>) -> io::Result<()> {
+        take(&self.columns)
     }
 }

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 
 use bifdiag_plot::Picture;
 use clap::ValueEnum;
-use tempfile::NamedTempFile;
+use serde::Serialize;
+use tempfile::{NamedTempFile, PersistError};
 
-use super::error::{ExportError, FilesError};
-use super::exporter::Exporter;
-use super::picture::{PictureExporter, PictureFormat};
+use super::picture::PictureFormat;
+use crate::cli::failure::Failure;
 use crate::cli::terminal::Timings;
 use crate::cli::terminal::interrupt::{unfinished, uninterrupted};
 
@@ -58,16 +58,16 @@ impl FileSet {
         self.files.push((path.to_owned(), Contents::Written(Box::new(write))));
     }
 
-    /// Adds a result in a format; the name of its file is `stem` with the format's ending.
-    pub fn export<R>(&mut self, stem: &str, result: &R, format: &impl Exporter<R>) -> Result<(), ExportError> {
-        self.add(format!("{stem}.{}", format.ending()), format.bytes(result)?);
+    /// Adds a document as JSON.
+    pub fn json(&mut self, stem: &str, document: &impl Serialize) -> Result<(), Failure> {
+        self.add(format!("{stem}.json"), bifdiag_documents::layout::text(document)?);
         Ok(())
     }
 
     /// Names the pictures of earlier runs, which go unless they are written anew.
     pub fn remove_pictures(&mut self, stem: &str) {
         for format in PictureFormat::value_variants() {
-            self.remove(format!("{stem}.{}", PictureExporter { format: *format, resolution: 1.0 }.ending()));
+            self.remove(format!("{stem}.{}", format.ending()));
         }
     }
 
@@ -77,12 +77,12 @@ impl FileSet {
         stem: &str,
         picture: &Picture,
         formats: &[PictureFormat],
-        resolution: f64,
         timings: &Timings,
-    ) -> Result<(), ExportError> {
+    ) -> Result<(), Failure> {
         formats.iter().try_for_each(|&format| {
-            let exporter = PictureExporter { format, resolution };
-            timings.stage(exporter.ending(), || self.export(stem, picture, &exporter))
+            let bytes = timings.stage(format.ending(), || format.bytes(picture))?;
+            self.add(format!("{stem}.{}", format.ending()), bytes);
+            Ok(())
         })
     }
 
@@ -93,7 +93,7 @@ impl FileSet {
 
     /// Writes every file under a temporary name in its directory and, when all are whole and on the disk, renames
     /// them. If one cannot be written, none is, and directories made on the way are taken away again.
-    pub fn write(self) -> Result<Vec<PathBuf>, FilesError> {
+    pub fn write(self) -> Result<Vec<PathBuf>, Failure> {
         let _guard = uninterrupted();
         let written = self.write_whole();
         for path in unfinished().drain(..) {
@@ -103,7 +103,7 @@ impl FileSet {
         written
     }
 
-    fn write_whole(self) -> Result<Vec<PathBuf>, FilesError> {
+    fn write_whole(self) -> Result<Vec<PathBuf>, Failure> {
         let mut whole = Vec::with_capacity(self.files.len());
         for (path, contents) in self.files {
             let directory = match path.parent() {
@@ -112,24 +112,37 @@ impl FileSet {
             };
             create_directories(directory)?;
             if path.is_dir() {
-                return Err(FilesError::Occupied { path });
+                let path = path.display();
+                return Err(Failure::work(format!(
+                    "cannot write {path}: a directory of this name is in the way; nothing was changed"
+                )));
             }
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             match write_temporary(directory, &format!(".bifdiag-{name}-"), contents) {
                 Ok(file) => whole.push((file, path)),
-                Err(source) => return Err(FilesError::Write { path, source }),
+                Err(error) => {
+                    let path = path.display();
+                    return Err(
+                        Failure::work(format!("cannot write {path}: {error}; nothing was changed")).because(error)
+                    );
+                }
             }
         }
         let mut written = Vec::with_capacity(whole.len());
         let _lock = locked(&self.directory);
         let mut unfinished = unfinished();
         for (file, path) in whole {
-            file.persist(&path).map_err(|error| FilesError::Replace { path: path.clone(), source: error.error })?;
+            file.persist(&path).map_err(|PersistError { error, .. }| {
+                Failure::work(format!("cannot replace {}: {error}", path.display())).because(error)
+            })?;
             written.push(path);
         }
         unfinished.clear();
         for path in self.stale.into_iter().filter(|path| !written.contains(path) && path.is_file()) {
-            fs::remove_file(&path).map_err(|source| FilesError::Remove { path, source })?;
+            fs::remove_file(&path).map_err(|error| {
+                let path = path.display();
+                Failure::work(format!("cannot remove {path}, which tells of an earlier run: {error}")).because(error)
+            })?;
         }
         Ok(written)
     }
@@ -186,8 +199,11 @@ fn remove_others(directory: &Path, prefix: &str, own: &Path) -> io::Result<()> {
 }
 
 /// Makes the directory and those that it lies in; they are unfinished, innermost first.
-fn create_directories(directory: &Path) -> Result<(), FilesError> {
+fn create_directories(directory: &Path) -> Result<(), Failure> {
     let missing = directory.ancestors().take_while(|path| !path.as_os_str().is_empty() && !path.exists());
     unfinished().splice(0..0, missing.map(Path::to_owned));
-    fs::create_dir_all(directory).map_err(|source| FilesError::Directory { path: directory.to_owned(), source })
+    fs::create_dir_all(directory).map_err(|error| {
+        let path = directory.display();
+        Failure::work(format!("cannot create the directory {path}: {error}; choose another with --out")).because(error)
+    })
 }

@@ -9,9 +9,8 @@ use zip::result::ZipError;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-use super::columns::Values;
-use super::error::ExportError;
-use super::pieces::Pieces;
+use super::columns::{Pieces, Values};
+use crate::cli::failure::Failure;
 
 /// Entries larger than this need ZIP's 64-bit fields.
 const LARGE: usize = 1 << 31;
@@ -44,7 +43,7 @@ impl<W: Write + Seek> Archive<W> {
         Ok(())
     }
 
-    /// Begins an array of so many bytes, which are to follow.
+    /// Begins an array of `bytes` bytes, which are to follow.
     fn begin(&mut self, name: &str, kind: &str, shape: &str, bytes: usize) -> Result<(), ZipError> {
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
@@ -56,7 +55,7 @@ impl<W: Write + Seek> Archive<W> {
         Ok(())
     }
 
-    /// Begins a column of so many rows, which are to follow.
+    /// Begins a column of `rows` rows, which are to follow.
     fn begin_column(&mut self, name: &str, values: &Values, rows: usize) -> Result<(), ZipError> {
         let width = values.parts().len();
         let shape = if width == 1 { format!("({rows},)") } else { format!("({rows}, {width})") };
@@ -103,7 +102,7 @@ impl<W: Write + Seek> Archive<W> {
 }
 
 /// Writes a table and what it means as an archive.
-pub fn write(table: &mut impl Pieces, out: impl Write + Seek) -> Result<(), ExportError> {
+pub fn write(table: &mut impl Pieces, out: impl Write + Seek) -> Result<(), Failure> {
     let mut archive = Archive::onto(out);
     let rows = table.rows();
     for (number, column) in table.columns().iter().enumerate() {

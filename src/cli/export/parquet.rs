@@ -7,27 +7,22 @@ use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int32Type};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
+use parquet::file::properties::{WriterProperties, WriterPropertiesBuilder};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
-use parquet::schema::types::{Type, TypePtr};
+use parquet::schema::types::Type;
 
-use super::columns::{Column, Values};
-use super::error::ExportError;
-use super::pieces::Pieces;
+use super::columns::{Column, Pieces, Values};
+use crate::cli::failure::{Failure, failed};
 
 /// Rows of a group: of this size whatever pieces the table comes in, so that its bytes depend on nothing else.
 const GROUP: usize = 1 << 17;
 
 /// Writes the whole file. Numbers are not packed: the low bits of chaotic motion are random.
-pub fn write(table: &mut impl Pieces, out: impl Write + Send) -> Result<(), ExportError> {
+pub fn write(table: &mut impl Pieces, out: impl Write + Send) -> Result<(), Failure> {
     let mut held = table.columns();
     let meta = KeyValue { key: "meta".to_owned(), value: Some(table.meta().to_owned()) };
-    let properties = WriterProperties::builder()
-        .set_created_by(concat!("bifdiag ", env!("CARGO_PKG_VERSION")).to_owned())
-        .set_dictionary_enabled(false)
-        .set_key_value_metadata(Some(vec![meta]))
-        .build();
-    let mut writer = SerializedFileWriter::new(out, message(&held)?, Arc::new(properties))?;
+    let properties = WriterProperties::builder().set_dictionary_enabled(false).set_key_value_metadata(Some(vec![meta]));
+    let mut writer = begin(out, "bifdiag", fields(&held)?, properties)?;
     table
         .pieces(&mut |piece| {
             let rows = piece.first().map_or(0, |column| column.values.len());
@@ -46,7 +41,7 @@ pub fn write(table: &mut impl Pieces, out: impl Write + Send) -> Result<(), Expo
             }
             Ok(())
         })
-        .map_err(ExportError::Table)?;
+        .map_err(failed("the table could not be written"))?;
     if held.first().is_some_and(|column| column.values.len() > 0) {
         write_group(&mut writer, &held)?;
     }
@@ -55,7 +50,7 @@ pub fn write(table: &mut impl Pieces, out: impl Write + Send) -> Result<(), Expo
 }
 
 /// The names and types of the columns.
-fn message(columns: &[Column]) -> Result<TypePtr, ParquetError> {
+fn fields(columns: &[Column]) -> Result<Vec<Type>, ParquetError> {
     let mut fields = Vec::new();
     for column in columns {
         let (physical, logical) = match column.values {
@@ -69,10 +64,10 @@ fn message(columns: &[Column]) -> Result<TypePtr, ParquetError> {
             let field = Type::primitive_type_builder(&name, physical)
                 .with_repetition(Repetition::REQUIRED)
                 .with_logical_type(logical.clone());
-            fields.push(Arc::new(field.build()?));
+            fields.push(field.build()?);
         }
     }
-    Ok(Arc::new(Type::group_type_builder("bifdiag").with_fields(fields).build()?))
+    Ok(fields)
 }
 
 fn write_group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, columns: &[Column]) -> Result<(), ParquetError> {
@@ -81,18 +76,18 @@ fn write_group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, columns: &
         let rows = 0..column.values.len();
         match &column.values {
             Values::Int8(values) => {
-                write_column::<Int32Type>(&mut group, &values.iter().map(|x| i32::from(*x)).collect::<Vec<_>>())?;
+                write_column::<Int32Type>(&mut group, &values.iter().map(|x| i32::from(*x)).collect::<Vec<_>>(), None)?;
             }
-            Values::Int32(values) => write_column::<Int32Type>(&mut group, values)?,
+            Values::Int32(values) => write_column::<Int32Type>(&mut group, values, None)?,
             Values::Words { .. } => {
                 let texts: Vec<ByteArray> =
                     rows.map(|row| ByteArray::from(column.values.text(row, 0).into_bytes())).collect();
-                write_column::<ByteArrayType>(&mut group, &texts)?;
+                write_column::<ByteArrayType>(&mut group, &texts, None)?;
             }
             Values::Float { parts, values } => {
                 for part in 0..parts.len() {
                     let values: Vec<f64> = values.iter().skip(part).step_by(parts.len()).copied().collect();
-                    write_column::<DoubleType>(&mut group, &values)?;
+                    write_column::<DoubleType>(&mut group, &values, None)?;
                 }
             }
         }
@@ -101,12 +96,26 @@ fn write_group<W: Write + Send>(writer: &mut SerializedFileWriter<W>, columns: &
     Ok(())
 }
 
-fn write_column<T: DataType>(
+/// Begins a file with these columns.
+pub fn begin<W: Write + Send>(
+    out: W,
+    name: &str,
+    fields: Vec<Type>,
+    properties: WriterPropertiesBuilder,
+) -> Result<SerializedFileWriter<W>, ParquetError> {
+    let message = Type::group_type_builder(name).with_fields(fields.into_iter().map(Arc::new).collect()).build()?;
+    let properties = properties.set_created_by(concat!("bifdiag ", env!("CARGO_PKG_VERSION")).to_owned()).build();
+    SerializedFileWriter::new(out, Arc::new(message), Arc::new(properties))
+}
+
+/// Writes the next column of a group; `levels` are 0 where a value is missing.
+pub fn write_column<T: DataType>(
     group: &mut SerializedRowGroupWriter<'_, impl Write + Send>,
     values: &[T::T],
+    levels: Option<&[i16]>,
 ) -> Result<(), ParquetError> {
     let mut column = group.next_column()?.ok_or_else(|| ParquetError::General("a column too many".to_owned()))?;
-    column.typed::<T>().write_batch(values, None, None)?;
+    column.typed::<T>().write_batch(values, levels, None)?;
     column.close()
 }
 

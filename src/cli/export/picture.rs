@@ -4,9 +4,11 @@ use bifdiag_plot::{Picture, PlotError, Theme, Width};
 use clap::builder::{EnumValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
-use super::error::ExportError;
-use super::exporter::Exporter;
+use crate::cli::failure::Failure;
 use crate::cli::input::values::{Named, named};
+
+/// Dots per inch of a PNG.
+const RESOLUTION: f64 = 192.0;
 
 /// Formats of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -26,6 +28,26 @@ impl PictureFormat {
             format => Ok(format),
         })
     }
+
+    /// What the names of its files end with.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Png => "png",
+            Self::Pdf => "pdf",
+            Self::Tikz => "tikz",
+        }
+    }
+
+    /// A picture in this format.
+    pub fn bytes(self, picture: &Picture) -> Result<Vec<u8>, Failure> {
+        Ok(match self {
+            Self::Svg => picture.svg.clone().into_bytes(),
+            Self::Png => picture.to_png(RESOLUTION)?,
+            Self::Pdf => picture.to_pdf()?,
+            Self::Tikz => picture.to_tikz()?.into_bytes(),
+        })
+    }
 }
 
 /// For what pictures are coloured.
@@ -43,63 +65,19 @@ pub struct PictureArguments {
     pub format: Vec<PictureFormat>,
     /// Colours of the picture
     #[arg(long, value_parser = named(&THEMES), default_value = "light", help_heading = "Output", hide_possible_values = true)]
-    #[arg(value_name = "light|dark|print")]
+    #[arg(value_name = "light|dark|print", hide_short_help = true)]
     pub theme: Theme,
 }
 
-/// Widths of pictures in print
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum WidthName {
-    #[value(name = "178mm")]
-    Page,
-    #[value(name = "86mm")]
-    Column,
-}
+/// The widths of a journal's page.
+const WIDTHS: [Named<Width>; 2] =
+    [("178mm", "Both columns of a journal", Width::Page), ("86mm", "One column", Width::Column)];
 
 /// For what width a picture is laid out.
 #[derive(Clone, Debug, Args)]
 pub struct WidthArgument {
     /// Width of the picture in print: both columns of a journal or one; letters have at least 6 pt there
-    #[arg(long, value_enum, default_value = "178mm", help_heading = "Output", hide_possible_values = true)]
-    #[arg(value_name = "178mm|86mm")]
-    width: WidthName,
-}
-
-impl WidthArgument {
-    /// The width.
-    pub fn width(&self) -> Width {
-        match self.width {
-            WidthName::Page => Width::Page,
-            WidthName::Column => Width::Column,
-        }
-    }
-}
-
-/// Dots per inch of a PNG if nothing else is wanted.
-pub const RESOLUTION: f64 = 192.0;
-
-/// A format with the dots per inch, where it has any.
-pub struct PictureExporter {
-    pub format: PictureFormat,
-    pub resolution: f64,
-}
-
-impl Exporter<Picture> for PictureExporter {
-    fn ending(&self) -> &'static str {
-        match self.format {
-            PictureFormat::Svg => "svg",
-            PictureFormat::Png => "png",
-            PictureFormat::Pdf => "pdf",
-            PictureFormat::Tikz => "tikz",
-        }
-    }
-
-    fn bytes(&self, picture: &Picture) -> Result<Vec<u8>, ExportError> {
-        Ok(match self.format {
-            PictureFormat::Svg => picture.svg.clone().into_bytes(),
-            PictureFormat::Png => picture.to_png(self.resolution)?,
-            PictureFormat::Pdf => picture.to_pdf()?,
-            PictureFormat::Tikz => picture.to_tikz()?.into_bytes(),
-        })
-    }
+    #[arg(long, value_parser = named(&WIDTHS), default_value = "178mm", help_heading = "Output", hide_possible_values = true)]
+    #[arg(value_name = "178mm|86mm", hide_short_help = true)]
+    pub width: Width,
 }

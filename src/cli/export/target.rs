@@ -4,35 +4,24 @@ use std::io::{Cursor, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use thiserror::Error;
+use serde::Serialize;
 
-use super::columns::Columns;
-use super::error::ExportError;
-use super::exporter::Exporter;
+use super::columns::{Columns, Pieces};
 #[cfg(feature = "parquet")]
 use super::parquet;
-use super::pieces::Pieces;
-use super::{csv, jsonl, npz};
-use crate::cli::failure::{CommandError, Exit};
+use super::{npz, text};
+use crate::cli::failure::Failure;
+use crate::cli::terminal::print;
 
 /// Where the files go if nothing else is said.
 const DEFAULT_DIRECTORY: &str = "bifdiag-out";
 
-/// `-` is no directory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout")]
-pub struct DirectoryInput;
-
-impl CommandError for DirectoryInput {
-    fn exit(&self) -> Exit {
-        Exit::WrongInput
-    }
-}
-
 /// The directory of `--out`, if files are wanted at all; without that option, the usual one if `wanted` is set.
-pub fn directory(out: Option<&Path>, wanted: bool) -> Result<Option<PathBuf>, DirectoryInput> {
+pub fn directory(out: Option<&Path>, wanted: bool) -> Result<Option<PathBuf>, Failure> {
     match out {
-        Some(directory) if directory == Path::new("-") => Err(DirectoryInput),
+        Some(directory) if directory == Path::new("-") => Err(Failure::input(
+            "--out -: a directory is needed; leave --out away and use --json to write the atlas to stdout",
+        )),
         Some(directory) => Ok(Some(directory.to_owned())),
         None => Ok(wanted.then(|| PathBuf::from(DEFAULT_DIRECTORY))),
     }
@@ -52,8 +41,9 @@ pub enum DataFormat {
     Jsonl,
 }
 
-impl Exporter<Columns> for DataFormat {
-    fn ending(&self) -> &'static str {
+impl DataFormat {
+    /// What the names of its files end with.
+    pub fn ending(self) -> &'static str {
         match self {
             Self::Npz => "npz",
             #[cfg(feature = "parquet")]
@@ -63,22 +53,21 @@ impl Exporter<Columns> for DataFormat {
         }
     }
 
-    fn bytes(&self, columns: &Columns) -> Result<Vec<u8>, ExportError> {
+    /// A table in this format.
+    pub fn bytes(self, columns: &Columns) -> Result<Vec<u8>, Failure> {
         let mut out = Cursor::new(Vec::new());
         self.write(&mut &*columns, &mut out)?;
         Ok(out.into_inner())
     }
-}
 
-impl DataFormat {
     /// Writes a table, however long.
-    pub fn write(self, table: &mut impl Pieces, out: impl Write + Seek + Send) -> Result<(), ExportError> {
+    pub fn write(self, table: &mut impl Pieces, out: impl Write + Seek + Send) -> Result<(), Failure> {
         match self {
             Self::Npz => npz::write(table, out),
             #[cfg(feature = "parquet")]
             Self::Parquet => parquet::write(table, out),
-            Self::Csv => csv::write(table, out),
-            Self::Jsonl => jsonl::write(table, out),
+            Self::Csv => text::csv(table, out),
+            Self::Jsonl => text::json_lines(table, out),
         }
     }
 }
@@ -92,31 +81,30 @@ pub enum DataTarget {
     File { path: PathBuf, format: DataFormat },
 }
 
-/// The name of a data file is of no use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum UnknownFormat {
-    #[error(
-        "the extension tells the format: give FILE.npz, FILE.csv, FILE.jsonl or FILE.parquet, or - for CSV on stdout"
-    )]
-    Extension,
-    #[error("this bifdiag was built without the feature `parquet`; give FILE.npz, FILE.csv or FILE.jsonl")]
-    NoParquet,
-}
-
 impl DataTarget {
     /// Of the text of an option.
-    pub fn parse(text: &str) -> Result<Self, UnknownFormat> {
+    pub fn parse(text: &str) -> Result<Self, Failure> {
         if text == "-" {
             return Ok(Self::Stdout);
         }
         let path = Path::new(text);
         let extension = path.extension().and_then(|extension| extension.to_str());
         let unknown = match extension {
-            Some("parquet") => UnknownFormat::NoParquet,
-            _ => UnknownFormat::Extension,
+            Some("parquet") => {
+                "this bifdiag was built without the feature `parquet`; give FILE.npz, FILE.csv or FILE.jsonl"
+            }
+            _ => {
+                "the extension tells the format: give FILE.npz, FILE.csv, FILE.jsonl or FILE.parquet, or - for CSV on stdout"
+            }
         };
         let mut formats = DataFormat::value_variants().iter();
-        let format = formats.find(|format| Some(format.ending()) == extension).ok_or(unknown)?;
+        let format =
+            formats.find(|format| Some(format.ending()) == extension).ok_or_else(|| Failure::input(unknown))?;
         Ok(Self::File { path: path.to_owned(), format: *format })
     }
+}
+
+/// Prints a document as JSON or, unless `json` is set, as a text for people.
+pub fn answer(json: bool, document: &impl Serialize, text: impl FnOnce() -> String) -> Result<(), Failure> {
+    print(if json { bifdiag_documents::layout::text(document)? } else { text() })
 }

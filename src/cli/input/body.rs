@@ -1,20 +1,19 @@
 //! The body that the options describe.
 
 use bifdiag_body::part::{MeasuredPart, Part, Units};
-use bifdiag_body::{Body, BodyError, Number, Preset};
+use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::Subject;
 use clap::Args;
-use thiserror::Error;
 
-use super::part::{GivenPart, PartArguments, PartInput, shown};
+use super::part::{GivenPart, PartArguments, shown};
 use super::values::{self, Triple};
-use crate::cli::failure::{CommandError, Exit};
+use crate::cli::failure::Failure;
 use crate::cli::terminal::Report;
 
-/// The body, in one of three ways: by its principal moments, by name, or as a real part.
+/// The body, by its principal moments or by name.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Body (one of three ways)")]
-pub struct BodyArguments {
+#[command(next_help_heading = "Body")]
+pub struct PlainBodyArguments {
     /// Principal moments of inertia
     #[arg(long = "A", value_name = "A1,A2,A3", allow_hyphen_values = true, value_parser = values::moments)]
     pub moments: Option<Triple>,
@@ -24,98 +23,119 @@ pub struct BodyArguments {
     /// A named body; `bifdiag bodies` lists them
     #[arg(long, value_name = "NAME", hide_possible_values = true, value_parser = values::preset())]
     pub body: Option<&'static Preset>,
+}
+
+/// The body, in one of three ways: by its principal moments, by name, or as a real part.
+#[derive(Debug, Args)]
+pub struct BodyArguments {
+    #[command(flatten)]
+    pub plain: PlainBodyArguments,
     #[command(flatten)]
     pub part: PartArguments,
 }
 
-/// The options do not describe a body.
-#[derive(Debug, Error)]
-pub enum BodyInput {
-    #[error(
-        "no body is given; use --A 2,1.1,1 --r 0.94868,0,0.61623, a named body such as --body paper, or a real part: --inertia-com"
-    )]
-    NoBody,
-    #[error("--A is missing: --r also needs the principal moments, such as --A 2,1.1,1")]
-    NoMoments,
-    #[error("--r is missing: --A also needs the centre of mass, such as --r 0.94868,0,0.61623")]
-    NoCenter,
-    #[error(
-        "{first} and {second} both describe the body; give one of --A with --r, --body, --inertia, --inertia-com, --part"
-    )]
-    TwoBodies { first: &'static str, second: &'static str },
-    #[error(transparent)]
-    Part(#[from] PartInput),
-    #[error("--A with --r: {0}")]
-    Body(#[from] BodyError),
+/// A point of the plane.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Point")]
+pub struct PointArguments {
+    /// Energy
+    #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number)]
+    pub energy: Option<Number>,
+    /// Vertical angular momentum; its sign does not matter
+    #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number)]
+    pub momentum: Option<Number>,
 }
 
 /// A body, and how its part was measured where the numbers of the part are not exact.
 pub type MeasuredSubject = (Subject, Option<(Part, MeasuredPart)>);
 
-impl CommandError for BodyInput {
-    fn exit(&self) -> Exit {
-        Exit::WrongInput
+impl PlainBodyArguments {
+    /// The body of the options.
+    pub fn subject(&self) -> Result<Subject, Failure> {
+        self.optional_subject()?.ok_or_else(no_body)
+    }
+
+    /// The body of the options, or `None` if none of them was given.
+    pub fn optional_subject(&self) -> Result<Option<Subject>, Failure> {
+        let body: Body = match (&self.moments, &self.center, self.body) {
+            (Some(_), _, Some(_)) => return Err(two_bodies("--A", "--body")),
+            (None, Some(_), Some(_)) => return Err(two_bodies("--r", "--body")),
+            (Some(_), None, None) => {
+                let right = "--A also needs the centre of mass, such as --r 0.94868,0,0.61623";
+                return Err(Failure::input(format!("--r is missing: {right}")));
+            }
+            (None, Some(_), None) => {
+                let right = "--r also needs the principal moments, such as --A 2,1.1,1";
+                return Err(Failure::input(format!("--A is missing: {right}")));
+            }
+            (Some(moments), Some(center), None) => Body::new(moments.0.clone(), center.0.clone())
+                .map_err(|error| Failure::input(format!("--A with --r: {error}")))?,
+            (None, None, Some(preset)) => preset.body(),
+            (None, None, None) => return Ok(None),
+        };
+        let subject = Subject::from(body);
+        warn(&subject);
+        Ok(Some(subject))
+    }
+
+    /// The options that are given, by name.
+    pub fn given(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let options =
+            [("--A", self.moments.is_some()), ("--r", self.center.is_some()), ("--body", self.body.is_some())];
+        options.into_iter().filter(|(_, given)| *given).map(|(name, _)| name)
     }
 }
 
 impl BodyArguments {
     /// The body of the options.
-    pub fn subject(&self) -> Result<Subject, BodyInput> {
-        self.optional_subject()?.ok_or(BodyInput::NoBody)
+    pub fn subject(&self) -> Result<Subject, Failure> {
+        self.optional_subject()?.ok_or_else(no_body)
     }
 
     /// The body of the options, or `None` if none of them was given.
-    pub fn optional_subject(&self) -> Result<Option<Subject>, BodyInput> {
+    pub fn optional_subject(&self) -> Result<Option<Subject>, Failure> {
         self.given_body(PartArguments::part).map(|given| given.map(|(subject, _)| subject))
     }
 
     /// The body of the options, and how its part was measured where its numbers are not exact.
-    pub fn measured_subject(&self) -> Result<MeasuredSubject, BodyInput> {
-        self.given_body(PartArguments::measured_part)?.ok_or(BodyInput::NoBody)
+    pub fn measured_subject(&self) -> Result<MeasuredSubject, Failure> {
+        self.given_body(PartArguments::measured_part)?.ok_or_else(no_body)
     }
 
     fn given_body(
         &self,
-        read: impl Fn(&PartArguments) -> Result<Option<GivenPart>, PartInput>,
-    ) -> Result<Option<MeasuredSubject>, BodyInput> {
-        /// Which of the three ways an option belongs to.
-        fn way(option: &str) -> usize {
-            match option {
-                "--A" | "--r" => 0,
-                "--body" => 1,
-                _ => 2,
-            }
+        read: impl Fn(&PartArguments) -> Result<Option<GivenPart>, Failure>,
+    ) -> Result<Option<MeasuredSubject>, Failure> {
+        if let (Some(first), Some(second)) = (self.plain.given().next(), self.part.given().next()) {
+            return Err(two_bodies(first, second));
         }
-        if let Some(first) = self.given().next()
-            && let Some(second) = self.given().find(|option| way(option) != way(first))
-        {
-            return Err(BodyInput::TwoBodies { first, second });
+        if let Some(subject) = self.plain.optional_subject()? {
+            return Ok(Some((subject, None)));
         }
-        let mut measured = None;
-        let subject = match (&self.moments, &self.center, self.body) {
-            (Some(_), None, _) => return Err(BodyInput::NoCenter),
-            (None, Some(_), _) => return Err(BodyInput::NoMoments),
-            (Some(moments), Some(center), _) => Body::new(moments.0.clone(), center.0.clone())?.into(),
-            (None, None, Some(preset)) => preset.body().into(),
-            (None, None, None) => match read(&self.part)? {
-                Some(given) => {
-                    let document = given.document();
-                    measured = given.measured.map(|measured| (given.part, measured));
-                    Subject { part: Some(document), body: given.principal.body }
-                }
-                None => return Ok(None),
-            },
-        };
+        let Some(given) = read(&self.part)? else { return Ok(None) };
+        let document = given.document();
+        let measured = given.measured.map(|measured| (given.part, measured));
+        let subject = Subject { part: Some(document), body: given.principal.body };
         warn(&subject);
         Ok(Some((subject, measured)))
     }
 
     /// The options that are given, by name.
     pub fn given(&self) -> impl Iterator<Item = &'static str> {
-        let options =
-            [("--A", self.moments.is_some()), ("--r", self.center.is_some()), ("--body", self.body.is_some())];
-        options.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).chain(self.part.given())
+        self.plain.given().chain(self.part.given())
     }
+}
+
+fn two_bodies(first: &str, second: &str) -> Failure {
+    Failure::input(format!(
+        "{first} and {second} both describe the body; give one of --A with --r, --body, --inertia, --inertia-com, --part"
+    ))
+}
+
+fn no_body() -> Failure {
+    Failure::input(
+        "no body is given; use --A 2,1.1,1 --r 0.94868,0,0.61623, a named body such as --body paper, or a real part: --inertia-com",
+    )
 }
 
 /// A and r, and how they came about.

@@ -1,12 +1,32 @@
-//! What the options say: values, bodies, points, accuracy, files that are read.
+//! What the options say: values, bodies, parts, files that are read.
 
-mod accuracy;
 mod body;
-mod file;
 mod part;
 pub mod values;
 
-pub use accuracy::accuracy;
-pub use body::{BodyArguments, BodyInput, head};
-pub use file::{read, stdin};
-pub use part::{GivenPart, PartArguments, PartInput, shown};
+use std::fs;
+use std::io::{self, Read, Stdin};
+use std::path::Path;
+
+pub use body::{BodyArguments, PlainBodyArguments, PointArguments, head};
+pub use part::{GivenPart, PART, PartArguments, shown};
+pub use values::accuracy;
+
+/// The text of a whole file, or of stdin.
+pub fn read(path: &Path) -> io::Result<String> {
+    if path == Path::new("-") {
+        let mut text = String::new();
+        stdin()?.read_to_string(&mut text)?;
+        return Ok(text);
+    }
+    fs::read_to_string(path)
+}
+
+/// Standard input, unless it was closed when the process began.
+pub fn stdin() -> io::Result<Stdin> {
+    if bifdiag_streams::stdin_was_closed() {
+        Err(io::Error::other("standard input is closed"))
+    } else {
+        Ok(io::stdin())
+    }
+}

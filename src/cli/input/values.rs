@@ -1,16 +1,20 @@
 //! Values of options, read exactly and refused with what would be right.
 
+use std::ffi::OsStr;
 use std::num::{NonZeroU32, NonZeroUsize};
 
-use bifdiag_body::part::{Measured, Units, UnitsError};
-use bifdiag_body::{Body, BodyError, Number, ParseNumberError, Preset};
+use bifdiag_body::part::{Measured, Units};
+use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::GridAxis;
 use bifdiag_dynamics::integrator::check_tolerance;
 use bifdiag_numbers::vector::dot;
-use bifdiag_schema::WindowDocument;
+use bifdiag_schema::{Accuracy, WindowDocument};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command, Error};
 use dashu_ratio::RBig;
-use thiserror::Error;
+
+use crate::cli::failure::Failure;
 
 /// The most threads that can be asked for.
 const MAX_THREADS: usize = 1024;
@@ -26,134 +30,64 @@ impl Triple {
     }
 
     /// The nearest doubles.
-    pub fn rounded(&self) -> Vector {
-        Vector(self.0.each_ref().map(Number::to_f64))
+    pub fn rounded(&self) -> [f64; 3] {
+        self.0.each_ref().map(Number::to_f64)
     }
 }
 
-/// I_xx, I_yy, I_zz, I_xy, I_xz, I_yz, in either convention of the products.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Entries(pub [Measured; 6]);
-
-impl Entries {
-    /// The nominal values.
-    pub fn values(&self) -> [RBig; 6] {
-        self.0.each_ref().map(|x| x.value.clone())
-    }
+/// The nominal values of measured numbers.
+pub fn nominal<const N: usize>(numbers: &[Measured; N]) -> [RBig; N] {
+    numbers.each_ref().map(|x| x.value.clone())
 }
 
-/// A point whose coordinates may be known to within so much.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeasuredPoint(pub [Measured; 3]);
-
-/// Three numbers of which only the nearest doubles are needed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vector(pub [f64; 3]);
-
-impl Vector {
-    /// Brought to length 1; one of this length, within rounding, stays as it is.
-    pub fn direction(self) -> Result<Self, ValueError> {
-        if (dot(self.0, self.0) - 1.0).abs() <= 2.0 * f64::EPSILON {
-            return Ok(self);
-        }
-        bifdiag_numbers::vector::direction(self.0).map(Self).ok_or(ValueError::NoDirection)
+/// A vector brought to length 1; one of this length, within rounding, stays as it is.
+pub fn to_direction(v: [f64; 3]) -> Result<[f64; 3], Failure> {
+    if (dot(v, v) - 1.0).abs() <= 2.0 * f64::EPSILON {
+        return Ok(v);
     }
-}
-
-/// Why a value is refused.
-#[derive(Debug, PartialEq, Error)]
-pub enum ValueError {
-    #[error("{0}; write three positive numbers with commas between them, such as 2,1.1,1")]
-    Moments(BodyError),
-    #[error("{0}; write three numbers with commas between them, such as 0.94868,0,0.61623")]
-    Center(BodyError),
-    #[error("{count} numbers given; write three coordinates, such as 0,0.02,0.15")]
-    CenterOfMassCount { count: usize },
-    #[error("{count} numbers given; write six: Ixx,Iyy,Izz,Ixy,Ixz,Iyz")]
-    TensorCount { count: usize },
-    #[error("{name}: {source}")]
-    Entry { name: &'static str, source: Box<ValueError> },
-    #[error("{0}")]
-    Number(#[from] ParseNumberError),
-    #[error("{0}")]
-    Units(#[from] UnitsError),
-    #[error("a mass must be greater than zero; give it in the unit of --units, such as kg")]
-    Mass,
-    #[error("what stands behind ± must not be negative; write 2±0.02, 2+-0.02 or 2±1%")]
-    Within,
-    #[error("the acceleration of gravity must not be negative; give its magnitude in m/s², such as 9.80665")]
-    Gravity,
-    #[error("a grid is written hmin:hmax:n,lmin:lmax:m, such as -1:6:200,0:4:200")]
-    GridShape,
-    #[error("{points} points; a grid has at most {most}")]
-    GridSize { points: usize, most: usize },
-    #[error(
-        "a tolerance is a share from 0 to 50%, such as 1% or 0.01, or shares by name: axis=0.5%,across=1%,weight=2%"
-    )]
-    Tolerance,
-    #[error("a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4")]
-    WindowShape,
-    #[error("{name}: {source}; a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4")]
-    WindowEntry { name: &'static str, source: ParseNumberError },
-    #[error("{low} = {from} is not below {high} = {to}; write the lower end first")]
-    WindowEmpty { low: &'static str, high: &'static str, from: String, to: String },
-    #[error("lmin = {0} is negative; everything depends on l² only, give a window with lmin ≥ 0")]
-    WindowNegative(String),
-    #[error("the number of threads is a whole number from 1 to {MAX_THREADS}")]
-    Threads,
-    #[error("bifdiag bodies lists the names")]
-    NoPreset,
-    #[error("the number of {0} is a whole number from 1 to {1}")]
-    Count(&'static str, u32),
-    #[error("a seed is a whole number from 0 to {max}", max = u64::MAX)]
-    Seed,
-    #[error("{count} numbers given; write three with commas between them, such as 0.6,0,0.8")]
-    VectorCount { count: usize },
-    #[error("the zero vector has no direction; write one that is not 0, such as 0.6,0,0.8")]
-    NoDirection,
-    #[error("a sheet is + (or 1) or - (or -1), by the sign of Delta")]
-    Sheet,
-    #[error("the truncation error of a step is from 1e-18 to 1e-2, such as 1e-12")]
-    StepTolerance,
-    #[error("a time must be greater than zero, such as 1e4")]
-    Duration,
+    let none = "the zero vector has no direction; write one that is not 0, such as 0.6,0,0.8";
+    bifdiag_numbers::vector::direction(v).ok_or_else(|| Failure::input(none))
 }
 
 fn parts(text: &str) -> Vec<&str> {
     text.split(',').collect()
 }
 
-pub fn number(text: &str) -> Result<Number, ValueError> {
-    Ok(text.parse()?)
+pub fn number(text: &str) -> Result<Number, Failure> {
+    text.parse().map_err(Failure::input)
 }
 
-pub fn moments(text: &str) -> Result<Triple, ValueError> {
-    let body = Body::parse(&parts(text), &["0"; 3]).map_err(ValueError::Moments)?;
+pub fn moments(text: &str) -> Result<Triple, Failure> {
+    let body = Body::parse(&parts(text), &["0"; 3]).map_err(|error| {
+        Failure::input(format!("{error}; write three positive numbers with commas between them, such as 2,1.1,1"))
+    })?;
     Ok(Triple(body.moments().clone()))
 }
 
-pub fn center(text: &str) -> Result<Triple, ValueError> {
-    let body = Body::parse(&["1"; 3], &parts(text)).map_err(ValueError::Center)?;
+pub fn center(text: &str) -> Result<Triple, Failure> {
+    let body = Body::parse(&["1"; 3], &parts(text)).map_err(|error| {
+        Failure::input(format!("{error}; write three numbers with commas between them, such as 0.94868,0,0.61623"))
+    })?;
     Ok(Triple(body.center().clone()))
 }
 
-pub fn center_of_mass(text: &str) -> Result<Triple, ValueError> {
-    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::CenterOfMassCount { count })?;
+pub fn center_of_mass(text: &str) -> Result<Triple, Failure> {
+    let numbers = entries(text, &["x", "y", "z"], "write three coordinates, such as 0,0.02,0.15", number)?;
     Ok(Triple(numbers))
 }
 
-pub fn measured_point(text: &str) -> Result<MeasuredPoint, ValueError> {
-    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::CenterOfMassCount { count })?;
-    Ok(MeasuredPoint(numbers))
+pub fn measured_point(text: &str) -> Result<[Measured; 3], Failure> {
+    entries(text, &["x", "y", "z"], "write three coordinates, such as 0,0.02,0.15", measured)
 }
 
-pub fn tensor(text: &str) -> Result<Entries, ValueError> {
+/// I_xx, I_yy, I_zz, I_xy, I_xz, I_yz, in either convention of the products.
+pub fn tensor(text: &str) -> Result<[Measured; 6], Failure> {
     const NAMES: [&str; 6] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
-    Ok(Entries(entries(text, &NAMES, |count| ValueError::TensorCount { count })?))
+    entries(text, &NAMES, "write six: Ixx,Iyy,Izz,Ixy,Ixz,Iyz", measured)
 }
 
 /// 1.2, or 1.2±0.01, 1.2+-0.01, 1.2±1%.
-fn measured(text: &str) -> Result<Measured, ValueError> {
+fn measured(text: &str) -> Result<Measured, Failure> {
     let split = ["±", "+/-", "+-"].iter().find_map(|sign| text.split_once(sign));
     let (value, within) = split.map_or((text, None), |(value, within)| (value, Some(within.trim())));
     let value = number(value.trim())?.value().clone();
@@ -165,81 +99,85 @@ fn measured(text: &str) -> Result<Measured, ValueError> {
         }
         None => number(within)?.value().clone(),
     };
-    if within < RBig::ZERO { Err(ValueError::Within) } else { Ok(Measured { value, within }) }
-}
-
-impl FromEntry for Measured {
-    fn from_entry(text: &str) -> Result<Self, ValueError> {
-        measured(text)
+    if within >= RBig::ZERO {
+        Ok(Measured { value, within })
+    } else {
+        Err(Failure::input("what stands behind ± must not be negative; write 2±0.02, 2+-0.02 or 2±1%"))
     }
 }
 
-impl FromEntry for Number {
-    fn from_entry(text: &str) -> Result<Self, ValueError> {
-        number(text)
-    }
-}
-
-/// What an entry of a list is read as.
-trait FromEntry: Sized {
-    fn from_entry(text: &str) -> Result<Self, ValueError>;
-}
-
-fn entries<T: FromEntry, const N: usize>(
+/// N values with commas between them.
+fn entries<T, const N: usize>(
     text: &str,
     names: &[&'static str; N],
-    wrong_count: impl Fn(usize) -> ValueError,
-) -> Result<[T; N], ValueError> {
+    right: &str,
+    read: impl Fn(&str) -> Result<T, Failure>,
+) -> Result<[T; N], Failure> {
     let parts = parts(text);
-    if parts.len() != N {
-        return Err(wrong_count(parts.len()));
-    }
     let mut numbers = Vec::with_capacity(N);
-    for (&name, part) in names.iter().zip(parts) {
-        let wrong = |source| ValueError::Entry { name, source: Box::new(source) };
-        numbers.push(T::from_entry(part).map_err(wrong)?);
+    if parts.len() == N {
+        for (name, part) in names.iter().zip(&parts) {
+            numbers.push(read(part).map_err(|error| Failure::input(format!("{name}: {error}")))?);
+        }
     }
-    numbers.try_into().map_err(|numbers: Vec<T>| wrong_count(numbers.len()))
+    numbers.try_into().map_err(|_| Failure::input(format!("{} numbers given; {right}", parts.len())))
 }
 
-pub fn units(text: &str) -> Result<Units, ValueError> {
-    Ok(text.parse()?)
+pub fn units(text: &str) -> Result<Units, Failure> {
+    text.parse().map_err(Failure::input)
 }
 
-pub fn mass(text: &str) -> Result<Number, ValueError> {
+/// Why a mass is refused.
+const NO_MASS: &str = "a mass must be greater than zero; give it in the unit of --units, such as kg";
+
+pub fn mass(text: &str) -> Result<Number, Failure> {
     let mass = number(text)?;
-    if mass.to_f64() > 0.0 { Ok(mass) } else { Err(ValueError::Mass) }
+    if mass.to_f64() > 0.0 { Ok(mass) } else { Err(Failure::input(NO_MASS)) }
 }
 
-pub fn measured_mass(text: &str) -> Result<Measured, ValueError> {
+pub fn measured_mass(text: &str) -> Result<Measured, Failure> {
     let mass = measured(text)?;
-    if mass.value > mass.within { Ok(mass) } else { Err(ValueError::Mass) }
+    if mass.value > mass.within { Ok(mass) } else { Err(Failure::input(NO_MASS)) }
 }
 
-pub fn gravity(text: &str) -> Result<Number, ValueError> {
+pub fn gravity(text: &str) -> Result<Number, Failure> {
     let gravity = number(text)?;
-    if gravity.to_f64() >= 0.0 { Ok(gravity) } else { Err(ValueError::Gravity) }
+    if gravity.to_f64() >= 0.0 {
+        Ok(gravity)
+    } else {
+        Err(Failure::input(
+            "the acceleration of gravity must not be negative; give its magnitude in m/s², such as 9.80665",
+        ))
+    }
 }
 
-pub fn window(text: &str) -> Result<WindowDocument, ValueError> {
-    let (h, l) = text.split_once(',').ok_or(ValueError::WindowShape)?;
+/// How a window is written.
+const WINDOW: &str = "a window is written hmin:hmax,lmin:lmax, such as 0:6,0:4";
+
+pub fn window(text: &str) -> Result<WindowDocument, Failure> {
+    let (h, l) = text.split_once(',').ok_or_else(|| Failure::input(WINDOW))?;
     let (h, _) = interval(h, "hmin", "hmax")?;
     let (l, l_low) = interval(l, "lmin", "lmax")?;
     if l[0] < 0.0 {
-        return Err(ValueError::WindowNegative(l_low.text().to_owned()));
+        let l_low = l_low.text();
+        return Err(Failure::input(format!(
+            "lmin = {l_low} is negative; everything depends on l² only, give a window with lmin ≥ 0"
+        )));
     }
     Ok(WindowDocument { h, l })
 }
 
-fn interval(text: &str, low: &'static str, high: &'static str) -> Result<([f64; 2], Number), ValueError> {
-    let (from, to) = text.split_once(':').ok_or(ValueError::WindowShape)?;
-    let entry = |name, text: &str| text.parse::<Number>().map_err(|source| ValueError::WindowEntry { name, source });
+fn interval(text: &str, low: &'static str, high: &'static str) -> Result<([f64; 2], Number), Failure> {
+    let (from, to) = text.split_once(':').ok_or_else(|| Failure::input(WINDOW))?;
+    let entry =
+        |name, text: &str| text.parse::<Number>().map_err(|error| Failure::input(format!("{name}: {error}; {WINDOW}")));
     let (from, to) = (entry(low, from)?, entry(high, to)?);
     let ends = [from.to_f64(), to.to_f64()];
     if ends[0] < ends[1] {
         Ok((ends, from))
     } else {
-        Err(ValueError::WindowEmpty { low, high, from: from.text().to_owned(), to: to.text().to_owned() })
+        let (from, to) = (from.text(), to.text());
+        Err(Failure::input(format!("{low} = {from} is not below {high} = {to}; write the lower end first")))
     }
 }
 
@@ -250,81 +188,88 @@ pub struct Grid {
     pub l: GridAxis,
 }
 
-pub fn grid(text: &str) -> Result<Grid, ValueError> {
+/// How a grid is written.
+const GRID: &str = "a grid is written hmin:hmax:n,lmin:lmax:m, such as -1:6:200,0:4:200";
+
+pub fn grid(text: &str) -> Result<Grid, Failure> {
     /// The most points of a grid.
     const MOST: usize = 100_000_000;
-    let (h, l) = text.split_once(',').ok_or(ValueError::GridShape)?;
+    let (h, l) = text.split_once(',').ok_or_else(|| Failure::input(GRID))?;
     let (h, l) = (axis(h)?, axis(l)?);
-    if h.count.saturating_mul(l.count) > MOST {
-        return Err(ValueError::GridSize { points: h.count.saturating_mul(l.count), most: MOST });
+    match h.count.saturating_mul(l.count) {
+        points if points > MOST => Err(Failure::input(format!("{points} points; a grid has at most {MOST}"))),
+        _ => Ok(Grid { h, l }),
     }
-    Ok(Grid { h, l })
 }
 
-fn axis(text: &str) -> Result<GridAxis, ValueError> {
+fn axis(text: &str) -> Result<GridAxis, Failure> {
     let parts: Vec<&str> = text.split(':').collect();
-    let [from, to, count] = parts[..] else { return Err(ValueError::GridShape) };
-    let count = count.parse().ok().filter(|count| *count > 0).ok_or(ValueError::GridShape)?;
-    Ok(GridAxis { from: from.parse()?, to: to.parse()?, count })
+    let [from, to, count] = parts[..] else { return Err(Failure::input(GRID)) };
+    let count = count.parse().ok().filter(|count| *count > 0).ok_or_else(|| Failure::input(GRID))?;
+    Ok(GridAxis { from: number(from)?, to: number(to)?, count })
 }
 
-pub fn threads(text: &str) -> Result<NonZeroUsize, ValueError> {
-    let count = text.parse::<NonZeroUsize>().map_err(|_not_a_count| ValueError::Threads)?;
-    if count.get() <= MAX_THREADS { Ok(count) } else { Err(ValueError::Threads) }
+pub fn threads(text: &str) -> Result<NonZeroUsize, Failure> {
+    let count = text.parse::<NonZeroUsize>().ok().filter(|count| count.get() <= MAX_THREADS);
+    count.ok_or_else(|| Failure::input(format!("the number of threads is a whole number from 1 to {MAX_THREADS}")))
 }
 
 /// A number of which only the nearest double is needed.
-pub fn float(text: &str) -> Result<f64, ValueError> {
+pub fn float(text: &str) -> Result<f64, Failure> {
     Ok(number(text)?.to_f64())
 }
 
 /// The truncation error of a step of the integrator.
-pub fn step_tolerance(text: &str) -> Result<f64, ValueError> {
+pub fn step_tolerance(text: &str) -> Result<f64, Failure> {
     let tolerance = float(text)?;
-    check_tolerance(tolerance).map_err(|_| ValueError::StepTolerance)?;
-    Ok(tolerance)
+    match check_tolerance(tolerance) {
+        Ok(()) => Ok(tolerance),
+        Err(_) => Err(Failure::input("the truncation error of a step is from 1e-18 to 1e-2, such as 1e-12")),
+    }
 }
 
-pub fn duration(text: &str) -> Result<f64, ValueError> {
+pub fn duration(text: &str) -> Result<f64, Failure> {
     let time = float(text)?;
-    if time > 0.0 { Ok(time) } else { Err(ValueError::Duration) }
+    if time > 0.0 { Ok(time) } else { Err(Failure::input("a time must be greater than zero, such as 1e4")) }
 }
 
-pub fn triple(text: &str) -> Result<Triple, ValueError> {
-    let numbers = entries(text, &["x", "y", "z"], |count| ValueError::VectorCount { count })?;
+pub fn triple(text: &str) -> Result<Triple, Failure> {
+    let numbers = entries(text, &["x", "y", "z"], "write three with commas between them, such as 0.6,0,0.8", number)?;
     Ok(Triple(numbers))
 }
 
-pub fn vector(text: &str) -> Result<Vector, ValueError> {
+pub fn vector(text: &str) -> Result<[f64; 3], Failure> {
     Ok(triple(text)?.rounded())
 }
 
 /// A vector brought to length 1; one of this length, within rounding, stays as it is.
-pub fn direction(text: &str) -> Result<Vector, ValueError> {
-    vector(text)?.direction()
+pub fn direction(text: &str) -> Result<[f64; 3], Failure> {
+    to_direction(vector(text)?)
 }
 
-pub fn orbits(text: &str) -> Result<NonZeroU32, ValueError> {
+pub fn orbits(text: &str) -> Result<NonZeroU32, Failure> {
     /// The memory of many more would be the limit.
     const MOST: u32 = 1_000_000;
-    let wrong = ValueError::Count("orbits", MOST);
-    text.parse::<NonZeroU32>().ok().filter(|count| count.get() <= MOST).ok_or(wrong)
+    count(text, "orbits", MOST)
 }
 
-pub fn crossings(text: &str) -> Result<NonZeroUsize, ValueError> {
+pub fn crossings(text: &str) -> Result<NonZeroU32, Failure> {
     /// Crossings are numbered by 32-bit integers in the data.
     const MOST: u32 = i32::MAX.unsigned_abs();
-    let wrong = ValueError::Count("crossings", MOST);
-    let count = text.parse::<NonZeroU32>().ok().filter(|count| count.get() <= MOST).ok_or(wrong)?;
-    NonZeroUsize::try_from(count).map_err(|_too_large| ValueError::Count("crossings", MOST))
+    count(text, "crossings", MOST)
 }
 
-pub fn seed(text: &str) -> Result<u64, ValueError> {
-    text.parse().map_err(|_not_a_seed| ValueError::Seed)
+fn count(text: &str, things: &str, most: u32) -> Result<NonZeroU32, Failure> {
+    let count = text.parse::<NonZeroU32>().ok().filter(|count| count.get() <= most);
+    count.ok_or_else(|| Failure::input(format!("the number of {things} is a whole number from 1 to {most}")))
+}
+
+pub fn seed(text: &str) -> Result<u64, Failure> {
+    text.parse().map_err(|_not_a_seed| Failure::input(format!("a seed is a whole number from 0 to {}", u64::MAX)))
 }
 
 /// An angle: a number of radians, or a multiple of pi such as pi/2, -pi, 3pi/4.
-pub fn angle(text: &str) -> Result<f64, ValueError> {
+pub fn angle(text: &str) -> Result<f64, Failure> {
     use std::f64::consts::PI;
     let Some((factor, divisor)) = text.split_once("pi") else { return float(text) };
     let factor = match factor.trim().trim_end_matches('*') {
@@ -339,11 +284,11 @@ pub fn angle(text: &str) -> Result<f64, ValueError> {
 }
 
 /// A sheet of the PP-torus: 1, + or T+; -1, - or T-.
-pub fn sheet(text: &str) -> Result<i8, ValueError> {
+pub fn sheet(text: &str) -> Result<i8, Failure> {
     match text {
         "1" | "+1" | "+" | "T+" => Ok(1),
         "-1" | "-" | "T-" => Ok(-1),
-        _ => Err(ValueError::Sheet),
+        _ => Err(Failure::input("a sheet is + (or 1) or - (or -1), by the sign of Delta")),
     }
 }
 
@@ -363,5 +308,48 @@ pub fn named<T: Clone + Send + Sync>(words: &'static [Named<T>]) -> impl TypedVa
 /// A named body.
 pub fn preset() -> impl TypedValueParser<Value = &'static Preset> {
     let names = Preset::all().iter().map(|preset| PossibleValue::new(preset.name()).help(preset.note()));
-    PossibleValuesParser::new(names).try_map(|name| Preset::find(&name).ok_or(ValueError::NoPreset))
+    PossibleValuesParser::new(names).try_map(|name| Preset::find(&name).ok_or("bifdiag bodies lists the names"))
+}
+
+/// What the answer must be worth, as it is written.
+const LEVELS: [Named<Accuracy>; 2] = [
+    ("exact", "Never undecided: f64 where its error bounds suffice, exact arithmetic elsewhere", Accuracy::Exact),
+    ("fast", "f64 with error bounds alone; may say undecided", Accuracy::Fast),
+];
+
+/// What became of the words of version 1.
+const SUCCESSORS: [(&str, &str); 3] = [
+    ("draft", "there are no coarser answers any more: leave it out for `exact`, or give `fast`"),
+    ("standard", "leave it out for `exact`, which is never undecided, or give `fast` for f64 alone"),
+    ("certified", "answers are `exact` by default; `bifdiag atlas --certificate` adds the certificate"),
+];
+
+/// Reads a level; the words of version 1 name their successors.
+pub fn accuracy() -> impl TypedValueParser<Value = Accuracy> {
+    AccuracyParser
+}
+
+#[derive(Clone)]
+struct AccuracyParser;
+
+impl TypedValueParser for AccuracyParser {
+    type Value = Accuracy;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<Self::Value, Error> {
+        let successor = SUCCESSORS.into_iter().find(|(word, _)| value == *word);
+        let Some((word, successor)) = successor else { return named(&LEVELS).parse_ref(command, arg, value) };
+        let mut error = Error::new(ErrorKind::InvalidValue).with_cmd(command);
+        let option = arg.map_or_else(|| "--accuracy".to_owned(), ToString::to_string);
+        let levels = LEVELS.map(|(word, ..)| word.to_owned()).to_vec();
+        error.insert(ContextKind::InvalidArg, ContextValue::String(option));
+        error.insert(ContextKind::InvalidValue, ContextValue::String(word.to_owned()));
+        error.insert(ContextKind::ValidValue, ContextValue::Strings(levels));
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![successor.into()]));
+        Err(error)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let levels: Vec<_> = named(&LEVELS).possible_values()?.collect();
+        Some(Box::new(levels.into_iter()))
+    }
 }

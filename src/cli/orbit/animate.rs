@@ -1,17 +1,16 @@
 //! The motion as a moving picture.
 
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use bifdiag_dynamics::field::{HeavyTop, State, dot};
-use bifdiag_dynamics::motion::{MotionOptions, follow};
 use bifdiag_dynamics::section::{
     Monitor, OrbitEnd, Portrait, PortraitOptions, PpTorus, SectionChart, SweepOptions, sweep,
 };
 use bifdiag_plot::{AnimatedCrossing, AnimationScene, draw_animation};
 
-use super::error::OrbitFailure;
-use super::settings::Settings;
-use super::target::AnimationTarget;
+use super::arguments::Problem;
+use crate::cli::failure::Failure;
 use crate::cli::input::shown;
 use crate::cli::terminal::significant;
 
@@ -28,20 +27,19 @@ const CROSSINGS: usize = 2000;
 ///
 /// # Errors
 /// When the motion cannot be followed.
-pub fn text(settings: &Settings, target: &AnimationTarget) -> Result<String, OrbitFailure> {
-    let svg = animation(settings)?;
-    Ok(if target.is_page() { page(&svg) } else { svg })
+pub fn text(problem: &Problem<'_>, file: &Path) -> Result<String, Failure> {
+    let svg = animation(problem)?;
+    Ok(if file.extension().is_some_and(|extension| extension == "html") { page(&svg) } else { svg })
 }
 
 /// Frames at equal times from the first one to the last.
-fn animation(settings: &Settings) -> Result<String, OrbitFailure> {
-    let Settings { subject, top, start, phi, tolerance, times, .. } = settings;
+fn animation(problem: &Problem<'_>) -> Result<String, Failure> {
+    let Problem { subject, top, start, times, .. } = problem;
     let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
     let points = (FRAMES - 1) * FINER;
     let time = |k: u32| first + (last - first) * f64::from(k) / f64::from(points);
     let at: Vec<f64> = (0..=points).map(time).collect();
-    let never = AtomicBool::new(false);
-    let motion = follow(top, start, &at, &MotionOptions { tolerance: *tolerance, phi: *phi, stop: &never })?;
+    let motion = problem.follow(&at, &AtomicBool::new(false))?;
     let unit = |k: usize| std::array::from_fn(|i| f64::from(u8::from(i == k)));
     let frames: Vec<[[f64; 3]; 3]> = motion
         .samples

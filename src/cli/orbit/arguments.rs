@@ -1,13 +1,20 @@
-//! Options of `bifdiag orbit`.
+//! The options of `bifdiag orbit`, and the state at which they let the motion start.
+
+use std::f64::consts::PI;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use bifdiag_body::Number;
+use bifdiag_documents::Subject;
+use bifdiag_dynamics::field::{HeavyTop, State};
+use bifdiag_dynamics::motion::{Motion, MotionOptions, follow};
+use bifdiag_dynamics::section::{PpTorus, SectionError, TorusPoint};
 use clap::Args;
 
-use super::target::AnimationTarget;
 use super::times::Times;
 use crate::cli::export::DataTarget;
-use crate::cli::input::BodyArguments;
-use crate::cli::input::values::{self, Vector};
+use crate::cli::failure::{Failure, failed, incomplete};
+use crate::cli::input::{BodyArguments, values};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -29,15 +36,15 @@ pub struct OrbitArguments {
     /// The vertical, in the body's axes; its length does not matter
     #[arg(long, value_name = "g1,g2,g3", allow_hyphen_values = true, value_parser = values::direction)]
     #[arg(help_heading = "Start: a state")]
-    pub gamma: Option<Vector>,
+    pub gamma: Option<[f64; 3]>,
     /// Angular momentum, in the body's axes, such as 1,0.3,2
     #[arg(long, value_name = "l1,l2,l3", allow_hyphen_values = true, value_parser = values::vector)]
     #[arg(help_heading = "Start: a state")]
-    pub l_vector: Option<Vector>,
+    pub l_vector: Option<[f64; 3]>,
     /// Angular velocity, in the body's axes, instead of --l-vector
     #[arg(long, value_name = "w1,w2,w3", allow_hyphen_values = true, value_parser = values::vector)]
     #[arg(help_heading = "Start: a state")]
-    pub omega: Option<Vector>,
+    pub omega: Option<[f64; 3]>,
     /// Energy
     #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number)]
     #[arg(help_heading = "Start: a point of the section")]
@@ -56,27 +63,135 @@ pub struct OrbitArguments {
     pub psi: Option<f64>,
     /// Sheet of the PP-torus: + (the default) or -
     #[arg(long, value_name = "+|-", allow_hyphen_values = true, value_parser = values::sheet)]
-    #[arg(help_heading = "Start: a point of the section")]
+    #[arg(help_heading = "Start: a point of the section", hide_short_help = true)]
     pub sheet: Option<i8>,
     /// Euler's angle phi at the start
     #[arg(long, value_name = "ANGLE", default_value = "0", allow_hyphen_values = true, value_parser = values::angle)]
-    #[arg(help_heading = "Motion")]
+    #[arg(help_heading = "Motion", hide_short_help = true)]
     pub phi: f64,
     /// Times: n of them from t0 to t1, or a FILE (-: stdin) with one on each line; negative ones are in the past
     #[arg(long, value_name = "t0:t1:n|FILE", default_value = "0:10:21", allow_hyphen_values = true)]
     #[arg(value_parser = Times::parse, help_heading = "Motion")]
     pub times: Times,
-    /// Truncation error of a step of the Taylor series, relative to the size of the motion (default: 1e-15)
+    /// Truncation error of a step of the Taylor series, relative to the size of the motion
     #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = values::step_tolerance)]
-    #[arg(hide_short_help = true, help_heading = "Motion")]
-    pub tol: Option<f64>,
+    #[arg(default_value = "1e-15", hide_short_help = true, help_heading = "Motion")]
+    pub tol: f64,
     /// Write the samples to FILE.csv, FILE.npz, FILE.parquet or FILE.jsonl (-: CSV to stdout)
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
     /// Write a moving picture of the body, the trace of its axis, and the section that fills, to FILE.svg or FILE.html
-    #[arg(long, value_name = "FILE", value_parser = AnimationTarget::parse, help_heading = "Output")]
-    pub animate: Option<AnimationTarget>,
+    #[arg(long, value_name = "FILE", value_parser = animation, help_heading = "Output", hide_short_help = true)]
+    pub animate: Option<PathBuf>,
     /// Print the answer as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,
+}
+
+/// The motion that the options ask for: a body, its state at time 0, and the times at which it is wanted.
+pub struct Problem<'a> {
+    pub arguments: &'a OrbitArguments,
+    pub subject: Subject,
+    pub top: HeavyTop,
+    pub start: State,
+    pub times: Vec<f64>,
+}
+
+impl<'a> Problem<'a> {
+    pub fn new(arguments: &'a OrbitArguments) -> Result<Self, Failure> {
+        if arguments.json && arguments.data == Some(DataTarget::Stdout) {
+            return Err(Failure::input("--data - and --json both want stdout; give --data FILE.csv"));
+        }
+        let subject = arguments.body.subject()?;
+        let top = HeavyTop::new(&subject.body);
+        let start = start(arguments, &top)?;
+        Ok(Self { arguments, subject, top, start, times: arguments.times.list()? })
+    }
+
+    /// The motion at some times.
+    pub fn follow(&self, times: &[f64], stop: &AtomicBool) -> Result<Motion, Failure> {
+        let options = MotionOptions { tolerance: self.arguments.tol, phi: self.arguments.phi, stop };
+        follow(&self.top, &self.start, times, &options).map_err(failed("the motion could not be computed"))
+    }
+}
+
+/// The file of a moving picture.
+fn animation(text: &str) -> Result<PathBuf, Failure> {
+    match Path::new(text).extension().and_then(|extension| extension.to_str()) {
+        Some("svg" | "html") => Ok(text.into()),
+        _ => Err(Failure::input("the extension tells the format: give FILE.svg or FILE.html")),
+    }
+}
+
+/// γ with l or ω, or a point of the section.
+fn start(arguments: &OrbitArguments, top: &HeavyTop) -> Result<State, Failure> {
+    let state = [
+        ("--gamma", arguments.gamma.is_some()),
+        ("--l-vector", arguments.l_vector.is_some()),
+        ("--omega", arguments.omega.is_some()),
+    ];
+    let point = [
+        ("--h", arguments.energy.is_some()),
+        ("--l", arguments.momentum.is_some()),
+        ("--theta", arguments.theta.is_some()),
+        ("--psi", arguments.psi.is_some()),
+        ("--sheet", arguments.sheet.is_some()),
+    ];
+    let first = |options: &[(&'static str, bool)]| options.iter().find(|(_, given)| *given).map(|(name, _)| *name);
+    match (first(&state), first(&point)) {
+        (None, None) => Err(Failure::input(
+            "no start is given; use --gamma 0.6,0,0.8 with --omega 1,0.3,1 (or --l-vector), or a point of the section: \
+             --h 4.45 --l 3.25 --theta 1.2 --psi pi/2",
+        )),
+        (Some(first), Some(second)) => Err(two_starts(first, second)),
+        (Some(given), None) => of_state(arguments, top, given),
+        (None, Some(given)) => of_point(arguments, top, given),
+    }
+}
+
+fn of_state(arguments: &OrbitArguments, top: &HeavyTop, given: &'static str) -> Result<State, Failure> {
+    let missing = |missing, example| move || incomplete(given, missing, example);
+    let gamma = arguments.gamma.ok_or_else(missing("--gamma", "--gamma 0.6,0,0.8"))?;
+    let l = match (arguments.l_vector, arguments.omega) {
+        (Some(_), Some(_)) => return Err(two_starts("--l-vector", "--omega")),
+        (Some(l), None) => l,
+        (None, Some(omega)) => top.inertia(omega),
+        (None, None) => return Err(incomplete(given, "--omega or --l-vector", "--omega 1,0.3,1")),
+    };
+    Ok(State { gamma, l })
+}
+
+fn of_point(arguments: &OrbitArguments, top: &HeavyTop, given: &'static str) -> Result<State, Failure> {
+    let missing = |missing, example| move || incomplete(given, missing, example);
+    let h = arguments.energy.as_ref().ok_or_else(missing("--h", "--h 4.45"))?.to_f64();
+    let l = arguments.momentum.as_ref().ok_or_else(missing("--l", "--l 3.25"))?.to_f64();
+    let theta = arguments.theta.ok_or_else(missing("--theta", "--theta 1.2"))?;
+    let psi = arguments.psi.ok_or_else(missing("--psi", "--psi pi/2"))?;
+    if !(0.0..=PI).contains(&theta) {
+        return Err(wrong_theta(theta));
+    }
+    let torus = PpTorus::new(top).map_err(|_no_axis| {
+        Failure::input(
+            "--theta and --psi need r ≠ 0, of which this body has none; give --gamma with --omega or --l-vector",
+        )
+    })?;
+    let point = TorusPoint { theta, psi, sheet: arguments.sheet.unwrap_or(1) };
+    torus.state(point, h, l).map_err(|error| match error {
+        SectionError::SeedInaccessible { potential, .. } => Failure::input(format!(
+            "(theta, psi) = ({theta}, {psi}) is not accessible: U = {potential} there, above --h {h}; raise h or choose \
+             another point"
+        )),
+        // The angles are finite and r is not 0.
+        _ => wrong_theta(theta),
+    })
+}
+
+fn two_starts(first: &str, second: &str) -> Failure {
+    Failure::input(format!(
+        "{first} and {second} both describe the start; give gamma with l-vector or omega, or h, l, theta, psi, sheet"
+    ))
+}
+
+fn wrong_theta(theta: f64) -> Failure {
+    Failure::input(format!("--theta {theta}: it is the angle between gamma and r, from 0 to pi"))
 }

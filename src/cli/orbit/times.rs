@@ -3,9 +3,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use thiserror::Error;
-
-use super::error::OrbitInput;
+use crate::cli::failure::Failure;
 use crate::cli::input::{read, values};
 
 /// Times as the option says them.
@@ -20,19 +18,6 @@ pub enum Times {
 /// The most samples of a range.
 const MOST: u32 = 10_000_000;
 
-/// Why a range of times is refused.
-#[derive(Debug, PartialEq, Error)]
-pub enum TimesError {
-    #[error("a range of times is written t0:t1:n, such as 0:10:101 for 101 times from 0 to 10")]
-    Shape,
-    #[error("{name} = `{value}` is not a number; a range of times is written t0:t1:n, such as 0:10:101")]
-    End { name: &'static str, value: String },
-    #[error("n = `{value}` is not a whole number from 1 to {MOST}")]
-    Count { value: String },
-    #[error("t0 = {from} is above t1 = {to}; write the earlier time first")]
-    Falling { from: f64, to: f64 },
-}
-
 impl fmt::Display for Times {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -44,28 +29,34 @@ impl fmt::Display for Times {
 
 impl Times {
     /// What contains no colon is the name of a file.
-    pub fn parse(text: &str) -> Result<Self, TimesError> {
+    pub fn parse(text: &str) -> Result<Self, Failure> {
         if !text.contains(':') {
             return Ok(Self::File(PathBuf::from(text)));
         }
         let parts: Vec<&str> = text.split(':').collect();
-        let [from, to, count] = parts[..] else { return Err(TimesError::Shape) };
-        let end = |name, text: &str| {
-            values::float(text).map_err(|_not_a_number| TimesError::End { name, value: text.to_owned() })
+        let [from, to, count] = parts[..] else {
+            return Err(Failure::input(
+                "a range of times is written t0:t1:n, such as 0:10:101 for 101 times from 0 to 10",
+            ));
+        };
+        let end = |name: &str, text: &str| {
+            values::float(text).map_err(|_not_a_number| {
+                let shape = "a range of times is written t0:t1:n, such as 0:10:101";
+                Failure::input(format!("{name} = `{text}` is not a number; {shape}"))
+            })
         };
         let (from, to) = (end("t0", from)?, end("t1", to)?);
         if from > to {
-            return Err(TimesError::Falling { from, to });
+            return Err(Failure::input(format!("t0 = {from} is above t1 = {to}; write the earlier time first")));
         }
-        let wrong = || TimesError::Count { value: count.to_owned() };
         match count.parse() {
             Ok(count) if (1..=MOST).contains(&count) => Ok(Self::Range { from, to, count }),
-            _ => Err(wrong()),
+            _ => Err(Failure::input(format!("n = `{count}` is not a whole number from 1 to {MOST}"))),
         }
     }
 
     /// The times themselves.
-    pub fn list(&self) -> Result<Vec<f64>, OrbitInput> {
+    pub fn list(&self) -> Result<Vec<f64>, Failure> {
         match self {
             Self::Range { from, count: 1, .. } => Ok(vec![*from]),
             Self::Range { from, to, count } => {
@@ -80,8 +71,11 @@ impl Times {
 }
 
 /// Empty lines, lines that start with # and a heading are passed over; of several columns the first counts.
-fn of_file(path: &Path) -> Result<Vec<f64>, OrbitInput> {
-    let text = read(path).map_err(|source| OrbitInput::TimesFile { path: path.to_owned(), source })?;
+fn of_file(path: &Path) -> Result<Vec<f64>, Failure> {
+    let wrong = |what: String| Failure::input(format!("--times {}{what}", path.display()));
+    let text = read(path).map_err(|error| {
+        wrong(format!(": {error}; give t0:t1:n such as 0:10:101, a file that can be read, or - for stdin"))
+    })?;
     let mut times: Vec<f64> = Vec::new();
     let mut heading_possible = true;
     for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
@@ -94,15 +88,16 @@ fn of_file(path: &Path) -> Result<Vec<f64>, OrbitInput> {
             continue;
         }
         let Ok(time) = values::float(cell) else {
-            return Err(OrbitInput::TimesLine { path: path.to_owned(), line: i + 1, value: cell.to_owned() });
+            return Err(wrong(format!(", line {}: `{cell}` is not a number; write one time on each line", i + 1)));
         };
         if let Some(&before) = times.last().filter(|&&before| before > time) {
-            return Err(OrbitInput::TimesFall { path: path.to_owned(), line: i + 1, time, before });
+            let line = i + 1;
+            return Err(wrong(format!(", line {line}: {time} is below {before} on the line before; times must rise")));
         }
         times.push(time);
     }
     if times.is_empty() {
-        return Err(OrbitInput::NoTimes { path: path.to_owned() });
+        return Err(wrong(" holds no time; write one on each line".to_owned()));
     }
     Ok(times)
 }
@@ -121,10 +116,11 @@ mod tests {
 
     #[test]
     fn wrong_ranges_are_explained() {
-        assert_eq!(Times::parse("0:1"), Err(TimesError::Shape));
-        assert_eq!(Times::parse("0:x:3"), Err(TimesError::End { name: "t1", value: "x".to_owned() }));
-        assert_eq!(Times::parse("0:1:0"), Err(TimesError::Count { value: "0".to_owned() }));
-        assert_eq!(Times::parse("1:0:3"), Err(TimesError::Falling { from: 1.0, to: 0.0 }));
-        assert_eq!(Times::parse("times.txt"), Ok(Times::File(PathBuf::from("times.txt"))));
+        let wrong = |text| Times::parse(text).unwrap_err().to_string();
+        assert!(wrong("0:1").starts_with("a range of times is written t0:t1:n"));
+        assert!(wrong("0:x:3").starts_with("t1 = `x` is not a number"));
+        assert!(wrong("0:1:0").starts_with("n = `0` is not a whole number"));
+        assert!(wrong("1:0:3").starts_with("t0 = 1 is above t1 = 0"));
+        assert_eq!(Times::parse("times.txt").unwrap(), Times::File(PathBuf::from("times.txt")));
     }
 }

@@ -10,7 +10,7 @@ use clap::{Args, Subcommand};
 use super::table::Format;
 use crate::cli::export::{PictureArguments, WidthArgument};
 use crate::cli::input::values::{Named, named};
-use crate::cli::input::{BodyArguments, accuracy};
+use crate::cli::input::{PlainBodyArguments, accuracy};
 use crate::pictures::Shown;
 
 pub const SCAN_EXAMPLES: &str = "\
@@ -25,7 +25,7 @@ Examples:
   bifdiag scan border --body katok:2 --vary A3=0.7:0.8
 
 One row for each body: A, r, the class of its diagram, numbers of regions, events and relative equilibria, types found. \
-FILE.summary.json tells what all have in common. A scan that was stopped goes on where it was when it is started again, \
+FILE.summary.json says what all have in common. A scan that was stopped goes on where it was when it is started again, \
 and its files are byte for byte those of an unbroken one.";
 
 const MERGE_EXAMPLES: &str = "\
@@ -88,7 +88,7 @@ static FAMILIES: [Named<BodyFamily>; 3] = [
 #[derive(Debug, Args)]
 pub struct SampleArguments {
     #[command(flatten)]
-    pub body: BodyArguments,
+    pub body: PlainBodyArguments,
     /// The bodies to choose from; without it, the body of --A and --r with --vary
     #[arg(long, value_parser = named(&FAMILIES), help_heading = "Bodies")]
     pub family: Option<BodyFamily>,
@@ -99,16 +99,16 @@ pub struct SampleArguments {
     #[arg(long, value_name = "N", help_heading = "Bodies", value_parser = clap::value_parser!(u64).range(1..1 << 53))]
     pub samples: Option<u64>,
     /// Where the sequence starts; 0: in the middle
-    #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Bodies")]
+    #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Bodies", hide_short_help = true)]
     pub seed: u64,
     /// Only part i of n of the bodies
-    #[arg(long, value_name = "i/n", help_heading = "Work")]
+    #[arg(long, value_name = "i/n", help_heading = "Work", hide_short_help = true)]
     pub shard: Option<Shard>,
     /// What the answers must be worth
-    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work")]
+    #[arg(long, value_parser = accuracy(), default_value = "exact", help_heading = "Work", hide_short_help = true)]
     pub accuracy: Accuracy,
     /// Begin anew, although FILE.partial holds the beginning of a scan
-    #[arg(long, help_heading = "Work")]
+    #[arg(long, help_heading = "Work", hide_short_help = true)]
     pub restart: bool,
     /// Write the rows to FILE (.parquet, .csv, .jsonl; -: stdout) and the summary to FILE.summary.json
     #[arg(long, value_name = "FILE", help_heading = "Output")]
@@ -130,9 +130,6 @@ pub struct MergeArguments {
     /// Write the rows to FILE (.parquet, .csv, .jsonl) and the summary to FILE.summary.json
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub out: Option<PathBuf>,
-    /// Format of the rows (default: by the ending of FILE)
-    #[arg(long, value_enum, help_heading = "Output")]
-    pub format: Option<Format>,
     /// Print the summary as JSON
     #[arg(long, help_heading = "Output")]
     pub json: bool,
@@ -166,7 +163,7 @@ pub struct MapArguments {
 #[derive(Debug, Args)]
 pub struct BorderArguments {
     #[command(flatten)]
-    pub body: BodyArguments,
+    pub body: PlainBodyArguments,
     /// A parameter and the two values between which the class changes; several are varied together
     #[arg(long, value_name = "A2=FROM:TO", value_delimiter = ',', help_heading = "Border")]
     pub vary: Vec<ParameterRange>,

@@ -6,7 +6,6 @@ use bifdiag_survey::ParameterRange;
 use bifdiag_survey::border::{self, BodySegment, BorderOptions};
 
 use super::arguments::BorderArguments;
-use super::error::ScanInput;
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{Report, significant};
@@ -16,21 +15,17 @@ const DIGITS: usize = 12;
 
 pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
     let subject = arguments.body.subject()?;
-    let wrong = |text: String| ScanInput::Border(text);
     if arguments.vary.is_empty() {
-        return Err(
-            wrong("--vary is missing; give a parameter and two values, such as --vary A3=0.7:0.8".to_owned()).into()
-        );
+        return Err(Failure::input("--vary is missing; give a parameter and two values, such as --vary A3=0.7:0.8"));
     }
     for (place, range) in arguments.vary.iter().enumerate() {
         let parameter = range.parameter;
         if range.steps.is_some() {
-            return Err(
-                wrong(format!("--vary: a border is sought between two values; write {parameter}=from:to")).into()
-            );
+            let right = format!("write {parameter}=from:to");
+            return Err(Failure::input(format!("--vary: a border is sought between two values; {right}")));
         }
         if arguments.vary[..place].iter().any(|other| other.parameter == parameter) {
-            return Err(wrong(format!("--vary: {parameter} is given twice")).into());
+            return Err(Failure::input(format!("--vary: {parameter} is given twice")));
         }
     }
     let end = |value: fn(&ParameterRange) -> &Number| {
@@ -39,28 +34,28 @@ pub fn run(arguments: &BorderArguments) -> Result<(), Failure> {
             values[range.parameter.place()] = value(range).clone();
         }
         let texts: Vec<&str> = values.iter().map(Number::text).collect();
-        Body::parse(&texts[..3], &texts[3..]).map_err(|error| wrong(format!("--vary: {error}")))
+        Body::parse(&texts[..3], &texts[3..]).map_err(|error| Failure::input(format!("--vary: {error}")))
     };
     let options = BorderOptions { accuracy: arguments.accuracy, ..BorderOptions::default() };
     let segment = BodySegment::new(end(|range| &range.from)?, end(|range| &range.to)?);
-    let border = border::find(&segment, &options).map_err(|error| wrong(format!("--vary: {error}")))?;
+    let border = border::find(&segment, &options).map_err(|error| Failure::input(format!("--vary: {error}")))?;
     let text = |range: &ParameterRange| format!("{}={}:{}", range.parameter, range.from.text(), range.to.text());
     let vary: Vec<String> = arguments.vary.iter().map(text).collect();
     let command = subject.command("scan border").option("vary", vary.join(","));
     let command = command.option_if("accuracy", bifdiag_documents::accuracy_option(arguments.accuracy));
     let document = bifdiag_documents::border(&border, &segment, &arguments.vary, command);
-    Ok(answer(arguments.json, &document, || report(&document, &arguments.vary))?)
+    answer(arguments.json, &document, || report(&document, &arguments.vary))
 }
 
 fn report(document: &BorderDocument, vary: &[ParameterRange]) -> String {
     let mut report = Report::default();
     for border in &document.borders {
-        tell(&mut report, border, vary);
+        add_border(&mut report, border, vary);
     }
     report.text()
 }
 
-fn tell(report: &mut Report, border: &FoundBorderDocument, vary: &[ParameterRange]) {
+fn add_border(report: &mut Report, border: &FoundBorderDocument, vary: &[ParameterRange]) {
     for (value, range) in border.at.iter().zip(vary) {
         let [from, to] = value.enclosure;
         if value.error == 0.0 {

@@ -1,20 +1,20 @@
 //! `bifdiag scan map`: the class of each body over two parameters.
 
+use bifdiag_documents::scan::ReadScanError;
 use bifdiag_plot::{Picture, Width, draw_map};
 use bifdiag_survey::BodyParameter;
 
 use super::arguments::MapArguments;
-use super::error::ScanInput;
 use super::output;
-use crate::cli::export::{ExportError, FileSet, RESOLUTION};
+use crate::cli::export::FileSet;
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{Report, Timings, print};
 use crate::pictures::{Seen, map};
 
 pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     if arguments.x == arguments.y {
-        let reason = format!("both axes show it; choose two of {}", names());
-        return Err(ScanInput::Axis { option: "--y", name: arguments.y.to_string(), reason }.into());
+        let (axis, all) = (arguments.y, BodyParameter::ALL.map(BodyParameter::name).join(", "));
+        return Err(Failure::input(format!("--y {axis}: both axes show it; choose two of {all}")));
     }
     let file = &arguments.file;
     let format = output::format_of_input(file)?;
@@ -23,28 +23,30 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
     } else {
         tracing::warn!("{} has no summary beside it: whether its rows are whole is not known", file.display());
     }
-    let table = |source| ScanInput::Table { path: file.clone(), source };
+    let table = |error: Failure| Failure::input(format!("{}: {error}", file.display()));
     let mut bodies = Vec::new();
     for row in format.rows(file).map_err(table)? {
         let row = row.map_err(table)?;
-        let not_a_row = |source| ScanInput::Row { path: file.clone(), body: row.index, source };
+        let not_a_row = |error: ReadScanError| {
+            let (path, body) = (file.display(), row.index);
+            Failure::input(format!("{path}: body {body}: {error}; name a file with the rows of a scan")).because(error)
+        };
         let axes = [arguments.x, arguments.y];
         bodies.push(Seen::new(&bifdiag_documents::scan::read_row(&row).map_err(not_a_row)?, axes, arguments.show));
     }
     let axes = [("--x", arguments.x), ("--y", arguments.y)];
     if bodies.is_empty() {
-        return Err(ScanInput::Empty { path: file.clone() }.into());
+        let path = file.display();
+        return Err(Failure::input(format!("{path}: no bodies are in it; name a file with the rows of a scan")));
     }
     for (place, (option, parameter)) in axes.into_iter().enumerate() {
         if bodies.iter().all(|body| body.at[place] == bodies[0].at[place]) {
-            let reason = format!("it is the same for all bodies of {}", file.display());
-            return Err(ScanInput::Axis { option, name: parameter.to_string(), reason }.into());
+            let path = file.display();
+            return Err(Failure::input(format!("{option} {parameter}: it is the same for all bodies of {path}")));
         }
     }
     let map = map(&bodies, [arguments.x, arguments.y], arguments.show);
-    let picture = timings
-        .stage("map", || draw_map(&map, arguments.picture.theme, arguments.width.width()))
-        .map_err(ExportError::from)?;
+    let picture = timings.stage("map", || draw_map(&map, arguments.picture.theme, arguments.width.width))?;
     if picture.millimetres_high() > Picture::HIGHEST {
         tracing::warn!(
             "the picture is {:.0} mm high, more than the {} mm of a page: its legend has {} entries; a map over smaller ranges, \
@@ -52,15 +54,11 @@ pub fn run(arguments: &MapArguments, timings: &Timings) -> Result<(), Failure> {
             picture.millimetres_high(),
             Picture::HIGHEST,
             map.entries.len(),
-            if arguments.width.width() == Width::Column { ", and --width 178mm is lower" } else { "" },
+            if arguments.width.width == Width::Column { ", and --width 178mm is lower" } else { "" },
         );
     }
     let mut files = FileSet::new(&arguments.out);
     files.remove_pictures("map");
-    files.pictures("map", &picture, &arguments.picture.format, RESOLUTION, timings)?;
-    Ok(print(Report::of_written(&files.write()?).text())?)
-}
-
-fn names() -> String {
-    BodyParameter::ALL.map(BodyParameter::name).join(", ")
+    files.pictures("map", &picture, &arguments.picture.format, timings)?;
+    print(Report::of_written(&files.write()?).text())
 }

@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 use bifdiag_schema::RowDocument;
 
 use super::arguments::MergeArguments;
-use super::error::ScanInput;
 use super::journal::Identity;
+use super::output;
 use super::table::Format;
-use super::{output, report};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
 
@@ -20,10 +19,12 @@ struct Part {
 }
 
 pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
-    let out = arguments.out.as_deref().ok_or(ScanInput::NoOut)?;
-    let format = output::format_of(out, arguments.format)?;
+    let out = arguments.out.as_deref().ok_or_else(output::no_out)?;
+    let format = output::format_of(out, Some(output::format_of_input(out)?))?;
     let parts = parts(&arguments.shards, out)?;
-    let Some(first) = parts.first() else { return Err(ScanInput::NoShards.into()) };
+    let Some(first) = parts.first() else {
+        return Err(Failure::input("merge needs shards; name their files, such as shard-*.parquet"));
+    };
     let identity = Identity { range: [0, first.identity.design.count()], ..first.identity.clone() };
     let document = output::write(out, format, &identity, |take| {
         for part in &parts {
@@ -31,16 +32,19 @@ pub fn run(arguments: &MergeArguments) -> Result<(), Failure> {
         }
         Ok(())
     })?;
-    Ok(answer(arguments.json, &document, || report::text(&document, out))?)
+    answer(arguments.json, &document, || output::report(&document, out))
 }
 
 /// The shards in the order of their bodies, once they are known to be whole, of one scan, and to leave nothing out.
-fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
+fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, Failure> {
     let mut parts = shards.iter().map(|path| part(path, out)).collect::<Result<Vec<_>, _>>()?;
     if let Some((first, others)) = parts.split_first() {
         for part in others {
             if let Some(difference) = part.identity.difference(&first.identity) {
-                return Err(ScanInput::Foreign { path: part.path.clone(), first: first.path.clone(), difference });
+                let (path, first) = (part.path.display(), first.path.display());
+                return Err(Failure::input(format!(
+                    "{path} belongs to another scan than {first}: {difference} differs"
+                )));
             }
         }
     }
@@ -52,14 +56,13 @@ fn parts(shards: &[PathBuf], out: &Path) -> Result<Vec<Part>, ScanInput> {
 }
 
 /// A shard that is what its summary says.
-fn part(path: &Path, out: &Path) -> Result<Part, ScanInput> {
+fn part(path: &Path, out: &Path) -> Result<Part, Failure> {
     let same = |a: &Path, b: &Path| a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b);
     if same(path, out) {
-        return Err(ScanInput::OutIsShard { path: path.to_owned() });
+        let path = path.display();
+        return Err(Failure::input(format!("{path}: the output is one of the shards; choose another --out")));
     }
-    if let Err(source) = std::fs::metadata(path) {
-        return Err(ScanInput::Shard { path: path.to_owned(), source });
-    }
+    std::fs::metadata(path).map_err(|error| output::no_shard(path, &error))?;
     let summary = output::checked_summary(path)?;
     let known = [Format::Parquet, Format::Csv, Format::Jsonl].into_iter().find(|f| f.name() == summary.format);
     let format = match known {
@@ -71,7 +74,7 @@ fn part(path: &Path, out: &Path) -> Result<Part, ScanInput> {
 }
 
 /// Each body is in one of the parts, which stand in the order of their bodies.
-fn check_cover(parts: &[Part]) -> Result<(), ScanInput> {
+fn check_cover(parts: &[Part]) -> Result<(), Failure> {
     let Some(first) = parts.first() else { return Ok(()) };
     let count = first.identity.design.count();
     let mut next = 0;
@@ -79,44 +82,55 @@ fn check_cover(parts: &[Part]) -> Result<(), ScanInput> {
     for part in parts {
         let [from, to] = part.identity.range;
         if from < next {
-            let first = before.map_or_else(PathBuf::new, |before| before.path.clone());
-            return Err(ScanInput::Overlap { first, second: part.path.clone(), body: from });
+            let first = before.map_or_else(String::new, |before| before.path.display().to_string());
+            return Err(Failure::input(format!(
+                "{} overlaps {first}: both hold body {from}; name each shard once",
+                part.path.display()
+            )));
         }
         if from > next {
             let place = match before {
                 Some(before) => format!("between {} and {}", before.path.display(), part.path.display()),
                 None => format!("before {}", part.path.display()),
             };
-            return Err(ScanInput::Missing { from: next, to: from, count, place });
+            return Err(missing([next, from], count, &place));
         }
         next = to;
         before = Some(part);
     }
     if next < count {
         let place = before.map_or_else(String::new, |before| format!("after {}", before.path.display()));
-        return Err(ScanInput::Missing { from: next, to: count, count, place });
+        return Err(missing([next, count], count, &place));
     }
     Ok(())
+}
+
+fn missing([from, to]: [u64; 2], count: u64, place: &str) -> Failure {
+    let to = to - 1;
+    Failure::input(format!("bodies {from} to {to} of {count} are missing ({place}); make that shard too and name it"))
 }
 
 /// Passes the rows of a shard on, each in its place.
 fn pass_rows(part: &Part, take: &mut dyn FnMut(RowDocument) -> Result<(), Failure>) -> Result<(), Failure> {
     let [from, to] = part.identity.range;
-    let table = |source| ScanInput::Table { path: part.path.clone(), source };
+    let path = part.path.display();
+    let table = |error: Failure| Failure::input(format!("{path}: {error}"));
     let mut found = 0;
     for row in part.format.rows(&part.path).map_err(table)? {
         let row = row.map_err(table)?;
         let wanted = from + found;
         found += 1;
         if row.index != wanted || wanted >= to {
-            let wrong = ScanInput::WrongRow { path: part.path.clone(), row: found, found: row.index, wanted };
-            return Err(wrong.into());
+            let index = row.index;
+            return Err(Failure::input(format!(
+                "{path}: row {found} has number {index} where {wanted} should stand; make this shard again"
+            )));
         }
         take(row)?;
     }
-    if found == to - from {
-        Ok(())
-    } else {
-        Err(ScanInput::WrongCount { path: part.path.clone(), found, wanted: to - from }.into())
+    let wanted = to - from;
+    if found == wanted {
+        return Ok(());
     }
+    Err(Failure::input(format!("{path} has {found} rows where its summary says {wanted}; make this shard again")))
 }

@@ -2,18 +2,16 @@
 
 mod arguments;
 mod border;
-mod error;
-mod hashing;
 mod journal;
 mod map;
 mod merge;
 mod output;
-mod report;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod sample;
 mod table;
 
 pub use arguments::{SCAN_EXAMPLES, ScanArguments, ScanCommand};
-pub use error::ScanInput;
 
 use super::failure::Failure;
 use super::terminal::Timings;

@@ -10,10 +10,9 @@ use bifdiag_survey::{BodyFamily, Design, DesignError};
 use rayon::prelude::*;
 
 use super::arguments::SampleArguments;
-use super::error::ScanInput;
-use super::journal::{Identity, Journal};
+use super::journal::{Identity, Rows};
+use super::output;
 use super::table::Format;
-use super::{output, report};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{Progress, print, say};
@@ -26,25 +25,25 @@ pub fn run(arguments: &SampleArguments, quiet: bool) -> Result<(), Failure> {
     let design = design(arguments)?;
     let range = arguments.shard.map_or([0, design.count()], |shard| shard.range(design.count()));
     let identity = Identity::new(design, range, accuracy);
-    let out = arguments.out.as_deref().ok_or(ScanInput::NoOut)?;
+    let out = arguments.out.as_deref().ok_or_else(output::no_out)?;
     if out == Path::new("-") {
         return to_stdout(arguments, &identity, quiet);
     }
     let format = output::format_of(out, arguments.format)?;
-    let mut journal = Journal::open(out, &identity, arguments.restart)?;
-    if journal.rows() > 0 && !quiet {
-        say(&format!("going on behind {} done before", counted(journal.rows(), "body", "bodies")));
+    let mut journal = Rows::open(out, &identity, arguments.restart)?;
+    if journal.count() > 0 && !quiet {
+        say(&format!("going on behind {} done before", counted(journal.count(), "body", "bodies")));
     }
-    let progress = Progress::new(journal.rows(), range[1] - range[0], "bodies", quiet);
-    while range[0] + journal.rows() < range[1] {
-        let rows = block(&identity, range[0] + journal.rows());
+    let progress = Progress::new(journal.count(), range[1] - range[0], "bodies", quiet);
+    while range[0] + journal.count() < range[1] {
+        let rows = block(&identity, range[0] + journal.count());
         journal.append(&rows)?;
         progress.add(rows.len() as u64);
     }
     progress.finish();
     let document = output::write(out, format, &identity, |take| journal.for_each(take))?;
     journal.remove()?;
-    Ok(answer(arguments.json, &document, || report::text(&document, out))?)
+    answer(arguments.json, &document, || output::report(&document, out))
 }
 
 /// The rows of the next bodies.
@@ -65,23 +64,21 @@ fn row(identity: &Identity, n: u64) -> ScanRow {
 fn to_stdout(arguments: &SampleArguments, identity: &Identity, quiet: bool) -> Result<(), Failure> {
     let format = arguments.format.unwrap_or(Format::Jsonl);
     if format == Format::Parquet {
-        return Err(ScanInput::ParquetToStdout.into());
+        return Err(Failure::input("--out -: Parquet cannot be written to stdout; use --format csv or --format jsonl"));
     }
     if arguments.json {
-        return Err(ScanInput::TwoToStdout.into());
+        return Err(Failure::input(
+            "--json and --out - both want stdout; write the rows to a file, or leave out --json",
+        ));
     }
     let [from, to] = identity.range;
     let progress = Progress::new(0, to - from, "bodies", quiet);
     let mut next = from;
     while next < to {
         let rows = block(identity, next);
-        let mut text = Vec::new();
-        let mut sink = format.sink(&mut text).map_err(table_error)?;
-        for row in &rows {
-            sink.write(row).map_err(table_error)?;
-        }
-        sink.finish().map_err(table_error)?;
-        drop(sink);
+        let mut sink = format.sink(Vec::new())?;
+        rows.iter().try_for_each(|row| sink.write(row))?;
+        let text = sink.finish()?;
         // One heading is enough.
         let heading = if format == Format::Csv && next > from { text.iter().position(|b| *b == b'\n') } else { None };
         print(&text[heading.map_or(0, |end| end + 1)..])?;
@@ -92,34 +89,30 @@ fn to_stdout(arguments: &SampleArguments, identity: &Identity, quiet: bool) -> R
     Ok(())
 }
 
-fn table_error(source: super::table::TableError) -> Failure {
-    super::error::ScanFailure::Table { path: Path::new("-").to_owned(), source }.into()
-}
-
 /// What the options describe.
-pub fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
+fn design(arguments: &SampleArguments) -> Result<Design, Failure> {
     let subject = arguments.body.optional_subject()?;
     let family = match (&arguments.family, subject) {
         (Some(_), Some(_)) => {
-            let option = if arguments.body.body.is_some() { "--body" } else { "--A, --r or --inertia" };
-            return Err(ScanInput::FamilyAndBody { option }.into());
+            let option = if arguments.body.body.is_some() { "--body" } else { "--A, --r" };
+            return Err(Failure::input(format!("--family and {option} both describe the bodies; give one of them")));
         }
         (Some(family), None) => family.clone(),
         (None, Some(subject)) => {
             BodyFamily::Body { moments: subject.body.moments().clone(), center: subject.body.center().clone() }
         }
-        (None, None) => return Err(ScanInput::NoFamily.into()),
+        (None, None) => {
+            return Err(Failure::input(
+                "nothing says which bodies to scan; give --family general --samples 100000, --family katok, or a body with \
+                 --vary A2=0.5:2:200",
+            ));
+        }
     };
-    let design = Design::new(family, arguments.vary.clone(), arguments.samples, arguments.seed);
-    Ok(design.map_err(refusal)?)
-}
-
-/// The design's objections in terms of the options.
-fn refusal(error: DesignError) -> ScanInput {
-    let option = match error {
-        DesignError::NoSamples => return ScanInput::NoSamples,
-        DesignError::GridAndSamples => "--samples",
-        _ => "--vary",
-    };
-    ScanInput::Design { option, source: error }
+    Design::new(family, arguments.vary.clone(), arguments.samples, arguments.seed).map_err(|error| match error {
+        DesignError::NoSamples => Failure::input(
+            "--samples is missing; give --samples 100000, or ranges with numbers of grid values such as --vary A2=0.5:2:200",
+        ),
+        DesignError::GridAndSamples => Failure::input(format!("--samples: {error}")),
+        error => Failure::input(format!("--vary: {error}")),
+    })
 }

@@ -1,16 +1,15 @@
 //! Options of `bifdiag section`.
 
-use std::num::{NonZeroU32, NonZeroUsize};
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 
-use bifdiag_body::Number;
 use bifdiag_dynamics::section::SectionCondition;
 use bifdiag_plot::Projection;
 use clap::{Args, ValueEnum};
 
 use crate::cli::export::{DataTarget, PictureArguments, WidthArgument};
 use crate::cli::input::values::Named;
-use crate::cli::input::{BodyArguments, values};
+use crate::cli::input::{BodyArguments, PointArguments, values};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -49,7 +48,7 @@ const PROJECTIONS: [Named<Projection>; 3] = [
     ("both", "The sphere above the torus", Projection::Both),
 ];
 
-/// What the colour of a point tells.
+/// What the colour of a point shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ColorArgument {
     /// Its orbit
@@ -78,48 +77,42 @@ pub enum VerdictArgument {
 pub struct SectionArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// Energy
-    #[arg(long = "h", value_name = "h", allow_hyphen_values = true, value_parser = values::number)]
-    #[arg(help_heading = "Point")]
-    pub energy: Option<Number>,
-    /// Vertical angular momentum
-    #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number)]
-    #[arg(help_heading = "Point")]
-    pub momentum: Option<Number>,
-    /// Take the body and the points from an atlas.json (-: stdin), instead of body, --h and --l
-    #[arg(long, value_name = "FILE", help_heading = "Point")]
+    #[command(flatten)]
+    pub point: PointArguments,
+    /// Take the body and the points from an atlas.json (-: stdin), of all regions or that of --region
+    #[arg(long, value_name = "FILE", help_heading = "Point", hide_short_help = true)]
     pub atlas: Option<PathBuf>,
-    /// Instead of --h and --l: the sample of a region such as R4, or of all (with --atlas: the default)
+    /// Instead of --h and --l: the sample of a region such as R4, or of all
     #[arg(long, value_name = "ID|all", help_heading = "Point")]
     pub region: Option<String>,
-    /// Number of orbits, spread evenly over all components of the section (default: 24)
+    /// Number of orbits, spread evenly over the section (default: 24)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = values::orbits)]
     #[arg(help_heading = "Orbits")]
     pub orbits: Option<NonZeroU32>,
     /// Another choice of the starting points, equally spread (default: 0)
-    #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = values::seed, help_heading = "Orbits")]
+    #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = values::seed, help_heading = "Orbits", hide_short_help = true)]
     pub seed: Option<u64>,
     /// Start at the points of FILE (-: stdin) instead: CSV with the heading theta,psi,sheet
-    #[arg(long, value_name = "FILE.csv", help_heading = "Orbits")]
+    #[arg(long, value_name = "FILE.csv", help_heading = "Orbits", hide_short_help = true)]
     pub starts: Option<PathBuf>,
     /// Crossings of each orbit
     #[arg(long, value_name = "M", default_value = "500", allow_hyphen_values = true)]
     #[arg(value_parser = values::crossings, help_heading = "Orbits")]
-    pub crossings: NonZeroUsize,
+    pub crossings: NonZeroU32,
     /// Stop each orbit at time T even if it has fewer crossings, such as 1e4
     #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = values::duration)]
-    #[arg(help_heading = "Orbits")]
+    #[arg(help_heading = "Orbits", hide_short_help = true)]
     pub max_time: Option<f64>,
     /// Is each orbit regular, chaotic, or is that open? (default: whole; none where only --data is written)
-    #[arg(long, value_enum, help_heading = "Orbits")]
+    #[arg(long, value_enum, help_heading = "Orbits", hide_short_help = true)]
     pub verdict: Option<VerdictArgument>,
     /// The section condition S = 0
-    #[arg(long, value_parser = values::named(&CONDITIONS), default_value = "height", help_heading = "Orbits")]
+    #[arg(long, value_parser = values::named(&CONDITIONS), default_value = "height", help_heading = "Orbits", hide_short_help = true)]
     pub condition: SectionCondition,
-    /// Truncation error of a step of the Taylor series, relative to the size of the motion (default: 1e-15)
+    /// Truncation error of a step of the Taylor series, relative to the size of the motion
     #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = values::step_tolerance)]
-    #[arg(hide_short_help = true, help_heading = "Orbits")]
-    pub tol: Option<f64>,
+    #[arg(default_value = "1e-15", hide_short_help = true, help_heading = "Orbits")]
+    pub tol: f64,
     /// Write the points to FILE.npz, FILE.parquet, FILE.csv or FILE.jsonl (-: CSV to stdout); with several regions, a file for each
     #[arg(long, value_name = "FILE", value_parser = DataTarget::parse, help_heading = "Output")]
     pub data: Option<DataTarget>,
@@ -127,10 +120,10 @@ pub struct SectionArguments {
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub out: Option<PathBuf>,
     /// Where the picture shows the section
-    #[arg(long, value_parser = values::named(&PROJECTIONS), default_value = "torus", help_heading = "Output")]
+    #[arg(long, value_parser = values::named(&PROJECTIONS), default_value = "torus", help_heading = "Output", hide_short_help = true)]
     pub projection: Projection,
-    /// What the colours tell
-    #[arg(long, value_enum, default_value = "orbit", help_heading = "Output")]
+    /// Colour the points by this
+    #[arg(long, value_enum, default_value = "orbit", help_heading = "Output", hide_short_help = true)]
     pub color: ColorArgument,
     #[command(flatten)]
     pub picture: PictureArguments,

@@ -1,87 +1,136 @@
 //! What a run writes: data, documents and pictures.
 
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
-use super::error::SectionFailure;
-use super::settings::{Settings, stem};
+use bifdiag_dynamics::poincare::PoincareError;
+use bifdiag_dynamics::section::{FAMILIES, Portrait, PortraitOptions, families};
+use bifdiag_plot::{OrbitFamilies, OrbitValues, Picture, SectionOptions, SectionScene, draw_section, section_type};
+use bifdiag_schema::{ConditionName, SectionDocument};
+
+use super::arguments::ColorArgument;
+use super::plan::{Plan, stem};
+use super::sites::poincare_failure;
 use super::work::{Done, Sections};
-use super::{picture, report, table};
-use crate::cli::export::{Columns, DataFormat, DataTarget, ExportError, Exporter, FileSet, Json, RESOLUTION, answer};
+use super::{report, table};
+use crate::cli::export::{Columns, DataFormat, DataTarget, FileSet, answer, unusable};
 use crate::cli::failure::Failure;
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Timings, print};
 
 /// Writes the files of a complete run, all or none, and then prints. An interrupted run only prints: no file is replaced
 /// by one with less in it.
-pub fn write(settings: &Settings, mut sections: Sections, complete: bool, timings: &Timings) -> Result<(), Failure> {
-    let outputs = &settings.outputs;
-    let written = if complete { files(settings, &mut sections.done, timings)? } else { Vec::new() };
-    if let (Some(DataTarget::Stdout), [section]) = (outputs.data, &sections.done[..]) {
-        return Ok(print(DataFormat::Csv.bytes(&columns(section)?)?)?);
+pub fn write(plan: &Plan<'_>, mut sections: Sections, complete: bool, timings: &Timings) -> Result<(), Failure> {
+    let arguments = plan.arguments;
+    let written = if complete { files(plan, &mut sections.done, timings)? } else { Vec::new() };
+    if let (Some(DataTarget::Stdout), [section]) = (&arguments.data, &sections.done[..]) {
+        return print(DataFormat::Csv.bytes(&columns(section)?)?);
     }
-    let text = || text(settings, &sections, &written);
-    Ok(match &sections.done[..] {
+    let text = || text(plan, &sections, &written);
+    match &sections.done[..] {
         // One document for one point, a list for an atlas.
-        [section] if !outputs.list => answer(outputs.json, &section.document, text),
+        [section] if !plan.is_list() => answer(arguments.json, &section.document, text),
         done => {
             let all = done.iter().map(|section| section.document.clone()).collect();
             answer(
-                outputs.json,
-                &bifdiag_documents::sections(&settings.sites.subject, all, sections.skipped.clone(), sections.complete),
+                arguments.json,
+                &bifdiag_documents::sections(&plan.sites.subject, all, sections.skipped.clone(), sections.complete),
                 text,
             )
         }
-    }?)
+    }
 }
 
 /// Writes data, documents and pictures; then the journals go.
-fn files(settings: &Settings, sections: &mut [Done], timings: &Timings) -> Result<Vec<PathBuf>, Failure> {
-    let outputs = &settings.outputs;
-    let mut files = FileSet::new(outputs.directory.as_deref().unwrap_or(Path::new(".")));
+fn files(plan: &Plan<'_>, sections: &mut [Done], timings: &Timings) -> Result<Vec<PathBuf>, Failure> {
+    let (arguments, directory) = (plan.arguments, plan.directory.as_ref());
+    let mut files = FileSet::new(plan.directory.as_deref().unwrap_or(Path::new(".")));
     let mut journals = Vec::new();
     for section in sections {
         let region = section.document.region.as_deref();
         journals.extend(section.journal.as_ref().map(|journal| journal.path().to_owned()));
-        if let (Some((path, format)), Some(mut journal)) = (settings.streamed(), section.journal.take()) {
-            journal.meta = serde_json::to_string(&section.document).map_err(ExportError::from)?;
-            let path = settings.file_of(path, region);
-            files.add_written(&path, move |out| format.write(&mut journal, out).map_err(io::Error::other));
+        if let (Some((path, format)), Some(mut journal)) = (plan.streamed(), section.journal.take()) {
+            journal.meta = serde_json::to_string(&section.document)?;
+            let path = plan.file_of(path, region);
+            files.add_written(&path, move |out| Ok(format.write(&mut journal, out)?));
             continue;
         }
-        if let Some(DataTarget::File { path, format }) = outputs.data {
-            files.add_at(&settings.file_of(path, region), format.bytes(&columns(section)?)?);
+        if let Some(DataTarget::File { path, format }) = &arguments.data {
+            files.add_at(&plan.file_of(path, region), format.bytes(&columns(section)?)?);
         }
-        if outputs.directory.is_some() {
+        if directory.is_some() {
             let stem = stem(region);
-            files.export(&stem, &section.document, &Json)?;
+            files.json(&stem, &section.document)?;
             files.remove_pictures(&stem);
-            if outputs.data.is_none() {
-                files.export(&stem, &columns(section)?, &DataFormat::Npz)?;
+            if arguments.data.is_none() {
+                files.add(format!("{stem}.npz"), DataFormat::Npz.bytes(&columns(section)?)?);
             }
-            if !outputs.formats.is_empty() {
-                let picture = timings.stage("picture", || picture::draw(settings, section))?;
-                files.pictures(&stem, &picture, outputs.formats, RESOLUTION, timings)?;
+            if !arguments.no_plot {
+                let picture = timings.stage("picture", || draw(plan, section))?;
+                files.pictures(&stem, &picture, &arguments.picture.format, timings)?;
             }
         }
     }
     let written = timings.stage("files", || files.write())?;
     for path in journals {
-        fs::remove_file(&path).map_err(|source| SectionFailure::Journal { path, source })?;
+        fs::remove_file(&path).map_err(|error| unusable(&path, error))?;
     }
     Ok(written)
 }
 
-fn columns(section: &Done) -> Result<Columns, ExportError> {
+fn columns(section: &Done) -> Result<Columns, Failure> {
     Ok(table::of(&section.document, &section.orbits, &section.chaos)?)
 }
 
-fn text(settings: &Settings, sections: &Sections, written: &[PathBuf]) -> String {
+fn text(plan: &Plan<'_>, sections: &Sections, written: &[PathBuf]) -> String {
     let mut lines = Report::default();
-    head(&settings.sites.subject, &mut lines);
+    head(&plan.sites.subject, &mut lines);
     for section in &sections.done {
         report::add(&mut lines, &section.document);
     }
     lines.written(written);
     lines.text()
+}
+
+/// Draws a section with its orbits.
+fn draw(plan: &Plan<'_>, section: &Done) -> Result<Picture, Failure> {
+    let (arguments, document, body) = (plan.arguments, &section.document, &plan.sites.subject.body);
+    let options = PortraitOptions { condition: arguments.condition, ..PortraitOptions::default() };
+    let portrait = Portrait::new(body, section.h, section.l, &options)
+        .map_err(|error| poincare_failure(PoincareError::from(error)))?;
+    if !portrait.report().is_complete() {
+        tracing::warn!("the boundary or the line of tangency of this section may be incomplete in the picture");
+    }
+    let values = values(arguments.color, document);
+    let of = families(body, section.h, section.l, &section.orbits);
+    let scene = SectionScene {
+        portrait: &portrait,
+        orbits: &section.orbits,
+        values: values.as_ref().map(|(label, values)| OrbitValues { label, values }),
+        families: Some(OrbitFamilies { of: &of, names: &FAMILIES }),
+        caption: &caption(document),
+    };
+    let (projection, theme, width) = (arguments.projection, arguments.picture.theme, arguments.width.width);
+    let options = SectionOptions { projection, theme, width, ..SectionOptions::default() };
+    Ok(draw_section(&scene, &options)?)
+}
+
+/// What stands beside (h, l): the region and the type.
+fn caption(document: &SectionDocument) -> String {
+    // The type is that of the paper's section.
+    let own = document.condition == ConditionName::Height;
+    let signature = document.signature.as_ref().filter(|_| own).map(|signature| section_type(signature));
+    let parts = [document.region.clone(), signature];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(",  ")
+}
+
+/// The numbers that colour the orbits, and what they are.
+fn values(color: ColorArgument, document: &SectionDocument) -> Option<(&'static str, Vec<f64>)> {
+    let (label, value): (_, fn(&_) -> Option<f64>) = match color {
+        ColorArgument::Orbit => return None,
+        ColorArgument::Lyapunov => ("Lyapunov exponent", table::lyapunov),
+        ColorArgument::Rotation => ("rotation number", table::rotation),
+    };
+    let of = |orbit: &bifdiag_schema::OrbitDocument| orbit.chaos.as_ref().and_then(value).unwrap_or(f64::NAN);
+    Some((label, document.orbits.iter().map(of).collect()))
 }

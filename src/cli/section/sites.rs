@@ -1,15 +1,21 @@
-//! Where sections are wanted: one point of a body, or the samples of an atlas.
+//! Where sections are wanted, at one point of a body or at the samples of an atlas, and where the user lets orbits start.
 
+use std::f64::consts::PI;
+use std::fmt::Display;
 use std::path::Path;
 
 use bifdiag_body::{Body, Number};
 use bifdiag_diagram::arrangement::RegionId;
+use bifdiag_diagram::fast::FastError;
 use bifdiag_documents::Subject;
+use bifdiag_dynamics::poincare::PoincareError;
+use bifdiag_dynamics::section::TorusPoint;
 use bifdiag_exact::Accuracy;
+use bifdiag_schema::SCHEMA_VERSION;
 
 use super::arguments::SectionArguments;
-use super::error::SectionInput;
-use crate::cli::input::read;
+use crate::cli::failure::Failure;
+use crate::cli::input::{read, values};
 
 /// A point at which a section is wanted.
 #[derive(Clone, Debug)]
@@ -31,31 +37,38 @@ pub struct Sites {
 
 impl Sites {
     /// Of the options.
-    pub fn new(arguments: &SectionArguments) -> Result<Self, SectionInput> {
-        let point = [("--h", arguments.energy.is_some()), ("--l", arguments.momentum.is_some())];
+    pub fn new(arguments: &SectionArguments) -> Result<Self, Failure> {
+        let point = [("--h", arguments.point.energy.is_some()), ("--l", arguments.point.momentum.is_some())];
         let point = || point.into_iter().filter(|(_, given)| *given).map(|(option, _)| option);
         if let Some(path) = &arguments.atlas {
             return match arguments.body.given().chain(point()).next() {
-                Some(option) => Err(SectionInput::AtlasAnd { option }),
+                Some(option) => Err(Failure::input(format!(
+                    "--atlas and {option} both say what to integrate; leave out {option}, or leave out --atlas"
+                ))),
                 None => Self::of_file(path, arguments.region.as_deref().unwrap_or(ALL)),
             };
         }
         let subject = arguments.body.subject()?;
         if let Some(region) = &arguments.region {
             return match point().next() {
-                Some(option) => Err(SectionInput::RegionAnd { option }),
+                Some(option) => {
+                    Err(Failure::input(format!("--region and {option} both say where; leave out one of them")))
+                }
                 None => Self::of_body(subject, region),
             };
         }
-        let missing = |missing, example| SectionInput::NoPoint { missing, example };
-        let h = arguments.energy.clone().ok_or(missing("--h", "the energy, such as --h 4.45"))?;
-        let l = arguments.momentum.clone().ok_or(missing("--l", "the momentum, such as --l 3.25"))?;
+        let missing = |missing, example| {
+            let message = format!("{missing} is missing; give {example}, or --region R4 for the sample of a region");
+            move || Failure::input(message)
+        };
+        let h = arguments.point.energy.clone().ok_or_else(missing("--h", "the energy, such as --h 4.45"))?;
+        let l = arguments.point.momentum.clone().ok_or_else(missing("--l", "the momentum, such as --l 3.25"))?;
         Ok(Self { subject, list: vec![Site { region: None, h, l }], all: false })
     }
 
     /// The samples of a body's own atlas.
-    fn of_body(subject: Subject, wanted: &str) -> Result<Self, SectionInput> {
-        let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(SectionInput::NoAtlas)?;
+    fn of_body(subject: Subject, wanted: &str) -> Result<Self, Failure> {
+        let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact).map_err(Failure::input)?;
         let samples = atlas.regions().ids().map(|region| {
             let sample = atlas.sample(region);
             (region.to_string(), sample.h, sample.l)
@@ -65,18 +78,20 @@ impl Sites {
     }
 
     /// The samples of an atlas.json.
-    fn of_file(path: &Path, wanted: &str) -> Result<Self, SectionInput> {
-        let text = read(path).map_err(|source| SectionInput::AtlasFile { path: path.to_owned(), source })?;
-        let atlas = bifdiag_documents::reading::atlas(&text, &path.to_string_lossy())
-            .map_err(|source| SectionInput::NotAnAtlas { path: path.to_owned(), source })?;
+    fn of_file(path: &Path, wanted: &str) -> Result<Self, Failure> {
+        let file = path.display();
+        let wrong = |error: &dyn Display| Failure::input(format!("--atlas {file}: {error}"));
+        let text = read(path)
+            .map_err(|error| wrong(&format!("{error}; give an atlas.json that can be read, or - for stdin")))?;
+        let atlas = bifdiag_documents::reading::atlas(&text, &path.to_string_lossy()).map_err(|error| {
+            let version = format!("version {SCHEMA_VERSION} (bifdiag atlas --json writes one)");
+            Failure::input(format!("--atlas {file} is no atlas of {version}: {error}")).because(error)
+        })?;
         let body = Body::parse(&atlas.body.given.moments, &atlas.body.given.center)
-            .map_err(|source| SectionInput::AtlasBody { path: path.to_owned(), source })?;
+            .map_err(|error| wrong(&format!("its body is not one: {error}")))?;
         // Names of files are made of them.
         for region in &atlas.regions {
-            region
-                .id
-                .parse::<RegionId>()
-                .map_err(|source| SectionInput::AtlasRegion { path: path.to_owned(), source })?;
+            region.id.parse::<RegionId>().map_err(|error| wrong(&error))?;
         }
         let subject = Subject { body, part: atlas.body.part };
         let samples = atlas.regions.into_iter().map(|region| (region.id, region.sample.h, region.sample.l));
@@ -89,7 +104,7 @@ impl Sites {
 pub const ALL: &str = "all";
 
 /// The wanted ones of regions with their samples.
-fn chosen(samples: Vec<(String, f64, f64)>, wanted: &str) -> Result<Vec<Site>, SectionInput> {
+fn chosen(samples: Vec<(String, f64, f64)>, wanted: &str) -> Result<Vec<Site>, Failure> {
     let known: Vec<String> = samples.iter().map(|(id, ..)| id.clone()).collect();
     let chosen = samples.into_iter().filter(|(id, ..)| wanted == ALL || wanted == id);
     // The samples of an atlas are finite.
@@ -99,7 +114,113 @@ fn chosen(samples: Vec<(String, f64, f64)>, wanted: &str) -> Result<Vec<Site>, S
     };
     let list: Vec<Site> = chosen.filter_map(site).collect();
     if list.is_empty() {
-        return Err(SectionInput::UnknownRegion { region: wanted.to_owned(), known });
+        let known = match &known[..] {
+            [] => "there is none".to_owned(),
+            known => format!("it has {}, or give all", known.join(", ")),
+        };
+        return Err(Failure::input(format!("--region {wanted}: the body has no such region; {known}")));
     }
     Ok(list)
+}
+
+/// A starting point and the line of the file on which it stands, from 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seed {
+    pub point: TorusPoint,
+    pub line: usize,
+}
+
+const HEADING: [&str; 3] = ["theta", "psi", "sheet"];
+
+/// The seeds of a file.
+pub fn load(path: &Path) -> Result<Vec<Seed>, Failure> {
+    let file = path.display();
+    let text = read(path).map_err(|error| {
+        Failure::input(format!("--starts {file}: {error}; give a file that can be read, or - for stdin"))
+    })?;
+    let seeds = parse(&text).map_err(|(line, problem)| wrong_line(path, line, &problem))?;
+    if seeds.is_empty() {
+        let right = "write the heading theta,psi,sheet and one start on each line";
+        return Err(Failure::input(format!("--starts {file} holds no start; {right}")));
+    }
+    Ok(seeds)
+}
+
+/// A line that is no start, or none that can be used.
+pub fn wrong_line(path: &Path, line: usize, problem: &str) -> Failure {
+    Failure::input(format!("--starts {}, line {line}: {problem}", path.display()))
+}
+
+/// Columns in any order, others ignored; empty lines and lines that start with # are passed over.
+fn parse(text: &str) -> Result<Vec<Seed>, (usize, String)> {
+    let text = text.trim_start_matches('\u{feff}');
+    let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
+    let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let Some((number, heading)) = lines.next() else { return Ok(Vec::new()) };
+    let names: Vec<&str> = heading.split(',').map(str::trim).collect();
+    let mut places = [0; 3];
+    for (place, name) in places.iter_mut().zip(HEADING) {
+        let found = names.iter().position(|found| *found == name);
+        let lacks = || (number, format!("the heading `{heading}` lacks {name}; write theta,psi,sheet"));
+        *place = found.ok_or_else(lacks)?;
+    }
+    lines
+        .map(|(line, text)| Ok(Seed { point: seed(text, names.len(), places).map_err(|p| (line, p))?, line }))
+        .collect()
+}
+
+fn seed(text: &str, wanted: usize, places: [usize; 3]) -> Result<TorusPoint, String> {
+    let values: Vec<&str> = text.split(',').map(str::trim).collect();
+    if values.len() != wanted {
+        return Err(format!("{} values, but the heading has {wanted}", values.len()));
+    }
+    let [theta, psi, sheet] = places.map(|place| values[place]);
+    let angle = |name: &str, value: &str| {
+        let right = "give an angle in radians, such as 1.57 or pi/2";
+        values::angle(value).map_err(|_not_an_angle| format!("{name} = `{value}` is not a number; {right}"))
+    };
+    let (polar, psi) = (angle("theta", theta)?, angle("psi", psi)?);
+    if !(0.0..=PI).contains(&polar) {
+        return Err(format!("theta = {theta} is not between 0 and pi; it is the angle between gamma and r"));
+    }
+    let sheet = values::sheet(sheet).map_err(|_neither| format!("sheet = `{sheet}` is neither 1 (T+) nor -1 (T-)"))?;
+    Ok(TorusPoint { theta: polar, psi, sheet })
+}
+
+/// A section that is not there, or could not be computed.
+pub fn poincare_failure(error: PoincareError) -> Failure {
+    match error {
+        PoincareError::Classify(FastError::Momentum(error)) => Failure::input(format!("--l: {error}")),
+        PoincareError::WeightlessBody
+        | PoincareError::Forbidden { .. }
+        | PoincareError::OnCurve { .. }
+        | PoincareError::Undecided { .. } => Failure::input(error),
+        error => Failure::work("the section could not be computed").because(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_may_stand_in_any_order() {
+        let seeds = parse("# mine\n\npsi, sheet, theta, colour\n0.5,-1,pi/2,red\n\n1,+,0.25,blue\n").unwrap();
+        assert_eq!(seeds[0], Seed { point: TorusPoint { theta: PI / 2.0, psi: 0.5, sheet: -1 }, line: 4 });
+        assert_eq!(seeds[1], Seed { point: TorusPoint { theta: 0.25, psi: 1.0, sheet: 1 }, line: 6 });
+    }
+
+    #[test]
+    fn wrong_lines_are_numbered() {
+        let wrong = |text: &str, line: usize, problem: &str| {
+            let found = parse(text).unwrap_err();
+            assert!(found.0 == line && found.1.starts_with(problem), "{found:?}");
+        };
+        wrong("theta,psi\n", 1, "the heading `theta,psi` lacks sheet");
+        wrong("theta,psi,sheet\n1,2\n", 2, "2 values, but the heading has 3");
+        wrong("theta,psi,sheet\n\nx,2,1\n", 3, "theta = `x` is not a number");
+        wrong("theta,psi,sheet\n1,nan,1\n", 2, "psi = `nan` is not a number");
+        wrong("theta,psi,sheet\n-0.1,2,1\n", 2, "theta = -0.1 is not between 0 and pi");
+        wrong("theta,psi,sheet\n0.1,2,0\n", 2, "sheet = `0` is neither");
+    }
 }

@@ -2,17 +2,17 @@
 
 use std::path::Path;
 
-use bifdiag_dynamics::poincare::{PoincareError, PoincareSection, SectionSetting};
+use bifdiag_dynamics::poincare::{PoincareSection, SectionSetting};
 use bifdiag_dynamics::section::chaos::{ChaosMeasure, ChaosOptions};
 use bifdiag_dynamics::section::{Monitor, OrbitSection, SectionError, SweepOptions, TorusPoint};
 use bifdiag_schema::{SectionDocument, SkippedDocument};
 
 use super::arguments::VerdictArgument;
-use super::error::{SectionFailure, SectionInput, SeedProblem};
-use super::seeds::Seed;
-use super::settings::{Settings, Starts};
-use super::sites::Site;
-use super::stream::{self, Journal};
+use super::crossings::Crossings;
+use super::plan::{Plan, Starts};
+use super::sites::{Seed, Site, poincare_failure, wrong_line};
+use super::stream::follow;
+use crate::cli::failure::{Exit, Failure};
 
 /// A section that was computed.
 pub struct Done {
@@ -23,7 +23,7 @@ pub struct Done {
     /// How regular each of them is, if that was asked for.
     pub chaos: Vec<ChaosMeasure>,
     /// What was found, from which the same command goes on.
-    pub journal: Option<Journal>,
+    pub journal: Option<Crossings>,
     /// Orbits that were not cut short by an interrupt.
     pub whole_orbits: usize,
 }
@@ -37,14 +37,14 @@ pub struct Sections {
 }
 
 /// One section after the other.
-pub fn compute(settings: &Settings, monitor: &Monitor) -> Result<Sections, SectionFailure> {
+pub fn compute(plan: &Plan<'_>, monitor: &Monitor) -> Result<Sections, Failure> {
     let mut sections = Sections { done: Vec::new(), skipped: Vec::new(), complete: true };
-    for site in &settings.sites.list {
+    for site in &plan.sites.list {
         if !sections.done.is_empty() && monitor.is_stopped() {
             sections.complete = false;
             break;
         }
-        match (section_at(settings, site, monitor), &site.region) {
+        match (section_at(plan, site, monitor), &site.region) {
             (Ok(section), _) => {
                 sections.complete &= section.document.complete;
                 sections.done.push(section);
@@ -55,7 +55,7 @@ pub fn compute(settings: &Settings, monitor: &Monitor) -> Result<Sections, Secti
                 break;
             }
             // One region that is too thin must not cost the others.
-            (Err(SectionFailure::Input(error)), Some(region)) if settings.sites.all => {
+            (Err(error), Some(region)) if plan.sites.all && error.exit() == Exit::WrongInput => {
                 tracing::warn!("no section for {region}: {error}");
                 sections.skipped.push(SkippedDocument { region: region.clone(), reason: error.to_string() });
             }
@@ -65,41 +65,44 @@ pub fn compute(settings: &Settings, monitor: &Monitor) -> Result<Sections, Secti
     Ok(sections)
 }
 
-fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Done, SectionFailure> {
-    let subject = &settings.sites.subject;
-    let setting = SectionSetting::new(&subject.body, &site.h, &site.l)?;
-    let (starts, seed) = match &settings.starts {
+fn section_at(plan: &Plan<'_>, site: &Site, monitor: &Monitor) -> Result<Done, Failure> {
+    let (arguments, subject) = (plan.arguments, &plan.sites.subject);
+    let setting = SectionSetting::new(&subject.body, &site.h, &site.l).map_err(poincare_failure)?;
+    let (starts, seed) = match &plan.starts {
         Starts::Given { path, seeds } => (accessible(&setting, path, seeds)?, None),
-        Starts::Spread { orbits, seed } => (setting.spread_watched(*orbits, *seed, monitor)?, Some(*seed)),
+        Starts::Spread { orbits, seed } => {
+            (setting.spread_watched(*orbits, *seed, monitor).map_err(poincare_failure)?, Some(*seed))
+        }
     };
     let options = SweepOptions {
-        crossings: settings.crossings,
-        max_time: settings.max_time,
-        tolerance: settings.tolerance,
-        condition: settings.condition,
+        crossings: arguments.crossings.get() as usize,
+        max_time: arguments.max_time.unwrap_or(f64::INFINITY),
+        tolerance: arguments.tol,
+        condition: arguments.condition,
         ..SweepOptions::default()
     };
     let chaos = chaos_options(&options);
-    let (section, journal) = match settings.resumed(site.region.as_deref()) {
+    let (section, journal) = match plan.resumed(site.region.as_deref()) {
         Some((path, discards)) => {
-            let streamed = settings.streamed().is_some();
-            let judged = (streamed && settings.verdict == VerdictArgument::Only).then_some(&chaos);
+            let streamed = plan.streamed().is_some();
+            let judged = (streamed && plan.verdict == VerdictArgument::Only).then_some(&chaos);
             let (mut section, mut journal) =
-                stream::follow((&path, discards), &setting, (&starts, seed), &options, judged, monitor)?;
+                follow((&path, discards), &setting, (&starts, seed), &options, judged, monitor)?;
             if !streamed && section.complete() {
                 for orbit in &mut section.orbits {
                     orbit.points = journal.points(orbit.orbit)?;
                 }
-                judge(settings, &setting, &mut section, &chaos, monitor)?;
+                judge(plan, &setting, &mut section, &chaos, monitor)?;
             }
             (section, Some(journal))
         }
-        None if settings.verdict == VerdictArgument::Early => {
-            (setting.run_until_decided(&starts, seed, &options, &chaos, monitor)?, None)
+        None if plan.verdict == VerdictArgument::Early => {
+            let section = setting.run_until_decided(&starts, seed, &options, &chaos, monitor);
+            (section.map_err(poincare_failure)?, None)
         }
         None => {
-            let mut section = setting.run(&starts, seed, &options, monitor)?;
-            judge(settings, &setting, &mut section, &chaos, monitor)?;
+            let mut section = setting.run(&starts, seed, &options, monitor).map_err(poincare_failure)?;
+            judge(plan, &setting, &mut section, &chaos, monitor)?;
             (section, None)
         }
     };
@@ -118,18 +121,19 @@ fn section_at(settings: &Settings, site: &Site, monitor: &Monitor) -> Result<Don
 
 /// Adds the verdicts, if these are wanted.
 fn judge(
-    settings: &Settings,
+    plan: &Plan<'_>,
     setting: &SectionSetting,
     section: &mut PoincareSection,
     chaos: &ChaosOptions,
     monitor: &Monitor,
-) -> Result<(), PoincareError> {
-    match settings.verdict {
-        VerdictArgument::Whole => setting.measure(section, chaos, monitor)?,
-        VerdictArgument::Only => setting.judge(section, chaos, monitor)?,
-        VerdictArgument::Early | VerdictArgument::None => {}
+) -> Result<(), Failure> {
+    match plan.verdict {
+        VerdictArgument::Whole => {
+            setting.measure(section, chaos, monitor).map_err(|error| poincare_failure(error.into()))
+        }
+        VerdictArgument::Only => setting.judge(section, chaos, monitor).map_err(|error| poincare_failure(error.into())),
+        VerdictArgument::Early | VerdictArgument::None => Ok(()),
     }
-    Ok(())
 }
 
 /// The variational equations follow the orbits as these were followed.
@@ -138,16 +142,16 @@ fn chaos_options(options: &SweepOptions) -> ChaosOptions {
 }
 
 /// The seeds of a file, if all of them are accessible.
-fn accessible(setting: &SectionSetting, path: &Path, seeds: &[Seed]) -> Result<Vec<TorusPoint>, SectionFailure> {
+fn accessible(setting: &SectionSetting, path: &Path, seeds: &[Seed]) -> Result<Vec<TorusPoint>, Failure> {
     let mut points = Vec::with_capacity(seeds.len());
     for seed in seeds {
         match setting.state(seed.point) {
             Ok(_) => points.push(seed.point),
             Err(SectionError::SeedInaccessible { potential, h, .. }) => {
-                let problem = SeedProblem::Inaccessible { potential, h };
-                return Err(SectionInput::SeedLine { path: path.to_owned(), line: seed.line, problem }.into());
+                let problem = format!("the point is not accessible: U = {potential} there, above h = {h}");
+                return Err(wrong_line(path, seed.line, &problem));
             }
-            Err(error) => return Err(PoincareError::from(error).into()),
+            Err(error) => return Err(poincare_failure(error.into())),
         }
     }
     Ok(points)

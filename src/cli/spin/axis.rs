@@ -5,7 +5,8 @@ use bifdiag_equilibria::permanent::{NearestAxis, PermanentAxis, angle_between, n
 use bifdiag_schema::NearestAxisDocument;
 use dashu_ratio::RBig;
 
-use crate::cli::input::values::{self, Triple, ValueError};
+use crate::cli::failure::Failure;
+use crate::cli::input::values::{self, Triple};
 
 /// An axis nearer to a permanent one than this, in radians, is that axis: directions are given with some digits.
 pub const MEANT: f64 = 1e-6;
@@ -24,7 +25,7 @@ pub struct AxisArgument {
 }
 
 /// Reads a direction; its length does not matter.
-pub fn axis(text: &str) -> Result<AxisArgument, ValueError> {
+pub fn axis(text: &str) -> Result<AxisArgument, Failure> {
     let given = values::triple(match text.strip_prefix('+').unwrap_or(text) {
         "x" => "1,0,0",
         "y" => "0,1,0",
@@ -34,12 +35,12 @@ pub fn axis(text: &str) -> Result<AxisArgument, ValueError> {
         "-z" => "0,0,-1",
         _ => text,
     })?;
-    Ok(AxisArgument { direction: given.rounded().direction()?.0, given })
+    Ok(AxisArgument { direction: values::to_direction(given.rounded())?, given })
 }
 
 impl AxisArgument {
     /// The axis through the centre of mass.
-    pub fn of_the_centre_of_mass(subject: &Subject) -> Result<Self, ValueError> {
+    pub fn of_the_centre_of_mass(subject: &Subject) -> Result<Self, Failure> {
         let center = match &subject.part {
             Some(part) => part.com.join(","),
             None => subject.body.center().each_ref().map(bifdiag_body::Number::text).join(","),
@@ -52,7 +53,7 @@ impl AxisArgument {
         if subject.part.is_none() {
             return self.given.values();
         }
-        subject.to_principal(self.given.rounded().0).map(|x| RBig::try_from(x).unwrap_or_default())
+        subject.to_principal(self.given.rounded()).map(|x| RBig::try_from(x).unwrap_or_default())
     }
 }
 

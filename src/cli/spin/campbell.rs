@@ -11,8 +11,7 @@ use clap::Args;
 use dashu_ratio::RBig;
 
 use super::axis::{Axis, AxisArgument, axis, followed_text};
-use super::input::StateInput;
-use crate::cli::export::{Column, Columns, DataFormat, ExportError, FileSet, PictureFormat, RESOLUTION, Values};
+use crate::cli::export::{Column, Columns, DataFormat, FileSet, PictureFormat, Values};
 use crate::cli::failure::Failure;
 use crate::cli::input::BodyArguments;
 use crate::cli::terminal::{Report, Timings, print, significant};
@@ -52,22 +51,24 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
     let subject = arguments.body.subject()?;
     let largest = arguments.to.rad_per_s();
     if largest <= 0.0 {
-        return Err(StateInput::NoSpins { to: arguments.to.to_string() }.into());
+        let right = "the largest spin must be greater than 0, such as \"6000 rpm\"";
+        return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
     }
     let Axis::Permanent { axis, nearest } = Axis::followed(&subject, arguments.axis.direction) else {
-        return Err(not_permanent(&subject, arguments.axis.direction).into());
+        return Err(not_permanent(&subject, arguments.axis.direction));
     };
     // γ points down.
     let Some(rotation) = AxisRotation::about(&subject.body, axis, Sign::Negative) else {
-        return Err(StateInput::NoPermanentAxis.into());
+        return Err(no_permanent_axis());
     };
     let second = subject.second();
     let rows = rows(&rotation, largest, second);
     if rows.iter().any(|row| row.frequencies.into_iter().chain([row.growth]).any(f64::is_infinite)) {
-        return Err(StateInput::TooFast { to: arguments.to.to_string() }.into());
+        let right = "at such a spin the frequencies leave the range of numbers; give a smaller one";
+        return Err(Failure::input(format!("--to {}: {right}", arguments.to)));
     }
     let mut files = FileSet::new(&arguments.out);
-    files.export("campbell", &columns(&rows), &DataFormat::Csv)?;
+    files.add("campbell.csv", DataFormat::Csv.bytes(&columns(&rows))?);
     let (changes, beyond): (Vec<_>, Vec<_>) = bifdiag_documents::spin_changes(&rotation, "+axis", None, second)
         .into_iter()
         .partition(|change| change.spin.rad_per_s <= largest);
@@ -76,8 +77,8 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
             rows: rows.iter().map(|row| (row.rpm, row.frequencies, row.stable)).collect(),
             changes: changes.iter().map(|change| change.spin.rpm).collect(),
         };
-        let picture = draw_campbell(&scene, bifdiag_plot::Theme::Light).map_err(ExportError::from)?;
-        files.pictures("campbell", &picture, &[PictureFormat::Svg], RESOLUTION, timings)?;
+        let picture = draw_campbell(&scene, bifdiag_plot::Theme::Light)?;
+        files.pictures("campbell", &picture, &[PictureFormat::Svg], timings)?;
     }
     let mut report = Report::default();
     if nearest.angle_deg > TOLD {
@@ -93,19 +94,31 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         report.line(format!("the next change of type is at {} rpm, beyond --to", significant(next.spin.rpm, 8)));
     }
     report.written(&files.write()?);
-    Ok(print(report.text())?)
+    print(report.text())
 }
 
 /// Why an axis has no frequencies over the spin.
-fn not_permanent(subject: &Subject, given: [f64; 3]) -> StateInput {
+fn not_permanent(subject: &Subject, given: [f64; 3]) -> Failure {
     match permanent_axis(&subject.body, subject.to_principal(given)) {
         Some(nearest) => {
             let axis = subject.to_given(nearest.direction);
             let angle = significant(angle_between(axis, given).to_degrees(), 3);
-            StateInput::NotPermanent { axis: axis.map(|x| significant(x, 6)).join(", "), angle }
+            let axis = axis.map(|x| significant(x, 6)).join(", ");
+            Failure::input(format!(
+                "--axis: rotation about it is not permanent at every spin, so that it has no frequencies over the spin; the \
+                 nearest axis that has them is {axis}, {angle}° away"
+            ))
         }
-        None => StateInput::NoPermanentAxis,
+        None => no_permanent_axis(),
     }
+}
+
+fn no_permanent_axis() -> Failure {
+    Failure::input(
+        "--axis: rotation about it is not permanent at every spin, nor is that about any other axis of this body: there are no \
+         frequencies over the spin; `bifdiag critical-spin` gives the spin at which rotation about an axis is steady, if there \
+         is one",
+    )
 }
 
 /// Frequencies at one spin.

@@ -11,7 +11,6 @@ use clap::Args;
 use dashu_ratio::RBig;
 
 use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, followed_text};
-use super::input::StateInput;
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
@@ -45,7 +44,9 @@ pub struct CriticalSpinArguments {
 pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), Failure> {
     let (subject, measured) = arguments.body.measured_subject()?;
     if measured.is_some() && arguments.tolerance.is_some() {
-        return Err(StateInput::TwoTolerances.into());
+        return Err(Failure::input(
+            "--tolerance and ± in the numbers of the part both say how well it is known; leave out one of them",
+        ));
     }
     let known = match (&arguments.tolerance, &measured) {
         (Some(tolerance), _) => Known::Relative(tolerance),
@@ -57,18 +58,27 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
         None => the_permanent_axis(&subject)?,
     };
     let document = timings.stage("spins", || document(&subject, &axis, &known));
-    Ok(answer(arguments.json, &document, || text(&subject, &document))?)
+    answer(arguments.json, &document, || text(&subject, &document))
 }
 
 /// The axis that is permanent at every spin, where there is one alone.
-fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, StateInput> {
+fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
+    let none = || {
+        Failure::input(
+            "no axis of this body is permanent at every spin: give --axis, or list all steady axes at one spin with \
+             `bifdiag critical --spin \"300 rpm\"`",
+        )
+    };
     if subject.body.is_euler() {
-        return Err(StateInput::NoWeight);
+        return Err(Failure::input(
+            "without weight every principal axis is permanent, and nothing changes with the spin: give --axis x, y or z for \
+             its type, or list all with `bifdiag critical --spin \"300 rpm\"`",
+        ));
     }
-    let axis = AxisArgument::of_the_centre_of_mass(subject).map_err(|_no_direction| StateInput::NoAxis)?;
+    let axis = AxisArgument::of_the_centre_of_mass(subject).map_err(|_no_direction| none())?;
     match Axis::of(subject, axis.direction) {
         Axis::Permanent { .. } => Ok(axis),
-        _ => Err(StateInput::NoAxis),
+        _ => Err(none()),
     }
 }
 

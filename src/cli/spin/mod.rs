@@ -3,7 +3,6 @@
 mod axis;
 mod campbell;
 mod critical;
-mod input;
 mod state;
 mod steady;
 mod tolerance;

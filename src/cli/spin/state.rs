@@ -13,10 +13,9 @@ use clap::Args;
 use dashu_ratio::RBig;
 
 use super::axis::{Axis, AxisArgument, axis};
-use super::input::{StateFailure, StateInput};
 use super::steady::{Question, at_spin, changes, told};
 use crate::cli::export::answer;
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, failed, incomplete};
 use crate::cli::input::values::{self, Triple};
 use crate::cli::input::{BodyArguments, head};
 use crate::cli::terminal::{Report, Timings, significant};
@@ -78,22 +77,29 @@ struct State<'a> {
 pub fn run(arguments: &StateArguments, timings: &Timings) -> Result<(), Failure> {
     let state = State::of(arguments)?;
     let subject = arguments.body.subject()?;
-    let document = timings.stage("state", || state.document(&subject)).map_err(StateFailure)?;
-    Ok(answer(arguments.json, &document, || text(&subject, &document))?)
+    let document =
+        timings.stage("state", || state.document(&subject)).map_err(failed("the state leaves the range of numbers"))?;
+    answer(arguments.json, &document, || text(&subject, &document))
 }
 
 impl<'a> State<'a> {
-    fn of(arguments: &'a StateArguments) -> Result<Self, StateInput> {
+    fn of(arguments: &'a StateArguments) -> Result<Self, Failure> {
+        let two = |option: &str| {
+            let right = "give --spin with --axis, or --omega";
+            Failure::input(format!("{option} and --omega both say how the body turns; {right}"))
+        };
         match (&arguments.spin, &arguments.axis, &arguments.omega) {
-            (Some(_), _, Some(_)) => Err(StateInput::Two { first: "--spin", second: "--omega" }),
-            (_, Some(_), Some(_)) => Err(StateInput::Two { first: "--axis", second: "--omega" }),
-            (Some(_), None, None) => Err(missing("--spin", "--axis", "--axis z")),
-            (None, Some(_), None) => Err(missing("--axis", "--spin", "--spin \"3000 rpm\"")),
-            (None, None, None) => Err(StateInput::Nothing),
+            (Some(_), _, Some(_)) => Err(two("--spin")),
+            (_, Some(_), Some(_)) => Err(two("--axis")),
+            (Some(_), None, None) => Err(incomplete("--spin", "--axis", "--axis z")),
+            (None, Some(_), None) => Err(incomplete("--axis", "--spin", "--spin \"3000 rpm\"")),
+            (None, None, None) => Err(Failure::input(
+                "no state is given; use --spin \"3000 rpm\" --axis z, or --omega 1,0,2 --vertical 0,0,1",
+            )),
             (None, None, Some(omega)) => {
                 let vertical = arguments.vertical.as_ref();
-                let vertical = vertical.ok_or(missing("--omega", "--vertical", "--vertical 0,0,1"))?;
-                Ok(Self { turning: Turning::Omega(omega), vertical, omega: omega.rounded().0 })
+                let vertical = vertical.ok_or_else(|| incomplete("--omega", "--vertical", "--vertical 0,0,1"))?;
+                Ok(Self { turning: Turning::Omega(omega), vertical, omega: omega.rounded() })
             }
             (Some(spin), Some(axis), None) => {
                 let omega = axis.direction.map(|x| x * spin.rad_per_s());
@@ -195,10 +201,6 @@ impl<'a> State<'a> {
     fn is_upright(&self) -> bool {
         norm(cross(self.omega, self.vertical.direction)) <= 1e-9 * norm(self.omega)
     }
-}
-
-fn missing(given: &'static str, missing: &'static str, example: &'static str) -> StateInput {
-    StateInput::Incomplete { given, missing, example }
 }
 
 fn text(subject: &Subject, document: &StateDocument) -> String {

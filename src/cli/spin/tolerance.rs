@@ -5,7 +5,8 @@ use bifdiag_numbers::decimal;
 use bifdiag_schema::{CriticalSpinDocument, SampledClassDocument, SpinRangeDocument, ToleranceDocument};
 use dashu_ratio::RBig;
 
-use crate::cli::input::values::{self, ValueError};
+use crate::cli::failure::Failure;
+use crate::cli::input::values;
 use crate::cli::terminal::{Report, Table, significant};
 
 /// Relative tolerances of the moment about the axis, of the two others, and of the weight times its distance.
@@ -41,7 +42,7 @@ impl ToleranceArgument {
 }
 
 /// One for all, 1% or 0.01, or each by name: axis=0.5%,across=1%,weight=2%; what is not named is exact.
-pub fn tolerance(text: &str) -> Result<ToleranceArgument, ValueError> {
+pub fn tolerance(text: &str) -> Result<ToleranceArgument, Failure> {
     if !text.contains('=') {
         let one = relative(text)?;
         return Ok(ToleranceArgument(std::array::from_fn(|_| one.clone())));
@@ -49,8 +50,8 @@ pub fn tolerance(text: &str) -> Result<ToleranceArgument, ValueError> {
     let zero = values::number("0")?;
     let mut all: [Number; 4] = std::array::from_fn(|_| zero.clone());
     for item in text.split(',') {
-        let (name, value) = item.split_once('=').ok_or(ValueError::Tolerance)?;
-        let (_, which) = NAMES.iter().find(|(known, _)| *known == name.trim()).ok_or(ValueError::Tolerance)?;
+        let (name, value) = item.split_once('=').ok_or_else(wrong)?;
+        let (_, which) = NAMES.iter().find(|(known, _)| *known == name.trim()).ok_or_else(wrong)?;
         let value = relative(value)?;
         for (tolerance, _) in all.iter_mut().zip(which).filter(|(_, named)| **named) {
             *tolerance = value.clone();
@@ -60,7 +61,7 @@ pub fn tolerance(text: &str) -> Result<ToleranceArgument, ValueError> {
 }
 
 /// 1% or 0.01.
-fn relative(text: &str) -> Result<Number, ValueError> {
+fn relative(text: &str) -> Result<Number, Failure> {
     let text = text.trim();
     let (number, percent) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
     let number = values::number(number)?;
@@ -69,8 +70,14 @@ fn relative(text: &str) -> Result<Number, ValueError> {
     if value >= RBig::ZERO && value <= RBig::from_parts(1.into(), 2u8.into()) {
         Ok(values::number(&decimal::short(&value))?)
     } else {
-        Err(ValueError::Tolerance)
+        Err(wrong())
     }
+}
+
+fn wrong() -> Failure {
+    Failure::input(
+        "a tolerance is a share from 0 to 50%, such as 1% or 0.01, or shares by name: axis=0.5%,across=1%,weight=2%",
+    )
 }
 
 /// The ranges as a table, and at which spins every part is stable.
@@ -207,7 +214,7 @@ mod tests {
         assert_eq!(texts("moments=1%"), ["0.01", "0.01", "0.01", "0"]);
         assert_eq!(tolerance("moments=1%").unwrap().text(), "axis=0.01,across=0.01,weight=0");
         for wrong in ["80%", "-1%", "mass=1%", "axis=1%,2%"] {
-            assert!(matches!(tolerance(wrong), Err(ValueError::Tolerance)), "{wrong}");
+            assert!(tolerance(wrong).is_err(), "{wrong}");
         }
     }
 

@@ -29,7 +29,7 @@ enum Work {
     Nothing,
     /// Under way; this stops it.
     Running(Box<dyn Fn() + Send>),
-    /// Told to stop.
+    /// Asked to stop.
     Stopped,
 }
 
@@ -96,38 +96,38 @@ pub fn install() -> Result<(), ctrlc::Error> {
 }
 
 fn interrupted() {
-    let told = Instant::now();
+    let since = Instant::now();
     let mut work = lock(&WORK);
     match mem::replace(&mut *work, Work::Stopped) {
         Work::Running(stop) => {
             stop();
-            std::thread::spawn(move || end_unless_over(told));
+            std::thread::spawn(move || end_unless_over(since));
         }
         nothing => {
             *work = nothing;
             drop(work);
-            end(told);
+            end(since);
         }
     }
 }
 
-/// The work has been told to stop: it must not take longer than a write may.
-fn end_unless_over(told: Instant) {
-    while told.elapsed() < PATIENCE {
+/// The work has been asked to stop: it must not take longer than a write may.
+fn end_unless_over(since: Instant) {
+    while since.elapsed() < PATIENCE {
         std::thread::sleep(PAUSE);
         if !matches!(*lock(&WORK), Work::Stopped) {
             return;
         }
     }
-    end(told);
+    end(since);
 }
 
 /// Ends the process with status 1, once what is being written is whole, or some time after the interrupt without it.
-fn end(told: Instant) -> ! {
+fn end(since: Instant) -> ! {
     // The guard is kept to the end, so that nothing new is begun.
     let guard = loop {
         match WRITING.try_lock() {
-            Err(TryLockError::WouldBlock) if told.elapsed() < PATIENCE => std::thread::sleep(PAUSE),
+            Err(TryLockError::WouldBlock) if since.elapsed() < PATIENCE => std::thread::sleep(PAUSE),
             guard => break guard,
         }
     };

@@ -1,4 +1,4 @@
-//! How far a long computation has come, on stderr: a bar on a terminal, else a line now and then.
+//! How far a long computation has come, and how long its stages took, on stderr.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread::Thread;
 use std::time::{Duration, Instant};
 
+use bifdiag_exact::statistics;
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use super::stderr::{is_terminal, say};
@@ -19,22 +20,22 @@ const BETWEEN_LINES: Duration = Duration::from_secs(30);
 /// Between two looks at a counter.
 const PERIOD: Duration = Duration::from_millis(100);
 
-/// The state of work of known or unknown length.
+/// The state of work of known or unknown length: a bar on a terminal, else a line now and then.
 pub struct Progress {
-    /// Without one, nothing is told.
+    /// `None` where no progress is shown.
     bar: Option<ProgressBar>,
     /// When the last line was written.
-    told: Mutex<Instant>,
+    last_line: Mutex<Instant>,
 }
 
 impl Progress {
-    /// Of so many `things`; `done` of them were there before.
+    /// Of `total` things; `done` of them were there before.
     pub fn new(done: u64, total: u64, things: &str, quiet: bool) -> Self {
         let template = format!("{{bar:40}} {{percent}}% {{human_pos}} {things}, {{rate}}/s, {{eta}} left");
         Self::styled(Some(total), &template, quiet).starting_at(done)
     }
 
-    /// Of so many bytes, or of as many as come; a message says what they are.
+    /// Of `total` bytes, or of as many as come; a message says what they are.
     pub fn of_bytes(total: Option<u64>, quiet: bool) -> Self {
         // What comes from a pipe is its own measure: lines are written as it goes on.
         let quiet = quiet || !is_terminal();
@@ -48,7 +49,7 @@ impl Progress {
                 ProgressStyle::with_template(template).unwrap_or_else(|_unknown_key| ProgressStyle::default_bar());
             ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden()).with_style(style.with_key("rate", rate))
         });
-        Self { bar, told: Mutex::new(Instant::now()) }
+        Self { bar, last_line: Mutex::new(Instant::now()) }
     }
 
     fn starting_at(self, done: u64) -> Self {
@@ -88,9 +89,9 @@ impl Progress {
             }
             return;
         }
-        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
-        if told.elapsed() > BETWEEN_LINES {
-            *told = Instant::now();
+        let mut last_line = self.last_line.lock().unwrap_or_else(PoisonError::into_inner);
+        if last_line.elapsed() > BETWEEN_LINES {
+            *last_line = Instant::now();
             let (total, left) = (bar.length().unwrap_or(position), HumanDuration(bar.eta()));
             say(&format!("{position} of {total}, {:.0} a second, {left} left", bar.per_sec()));
         }
@@ -124,7 +125,7 @@ impl Progress {
     }
 }
 
-/// Tells the watcher that the work is over, also when it panics.
+/// Stops the watcher when the work is over, also when it panics.
 struct AtEnd<'a> {
     over: &'a AtomicBool,
     watcher: &'a Thread,
@@ -140,4 +141,43 @@ impl Drop for AtEnd<'_> {
 /// How many a second.
 fn rate(state: &ProgressState, out: &mut dyn fmt::Write) {
     let _never_fails = write!(out, "{:.0}", state.per_sec());
+}
+
+/// A clock that speaks only when asked to.
+#[derive(Debug)]
+pub struct Timings {
+    wanted: bool,
+    started: Instant,
+}
+
+impl Timings {
+    /// Starts the clock.
+    pub fn new(wanted: bool) -> Self {
+        if wanted {
+            statistics::count_from_here();
+        }
+        Self { wanted, started: Instant::now() }
+    }
+
+    /// Does the work of a stage and reports how long it took.
+    pub fn stage<T>(&self, name: &str, work: impl FnOnce() -> T) -> T {
+        let started = Instant::now();
+        let result = work();
+        self.report(name, started);
+        result
+    }
+
+    /// Reports the time since the start, and how many questions were decided by which numbers.
+    pub fn total(&self) {
+        self.report("total", self.started);
+        for (question, precision, count) in statistics::tally() {
+            say(&format!("work: {:<28} {:<8} {count:>12}", question.to_string(), precision.to_string()));
+        }
+    }
+
+    fn report(&self, name: &str, since: Instant) {
+        if self.wanted {
+            say(&format!("timing: {name:<10} {:>12.3} ms", since.elapsed().as_secs_f64() * 1e3));
+        }
+    }
 }

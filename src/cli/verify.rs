@@ -1,17 +1,14 @@
 //! `bifdiag verify`: checks an atlas by other means than those that made it.
 
-mod error;
-
 use std::path::PathBuf;
 
+use bifdiag_schema::SCHEMA_VERSION;
 use bifdiag_verify::verify;
 use clap::Args;
 
-use super::export::ExportError;
-use super::failure::Failure;
+use super::failure::{Failure, failed};
 use super::input::read;
 use super::terminal::{Report, Timings, print};
-use error::VerifyError;
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -30,22 +27,22 @@ pub struct VerifyArguments {
 }
 
 pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure> {
-    let path = || arguments.file.clone();
-    let text = read(&arguments.file).map_err(|source| VerifyError::File { path: path(), source })?;
-    let name = arguments.file.to_string_lossy();
-    let document = bifdiag_documents::reading::atlas(&text, &name)
-        .map_err(|source| VerifyError::NoAtlas { path: path(), source })?;
+    let path = arguments.file.display();
+    let text = read(&arguments.file).map_err(|error| {
+        Failure::input(format!("{path}: {error}; give an atlas.json that can be read, or - for stdin"))
+    })?;
+    let document = bifdiag_documents::reading::atlas(&text, &arguments.file.to_string_lossy()).map_err(|error| {
+        Failure::input(format!("{path} is no atlas of version {SCHEMA_VERSION}: {error}")).because(error)
+    })?;
     // What a certificate proves is in the bytes: they must be those that bifdiag writes.
-    if document.certificate.is_some() {
-        let own = bifdiag_documents::layout::text(&document).map_err(ExportError::from)?;
-        if own.trim_end() != text.trim_end() {
-            return Err(VerifyError::Damaged { path: path() }.into());
-        }
+    if document.certificate.is_some() && bifdiag_documents::layout::text(&document)?.trim_end() != text.trim_end() {
+        let why = "its bytes are not those that bifdiag writes for an atlas with certificate";
+        return Err(Failure::work(format!("{path} is refused: {why}")));
     }
-    let report = timings.stage("verify", || verify(&document)).map_err(VerifyError::from)?;
+    let report = timings.stage("verify", || verify(&document)).map_err(failed("the atlas is refused"))?;
     let mut lines = Report::default();
     let (regions, events, pairs) = (document.regions.len(), report.events, report.pairs);
     let drawing = if document.drawing.is_some() { " (drawing not part of the proof)" } else { "" };
     lines.line(format!("verified: {regions} regions, {events} events, {pairs} pairs of curves{drawing}"));
-    Ok(print(lines.text())?)
+    print(lines.text())
 }

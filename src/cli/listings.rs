@@ -1,4 +1,6 @@
-//! `bifdiag schema`: the JSON Schemas of the documents.
+//! What the program knows of itself: `bifdiag bodies`, `bifdiag schema`, `bifdiag completions` and `bifdiag man`.
+
+use std::path::PathBuf;
 
 use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
@@ -6,14 +8,43 @@ use bifdiag_schema::{
     PartAnswerDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, StandingDocument,
     StateDocument, SteadyAxesDocument,
 };
-use clap::{Args, ValueEnum};
+use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
 
-use super::export::answer;
-use super::failure::Failure;
-use super::terminal::Table;
+use super::export::{FileSet, answer};
+use super::failure::{Failure, failed};
+use super::terminal::{Report, Table, print};
 
-pub const EXAMPLES: &str = "\
+pub const BODIES_EXAMPLES: &str = "\
+Examples:
+  bifdiag bodies
+  bifdiag bodies --json | jq -r '.bodies[].name'";
+
+/// `bifdiag bodies`.
+#[derive(Debug, Args)]
+pub struct BodiesArguments {
+    /// Print the list as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+pub fn bodies(arguments: &BodiesArguments) -> Result<(), Failure> {
+    let document = bifdiag_documents::all_bodies();
+    answer(arguments.json, &document, || {
+        let mut table = Table::new(&["name", "A", "r", "note"]);
+        for preset in &document.bodies {
+            table.row([
+                preset.name.clone(),
+                preset.body.moments.join(","),
+                preset.body.center.join(","),
+                preset.note.clone(),
+            ]);
+        }
+        table.text()
+    })
+}
+
+pub const SCHEMA_EXAMPLES: &str = "\
 Examples:
   bifdiag schema                 the names and what they describe
   bifdiag schema atlas > atlas.schema.json
@@ -102,9 +133,9 @@ impl Name {
     }
 }
 
-pub fn run(arguments: &SchemaArguments) -> Result<(), Failure> {
+pub fn schema(arguments: &SchemaArguments) -> Result<(), Failure> {
     if let Some(name) = arguments.name {
-        return Ok(answer(true, &name.schema(), String::new)?);
+        return answer(true, &name.schema(), String::new);
     }
     let mut table = Table::new(&["name", "describes"]);
     let mut all = serde_json::Map::new();
@@ -114,5 +145,58 @@ pub fn run(arguments: &SchemaArguments) -> Result<(), Failure> {
         table.row([value.get_name().to_owned(), description]);
         all.insert(value.get_name().to_owned(), name.schema().to_value());
     }
-    Ok(answer(arguments.json, &all, || table.text())?)
+    answer(arguments.json, &all, || table.text())
+}
+
+pub const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+  bifdiag completions bash > ~/.local/share/bash-completion/completions/bifdiag
+  bifdiag completions zsh > ~/.zfunc/_bifdiag
+  bifdiag completions fish > ~/.config/fish/completions/bifdiag.fish";
+
+pub const MAN_EXAMPLES: &str = "\
+Examples:
+  bifdiag man | man -l -
+  bifdiag man --out ~/.local/share/man/man1      a page for each command";
+
+/// `bifdiag completions`.
+#[derive(Debug, Args)]
+pub struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+}
+
+/// `bifdiag man`.
+#[derive(Debug, Args)]
+pub struct ManArguments {
+    /// Write a page for each command to DIR
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+pub fn completions(arguments: &CompletionsArguments, mut root: Command) -> Result<(), Failure> {
+    let mut text = Vec::new();
+    clap_complete::generate(arguments.shell, &mut root, "bifdiag", &mut text);
+    print(&text)
+}
+
+pub fn man(arguments: &ManArguments, mut root: Command) -> Result<(), Failure> {
+    root.build();
+    let Some(directory) = &arguments.out else {
+        return print(page(root)?);
+    };
+    let mut files = FileSet::new(directory);
+    for command in root.get_subcommands().chain([&root]) {
+        let file = clap_mangen::Man::new(command.clone()).get_filename();
+        files.add(file, page(command.clone())?);
+    }
+    print(Report::of_written(&files.write()?).text())
+}
+
+fn page(command: Command) -> Result<Vec<u8>, Failure> {
+    let failed = failed(format!("the manual page of {} cannot be made", command.get_name()));
+    let mut text = Vec::new();
+    clap_mangen::Man::new(command).render(&mut text).map_err(failed)?;
+    Ok(text)
 }

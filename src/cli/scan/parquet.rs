@@ -1,23 +1,22 @@
-//! Parquet, with the writer for single columns: no Arrow. The columns are the properties of a row's JSON schema.
+//! The rows of a scan as Parquet. The columns are the properties of a row's JSON schema.
 
-use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Write;
-use std::sync::Arc;
 
 use bifdiag_schema::RowDocument;
-use parquet::basic::Repetition;
+use parquet::basic::{ConvertedType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
+use parquet::errors::ParquetError;
 use parquet::file::properties::WriterProperties;
 use parquet::file::reader::SerializedFileReader;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::record::Field;
-use parquet::schema::parser::parse_message_type;
-use parquet::schema::types::TypePtr;
+use parquet::schema::types::Type;
 use schemars::schema_for;
 use serde_json::{Map, Value};
 
-use super::sink::{RowSink, TableError};
+use crate::cli::export::parquet::{begin, write_column};
+use crate::cli::failure::Failure;
 
 /// Rows that are held back to be written as one group.
 const GROUP: usize = 32_768;
@@ -64,40 +63,38 @@ fn columns() -> Vec<Column> {
     properties.iter().map(column).collect()
 }
 
-fn schema(columns: &[Column]) -> Result<TypePtr, TableError> {
-    let mut text = String::from("message bifdiag_scan {\n");
-    for Column { name, kind, always } in columns {
-        let repetition = if *always { Repetition::REQUIRED } else { Repetition::OPTIONAL };
-        let (kind, annotation) = match kind {
-            Kind::Whole => ("INT64", ""),
-            Kind::Real => ("DOUBLE", ""),
-            Kind::Truth => ("BOOLEAN", ""),
-            Kind::Text => ("BYTE_ARRAY", " (UTF8)"),
-        };
-        // Writing to a String cannot fail.
-        let _always = writeln!(text, "{repetition} {kind} {name}{annotation};");
-    }
-    text.push('}');
-    Ok(Arc::new(parse_message_type(&text)?))
-}
-
 /// Writes rows in groups.
-pub struct Sink<W: Write + Send> {
+pub struct Groups<W: Write + Send> {
     writer: SerializedFileWriter<W>,
     columns: Vec<Column>,
     held: Vec<Value>,
 }
 
-impl<W: Write + Send> Sink<W> {
-    pub fn new(out: W) -> Result<Self, TableError> {
-        let properties =
-            WriterProperties::builder().set_created_by(concat!("bifdiag ", env!("CARGO_PKG_VERSION")).to_owned());
+impl<W: Write + Send> Groups<W> {
+    pub fn new(out: W) -> Result<Self, Failure> {
         let columns = columns();
-        let writer = SerializedFileWriter::new(out, schema(&columns)?, Arc::new(properties.build()))?;
+        let field = |Column { name, kind, always }: &Column| {
+            let (physical, converted) = match kind {
+                Kind::Whole => (Physical::INT64, ConvertedType::NONE),
+                Kind::Real => (Physical::DOUBLE, ConvertedType::NONE),
+                Kind::Truth => (Physical::BOOLEAN, ConvertedType::NONE),
+                Kind::Text => (Physical::BYTE_ARRAY, ConvertedType::UTF8),
+            };
+            let repetition = if *always { Repetition::REQUIRED } else { Repetition::OPTIONAL };
+            let field = Type::primitive_type_builder(name, physical).with_repetition(repetition);
+            field.with_converted_type(converted).build()
+        };
+        let fields = columns.iter().map(field).collect::<Result<_, _>>()?;
+        let writer = begin(out, "bifdiag_scan", fields, WriterProperties::builder())?;
         Ok(Self { writer, columns, held: Vec::with_capacity(GROUP) })
     }
 
-    fn write_group(&mut self) -> Result<(), TableError> {
+    pub fn write(&mut self, row: &RowDocument) -> Result<(), Failure> {
+        self.held.push(serde_json::to_value(row)?);
+        if self.held.len() == GROUP { Ok(self.write_group()?) } else { Ok(()) }
+    }
+
+    fn write_group(&mut self) -> Result<(), ParquetError> {
         if self.held.is_empty() {
             return Ok(());
         }
@@ -105,12 +102,12 @@ impl<W: Write + Send> Sink<W> {
         for column in &self.columns {
             let cells: Vec<&Value> = self.held.iter().map(|row| &row[&column.name]).collect();
             match column.kind {
-                Kind::Whole => write_column::<Int64Type>(&mut group, column, &cells, Value::as_i64)?,
-                Kind::Real => write_column::<DoubleType>(&mut group, column, &cells, Value::as_f64)?,
-                Kind::Truth => write_column::<BoolType>(&mut group, column, &cells, Value::as_bool)?,
+                Kind::Whole => write_cells::<Int64Type>(&mut group, column, &cells, Value::as_i64)?,
+                Kind::Real => write_cells::<DoubleType>(&mut group, column, &cells, Value::as_f64)?,
+                Kind::Truth => write_cells::<BoolType>(&mut group, column, &cells, Value::as_bool)?,
                 Kind::Text => {
                     let text = |cell: &Value| cell.as_str().map(ByteArray::from);
-                    write_column::<ByteArrayType>(&mut group, column, &cells, text)?;
+                    write_cells::<ByteArrayType>(&mut group, column, &cells, text)?;
                 }
             }
         }
@@ -118,46 +115,40 @@ impl<W: Write + Send> Sink<W> {
         self.held.clear();
         Ok(())
     }
+
+    /// Writes what is still held back.
+    pub fn finish(mut self) -> Result<W, Failure> {
+        self.write_group()?;
+        Ok(self.writer.into_inner()?)
+    }
 }
 
-fn write_column<T: DataType>(
+fn write_cells<T: DataType>(
     group: &mut SerializedRowGroupWriter<'_, impl Write + Send>,
     column: &Column,
     cells: &[&Value],
     value: impl Fn(&Value) -> Option<T::T>,
-) -> Result<(), TableError> {
+) -> Result<(), ParquetError> {
     let values: Vec<T::T> = cells.iter().filter_map(|cell| value(cell)).collect();
     let levels: Option<Vec<i16>> =
         (!column.always).then(|| cells.iter().map(|cell| i16::from(!cell.is_null())).collect());
-    let mut writer = group.next_column()?.ok_or_else(|| TableError::Column { column: column.name.clone() })?;
-    writer.typed::<T>().write_batch(&values, levels.as_deref(), None)?;
-    Ok(writer.close()?)
+    write_column::<T>(group, &values, levels.as_deref())
 }
 
-impl<W: Write + Send> RowSink for Sink<W> {
-    fn write(&mut self, row: &RowDocument) -> Result<(), TableError> {
-        self.held.push(serde_json::to_value(row).map_err(TableError::JsonWrite)?);
-        if self.held.len() == GROUP { self.write_group() } else { Ok(()) }
-    }
-
-    fn finish(&mut self) -> Result<(), TableError> {
-        self.write_group()?;
-        self.writer.finish()?;
-        Ok(())
-    }
+fn no_parquet(error: ParquetError) -> Failure {
+    Failure::input(format!("this is no Parquet file of a scan: {error}")).because(error)
 }
 
 /// The rows of a file.
-pub fn rows(file: File) -> Result<impl Iterator<Item = Result<RowDocument, TableError>>, TableError> {
-    let reader = SerializedFileReader::new(file)?;
+pub fn rows(file: File) -> Result<impl Iterator<Item = Result<RowDocument, Failure>>, Failure> {
+    let reader = SerializedFileReader::new(file).map_err(no_parquet)?;
     // Only our own columns; what others have added is of no concern.
-    let rows = reader.into_iter().zip(1..);
-    Ok(rows.map(|(row, number)| {
-        let mut fields = Map::new();
-        for (name, field) in row?.get_column_iter() {
-            fields.insert(name.clone(), value(field));
-        }
-        serde_json::from_value(Value::Object(fields)).map_err(|source| TableError::ParquetRow { row: number, source })
+    Ok(reader.into_iter().zip(1_u64..).map(|(row, number)| {
+        let row = row.map_err(no_parquet)?;
+        let fields: Map<String, Value> =
+            row.get_column_iter().map(|(name, field)| (name.clone(), value(field))).collect();
+        serde_json::from_value(Value::Object(fields))
+            .map_err(|error| Failure::input(format!("row {number} of the Parquet file is no row of a scan: {error}")))
     }))
 }
 

@@ -1,18 +1,72 @@
-//! What the terminal shows of a part.
+//! `bifdiag body`: a real part as it was understood.
 
 use std::path::PathBuf;
 
 use bifdiag_body::part::Existence;
+use bifdiag_body::part::file::edges;
+use bifdiag_documents::Subject;
 use bifdiag_numbers::vector::{dot, norm};
+use bifdiag_plot::{PartScene, draw_part};
 use bifdiag_schema::{PartDocument, PrincipalDocument};
+use clap::Args;
 
-use crate::cli::input::{GivenPart, shown};
-use crate::cli::terminal::{Report, Table, significant};
+use super::export::{FileSet, PictureArguments, answer};
+use super::failure::Failure;
+use super::input::{GivenPart, PartArguments, shown};
+use super::terminal::{Report, Table, Timings, significant};
+
+pub const BODY_EXAMPLES: &str = "\
+Examples:
+  bifdiag body --inertia-com 0.24,0.15,0.17,0,0,0 --com 0,0.02,0.15 --mass 2.5
+  bifdiag body --inertia-com 240,150,170,8,0,-12 --products tensor \\
+      --com 0,20,150 --mass 2.5 --units kg,mm,s
+  bifdiag body --inertia-com 0.24,0.15,0.17,0,0,0 --com 0,0.02,0.15 --mass 2.5 \\
+      --pivot 0.01,0,0 --out part";
+
+/// `bifdiag body`.
+#[derive(Debug, Args)]
+pub struct PartBodyArguments {
+    #[command(flatten)]
+    pub part: PartArguments,
+    /// Draw the part into DIR/part.svg
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
+    /// Print the part as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
+
+pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failure> {
+    let given = arguments.part.shown()?.ok_or_else(|| {
+        Failure::input(
+            "no part is given; use --inertia-com 0.24,0.15,0.17,0,0,0 --com 0,0.02,0.15 --mass 2.5, or --inertia",
+        )
+    })?;
+    let document = bifdiag_documents::part(&given.part, &given.principal);
+    let mut written = Vec::new();
+    if let Some(directory) = &arguments.out {
+        let mut files = FileSet::new(directory);
+        let picture = draw_part(&document, &scene(arguments), arguments.picture.theme)?;
+        files.pictures("part", &picture, &arguments.picture.format, timings)?;
+        written = files.write()?;
+    }
+    let text = || report(&given, &document, &written);
+    let subject = Subject { body: given.principal.body.clone(), part: Some(document.clone()) };
+    answer(arguments.json, &subject.part_answer(), text)
+}
+
+/// The mesh behind the ellipsoid.
+fn scene(arguments: &PartBodyArguments) -> PartScene {
+    let pivot = arguments.part.pivot.as_ref().map_or([0.0; 3], |pivot| pivot.rounded());
+    PartScene { edges: arguments.part.file.as_ref().map(|path| edges(path, pivot)).unwrap_or_default() }
+}
 
 /// Digits of moments, to be compared with those that a CAD program prints.
 const DIGITS: usize = 9;
 
-pub fn text(given: &GivenPart, document: &PartDocument, written: &[PathBuf]) -> String {
+fn report(given: &GivenPart, document: &PartDocument, written: &[PathBuf]) -> String {
     let units = &given.part.units;
     let [mass, length, _] = units.names();
     let mut report = Report::default();

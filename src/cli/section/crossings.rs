@@ -1,27 +1,20 @@
-//! The journal of a section: the crossings that were found survive the end of the process.
-//!
-//! `FILE.partial` begins with a line that tells which section it belongs to. Blocks follow: an orbit's next crossings,
-//! what the orbit was like until then, and where it goes on, closed by their SHA-256. What does not end in a whole block
-//! is cut off when the section is taken up again.
+//! The crossings of a section in its journal. Each block is an orbit's next crossings, what the orbit was like until then,
+//! and where it goes on.
 
-use std::fs::File;
-use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
+use std::io;
+use std::path::Path;
 
 use bifdiag_dynamics::field::Integrals;
 use bifdiag_dynamics::section::{OrbitCheckpoint, OrbitEnd, OrbitReport, OrbitSection, SectionPoint};
-use sha2::{Digest, Sha256};
 
-use super::super::error::{SectionFailure, SectionInput};
-use crate::cli::export::{Column, Pieces, Values, journal_path, open_alone};
-use crate::cli::section::table;
+use super::table;
+use crate::cli::export::{Column, Journal, Pieces, Values, unusable};
+use crate::cli::failure::Failure;
 
 /// Words before the rows of a block: orbit, end and number of rows; the report; the halt.
 const HEAD: usize = 3 + REPORT + OrbitCheckpoint::WORDS;
 /// Words of a report.
 const REPORT: usize = 8;
-/// Bytes after the rows.
-const SEAL: usize = 32;
 
 /// How far an orbit has come.
 #[derive(Clone, Copy, Debug)]
@@ -49,11 +42,9 @@ pub struct First {
     pub l: [f64; 3],
 }
 
-/// An open journal.
-pub struct Journal {
-    path: PathBuf,
-    file: File,
-    end: u64,
+/// Crossings on disk.
+pub struct Crossings {
+    journal: Journal,
     blocks: Vec<Block>,
     standings: Vec<Option<Standing>>,
     /// The columns without rows, the last of them for this program alone: what the times leave out.
@@ -62,43 +53,33 @@ pub struct Journal {
     pub meta: String,
 }
 
-impl Journal {
-    /// Opens the journal beside an output file for so many orbits: takes up what is there, or begins. `identity` is a text
-    /// on one line. The journal of another section is refused, or discarded if `discards` is set.
-    pub fn open(out: &Path, identity: &str, orbits: usize, discards: bool) -> Result<Self, SectionFailure> {
-        let path = journal_path(out);
-        let failed = |source: io::Error| SectionFailure::Journal { path: path.clone(), source };
-        if let Some(directory) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-            std::fs::create_dir_all(directory).map_err(failed)?;
-        }
-        let file = open_alone(&path).map_err(failed)?.ok_or_else(|| SectionInput::Busy { journal: path.clone() })?;
-        let columns = table::columns(&[]);
-        let columns = columns.into_iter().chain([("time_low", time_low(&[]))]);
+impl Crossings {
+    /// Opens the journal beside an output file. The journal of another section is refused, or discarded
+    /// if `discards` is set.
+    pub fn open(out: &Path, identity: &str, orbits: usize, discards: bool) -> Result<Self, Failure> {
+        let journal = Journal::open(out, identity.as_bytes(), false, |path, _| {
+            let path = path.display();
+            if !discards {
+                let right = "finish that, take the file away, or give another FILE";
+                return Err(Failure::input(format!("--data: {path} holds the beginning of another section; {right}")));
+            }
+            tracing::warn!("{path} held the beginning of another section; it begins anew");
+            Ok(())
+        })?;
+        let columns = table::columns(&[]).into_iter().chain([("time_low", time_low(&[]))]);
         let columns = columns.map(|(name, values)| Column { name, values }).collect();
         let (blocks, standings) = (Vec::new(), vec![None; orbits]);
-        let mut journal = Self { path: path.clone(), file, end: 0, blocks, standings, columns, meta: String::new() };
-        let line = format!("{identity}\n").into_bytes();
-        let mut found = Vec::new();
-        Read::by_ref(&mut journal.file).take(line.len() as u64).read_to_end(&mut found).map_err(failed)?;
-        journal.end = line.len() as u64;
-        if found != line {
-            // Without the end of its first line, the process ended while it wrote that.
-            let unbegun = found.len() < line.len() && !found.contains(&b'\n');
-            if !unbegun && !discards {
-                return Err(SectionInput::OtherJournal { journal: path }.into());
-            }
-            if !unbegun {
-                tracing::warn!("{} held the beginning of another section; it begins anew", path.display());
-            }
-            journal.file.set_len(0).map_err(failed)?;
-            journal.file.seek(SeekFrom::Start(0)).map_err(failed)?;
-            journal.file.write_all(&line).map_err(failed)?;
-            return Ok(journal);
+        let mut crossings = Self { journal, blocks, standings, columns, meta: String::new() };
+        for block in crossings.journal.blocks().to_vec() {
+            let mut head = [0; 8 * HEAD];
+            crossings.read(block.start, &mut head)?;
+            crossings.take(&words(&head), block.start);
         }
-        journal.read_whole_blocks().map_err(failed)?;
-        journal.file.set_len(journal.end).map_err(failed)?;
-        journal.file.seek(SeekFrom::End(0)).map_err(failed)?;
-        Ok(journal)
+        Ok(crossings)
+    }
+
+    fn read(&mut self, from: u64, room: &mut [u8]) -> Result<(), Failure> {
+        self.journal.read(from, room).map_err(|error| unusable(self.path(), error))
     }
 
     /// How far each orbit has come; `None` where it was not begun.
@@ -106,58 +87,19 @@ impl Journal {
         &self.standings
     }
 
-    /// Bytes of a row.
-    fn width(&self) -> usize {
-        self.bytes_of(&(0..self.columns.len()))
-    }
-
-    fn read_whole_blocks(&mut self) -> io::Result<()> {
-        let width = self.width();
-        let length = self.file.metadata()?.len();
-        let mut reader = BufReader::with_capacity(1 << 20, self.file.try_clone()?);
-        let mut head = [0; 8 * HEAD];
-        let mut room = vec![0; 1 << 16];
-        loop {
-            if self.end + ((8 * HEAD + SEAL) as u64) > length {
-                return Ok(());
-            }
-            reader.read_exact(&mut head)?;
-            let words = words(&head);
-            let (Ok(orbit), Ok(rows)) = (u32::try_from(words[0]), usize::try_from(words[2])) else { return Ok(()) };
-            let bytes = words[2].checked_mul(width as u64).filter(|bytes| *bytes <= length);
-            let fits = bytes.filter(|bytes| self.end + ((8 * HEAD + SEAL) as u64) + bytes <= length);
-            let (Some(bytes), true) = (fits, (orbit as usize) < self.standings.len()) else { return Ok(()) };
-            let mut digest = Sha256::new();
-            digest.update(head);
-            let mut left = bytes;
-            while left > 0 {
-                let part = room.len().min(usize::try_from(left).unwrap_or(usize::MAX));
-                reader.read_exact(&mut room[..part])?;
-                digest.update(&room[..part]);
-                left -= part as u64;
-            }
-            let mut seal = [0; SEAL];
-            reader.read_exact(&mut seal)?;
-            if seal[..] != digest.finalize()[..] {
-                return Ok(());
-            }
-            self.take(&words, orbit, rows);
-            self.end += (8 * HEAD + SEAL) as u64 + bytes;
-        }
-    }
-
-    /// Notes a block that begins at the end.
-    fn take(&mut self, words: &[u64; HEAD], orbit: u32, rows: usize) {
-        // An orbit that failed is followed once more, so that the reason is told.
-        if let Some(standing) = standing(words) {
+    /// Notes a block that begins at a place.
+    fn take(&mut self, words: &[u64; HEAD], from: u64) {
+        // An orbit that failed is followed once more, so that the reason is reported.
+        if let (Some(standing), Ok(orbit), Ok(rows)) =
+            (standing(words), u32::try_from(words[0]), usize::try_from(words[2]))
+        {
             self.standings[orbit as usize] = Some(standing);
-            let offset = self.end + (8 * HEAD) as u64;
-            self.blocks.push(Block { orbit, rows, offset });
+            self.blocks.push(Block { orbit, rows, offset: from + (8 * HEAD) as u64 });
         }
     }
 
     /// Adds an orbit's next crossings.
-    pub fn append(&mut self, orbit: &OrbitSection, halt: Option<OrbitCheckpoint>) -> Result<(), SectionFailure> {
+    pub fn append(&mut self, orbit: &OrbitSection, halt: Option<OrbitCheckpoint>) -> Result<(), Failure> {
         let mut words = [0; HEAD];
         words[..3].copy_from_slice(&[
             u64::from(orbit.orbit),
@@ -172,13 +114,10 @@ impl Journal {
             block.extend(values.bytes());
         }
         block.extend(time_low(&points).bytes());
-        let seal = Sha256::digest(&block);
-        block.extend_from_slice(&seal);
-        self.file.write_all(&block).map_err(|source| SectionFailure::Journal { path: self.path.clone(), source })?;
-        let offset = self.end + (8 * HEAD) as u64;
-        self.blocks.push(Block { orbit: orbit.orbit, rows: orbit.points.len(), offset });
+        self.journal.append(&block)?;
+        let from = self.journal.blocks().last().map_or(0, |block| block.start);
+        self.blocks.push(Block { orbit: orbit.orbit, rows: orbit.points.len(), offset: from + (8 * HEAD) as u64 });
         self.standings[orbit.orbit as usize] = Some(Standing { report: orbit.report, halt });
-        self.end += block.len() as u64;
         Ok(())
     }
 
@@ -189,7 +128,7 @@ impl Journal {
 
     /// Its file.
     pub fn path(&self) -> &Path {
-        &self.path
+        self.journal.path()
     }
 
     /// The blocks of an orbit that are not empty, after [`sort`](Self::sort).
@@ -200,7 +139,7 @@ impl Journal {
     }
 
     /// The first crossing of an orbit, after [`sort`](Self::sort).
-    pub fn first(&mut self, orbit: u32) -> io::Result<Option<First>> {
+    pub fn first(&mut self, orbit: u32) -> Result<Option<First>, Failure> {
         let Some(&block) = self.blocks_of(orbit).first() else { return Ok(None) };
         let mut room = Vec::new();
         let mut first = First::default();
@@ -220,11 +159,11 @@ impl Journal {
     }
 
     /// The times of an orbit's crossings in their order, as long as `take` wants more; after [`sort`](Self::sort).
-    pub fn times(&mut self, orbit: u32, take: &mut dyn FnMut(f64) -> bool) -> io::Result<()> {
+    pub fn times(&mut self, orbit: u32, take: &mut dyn FnMut(f64) -> bool) -> Result<(), Failure> {
         let number = self.columns.iter().position(|column| column.name == "time").unwrap_or_default();
         let mut room = Vec::new();
         for block in self.blocks_of(orbit) {
-            self.read(block, number..number + 1, &mut room)?;
+            self.read_columns(block, number..number + 1, &mut room)?;
             if !room.as_chunks().0.iter().all(|bytes| take(f64::from_le_bytes(*bytes))) {
                 break;
             }
@@ -233,13 +172,11 @@ impl Journal {
     }
 
     /// The crossings of an orbit, after [`sort`](Self::sort).
-    pub fn points(&mut self, orbit: u32) -> Result<Vec<SectionPoint>, SectionFailure> {
-        let path = self.path.clone();
+    pub fn points(&mut self, orbit: u32) -> Result<Vec<SectionPoint>, Failure> {
         let mut room = Vec::new();
         let mut points = Vec::new();
         for block in self.blocks_of(orbit) {
-            let columns = self.rows_of(block, self.columns.len(), &mut room);
-            let columns = columns.map_err(|source| SectionFailure::Journal { path: path.clone(), source })?;
+            let columns = self.rows_of(block, self.columns.len(), &mut room)?;
             if let Some((time_low, columns)) = columns.split_last() {
                 points.extend(table::points(columns, &time_low.values));
             }
@@ -248,8 +185,8 @@ impl Journal {
     }
 
     /// The rows of a block in the first columns.
-    fn rows_of(&mut self, block: Block, columns: usize, room: &mut Vec<u8>) -> io::Result<Vec<Column>> {
-        self.read(block, 0..columns, room)?;
+    fn rows_of(&mut self, block: Block, columns: usize, room: &mut Vec<u8>) -> Result<Vec<Column>, Failure> {
+        self.read_columns(block, 0..columns, room)?;
         let mut rest = &room[..];
         let mut rows = self.columns[..columns].to_vec();
         for column in &mut rows {
@@ -261,23 +198,27 @@ impl Journal {
     }
 
     /// The bytes of some columns of a block.
-    fn read(&mut self, block: Block, columns: std::ops::Range<usize>, room: &mut Vec<u8>) -> io::Result<()> {
+    fn read_columns(
+        &mut self,
+        block: Block,
+        columns: std::ops::Range<usize>,
+        room: &mut Vec<u8>,
+    ) -> Result<(), Failure> {
         let within = self.bytes_of(&columns);
         self.read_at(block, columns.start, block.rows * within, room)
     }
 
     /// The bytes of a column in the first rows of a block.
-    fn read_rows(&mut self, block: Block, column: usize, rows: usize, room: &mut Vec<u8>) -> io::Result<()> {
+    fn read_rows(&mut self, block: Block, column: usize, rows: usize, room: &mut Vec<u8>) -> Result<(), Failure> {
         let within = self.bytes_of(&(column..column + 1));
         self.read_at(block, column, rows * within, room)
     }
 
-    /// So many bytes from where a column of a block begins.
-    fn read_at(&mut self, block: Block, column: usize, bytes: usize, room: &mut Vec<u8>) -> io::Result<()> {
+    /// Bytes from where a column of a block begins.
+    fn read_at(&mut self, block: Block, column: usize, bytes: usize, room: &mut Vec<u8>) -> Result<(), Failure> {
         let before = self.bytes_of(&(0..column));
         room.resize(bytes, 0);
-        self.file.seek(SeekFrom::Start(block.offset + (block.rows * before) as u64))?;
-        self.file.read_exact(room)
+        self.read(block.offset + (block.rows * before) as u64, room)
     }
 
     /// Bytes of a row in some columns.
@@ -286,7 +227,7 @@ impl Journal {
     }
 }
 
-impl Pieces for Journal {
+impl Pieces for Crossings {
     fn columns(&self) -> Vec<Column> {
         self.columns[..self.columns.len() - 1].to_vec()
     }
@@ -302,7 +243,7 @@ impl Pieces for Journal {
     fn column(&mut self, number: usize, take: &mut dyn FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
         let mut room = Vec::new();
         for k in 0..self.blocks.len() {
-            self.read(self.blocks[k], number..number + 1, &mut room)?;
+            self.read_columns(self.blocks[k], number..number + 1, &mut room)?;
             take(&room)?;
         }
         Ok(())

@@ -1,40 +1,30 @@
-//! What the options ask for.
+//! What a run is to do: checked before anything is computed.
 
 use std::path::{Path, PathBuf};
 
-use bifdiag_dynamics::integrator::DEFAULT_TOLERANCE;
 use bifdiag_dynamics::poincare::PoincareError;
-use bifdiag_dynamics::section::SectionCondition;
-use bifdiag_plot::{Projection, Theme, Width};
 
 use super::arguments::{ColorArgument, SectionArguments, VerdictArgument};
-use super::error::{SectionFailure, SectionInput};
-use super::seeds::{self, Seed};
-use super::sites::{ALL, Sites};
-use crate::cli::export::{DataFormat, DataTarget, PictureFormat, directory};
+use super::sites::{ALL, Seed, Sites, load, poincare_failure};
+use crate::cli::export::{DataFormat, DataTarget, directory};
 use crate::cli::failure::Failure;
 
 /// Orbits of a section if nothing else is said.
 const ORBITS: u32 = 24;
 
-pub struct Settings<'a> {
+/// The options with what follows from them.
+pub struct Plan<'a> {
+    pub arguments: &'a SectionArguments,
     pub sites: Sites,
     pub starts: Starts<'a>,
-    /// Of each orbit.
-    pub crossings: usize,
-    pub max_time: f64,
     pub verdict: VerdictArgument,
-    pub condition: SectionCondition,
-    /// Of a step of the integrator.
-    pub tolerance: f64,
-    pub color: ColorArgument,
-    pub projection: Projection,
-    pub outputs: Outputs<'a>,
+    /// For everything but the data of `--data`.
+    pub directory: Option<PathBuf>,
 }
 
 /// Where the orbits start.
 pub enum Starts<'a> {
-    /// So many, spread evenly.
+    /// Spread evenly.
     Spread { orbits: usize, seed: u64 },
     /// At the points of a file.
     Given { path: &'a Path, seeds: Vec<Seed> },
@@ -50,26 +40,37 @@ impl Starts<'_> {
     }
 }
 
-/// Where the results go.
-pub struct Outputs<'a> {
-    pub data: Option<&'a DataTarget>,
-    /// For everything but the data of `--data`.
-    pub directory: Option<PathBuf>,
-    /// Of the pictures.
-    pub formats: &'a [PictureFormat],
-    pub theme: Theme,
-    pub width: Width,
-    pub json: bool,
-    /// The sites come from an atlas, or are all regions: JSON is a list.
-    pub list: bool,
-}
+impl<'a> Plan<'a> {
+    pub fn new(arguments: &'a SectionArguments) -> Result<Self, Failure> {
+        let sites = Sites::new(arguments)?;
+        if sites.subject.body.flags().euler {
+            return Err(poincare_failure(PoincareError::WeightlessBody));
+        }
+        let (data, json) = (arguments.data.as_ref(), arguments.json);
+        let to_stdout = data == Some(&DataTarget::Stdout);
+        if to_stdout && json {
+            return Err(Failure::input("--data - and --json both want stdout; give --data FILE.npz"));
+        }
+        if to_stdout && sites.list.len() > 1 {
+            return Err(Failure::input(
+                "--data -: several sections do not fit one table; give --data FILE.npz, or one --region",
+            ));
+        }
+        let data_alone = data.is_some() && arguments.no_plot;
+        let directory = directory(arguments.out.as_deref(), !(json || to_stdout || data_alone))?;
+        Ok(Self { arguments, sites, starts: starts(arguments)?, verdict: verdict(arguments)?, directory })
+    }
 
-impl Settings<'_> {
+    /// True where the sites come from an atlas, or are all regions: JSON is a list.
+    pub fn is_list(&self) -> bool {
+        self.arguments.atlas.is_some() || self.arguments.region.as_deref() == Some(ALL)
+    }
+
     /// The file into which crossings go as they are found: where nothing else needs them.
     pub fn streamed(&self) -> Option<(&Path, DataFormat)> {
-        match self.outputs.data {
+        match &self.arguments.data {
             Some(DataTarget::File { path, format })
-                if self.outputs.directory.is_none()
+                if self.directory.is_none()
                     && matches!(self.verdict, VerdictArgument::Only | VerdictArgument::None) =>
             {
                 Some((path, *format))
@@ -81,7 +82,7 @@ impl Settings<'_> {
     /// The data file of a site beside which its crossings are kept as they are found, and whether those of another section go.
     /// There is none where orbits end with their verdicts: these cannot be taken up again.
     pub fn resumed(&self, region: Option<&str>) -> Option<(PathBuf, bool)> {
-        match (self.outputs.data, &self.outputs.directory) {
+        match (&self.arguments.data, &self.directory) {
             _ if self.verdict == VerdictArgument::Early => None,
             (Some(DataTarget::File { path, .. }), _) => Some((self.file_of(path, region), false)),
             (None, Some(directory)) => Some((directory.join(format!("{}.npz", stem(region))), true)),
@@ -103,29 +104,8 @@ pub fn stem(region: Option<&str>) -> String {
     region.map_or_else(|| "section".to_owned(), |region| format!("section-{region}"))
 }
 
-impl<'a> Settings<'a> {
-    pub fn new(arguments: &'a SectionArguments) -> Result<Self, Failure> {
-        let sites = Sites::new(arguments)?;
-        if sites.subject.body.flags().euler {
-            return Err(SectionFailure::from(PoincareError::WeightlessBody).into());
-        }
-        Ok(Self {
-            outputs: outputs(arguments, sites.list.len())?,
-            sites,
-            starts: starts(arguments)?,
-            crossings: arguments.crossings.get(),
-            max_time: arguments.max_time.unwrap_or(f64::INFINITY),
-            verdict: verdict(arguments)?,
-            condition: arguments.condition,
-            tolerance: arguments.tol.unwrap_or(DEFAULT_TOLERANCE),
-            color: arguments.color,
-            projection: arguments.projection,
-        })
-    }
-}
-
 /// Who wants nothing but data wants them fast.
-fn verdict(arguments: &SectionArguments) -> Result<VerdictArgument, SectionInput> {
+fn verdict(arguments: &SectionArguments) -> Result<VerdictArgument, Failure> {
     let color = match arguments.color {
         ColorArgument::Orbit => None,
         ColorArgument::Lyapunov => Some("lyapunov"),
@@ -135,7 +115,10 @@ fn verdict(arguments: &SectionArguments) -> Result<VerdictArgument, SectionInput
     match (arguments.verdict, color) {
         (Some(verdict @ (VerdictArgument::Only | VerdictArgument::None)), Some(color)) => {
             let verdict = if verdict == VerdictArgument::None { "none" } else { "only" };
-            Err(SectionInput::ColorWithoutMeasure { verdict, color })
+            Err(Failure::input(format!(
+                "--verdict {verdict} and --color {color} contradict each other: what the colour tells is not measured then; \
+                 leave out one of them"
+            )))
         }
         (Some(verdict), _) => Ok(verdict),
         (None, None) if data_alone => Ok(VerdictArgument::None),
@@ -143,37 +126,16 @@ fn verdict(arguments: &SectionArguments) -> Result<VerdictArgument, SectionInput
     }
 }
 
-/// Refuses what cannot be written before anything is computed.
-fn outputs(arguments: &SectionArguments, sites: usize) -> Result<Outputs<'_>, Failure> {
-    let (data, json) = (arguments.data.as_ref(), arguments.json);
-    let to_stdout = data == Some(&DataTarget::Stdout);
-    if to_stdout && json {
-        return Err(SectionInput::TwoOnStdout.into());
-    }
-    if to_stdout && sites > 1 {
-        return Err(SectionInput::ManyOnStdout.into());
-    }
-    let data_alone = data.is_some() && arguments.no_plot;
-    let wanted = !(json || to_stdout || data_alone);
-    Ok(Outputs {
-        data,
-        directory: directory(arguments.out.as_deref(), wanted)?,
-        formats: if arguments.no_plot { &[] } else { &arguments.picture.format },
-        theme: arguments.picture.theme,
-        width: arguments.width.width(),
-        json,
-        list: arguments.atlas.is_some() || arguments.region.as_deref() == Some(ALL),
-    })
-}
-
-fn starts(arguments: &SectionArguments) -> Result<Starts<'_>, SectionInput> {
+fn starts(arguments: &SectionArguments) -> Result<Starts<'_>, Failure> {
     let Some(path) = &arguments.starts else {
         let orbits = arguments.orbits.map_or(ORBITS, std::num::NonZeroU32::get) as usize;
         return Ok(Starts::Spread { orbits, seed: arguments.seed.unwrap_or_default() });
     };
     let spread = [("orbits", arguments.orbits.is_some()), ("seed", arguments.seed.is_some())];
     match spread.into_iter().find(|(_, given)| *given) {
-        Some((given, _)) => Err(SectionInput::SpreadWithSeeds { given }),
-        None => Ok(Starts::Given { path, seeds: seeds::load(path)? }),
+        Some((given, _)) => Err(Failure::input(format!(
+            "--{given} cannot be used with --starts: the file says where the orbits start; leave out one of them"
+        ))),
+        None => Ok(Starts::Given { path, seeds: load(path)? }),
     }
 }

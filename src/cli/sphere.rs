@@ -1,0 +1,212 @@
+//! `bifdiag sphere`: U on the Poisson sphere at one point, as a picture.
+
+use std::path::PathBuf;
+
+use bifdiag_body::{Body, Number};
+use bifdiag_diagram::accessible::{AccessibleRegion, component_of};
+use bifdiag_diagram::fast::FastError;
+use bifdiag_diagram::topology::{Answer, Components};
+use bifdiag_documents::{Subject, component};
+use bifdiag_dynamics::field::dot;
+use bifdiag_equilibria::critical::critical;
+use bifdiag_exact::{Accuracy, AnswerError, classify};
+use bifdiag_plot::{Picture, SphereScene, draw_sphere};
+use bifdiag_schema::ComponentDocument;
+use clap::Args;
+
+use super::export::{FileSet, PictureArguments, WidthArgument, directory};
+use super::failure::{Failure, failed};
+use super::input::{BodyArguments, PointArguments, head, values};
+use super::terminal::{Report, Timings, print, significant};
+
+pub const EXAMPLES: &str = "\
+Examples:
+  bifdiag sphere --body paper --h 4.45 --l 3.25
+  bifdiag sphere --body paper --region R4 --format svg,png
+  bifdiag sphere --A 2,2,1 --r 1,0,0 --h 3.4 --l 2.87 --view 0,0,1 --out annulus
+
+The picture shows the Poisson sphere, on which γ is the direction of gravity in the body's axes, from two opposite sides. \
+U is tinted: a component with k boundary circles and n of the poles ±r̂ has a section of genus k + n − 1 above it.";
+
+/// `bifdiag sphere`.
+#[derive(Debug, Args)]
+pub struct SphereArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    #[command(flatten)]
+    pub point: PointArguments,
+    /// The sample of this region of the body's atlas, instead of --h and --l
+    #[arg(long, value_name = "ID", conflicts_with_all = ["energy", "momentum"], help_heading = "Point")]
+    pub region: Option<String>,
+    /// From where the first view is taken, in the body's axes (default: from beside r, a little above)
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::direction)]
+    #[arg(help_heading = "Output", hide_short_help = true)]
+    pub view: Option<[f64; 3]>,
+    /// Write the picture to DIR
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub picture: PictureArguments,
+    #[command(flatten)]
+    pub width: WidthArgument,
+}
+
+/// A point at which U is drawn.
+struct Site {
+    /// The region whose sample it is.
+    region: Option<String>,
+    h: Number,
+    l: Number,
+}
+
+impl Site {
+    /// The point of the options.
+    fn new(arguments: &SphereArguments, subject: &Subject) -> Result<Self, Failure> {
+        if let Some(id) = &arguments.region {
+            let atlas = bifdiag_exact::atlas(&subject.body, Accuracy::Exact)
+                .map_err(failed("the regions of this body could not be found"))?;
+            let ids = || atlas.regions().ids();
+            let Some(region) = ids().find(|region| region.to_string() == *id) else {
+                let known: Vec<String> = ids().map(|id| id.to_string()).collect();
+                let known = known.join(", ");
+                return Err(Failure::input(format!("--region {id}: the atlas of this body has the regions {known}")));
+            };
+            let sample = atlas.sample(region);
+            let number = |x| Number::from_f64(x).map_err(failed("the sample of the region is beyond f64"));
+            return Ok(Self { region: Some(id.clone()), h: number(sample.h)?, l: number(sample.l)? });
+        }
+        let given = |number: &Option<Number>, missing| {
+            let needed = "a point such as --h 4.45 --l 3.25, or a region such as --region R4, is needed";
+            number.clone().ok_or_else(|| Failure::input(format!("{missing} is missing: {needed}")))
+        };
+        Ok(Self {
+            region: None,
+            h: given(&arguments.point.energy, "--h")?,
+            l: given(&arguments.point.momentum, "--l")?,
+        })
+    }
+}
+
+pub fn run(arguments: &SphereArguments, timings: &Timings) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let directory = directory(arguments.out.as_deref(), true)?.unwrap_or_default();
+    let (picture, caption) = timings.stage("picture", || draw(&subject, arguments))?;
+    let mut files = FileSet::new(&directory);
+    files.pictures("sphere", &picture, &arguments.picture.format, timings)?;
+    let written = timings.stage("files", || files.write())?;
+    let mut report = Report::default();
+    head(&subject, &mut report);
+    report.line(caption);
+    report.written(&written);
+    print(report.text())
+}
+
+/// The picture, and what it says of the point.
+fn draw(subject: &Subject, arguments: &SphereArguments) -> Result<(Picture, String), Failure> {
+    let site = Site::new(arguments, subject)?;
+    let found = classify(&subject.body, &site.h, &site.l, Accuracy::Exact).map_err(|error| match error {
+        AnswerError::Fast(FastError::Momentum(error)) => Failure::input(format!("--l: {error}")),
+        error => Failure::work("the point could not be classified").because(error),
+    })?;
+    let components = match &found.answer {
+        Answer::Regular(components) => components.iter().map(component).collect(),
+        Answer::Forbidden => {
+            let h = site.h.text();
+            return Err(Failure::input(format!(
+                "--h {h}: U is empty, since h is below the minimum of the effective potential at this l; raise --h"
+            )));
+        }
+        // On a curve the parts touch: they are shown as one.
+        Answer::Critical(_) | Answer::Undecided(_) => Vec::new(),
+    };
+    let caption = caption(&site, &found.answer);
+    let (theme, width) = (arguments.picture.theme, arguments.width.width);
+    let picture =
+        scene(subject, &site, &components, &caption, arguments.view, |scene| draw_sphere(scene, theme, width))?;
+    Ok((picture?, caption))
+}
+
+/// The classes that meet at a point on curves differ by the poles in U alone: no critical curve passes there.
+fn is_pole_line(classes: &[Components]) -> bool {
+    let circles = |components: &Components| {
+        let mut circles: Vec<u32> = components.iter().map(|component| component.boundary_circles).collect();
+        circles.sort_unstable();
+        circles
+    };
+    classes.len() > 1 && classes.windows(2).all(|pair| circles(&pair[0]) == circles(&pair[1]))
+}
+
+/// The point, its region and what is special about it.
+fn caption(site: &Site, answer: &Answer) -> String {
+    let region = site.region.as_ref().map_or_else(String::new, |region| format!(",  region {region}"));
+    let special = match answer {
+        Answer::Critical(classes) if is_pole_line(classes) => ",  on a pole line: a pole lies on ∂U, P changes here",
+        Answer::Critical(_) => ",  on a curve: U changes here",
+        Answer::Undecided(_) => ",  not decided",
+        Answer::Regular(_) | Answer::Forbidden => "",
+    };
+    format!("U(γ) ≤ h on the Poisson sphere:  h = {},  l = {}{region}{special}", site.h.text(), site.l.text())
+}
+
+/// Hands over what is to be drawn of U; without components (on a curve) all of it has one tint.
+fn scene<P>(
+    subject: &Subject,
+    site: &Site,
+    components: &[ComponentDocument],
+    caption: &str,
+    view: Option<[f64; 3]>,
+    draw: impl FnOnce(&SphereScene<'_>) -> P,
+) -> Result<P, Failure> {
+    let body = &subject.body;
+    let (h, l) = (site.h.to_f64(), site.l.to_f64());
+    let (moments, center) = (body.moments_f64(), body.center_f64());
+    let potential_above = |gamma: [f64; 3]| {
+        let j = dot(gamma, [0, 1, 2].map(|k| moments[k] * gamma[k]));
+        l * l / (2.0 * j) - dot(gamma, center) - h
+    };
+    let r = dot(center, center).sqrt();
+    let r_hat = (r > 0.0).then(|| center.map(|c| c / r));
+    let found = critical(body, &site.l).map_err(failed("the relative equilibria could not be found"))?;
+    let region =
+        AccessibleRegion::new(body, h, l).map_err(failed("the components of U could not be told apart in f64"))?;
+    let partition = if components.len() > 1 {
+        region.partition().map_err(failed("the components of U could not be told apart"))?
+    } else {
+        None
+    };
+    let component_of = |gamma| match &partition {
+        Some(partition) => component_of(partition, gamma),
+        None => Some(0),
+    };
+    Ok(draw(&SphereScene {
+        title: &title(body),
+        caption,
+        potential_above: &potential_above,
+        r_hat,
+        components,
+        component_of: &component_of,
+        equilibria: &bifdiag_documents::equilibria(&found),
+        axis: r_hat.unwrap_or_else(|| symmetry_axis(moments)),
+        time_unit: subject.part.as_ref().map_or("", |part| part.time_unit()),
+        view,
+    }))
+}
+
+/// A and r with as many digits as a title holds.
+fn title(body: &Body) -> String {
+    let join = |numbers: [f64; 3]| numbers.map(|x| significant(x, 6)).join(", ");
+    format!("A = ({}),  r = ({})", join(body.moments_f64()), join(body.center_f64())).replace('-', "−")
+}
+
+/// The principal axis of a body with two equal moments.
+fn symmetry_axis(moments: [f64; 3]) -> [f64; 3] {
+    let [a, b, c] = moments;
+    // Circles of equilibria need two equal moments.
+    if a == b {
+        [0.0, 0.0, 1.0]
+    } else if a == c {
+        [0.0, 1.0, 0.0]
+    } else {
+        [1.0, 0.0, 0.0]
+    }
+}
