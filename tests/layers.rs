@@ -17,7 +17,7 @@ const ORDER: [(&str, &str); 12] = [
         "shown number head part certificate classification critical atlas checksum find grid listing section motion spin scan border classes",
     ),
     ("crates/body/src", "axis rigid_body frame principal presets part"),
-    ("crates/equilibria/src", "curves stability critical permanent"),
+    ("crates/equilibria/src", "curves stability nonlinear critical permanent"),
     ("crates/diagram/src", "topology arrangement atlas class fast accessible region_changes"),
     (
         "crates/exact/src",

@@ -2,5 +2,6 @@
 
 pub mod critical;
 pub mod curves;
+pub mod nonlinear;
 pub mod permanent;
 pub mod stability;

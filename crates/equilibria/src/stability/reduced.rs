@@ -70,6 +70,12 @@ impl<E: Enclosure> Reduced<E> {
         self
     }
 
+    /// β and χ.
+    #[must_use]
+    pub fn coefficients(&self) -> [&E; 2] {
+        [&self.beta, &self.chi]
+    }
+
     /// β² − 4χ.
     #[must_use]
     pub fn discriminant(&self) -> &E {

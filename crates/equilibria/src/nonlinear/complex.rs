@@ -1,0 +1,37 @@
+//! Complex numbers over any arithmetic.
+
+use std::ops::{Add, Mul};
+
+use bifdiag_numbers::enclosure::Arithmetic;
+
+/// re + i·im.
+#[derive(Clone, Debug)]
+pub(super) struct Complex<E> {
+    pub(super) re: E,
+    pub(super) im: E,
+}
+
+impl<E: Arithmetic> Complex<E> {
+    pub(super) fn conjugate(&self) -> Self {
+        Self { re: self.re.clone(), im: -self.im.clone() }
+    }
+}
+
+impl<E: Arithmetic> Add for Complex<E> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
+
+impl<E: Arithmetic> Mul for Complex<E> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self {
+            re: self.re.clone() * other.re.clone() - self.im.clone() * other.im.clone(),
+            im: self.re * other.im + self.im * other.re,
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Power series in four variables up to degree four.
+
+use std::ops::{Add, Mul};
+use std::sync::OnceLock;
+
+/// Variables.
+pub(super) const VARIABLES: usize = 4;
+/// The degree above which terms are dropped.
+pub(super) const DEGREE: usize = 4;
+/// Monomials of degree at most four in four variables: C(8, 4).
+const MONOMIALS: usize = 70;
+
+/// The powers of the variables in a monomial.
+pub(super) type Exponents = [u8; VARIABLES];
+
+/// The monomials by rising degree, and which two multiply to which third.
+struct Monomials {
+    exponents: Vec<Exponents>,
+    products: Vec<[usize; 3]>,
+}
+
+impl Monomials {
+    fn get() -> &'static Self {
+        static MONOMIALS: OnceLock<Monomials> = OnceLock::new();
+        MONOMIALS.get_or_init(|| {
+            let powers = 0..=4_u8;
+            let mut exponents: Vec<Exponents> = powers
+                .clone()
+                .flat_map(|i| powers.clone().map(move |j| (i, j)))
+                .flat_map(|(i, j)| powers.clone().map(move |k| (i, j, k)))
+                .flat_map(|(i, j, k)| powers.clone().map(move |m| [i, j, k, m]))
+                .filter(|powers| degree(powers) <= DEGREE)
+                .collect();
+            exponents.sort_by_key(degree);
+            let place = |wanted: Exponents| exponents.iter().position(|powers| *powers == wanted);
+            let mut products = Vec::new();
+            for (i, first) in exponents.iter().enumerate() {
+                for (j, second) in exponents.iter().enumerate() {
+                    products.extend(place(std::array::from_fn(|k| first[k] + second[k])).map(|k| [i, j, k]));
+                }
+            }
+            Self { exponents, products }
+        })
+    }
+}
+
+/// The degree of a monomial.
+pub(super) fn degree(powers: &Exponents) -> usize {
+    powers.iter().map(|&power| usize::from(power)).sum()
+}
+
+/// A power series without its terms above degree four. A coefficient that is known to vanish is `None`.
+#[derive(Clone, Debug)]
+pub struct Series<T> {
+    coefficients: Vec<Option<T>>,
+}
+
+impl<T: Clone + Add<Output = T> + Mul<Output = T>> Series<T> {
+    fn zero() -> Self {
+        Self { coefficients: vec![None; MONOMIALS] }
+    }
+
+    /// A constant.
+    #[must_use]
+    pub fn constant(value: T) -> Self {
+        Self::of([([0; VARIABLES], value)])
+    }
+
+    /// The variable of this number plus a constant.
+    #[must_use]
+    pub fn variable(number: usize, constant: T, one: T) -> Self {
+        let mut power = [0; VARIABLES];
+        power[number] = 1;
+        Self::of([([0; VARIABLES], constant), (power, one)])
+    }
+
+    /// From terms, of which those of one monomial are added up.
+    pub(super) fn of(terms: impl IntoIterator<Item = (Exponents, T)>) -> Self {
+        let mut series = Self::zero();
+        for (powers, value) in terms {
+            if let Some(place) = Monomials::get().exponents.iter().position(|known| *known == powers) {
+                series.add_at(place, value);
+            }
+        }
+        series
+    }
+
+    /// A function of one variable, from its Taylor coefficients.
+    pub(super) fn univariate(number: usize, taylor: [T; DEGREE + 1]) -> Self {
+        Self::of(taylor.into_iter().zip(0..).map(|(value, power)| {
+            let mut powers = [0; VARIABLES];
+            powers[number] = power;
+            (powers, value)
+        }))
+    }
+
+    fn add_at(&mut self, place: usize, value: T) {
+        let sum = match self.coefficients[place].take() {
+            Some(known) => known + value,
+            None => value,
+        };
+        self.coefficients[place] = Some(sum);
+    }
+
+    /// The coefficient of a monomial; `None` if it is known to vanish.
+    #[must_use]
+    pub fn coefficient(&self, powers: Exponents) -> Option<&T> {
+        let place = Monomials::get().exponents.iter().position(|known| *known == powers)?;
+        self.coefficients[place].as_ref()
+    }
+
+    /// The terms of one degree.
+    pub(super) fn terms(&self, wanted: usize) -> impl Iterator<Item = (Exponents, &T)> {
+        let known = Monomials::get().exponents.iter().zip(&self.coefficients);
+        known.filter_map(move |(powers, value)| Some((*powers, value.as_ref().filter(|_| degree(powers) == wanted)?)))
+    }
+
+    /// The sum.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        for (place, value) in other.coefficients.iter().enumerate() {
+            if let Some(value) = value {
+                sum.add_at(place, value.clone());
+            }
+        }
+        sum
+    }
+
+    /// The product.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let mut product = Self::zero();
+        for &[i, j, k] in &Monomials::get().products {
+            if let (Some(left), Some(right)) = (&self.coefficients[i], &other.coefficients[j]) {
+                product.add_at(k, left.clone() * right.clone());
+            }
+        }
+        product
+    }
+
+    /// A multiple.
+    #[must_use]
+    pub fn scaled(&self, factor: &T) -> Self {
+        let coefficients =
+            self.coefficients.iter().map(|value| value.clone().map(|value| value * factor.clone())).collect();
+        Self { coefficients }
+    }
+
+    /// The derivative by a variable; `whole` makes numbers of powers.
+    pub(super) fn derivative(&self, number: usize, whole: impl Fn(u8) -> T) -> Self {
+        let terms = (1..=DEGREE).flat_map(|degree| self.terms(degree));
+        Self::of(terms.filter(|(powers, _)| powers[number] > 0).map(|(mut powers, value)| {
+            let factor = whole(powers[number]);
+            powers[number] -= 1;
+            (powers, value.clone() * factor)
+        }))
+    }
+
+    /// Σ cᵢ (f − f(0))ⁱ: a function of f, from its Taylor coefficients at f(0).
+    #[must_use]
+    pub fn composed(&self, taylor: [T; DEGREE + 1]) -> Self {
+        let mut change = self.clone();
+        change.coefficients[0] = None;
+        let [first, rest @ ..] = taylor;
+        let mut sum = Self::constant(first);
+        let mut power: Option<Self> = None;
+        for value in rest {
+            let next = power.map_or_else(|| change.clone(), |power| power.times(&change));
+            sum = sum.plus(&next.scaled(&value));
+            power = Some(next);
+        }
+        sum
+    }
+}

@@ -1,0 +1,144 @@
+//! Birkhoff's normal form against results that are known.
+
+use bifdiag_body::{Axis, Body};
+use bifdiag_equilibria::nonlinear::{NormalForm, reduced_hamiltonian, series::Series};
+use bifdiag_equilibria::stability::{Constants, LinearType, Reduced, State};
+use bifdiag_numbers::Sign;
+use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
+use bifdiag_numbers::interval::Interval;
+
+/// m/|q − place| as a series in q = (q₁, q₂).
+fn attraction(mass: Interval, from: [Interval; 2]) -> Series<Interval> {
+    let one = Interval::point(1.0);
+    let squares = [0, 1].map(|k| {
+        let coordinate = Series::variable(k, from[k], one);
+        coordinate.times(&coordinate)
+    });
+    let square = squares[0].plus(&squares[1]);
+    let start = from[0].square() + from[1].square();
+    // x^(−1/2) at the start.
+    let mut value = one / start.sqrt();
+    let taylor: [Interval; 5] = std::array::from_fn(|power| {
+        let here = value;
+        let n = Interval::point(f64::from(u8::try_from(power).unwrap()));
+        value = value * (Interval::point(-0.5) - n) / (n + one) / start;
+        here
+    });
+    square.composed(taylor).scaled(&mass)
+}
+
+/// Triangular points of the restricted three-body problem: Deprit and Deprit-Bartholomé (Astron. J. 72, 1967). With
+/// H₄ = ½(A I₁² + 2B I₁I₂ + C I₂²) and σ = ω₁ω₂
+/// A = ω₂²(81 − 696ω₁² + 124ω₁⁴)/(72(1 − 2ω₁²)²(1 − 5ω₁²)), B = −σ(43 + 64σ²)/(6(4σ² − 1)(25σ² − 4)), C is A with ω₁ and ω₂
+/// exchanged, and the determinant is Aω₂² + 2Bσ + Cω₁² = (36 − 541σ² + 644σ⁴)/(8(1 − 4σ²)(4 − 25σ²)).
+#[test]
+fn the_triangular_points_have_deprits_determinant() {
+    for mu in [0.001, 0.005, 0.01, 0.012, 0.015, 0.02, 0.03, 0.038] {
+        let point = |x| Interval::point(x);
+        let (mu, one, half) = (point(mu), point(1.0), point(0.5));
+        let height = point(3.0).sqrt() * half;
+        let [q1, q2] = [half - mu, height];
+        let [x, y, px, py] =
+            [(0, q1), (1, q2), (2, -height), (3, half - mu)].map(|(k, at)| Series::variable(k, at, one));
+        let minus = point(-1.0);
+        let kinetic = px.times(&px).plus(&py.times(&py)).scaled(&half);
+        let turning = y.times(&px).plus(&x.times(&py).scaled(&minus));
+        let far = attraction(one - mu, [half, height]).scaled(&minus);
+        let near = attraction(mu, [-half, height]).scaled(&minus);
+        let hamiltonian = kinetic.plus(&turning).plus(&far).plus(&near);
+
+        let square = point(27.0) * mu * (one - mu) / point(4.0);
+        let form = NormalForm::new(&hamiltonian, &one, &square, ()).unwrap();
+        let n = point;
+        let numerator = n(36.0) - n(541.0) * square + n(644.0) * square.square();
+        let determinant = numerator / (n(16.0) * (one - n(4.0) * square) * (n(4.0) - n(25.0) * square));
+        let [first, second] = form.omega.map(|omega| omega.square());
+        let own = |this: Interval, other: Interval| {
+            let numerator = other * (n(81.0) - n(696.0) * this + n(124.0) * this.square());
+            numerator / (n(144.0) * (one - n(2.0) * this).square() * (one - n(5.0) * this))
+        };
+        let mixed = -(square.sqrt() * (n(43.0) + n(64.0) * square))
+            / (n(6.0) * (n(4.0) * square - one) * (n(25.0) * square - n(4.0)));
+        let known = [own(first, second), mixed, own(second, first), determinant];
+        for (found, known) in form.twist.into_iter().chain([form.arnold]).zip(known) {
+            let [lo, hi] = found.bounds();
+            assert!(found.meet(&known).is_some(), "{found:?} {known:?}");
+            assert!(hi - lo < 1e-6 * known.magnitude(), "{lo} {hi}");
+        }
+        assert_eq!(form.signs, [Sign::Positive, Sign::Negative]);
+    }
+}
+
+/// Points of the generic family at which the linearised flow has two imaginary pairs.
+fn elliptic_points() -> Vec<(Constants<Interval>, State<Interval>, Reduced<Interval>)> {
+    let mut found = Vec::new();
+    for (a, r) in [(["2", "1.1", "1"], ["0.9", "0.2", "0.6"]), (["3", "2", "1.5"], ["0.3", "1", "-0.7"])] {
+        let body = Body::parse(&a, &r).expect("a body");
+        let c = Constants::rounded(&body.frame());
+        for base in Axis::ALL {
+            for delta in [-4.0, -2.0, -1.0, -0.4, -0.1, -0.02, 0.02, 0.1, 0.4, 1.0, 2.0] {
+                let state = State::generic(&c, base, &Interval::point(delta));
+                let reduced = Reduced::new(&c, &state);
+                if reduced.linear_type() == Some(LinearType::Elliptic) {
+                    found.push((c.clone(), state, reduced));
+                }
+            }
+        }
+    }
+    assert!(found.len() >= 20, "{}", found.len());
+    found
+}
+
+/// The point is an equilibrium, and its quadratic part has the eigenvalues of Theorem 13.1.
+#[test]
+fn the_series_begins_with_the_linearised_flow() {
+    for (c, state, reduced) in elliptic_points() {
+        let series = reduced_hamiltonian(&c, &state, Axis::ALL[0]);
+        for unit in 0..4 {
+            let mut power = [0; 4];
+            power[unit] = 1;
+            let Some(slope) = series.coefficient(power) else { continue };
+            assert!(slope.sign().is_none_or(|sign| sign == Sign::Zero), "{slope:?}");
+        }
+        let at = |a: usize, b: usize| {
+            let mut powers = [0; 4];
+            powers[a] += 1;
+            powers[b] += 1;
+            let value = series.coefficient(powers).copied().unwrap_or(Interval::ZERO);
+            if a == b { value.twice() } else { value }
+        };
+        // −½ tr M² with M = (H_pq, H_pp; −H_qq, −H_qp).
+        let mut b = Interval::ZERO;
+        for i in 0..2 {
+            for k in 0..2 {
+                b = b + at(i, k) * at(2 + i, 2 + k) - at(2 + i, k) * at(2 + k, i);
+            }
+        }
+        assert!(b.meet(reduced.coefficients()[0]).is_some(), "{b:?} {reduced:?}");
+    }
+}
+
+/// The normal form does not depend on the coordinates: angles about any axis give the same.
+#[test]
+fn the_axis_of_the_angles_does_not_matter() {
+    for (c, state, reduced) in elliptic_points() {
+        let [b, d] = reduced.coefficients();
+        let forms =
+            Axis::ALL.map(|axis| NormalForm::new(&reduced_hamiltonian(&c, &state, axis), b, d, ()).expect("a form"));
+        for other in &forms[1..] {
+            assert_eq!(forms[0].signs, other.signs);
+            let pairs = forms[0].twist.iter().zip(&other.twist).chain([(&forms[0].arnold, &other.arnold)]);
+            for (one, other) in pairs {
+                assert!(one.meet(other).is_some(), "{one:?} {other:?}");
+            }
+        }
+        let arnold = forms.iter().map(|form| form.arnold).min_by(|p, q| width(*p).total_cmp(&width(*q)));
+        let arnold = arnold.expect("three of them");
+        assert!(width(arnold) < 1e-6 * arnold.magnitude(), "{arnold:?}");
+    }
+}
+
+fn width(x: Interval) -> f64 {
+    let [lo, hi] = x.bounds();
+    hi - lo
+}
