@@ -4,7 +4,7 @@
 //! momentum l follows from exact numbers:
 //!
 //! ```
-//! use bifdiag::{Accuracy, Body, classify};
+//! use bifdiag::{Accuracy, Body, atlas, classify};
 //!
 //! let body = Body::parse(&["2", "11/10", "1"], &["0.94868", "0", "0.61623"])?;
 //! // One point: the components of U_hl with the energy surface and the section over each.
