@@ -266,7 +266,7 @@ mod tests {
     fn every_chart_finds_its_measurements() {
         for (stem, draw) in CHARTS {
             let picture = draw_chart(&draw().unwrap(), bifdiag_plot::Theme::Light).unwrap();
-            assert!(picture.svg.contains("<polyline") || picture.svg.contains("<circle"), "{stem} is empty");
+            assert!(picture.svg.contains("<path") && picture.svg.contains("<circle"), "{stem} is empty");
         }
         let table = Table::new(ORBITS).unwrap();
         assert!(table.rows.iter().all(|row| table.number(row, "error_100") > 0.0));

@@ -10,14 +10,14 @@ use bifdiag_documents::{Subject, component};
 use bifdiag_dynamics::field::dot;
 use bifdiag_equilibria::critical::critical;
 use bifdiag_exact::{Accuracy, AnswerError, classify};
-use bifdiag_plot::{Picture, SphereScene, draw_sphere};
+use bifdiag_plot::{Picture, SphereScene, body_line, draw_sphere};
 use bifdiag_schema::ComponentDocument;
 use clap::Args;
 
 use super::export::{FileSet, PictureArguments, WidthArgument, directory};
 use super::failure::{Failure, failed};
 use super::input::{BodyArguments, PointArguments, head, values};
-use super::terminal::{Report, Timings, print, significant};
+use super::terminal::{Report, Timings, print};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -194,8 +194,8 @@ fn scene<P>(
 
 /// A and r with as many digits as a title holds.
 fn title(body: &Body) -> String {
-    let join = |numbers: [f64; 3]| numbers.map(|x| significant(x, 6)).join(", ");
-    format!("A = ({}),  r = ({})", join(body.moments_f64()), join(body.center_f64())).replace('-', "−")
+    let [moments, center] = [body.moments(), body.center()].map(|numbers| numbers.each_ref().map(Number::text));
+    body_line(&moments, &center, f64::INFINITY, 1.0)
 }
 
 /// The principal axis of a body with two equal moments.

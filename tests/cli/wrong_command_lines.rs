@@ -98,7 +98,7 @@ const REFUSED: &[(&str, &[&str])] = &[
     ("scan --family katok --samples 3 --out - --accuracy draft", &["'draft'", "exact, fast", "`fast`"]),
     ("--body paper --certificate --window 0:4,0:3", &["--certificate speaks of the whole plane", "--window"]),
     ("--body paper --certificate --accuracy fast", &["--certificate is a proof", "--accuracy fast"]),
-    ("--body paper --format gif", &["'gif' for '--format <FORMAT>'", "svg, png, pdf"]),
+    ("--body paper --format gif", &["'gif' for '--format <FORMAT>'", "svg, png, "]),
     ("--body paper --out -", &["--out -", "a directory is needed", "--json"]),
     ("--body paper --out", &["a value is required for '--out <DIR>'"]),
     ("--body paper --threads 0", &["'0' for '--threads <N>'", "from 1 to 1024"]),

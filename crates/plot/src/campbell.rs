@@ -1,8 +1,8 @@
 //! Campbell's diagram: frequencies of small oscillations over the spin.
 
 use crate::page::{
-    Anchor, Axis, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, draw_axes, pattern, render, rgb,
-    short_number, text_width, ticks,
+    Anchor, Axis, FAINT_INK, INK, Ink, Picture, PlotError, Point, Rect, Theme, draw_axes, render, rgb, short_number,
+    text_width, ticks,
 };
 
 /// Frequencies over the spin, and the spins at which the type changes.
@@ -43,7 +43,7 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
                 if stable {
                     canvas.path(&points, Ink { color, width: 2.0 });
                 } else {
-                    pattern::draw(canvas, &points, &[(Some(color), 7.0), (None, 5.0)], 2.0);
+                    canvas.dashed(&points, &[(Some(color), 7.0), (None, 5.0)], 2.0);
                 }
             }
         }
@@ -55,7 +55,7 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
                 continue;
             }
             let dots = [(Some(INK), 2.0), (None, 4.0)];
-            pattern::draw(canvas, &[[x, RECT.y], [x, RECT.bottom()]], &dots, 1.2);
+            canvas.dashed(&[[x, RECT.y], [x, RECT.bottom()]], &dots, 1.2);
             let text = format!("{} rpm", short_number(change, 6));
             let half = text_width(&text, TEXT - 1.0) / 2.0;
             // In the first of two rows that has room; a table beside the picture tells all.

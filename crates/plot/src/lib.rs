@@ -7,7 +7,6 @@
 
 mod animation;
 mod campbell;
-mod codes;
 mod diagram;
 mod map;
 pub mod page;
@@ -17,10 +16,9 @@ mod sphere;
 
 pub use animation::{AnimatedCrossing, AnimationScene, draw_animation};
 pub use campbell::{Campbell, draw_campbell};
-pub use codes::draw_codes;
-pub use diagram::{CurveSource, DiagramOptions, MarkedPoints, draw};
+pub use diagram::{CurveSource, DiagramOptions, MarkedPoints, draw, draw_codes};
 pub use map::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote, draw_map};
-pub use page::{Picture, PlotError, Theme, Width, section_type};
+pub use page::{Picture, PlotError, Theme, Width, body_line, section_type};
 pub use part::{PartScene, draw_part};
 pub use section::{
     OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene, draw_section, draw_section_rows,

@@ -3,14 +3,15 @@
 use bifdiag_schema::PartDocument;
 
 use crate::page::{
-    Anchor, Canvas, FAINT_INK, INK, Ink, POLE, Picture, PlotError, Point, Rect, Taken, Theme, number, render, rgb,
-    short, short_number, text_width,
+    Anchor, Canvas, FAINT_INK, INK, Ink, Legend, POLE, Picture, PlotError, Point, Rect, Symbol, Taken, Theme, number,
+    render, rgb, round_point, short, short_number, text_width,
 };
 
 const VIEW: f64 = 250.0;
 const MARGIN: f64 = 34.0;
 const TEXT: f64 = 12.0;
 const OUTLINE: Ink = Ink { color: rgb(0x12_50_a8), width: 1.8 };
+const FIXED: Ink = Ink { color: POLE, width: 2.2 };
 const MESH: Ink = Ink { color: rgb(0xc8_c8_c8), width: 0.6 };
 const AXES: [Ink; 3] = [
     Ink { color: rgb(0x00_7a_5e), width: 1.6 },
@@ -161,52 +162,47 @@ fn draw_view(
     }
     for (k, ends) in axes.iter().enumerate() {
         let name = (k + 1).to_string();
-        let rect = beside(ends, [text_width(&name, TEXT), TEXT], &taken);
-        taken.take_box(rect);
+        let rect = beside(ends, [text_width(&name, TEXT), TEXT], &mut taken);
         canvas.text(&name, [rect.x, rect.bottom() - 0.14 * TEXT], TEXT, AXES[k].color, Anchor::Start);
     }
     canvas.disc(at(ellipsoid.center[i], ellipsoid.center[j]), 3.6, INK);
-    canvas.ring(at(0.0, 0.0), 4.6, Ink { color: POLE, width: 2.2 });
+    canvas.ring(at(0.0, 0.0), 4.6, FIXED);
     canvas.text(names[0], [corner[0] + VIEW, corner[1] + VIEW + 16.0], TEXT, INK, Anchor::End);
     canvas.text(names[1], [corner[0] - 6.0, corner[1] + 10.0], TEXT, INK, Anchor::End);
     let width = number(short(2.0 * half));
     canvas.text(&format!("width {width} {unit}"), [corner[0], corner[1] + VIEW + 16.0], TEXT, FAINT_INK, Anchor::Start);
 }
 
-/// The nearest free place for a name at one of the ends of an axis.
-fn beside(ends: &[Point; 2], [width, height]: [f64; 2], taken: &Taken) -> Rect {
-    let places = [9.0, 14.0, 20.0, 28.0].into_iter().flat_map(|away| {
-        ends.iter().flat_map(move |[x, y]| {
-            (0..8).map(move |eighth| {
-                let (sin, cos) = libm::sincos(std::f64::consts::FRAC_PI_4 * f64::from(eighth));
-                Rect { x: x + away * cos - width / 2.0, y: y - away * sin - height / 2.0, width, height }
-            })
-        })
-    });
-    let mut places = places.peekable();
-    let first = places.peek().copied();
-    places.find(|rect| taken.admits_box(rect)).or(first).unwrap_or(Rect { x: ends[0][0], y: ends[0][1], width, height })
+/// The nearest free place for a name at one of the ends of an axis; it is taken.
+fn beside(ends: &[Point; 2], size: [f64; 2], taken: &mut Taken) -> Rect {
+    let places = [3.0, 8.0, 14.0, 22.0]
+        .into_iter()
+        .flat_map(|away| ends.iter().flat_map(move |end| round_point(*end, size, &[away], 1.0).collect::<Vec<Rect>>()));
+    let places = places.enumerate().map(|(order, rect)| (order as f64, rect));
+    taken.place_anyhow(places, 0.0).unwrap_or(Rect::around(ends[0], 0.0))
 }
 
+/// What the marks are, and below it the moments and semi-axes.
 fn legend(canvas: &Canvas, part: &PartDocument, ellipsoid: &Ellipsoid) {
-    let top = VIEW + 2.0 * MARGIN + 22.0;
-    canvas.ring([MARGIN + 5.0, top - 4.0], 4.6, Ink { color: POLE, width: 2.2 });
-    canvas.text("fixed point", [MARGIN + 16.0, top], TEXT, INK, Anchor::Start);
-    canvas.disc([MARGIN + 115.0, top - 4.0], 3.6, INK);
-    canvas.text("centre of mass", [MARGIN + 125.0, top], TEXT, INK, Anchor::Start);
-    canvas.path(&[[MARGIN + 245.0, top - 4.0], [MARGIN + 269.0, top - 4.0]], OUTLINE);
-    let text = "solid ellipsoid with this mass and this tensor";
-    canvas.text(text, [MARGIN + 277.0, top], TEXT, INK, Anchor::Start);
-    let unit = part.units.split(',').take(2).collect::<Vec<_>>();
+    let top = VIEW + 2.0 * MARGIN + 6.0;
+    let fixed = |canvas: &Canvas, at| canvas.ring(at, 4.6, FIXED);
+    let center = |canvas: &Canvas, at| canvas.disc(at, 3.6, INK);
+    let entries = [
+        (Symbol::Mark(Box::new(fixed)), "fixed point"),
+        (Symbol::Mark(Box::new(center)), "centre of mass"),
+        (Symbol::solid(OUTLINE), "solid ellipsoid with this mass and this tensor"),
+    ];
+    let entries = entries.into_iter().map(|(symbol, text)| (symbol, text.to_owned())).collect();
+    Legend::new(entries, 3.0 * VIEW + 2.0 * MARGIN).draw(canvas, [MARGIN, top]);
+    let mut units = part.units.split(',');
+    let (mass, length) = (units.next().unwrap_or_default(), units.next().unwrap_or_default());
     for k in 0..3 {
-        let (mass, length) = (unit.first().unwrap_or(&""), unit.get(1).unwrap_or(&""));
         let moment = short_number(part.principal_com.moments[k], 6);
+        let semi = number(short(ellipsoid.semi[k]));
         let text = format!(
-            "axis {}: moment about the centre of mass {} {mass} {length}², semi-axis {} {length}",
-            k + 1,
-            moment,
-            number(short(ellipsoid.semi[k])),
+            "axis {}: moment about the centre of mass {moment} {mass} {length}², semi-axis {semi} {length}",
+            k + 1
         );
-        canvas.text(&text, [MARGIN, top + 20.0 + 18.0 * k as f64], TEXT, AXES[k].color, Anchor::Start);
+        canvas.text(&text, [MARGIN, top + 36.0 + 18.0 * k as f64], TEXT, AXES[k].color, Anchor::Start);
     }
 }

@@ -7,6 +7,7 @@ mod plot_fixture;
 
 use bifdiag_plot::{DiagramOptions, Picture, PlotError, Width, draw};
 use bifdiag_schema::WindowDocument;
+use picture_svg::PIXELS_PER_INCH;
 use picture_texts::{assert_texts_are_apart, texts};
 use plot_fixture::{Fixture, kovalevskaya, paper, parabolas};
 use resvg::tiny_skia::Pixmap;
@@ -51,7 +52,7 @@ fn kovalevskayas_body_with_coincident_curves() {
     let fixture = kovalevskaya();
     let picture = picture("kovalevskaya", &fixture);
     assert_sound(&fixture, &picture);
-    assert!(texts(&picture).iter().any(|(text, _)| text == "side by side: coincident"));
+    assert!(texts(&picture).iter().any(|(text, _)| text == "in turn: coincident"));
 }
 
 #[test]
@@ -108,10 +109,18 @@ fn equal_input_gives_equal_bytes_in_every_format() {
 fn text_is_drawn_where_no_fonts_are_installed() {
     // Nothing is read from the machine: the title must still leave ink on the page.
     let picture = picture("kovalevskaya", &kovalevskaya());
-    let png = Pixmap::decode_png(&picture.to_png(96.0).unwrap()).unwrap();
+    let png = Pixmap::decode_png(&picture.to_png(f64::from(PIXELS_PER_INCH)).unwrap()).unwrap();
     let dark = |x: u32, y: u32| png.pixel(x, y).is_some_and(|pixel| pixel.red() < 100);
     let ink = (10..34).flat_map(|y| (50..350).map(move |x| (x, y))).filter(|&(x, y)| dark(x, y)).count();
     assert!(ink > 200, "{ink} dark pixels in the title");
+}
+
+#[test]
+fn a_column_is_86_mm_wide() {
+    let options = DiagramOptions { width: Width::Column, ..DiagramOptions::default() };
+    let fixture = paper();
+    let picture = draw(&fixture.atlas, Some(&fixture), &options).unwrap();
+    assert!(picture.svg.contains(" width=\"86mm\""), "{}", picture.svg.lines().next().unwrap());
 }
 
 #[test]
@@ -121,9 +130,20 @@ fn png_follows_the_resolution() {
         let png = Pixmap::decode_png(&picture.to_png(dpi).unwrap()).unwrap();
         [png.width(), png.height()]
     };
-    let (one, two) = (size(96.0), size(192.0));
-    assert_eq!(one.map(|side| 2 * side), two);
-    assert!(picture.svg.contains(&format!("width=\"{}\" height=\"{}\"", one[0], one[1])));
+    let (one, two) = (size(100.0), size(200.0));
+    assert!((0..2).all(|side| two[side] - 2 * one[side] <= 1), "{one:?} and {two:?}");
+    let millimetres = |side: &str| {
+        let (_, rest) = picture.svg.split_once(&format!(" {side}=\"")).unwrap();
+        rest.split_once("mm\"").unwrap().0.parse::<f64>().unwrap()
+    };
+    for (side, dots) in ["width", "height"].into_iter().zip(one) {
+        let exact = millimetres(side) / 25.4 * 100.0;
+        assert!((exact - f64::from(dots)).abs() <= 1.0, "{side}: {dots} for {exact} dots");
+    }
+    // pHYs: 3937 dots in a metre, twice, and the unit.
+    let png = picture.to_png(100.0).unwrap();
+    let at = png.windows(4).position(|bytes| bytes == b"pHYs").expect("the PNG says how large it is") + 4;
+    assert_eq!(png[at..at + 9], [0, 0, 15, 97, 0, 0, 15, 97, 1]);
     for dpi in [0.0, -1.0, f64::NAN, 1e9] {
         assert!(matches!(picture.to_png(dpi), Err(PlotError::Resolution { .. })), "{dpi} dpi");
     }

@@ -20,6 +20,7 @@ use bifdiag_plot::{
     OrbitValues, Picture, PlotError, Projection, SectionOptions, SectionScene, Width, draw_section, draw_section_rows,
 };
 use picture_letters::unprintable;
+use picture_svg::PIXELS_PER_INCH;
 use picture_texts::{assert_texts_are_apart, texts};
 use resvg::tiny_skia::Pixmap;
 
@@ -83,7 +84,7 @@ fn look(name: &str, picture: &Picture) {
 }
 
 fn pixels(picture: &Picture) -> Pixmap {
-    Pixmap::decode_png(&picture.to_png(96.0).unwrap()).unwrap()
+    Pixmap::decode_png(&picture.to_png(f64::from(PIXELS_PER_INCH)).unwrap()).unwrap()
 }
 
 fn color(pixels: &Pixmap, x: f64, y: f64) -> [u8; 3] {

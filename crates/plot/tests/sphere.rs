@@ -40,10 +40,10 @@ fn scene<'a>(components: &'a [ComponentDocument], equilibria: &'a [RelativeEquil
     }
 }
 
-/// Numbers of drawn paths of the colour and width of ∂U, and of moves in them.
+/// Lines of the colour and width of ∂U, the sample in the legend apart.
 fn boundary_lines(svg: &str) -> usize {
     let paths = svg.lines().filter(|line| line.contains("stroke=\"#222222\" stroke-width=\"18\""));
-    paths.map(|path| path.split('"').nth(1).unwrap_or_default().matches('M').count()).sum()
+    paths.map(|path| path.split('"').nth(1).unwrap_or_default().matches('M').count()).sum::<usize>() - 1
 }
 
 #[test]
@@ -84,11 +84,8 @@ fn a_circle_of_equilibria_is_drawn_as_one() {
     let lines = |multiplicity| {
         let components = [component(1)];
         let equilibria = [equilibrium(multiplicity)];
-        draw_sphere(&scene(&components, &equilibria), Theme::Light, Width::Page)
-            .unwrap()
-            .svg
-            .matches("<polyline")
-            .count()
+        let picture = draw_sphere(&scene(&components, &equilibria), Theme::Light, Width::Page).unwrap();
+        picture.svg.matches("<path").count()
     };
     assert_eq!(lines(Multiplicity::Circle), lines(Multiplicity::Points(1)) + 1);
 }
@@ -149,4 +146,21 @@ fn names_keep_off_each_other_and_off_the_boundary() {
         assert_texts_are_apart(&names);
         assert_eq!(unprintable(&picture, width), Vec::<String>::new());
     }
+}
+
+#[test]
+fn a_hole_is_not_hidden_by_the_mark_of_its_maximum() {
+    let components = [component(1)];
+    let maximum =
+        RelativeEquilibriumDocument { gamma: [0.0, 0.0, 1.0], index: 2, ..equilibrium(Multiplicity::Points(1)) };
+    // The first view shows e3 in its middle; a ring of 4.2 pixels marks it.
+    let is_in_place = |level: f64| {
+        let hole = move |gamma: [f64; 3]| gamma[2] - level;
+        let equilibria = [maximum.clone()];
+        let scene =
+            SphereScene { potential_above: &hole, r_hat: Some([1.0, 0.0, 0.0]), ..scene(&components, &equilibria) };
+        draw_sphere(&scene, Theme::Light, Width::Page).unwrap().svg.contains("<circle cx=\"2200\" cy=\"2520\" r=\"42\"")
+    };
+    assert!(is_in_place(0.9), "the hole is large");
+    assert!(!is_in_place(0.9998), "the hole has a radius of 3.7 pixels");
 }

@@ -7,14 +7,15 @@ use clap::{Args, ValueEnum};
 use crate::cli::failure::Failure;
 use crate::cli::input::values::{Named, named};
 
-/// Dots per inch of a PNG.
-const RESOLUTION: f64 = 192.0;
+/// Dots per inch of a PNG in print.
+const RESOLUTION: f64 = 300.0;
 
 /// Formats of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum PictureFormat {
     Svg,
     Png,
+    #[value(hide = !Picture::MAKES_PDF)]
     Pdf,
     /// A LaTeX document of one TikZ picture
     Tikz,
@@ -60,7 +61,7 @@ const THEMES: [Named<Theme>; 3] = [
 /// How pictures are written; every command that draws has these options.
 #[derive(Clone, Debug, Args)]
 pub struct PictureArguments {
-    /// Formats of the picture
+    /// Formats of the picture; pdf needs the feature `pdf`
     #[arg(long, value_parser = PictureFormat::parser(), value_delimiter = ',', default_value = "svg", help_heading = "Output")]
     pub format: Vec<PictureFormat>,
     /// Colours of the picture

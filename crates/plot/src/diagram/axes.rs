@@ -3,7 +3,7 @@
 use super::labels::{H, L};
 use super::layout::{BELOW, LEFT, RIGHT};
 use super::panel::Panel;
-use super::view::View;
+use super::windows::View;
 use crate::page::{Anchor, Axis, Canvas, INK, Point, TICK_SIZE, Ticks, draw_axes, text_width, ticks};
 
 pub(super) const AXIS_SIZE: f64 = TICK_SIZE + 1.0;

@@ -1,10 +1,9 @@
 //! The windows around one region that is too small to be seen.
 
-use super::grid::{Grid, LEGIBLE};
-use super::ranges::{clipped, common, hull, length};
+use super::panel::{LEGIBLE, areas};
 use super::scene::Scene;
 use super::trace::{Trace, trace};
-use super::view::View;
+use super::windows::{View, clipped, common, hull, length};
 use crate::page::{PlotError, Rect};
 use bifdiag_schema::WindowDocument;
 
@@ -137,9 +136,9 @@ fn stations(
         if from >= to {
             continue;
         }
-        let course = |curve: usize| trace(scene, &scene.atlas.curves[curve], [from, to], tolerance);
-        let lower = course(cell.lower)?;
-        let upper = cell.upper.map(course).transpose()?;
+        let points = |curve: usize| trace(scene, &scene.atlas.curves[curve], [from, to], tolerance);
+        let lower = points(cell.lower)?;
+        let upper = cell.upper.map(points).transpose()?;
         for step in 0..=STATIONS {
             let l = from + (to - from) * (step as f64 / STATIONS as f64);
             let Some(low) = lower.h_at(l) else { continue };
@@ -167,6 +166,6 @@ pub(super) fn depths(scene: &Scene<'_>, window: &WindowDocument, regions: &[usiz
             }
         }
     }
-    let depths = Grid::new(scene, &view, &traces, regions.iter().copied()).depths(scene.cells.len());
+    let depths = areas(scene, &view, &traces, regions.iter().copied()).depths(scene.cells.len());
     Ok(depths.into_iter().map(|depth| COARSE * depth).collect())
 }

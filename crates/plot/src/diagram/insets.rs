@@ -1,12 +1,10 @@
 //! Which parts are magnified: few windows that together show every region too small to see.
 
-use super::apart::{beside, clear, reach_into};
 use super::closeup::{Closeup, closeup, depths};
-use super::grid::LEGIBLE;
-use super::panel::Panel;
+use super::panel::{LEGIBLE, Panel};
 use super::plan::Plan;
-use super::ranges::{area, clipped, contains, hull, length};
 use super::scene::Scene;
+use super::windows::{area, beside, clear, clipped, contains, hull, length, reach_into};
 use crate::page::PlotError;
 use bifdiag_schema::WindowDocument;
 
@@ -53,7 +51,7 @@ pub(super) fn magnifications(
     // The scale of the main panel, and that of an overview of everything in the first inset.
     let Plan { main: own, inset, .. } = *scene.plan;
     let shown = [(visible, own), (everything, inset)];
-    for (region, depth) in main.grid.depths(scene.cells.len()).into_iter().enumerate() {
+    for (region, depth) in main.areas.depths(scene.cells.len()).into_iter().enumerate() {
         if depth >= LEGIBLE {
             continue;
         }

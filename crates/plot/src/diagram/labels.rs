@@ -1,7 +1,7 @@
-//! The labels of regions.
+//! The labels of regions, and the marks of events and sample points.
 
 use crate::page::{Anchor, Canvas, FAINT_INK, INK, Ink, PAPER, Point, Rect, section_type, superscript, text_width};
-use bifdiag_schema::{AtlasDocument, RegionDocument};
+use bifdiag_schema::{AtlasDocument, EventKind, RegionDocument};
 
 /// The energy.
 pub(super) const H: &str = "h";
@@ -18,7 +18,7 @@ const PADDING: f64 = 2.0;
 /// Length of the arrow head at the region's end of a leader.
 const ARROW: f64 = 5.0;
 
-/// What is told of a region.
+/// What labels say of a region.
 #[derive(Clone, Debug)]
 pub(super) struct Name {
     /// The type of the section.
@@ -38,7 +38,7 @@ impl Name {
     }
 }
 
-/// How much of a name a label says; the key tells the rest.
+/// How much of a name a label says; the key has the rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// Everything.
@@ -183,6 +183,28 @@ fn paint_leader(canvas: &Canvas, [tip, end]: [Point; 2]) {
     let [x, y] = [(end[0] - tip[0]) / length, (end[1] - tip[1]) / length];
     let wing = |side: f64| [tip[0] + ARROW * (x - side * 0.35 * y), tip[1] + ARROW * (y + side * 0.35 * x)];
     canvas.polygon(&[tip, wing(1.0), wing(-1.0)], INK);
+}
+
+/// Half the size of a marker.
+pub(super) const MARKER: f64 = 4.0;
+
+/// Marks an event: a filled diamond at a cusp, a filled triangle at a pitchfork, a ring at a crossing.
+pub(super) fn event_marker(canvas: &Canvas, kind: EventKind, at: Point) {
+    let [x, y] = at;
+    let shape = match kind {
+        EventKind::Crossing => return canvas.ring(at, MARKER - 1.0, Ink { color: INK, width: 1.1 }),
+        EventKind::Cusp => vec![[x, y - MARKER], [x + MARKER, y], [x, y + MARKER], [x - MARKER, y]],
+        EventKind::Pitchfork => {
+            vec![[x, y - MARKER], [x + 0.95 * MARKER, y + 0.7 * MARKER], [x - 0.95 * MARKER, y + 0.7 * MARKER]]
+        }
+    };
+    canvas.polygon(&shape, INK);
+    canvas.outline(&shape, Ink { color: PAPER, width: 0.8 });
+}
+
+/// Marks the sample point of a region.
+pub(super) fn sample_dot(canvas: &Canvas, at: Point) {
+    canvas.disc(at, 2.0, INK);
 }
 
 #[cfg(test)]

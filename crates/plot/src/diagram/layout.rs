@@ -2,7 +2,7 @@
 
 use super::panel::Panel;
 use super::plan::Plan;
-use super::ranges::{area, contains};
+use super::windows::{area, contains};
 use crate::page::{Point, Rect};
 
 /// Space for the axis on the left, for the title above, for the axis below and at the right edge of the page.
@@ -108,10 +108,9 @@ pub(super) fn frames(panels: &[Panel]) -> Vec<Vec<Frame>> {
 
 /// Unites frames as long as two of them meet.
 fn unite(frames: &mut Vec<Frame>) {
-    let meet = |a: &Rect, b: &Rect| a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
     let pair = |frames: &[Frame]| {
         let pairs = (0..frames.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-        pairs.into_iter().find(|&(i, j)| meet(&frames[i].rect, &frames[j].rect))
+        pairs.into_iter().find(|&(i, j)| frames[i].rect.overlaps(&frames[j].rect))
     };
     while let Some((i, j)) = pair(frames) {
         let other = frames.remove(j);

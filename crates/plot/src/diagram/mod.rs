@@ -1,44 +1,34 @@
 //! The bifurcation diagram of an atlas.
 //!
 //! In the order in which the data flow: `scene` resolves the ids of the document, `trace` gives each curve as a polyline
-//! fit for one window, `grid` is the coarse picture of a `panel` from which sizes and label places are read, `window` and
-//! `insets` (with `closeup`) choose the panels, `layout` puts them on the page, `placement` finds room for the `labels`,
-//! `paint` draws, and `page` does all that for one of the plans of `plan`.
+//! fit for one window, `panel` the regions of its pixels, from which sizes and label places are read, `insets` (with
+//! `closeup`) chooses the panels, `layout` puts them on the page, `placement` finds room for the `labels`, `paint` draws, and
+//! `page` does all that for one of the plans of `plan`.
 
-mod apart;
 mod axes;
 mod closeup;
-mod grid;
 mod insets;
 mod labels;
 mod layout;
 mod legend;
-mod markers;
-mod motions;
 mod notes;
-mod options;
-mod outline;
 mod page;
 mod paint;
 mod palette;
 mod panel;
 mod placement;
 mod plan;
-mod ranges;
-mod room;
 mod scene;
 mod stroke;
 mod trace;
-mod view;
-mod window;
+mod windows;
 
-pub use options::DiagramOptions;
-pub(crate) use palette::tint;
-pub use scene::{CurveSource, MarkedPoints};
+pub use scene::{CurveSource, DiagramOptions, MarkedPoints};
 
-use crate::page::{Picture, PlotError};
+use crate::page::{FAINT_INK, INK, PAPER, Picture, PlotError, png};
 use bifdiag_schema::AtlasDocument;
 use page::Page;
+use palette::tint;
 use plan::Plan;
 
 /// Draws the bifurcation diagram: h to the right, l upwards, each region tinted and labelled with the type of its
@@ -63,4 +53,26 @@ pub fn draw(
         is_done = page.fits();
     }
     page.draw(options.theme)
+}
+
+/// The image of a grid: rows of `width` codes from below, each the number of a region (whose sections are `kinds`), or
+/// negative: forbidden (transparent), critical (black), undecided (grey). Equal arguments give equal bytes.
+///
+/// # Errors
+/// [`PlotError`] when the image cannot be written.
+pub fn draw_codes(width: usize, codes: &[i32], kinds: &[String]) -> Result<Vec<u8>, PlotError> {
+    /// Colours that are no regions.
+    const OTHERS: usize = 3;
+    let regions = kinds.iter().take(usize::from(u8::MAX) + 1 - OTHERS).map(|kind| tint(kind));
+    let colors: Vec<u8> =
+        [PAPER, INK, FAINT_INK].into_iter().chain(regions).flat_map(|color| [color.0, color.1, color.2]).collect();
+    let index = |code: i32| match code {
+        -1 => 0,
+        -2 => 1,
+        // More regions than a palette holds share its last colour.
+        code => usize::try_from(code).map_or(2_u8, |region| u8::try_from(OTHERS + region).unwrap_or(u8::MAX)),
+    };
+    let pixels: Vec<u8> = codes.chunks(width.max(1)).rev().flatten().map(|&code| index(code)).collect();
+    let size = [width, codes.len() / width.max(1)].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    png(size, Some(colors), &pixels, None)
 }

@@ -2,22 +2,19 @@
 
 use super::insets::{Magnifications, magnifications};
 use super::layout::{BELOW, LEFT, RIGHT, TOP, below_all, frames, inset_place, legend_place, page_width};
-use super::legend::{Symbol, legend, paint_symbol};
-use super::motions;
-use super::notes::{NOTE_SIZE, heading, notes, remark, units};
-use super::options::DiagramOptions;
+use super::legend::legend;
+use super::notes::{NOTE_SIZE, heading, motions, motions_left_out, notes, remark, units};
 use super::paint::Diagram;
 use super::palette::branch_styles;
 use super::panel::Panel;
 use super::placement;
 use super::plan::Plan;
-use super::scene::{CurveSource, Scene};
-use super::stroke::{self, strokes};
-use super::view::View;
-use super::window::{Windows, windows};
+use super::scene::{CurveSource, DiagramOptions, Scene, windows};
+use super::stroke::strokes;
+use super::windows::View;
 use crate::page::{
-    Anchor, Canvas, FAINT_INK, HEIGHT, Heading, INK, Legend, Pattern, Picture, PlotError, Point, Rect, Table, Theme,
-    pattern, render, title_size,
+    Anchor, Canvas, FAINT_INK, HEIGHT, Heading, INK, Legend, Picture, PlotError, Point, Rect, Table, Theme, render,
+    title_size,
 };
 use bifdiag_schema::{AtlasDocument, WindowDocument};
 
@@ -33,9 +30,9 @@ pub(super) struct Page<'a> {
     is_crowded: bool,
     size: [f64; 2],
     heading: Heading,
-    legend: Legend<Symbol>,
+    legend: Legend,
     legend_at: Point,
-    motions: Table<Pattern>,
+    motions: Table,
     motions_at: Point,
     notes: Vec<String>,
 }
@@ -57,7 +54,7 @@ impl<'a> Page<'a> {
         let (panels, mut magnified) = panels(&scene, options.window)?;
         let frames = frames(&panels);
         let mut texts = placement::place(&scene, &panels, &frames);
-        // A region that a label points at is drawn, and one that a note tells is not in the key.
+        // A region that a label points at is drawn, and one that a note names is not in the key.
         let is_unlabelled = |region: &usize| !texts.labels.iter().flatten().any(|label| label.region == *region);
         magnified.invisible.retain(is_unlabelled);
         magnified.outside.retain(is_unlabelled);
@@ -76,10 +73,10 @@ impl<'a> Page<'a> {
         let motions_at = [LEFT, axes.fold(legend_at[1] + legend.height(), f64::max) + 6.0];
         let notes = notes(atlas, &magnified, width - LEFT - RIGHT);
         let below = notes.len() as f64 * NOTE + 14.0;
-        let motions = motions::table(&scene, &strokes, &panels, options.width.pixels() - LEFT - RIGHT)
-            .shortened((HEIGHT - motions_at[1] - below).max(TABLE_LEAST), motions::rest);
+        let motions = motions(&scene, &strokes, &panels, options.width.pixels() - LEFT - RIGHT)
+            .shortened((HEIGHT - motions_at[1] - below).max(TABLE_LEAST), motions_left_out);
         let height = motions_at[1] + motions.height() + below;
-        let size = [width.max(LEFT + motions.width() + RIGHT), height].map(f64::ceil);
+        let size = [width.max(LEFT + motions.width() + RIGHT), height.ceil()];
         let heading = heading(atlas, width - LEFT - RIGHT, TITLE_SIZE);
         let diagram = Diagram { scene, strokes, panels, frames, texts, units: units(atlas) };
         let is_crowded = magnified.crowded;
@@ -106,15 +103,10 @@ impl<'a> Page<'a> {
         render(self.size, self.heading.clone(), theme, |canvas| {
             let size = title_size(&title, TITLE_SIZE, self.size[0] - LEFT);
             canvas.text(&title, [LEFT, 24.0], size, INK, Anchor::Start);
-            self.tell_remark(canvas);
+            self.draw_remark(canvas);
             self.diagram.paint(canvas);
-            let symbol = |symbol: &Symbol, at| paint_symbol(canvas, symbol, at);
-            canvas.group("legend", "", || self.legend.draw(canvas, self.legend_at, symbol));
-            canvas.group("motions", "", || {
-                self.motions.draw(canvas, self.motions_at, |line, [x, y]| {
-                    pattern::draw(canvas, &[[x, y], [x + motions::SAMPLE, y]], line, stroke::WIDTH);
-                });
-            });
+            canvas.group("legend", "", || self.legend.draw(canvas, self.legend_at));
+            canvas.group("motions", "", || self.motions.draw(canvas, self.motions_at));
             let below = self.motions_at[1] + self.motions.height();
             for (row, note) in self.notes.iter().enumerate() {
                 let base = below + (row as f64 + 1.0) * NOTE;
@@ -123,7 +115,7 @@ impl<'a> Page<'a> {
         })
     }
 
-    fn tell_remark(&self, canvas: &Canvas) {
+    fn draw_remark(&self, canvas: &Canvas) {
         let Scene { atlas, plan, .. } = self.diagram.scene;
         let at = [LEFT + plan.main[0], TOP - plan.remark];
         canvas.text(remark(atlas), at, NOTE_SIZE, FAINT_INK, Anchor::End);
@@ -133,7 +125,7 @@ impl<'a> Page<'a> {
 /// The main panel and its insets, and what could not be magnified.
 fn panels(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<(Vec<Panel>, Magnifications), PlotError> {
     let view = |window, [x, y]: Point, [width, height]: [f64; 2]| View { window, rect: Rect { x, y, width, height } };
-    let Windows { main, everything } = windows(scene, asked)?;
+    let [main, everything] = windows(scene, asked)?;
     let main = Panel::new(scene, view(main, [LEFT, TOP], scene.plan.main))?;
     let mut magnified = magnifications(scene, &main, &everything)?;
     if everything != main.view.window {

@@ -1,16 +1,15 @@
 //! A diagram on its canvas.
 
 use super::axes::{AXIS_SIZE, axis_ticks, l_name_at, paint_axes};
-use super::labels::{self, H, L};
+use super::labels::{self, H, L, event_marker, sample_dot};
 use super::layout::{Frame, LETTER_SIZE, frame, is_marked, letter};
-use super::markers::{event_marker, sample_dot};
-use super::outline::{Ground, outline};
+use super::palette::ground_of;
 use super::panel::Panel;
 use super::placement::Texts;
-use super::ranges::contains;
 use super::scene::Scene;
 use super::stroke::{self, Line, Stroke, Verdict};
-use crate::page::{Anchor, Canvas, INK, Ink, Point, distance, short, text_width};
+use super::windows::contains;
+use crate::page::{Anchor, Canvas, INK, Ink, Point, distance, short, text_width, union};
 use bifdiag_schema::EventKind;
 
 const FRAME: Ink = Ink { color: INK, width: 0.9 };
@@ -30,13 +29,13 @@ pub(super) struct Diagram<'a> {
 impl Diagram<'_> {
     pub(super) fn paint(&self, canvas: &Canvas) {
         for (index, panel) in self.panels.iter().enumerate() {
-            let (name, told) = match index {
+            let (name, title) = match index {
                 0 => ("main".to_owned(), "the main panel".to_owned()),
                 inset => (letter(inset - 1), format!("inset ({})", letter(inset - 1))),
             };
-            canvas.group(&name, &told, || self.paint_panel(canvas, index, panel, &name));
+            canvas.group(&name, &title, || self.paint_panel(canvas, index, panel, &name));
         }
-        self.tell_scales(canvas);
+        self.paint_scales(canvas);
     }
 
     fn paint_panel(&self, canvas: &Canvas, index: usize, panel: &Panel, name: &str) {
@@ -54,10 +53,12 @@ impl Diagram<'_> {
 
     fn paint_regions(&self, canvas: &Canvas, panel: &Panel, name: &str) {
         let names = &self.texts.names;
-        for ((region, cells), told) in self.scene.atlas.regions.iter().zip(&self.scene.cells).zip(names) {
-            let path = outline(cells.iter().map(|cell| panel.cell_polygon(cell)));
-            let title = format!("{}: {}", told.id, told.sentence());
-            Ground::of(region).paint(canvas, &path, &format!("{name}-{}", region.id), &title);
+        for ((region, cells), own) in self.scene.atlas.regions.iter().zip(&self.scene.cells).zip(names) {
+            // Cells meet along sides of one l.
+            let path = union(cells.iter().map(|cell| panel.cell_polygon(cell)), 1);
+            let fill = canvas.fill_striped(&ground_of(region));
+            let attributes = format!("id=\"{name}-{}\" {fill} fill-rule=\"evenodd\"", region.id);
+            canvas.draw_titled(&path, &attributes, &format!("{}: {}", own.id, own.sentence()));
         }
     }
 
@@ -67,13 +68,13 @@ impl Diagram<'_> {
             if !stroke::is_drawn(stroke, std::slice::from_ref(panel)) {
                 continue;
             }
-            let told: Vec<String> = stroke.lines.iter().map(|line| self.tell_line(line)).collect();
+            let titles: Vec<String> = stroke.lines.iter().map(|line| self.line_title(line)).collect();
             let id = format!("{name}-curve-{}-{}", self.scene.atlas.curves[stroke.curve].id, number + 1);
-            canvas.group(&id, &told.join("; "), || stroke::draw(canvas, panel, stroke));
+            canvas.group(&id, &titles.join("; "), || stroke::draw(canvas, panel, stroke));
         }
     }
 
-    fn tell_line(&self, line: &Line) -> String {
+    fn line_title(&self, line: &Line) -> String {
         let curve = &self.scene.atlas.curves[line.curve];
         let stability = match line.verdict {
             Some(Verdict::Stable) => ", eigenvalues imaginary",
@@ -110,8 +111,8 @@ impl Diagram<'_> {
     fn paint_frames(&self, canvas: &Canvas, panel: &Panel, frames: &[Frame], name: &str) {
         for frame in frames {
             let letters = frame.letters();
-            let told = format!("inset ({})", letters.join("), ("));
-            canvas.group(&format!("{name}-frame-{}", letters.join("-")), &told, || {
+            let title = format!("inset ({})", letters.join("), ("));
+            canvas.group(&format!("{name}-frame-{}", letters.join("-")), &title, || {
                 canvas.outline(&frame.rect.corners(), FRAME);
             });
             if let Some(place) = self.texts.letters[frame.insets[0]] {
@@ -126,7 +127,7 @@ impl Diagram<'_> {
     }
 
     /// Above each inset, how much it is magnified.
-    fn tell_scales(&self, canvas: &Canvas) {
+    fn paint_scales(&self, canvas: &Canvas) {
         let [main, insets @ ..] = &self.panels[..] else { return };
         let overview = insets.first().filter(|inset| shows(inset, main));
         for (index, inset) in insets.iter().enumerate() {

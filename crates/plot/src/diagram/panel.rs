@@ -1,11 +1,12 @@
 //! One panel: a view with its curves and the regions of its pixels.
 
-use super::grid::Grid;
-use super::ranges::common;
 use super::scene::{Cell, Scene};
 use super::trace::{Trace, traces};
-use super::view::View;
-use crate::page::{PlotError, Point, clip_polygon};
+use super::windows::{View, common};
+use crate::page::{Areas, PlotError, Point, clip_polygon, pixel};
+
+/// A region whose inscribed circle has at least this radius in pixels can be seen and pointed at.
+pub(super) const LEGIBLE: f64 = 4.5;
 
 /// Curves are off by at most this many pixels.
 const CHORD_PIXELS: f64 = 0.05;
@@ -14,14 +15,14 @@ const CHORD_PIXELS: f64 = 0.05;
 pub(super) struct Panel {
     pub view: View,
     pub traces: Vec<Trace>,
-    pub grid: Grid,
+    pub areas: Areas,
 }
 
 impl Panel {
     pub(super) fn new(scene: &Scene<'_>, view: View) -> Result<Self, PlotError> {
         let traces = traces(scene, view.window.l, CHORD_PIXELS * view.h_per_pixel())?;
-        let grid = Grid::new(scene, &view, &traces, 0..scene.cells.len());
-        Ok(Self { view, traces, grid })
+        let areas = areas(scene, &view, &traces, 0..scene.cells.len());
+        Ok(Self { view, traces, areas })
     }
 
     /// The polygon of a region's cell inside the view.
@@ -51,4 +52,34 @@ impl Panel {
         outline.extend(upper.into_iter().rev());
         clip_polygon(&self.view.positions(&outline), &self.view.rect)
     }
+}
+
+/// The pixels of some regions in a view.
+pub(super) fn areas(
+    scene: &Scene<'_>,
+    view: &View,
+    traces: &[Trace],
+    regions: impl IntoIterator<Item = usize>,
+) -> Areas {
+    Areas::new(&view.rect, |[width, height], of| {
+        let l_top = view.window.l[1];
+        let column = |h: f64| pixel(((h - view.window.h[0]) / view.h_per_pixel() - 0.5).ceil(), width);
+        // Row y holds l_top − (y + ½)·(l per pixel).
+        let row = |l: f64| (l_top - l) / view.l_per_pixel() - 0.5;
+        for (region, cell) in
+            regions.into_iter().flat_map(|region| scene.cells[region].iter().map(move |c| (region, c)))
+        {
+            let Ok(region) = i32::try_from(region) else { continue };
+            for y in pixel(row(cell.l[1]).ceil(), height)..pixel(row(cell.l[0]).floor() + 1.0, height) {
+                let l = l_top - (y as f64 + 0.5) * view.l_per_pixel();
+                let Some(lower) = traces[cell.lower].h_at(l) else { continue };
+                let upper = cell.upper.map_or(Some(f64::INFINITY), |upper| traces[upper].h_at(l));
+                let Some(upper) = upper else { continue };
+                let (left, right) = (column(lower), column(upper));
+                if left < right {
+                    of[y * width + left..y * width + right].fill(region);
+                }
+            }
+        }
+    })
 }

@@ -13,7 +13,7 @@ pub(super) struct Plan {
     pub in_a_row: usize,
     /// The most insets.
     pub insets: usize,
-    /// Whether the small motions are told in a table.
+    /// Whether there is a table of small motions.
     pub motions: bool,
     /// The base line of the remark, above the upper end of the main panel.
     pub remark: f64,
@@ -34,15 +34,15 @@ const PAGES: [Plan; 3] = [PAGE, DENSE_PAGE, Plan { insets: 7, ..DENSE_PAGE }];
 
 /// The table would be longer than a column; the remark stands above the name of the axis, since both are too long for a line.
 const COLUMN: Plan = Plan {
-    main: [374.0, 336.0],
-    inset: [374.0, 200.0],
+    main: [374.43, 336.0],
+    inset: [374.43, 200.0],
     beside: 0,
     in_a_row: 1,
     insets: 2,
     motions: false,
     remark: 25.0,
 };
-const DENSE_COLUMN: Plan = Plan { main: [374.0, 300.0], inset: [159.0, 110.0], in_a_row: 2, insets: 6, ..COLUMN };
+const DENSE_COLUMN: Plan = Plan { main: [374.43, 300.0], inset: [159.0, 110.0], in_a_row: 2, insets: 6, ..COLUMN };
 const COLUMNS: [Plan; 4] =
     [COLUMN, DENSE_COLUMN, Plan { insets: 4, ..DENSE_COLUMN }, Plan { insets: 2, ..DENSE_COLUMN }];
 

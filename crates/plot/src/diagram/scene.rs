@@ -1,11 +1,25 @@
-//! An atlas with its ids resolved to indices.
+//! What is drawn and how: the options, and an atlas with its ids resolved to indices.
 
 use std::collections::BTreeMap;
 
 use super::plan::Plan;
-use super::ranges::l_range;
-use crate::page::PlotError;
-use bifdiag_schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument};
+use super::windows::l_range;
+use crate::page::{PlotError, Theme, Width, is_proper};
+use bifdiag_schema::{AtlasDocument, RegionDocument, RelativeEquilibriumDocument, WindowDocument};
+
+/// How a diagram is drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DiagramOptions {
+    /// The part of the (h, l) plane of the main panel; `None`: chosen so that every event and every unbounded region
+    /// is inside.
+    pub window: Option<WindowDocument>,
+    /// Points marked in place of the samples of the regions.
+    pub points: Option<MarkedPoints>,
+    /// Colours.
+    pub theme: Theme,
+    /// For what width the panels are laid out.
+    pub width: Width,
+}
 
 /// Where polylines denser than those of the document come from.
 pub trait CurveSource {
@@ -46,7 +60,7 @@ pub(super) struct Dot {
     pub at: [f64; 2],
     /// Its id among the dots of a panel.
     pub id: String,
-    /// What is told when one points at it.
+    /// The tooltip.
     pub title: String,
 }
 
@@ -64,14 +78,14 @@ pub(super) struct Scene<'a> {
 
 /// The points that were asked for, else the samples of the regions.
 fn dots(atlas: &AtlasDocument, marked: Option<&MarkedPoints>) -> Vec<Dot> {
-    let told = |[h, l]: [f64; 2]| format!("h = {h}, l = {l}");
+    let place = |[h, l]: [f64; 2]| format!("h = {h}, l = {l}");
     if let Some(marked) = marked {
-        let dot = |(number, &at): (usize, &[f64; 2])| Dot { at, id: (number + 1).to_string(), title: told(at) };
+        let dot = |(number, &at): (usize, &[f64; 2])| Dot { at, id: (number + 1).to_string(), title: place(at) };
         return marked.points.iter().enumerate().map(dot).collect();
     }
     let dot = |region: &RegionDocument| {
         let at = [region.sample.h, region.sample.l];
-        Dot { at, id: region.id.clone(), title: format!("sample of {}: {}", region.id, told(at)) }
+        Dot { at, id: region.id.clone(), title: format!("sample of {}: {}", region.id, place(at)) }
     };
     atlas.regions.iter().map(dot).collect()
 }
@@ -101,4 +115,17 @@ impl<'a> Scene<'a> {
         });
         Ok(Self { atlas, source, plan, cells: cells.collect::<Result<_, _>>()?, dots: dots(atlas, marked) })
     }
+}
+
+/// The part of the plane that the main panel shows, and the part that insets may show: the window that was asked for, or the
+/// main one and the whole of the body's view.
+pub(super) fn windows(scene: &Scene<'_>, asked: Option<WindowDocument>) -> Result<[WindowDocument; 2], PlotError> {
+    let drawing = scene.atlas.drawing.as_ref();
+    let windows = match (asked.or(scene.atlas.window), drawing.map(|drawing| drawing.view)) {
+        (Some(window), _) => [window; 2],
+        (None, Some(view)) => [view.main, view.everything],
+        (None, None) => return Err(PlotError::NoDrawing),
+    };
+    let WindowDocument { h, l } = windows[0];
+    if is_proper(h) && is_proper(l) { Ok(windows) } else { Err(PlotError::EmptyWindow { h, l }) }
 }

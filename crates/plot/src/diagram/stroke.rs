@@ -1,5 +1,5 @@
 //! Line styles: solid where all eigenvalues are imaginary, dashed where unstable, dotted where an eigenvalue is zero or
-//! nothing is known; curves that coincide run side by side.
+//! nothing is known; curves that coincide are one line in the colours and dashes of each in turn.
 
 use std::collections::BTreeMap;
 
@@ -7,19 +7,19 @@ use plotters::style::RGBColor;
 
 use super::palette::{BranchStyle, is_pole};
 use super::panel::Panel;
-use super::ranges::l_range;
-use crate::page::{Canvas, FAINT_INK, POLE, Path, Pattern, Point, clip_polyline, distance, pattern};
+use super::windows::l_range;
+use crate::page::{Canvas, Dash, FAINT_INK, POLE, POLE_MINUS, Path, Point, clip_polyline};
 use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, Stability, StabilitySpan};
 
 /// Width of every curve in pixels.
 pub(super) const WIDTH: f64 = 1.5;
-/// Distance of lines that stand for curves upon each other.
-pub(super) const APART: f64 = 2.4;
+/// Length of a solid line between the dashes of others that coincide with it.
+const SOLID: f64 = 9.0;
 
 /// A stretch of a curve, or of several upon each other, each drawn in one style.
 #[derive(Clone, Debug)]
 pub(super) struct Stroke {
-    /// Index of the curve that gives the course.
+    /// Index of the curve that gives the points.
     pub curve: usize,
     /// From this l to that; the upper end may be infinite.
     pub l: [f64; 2],
@@ -32,7 +32,7 @@ pub(super) struct Stroke {
 pub(super) struct Line {
     /// Index of its curve.
     pub curve: usize,
-    pub pattern: Pattern,
+    pub pattern: Vec<Dash>,
     /// `None` for a line where a pole enters U.
     pub verdict: Option<Verdict>,
 }
@@ -64,7 +64,7 @@ pub(super) fn verdict(span: &StabilitySpan) -> Verdict {
 }
 
 /// The pattern of a curve.
-pub(super) fn curve_pattern(color: RGBColor, verdict: Verdict) -> Pattern {
+pub(super) fn curve_pattern(color: RGBColor, verdict: Verdict) -> Vec<Dash> {
     match verdict {
         Verdict::Stable => vec![(Some(color), 1.0)],
         Verdict::Open => vec![(Some(color), 1.6), (None, 2.4)],
@@ -72,12 +72,13 @@ pub(super) fn curve_pattern(color: RGBColor, verdict: Verdict) -> Pattern {
     }
 }
 
-/// The pattern of a pole line: dash and dot for P+, dash and two dots for P−.
-pub(super) fn pole_pattern(kind: CurveKind) -> Pattern {
-    let dash = [(Some(POLE), 9.0), (None, 2.5)];
-    let dot = [(Some(POLE), 1.8), (None, 2.5)];
-    let dots = if kind == CurveKind::PolePlus { 1 } else { 2 };
-    dash.into_iter().chain(std::iter::repeat_n(dot, dots).flatten()).collect()
+/// The pattern of a pole line: dash and dot for P+, long and short dashes for P−.
+pub(super) fn pole_pattern(kind: CurveKind) -> Vec<Dash> {
+    let (color, lengths) = match kind {
+        CurveKind::PolePlus => (POLE, [9.0, 1.8]),
+        _ => (POLE_MINUS, [14.0, 4.5]),
+    };
+    lengths.into_iter().flat_map(|length| [(Some(color), length), (None, 2.7)]).collect()
 }
 
 /// The sets of curves with the same (h, l), by index, each set once.
@@ -140,44 +141,31 @@ fn stroke(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>, set: &[us
     Some(Stroke { curve: lines.first()?.curve, l, lines })
 }
 
-/// The parts of a stroke in a panel, as far as a line beside it may be visible.
+/// The parts of a stroke that a panel shows.
 fn parts(panel: &Panel, stroke: &Stroke) -> Vec<Vec<Point>> {
     let points = panel.traces[stroke.curve].part(stroke.l[0], stroke.l[1]);
-    clip_polyline(&panel.view.positions(&points), &panel.view.rect.grown(stroke.lines.len() as f64 * APART))
+    clip_polyline(&panel.view.positions(&points), &panel.view.rect)
 }
 
-/// The visible parts of a line so far beside a stroke.
-fn visible(panel: &Panel, parts: &[Vec<Point>], shift: f64) -> Vec<Vec<Point>> {
-    let beside = |part: &Vec<Point>| if shift == 0.0 { part.clone() } else { shifted(part, shift) };
-    parts.iter().flat_map(|part| clip_polyline(&beside(part), &panel.view.rect)).collect()
-}
-
-/// Whether anything of a stroke is seen.
+/// True for a stroke of which a panel shows something.
 pub(super) fn is_drawn(stroke: &Stroke, panels: &[Panel]) -> bool {
-    panels.iter().any(|panel| visible(panel, &parts(panel, stroke), 0.0).iter().any(|part| part.len() > 1))
+    panels.iter().any(|panel| parts(panel, stroke).iter().any(|part| part.len() > 1))
 }
 
-/// Draws a stroke in a panel, one path for each of its lines.
+/// Draws a stroke in a panel as one line.
 pub(super) fn draw(canvas: &Canvas, panel: &Panel, stroke: &Stroke) {
-    let parts = parts(panel, stroke);
-    for (place, line) in stroke.lines.iter().enumerate() {
-        let shift = APART * (place as f64 - (stroke.lines.len() - 1) as f64 / 2.0);
-        let mut path = Path::default();
-        for part in visible(panel, &parts, shift) {
-            path.line(&part, false);
-        }
-        pattern::draw_path(canvas, &path, &line.pattern, WIDTH);
+    let mut path = Path::default();
+    for part in parts(panel, stroke) {
+        path.line(&part, false);
     }
+    canvas.draw_dashed(&path, &in_turn(&stroke.lines), WIDTH);
 }
 
-/// A line beside a line.
-fn shifted(points: &[Point], by: f64) -> Vec<Point> {
-    let last = points.len().saturating_sub(1);
-    let place = |index: usize| {
-        let (before, after) = (points[index.saturating_sub(1)], points[(index + 1).min(last)]);
-        let length = distance(before, after).max(1e-9);
-        let [x, y] = [(after[0] - before[0]) / length, (after[1] - before[1]) / length];
-        [points[index][0] - by * y, points[index][1] + by * x]
+/// The patterns of lines in turn.
+pub(super) fn in_turn(lines: &[Line]) -> Vec<Dash> {
+    let own = |line: &Line| match line.pattern[..] {
+        [(color, _)] if lines.len() > 1 => vec![(color, SOLID)],
+        _ => line.pattern.clone(),
     };
-    (0..points.len()).map(place).collect()
+    lines.iter().flat_map(own).collect()
 }

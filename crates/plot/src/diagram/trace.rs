@@ -1,7 +1,7 @@
 //! The curves of one window as polylines, dense enough for its magnification.
 
-use super::ranges::{common, l_range};
 use super::scene::Scene;
+use super::windows::{common, l_range};
 use crate::page::PlotError;
 use bifdiag_schema::{CurveDocument, TailDocument};
 

@@ -1,15 +1,16 @@
 //! The drawing.
 
 use super::colors::{fill, line as line_color};
-use super::legend::{BORDER, LINE, Legend, Places, line_pattern};
-use super::marks::{Marked, RING, marked, note_box};
-use super::model::{Map, MapBodies, MapLine, MapNote};
-use super::view::{SIZE, SMALL, View};
+use super::legend::{BORDER, LINE, MapLegend, Places, line_pattern};
+use super::marks::{Mark, Marked, RING, marked, note_box};
+use super::model::{Map, MapBodies, MapLine, MapNote, SIZE, SMALL, View};
 use std::collections::BTreeSet;
+
+use plotters::style::RGBColor;
 
 use crate::page::{
     Anchor, Axis, Canvas, FAINT_INK, HEIGHT, INK, Ink, PAPER, Path, Picture, PlotError, Point, Rect, Theme, Width,
-    draw_axes, is_proper, lines, pattern, render, text_width, ticks,
+    draw_axes, is_proper, lines, render, text_width, ticks, widest,
 };
 
 /// The side of a map on a page.
@@ -45,11 +46,11 @@ pub fn draw_map(map: &Map, theme: Theme, width: Width) -> Result<Picture, PlotEr
     let room = if width == Width::Page { [paper - beside - EDGE, side] } else { [0.0; 2] };
     let below = rect.bottom() + BELOW;
     let places = Places { beside: room, below: [paper - 2.0 * EDGE, HEIGHT - below - EDGE] };
-    let legend = Legend::new(map, &view, &marked.marks, places);
+    let legend = MapLegend::new(map, &view, &marked.marks, places);
     let needed = (beside + legend.width_beside()).max(LEFT + heading.width) + EDGE;
     let width = if legend.height_below() > 0.0 { paper } else { needed.min(paper) };
     let height = below + legend.height_below() + EDGE;
-    render([width.ceil(), height.ceil()], map.title.as_str(), theme, |canvas| {
+    render([width, height.ceil()], map.title.as_str(), theme, |canvas| {
         heading.draw(canvas);
         bodies(canvas, map, &view);
         for line in &map.lines {
@@ -73,7 +74,6 @@ impl Heading {
     fn new(map: &Map, room: f64) -> Self {
         let [title, subtitle] =
             [(&map.title, TITLE_SIZE), (&map.subtitle, SIZE)].map(|(text, size)| lines(text, size, room));
-        let widest = |texts: &[String], size| texts.iter().map(|text| text_width(text, size)).fold(0.0, f64::max);
         let width = widest(&title, TITLE_SIZE).max(widest(&subtitle, SIZE));
         let more = |texts: &[String], line| (texts.len().max(1) - 1) as f64 * line;
         let height = TITLE + SUBTITLE + MAP + more(&title, TITLE_LINE) + more(&subtitle, SUBTITLE_LINE);
@@ -126,14 +126,14 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
                     Some(entry) => (format!("area-{}", entry.mark), format!("{} {}", entry.name, entry.note)),
                     None => ("area-unknown".to_owned(), map.unknown.clone()),
                 };
-                path.titled(canvas, &format!("id=\"{id}\" {}", canvas.fill(fill(map, entry))), &title);
+                canvas.draw_titled(&path, &format!("id=\"{id}\" {}", canvas.fill(fill(map, entry))), &title);
             }
             let mut path = Path::default();
             for border in borders {
                 path.line(&border.map(|end| view.at(end)), false);
             }
             let ink = canvas.stroke(Ink { color: INK, width: BORDER });
-            path.draw(canvas, &format!("id=\"borders\" stroke-linecap=\"round\" {ink}"));
+            canvas.draw(&path, &format!("id=\"borders\" stroke-linecap=\"round\" {ink}"));
         }
         MapBodies::Points(points) => {
             let radius = (0.4 * view.rect.width / (points.len().max(1) as f64).sqrt()).clamp(0.8, 6.0);
@@ -148,34 +148,34 @@ fn bodies(canvas: &Canvas, map: &Map, view: &View) {
 fn draw_line(canvas: &Canvas, line: &MapLine, view: &View) {
     let points: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
     for run in points.split(|point| view.rect.nearest(*point) != *point) {
-        pattern::draw(canvas, run, &line_pattern(line.dashed, line_color(line.hue)), LINE);
+        canvas.dashed(run, &line_pattern(line.dashed, line_color(line.hue)), LINE);
     }
 }
 
 /// The names of lines, the marks of the entries, and the notes.
 fn draw_marks(canvas: &Canvas, map: &Map, view: &View, Marked { marks, names }: &Marked) {
     for name in names {
-        let line = &map.lines[name.line];
-        let color = line_color(line.hue);
-        canvas.path(&name.leader, Ink { color, width: 0.7 });
-        canvas.disc(name.leader[0], 1.5, color);
-        canvas.polygon(&name.rect.corners(), PAPER);
-        let [x, y] = name.rect.center();
-        canvas.text(&line.name, [x, y + 0.36 * SMALL], SMALL, color, Anchor::Middle);
+        let line = &map.lines[name.of];
+        draw_text(canvas, &line.name, name, line_color(line.hue));
     }
     for mark in marks {
-        if let Some([tip, end]) = mark.leader {
-            canvas.path(&[tip, end], Ink { color: INK, width: 0.7 });
-            canvas.disc(tip, 1.5, INK);
-            canvas.polygon(&mark.rect.corners(), PAPER);
-            canvas.outline(&mark.rect.corners(), Ink { color: FAINT_INK, width: 0.5 });
-        }
-        let (size, [x, y]) = (mark.size, mark.rect.center());
-        canvas.text(&map.entries[mark.entry].mark, [x, y + 0.36 * size], size, INK, Anchor::Middle);
+        draw_text(canvas, &map.entries[mark.of].mark, mark, INK);
     }
     for note in &map.notes {
         draw_note(canvas, note, view);
     }
+}
+
+/// A mark or a name; one with a leader has a box.
+fn draw_text(canvas: &Canvas, text: &str, mark: &Mark, color: RGBColor) {
+    if let Some([tip, end]) = mark.leader {
+        canvas.path(&[tip, end], Ink { color, width: 0.7 });
+        canvas.disc(tip, 1.5, color);
+        canvas.polygon(&mark.rect.corners(), PAPER);
+        canvas.outline(&mark.rect.corners(), Ink { color: FAINT_INK, width: 0.5 });
+    }
+    let [x, y] = mark.rect.center();
+    canvas.text(text, [x, y + 0.36 * mark.size], mark.size, color, Anchor::Middle);
 }
 
 fn draw_note(canvas: &Canvas, note: &MapNote, view: &View) {

@@ -1,38 +1,43 @@
-//! Where the marks of entries stand: in each patch that has room, and for an entry without one beside its widest patch, with
-//! a leader.
+//! Where the names of lines and the marks of entries stand: a name beside its line, a mark in each patch that has room, and
+//! for an entry without one beside what shows it, with a leader.
 
-use super::free::{CLEAR, beside};
-use super::model::{Map, MapBodies, MapLine, MapNote};
-use super::names::{Name, named};
-use super::places::{inside, patches, thinned, widest};
-use super::view::{SIZE, SMALL, View};
-use crate::page::{Point, Rect, Taken, between, distance, text_width};
+use super::model::{Map, MapBodies, MapLine, MapNote, SIZE, SMALL, View};
+use crate::page::{Areas, Labelled, NOTHING, Point, Rect, Sums, Taken, all_over, between, distance, pixel, text_width};
 
-/// A mark inside needs so many pixels of room on each side.
+/// Room of a mark inside of its patch, above and below its middle.
 const ROOM: f64 = 6.5;
-/// Pixels of a cell by which areas are looked at.
-const FINE: f64 = 1.0;
-/// Where an area is narrower than two times this and a cell, its two sides have a mark each.
-const NECK: usize = 2;
+/// Where an area is narrower than two times this, in pixels, its two sides have a mark each.
+const NECK: f64 = 2.0;
 /// Radius of the ring of a note.
 pub(super) const RING: f64 = 4.5;
-/// Font size of a mark with a leader.
-const LED: f64 = SMALL;
+/// Free pixels round names and marks.
+const CLEAR: f64 = 2.0;
+/// Lengths of leaders, and the steps of the places that are tried for their texts.
+const LEADER: [f64; 2] = [9.0, 260.0];
+const STEP: f64 = 5.0;
+/// What it costs a name to stand upon a line.
+const UPON_LINE: f64 = 1000.0;
+/// Lines are looked at in parts of so many pixels.
+const PART: f64 = 4.0;
+/// The most points of a line from which a leader is tried.
+const TIPS: usize = 48;
 
-/// A mark with its place.
+/// A text with its place.
 pub(super) struct Mark {
-    pub entry: usize,
+    /// The number of its line or entry.
+    pub of: usize,
     pub size: f64,
     pub rect: Rect,
-    /// From the patch to the mark.
+    /// From what it names to the text.
     pub leader: Option<[Point; 2]>,
 }
 
 /// What stands in a map beside its notes.
-#[derive(Default)]
 pub(super) struct Marked {
+    /// Marks of entries.
     pub marks: Vec<Mark>,
-    pub names: Vec<Name>,
+    /// Names of lines.
+    pub names: Vec<Mark>,
 }
 
 /// The names of lines and the marks of entries; no marks for bodies that are points.
@@ -40,93 +45,185 @@ pub(super) fn marked(map: &Map, view: &View) -> Marked {
     let notes: Vec<Rect> = map.notes.iter().map(|note| note_box(note, view)).collect();
     let mut taken = Taken::default();
     for rect in &notes {
-        taken.take_box(rect.grown(CLEAR));
+        taken.take_box(*rect);
     }
-    let mut leaders = Vec::new();
-    let names = named(map, view, &mut taken, &mut leaders);
+    let names = names(map, view, &mut taken);
     let boxes: Vec<Rect> = names.iter().map(|name| name.rect).chain(notes).collect();
-    Marked { marks: marks(map, view, &boxes, taken, leaders), names }
+    Marked { marks: marks(map, view, &boxes, &mut taken), names }
+}
+
+/// The names of all lines that have one and are seen; takes their places.
+fn names(map: &Map, view: &View, taken: &mut Taken) -> Vec<Mark> {
+    if map.lines.iter().all(|line| line.name.is_empty()) {
+        return Vec::new();
+    }
+    let parts: Vec<Vec<Point>> = map.lines.iter().map(|line| parts(line, view)).collect();
+    let mut drawn = Taken::default();
+    for ends in parts.iter().flat_map(|points| points.windows(2)) {
+        drawn.take_line([ends[0], ends[1]]);
+    }
+    let mut names = Vec::new();
+    for (of, points) in parts.iter().enumerate().filter(|(line, _)| !map.lines[*line].name.is_empty()) {
+        let size = [text_width(&map.lines[of].name, SMALL) + 4.0, SMALL + 4.0];
+        let seen: Vec<Point> = points.iter().copied().filter(|point| view.rect.contains(*point)).collect();
+        let tips: Vec<Point> = seen.iter().copied().step_by(seen.len().div_ceil(TIPS).max(1)).collect();
+        let cost = |rect: &Rect| if drawn.admits_box(&rect.grown(CLEAR)) { 0.0 } else { UPON_LINE };
+        names.extend(beside(of, size, &tips, view, taken, cost));
+    }
+    names
+}
+
+/// The nearest free place with a leader from one of the tips; `cost` is what speaks against a place.
+fn beside(
+    of: usize,
+    size: [f64; 2],
+    tips: &[Point],
+    view: &View,
+    taken: &mut Taken,
+    cost: impl Fn(&Rect) -> f64,
+) -> Option<Mark> {
+    let labelled = Labelled { tips, lengths: LEADER, clearance: CLEAR };
+    let places = all_over(view.rect.grown(-2.0), size, STEP).map(|rect| (cost(&rect), rect));
+    let (rect, leader) = taken.place_with_leader(&labelled, places, |_| 0.0)?;
+    Some(Mark { of, size: SMALL, rect, leader: Some(leader) })
+}
+
+/// The points of a line on the page, so far apart.
+fn parts(line: &MapLine, view: &View) -> Vec<Point> {
+    let mut points: Vec<Point> = Vec::new();
+    let all: Vec<Point> = line.points.iter().map(|point| view.at(*point)).collect();
+    for (place, point) in all.iter().enumerate() {
+        if place + 1 == all.len() || points.last().is_none_or(|last| distance(*last, *point) >= PART) {
+            points.push(*point);
+        }
+    }
+    points
 }
 
 /// The marks of entries where nothing is taken; upon texts in `boxes` none has room.
-fn marks(map: &Map, view: &View, boxes: &[Rect], mut taken: Taken, mut leaders: Vec<[Point; 2]>) -> Vec<Mark> {
-    let (columns, cells, neck) = match &map.bodies {
-        MapBodies::Grid { columns, entries } => (*columns, entries.clone(), 0),
-        MapBodies::Areas { pieces, .. } => {
-            let (columns, mut cells) = raster(pieces, view);
-            let borders = map.lines.iter().filter(|line| is_border(line));
-            cut(borders.map(|line| &line.points[..]), columns, &mut cells, view);
-            (columns, cells, NECK)
-        }
-        MapBodies::Points(_) => return Vec::new(),
-    };
-    let rows = (cells.len() / columns.max(1)).max(1);
-    let (wide, high) = (view.rect.width / columns as f64, view.rect.height / rows as f64);
-    let (mut patch, shown) = patches(columns, &thinned(columns, &cells, neck));
-    let count = shown.len();
+fn marks(map: &Map, view: &View, boxes: &[Rect], taken: &mut Taken) -> Vec<Mark> {
+    if let MapBodies::Points(_) = &map.bodies {
+        return Vec::new();
+    }
+    let [borders, all] = lines(map, view);
+    let shown = Areas::new(&view.rect, |size, of| {
+        fill(&map.bodies, view, size, of);
+        cut(&borders, view, size, of);
+    });
+    let (patch_of, entries) = patches(&shown);
     // Places with room are looked for beside lines and boxes, whatever they divide.
-    if let MapBodies::Areas { borders, .. } = &map.bodies {
-        cut(map.lines.iter().map(|line| &line.points[..]), columns, &mut patch, view);
-        cut(borders.iter().map(|ends| &ends[..]), columns, &mut patch, view);
-    }
-    let cells_of = |rect: &Rect| {
-        let from_below = [rect.bottom(), rect.y].map(|y| (view.rect.bottom() - y) / high);
-        let from_left = [rect.x, rect.right()].map(|x| (x - view.rect.x) / wide);
-        [(from_below, rows), (from_left, columns)].map(|([from, to], count)| cell_range(from - 1.0, to + 1.0, count))
-    };
-    for [rows, across] in boxes.iter().map(cells_of) {
-        for row in rows {
-            patch[row * columns..][across.clone()].fill(None);
+    let patches = Areas::new(&view.rect, |size, of| {
+        of.copy_from_slice(&patch_of);
+        cut(&all, view, size, of);
+        for [columns, rows] in boxes.iter().map(|rect| shown.span(rect)) {
+            rows.for_each(|row| of[row * size[0]..][columns.clone()].fill(NOTHING));
         }
-    }
+    });
     let mut marks: Vec<Mark> = Vec::new();
-    let on_page = |(column, row): (f64, f64)| [view.rect.x + column * wide, view.rect.bottom() - row * high];
-    for (entry, place) in shown.into_iter().zip(widest(columns, &patch, count)) {
-        let (Some(shown), Some((column, row, half))) = (map.entries.get(entry), place) else { continue };
-        let at = on_page((column, row));
-        let room = [0.5 * text_width(&shown.mark, SIZE) + 1.0, ROOM];
-        let rect = Rect { x: at[0] - room[0], y: at[1] - room[1], width: 2.0 * room[0], height: 2.0 * room[1] };
-        if half * wide >= room[0].max(ROOM) && half * high >= ROOM && taken.admits_box(&rect) {
-            taken.take_box(rect.grown(CLEAR));
-            marks.push(Mark { entry, size: SIZE, rect, leader: None });
+    for (patch, (&entry, depth)) in entries.iter().zip(patches.depths(entries.len())).enumerate() {
+        let size = [text_width(&map.entries[entry].mark, SIZE) + 2.0, 2.0 * ROOM];
+        if depth < ROOM - NECK {
+            continue;
+        }
+        let others = Sums::new(&patches, |at| usize::try_from(patches.of[at]) != Ok(patch));
+        if let Some(rect) = patches.inside(patch, &others, size, 0.0, taken) {
+            taken.take_box(rect);
+            marks.push(Mark { of: entry, size: SIZE, rect, leader: None });
         }
     }
     let (seen, _) = map.bodies.seen(map.entries.len(), view);
-    for (entry, tips) in inside(columns, &cells, map.entries.len()).into_iter().enumerate() {
-        if !seen[entry] || marks.iter().any(|mark| mark.entry == entry) {
-            continue;
-        }
-        let tips: Vec<Point> = tips.into_iter().map(on_page).collect();
-        let size = [text_width(&map.entries[entry].mark, LED) + 4.0, LED + 3.0];
-        if let Some((rect, leader)) = beside(&tips, size, view, &taken, &leaders) {
-            taken.take_box(rect.grown(CLEAR));
-            taken.take_line(leader);
-            leaders.push(leader);
-            marks.push(Mark { entry, size: LED, rect, leader: Some(leader) });
+    for (of, entry) in map.entries.iter().enumerate() {
+        if seen[of] && !marks.iter().any(|mark| mark.of == of) {
+            let size = [text_width(&entry.mark, SMALL) + 4.0, SMALL + 3.0];
+            marks.extend(beside(of, size, &shown.tips(of, taken), view, taken, |_| 0.0));
         }
     }
     marks
 }
 
-/// Whether a line is a border as `borders` of areas are: no patch reaches across a full black one.
-fn is_border(line: &MapLine) -> bool {
-    !line.dashed && line.hue == 0
+/// The patches of neighbouring pixels that show one entry: the patch of each pixel, and the entry of each patch. Patches that
+/// meet only in a narrow place are two.
+fn patches(shown: &Areas) -> (Vec<i32>, Vec<usize>) {
+    let mut patch = vec![NOTHING; shown.of.len()];
+    let mut entries = Vec::new();
+    for start in 0..shown.of.len() {
+        let Ok(entry) = usize::try_from(shown.of[start]) else { continue };
+        if patch[start] != NOTHING || shown.depth[start] < NECK {
+            continue;
+        }
+        let number = i32::try_from(entries.len()).unwrap_or(NOTHING);
+        patch[start] = number;
+        let mut open = vec![start];
+        while let Some(at) = open.pop() {
+            // The pixels on the edge are never deep.
+            for next in [at - 1, at + 1, at - shown.width, at + shown.width] {
+                if shown.of[next] == shown.of[start] && shown.depth[next] >= NECK && patch[next] == NOTHING {
+                    patch[next] = number;
+                    open.push(next);
+                }
+            }
+        }
+        entries.push(entry);
+    }
+    (patch, entries)
 }
 
-/// Empties the small cells on lines.
-fn cut<'a>(lines: impl Iterator<Item = &'a [[f64; 2]]>, columns: usize, cells: &mut [Option<usize>], view: &View) {
-    let rows = cells.len() / columns.max(1);
-    for line in lines {
-        let points: Vec<Point> = line.iter().map(|point| view.at(*point)).collect();
-        for ends in points.windows(2) {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
-            let steps = (2.0 * distance(ends[0], ends[1]) / FINE).ceil().max(1.0) as usize;
-            for [x, y] in (0..=steps).map(|k| between(ends[0], ends[1], k as f64 / steps as f64)) {
-                // So thick that no two cells on different sides touch.
-                let near = |at: f64, count: usize| cell_range(at / FINE - 1.5, at / FINE + 1.5, count);
-                for row in near(view.rect.bottom() - y, rows) {
-                    for column in near(x - view.rect.x, columns) {
-                        cells[row * columns + column] = None;
+/// Lines on the page: the full black ones, which are borders as those of areas are, so that no patch reaches across them; and
+/// all, with the borders of areas.
+fn lines(map: &Map, view: &View) -> [Vec<Vec<Point>>; 2] {
+    let on_page = |points: &[[f64; 2]]| points.iter().map(|point| view.at(*point)).collect::<Vec<Point>>();
+    let is_border = |line: &&MapLine| !line.dashed && line.hue == 0;
+    let of_areas = match &map.bodies {
+        MapBodies::Areas { borders, .. } => &borders[..],
+        MapBodies::Grid { .. } | MapBodies::Points(_) => &[],
+    };
+    let drawn = map.lines.iter().map(|line| on_page(&line.points));
+    [
+        map.lines.iter().filter(is_border).map(|line| on_page(&line.points)).collect(),
+        drawn.chain(of_areas.iter().map(|ends| on_page(ends))).collect(),
+    ]
+}
+
+/// Empties the pixels on lines, and beside them, so that no two on different sides touch.
+fn cut(lines: &[Vec<Point>], view: &View, [width, height]: [usize; 2], of: &mut [i32]) {
+    for ends in lines.iter().flat_map(|line| line.windows(2)) {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
+        let steps = (2.0 * distance(ends[0], ends[1])).ceil().max(1.0) as usize;
+        for [x, y] in (0..=steps).map(|k| between(ends[0], ends[1], k as f64 / steps as f64)) {
+            let near = |at: f64, count: usize| pixel(at - 1.0, count)..pixel(at + 2.0, count);
+            for row in near(y - view.rect.y, height) {
+                of[row * width..][near(x - view.rect.x, width)].fill(NOTHING);
+            }
+        }
+    }
+}
+
+/// What bodies show in each pixel.
+fn fill(bodies: &MapBodies, view: &View, [width, height]: [usize; 2], of: &mut [i32]) {
+    let code = |entry: Option<usize>| entry.and_then(|entry| i32::try_from(entry).ok()).unwrap_or(NOTHING);
+    match bodies {
+        MapBodies::Points(_) => {}
+        MapBodies::Grid { columns, entries } => {
+            let rows = entries.len() / (*columns).max(1);
+            for (at, pixel) in of.iter_mut().enumerate() {
+                let (row, column) = ((height - 1 - at / width) * rows / height, at % width * columns / width);
+                *pixel = code(entries[row * columns + column]);
+            }
+        }
+        MapBodies::Areas { pieces, .. } => {
+            for (entry, corners) in pieces {
+                let corners: Vec<Point> = corners.iter().map(|corner| view.at(*corner)).collect();
+                let heights = corners.iter().map(|corner| corner[1] - view.rect.y);
+                let (top, bottom) = heights.fold((f64::INFINITY, 0.0_f64), |(top, low), y| (top.min(y), low.max(y)));
+                for row in middles(top, bottom, height) {
+                    let y = view.rect.y + row as f64 + 0.5;
+                    let next = corners.iter().cycle().skip(1);
+                    let crossed = corners.iter().zip(next).filter(|(p, q)| (p[1] > y) != (q[1] > y));
+                    let mut ends: Vec<f64> =
+                        crossed.map(|(p, q)| p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0]) - view.rect.x).collect();
+                    ends.sort_by(f64::total_cmp);
+                    for pair in ends.chunks_exact(2) {
+                        of[row * width..][middles(pair[0], pair[1], width)].fill(code(*entry));
                     }
                 }
             }
@@ -134,38 +231,9 @@ fn cut<'a>(lines: impl Iterator<Item = &'a [[f64; 2]]>, columns: usize, cells: &
     }
 }
 
-/// What areas show in small cells, row by row from below.
-fn raster(pieces: &[(Option<usize>, Vec<[f64; 2]>)], view: &View) -> (usize, Vec<Option<usize>>) {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundreds of pixels")]
-    let [columns, rows] = [view.rect.width, view.rect.height].map(|length| (length / FINE) as usize);
-    let mut cells = vec![None; columns * rows];
-    for (entry, corners) in pieces {
-        let corners: Vec<Point> = corners.iter().map(|corner| view.at(*corner)).collect();
-        let heights = corners.iter().map(|corner| (view.rect.bottom() - corner[1]) / FINE);
-        let (least, most) = heights.fold((f64::INFINITY, 0.0_f64), |(least, most), y| (least.min(y), most.max(y)));
-        for row in cell_range(least, most, rows) {
-            let y = view.rect.bottom() - (row as f64 + 0.5) * FINE;
-            let next = corners.iter().cycle().skip(1);
-            let crossed = corners.iter().zip(next).filter(|(p, q)| (p[1] > y) != (q[1] > y));
-            let mut ends: Vec<f64> = crossed
-                .map(|(p, q)| (p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0]) - view.rect.x) / FINE)
-                .collect();
-            ends.sort_by(f64::total_cmp);
-            for pair in ends.chunks_exact(2) {
-                for column in cell_range(pair[0], pair[1], columns) {
-                    cells[row * columns + column] = *entry;
-                }
-            }
-        }
-    }
-    (columns, cells)
-}
-
-/// The cells whose middles lie between two places.
-fn cell_range(from: f64, to: f64, count: usize) -> std::ops::Range<usize> {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the cells")]
-    let [from, to] = [from, to].map(|at| (at + 0.5).floor().clamp(0.0, count as f64) as usize);
-    from..to
+/// The pixels whose middles lie between two positions.
+fn middles(from: f64, to: f64, count: usize) -> std::ops::Range<usize> {
+    pixel((from + 0.5).floor(), count)..pixel((to + 0.5).floor(), count)
 }
 
 /// The box of a note's text.
@@ -256,7 +324,7 @@ mod tests {
         let view = view();
         let marks = marked(&map, &view).marks;
         for entry in 0..12 {
-            let own: Vec<&Mark> = marks.iter().filter(|mark| mark.entry == entry).collect();
+            let own: Vec<&Mark> = marks.iter().filter(|mark| mark.of == entry).collect();
             assert_eq!(own.len(), 1, "entry {entry}");
             let tip = own[0].leader.map_or(own[0].rect.center(), |leader| leader[0]);
             let inside = if entry < 2 { None } else { Some([500.0 * strip(entry - 2), 500.0 * strip(entry - 1)]) };
@@ -267,7 +335,62 @@ mod tests {
             for other in &marks[..place] {
                 let [a, b] = [one.rect, other.rect];
                 let apart = a.right() <= b.x || b.right() <= a.x || a.bottom() <= b.y || b.bottom() <= a.y;
-                assert!(apart, "{} and {}", one.entry, other.entry);
+                assert!(apart, "{} and {}", one.of, other.of);
+            }
+        }
+    }
+
+    #[test]
+    fn patches_that_meet_in_a_narrow_place_fall_apart() {
+        // Two squares of entry 0 that meet in four pixels, and two of entry 1.
+        let rect = Rect { x: 0.0, y: 0.0, width: 60.0, height: 60.0 };
+        let shown = Areas::new(&rect, |[width, _], of| {
+            for (at, pixel) in of.iter_mut().enumerate() {
+                let (x, y) = (at % width, at / width);
+                *pixel = i32::from(if x < 30 { y > 31 } else { y < 28 });
+            }
+        });
+        let (patch, entries) = patches(&shown);
+        assert_eq!(entries, [0, 1, 0, 1]);
+        let at = |x: usize, y: usize| patch[y * 60 + x];
+        assert_eq!([at(10, 10), at(50, 10), at(50, 50), at(10, 50)], [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn a_name_stands_beside_its_line_and_upon_none() {
+        let axis = || MapAxis { name: String::new(), range: [0.0, 1.0] };
+        let slope = |shift: f64| (0..=100).map(|k| 0.01 * f64::from(k)).map(|x| [x, 0.6 * x + shift]).collect();
+        let line =
+            |shift: f64, name: &str| MapLine { points: slope(shift), name: name.to_owned(), ..MapLine::default() };
+        let map = Map {
+            title: String::new(),
+            subtitle: String::new(),
+            x: axis(),
+            y: axis(),
+            entries: Vec::new(),
+            ordered: false,
+            unknown: String::new(),
+            bodies: MapBodies::Points(Vec::new()),
+            // Between the first three there is no room for a name.
+            lines: vec![line(0.1, "the lowest"), line(0.12, "between"), line(0.14, "the highest"), line(3.0, "unseen")],
+            notes: Vec::new(),
+        };
+        let view = View { x: [0.0, 1.0], y: [0.0, 1.0], rect: Rect { x: 0.0, y: 0.0, width: 500.0, height: 500.0 } };
+        let names = names(&map, &view, &mut Taken::default());
+        assert_eq!(names.iter().map(|name| name.of).collect::<Vec<_>>(), [0, 1, 2]);
+        let mut lines = Taken::default();
+        for shift in [0.1, 0.12, 0.14] {
+            lines.take_line([view.at([0.0, shift]), view.at([1.0, 0.6 + shift])]);
+        }
+        for (place, name) in names.iter().enumerate() {
+            assert!(lines.admits_box(&name.rect) && view.rect.contains(name.rect.center()));
+            let [x, y] = name.leader.unwrap()[0];
+            let line = view.at([x / 500.0, 0.6 * x / 500.0 + [0.1, 0.12, 0.14][name.of]]);
+            assert!((line[1] - y).abs() < 1e-9, "the leader begins on its line");
+            for other in &names[..place] {
+                let mut taken = Taken::default();
+                taken.take_box(other.rect);
+                assert!(taken.admits_box(&name.rect));
             }
         }
     }

@@ -2,14 +2,10 @@
 
 mod colors;
 mod draw;
-mod free;
 mod legend;
 mod marks;
 mod model;
-mod names;
-mod places;
 mod spots;
-mod view;
 
 pub use draw::draw_map;
 pub use model::{Map, MapAxis, MapBodies, MapEntry, MapLine, MapNote};

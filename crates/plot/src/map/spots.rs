@@ -1,7 +1,6 @@
 //! Where an entry lies that the map has no room to mark.
 
-use super::model::MapBodies;
-use super::view::View;
+use super::model::{MapBodies, View};
 use crate::page::{Point, short_number};
 
 /// The place of a body, and in both parameters how far from it another entry may lie.

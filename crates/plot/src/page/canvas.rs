@@ -1,32 +1,24 @@
-//! What pictures are drawn on: a thin layer over plotters' SVG backend with coordinates in tenths of a pixel, and elements
-//! of SVG beside what plotters draws.
-//!
-//! plotters rounds every coordinate to an integer; drawing on a canvas ten times too large and scaling it down with a
-//! `viewBox` leaves a tenth of a pixel. plotters knows no groups, titles, dashes and images; these are elements of their
-//! own between what it draws.
+//! The SVG under construction: shapes and texts in pixels, written in tenths of a pixel as whole numbers. What plotters
+//! draws, the axes of charts, comes through the same canvas, which is a backend of plotters.
 
 use std::cell::RefCell;
+use std::convert::Infallible;
 
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea};
-use plotters::element::{Circle, PathElement, Polygon};
-use plotters::prelude::{RGBColor, SVGBackend};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, IntoFont, ShapeStyle};
+use plotters::style::text_anchor::{HPos, VPos};
+use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TextStyle};
+use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
 
+use super::color::{Ink, PAPER, Theme};
 use super::error::PlotError;
-use super::font;
-use super::geometry::{Point, UNITS, length_units, to_units};
-use super::ink::{Ink, PAPER};
+use super::geometry::{Point, UNITS, length_units, to_pixels, to_units};
+use super::path::{Dash, Path, colors, intervals};
 use super::picture::{Heading, Picture, escaped};
-use super::stripes::Stripes;
-use super::theme::Theme;
+use super::text::{self, FAMILY};
 
-/// A drawing area of plotters in canvas units.
-pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// What goes wrong in plotters.
-pub(crate) type Outcome = Result<(), DrawingAreaErrorKind<std::io::Error>>;
+/// Width of a stripe in pixels.
+const STRIPE: f64 = 5.0;
 
 /// Which point of a text is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,38 +31,36 @@ pub enum Anchor {
     End,
 }
 
-/// Where a picture is drawn; all positions and sizes in pixels. The first failure is kept for the end, so that what draws
-/// need not look for it.
+/// Where a picture is drawn; all positions and sizes in pixels. The first failure is kept for the end, so that drawing code
+/// need not handle it.
 pub struct Canvas {
     size: [f64; 2],
     theme: Theme,
     body: RefCell<String>,
-    /// Patterns that areas refer to.
-    stripes: RefCell<Vec<Stripes>>,
+    /// Patterns that areas refer to, by their colours.
+    stripes: RefCell<Vec<Vec<RGBColor>>>,
     outcome: RefCell<Result<(), PlotError>>,
 }
 
 /// Draws a picture of `size` pixels on the theme's paper.
 ///
 /// # Errors
-/// The first failure of the drawing library.
+/// The first failure while drawing.
 pub fn render(
     size: [f64; 2],
     heading: impl Into<Heading>,
     theme: Theme,
     paint: impl FnOnce(&Canvas),
 ) -> Result<Picture, PlotError> {
-    let outcome = RefCell::new(font::register());
+    let outcome = RefCell::new(text::register());
     let canvas = Canvas { size, theme, body: RefCell::default(), stripes: RefCell::default(), outcome };
     canvas.element(&format!("<rect width=\"100%\" height=\"100%\" {}/>", canvas.fill(PAPER)));
     paint(&canvas);
     canvas.outcome.replace(Ok(()))?;
-    let mut elements = String::new();
-    for (number, stripes) in canvas.stripes.borrow().iter().enumerate() {
-        elements.push_str(&stripes.definition(number, |color| canvas.ground(color)));
-    }
-    elements.push_str(&canvas.body.borrow());
-    Ok(Picture::from_canvas(&elements, size, &heading.into()))
+    let patterns = canvas.stripes.borrow();
+    let patterns = patterns.iter().enumerate().map(|(number, colors)| canvas.pattern(number, colors));
+    let elements: String = patterns.chain([canvas.body.take()]).collect();
+    Ok(Picture::new(&elements, size, &heading.into()))
 }
 
 /// A colour as SVG writes it.
@@ -78,30 +68,13 @@ fn hex(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
-/// A position in canvas units.
-fn position(point: &Point) -> (i32, i32) {
-    (to_units(point[0]), to_units(point[1]))
-}
-
-fn positions(points: &[Point]) -> Vec<(i32, i32)> {
-    let mut positions: Vec<(i32, i32)> = points.iter().map(position).collect();
-    positions.dedup();
-    positions
-}
-
 impl Canvas {
     /// Draws with plotters.
-    pub fn plotters(&self, draw: impl FnOnce(&Area<'_>) -> Outcome) {
-        let mut document = String::new();
-        let outcome = {
-            let units = (length_units(self.size[0]), length_units(self.size[1]));
-            let area = SVGBackend::with_string(&mut document, units).into_drawing_area();
-            draw(&area).and_then(|()| area.present())
-        };
-        self.keep(outcome.map_err(PlotError::from));
-        // Between the tags of plotters' document stand its elements.
-        let inner = document.split_once('>').map_or("", |(_, inner)| inner).trim_start();
-        self.body.borrow_mut().push_str(inner.strip_suffix("</svg>\n").unwrap_or(inner));
+    pub(crate) fn plotters(
+        &self,
+        draw: impl FnOnce(&DrawingArea<&Self, Shift>) -> Result<(), DrawingAreaErrorKind<Infallible>>,
+    ) {
+        self.keep(draw(&self.into_drawing_area()).map_err(PlotError::from));
     }
 
     /// Keeps the first failure.
@@ -119,7 +92,7 @@ impl Canvas {
         body.push('\n');
     }
 
-    /// Draws a group with an id of its own in the picture, and what is told when one points at it.
+    /// Draws a group with an id of its own in the picture, and a tooltip unless `title` is empty.
     pub fn group(&self, id: &str, title: &str, paint: impl FnOnce()) {
         let title = if title.is_empty() { String::new() } else { format!("<title>{}</title>", escaped(title)) };
         self.element(&format!("<g id=\"{}\">{title}", escaped(id)));
@@ -127,7 +100,7 @@ impl Canvas {
         self.element("</g>");
     }
 
-    /// A colour as the theme shows it.
+    /// The colour of a line or a text as the theme shows it.
     pub fn color(&self, color: RGBColor) -> RGBColor {
         self.theme.color(color)
     }
@@ -137,6 +110,36 @@ impl Canvas {
         format!("fill=\"{}\"", self.ground(color))
     }
 
+    /// The attributes of an area in stripes of several colours; of one colour, without stripes.
+    pub(crate) fn fill_striped(&self, colors: &[RGBColor]) -> String {
+        if let [color] = colors {
+            return self.fill(*color);
+        }
+        let mut known = self.stripes.borrow_mut();
+        let number = known.iter().position(|other| other == colors).unwrap_or_else(|| {
+            known.push(colors.to_vec());
+            known.len() - 1
+        });
+        format!("fill=\"url(#stripes-{number})\"")
+    }
+
+    /// The pattern of a striped area as an SVG element.
+    fn pattern(&self, number: usize, colors: &[RGBColor]) -> String {
+        let width = STRIPE * UNITS;
+        let period = width * colors.len() as f64;
+        let stripe = |(place, color): (usize, &RGBColor)| {
+            let (x, fill) = (width * place as f64, self.fill(*color));
+            // A little over the edge, so that no seam shows.
+            format!("<rect x=\"{x}\" width=\"{}\" height=\"{period}\" {fill}/>", width + 2.0)
+        };
+        let ground = format!("<rect width=\"{period}\" height=\"{period}\" {}/>", self.fill(colors[0]));
+        let stripes: String = colors.iter().enumerate().map(stripe).collect();
+        format!(
+            "<defs><pattern id=\"stripes-{number}\" width=\"{period}\" height=\"{period}\" \
+             patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(-45)\">{ground}{stripes}</pattern></defs>\n"
+        )
+    }
+
     /// The colour of an area as SVG writes it.
     pub fn ground(&self, color: RGBColor) -> String {
         hex(self.theme.ground(color))
@@ -144,93 +147,193 @@ impl Canvas {
 
     /// The attributes of a line.
     pub fn stroke(&self, ink: Ink) -> String {
-        let width = (ink.width * UNITS).round();
+        let width = length_units(ink.width);
         format!("fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\"", hex(self.color(ink.color)))
-    }
-
-    /// The attributes of a striped area.
-    pub(crate) fn stripes(&self, stripes: &Stripes) -> String {
-        let mut known = self.stripes.borrow_mut();
-        let number = known.iter().position(|other| other == stripes).unwrap_or_else(|| {
-            known.push(stripes.clone());
-            known.len() - 1
-        });
-        Stripes::fill(number)
     }
 
     /// An open polyline.
     pub fn path(&self, points: &[Point], ink: Ink) {
-        let positions = positions(points);
-        if positions.len() > 1 {
-            self.plotters(|area| area.draw(&PathElement::new(positions, self.style(ink))));
-        }
-    }
-
-    /// A filled polygon in the colour of a line.
-    pub fn polygon(&self, points: &[Point], color: RGBColor) {
-        self.filled(points, self.color(color));
-    }
-
-    /// A filled polygon in the colour of an area.
-    pub fn patch(&self, points: &[Point], color: RGBColor) {
-        self.filled(points, self.theme.ground(color));
-    }
-
-    fn filled(&self, points: &[Point], color: RGBColor) {
-        let positions = positions(points);
-        if positions.len() > 2 {
-            self.plotters(|area| area.draw(&Polygon::new(positions, color.filled())));
-        }
+        self.polyline(points, false, &self.stroke(ink));
     }
 
     /// A closed outline.
     pub fn outline(&self, points: &[Point], ink: Ink) {
-        let mut closed = points.to_vec();
-        closed.extend(points.first());
-        self.path(&closed, ink);
+        self.polyline(points, true, &self.stroke(ink));
+    }
+
+    /// A filled polygon in the colour of a line.
+    pub fn polygon(&self, points: &[Point], color: RGBColor) {
+        self.polyline(points, true, &format!("fill=\"{}\"", hex(self.color(color))));
+    }
+
+    /// A filled polygon in the colour of an area.
+    pub fn patch(&self, points: &[Point], color: RGBColor) {
+        self.polyline(points, true, &self.fill(color));
+    }
+
+    /// A path with these attributes, unless it is empty.
+    pub(crate) fn draw(&self, path: &Path, attributes: &str) {
+        if !path.data().is_empty() {
+            self.element(&format!("<path d=\"{}\" {attributes}/>", path.data()));
+        }
+    }
+
+    /// A path with these attributes and a tooltip.
+    pub(crate) fn draw_titled(&self, path: &Path, attributes: &str, title: &str) {
+        if !path.data().is_empty() {
+            let (data, title) = (path.data(), escaped(title));
+            self.element(&format!("<path d=\"{data}\" {attributes}><title>{title}</title></path>"));
+        }
+    }
+
+    /// A polyline in a pattern of dashes.
+    pub(crate) fn dashed(&self, points: &[Point], pattern: &[Dash], width: f64) {
+        let mut path = Path::default();
+        path.line(points, false);
+        self.draw_dashed(&path, pattern, width);
+    }
+
+    /// A path in a pattern of dashes, which begins anew with each of its lines.
+    pub(crate) fn draw_dashed(&self, path: &Path, pattern: &[Dash], width: f64) {
+        for color in colors(pattern) {
+            let dashes = match &intervals(pattern, color)[..] {
+                // Solid.
+                [_] => String::new(),
+                [offset, lengths @ ..] => {
+                    let lengths: Vec<String> = lengths.iter().map(f64::to_string).collect();
+                    let shift = if *offset > 0.0 { format!(" stroke-dashoffset=\"-{offset}\"") } else { String::new() };
+                    format!(" stroke-dasharray=\"{}\"{shift}", lengths.join(" "))
+                }
+                [] => continue,
+            };
+            self.draw(path, &format!("{}{dashes}", self.stroke(Ink { color, width })));
+        }
+    }
+
+    fn polyline(&self, points: &[Point], closed: bool, attributes: &str) {
+        if points.len() > 1 {
+            let mut path = Path::default();
+            path.line(points, closed);
+            self.draw(&path, attributes);
+        }
     }
 
     /// A filled disc in the colour of a line.
     pub fn disc(&self, center: Point, radius: f64, color: RGBColor) {
-        self.dot(center, radius, self.color(color));
+        self.circle(center, radius, &format!("fill=\"{}\"", hex(self.color(color))));
     }
 
     /// A filled disc in the colour of an area.
     pub fn spot(&self, center: Point, radius: f64, color: RGBColor) {
-        self.dot(center, radius, self.theme.ground(color));
-    }
-
-    fn dot(&self, center: Point, radius: f64, color: RGBColor) {
-        let disc = Circle::new(position(&center), length_units(radius), color.filled());
-        self.plotters(|area| area.draw(&disc));
+        self.circle(center, radius, &self.fill(color));
     }
 
     /// A circle, empty in the colour of the page.
     pub fn ring(&self, center: Point, radius: f64, ink: Ink) {
-        self.disc(center, radius, PAPER);
-        let circle = Circle::new(position(&center), length_units(radius), self.style(ink));
-        self.plotters(|area| area.draw(&circle));
+        let stroke = self.stroke(ink).replacen("fill=\"none\"", &format!("fill=\"{}\"", hex(self.color(PAPER))), 1);
+        self.circle(center, radius, &stroke);
+    }
+
+    fn circle(&self, center: Point, radius: f64, attributes: &str) {
+        let [x, y] = center.map(to_units);
+        self.element(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" {attributes}/>", length_units(radius)));
     }
 
     /// A line of text with its base line at `at`.
     pub fn text(&self, text: &str, at: Point, size: f64, color: RGBColor, anchor: Anchor) {
-        let horizontal = match anchor {
-            Anchor::Start => HPos::Left,
-            Anchor::Middle => HPos::Center,
-            Anchor::End => HPos::Right,
+        self.write(text, at, size, &hex(self.color(color)), anchor);
+    }
+
+    fn write(&self, text: &str, at: Point, size: f64, fill: &str, anchor: Anchor) {
+        if text.is_empty() {
+            return;
+        }
+        let [x, y] = at.map(to_units);
+        let size = (size * UNITS * 100.0).round() / 100.0;
+        let anchor = match anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
         };
-        // The backend's only shift in units of the font size alone: the base line lies 0.76 em below "top".
-        let style = self.text_style(size, color).pos(Pos::new(horizontal, VPos::Top));
-        self.plotters(|area| area.draw_text(text, &style, position(&[at[0], at[1] - 0.76 * size])));
+        let text = escaped(text);
+        self.element(&format!("<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{fill}\"{anchor}>{text}</text>"));
     }
 
     /// plotters' style of text of `size` pixels.
-    pub fn text_style(&self, size: f64, color: RGBColor) -> plotters::style::TextStyle<'static> {
-        (font::FAMILY, size * UNITS * font::PLOTTERS_SCALE).into_font().color(&self.color(color))
+    pub(crate) fn text_style(&self, size: f64, color: RGBColor) -> TextStyle<'static> {
+        (FAMILY, size * UNITS).into_font().color(&self.color(color))
     }
 
     /// plotters' style of a line.
-    pub fn style(&self, ink: Ink) -> ShapeStyle {
-        self.color(ink.color).stroke_width(length_units(ink.width))
+    pub(crate) fn style(&self, ink: Ink) -> ShapeStyle {
+        Color::stroke_width(&self.color(ink.color), length_units(ink.width))
+    }
+}
+
+/// plotters' coordinates are canvas units, its colours those of the theme.
+impl DrawingBackend for &Canvas {
+    type ErrorType = Infallible;
+
+    fn get_size(&self) -> (u32, u32) {
+        (length_units(self.size[0]), length_units(self.size[1]))
+    }
+
+    fn ensure_prepared(&mut self) -> Result<(), DrawingErrorKind<Infallible>> {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Result<(), DrawingErrorKind<Infallible>> {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, (x, y): BackendCoord, color: BackendColor) -> Result<(), DrawingErrorKind<Infallible>> {
+        let fill = hex(RGBColor(color.rgb.0, color.rgb.1, color.rgb.2));
+        self.element(&format!("<rect x=\"{x}\" y=\"{y}\" width=\"1\" height=\"1\" fill=\"{fill}\"/>"));
+        Ok(())
+    }
+
+    fn draw_line<S: BackendStyle>(
+        &mut self,
+        from: BackendCoord,
+        to: BackendCoord,
+        style: &S,
+    ) -> Result<(), DrawingErrorKind<Infallible>> {
+        self.draw_path([from, to], style)
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Result<(), DrawingErrorKind<Infallible>> {
+        let points: Vec<Point> = path.into_iter().map(|(x, y)| [x, y].map(to_pixels)).collect();
+        let (red, green, blue) = style.color().rgb;
+        let (color, width) = (hex(RGBColor(red, green, blue)), style.stroke_width());
+        self.polyline(&points, false, &format!("fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\""));
+        Ok(())
+    }
+
+    fn draw_text<S: BackendTextStyle>(
+        &mut self,
+        text: &str,
+        style: &S,
+        (x, y): BackendCoord,
+    ) -> Result<(), DrawingErrorKind<Infallible>> {
+        let anchor = match style.anchor().h_pos {
+            HPos::Left => Anchor::Start,
+            HPos::Center => Anchor::Middle,
+            HPos::Right => Anchor::End,
+        };
+        // The base line below the point given, for digits of 0.73 em.
+        let below = match style.anchor().v_pos {
+            VPos::Top => 0.76,
+            VPos::Center => 0.36,
+            VPos::Bottom => 0.0,
+        };
+        let (red, green, blue) = style.color().rgb;
+        let size = style.size() / UNITS;
+        let at = [to_pixels(x), to_pixels(y) + below * size];
+        self.write(text, at, size, &hex(RGBColor(red, green, blue)), anchor);
+        Ok(())
     }
 }

@@ -33,7 +33,7 @@ pub enum PlotError {
     Font,
     /// The drawing library failed.
     #[error("the picture could not be drawn")]
-    Backend(#[from] plotters::drawing::DrawingAreaErrorKind<std::io::Error>),
+    Backend(#[from] plotters::drawing::DrawingAreaErrorKind<std::convert::Infallible>),
     /// The SVG could not be read back for conversion.
     #[error("the SVG could not be read for conversion")]
     Svg(#[from] resvg::usvg::Error),
@@ -65,7 +65,10 @@ pub enum PlotError {
     #[error("the PNG could not be encoded")]
     Png(#[from] png::EncodingError),
     /// PDF is asked of a build without the feature `pdf`.
-    #[error("PDF needs the feature `pdf`: build with `cargo install --path . --features pdf`, or use svg, png or tikz")]
+    #[error(
+        "PDF needs the feature `pdf`, which released programs and wheels have: build with \
+         `cargo install --path . --features pdf`, or use svg, png or tikz"
+    )]
     NoPdf,
     /// TikZ is asked of a picture with so many points that they are an image.
     #[error("TikZ holds no images, as which many points are drawn: use svg, png or pdf, or fewer crossings")]

@@ -1,7 +1,52 @@
-//! Points and rectangles of the page, in pixels where they are computed and in canvas units where they are written.
+//! Points and rectangles of the page, in pixels where they are computed and in canvas units where they are written; sizes in
+//! print.
 
 /// Canvas units in a pixel.
 pub(crate) const UNITS: f64 = 10.0;
+
+/// Millimetres in print of a pixel: the smallest letters have 11 pixels, 6 pt.
+pub(crate) const MILLIMETRES: f64 = 178.0 / 924.0;
+
+/// Points in print of a pixel.
+pub(crate) const POINTS: f32 = 0.546_07;
+
+/// Pixels in an inch of print.
+pub(crate) const PIXELS_PER_INCH: f64 = 25.4 / MILLIMETRES;
+
+/// The greatest height of a picture, 230 mm in print: what a page or a column leaves beside a caption.
+pub(crate) const HEIGHT: f64 = 1193.0;
+
+/// The width for which a picture is laid out: its smallest letters have 6 pt there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Width {
+    /// Both columns of a journal, 178 mm.
+    #[default]
+    Page,
+    /// One column of a journal, 86 mm.
+    Column,
+}
+
+impl Width {
+    /// Each of them.
+    pub const ALL: [Self; 2] = [Self::Page, Self::Column];
+
+    /// In print.
+    #[must_use]
+    pub fn millimetres(self) -> f64 {
+        match self {
+            Self::Page => 178.0,
+            Self::Column => 86.0,
+        }
+    }
+
+    /// On the page: so wide 11 pixels, the smallest letters, are 6 pt in print.
+    pub(crate) fn pixels(self) -> f64 {
+        match self {
+            Self::Page => 924.0,
+            Self::Column => 446.43,
+        }
+    }
+}
 
 /// A position [x, y] in pixels, y downwards.
 pub type Point = [f64; 2];
@@ -75,6 +120,18 @@ impl Rect {
     pub fn contains(&self, point: Point) -> bool {
         let inside = |value: f64, from: f64, length: f64| value >= from && value <= from + length;
         inside(point[0], self.x, self.width) && inside(point[1], self.y, self.height)
+    }
+
+    /// True where the whole of another rectangle lies inside.
+    #[must_use]
+    pub fn contains_rect(&self, other: &Self) -> bool {
+        self.contains([other.x, other.y]) && self.contains([other.right(), other.bottom()])
+    }
+
+    /// True for two rectangles with a common inside.
+    #[must_use]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.x < other.right() && other.x < self.right() && self.y < other.bottom() && other.y < self.bottom()
     }
 
     /// The point of the rectangle nearest to `point`.

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use super::font::text_width;
+use super::text::text_width;
 
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
@@ -42,8 +42,9 @@ pub(crate) fn number(x: impl Display) -> String {
 }
 
 /// A body by its principal moments and its centre of mass, in a line of at most `width` pixels at this font size: its
-/// numbers rounded where that is needed, and told to be.
-pub(crate) fn body_line(moments: &[impl Display; 3], center: &[impl Display; 3], width: f64, size: f64) -> String {
+/// numbers rounded where that is needed, with ≈ then.
+#[must_use]
+pub fn body_line(moments: &[impl Display; 3], center: &[impl Display; 3], width: f64, size: f64) -> String {
     /// Significant digits, best first.
     const DIGITS: [usize; 6] = [6, 5, 4, 3, 2, 1];
     let line = |print: &dyn Fn(String) -> String| {

@@ -1,9 +1,11 @@
-//! SVG path data in canvas units: whole numbers, relative where that is shorter.
+//! SVG path data in canvas units: whole numbers, relative where that is shorter. A dashed line is one path for each of its
+//! colours, which SVG dashes.
 
-use super::canvas::Canvas;
-use super::geometry::{Point, to_units};
-use super::picture::escaped;
 use std::fmt::Write;
+
+use plotters::style::RGBColor;
+
+use super::geometry::{Point, UNITS, to_units};
 
 /// Path data of polylines.
 #[derive(Clone, Debug, Default)]
@@ -61,34 +63,51 @@ impl Path {
         let _always_ok = write!(self.data, "{x}{separator}{y}");
     }
 
-    /// Puts the path on a canvas unless it is empty, with further attributes.
-    pub fn draw(&self, canvas: &Canvas, attributes: &str) {
-        if !self.data.is_empty() {
-            canvas.element(&self.element(attributes));
-        }
-    }
-
-    /// Puts the path on a canvas with further attributes, and a text for when one points at it.
-    pub fn titled(&self, canvas: &Canvas, attributes: &str, title: &str) {
-        if !self.data.is_empty() {
-            let title = escaped(title);
-            canvas.element(&format!("<path d=\"{}\" {attributes}><title>{title}</title></path>", self.data));
-        }
-    }
-
-    fn element(&self, attributes: &str) -> String {
-        format!("<path d=\"{}\" {attributes}/>", self.data)
-    }
-
-    /// The path as SVG writes it.
-    #[cfg(test)]
+    /// The path as SVG writes it; empty if nothing is drawn.
     pub fn data(&self) -> &str {
         &self.data
     }
 }
 
+/// A length in pixels with its colour, or empty.
+pub(crate) type Dash = (Option<RGBColor>, f64);
+
+/// The colours of a pattern, each once.
+pub(crate) fn colors(pattern: &[Dash]) -> Vec<RGBColor> {
+    let mut colors: Vec<RGBColor> = Vec::new();
+    for color in pattern.iter().filter_map(|(color, _)| *color) {
+        if !colors.contains(&color) {
+            colors.push(color);
+        }
+    }
+    colors
+}
+
+/// Where in the pattern a colour begins, and from there in turn how long it is drawn and how long not, in canvas units;
+/// the beginning alone for a colour that is always drawn.
+pub(crate) fn intervals(pattern: &[Dash], color: RGBColor) -> Vec<f64> {
+    let is_own = |dash: &Dash| dash.0 == Some(color);
+    let Some(first) = pattern.iter().position(is_own) else { return Vec::new() };
+    let offset: f64 = pattern[..first].iter().map(|dash| dash.1).sum();
+    let mut intervals: Vec<f64> = vec![(offset * UNITS).round()];
+    let mut drawn = None;
+    for dash in pattern[first..].iter().chain(&pattern[..first]) {
+        let length = (dash.1 * UNITS).round();
+        match intervals.last_mut() {
+            Some(last) if drawn == Some(is_own(dash)) => *last += length,
+            _ => intervals.push(length),
+        }
+        drawn = Some(is_own(dash));
+    }
+    if intervals.len() == 2 {
+        intervals.truncate(1);
+    }
+    intervals
+}
+
 #[cfg(test)]
 mod tests {
+    use super::super::color::{INK, POLE};
     use super::*;
 
     #[test]
@@ -96,10 +115,21 @@ mod tests {
         let mut path = Path::default();
         path.line(&[[1.0, 2.0], [1.0, 2.01], [3.0, 1.0], [3.0, 4.0]], true);
         path.line(&[[0.0, 0.5], [0.2, 0.5]], false);
-        assert_eq!(path.element("fill=\"none\""), "<path d=\"M10 20l20-10 0 30zM0 5l2 0\" fill=\"none\"/>");
+        assert_eq!(path.data(), "M10 20l20-10 0 30zM0 5l2 0");
         let mut dots = Path::default();
         dots.dot([1.0, 1.0]);
         dots.dot([0.5, 2.0]);
-        assert_eq!(dots.element(""), "<path d=\"M10 10h0m-5 10h0\" />");
+        assert_eq!(dots.data(), "M10 10h0m-5 10h0");
+    }
+
+    #[test]
+    fn every_colour_is_drawn_where_it_is_its_turn() {
+        assert_eq!(intervals(&[(Some(POLE), 1.0)], POLE), [0.0]);
+        assert_eq!(intervals(&[(Some(POLE), 4.0), (None, 2.0)], POLE), [0.0, 40.0, 20.0]);
+        let both = [(Some(INK), 9.0), (Some(POLE), 5.0), (None, 1.5)];
+        assert_eq!(intervals(&both, INK), [0.0, 90.0, 65.0]);
+        assert_eq!(intervals(&both, POLE), [90.0, 50.0, 105.0]);
+        let dots = [(Some(POLE), 9.0), (None, 2.0), (Some(POLE), 2.0), (None, 2.0)];
+        assert_eq!(intervals(&dots, POLE), [0.0, 90.0, 20.0, 20.0, 20.0]);
     }
 }

@@ -1,4 +1,4 @@
-//! A finished picture and its file formats.
+//! A finished picture, its size in print, and its file formats.
 
 use std::fmt::Display;
 
@@ -6,12 +6,8 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
 use super::error::PlotError;
-use super::geometry::UNITS;
-use super::width::POINTS;
-use super::{font, image, pdf, tikz};
-
-/// Pixels of an SVG in an inch (CSS).
-const PIXELS_PER_INCH: f64 = 96.0;
+use super::geometry::{MILLIMETRES, PIXELS_PER_INCH, UNITS};
+use super::{text, tikz};
 
 /// The largest PNG side that is drawn.
 const PIXELS_MAX: f64 = 30_000.0;
@@ -53,14 +49,13 @@ impl Picture {
     /// The height in print, with letters of at least 6 pt, in millimetres.
     #[must_use]
     pub fn millimetres_high(&self) -> f64 {
-        let height = self.svg.split_once(" height=\"").and_then(|(_, rest)| rest.split_once('"'));
-        let pixels: f64 = height.and_then(|(height, _)| height.parse().ok()).unwrap_or(0.0);
-        pixels * f64::from(POINTS) / 72.0 * 25.4
+        let height = self.svg.split_once(" height=\"").and_then(|(_, rest)| rest.split_once("mm\""));
+        height.and_then(|(height, _)| height.parse().ok()).unwrap_or(0.0)
     }
 
-    /// Puts the size in pixels, the heading and the font's stand-ins on the elements of a canvas.
-    pub(crate) fn from_canvas(elements: &str, size: [f64; 2], heading: &Heading) -> Self {
-        let [width, height] = size;
+    /// A document of SVG elements, with its size in pixels and its heading.
+    pub(crate) fn new(elements: &str, size: [f64; 2], heading: &Heading) -> Self {
+        let [width, height] = size.map(|side| (side * MILLIMETRES * 100.0).round() / 100.0);
         let [units_wide, units_high] = size.map(|side| (side * UNITS).round());
         let title = escaped(&heading.title);
         let metadata = match heading.metadata.as_str() {
@@ -68,18 +63,16 @@ impl Picture {
             metadata => format!("<metadata>{}</metadata>\n", escaped(metadata)),
         };
         // Viewers without the font fall back to Verdana, whose widths DejaVu Sans shares.
-        let elements = elements.replace(
-            &format!("font-family=\"{}\"", font::FAMILY),
-            &format!("font-family=\"{}, Verdana, sans-serif\"", font::FAMILY),
-        );
         let svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {units_wide} {units_high}\" stroke-linejoin=\"round\">\n<title>{title}</title>\n{metadata}{elements}</svg>\n"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" \
+             viewBox=\"0 0 {units_wide} {units_high}\" stroke-linejoin=\"round\" font-family=\"{}, Verdana, sans-serif\">\n\
+             <title>{title}</title>\n{metadata}{elements}</svg>\n",
+            text::FAMILY,
         );
         Self { svg }
     }
 
-    /// The picture as PNG with `dpi` dots per inch (96: one dot per SVG pixel).
+    /// The picture as PNG with `dpi` dots per inch of print, which it says of itself.
     ///
     /// # Errors
     /// [`PlotError::Resolution`] where that gives no pixels or too many.
@@ -99,7 +92,7 @@ impl Picture {
         resvg::render(&tree, transform, &mut pixels.as_mut());
         // A page is opaque, so that there is no alpha to be stored.
         let colors: Vec<u8> = pixels.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-        image::png([pixels.width(), pixels.height()], None, &colors)
+        png([pixels.width(), pixels.height()], None, &colors, Some(dpi))
     }
 
     /// The picture as a PDF of one page, text as text, so large that the smallest letters have 6 pt.
@@ -107,7 +100,7 @@ impl Picture {
     /// # Errors
     /// [`PlotError::NoPdf`] in a build without the feature `pdf`, [`PlotError::Pdf`] where the writer fails.
     pub fn to_pdf(&self) -> Result<Vec<u8>, PlotError> {
-        pdf::page(&self.tree()?)
+        pdf(&self.tree()?)
     }
 
     /// The picture as a LaTeX document of one TikZ picture, text as text, as large as the PDF.
@@ -120,7 +113,69 @@ impl Picture {
     }
 
     fn tree(&self) -> Result<Tree, PlotError> {
-        let options = Options { fontdb: font::database(), font_family: font::FAMILY.to_owned(), ..Options::default() };
+        #[expect(clippy::cast_possible_truncation, reason = "lengths of pictures need no more digits")]
+        let dpi = PIXELS_PER_INCH as f32;
+        let (fontdb, font_family) = (text::database(), text::FAMILY.to_owned());
+        let options = Options { dpi, fontdb, font_family, ..Options::default() };
         Ok(Tree::from_str(&self.svg, &options)?)
     }
+}
+
+/// An image of `samples`, row by row: three bytes a pixel, or with `palette` (its colours, three bytes each, of which
+/// the first is transparent) one; with the dots in an inch of print where they are known.
+pub(crate) fn png(
+    [width, height]: [u32; 2],
+    palette: Option<Vec<u8>>,
+    samples: &[u8],
+    dpi: Option<f64>,
+) -> Result<Vec<u8>, PlotError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    if let Some(palette) = palette {
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_filter(png::Filter::NoFilter);
+        encoder.set_palette(palette);
+        encoder.set_trns(vec![0]);
+    } else {
+        encoder.set_color(png::ColorType::Rgb);
+    }
+    if let Some(dpi) = dpi {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "30,000 dots at most")]
+        let per_metre = (dpi / 0.0254).round() as u32;
+        let dimensions = png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter };
+        encoder.set_pixel_dims(Some(dimensions));
+    }
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(samples)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// A PDF of one page, as large as in print.
+#[cfg(feature = "pdf")]
+fn pdf(tree: &Tree) -> Result<Vec<u8>, PlotError> {
+    use krilla::geom::Size;
+    use krilla::page::PageSettings;
+    use krilla_svg::{SurfaceExt, SvgSettings};
+
+    use super::geometry::POINTS;
+
+    let [width, height] = [tree.size().width(), tree.size().height()].map(|side| side * POINTS);
+    let no_page = || PlotError::Page { width, height };
+    let page_settings = PageSettings::from_wh(width, height).ok_or_else(no_page)?;
+    let page_size = Size::from_wh(width, height).ok_or_else(no_page)?;
+    let mut document = krilla::Document::new();
+    let mut page = document.start_page_with(page_settings);
+    let mut surface = page.surface();
+    surface.draw_svg(tree, page_size, SvgSettings::default()).ok_or_else(no_page)?;
+    surface.finish();
+    page.finish();
+    document.finish().map_err(|error| PlotError::Pdf(Box::new(error)))
+}
+
+#[cfg(not(feature = "pdf"))]
+fn pdf(_: &Tree) -> Result<Vec<u8>, PlotError> {
+    Err(PlotError::NoPdf)
 }

@@ -1,39 +1,57 @@
 //! Tables: texts in columns under a heading, each row behind a symbol.
 
+use std::ops::Range;
+
+use plotters::style::RGBColor;
+
 use super::canvas::{Anchor, Canvas};
-use super::font::text_width;
+use super::color::{FAINT_INK, INK};
 use super::geometry::Point;
-use super::ink::{FAINT_INK, INK};
-use super::rows::lines;
+use super::legend::Symbol;
+use super::text::{lines, widest};
 
 const SIZE: f64 = 11.0;
-const LINE: f64 = 17.0;
-/// Between columns.
-const GAP: f64 = 14.0;
+/// Heights of lines, and distances of columns, of a table and of a dense one.
+const LINE: [f64; 2] = [17.0, 15.0];
+const GAP: [f64; 2] = [14.0, 5.0];
 /// Between rows of several lines.
 const APART: f64 = 4.0;
 
 /// Rows of texts, each with a symbol before it.
-pub(crate) struct Table<S> {
+pub(crate) struct Table {
+    /// Nothing where no column has a name.
     heading: Row,
-    rows: Vec<(S, Row)>,
-    /// What is told of the rows or columns for which there is no room.
+    rows: Vec<(Symbol, Row)>,
+    /// A last line, about rows or columns that are left out.
     rest: Option<String>,
     width: f64,
+    line: f64,
 }
 
-/// The lines of a row, each with what stands in it and where that begins.
+/// The lines of a row, each with its cells and where these begin.
 struct Row(Vec<Vec<(f64, String)>>);
 
-impl<S> Table<S> {
-    /// A table whose symbols are `symbol` pixels wide. Columns for which `room` pixels are too few stand below the first.
-    pub(crate) fn new(symbol: f64, heading: Vec<String>, rows: Vec<(S, Vec<String>)>, room: f64) -> Self {
-        let left = symbol + GAP / 2.0;
+impl Table {
+    /// A table in `room` pixels. Columns for which they are too few stand below the first.
+    pub(crate) fn new(heading: Vec<String>, rows: Vec<(Symbol, Vec<String>)>, room: f64) -> Self {
+        Self::with(heading, rows, room, 0)
+    }
+
+    /// A table without heading, as narrow and low as it can be read.
+    pub(crate) fn dense(rows: Vec<(Symbol, Vec<String>)>) -> Self {
+        Self::with(Vec::new(), rows, f64::INFINITY, 1)
+    }
+
+    fn with(heading: Vec<String>, rows: Vec<(Symbol, Vec<String>)>, room: f64, density: usize) -> Self {
+        let gap = GAP[density];
+        let symbol = rows.iter().map(|(symbol, _)| symbol.width()).fold(0.0, f64::max);
+        let left = if symbol > 0.0 { symbol + gap.min(7.0) } else { 0.0 };
         let mut columns: Vec<Vec<f64>> = Vec::new();
         let [mut x, mut width] = [left; 2];
-        for (place, name) in heading.iter().enumerate() {
-            let cells = rows.iter().filter_map(|(_, cells)| cells.get(place));
-            let wide = cells.map(|cell| text_width(cell, SIZE)).fold(text_width(name, SIZE), f64::max);
+        let count = rows.iter().map(|(_, cells)| cells.len()).fold(heading.len(), usize::max);
+        for place in 0..count {
+            let cells = rows.iter().filter_map(|(_, cells)| cells.get(place)).chain(heading.get(place));
+            let wide = widest(cells, SIZE);
             match columns.last_mut() {
                 Some(line) if x + wide <= room => line.push(x),
                 _ => {
@@ -42,40 +60,51 @@ impl<S> Table<S> {
                 }
             }
             width = width.max((x + wide).min(room.max(left)));
-            x += wide + GAP;
+            x += wide + if wide > 0.0 { gap } else { 0.0 };
         }
         let row = |cells: Vec<String>| Row::new(cells, &columns, room);
         Self {
-            heading: row(heading),
+            heading: if heading.is_empty() { Row(Vec::new()) } else { row(heading) },
             rows: rows.into_iter().map(|(symbol, cells)| (symbol, row(cells))).collect(),
             rest: None,
             width,
+            line: LINE[density],
         }
     }
 
-    /// The rows for which `room` pixels are high enough, and a line that tells how many there are besides.
-    pub(crate) fn shortened(mut self, room: f64, tell: impl Fn(usize) -> String) -> Self {
+    /// The rows for which `room` pixels are high enough, and a line about the others, given their number.
+    pub(crate) fn shortened(mut self, room: f64, about: impl Fn(usize) -> String) -> Self {
         if self.height() > room {
-            let mut height = self.heading.height() + LINE;
+            let mut height = self.heading.height(self.line) + self.line;
             let fits = self.rows.iter().take_while(|(_, row)| {
-                height += row.height();
+                height += row.height(self.line);
                 height <= room
             });
             let fits = fits.count().max(1);
             let rest = self.rows.len() - fits;
             self.rows.truncate(fits);
-            self.rest = (rest > 0).then(|| tell(rest));
+            self.rest = (rest > 0).then(|| about(rest));
         }
         self
     }
 
     /// The same with a last line.
-    pub(crate) fn told(self, rest: &str) -> Self {
-        Self { rest: Some(rest.to_owned()), ..self }
+    pub(crate) fn with_note(self, note: &str) -> Self {
+        Self { rest: Some(note.to_owned()), ..self }
     }
 
     pub(crate) fn width(&self) -> f64 {
         self.width
+    }
+
+    /// Number of rows.
+    pub(crate) fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The height of a row of one line.
+    pub(crate) fn line(&self) -> f64 {
+        self.line
     }
 
     /// Nothing where there are no rows.
@@ -83,33 +112,31 @@ impl<S> Table<S> {
         if self.rows.is_empty() {
             return 0.0;
         }
-        let rest = if self.rest.is_some() { LINE } else { 0.0 };
-        self.heading.height() + self.rows.iter().map(|(_, row)| row.height()).sum::<f64>() + rest
+        let rest = if self.rest.is_some() { self.line } else { 0.0 };
+        self.heading.height(self.line) + self.rows.iter().map(|(_, row)| row.height(self.line)).sum::<f64>() + rest
     }
 
-    /// Draws the table with its top left corner at `at`, and each symbol with `paint` from the middle of its left side.
-    pub(crate) fn draw(&self, canvas: &Canvas, at: Point, paint: impl Fn(&S, Point)) {
+    /// Draws the table with its top left corner at `at`.
+    pub(crate) fn draw(&self, canvas: &Canvas, at: Point) {
         if self.rows.is_empty() {
             return;
         }
-        let text = |row: &Row, top: f64, color| {
-            for (number, line) in row.0.iter().enumerate() {
-                let base = top + number as f64 * LINE + 0.5 * LINE + 0.36 * SIZE;
-                for (x, cell) in line {
-                    canvas.text(cell, [at[0] + x, base], SIZE, color, Anchor::Start);
-                }
-            }
-        };
-        text(&self.heading, at[1], FAINT_INK);
-        let mut top = at[1] + self.heading.height();
-        for (symbol, row) in &self.rows {
-            paint(symbol, [at[0], top + 0.5 * LINE]);
-            text(row, top, INK);
-            top += row.height();
-        }
+        self.heading.draw(canvas, at, self.line, FAINT_INK);
+        let top = self.draw_rows(canvas, 0..self.rows.len(), [at[0], at[1] + self.heading.height(self.line)]);
         if let Some(rest) = &self.rest {
-            canvas.text(rest, [at[0], top + 0.5 * LINE + 0.36 * SIZE], SIZE, FAINT_INK, Anchor::Start);
+            let base = top + 0.5 * self.line + 0.36 * SIZE;
+            canvas.text(rest, [at[0], base], SIZE, FAINT_INK, Anchor::Start);
         }
+    }
+
+    /// Draws some rows from `at` down to the position that is returned.
+    pub(crate) fn draw_rows(&self, canvas: &Canvas, rows: Range<usize>, [x, mut y]: Point) -> f64 {
+        for (symbol, row) in &self.rows[rows] {
+            symbol.draw(canvas, [x, y + 0.5 * self.line]);
+            row.draw(canvas, [x, y], self.line, INK);
+            y += row.height(self.line);
+        }
+        y
     }
 }
 
@@ -133,7 +160,16 @@ impl Row {
         Self(all)
     }
 
-    fn height(&self) -> f64 {
-        self.0.len() as f64 * LINE + if self.0.len() > 1 { APART } else { 0.0 }
+    fn height(&self, line: f64) -> f64 {
+        self.0.len() as f64 * line + if self.0.len() > 1 { APART } else { 0.0 }
+    }
+
+    fn draw(&self, canvas: &Canvas, [x, y]: Point, pitch: f64, color: RGBColor) {
+        for (number, cells) in self.0.iter().enumerate() {
+            let base = y + (number as f64 + 0.5) * pitch + 0.36 * SIZE;
+            for (left, cell) in cells {
+                canvas.text(cell, [x + left, base], SIZE, color, Anchor::Start);
+            }
+        }
     }
 }

@@ -8,8 +8,7 @@ use resvg::tiny_skia::{PathSegment, Point, Transform};
 use resvg::usvg::{Color, Group, Node, Paint, Path, Stroke, Text, TextAnchor, Tree};
 
 use super::error::PlotError;
-use super::tex::tex;
-use super::width::POINTS;
+use super::geometry::POINTS;
 
 /// The document, as large as in print; lengths are in points of a PDF, y runs downwards as in the SVG.
 pub(crate) fn document(tree: &Tree, title: &str) -> Result<String, PlotError> {
@@ -85,23 +84,23 @@ impl Writer {
 
     fn path(&mut self, path: &Path, depth: usize) {
         let transform = path.abs_transform();
-        let mut course = String::new();
+        let mut line = String::new();
         for segment in path.data().segments() {
             let at = |point| place(point, transform);
             let _ok = match segment {
-                PathSegment::MoveTo(p) => write!(course, "{}{}", if course.is_empty() { "" } else { " " }, at(p)),
-                PathSegment::LineTo(p) => write!(course, "--{}", at(p)),
-                PathSegment::CubicTo(a, b, p) => write!(course, "..controls {} and {}..{}", at(a), at(b), at(p)),
+                PathSegment::MoveTo(p) => write!(line, "{}{}", if line.is_empty() { "" } else { " " }, at(p)),
+                PathSegment::LineTo(p) => write!(line, "--{}", at(p)),
+                PathSegment::CubicTo(a, b, p) => write!(line, "..controls {} and {}..{}", at(a), at(b), at(p)),
                 // As one of the third degree would be: two thirds of the way to the control point. None is drawn.
-                PathSegment::QuadTo(c, p) => write!(course, "..controls {}..{}", at(c), at(p)),
-                PathSegment::Close => write!(course, "--cycle"),
+                PathSegment::QuadTo(c, p) => write!(line, "..controls {}..{}", at(c), at(p)),
+                PathSegment::Close => write!(line, "--cycle"),
             };
         }
         let mut options: Vec<String> = Vec::new();
         if let Some(fill) = path.fill() {
             match fill.paint() {
                 Paint::Color(color) => options.push(format!("fill={}", self.color(*color))),
-                Paint::Pattern(pattern) => self.stripes(pattern.root(), scale(transform), &course, depth),
+                Paint::Pattern(pattern) => self.stripes(pattern.root(), scale(transform), &line, depth),
                 Paint::LinearGradient(_) | Paint::RadialGradient(_) => {}
             }
         }
@@ -110,7 +109,7 @@ impl Writer {
         }
         if !options.is_empty() {
             options.push("even odd rule".to_owned());
-            self.line(depth, &format!("\\path[{}] {course};", options.join(", ")));
+            self.line(depth, &format!("\\path[{}] {line};", options.join(", ")));
         }
     }
 
@@ -138,12 +137,12 @@ impl Writer {
     }
 
     /// A striped ground: the first colour, and over it lines in each of the others.
-    fn stripes(&mut self, pattern: &Group, scale: f32, course: &str, depth: usize) {
+    fn stripes(&mut self, pattern: &Group, scale: f32, line: &str, depth: usize) {
         let mut stripes: Vec<(Color, [f32; 2])> = Vec::new();
         collect_stripes(pattern, &mut stripes);
         let Some(((ground, [_, period]), stripes)) = stripes.split_first() else { return };
         let ground = self.color(*ground);
-        self.line(depth, &format!("\\path[fill={ground}, even odd rule] {course};"));
+        self.line(depth, &format!("\\path[fill={ground}, even odd rule] {line};"));
         let width = period / (stripes.len().max(1)) as f32;
         for (place, (color, _)) in stripes.iter().enumerate().skip(1) {
             let color = self.color(*color);
@@ -154,15 +153,13 @@ impl Writer {
                 points(width),
                 points(width * place as f32 * std::f32::consts::SQRT_2)
             );
-            let line = format!("\\path[pattern={{{lines}}}, pattern color={color}, even odd rule] {course};");
+            let line = format!("\\path[pattern={{{lines}}}, pattern color={color}, even odd rule] {line};");
             self.line(depth, &line);
         }
     }
 
     fn text(&mut self, text: &Text, depth: usize) {
         let transform = text.abs_transform();
-        // The base line is shifted against the position that is given.
-        let shift = text.dy().first().copied().unwrap_or(0.0);
         for chunk in text.chunks() {
             let Some(span) = chunk.spans().first() else { continue };
             let (Some(x), Some(y)) = (chunk.x(), chunk.y()) else { continue };
@@ -176,7 +173,7 @@ impl Writer {
                 _ => continue,
             };
             let size = span.font_size().get() * scale(transform) * POINTS;
-            let at = place(Point::from_xy(x, y + shift), transform);
+            let at = place(Point::from_xy(x, y), transform);
             let size = format!("\\fontsize{{{}bp}}{{{}bp}}\\selectfont", length(size), length(1.2 * size));
             let content = tex(chunk.text().trim());
             self.line(
@@ -202,5 +199,101 @@ fn collect_stripes(group: &Group, stripes: &mut Vec<(Color, [f32; 2])>) {
             }
             Node::Text(_) | Node::Image(_) => {}
         }
+    }
+}
+
+/// A text for LaTeX: mathematics in dollars, and nothing that has a meaning of its own there.
+pub(crate) fn tex(text: &str) -> String {
+    let mut out = String::new();
+    let mut characters = text.chars().peekable();
+    while let Some(character) = characters.next() {
+        let raised = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺".chars().position(|other| other == c);
+        let lowered = |c: char| "₀₁₂₃₄₅₆₇₈₉".chars().position(|other| other == c);
+        let digit = |place: usize| b"0123456789-+".get(place).map_or(' ', |byte| char::from(*byte));
+        if let Some(first) = raised(character) {
+            // Lower than an exponent stands in a formula: in a picture as high as the capitals beside it.
+            out.push_str("\\raisebox{.3em}{$\\scriptstyle ");
+            out.push(digit(first));
+            while let Some(next) = characters.peek().copied().and_then(raised) {
+                out.push(digit(next));
+                characters.next();
+            }
+            out.push_str("$}");
+        } else if let Some(first) = lowered(character) {
+            out.push_str("$_{");
+            out.push(digit(first));
+            while let Some(next) = characters.peek().copied().and_then(lowered) {
+                out.push(digit(next));
+                characters.next();
+            }
+            out.push_str("}$");
+        } else if characters.peek() == Some(&'\u{302}') {
+            characters.next();
+            out.push_str("$\\hat{");
+            out.push(character);
+            out.push_str("}$");
+        } else if let Some((_, command)) = SYMBOLS.iter().find(|(symbol, _)| *symbol == character) {
+            out.extend(["$", command, "$"]);
+        } else {
+            match character {
+                '\\' => out.push_str("\\textbackslash{}"),
+                '~' => out.push_str("\\textasciitilde{}"),
+                '^' => out.push_str("\\textasciicircum{}"),
+                '#' | '$' | '%' | '&' | '_' | '{' | '}' => out.extend(['\\', character]),
+                other => out.push(other),
+            }
+        }
+    }
+    // Neighbouring formulas are one.
+    out.replace("$$", "")
+}
+
+/// What pictures hold beyond letters, and the commands for it.
+const SYMBOLS: [(char, &str); 32] = [
+    ('−', "-"),
+    ('×', "\\times "),
+    ('·', "\\cdot "),
+    ('≈', "\\approx "),
+    ('≤', "\\le "),
+    ('≥', "\\ge "),
+    ('<', "<"),
+    ('>', ">"),
+    ('|', "|"),
+    ('∖', "\\setminus "),
+    ('∂', "\\partial "),
+    ('√', "\\surd "),
+    ('′', "'"),
+    ('⟨', "\\langle "),
+    ('⟩', "\\rangle "),
+    ('∞', "\\infty "),
+    ('→', "\\to "),
+    ('±', "\\pm "),
+    ('¾', "\\frac34"),
+    ('½', "\\frac12"),
+    ('α', "\\alpha "),
+    ('γ', "\\gamma "),
+    ('Δ', "\\Delta "),
+    ('η', "\\eta "),
+    ('θ', "\\theta "),
+    ('ϑ', "\\vartheta "),
+    ('λ', "\\lambda "),
+    ('μ', "\\mu "),
+    ('π', "\\pi "),
+    ('ψ', "\\psi "),
+    ('ω', "\\omega "),
+    ('Ṡ', "\\dot S"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::tex;
+
+    #[test]
+    fn texts_become_formulas() {
+        assert_eq!(tex("M²₃"), "M\\raisebox{.3em}{$\\scriptstyle 2$}$_{3}$");
+        assert_eq!(tex("S²∖2D"), "S\\raisebox{.3em}{$\\scriptstyle 2$}$\\setminus $2D");
+        assert_eq!(tex("pole +r̂ enters U"), "pole +$\\hat{r}$ enters U");
+        assert_eq!(tex("100 % of a_b"), "100 \\% of a\\_b");
+        assert_eq!(tex("10⁻¹²"), "10\\raisebox{.3em}{$\\scriptstyle -12$}");
     }
 }

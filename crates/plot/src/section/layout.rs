@@ -100,6 +100,11 @@ impl Layout {
         Self { panels, width: right + bar, bottom: top }
     }
 
+    /// Width of what stands below the panels.
+    pub fn room(&self) -> f64 {
+        self.width - LEFT - RIGHT
+    }
+
     /// Where the colour bar stands.
     pub fn bar(&self) -> Rect {
         let first = self.panels[0].rect;

@@ -2,20 +2,17 @@
 //! boundary, the line of tangency, the poles, and the crossings of orbits.
 //!
 //! A [`SectionScene`] is a [`Portrait`] with orbits; `layout` gives each sheet of each chart its panel, `ground` draws
-//! what the portrait says, `points` the crossings, as vectors or as an image, and `legend` tells what is what.
+//! and explains what the portrait says, and `points` draws the crossings, as vectors or as an image.
 
 mod colors;
 mod ground;
 mod layout;
-mod legend;
 mod points;
-mod raster;
 mod scene;
-mod walls;
 
 pub use scene::{OrbitFamilies, OrbitValues, Projection, SectionOptions, SectionScene};
 
-use crate::page::{Anchor, Heading, INK, Picture, PlotError, body_line, render, text_width, title_size};
+use crate::page::{Anchor, Heading, INK, Legend, Picture, PlotError, body_line, render, text_width, title_size};
 use bifdiag_dynamics::section::SectionCondition;
 use colors::Coloring;
 use layout::Layout;
@@ -49,7 +46,7 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
     }
     let coloring = Coloring::new(scenes);
     let layout = Layout::new(scenes, options.projection, coloring.bar.is_some(), options.width);
-    let legend = legend::legend(scenes, options.projection, layout.width);
+    let legend = Legend::new(ground::legend(scenes, options.projection), layout.room());
     let mut heading = heading(scenes, layout.width - 2.0 * layout::TITLE_AT[0]);
     if let Some(title) = &options.title {
         heading.title.clone_from(title);
@@ -70,7 +67,7 @@ pub fn draw_section_rows(scenes: &[SectionScene<'_>], options: &SectionOptions) 
         if let Some(bar) = &coloring.bar {
             bar.draw(canvas, layout.bar());
         }
-        legend::draw(&legend, canvas, layout.bottom);
+        legend.draw(canvas, [layout::TITLE_AT[0], layout.bottom]);
     })
 }
 

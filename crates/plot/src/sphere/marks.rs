@@ -1,9 +1,11 @@
-//! Poles, relative equilibria and principal axes.
+//! Poles, relative equilibria and principal axes, and their names: beside the marks, off ∂U and the rim, and off each other.
 
-use super::names::Names;
 use super::scene::SphereScene;
 use super::view::{Vector, View, turned};
-use crate::page::{Canvas, FAINT_INK, INK, Ink, PAPER, POLE, Point, Rect, rgb};
+use crate::page::{
+    Anchor, Canvas, FAINT_INK, INK, Ink, Labelled, PAPER, POLE, POLE_MINUS, Point, Rect, Taken, distance, meets, rgb,
+    round_point, text_width,
+};
 use bifdiag_schema::Multiplicity;
 use plotters::style::RGBColor;
 
@@ -17,6 +19,13 @@ const POLE_RING: f64 = 7.4;
 const NEAR: f64 = 0.1;
 /// Relative equilibria stand out from every tint and from the level lines.
 pub(super) const EQUILIBRIUM: RGBColor = rgb(0x9a_10_2a);
+
+/// From a mark to its name, for the nearest places and the others.
+const AWAY: [f64; 2] = [9.0, 15.3];
+/// What it costs a number to stand beside the sphere.
+const OUTSIDE: f64 = 1000.0;
+/// What it costs to cross ∂U or the rim, and a level line; to be one place further down the list costs 1.
+const CROSSED: [f64; 2] = [60.0, 4.0];
 
 /// What a mark stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +63,7 @@ pub(super) fn draw(canvas: &Canvas, mark: Mark, at: Point) {
         }
         Mark::Equilibrium(_) => canvas.ring(at, MARK, thin),
         Mark::Pole(plus) => {
-            canvas.ring(at, POLE_RING, Ink { color: POLE, width: 2.2 });
+            canvas.ring(at, POLE_RING, Ink { color: if plus { POLE } else { POLE_MINUS }, width: 2.2 });
             if plus {
                 canvas.disc(at, 1.7, POLE);
             }
@@ -69,15 +78,18 @@ pub(super) fn draw_all(canvas: &Canvas, scene: &SphereScene<'_>, names: &mut Nam
     let view = names.view;
     let r_hat = scene.r_hat;
     let poles: Vec<Vector> = r_hat.into_iter().flat_map(|r| [r, r.map(|c| -c)]).collect();
+    let ends = (0..6).map(|k| {
+        let mut gamma = [0.0; 3];
+        gamma[k % 3] = if k < 3 { 1.0 } else { -1.0 };
+        gamma
+    });
+    let equilibria = scene.equilibria.iter().map(|point| point.gamma);
+    let fixed = poles.iter().copied().chain(ends).chain(equilibria).filter_map(|gamma| view.position(gamma));
+    let fixed: Vec<Point> = fixed.collect();
+    let asides: Vec<_> =
+        scene.equilibria.iter().map(|point| names.aside(view.position(point.gamma)?, point.index, &fixed)).collect();
+    // Poles and axes first, then the equilibria, so that one at a pole lies inside its ring.
     let mut named: Vec<(Point, String, f64, RGBColor)> = Vec::new();
-    for (place, equilibrium) in scene.equilibria.iter().enumerate() {
-        if let Some(at) = view.position(equilibrium.gamma) {
-            named.push((at, letter(place), LABEL, EQUILIBRIUM));
-        }
-    }
-    for &(number, at) in numbers {
-        named.push((at, number.to_string(), NUMBER, INK));
-    }
     for (plus, name) in [(true, "+r̂"), (false, "−r̂")] {
         let sign = if plus { 1.0 } else { -1.0 };
         if let Some(at) = r_hat.and_then(|r| view.position(r.map(|c| sign * c))) {
@@ -99,17 +111,25 @@ pub(super) fn draw_all(canvas: &Canvas, scene: &SphereScene<'_>, names: &mut Nam
             }
         }
     }
-    // On top: an equilibrium at a pole lies inside its ring.
-    for equilibrium in scene.equilibria {
+    let numbers = numbers.iter().map(|(number, at)| (*at, number.to_string(), NUMBER, INK));
+    named.splice(0..0, numbers);
+    let mut letters = Vec::new();
+    for ((place, equilibrium), aside) in scene.equilibria.iter().enumerate().zip(asides) {
         if equilibrium.multiplicity == Multiplicity::Circle {
             circle(canvas, view, equilibrium.gamma, scene.axis);
         }
-        if let Some(at) = view.position(equilibrium.gamma) {
+        if let Some(mut at) = view.position(equilibrium.gamma) {
+            if let Some((rect, leader)) = aside {
+                canvas.path(&leader, Ink { color: EQUILIBRIUM, width: 0.9 });
+                at = rect.center();
+            } else {
+                names.take(Rect::around(at, MARK + 1.0));
+            }
             draw(canvas, Mark::Equilibrium(equilibrium.index), at);
-            names.take(Rect::around(at, MARK + 1.0));
+            letters.push((at, letter(place), LABEL, EQUILIBRIUM));
         }
     }
-    for (at, name, size, color) in named {
+    for (at, name, size, color) in letters.into_iter().chain(named) {
         names.write(canvas, at, &name, (size, color), size > LABEL);
     }
 }
@@ -124,4 +144,78 @@ fn circle(canvas: &Canvas, view: &View, gamma: Vector, axis: Vector) {
         let points: Vec<Point> = run.iter().copied().flatten().collect();
         canvas.path(&points, Ink { color: EQUILIBRIUM, width: 1.6 });
     }
+}
+
+/// The room of a view.
+pub(super) struct Names<'a> {
+    pub view: &'a View,
+    /// ∂U with the rim, and other levels.
+    lines: [Vec<Vec<Point>>; 2],
+    taken: Taken,
+}
+
+impl<'a> Names<'a> {
+    /// A view on a page on which something is taken.
+    pub(super) fn new(view: &'a View, lines: [Vec<Vec<Point>>; 2], taken: Taken) -> Self {
+        Self { view, lines, taken }
+    }
+
+    /// What is taken on the page.
+    pub(super) fn into_taken(self) -> Taken {
+        self.taken
+    }
+
+    /// Keeps names away from a box.
+    pub(super) fn take(&mut self, rect: Rect) {
+        self.taken.take_box(rect);
+    }
+
+    /// Writes a name beside a mark, with a rim of paper; what is no name of a mark stands inside of the view.
+    pub(super) fn write(
+        &mut self,
+        canvas: &Canvas,
+        at: Point,
+        name: &str,
+        (size, color): (f64, RGBColor),
+        inside: bool,
+    ) {
+        let extent = [text_width(name, size), 0.8 * size];
+        let outward = if at[0] < self.view.center[0] { -1.0 } else { 1.0 };
+        let places = round_point(at, extent, &AWAY, outward).enumerate();
+        let costs = places.map(|(order, rect)| (order as f64 + self.cost(&rect.grown(1.5), inside), rect));
+        let costs: Vec<(f64, Rect)> = costs.collect();
+        let Some(rect) = self.taken.place_anyhow(costs.into_iter(), 1.5) else { return };
+        let base = [rect.x, rect.bottom() - 0.03 * size];
+        for [dx, dy] in [[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 1.0]] {
+            canvas.text(name, [base[0] + dx, base[1] + dy], size, PAPER, Anchor::Start);
+        }
+        canvas.text(name, base, size, color, Anchor::Start);
+    }
+
+    /// A place beside its point for the mark of an extremum if the mark would hide ∂U round it, and a line to the point; both
+    /// are taken. The place keeps off the points of other marks.
+    fn aside(&mut self, at: Point, index: u8, fixed: &[Point]) -> Option<(Rect, [Point; 2])> {
+        let Self { lines: [boundary, _], taken, .. } = self;
+        if index == 1 || !crosses(boundary, &Rect::around(at, MARK)) {
+            return None;
+        }
+        let labelled = Labelled { tips: &[at], lengths: [6.0, 40.0], clearance: 1.5 };
+        let places = round_point(at, [2.0 * MARK + 2.0; 2], &[8.0, 13.0, 20.0, 30.0], 1.0);
+        let keeps_off = |rect: &Rect| !fixed.iter().any(|other| *other != at && rect.grown(POLE_RING).contains(*other));
+        let free = places.filter(|rect| !crosses(boundary, rect) && keeps_off(rect)).map(|rect| (0.0, rect));
+        taken.place_with_leader(&labelled, free, |_| 0.0)
+    }
+
+    fn cost(&self, rect: &Rect, inside: bool) -> f64 {
+        let View { center, radius, .. } = *self.view;
+        let leaves = inside && rect.corners().iter().any(|corner| distance(*corner, center) > radius);
+        let crossed: f64 =
+            self.lines.iter().zip(CROSSED).map(|(lines, cost)| if crosses(lines, rect) { cost } else { 0.0 }).sum();
+        if leaves { crossed + OUTSIDE } else { crossed }
+    }
+}
+
+/// True where one of some lines passes through a box.
+fn crosses(lines: &[Vec<Point>], rect: &Rect) -> bool {
+    lines.iter().any(|line| line.windows(2).any(|ends| meets(ends[0], ends[1], rect)))
 }

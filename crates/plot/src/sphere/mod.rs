@@ -2,14 +2,10 @@
 //! and the relative equilibria. The picture explains the numbers of boundary circles and poles at a glance.
 
 mod grid;
-mod ink;
-mod legend;
 mod marks;
-mod motions;
-mod names;
 mod parts;
 mod scene;
-mod title;
+mod tables;
 mod view;
 
 pub use scene::SphereScene;
@@ -19,14 +15,14 @@ use crate::page::{
     text_width,
 };
 use grid::Grid;
-use ink::{BOUNDARY, FORBIDDEN, LEVEL, tint};
-use names::Names;
+use marks::Names;
 use parts::Parts;
-use title::{CAPTION_SIZE, Titles};
+use scene::{CAPTION_SIZE, Titles};
+use tables::{BOUNDARY, FORBIDDEN, LEVEL, tint};
 use view::View;
 
 /// Width of the page, and of the sphere: for two views beside each other, and for two below each other.
-const WIDTH: [f64; 2] = [860.0, 446.0];
+const WIDTH: [f64; 2] = [860.0, 446.43];
 const RADIUS: [f64; 2] = [186.0, 140.0];
 const MARGIN: f64 = 34.0;
 /// Above the first view, and below each for its caption.
@@ -57,11 +53,12 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
     let grids = views.each_ref().map(|view| Grid::new(view, scene.potential_above));
     let parts = Parts::new(&grids, scene.component_of);
     let levels = levels(&grids);
-    let legend = legend::legend(scene, width - 2.0 * MARGIN);
+    let legend = tables::legend(scene, width - 2.0 * MARGIN);
     let below = centers[1][1] + radius + BELOW;
-    let motions_at = [MARGIN, below + legend.height() + 8.0];
-    let motions = motions::table(scene, [paper.pixels() - 2.0 * MARGIN, HEIGHT - motions_at[1] - FOOT]);
-    let size = [width.max(motions.width() + 2.0 * MARGIN), motions_at[1] + motions.height() + FOOT].map(f64::ceil);
+    let equilibria_at = [MARGIN, below + legend.height() + 8.0];
+    let equilibria = tables::equilibria(scene, [paper.pixels() - 2.0 * MARGIN, HEIGHT - equilibria_at[1] - FOOT]);
+    let height = equilibria_at[1] + equilibria.height() + FOOT;
+    let size = [width.max(equilibria.width() + 2.0 * MARGIN), height.ceil()];
     let title = format!("{}; {}", scene.title, scene.caption);
     render(size, title.as_str(), theme, |canvas| {
         for (view, grid) in grids.iter().enumerate() {
@@ -92,8 +89,8 @@ pub fn draw_sphere(scene: &SphereScene<'_>, theme: Theme, paper: Width) -> Resul
             taken = names.into_taken();
         }
         titles.draw(canvas);
-        legend::draw(&legend, canvas, [MARGIN, below]);
-        motions::draw(&motions, canvas, motions_at);
+        legend.draw(canvas, [MARGIN, below]);
+        equilibria.draw(canvas, equilibria_at);
     })
 }
 
@@ -112,13 +109,13 @@ fn ground(
     component: impl Fn(grid::Node) -> Option<usize>,
     components: usize,
 ) {
-    rim(view).draw(canvas, &canvas.fill(FORBIDDEN));
+    canvas.draw(&rim(view), &canvas.fill(FORBIDDEN));
     // On a curve no components are told: what is accessible has one tint.
     for place in 0..components.max(1) {
         let color = canvas.ground(tint(place));
         // A hair of the same colour closes the seams between cells.
         let attributes = format!("fill=\"{color}\" stroke=\"{color}\" stroke-width=\"4\"");
-        grid.area(0.0, |node| component(node) == Some(place)).draw(canvas, &attributes);
+        canvas.draw(&grid.area(0.0, |node| component(node) == Some(place)), &attributes);
     }
 }
 
@@ -131,9 +128,9 @@ fn lines(canvas: &Canvas, view: &View, grid: &Grid<'_>, levels: &[f64]) {
         }
         path
     };
-    drawn(levels).draw(canvas, &canvas.stroke(LEVEL));
-    drawn(&[0.0]).draw(canvas, &canvas.stroke(BOUNDARY));
-    rim(view).draw(canvas, &canvas.stroke(RIM));
+    canvas.draw(&drawn(levels), &canvas.stroke(LEVEL));
+    canvas.draw(&drawn(&[0.0]), &canvas.stroke(BOUNDARY));
+    canvas.draw(&rim(view), &canvas.stroke(RIM));
 }
 
 /// The outline of the sphere.

@@ -3,7 +3,7 @@
 use bifdiag_plot::{Picture, Width};
 use resvg::usvg::TextChunk;
 
-use super::picture_svg::{content, each_text, tree};
+use super::picture_svg::{PIXELS_PER_INCH, content, each_text, tree};
 
 /// What does not fit a page: a picture higher than 230 mm, and letters of less than 6 pt.
 #[allow(clippy::cast_possible_truncation)]
@@ -20,8 +20,7 @@ pub fn unprintable(picture: &Picture, width: Width) -> Vec<String> {
             found.push(format!("`{}` has letters of {size} pt", content(text)));
         }
     });
-    // Letters of 11 pixels have 6 pt in a PDF.
-    let height = tree.size().height() * 6.0 / 11.0 / 72.0 * 25.4;
+    let height = tree.size().height() / PIXELS_PER_INCH * 25.4;
     if height > HIGHEST {
         found.push(format!("it is {height} mm high"));
     }

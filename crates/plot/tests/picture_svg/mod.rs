@@ -5,7 +5,10 @@ use std::sync::{Arc, OnceLock};
 use bifdiag_plot::Picture;
 use resvg::usvg::{Group, Node, Options, Text, Tree, fontdb::Database};
 
-/// The elements of a picture.
+/// Pixels of the layout in an inch of print.
+pub const PIXELS_PER_INCH: f32 = 25.4 * 924.0 / 178.0;
+
+/// The elements of a picture, in pixels of the layout.
 pub fn tree(picture: &Picture) -> Tree {
     static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
     let fontdb = Arc::clone(FONTS.get_or_init(|| {
@@ -13,7 +16,7 @@ pub fn tree(picture: &Picture) -> Tree {
         database.load_font_data(include_bytes!("../../fonts/DejaVuSans.ttf").to_vec());
         Arc::new(database)
     }));
-    let options = Options { fontdb, ..Options::default() };
+    let options = Options { dpi: PIXELS_PER_INCH, fontdb, ..Options::default() };
     Tree::from_str(&picture.svg, &options).expect("the SVG is well-formed")
 }
 

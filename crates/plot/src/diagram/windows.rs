@@ -1,7 +1,81 @@
-//! Windows of insets that do not reach into each other.
+//! Windows of the (h, l) plane: products of two ranges, where they lie on the page, and how they keep apart.
 
-use super::ranges::{area, contains, length};
+use crate::page::{Point, Rect};
 use bifdiag_schema::WindowDocument;
+
+/// The range of l of a curve or a cell; the upper end may be infinite.
+pub(super) fn l_range(ends: [Option<f64>; 2]) -> [f64; 2] {
+    [ends[0].unwrap_or(0.0), ends[1].unwrap_or(f64::INFINITY)]
+}
+
+pub(super) fn length(range: [f64; 2]) -> f64 {
+    range[1] - range[0]
+}
+
+/// The smallest range that holds both.
+pub(super) fn hull(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+/// The common part; turned round where there is none.
+pub(super) fn common(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].max(b[0]), a[1].min(b[1])]
+}
+
+pub(super) fn area(window: &WindowDocument) -> f64 {
+    length(window.h) * length(window.l)
+}
+
+/// Does one window hold the other?
+pub(super) fn contains(outer: &WindowDocument, inner: &WindowDocument) -> bool {
+    let within = |outer: [f64; 2], inner: [f64; 2]| outer[0] <= inner[0] && inner[1] <= outer[1];
+    within(outer.h, inner.h) && within(outer.l, inner.l)
+}
+
+/// The common part of two windows.
+pub(super) fn clipped(window: &WindowDocument, outer: &WindowDocument) -> WindowDocument {
+    WindowDocument { h: common(window.h, outer.h), l: common(window.l, outer.l) }
+}
+
+/// A window on the page, h to the right and l upwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct View {
+    pub window: WindowDocument,
+    pub rect: Rect,
+}
+
+impl View {
+    /// Position on the page of [h, l].
+    pub(super) fn position(&self, point: [f64; 2]) -> Point {
+        let [h, l] = point;
+        let WindowDocument { h: [h0, h1], l: [l0, l1] } = self.window;
+        [
+            self.rect.x + (h - h0) / (h1 - h0) * self.rect.width,
+            self.rect.y + self.rect.height - (l - l0) / (l1 - l0) * self.rect.height,
+        ]
+    }
+
+    pub(super) fn positions(&self, points: &[[f64; 2]]) -> Vec<Point> {
+        points.iter().map(|point| self.position(*point)).collect()
+    }
+
+    /// Where another window lies in this one.
+    pub(super) fn frame(&self, window: &WindowDocument) -> Rect {
+        let [x, bottom] = self.position([window.h[0], window.l[0]]);
+        let [right, y] = self.position([window.h[1], window.l[1]]);
+        Rect { x, y, width: right - x, height: bottom - y }
+    }
+
+    /// Energies in a pixel.
+    pub(super) fn h_per_pixel(&self) -> f64 {
+        length(self.window.h) / self.rect.width
+    }
+
+    /// Vertical angular momenta in a pixel.
+    pub(super) fn l_per_pixel(&self) -> f64 {
+        length(self.window.l) / self.rect.height
+    }
+}
 
 /// Between two windows, as a share of the smaller one.
 const BETWEEN: f64 = 0.03;

@@ -1,4 +1,5 @@
-//! The one font of every picture, built into the binary: text comes out the same where no fonts are installed.
+//! The one font of every picture, built into the binary, so that text comes out the same where no fonts are installed; widths
+//! of texts in it, and lines.
 
 use std::sync::{Arc, OnceLock};
 
@@ -12,11 +13,8 @@ pub(crate) const FAMILY: &str = "DejaVu Sans";
 
 const BYTES: &[u8] = include_bytes!("../../fonts/DejaVuSans.ttf");
 
-/// plotters writes a font size of `size / 1.24` into the SVG.
-pub(crate) const PLOTTERS_SCALE: f64 = 1.24;
-
-/// plotters measures text at `size` pixels from ascent to descent, which is this many times wider than the SVG's text.
-const MEASURE_EXCESS: f64 = 1.065;
+/// From ascent to descent, in font sizes: this is the size by which plotters measures text.
+const EXTENT: f64 = 1.164_32;
 
 /// Makes the font known to plotters; safe to call again.
 pub(crate) fn register() -> Result<(), PlotError> {
@@ -43,8 +41,13 @@ pub fn text_width(text: &str, size: f64) -> f64 {
         return 0.0;
     }
     // Measured at a hundredfold size, since plotters rounds to whole pixels.
-    let font = (FAMILY, size * PLOTTERS_SCALE * 100.0).into_font();
-    font.box_size(text).map_or(0.0, |(width, _)| f64::from(width) / (100.0 * MEASURE_EXCESS))
+    let font = (FAMILY, size * EXTENT * 100.0).into_font();
+    font.box_size(text).map_or(0.0, |(width, _)| f64::from(width) / 100.0)
+}
+
+/// Width of the widest of some texts.
+pub(crate) fn widest<'a>(texts: impl IntoIterator<Item = &'a String>, size: f64) -> f64 {
+    texts.into_iter().map(|text| text_width(text, size)).fold(0.0, f64::max)
 }
 
 /// The font size of a title: smaller than usual where it would be wider than `width`, but not below the smallest letters.
@@ -52,4 +55,19 @@ pub(crate) fn title_size(title: &str, usual: f64, width: f64) -> f64 {
     const SMALLEST: f64 = 11.0;
     let own = text_width(title, usual);
     if own <= width { usual } else { (usual * width / own).max(SMALLEST) }
+}
+
+/// A text in lines of at most `width` pixels, broken between words.
+pub(crate) fn lines(text: &str, size: f64, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if text_width(&format!("{line} {word}"), size) <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
