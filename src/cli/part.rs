@@ -12,6 +12,7 @@ use clap::Args;
 
 use super::export::{FileSet, PictureArguments, answer};
 use super::failure::Failure;
+use super::input::values::Triple;
 use super::input::{GivenPart, PartArguments, shown};
 use super::terminal::{Report, Table, Timings, significant};
 
@@ -59,7 +60,7 @@ pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failu
 
 /// The mesh behind the ellipsoid.
 fn scene(arguments: &PartBodyArguments) -> PartScene {
-    let pivot = arguments.part.pivot.as_ref().map_or([0.0; 3], |pivot| pivot.rounded());
+    let pivot = arguments.part.pivot.as_ref().map_or([0.0; 3], Triple::rounded);
     PartScene { edges: arguments.part.file.as_ref().map(|path| edges(path, pivot)).unwrap_or_default() }
 }
 

@@ -93,7 +93,7 @@ impl Journal {
         reader.seek(SeekFrom::Start(self.end))?;
         let mut room = vec![0; 1 << 16];
         while self.end + LENGTH + CHECKSUM as u64 <= length {
-            let mut bytes = [0; LENGTH as usize];
+            let mut bytes = [0; size_of::<u64>()];
             reader.read_exact(&mut bytes)?;
             let from = self.end + LENGTH;
             let to = from.checked_add(u64::from_le_bytes(bytes)).filter(|to| *to <= length - CHECKSUM as u64);
