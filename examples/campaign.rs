@@ -120,7 +120,7 @@ fn examine(body: &Body, atlas: &Atlas, h: f64, l: f64, counts: &mut Tally) -> Re
     let (Ok(number_h), Ok(number_l)) = (Number::from_f64(h), Number::from_f64(l)) else { return Ok(()) };
     let (cold, prepared) = match (
         classify(body, &number_h, &number_l),
-        bifdiag_diagram::fast::classify_in(&atlas, &number_h, &number_l).map(|(found, _)| found),
+        bifdiag_diagram::fast::classify_in(atlas, &number_h, &number_l).map(|(found, _)| found),
     ) {
         (Ok(cold), Ok(prepared)) => (cold, prepared),
         (Err(error), _) | (_, Err(error)) => {

@@ -100,7 +100,7 @@ fn proofs(bodies: &[&Body]) -> (Tally, Vec<Option<Classes>>) {
 }
 
 fn with_documents(bodies: &[&Body], truths: &[Option<Classes>], accuracy: Accuracy) -> Tally {
-    let options = DocumentOptions { accuracy: accuracy, ..DocumentOptions::default() };
+    let options = DocumentOptions { accuracy, ..DocumentOptions::default() };
     let mut tally = Tally::default();
     for (body, truth) in bodies.iter().zip(truths) {
         let (found, time) = timed(|| {

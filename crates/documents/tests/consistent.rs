@@ -63,7 +63,7 @@ fn is_consistent(atlas: &Atlas, drawing: Drawn) -> Verdict {
         region.components.iter().try_for_each(names_follow)?;
         let sample = &region.sample;
         let found =
-            bifdiag_diagram::fast::classify_in(&atlas, &number(sample.h), &number(sample.l)).map(|(found, _)| found);
+            bifdiag_diagram::fast::classify_in(atlas, &number(sample.h), &number(sample.l)).map(|(found, _)| found);
         let thin = sample.margin.h <= 4.0 * sample.margin.error_bound + 1e-13 * sample.h.abs();
         let found = found.ok().and_then(|found| found.components().map(bifdiag_documents::components));
         // Where f64 proves no topology the region has none either.

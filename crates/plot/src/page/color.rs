@@ -13,7 +13,7 @@ pub(crate) const PAPER: RGBColor = rgb(0xff_ff_ff);
 /// The pole +r̂.
 pub const POLE: RGBColor = rgb(0xdc_72_26);
 /// The pole −r̂.
-pub const POLE_MINUS: RGBColor = rgb(0x78_32_64);
+pub const POLE_MINUS: RGBColor = RGBColor(0x78, 0x32, 0x64);
 
 /// Colour and width of a line, in pixels.
 #[derive(Clone, Copy, Debug)]
