@@ -7,7 +7,7 @@ use bifdiag_schema::{Accuracy, AtlasDocument};
 use crate::atlas::{DocumentOptions, attach_part, command, document, name_command};
 use crate::subject::Subject;
 
-/// The document with its certificate, sealed by its checksum. `drawn` is [`CertifiedAtlas::drawn`].
+/// The document with its certificate, sealed by its checksum. `drawn` is [`CertifiedAtlas::to_atlas`].
 ///
 /// # Errors
 /// When the document cannot be written as JSON.

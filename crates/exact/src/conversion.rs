@@ -116,7 +116,7 @@ impl CertifiedAtlas {
         atlas::Sample { x, h: rounded_h, margin: least, error, nearest: map[nearest] }
     }
 
-    /// Proved bounds of the events, in the order in which [`Self::drawn`] has them.
+    /// Proved bounds of the events, in the order in which [`Self::to_atlas`] has them.
     #[must_use]
     pub fn enclosures(&self) -> Vec<EnclosureDocument> {
         let of_event = |&number: &EventId| {

@@ -1,8 +1,8 @@
 //! Pictures of finished results: the bifurcation diagram of an atlas, Poincaré sections and maps, as SVG,
 //! PNG and, with the feature `pdf`, PDF.
 //!
-//! What is drawn of an atlas comes from [`schema`] alone, what is drawn of a section from its portrait and its crossings;
-//! nothing is computed here that these do not say already. Every picture is drawn on a [`page`], which knows nothing of what
+//! What is drawn of an atlas comes from [`bifdiag_schema`] alone, what is drawn of a section from its portrait and its
+//! crossings; nothing is computed here that these do not say already. Every picture is drawn on a [`page`], which knows nothing of what
 //! it shows, and becomes a [`Picture`]; other pictures can be drawn on it too.
 
 mod animation;

@@ -48,7 +48,7 @@ impl Atlas {
     /// Locates a point (h, l), l ≠ 0: a binary search over events, then over the curves of one slab.
     ///
     /// # Errors
-    /// [`MomentumError`] when |l| is out of range; l = 0 is answered by [`crate::classify`].
+    /// [`MomentumError`] when |l| is out of range; l = 0 is answered by [`crate::fast`].
     pub fn locate(&self, h: f64, l: f64) -> Result<Location, MomentumError> {
         let frame = &self.arrangement.set.frame;
         let x = abscissa(frame, l)?;

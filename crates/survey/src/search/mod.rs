@@ -70,7 +70,7 @@ pub struct NearestBody {
     pub values: [[f64; 3]; 2],
     /// h and l where it came nearest.
     pub at: Option<[f64; 2]>,
-    /// What is missing, as in [`Score::Near`](super::Score::Near); 0 where it seemed to show it and was not confirmed.
+    /// What is missing, measured by the objective of the search; 0 where it seemed to show it and was not confirmed.
     pub missing: f64,
 }
 

@@ -216,8 +216,8 @@ pub enum Touch {
 const BITS: usize = 192;
 
 impl ExactPoint {
-    /// All equilibria of a family at the roots of a polynomial in its coordinate ([`FamilyChart::at_momentum`],
-    /// [`FamilyChart::at_spin`]), by rising number of the piece. `None` when roots are closer than 2^-4000.
+    /// All equilibria of a family at the roots of a polynomial in its coordinate (`FamilyChart::at_momentum`,
+    /// `FamilyChart::at_spin`), by rising number of the piece. `None` when roots are closer than 2^-4000.
     #[must_use]
     pub fn all(body: &ExactBody, chart: &FamilyChart, profile: &Profile, condition: &Polynomial) -> Option<Vec<Self>> {
         let mut cuts: Vec<(Root, StationKind)> =
