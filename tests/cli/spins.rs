@@ -226,7 +226,10 @@ fn sentences_about_all_parts_are_true() {
     let free = told("--A 1,2,3 --r 0,0,0 --axis y");
     assert!(free.contains("+axis up, each of these parts is saddle-centre at every spin: all are unstable"), "{free}");
     let fast = told("--A 1,2,3 --r 0,0,0 --axis z");
-    assert!(fast.contains("each of these parts is elliptic (local minimum) at every spin: none is unstable"), "{fast}");
+    assert!(
+        fast.contains("each of these parts is elliptic (local minimum) at every spin: none is linearly unstable"),
+        "{fast}"
+    );
 }
 
 /// A pole that enters U changes the section, not U.
@@ -248,7 +251,9 @@ fn on_a_pole_line_the_section_changes() {
 fn a_curve_is_judged_in_the_words_of_a_state() {
     bifdiag("show L+.1 --A 2,2,1 --r 0,0,1").succeeds().printing("elliptic, stable by energy");
     bifdiag("show S23.1 --A 2,1,1 --r 0,0,0").succeeds().printing("elliptic, stable by an integral");
-    bifdiag("show L- --A 25,1,1 --r 0,0,1").succeeds().printing("elliptic, spectrally stable, of which nothing more");
+    bifdiag("show L- --A 25,1,1 --r 0,0,1")
+        .succeeds()
+        .printing("elliptic, spectrally stable; stability itself is not decided");
     bifdiag("show L-.1 --A 1,2,3 --r 0,0,1").succeeds().printing("saddle, unstable");
 }
 
@@ -307,4 +312,20 @@ fn steady_rotations_are_the_relative_equilibria() {
             Ok(())
         });
     }
+}
+
+/// At rest the fallback lost the angle to the axis, and a body beside its equilibrium was reported as steady.
+#[test]
+fn a_body_at_rest_beside_its_equilibrium_is_not_steady() {
+    let state = "state --A 1.3,2.1,1.6 --r 0,1,0 --omega 0,0,0 --vertical 1,-1,0";
+    let text = bifdiag(state).succeeds().printing("the motion is not steady");
+    text.printing("(0, -1, 0), 45° from the vertical");
+    assert!(bifdiag(&format!("{state} --json")).succeeds().json()["steady"].is_null());
+}
+
+/// All axes in the plane of two equal moments are principal, and steady at no spin unless r lies on them.
+#[test]
+fn the_nearest_axis_of_a_symmetric_body_is_steady_at_a_spin() {
+    let text = bifdiag("critical-spin --A 1,1,1.5 --r 0.3,0,0.5 --axis=0.2,1,0.1").succeeds();
+    text.printing("the nearest permanent axis is (0.894427, 0, 0.447214), 77.4");
 }

@@ -295,7 +295,7 @@ fn reflections_change_nothing() {
 }
 
 #[test]
-fn the_sign_of_l_changes_nothing_but_that_of_omega() {
+fn the_sign_of_l_changes_nothing_but_those_of_l_and_omega() {
     for stratum in STRATA {
         holds_for_points(stratum, 100, |body, aim| {
             let Some(atlas) = atlas(body) else { return Ok(()) };
@@ -306,6 +306,7 @@ fn the_sign_of_l_changes_nothing_but_that_of_omega() {
             let mut mirrored = critical(body, &minus).unwrap();
             for equilibrium in &mut mirrored.list {
                 equilibrium.omega = -equilibrium.omega;
+                equilibrium.l = -equilibrium.l;
             }
             prop_assert_eq!(critical(body, &plus).unwrap(), mirrored);
             Ok(())

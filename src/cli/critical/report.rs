@@ -61,7 +61,8 @@ pub fn steady_axes(subject: &Subject, document: &SteadyAxesDocument) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
     let [rpm, rad_per_s] = [document.spin.rpm, document.spin.rad_per_s].map(|x| significant(x, 8));
-    report.line(format!("steady axes at {rpm} rpm = {rad_per_s} rad/s"));
+    let rest = if document.spin.rad_per_s == 0.0 { " (at rest)" } else { "" };
+    report.line(format!("steady axes at {rpm} rpm = {rad_per_s} rad/s{rest}"));
     report.line("");
     report.line(places.text());
     let points: Vec<&RelativeEquilibriumDocument> = document.axes.iter().map(|axis| &axis.equilibrium).collect();
@@ -119,11 +120,13 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
     ));
     report.line(format!("eigenvalues: of the linearised flow at fixed l, {rates}"));
     if points.iter().any(|point| point.stable == Verdict::Spectrum) {
-        report.line("spectrally stable is not stable: all eigenvalues are imaginary, and nothing more is known");
+        report.line(
+            "spectrally stable is not stable: all eigenvalues are imaginary, and stability itself is not decided",
+        );
     }
     if let Some(all) = points.iter().find(|point| point.multiplicity == Multiplicity::Sphere) {
         report.line(if all.omega == 0.0 {
-            "sphere: at rest every orientation is an equilibrium"
+            "sphere: at rest every orientation is an equilibrium; they are judged as a whole"
         } else {
             "sphere: rotation about every axis is a relative equilibrium"
         });

@@ -82,7 +82,7 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
     let [below, at, above] = bifdiag_documents::changes_beside(&rotation, "+axis", prepared.atlas(), second, omega);
     let Some((kind, verdict)) = rotation.stability_at_spin(omega) else {
         let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
-        let found = nearest_steady(&subject.body, omega, &up)?;
+        let found = SteadyRotation { angle, ..nearest_steady(&subject.body, omega, &up)? };
         return Some(SteadyDocument { below, at, above, ..steady(question, &found, prepared) });
     };
     let verdict = bifdiag_documents::verdict(verdict);
@@ -164,7 +164,9 @@ pub fn told(report: &mut Report, steady: &SteadyDocument) {
         Some(Multiplicity::Circle) => {
             report.line("it is one of a circle of steady rotations, which are judged as a whole");
         }
-        Some(Multiplicity::Sphere) if steady.l == 0.0 => report.line("at rest every orientation is an equilibrium"),
+        Some(Multiplicity::Sphere) if steady.l == 0.0 => {
+            report.line("at rest every orientation is an equilibrium; they are judged as a whole")
+        }
         Some(Multiplicity::Sphere) => report.line("rotation about every axis is steady"),
         Some(Multiplicity::Points(_)) | None => {}
     }

@@ -133,6 +133,9 @@ fn table(ranges: &[SpinRangeDocument], inside: bool) -> String {
     let mut names = vec!["up", "rpm", "below", "above", "matters most", "moves it by"];
     if inside {
         names.insert(INSIDE, "inside too");
+    } else {
+        // These are bounds with one input's tolerance alone, which may be far wider than what happens.
+        names.splice(4.., ["widest bound by", "half its width"]);
     }
     let mut table = Table::new(&names);
     for range in ranges {
@@ -191,10 +194,10 @@ fn certainly(up: &str, slow: &str, ranges: &[SpinRangeDocument]) -> String {
     let is_known = ranges.iter().any(|range| range.from.is_some() || range.to.is_some());
     match (ranges.is_empty(), stretches.is_empty()) {
         (true, _) if is_stable(slow) => {
-            format!("{up} up, each of these parts is {slow} at every spin: none is unstable")
+            format!("{up} up, each of these parts is {slow} at every spin: none is linearly unstable")
         }
         (true, _) => format!("{up} up, each of these parts is {slow} at every spin: all are unstable"),
-        (false, false) => format!("{up} up, none of these parts is unstable {}", stretches.join(", ")),
+        (false, false) => format!("{up} up, none of these parts is linearly unstable {}", stretches.join(", ")),
         (false, true) if is_known => {
             format!("{up} up, each of these parts is unstable at every spin outside the ranges")
         }
@@ -235,13 +238,19 @@ mod tests {
     fn stability_is_told_where_it_is_decided() {
         let told = |slow, ranges: &[SpinRangeDocument]| certainly("+axis", slow, ranges);
         let (first, second) = ([Some(1.0), Some(2.0)], [Some(4.0), Some(8.0)]);
-        assert_eq!(told("elliptic", &[]), "+axis up, each of these parts is elliptic at every spin: none is unstable");
+        assert_eq!(
+            told("elliptic", &[]),
+            "+axis up, each of these parts is elliptic at every spin: none is linearly unstable"
+        );
         assert_eq!(told("saddle", &[]), "+axis up, each of these parts is saddle at every spin: all are unstable");
         let unstable = [range(Some("saddle"), Some("complex"), first), range(Some("complex"), Some("saddle"), second)];
         let all = "+axis up, each of these parts is unstable at every spin outside the ranges";
         assert_eq!(told("saddle", &unstable), all);
         let between = [range(None, Some("elliptic"), first), range(Some("elliptic"), Some("saddle"), second)];
-        assert_eq!(told("saddle", &between), "+axis up, none of these parts is unstable from 2.00001 to 3.99998 rpm");
+        assert_eq!(
+            told("saddle", &between),
+            "+axis up, none of these parts is linearly unstable from 2.00001 to 3.99998 rpm"
+        );
         let nowhere = "+axis up, the types of all these parts are known at no spin";
         assert_eq!(told("elliptic", &[range(None, None, [Some(0.0), None])]), nowhere);
     }

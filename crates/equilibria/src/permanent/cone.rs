@@ -79,13 +79,29 @@ pub fn nearest_permanent(body: &Body, up: [f64; 3]) -> Option<NearestAxis> {
     }
     let scale = cone.amax();
     // Of an axis that was moved onto the cone no more than thirteen digits are known.
-    let (axis, rounding) =
-        if scale == 0.0 || is_on_cone(&cone, up) { (up, 0.0) } else { (nearest_on_cone(cone / scale, up), 1e-13) };
+    let (axis, rounding) = if scale == 0.0 || is_on_cone(&cone, up) {
+        (up, 0.0)
+    } else if let Some(k) = (0..3).find(|&k| difference[k] == 0.0) {
+        (nearest_of_a_symmetric_body(k, r, up), 1e-13)
+    } else {
+        (nearest_on_cone(cone / scale, up), 1e-13)
+    };
     Some(NearestAxis {
         axis,
         angle: angle_between(axis, up),
         squared_spin: squared_spin(difference, r, axis, rounding),
     })
+}
+
+/// With A_i = A_j the cone is two planes: that of the equal moments, whose axes are principal and steady at no spin unless r
+/// lies on them, and that of e_k and r. The axis of the latter nearest to `up`.
+fn nearest_of_a_symmetric_body(k: usize, r: [f64; 3], up: [f64; 3]) -> [f64; 3] {
+    let across: [f64; 3] = std::array::from_fn(|i| if i == k { 0.0 } else { r[i] });
+    let across = normalised(across);
+    let part = dot(up, across);
+    let nearest: [f64; 3] = std::array::from_fn(|i| if i == k { up[k] } else { part * across[i] });
+    // Where `up` is orthogonal to the plane, all of its axes are as near.
+    normalised(if norm(nearest) > 0.0 { nearest } else { r })
 }
 
 /// A_j − A_i for cyclic (i, j, k), rounded once.

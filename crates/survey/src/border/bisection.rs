@@ -68,7 +68,9 @@ pub enum BorderError {
         source: NoClass,
     },
     /// Both ends have one class.
-    #[error("both ends have the class {class}; there is no border to find, or an even number of them")]
+    #[error(
+        "both ends have the class {class}; a border is searched between two classes: take ends of different classes"
+    )]
     SameClass {
         /// Its name.
         class: ClassName,
