@@ -95,3 +95,10 @@ fn a_curve_at_which_nothing_is_said_to_change_leads_to_one() {
     let told = bifdiag("show P+ --body kovalevskaya").succeeds().stdout();
     assert!(told.contains("no region is said to end on it; show ") && !told.contains("with rising h"), "{told}");
 }
+
+/// Without weight every region reaches h = l = 0; only the forbidden one was reported.
+#[test]
+fn a_free_body_at_rest_lies_where_all_regions_meet() {
+    let found = bifdiag("classify --A 1.3,2.1,1.6 --r 0,0,0 --h 0 --l 0").succeeds();
+    found.printing("the forbidden region").printing("region R1").printing("region R2").printing("region R3");
+}

@@ -58,11 +58,13 @@ fn faults(name: &str, body: &Body, width: Width) -> Vec<String> {
     let mut faults = layout.collisions();
     faults.extend(unprintable(&picture, width));
     for region in &atlas.regions {
+        // In a label, in the key, where regions of one ground share an entry, or in a note on what cannot be drawn.
         let told = |text: &str| {
-            let rest = text.strip_prefix(&region.id);
-            // In a label, in the key, or in a note on what cannot be drawn.
-            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", U = ") || rest.starts_with(": "))
-                || text.contains(&format!("{} (", region.id))
+            let is_named = |entry: &str| {
+                let rest = entry.strip_prefix(&region.id);
+                rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", U = ") || rest.starts_with(": "))
+            };
+            text.split(";  ").any(is_named) || text.contains(&format!("{} (", region.id))
         };
         if !layout.texts.iter().any(|(text, _, _)| told(text)) {
             faults.push(format!("{} is not told", region.id));

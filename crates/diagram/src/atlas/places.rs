@@ -71,6 +71,11 @@ impl Atlas {
         let x = abscissa(frame, l.to_f64()).ok()?.max(AT_REST);
         let near = match self.locate_scaled(h.to_f64() / frame.energy_unit, x).place {
             _ if at_rest && matches!(answer, Answer::Regular(_)) => vec![Some(self.region_at_rest(h)?)],
+            // Without weight every curve begins at h = l = 0.
+            _ if at_rest && frame.is_euler() && matches!(answer, Answer::Critical(_)) => {
+                let above = &self.arrangement.slabs[SlabId::at(0)].region_above;
+                std::iter::once(None).chain(above.iter().copied().map(Some)).collect()
+            }
             Place::Region(region) => vec![Some(region)],
             Place::Forbidden => vec![None],
             Place::Undecided(places) => places,
