@@ -102,3 +102,14 @@ fn a_free_body_at_rest_lies_where_all_regions_meet() {
     let found = bifdiag("classify --A 1.3,2.1,1.6 --r 0,0,0 --h 0 --l 0").succeeds();
     found.printing("the forbidden region").printing("region R1").printing("region R2").printing("region R3");
 }
+
+/// The numbers of the search are rounded, and lay beyond the border: the body's own class was the one beyond.
+#[test]
+fn a_body_on_a_border_has_another_class_beyond() {
+    for body in ["--A 1.3,2.1,1.575 --r 0,1,0", "--A 8,7,6 --r 1,0,0"] {
+        let document = bifdiag(&format!("classes --at {body} --json")).succeeds().json();
+        let name = &document["name"];
+        let beyond = document["borders"].as_array().unwrap();
+        assert!(beyond.iter().all(|border| border["class"] != *name), "{body}: {document}");
+    }
+}

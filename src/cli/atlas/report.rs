@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use bifdiag_documents::Subject;
 use bifdiag_documents::words::counted;
 use bifdiag_schema::{
-    AtlasDocument, ComponentDocument, EventDocument, EventKind, RegionDocument, StabilityChangeDocument,
+    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument,
+    StabilityChangeDocument,
 };
 
 use crate::cli::input::head;
@@ -37,8 +38,10 @@ pub fn text(subject: &Subject, document: &AtlasDocument, written: &[PathBuf]) ->
         report.line("");
     }
     let summary = &document.summary;
+    let is_set = |curve: &CurveDocument| matches!(curve.kind, CurveKind::Circle | CurveKind::Sphere);
+    let once = if document.curves.iter().any(is_set) { " (a circle or sphere of them counted once)" } else { "" };
     report.line(format!(
-        "{}, {}, at most {} at one l",
+        "{}, {}, at most {} at one l{once}",
         counted(summary.regions, "region", "regions"),
         counted(summary.events, "event", "events"),
         counted(summary.critical_points_max, "relative equilibrium", "relative equilibria"),

@@ -114,9 +114,13 @@ fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
         ..usual
     };
     let class = class_of(&subject.body, Accuracy::Exact).map(|(_, class)| class);
-    let borders = match &class {
-        Ok(_) => nearest(ReducedBody::of_body(&subject.body), &options),
-        Err(_) => Vec::new(),
+    let (own, borders): (Vec<_>, Vec<_>) = match &class {
+        // The search works with rounded numbers, which may lie beyond a border on which the body is: then the body's own
+        // class is found on the other side.
+        Ok(class) => nearest(ReducedBody::of_body(&subject.body), &options)
+            .into_iter()
+            .partition(|border| border.class.name() == class.name()),
+        Err(_) => Default::default(),
     };
     let command = subject
         .command("classes")
@@ -130,7 +134,12 @@ fn standing(arguments: &ClassesArguments) -> Result<(), Failure> {
         let mut text = Report::default();
         head(&subject, &mut text);
         match &class {
-            Ok(_) => standing_report(&mut text, &document),
+            Ok(_) => {
+                standing_report(&mut text, &document);
+                if !own.is_empty() {
+                    text.line("the body is on a border of its class, or within rounding of one");
+                }
+            }
             Err(error) => text.line(format!("the body has no class: {error}")),
         }
         text.text()
@@ -146,7 +155,7 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         report.line("  it is none of the classes that come with bifdiag, so `bifdiag class` does not know it");
     }
     if document.borders.is_empty() {
-        report.line("no border was met on the lines through it");
+        report.line("no other class was met on the lines through it");
         return;
     }
     report.line("");
