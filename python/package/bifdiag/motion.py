@@ -30,7 +30,8 @@ class Motion(Table):
     theta, psi, phi : array (n,)
         Euler's angles of R = R_z(φ) R_x(ϑ) R_z(ψ), which takes vectors from the body frame to space; γ is its third
         row: γ = (sin ψ sin ϑ, cos ψ sin ϑ, cos ϑ). So ϑ in [0, π] is the angle between the body's third axis and *down*;
-        ψ is in (−π, π], and φ, the angle about the vertical, is continuous. These are not the ``theta`` and ``psi`` of a `Section`.
+        ψ is in (−π, π], and φ, the angle about the vertical, is continuous. These are not the ``theta`` and ``psi`` of a
+        `Section`.
     quaternion : array (n, 4)
         The same R as w, x, y, z; continuous in time.
     meta : dict

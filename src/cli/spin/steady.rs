@@ -165,7 +165,7 @@ pub fn told(report: &mut Report, steady: &SteadyDocument) {
             report.line("it is one of a circle of steady rotations, which are judged as a whole");
         }
         Some(Multiplicity::Sphere) if steady.l == 0.0 => {
-            report.line("at rest every orientation is an equilibrium; they are judged as a whole")
+            report.line("at rest every orientation is an equilibrium; they are judged as a whole");
         }
         Some(Multiplicity::Sphere) => report.line("rotation about every axis is steady"),
         Some(Multiplicity::Points(_)) | None => {}
