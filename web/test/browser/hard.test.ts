@@ -33,8 +33,8 @@ test("where there is no section, a sentence says why, and that is no error", asy
 
 test.each([
   ["A=2,1.5,1&r=0,0,0", "Euler's case"],
-  ["body=lagrange", "whole circles"],
-  ["A=5,1,1&r=1,0.2,0.1", "No real body"],
+  ["body=lagrange", "form circles"],
+  ["A=5,1,1&r=1,0.2,0.1", "No physical body"],
   ["A=1,1,1&r=1,0,0", "on a principal axis"],
 ])("%s: a sentence tells what is special", async (hash, words) => {
   const page = await open(hash);

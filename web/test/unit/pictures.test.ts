@@ -82,6 +82,6 @@ describe("classes in words", () => {
     const known = await loaded();
     const presets = Object.values(known.special).map(({ preset }) => preset);
     for (let k = 1; k <= 7; k++) expect(presets).toContain(`katok:${k}`);
-    expect(described(known, "01036ac4a504")).toMatch(/^number 1 of \d+ of bodies that exist, 3\d\.\d % of them$/);
+    expect(described(known, "01036ac4a504")).toMatch(/^number 1 of \d+ classes of physical bodies, 3\d\.\d % of them$/);
   });
 });
