@@ -64,7 +64,7 @@ fn faults(name: &str, body: &Body, width: Width) -> Vec<String> {
                 let rest = entry.strip_prefix(&region.id);
                 rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", U = ") || rest.starts_with(": "))
             };
-            text.split(";  ").any(is_named) || text.contains(&format!("{} (", region.id))
+            text.split(';').map(str::trim_start).any(is_named) || text.contains(&format!("{} (", region.id))
         };
         if !layout.texts.iter().any(|(text, _, _)| told(text)) {
             faults.push(format!("{} is not told", region.id));
