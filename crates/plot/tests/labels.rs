@@ -62,7 +62,7 @@ fn faults(name: &str, body: &Body, width: Width) -> Vec<String> {
         let told = |text: &str| {
             let is_named = |entry: &str| {
                 let rest = entry.strip_prefix(&region.id);
-                rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", U = ") || rest.starts_with(": "))
+                rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(", U = ") || rest.starts_with(':'))
             };
             text.split(';').map(str::trim_start).any(is_named) || text.contains(&format!("{} (", region.id))
         };
