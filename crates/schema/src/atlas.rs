@@ -116,7 +116,7 @@ pub struct StabilityChangeDocument {
     pub from: Stability,
     /// The type at larger l or, at a cusp or pitchfork, on `onto`.
     pub to: Stability,
-    /// Bound on the errors of `l` and `h`; with a certificate at most 256 roundings (2⁻⁵²) of l + |h| + |r|.
+    /// Bound on the errors of `l` and `h`; with a certificate at most 256 roundings (2⁻⁵²) of `l + |h| + |r|`.
     pub error_bound: f64,
 }
 
@@ -170,7 +170,7 @@ pub enum EventKind {
 }
 
 /// Proved bounds of a point, as decimals. In l² they are at most as wide as the enclosure of the certificate and four
-/// roundings (2⁻⁵²) of l², in h as that and four roundings of |h| + |r|.
+/// roundings (2⁻⁵²) of l², in h as that and four roundings of `|h| + |r|`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct EnclosureDocument {
     /// l lies between these; the lower one is not negative.
@@ -192,7 +192,7 @@ pub struct EventDocument {
     pub curves: Vec<String>,
     /// Bound on the error of `l`; with a certificate at most the width of the enclosure and two roundings of l.
     pub l_error: f64,
-    /// Bound on the error of `h`; with a certificate at most the width of the enclosure and four roundings of |h| + |r|.
+    /// Bound on the error of `h`; with a certificate at most the width of the enclosure and four roundings of `|h| + |r|`.
     pub h_error: f64,
     /// Proved bounds (certified only).
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -26,7 +26,7 @@ pub struct ComponentDocument {
 /// sides; with `exact`, those at l itself.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MarginDocument {
-    /// |h − h_c| to the nearest critical curve or pole line at this l.
+    /// `|h − h_c|` to the nearest critical curve or pole line at this l.
     pub h: f64,
     /// Id of that curve.
     pub nearest: String,

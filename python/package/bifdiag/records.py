@@ -57,7 +57,7 @@ class Margin:
     Attributes
     ----------
     h : float
-        |h − h_c| to the nearest critical curve or pole line at this l.
+        ``|h − h_c|`` to the nearest critical curve or pole line at this l.
     nearest : str
         Id of that curve.
     error_bound : float
@@ -304,7 +304,7 @@ class Region(behaviour.Region):
 @dataclass(frozen=True, slots=True)
 class Enclosure:
     """Proved bounds of a point, as decimals. In l² they are at most as wide as the enclosure of the certificate and four
-    roundings (2⁻⁵²) of l², in h as that and four roundings of |h| + |r|.
+    roundings (2⁻⁵²) of l², in h as that and four roundings of ``|h| + |r|``.
 
     Attributes
     ----------
@@ -343,7 +343,8 @@ class Event:
     l_error : float
         Bound on the error of ``l``; with a certificate at most the width of the enclosure and two roundings of l.
     h_error : float
-        Bound on the error of ``h``; with a certificate at most the width of the enclosure and four roundings of |h| + |r|.
+        Bound on the error of ``h``; with a certificate at most the width of the enclosure and four roundings of ``|h| +
+        |r|``.
     enclosure : Enclosure or None
         Proved bounds (certified only).
     """
@@ -396,7 +397,7 @@ class StabilityChange:
     to : str
         The type at larger l or, at a cusp or pitchfork, on ``onto``.
     error_bound : float
-        Bound on the errors of ``l`` and ``h``; with a certificate at most 256 roundings (2⁻⁵²) of l + |h| + |r|.
+        Bound on the errors of ``l`` and ``h``; with a certificate at most 256 roundings (2⁻⁵²) of ``l + |h| + |r|``.
     """
 
     l: float

@@ -161,7 +161,7 @@ export interface Event {
   curves: string[];
   /** Bound on the error of `l`; with a certificate at most the width of the enclosure and two roundings of l. */
   l_error: number;
-  /** Bound on the error of `h`; with a certificate at most the width of the enclosure and four roundings of |h| + |r|. */
+  /** Bound on the error of `h`; with a certificate at most the width of the enclosure and four roundings of `|h| + |r|`. */
   h_error: number;
   /** Proved bounds (certified only). */
   enclosure?: Enclosure;
@@ -170,7 +170,7 @@ export interface Event {
 /** Kinds of events of the arrangement. */
 export type EventKind = "cusp" | "pitchfork" | "crossing";
 
-/** Proved bounds of a point, as decimals. In l² they are at most as wide as the enclosure of the certificate and four roundings (2⁻⁵²) of l², in h as that and four roundings of |h| + |r|. */
+/** Proved bounds of a point, as decimals. In l² they are at most as wide as the enclosure of the certificate and four roundings (2⁻⁵²) of l², in h as that and four roundings of `|h| + |r|`. */
 export interface Enclosure {
   /** l lies between these; the lower one is not negative. */
   l: [string, string];
@@ -194,7 +194,7 @@ export interface StabilityChange {
   from: Stability;
   /** The type at larger l or, at a cusp or pitchfork, on `onto`. */
   to: Stability;
-  /** Bound on the errors of `l` and `h`; with a certificate at most 256 roundings (2⁻⁵²) of l + |h| + |r|. */
+  /** Bound on the errors of `l` and `h`; with a certificate at most 256 roundings (2⁻⁵²) of `l + |h| + |r|`. */
   error_bound: number;
 }
 
@@ -237,7 +237,7 @@ export interface Sample {
 
 /** Distance in h to the nearest curve. With `fast`, curves that begin or end within rounding (1e-14) of l count on both sides; with `exact`, those at l itself. */
 export interface Margin {
-  /** |h − h_c| to the nearest critical curve or pole line at this l. */
+  /** `|h − h_c|` to the nearest critical curve or pole line at this l. */
   h: number;
   /** Id of that curve. */
   nearest: string;
