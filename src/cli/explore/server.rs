@@ -132,20 +132,28 @@ impl Write for Until<'_> {
     }
 }
 
-fn answer(stream: &TcpStream, folder: &Folder) -> io::Result<()> {
-    let mut lines = BufReader::new(Until(stream, Instant::now() + REQUEST).take(LONGEST_HEAD)).lines();
-    let request = lines.next().transpose()?.unwrap_or_default();
-    // The whole head is taken before the answer: what is left unread would cut the answer off.
-    let mut hosts = Vec::new();
-    for line in lines {
+/// The lines of a request's head. All of it is taken before an answer: it may come in several pieces, and what is left unread
+/// would cut the answer off.
+fn head(stream: &TcpStream, until: Instant) -> io::Result<Vec<String>> {
+    let mut lines = Vec::new();
+    for line in BufReader::new(Until(stream, until).take(LONGEST_HEAD)).lines() {
         let line = line?;
-        if line.is_empty() {
+        if !lines.is_empty() && line.is_empty() {
             break;
         }
-        hosts.extend(
-            line.split_once(':').filter(|(name, _)| name.eq_ignore_ascii_case("host")).map(|(_, host)| is_own(host)),
-        );
+        lines.push(line);
     }
+    Ok(lines)
+}
+
+fn answer(stream: &TcpStream, folder: &Folder) -> io::Result<()> {
+    let head = head(stream, Instant::now() + REQUEST)?;
+    let (request, fields) = head.split_first().map_or(("", &[][..]), |(request, fields)| (request.as_str(), fields));
+    let hosts: Vec<bool> = fields
+        .iter()
+        .filter_map(|field| field.split_once(':').filter(|(name, _)| name.eq_ignore_ascii_case("host")))
+        .map(|(_, host)| is_own(host))
+        .collect();
     let mut words = request.split(' ');
     let (method, target) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
     let path = target.split(['?', '#']).next().unwrap_or_default();
@@ -183,13 +191,7 @@ fn is_own(host: &str) -> bool {
 /// Answers without a thread that there are too many connections.
 fn refuse(stream: &TcpStream) -> io::Result<()> {
     let until = Instant::now() + REFUSAL;
-    // The whole head is taken here, too: a request may come in several pieces.
-    let lines = BufReader::new(Until(stream, until).take(LONGEST_HEAD)).lines();
-    for line in lines {
-        if line?.is_empty() {
-            break;
-        }
-    }
+    let _request = head(stream, until)?;
     Until(stream, until)
         .write_all(b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")
 }
