@@ -4,7 +4,8 @@ use bifdiag_body::part::Spin;
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_equilibria::critical::{Equilibria, Equilibrium, Multiplicity};
 use bifdiag_equilibria::curves::CurveName;
-use bifdiag_equilibria::stability::{ChangeKind, LinearType, Setting, Verdict};
+use bifdiag_equilibria::nonlinear::{Nonlinear, Setting, Verdict, Why};
+use bifdiag_equilibria::stability::{ChangeKind, LinearType};
 use bifdiag_numbers::Number;
 use bifdiag_schema::{
     CriticalDocument, CurveDocument, RelativeEquilibriumDocument, SteadyAxesDocument, SteadyAxisDocument,
@@ -71,7 +72,7 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
         index: found.index,
         multiplicity: multiplicity(found.multiplicity),
         stability: stability(found.stability),
-        stable: verdict(found.verdict),
+        stable: verdict(&found.nonlinear, found.stability),
         eigenvalues: found.eigenvalues.pairs,
         eigenvalue_error: found.eigenvalues.error,
         branch: found.curve.map_or_else(String::new, |curve| curve.to_string()),
@@ -101,12 +102,13 @@ pub const LINEAR_TYPES: [bifdiag_schema::Stability; 7] = [
 ];
 
 /// The words for verdicts, in the order of [`verdict_code`].
-pub const VERDICTS: [bifdiag_schema::Verdict; 5] = [
+pub const VERDICTS: [bifdiag_schema::Verdict; 6] = [
     bifdiag_schema::Verdict::Energy,
     bifdiag_schema::Verdict::Integral,
     bifdiag_schema::Verdict::Spectrum,
     bifdiag_schema::Verdict::Unstable,
     bifdiag_schema::Verdict::Open,
+    bifdiag_schema::Verdict::Arnold,
 ];
 
 /// The place of a linear type among [`LINEAR_TYPES`].
@@ -125,20 +127,32 @@ pub fn type_code(kind: LinearType) -> i8 {
 
 /// The place of a verdict among [`VERDICTS`].
 #[must_use]
-pub fn verdict_code(verdict: Verdict) -> i8 {
+pub fn verdict_code(verdict: bifdiag_schema::Verdict) -> i8 {
     match verdict {
-        Verdict::Energy => 0,
-        Verdict::Integral => 1,
-        Verdict::Spectrum => 2,
-        Verdict::Unstable => 3,
-        Verdict::Open => 4,
+        bifdiag_schema::Verdict::Energy => 0,
+        bifdiag_schema::Verdict::Integral => 1,
+        bifdiag_schema::Verdict::Spectrum => 2,
+        bifdiag_schema::Verdict::Unstable => 3,
+        bifdiag_schema::Verdict::Open => 4,
+        bifdiag_schema::Verdict::Arnold => 5,
     }
 }
 
 /// The word for a verdict.
 #[must_use]
-pub fn verdict(verdict: Verdict) -> bifdiag_schema::Verdict {
-    VERDICTS[verdict_code(verdict).unsigned_abs() as usize]
+pub fn verdict(found: &Nonlinear, kind: LinearType) -> bifdiag_schema::Verdict {
+    stable(Some((found.verdict, found.why)), kind)
+}
+
+fn stable(found: Option<(Verdict, Why)>, kind: LinearType) -> bifdiag_schema::Verdict {
+    match found {
+        Some((Verdict::Stable, Why::Energy)) => bifdiag_schema::Verdict::Energy,
+        Some((Verdict::Stable, Why::Integral)) => bifdiag_schema::Verdict::Integral,
+        Some((Verdict::Stable, _)) => bifdiag_schema::Verdict::Arnold,
+        Some((Verdict::Unstable, _)) => bifdiag_schema::Verdict::Unstable,
+        _ if kind == LinearType::Zero => bifdiag_schema::Verdict::Open,
+        _ => bifdiag_schema::Verdict::Spectrum,
+    }
 }
 
 /// What is known of the rotations of a curve of an atlas where they have this type; `None` for a pole line.
@@ -151,7 +165,7 @@ pub fn verdict_along(
     let set = &atlas.arrangement().set;
     let (_, found) = set.curves.pairs().find(|(id, _)| CurveName::of(set, *id).to_string() == curve.id)?;
     let kind = LinearType::ALL.into_iter().find(|known| stability(*known) == kind)?;
-    Setting::along(set, found).map(|setting| verdict(setting.verdict(kind)))
+    Setting::along(set, found).map(|setting| stable(setting.verdict(kind), kind))
 }
 
 /// The word for a linear type.

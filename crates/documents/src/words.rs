@@ -79,6 +79,7 @@ pub fn verdict(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Energy => "stable by energy",
         Verdict::Integral => "stable by an integral",
+        Verdict::Arnold => "stable by Arnold's theorem",
         Verdict::Spectrum => "spectrally stable; stability itself is not decided",
         Verdict::Unstable => "unstable",
         Verdict::Open => "its stability is not decided by the linearization",

@@ -6,8 +6,9 @@ mod whole;
 use bifdiag_body::{Body, BodyAxis, Frame, Preset};
 use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
 use bifdiag_equilibria::curves::CriticalSet;
+use bifdiag_equilibria::nonlinear::{Verdict, Why};
 use bifdiag_equilibria::permanent::{AxisRotation, permanent_axis};
-use bifdiag_equilibria::stability::{LinearType, LinearTypes, Verdict};
+use bifdiag_equilibria::stability::{LinearType, LinearTypes};
 use bifdiag_numbers::{Number, Sign};
 use dashu_ratio::RBig;
 use proptest::prelude::*;
@@ -46,8 +47,10 @@ fn is_of_type(found: &Equilibrium) -> bool {
 fn agrees(frame: &Frame, found: &Equilibrium) -> Held {
     let growth = found.eigenvalues.pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max);
     prop_assert!(is_of_type(found), "{found:?}");
-    prop_assert_eq!(growth > 0.0, found.verdict == Verdict::Unstable, "{:?}", found);
-    prop_assert_eq!(found.stability.is_unstable(), found.verdict == Verdict::Unstable, "{:?}", found);
+    // An eigenvalue with positive real part means unstable, whatever the other pair does.
+    prop_assert_eq!(growth > 0.0, found.nonlinear.why == Why::Spectrum, "{:?}", found);
+    prop_assert_eq!(found.stability.is_unstable(), found.nonlinear.why == Why::Spectrum, "{:?}", found);
+    prop_assert!(growth == 0.0 || found.nonlinear.verdict == Verdict::Unstable, "{:?}", found);
     let (real, size) = real_parts(frame, found.gamma, found.omega);
     let largest = real.iter().copied().fold(0.0, f64::max);
     prop_assert!((largest - growth).abs() <= CLEAR * size + found.eigenvalues.error, "{real:?} {found:?}");
@@ -88,41 +91,41 @@ fn verdicts_and_types_agree_with_the_whole_spectrum() {
 
 /// Bodies whose coincidences lie at rational l: A, r, l, γ there, and what is known of that equilibrium.
 /// Moments, centre of mass, l, γ, and what is known of the relative equilibrium there.
-type Known = ([&'static str; 3], [&'static str; 3], &'static str, [f64; 3], LinearType, Verdict);
+type Known = ([&'static str; 3], [&'static str; 3], &'static str, [f64; 3], LinearType, Why);
 
 const EXACT: [Known; 15] = [
     // c = 0 at the pitchfork of a standing top: b < 0, b = 0, b > 0.
-    (["2", "2", "1"], ["1", "0", "0"], "2", [-1.0, 0.0, 0.0], LinearType::ZeroReal, Verdict::Unstable),
-    (["5", "3", "6"], ["0", "0", "12"], "12", [0.0, 0.0, -1.0], LinearType::ZeroReal, Verdict::Unstable),
-    (["3", "4", "5"], ["0", "0", "8"], "10", [0.0, 0.0, -1.0], LinearType::Zero, Verdict::Open),
-    (["1", "2", "3"], ["0", "0", "1"], "3", [0.0, 0.0, -1.0], LinearType::Zero, Verdict::Open),
+    (["2", "2", "1"], ["1", "0", "0"], "2", [-1.0, 0.0, 0.0], LinearType::ZeroReal, Why::Spectrum),
+    (["5", "3", "6"], ["0", "0", "12"], "12", [0.0, 0.0, -1.0], LinearType::ZeroReal, Why::Spectrum),
+    (["3", "4", "5"], ["0", "0", "8"], "10", [0.0, 0.0, -1.0], LinearType::Zero, Why::Degenerate),
+    (["1", "2", "3"], ["0", "0", "1"], "3", [0.0, 0.0, -1.0], LinearType::Zero, Why::Energy),
     // At the pitchforks of a hanging one: μ is the largest moment, or the second.
-    (["3", "5/2", "2"], ["0", "0", "1"], "2", [0.0, 0.0, 1.0], LinearType::Zero, Verdict::Energy),
-    (["6", "3", "2"], ["0", "0", "4"], "4", [0.0, 0.0, 1.0], LinearType::Zero, Verdict::Open),
+    (["3", "5/2", "2"], ["0", "0", "1"], "2", [0.0, 0.0, 1.0], LinearType::Zero, Why::Energy),
+    (["6", "3", "2"], ["0", "0", "4"], "4", [0.0, 0.0, 1.0], LinearType::Zero, Why::Degenerate),
     // Lagrange's top: the circle leaves the standing and the hanging rotation, and where both pairs agree.
-    (["1", "1", "2"], ["0", "0", "4"], "4", [0.0, 0.0, -1.0], LinearType::Zero, Verdict::Integral),
-    (["1", "1", "5/4"], ["0", "0", "1/4"], "5/4", [0.0, 0.0, -1.0], LinearType::Zero, Verdict::Integral),
-    (["5", "5", "1"], ["0", "0", "4"], "1", [0.0, 0.0, 1.0], LinearType::Zero, Verdict::Energy),
-    (["1", "1", "1/2"], ["0", "0", "1"], "2", [0.0, 0.0, -1.0], LinearType::DoubleElliptic, Verdict::Integral),
+    (["1", "1", "2"], ["0", "0", "4"], "4", [0.0, 0.0, -1.0], LinearType::Zero, Why::Energy),
+    (["1", "1", "5/4"], ["0", "0", "1/4"], "5/4", [0.0, 0.0, -1.0], LinearType::Zero, Why::Integral),
+    (["5", "5", "1"], ["0", "0", "4"], "1", [0.0, 0.0, 1.0], LinearType::Zero, Why::Energy),
+    (["1", "1", "1/2"], ["0", "0", "1"], "2", [0.0, 0.0, -1.0], LinearType::DoubleElliptic, Why::Integral),
     // b² = 4c: both ends of complex stretches.
-    (["1", "4", "7/4"], ["0", "0", "13"], "7", [0.0, 0.0, -1.0], LinearType::DoubleReal, Verdict::Unstable),
-    (["1", "4", "7/4"], ["0", "0", "13"], "3", [0.0, 0.0, -1.0], LinearType::DoubleReal, Verdict::Unstable),
-    (["25", "1", "1"], ["0", "0", "1"], "12/5", [0.0, 0.0, -1.0], LinearType::DoubleElliptic, Verdict::Spectrum),
-    (["25", "1", "1"], ["0", "0", "1"], "2/5", [0.0, 0.0, -1.0], LinearType::DoubleReal, Verdict::Unstable),
+    (["1", "4", "7/4"], ["0", "0", "13"], "7", [0.0, 0.0, -1.0], LinearType::DoubleReal, Why::Spectrum),
+    (["1", "4", "7/4"], ["0", "0", "13"], "3", [0.0, 0.0, -1.0], LinearType::DoubleReal, Why::Spectrum),
+    (["25", "1", "1"], ["0", "0", "1"], "12/5", [0.0, 0.0, -1.0], LinearType::DoubleElliptic, Why::Resonance11),
+    (["25", "1", "1"], ["0", "0", "1"], "2/5", [0.0, 0.0, -1.0], LinearType::DoubleReal, Why::Spectrum),
     // A cusp of the pair over the second axis, at γ₁ = −1/3.
-    (["12", "3", "5"], ["3", "0", "0"], "4", [-1.0 / 3.0, f64::NAN, 0.0], LinearType::Zero, Verdict::Open),
+    (["12", "3", "5"], ["3", "0", "0"], "4", [-1.0 / 3.0, f64::NAN, 0.0], LinearType::Zero, Why::Degenerate),
 ];
 
 #[test]
 fn coincidences_at_a_rational_momentum_are_judged_exactly() {
-    for (a, r, l, gamma, kind, verdict) in EXACT {
+    for (a, r, l, gamma, kind, why) in EXACT {
         let body = Body::parse(&a, &r).unwrap();
         let number: Number = l.parse().unwrap();
         all_agree(&body, &number).unwrap();
         let found = RelativeEquilibria::new(&body).unwrap().at(&number).unwrap().list;
         let near = |p: &Equilibrium| (0..3).all(|k| gamma[k].is_nan() || (p.gamma[k] - gamma[k]).abs() < 1e-12);
-        let here: Vec<_> = found.iter().filter(|point| near(point)).map(|p| (p.stability, p.verdict)).collect();
-        assert!(!here.is_empty() && here.iter().all(|one| *one == (kind, verdict)), "{a:?} {l}: {here:?}, {found:?}");
+        let here: Vec<_> = found.iter().filter(|point| near(point)).map(|p| (p.stability, p.nonlinear.why)).collect();
+        assert!(!here.is_empty() && here.iter().all(|one| *one == (kind, why)), "{a:?} {l}: {here:?}, {found:?}");
     }
 }
 
@@ -131,7 +134,7 @@ fn kovalevskaya_at_its_pitchfork_is_unstable() {
     let found =
         RelativeEquilibria::new(&Preset::find("kovalevskaya").unwrap().body()).unwrap().at(&"2".parse().unwrap());
     let standing = found.unwrap().list.into_iter().find(|point| point.gamma[0] == -1.0).unwrap();
-    assert_eq!((standing.stability.word(), standing.verdict), ("zero", Verdict::Unstable));
+    assert_eq!((standing.stability.word(), standing.nonlinear.verdict), ("zero", Verdict::Unstable));
     let [[growth, still], zero] = standing.eigenvalues.pairs;
     assert!((growth - 0.5_f64.sqrt()).abs() <= standing.eigenvalues.error && still == 0.0 && zero == [0.0, 0.0]);
 }
@@ -157,11 +160,18 @@ fn permanent_rotations_are_judged_as_equilibria() {
                     Multiplicity::Circle | Multiplicity::Sphere => (point.omega - omega.to_f64().value()).abs() < 1e-12,
                 };
                 let Some(point) = list.iter().find(is_here) else { continue };
-                let (kind, verdict) = rotation.stability_at_spin(&omega).unwrap();
+                let judged = rotation.stability_at_spin(&omega).unwrap();
                 let place = format!("{a:?} {r:?} {axis:?} {sign:?} {spin}: {point:?}");
-                assert_eq!((kind, verdict), (point.stability, point.verdict), "{place}");
+                let why = judged.nonlinear.why;
+                assert_eq!(judged.kind, point.stability, "{place}");
+                assert_eq!((judged.nonlinear.verdict, why), (point.nonlinear.verdict, point.nonlinear.why), "{place}");
+                assert_eq!(
+                    (judged.friction.survives, judged.friction.growing),
+                    (point.friction.survives, point.friction.growing),
+                    "{place}"
+                );
                 let between = rotation.type_at_spin(&omega).unwrap();
-                assert_eq!(between.is_stable(), verdict != Verdict::Unstable, "{place}");
+                assert_eq!(between.is_stable(), why != Why::Spectrum, "{place}");
                 let is_one = !matches!(point.multiplicity, Multiplicity::Points(_));
                 assert_eq!(
                     rotation.multiplicity() == point.multiplicity,
@@ -169,7 +179,7 @@ fn permanent_rotations_are_judged_as_equilibria() {
                 );
                 let (_, growth) = rotation.frequencies_and_growth(&omega);
                 compared += 1;
-                assert!((verdict == Verdict::Unstable) == (growth > 0.0), "{place} {growth:e}");
+                assert!((why == Why::Spectrum) == (growth > 0.0), "{place} {growth:e}");
             }
         }
     }
@@ -194,7 +204,8 @@ fn rotations_without_weight_have_the_types_of_the_whole_spectrum() {
         let axis = permanent_axis(&body, up.map(f64::from)).unwrap();
         for sign in [Sign::Negative, Sign::Positive] {
             let rotation = AxisRotation::about(&body, axis, sign).unwrap();
-            let (kind, verdict) = rotation.stability_at_spin(&RBig::ONE).unwrap();
+            let judged = rotation.stability_at_spin(&RBig::ONE).unwrap();
+            let (kind, verdict) = (judged.kind, judged.nonlinear.verdict);
             let (_, growth) = rotation.frequencies_and_growth(&RBig::ONE);
             let (real, size) = real_parts(&frame, axis.direction.map(|x| f64::from(sign) * x), 1.0);
             let largest = real.into_iter().fold(0.0, f64::max);

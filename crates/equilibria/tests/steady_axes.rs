@@ -47,8 +47,8 @@ fn steady_axes_are_the_relative_equilibria_of_their_momentum() {
                         return Err(TestCaseError::fail(format!("{axis:?} is not among {same:?}")));
                     };
                     prop_assert_eq!(
-                        (other.index, other.stability, other.verdict),
-                        (axis.index, axis.stability, axis.verdict)
+                        (other.index, other.stability, other.nonlinear.verdict),
+                        (axis.index, axis.stability, axis.nonlinear.verdict)
                     );
                     let size = (axis.l * omega).abs() + norm(body.center_f64());
                     prop_assert!((other.h - axis.h).abs() <= 1e-9 * size, "{:?} {:?}", other, axis);

@@ -60,6 +60,8 @@ pub enum Verdict {
     Unstable,
     /// Not decided by the linearization.
     Open,
+    /// Stable by Arnold's theorem, or at a resonance by what replaces it there.
+    Arnold,
 }
 
 impl Verdict {
@@ -72,6 +74,7 @@ impl Verdict {
             Self::Spectrum => "spectrally only",
             Self::Unstable => "no",
             Self::Open => "open",
+            Self::Arnold => "by Arnold's theorem",
         }
     }
 }
@@ -84,6 +87,7 @@ impl Serialize for Verdict {
             Self::Spectrum => serializer.serialize_str("spectrum"),
             Self::Unstable => serializer.serialize_bool(false),
             Self::Open => serializer.serialize_unit(),
+            Self::Arnold => serializer.serialize_str("arnold"),
         }
     }
 }
@@ -99,7 +103,7 @@ impl<'de> Deserialize<'de> for Verdict {
         }
         let wrong = |what: String| {
             serde::de::Error::custom(format!(
-                "stable is {what}, not one of \"energy\", \"integral\", \"spectrum\", false, null"
+                "stable is {what}, not one of \"energy\", \"integral\", \"arnold\", \"spectrum\", false, null"
             ))
         };
         match Raw::deserialize(deserializer)? {
@@ -107,6 +111,7 @@ impl<'de> Deserialize<'de> for Verdict {
                 "energy" => Ok(Self::Energy),
                 "integral" => Ok(Self::Integral),
                 "spectrum" => Ok(Self::Spectrum),
+                "arnold" => Ok(Self::Arnold),
                 _ => Err(wrong(format!("`{word}`"))),
             },
             Raw::Stable(false) => Ok(Self::Unstable),
@@ -125,6 +130,7 @@ impl JsonSchema for Verdict {
         let words = [
             (serde_json::json!("energy"), "Stable: a strict minimum of U_l."),
             (serde_json::json!("integral"), "Stable by a further integral (Lagrange's top, Euler's)."),
+            (serde_json::json!("arnold"), "Stable by Arnold's theorem, or at a resonance by what replaces it there."),
             (serde_json::json!("spectrum"), "All eigenvalues are imaginary; nothing more is claimed."),
             (serde_json::json!(false), "Unstable."),
             (serde_json::json!(null), "Not decided by the linearization."),

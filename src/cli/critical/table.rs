@@ -26,7 +26,7 @@ struct Meta<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     spin: Option<SpinDocument>,
     stability: [Stability; 7],
-    stable: [Verdict; 5],
+    stable: [Verdict; 6],
     multiplicity: [Multiplicity; 4],
     branches: Vec<(String, String)>,
     eigenvalue_error: f64,
@@ -93,7 +93,8 @@ impl Rows {
                 Points::Sphere => 3,
             });
             self.stability.push(bifdiag_documents::type_code(point.stability));
-            self.stable.push(bifdiag_documents::verdict_code(point.verdict));
+            self.stable
+                .push(bifdiag_documents::verdict_code(bifdiag_documents::verdict(&point.nonlinear, point.stability)));
             self.eigenvalues.extend(point.eigenvalues.pairs.as_flattened());
             self.eigenvalue_error = self.eigenvalue_error.max(point.eigenvalues.error);
             let id = point.curve.map_or_else(String::new, |curve| curve.to_string());

@@ -188,7 +188,10 @@ fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> O
         l,
         h: 0.5 * omega * l + dot(up, r),
         stability: found.as_ref().map(|found| found.equilibrium.stability.word().to_owned()),
-        verdict: found.map(|found| bifdiag_documents::verdict(found.equilibrium.verdict)),
+        verdict: found.map(|found| {
+            let steady = &found.equilibrium;
+            bifdiag_documents::verdict(&steady.nonlinear, steady.stability)
+        }),
     })
 }
 

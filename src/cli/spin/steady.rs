@@ -4,7 +4,7 @@ use bifdiag_body::part::Spin;
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_documents::{Subject, words};
 use bifdiag_equilibria::permanent::{
-    AxisRotation, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
+    AxisRotation, Judged, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
 };
 use bifdiag_exact::Solver;
 use bifdiag_numbers::vector::norm;
@@ -80,12 +80,12 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
     // γ points down.
     let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative)?;
     let [below, at, above] = bifdiag_documents::changes_beside(&rotation, "+axis", prepared.atlas(), second, omega);
-    let Some((kind, verdict)) = rotation.stability_at_spin(omega) else {
+    let Some(Judged { kind, nonlinear, .. }) = rotation.stability_at_spin(omega) else {
         let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
         let found = SteadyRotation { angle, ..nearest_steady(&subject.body, omega, &up)? };
         return Some(SteadyDocument { below, at, above, ..steady(question, &found, prepared) });
     };
-    let verdict = bifdiag_documents::verdict(verdict);
+    let verdict = bifdiag_documents::verdict(&nonlinear, kind);
     let (frequencies, growth) = rotation.frequencies_and_growth(omega);
     let (h, l) = rotation.point(omega);
     let size = norm(subject.body.center_f64()) + 0.5 * l.to_f64() * omega.to_f64().value();
@@ -124,7 +124,7 @@ fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Solver) ->
         stability: point.stability.word().to_owned(),
         one_of: one_of(point.multiplicity),
         stable: !point.stability.is_unstable(),
-        verdict: bifdiag_documents::verdict(point.verdict),
+        verdict: bifdiag_documents::verdict(&point.nonlinear, point.stability),
         frequencies_hz: by_size(point.eigenvalues.pairs.map(|pair| Spin::hertz(pair[1] * second))),
         growth_time_s: (growth > 0.0).then(|| 1.0 / (growth * second)),
         at: None,

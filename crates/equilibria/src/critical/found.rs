@@ -1,9 +1,11 @@
 //! The equilibria of one branch at one l or spin, quickly, with bounds, or exactly; and those at rest.
 
+use super::beyond;
 use super::{Equilibrium, Fixed, Found, Multiplicity, Question, RelativeEquilibria};
 use crate::curves::{BranchName, CurveId, CurveName, Orbit, Point, Shape};
+use crate::nonlinear::{self, Friction, Nonlinear, Setting, Verdict, Why};
 use crate::stability::exact::{ExactBody, ExactPoint, Touch};
-use crate::stability::{Constants, Eigenvalues, LinearType, Place, Reduced, Setting, Verdict};
+use crate::stability::{Constants, Eigenvalues, LinearType, Place, Reduced, State};
 use bifdiag_body::Axis;
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::UNIT_ROUNDOFF;
@@ -30,15 +32,18 @@ impl RelativeEquilibria<'_> {
         if curve.index.is_none() || !(from < x && x < to) {
             return true;
         }
-        let Some((site, reduced)) = self.enclosed(id, x) else { return false };
+        let Some((site, state)) = self.enclosed(id, x) else { return false };
+        let (c, reduced) = (&self.constants, Reduced::new(&self.constants, &state));
         let kind = if is_set(site.orbit) { reduced.transverse_type() } else { reduced.linear_type() };
         let Some(kind) = kind else { return false };
-        self.push(found, question, &site, &reduced, kind);
+        let judged = nonlinear::Question { c, state: &state, reduced: &reduced, kind, setting: site.setting };
+        let Some(nonlinear) = judged.verdict([None; 2]) else { return false };
+        self.push(found, question, &site, &reduced, (kind, nonlinear));
         true
     }
 
-    /// The point of a curve over x with its linearised flow.
-    fn enclosed(&self, id: CurveId, x: f64) -> Option<(Site, Reduced<Interval>)> {
+    /// The point of a curve over x, enclosed.
+    fn enclosed(&self, id: CurveId, x: f64) -> Option<(Site, State<Interval>)> {
         let frame = &self.set.frame;
         let curve = &self.set.curves[id];
         let arc = curve.arc(x);
@@ -55,8 +60,9 @@ impl RelativeEquilibria<'_> {
         };
         // l and its square are rounded.
         let state = place.enclosed(&self.constants, Interval::point(x).widened(4.0))?;
-        let global_minimum = mu.is_some_and(|mu| mu.minus_moment(frame, Axis::ALL[2]) >= 0.0);
-        let setting = Setting { index: curve.index?, global_minimum, integral: self.set.has_integral(curve) };
+        let is_global = mu.is_some_and(|mu| mu.minus_moment(frame, Axis::ALL[2]) >= 0.0);
+        let minimum = is_global.then_some(true);
+        let setting = Setting { index: curve.index?, minimum, integral: self.set.has_integral(curve) };
         let site = Site {
             point,
             orbit: curve.orbit,
@@ -65,7 +71,7 @@ impl RelativeEquilibria<'_> {
             curve: CurveName::of(&self.set, id),
             setting,
         };
-        Some((site, Reduced::new(&self.constants, &state)))
+        Some((site, state))
     }
 
     /// All equilibria of a branch, from exact roots.
@@ -87,7 +93,8 @@ impl RelativeEquilibria<'_> {
                 }
             };
             let site = self.site(exact, question, x)?;
-            self.push(found, question, &site, &exact.reduced, exact.kind);
+            let nonlinear = beyond::verdict(self.profile()?, question.branch, exact, site.setting)?;
+            self.push(found, question, &site, &exact.reduced, (exact.kind, nonlinear));
         }
         Some(())
     }
@@ -100,8 +107,14 @@ impl RelativeEquilibria<'_> {
         let carrier = question.ids().filter(here).min_by_key(|&id| self.set.curves[id].index);
         let curve = carrier.map(|id| &self.set.curves[id]);
         let index = curve.and_then(|curve| curve.index).or(exact.index)?;
-        let at_largest = matches!(exact.touch, Some(Touch::Pitchfork(axis)) if frame.group[axis] == frame.group[2]);
-        let global_minimum = at_largest || exact.state.tau[2].sign() == Some(Sign::Positive);
+        let minimum = match exact.touch {
+            _ if exact.state.tau[2].sign() == Some(Sign::Positive) => Some(true),
+            // Two points vanish into one another: the degree of the gradient is 0, and 1 at a minimum.
+            Some(Touch::Cusp) => Some(false),
+            // The degree is that on the side without the pair, and of the pair.
+            Some(Touch::Pitchfork(axis)) => carrier.and_then(|id| self.pair_at(axis, id)).map(|index| index == 0),
+            None => None,
+        };
         let integral = curve.is_some_and(|curve| self.set.has_integral(curve));
         Some(Site {
             point: match curve.map(|curve| &curve.arcs[0].shape) {
@@ -115,8 +128,16 @@ impl RelativeEquilibria<'_> {
                 || CurveName::on(BranchName::of(frame, question.branch), exact.piece),
                 |id| CurveName::of(&self.set, id),
             ),
-            setting: Setting { index, global_minimum, integral },
+            setting: Setting { index, minimum, integral },
         })
+    }
+
+    /// The index of the pair, or the circle, that leaves the branch of a curve over an axis.
+    fn pair_at(&self, axis: Axis, curve: CurveId) -> Option<u8> {
+        let group = &self.set.frame.group;
+        let mut forks = self.set.pitchforks.iter();
+        let fork = forks.find(|fork| fork.through.contains(&curve) && group[fork.axis] == group[axis])?;
+        self.set.curves[fork.pair?].index
     }
 
     /// γ and J of an exact point, rounded.
@@ -142,9 +163,10 @@ impl RelativeEquilibria<'_> {
                     0.5 * momentum * momentum
                 }
             };
-            let (site, reduced) = self.enclosed(id, x)?;
+            let (site, state) = self.enclosed(id, x)?;
             let kind = self.profile()?.without_weight(&self.set.curves[id]);
-            self.push(found, question, &site, &reduced, kind);
+            let nonlinear = Nonlinear::of(site.setting.verdict(kind)?);
+            self.push(found, question, &site, &Reduced::new(&self.constants, &state), (kind, nonlinear));
         }
         Some(())
     }
@@ -156,7 +178,7 @@ impl RelativeEquilibria<'_> {
         question: &Question<'_>,
         site: &Site,
         reduced: &Reduced<E>,
-        kind: LinearType,
+        (kind, nonlinear): (LinearType, Nonlinear),
     ) {
         let frame = &self.set.frame;
         let Site { point, orbit, .. } = site;
@@ -176,7 +198,8 @@ impl RelativeEquilibria<'_> {
             },
             is_fold: site.is_fold,
             stability: kind,
-            verdict: site.setting.verdict(kind),
+            nonlinear,
+            friction: Friction::new(reduced, kind, site.setting, is_set(*orbit)),
             eigenvalues: reduced.eigenvalues(kind, is_set(*orbit), frame.frequency_unit),
             curve: Some(site.curve),
             branch_name: self.words(question.branch),
@@ -218,7 +241,8 @@ impl RelativeEquilibria<'_> {
                 multiplicity: Multiplicity::Sphere,
                 is_fold: false,
                 stability: LinearType::Zero,
-                verdict: Verdict::Energy,
+                nonlinear: Nonlinear::of((Verdict::Stable, Why::Energy)),
+                friction: Friction { survives: Some(true), growing: 0, rates: [None; 2] },
                 eigenvalues: Eigenvalues { pairs: [[0.0; 2]; 2], error: 0.0 },
                 curve: Some(CurveName::Rest),
                 branch_name: "at rest".into(),
@@ -237,13 +261,15 @@ impl RelativeEquilibria<'_> {
             (_, true) => LinearType::DoubleReal,
             (_, false) => LinearType::Saddle,
         };
+        // The body hangs in the minimum, and falls from where it stands.
+        let verdict = if index == 0 { (Verdict::Stable, Why::Energy) } else { (Verdict::Unstable, Why::Spectrum) };
         let gamma = frame.r_hat().map(|c| side * c);
         let starts = |c: &CurveId| {
             let curve = &self.set.curves[*c];
             curve.is_critical() && curve.x()[0] == 0.0 && (curve.index == Some(0)) == (index == 0)
         };
         let curve = self.set.curves.ids().find(starts);
-        let setting = Setting { index, global_minimum: index == 0, integral: self.set.is_lagrange() };
+        let setting = Setting { index, minimum: Some(index == 0), integral: false };
         Equilibrium {
             l: 0.0,
             h: -side * frame.r_norm * frame.energy_unit,
@@ -253,7 +279,8 @@ impl RelativeEquilibria<'_> {
             multiplicity: Multiplicity::Points(1),
             is_fold: false,
             stability,
-            verdict: setting.verdict(stability),
+            nonlinear: Nonlinear::of(verdict),
+            friction: Friction::new(&reduced, stability, setting, false),
             eigenvalues: reduced.eigenvalues(stability, false, frame.frequency_unit),
             curve: curve.map(|c| CurveName::of(&self.set, c)),
             branch_name: curve.map_or_else(|| "at rest".into(), |c| self.words(self.set.curves[c].branch)),

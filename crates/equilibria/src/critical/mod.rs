@@ -1,5 +1,6 @@
 //! All relative equilibria of a body at one l, at many, or at one spin.
 
+mod beyond;
 mod continuation;
 mod found;
 
@@ -9,8 +10,9 @@ use dashu_ratio::RBig;
 use thiserror::Error;
 
 use crate::curves::{Branch, CriticalSet, CurveId, CurveName, EquilibriaError, MomentumError, abscissa, branch_words};
+use crate::nonlinear::{Friction, Nonlinear};
 use crate::stability::exact::StabilityProfile;
-use crate::stability::{Constants, Eigenvalues, LinearType, Verdict};
+use crate::stability::{Constants, Eigenvalues, LinearType};
 use bifdiag_body::{Body, Number};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::interval::Interval;
@@ -47,7 +49,9 @@ pub struct Equilibrium {
     /// The type of the flow reduced by l, linearised.
     pub stability: LinearType,
     /// What is known of its stability; of a circle or sphere as a whole.
-    pub verdict: Verdict,
+    pub nonlinear: Nonlinear,
+    /// What damping leaves of it.
+    pub friction: Friction,
     /// The eigenvalues of the flow reduced by l, per unit of time.
     pub eigenvalues: Eigenvalues,
     /// The curve on which it lies; `None` when no curve carries it.

@@ -2,7 +2,8 @@
 
 use std::ops::{Add, Mul};
 
-use bifdiag_numbers::enclosure::Arithmetic;
+use bifdiag_numbers::Sign;
+use bifdiag_numbers::enclosure::{Arithmetic, Enclosure};
 
 /// re + i·im.
 #[derive(Clone, Debug)]
@@ -14,6 +15,13 @@ pub(super) struct Complex<E> {
 impl<E: Arithmetic> Complex<E> {
     pub(super) fn conjugate(&self) -> Self {
         Self { re: self.re.clone(), im: -self.im.clone() }
+    }
+}
+
+impl<E: Enclosure> Complex<E> {
+    /// Known to be 0.
+    pub(super) fn is_zero(&self) -> bool {
+        [&self.re, &self.im].into_iter().all(|part| part.sign() == Some(Sign::Zero))
     }
 }
 

@@ -24,6 +24,10 @@ pub struct NormalForm<E> {
     pub twist: [E; 3],
     /// Arnold's determinant K₁₁ω₂² ∓ K₁₂ω₁ω₂ + K₂₂ω₁², the upper sign where the energies have one sign.
     pub arnold: E,
+    /// C² of the term C √I₁ I₂ cos(φ₁ − 2φ₂ + …) of degree three, which stays at ω₁ = 2ω₂.
+    pub cubic: E,
+    /// B² of the term B √I₁ I₂^(3/2) cos(φ₁ − 3φ₂ + …) of degree four, which stays at ω₁ = 3ω₂.
+    pub quartic: E,
 }
 
 /// z₁, z₂, z̄₁, z̄₂ of a mode and its conjugate.
@@ -57,8 +61,9 @@ impl<E: Enclosure> NormalForm<E> {
         let cubic = in_modes(hamiltonian, 3, &modes, precision);
         let quartic = in_modes(hamiltonian, 4, &modes, precision);
         let zero = Complex { re: small(0), im: small(0) };
-        // i G₃
-        let generator = Series::of(cubic.terms(3).map(|(powers, value)| {
+        // i G₃; a term that is known to vanish has no share in it, resonant or not.
+        let terms = cubic.terms(3).filter(|(_, value)| !value.is_zero());
+        let generator = Series::of(terms.map(|(powers, value)| {
             let frequency = (0..2).fold(small(0), |sum, j| {
                 let winding = i32::from(powers[j]) - i32::from(powers[j + CONJUGATE]);
                 sum + small(winding) * omega[j].clone()
@@ -85,11 +90,18 @@ impl<E: Enclosure> NormalForm<E> {
         };
         let (first, second) = (action(0), action(1));
         let [k11, k12, k22] = coefficients;
-        let twist = [k11 / first.square(), k12 / (first * second.clone()), k22 / second.square()];
+        let twist = [k11 / first.square(), k12 / (first.clone() * second.clone()), k22 / second.square()];
+        // 2|c| |z₁| |z₂|ⁿ with |z_j|² = I_j/(2ω_j|n_j|).
+        let resonant = |series: &Series<Complex<E>>, powers: Exponents, scale: E| {
+            let value = series.coefficient(powers).unwrap_or(&zero);
+            small(4) * (value.re.square() + value.im.square()) / scale
+        };
+        let cubic = resonant(&cubic, [1, 0, 0, 2], first.clone() * second.square());
+        let quartic = resonant(&rest, [1, 0, 0, 3], first * second.square() * second);
         let mixed = twist[1].clone() * omega[0].clone() * omega[1].clone();
         let mixed = if signs[0] == signs[1] { -mixed } else { mixed };
         let arnold = twist[0].clone() * squares[1].clone() + mixed + twist[2].clone() * squares[0].clone();
-        Some(Self { omega, signs, twist, arnold })
+        Some(Self { omega, signs, twist, arnold, cubic, quartic })
     }
 }
 

@@ -18,6 +18,6 @@ mod tolerance;
 
 pub use cone::{NearestAxis, PermanentAxis, angle_between, nearest_permanent, permanent_axis};
 pub use near::{BoxedBody, SettledTypes, Vector, sampled_parts, settled_types, settled_types_of_part};
-pub use rotation::{AxisRotation, SpinChange, SpinType};
+pub use rotation::{AxisRotation, Judged, SpinChange, SpinType};
 pub use steady::{SteadyRotation, exact_spin, nearest_steady};
 pub use tolerance::{INPUTS, SAMPLES, SpinRange, sampled_bodies, spin_ranges};

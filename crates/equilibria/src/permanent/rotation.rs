@@ -2,16 +2,19 @@
 
 use std::cmp::Ordering;
 
+use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::polynomial::{Polynomial, Root, rational};
 use bifdiag_numbers::symmetric::{self, Real};
 use bifdiag_numbers::vector::dot;
+use bifdiag_numbers::wide::{Interval384, Wide};
 use bifdiag_numbers::{Number, Sign};
 use dashu_ratio::RBig;
 
 use super::cone::PermanentAxis;
 use crate::critical::Multiplicity;
-use crate::stability::{LinearType, Setting, Signs, Verdict};
-use bifdiag_body::{Body, BodyAxis};
+use crate::nonlinear::{Friction, Nonlinear, Question, Setting};
+use crate::stability::{Constants, LinearType, RESONANCES, Reduced, Signs, State};
+use bifdiag_body::{Axis, Body, BodyAxis};
 
 /// Digits of |r| where it is not rational.
 const DIGITS: usize = 60;
@@ -81,6 +84,20 @@ impl SpinChange {
         self.squared.place_of(&(omega * omega))
     }
 }
+
+/// What is known of a rotation at one spin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judged {
+    /// The linear type.
+    pub kind: LinearType,
+    /// What is known of its stability.
+    pub nonlinear: Nonlinear,
+    /// What damping leaves of it.
+    pub friction: Friction,
+}
+
+/// Bits of enclosures where 384 do not decide.
+const WIDE_BITS: [usize; 2] = [1500, 6000];
 
 /// Rotation about a principal axis through the centre of mass with the vertical at one of its ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -245,23 +262,79 @@ impl AxisRotation {
         (!omega.is_zero()).then(|| self.type_at(&(omega * omega)))
     }
 
-    /// The linear type at a spin Ω ≠ 0, and what is known of the rotation (Proposition 13.6 of docs/mathematics.md): what
+    /// What is known of the rotation at a spin Ω ≠ 0 (Proposition 13.6 of docs/mathematics.md): what
     /// [`critical`](crate::critical::critical()) says of it at the same l.
     #[must_use]
-    pub fn stability_at_spin(&self, omega: &RBig) -> Option<(LinearType, Verdict)> {
+    pub fn stability_at_spin(&self, omega: &RBig) -> Option<Judged> {
         if omega.is_zero() {
             return None;
         }
         let (s, [_, a, b]) = (omega * omega, &self.moments);
         let (kind, stiffness) = (self.linear_type_at(&s), self.stiffness(&s));
         let falling = stiffness.into_iter().map(|sign| u8::from(sign == Sign::Negative)).sum();
-        let setting = Setting {
-            index: falling,
-            // μ is at least the largest moment: K_A, K_B ≥ 0 and ρ = s(μ − C) ≥ 0.
-            global_minimum: self.weight >= RBig::ZERO && falling == 0,
-            integral: a == b || self.weight.is_zero(),
-        };
-        Some((kind, setting.verdict(kind)))
+        let setting =
+            Setting { index: falling, minimum: self.minimum(stiffness), integral: a == b || self.weight.is_zero() };
+        let is_set = self.multiplicity() != Multiplicity::Points(1);
+        let beyond = self
+            .beyond::<Interval384>(&s, (kind, setting), ())
+            .or_else(|| WIDE_BITS.into_iter().find_map(|bits| self.beyond::<Wide>(&s, (kind, setting), bits)));
+        let (c, state) = self.enclosed::<Interval384>(&s, ());
+        let reduced = Reduced::new(&c, &state);
+        let question = Question { c: &c, state: &state, reduced: &reduced, kind, setting };
+        let nonlinear = beyond.unwrap_or_else(|| question.undecided(self.resonances(&s)));
+        Some(Judged { kind, nonlinear, friction: Friction::new(&reduced, kind, setting, is_set) })
+    }
+
+    /// The state with the first axis as that of rotation.
+    fn enclosed<E: Enclosure>(&self, s: &RBig, precision: E::Precision) -> (Constants<E>, State<E>) {
+        let squares = [&self.weight * &self.weight, RBig::ZERO, RBig::ZERO];
+        let c = Constants::exact(&self.moments, &squares, precision);
+        let number = |x: &RBig| E::rational(x, precision);
+        let state = State::about(&c, Axis::ALL[0], &number(s), &number(&(&self.weight / s)));
+        (c, state)
+    }
+
+    /// The verdict in some precision.
+    fn beyond<E: Enclosure>(
+        &self,
+        s: &RBig,
+        (kind, setting): (LinearType, Setting),
+        precision: E::Precision,
+    ) -> Option<Nonlinear> {
+        let (c, state) = self.enclosed::<E>(s, precision);
+        let reduced = Reduced::new(&c, &state);
+        Question { c: &c, state: &state, reduced: &reduced, kind, setting }.verdict(self.resonances(s))
+    }
+
+    /// Which of the resonances 1:2 and 1:3 between imaginary pairs hold.
+    fn resonances(&self, s: &RBig) -> [Option<bool>; 2] {
+        let [first, second, whole] = self.polynomials().map(|polynomial| value_at(&polynomial, s));
+        let [_, a, b] = &self.moments;
+        let (b2, c) = (&whole * &whole, first * second * a * b);
+        [1, 2].map(|k| {
+            let [m, n] = RESONANCES[k];
+            Some(RBig::from(m) * &b2 == RBig::from(n) * &c)
+        })
+    }
+
+    /// Whether U_l has a strict minimum where the Hessian is degenerate.
+    fn minimum(&self, stiffness: [Sign; 2]) -> Option<bool> {
+        // μ is at least the largest moment: K_A, K_B ≥ 0 and ρ = s(μ − C) ≥ 0.
+        if self.weight >= RBig::ZERO && stiffness.iter().all(|&sign| sign != Sign::Negative) {
+            return Some(true);
+        }
+        if stiffness.contains(&Sign::Negative) {
+            return Some(false);
+        }
+        // On the great circle to the axis A with K_A = ρ + sd = 0, d = C − A, with q = sin² of the angle:
+        // U = ½sC²/(C − dq) − ρ√(1 − q) = const + (sd/8)(4d/C − 1)q² + …
+        let [c, a, b] = &self.moments;
+        let soft = stiffness.into_iter().zip([a, b]).find(|(sign, _)| *sign == Sign::Zero);
+        let d = c - soft?.1;
+        match sign_of(&(&d * (RBig::from(4) * &d - c))) {
+            Sign::Zero => None,
+            sign => Some(sign == Sign::Positive),
+        }
     }
 
     /// l at a spin.
@@ -312,9 +385,18 @@ impl AxisRotation {
     }
 }
 
+/// The value of a polynomial.
+fn value_at(coefficients: &[RBig], s: &RBig) -> RBig {
+    coefficients.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c)
+}
+
+fn sign_of(value: &RBig) -> Sign {
+    value.cmp(&RBig::ZERO).into()
+}
+
 /// The sign of a polynomial.
 fn sign_at(coefficients: &[RBig], s: &RBig) -> Sign {
-    coefficients.iter().rev().fold(RBig::ZERO, |sum, c| sum * s + c).cmp(&RBig::ZERO).into()
+    sign_of(&value_at(coefficients, s))
 }
 
 #[cfg(test)]

@@ -1,10 +1,8 @@
-//! Linear types of relative equilibria, verdicts on their stability, and the words for both.
+//! Linear types of relative equilibria, and the words for them.
 
 use std::fmt;
 
 use bifdiag_numbers::Sign;
-
-use crate::curves::{CriticalSet, Curve};
 
 /// The eigenvalues ±λ₁, ±λ₂ of the flow reduced by l at a relative equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -102,67 +100,6 @@ impl Signs {
             Sign::Zero => LinearType::Zero,
             Sign::Positive => LinearType::Elliptic,
             Sign::Negative => LinearType::Saddle,
-        }
-    }
-}
-
-/// What is known of the stability of a relative equilibrium (of a circle or sphere of them: as a whole).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Verdict {
-    /// Stable: a strict minimum of U_l.
-    Energy,
-    /// Stable by a further integral.
-    Integral,
-    /// All eigenvalues are imaginary; nothing more is claimed.
-    Spectrum,
-    /// Unstable.
-    Unstable,
-    /// Not decided by the linearization.
-    Open,
-}
-
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Energy => "stable (energy)",
-            Self::Integral => "stable (integral)",
-            Self::Spectrum => "spectrally",
-            Self::Unstable => "unstable",
-            Self::Open => "open",
-        })
-    }
-}
-
-/// What a verdict needs besides the linear type (Proposition 13.6 of docs/mathematics.md).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Setting {
-    /// Morse index of U_l; across a circle its transverse index.
-    pub index: u8,
-    /// The multiplier is at least the largest moment: a strict global minimum of U_l, even where it is degenerate.
-    pub global_minimum: bool,
-    /// A further integral confines the motion as soon as no eigenvalue says otherwise: γ = ±r̂ on the axis of symmetry
-    /// (Lagrange), circles of regular precessions, and every rotation without weight (Euler).
-    pub integral: bool,
-}
-
-impl Setting {
-    /// That of the rotations of a curve between its ends; `None` for a pole line.
-    #[must_use]
-    pub fn along(set: &CriticalSet, curve: &Curve) -> Option<Self> {
-        Some(Self { index: curve.index?, global_minimum: false, integral: set.has_integral(curve) })
-    }
-
-    /// The verdict.
-    #[must_use]
-    pub fn verdict(self, kind: LinearType) -> Verdict {
-        match kind {
-            _ if kind.is_unstable() => Verdict::Unstable,
-            LinearType::Zero if self.global_minimum => Verdict::Energy,
-            LinearType::Zero if self.integral => Verdict::Integral,
-            LinearType::Zero => Verdict::Open,
-            _ if self.index == 0 => Verdict::Energy,
-            _ if self.integral => Verdict::Integral,
-            _ => Verdict::Spectrum,
         }
     }
 }

@@ -16,6 +16,6 @@ mod state;
 
 pub use along::LinearTypes;
 pub use changes::{ChangeKind, StabilityChange, StabilitySpan};
-pub use linear_type::{LinearType, Setting, Signs, Verdict};
-pub use reduced::{Eigenvalues, Reduced};
+pub use linear_type::{LinearType, Signs};
+pub use reduced::{Eigenvalues, RESONANCES, Reduced};
 pub use state::{Constants, Place, State};

@@ -5,6 +5,9 @@ use super::state::{Constants, State};
 use bifdiag_numbers::Sign;
 use bifdiag_numbers::enclosure::Enclosure;
 
+/// m and n of the resonances 1:1, 1:2 and 1:3 of two imaginary pairs: mb² = nc.
+pub const RESONANCES: [[i32; 2]; 3] = [[1, 4], [4, 25], [9, 100]];
+
 /// λ⁴ + bλ² + c with b = sβ, c = s²χ (Theorem 13.1 of docs/mathematics.md, Ω² = s taken out).
 #[derive(Clone, Debug)]
 pub struct Reduced<E> {
@@ -13,6 +16,8 @@ pub struct Reduced<E> {
     chi: E,
     /// β² − 4χ.
     discriminant: E,
+    /// The part g²/(s det M) of β.
+    gyroscopic: E,
     half: E,
 }
 
@@ -44,10 +49,11 @@ impl<E: Enclosure> Reduced<E> {
             squared = squared + w[i].clone() * c.a[i].square();
         }
         let g = c.trace.clone() - c.small(2) * squared / j.clone();
-        beta = beta + g.square() * j.clone() / c.determinant.clone();
+        let gyroscopic = g.square() * j.clone() / c.determinant.clone();
+        beta = beta + gyroscopic.clone();
         chi = chi / c.determinant.clone();
         let discriminant = beta.square() - four * chi.clone();
-        Self { s: s.clone(), beta, chi, discriminant, half: E::double(0.5, c.precision) }
+        Self { s: s.clone(), beta, chi, discriminant, gyroscopic, half: E::double(0.5, c.precision) }
     }
 
     /// At rest: γ = ±r̂ with w = r̂², where b = ±r Σ(1 − w_i)/A_i and c = r²J/det A; `r` carries the sign.
@@ -60,7 +66,8 @@ impl<E: Enclosure> Reduced<E> {
         }
         let (beta, chi) = (r.clone() * sum, r.square() * j / c.determinant.clone());
         let discriminant = beta.square() - c.small(4) * chi.clone();
-        Self { s: c.small(1), beta, chi, discriminant, half: E::double(0.5, c.precision) }
+        let gyroscopic = c.small(0);
+        Self { s: c.small(1), beta, chi, discriminant, gyroscopic, half: E::double(0.5, c.precision) }
     }
 
     /// The same with b = 0, where that is known.
@@ -80,6 +87,12 @@ impl<E: Enclosure> Reduced<E> {
     #[must_use]
     pub fn discriminant(&self) -> &E {
         &self.discriminant
+    }
+
+    /// The part of β that stems from the gyroscopic forces, g²/(s det M).
+    #[must_use]
+    pub fn gyroscopic(&self) -> &E {
+        &self.gyroscopic
     }
 
     /// The signs that are certain.

@@ -4,7 +4,7 @@
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-use crate::stability::Constants;
+use crate::stability::{Constants, RESONANCES};
 use bifdiag_body::{Axis, Body, Frame};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::enclosure::Arithmetic;
@@ -115,8 +115,8 @@ impl ExactBody {
     }
 }
 
-/// With P = p/D², Q = q/D² over the active axes: χ = `zero`/(p² det A), β = `swing`/(p q det A) and
-/// β² − 4χ = `collision`/(p q det A)².
+/// With P = p/D², Q = q/D² over the active axes: χ = `zero`/(p² det A), β = `swing`/(p q det A) and mβ² − nχ is the
+/// polynomial of that resonance over (p q det A)².
 #[derive(Clone, Debug)]
 pub struct Forms {
     p: Polynomial,
@@ -129,8 +129,8 @@ pub struct Forms {
     pub zero: Polynomial,
     /// Of the sign of b.
     pub swing: Polynomial,
-    /// Of the sign of b² − 4c.
-    pub collision: Polynomial,
+    /// Of the signs of b² − 4c, 4b² − 25c and 9b² − 100c.
+    pub resonances: [Polynomial; 3],
 }
 
 impl Forms {
@@ -150,8 +150,8 @@ impl Forms {
         let (p, q) = (moment(body, &weight, 0), moment(body, &weight, 1));
         let cusp = cusp(&p, &q, &product);
         let zero = passive.times(&cusp);
-        let [swing, collision] = swing_and_collision(body, &line, &weight, &zero);
-        Self { p, q, product, cusp, zero, swing, collision }
+        let (swing, resonances) = swing_and_resonances(body, &line, &weight, &zero);
+        Self { p, q, product, cusp, zero, swing, resonances }
     }
 
     /// q⁴ − 4x²p³D²: its roots are the multipliers of the equilibria at x (Proposition 4.8 of docs/mathematics.md).
@@ -186,15 +186,15 @@ fn cusp(p: &Polynomial, q: &Polynomial, d: &Polynomial) -> Polynomial {
     Polynomial::new(twice.coefficients().iter().map(|c| c / IBig::from(2)).collect())
 }
 
-/// The signs of b and of b² − 4c on a family with weights g_k, proportional to γ_k², and lines T_k = μ − a_k; `zero` is
+/// The signs of b and of mb² − nc on a family with weights g_k, proportional to γ_k², and lines T_k = μ − a_k; `zero` is
 /// C = Σ (g_i T_j T_k Q + 4 (a_j − a_k)² T_i g_j g_k). With Q = Σ a g and S = Σ a² g they are
-/// B = (tr A Q − 2S)² + Σ a_j a_k ((T_j g_k + T_k g_j) Q + 4 (a_j − a_k)² g_j g_k) and B² − 4 det A Q² C.
-pub(super) fn swing_and_collision(
+/// B = (tr A Q − 2S)² + Σ a_j a_k ((T_j g_k + T_k g_j) Q + 4 (a_j − a_k)² g_j g_k) and mB² − n det A Q² C.
+pub(super) fn swing_and_resonances(
     body: &ExactBody,
     line: &[Polynomial; 3],
     weight: &[Polynomial; 3],
     zero: &Polynomial,
-) -> [Polynomial; 2] {
+) -> (Polynomial, [Polynomial; 3]) {
     let [a, b, c] = &body.a;
     let (q, second) = (moment(body, weight, 1), moment(body, weight, 2));
     let gyroscopic = q.scaled(&(a + b + c)).minus(&second.scaled(&IBig::from(2))).squared();
@@ -205,6 +205,7 @@ pub(super) fn swing_and_collision(
         let coupled = weight[j].times(&weight[k]).scaled(&(IBig::from(4) * &gap * &gap));
         sum.plus(&hanging.plus(&coupled).scaled(&(&body.a[j] * &body.a[k])))
     });
-    let collision = swing.squared().minus(&q.squared().times(zero).scaled(&(IBig::from(4) * (a * b * c))));
-    [swing, collision]
+    let (square, product) = (swing.squared(), q.squared().times(zero).scaled(&(a * b * c)));
+    let resonances = RESONANCES.map(|[m, n]| square.scaled(&IBig::from(m)).minus(&product.scaled(&IBig::from(n))));
+    (swing, resonances)
 }

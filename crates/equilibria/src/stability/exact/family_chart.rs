@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::body::{ExactBody, Forms, swing_and_collision};
+use super::body::{ExactBody, Forms, swing_and_resonances};
 use crate::stability::{Constants, State};
 use bifdiag_body::Axis;
 use bifdiag_numbers::enclosure::Enclosure;
@@ -48,8 +48,8 @@ pub struct FamilyChart {
     pub pitchforks: Vec<(Axis, RBig)>,
     /// Of the sign of b.
     pub swing: Polynomial,
-    /// Of the sign of b² − 4c.
-    pub collision: Polynomial,
+    /// Of the signs of b² − 4c, 4b² − 25c and 9b² − 100c.
+    pub resonances: [Polynomial; 3],
 }
 
 impl FamilyChart {
@@ -66,9 +66,9 @@ impl FamilyChart {
         let pitchforks = body.passive.iter().filter_map(|&k| coordinate.of_moment(body, k).map(|t| (k, t))).collect();
         let map = |p: &Polynomial| coordinate.mapped(body, p);
         let (zero, cusp) = (map(&forms.zero), map(&forms.cusp));
-        let (swing, collision) = (map(&forms.swing), map(&forms.collision));
+        let (swing, resonances) = (map(&forms.swing), forms.resonances.each_ref().map(map));
         let is_reversed = matches!(coordinate, Coordinate::Left(_)) || body.active.len() == 1;
-        Self { family: Family::Generic(n), zero, cusp, pitchforks, swing, collision, is_reversed, coordinate }
+        Self { family: Family::Generic(n), zero, cusp, pitchforks, swing, resonances, is_reversed, coordinate }
     }
 
     /// The family over a passive moment; needs r ≠ 0.
@@ -94,10 +94,11 @@ impl FamilyChart {
         let [j, k] = axis.others().map(gap);
         let zero = weight[axis].times(&cusp).scaled(&(j * k));
         let line = Axis::ALL.map(|k| Polynomial::constant(gap(k)));
-        let [swing, collision] = swing_and_collision(body, &line, &weight, &zero);
-        let [zero, cusp, swing, collision] = [zero, cusp, swing, collision].map(Polynomial::primitive);
+        let (swing, resonances) = swing_and_resonances(body, &line, &weight, &zero);
+        let [zero, cusp, swing] = [zero, cusp, swing].map(Polynomial::primitive);
+        let resonances = resonances.map(Polynomial::primitive);
         let (family, coordinate) = (Family::Over(axis), Coordinate::Over { axis, r_sum, z_max });
-        Self { family, coordinate, is_reversed: true, zero, cusp, pitchforks: Vec::new(), swing, collision }
+        Self { family, coordinate, is_reversed: true, zero, cusp, pitchforks: Vec::new(), swing, resonances }
     }
 
     /// The polynomial whose roots are the equilibria at x.

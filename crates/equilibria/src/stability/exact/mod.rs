@@ -11,6 +11,7 @@ use super::changes::{Along, ChangeKind, StabilityChange, Turn};
 use super::{Constants, LinearType, Signs, State};
 use crate::curves::{Branch, CriticalSet, Curve, CurveId, Orbit, Pole};
 use bifdiag_body::Body;
+use bifdiag_numbers::enclosure::Enclosure;
 use bifdiag_numbers::polynomial::{Polynomial, Root};
 use bifdiag_numbers::table::{Id, Table};
 use bifdiag_numbers::wide::Wide;
@@ -63,6 +64,24 @@ impl StabilityProfile {
         let (chart, profile) = self.on(branch)?;
         let condition = chart.at_spin(&self.body, self.forms.as_ref()?, &self.body.squared_spin(omega));
         ExactPoint::all(&self.body, chart, profile, &condition)
+    }
+
+    /// An equilibrium of a branch, enclosed in intervals of some precision by a root with so many bits.
+    #[must_use]
+    pub fn refined<E: Enclosure>(
+        &self,
+        branch: Branch,
+        point: &ExactPoint,
+        precision: (E::Precision, usize),
+    ) -> Option<(Constants<E>, State<E>)> {
+        Some(point.refined(&self.body, &self.on(branch)?.0, precision))
+    }
+
+    /// Which of the resonances 1:2 and 1:3, between imaginary pairs, hold there.
+    #[must_use]
+    pub fn resonances(&self, branch: Branch, point: &ExactPoint) -> Option<[bool; 2]> {
+        let [_, two, three] = &self.on(branch)?.0.resonances;
+        Some([two, three].map(|polynomial| point.is_root_of(polynomial)))
     }
 
     /// The family of a branch.

@@ -108,7 +108,7 @@ impl Profile {
             }
             let of_cusp = |odd| if odd { StationKind::Cusp } else { StationKind::Touch };
             stations.extend(found(chart, &chart.cusp, of_cusp)?);
-            stations.extend(found(chart, &chart.collision, StationKind::Collision)?);
+            stations.extend(found(chart, &chart.resonances[0], StationKind::Collision)?);
         }
         for station in &mut stations {
             station.root.refine(FIRST_BITS);
@@ -181,7 +181,7 @@ fn type_at(chart: &FamilyChart, t: &RBig) -> LinearType {
     if chart.is_circle() {
         return Signs::transverse_type(b);
     }
-    Signs { b, c: chart.zero.sign_at(t), discriminant: chart.collision.sign_at(t) }.linear_type()
+    Signs { b, c: chart.zero.sign_at(t), discriminant: chart.resonances[0].sign_at(t) }.linear_type()
 }
 
 /// A relative equilibrium at the exact l or spin.
@@ -201,6 +201,8 @@ pub struct ExactPoint {
     pub kind: LinearType,
     /// Morse index of U_l; `None` where the Hessian is degenerate.
     pub index: Option<u8>,
+    /// Its coordinate on the family.
+    root: Root,
 }
 
 /// The point is the end of two curves.
@@ -260,10 +262,27 @@ impl ExactPoint {
             let kind = kind(chart, &root, &mut reduced, &mut known);
             if let Some(kind) = kind {
                 let index = reduced.index(state.hessian_trace(&c).sign());
-                return Self { piece, touch, is_double: !root.odd, state, reduced, kind, index };
+                return Self { piece, touch, is_double: !root.odd, state, reduced, kind, index, root };
             }
             bits *= 4;
         }
+    }
+    /// The point again, enclosed with so many bits.
+    #[must_use]
+    pub(super) fn refined<E: Enclosure>(
+        &self,
+        body: &ExactBody,
+        chart: &FamilyChart,
+        (precision, bits): (E::Precision, usize),
+    ) -> (Constants<E>, State<E>) {
+        let c = body.constants(precision);
+        let state = chart.state(body, &c, &mut self.root.clone(), bits);
+        (c, state)
+    }
+
+    /// The coordinate is a root of a polynomial.
+    pub(super) fn is_root_of(&self, polynomial: &Polynomial) -> bool {
+        polynomial.is_zero() || self.root.is_root_of(polynomial)
     }
 }
 
@@ -283,7 +302,7 @@ fn kind(
     };
     let b = sign(0, &chart.swing);
     let c = sign(1, &chart.zero);
-    let discriminant = if c == Some(Sign::Positive) { sign(2, &chart.collision) } else { Some(Sign::Positive) };
+    let discriminant = if c == Some(Sign::Positive) { sign(2, &chart.resonances[0]) } else { Some(Sign::Positive) };
     if b == Some(Sign::Zero) {
         *reduced = reduced.clone().without_b();
     }

@@ -1,0 +1,132 @@
+//! Verdicts on the stability of a relative equilibrium, with their reasons.
+
+use std::fmt;
+
+use crate::curves::{CriticalSet, Curve};
+use crate::stability::LinearType;
+
+/// What is known of the stability of a relative equilibrium in the sense of Lyapunov, at fixed l and modulo rotation
+/// about the vertical (of a circle or sphere of them: as a whole).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Verdict {
+    /// Stable.
+    Stable,
+    /// Unstable.
+    Unstable,
+    /// No theorem decides.
+    Open,
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Stable => "stable",
+            Self::Unstable => "unstable",
+            Self::Open => "open",
+        })
+    }
+}
+
+/// Why a verdict is what it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Why {
+    /// U_l has a strict minimum.
+    Energy,
+    /// A further integral confines the motion.
+    Integral,
+    /// Arnold's theorem: no resonance of order up to four, and a determinant other than 0.
+    Arnold,
+    /// An eigenvalue has a positive real part.
+    Spectrum,
+    /// ω₁ = 2ω₂.
+    Resonance12,
+    /// ω₁ = 3ω₂.
+    Resonance13,
+    /// ω₁ = ω₂.
+    Resonance11,
+    /// An eigenvalue is zero, or Arnold's determinant is.
+    Degenerate,
+}
+
+impl fmt::Display for Why {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Energy => "energy",
+            Self::Integral => "integral",
+            Self::Arnold => "arnold",
+            Self::Spectrum => "spectrum",
+            Self::Resonance12 => "resonance 1:2",
+            Self::Resonance13 => "resonance 1:3",
+            Self::Resonance11 => "resonance 1:1",
+            Self::Degenerate => "degenerate",
+        })
+    }
+}
+
+/// What a verdict needs besides the linear type (Proposition 13.6 of docs/mathematics.md).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// Morse index of U_l; across a circle its transverse index; where the Hessian is degenerate, its negative squares.
+    pub index: u8,
+    /// Where the Hessian is degenerate: whether U_l has a strict minimum, if that is known.
+    pub minimum: Option<bool>,
+    /// A further integral confines the motion as soon as no eigenvalue says otherwise: γ = ±r̂ on the axis of symmetry
+    /// (Lagrange), circles of regular precessions, and every rotation without weight (Euler).
+    pub integral: bool,
+}
+
+impl Setting {
+    /// That of the rotations of a curve between its ends; `None` for a pole line.
+    #[must_use]
+    pub fn along(set: &CriticalSet, curve: &Curve) -> Option<Self> {
+        Some(Self { index: curve.index?, minimum: None, integral: set.has_integral(curve) })
+    }
+
+    /// What follows from eigenvalues, energy and integrals; `None` at two imaginary pairs that are left to the normal form.
+    #[must_use]
+    pub fn verdict(self, kind: LinearType) -> Option<(Verdict, Why)> {
+        Some(match kind {
+            _ if kind.is_unstable() => (Verdict::Unstable, Why::Spectrum),
+            LinearType::Zero if self.minimum == Some(true) => (Verdict::Stable, Why::Energy),
+            LinearType::Zero if self.integral => (Verdict::Stable, Why::Integral),
+            LinearType::Zero => (Verdict::Open, Why::Degenerate),
+            _ if self.index == 0 => (Verdict::Stable, Why::Energy),
+            _ if self.integral => (Verdict::Stable, Why::Integral),
+            _ => return None,
+        })
+    }
+}
+
+/// Arnold's determinant over s = Ω².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Determinant {
+    /// K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² for H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …, over Ω².
+    pub value: f64,
+    /// Bound on its error.
+    pub error: f64,
+}
+
+/// Stability beyond the linearisation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nonlinear {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Its reason.
+    pub why: Why,
+    /// Arnold's determinant, where the normal form decides and there is one.
+    pub arnold: Option<Determinant>,
+    /// Distances from the resonances 1:1, 1:2 and 1:3, where the normal form decides: (b² − 4c)/b², (4b² − 25c)/b² and
+    /// (9b² − 100c)/b².
+    pub near: Option<[f64; 3]>,
+    /// The verdict and its reason are proved; false only where the enclosures did not part the determinant, or what takes
+    /// its place at a resonance, from 0.
+    pub proved: bool,
+}
+
+impl Nonlinear {
+    /// A verdict that needs no normal form.
+    #[must_use]
+    pub fn of((verdict, why): (Verdict, Why)) -> Self {
+        Self { verdict, why, arnold: None, near: None, proved: true }
+    }
+}
