@@ -60,7 +60,7 @@ impl Model {
         }
         documents! {
             Head GivenBody AtlasDocument ClassificationDocument GridDocument CriticalDocument SectionsDocument MotionDocument
-            PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument BodiesDocument BatchErrorDocument
+            PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument BodiesDocument BatchErrorDocument
             RowDocument ScanSummaryDocument BorderDocument FindDocument ClassesDocument StandingDocument
         }
         let definitions = generator.take_definitions(true);

@@ -262,21 +262,38 @@ fn check_part(command: &clap::Command, error: &clap::Error) -> Result<(), Failur
     )))
 }
 
-/// clap compares names by the letters that they share: of `--format` it would say that `--r` is similar. A slip of the
-/// keyboard leaves all of a name but for two letters in one place.
+/// clap compares names by the letters that they share: of `--format` it would say that `--r` is similar, and of an unknown
+/// option that it can be passed as a value, which no value of ours looks like.
 fn without_wild_guess(mut error: clap::Error) -> clap::Error {
-    let name = |kind| match error.get(kind) {
-        Some(ContextValue::String(text)) => text.trim_start_matches('-').as_bytes(),
-        _ => &[],
+    let names = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => vec![text.clone()],
+        Some(ContextValue::Strings(texts)) => texts.clone(),
+        _ => Vec::new(),
     };
-    let (written, guessed) = (name(ContextKind::InvalidArg), name(ContextKind::SuggestedArg));
-    let start = written.iter().zip(guessed).take_while(|(p, q)| p == q).count();
-    let ends = written[start..].iter().rev().zip(guessed[start..].iter().rev());
-    let end = ends.take_while(|(p, q)| p == q).count();
-    if start + end + 2 < written.len().max(guessed.len()) || start + end == 0 {
-        error.remove(ContextKind::SuggestedArg);
+    let guesses = [
+        (ContextKind::InvalidArg, ContextKind::SuggestedArg),
+        (ContextKind::InvalidSubcommand, ContextKind::SuggestedSubcommand),
+    ];
+    let wild = guesses.map(|(written, guessed)| {
+        let written = names(written).concat();
+        (guessed, !names(guessed).iter().any(|guess| is_slip(&written, guess)))
+    });
+    for (guessed, _) in wild.into_iter().filter(|(_, wild)| *wild) {
+        error.remove(guessed);
+    }
+    if error.kind() == ErrorKind::UnknownArgument {
+        error.remove(ContextKind::Suggested);
     }
     error
+}
+
+/// A slip of the keyboard leaves all of a name but for two letters in one place.
+fn is_slip(written: &str, meant: &str) -> bool {
+    let [written, meant] = [written, meant].map(|name| name.trim_start_matches('-').as_bytes());
+    let start = written.iter().zip(meant).take_while(|(p, q)| p == q).count();
+    let ends = written[start..].iter().rev().zip(meant[start..].iter().rev());
+    let end = ends.take_while(|(p, q)| p == q).count();
+    start + end > 0 && start + end + 2 >= written.len().max(meant.len())
 }
 
 /// Options of earlier versions, and what is written now.

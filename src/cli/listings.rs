@@ -6,7 +6,7 @@ use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
     ClassificationDocument, CriticalDocument, CriticalSpinDocument, FindDocument, GridDocument, MotionDocument,
     PartAnswerDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, StandingDocument,
-    StateDocument, SteadyAxesDocument,
+    StateDocument, SteadyAxesDocument, SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -84,8 +84,10 @@ pub enum Name {
     Body,
     /// The answer of `bifdiag state --json`
     State,
-    /// The answer of `bifdiag critical-spin --json`
+    /// The answer of `bifdiag critical-spin --axis … --json`
     CriticalSpin,
+    /// The answer of `bifdiag critical-spin --json` without an axis
+    SteadySpins,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// What stands for a wrong line of a batch
@@ -120,6 +122,7 @@ impl Name {
             Self::Body => schema_for!(PartAnswerDocument),
             Self::State => schema_for!(StateDocument),
             Self::CriticalSpin => schema_for!(CriticalSpinDocument),
+            Self::SteadySpins => schema_for!(SteadySpinsDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
             Self::ScanRow => schema_for!(RowDocument),

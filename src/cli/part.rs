@@ -12,8 +12,7 @@ use clap::Args;
 
 use super::export::{FileSet, PictureArguments, answer};
 use super::failure::Failure;
-use super::input::values::Triple;
-use super::input::{GivenPart, PartArguments, shown};
+use super::input::{GivenPart, PartArguments, shown_of_part};
 use super::terminal::{Report, Table, Timings, significant};
 
 pub const BODY_EXAMPLES: &str = "\
@@ -49,25 +48,33 @@ pub fn run(arguments: &PartBodyArguments, timings: &Timings) -> Result<(), Failu
     let mut written = Vec::new();
     if let Some(directory) = &arguments.out {
         let mut files = FileSet::new(directory);
-        let picture = draw_part(&document, &scene(arguments), arguments.picture.theme)?;
+        let picture = draw_part(&document, &scene(arguments)?, arguments.picture.theme)?;
         files.pictures("part", &picture, &arguments.picture.format, timings)?;
         written = files.write()?;
     }
-    let text = || report(&given, &document, &written);
+    let is_stl = arguments
+        .part
+        .file
+        .as_ref()
+        .is_some_and(|path| path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("stl")));
+    let text = || report(&given, &document, if is_stl { SINGLE } else { DIGITS }, &written);
     let subject = Subject { body: given.principal.body.clone(), part: Some(document.clone()) };
     answer(arguments.json, &subject.part_answer(), text)
 }
 
 /// The mesh behind the ellipsoid.
-fn scene(arguments: &PartBodyArguments) -> PartScene {
-    let pivot = arguments.part.pivot.as_ref().map_or([0.0; 3], Triple::rounded);
-    PartScene { edges: arguments.part.file.as_ref().map(|path| edges(path, pivot)).unwrap_or_default() }
+fn scene(arguments: &PartBodyArguments) -> Result<PartScene, Failure> {
+    let pivot = arguments.part.fixed_point()?;
+    Ok(PartScene { edges: arguments.part.file.as_ref().map(|path| edges(path, pivot)).unwrap_or_default() })
 }
 
 /// Digits of moments, to be compared with those that a CAD program prints.
 const DIGITS: usize = 9;
+/// Those of coordinates in single precision.
+const SINGLE: usize = 7;
 
-fn report(given: &GivenPart, document: &PartDocument, written: &[PathBuf]) -> String {
+fn report(given: &GivenPart, document: &PartDocument, digits: usize, written: &[PathBuf]) -> String {
+    let shown = |text: &str| shown_of_part(text, digits);
     let units = &given.part.units;
     let [mass, length, _] = units.names();
     let mut report = Report::default();
@@ -82,12 +89,12 @@ fn report(given: &GivenPart, document: &PartDocument, written: &[PathBuf]) -> St
         report.line(format!("  {}", row.each_ref().map(|x| format!("{:>20}", shown(x))).join(" ")));
     }
     report.line("");
-    let about_com = table(&document.principal_com, document, "radius of gyration");
+    let about_com = table(&document.principal_com, document, digits, "radius of gyration");
     report
         .line(format!("about the centre of mass (what CAD prints), moments in {}, radii in {length}", units.moment()));
     report.line(about_com);
     report.line(format!("about the fixed point: the axes of A and r, r in {}", units.energy()));
-    report.line(table(&document.principal, document, "r"));
+    report.line(table(&document.principal, document, digits, "r"));
     existence(&mut report, given);
     if !document.exact {
         report.line("the principal form is irrational: A and r are given to 130 digits, symmetries exactly");
@@ -97,7 +104,7 @@ fn report(given: &GivenPart, document: &PartDocument, written: &[PathBuf]) -> St
 }
 
 /// Moments and axes about a point, with the angle of each axis to the line from the fixed point to the centre of mass.
-fn table(principal: &PrincipalDocument, document: &PartDocument, last: &'static str) -> String {
+fn table(principal: &PrincipalDocument, document: &PartDocument, digits: usize, last: &'static str) -> String {
     let value = |text: &String| text.parse::<bifdiag_numbers::Number>().map_or(f64::NAN, |number| number.to_f64());
     let com = document.com.each_ref().map(value);
     let mass = value(&document.mass);
@@ -109,13 +116,13 @@ fn table(principal: &PrincipalDocument, document: &PartDocument, last: &'static 
         let cosine = dot(axis, com).abs() / distance;
         table.row([
             (k + 1).to_string(),
-            significant(principal.moments[k], DIGITS),
+            significant(principal.moments[k], digits),
             format!("({x}, {y}, {z})"),
             if distance == 0.0 { "-".to_owned() } else { format!("{:.4}°", libm::acos(cosine.min(1.0)).to_degrees()) },
             if last == "r" {
-                significant(value(&document.center[k]), DIGITS)
+                significant(value(&document.center[k]), digits)
             } else {
-                significant((principal.moments[k].max(0.0) / mass).sqrt(), DIGITS)
+                significant((principal.moments[k].max(0.0) / mass).sqrt(), digits)
             },
         ]);
     }

@@ -133,4 +133,10 @@ fn what_is_like_nothing_gets_no_advice() {
         assert!(!told.contains(misled), "{told}");
     }
     bifdiag("--boddy paper").refused().telling("a similar argument exists: '--body'");
+    // Nor the advice to pass an option as a value, or a command that shares some letters.
+    for line in ["show R5 --bodies paper", "class --witness x", "inertia --A 2,1,1"] {
+        let told = bifdiag(line).refused().stderr();
+        assert!(!told.contains("tip:"), "{told}");
+    }
+    bifdiag("clasify --body paper").refused().telling("classify");
 }

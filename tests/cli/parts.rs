@@ -267,6 +267,111 @@ fn a_part_is_shown_and_drawn_as_it_was_understood() {
     );
 }
 
+/// Units behind numbers: the same part, whatever `--units` are.
+#[test]
+fn numbers_with_units_are_the_same_part() {
+    let directory = tempfile::tempdir().unwrap();
+    fs::write(directory.path().join("box.obj"), BOX).unwrap();
+    let shown = |options: &str| bifdiag(&format!("body {options} --json")).inside(directory.path()).succeeds().json();
+    let plain = shown("--part box.obj --density 0.0000027 --units kg,mm,s --g 9.81 --pivot 1,1,0");
+    for options in [
+        "--part box.obj --density 2.7g/cm3 --units kg,mm,s --g 9.81m/s2 --pivot 1,1,0mm",
+        "--part box.obj --density 2700kg/m^3 --units kg,mm,s --g 981cm/s2 --pivot 0.1cm,1mm,0",
+        "--part box.obj --mass 129.6mg --units kg,mm,s --g 9.81 --pivot 1,1,0",
+    ] {
+        assert_eq!(shown(options)["inertia"], plain["inertia"], "{options}");
+        assert_eq!(shown(options)["g"], plain["g"], "{options}");
+        assert_eq!(shown(options)["com"], plain["com"], "{options}");
+    }
+    let metres = shown("--inertia-com 208,160,80,0,0,0kg*m2 --com 1,2,3 --mass 48 --g 9.81");
+    let grams = shown("--inertia-com 2.08e11,160e9,8e10,0,0,0 --com 1,2,3m --mass 48kg --units g,mm,s --g 9.81");
+    assert_eq!((&grams["mass"], &grams["com"][2]), (&json!("48000"), &json!("3000")));
+    assert_eq!(grams["principal"]["axes"], metres["principal"]["axes"]);
+    let wrong = |options: &str| bifdiag(&format!("body {options} --g 9.81")).inside(directory.path()).refused();
+    wrong("--part box.obj --density 2.7kg").telling("--density").telling("one such as g/cm3");
+    wrong("--part box.obj --mass 5stone").telling("`stone` is no unit").telling("slug");
+    wrong("--inertia-com 2,3,4,0,0,0 --com 1m,2,3cm --mass 1").telling("--com").telling("some have none");
+    wrong("--part bracket.STEP --density 1").telling("STEP files are not read").telling("export the solid");
+    wrong("--part bracket.igs --density 1").telling("IGES").telling("--inertia-com");
+}
+
+/// A file in mm that is read in metres, and moments in g mm² that are read in kg m².
+#[test]
+fn improbable_parts_are_told_which_unit_would_make_sense() {
+    let directory = tempfile::tempdir().unwrap();
+    let bracket: String = BOX
+        .lines()
+        .map(|line| match line.split_once(' ') {
+            Some(("v", numbers)) => format!(
+                "v {}\n",
+                numbers.split(' ').map(|x| (x.parse::<i32>().unwrap() * 10).to_string()).collect::<Vec<_>>().join(" ")
+            ),
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    fs::write(directory.path().join("bracket.obj"), bracket).unwrap();
+    let told =
+        |options: &str| bifdiag(&format!("body {options} --g 9.81")).inside(directory.path()).succeeds().stderr();
+    let large = told("--part bracket.obj --density 2.7g/cm3");
+    assert!(large.contains("the part is 60 m across: is the file in mm? then give --units kg,mm,s"), "{large}");
+    assert_eq!(told("--part bracket.obj --density 2.7g/cm3 --units kg,mm,s"), "");
+    let plain = told("--part bracket.obj --density 2700");
+    assert!(plain.contains("--units kg,mm,s and the density as 2700kg/m3"), "{plain}");
+    let gyroscope = "--inertia-com 29625,29625,56250,0,0,0 --com 0,0,40 --mass 180";
+    assert!(told(gyroscope).contains("are the numbers in g,mm? then give --units g,mm,s"));
+    assert_eq!(told(&format!("{gyroscope} --units g,mm,s")), "");
+}
+
+/// Fractions are shown as decimals; in JSON they are exact.
+#[test]
+fn numbers_of_a_part_are_shown_as_decimals() {
+    let directory = tempfile::tempdir().unwrap();
+    fs::write(
+        directory.path().join("wedge.obj"),
+        "v 0 0 0\nv 7 0 0\nv 0 5 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+    )
+    .unwrap();
+    let run = |more: &str| {
+        bifdiag(&format!("body --part wedge.obj --mass 1/3 --g 9.81 -q {more}")).inside(directory.path()).succeeds()
+    };
+    let text = run("").stdout();
+    assert!(!text.contains("17/15") && text.contains("1.13333333…") && text.contains("(1.75, 1.25, 0.75)"), "{text}");
+    assert_eq!(run("--json").json()["inertia"][0][0], json!("17/15"));
+    let head = bifdiag("critical --part wedge.obj --mass 1/3 --g 9.81 --l 1 -q").inside(directory.path()).succeeds();
+    assert!(!head.stdout().lines().take(2).any(|line| line.contains('/')), "{}", head.stdout());
+}
+
+/// A tolerance of the fixed point or of gravity, and of a file's density, on which no spin depends.
+#[test]
+fn tolerances_stand_at_every_number_of_a_part() {
+    let directory = tempfile::tempdir().unwrap();
+    fs::write(directory.path().join("box.obj"), BOX).unwrap();
+    let run = |options: &str| {
+        bifdiag(&format!("critical-spin {options} --axis z --json")).inside(directory.path()).succeeds()
+    };
+    let names = |document: &Value| -> Vec<Value> {
+        document["tolerance"]["inputs"].as_array().unwrap().iter().map(|input| input["name"].clone()).collect()
+    };
+    let gravity = run("--part box.obj --density 1 --pivot 1,2,0 --g 9.81±0.1").json();
+    assert_eq!(names(&gravity), ["g"]);
+    let pivot = run("--part box.obj --density 1 --pivot 1±0.001,2±0.001,0 --g 9.81").json();
+    assert_eq!(names(&pivot), ["com x", "com y"]);
+    let moved = run("--inertia-com 208,160,80,0,0,0 --com 1,2,3 --mass 48 --pivot 1±0.001,2±0.001,0 --g 9.81").json();
+    assert_eq!(moved["tolerance"]["ranges"], pivot["tolerance"]["ranges"]);
+    // Ω² grows with g: the least spin of the range is below that of the least g.
+    let [range, change] = [&gravity["tolerance"]["ranges"][0]["rpm"], &gravity["changes"][0]["spin"]["rpm"]];
+    let change = change.as_f64().unwrap();
+    assert!(range[0].as_f64().unwrap_or(0.0) < change * (9.71_f64 / 9.81).sqrt() * 1.000_01, "{gravity}");
+    assert!(range[1].as_f64().unwrap() > change * (9.91_f64 / 9.81).sqrt() * 0.999_99, "{gravity}");
+    let density = run("--part box.obj --density 1±5% --pivot 1,2,0 --g 9.81");
+    assert_eq!(density.json().get("tolerance"), None);
+    assert!(density.stderr().contains("--density ±") && density.stderr().contains("no spin depends on it"));
+    bifdiag("classify --part box.obj --density 1±5% --g 9.81 --h 1 --l 1")
+        .inside(directory.path())
+        .refused()
+        .telling("±");
+}
+
 /// What goes wrong with parts in the trackers of other programs: each refused with what would help.
 #[test]
 fn wrong_parts_are_refused_with_a_message_that_helps() {

@@ -114,13 +114,63 @@ fn an_axis_beside_a_permanent_one_is_followed() {
     run.inside(directory.path()).succeeds().printing("is followed").printing("saddle to saddle-centre");
 }
 
-/// Without --axis the one that is permanent at every spin is meant.
+/// Without --axis all steady axes are listed: the permanent one as by name, the others from where they begin.
 #[test]
-fn the_permanent_axis_needs_no_name() {
-    let named = bifdiag("critical-spin --A 1,2,3 --r 0,0,-2 --axis=-z").succeeds().stdout();
-    assert_eq!(bifdiag("critical-spin --A 1,2,3 --r 0,0,-2").succeeds().stdout(), named);
-    bifdiag("critical-spin --body paper").refused().telling("no axis of this body is permanent at every spin");
-    bifdiag("critical-spin --body euler").refused().telling("without weight every principal axis is permanent");
+fn without_an_axis_all_of_them_are_listed() {
+    let body = "--A 1,2,3 --r 0,0,-2";
+    let named = bifdiag(&format!("critical-spin {body} --axis=-z --json")).succeeds().json();
+    let all = bifdiag(&format!("critical-spin {body} --json")).succeeds().json();
+    let [permanent] = all["permanent"].as_array().unwrap().as_slice() else { panic!("{all}") };
+    assert_eq!(
+        (&permanent["axis"], &permanent["changes"], &permanent["slow"]),
+        (&named["axis"], &named["changes"], &named["slow"])
+    );
+    // The pairs over the two other axes leave the hanging axis at Ω² = 2/(3 − A).
+    let forks: Vec<f64> = all["families"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|family| family["start"] == "fork")
+        .map(|family| number(&family["stretches"][0]["from"]["spin"]["rad_per_s"]))
+        .collect();
+    assert!(near(forks[0], 1.0, 1.0) && near(forks[1], 2.0_f64.sqrt(), 1.0), "{forks:?}");
+    let counts: Vec<&Value> = all["counts"].as_array().unwrap().iter().map(|count| &count["axes"]).collect();
+    assert_eq!(counts, [2, 4, 6]);
+    let text = bifdiag(&format!("critical-spin {body}")).succeeds();
+    text.printing("permanent axis (0, 0, -1)").printing("(fork)").printing("number of steady axes");
+    let paper = bifdiag("critical-spin --body paper").succeeds();
+    paper.printing("no axis is permanent at every spin").printing("(fold)").printing("by energy");
+    let free = bifdiag("critical-spin --body euler").succeeds();
+    assert_eq!(free.stdout().matches("permanent axis").count(), 3);
+    bifdiag("critical-spin --A 1,1,1 --r 0,0,0").succeeds().printing("rotation about every axis is steady");
+    bifdiag("critical-spin --body paper --tolerance 1%").refused().telling("no axis of this body is permanent");
+}
+
+/// Each range of a family is what `critical --spin` says inside it; a part's axes are in its own frame.
+#[test]
+fn families_are_the_axes_at_their_spins() {
+    let part = "--inertia-com 3.1,2.6,4.2,0.02,0.015,-0.01 --products integral --com 0,0,-0.0002 --mass 50 --g 9.80665";
+    let all = bifdiag(&format!("critical-spin {part} --json")).succeeds().json();
+    let mut compared = 0;
+    for family in all["families"].as_array().unwrap() {
+        for (number_of, stretch) in family["stretches"].as_array().unwrap().iter().enumerate() {
+            let from = stretch["from"]["spin"]["rpm"].as_f64().unwrap_or(0.0);
+            let next = family["stretches"]
+                .get(number_of + 1)
+                .map_or(2.0 * from + 1.0, |next| number(&next["from"]["spin"]["rpm"]));
+            let spin = format!("{:?} rpm", 0.5 * (from + next));
+            let at = bifdiag(&format!("critical {part} --json --spin")).and(&spin).succeeds().json();
+            let branch = format!("{}.", family["branch"].as_str().unwrap());
+            let here = |axis: &&Value| {
+                axis["branch"].as_str().unwrap().starts_with(&branch)
+                    && axis["stability"] == stretch["stability"]
+                    && (axis["stable"] == stretch["stable"] || stretch["stable"] == json!("spectrum"))
+            };
+            assert!(at["axes"].as_array().unwrap().iter().any(|axis| here(&axis)), "{spin} {stretch} {at}");
+            compared += 1;
+        }
+    }
+    assert!(compared >= 6, "{compared}");
 }
 
 /// At a range each line is the answer at one momentum.

@@ -178,6 +178,42 @@ fn what_is_no_closed_surface_is_refused() {
     ));
 }
 
+/// Solids that touch in a face, an edge or a corner add up, with the same corners or with others.
+#[test]
+fn solids_in_contact_add_up() {
+    let volume = |faces: Vec<[Point; 3]>| Mesh::from_triangles(faces).integrals().map(|found| found.volume);
+    let one = cuboid([0.0; 3], [1.0, 1.0, 1.0]);
+    for at in [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 1.0, 1.0], [0.0, -1.0, 0.0], [1.0, 0.25, 0.25]] {
+        let other = cuboid(at, [1.0, 1.0, 1.0]);
+        assert_eq!(volume([one.clone(), other.clone()].concat()), Ok(RBig::from(2)), "{at:?}");
+        assert_eq!(volume([other, one.clone()].concat()), Ok(RBig::from(2)), "{at:?}");
+    }
+    // Three in a row, and four round an edge.
+    let row = [0.0, 1.0, 2.0].map(|x| cuboid([x, 0.0, 0.0], [1.0, 1.0, 1.0])).concat();
+    assert_eq!(volume(row), Ok(RBig::from(3)));
+    let round = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[x, y]| cuboid([x, y, 0.0], [1.0, 1.0, 1.0]));
+    assert_eq!(volume(round.concat()), Ok(RBig::from(4)));
+    // A pin that fills a cavity.
+    let block = [cuboid([-1.0; 3], [3.0, 3.0, 3.0]), turned(&one)].concat();
+    assert_eq!(volume([block, one].concat()), Ok(RBig::from(27)));
+}
+
+/// Space that two solids share is not counted twice, also where they share corners or faces.
+#[test]
+fn solids_that_share_space_are_refused() {
+    let error = |faces: Vec<[Point; 3]>| Mesh::from_triangles(faces).integrals().unwrap_err();
+    let whole = cuboid([0.0; 3], [1.0, 1.0, 1.0]);
+    // In a corner of the other one: with one corner in common, and with parts of three faces.
+    let corner = cuboid([0.0; 3], [0.5, 0.5, 0.5]);
+    assert!(matches!(error([whole.clone(), corner].concat()), MeshError::Nested { .. }));
+    let [a, b, c, d] = [[0.0; 3], [0.5, 0.25, 0.25], [0.25, 0.5, 0.25], [0.25, 0.25, 0.5]];
+    let spike = vec![[a, c, b], [a, b, d], [a, d, c], [b, c, d]];
+    assert_eq!(error([whole.clone(), spike].concat()), MeshError::Nested { triangles: 4 });
+    // The same face at one side.
+    let longer = cuboid([0.0; 3], [2.0, 1.0, 1.0]);
+    assert!(matches!(error([whole, longer].concat()), MeshError::Branched { .. } | MeshError::Nested { .. }));
+}
+
 /// Far from the origin nothing is lost: the tensor about the centre of mass is that at the origin, exactly.
 #[test]
 fn a_far_mesh_is_the_same_part() {

@@ -144,7 +144,7 @@ pub fn verdict(found: &Nonlinear, kind: LinearType) -> bifdiag_schema::Verdict {
     stable(Some((found.verdict, found.why)), kind)
 }
 
-fn stable(found: Option<(Verdict, Why)>, kind: LinearType) -> bifdiag_schema::Verdict {
+pub(crate) fn stable(found: Option<(Verdict, Why)>, kind: LinearType) -> bifdiag_schema::Verdict {
     match found {
         Some((Verdict::Stable, Why::Energy)) => bifdiag_schema::Verdict::Energy,
         Some((Verdict::Stable, Why::Integral)) => bifdiag_schema::Verdict::Integral,

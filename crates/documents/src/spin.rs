@@ -160,9 +160,9 @@ pub fn measured_command(command: &str, part: &Part, measured: &MeasuredPart) -> 
         .option(if measured.about_com { "inertia-com" } else { "inertia" }, list(&measured.inputs[..6]))
         .option_if("products", products.then_some("tensor"))
         .option("com", list(&measured.inputs[6..9]))
-        .option("mass", list(&measured.inputs[9..]))
+        .option("mass", list(&measured.inputs[9..10]))
         .option("units", &part.units)
-        .option("g", decimal::short(&part.gravity))
+        .option("g", list(&measured.inputs[10..]))
         .flag("unphysical", !part.properties.existence().is_possible())
 }
 

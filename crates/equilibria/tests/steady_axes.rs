@@ -1,7 +1,10 @@
 //! All steady axes at one spin: against the relative equilibria at their l, and against a search on the whole sphere.
 
 use bifdiag_body::{Body, Number};
-use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria};
+use bifdiag_equilibria::critical::{Equilibrium, Multiplicity, RelativeEquilibria, SteadyFamily};
+use bifdiag_equilibria::curves::CurveName;
+use bifdiag_equilibria::nonlinear::{Nonlinear, Verdict, Why};
+use bifdiag_equilibria::stability::exact::Start;
 use bifdiag_numbers::vector::{cross, dot, norm, normalised};
 use dashu_ratio::RBig;
 use proptest::prelude::*;
@@ -173,4 +176,97 @@ fn axes_appear_in_folds_and_forks() {
     assert_eq!([number(a, r, "1").0, number(a, r, "1.001").0], [before, before + 2]);
     assert_eq!(number(["1", "2", "3"], ["1", "1", "1"], "0").0, 2);
     assert_eq!(number(["1", "2", "3"], ["1", "1", "1"], "100").0, 6);
+}
+
+/// What is known without the normal form.
+fn told(verdict: Option<(Verdict, Why)>) -> String {
+    verdict.map_or_else(|| "left to the normal form".to_owned(), |(verdict, why)| format!("{verdict} {why}"))
+}
+
+/// What a family says of a spin: branch, type and verdict, once for each axis.
+fn of_family(family: &SteadyFamily, omega: f64) -> Vec<String> {
+    let is_past = |at: &&bifdiag_equilibria::critical::SteadyStretch| at.from.is_none_or(|place| place.omega <= omega);
+    let Some(here) = family.stretches.iter().take_while(is_past).last() else { return Vec::new() };
+    let count = if family.axes == Multiplicity::Points(2) { 2 } else { 1 };
+    vec![format!("{} {} {}", family.branch, here.kind, told(here.verdict)); count]
+}
+
+/// In every stratum, before, between and after all the spins at which something changes: the families have the axes, types
+/// and verdicts that are found at that spin alone, and each place on them is a steady rotation.
+#[test]
+fn families_agree_with_the_axes_at_every_spin() {
+    let spins = std::cell::Cell::new(0);
+    for stratum in STRATA {
+        holds_for_bodies(stratum, 4, |body| {
+            let prepared = RelativeEquilibria::new(body).unwrap();
+            let families = prepared.families().unwrap();
+            let places = families.iter().flat_map(|family| &family.stretches).filter_map(|stretch| stretch.from);
+            let mut changes: Vec<f64> = Vec::new();
+            for place in places {
+                changes.push(place.omega);
+                let (a, r, s) = (body.moments_f64(), body.center_f64(), place.omega * place.omega);
+                let force = across(a, r, s, place.gamma);
+                prop_assert!(norm(force) <= 1e-9 * (s * largest(a) + norm(r)), "{:?} {:?}", place, force);
+                let j: f64 = (0..3).map(|k| a[k] * place.gamma[k] * place.gamma[k]).sum();
+                prop_assert!((place.l / (j * place.omega) - 1.0).abs() < 1e-9, "{:?}", place);
+            }
+            changes.sort_by(f64::total_cmp);
+            let ends = [
+                changes.first().map_or(unit(body), |first| 0.5 * first),
+                changes.last().map_or(0.0, |last| 2.0 * last),
+            ];
+            let between = changes
+                .windows(2)
+                .filter(|pair| pair[1] > pair[0] * (1.0 + 1e-9))
+                .map(|pair| 0.5 * (pair[0] + pair[1]));
+            for omega in between.chain(ends).filter(|omega| *omega > 0.0) {
+                let mut expected: Vec<String> = prepared
+                    .at_spin(&rational(omega))
+                    .unwrap()
+                    .list
+                    .iter()
+                    .map(|axis| {
+                        let Some(CurveName::Piece { branch, .. }) = axis.curve else { panic!("{axis:?}") };
+                        let Nonlinear { verdict, why, near, .. } = axis.nonlinear;
+                        format!("{branch} {} {}", axis.stability, told(near.is_none().then_some((verdict, why))))
+                    })
+                    .collect();
+                let mut found: Vec<String> = families.iter().flat_map(|family| of_family(family, omega)).collect();
+                if body.is_euler() {
+                    // Without weight both ends of an axis are one entry or two.
+                    expected.dedup();
+                    found.dedup();
+                }
+                expected.sort();
+                found.sort();
+                prop_assert_eq!(found, expected, "at {}", omega);
+                spins.set(spins.get() + 1);
+            }
+            Ok(())
+        });
+    }
+    assert!(spins.get() > 200, "{spins:?}");
+}
+
+/// The fold at Ω = 5 and the pair that leaves the plane at Ω = 1 of the test above.
+#[test]
+fn folds_and_forks_are_the_starts_of_families() {
+    let starts = |a: [&str; 3], r: [&str; 3]| {
+        let body = Body::parse(&a, &r).unwrap();
+        let families = RelativeEquilibria::new(&body).unwrap().families().unwrap();
+        let start = |family: &SteadyFamily| {
+            (family.start, family.stretches[0].from.map_or(0.0, |place| place.omega), family.axes)
+        };
+        families.iter().map(start).collect::<Vec<_>>()
+    };
+    let (one, pair) = (Multiplicity::Points(1), Multiplicity::Points(2));
+    let found = starts(["1", "2", "26"], ["135", "0", "320"]);
+    assert_eq!(
+        found[..4],
+        [(Start::Rest, 0.0, one), (Start::Fold, 5.0, one), (Start::Fold, 5.0, one), (Start::Rest, 0.0, one)]
+    );
+    let found = starts(["1", "2", "3"], ["1.2", "0.8", "0"]);
+    assert_eq!(found.last(), Some(&(Start::Fork, 1.0, pair)));
+    let lagrange = starts(["1", "1", "2"], ["0", "0", "1"]);
+    assert_eq!(lagrange.last(), Some(&(Start::Fork, 1.0, Multiplicity::Circle)));
 }

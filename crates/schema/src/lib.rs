@@ -21,6 +21,7 @@ mod scan;
 mod section;
 mod shown;
 mod spin;
+mod steady;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveDrawing, CurveKind, DrawingDocument,
@@ -63,6 +64,10 @@ pub use spin::{
     CriticalSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument,
     SpinDocument, SpinRangeDocument, StateDocument, SteadyAxesDocument, SteadyAxisDocument, SteadyDocument,
     SteadySpinDocument, ToleranceDocument,
+};
+pub use steady::{
+    AxisCountDocument, PermanentAxisDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinsDocument,
+    SteadyStart, SteadyStretchDocument,
 };
 
 /// Version of every document in this module.

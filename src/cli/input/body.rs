@@ -5,7 +5,7 @@ use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::Subject;
 use clap::Args;
 
-use super::part::{GivenPart, PartArguments, shown};
+use super::part::{GivenPart, PartArguments, shown, shown_of_part};
 use super::values::{self, Triple};
 use crate::cli::failure::Failure;
 use crate::cli::terminal::Report;
@@ -140,7 +140,13 @@ fn no_body() -> Failure {
 
 /// A and r, and how they came about.
 pub fn head(subject: &Subject, report: &mut Report) {
-    let join = |numbers: &[Number; 3]| numbers.each_ref().map(|number| shown(number.text())).join(", ");
+    /// Digits of numbers that were computed.
+    const DIGITS: usize = 10;
+    let number = |number: &Number| match &subject.part {
+        Some(_) => shown_of_part(number.text(), DIGITS),
+        None => shown(number.text()),
+    };
+    let join = |numbers: &[Number; 3]| numbers.each_ref().map(number).join(", ");
     report.line(format!("A = ({})", join(subject.body.moments())));
     report.line(format!("r = ({})", join(subject.body.center())));
     let Some(part) = &subject.part else { return };

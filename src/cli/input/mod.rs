@@ -2,6 +2,7 @@
 
 mod body;
 mod part;
+mod plausible;
 pub mod values;
 
 use std::fs;
@@ -9,7 +10,7 @@ use std::io::{self, Read, Stdin};
 use std::path::Path;
 
 pub use body::{BodyArguments, PlainBodyArguments, PointArguments, head};
-pub use part::{GivenPart, PART, PartArguments, shown};
+pub use part::{GivenPart, PART, PartArguments, shown, shown_of_part};
 pub use values::accuracy;
 
 /// The text of a whole file, or of stdin.

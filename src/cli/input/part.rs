@@ -5,14 +5,17 @@ use std::path::{Path, PathBuf};
 use bifdiag_body::PrincipalForm;
 use bifdiag_body::part::file::{self, FileError, FileOptions};
 use bifdiag_body::part::{
-    Existence, MassError, MassProperties, Measured, MeasuredPart, Part, Products, Units, tensor_of,
+    Dimension, Existence, MassError, MassProperties, Measured, MeasuredPart, Part, Products, Quantity, QuantityError,
+    Units, tensor_of,
 };
-use bifdiag_numbers::Number;
 use bifdiag_numbers::symmetric::PrincipalAxes;
+use bifdiag_numbers::{Number, decimal};
 use bifdiag_schema::PartDocument;
 use clap::Args;
+use dashu_ratio::RBig;
 
-use super::values::{self, Named, Triple, nominal};
+use super::plausible;
+use super::values::{self, Named, nominal};
 use crate::cli::failure::{Failure, incomplete};
 use crate::cli::terminal::significant;
 
@@ -34,37 +37,37 @@ pub const PART: &str = "A real part";
 pub struct PartArguments {
     /// Tensor of inertia about the fixed point (with --com and --mass)
     #[arg(long, value_name = "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", allow_hyphen_values = true, value_parser = values::tensor, hide_short_help = true)]
-    pub inertia: Option<[Measured; 6]>,
+    pub inertia: Option<[Quantity; 6]>,
     /// Tensor of inertia about the centre of mass (with --com and --mass)
     #[arg(long, value_name = "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", allow_hyphen_values = true, value_parser = values::tensor)]
-    pub inertia_com: Option<[Measured; 6]>,
+    pub inertia_com: Option<[Quantity; 6]>,
     /// A mesh (.stl, .obj, .ply) or an inertial block (.urdf, MJCF .xml)
     #[arg(long = "part", value_name = "FILE")]
     pub file: Option<PathBuf>,
     /// Which link of a .urdf or .xml
     #[arg(long, value_name = "NAME", hide_short_help = true)]
     pub link: Option<String>,
-    /// Density of a mesh, in the units of mass and length of --units; or give --mass
-    #[arg(long, value_name = "density", allow_hyphen_values = true, value_parser = values::mass, hide_short_help = true)]
-    pub density: Option<Number>,
+    /// Density of a mesh, with its unit or in those of --units; or give --mass
+    #[arg(long, value_name = "2.7g/cm3", allow_hyphen_values = true, value_parser = values::density, hide_short_help = true)]
+    pub density: Option<Quantity>,
     /// What the products of inertia are; needed when one of them is not 0
     #[arg(long, value_name = "tensor|integral", value_parser = values::named(&PRODUCTS), hide_short_help = true)]
     pub products: Option<Products>,
     /// Centre of mass; from the fixed point, or with --pivot in the same axes as that
-    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::measured_point)]
-    pub com: Option<[Measured; 3]>,
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::place)]
+    pub com: Option<[Quantity; 3]>,
     /// Mass
-    #[arg(long, value_name = "m", allow_hyphen_values = true, value_parser = values::measured_mass)]
-    pub mass: Option<Measured>,
+    #[arg(long, value_name = "m", allow_hyphen_values = true, value_parser = values::mass)]
+    pub mass: Option<Quantity>,
     /// Units of mass, length and time, of the part and of all results (default: kg,m,s)
     #[arg(long, value_name = "kg,mm,s", value_parser = values::units, hide_short_help = true)]
     pub units: Option<Units>,
-    /// Acceleration of gravity, always in m/s² (default: 9.80665)
+    /// Acceleration of gravity, in m/s² whatever --units are (default: 9.80665)
     #[arg(long = "g", value_name = "g", allow_hyphen_values = true, value_parser = values::gravity, hide_short_help = true)]
-    pub gravity: Option<Number>,
+    pub gravity: Option<Quantity>,
     /// The fixed point, in the axes in which the part is described (default: their origin)
-    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::center_of_mass, hide_short_help = true)]
-    pub pivot: Option<Triple>,
+    #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::place, hide_short_help = true)]
+    pub pivot: Option<[Quantity; 3]>,
     /// Accept a part that no distribution of mass has
     #[arg(long, hide_short_help = true)]
     pub unphysical: bool,
@@ -78,18 +81,33 @@ pub struct GivenPart {
     pub principal: PrincipalForm,
     /// Its numbers, where some are known to within so much only.
     pub measured: Option<MeasuredPart>,
+    /// A density or mass of a file that is known to within so much only, on which no spin depends.
+    scale: Option<&'static str>,
+}
+
+/// The numbers of the options in the units of the part.
+struct Numbers {
+    inertia: Option<[Measured; 6]>,
+    inertia_com: Option<[Measured; 6]>,
+    density: Option<Measured>,
+    com: Option<[Measured; 3]>,
+    mass: Option<Measured>,
+    /// In m/s².
+    gravity: Measured,
+    pivot: Option<[Measured; 3]>,
+    units: Units,
 }
 
 impl GivenPart {
     /// This part, unless it is known to within so much only.
     fn exact(self) -> Result<Self, Failure> {
-        match self.measured {
-            None => Ok(self),
-            Some(_) => Err(Failure::input(
-                "±: only `bifdiag critical-spin` answers for numbers that are known to within so much; leave out ± and what \
-                 follows it",
-            )),
+        if self.measured.is_none() && self.scale.is_none() {
+            return Ok(self);
         }
+        Err(Failure::input(
+            "±: only `bifdiag critical-spin` answers for numbers that are known to within so much; leave out ± and what \
+             follows it",
+        ))
     }
 
     /// The block of the documents.
@@ -130,10 +148,13 @@ impl PartArguments {
         let GivenPart { option, part, .. } = &given;
         if let (Existence::Impossible(inequality), false) = (part.properties.existence(), self.unphysical) {
             let (inequality, unit) = (inequality.to_string(), part.units.moment());
-            let hint = self.hint(&part.properties);
+            let hint = self.hint(&self.numbers()?, &part.properties);
             return Err(Failure::input(format!(
                 "{option}: this part cannot exist: about its centre of mass {inequality} ({unit}). {hint}"
             )));
+        }
+        if let Some(option) = given.scale {
+            tracing::warn!("{option} ±: tensor and weight of a file grow alike with it, so that no spin depends on it");
         }
         Ok(Some(given))
     }
@@ -145,61 +166,96 @@ impl PartArguments {
 
     fn read(&self) -> Result<Option<GivenPart>, Failure> {
         let Some(given) = self.given().next() else { return Ok(None) };
-        let (option, properties) = self.properties(given)?;
+        let numbers = self.numbers()?;
+        let (option, properties) = self.properties(given, &numbers)?;
         if self.gravity.is_none() {
             tracing::warn!("--g is not given: standard gravity is taken, {STANDARD_GRAVITY} m/s²");
         }
-        let standard = || STANDARD_GRAVITY.parse().unwrap_or_else(|_| unreachable!("a number"));
-        let gravity: Number = self.gravity.clone().unwrap_or_else(standard);
-        let units = self.units.clone().unwrap_or_default();
-        let part = Part { properties, gravity: gravity.value().clone(), units };
+        let part = Part { properties, gravity: numbers.gravity.value.clone(), units: numbers.units.clone() };
         let principal =
             part.principal().map_err(|error| Failure::input(format!("{option}: {error}")).because(error))?;
-        Ok(Some(GivenPart { option, part, principal, measured: self.measured()? }))
+        if self.file.is_none() && part.properties.existence().is_possible() {
+            plausible::warn_of_tensor(&part.properties, &part.units);
+        }
+        let scales = [("--density", &numbers.density), ("--mass", &numbers.mass)];
+        let scale = scales
+            .into_iter()
+            .find(|(_, number)| self.file.is_some() && number.as_ref().is_some_and(|number| !number.within.is_zero()));
+        let measured = self.measured(&numbers, &part.properties);
+        Ok(Some(GivenPart { option, part, principal, measured, scale: scale.map(|(option, _)| option) }))
     }
 
-    /// The numbers as they were measured, from the fixed point; `None` where all are exact.
-    fn measured(&self) -> Result<Option<MeasuredPart>, Failure> {
-        let exact = |measured: &Measured| measured.within.is_zero();
-        if self.file.is_some() {
-            if self.mass.as_ref().is_none_or(exact) {
-                return Ok(None);
-            }
-            return Err(Failure::input(
-                "--mass with ± and --part: tensor and weight of a file grow with its mass, so that no spin depends on it; \
-                 leave out ± and what follows it",
-            ));
-        }
-        let list = self.inertia.as_ref().or(self.inertia_com.as_ref());
-        let (Some(list), Some(com), Some(mass)) = (list, &self.com, &self.mass) else { return Ok(None) };
-        let mut inputs = list.iter().chain(com).chain([mass]).cloned();
-        let mut part = MeasuredPart {
-            about_com: self.inertia_com.is_some(),
-            inputs: std::array::from_fn(|_| inputs.next().unwrap_or_else(|| unreachable!("six, three and one"))),
+    /// The numbers of the options, each in the units of the part.
+    fn numbers(&self) -> Result<Numbers, Failure> {
+        let units = self.units.clone().unwrap_or_default();
+        let standard = || {
+            let value: Number = STANDARD_GRAVITY.parse().unwrap_or_else(|_| unreachable!("a number"));
+            Measured { value: value.value().clone(), within: RBig::ZERO }
         };
-        if self.products == Some(Products::Integral) {
-            for product in &mut part.inputs[3..6] {
-                product.value = -product.value.clone();
+        // g is in m/s² whatever the units are.
+        let gravity = one("--g", self.gravity.as_ref(), Dimension::ACCELERATION, &Units::default())?;
+        Ok(Numbers {
+            inertia: all("--inertia", self.inertia.as_ref(), Dimension::MOMENT, &units)?,
+            inertia_com: all("--inertia-com", self.inertia_com.as_ref(), Dimension::MOMENT, &units)?,
+            density: one("--density", self.density.as_ref(), Dimension::DENSITY, &units)?,
+            com: all("--com", self.com.as_ref(), Dimension::LENGTH, &units)?,
+            mass: one("--mass", self.mass.as_ref(), Dimension::MASS, &units)?,
+            gravity: gravity.unwrap_or_else(standard),
+            pivot: all("--pivot", self.pivot.as_ref(), Dimension::LENGTH, &units)?,
+            units,
+        })
+    }
+
+    /// The fixed point in the axes of the file, rounded.
+    pub fn fixed_point(&self) -> Result<[f64; 3], Failure> {
+        let pivot = self.numbers()?.pivot;
+        Ok(pivot.map_or([0.0; 3], |pivot| nominal(&pivot).map(|x| x.to_f64().value())))
+    }
+
+    /// The numbers as they were measured, from the fixed point; `None` where all are exact. Of a file they are its mass
+    /// properties, seen from the pivot.
+    fn measured(&self, numbers: &Numbers, properties: &MassProperties) -> Option<MeasuredPart> {
+        let exact = |value: RBig| Measured { value, within: RBig::ZERO };
+        let gravity = || numbers.gravity.clone();
+        let mut part = if self.file.is_some() {
+            let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = properties.about_com.rows().clone();
+            let [x, y, z] = properties.com.clone();
+            let list = [xx, yy, zz, xy, xz, yz, x, y, z, properties.mass.clone()].map(exact);
+            MeasuredPart::new(true, list, gravity())
+        } else {
+            let list = numbers.inertia.as_ref().or(numbers.inertia_com.as_ref())?;
+            let mut inputs = list.iter().chain(numbers.com.as_ref()?).chain([numbers.mass.as_ref()?]).cloned();
+            let list = std::array::from_fn(|_| inputs.next().unwrap_or_else(|| unreachable!("six, three and one")));
+            let mut part = MeasuredPart::new(self.inertia_com.is_some(), list, gravity());
+            if self.products == Some(Products::Integral) {
+                for product in &mut part.inputs[3..6] {
+                    product.value = -product.value.clone();
+                }
             }
-        }
-        for (coordinate, pivot) in part.inputs[6..9].iter_mut().zip(self.pivot.iter().flat_map(Triple::values)) {
-            coordinate.value -= pivot;
+            for (coordinate, pivot) in part.inputs[6..9].iter_mut().zip(numbers.pivot.iter().flatten()) {
+                coordinate.value -= &pivot.value;
+            }
+            part
+        };
+        // Only the vector from the pivot to the centre of mass counts.
+        for (coordinate, pivot) in part.inputs[6..9].iter_mut().zip(numbers.pivot.iter().flatten()) {
+            coordinate.within += &pivot.within;
         }
         let is_exact = part.uncertain().next().is_none();
-        Ok((!is_exact).then_some(part))
+        (!is_exact).then_some(part)
     }
 
     /// The mass properties seen from the fixed point, and the option that gave them.
-    fn properties(&self, given: &'static str) -> Result<(&'static str, MassProperties), Failure> {
+    fn properties(&self, given: &'static str, numbers: &Numbers) -> Result<(&'static str, MassProperties), Failure> {
         if let Some(path) = &self.file {
-            return Ok(("--part", self.of_file(path)?));
+            return Ok(("--part", self.of_file(path, numbers)?));
         }
         let of_files = [("--link", self.link.is_some()), ("--density", self.density.is_some())];
         if let Some((option, _)) = of_files.into_iter().find(|(_, given)| *given) {
             return Err(Failure::input(format!("{option} does nothing without --part")));
         }
         let missing = |missing, example| incomplete(given, missing, example);
-        let (option, list) = match (&self.inertia, &self.inertia_com) {
+        let (option, list) = match (&numbers.inertia, &numbers.inertia_com) {
             (Some(_), Some(_)) => return Err(two_parts("--inertia", "--inertia-com")),
             (Some(list), None) => ("--inertia", list),
             (None, Some(list)) => ("--inertia-com", list),
@@ -207,8 +263,8 @@ impl PartArguments {
                 return Err(missing("--inertia or --inertia-com", "--inertia-com 0.24,0.15,0.17,0,0,0"));
             }
         };
-        let com = self.com.as_ref().ok_or_else(|| missing("--com", "--com 0,0.02,0.15"))?;
-        let mass = self.mass.as_ref().ok_or_else(|| missing("--mass", "--mass 2.5"))?;
+        let com = numbers.com.as_ref().ok_or_else(|| missing("--com", "--com 0,0.02,0.15"))?;
+        let mass = numbers.mass.as_ref().ok_or_else(|| missing("--mass", "--mass 2.5"))?;
         let (mass, com) = (mass.value.clone(), nominal(com));
         if self.inertia.is_some() {
             if self.pivot.is_some() {
@@ -222,11 +278,11 @@ impl PartArguments {
         }
         let read = |products| MassProperties::about_com(mass.clone(), com.clone(), tensor_of(nominal(list), products));
         let properties = self.with_products(option, list, read)?;
-        Ok((option, self.pivot.iter().fold(properties, |properties, pivot| properties.seen_from(&pivot.values()))))
+        Ok((option, numbers.pivot.iter().fold(properties, |properties, pivot| properties.seen_from(&nominal(pivot)))))
     }
 
     /// The mass properties of a file, seen from the pivot, in the units of the part.
-    fn of_file(&self, path: &Path) -> Result<MassProperties, Failure> {
+    fn of_file(&self, path: &Path, numbers: &Numbers) -> Result<MassProperties, Failure> {
         let others = [("--inertia", self.inertia.is_some()), ("--inertia-com", self.inertia_com.is_some())];
         if let Some((second, _)) = others.into_iter().find(|(_, given)| *given) {
             return Err(two_parts("--part", second));
@@ -235,8 +291,10 @@ impl PartArguments {
         if let Some((option, _)) = useless.into_iter().find(|(_, given)| *given) {
             return Err(Failure::input(format!("{option} does nothing with --part: the file says it")));
         }
-        let mass = self.mass.as_ref().map(|mass| Number::from_rational(mass.value.clone()));
-        let wanted = FileOptions { link: self.link.as_deref(), density: self.density.as_ref(), mass: mass.as_ref() };
+        let exact =
+            |number: &Option<Measured>| number.as_ref().map(|number| Number::from_rational(number.value.clone()));
+        let (density, mass) = (exact(&numbers.density), exact(&numbers.mass));
+        let wanted = FileOptions { link: self.link.as_deref(), density: density.as_ref(), mass: mass.as_ref() };
         let read = file::read(path, &wanted).map_err(|source| {
             let hint = match source {
                 FileError::NoDensity | FileError::DensityAndMass => "; give --density or --mass",
@@ -244,8 +302,12 @@ impl PartArguments {
             };
             Failure::input(format!("--part {}: {source}{hint}", path.display())).because(source)
         })?;
-        let origin = || [dashu_ratio::RBig::ZERO, dashu_ratio::RBig::ZERO, dashu_ratio::RBig::ZERO];
-        let pivot = self.pivot.as_ref().map_or_else(origin, Triple::values);
+        if let Some(mesh) = read.mesh {
+            let own = self.density.as_ref().is_some_and(Quantity::has_unit);
+            let weight = if own { plausible::Weight::OwnDensity } else { plausible::Weight::InUnits };
+            plausible::warn_of_mesh(mesh, &read.properties, &numbers.units, weight);
+        }
+        let pivot = numbers.pivot.as_ref().map_or([const { RBig::ZERO }; 3], nominal);
         Ok(read.seen_from(&pivot, self.units.clone()).0)
     }
 
@@ -276,8 +338,8 @@ impl PartArguments {
     }
 
     /// What may be wrong with a part that cannot exist.
-    fn hint(&self, properties: &MassProperties) -> String {
-        let other = |products| match (&self.inertia, &self.inertia_com) {
+    fn hint(&self, numbers: &Numbers, properties: &MassProperties) -> String {
+        let other = |products| match (&numbers.inertia, &numbers.inertia_com) {
             (Some(list), _) => {
                 let tensor = tensor_of(nominal(list), products);
                 MassProperties::about_origin(properties.mass.clone(), properties.com.clone(), &tensor).ok()
@@ -297,7 +359,7 @@ impl PartArguments {
         if let Some((_, name)) = flipped.filter(|(products, _)| possible(other(*products))) {
             return format!("With --products {name} it could exist. Or give --unphysical");
         }
-        let about_com = self.inertia.as_ref().and_then(|list| {
+        let about_com = numbers.inertia.as_ref().and_then(|list| {
             let tensor = tensor_of(nominal(list), self.products.unwrap_or(Products::Tensor));
             MassProperties::about_com(properties.mass.clone(), properties.com.clone(), tensor).ok()
         });
@@ -308,6 +370,31 @@ impl PartArguments {
         }
         "Check digits, units and reference point of the tensor, or give --unphysical".to_owned()
     }
+}
+
+/// The number of an option in the units of the part.
+fn one(
+    option: &str,
+    quantity: Option<&Quantity>,
+    dimension: Dimension,
+    units: &Units,
+) -> Result<Option<Measured>, Failure> {
+    quantity.map(|number| number.measured(dimension, units)).transpose().map_err(in_option(option))
+}
+
+/// The list of an option in the units of the part.
+fn all<const N: usize>(
+    option: &str,
+    list: Option<&[Quantity; N]>,
+    dimension: Dimension,
+    units: &Units,
+) -> Result<Option<[Measured; N]>, Failure> {
+    list.map(|list| Quantity::all_measured(list, dimension, units)).transpose().map_err(in_option(option))
+}
+
+/// A number with a unit that an option cannot have.
+fn in_option(option: &str) -> impl FnOnce(QuantityError) -> Failure + use<'_> {
+    move |error| Failure::input(format!("{option}: {error}")).because(error)
 }
 
 fn mass_error(error: MassError) -> Failure {
@@ -327,12 +414,23 @@ fn moments(list: &[Measured; 6], products: Products) -> String {
     axes.values.each_ref().map(|value| significant(value.to_f64(), 7)).join(", ")
 }
 
-/// A rational as it is shown: exactly where that is short.
+/// The longest text that is shown whole.
+const LONG: usize = 24;
+
+/// A number that was typed: whole where it is short.
 pub fn shown(text: &str) -> String {
-    const LONG: usize = 24;
-    if text.len() <= LONG {
-        return text.to_owned();
-    }
-    let value: Option<Number> = text.parse().ok();
+    let value: Option<Number> = if text.len() <= LONG { None } else { text.parse().ok() };
     value.map_or_else(|| text.to_owned(), |value| format!("{}…", significant(value.to_f64(), 14)))
+}
+
+/// A number that was computed of a part: a decimal, exactly where it is a short one, else with so many digits.
+pub fn shown_of_part(text: &str, digits: usize) -> String {
+    let Ok(value) = text.parse::<Number>() else { return text.to_owned() };
+    let short = decimal::short(value.value());
+    if short.len() <= digits + 2 && !short.contains('/') {
+        return short;
+    }
+    let rounded = significant(value.to_f64(), digits);
+    let is_whole = rounded.parse::<Number>().is_ok_and(|number| number == value);
+    if is_whole { rounded } else { format!("{rounded}…") }
 }

@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::num::{NonZeroU32, NonZeroUsize};
 
-use bifdiag_body::part::{Measured, Units};
+use bifdiag_body::part::{Measured, Quantity, Units};
 use bifdiag_body::{Body, Number, Preset};
 use bifdiag_documents::GridAxis;
 use bifdiag_dynamics::integrator::check_tolerance;
@@ -71,39 +71,19 @@ pub fn center(text: &str) -> Result<Triple, Failure> {
     Ok(Triple(body.center().clone()))
 }
 
-pub fn center_of_mass(text: &str) -> Result<Triple, Failure> {
-    let numbers = entries(text, &["x", "y", "z"], "write three coordinates, such as 0,0.02,0.15", number)?;
-    Ok(Triple(numbers))
-}
-
-pub fn measured_point(text: &str) -> Result<[Measured; 3], Failure> {
-    entries(text, &["x", "y", "z"], "write three coordinates, such as 0,0.02,0.15", measured)
+pub fn place(text: &str) -> Result<[Quantity; 3], Failure> {
+    entries(text, &["x", "y", "z"], "write three coordinates, such as 0,0.02,0.15", quantity)
 }
 
 /// I_xx, I_yy, I_zz, I_xy, I_xz, I_yz, in either convention of the products.
-pub fn tensor(text: &str) -> Result<[Measured; 6], Failure> {
+pub fn tensor(text: &str) -> Result<[Quantity; 6], Failure> {
     const NAMES: [&str; 6] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
-    entries(text, &NAMES, "write six: Ixx,Iyy,Izz,Ixy,Ixz,Iyz", measured)
+    entries(text, &NAMES, "write six: Ixx,Iyy,Izz,Ixy,Ixz,Iyz", quantity)
 }
 
-/// 1.2, or 1.2±0.01, 1.2+-0.01, 1.2±1%.
-fn measured(text: &str) -> Result<Measured, Failure> {
-    let split = ["±", "+/-", "+-"].iter().find_map(|sign| text.split_once(sign));
-    let (value, within) = split.map_or((text, None), |(value, within)| (value, Some(within.trim())));
-    let value = number(value.trim())?.value().clone();
-    let Some(within) = within else { return Ok(Measured { value, within: RBig::ZERO }) };
-    let within = match within.strip_suffix('%') {
-        Some(percent) => {
-            let size = if value < RBig::ZERO { -value.clone() } else { value.clone() };
-            number(percent)?.value() * size / RBig::from(100)
-        }
-        None => number(within)?.value().clone(),
-    };
-    if within >= RBig::ZERO {
-        Ok(Measured { value, within })
-    } else {
-        Err(Failure::input("what stands behind ± must not be negative; write 2±0.02, 2+-0.02 or 2±1%"))
-    }
+/// 1.2, or 1.2±0.01, 1.2+-0.01, 1.2±1%, and a unit.
+fn quantity(text: &str) -> Result<Quantity, Failure> {
+    text.parse().map_err(Failure::input)
 }
 
 /// N values with commas between them.
@@ -127,22 +107,27 @@ pub fn units(text: &str) -> Result<Units, Failure> {
     text.parse().map_err(Failure::input)
 }
 
-/// Why a mass is refused.
-const NO_MASS: &str = "a mass must be greater than zero; give it in the unit of --units, such as kg";
-
-pub fn mass(text: &str) -> Result<Number, Failure> {
-    let mass = number(text)?;
-    if mass.to_f64() > 0.0 { Ok(mass) } else { Err(Failure::input(NO_MASS)) }
+pub fn mass(text: &str) -> Result<Quantity, Failure> {
+    let mass = quantity(text)?;
+    if mass.number().value > mass.number().within {
+        Ok(mass)
+    } else {
+        Err(Failure::input("a mass must be greater than zero; give it in the unit of --units, such as kg"))
+    }
 }
 
-pub fn measured_mass(text: &str) -> Result<Measured, Failure> {
-    let mass = measured(text)?;
-    if mass.value > mass.within { Ok(mass) } else { Err(Failure::input(NO_MASS)) }
+pub fn density(text: &str) -> Result<Quantity, Failure> {
+    let density = quantity(text)?;
+    if density.number().value > density.number().within {
+        Ok(density)
+    } else {
+        Err(Failure::input("a density must be greater than zero, such as 2.7g/cm3"))
+    }
 }
 
-pub fn gravity(text: &str) -> Result<Number, Failure> {
-    let gravity = number(text)?;
-    if gravity.to_f64() >= 0.0 {
+pub fn gravity(text: &str) -> Result<Quantity, Failure> {
+    let gravity = quantity(text)?;
+    if gravity.number().value >= gravity.number().within {
         Ok(gravity)
     } else {
         Err(Failure::input(

@@ -43,7 +43,7 @@ const CONDITIONS: [Named<SectionCondition>; 2] = [
 
 /// On what the picture shows the section.
 const PROJECTIONS: [Named<Projection>; 3] = [
-    ("torus", "T- and T+, the halves of the PP-torus: one to one", Projection::Torus),
+    ("torus", "Each sheet of the section on its own half of the PP-torus, T- or T+", Projection::Torus),
     ("sphere", "S- and S+, two copies of the Poisson sphere", Projection::Sphere),
     ("both", "The sphere above the torus", Projection::Both),
 ];

@@ -2,34 +2,39 @@
 
 use bifdiag_body::part::{MeasuredPart, Part};
 use bifdiag_documents::{CommandLine, Subject, words};
-use bifdiag_equilibria::permanent::{AxisRotation, NearestAxis, SpinType, exact_spin, nearest_steady};
+use bifdiag_equilibria::permanent::{NearestAxis, exact_spin, nearest_steady};
 use bifdiag_exact::{Accuracy, Solver};
+use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::dot;
-use bifdiag_numbers::{Number, Sign};
 use bifdiag_schema::{CriticalSpinDocument, SteadySpinDocument};
 use clap::Args;
 use dashu_ratio::RBig;
 
+use super::all;
 use super::axis::{Axis, AxisArgument, MEANT, axis, end_up, followed_text};
+use super::permanent::{Changes, changes_about, table_of_changes};
 use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
 use crate::cli::input::{BodyArguments, head};
-use crate::cli::terminal::{Report, Table, Timings, significant};
+use crate::cli::terminal::{Report, Timings, significant};
 
 pub const CRITICAL_SPIN_EXAMPLES: &str = "\
 Examples:
   bifdiag critical-spin --inertia-com 8e-5,8e-5,1.2e-4,0,0,0 --com 0,0,0.04 \\
       --mass 0.2 --axis z --tolerance 1%
-  bifdiag critical-spin --A 2,1.1,1 --r 0,0,1 --axis 0,0,1 --json";
+  bifdiag critical-spin --A 2,1.1,1 --r 0,0,1 --axis 0,0,1 --json
+  bifdiag critical-spin --body paper
+
+Without --axis: every steady axis, the spins at which it appears and changes its stability, and how many there are.";
 
 /// `bifdiag critical-spin`.
 #[derive(Debug, Args)]
 pub struct CriticalSpinArguments {
     #[command(flatten)]
     pub body: BodyArguments,
-    /// The axis of rotation: x, y, z or a direction; a permanent axis within 0.5 degrees of it is followed (default: the axis
-    /// that is permanent at every spin)
+    /// The axis of rotation: x, y, z or a direction; a permanent axis within 0.5 degrees of it is followed (default: all
+    /// steady axes, and every spin at which one appears or changes)
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = axis, help_heading = "Rotation")]
     pub axis: Option<AxisArgument>,
     /// How well moments and weight are known: 1%, or axis=0.5%,across=1%,weight=2% (moments for the first two); bounds on the
@@ -55,6 +60,7 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
     };
     let axis = match &arguments.axis {
         Some(axis) => axis.clone(),
+        None if matches!(known, Known::Exactly) => return all::run(&subject, arguments.json, timings),
         None => the_permanent_axis(&subject)?,
     };
     let document = timings.stage("spins", || document(&subject, &axis, &known));
@@ -65,15 +71,12 @@ pub fn run(arguments: &CriticalSpinArguments, timings: &Timings) -> Result<(), F
 fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
     let none = || {
         Failure::input(
-            "no axis of this body is permanent at every spin: give --axis, or list all steady axes at one spin with \
-             `bifdiag critical --spin \"300 rpm\"`",
+            "no axis of this body is permanent at every spin: give --axis, or leave out the tolerance, and all steady axes are \
+             listed",
         )
     };
     if subject.body.is_euler() {
-        return Err(Failure::input(
-            "without weight every principal axis is permanent, and nothing changes with the spin: give --axis x, y or z for \
-             its type, or list all with `bifdiag critical --spin \"300 rpm\"`",
-        ));
+        return Err(Failure::input("without weight every principal axis is permanent: give --axis x, y or z"));
     }
     let axis = AxisArgument::of_the_centre_of_mass(subject).map_err(|_no_direction| none())?;
     match Axis::of(subject, axis.direction) {
@@ -131,15 +134,8 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
             Some("the regions of this body were not found: only changes of stability are listed".to_owned());
     }
     let second = subject.second();
-    let mut slow = Vec::new();
-    let mut rotations = Vec::new();
-    // γ points down.
-    for (up, gamma) in [("+axis", Sign::Negative), ("-axis", Sign::Positive)] {
-        let Some(rotation) = AxisRotation::about(&subject.body, axis, gamma) else { continue };
-        document.changes.extend(bifdiag_documents::spin_changes(&rotation, up, atlas, second));
-        slow.push(at_slow_spins(&rotation).name().to_owned());
-        rotations.push((up, rotation));
-    }
+    let Changes { changes, slow, rotations } = changes_about(subject, axis, atlas);
+    document.changes = changes;
     document.tolerance = match known {
         Known::Exactly => None,
         Known::Relative(tolerance) => Some(bifdiag_documents::tolerance(&rotations, &tolerance.0, second)),
@@ -149,7 +145,7 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
             Some(bifdiag_documents::measured_tolerance(part, measured, ends, second))
         }
     };
-    document.slow = slow.try_into().ok();
+    document.slow = slow;
     document
 }
 
@@ -195,13 +191,6 @@ fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> O
     })
 }
 
-/// The type at the slowest spins.
-fn at_slow_spins(rotation: &AxisRotation) -> SpinType {
-    let changes = rotation.changes();
-    let any = || rotation.type_at_spin(&RBig::ONE).unwrap_or(SpinType::Elliptic);
-    changes.first().map_or_else(any, |first| first.from)
-}
-
 fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     let mut report = Report::default();
     head(subject, &mut report);
@@ -239,7 +228,7 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
             "its type and the regions beside it change at no spin"
         });
     } else {
-        report.line(changes(document, if unknown { "not known" } else { "same" }));
+        report.line(table_of_changes(&document.changes, if unknown { "not known" } else { "same" }));
     }
     tolerance::report(&mut report, document);
     note(&mut report, document);
@@ -277,25 +266,6 @@ fn not_permanent(report: &mut Report, subject: &Subject, document: &CriticalSpin
         Axis::Unknown => report.line("whether rotation about this axis is steady at some spin was not found"),
         Axis::AtOneSpin { .. } | Axis::Permanent { .. } => {}
     }
-}
-
-/// The changes as a table; `without` stands where no change of regions is listed.
-fn changes(document: &CriticalSpinDocument, without: &str) -> String {
-    let mut table = Table::new(&["up", "rpm", "rad/s", "below", "above", "regions", "h", "l", "error (rad/s)"]);
-    for change in &document.changes {
-        table.row([
-            change.up.clone(),
-            significant(change.spin.rpm, 8),
-            significant(change.spin.rad_per_s, 8),
-            change.from.clone(),
-            change.to.clone(),
-            change.event.clone().unwrap_or_else(|| without.to_owned()),
-            significant(change.h, 6),
-            significant(change.l, 6),
-            significant(change.error_bound, 1),
-        ]);
-    }
-    table.text()
 }
 
 fn note(report: &mut Report, document: &CriticalSpinDocument) {

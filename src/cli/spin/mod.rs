@@ -1,8 +1,10 @@
 //! States and spins: `bifdiag state`, `bifdiag critical-spin`, `bifdiag campbell`.
 
+mod all;
 mod axis;
 mod campbell;
 mod critical;
+mod permanent;
 mod state;
 mod steady;
 mod tolerance;

@@ -28,6 +28,17 @@ pub struct FilePart {
     pub properties: MassProperties,
     /// The file's own units, where it has any.
     pub units: Option<Units>,
+    /// How large it is; of a mesh only.
+    pub mesh: Option<MeshSize>,
+}
+
+/// How large a mesh is, in its own unit of length, rounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshSize {
+    /// Its largest extent along an axis.
+    pub extent: f64,
+    /// Its volume.
+    pub volume: f64,
 }
 
 /// Why a file gives no part.
@@ -36,6 +47,16 @@ pub enum FileError {
     /// It cannot be read.
     #[error("{0}")]
     Io(#[from] std::io::Error),
+    /// Solids of a CAD program.
+    #[error(
+        "{format} files are not read; export the solid from the CAD program as STL (binary, fine enough, with its unit of \
+         length) and give that file with --units, such as kg,mm,s; or give the mass properties that the program prints: \
+         --inertia-com, --com and --mass"
+    )]
+    Cad {
+        /// Of which format.
+        format: &'static str,
+    },
     /// The format is unknown.
     #[error("the name ends in none of .stl, .obj, .ply (meshes), .urdf, .xml (inertial blocks)")]
     Suffix,
@@ -95,6 +116,11 @@ fn kind(path: &Path) -> Result<Kind, FileError> {
         Some("obj") => Ok(Kind::Mesh(MeshFormat::Obj)),
         Some("ply") => Ok(Kind::Mesh(MeshFormat::Ply)),
         Some("urdf" | "xml") => Ok(Kind::Link),
+        Some("step" | "stp" | "stpz") => Err(FileError::Cad { format: "STEP" }),
+        Some("iges" | "igs") => Err(FileError::Cad { format: "IGES" }),
+        Some(
+            "sldprt" | "sldasm" | "ipt" | "iam" | "f3d" | "fcstd" | "prt" | "x_t" | "x_b" | "3dm" | "3mf" | "brep",
+        ) => Err(FileError::Cad { format: "such CAD" }),
         _ => Err(FileError::Suffix),
     }
 }
@@ -120,20 +146,22 @@ pub fn of_bytes(name: &Path, bytes: Vec<u8>, options: &FileOptions<'_>) -> Resul
                 return Err(FileError::Useless { option, kind: "an inertial block, which has its own mass" });
             }
             let text = String::from_utf8(bytes)?;
-            Ok(FilePart { properties: read_link(&text, options.link)?, units: Some(Units::default()) })
+            Ok(FilePart { properties: read_link(&text, options.link)?, units: Some(Units::default()), mesh: None })
         }
         Kind::Mesh(format) => {
             if options.link.is_some() {
                 return Err(FileError::Useless { option: "link", kind: "a mesh, which has no links" });
             }
-            let integrals = Mesh::read(&bytes, format)?.integrals()?;
+            let mesh = Mesh::read(&bytes, format)?;
+            let integrals = mesh.integrals()?;
+            let size = MeshSize { extent: mesh.extent(), volume: integrals.volume.to_f64().value() };
             let properties = match (options.density, options.mass) {
                 (Some(_), Some(_)) => return Err(FileError::DensityAndMass),
                 (Some(density), None) => integrals.with_density(density.value())?,
                 (None, Some(mass)) => integrals.with_mass(mass.value())?,
                 (None, None) => return Err(FileError::NoDensity),
             };
-            Ok(FilePart { properties, units: None })
+            Ok(FilePart { properties, units: None, mesh: Some(size) })
         }
     }
 }

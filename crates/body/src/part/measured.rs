@@ -6,6 +6,7 @@ use bifdiag_numbers::symmetric::Symmetric;
 use dashu_ratio::RBig;
 
 use crate::part::mass::{MassError, MassProperties};
+use crate::part::units::Units;
 
 /// A number, and how far the true one may be from it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,23 +29,32 @@ impl Measured {
     }
 }
 
-/// How many numbers a part has: six of the tensor, three of the centre of mass, the mass.
-pub const INPUTS: usize = 10;
+/// How many numbers a part has: six of the tensor, three of the centre of mass, the mass and gravity.
+pub const INPUTS: usize = 11;
 
 /// Their names.
-pub const INPUT_NAMES: [&str; INPUTS] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz", "com x", "com y", "com z", "mass"];
+pub const INPUT_NAMES: [&str; INPUTS] =
+    ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz", "com x", "com y", "com z", "mass", "g"];
 
 /// The numbers of a part as they were measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MeasuredPart {
     /// The tensor is about the centre of mass, else about the fixed point.
     pub about_com: bool,
-    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz as entries of the tensor, the centre of mass from the fixed point, and the mass, in the
-    /// order of [`INPUT_NAMES`].
+    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz as entries of the tensor, the centre of mass from the fixed point, the mass, and the
+    /// acceleration of gravity in m/s², in the order of [`INPUT_NAMES`].
     pub inputs: [Measured; INPUTS],
 }
 
 impl MeasuredPart {
+    /// From the numbers of the part itself, and gravity.
+    #[must_use]
+    pub fn new(about_com: bool, part: [Measured; INPUTS - 1], gravity: Measured) -> Self {
+        let mut inputs = part.into_iter().chain([gravity]);
+        let next = |_| inputs.next().unwrap_or_else(|| unreachable!("as many as there are"));
+        Self { about_com, inputs: std::array::from_fn(next) }
+    }
+
     /// Indices of the numbers that are not exact.
     pub fn uncertain(&self) -> impl Iterator<Item = usize> {
         (0..INPUTS).filter(|&k| !self.inputs[k].within.is_zero())
@@ -62,25 +72,26 @@ impl MeasuredPart {
         only
     }
 
-    /// The part each of whose numbers deviates by `steps` times its tolerance, with steps from −1 to 1.
+    /// The part each of whose numbers deviates by `steps` times its tolerance, with steps from −1 to 1, and gravity there.
     ///
     /// # Errors
     /// [`MassError`] for a mass that is not positive.
-    pub fn at(&self, steps: &[RBig; INPUTS]) -> Result<MassProperties, MassError> {
+    pub fn at(&self, steps: &[RBig; INPUTS]) -> Result<(MassProperties, RBig), MassError> {
         let values: [RBig; INPUTS] = std::array::from_fn(|k| self.inputs[k].at(&steps[k]));
-        let [xx, yy, zz, xy, xz, yz, x, y, z, mass] = values;
+        let [xx, yy, zz, xy, xz, yz, x, y, z, mass, gravity] = values;
         let (tensor, com) = (Symmetric::new([xx, yy, zz, xy, xz, yz]), [x, y, z]);
-        if self.about_com {
+        let properties = if self.about_com {
             MassProperties::about_com(mass, com, tensor)
         } else {
             MassProperties::about_origin(mass, com, &tensor)
-        }
+        };
+        Ok((properties?, gravity))
     }
 
-    /// Bounds on the tensor about the fixed point and on r = m g c, for an acceleration in the units of the part.
+    /// Bounds on the tensor about the fixed point and on r = m g c, in the units of the part.
     #[must_use]
-    pub fn bounds(&self, acceleration: &RBig) -> ([[Interval; 3]; 3], [Interval; 3]) {
-        let [xx, yy, zz, xy, xz, yz, x, y, z, mass] = self.inputs.each_ref().map(Measured::enclosed);
+    pub fn bounds(&self, units: &Units) -> ([[Interval; 3]; 3], [Interval; 3]) {
+        let [xx, yy, zz, xy, xz, yz, x, y, z, mass, gravity] = self.inputs.each_ref().map(Measured::enclosed);
         let (com, shift) = ([x, y, z], if self.about_com { mass } else { Interval::ZERO });
         let given = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
         let tensor = std::array::from_fn(|i| {
@@ -91,7 +102,7 @@ impl MeasuredPart {
                 given[i][j] + shift * moved
             })
         });
-        let weight = mass * Interval::rational(acceleration, ());
+        let weight = mass * gravity * Interval::rational(&units.acceleration(&RBig::ONE), ());
         (tensor, com.map(|c| weight * c))
     }
 }
@@ -106,22 +117,22 @@ mod tests {
 
     #[test]
     fn every_part_of_the_box_lies_within_the_bounds() {
-        let numbers = [30, 40, 50, 1, -2, 3, 1, 2, -4, 5];
+        let numbers = [30, 40, 50, 1, -2, 3, 1, 2, -4, 5, 10];
         for about_com in [true, false] {
             let inputs = std::array::from_fn(|k| Measured {
                 value: exact(numbers[k]),
                 within: RBig::from_parts(1.into(), (k + 2).into()),
             });
             let part = MeasuredPart { about_com, inputs };
-            let acceleration = RBig::from_parts(981.into(), 100u32.into());
-            let (tensor, center) = part.bounds(&acceleration);
+            let units: Units = "kg,cm,s".parse().unwrap();
+            let (tensor, center) = part.bounds(&units);
             for number in 0..200_usize {
                 // −1, −1/2, 0, 1/2, 1 for each.
                 let steps: [RBig; INPUTS] = std::array::from_fn(|k| {
                     let digit = (number * 7919 + (k + 1) * 104_729 + number / (k + 1)) % 5;
                     RBig::from_parts(digit.into(), 2u32.into()) - RBig::ONE
                 });
-                let found = part.at(&steps).unwrap();
+                let (found, gravity) = part.at(&steps).unwrap();
                 let about = found.tensor_about_origin();
                 let within = |bounds: Interval, value: &RBig| {
                     let [lo, hi] = bounds.exact_bounds().unwrap();
@@ -131,7 +142,7 @@ mod tests {
                     for j in 0..3 {
                         within(tensor[i][j], &about.rows()[i][j]);
                     }
-                    within(center[i], &(&found.com[i] * &found.mass * &acceleration));
+                    within(center[i], &(&found.com[i] * &found.mass * &gravity * RBig::from(100)));
                 }
             }
         }
@@ -140,13 +151,13 @@ mod tests {
     #[test]
     fn exact_numbers_stay_exact() {
         let inputs = std::array::from_fn(|k| Measured {
-            value: RBig::from(k + 1),
+            value: if k == 10 { RBig::ONE } else { RBig::from(k + 1) },
             within: if k == 7 { RBig::ONE } else { RBig::ZERO },
         });
         let part = MeasuredPart { about_com: false, inputs };
         assert_eq!(part.uncertain().collect::<Vec<_>>(), [7]);
         assert_eq!(part.only(3).uncertain().count(), 0);
-        let (tensor, center) = part.bounds(&RBig::ONE);
+        let (tensor, center) = part.bounds(&Units::default());
         assert_eq!(tensor[0][1], Interval::point(4.0));
         // Products round outward.
         for (bounds, [from, to]) in [(center[0], [70.0, 70.0]), (center[1], [70.0, 90.0])] {

@@ -12,7 +12,7 @@ use dashu_ratio::RBig;
 use thiserror::Error;
 
 /// kg in the unit of mass, exactly (1 lb = 0.45359237 kg; a slug is 1 lbf s²/ft).
-const MASSES: [(&str, i64, i64); 7] = [
+pub(super) const MASSES: [(&str, i64, i64); 7] = [
     ("kg", 1, 1),
     ("g", 1, 1000),
     ("mg", 1, 1_000_000),
@@ -23,7 +23,7 @@ const MASSES: [(&str, i64, i64); 7] = [
 ];
 
 /// m in the unit of length, exactly (1 in = 25.4 mm).
-const LENGTHS: [(&str, i64, i64); 7] = [
+pub(super) const LENGTHS: [(&str, i64, i64); 7] = [
     ("m", 1, 1),
     ("cm", 1, 100),
     ("mm", 1, 1000),
@@ -34,7 +34,7 @@ const LENGTHS: [(&str, i64, i64); 7] = [
 ];
 
 /// s in the unit of time.
-const TIMES: [(&str, i64, i64); 3] = [("s", 1, 1), ("ms", 1, 1000), ("min", 60, 1)];
+pub(super) const TIMES: [(&str, i64, i64); 3] = [("s", 1, 1), ("ms", 1, 1000), ("min", 60, 1)];
 
 /// A system of units: of mass, length and time.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -235,6 +235,12 @@ impl Spin {
             Some(half_turns) => self.value.value() * half_turns * half_turn(),
             None => self.value.value().clone(),
         }
+    }
+
+    /// This rate + (the other − this)·part/parts, in the unit of this one; `parts` is not 0.
+    #[must_use]
+    pub fn between(&self, other: &Self, part: u32, parts: u32) -> Self {
+        Self { value: Number::between(&self.value, &other.value, part, parts), unit: self.unit }
     }
 
     /// rpm of a rate in rad/s.

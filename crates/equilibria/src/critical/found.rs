@@ -87,10 +87,7 @@ impl RelativeEquilibria<'_> {
         for exact in &points {
             let x = match question.fixed {
                 Fixed::Momentum { x, .. } => x,
-                Fixed::Spin(_) => {
-                    let j = middle(&exact.state.j);
-                    0.5 * middle(&exact.state.s) * j * j
-                }
+                Fixed::Spin(_) => abscissa_of(&exact.state),
             };
             let site = self.site(exact, question, x)?;
             let nonlinear = beyond::verdict(self.profile()?, question.branch, exact, site.setting)?;
@@ -119,7 +116,7 @@ impl RelativeEquilibria<'_> {
         Some(Site {
             point: match curve.map(|curve| &curve.arcs[0].shape) {
                 Some(Shape::Straight { gamma, j }) => Point::over(frame, x, *gamma, *j),
-                _ => self.point(exact, x),
+                _ => self.point(&exact.state, x),
             },
             orbit: curve.map_or(Orbit::Point, |curve| curve.orbit),
             is_degenerate: exact.touch.is_some(),
@@ -141,14 +138,14 @@ impl RelativeEquilibria<'_> {
     }
 
     /// γ and J of an exact point, rounded.
-    fn point(&self, exact: &ExactPoint, x: f64) -> Point {
+    pub(super) fn point(&self, state: &State<Wide>, x: f64) -> Point {
         let frame = &self.set.frame;
         let gamma = std::array::from_fn(|k| {
-            let (w, r, tau) = (middle(&exact.state.w[k]), frame.r[k], middle(&exact.state.tau[k]));
+            let (w, r, tau) = (middle(&state.w[k]), frame.r[k], middle(&state.tau[k]));
             // γ_k = r_k/(sτ_k) keeps the digits of a small γ_k.
-            if r == 0.0 { w.max(0.0).sqrt() } else { r / (middle(&exact.state.s) * tau) }
+            if r == 0.0 { w.max(0.0).sqrt() } else { r / (middle(&state.s) * tau) }
         });
-        Point::over(frame, x, gamma, middle(&exact.state.j))
+        Point::over(frame, x, gamma, middle(&state.j))
     }
 
     /// Euler's rotations where intervals leave the type open: a double pair, which the exact body decides.
@@ -213,8 +210,14 @@ impl RelativeEquilibria<'_> {
     }
 }
 
+/// x = l²/2 = sJ²/2, rounded.
+pub(super) fn abscissa_of(state: &State<Wide>) -> f64 {
+    let j = middle(&state.j);
+    0.5 * middle(&state.s) * j * j
+}
+
 /// The middle of an enclosure.
-fn middle(set: &Wide) -> f64 {
+pub(super) fn middle(set: &Wide) -> f64 {
     let [lo, hi] = set.bounds();
     0.5 * (lo + hi)
 }

@@ -2,6 +2,7 @@
 
 mod beyond;
 mod continuation;
+mod families;
 mod found;
 
 use std::sync::{Arc, OnceLock};
@@ -17,6 +18,8 @@ use bifdiag_body::{Body, Number};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::table::Id;
+
+pub use families::{Place, SteadyFamily, SteadyStretch};
 
 /// How many critical points an entry stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -60,7 +60,7 @@ const MEASURED_SAMPLES: u64 = 81;
 #[must_use]
 pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3]) -> SettledTypes {
     let settled = |measured: &MeasuredPart| {
-        let (tensor, center) = measured.bounds(&part.units.acceleration(&part.gravity));
+        let (tensor, center) = measured.bounds(&part.units);
         settled_types(&BoxedBody { tensor, center }, up)
     };
     let mut found = settled(measured);
@@ -84,8 +84,8 @@ pub fn settled_types_of_part(part: &Part, measured: &MeasuredPart, up: [f64; 3])
 pub fn sampled_parts<'a>(part: &'a Part, measured: &'a MeasuredPart) -> impl Iterator<Item = Option<Body>> + 'a {
     let physical = part.properties.existence().is_possible();
     let sampled = (0..MEASURED_SAMPLES).filter_map(|number| measured.at(&deviations(number)).ok());
-    let possible = sampled.filter(move |properties| !physical || properties.existence().is_possible());
-    possible.map(|properties| Some(Part { properties, ..part.clone() }.principal().ok()?.body))
+    let possible = sampled.filter(move |(properties, _)| !physical || properties.existence().is_possible());
+    possible.map(|(properties, gravity)| Some(Part { properties, gravity, ..part.clone() }.principal().ok()?.body))
 }
 
 /// A random point of the cube from −1 to 1; number 0 is its middle.

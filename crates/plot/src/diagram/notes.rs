@@ -119,7 +119,7 @@ pub(super) fn motions_left_out(rows: usize) -> String {
 
 fn columns(atlas: &AtlasDocument) -> Vec<String> {
     let unit = atlas.body.part.as_ref().map_or_else(String::new, |part| format!(" in {}", part.time_unit()));
-    let motions = format!("there: period of small oscillations, growth by the factor e{unit}");
+    let motions = format!("small motions there: period, or time of growth by the factor e{unit}");
     vec!["curve".to_owned(), format!("from {L} to {L}"), "linear type".to_owned(), "stable".to_owned(), motions]
 }
 

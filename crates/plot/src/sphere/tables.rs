@@ -105,7 +105,7 @@ pub(super) fn equilibria(scene: &SphereScene<'_>, [width, height]: [f64; 2]) -> 
 fn columns(scene: &SphereScene<'_>, room: f64, count: usize) -> Table {
     let times = if scene.time_unit.is_empty() { String::new() } else { format!(" in {}", scene.time_unit) };
     let heading = ["", "relative equilibrium", "h", "of U", "linear type", "stable"].map(str::to_owned);
-    let motions = format!("period of small oscillations, growth by the factor e{times}");
+    let motions = format!("small motions: period, or time of growth by the factor e{times}");
     let heading = heading.into_iter().chain([motions]).take(count).collect();
     let h: Vec<f64> = scene.equilibria.iter().map(|point| point.h).collect();
     let rows = scene.equilibria.iter().zip(energies(&h)).enumerate().map(|(place, (point, h))| {

@@ -60,7 +60,7 @@ fn pierced(mesh: &Mesh, edges: [usize; 3], face: [usize; 3]) -> Option<[Point; 2
 }
 
 /// The sign of det(a − d, b − d, c − d), exactly.
-fn orientation(a: Point, b: Point, c: Point, d: Point) -> Sign {
+pub(super) fn orientation(a: Point, b: Point, c: Point, d: Point) -> Sign {
     let [u, v, w] = [a, b, c].map(|p| -> Point { std::array::from_fn(|i| p[i] - d[i]) });
     let (mut sum, mut size) = (0.0, 0.0);
     for i in 0..3 {

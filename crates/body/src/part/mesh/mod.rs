@@ -19,9 +19,9 @@ impl Mesh {
         if let Some(at) = self.corners().iter().position(|corner| !corner.iter().all(|x| x.is_finite())) {
             return Err(MeshError::NotFinite { corner: at + 1 });
         }
-        orientation::check_edges(self)?;
+        let surfaces = orientation::surfaces(self)?;
         crossing::check(self)?;
-        orientation::check_sides(self)?;
+        orientation::check_sides(self, &surfaces)?;
         Ok(VolumeIntegrals::over(self, self.triangles()))
     }
 }

@@ -38,6 +38,18 @@ impl Mesh {
         &self.corners
     }
 
+    /// The largest extent along an axis.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        let along = |i: usize| {
+            let ends = self.corners.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], corner| {
+                [low.min(corner[i]), high.max(corner[i])]
+            });
+            ends[1] - ends[0]
+        };
+        (0..3).map(along).fold(0.0, f64::max)
+    }
+
     /// The triangles, by their corners' numbers.
     #[must_use]
     pub fn triangles(&self) -> &[[usize; 3]] {
@@ -85,8 +97,8 @@ pub enum MeshError {
     },
     /// More than two triangles at an edge.
     #[error(
-        "the mesh is no surface: {edges} edges belong to more than two triangles, such as that from {from:?} to {to:?}; \
-         unite the bodies or remove faces inside"
+        "the mesh is no surface: at {edges} edges, such as that from {from:?} to {to:?}, more than two triangles meet between \
+         which space would be counted twice or not at all; unite the bodies or remove faces inside"
     )]
     Branched {
         /// How many.

@@ -163,6 +163,12 @@ impl Forms {
         left.minus(&right.scaled(&(IBig::from(4) * over * over)))
     }
 
+    /// p′D − 2pD′ = P′D³: its roots are the multipliers at which the spin turns.
+    #[must_use]
+    pub fn fold(&self) -> Polynomial {
+        slope(&self.p, &self.product)
+    }
+
     /// p − s²D²: its roots are the multipliers of the steady rotations with Ω² = s, since s² = P (Theorem 3.2 of
     /// docs/mathematics.md).
     #[must_use]
@@ -178,11 +184,14 @@ fn moment(body: &ExactBody, weight: &[Polynomial; 3], power: usize) -> Polynomia
     (0..3).fold(zero, |sum, k| sum.plus(&weight[k].scaled(&body.a[k].pow(power))))
 }
 
+/// f′D − 2fD′, which is D³ times the derivative of f/D².
+fn slope(f: &Polynomial, d: &Polynomial) -> Polynomial {
+    f.derivative().times(d).minus(&f.times(&d.derivative()).scaled(&IBig::from(2)))
+}
+
 /// −½[4(q′D − 2qD′)p − 3(p′D − 2pD′)q], which is C D⁵.
 fn cusp(p: &Polynomial, q: &Polynomial, d: &Polynomial) -> Polynomial {
-    let slope = d.derivative();
-    let of = |f: &Polynomial| f.derivative().times(d).minus(&f.times(&slope).scaled(&IBig::from(2)));
-    let twice = of(p).times(q).scaled(&IBig::from(3)).minus(&of(q).times(p).scaled(&IBig::from(4)));
+    let twice = slope(p, d).times(q).scaled(&IBig::from(3)).minus(&slope(q, d).times(p).scaled(&IBig::from(4)));
     Polynomial::new(twice.coefficients().iter().map(|c| c / IBig::from(2)).collect())
 }
 

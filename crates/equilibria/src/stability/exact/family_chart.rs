@@ -124,6 +124,12 @@ impl FamilyChart {
         }
     }
 
+    /// The polynomial whose roots are the folds of the generic family, where its spin turns.
+    #[must_use]
+    pub fn fold(&self, body: &ExactBody, forms: &Forms) -> Polynomial {
+        self.coordinate.mapped(body, &forms.fold())
+    }
+
     /// Roots of a polynomial in t on the family, ascending. `None` when they are closer than 2^-4000.
     #[must_use]
     pub fn roots(&self, polynomial: &Polynomial) -> Option<Vec<Root>> {

@@ -4,6 +4,7 @@
 mod body;
 mod family_chart;
 mod profile;
+mod strands;
 
 use dashu_ratio::RBig;
 
@@ -21,6 +22,7 @@ use profile::{Profile, StationKind};
 
 pub use body::{ExactBody, Forms};
 pub use profile::{ExactPoint, Touch};
+pub use strands::{Start, Strand, StrandStretch};
 
 /// The families of a body with everything that decides the linear type along them.
 #[derive(Clone, Debug)]
@@ -47,6 +49,12 @@ impl StabilityProfile {
         let families: Option<Vec<_>> =
             generic.chain(over).map(|chart| Some((chart.clone(), Profile::new(&chart)?))).collect();
         Some(Self { families: families?, forms: Some(forms), body })
+    }
+
+    /// The numbers of the linearisation.
+    #[must_use]
+    pub fn constants(&self, bits: usize) -> Constants<Wide> {
+        self.body.constants(bits)
     }
 
     /// All relative equilibria of a branch at l ≠ 0, counted exactly; `None` without weight (Euler's rotations are not

@@ -1,0 +1,96 @@
+//! All steady axes over the spin as a document.
+
+use bifdiag_equilibria::critical::{Multiplicity, Place, SteadyFamily, SteadyStretch};
+use bifdiag_equilibria::stability::exact::Start;
+use bifdiag_schema::{
+    AxisCountDocument, PermanentAxisDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinsDocument,
+    SteadyStart, SteadyStretchDocument,
+};
+
+use crate::body::given;
+use crate::command::head;
+use crate::critical::{change, multiplicity, stability, stable};
+use crate::spin::spin;
+use crate::subject::Subject;
+
+/// The families of steady axes of a body, and what was found of those that are permanent.
+#[must_use]
+pub fn steady_spins(
+    subject: &Subject,
+    families: &[SteadyFamily],
+    permanent: Vec<PermanentAxisDocument>,
+    note: Option<String>,
+) -> SteadySpinsDocument {
+    SteadySpinsDocument {
+        head: head(subject.command("critical-spin").json()),
+        body: given(&subject.body),
+        permanent,
+        families: families.iter().map(|found| family(subject, found)).collect(),
+        counts: counts(families, subject.second()),
+        note,
+        part: subject.part.clone(),
+    }
+}
+
+/// γ points down.
+fn up(subject: &Subject, gamma: [f64; 3]) -> [f64; 3] {
+    subject.to_given(gamma.map(|x| 0.0 - x))
+}
+
+fn family(subject: &Subject, found: &SteadyFamily) -> SteadyFamilyDocument {
+    SteadyFamilyDocument {
+        branch: found.branch.to_string(),
+        branch_name: found.branch_name.to_string(),
+        start: match found.start {
+            Start::Rest => SteadyStart::Rest,
+            Start::Fold => SteadyStart::Fold,
+            Start::Fork => SteadyStart::Fork,
+        },
+        axes: multiplicity(found.axes),
+        permanent: found.is_permanent,
+        slow_axis: found.slow.map(|gamma| up(subject, gamma)),
+        fast_axis: up(subject, found.fast),
+        stretches: found.stretches.iter().map(|found| stretch(subject, found)).collect(),
+    }
+}
+
+fn stretch(subject: &Subject, found: &SteadyStretch) -> SteadyStretchDocument {
+    let place = |place: &Place| SteadyPlaceDocument {
+        spin: spin(place.omega * subject.second()),
+        error_bound: place.error_bound * subject.second(),
+        axis: up(subject, place.gamma),
+        l: place.l,
+        h: place.h,
+    };
+    SteadyStretchDocument {
+        from: found.from.as_ref().map(place),
+        change: found.change.map(change),
+        stability: stability(found.kind),
+        stable: stable(found.verdict, found.kind),
+    }
+}
+
+/// How many steady axes there are by rising spin; starts closer than their error bounds are one.
+fn counts(families: &[SteadyFamily], second: f64) -> Vec<AxisCountDocument> {
+    let mut starts: Vec<(Option<Place>, Multiplicity)> =
+        families.iter().map(|family| (family.stretches.first().and_then(|first| first.from), family.axes)).collect();
+    let omega = |place: &Option<Place>| place.map_or(0.0, |place| place.omega);
+    starts.sort_by(|(p, _), (q, _)| omega(p).total_cmp(&omega(q)));
+    let mut counts: Vec<AxisCountDocument> = Vec::new();
+    let mut reached = f64::NEG_INFINITY;
+    for (from, axes) in starts {
+        let error = from.map_or(0.0, |place| place.error_bound);
+        if omega(&from) - error > reached {
+            let before = counts.last().map_or([0, 0], |last| [last.axes, last.circles]);
+            let from = from.map(|place| spin(place.omega * second));
+            counts.push(AxisCountDocument { from, axes: before[0], circles: before[1] });
+        }
+        reached = omega(&from) + error;
+        let Some(last) = counts.last_mut() else { continue };
+        match axes {
+            Multiplicity::Points(count) => last.axes += count,
+            Multiplicity::Circle | Multiplicity::Sphere => last.circles += 1,
+        }
+    }
+    counts
+}

@@ -1,0 +1,171 @@
+//! All steady axes by rising spin: the families of relative equilibria, each from the spin at which it begins.
+
+use std::sync::Arc;
+
+use dashu_ratio::RBig;
+
+use super::found::{abscissa_of, middle};
+use super::{Equilibrium, Multiplicity, RelativeEquilibria};
+use crate::curves::{Branch, BranchName, CurveName, Orbit};
+use crate::nonlinear::{Setting, Verdict, Why};
+use crate::stability::exact::{Start, Strand};
+use crate::stability::{ChangeKind, Constants, LinearType, State};
+use bifdiag_body::{Axis, Body};
+use bifdiag_numbers::Sign;
+use bifdiag_numbers::enclosure::Arithmetic;
+use bifdiag_numbers::vector::dot;
+use bifdiag_numbers::wide::Wide;
+
+/// Steady axes that move with the spin without ever meeting others, from one spin to infinity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadyFamily {
+    /// The branch on which it lies; several families may lie on one.
+    pub branch: BranchName,
+    /// The branch in words.
+    pub branch_name: Arc<str>,
+    /// How it begins.
+    pub start: Start,
+    /// How many axes: one, a symmetric pair (2), a circle, or all (a sphere).
+    pub axes: Multiplicity,
+    /// The axis is the same at every spin.
+    pub is_permanent: bool,
+    /// γ at rest, in principal axes; `None` for a family that begins later.
+    pub slow: Option<[f64; 3]>,
+    /// γ in the limit of fast spins, of a pair one of the two, of a circle one of all.
+    pub fast: [f64; 3],
+    /// By rising spin, from the start to infinity.
+    pub stretches: Vec<SteadyStretch>,
+}
+
+/// A range of spins in which a family has one type.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadyStretch {
+    /// Where it begins; `None`: at rest.
+    pub from: Option<Place>,
+    /// Which eigenvalues meet there; `None` where the family itself begins.
+    pub change: Option<ChangeKind>,
+    /// The linear type.
+    pub kind: LinearType,
+    /// What eigenvalues, energy and integrals say of the stability; `None` at two imaginary pairs that are left to the normal
+    /// form, which differs from spin to spin.
+    pub verdict: Option<(Verdict, Why)>,
+}
+
+/// A point of a family.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Ω.
+    pub omega: f64,
+    /// Bound on its error.
+    pub error_bound: f64,
+    /// l.
+    pub l: f64,
+    /// h.
+    pub h: f64,
+    /// γ in principal axes; of a pair one of the two.
+    pub gamma: [f64; 3],
+}
+
+impl SteadyFamily {
+    /// Whether a steady axis of the body belongs to the family. Of two that begin in a fold each keeps its side of it: along
+    /// a branch μ = J + ⟨γ, r⟩/s is monotone, and at fast spins it is the moment about the axis.
+    #[must_use]
+    pub fn holds(&self, body: &Body, axis: &Equilibrium) -> bool {
+        let Some(CurveName::Piece { branch, .. }) = axis.curve else { return false };
+        let fold = self.stretches.first().and_then(|first| first.from).filter(|_| self.start == Start::Fold);
+        let (a, r) = (body.moments_f64(), body.center_f64());
+        let moment = |gamma: [f64; 3]| (0..3).map(|k| a[k] * gamma[k] * gamma[k]).sum::<f64>();
+        let multiplier = |gamma: [f64; 3], omega: f64| moment(gamma) + dot(gamma, r) / (omega * omega);
+        branch == self.branch
+            && fold.is_none_or(|fold| {
+                let middle = multiplier(fold.gamma, fold.omega);
+                (multiplier(axis.gamma, axis.omega) < middle) == (moment(self.fast) < middle)
+            })
+    }
+}
+
+/// Bits of the numbers of a place.
+const BITS: usize = 224;
+
+impl RelativeEquilibria<'_> {
+    /// Every family of steady axes, each with the exact order of its changes: the spins at which axes appear are the starts of
+    /// families. `None` where roots are closer than 2^-4000.
+    #[must_use]
+    pub fn families(&self) -> Option<Vec<SteadyFamily>> {
+        if self.set.frame.is_euler() {
+            return self.families_without_weight();
+        }
+        let c = self.profile()?.constants(BITS);
+        let family = |strand: &Strand| self.family(&c, strand);
+        Some(self.profile()?.strands()?.iter().map(family).collect())
+    }
+
+    fn family(&self, c: &Constants<Wide>, strand: &Strand) -> SteadyFamily {
+        let frame = &self.set.frame;
+        let orbit = self.set.curves.iter().find(|curve| curve.branch == strand.branch).map(|curve| curve.orbit);
+        let is_circle = matches!(orbit, Some(Orbit::Circle(_)));
+        let on_axis = matches!(strand.branch, Branch::Axis(_));
+        let integral = is_circle || (on_axis && self.set.is_lagrange());
+        let stretch = |found: &crate::stability::exact::StrandStretch| SteadyStretch {
+            from: found.from.as_ref().map(|state| self.place(c, state)),
+            change: found.change,
+            kind: found.kind,
+            verdict: Setting { index: found.index, minimum: None, integral }.verdict(found.kind),
+        };
+        let (axis, side) = strand.fast;
+        let unit = |axis: Axis, side: f64| Axis::ALL.map(|k| if k == axis { side } else { 0.0 });
+        let fast = frame.vector_to_body(unit(axis, if side == Sign::Negative { -1.0 } else { 1.0 }));
+        let slow = (strand.start == Start::Rest).then(|| {
+            // Hanging at rest μ is large and positive, standing negative.
+            let side = if side == Sign::Negative { -1.0 } else { 1.0 };
+            frame.vector_to_body(frame.r_hat().map(|x| side * x))
+        });
+        SteadyFamily {
+            branch: BranchName::of(frame, strand.branch),
+            branch_name: self.words(strand.branch),
+            start: strand.start,
+            axes: match orbit {
+                Some(Orbit::Circle(_)) => Multiplicity::Circle,
+                Some(Orbit::Pair(_)) => Multiplicity::Points(2),
+                _ => Multiplicity::Points(1),
+            },
+            is_permanent: on_axis,
+            slow,
+            fast,
+            stretches: strand.stretches.iter().map(stretch).collect(),
+        }
+    }
+
+    fn place(&self, c: &Constants<Wide>, state: &State<Wide>) -> Place {
+        let frame = &self.set.frame;
+        let [(l, _), (h, _)] = state.place(c, frame);
+        let omega = middle(&state.s.sqrt()) * frame.frequency_unit;
+        let gamma = frame.vector_to_body(self.point(state, abscissa_of(state)).gamma);
+        Place { omega, error_bound: 4.0 * f64::EPSILON * omega, l, h, gamma }
+    }
+
+    /// Without weight the axes of the eigenspaces are steady, at every spin of one type.
+    fn families_without_weight(&self) -> Option<Vec<SteadyFamily>> {
+        let mut families: Vec<SteadyFamily> = Vec::new();
+        for Equilibrium { gamma, multiplicity, stability, nonlinear, curve, branch_name, .. } in
+            self.at_spin(&RBig::ONE).ok()?.list
+        {
+            let verdict = Some((nonlinear.verdict, nonlinear.why));
+            let Some(CurveName::Piece { branch, .. }) = curve else { continue };
+            if families.iter().any(|family| family.branch == branch) {
+                continue;
+            }
+            families.push(SteadyFamily {
+                branch,
+                branch_name,
+                start: Start::Rest,
+                axes: if multiplicity == Multiplicity::Points(1) { Multiplicity::Points(2) } else { multiplicity },
+                is_permanent: true,
+                slow: Some(gamma),
+                fast: gamma,
+                stretches: vec![SteadyStretch { from: None, change: None, kind: stability, verdict }],
+            });
+        }
+        Some(families)
+    }
+}

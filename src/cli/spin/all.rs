@@ -1,0 +1,179 @@
+//! `bifdiag critical-spin` without an axis: all steady axes, and every spin at which one appears or changes.
+
+use bifdiag_documents::Subject;
+use bifdiag_equilibria::critical::{RelativeEquilibria, SteadyFamily};
+use bifdiag_equilibria::permanent::{PermanentAxis, permanent_axis};
+use bifdiag_exact::{Accuracy, Solver};
+use bifdiag_numbers::vector::{dot, norm};
+use bifdiag_schema::{
+    Multiplicity, PermanentAxisDocument, SpinDocument, SteadyFamilyDocument, SteadySpinsDocument, SteadyStart, Verdict,
+};
+
+use super::permanent::{Changes, changes_about, table_of_changes};
+use crate::cli::export::answer;
+use crate::cli::failure::{Failure, failed};
+use crate::cli::input::head;
+use crate::cli::terminal::{Report, Table, Timings, fixed, significant};
+
+pub fn run(subject: &Subject, json: bool, timings: &Timings) -> Result<(), Failure> {
+    let families = timings.stage("families", || RelativeEquilibria::new(&subject.body).map(|found| found.families()));
+    let families = families.map_err(failed("the steady axes could not be found"))?;
+    let families =
+        families.ok_or_else(|| Failure::work("the steady axes could not be told apart: roots are too close"))?;
+    let document = timings.stage("spins", || document(subject, &families));
+    answer(json, &document, || text(subject, &document))
+}
+
+fn document(subject: &Subject, families: &[SteadyFamily]) -> SteadySpinsDocument {
+    let axes = permanent_axes(subject, families);
+    let prepared = Solver::new(subject.body.clone(), Accuracy::Exact);
+    let atlas = if axes.is_empty() { None } else { prepared.atlas() };
+    let note = (!axes.is_empty() && atlas.is_none())
+        .then(|| "the regions of this body were not found: only changes of stability are listed".to_owned());
+    let permanent = axes.into_iter().filter_map(|axis| {
+        let Changes { changes, slow, .. } = changes_about(subject, axis, atlas);
+        Some(PermanentAxisDocument { axis: subject.to_given(axis.direction), slow: slow?, changes })
+    });
+    bifdiag_documents::steady_spins(subject, families, permanent.collect(), note)
+}
+
+/// The axes that are permanent at every spin: of each end-to-end pair the end on the side of the centre of mass, and of a
+/// circle one.
+fn permanent_axes(subject: &Subject, families: &[SteadyFamily]) -> Vec<PermanentAxis> {
+    let (mut axes, center): (Vec<PermanentAxis>, _) = (Vec::new(), subject.body.center_f64());
+    for family in families.iter().filter(|family| family.is_permanent) {
+        let Some(found) = permanent_axis(&subject.body, family.fast) else { continue };
+        let direction = found.direction;
+        let side = if norm(center) > 0.0 { dot(direction, center) } else { direction.iter().sum() };
+        let direction = if side < 0.0 { direction.map(|x| 0.0 - x) } else { direction };
+        if axes.iter().all(|known| known.direction != direction) {
+            axes.push(PermanentAxis { direction, ..found });
+        }
+    }
+    axes
+}
+
+fn text(subject: &Subject, document: &SteadySpinsDocument) -> String {
+    let mut report = Report::default();
+    head(subject, &mut report);
+    report.line("");
+    if document.permanent.is_empty() {
+        report.line("no axis is permanent at every spin");
+    }
+    for permanent in &document.permanent {
+        permanent_axis_text(&mut report, permanent, document.note.is_some());
+    }
+    let moving: Vec<&SteadyFamilyDocument> = document.families.iter().filter(|family| !family.permanent).collect();
+    if !moving.is_empty() {
+        report.line("");
+        report.line("steady axes that move with the spin:");
+        report.line(table(&moving));
+        legend(&mut report, &moving);
+    }
+    report.line(counts(document));
+    let frame = if document.part.is_some() { "in the part's frame" } else { "in principal axes" };
+    report.line(format!("axis: the end that points up, {frame}"));
+    if let Some(note) = &document.note {
+        report.line(format!("note: {note}"));
+    }
+    report.text()
+}
+
+fn permanent_axis_text(report: &mut Report, permanent: &PermanentAxisDocument, unknown: bool) {
+    let [x, y, z] = permanent.axis.map(|x| significant(x, 6));
+    report.line(format!("permanent axis ({x}, {y}, {z})"));
+    let [plus, minus] = &permanent.slow;
+    report.line(format!("at slow spins: +axis up {plus}, -axis up {minus}"));
+    match (permanent.changes.is_empty(), unknown) {
+        (true, true) => report.line("its type changes at no spin"),
+        (true, false) => report.line("its type and the regions beside it change at no spin"),
+        (false, _) => {
+            report.line(table_of_changes(&permanent.changes, if unknown { "not known" } else { "same" }));
+        }
+    }
+}
+
+/// Each family by rising spin, a row for each type.
+fn table(families: &[&SteadyFamilyDocument]) -> String {
+    let mut table = Table::new(&["branch", "from rpm", "to rpm", "type", "stable", "axis there"]);
+    for family in families {
+        let rpm = |spin: &SpinDocument| significant(spin.rpm, 8);
+        for (number, stretch) in family.stretches.iter().enumerate() {
+            let next = family.stretches.get(number + 1).and_then(|next| next.from.as_ref());
+            let start = match (number, family.start) {
+                (0, SteadyStart::Fold) => " (fold)",
+                (0, SteadyStart::Fork) => " (fork)",
+                _ => "",
+            };
+            let axis = stretch.from.as_ref().map(|place| place.axis).or(family.slow_axis);
+            table.row([
+                if number == 0 { family.branch.clone() } else { String::new() },
+                format!("{}{start}", stretch.from.as_ref().map_or_else(|| "0".to_owned(), |place| rpm(&place.spin))),
+                next.map_or_else(|| "inf".to_owned(), |next| rpm(&next.spin)),
+                stretch.stability.word().to_owned(),
+                stretch.stable.word().to_owned(),
+                axis.map_or_else(String::new, vector),
+            ]);
+        }
+        table.row(["", "inf", "", "", ""].map(str::to_owned).into_iter().chain([vector(family.fast_axis)]));
+    }
+    table.text()
+}
+
+fn vector(v: [f64; 3]) -> String {
+    let [x, y, z] = v.map(|x| fixed(x, 4));
+    format!("({x:>7}, {y:>7}, {z:>7})")
+}
+
+/// What the table's words mean.
+fn legend(report: &mut Report, families: &[&SteadyFamilyDocument]) {
+    let mut told: Vec<&str> = Vec::new();
+    for family in families {
+        if told.contains(&family.branch.as_str()) {
+            continue;
+        }
+        told.push(&family.branch);
+        let axes = match family.axes {
+            Multiplicity::Points(2) => ": two axes, each the other's mirror image",
+            Multiplicity::Circle => ": a circle of axes",
+            _ => "",
+        };
+        report.line(format!("{}: {}{axes}", family.branch, family.branch_name));
+    }
+    let is_open =
+        |family: &&SteadyFamilyDocument| family.stretches.iter().any(|found| found.stable == Verdict::Spectrum);
+    if families.iter().any(is_open) {
+        report.line(
+            "spectrally only: no eigenvalue grows; whether it is stable at one spin, `bifdiag critical --spin` says",
+        );
+    }
+    let has = |start| families.iter().any(|family| family.start == start);
+    if has(SteadyStart::Fold) {
+        report.line("fold: at this spin two steady axes appear in one place; slower, there is neither");
+    }
+    if has(SteadyStart::Fork) {
+        report.line("fork: at this spin the axes leave another steady axis");
+    }
+}
+
+/// How many axes there are, in words.
+fn counts(document: &SteadySpinsDocument) -> String {
+    if document.families.iter().any(|family| family.axes == Multiplicity::Sphere) {
+        return "rotation about every axis is steady".to_owned();
+    }
+    let list = document.counts.iter().enumerate().map(|(number, count)| {
+        let circles = match count.circles {
+            0 => String::new(),
+            1 => " and a circle".to_owned(),
+            more => format!(" and {more} circles"),
+        };
+        let next = document.counts.get(number + 1).and_then(|next| next.from.as_ref());
+        let until = match (number, next) {
+            (0, None) => " at every spin".to_owned(),
+            (_, Some(next)) => format!(" up to {} rpm", significant(next.rpm, 8)),
+            (_, None) => " at faster spins".to_owned(),
+        };
+        format!("{}{circles}{until}", count.axes)
+    });
+    format!("number of steady axes, each end that is up counted: {}", list.collect::<Vec<_>>().join(", "))
+}
