@@ -144,7 +144,7 @@ fn kind(event: &str) -> Option<(usize, String)> {
         let words: Vec<&str> = event.split_whitespace().collect();
         Some(format!("{} through {}", words.get(3)?, event.split("through ").nth(1)?))
     };
-    if let Some((_, branch)) = event.split_once("swallowtail is born on branch ") {
+    if let Some((_, branch)) = event.split_once("swallowtail is born or vanishes on branch ") {
         return Some((0, branch.to_owned()));
     }
     if event.starts_with("the cusp of ") && event.contains("passes through") {

@@ -119,10 +119,10 @@ fn table(principal: &PrincipalDocument, document: &PartDocument, digits: usize, 
             significant(principal.moments[k], digits),
             format!("({x}, {y}, {z})"),
             if distance == 0.0 { "-".to_owned() } else { format!("{:.4}°", libm::acos(cosine.min(1.0)).to_degrees()) },
-            if last == "r" {
-                significant(value(&document.center[k]), digits)
-            } else {
-                significant((principal.moments[k].max(0.0) / mass).sqrt(), digits)
+            match (last, principal.moments[k]) {
+                ("r", _) => significant(value(&document.center[k]), digits),
+                (_, moment) if moment < 0.0 => "-".to_owned(),
+                (_, moment) => significant((moment / mass).sqrt(), digits),
             },
         ]);
     }

@@ -166,7 +166,9 @@ fn show_curve(report: &mut Report, atlas: &Atlas, document: &AtlasDocument, curv
 fn show_event(report: &mut Report, document: &AtlasDocument, event: &EventDocument) {
     let curves = || event.curves.iter().filter_map(|id| document.curves.iter().find(|curve| curve.id == *id));
     let of_circles = curves().any(|curve| curve.kind == CurveKind::Circle);
+    let of_pairs = curves().all(|curve| curve.kind == CurveKind::Pair);
     let what = match (event.kind, of_circles) {
+        (EventKind::Cusp, false) if of_pairs => "cusp: two symmetric pairs of relative equilibria meet and vanish",
         (EventKind::Cusp, false) => "cusp: two relative equilibria meet and vanish",
         (EventKind::Cusp, true) => "cusp: two circles of relative equilibria meet and vanish",
         (EventKind::Pitchfork, false) => "pitchfork: a symmetric pair leaves a curve",

@@ -88,5 +88,5 @@ fn a_body_beside_a_border_or_on_it_is_told_so() {
     assert!(0.2 * straight < beside && beside < straight, "{beside} {straight}");
     assert!(nearest("0.75") < 1e-15);
     let told = bifdiag("classes --at --A 1,1.4,0.75 --r 1,0,0 --lines 6").succeeds();
-    told.printing("at most so far").printing("\n0               ").printing("axes by rising moments");
+    told.printing("distance at most").printing("\n0               ").printing("axes by rising moments");
 }

@@ -197,3 +197,13 @@ fn w6_what_eulers_case_shows_is_only_denied_for_other_bodies() {
     assert!(shown["types"].as_array().unwrap().contains(&Value::from("k0n0")));
     bifdiag("find --type k0n0").succeeds().printing("k0n0 does not exist for r ≠ 0").printing("--body euler");
 }
+
+/// The saddles of a pair: two circles more; a cusp of pairs: four relative equilibria.
+#[test]
+fn pairs_are_counted_twice() {
+    let curve = bifdiag("show S2.1 --A 12,3,5 --r 3,0,0").succeeds().stdout();
+    assert!(curve.contains("at two saddles U gets two more boundary circles"), "{curve}");
+    let event = bifdiag("show E1 --A 12,3,5 --r 3,0,0").succeeds();
+    event.printing("cusp: two symmetric pairs of relative equilibria meet and vanish");
+    bifdiag("show E1 --A 2,1.1,1 --r 0.3,0.2,0.6").succeeds().printing("cusp: two relative equilibria meet and vanish");
+}

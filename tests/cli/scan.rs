@@ -265,8 +265,8 @@ fn katoks_borders_come_out_exactly() {
             "cusp-at-pitchfork",
             "the cusp of the pair S3 reaches its pitchfork",
         ),
-        ("--body katok:4 --vary A2=0.93:1.07", "A2", 1.0, "pitchfork-at-infinity", "goes through infinity to"),
-        ("--body katok:1 --vary A3=0.9:1.2", "A3", 1.0, "pitchfork-at-infinity", "goes through infinity to"),
+        ("--body katok:4 --vary A2=0.93:1.07", "A2", 1.0, "pitchfork-at-infinity", "a pitchfork goes through infinity"),
+        ("--body katok:1 --vary A3=0.9:1.2", "A3", 1.0, "pitchfork-at-infinity", "a pitchfork goes through infinity"),
         (
             "--A 1,0.7,0.6 --r 1,0,0 --vary A3=0.62:0.698",
             "A3",
@@ -292,13 +292,35 @@ fn katoks_borders_come_out_exactly() {
 #[test]
 fn a_border_at_a_special_body_says_what_becomes_special() {
     let cases = [
-        ("--A 1,1,2 --r 0.3,0.4,0.5 --vary A3=0.5:2", 1.0, "moments-equal", "the moments A1, A2 and A3 become equal"),
-        ("--A 1,1,1 --r 1,2,3 --vary A3=0.5:2", 1.0, "moments-equal", "the moments A1, A2 and A3 become equal"),
-        ("--A 1,1,2 --r 0,0.4,0.5 --vary A3=0.7:1.3", 1.0, "moments-equal", "the moments A1, A2 and A3 become equal"),
-        ("--A 1,1,1 --r 1,0,0 --vary A1=1:2", 1.0, "moments-equal", "the moments A1, A2 and A3 become equal"),
-        ("--body paper --vary A2=1:1.1", 1.0, "moments-equal", "the moments A2 and A3 become equal"),
-        ("--A 2,1.5,1 --r 0,0,0 --vary r1=0:1", 0.0, "weight-vanishes", "r becomes 0: the body has no weight"),
-        ("--A 1,1.4,0.8 --r 1,0,0 --vary r2=0:0.5", 0.0, "symmetry-broken", "r2 leaves 0: the body loses a symmetry"),
+        (
+            "--A 1,1,2 --r 0.3,0.4,0.5 --vary A3=0.5:2",
+            1.0,
+            "moments-equal",
+            "the moments A1, A2 and A3 are equal there",
+        ),
+        ("--A 1,1,1 --r 1,2,3 --vary A3=0.5:2", 1.0, "moments-equal", "the moments A1, A2 and A3 are equal there"),
+        (
+            "--A 1,1,2 --r 0,0.4,0.5 --vary A3=0.7:1.3",
+            1.0,
+            "moments-equal",
+            "the moments A1, A2 and A3 are equal there",
+        ),
+        ("--A 1,1,1 --r 1,0,0 --vary A1=1:2", 1.0, "moments-equal", "the moments A1, A2 and A3 are equal there"),
+        ("--body paper --vary A2=1:1.1", 1.0, "moments-equal", "the moments A2 and A3 are equal there"),
+        ("--A 2,1.5,1 --r 0,0,0 --vary r1=0:1", 0.0, "weight-vanishes", "r is 0 there: the body has no weight"),
+        (
+            "--A 1,1.4,0.8 --r 1,0,0 --vary r2=0:0.5",
+            0.0,
+            "symmetry-broken",
+            "r2 is 0 there: only there the body has the symmetry",
+        ),
+        // At the upper end r3 does not leave 0, it comes there.
+        (
+            "--A 2,1.1,1 --r 0.94868,0,0.6 --vary r3=-1e-6:0",
+            0.0,
+            "symmetry-broken",
+            "r3 is 0 there: only there the body has the symmetry",
+        ),
     ];
     for (line, expected, kind, text) in cases {
         let found = bifdiag(&format!("scan border {line} --json")).succeeds().json();

@@ -30,7 +30,7 @@ pub enum FastError {
         l: f64,
     },
     /// The joins of the merge tree could not be proved.
-    #[error("the connected components at this point could not be told in f64: {0}")]
+    #[error("the connected components at this point could not be decided in f64: {0}")]
     Merge(#[from] MergeError),
 }
 

@@ -80,7 +80,7 @@ fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
     }
 }
 
-/// How many critical points an entry stands for.
+/// What an entry stands for.
 #[must_use]
 pub fn multiplicity(found: Multiplicity) -> bifdiag_schema::Multiplicity {
     match found {

@@ -114,42 +114,46 @@ pub fn touches(region: &RegionDocument, event: &EventDocument) -> bool {
 #[must_use]
 pub fn crossing(curve: &CurveDocument, from: &[ComponentDocument], to: &[ComponentDocument], upwards: bool) -> String {
     let (below, above) = if upwards { (from, to) } else { (to, from) };
-    let times = if curve.multiplicity == 2 { " (twice)" } else { "" };
+    let twice = curve.multiplicity == 2;
+    let either = |up: &'static str, down: &'static str| if upwards { up } else { down };
     let surgery = match (curve.kind, curve.index) {
         (CurveKind::PolePlus | CurveKind::PoleMinus, _) => {
             let pole = pole_name(curve.kind);
-            let way = if upwards { "enters" } else { "leaves" };
-            let genus = if upwards { "rises" } else { "falls" };
+            let (way, genus) = (either("enters", "leaves"), either("rises", "falls"));
             format!("the pole {pole} {way} U; E stays as it is, the genus of P {genus} by one")
         }
-        (CurveKind::Sphere, _) => format!("all of U {}", if upwards { "appears" } else { "vanishes" }),
-        (CurveKind::Circle, Some(0)) => format!("an annulus of U {}", if upwards { "appears" } else { "vanishes" }),
-        (CurveKind::Circle, _) => {
-            format!("along a whole circle of maxima U {}", if upwards { "closes" } else { "opens" })
+        (CurveKind::Sphere, _) => format!("all of U {}", either("appears", "vanishes")),
+        (CurveKind::Circle, Some(0)) => format!("an annulus of U {}", either("appears", "vanishes")),
+        (CurveKind::Circle, _) => format!("along a whole circle of maxima U {}", either("closes", "opens")),
+        (_, Some(0)) if twice => {
+            format!("two discs of U {}, and with them two three-spheres of E", either("appear", "vanish"))
         }
         (_, Some(0)) => {
-            format!(
-                "a disc of U{times} {}, and with it a three-sphere of E",
-                if upwards { "appears" } else { "vanishes" }
-            )
+            format!("a disc of U {}, and with it a three-sphere of E", either("appears", "vanishes"))
         }
-        (_, Some(1)) if curve.multiplicity == 2 && above.len() + 1 == below.len() => {
-            let (join, more) = if upwards { ("join", "one more") } else { ("part", "one less") };
-            format!("at two saddles: components of U {join}, those of E with them, and there is {more} boundary circle")
-        }
-        (_, Some(1)) if above.len() < below.len() => {
-            format!(
-                "at a saddle{times} components of U {}, and those of E with them",
-                if upwards { "join" } else { "part" }
-            )
-        }
-        (_, Some(1)) => {
-            let change = if upwards { "gets one more boundary circle" } else { "loses a boundary circle" };
-            format!("at a saddle{times} a component of U {change}")
-        }
-        _ => format!("a hole of U{times} {}", if upwards { "closes" } else { "opens" }),
+        (_, Some(1)) => at_saddles(twice, below.len().saturating_sub(above.len()), upwards),
+        _ if twice => format!("two holes of U {}", either("close", "open")),
+        _ => format!("a hole of U {}", either("closes", "opens")),
     };
     format!("{surgery} ({} to {})", names(from), names(to))
+}
+
+/// At a saddle two components of U join, or one gets a boundary circle more; `joined` is by how many components there are
+/// fewer above. The two saddles of a pair are mirror images: both do the same, or both join the same two components.
+fn at_saddles(twice: bool, joined: usize, upwards: bool) -> String {
+    let (join, gets) = if upwards { ("join", "gets") } else { ("part", "loses") };
+    let with_them = "and those of E with them";
+    match (twice, joined) {
+        (false, 0) if upwards => "at a saddle a component of U gets one more boundary circle".to_owned(),
+        (false, 0) => "at a saddle a component of U loses a boundary circle".to_owned(),
+        (false, _) => format!("at a saddle components of U {join}, {with_them}"),
+        (true, 0) => {
+            let circles = if upwards { "two more boundary circles" } else { "two boundary circles" };
+            format!("at two saddles U {gets} {circles}")
+        }
+        (true, 1) => format!("two components of U {join} at two saddles, {with_them}"),
+        (true, _) => format!("at two saddles components of U {join}, {with_them}"),
+    }
 }
 
 /// What happens where a way through the plane goes over a curve, as a sentence with the names of both sides.

@@ -23,11 +23,12 @@ pub enum BorderEventName {
     CuspAtPitchfork,
     /// A pitchfork leaves to infinity on one curve and comes back on another: two moments of inertia pass each other.
     PitchforkAtInfinity,
-    /// A component of r leaves 0, and the body loses a symmetry: some of its pitchforks open into cusps.
+    /// A component of r is 0 at the border alone, and with it the body has a symmetry: beside it some of its pitchforks open
+    /// into cusps.
     SymmetryBroken,
-    /// Moments of inertia become equal.
+    /// Moments of inertia are equal at the border.
     MomentsEqual,
-    /// r becomes 0.
+    /// r is 0 at the border.
     WeightVanishes,
     /// J_r passes the middle moment of inertia: crossings of the pole lines go to infinity and come back.
     PoleLinesAtInfinity,
@@ -52,9 +53,9 @@ pub struct BorderEventDocument {
     pub l: Option<f64>,
     /// Estimate of the error of both.
     pub error_bound: Option<f64>,
-    /// Events that only the lower side of the border has.
+    /// Events that only the body with the first of `classes` has.
     pub vanish: Vec<String>,
-    /// Events that only the upper side has.
+    /// Events that only the body with the second has.
     pub appear: Vec<String>,
 }
 
@@ -67,7 +68,8 @@ pub struct BorderValueDocument {
     pub value: f64,
     /// Estimate of the error of `value`; 0 where the border is at just this value.
     pub error: f64,
-    /// Values with the one and with the other class; the bodies between are undecided, or were not looked at.
+    /// Values at which the body has the first and the second of `classes`; the bodies between are undecided, or were not
+    /// looked at, and beyond them other borders may lie.
     pub enclosure: [f64; 2],
 }
 
@@ -93,7 +95,7 @@ pub struct BorderDocument {
     pub head: Head,
     /// The ranges that were searched.
     pub vary: Vec<RangeDocument>,
-    /// The borders that were found.
+    /// The border that was found; between the two ends of `vary` there may be others.
     pub borders: Vec<FoundBorderDocument>,
     /// Bodies that were looked at.
     pub atlases: u32,

@@ -143,10 +143,11 @@ impl JsonSchema for Verdict {
     }
 }
 
-/// How many critical points an entry stands for.
+/// What an entry stands for: one critical point, or a circle or sphere of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Multiplicity {
-    /// One critical point; 2 is a degenerate root (at a cusp).
+    /// 1: a nondegenerate critical point. 2: a degenerate one, in which curves end: at a cusp two critical points meet in it, at
+    /// a pitchfork three, or a point and a circle.
     Points(u32),
     /// A circle of critical points (Lagrange's top); `gamma` is one of them.
     Circle,
@@ -190,7 +191,7 @@ impl JsonSchema for Multiplicity {
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         schemars::json_schema!({
-            "description": "How many critical points an entry stands for: 1; 2 for a degenerate root, exactly at a cusp or pitchfork; or a circle or sphere, of which `gamma` is one.",
+            "description": "What an entry stands for: 1, a critical point; 2, a degenerate one, exactly at a cusp, where two critical points meet in it, or at a pitchfork, where three do, or a point and a circle; or a circle or sphere, of which `gamma` is one point.",
             "oneOf": [{"type": "integer", "minimum": 1}, {"enum": ["circle", "sphere"]}]
         })
     }
@@ -205,9 +206,11 @@ pub struct RelativeEquilibriumDocument {
     pub gamma: [f64; 3],
     /// Angular velocity l / J(γ), with the sign of l.
     pub omega: f64,
-    /// Morse index of U_l: 0 minimum, 1 saddle, 2 maximum; for a circle, of its one normal direction.
+    /// Negative eigenvalues of the Hessian of U_l, the Morse index: 0 minimum, 1 saddle, 2 maximum (unless it is degenerate,
+    /// which `multiplicity` 2 says); for a circle, of its one normal direction.
     pub index: u8,
-    /// How many critical points this entry stands for.
+    /// 1: a critical point; 2: a degenerate one, exactly at a cusp, where two meet in it, or at a pitchfork, where three do, or
+    /// one and a circle; `circle` or `sphere`: all points of one, of which `gamma` is one.
     pub multiplicity: Multiplicity,
     /// Linear type of the flow reduced by l.
     pub stability: Stability,

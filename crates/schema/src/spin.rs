@@ -100,8 +100,8 @@ pub struct SteadySpinDocument {
     pub h: f64,
     /// The spectral type; `null` where it was not found.
     pub stability: Option<String>,
-    /// What is known of its stability.
-    pub verdict: Option<Verdict>,
+    /// What is known of its stability, as in `critical`; `null` also where `stability` is.
+    pub stable: Option<Verdict>,
 }
 
 /// Spins at which rotation about an axis changes.
@@ -217,14 +217,12 @@ pub struct SteadyDocument {
     pub l: f64,
     /// The spectral type.
     pub stability: String,
-    /// `circle` or `sphere`: it is one of so many steady rotations at this spin, and the verdict is that of all as a whole;
+    /// `circle` or `sphere`: it is one of so many steady rotations at this spin, and `stable` is that of all as a whole;
     /// absent for one alone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub one_of: Option<Multiplicity>,
-    /// No eigenvalue has a positive real part.
-    pub stable: bool,
-    /// What is known: stable by energy or by a further integral, spectrally stable, unstable, or open.
-    pub verdict: Verdict,
+    /// What is known of its stability, as in `critical`.
+    pub stable: Verdict,
     /// Frequencies of small oscillations seen from the turning body, in Hz, by size; 0 for a real pair of eigenvalues and
     /// for a pair of zeros, the same twice for a complex quadruple.
     pub frequencies_hz: [f64; 2],

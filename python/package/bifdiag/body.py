@@ -323,9 +323,11 @@ class Body:
             ``l``, ``h``              Momentum and energy.
             ``gamma`` (3)             The downward vertical, in the body's axes; the body turns about it.
             ``omega``                 The angular velocity l/⟨γ, A γ⟩, signed as l.
-            ``index``                 Morse index of U_l: 0 minimum, 1 saddle, 2 maximum.
-            ``multiplicity``          ``"1"``; ``"2"`` where two meet; ``"circle"`` and ``"sphere"`` of them. Two that
-                                      are mirror images are two rows.
+            ``index``                 Negative eigenvalues of the Hessian of U_l: 0 minimum, 1 saddle, 2 maximum,
+                                      unless ``multiplicity`` is ``"2"``.
+            ``multiplicity``          ``"1"``; ``"2"``: degenerate, where two meet (a cusp) or three, or one and a
+                                      circle (a pitchfork); ``"circle"`` and ``"sphere"`` of them. Two that are
+                                      mirror images are two rows.
             ``stability``             Linear type: ``"elliptic"`` (two imaginary pairs), ``"saddle-centre"`` (one
                                       real, one imaginary), ``"saddle"`` (two real), ``"complex"`` (a quadruple),
                                       ``"double-elliptic"``, ``"double-real"`` (a double pair), ``"zero"`` (an

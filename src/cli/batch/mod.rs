@@ -3,12 +3,13 @@
 mod lines;
 mod query;
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use bifdiag_schema::BatchErrorDocument;
+use bifdiag_schema::{BatchErrorDocument, shown};
 use clap::Args;
 use rayon::prelude::*;
 
@@ -34,8 +35,9 @@ pub struct BatchArguments {
 }
 
 impl BatchArguments {
-    /// The file of the batch, if one is asked for and none of the options that its lines replace is given.
-    pub fn path(&self, replaced: &[(&'static str, bool)]) -> Result<Option<&Path>, Failure> {
+    /// The file of the batch, if one is asked for and none of the options that do not go with it is given; each with the
+    /// reason.
+    pub fn path(&self, refused: &[(&'static str, &'static str, bool)]) -> Result<Option<&Path>, Failure> {
         let Some(path) = &self.batch else {
             if self.strict {
                 let why = "it says what a wrong line of a batch means; add --batch FILE or leave it out";
@@ -43,14 +45,17 @@ impl BatchArguments {
             }
             return Ok(None);
         };
-        match replaced.iter().find(|(_, given)| *given) {
-            Some((option, _)) => Err(Failure::input(format!(
-                "{option} cannot be used with --batch: the lines of the batch say it; leave out {option} or --batch"
+        match refused.iter().find(|(.., given)| *given) {
+            Some((option, why, _)) => Err(Failure::input(format!(
+                "{option} cannot be used with --batch: {why}; leave out {option} or --batch"
             ))),
             None => Ok(Some(path)),
         }
     }
 }
+
+/// Why a part of the point is no option beside a batch.
+pub const LINES_SAY_IT: &str = "each line says its own";
 
 /// A part of the point that is neither an option nor in a batch.
 pub fn no_point(missing: &str, example: &str) -> Failure {
@@ -78,7 +83,12 @@ struct Tally {
     /// Right questions without an answer.
     unanswered: usize,
     unphysical: usize,
+    /// Lines with each key that means nothing here.
+    ignored: BTreeMap<String, usize>,
 }
+
+/// The most ignored keys that are counted.
+const KEYS_MAX: usize = 8;
 
 /// Lines that one thread reads one after the other: what is known of a body is used again for the next line.
 const BLOCK: usize = 256;
@@ -128,6 +138,11 @@ impl Batch<'_> {
         for query in blocks.into_iter().flatten() {
             refused.push(query.map(|query| queries.push(query)).err());
         }
+        for key in queries.iter().flat_map(|query| &query.ignored) {
+            if tally.ignored.len() < KEYS_MAX || tally.ignored.contains_key(key) {
+                *tally.ignored.entry(key.clone()).or_default() += 1;
+            }
+        }
         tally.unphysical += queries.iter().filter(|query| query.unphysical).count();
         let mut answers = answer(&queries).into_iter();
         let mut out = Vec::new();
@@ -156,11 +171,17 @@ impl Batch<'_> {
         Ok(out)
     }
 
-    fn conclude(&self, &Tally { lines, bad, unanswered, unphysical, .. }: &Tally) -> Result<(), Failure> {
+    fn conclude(&self, tally: &Tally) -> Result<(), Failure> {
+        let &Tally { lines, bad, unanswered, unphysical, ref ignored, .. } = tally;
         if unphysical > 0 {
             tracing::warn!(
                 "{unphysical} of {lines} lines have bodies that do not exist: not Ai + Aj > Ak, nor Ai + Aj = Ak with rk = 0"
             );
+        }
+        if !ignored.is_empty() {
+            let count = |(key, lines): (&String, &usize)| format!("{} ({lines})", shown(key));
+            let keys: Vec<String> = ignored.iter().map(count).collect();
+            tracing::warn!("these keys mean nothing here and were ignored (on so many lines): {}", keys.join(", "));
         }
         if bad > 0 && self.strict {
             return Err(Failure::input(format!(

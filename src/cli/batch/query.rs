@@ -1,10 +1,12 @@
 //! One line of a batch.
 
+use std::fmt;
 use std::sync::Arc;
 
 use bifdiag_body::{Body, Number};
 use bifdiag_documents::Subject;
-use serde::Deserialize;
+use serde::de::{Error as _, IgnoredAny, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 
 use super::lines::MAX_LINE;
@@ -28,19 +30,74 @@ pub struct Query {
     pub l: Number,
     /// The line's own body does not exist; of the command line's the user has been told.
     pub unphysical: bool,
+    /// Keys that mean nothing here.
+    pub ignored: Vec<String>,
 }
 
 /// The values keep their text: a number of JSON is the decimal that is written, never its nearest double.
-#[derive(Deserialize)]
+#[derive(Default)]
 struct RawQuery<'a> {
-    #[serde(borrow, rename = "A")]
     moments: Option<&'a RawValue>,
-    #[serde(borrow, rename = "r")]
     center: Option<&'a RawValue>,
-    #[serde(borrow)]
     h: Option<&'a RawValue>,
-    #[serde(borrow)]
     l: Option<&'a RawValue>,
+    /// Other keys.
+    others: Vec<String>,
+}
+
+/// A key of a line.
+#[derive(Deserialize)]
+#[serde(field_identifier)]
+enum Key {
+    #[serde(rename = "A")]
+    Moments,
+    #[serde(rename = "r")]
+    Center,
+    #[serde(rename = "h")]
+    Energy,
+    #[serde(rename = "l")]
+    Momentum,
+    Other(String),
+}
+
+impl<'de> Deserialize<'de> for RawQuery<'de> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(Keys)
+    }
+}
+
+/// Takes the keys of a line one by one.
+struct Keys;
+
+impl<'de> Visitor<'de> for Keys {
+    type Value = RawQuery<'de>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a JSON object")
+    }
+
+    fn visit_map<M: MapAccess<'de>>(self, mut map: M) -> Result<Self::Value, M::Error> {
+        let mut raw = RawQuery::default();
+        let mut seen = [false; 4];
+        while let Some(key) = map.next_key()? {
+            let (place, name, value) = match key {
+                Key::Moments => (0, "A", &mut raw.moments),
+                Key::Center => (1, "r", &mut raw.center),
+                Key::Energy => (2, "h", &mut raw.h),
+                Key::Momentum => (3, "l", &mut raw.l),
+                Key::Other(name) => {
+                    map.next_value::<IgnoredAny>()?;
+                    raw.others.push(name);
+                    continue;
+                }
+            };
+            if std::mem::replace(&mut seen[place], true) {
+                return Err(M::Error::duplicate_field(name));
+            }
+            *value = map.next_value()?;
+        }
+        Ok(raw)
+    }
 }
 
 /// What a line looks like.
@@ -96,12 +153,21 @@ impl<'a> QueryReader<'a> {
             (None, None, Some(subject)) => (Arc::clone(subject), false),
             (moments, center, _) => self.body(moments, center)?,
         };
+        let mut ignored = raw.others;
         let h = match self.wanted {
             Wanted::Point => Some(number(ENERGY, raw.h)?),
-            Wanted::Momentum => None,
+            Wanted::Momentum if ignored.iter().any(|key| key == "spin") => {
+                return Err(Failure::input(
+                    "spin: a line asks at one l; ask at a spin with `bifdiag critical --spin \"300 rpm\"`, or leave it out",
+                ));
+            }
+            Wanted::Momentum => {
+                ignored.extend(raw.h.map(|_| ENERGY.0.to_owned()));
+                None
+            }
         };
         let l = number(MOMENTUM, raw.l)?;
-        Ok(Query { subject, h, l, unphysical })
+        Ok(Query { subject, h, l, unphysical, ignored })
     }
 
     /// The body of a line, and whether no mass distribution has its moments.
@@ -190,8 +256,9 @@ mod tests {
     }
 
     #[test]
-    fn other_keys_are_ignored_and_a_byte_order_mark_too() {
-        assert!(parse("\u{feff}{\"A\":[1,1,1],\"r\":[0,0,1],\"h\":1,\"l\":1,\"kind\":{\"x\":[[]]}}\r").is_ok());
+    fn other_keys_are_listed_and_a_byte_order_mark_is_ignored() {
+        let query = parse("\u{feff}{\"A\":[1,1,1],\"r\":[0,0,1],\"h\":1,\"l\":1,\"kind\":{\"x\":[[]]}}\r").unwrap();
+        assert_eq!(query.ignored, ["kind"]);
     }
 
     #[test]

@@ -159,13 +159,15 @@ fn standing_report(report: &mut Report, document: &StandingDocument) {
         return;
     }
     report.line("");
-    let mut table = Table::new(&["at most so far", "class beyond", "what happens on the border"]);
+    let mut table = Table::new(&["distance at most", "class beyond", "what happens on the border"]);
     for border in &document.borders {
         table.row([distance(border.distance), border.class.clone(), border.event.clone()]);
     }
     report.line(table.text());
-    report
-        .line("axes by rising moments; special bodies (two equal moments, a component of r that is 0) are not counted");
+    report.line(
+        "axes by rising moments; what is special about the body (equal moments, zeros of r) stays so on each line, and bodies that \
+         are more special are not counted",
+    );
 }
 
 /// A distance, as far as the body's own rounding leaves it.

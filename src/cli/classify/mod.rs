@@ -10,7 +10,7 @@ use bifdiag_exact::{Solver, classify};
 use bifdiag_schema::{Accuracy, ClassificationDocument, ComponentDocument, Status};
 use clap::Args;
 
-use super::batch::{Batch, BatchArguments, Wanted, no_point};
+use super::batch::{Batch, BatchArguments, LINES_SAY_IT, Wanted, no_point};
 use super::export::answer;
 use super::failure::Failure;
 use super::input::values::Grid;
@@ -27,8 +27,8 @@ Examples:
   echo '{\"h\": 3.8, \"l\": \"13/4\"}' | bifdiag classify --body paper --batch -
 
 Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"h\": 3.8, \"l\": 3.25}, numbers or strings; a \
-line without A and r means the body of the command line, other keys are ignored. One line is written for each, in \
-the same order; a wrong line gives {\"error\": …, \"line\": n}.";
+line without A and r means the body of the command line, other keys are ignored with a warning. One line is written for \
+each, in the same order; a wrong line gives {\"error\": …, \"line\": n}.";
 
 /// `bifdiag classify`.
 #[derive(Debug, Args)]
@@ -72,7 +72,9 @@ pub fn run(arguments: &ClassifyArguments, timings: &Timings, quiet: bool) -> Res
     if arguments.out.is_some() {
         return Err(Failure::input("--out is for --grid; leave it out"));
     }
-    if let Some(path) = arguments.batch.path(&[("--h", h.is_some()), ("--l", l.is_some())])? {
+    if let Some(path) =
+        arguments.batch.path(&[("--h", LINES_SAY_IT, h.is_some()), ("--l", LINES_SAY_IT, l.is_some())])?
+    {
         let subject = arguments.body.optional_subject()?.map(Arc::new);
         let mut preparation = Preparation::new(accuracy, regions);
         return Batch { path, strict: arguments.batch.strict, subject, wanted: Wanted::Point, quiet }

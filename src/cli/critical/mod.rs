@@ -13,11 +13,11 @@ use bifdiag_equilibria::critical::{CriticalError, RelativeEquilibria};
 use clap::{Args, ValueEnum};
 use rayon::prelude::*;
 
-use super::batch::{Batch, BatchArguments, Query, Wanted, no_point};
+use super::batch::{Batch, BatchArguments, LINES_SAY_IT, Query, Wanted, no_point};
 use super::export::{Columns, DataFormat, DataTarget, FileSet, answer};
 use super::failure::{Failure, failed};
 use super::input::BodyArguments;
-use super::terminal::{Timings, print};
+use super::terminal::{Timings, print, significant};
 use momenta::Momenta;
 use table::NOT_FOUND;
 
@@ -28,11 +28,11 @@ Examples:
   bifdiag critical --body paper --spin \"2 rad/s\"
   bifdiag critical --A 2,1.1,1 --r 0.94868,0,0.61623 --l 3.25 --method newton
   bifdiag critical --body lagrange --l 0:4:401 --out lagrange.npz
-  bifdiag critical --batch momenta.jsonl --threads 4 > equilibria.jsonl
+  bifdiag critical --batch momenta.jsonl > equilibria.jsonl
 
 Each line of a batch is {\"A\": [2, 1.1, 1], \"r\": [0.94868, 0, 0.61623], \"l\": 3.25}, numbers or strings; a line \
-without A and r means the body of the command line, other keys are ignored. One line is written for each, in the \
-same order; a wrong line gives {\"error\": …, \"line\": n}.";
+without A and r means the body of the command line, other keys are ignored with a warning. One line is written for \
+each, in the same order; a wrong line gives {\"error\": …, \"line\": n}.";
 
 /// How relative equilibria are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -79,8 +79,12 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
             "--method newton follows the curves to one momentum: give --l a number, and no --batch or --spin",
         ));
     }
-    let replaced = [("--l", momentum.is_some()), ("--spin", spin.is_some()), ("--out", out.is_some())];
-    if let Some(path) = batch.path(&replaced)? {
+    let refused = [
+        ("--l", LINES_SAY_IT, momentum.is_some()),
+        ("--spin", "a line asks at one l, not at a spin", spin.is_some()),
+        ("--out", "its answers are lines on stdout", out.is_some()),
+    ];
+    if let Some(path) = batch.path(&refused)? {
         let subject = body.optional_subject()?.map(Arc::new);
         return Batch { path, strict: batch.strict, subject, wanted: Wanted::Momentum, quiet }
             .run(|queries| timings.stage("chunk", || lines(queries)));
@@ -88,7 +92,7 @@ pub fn run(arguments: &CriticalArguments, timings: &Timings, quiet: bool) -> Res
     let subject = body.subject()?;
     match (momentum, spin) {
         (_, Some(spin)) => at_spin(&subject, spin, *json, out.as_ref(), timings),
-        (None, None) => Err(no_point("--l", "the momentum, such as --l 3.25")),
+        (None, None) => Err(no_point("--l", "the momentum, such as --l 3.25, the spin, such as --spin \"300 rpm\"")),
         (Some(Momenta::One(_)), None) if out.is_some() => Err(Failure::input(
             "--out needs a range of momenta, such as --l 0:4:401, or --spin; at one momentum --json writes to stdout",
         )),
@@ -120,7 +124,16 @@ fn at_spin(
 ) -> Result<(), Failure> {
     let omega = spin.exact_rad_per_s() * subject.unit_of_time();
     let found = timings.stage("critical", || RelativeEquilibria::new(&subject.body)?.at_spin(&omega));
-    let found = found.map_err(failed(NOT_FOUND))?;
+    let found = found.map_err(|error| match error {
+        CriticalError::Spin { smallest, largest, spin: asked } => {
+            let size = if asked < smallest { "slow" } else { "fast" };
+            let [smallest, largest] = [smallest, largest].map(|omega| significant(omega * subject.second(), 6));
+            Failure::input(format!(
+                "--spin {spin} is too {size} for this body in f64; between {smallest} and {largest} rad/s, or 0, is possible"
+            ))
+        }
+        error => failed(NOT_FOUND)(error),
+    })?;
     let document = bifdiag_documents::steady_axes(subject, spin, &found);
     match out {
         Some(_) => {
@@ -173,7 +186,7 @@ fn line(subject: &Subject, prepared: &RelativeEquilibria<'_>, l: &Number) -> Res
 fn unanswered(error: &CriticalError) -> Failure {
     match error {
         CriticalError::Momentum(_) => Failure::input(error),
-        CriticalError::Equilibria(_) | CriticalError::Lost { .. } => Failure::work(error),
+        CriticalError::Equilibria(_) | CriticalError::Spin { .. } | CriticalError::Lost { .. } => Failure::work(error),
     }
 }
 

@@ -124,6 +124,20 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
             "spectrally stable is not stable: all eigenvalues are imaginary, and stability itself is not decided",
         );
     }
+    if points.iter().any(|point| matches!(point.multiplicity, Multiplicity::Points(2..))) {
+        report.line(
+            "mult 2: degenerate; at a cusp two critical points meet in it, at a pitchfork three (or a circle and one)",
+        );
+    }
+    match points.iter().filter(|point| point.multiplicity == Multiplicity::Circle).count() {
+        0 => {}
+        1 => report.line("circle: a whole circle of relative equilibria, listed by one of them and judged as a whole"),
+        circles => {
+            report.line(format!(
+                "circle: {circles} whole circles of relative equilibria, each listed by one of them and judged as a whole"
+            ));
+        }
+    }
     if let Some(all) = points.iter().find(|point| point.multiplicity == Multiplicity::Sphere) {
         report.line(if all.omega == 0.0 {
             "sphere: at rest every orientation is an equilibrium; they are judged as a whole"
@@ -136,7 +150,7 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
 /// What was written of a table.
 pub fn written(rows: usize, files: &[PathBuf]) -> String {
     let mut report = Report::default();
-    report.line(format!("{rows} relative equilibria"));
+    report.line(format!("{rows} relative equilibria (a circle or sphere of them is one row)"));
     for path in files {
         report.line(format!("written: {}", path.display()));
     }

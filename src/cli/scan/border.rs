@@ -57,30 +57,32 @@ fn report(document: &BorderDocument, vary: &[ParameterRange]) -> String {
 
 fn add_border(report: &mut Report, border: &FoundBorderDocument, vary: &[ParameterRange]) {
     for (value, range) in border.at.iter().zip(vary) {
-        let [from, to] = value.enclosure;
         if value.error == 0.0 {
             report.line(format!("{} = {}, exactly", range.parameter, value.value));
         } else {
             report.line(format!("{} = {} ± {}", range.parameter, value.value, one_digit(value.error)));
         }
-        report.line(format!("  bodies with the one class up to {from}, with the other from {to} on"));
     }
     if !border.reached {
         report.line("the border is not known to 1e-10: f64 alone does not decide the bodies between these two");
     }
-    let [below, above] = &border.classes;
-    report.line(format!("class {below} below, {above} above"));
+    for (end, class) in border.classes.iter().enumerate() {
+        let body =
+            border.at.iter().zip(vary).map(|(value, range)| format!("{} = {}", range.parameter, value.enclosure[end]));
+        report.line(format!("class {class} at {}", body.collect::<Vec<_>>().join(", ")));
+    }
     let event = &border.event;
     report.line(format!("event: {}", event.text));
     if let (Some(h), Some(l), true) = (event.h, event.l, border.reached) {
         let [h, l] = [h, l].map(|x| significant(x, DIGITS));
         report.line(format!("  at h = {h}, l = {l}, of the curves {}", event.curves.join(", ")));
     }
-    for (word, labels) in [("gone above", &event.vanish), ("new above", &event.appear)] {
+    for (class, labels) in border.classes.iter().zip([&event.vanish, &event.appear]) {
         if !labels.is_empty() {
-            report.line(format!("  {word}: {}", labels.join("; ")));
+            report.line(format!("  only in {class}: {}", labels.join("; ")));
         }
     }
+    report.line("one border between the two ends; others were not searched for");
 }
 
 /// An error with one digit, rounded up.

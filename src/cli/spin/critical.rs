@@ -76,7 +76,15 @@ fn the_permanent_axis(subject: &Subject) -> Result<AxisArgument, Failure> {
         )
     };
     if subject.body.is_euler() {
-        return Err(Failure::input("without weight every principal axis is permanent: give --axis x, y or z"));
+        let principal = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| {
+            let axis = subject.to_given(axis).map(|x| significant(x, 6)).join(",");
+            format!("--axis={axis}")
+        });
+        return Err(Failure::input(format!(
+            "without weight every principal axis is permanent: give {}, {} or {}, or leave out the tolerance, and all steady \
+             axes are listed",
+            principal[0], principal[1], principal[2]
+        )));
     }
     let axis = AxisArgument::of_the_centre_of_mass(subject).map_err(|_no_direction| none())?;
     match Axis::of(subject, axis.direction) {
@@ -184,7 +192,7 @@ fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> O
         l,
         h: 0.5 * omega * l + dot(up, r),
         stability: found.as_ref().map(|found| found.equilibrium.stability.word().to_owned()),
-        verdict: found.map(|found| {
+        stable: found.map(|found| {
             let steady = &found.equilibrium;
             bifdiag_documents::verdict(&steady.nonlinear, steady.stability)
         }),
@@ -244,8 +252,8 @@ fn at_one_spin(report: &mut Report, document: &CriticalSpinDocument) {
             "rotation about {which} is steady at one spin only: {rpm} rpm = {rad_per_s} rad/s, {} up",
             steady.up
         ));
-        let stability = match (steady.verdict, &steady.stability) {
-            (Some(verdict), Some(stability)) => format!(", {}: {stability}", words::verdict(verdict)),
+        let stability = match (steady.stable, &steady.stability) {
+            (Some(stable), Some(stability)) => format!(", {}: {stability}", words::verdict(stable)),
             _ => ", its stability was not found".to_owned(),
         };
         report.line(format!("h = {}, l = {}{stability}", significant(steady.h, 10), significant(steady.l, 10)));

@@ -262,7 +262,9 @@ fn other_text(report: &mut Report, subject: &Subject, document: &StateDocument) 
         Axis::AtOneSpin { nearest: given, .. } => {
             if let (Some(spin), Some(up)) = (&given.spin, &given.up) {
                 let rpm = significant(spin.rpm, 8);
-                report.line(format!("rotation about the vertical is steady at one spin only: {rpm} rpm, {up} up"));
+                let end = if up == "-axis" { "its other end" } else { "this end" };
+                report
+                    .line(format!("rotation about the vertical is steady at one spin only: {rpm} rpm, with {end} up"));
             }
         }
         Axis::Principal | Axis::Other { .. } => report.line("rotation about the vertical is steady at no spin"),

@@ -96,8 +96,7 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
         l: l.to_f64(),
         stability: kind.word().to_owned(),
         one_of: one_of(rotation.multiplicity()),
-        stable: verdict != Verdict::Unstable,
-        verdict,
+        stable: verdict,
         frequencies_hz: by_size(frequencies.map(|frequency| Spin::hertz(frequency * second))),
         growth_time_s: (verdict == Verdict::Unstable).then(|| 1.0 / (growth * second)),
         at,
@@ -123,8 +122,7 @@ fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Solver) ->
         l: l.to_f64(),
         stability: point.stability.word().to_owned(),
         one_of: one_of(point.multiplicity),
-        stable: !point.stability.is_unstable(),
-        verdict: bifdiag_documents::verdict(&point.nonlinear, point.stability),
+        stable: bifdiag_documents::verdict(&point.nonlinear, point.stability),
         frequencies_hz: by_size(point.eigenvalues.pairs.map(|pair| Spin::hertz(pair[1] * second))),
         growth_time_s: (growth > 0.0).then(|| 1.0 / (growth * second)),
         at: None,
@@ -159,7 +157,7 @@ fn with_regions(document: SteadyDocument, regions: Option<[Spot; 2]>) -> SteadyD
 
 /// Its stability in words.
 pub fn told(report: &mut Report, steady: &SteadyDocument) {
-    report.line(format!("steady rotation, {}: {}", words::verdict(steady.verdict), steady.stability));
+    report.line(format!("steady rotation, {}: {}", words::verdict(steady.stable), steady.stability));
     match steady.one_of {
         Some(Multiplicity::Circle) => {
             report.line("it is one of a circle of steady rotations, which are judged as a whole");
@@ -194,7 +192,9 @@ fn frequencies(steady: &SteadyDocument) -> Option<String> {
         (true, true) if slow < fast => {
             Some(format!("frequencies of small oscillations: {}, {}", hertz(slow), hertz(fast)))
         }
-        (true, true) if steady.stable => Some(format!("frequency of small oscillations: {}, twice", hertz(fast))),
+        (true, true) if steady.stable != Verdict::Unstable => {
+            Some(format!("frequency of small oscillations: {}, twice", hertz(fast)))
+        }
         (true, true) => Some(format!("frequency of oscillations that grow: {}", hertz(fast))),
     }
 }

@@ -554,9 +554,9 @@ export interface RelativeEquilibrium {
   gamma: [number, number, number];
   /** Angular velocity l / J(γ), with the sign of l. */
   omega: number;
-  /** Morse index of U_l: 0 minimum, 1 saddle, 2 maximum; for a circle, of its one normal direction. */
+  /** Negative eigenvalues of the Hessian of U_l, the Morse index: 0 minimum, 1 saddle, 2 maximum (unless it is degenerate, which `multiplicity` 2 says); for a circle, of its one normal direction. */
   index: number;
-  /** How many critical points this entry stands for. */
+  /** 1: a critical point; 2: a degenerate one, exactly at a cusp, where two meet in it, or at a pitchfork, where three do, or one and a circle; `circle` or `sphere`: all points of one, of which `gamma` is one. */
   multiplicity: Multiplicity;
   /** Linear type of the flow reduced by l. */
   stability: Stability;
@@ -572,11 +572,11 @@ export interface RelativeEquilibrium {
   branch_name: string;
 }
 
-/** How many critical points an entry stands for: 1; 2 for a degenerate root, exactly at a cusp or pitchfork; or a circle or sphere, of which `gamma` is one. */
+/** What an entry stands for: 1, a critical point; 2, a degenerate one, exactly at a cusp, where two critical points meet in it, or at a pitchfork, where three do, or a point and a circle; or a circle or sphere, of which `gamma` is one point. */
 export type Multiplicity = number | "circle" | "sphere";
 
 /** What is known of the stability; of a circle or sphere as a whole (Proposition 13.6 of docs/mathematics.md). */
-export type Verdict = "energy" | "integral" | "spectrum" | false | null;
+export type Verdict = "energy" | "integral" | "arnold" | "spectrum" | false | null;
 
 /** The largest deviation of each first integral from its value at the start. */
 export interface Drift {

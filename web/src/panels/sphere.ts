@@ -155,15 +155,16 @@ function paintMarks(pen: Pen, session: Session, place: Placed, colors: Ink): voi
     pen.globalAlpha = 1;
   };
   const r = session.state.r.map(valueOf) as Vec;
+  const kind = (index: number, multiplicity: number) => (multiplicity > 1 ? "degenerate" : KINDS[index]!);
   const poles = Math.hypot(...r) > 0 ? ([["+r̂", unit(r)], ["−r̂", unit(r.map((x) => -x) as Vec)]] as [string, Vec][]) : [];
   for (const [name, pole] of poles) {
     const rest = session.critical.find(({ gamma, multiplicity }) => typeof multiplicity === "number" && Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
-    mark(pole, rest ? `${name}, ${KINDS[rest.index]}` : name, "cross");
+    mark(pole, rest ? `${name}, ${kind(rest.index, Number(rest.multiplicity))}` : name, "cross");
   }
   for (const { gamma, index, multiplicity, branch } of session.critical) {
     if (branch !== null && branch === session.hover.curve) ring(pen, place(gamma), colors);
     const atPole = poles.some(([, pole]) => Math.hypot(...gamma.map((x, i) => x - pole[i]!)) < 0.03);
-    if (typeof multiplicity === "number") mark(gamma, atPole ? "" : KINDS[index]!, "dot");
+    if (typeof multiplicity === "number") mark(gamma, atPole ? "" : kind(index, multiplicity), "dot");
   }
 }
 

@@ -189,7 +189,10 @@ impl fmt::Display for Inequality {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [a, b, c] = self.moments.map(shown);
         let missing = shown(self.missing);
-        write!(f, "I1 + I2 >= I3 fails: {a:?} + {b:?} < {c:?}, {missing:?} is missing")
+        write!(
+            f,
+            "the two smaller principal moments add up to less than the largest: {a} + {b} < {c}, {missing} is missing"
+        )
     }
 }
 
@@ -276,7 +279,10 @@ mod tests {
     fn what_cannot_be_says_by_how_much() {
         let Existence::Impossible(inequality) = of(["0.3", "0.1", "0.19", "0", "0", "0"]) else { panic!() };
         assert_eq!(inequality.moments, [0.1, 0.19, 0.3]);
-        assert_eq!(inequality.to_string(), "I1 + I2 >= I3 fails: 0.1 + 0.19 < 0.3, 0.01 is missing");
+        assert_eq!(
+            inequality.to_string(),
+            "the two smaller principal moments add up to less than the largest: 0.1 + 0.19 < 0.3, 0.01 is missing"
+        );
         // A negative moment fails, too.
         assert!(!of(["1", "1", "-0.1", "0", "0", "0"]).is_possible());
     }

@@ -353,7 +353,7 @@ impl RelativeEquilibria<'_> {
             equilibrium.omega = l.to_f64().signum() * end.omega * frame.frequency_unit;
             (equilibrium.h, equilibrium.gamma, equilibrium.index) = (h, frame.vector_to_body(gamma), index);
         }
-        found.list = super::sorted(found.list);
+        found.list = super::sorted(self.body, found.list, false);
         found.error_bound += difference;
         found.by_continuation = true;
         Ok(found)

@@ -14,17 +14,19 @@ use crate::curves::{Branch, CriticalSet, CurveId, CurveName, EquilibriaError, Mo
 use crate::nonlinear::{Friction, Nonlinear};
 use crate::stability::exact::StabilityProfile;
 use crate::stability::{Constants, Eigenvalues, LinearType};
-use bifdiag_body::{Body, Number};
+use bifdiag_body::{Body, BodyAxis, Number};
 use bifdiag_numbers::UNIT_ROUNDOFF;
 use bifdiag_numbers::interval::Interval;
 use bifdiag_numbers::table::Id;
+use bifdiag_numbers::vector::{dot, norm};
 
 pub use families::{Place, SteadyFamily, SteadyStretch};
 
-/// How many critical points an entry stands for.
+/// What an entry stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Multiplicity {
-    /// One critical point; 2 is a degenerate root (at a cusp or pitchfork).
+    /// 1: a critical point. 2: a degenerate one, exactly at a cusp, where two meet in it, or at a pitchfork, where three do, or a
+    /// point and a circle.
     Points(u32),
     /// A circle of critical points (Lagrange's top); `gamma` is one of them.
     Circle,
@@ -43,9 +45,9 @@ pub struct Equilibrium {
     pub gamma: [f64; 3],
     /// Angular velocity l / J(γ), with the sign of l.
     pub omega: f64,
-    /// Morse index of U_l: 0 minimum, 1 saddle, 2 maximum; across a circle.
+    /// Negative eigenvalues of the Hessian of U_l, the Morse index: 0 minimum, 1 saddle, 2 maximum; across a circle.
     pub index: u8,
-    /// How many critical points this entry stands for.
+    /// What this entry stands for.
     pub multiplicity: Multiplicity,
     /// Of those at one spin: two steady axes meet here, of which slower or faster spins have none.
     pub is_fold: bool,
@@ -85,6 +87,19 @@ pub enum CriticalError {
     /// l is beyond `f64`.
     #[error(transparent)]
     Momentum(#[from] MomentumError),
+    /// At a spin l leaves the range of `f64`.
+    #[error(
+        "the spin {spin:e} is too {} for this body in f64; |spin| between {smallest:e} and {largest:e}, or 0, is possible",
+        if *.spin < *.smallest { "slow" } else { "fast" }
+    )]
+    Spin {
+        /// |Ω| as asked for, per unit of time.
+        spin: f64,
+        /// From here on no l is too small.
+        smallest: f64,
+        /// Up to here no l is too large.
+        largest: f64,
+    },
     /// Newton continuation did not reach l along a curve.
     #[error(
         "Newton continuation {} does not reach this l; the closed form, which is the default, has the answer",
@@ -192,7 +207,7 @@ impl<'a> RelativeEquilibria<'a> {
     /// All steady rotations with the angular velocity Ωγ: complete, from exact roots. Each has its own l.
     ///
     /// # Errors
-    /// [`CriticalError::Momentum`] when l of one of them leaves the range of `f64`.
+    /// [`CriticalError::Spin`] when l of one of them leaves the range of `f64`.
     pub fn at_spin(&self, omega: &RBig) -> Result<Equilibria, CriticalError> {
         if omega.is_zero() {
             return Ok(self.all_at_rest());
@@ -200,15 +215,31 @@ impl<'a> RelativeEquilibria<'a> {
         let mut found = self.everywhere(Fixed::Spin(omega));
         for equilibrium in &mut found.list {
             let least = f64::MIN_POSITIVE * self.set.frame.momentum_unit;
-            abscissa(&self.set.frame, equilibrium.l.abs().max(least))?;
+            abscissa(&self.set.frame, equilibrium.l.abs().max(least)).map_err(|error| self.beyond(omega, error))?;
             equilibrium.omega = omega.to_f64().value();
         }
         Ok(found)
     }
 
+    /// The spins at which every l = JΩ is in range.
+    fn beyond(&self, omega: &RBig, MomentumError { smallest, largest, .. }: MomentumError) -> CriticalError {
+        let moments = self.body.moments_f64();
+        let [least, most] = [f64::min, f64::max].map(|of: fn(f64, f64) -> f64| moments.into_iter().reduce(of));
+        CriticalError::Spin {
+            spin: omega.to_f64().value().abs(),
+            smallest: smallest / least.unwrap_or(f64::NAN),
+            largest: largest / most.unwrap_or(f64::NAN),
+        }
+    }
+
     fn all_at_rest(&self) -> Equilibria {
         let error_bound = 8.0 * UNIT_ROUNDOFF * self.set.frame.r_norm * self.set.frame.energy_unit;
-        Equilibria { list: sorted(self.at_rest()), error_bound, complete: true, by_continuation: false }
+        Equilibria {
+            list: sorted(self.body, self.at_rest(), false),
+            error_bound,
+            complete: true,
+            by_continuation: false,
+        }
     }
 
     /// The equilibria of all branches.
@@ -227,7 +258,7 @@ impl<'a> RelativeEquilibria<'a> {
             }
             next = end;
         }
-        let list = sorted(found.list);
+        let list = sorted(self.body, found.list, matches!(fixed, Fixed::Spin(_)));
         Equilibria { list, error_bound: found.error_bound, complete, by_continuation: false }
     }
 
@@ -249,10 +280,30 @@ impl<'a> RelativeEquilibria<'a> {
     }
 }
 
-fn sorted(mut list: Vec<Equilibrium>) -> Vec<Equilibrium> {
+/// By h, then γ. Of fast rotations h itself would hide what the weight adds: its difference is taken term by term.
+fn sorted(body: &Body, mut list: Vec<Equilibrium>, at_spin: bool) -> Vec<Equilibrium> {
+    let (moments, center) = (body.moments_f64(), body.center_f64());
+    let apart = |i: BodyAxis, k: BodyAxis| (body.moments()[i].value() - body.moments()[k].value()).to_f64().value();
+    let apart = BodyAxis::ALL.map(|i| BodyAxis::ALL.map(|k| apart(i, k)));
+    let largest = |gamma: &[f64; 3]| (0..3).max_by(|&i, &k| gamma[i].abs().total_cmp(&gamma[k].abs())).unwrap_or(0);
+    // J less the moment of the nearest axis, small where γ is near it.
+    let beyond = |gamma: &[f64; 3], axis: usize| (0..3).map(|k| apart[k][axis] * gamma[k] * gamma[k]).sum::<f64>();
+    let inertia = |gamma: &[f64; 3]| (0..3).map(|k| moments[k] * gamma[k] * gamma[k]).sum::<f64>();
+    let difference = |p: &Equilibrium, q: &Equilibrium| {
+        let (i, k) = (largest(&p.gamma), largest(&q.gamma));
+        let of_inertia = apart[i][k] + (beyond(&p.gamma, i) - beyond(&q.gamma, k));
+        // h = Ω²J/2 − ⟨γ, r⟩ = l²/2J − ⟨γ, r⟩.
+        let factor = if at_spin { p.omega * p.omega } else { -p.l * p.l / (inertia(&p.gamma) * inertia(&q.gamma)) };
+        0.5 * factor * of_inertia - (dot(p.gamma, center) - dot(q.gamma, center))
+    };
+    let is_fast = |p: &Equilibrium| 0.5 * (p.omega * p.l).abs() > FAST * norm(center);
     list.sort_by(|p, q| {
+        let by_h = if is_fast(p) && is_fast(q) { difference(p, q).total_cmp(&0.0) } else { p.h.total_cmp(&q.h) };
         let by_gamma = (0..3).map(|k| p.gamma[k].total_cmp(&q.gamma[k]));
-        by_gamma.fold(p.h.total_cmp(&q.h), std::cmp::Ordering::then)
+        by_gamma.fold(by_h, std::cmp::Ordering::then)
     });
     list
 }
+
+/// Kinetic energy over weight from which h keeps too few digits of the weight.
+const FAST: f64 = 1e6;

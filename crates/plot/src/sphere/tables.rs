@@ -128,6 +128,7 @@ fn kind(point: &RelativeEquilibriumDocument) -> &'static str {
         (Multiplicity::Sphere, _) => "constant",
         (Multiplicity::Circle, 0) => "circle of minima",
         (Multiplicity::Circle, _) => "circle of maxima",
+        (Multiplicity::Points(2..), _) => "degenerate",
         (Multiplicity::Points(_), 0) => "minimum",
         (Multiplicity::Points(_), 1) => "saddle",
         (Multiplicity::Points(_), _) => "maximum",

@@ -90,17 +90,18 @@ pub enum BorderEventKind {
         /// Those of the side with more.
         to: [BranchName; 2],
     },
-    /// A component of r leaves 0, and the body loses a symmetry: some of its pitchforks open into cusps.
+    /// A component of r is 0 at the border alone, and with it the body has a symmetry: beside it some of its pitchforks open
+    /// into cusps.
     SymmetryBroken {
         /// Which component.
         axis: BodyAxis,
     },
-    /// Moments of inertia become equal.
+    /// Moments of inertia are equal at the border.
     MomentsEqual {
         /// Their axes.
         axes: Vec<BodyAxis>,
     },
-    /// r becomes 0.
+    /// r is 0 at the border.
     WeightVanishes,
     /// J_r passes the middle moment of inertia: crossings of the pole lines go to infinity and come back.
     PoleLinesAtInfinity {
@@ -151,7 +152,9 @@ impl fmt::Display for Encounter {
 impl fmt::Display for BorderEventKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Swallowtail { branches } => write!(f, "a swallowtail is born on branch {}", joined(branches, ", ")),
+            Self::Swallowtail { branches } => {
+                write!(f, "a swallowtail is born or vanishes on branch {}", joined(branches, ", "))
+            }
             Self::TriplePoint { branches } => write!(f, "the curves {} meet in one point", joined(branches, ", ")),
             Self::CuspOnCurve { cusp, encounter, curves } => {
                 write!(f, "the {} {encounter} {}", EventLabel::Cusp(*cusp), joined(curves, ", "))
@@ -162,21 +165,21 @@ impl fmt::Display for BorderEventKind {
             Self::Tangency { branches } => write!(f, "the curves {} touch", joined(branches, " and ")),
             Self::CuspAtPitchfork { pair } => write!(f, "the cusp of the pair {pair} reaches its pitchfork"),
             Self::PitchforkAtInfinity { from, to } => {
-                let from = EventLabel::Pitchfork(*from);
-                write!(f, "the {from} goes through infinity to {}", joined(to, " and "))
+                let [from, to] = [from, to].map(|branches| joined(branches, " and "));
+                write!(f, "a pitchfork goes through infinity: on one side it is that of {from}, on the other of {to}")
             }
-            Self::SymmetryBroken { axis } => write!(f, "r{axis} leaves 0: the body loses a symmetry"),
+            Self::SymmetryBroken { axis } => write!(f, "r{axis} is 0 there: only there the body has the symmetry"),
             Self::MomentsEqual { axes } => {
                 let names: Vec<String> = axes.iter().map(|axis| format!("A{axis}")).collect();
                 let (last, others) = names.split_last().ok_or(fmt::Error)?;
-                write!(f, "the moments {} and {last} become equal", joined(others, ", "))
+                write!(f, "the moments {} and {last} are equal there", joined(others, ", "))
             }
-            Self::WeightVanishes => f.write_str("r becomes 0: the body has no weight"),
+            Self::WeightVanishes => f.write_str("r is 0 there: the body has no weight"),
             Self::PoleLinesAtInfinity { axis } => {
                 write!(f, "J_r passes A{axis}: crossings of the pole lines go to infinity and come back")
             }
             Self::CrossingAtTheEdge { branches } => {
-                write!(f, "the {} comes from l = 0 or infinity", EventLabel::Crossing(*branches))
+                write!(f, "the {} comes from l = 0 or infinity, or goes there", EventLabel::Crossing(*branches))
             }
             Self::Several => f.write_str("several events appear and vanish together"),
             Self::Unexplained => f.write_str("the regions differ, and no events are near each other"),

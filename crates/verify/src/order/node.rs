@@ -36,7 +36,7 @@ pub(crate) fn read(
     let ends = curves.map(|c| orders.pieces.list[c].ends[side]);
     match (ends[0] == ends[1], &node.places) {
         (true, None) => Ok(None),
-        (true, Some(_)) => Err(orders.refused(curves, 0.0, "places are told where none are needed")),
+        (true, Some(_)) => Err(orders.refused(curves, 0.0, "places are given where none are needed")),
         (false, _) => at_end(orders, curves, node, side).map(Some),
     }
 }
