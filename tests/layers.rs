@@ -14,11 +14,11 @@ const ORDER: [(&str, &str); 12] = [
     ),
     (
         "crates/schema/src",
-        "shown number head part certificate classification critical atlas checksum find grid listing section motion spin steady scan border classes",
+        "shown number head part certificate classification nonlinear critical atlas checksum find grid listing section motion spin spin_down steady scan border classes",
     ),
     ("crates/body/src", "axis rigid_body frame principal presets part"),
     ("crates/equilibria/src", "curves stability nonlinear critical permanent"),
-    ("crates/diagram/src", "topology arrangement atlas class fast accessible region_changes"),
+    ("crates/diagram/src", "topology arrangement atlas class fast accessible region_changes spin_down"),
     (
         "crates/exact/src",
         "statistics id model family curves estimate point equal_momentum ridges critical_values plane mirror pair polar arrange region certificate conversion vertex exact \
@@ -28,7 +28,7 @@ const ORDER: [(&str, &str); 12] = [
     ("crates/survey/src", "parameter design signature scan border space nearest subdivision search"),
     (
         "crates/documents/src",
-        "command layout body subject spin classification critical steady grid atlas certified scan reading border classes find witnesses \
+        "command layout body subject stability spin spin_down classification critical steady grid atlas certified scan reading border classes find witnesses \
          section words",
     ),
     ("crates/verify/src", "refused numbers equilibria order topology stability document"),

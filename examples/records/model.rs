@@ -46,6 +46,8 @@ pub enum Kind {
     List(Box<Kind>),
     /// A list of so many.
     Several(Box<Kind>, u64),
+    /// A list of these.
+    Tuple(Vec<Kind>),
     /// An object with any names.
     Map(Box<Kind>),
     OrNull(Box<Kind>),
@@ -60,7 +62,8 @@ impl Model {
         }
         documents! {
             Head GivenBody AtlasDocument ClassificationDocument GridDocument CriticalDocument SectionsDocument MotionDocument
-            PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument BodiesDocument BatchErrorDocument
+            PartAnswerDocument SteadyAxesDocument StateDocument CriticalSpinDocument SteadySpinsDocument SpinDownDocument
+            BodiesDocument BatchErrorDocument
             RowDocument ScanSummaryDocument BorderDocument FindDocument ClassesDocument StandingDocument
         }
         let definitions = generator.take_definitions(true);
@@ -120,7 +123,7 @@ impl Kind {
             Self::List(inner) | Self::Several(inner, _) | Self::Map(inner) | Self::OrNull(inner) => {
                 inner.for_each_name(act);
             }
-            Self::Either(kinds) => kinds.iter().for_each(|kind| kind.for_each_name(act)),
+            Self::Either(kinds) | Self::Tuple(kinds) => kinds.iter().for_each(|kind| kind.for_each_name(act)),
             Self::Text | Self::Number | Self::Integer | Self::Boolean | Self::Constant(_) => {}
         }
     }
@@ -189,6 +192,9 @@ fn kind(schema: &Value) -> Kind {
         Some("number") => Kind::Number,
         Some("integer") => Kind::Integer,
         Some("boolean") => Kind::Boolean,
+        Some("array") if schema.get("prefixItems").is_some() => {
+            Kind::Tuple(schema["prefixItems"].as_array().into_iter().flatten().map(kind).collect())
+        }
         Some("array") => match schema.get("maxItems").and_then(Value::as_u64) {
             Some(count) => Kind::Several(Box::new(inner("items")), count),
             None => Kind::List(Box::new(inner("items"))),

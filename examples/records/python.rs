@@ -10,7 +10,7 @@ use crate::model::{Field, Form, Kind, Model, Type};
 const WIDTH: usize = 124;
 
 /// Records that users meet, each after those that it holds.
-const RECORDS: [&str; 14] = [
+const RECORDS: [&str; 18] = [
     "Component",
     "Margin",
     "Candidate",
@@ -22,6 +22,10 @@ const RECORDS: [&str; 14] = [
     "Enclosure",
     "Event",
     "StabilityChange",
+    "VerdictChange",
+    "Resonances",
+    "Nonlinear",
+    "Friction",
     "StabilitySpan",
     "Tail",
     "Curve",
@@ -122,9 +126,15 @@ fn is_range(kind: &Kind) -> bool {
     matches!(kind, Kind::Several(inner, 2) if matches!(**inner, Kind::OrNull(_)))
 }
 
-/// The name of a field, which may be a word of the language.
+/// The name of a field, which may be a word of the language or none.
 fn attribute(field: &Field) -> &str {
-    if field.name == "from" { "from_" } else { &field.name }
+    match field.name.as_str() {
+        "from" => "from_",
+        "1:1" => "one_to_one",
+        "1:2" => "one_to_two",
+        "1:3" => "one_to_three",
+        name => name,
+    }
 }
 
 /// What a field means; of constants each, where they are named for the first time.
@@ -172,6 +182,7 @@ fn kind(of: &Kind) -> String {
         Kind::Several(inner, count) => {
             format!("tuple[{}]", vec![kind(inner); usize::try_from(*count).unwrap_or(0)].join(", "))
         }
+        Kind::Tuple(kinds) => format!("tuple[{}]", kinds.iter().map(kind).collect::<Vec<_>>().join(", ")),
         Kind::Map(inner) => format!("dict[str, {}]", kind(inner)),
         Kind::OrNull(inner) => format!("{} | None", kind(inner)),
         Kind::Text | Kind::Of(_) | Kind::Constant(_) | Kind::Either(_) => "str".to_owned(),
@@ -207,6 +218,14 @@ fn made(of: &Kind) -> Option<String> {
         Kind::Of(name) if RECORDS.contains(&name.as_str()) => Some(format!("{name}._of")),
         Kind::OrNull(inner) => made(inner),
         range if is_range(range) => Some("span".to_owned()),
+        Kind::Tuple(kinds) => {
+            let at = |(place, kind)| match made(kind) {
+                Some(make) => format!("{make}(found[{place}])"),
+                None => format!("found[{place}]"),
+            };
+            let all: Vec<String> = kinds.iter().enumerate().map(at).collect();
+            Some(format!("lambda found: ({})", all.join(", ")))
+        }
         Kind::List(inner) | Kind::Several(inner, _) => Some(match made(inner) {
             Some(make) => format!("lambda found: tuple(map({make}, found))"),
             None => "tuple".to_owned(),

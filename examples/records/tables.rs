@@ -108,6 +108,9 @@ impl Page<'_> {
             },
             Kind::List(inner) => format!("list of {}", self.kind(inner)),
             Kind::Several(inner, count) => format!("{count} × {}", self.kind(inner)),
+            Kind::Tuple(kinds) => {
+                format!("[{}]", kinds.iter().map(|kind| self.kind(kind)).collect::<Vec<_>>().join(", "))
+            }
             Kind::Map(inner) => format!("by name: {}", self.kind(inner)),
             Kind::OrNull(inner) => format!("{} or null", self.kind(inner)),
             Kind::Either(kinds) => {

@@ -21,7 +21,9 @@ pub fn module(model: &Model) -> String {
                 let _ = writeln!(text, "export interface {} {{", of.name);
                 for field in fields {
                     let mark = if field.optional { "?" } else { "" };
-                    let _ = writeln!(text, "  /** {} */\n  {}{mark}: {};", field.about, field.name, kind(&field.kind));
+                    let is_name = field.name.chars().all(|c| c.is_alphanumeric() || c == '_');
+                    let name = if is_name { field.name.clone() } else { format!("\"{}\"", field.name) };
+                    let _ = writeln!(text, "  /** {} */\n  {name}{mark}: {};", field.about, kind(&field.kind));
                 }
                 text += "}\n";
             }
@@ -52,6 +54,7 @@ fn kind(of: &Kind) -> String {
         Kind::Several(inner, count) => {
             format!("[{}]", vec![kind(inner); usize::try_from(*count).unwrap_or(0)].join(", "))
         }
+        Kind::Tuple(kinds) => format!("[{}]", kinds.iter().map(kind).collect::<Vec<_>>().join(", ")),
         Kind::Map(inner) => format!("Record<string, {}>", kind(inner)),
         Kind::OrNull(inner) => format!("{} | null", kind(inner)),
         Kind::Either(kinds) => kinds.iter().map(kind).collect::<Vec<_>>().join(" | "),

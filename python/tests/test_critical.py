@@ -18,7 +18,10 @@ def test_rows_say_what_the_command_line_says(name, l, command):
         assert row["gamma"].tolist() == entry["gamma"]
         assert row["multiplicity"] == str(entry["multiplicity"])
         assert row["stability"] == entry["stability"]
-        assert row["stable"] == (entry["stable"] if isinstance(entry["stable"], str) else json.dumps(entry["stable"]))
+        nonlinear = entry["nonlinear"]
+        assert (row["verdict"], row["stable_by"]) == (nonlinear["verdict"], nonlinear["why"])
+        assert row["stable"] == (nonlinear["verdict"] == "stable")
+        assert row["survives_friction"] == (entry["friction"]["conserving_l"] == "survives")
         assert [[value.real, value.imag] for value in row["eigenvalues"]] == entry["eigenvalues"]
         assert (row["branch"], row["branch_name"]) == (entry["branch"], entry["branch_name"])
 

@@ -24,7 +24,7 @@ use super::scan::{self, ScanArguments};
 use super::section::{self, SectionArguments};
 use super::show::{self, ShowArguments};
 use super::sphere::{self, SphereArguments};
-use super::spin::{self, CampbellArguments, CriticalSpinArguments, StateArguments};
+use super::spin::{self, CampbellArguments, CriticalSpinArguments, SpinDownArguments, StateArguments};
 use super::verify::{self, VerifyArguments};
 
 const ABOUT: &str = "Bifurcation diagrams, energy-surface topology and Poincaré sections of any heavy rigid body";
@@ -164,6 +164,8 @@ commands! {
     CriticalSpin(Box<CriticalSpinArguments>) = "critical-spin", spin::CRITICAL_SPIN_EXAMPLES;
     /// Draw the frequencies of small oscillations over the spin of a permanent axis
     Campbell(Box<CampbellArguments>) = "campbell", spin::CAMPBELL_EXAMPLES;
+    /// Follow a steady rotation that friction slows down, to rest or to its fall
+    SpinDown(Box<SpinDownArguments>) = "spin-down", spin::SPIN_DOWN_EXAMPLES;
     /// List the named bodies
     Bodies(BodiesArguments) = "bodies", listings::BODIES_EXAMPLES;
     /// Print the JSON Schemas of the documents

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use bifdiag_schema::{
     AtlasDocument, BatchErrorDocument, BodiesDocument, BorderDocument, ClassDocument, ClassesDocument,
     ClassificationDocument, CriticalDocument, CriticalSpinDocument, FindDocument, GridDocument, MotionDocument,
-    PartAnswerDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, StandingDocument,
-    StateDocument, SteadyAxesDocument, SteadySpinsDocument,
+    PartAnswerDocument, RowDocument, ScanSummaryDocument, SectionDocument, SectionsDocument, SpinDownDocument,
+    StandingDocument, StateDocument, SteadyAxesDocument, SteadySpinsDocument,
 };
 use clap::{Args, Command, ValueEnum};
 use schemars::{Schema, schema_for};
@@ -88,6 +88,8 @@ pub enum Name {
     CriticalSpin,
     /// The answer of `bifdiag critical-spin --json` without an axis
     SteadySpins,
+    /// The answer of `bifdiag spin-down --json`
+    SpinDown,
     /// The answer of `bifdiag bodies --json`
     Bodies,
     /// What stands for a wrong line of a batch
@@ -123,6 +125,7 @@ impl Name {
             Self::State => schema_for!(StateDocument),
             Self::CriticalSpin => schema_for!(CriticalSpinDocument),
             Self::SteadySpins => schema_for!(SteadySpinsDocument),
+            Self::SpinDown => schema_for!(SpinDownDocument),
             Self::Bodies => schema_for!(BodiesDocument),
             Self::BatchError => schema_for!(BatchErrorDocument),
             Self::ScanRow => schema_for!(RowDocument),

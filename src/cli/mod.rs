@@ -115,6 +115,7 @@ fn work(options: &Options) -> Result<(), Failure> {
         Some(Command::State(arguments)) => spin::state(arguments, &timings),
         Some(Command::CriticalSpin(arguments)) => spin::critical_spin(arguments, &timings),
         Some(Command::Campbell(arguments)) => spin::campbell(arguments, &timings),
+        Some(Command::SpinDown(arguments)) => spin::spin_down(arguments, &timings),
         Some(Command::Bodies(arguments)) => listings::bodies(arguments),
         Some(Command::Schema(arguments)) => listings::schema(arguments),
         Some(Command::Completions(arguments)) => listings::completions(arguments, Options::command()),

@@ -1,10 +1,11 @@
 //! `bifdiag show`: a region, a curve or an event of a body in words.
 
 use bifdiag_diagram::arrangement::RegionId;
-use bifdiag_diagram::atlas::Atlas;
 use bifdiag_documents::{DocumentOptions, Drawn, words};
 use bifdiag_exact::Accuracy;
-use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, EventDocument, EventKind, RegionDocument};
+use bifdiag_schema::{
+    AtlasDocument, CurveDocument, CurveKind, EventDocument, EventKind, NonlinearDocument, RegionDocument,
+};
 use clap::Args;
 
 use super::failure::{Failure, failed};
@@ -50,7 +51,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
         let width = region.id.parse().ok().and_then(|id: RegionId| atlas.h_widths()[id]);
         show_region(&mut report, &document, region, width);
     } else if let Some(curve) = document.curves.iter().find(|curve| curve.id == id) {
-        show_curve(&mut report, &atlas, &document, curve);
+        show_curve(&mut report, &document, curve);
     } else if let Some(event) = event.and_then(|place| document.events.get(place)) {
         show_event(&mut report, &document, event);
     } else if document.curves.iter().any(|curve| branch(&curve)) {
@@ -58,7 +59,7 @@ pub fn run(arguments: &ShowArguments) -> Result<(), Failure> {
             if place > 0 {
                 report.line("");
             }
-            show_curve(&mut report, &atlas, &document, curve);
+            show_curve(&mut report, &document, curve);
         }
     } else {
         return Err(unknown(&arguments.id, &document));
@@ -126,16 +127,24 @@ fn show_region(report: &mut Report, document: &AtlasDocument, region: &RegionDoc
     }
 }
 
-fn show_curve(report: &mut Report, atlas: &Atlas, document: &AtlasDocument, curve: &CurveDocument) {
+fn show_curve(report: &mut Report, document: &AtlasDocument, curve: &CurveDocument) {
     report.line(format!("curve {}: {}", curve.id, words::motion(curve)));
     report.line(format!("  {}", range(curve.l_range)));
     if !curve.coincides_with.is_empty() {
         report.line(format!("  at the same (h, l): {}", curve.coincides_with.join(", ")));
     }
     for span in &curve.stability {
-        let verdict = bifdiag_documents::verdict_along(atlas, curve, span.stability);
-        let known = verdict.map_or_else(String::new, |verdict| format!(", {}", words::verdict(verdict)));
-        report.line(format!("  {}: {}{known}", range([Some(span.l_from), span.l_to]), span.stability.word()));
+        report.line(format!(
+            "  {}: {}, {}; with friction {}",
+            range([Some(span.l_from), span.l_to]),
+            span.stability.word(),
+            words::verdict(&span.nonlinear),
+            words::with_friction(&span.friction)
+        ));
+    }
+    for change in document.verdict_changes.iter().filter(|change| change.curve == curve.id) {
+        let at = NonlinearDocument::along(change.verdict, change.why, change.proved);
+        report.line(format!("  at l = {}: {}", significant(change.l, DIGITS), words::verdict(&at)));
     }
     report.line("");
     let parts = |region: &RegionDocument| region.neighbours.iter().any(|neighbour| neighbour.curve == curve.id);

@@ -44,5 +44,11 @@ pub fn run(arguments: &VerifyArguments, timings: &Timings) -> Result<(), Failure
     let (regions, events, pairs) = (document.regions.len(), report.events, report.pairs);
     let drawing = if document.drawing.is_some() { " (drawing not part of the proof)" } else { "" };
     lines.line(format!("verified: {regions} regions, {events} events, {pairs} pairs of curves{drawing}"));
+    if !report.unproved.is_empty() {
+        lines.line(format!(
+            "not checked (\"proved\": false): verdicts by Arnold's theorem on {}",
+            report.unproved.join(", ")
+        ));
+    }
     print(lines.text())
 }

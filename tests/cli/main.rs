@@ -18,5 +18,6 @@ mod sections;
 mod spins;
 mod streams;
 mod thresholds;
+mod verdicts;
 mod wrong_batch_lines;
 mod wrong_command_lines;

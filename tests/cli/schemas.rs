@@ -115,6 +115,10 @@ fn documents_fit_their_schemas() {
     for axis in ["--A 2,1.1,1 --r 0,0,1 --axis z --tolerance 1%", "--body euler --axis x", "--body paper --axis x"] {
         assert_fits("critical-spin", &bifdiag(&format!("critical-spin {axis} --json")).succeeds().json());
     }
+    for from in ["--A 2,2,3 --r 0,0,1 --from L-.2", "--body paper --from G2.1 --l 3.25", "--body lagrange --from L+.1"]
+    {
+        assert_fits("spin-down", &bifdiag(&format!("spin-down {from} --json")).succeeds().json());
+    }
     assert_fits("bodies", &bifdiag("bodies --json").succeeds().json());
     assert_fits("find", &bifdiag("find --type M3 --json").succeeds().json());
     assert_fits("find", &bifdiag("find --type k3n0 --json").succeeds().json());

@@ -357,12 +357,14 @@ fn on_a_pole_line_the_section_changes() {
 /// `show` and `critical` say the same of a curve.
 #[test]
 fn a_curve_is_judged_in_the_words_of_a_state() {
-    bifdiag("show L+.1 --A 2,2,1 --r 0,0,1").succeeds().printing("elliptic, stable by energy");
-    bifdiag("show S23.1 --A 2,1,1 --r 0,0,0").succeeds().printing("elliptic, stable by an integral");
+    bifdiag("show L+.1 --A 2,2,1 --r 0,0,1")
+        .succeeds()
+        .printing("elliptic, stable (minimum of energy); with friction stable");
+    bifdiag("show S23.1 --A 2,1,1 --r 0,0,0").succeeds().printing("elliptic, stable (a further integral)");
     bifdiag("show L- --A 25,1,1 --r 0,0,1")
         .succeeds()
-        .printing("elliptic, spectrally stable; stability itself is not decided");
-    bifdiag("show L-.1 --A 1,2,3 --r 0,0,1").succeeds().printing("saddle, unstable");
+        .printing("elliptic, stable (Arnold's theorem); with friction unstable in 2 directions");
+    bifdiag("show L-.1 --A 1,2,3 --r 0,0,1").succeeds().printing("saddle, unstable; with friction unstable in 2");
 }
 
 /// Forks where f64 finds no regions: the exact atlas has them.

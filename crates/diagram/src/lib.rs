@@ -7,4 +7,5 @@ pub mod atlas;
 pub mod class;
 pub mod fast;
 pub mod region_changes;
+pub mod spin_down;
 pub mod topology;

@@ -1,18 +1,17 @@
 //! Relative equilibria as a document.
 
 use bifdiag_body::part::Spin;
-use bifdiag_diagram::atlas::Atlas;
 use bifdiag_equilibria::critical::{Equilibria, Equilibrium, Multiplicity};
-use bifdiag_equilibria::curves::CurveName;
-use bifdiag_equilibria::nonlinear::{Nonlinear, Setting, Verdict, Why};
+use bifdiag_equilibria::nonlinear::{Verdict, Why};
 use bifdiag_equilibria::stability::{ChangeKind, LinearType};
 use bifdiag_numbers::Number;
 use bifdiag_schema::{
-    CriticalDocument, CurveDocument, RelativeEquilibriumDocument, SteadyAxesDocument, SteadyAxisDocument,
+    CriticalDocument, NonlinearDocument, RelativeEquilibriumDocument, SteadyAxesDocument, SteadyAxisDocument,
 };
 
 use crate::body::given;
 use crate::command::head;
+use crate::stability::{friction, nonlinear, nonlinear_verdict, reason};
 use crate::subject::Subject;
 
 /// The relative equilibria of a body at one l.
@@ -65,14 +64,17 @@ pub fn equilibria(found: &Equilibria) -> Vec<RelativeEquilibriumDocument> {
 }
 
 fn equilibrium(found: &Equilibrium) -> RelativeEquilibriumDocument {
+    let (nonlinear, stability) = (nonlinear(&found.nonlinear), stability(found.stability));
     RelativeEquilibriumDocument {
         h: found.h,
         gamma: found.gamma,
         omega: found.omega,
         index: found.index,
         multiplicity: multiplicity(found.multiplicity),
-        stability: stability(found.stability),
-        stable: verdict(&found.nonlinear, found.stability),
+        stability,
+        stable: bifdiag_schema::Verdict::of(&nonlinear, stability),
+        nonlinear,
+        friction: friction(&found.friction, &found.eigenvalues.pairs),
         eigenvalues: found.eigenvalues.pairs,
         eigenvalue_error: found.eigenvalues.error,
         branch: found.curve.map_or_else(String::new, |curve| curve.to_string()),
@@ -101,14 +103,14 @@ pub const LINEAR_TYPES: [bifdiag_schema::Stability; 7] = [
     bifdiag_schema::Stability::Zero,
 ];
 
-/// The words for verdicts, in the order of [`verdict_code`].
+/// The words for what is known of the stability.
 pub const VERDICTS: [bifdiag_schema::Verdict; 6] = [
     bifdiag_schema::Verdict::Energy,
     bifdiag_schema::Verdict::Integral,
+    bifdiag_schema::Verdict::Arnold,
     bifdiag_schema::Verdict::Spectrum,
     bifdiag_schema::Verdict::Unstable,
     bifdiag_schema::Verdict::Open,
-    bifdiag_schema::Verdict::Arnold,
 ];
 
 /// The place of a linear type among [`LINEAR_TYPES`].
@@ -125,51 +127,16 @@ pub fn type_code(kind: LinearType) -> i8 {
     }
 }
 
-/// The place of a verdict among [`VERDICTS`].
-#[must_use]
-pub fn verdict_code(verdict: bifdiag_schema::Verdict) -> i8 {
-    match verdict {
-        bifdiag_schema::Verdict::Energy => 0,
-        bifdiag_schema::Verdict::Integral => 1,
-        bifdiag_schema::Verdict::Spectrum => 2,
-        bifdiag_schema::Verdict::Unstable => 3,
-        bifdiag_schema::Verdict::Open => 4,
-        bifdiag_schema::Verdict::Arnold => 5,
-    }
-}
-
-/// The word for a verdict.
-#[must_use]
-pub fn verdict(found: &Nonlinear, kind: LinearType) -> bifdiag_schema::Verdict {
-    stable(Some((found.verdict, found.why)), kind)
-}
-
+/// What is known of the stability where the verdict is this, or where nothing more than the type is told.
 pub(crate) fn stable(found: Option<(Verdict, Why)>, kind: LinearType) -> bifdiag_schema::Verdict {
-    match found {
-        Some((Verdict::Stable, Why::Energy)) => bifdiag_schema::Verdict::Energy,
-        Some((Verdict::Stable, Why::Integral)) => bifdiag_schema::Verdict::Integral,
-        Some((Verdict::Stable, _)) => bifdiag_schema::Verdict::Arnold,
-        Some((Verdict::Unstable, _)) => bifdiag_schema::Verdict::Unstable,
-        _ if kind == LinearType::Zero => bifdiag_schema::Verdict::Open,
-        _ => bifdiag_schema::Verdict::Spectrum,
-    }
-}
-
-/// What is known of the rotations of a curve of an atlas where they have this type; `None` for a pole line.
-#[must_use]
-pub fn verdict_along(
-    atlas: &Atlas,
-    curve: &CurveDocument,
-    kind: bifdiag_schema::Stability,
-) -> Option<bifdiag_schema::Verdict> {
-    let set = &atlas.arrangement().set;
-    let (_, found) = set.curves.pairs().find(|(id, _)| CurveName::of(set, *id).to_string() == curve.id)?;
-    let kind = LinearType::ALL.into_iter().find(|known| stability(*known) == kind)?;
-    Setting::along(set, found).map(|setting| stable(setting.verdict(kind), kind))
+    let told = found.unwrap_or((Verdict::Open, Why::Degenerate));
+    let nonlinear = NonlinearDocument::along(nonlinear_verdict(told.0), reason(told.1), true);
+    bifdiag_schema::Verdict::of(&nonlinear, stability(kind))
 }
 
 /// The word for a linear type.
-pub(crate) fn stability(kind: LinearType) -> bifdiag_schema::Stability {
+#[must_use]
+pub fn stability(kind: LinearType) -> bifdiag_schema::Stability {
     LINEAR_TYPES[type_code(kind).unsigned_abs() as usize]
 }
 

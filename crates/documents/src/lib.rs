@@ -15,6 +15,8 @@ pub mod reading;
 pub mod scan;
 mod section;
 mod spin;
+mod spin_down;
+mod stability;
 mod steady;
 mod subject;
 mod witnesses;
@@ -27,14 +29,13 @@ pub use certified::{certified_atlas, certified_atlas_of, leave_out_drawing, seal
 pub use classes::{add_text, shipped_classes, standing};
 pub use classification::{accuracy_option, classification, component, components, margin};
 pub use command::{CommandLine, head, version};
-pub use critical::{
-    LINEAR_TYPES, VERDICTS, critical, equilibria, multiplicity, steady_axes, type_code, verdict, verdict_along,
-    verdict_code,
-};
+pub use critical::{LINEAR_TYPES, VERDICTS, critical, equilibria, multiplicity, stability, steady_axes, type_code};
 pub use find::{find, witness};
 pub use grid::{GridAxis, grid};
 pub use section::{chaos, drift, integrator, section, sections, tolerance_option};
-pub use spin::{changes_beside, measured_command, measured_tolerance, spin, spin_changes, tolerance};
+pub use spin::{changes_beside, measured_command, measured_tolerance, spin, spin_changes, spin_stretches, tolerance};
+pub use spin_down::spin_down;
+pub use stability::{NONLINEAR_VERDICTS, REASONS, friction, nonlinear, nonlinear_verdict, reason};
 pub use steady::steady_spins;
 pub use subject::Subject;
 pub use witnesses::{ReadWitnessError, read_witness, shipped_witnesses};

@@ -6,17 +6,20 @@ use bifdiag_body::Body;
 use bifdiag_body::part::{INPUT_NAMES, Measured, MeasuredPart, Part, Spin};
 use bifdiag_diagram::atlas::Atlas;
 use bifdiag_diagram::region_changes::{RotationChange, rotation_changes};
+use bifdiag_equilibria::nonlinear::Verdict;
 use bifdiag_equilibria::permanent::{
     AxisRotation, SpinRange, SpinType, sampled_bodies, sampled_parts, settled_types_of_part, spin_ranges,
 };
 use bifdiag_numbers::{Number, decimal};
 use bifdiag_schema::{
-    MeasuredDocument, SampledClassDocument, SpinChangeDocument, SpinDocument, SpinRangeDocument, ToleranceDocument,
+    FrictionDocument, MeasuredDocument, NonlinearDocument, SampledClassDocument, SpinChangeDocument, SpinDocument,
+    SpinRangeDocument, SpinStretchDocument, ToleranceDocument,
 };
 use bifdiag_survey::border::classes_of;
 use dashu_ratio::RBig;
 
 use crate::command::CommandLine;
+use crate::stability::{friction, nonlinear};
 
 /// A rate of turning, from rad/s.
 #[must_use]
@@ -56,6 +59,46 @@ fn change(change: &RotationChange, rotation: &AxisRotation, up: &str, second: f6
 #[must_use]
 pub fn spin_changes(rotation: &AxisRotation, up: &str, atlas: Option<&Atlas>, second: f64) -> Vec<SpinChangeDocument> {
     rotation_changes(rotation, atlas).iter().map(|found| change(found, rotation, up, second)).collect()
+}
+
+/// The spins between the changes of type of a rotation, each with the verdict on rotation there: that at one spin inside, since
+/// D₄ is an analytic function of the spin, which vanishes at isolated ones only. Left out where no double lies inside.
+#[must_use]
+pub fn spin_stretches(rotation: &AxisRotation, up: &str, second: f64) -> Vec<SpinStretchDocument> {
+    /// Spins inside, relative to the ends, or to the one that there is.
+    const INSIDE: [f64; 5] = [0.5, 0.41, 0.63, 0.29, 0.77];
+    let changes = rotation.changes();
+    let stretch = |k: usize| {
+        let (from, to) = (k.checked_sub(1).map(|k| &changes[k]), changes.get(k));
+        let place = |part: f64| match (from, to) {
+            (Some(from), Some(to)) => from.omega + part * (to.omega - from.omega),
+            (None, Some(to)) => part * to.omega,
+            (Some(from), None) => from.omega / part,
+            (None, None) => part,
+        };
+        let expected = from.map(|change| change.to).or(to.map(|change| change.from));
+        let judged = INSIDE.into_iter().filter_map(|part| {
+            let omega = RBig::try_from(place(part)).ok()?;
+            let kind = rotation.type_at_spin(&omega)?;
+            let judged = rotation.stability_at_spin(&omega).filter(|_| expected.is_none_or(|known| known == kind))?;
+            Some((kind, judged))
+        });
+        let mut first = None;
+        let decided = judged
+            .inspect(|one| first = first.or(Some(*one)))
+            .find(|(_, judged)| judged.nonlinear.verdict != Verdict::Open);
+        let (kind, judged) = decided.or(first)?;
+        let found = nonlinear(&judged.nonlinear);
+        Some(SpinStretchDocument {
+            up: up.to_owned(),
+            from: from.map(|change| spin(change.omega * second)),
+            to: to.map(|change| spin(change.omega * second)),
+            stability: kind.name().to_owned(),
+            nonlinear: NonlinearDocument::along(found.verdict, found.why, found.proved),
+            friction: FrictionDocument { rates: Vec::new(), ..friction(&judged.friction, &[[0.0; 2]; 2]) },
+        })
+    };
+    (0..=changes.len()).filter_map(stretch).collect()
 }
 
 /// The changes at the next smaller spin than Ω, at Ω itself, and at the next larger one.

@@ -7,7 +7,8 @@ use bifdiag_diagram::atlas::{Atlas, Passage};
 use bifdiag_equilibria::curves::CurveName;
 use bifdiag_numbers::table::Id;
 use bifdiag_schema::{
-    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, EventDocument, RegionDocument, Verdict,
+    AtlasDocument, ComponentDocument, CurveDocument, CurveKind, Damped, EventDocument, FrictionDocument,
+    NonlinearDocument, Reason, RegionDocument,
 };
 
 /// A number with the word for one of them or for several.
@@ -73,16 +74,29 @@ pub fn motion(curve: &CurveDocument) -> String {
     format!("{what} of branch {}, {}{kind}", curve.branch, curve.branch_name)
 }
 
-/// What is known of the stability of a steady rotation.
+/// The verdict on a steady rotation, with its reason where the linear type does not say it.
 #[must_use]
-pub fn verdict(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Energy => "stable by energy",
-        Verdict::Integral => "stable by an integral",
-        Verdict::Arnold => "stable by Arnold's theorem",
-        Verdict::Spectrum => "spectrally stable; stability itself is not decided",
-        Verdict::Unstable => "unstable",
-        Verdict::Open => "its stability is not decided by the linearization",
+pub fn verdict(found: &NonlinearDocument) -> String {
+    let why = match found.why {
+        Reason::Spectrum => return found.verdict.word().to_owned(),
+        Reason::Energy => "minimum of energy",
+        Reason::Integral => "a further integral",
+        Reason::Arnold => "Arnold's theorem",
+        Reason::Resonance12 => "1:2 resonance",
+        Reason::Resonance13 => "1:3 resonance",
+        Reason::Resonance11 => "1:1 resonance",
+        Reason::Degenerate => "degenerate",
+    };
+    format!("{} ({why})", found.verdict.word())
+}
+
+/// What it is with friction that conserves l.
+#[must_use]
+pub fn with_friction(found: &FrictionDocument) -> String {
+    match found.conserving_l {
+        Some(Damped::Survives) => "stable".to_owned(),
+        Some(Damped::Lost) => format!("unstable in {}", counted(found.growing, "direction", "directions")),
+        None => "open".to_owned(),
     }
 }
 

@@ -8,18 +8,32 @@ use crate::page::{
 /// Frequencies over the spin, and the spins at which the type changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Campbell {
-    /// Spin in rpm, two frequencies in Hz (NaN for a pair of eigenvalues that does not oscillate), and whether the rotation is
-    /// stable; by rising spin.
-    pub rows: Vec<(f64, [f64; 2], bool)>,
+    /// Spin in rpm, two frequencies in Hz (NaN for a pair of eigenvalues that does not oscillate), and what is known of the
+    /// stability; by rising spin.
+    pub rows: Vec<(f64, [f64; 2], Known)>,
     /// Spins in rpm.
     pub changes: Vec<f64>,
+}
+
+/// What is known of the stability of a rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// Stable, also with friction.
+    Lasting,
+    /// Stable as long as there is no friction.
+    Frictionless,
+    /// Neither is known.
+    Open,
+    /// Unstable.
+    Unstable,
 }
 
 const RECT: Rect = Rect { x: 74.0, y: 62.0, width: 540.0, height: 340.0 };
 const COLORS: [u32; 2] = [0x12_50_a8, 0xc2_14_2d];
 const TEXT: f64 = 12.0;
 
-/// Draws frequencies over the spin: solid where the rotation is stable, dashed where it is not.
+/// Draws frequencies over the spin: solid where the rotation is stable (thin if only without friction), dashed where it is
+/// unstable.
 ///
 /// # Errors
 /// [`PlotError`].
@@ -38,12 +52,13 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
         let end = (spin / 60.0).min(top);
         canvas.path(&[at(0.0, 0.0), at(60.0 * end, end)], once);
         for (which, color) in COLORS.into_iter().enumerate() {
-            for (stable, points) in stretches(campbell, which, &at) {
+            for (known, points) in stretches(campbell, which, &at) {
                 let color = rgb(color);
-                if stable {
-                    canvas.path(&points, Ink { color, width: 2.0 });
-                } else {
-                    canvas.dashed(&points, &[(Some(color), 7.0), (None, 5.0)], 2.0);
+                match known {
+                    Known::Lasting => canvas.path(&points, Ink { color, width: 2.0 }),
+                    Known::Frictionless => canvas.path(&points, Ink { color, width: 0.8 }),
+                    Known::Open => canvas.dashed(&points, &[(Some(color), 2.0), (None, 3.0)], 2.0),
+                    Known::Unstable => canvas.dashed(&points, &[(Some(color), 7.0), (None, 5.0)], 2.0),
                 }
             }
         }
@@ -67,30 +82,30 @@ pub fn draw_campbell(campbell: &Campbell, theme: Theme) -> Result<Picture, PlotE
         }
         canvas.text(&below.quantity, [RECT.center()[0], RECT.bottom() + 42.0], TEXT, INK, Anchor::Middle);
         canvas.text(&left.quantity, [16.0, RECT.y - 40.0], TEXT, INK, Anchor::Start);
-        let legend = "solid: stable, dashed: unstable, dotted: the type changes";
+        let legend = "solid: stable, thin: stable without friction only, dashed: unstable, dotted: the type changes";
         let colors = "blue, red: the frequencies (none for a real pair of eigenvalues), grey: once per turn";
         canvas.text(colors, [RECT.x, RECT.bottom() + 84.0], TEXT, FAINT_INK, Anchor::Start);
         canvas.text(legend, [RECT.x, RECT.bottom() + 66.0], TEXT, FAINT_INK, Anchor::Start);
     })
 }
 
-/// Runs of equal stability without gaps, each with the first point of the next.
-fn stretches(campbell: &Campbell, which: usize, at: &impl Fn(f64, f64) -> Point) -> Vec<(bool, Vec<Point>)> {
-    let mut runs: Vec<(bool, Vec<Point>)> = Vec::new();
+/// Runs of equally known stability without gaps, each with the first point of the next.
+fn stretches(campbell: &Campbell, which: usize, at: &impl Fn(f64, f64) -> Point) -> Vec<(Known, Vec<Point>)> {
+    let mut runs: Vec<(Known, Vec<Point>)> = Vec::new();
     let mut is_open = false;
-    for (rpm, frequencies, stable) in &campbell.rows {
+    for (rpm, frequencies, known) in &campbell.rows {
         if frequencies[which].is_nan() {
             is_open = false;
             continue;
         }
         let point = at(*rpm, frequencies[which]);
         match runs.last_mut().filter(|_| is_open) {
-            Some((kind, points)) if kind == stable => points.push(point),
+            Some((kind, points)) if kind == known => points.push(point),
             last => {
                 if let Some((_, points)) = last {
                     points.push(point);
                 }
-                runs.push((*stable, vec![point]));
+                runs.push((*known, vec![point]));
             }
         }
         is_open = true;
@@ -104,8 +119,10 @@ mod tests {
 
     #[test]
     fn a_pair_that_does_not_oscillate_leaves_a_gap() {
-        let row = |rpm: f64, slow: f64, stable| (rpm, [slow, 1.0], stable);
-        let rows = vec![row(1.0, 0.5, true), row(2.0, f64::NAN, false), row(3.0, 0.5, true), row(4.0, 0.6, true)];
+        let row = |rpm: f64, slow: f64, known| (rpm, [slow, 1.0], known);
+        let (stable, unstable) = (Known::Lasting, Known::Unstable);
+        let rows =
+            vec![row(1.0, 0.5, stable), row(2.0, f64::NAN, unstable), row(3.0, 0.5, stable), row(4.0, 0.6, stable)];
         let campbell = Campbell { rows, changes: Vec::new() };
         let lengths =
             |which| stretches(&campbell, which, &|x, y| [x, y]).iter().map(|(_, p)| p.len()).collect::<Vec<_>>();

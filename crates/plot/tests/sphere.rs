@@ -5,7 +5,10 @@ mod picture_svg;
 mod picture_texts;
 
 use bifdiag_plot::{SphereScene, Theme, Width, draw_sphere};
-use bifdiag_schema::{ComponentDocument, Multiplicity, RelativeEquilibriumDocument, Stability, Verdict};
+use bifdiag_schema::{
+    ComponentDocument, Damped, FrictionDocument, Multiplicity, NonlinearDocument, NonlinearVerdict, Reason,
+    RelativeEquilibriumDocument, Stability, Verdict,
+};
 use picture_letters::unprintable;
 use picture_texts::{assert_texts_are_apart, texts};
 
@@ -72,6 +75,8 @@ fn equilibrium(multiplicity: Multiplicity) -> RelativeEquilibriumDocument {
         multiplicity,
         stability: Stability::SaddleCentre,
         stable: Verdict::Unstable,
+        nonlinear: NonlinearDocument::along(NonlinearVerdict::Unstable, Reason::Spectrum, true),
+        friction: FrictionDocument { conserving_l: Some(Damped::Lost), growing: 1, rates: Vec::new() },
         eigenvalues: [[4.0, 0.0], [0.0, std::f64::consts::PI]],
         eigenvalue_error: 1e-15,
         branch: "G1.1".to_owned(),

@@ -6,7 +6,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Accuracy, CertificateDocument, ComponentDocument, GivenBody, Head, MarginDocument, PartDocument, Stability,
+    Accuracy, CertificateDocument, ComponentDocument, FrictionDocument, GivenBody, Head, MarginDocument,
+    NonlinearDocument, NonlinearVerdict, PartDocument, Reason, Stability,
 };
 
 /// What is special about a body, decided exactly.
@@ -71,6 +72,10 @@ pub struct StabilitySpan {
     pub l_to: Option<f64>,
     /// The linear type there.
     pub stability: Stability,
+    /// The verdict there, but at the points that `verdict_changes` lists.
+    pub nonlinear: NonlinearDocument,
+    /// What friction leaves of it.
+    pub friction: FrictionDocument,
 }
 
 /// How the linear type changes along a branch. The list is open.
@@ -118,6 +123,59 @@ pub struct StabilityChangeDocument {
     pub to: Stability,
     /// Bound on the errors of `l` and `h`; with a certificate at most 256 roundings (2⁻⁵²) of `l + |h| + |r|`.
     pub error_bound: f64,
+}
+
+/// Which of the hypotheses of Arnold's theorem fails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+pub enum Failing {
+    /// ω₁ = ω₂.
+    #[serde(rename = "1:1")]
+    Resonance11,
+    /// ω₁ = 2ω₂.
+    #[serde(rename = "1:2")]
+    Resonance12,
+    /// ω₁ = 3ω₂.
+    #[serde(rename = "1:3")]
+    Resonance13,
+    /// D₄ = 0.
+    #[serde(rename = "D4")]
+    Determinant,
+}
+
+impl Failing {
+    /// The word, as in JSON.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Resonance11 => "1:1",
+            Self::Resonance12 => "1:2",
+            Self::Resonance13 => "1:3",
+            Self::Determinant => "D4",
+        }
+    }
+}
+
+/// A point of a curve at which a hypothesis of Arnold's theorem fails, whether or not the verdict changes there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct VerdictChangeDocument {
+    /// Vertical angular momentum.
+    pub l: f64,
+    /// Energy.
+    pub h: f64,
+    /// Id of the curve on which it lies.
+    pub curve: String,
+    /// What fails.
+    pub kind: Failing,
+    /// The verdict at the point itself.
+    pub verdict: NonlinearVerdict,
+    /// Why.
+    pub why: Reason,
+    /// The verdicts before and after differ.
+    pub changes: bool,
+    /// Bound on the errors of `l` and `h`.
+    pub error_bound: f64,
+    /// `verify` confirms it.
+    pub proved: bool,
 }
 
 /// How a curve goes on to infinity: h = l²/(2 J) + h0 + O(l⁻²).
@@ -360,6 +418,8 @@ pub struct AtlasDocument {
     pub events: Vec<EventDocument>,
     /// Every change of the linear type along a branch, by rising l.
     pub stability_changes: Vec<StabilityChangeDocument>,
+    /// Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h.
+    pub verdict_changes: Vec<VerdictChangeDocument>,
     /// Every region.
     pub regions: Vec<RegionDocument>,
     /// Totals.

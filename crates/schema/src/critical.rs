@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GivenBody, Head, Number, PartDocument};
+use super::{FrictionDocument, GivenBody, Head, NonlinearDocument, NonlinearVerdict, Number, PartDocument, Reason};
 
 /// Linear type of a relative equilibrium, decided exactly: the eigenvalues ±λ₁, ±λ₂ of the Euler–Poisson flow reduced by l.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -54,14 +54,14 @@ pub enum Verdict {
     Energy,
     /// Stable by a further integral, as the sleeping top.
     Integral,
-    /// All eigenvalues are imaginary; nothing more is claimed.
+    /// Stable by Arnold's theorem.
+    Arnold,
+    /// All eigenvalues are imaginary; nothing more is known.
     Spectrum,
     /// Unstable.
     Unstable,
-    /// Not decided by the linearization.
+    /// An eigenvalue is zero, and nothing more is known.
     Open,
-    /// Stable by Arnold's theorem, or at a resonance by what replaces it there.
-    Arnold,
 }
 
 impl Verdict {
@@ -71,10 +71,23 @@ impl Verdict {
         match self {
             Self::Energy => "by energy",
             Self::Integral => "by an integral",
+            Self::Arnold => "by Arnold's theorem",
             Self::Spectrum => "spectrally only",
             Self::Unstable => "no",
             Self::Open => "open",
-            Self::Arnold => "by Arnold's theorem",
+        }
+    }
+
+    /// What is known without a verdict where the verdict is open.
+    #[must_use]
+    pub fn of(nonlinear: &NonlinearDocument, kind: Stability) -> Self {
+        match (nonlinear.verdict, nonlinear.why) {
+            (NonlinearVerdict::Unstable, _) => Self::Unstable,
+            (NonlinearVerdict::Stable, Reason::Energy) => Self::Energy,
+            (NonlinearVerdict::Stable, Reason::Integral) => Self::Integral,
+            (NonlinearVerdict::Stable, _) => Self::Arnold,
+            (NonlinearVerdict::Open, _) if kind == Stability::Zero => Self::Open,
+            (NonlinearVerdict::Open, _) => Self::Spectrum,
         }
     }
 }
@@ -84,10 +97,10 @@ impl Serialize for Verdict {
         match self {
             Self::Energy => serializer.serialize_str("energy"),
             Self::Integral => serializer.serialize_str("integral"),
+            Self::Arnold => serializer.serialize_str("arnold"),
             Self::Spectrum => serializer.serialize_str("spectrum"),
             Self::Unstable => serializer.serialize_bool(false),
             Self::Open => serializer.serialize_unit(),
-            Self::Arnold => serializer.serialize_str("arnold"),
         }
     }
 }
@@ -110,8 +123,8 @@ impl<'de> Deserialize<'de> for Verdict {
             Raw::Word(word) => match word.as_str() {
                 "energy" => Ok(Self::Energy),
                 "integral" => Ok(Self::Integral),
-                "spectrum" => Ok(Self::Spectrum),
                 "arnold" => Ok(Self::Arnold),
+                "spectrum" => Ok(Self::Spectrum),
                 _ => Err(wrong(format!("`{word}`"))),
             },
             Raw::Stable(false) => Ok(Self::Unstable),
@@ -131,9 +144,12 @@ impl JsonSchema for Verdict {
             (serde_json::json!("energy"), "Stable: a strict minimum of U_l."),
             (serde_json::json!("integral"), "Stable by a further integral (Lagrange's top, Euler's)."),
             (serde_json::json!("arnold"), "Stable by Arnold's theorem, or at a resonance by what replaces it there."),
-            (serde_json::json!("spectrum"), "All eigenvalues are imaginary; nothing more is claimed."),
+            (
+                serde_json::json!("spectrum"),
+                "All eigenvalues are imaginary; whether it is stable is open, or differs from spin to spin.",
+            ),
             (serde_json::json!(false), "Unstable."),
-            (serde_json::json!(null), "Not decided by the linearization."),
+            (serde_json::json!(null), "An eigenvalue is zero; whether it is stable is open."),
         ];
         let one = |(word, about): &(serde_json::Value, &str)| serde_json::json!({"const": word, "description": about});
         schemars::json_schema!({
@@ -214,8 +230,12 @@ pub struct RelativeEquilibriumDocument {
     pub multiplicity: Multiplicity,
     /// Linear type of the flow reduced by l.
     pub stability: Stability,
-    /// What is known of its stability.
+    /// By what it is stable, as far as that is known: `nonlinear` in one word.
     pub stable: Verdict,
+    /// The verdict on its stability, with its reason.
+    pub nonlinear: NonlinearDocument,
+    /// What friction leaves of it.
+    pub friction: FrictionDocument,
     /// The two of ±λ₁, ±λ₂ with re ≥ 0 and im ≥ 0, as [re, im], real ones first, then by size. A complex quadruple gives the same
     /// pair twice; a circle its transverse pair, then [0, 0].
     pub eigenvalues: [[f64; 2]; 2],

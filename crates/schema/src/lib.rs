@@ -15,19 +15,21 @@ mod grid;
 mod head;
 mod listing;
 mod motion;
+mod nonlinear;
 mod number;
 mod part;
 mod scan;
 mod section;
 mod shown;
 mod spin;
+mod spin_down;
 mod steady;
 
 pub use atlas::{
     AtlasDocument, BodyDocument, CellDocument, CurveDocument, CurveDrawing, CurveKind, DrawingDocument,
-    EnclosureDocument, EventDocument, EventKind, Flags, NeighbourDocument, RegionDocument, RegionDrawing,
+    EnclosureDocument, EventDocument, EventKind, Failing, Flags, NeighbourDocument, RegionDocument, RegionDrawing,
     SampleDocument, StabilityChangeDocument, StabilityChangeKind, StabilitySpan, SummaryDocument, TailDocument,
-    UndecidedDocument, ViewDocument, WindowDocument,
+    UndecidedDocument, VerdictChangeDocument, ViewDocument, WindowDocument,
 };
 pub use border::{BorderDocument, BorderEventDocument, BorderEventName, BorderValueDocument, FoundBorderDocument};
 pub use certificate::{
@@ -48,6 +50,7 @@ pub use grid::{GridAxisDocument, GridDocument};
 pub use head::{GivenBody, Head};
 pub use listing::{BatchErrorDocument, BodiesDocument, PresetDocument};
 pub use motion::{MotionDocument, MotionSampleDocument, MotionSummaryDocument};
+pub use nonlinear::{Damped, FrictionDocument, NonlinearDocument, NonlinearVerdict, Reason, ResonancesDocument};
 pub use number::Number;
 pub use part::{PartAnswerDocument, PartDocument, PrincipalDocument};
 pub use scan::{
@@ -62,9 +65,10 @@ pub use section::{
 pub use shown::{harmless, one_line, shown};
 pub use spin::{
     CriticalSpinDocument, MeasuredDocument, NearestAxisDocument, SampledClassDocument, SpinChangeDocument,
-    SpinDocument, SpinRangeDocument, StateDocument, SteadyAxesDocument, SteadyAxisDocument, SteadyDocument,
-    SteadySpinDocument, ToleranceDocument,
+    SpinDocument, SpinRangeDocument, SpinStretchDocument, StateDocument, SteadyAxesDocument, SteadyAxisDocument,
+    SteadyDocument, SteadySpinDocument, ToleranceDocument,
 };
+pub use spin_down::{SlowdownDocument, SlowdownEvent, SpinDownDocument};
 pub use steady::{
     AxisCountDocument, PermanentAxisDocument, SteadyFamilyDocument, SteadyPlaceDocument, SteadySpinsDocument,
     SteadyStart, SteadyStretchDocument,

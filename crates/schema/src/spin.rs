@@ -3,7 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{GivenBody, Head, MarginDocument, Multiplicity, PartDocument, RelativeEquilibriumDocument, Verdict};
+use super::{
+    FrictionDocument, GivenBody, Head, MarginDocument, Multiplicity, NonlinearDocument, PartDocument,
+    RelativeEquilibriumDocument, Verdict,
+};
 
 /// A rate of turning in two units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -102,6 +105,27 @@ pub struct SteadySpinDocument {
     pub stability: Option<String>,
     /// What is known of its stability, as in `critical`; `null` also where `stability` is.
     pub stable: Option<Verdict>,
+    /// The verdict on its stability, with its reason.
+    pub nonlinear: Option<NonlinearDocument>,
+    /// What friction leaves of it.
+    pub friction: Option<FrictionDocument>,
+}
+
+/// Spins of a permanent axis between two changes of the type, with the verdict on rotation there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SpinStretchDocument {
+    /// Which end of the axis is up: `+axis` or `-axis`.
+    pub up: String,
+    /// The change below; `null`: rest.
+    pub from: Option<SpinDocument>,
+    /// The change above; `null`: any larger spin.
+    pub to: Option<SpinDocument>,
+    /// The spectral type.
+    pub stability: String,
+    /// The verdict, but at the spins that `verdict_changes` lists.
+    pub nonlinear: NonlinearDocument,
+    /// What friction leaves of it.
+    pub friction: FrictionDocument,
 }
 
 /// Spins at which rotation about an axis changes.
@@ -129,6 +153,8 @@ pub struct CriticalSpinDocument {
     pub slow: Option<[String; 2]>,
     /// By the end that is up, then by rising spin.
     pub changes: Vec<SpinChangeDocument>,
+    /// The spins between the changes of the type, by the end that is up, then by rising spin.
+    pub stretches: Vec<SpinStretchDocument>,
     /// What the tolerance does to the changes of stability.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<ToleranceDocument>,
@@ -223,6 +249,10 @@ pub struct SteadyDocument {
     pub one_of: Option<Multiplicity>,
     /// What is known of its stability, as in `critical`.
     pub stable: Verdict,
+    /// The verdict on its stability, with its reason.
+    pub nonlinear: NonlinearDocument,
+    /// What friction leaves of it.
+    pub friction: FrictionDocument,
     /// Frequencies of small oscillations seen from the turning body, in Hz, by size; 0 for a real pair of eigenvalues and
     /// for a pair of zeros, the same twice for a complex quadruple.
     pub frequencies_hz: [f64; 2],

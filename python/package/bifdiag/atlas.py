@@ -15,7 +15,7 @@ from .behaviour import Document, sections
 from .errors import InputError
 from .exact import Number
 from .explorer import Explorer
-from .records import Classification, Curve, Event, Region, StabilityChange
+from .records import Classification, Curve, Event, Region, StabilityChange, VerdictChange
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -150,8 +150,13 @@ class Atlas:
 
     @cached_property
     def stability_changes(self) -> tuple[StabilityChange, ...]:
-        """Points of curves at which the stability of the relative equilibria changes."""
+        """Points of curves at which the linear type of the relative equilibria changes."""
         return tuple(StabilityChange._of(document) for document in self._document["stability_changes"])
+
+    @cached_property
+    def verdict_changes(self) -> tuple[VerdictChange, ...]:
+        """Isolated points of curves at which a hypothesis of Arnold's theorem fails, by increasing l."""
+        return tuple(VerdictChange._of(document) for document in self._document["verdict_changes"])
 
     @property
     def complete(self) -> bool:
@@ -353,7 +358,8 @@ class Atlas:
     def __repr__(self) -> str:
         lines = [f"Atlas of {self.body}: {len(self.regions)} regions, {len(self.events)} events"]
         lines += [f"  {region.id}: {region.signature or sections(region.components)}" for region in self.regions]
-        lines.append("  [regions, events, curves, stability_changes; region(h, l), classify(h, l), plot(), to_json()]")
+        lists = "regions, events, curves, stability_changes, verdict_changes"
+        lines.append(f"  [{lists}; region(h, l), classify(h, l), plot(), to_json()]")
         return "\n".join(lines)
 
 

@@ -333,9 +333,12 @@ class Body:
                                       ``"double-elliptic"``, ``"double-real"`` (a double pair), ``"zero"`` (an
                                       eigenvalue 0). Across a circle of them there is one pair only: ``"elliptic"``
                                       imaginary, ``"saddle"`` real, ``"zero"`` 0; along it the eigenvalues are 0.
-            ``stable``                Why it is stable: ``"energy"`` (a minimum), ``"integral"`` (by a further
-                                      integral), ``"spectrum"`` (imaginary eigenvalues; no more is claimed);
-                                      ``"false"``: it is unstable; ``"null"``: the linearization does not decide.
+            ``stable``                Proved stable, at fixed l, up to rotation about the vertical.
+            ``stable_by``             Why: ``"energy"`` (a minimum), ``"integral"`` (a further integral),
+                                      ``"arnold"`` (Arnold's theorem); where it is not stable, ``"spectrum"`` (an
+                                      eigenvalue), ``"resonance 1:1"``, …, ``"degenerate"``.
+            ``verdict``               ``"stable"``, ``"unstable"`` or ``"open"``.
+            ``survives_friction``     It stays stable with a small friction that conserves l.
             ``eigenvalues`` (2)       Of the pairs ±λ₁, ±λ₂ of the flow reduced by l, with re ≥ 0 and im ≥ 0; of a
                                       circle its transverse pair, then 0. A quadruple gives the same one twice.
             ``eigenvalue_error``      Bound on their error.

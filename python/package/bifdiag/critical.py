@@ -16,7 +16,10 @@ FIELDS = [
     ("index", "i1"),
     ("multiplicity", "U6"),
     ("stability", "U15"),
-    ("stable", "U8"),
+    ("stable", "?"),
+    ("stable_by", "U13"),
+    ("verdict", "U8"),
+    ("survives_friction", "?"),
     ("eigenvalues", "c16", (2,)),
     ("eigenvalue_error", "f8"),
     ("branch", "U16"),
@@ -45,7 +48,10 @@ def _rows(body: _core.Body, place: int, momentum: Any) -> list[tuple[Any, ...]]:
             found["index"],
             str(found["multiplicity"]),
             found["stability"],
-            _stable(found["stable"]),
+            found["nonlinear"]["verdict"] == "stable",
+            found["nonlinear"]["why"],
+            found["nonlinear"]["verdict"],
+            found["friction"]["conserving_l"] == "survives",
             [complex(*value) for value in found["eigenvalues"]],
             found["eigenvalue_error"],
             found["branch"],
@@ -53,7 +59,3 @@ def _rows(body: _core.Body, place: int, momentum: Any) -> list[tuple[Any, ...]]:
         )
         for found in json.loads(body.critical(text))["critical"]
     ]
-
-
-def _stable(value: str | bool | None) -> str:
-    return "null" if value is None else str(value).lower()

@@ -424,6 +424,162 @@ class StabilityChange:
 
 
 @dataclass(frozen=True, slots=True)
+class VerdictChange:
+    """A point of a curve at which a hypothesis of Arnold's theorem fails, whether or not the verdict changes there.
+
+    Attributes
+    ----------
+    l : float
+        Vertical angular momentum.
+    h : float
+        Energy.
+    curve : str
+        Id of the curve on which it lies.
+    kind : str
+        What fails. ``"1:1"``: ω₁ = ω₂. ``"1:2"``: ω₁ = 2ω₂. ``"1:3"``: ω₁ = 3ω₂. ``"D4"``: D₄ = 0.
+    verdict : str
+        The verdict at the point itself. ``"stable"``: Motions that start near it stay near it for all time. ``"unstable"``:
+        Some motions that start as near as one likes leave it. ``"open"``: No theorem that the program knows decides.
+    why : str
+        Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
+        sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0. ``"spectrum"``: An
+        eigenvalue with positive real part. ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance
+        1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ = 0.
+    changes : bool
+        The verdicts before and after differ.
+    error_bound : float
+        Bound on the errors of ``l`` and ``h``.
+    proved : bool
+        ``verify`` confirms it.
+    """
+
+    l: float
+    h: float
+    curve: str
+    kind: str
+    verdict: str
+    why: str
+    changes: bool
+    error_bound: float
+    proved: bool
+
+    @classmethod
+    def _of(cls, document: Document) -> "VerdictChange":
+        return cls(
+            document["l"],
+            document["h"],
+            document["curve"],
+            document["kind"],
+            document["verdict"],
+            document["why"],
+            document["changes"],
+            document["error_bound"],
+            document["proved"],
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Resonances:
+    """Distances to the resonances, from the coefficients of λ⁴ + bλ² + c; each is 0 exactly at its resonance.
+
+    Attributes
+    ----------
+    one_to_one : float
+        (b² − 4c)/b².
+    one_to_two : float
+        (4b² − 25c)/b².
+    one_to_three : float
+        (9b² − 100c)/b².
+    """
+
+    one_to_one: float
+    one_to_two: float
+    one_to_three: float
+
+    @classmethod
+    def _of(cls, document: Document) -> "Resonances":
+        return cls(
+            document["1:1"],
+            document["1:2"],
+            document["1:3"],
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Nonlinear:
+    """The verdict on the stability of a relative equilibrium, with all that it rests on.
+
+    Attributes
+    ----------
+    verdict : str
+        Stable, unstable, or open. ``"stable"``: Motions that start near it stay near it for all time. ``"unstable"``: Some
+        motions that start as near as one likes leave it. ``"open"``: No theorem that the program knows decides.
+    why : str
+        Why. ``"energy"``: A strict minimum of U_l (Lagrange–Dirichlet). ``"integral"``: A further integral, as at the
+        sleeping top. ``"arnold"``: Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0. ``"spectrum"``: An
+        eigenvalue with positive real part. ``"resonance 1:2"``: ω₁ = 2ω₂. ``"resonance 1:3"``: ω₁ = 3ω₂. ``"resonance
+        1:1"``: ω₁ = ω₂. ``"degenerate"``: An eigenvalue zero, or D₄ = 0.
+    D4_over_s : float or None
+        Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + …
+        with the pair of positive Krein sign first; None but at index 2 with two distinct imaginary pairs, and along a
+        curve.
+    D4_error : float or None
+        Bound on its error.
+    near : Resonances or None
+        Distances to the resonances; None but at index 2 with imaginary pairs, and along a curve.
+    proved : bool
+        Decided by enclosures and exact arithmetic; in an atlas: ``verify`` confirms it.
+    """
+
+    verdict: str
+    why: str
+    D4_over_s: float | None
+    D4_error: float | None
+    near: Resonances | None
+    proved: bool
+
+    @classmethod
+    def _of(cls, document: Document) -> "Nonlinear":
+        return cls(
+            document["verdict"],
+            document["why"],
+            document["D4_over_s"],
+            document["D4_error"],
+            maybe(Resonances._of, document["near"]),
+            document["proved"],
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Friction:
+    """A relative equilibrium with friction that conserves l (Thomson, Tait and Chetaev): it survives exactly at a minimum
+    of U_l.
+
+    Attributes
+    ----------
+    conserving_l : str or None
+        What it leaves; None at a degenerate point that no theorem decides.
+    growing : int
+        Directions that grow: the Morse index.
+    rates : tuple[tuple[tuple[float, float], float], ...]
+        Pairs of ``eigenvalues``, each with d Re λ/dδ at δ = 0 for the torque −δA(ω − Ωγ): of an imaginary pair negative
+        exactly if its Krein sign is positive. Without double pairs and zeros; empty along a curve.
+    """
+
+    conserving_l: str | None
+    growing: int
+    rates: tuple[tuple[tuple[float, float], float], ...]
+
+    @classmethod
+    def _of(cls, document: Document) -> "Friction":
+        return cls(
+            document["conserving_l"],
+            document["growing"],
+            tuple(map(lambda document["rates"]: (tuple(document["rates"][0]), document["rates"][1]), document["rates"])),
+        )
+
+
+@dataclass(frozen=True, slots=True)
 class StabilitySpan:
     """A stretch of a curve with one kind of stability.
 
@@ -438,11 +594,17 @@ class StabilitySpan:
         ``"saddle-centre"``: One real and one imaginary pair. ``"saddle"``: Two real pairs; across a circle of equilibria
         one pair. ``"complex"``: A complex quadruple. ``"double-elliptic"``: A double imaginary pair. ``"double-real"``: A
         double real pair. ``"zero"``: An eigenvalue zero.
+    nonlinear : Nonlinear
+        The verdict there, but at the points that ``verdict_changes`` lists.
+    friction : Friction
+        What friction leaves of it.
     """
 
     l_from: float
     l_to: float
     stability: str
+    nonlinear: Nonlinear
+    friction: Friction
 
     @classmethod
     def _of(cls, document: Document) -> "StabilitySpan":
@@ -450,6 +612,8 @@ class StabilitySpan:
             document["l_from"],
             infinite(document["l_to"]),
             document["stability"],
+            Nonlinear._of(document["nonlinear"]),
+            Friction._of(document["friction"]),
         )
 
 

@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 
 use bifdiag_schema::{
-    CriticalDocument, Multiplicity, RelativeEquilibriumDocument, SteadyAxesDocument, SteadyAxisDocument, Verdict,
-    eigenvalues_in_words, small_motions,
+    CriticalDocument, Damped, FrictionDocument, Multiplicity, RelativeEquilibriumDocument, SteadyAxesDocument,
+    SteadyAxisDocument, eigenvalues_in_words, small_motions,
 };
 
 use crate::cli::input::head;
 use crate::cli::terminal::{Report, Table, bound, fixed, significant};
 use bifdiag_documents::Subject;
+use bifdiag_documents::words::counted;
 
 /// Significant digits of the table.
 const DIGITS: usize = 10;
@@ -97,12 +98,12 @@ fn count(multiplicity: Multiplicity) -> String {
 
 /// Types, verdicts, small motions and eigenvalues as a table, and what its words mean.
 fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriumDocument]) {
-    let mut motions = Table::new(&["curve", "type", "stable", "small motions", "eigenvalues"]);
+    let mut motions = Table::new(&["curve", "type", "stability", "small motions", "eigenvalues"]);
     for point in points {
         motions.row([
             point.branch.clone(),
             point.stability.word().to_owned(),
-            point.stable.word().to_owned(),
+            point.nonlinear.to_string(),
             small_motions(&[point.eigenvalues], |time| significant(time, 6)),
             eigenvalues_in_words(&point.eigenvalues, |x| significant(x, 6)),
         ]);
@@ -119,11 +120,6 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
         "period: of a small oscillation; growth: the time in which a small deviation grows by the factor e{times}"
     ));
     report.line(format!("eigenvalues: of the linearised flow at fixed l, {rates}"));
-    if points.iter().any(|point| point.stable == Verdict::Spectrum) {
-        report.line(
-            "spectrally stable is not stable: all eigenvalues are imaginary, and stability itself is not decided",
-        );
-    }
     if points.iter().any(|point| matches!(point.multiplicity, Multiplicity::Points(2..))) {
         report.line(
             "mult 2: degenerate; at a cusp two critical points meet in it, at a pitchfork three (or a circle and one)",
@@ -138,6 +134,7 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
             ));
         }
     }
+    report.line(with_friction(points));
     if let Some(all) = points.iter().find(|point| point.multiplicity == Multiplicity::Sphere) {
         report.line(if all.omega == 0.0 {
             "sphere: at rest every orientation is an equilibrium; they are judged as a whole"
@@ -145,6 +142,29 @@ fn motions(report: &mut Report, subject: &Subject, points: &[&RelativeEquilibriu
             "sphere: rotation about every axis is a relative equilibrium"
         });
     }
+}
+
+/// What friction that conserves l leaves: on which curves the body stays stable, and in how many directions it falls from others.
+fn with_friction(points: &[&RelativeEquilibriumDocument]) -> String {
+    let curves = |is: &dyn Fn(&FrictionDocument) -> bool| {
+        let mut found: Vec<&str> = points.iter().filter(|p| is(&p.friction)).map(|p| p.branch.as_str()).collect();
+        found.dedup();
+        found.join(", ")
+    };
+    let damped = |left: Option<Damped>| move |friction: &FrictionDocument| friction.conserving_l == left;
+    let lost = |growing: u8| {
+        let is = move |f: &FrictionDocument| f.conserving_l == Some(Damped::Lost) && f.growing == growing;
+        (format!("unstable in {}", counted(growing, "direction", "directions")), curves(&is))
+    };
+    let all = [
+        ("stable".to_owned(), curves(&damped(Some(Damped::Survives)))),
+        lost(1),
+        lost(2),
+        ("open".to_owned(), curves(&damped(None))),
+    ];
+    let told: Vec<String> =
+        all.into_iter().filter(|(_, curves)| !curves.is_empty()).map(|(what, on)| format!("{what} on {on}")).collect();
+    format!("with friction that conserves l:\n  {}", told.join("\n  "))
 }
 
 /// What was written of a table.

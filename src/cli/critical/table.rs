@@ -2,7 +2,9 @@
 
 use bifdiag_body::{Body, Number};
 use bifdiag_equilibria::critical::{Equilibria, Multiplicity as Points, RelativeEquilibria};
-use bifdiag_schema::{Multiplicity, SCHEMA_VERSION, SpinDocument, Stability, SteadyAxesDocument, Verdict};
+use bifdiag_schema::{
+    Multiplicity, NonlinearVerdict, Reason, SCHEMA_VERSION, SpinDocument, Stability, SteadyAxesDocument, Verdict,
+};
 use serde::Serialize;
 
 use super::momenta::Momenta;
@@ -27,6 +29,8 @@ struct Meta<'a> {
     spin: Option<SpinDocument>,
     stability: [Stability; 7],
     stable: [Verdict; 6],
+    verdict: [NonlinearVerdict; 3],
+    why: [Reason; 8],
     multiplicity: [Multiplicity; 4],
     branches: Vec<(String, String)>,
     eigenvalue_error: f64,
@@ -45,6 +49,9 @@ struct Rows {
     multiplicity: Vec<i8>,
     stability: Vec<i8>,
     stable: Vec<i8>,
+    verdict: Vec<i8>,
+    why: Vec<i8>,
+    survives_friction: Vec<i8>,
     eigenvalues: Vec<f64>,
     branch: Vec<i32>,
     branches: Vec<(String, String)>,
@@ -74,6 +81,11 @@ pub fn at_spin(body: &Body, document: &SteadyAxesDocument, found: &Equilibria) -
     Ok(rows.columns(body, None, Some(document.spin), [axes], [folds])?)
 }
 
+/// The place of a word in its list.
+fn place<T: PartialEq>(words: &[T], word: &T) -> i8 {
+    words.iter().zip(0..).find(|(known, _)| *known == word).map_or(-1, |(_, place)| place)
+}
+
 impl Rows {
     /// Adds the equilibria of question `k`, at l as it was given.
     fn extend(&mut self, found: &Equilibria, k: u32, l: Option<f64>) {
@@ -93,8 +105,12 @@ impl Rows {
                 Points::Sphere => 3,
             });
             self.stability.push(bifdiag_documents::type_code(point.stability));
-            self.stable
-                .push(bifdiag_documents::verdict_code(bifdiag_documents::verdict(&point.nonlinear, point.stability)));
+            let nonlinear = bifdiag_documents::nonlinear(&point.nonlinear);
+            let stability = bifdiag_documents::stability(point.stability);
+            self.stable.push(place(&bifdiag_documents::VERDICTS, &Verdict::of(&nonlinear, stability)));
+            self.verdict.push(place(&bifdiag_documents::NONLINEAR_VERDICTS, &nonlinear.verdict));
+            self.why.push(place(&bifdiag_documents::REASONS, &nonlinear.why));
+            self.survives_friction.push(i8::from(point.friction.survives == Some(true)));
             self.eigenvalues.extend(point.eigenvalues.pairs.as_flattened());
             self.eigenvalue_error = self.eigenvalue_error.max(point.eigenvalues.error);
             let id = point.curve.map_or_else(String::new, |curve| curve.to_string());
@@ -124,6 +140,8 @@ impl Rows {
             spin,
             stability: bifdiag_documents::LINEAR_TYPES,
             stable: bifdiag_documents::VERDICTS,
+            verdict: bifdiag_documents::NONLINEAR_VERDICTS,
+            why: bifdiag_documents::REASONS,
             multiplicity: [
                 Multiplicity::Points(1),
                 Multiplicity::Points(2),
@@ -146,6 +164,9 @@ impl Rows {
             ("multiplicity", Values::words(&meta.multiplicity, Values::Int8(self.multiplicity))?),
             ("stability", Values::words(&meta.stability, Values::Int8(self.stability))?),
             ("stable", Values::words(&meta.stable, Values::Int8(self.stable))?),
+            ("verdict", Values::words(&meta.verdict, Values::Int8(self.verdict))?),
+            ("why", Values::words(&meta.why, Values::Int8(self.why))?),
+            ("survives_friction", Values::Int8(self.survives_friction)),
             ("eigenvalues", eigenvalues),
             ("branch", Values::words(&ids, Values::Int32(self.branch))?),
         ];

@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use bifdiag_body::part::Spin;
 use bifdiag_documents::Subject;
-use bifdiag_equilibria::permanent::{AxisRotation, SpinType, angle_between, permanent_axis};
+use bifdiag_equilibria::nonlinear::Verdict;
+use bifdiag_equilibria::permanent::{AxisRotation, angle_between, permanent_axis};
 use bifdiag_numbers::Sign;
-use bifdiag_plot::{Campbell, draw_campbell};
+use bifdiag_plot::{Campbell, Known, draw_campbell};
 use clap::Args;
 use dashu_ratio::RBig;
 
@@ -74,7 +75,7 @@ pub fn run(arguments: &CampbellArguments, timings: &Timings) -> Result<(), Failu
         .partition(|change| change.spin.rad_per_s <= largest);
     if !arguments.no_plot {
         let scene = Campbell {
-            rows: rows.iter().map(|row| (row.rpm, row.frequencies, row.stable)).collect(),
+            rows: rows.iter().map(|row| (row.rpm, row.frequencies, row.known)).collect(),
             changes: changes.iter().map(|change| change.spin.rpm).collect(),
         };
         let picture = draw_campbell(&scene, bifdiag_plot::Theme::Light)?;
@@ -127,7 +128,7 @@ struct Row {
     /// The slower one first; NaN for pairs of eigenvalues that are real or zero.
     frequencies: [f64; 2],
     growth: f64,
-    stable: bool,
+    known: Known,
 }
 
 fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
@@ -136,25 +137,34 @@ fn rows(rotation: &AxisRotation, largest: f64, second: f64) -> Vec<Row> {
         let omega = RBig::try_from(spin / second).unwrap_or_default();
         let (frequencies, growth) = rotation.frequencies_and_growth(&omega);
         let [p, q] = frequencies.map(|frequency| Spin::hertz(frequency * second));
-        let stable = rotation.type_at_spin(&omega).is_some_and(SpinType::is_stable);
+        let judged = rotation.stability_at_spin(&omega);
+        let known = judged.map_or(Known::Open, |judged| match judged.nonlinear.verdict {
+            Verdict::Stable if judged.friction.survives == Some(true) => Known::Lasting,
+            Verdict::Stable => Known::Frictionless,
+            Verdict::Open => Known::Open,
+            Verdict::Unstable => Known::Unstable,
+        });
+        let grows = judged.is_none_or(|judged| judged.kind.is_unstable());
         Row {
             rpm: Spin::rpm(spin),
             frequencies: [p.min(q), p.max(q)].map(|frequency| if frequency == 0.0 { f64::NAN } else { frequency }),
-            growth: if stable { 0.0 } else { growth * second },
-            stable,
+            growth: if grows { growth * second } else { 0.0 },
+            known,
         }
     };
     (1..=STEPS).map(row).collect()
 }
 
 fn columns(rows: &[Row]) -> Columns {
+    let flags = |is: fn(&Row) -> bool| Values::Int8(rows.iter().map(|row| i8::from(is(row))).collect());
     let floats = |value: fn(&Row) -> f64| Values::floats(rows.iter().map(value));
     let columns = [
         ("spin_rpm", floats(|row| row.rpm)),
         ("frequency1_hz", floats(|row| row.frequencies[0])),
         ("frequency2_hz", floats(|row| row.frequencies[1])),
         ("growth_per_s", floats(|row| row.growth)),
-        ("stable", Values::Int8(rows.iter().map(|row| i8::from(row.stable)).collect())),
+        ("stable", flags(|row| matches!(row.known, Known::Lasting | Known::Frictionless))),
+        ("survives_friction", flags(|row| row.known == Known::Lasting)),
     ];
     let columns = columns.into_iter().map(|(name, values)| Column { name, values }).collect();
     Columns { columns, meta: String::new() }

@@ -6,7 +6,7 @@ use bifdiag_equilibria::permanent::{NearestAxis, exact_spin, nearest_steady};
 use bifdiag_exact::{Accuracy, Solver};
 use bifdiag_numbers::Number;
 use bifdiag_numbers::vector::dot;
-use bifdiag_schema::{CriticalSpinDocument, SteadySpinDocument};
+use bifdiag_schema::{CriticalSpinDocument, SpinDocument, SteadySpinDocument, Verdict};
 use clap::Args;
 use dashu_ratio::RBig;
 
@@ -17,7 +17,7 @@ use super::tolerance::{self, ToleranceArgument};
 use crate::cli::export::answer;
 use crate::cli::failure::Failure;
 use crate::cli::input::{BodyArguments, head};
-use crate::cli::terminal::{Report, Timings, significant};
+use crate::cli::terminal::{Report, Table, Timings, significant};
 
 pub const CRITICAL_SPIN_EXAMPLES: &str = "\
 Examples:
@@ -122,6 +122,7 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
         },
         slow: None,
         changes: Vec::new(),
+        stretches: Vec::new(),
         tolerance: None,
         note: None,
         part: subject.part.clone(),
@@ -144,6 +145,8 @@ fn document(subject: &Subject, given: &AxisArgument, known: &Known<'_>) -> Criti
     let second = subject.second();
     let Changes { changes, slow, rotations } = changes_about(subject, axis, atlas);
     document.changes = changes;
+    let stretches = rotations.iter().flat_map(|(up, rotation)| bifdiag_documents::spin_stretches(rotation, up, second));
+    document.stretches = stretches.collect();
     document.tolerance = match known {
         Known::Exactly => None,
         Known::Relative(tolerance) => Some(bifdiag_documents::tolerance(&rotations, &tolerance.0, second)),
@@ -186,16 +189,19 @@ fn steady_spin(subject: &Subject, given: &AxisArgument, axis: &NearestAxis) -> O
     let (a, r) = (subject.body.moments_f64(), subject.body.center_f64());
     let l = omega * dot(up, [0, 1, 2].map(|k| a[k] * up[k]));
     let found = nearest_steady(&subject.body, &exact_omega, &exact_up).filter(|found| found.angle <= MEANT);
+    let point = found.as_ref().map(|found| &found.equilibrium);
+    let nonlinear = point.map(|point| bifdiag_documents::nonlinear(&point.nonlinear));
     Some(SteadySpinDocument {
         up: end_up(s).to_owned(),
         spin: bifdiag_documents::spin(omega * subject.second()),
         l,
         h: 0.5 * omega * l + dot(up, r),
-        stability: found.as_ref().map(|found| found.equilibrium.stability.word().to_owned()),
-        stable: found.map(|found| {
-            let steady = &found.equilibrium;
-            bifdiag_documents::verdict(&steady.nonlinear, steady.stability)
-        }),
+        stability: point.map(|point| point.stability.word().to_owned()),
+        stable: point
+            .zip(nonlinear)
+            .map(|(point, nonlinear)| Verdict::of(&nonlinear, bifdiag_documents::stability(point.stability))),
+        nonlinear,
+        friction: point.map(|point| bifdiag_documents::friction(&point.friction, &point.eigenvalues.pairs)),
     })
 }
 
@@ -238,9 +244,29 @@ fn text(subject: &Subject, document: &CriticalSpinDocument) -> String {
     } else {
         report.line(table_of_changes(&document.changes, if unknown { "not known" } else { "same" }));
     }
+    report.line(stretches(document));
     tolerance::report(&mut report, document);
     note(&mut report, document);
     report.text()
+}
+
+/// The verdicts between the changes as a table.
+fn stretches(document: &CriticalSpinDocument) -> String {
+    let mut table = Table::new(&["up", "from rpm", "to rpm", "stability", "with friction"]);
+    for stretch in &document.stretches {
+        let rpm = |spin: &Option<SpinDocument>, none: &str| match spin {
+            Some(spin) => significant(spin.rpm, 8),
+            None => none.to_owned(),
+        };
+        table.row([
+            stretch.up.clone(),
+            rpm(&stretch.from, "rest"),
+            rpm(&stretch.to, "inf"),
+            words::verdict(&stretch.nonlinear),
+            words::with_friction(&stretch.friction),
+        ]);
+    }
+    format!("\n{}", table.text())
 }
 
 /// At which spin rotation about the axis itself is steady.
@@ -252,8 +278,10 @@ fn at_one_spin(report: &mut Report, document: &CriticalSpinDocument) {
             "rotation about {which} is steady at one spin only: {rpm} rpm = {rad_per_s} rad/s, {} up",
             steady.up
         ));
-        let stability = match (steady.stable, &steady.stability) {
-            (Some(stable), Some(stability)) => format!(", {}: {stability}", words::verdict(stable)),
+        let stability = match (&steady.nonlinear, &steady.friction, &steady.stability) {
+            (Some(verdict), Some(friction), Some(stability)) => {
+                format!(", {}: {stability}; with friction {}", words::verdict(verdict), words::with_friction(friction))
+            }
             _ => ", its stability was not found".to_owned(),
         };
         report.line(format!("h = {}, l = {}{stability}", significant(steady.h, 10), significant(steady.l, 10)));

@@ -1,9 +1,10 @@
-//! States and spins: `bifdiag state`, `bifdiag critical-spin`, `bifdiag campbell`.
+//! States and spins: `bifdiag state`, `bifdiag critical-spin`, `bifdiag campbell`, `bifdiag spin-down`.
 
 mod all;
 mod axis;
 mod campbell;
 mod critical;
+mod down;
 mod permanent;
 mod state;
 mod steady;
@@ -11,4 +12,5 @@ mod tolerance;
 
 pub use campbell::{CAMPBELL_EXAMPLES, CampbellArguments, run as campbell};
 pub use critical::{CRITICAL_SPIN_EXAMPLES, CriticalSpinArguments, run as critical_spin};
+pub use down::{SPIN_DOWN_EXAMPLES, SpinDownArguments, run as spin_down};
 pub use state::{STATE_EXAMPLES, StateArguments, run as state};

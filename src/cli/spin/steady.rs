@@ -4,7 +4,7 @@ use bifdiag_body::part::Spin;
 use bifdiag_diagram::atlas::Spot;
 use bifdiag_documents::{Subject, words};
 use bifdiag_equilibria::permanent::{
-    AxisRotation, Judged, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
+    AxisRotation, PermanentAxis, SteadyRotation, angle_between, nearest_steady, permanent_axis,
 };
 use bifdiag_exact::Solver;
 use bifdiag_numbers::vector::norm;
@@ -80,12 +80,13 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
     // γ points down.
     let rotation = AxisRotation::about(&subject.body, axis, Sign::Negative)?;
     let [below, at, above] = bifdiag_documents::changes_beside(&rotation, "+axis", prepared.atlas(), second, omega);
-    let Some(Judged { kind, nonlinear, .. }) = rotation.stability_at_spin(omega) else {
+    let Some(judged) = rotation.stability_at_spin(omega) else {
         let up = axis.direction.map(|x| RBig::try_from(x).unwrap_or_default());
         let found = SteadyRotation { angle, ..nearest_steady(&subject.body, omega, &up)? };
         return Some(SteadyDocument { below, at, above, ..steady(question, &found, prepared) });
     };
-    let verdict = bifdiag_documents::verdict(&nonlinear, kind);
+    let nonlinear = bifdiag_documents::nonlinear(&judged.nonlinear);
+    let friction = bifdiag_documents::friction(&judged.friction, &judged.eigenvalues.pairs);
     let (frequencies, growth) = rotation.frequencies_and_growth(omega);
     let (h, l) = rotation.point(omega);
     let size = norm(subject.body.center_f64()) + 0.5 * l.to_f64() * omega.to_f64().value();
@@ -94,11 +95,13 @@ fn about_axis(question: &Question<'_>, axis: PermanentAxis, angle: f64, prepared
         angle_deg: told_angle(angle),
         h: h.to_f64(),
         l: l.to_f64(),
-        stability: kind.word().to_owned(),
+        stability: judged.kind.word().to_owned(),
         one_of: one_of(rotation.multiplicity()),
-        stable: verdict,
+        stable: Verdict::of(&nonlinear, bifdiag_documents::stability(judged.kind)),
+        nonlinear,
+        friction,
         frequencies_hz: by_size(frequencies.map(|frequency| Spin::hertz(frequency * second))),
-        growth_time_s: (verdict == Verdict::Unstable).then(|| 1.0 / (growth * second)),
+        growth_time_s: judged.kind.is_unstable().then(|| 1.0 / (growth * second)),
         at,
         below,
         above,
@@ -115,6 +118,7 @@ fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Solver) ->
     let point = &found.equilibrium;
     let growth = point.eigenvalues.pairs.iter().map(|pair| pair[0]).fold(0.0, f64::max);
     let [h, l] = &found.place;
+    let nonlinear = bifdiag_documents::nonlinear(&point.nonlinear);
     let document = SteadyDocument {
         axis: subject.to_given(found.gamma.map(|x| 0.0 - x)),
         angle_deg: told_angle(found.angle),
@@ -122,7 +126,9 @@ fn steady(question: &Question<'_>, found: &SteadyRotation, prepared: &Solver) ->
         l: l.to_f64(),
         stability: point.stability.word().to_owned(),
         one_of: one_of(point.multiplicity),
-        stable: bifdiag_documents::verdict(&point.nonlinear, point.stability),
+        stable: Verdict::of(&nonlinear, bifdiag_documents::stability(point.stability)),
+        nonlinear,
+        friction: bifdiag_documents::friction(&point.friction, &point.eigenvalues.pairs),
         frequencies_hz: by_size(point.eigenvalues.pairs.map(|pair| Spin::hertz(pair[1] * second))),
         growth_time_s: (growth > 0.0).then(|| 1.0 / (growth * second)),
         at: None,
@@ -157,7 +163,8 @@ fn with_regions(document: SteadyDocument, regions: Option<[Spot; 2]>) -> SteadyD
 
 /// Its stability in words.
 pub fn told(report: &mut Report, steady: &SteadyDocument) {
-    report.line(format!("steady rotation, {}: {}", words::verdict(steady.stable), steady.stability));
+    report.line(format!("steady rotation, {}: {}", words::verdict(&steady.nonlinear), steady.stability));
+    report.line(format!("with friction that conserves l: {}", words::with_friction(&steady.friction)));
     match steady.one_of {
         Some(Multiplicity::Circle) => {
             report.line("it is one of a circle of steady rotations, which are judged as a whole");

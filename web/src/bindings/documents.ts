@@ -1,7 +1,7 @@
 /** The documents as the page receives them, and what it exchanges beside them. */
 import type { Atlas as AtlasDocument, Body, Drawing, Part, VerdictName } from "./schema";
 
-export type { Classification, Component, Critical, Curve, Orbit, Region, Window } from "./schema";
+export type { Classification, Component, Critical, Curve, Orbit, Reason, Region, RelativeEquilibrium, Window } from "./schema";
 
 export type Triple = Part["A"];
 

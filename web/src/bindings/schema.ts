@@ -20,6 +20,8 @@ export interface Atlas {
   events: Event[];
   /** Every change of the linear type along a branch, by rising l. */
   stability_changes: StabilityChange[];
+  /** Every isolated point of a curve at which a hypothesis of Arnold's theorem fails, by rising l, then h. */
+  verdict_changes: VerdictChange[];
   /** Every region. */
   regions: Region[];
   /** Totals. */
@@ -136,10 +138,59 @@ export interface StabilitySpan {
   l_to: number | null;
   /** The linear type there. */
   stability: Stability;
+  /** The verdict there, but at the points that `verdict_changes` lists. */
+  nonlinear: Nonlinear;
+  /** What friction leaves of it. */
+  friction: Friction;
 }
 
 /** Linear type of a relative equilibrium, decided exactly: the eigenvalues ±λ₁, ±λ₂ of the Euler–Poisson flow reduced by l. */
 export type Stability = "elliptic" | "saddle-centre" | "saddle" | "complex" | "double-elliptic" | "double-real" | "zero";
+
+/** The verdict on the stability of a relative equilibrium, with all that it rests on. */
+export interface Nonlinear {
+  /** Stable, unstable, or open. */
+  verdict: NonlinearVerdict;
+  /** Why. */
+  why: Reason;
+  /** Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + … with the pair of positive Krein sign first; `null` but at index 2 with two distinct imaginary pairs, and along a curve. */
+  D4_over_s: number | null;
+  /** Bound on its error. */
+  D4_error: number | null;
+  /** Distances to the resonances; `null` but at index 2 with imaginary pairs, and along a curve. */
+  near: Resonances | null;
+  /** Decided by enclosures and exact arithmetic; in an atlas: `verify` confirms it. */
+  proved: boolean;
+}
+
+/** Whether a relative equilibrium is stable: in the sense of Lyapunov, at fixed l, modulo rotation about the vertical. */
+export type NonlinearVerdict = "stable" | "unstable" | "open";
+
+/** Why a relative equilibrium has its verdict. */
+export type Reason = "energy" | "integral" | "arnold" | "spectrum" | "resonance 1:2" | "resonance 1:3" | "resonance 1:1" | "degenerate";
+
+/** Distances to the resonances, from the coefficients of λ⁴ + bλ² + c; each is 0 exactly at its resonance. */
+export interface Resonances {
+  /** (b² − 4c)/b². */
+  "1:1": number;
+  /** (4b² − 25c)/b². */
+  "1:2": number;
+  /** (9b² − 100c)/b². */
+  "1:3": number;
+}
+
+/** A relative equilibrium with friction that conserves l (Thomson, Tait and Chetaev): it survives exactly at a minimum of U_l. */
+export interface Friction {
+  /** What it leaves; `null` at a degenerate point that no theorem decides. */
+  conserving_l: Damped | null;
+  /** Directions that grow: the Morse index. */
+  growing: number;
+  /** Pairs of `eigenvalues`, each with d Re λ/dδ at δ = 0 for the torque −δA(ω − Ωγ): of an imaginary pair negative exactly if its Krein sign is positive. Without double pairs and zeros; empty along a curve. */
+  rates: [[number, number], number][];
+}
+
+/** What friction that conserves l leaves of the stability. */
+export type Damped = "survives" | "lost";
 
 /** How a curve goes on to infinity: h = l²/(2 J) + h0 + O(l⁻²). */
 export interface Tail {
@@ -200,6 +251,31 @@ export interface StabilityChange {
 
 /** How the linear type changes along a branch. The list is open. */
 export type StabilityChangeKind = "hamiltonian-hopf" | "real-collision" | "zero";
+
+/** A point of a curve at which a hypothesis of Arnold's theorem fails, whether or not the verdict changes there. */
+export interface VerdictChange {
+  /** Vertical angular momentum. */
+  l: number;
+  /** Energy. */
+  h: number;
+  /** Id of the curve on which it lies. */
+  curve: string;
+  /** What fails. */
+  kind: Failing;
+  /** The verdict at the point itself. */
+  verdict: NonlinearVerdict;
+  /** Why. */
+  why: Reason;
+  /** The verdicts before and after differ. */
+  changes: boolean;
+  /** Bound on the errors of `l` and `h`. */
+  error_bound: number;
+  /** `verify` confirms it. */
+  proved: boolean;
+}
+
+/** Which of the hypotheses of Arnold's theorem fails. */
+export type Failing = "1:1" | "1:2" | "1:3" | "D4";
 
 /** A connected face of the (h, l) half-plane l > 0, on which the topology is constant. */
 export interface Region {
@@ -560,8 +636,12 @@ export interface RelativeEquilibrium {
   multiplicity: Multiplicity;
   /** Linear type of the flow reduced by l. */
   stability: Stability;
-  /** What is known of its stability. */
+  /** By what it is stable, as far as that is known: `nonlinear` in one word. */
   stable: Verdict;
+  /** The verdict on its stability, with its reason. */
+  nonlinear: Nonlinear;
+  /** What friction leaves of it. */
+  friction: Friction;
   /** The two of ±λ₁, ±λ₂ with re ≥ 0 and im ≥ 0, as [re, im], real ones first, then by size. A complex quadruple gives the same pair twice; a circle its transverse pair, then [0, 0]. */
   eigenvalues: [[number, number], [number, number]];
   /** Bound on the error of each of the four numbers. */

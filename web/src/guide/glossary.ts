@@ -16,7 +16,7 @@ export const GLOSSARY: [string, string][] = [
   ["Curve, branch", "In the diagram: the values (l, h) of a family of steady rotations."],
   ["Event", "A point of the diagram where curves cross, meet in a cusp, or branch (a pitchfork)."],
   ["Index", "The number of directions in which U_l decreases from a steady rotation: 0 minimum, 1 saddle, 2 maximum. Also: Morse index."],
-  ["Stability", "From the eigenvalues of the motion near a steady rotation. Elliptic: nearby motions stay near, to first order. Saddle: some move away."],
+  ["Stability", "A steady rotation is stable if motions that start near it stay near it for ever, at the same l and up to rotation about the vertical. It is proved by a minimum of the energy, by a further integral or by Arnold's theorem; friction leaves only minima stable."],
   ["Margin", "Distance in h to the nearest curve."],
   ["Regular, chaotic, open", "The verdict on an orbit from two independent criteria: how fast nearby motions separate from it, and whether its averages settle. Open: the criteria do not agree or do not decide."],
   ["Lyapunov exponent", "The rate at which neighbouring motions separate, per unit of time; for regular orbits near 0 and decreasing with the observation time."],

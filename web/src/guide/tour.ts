@@ -22,7 +22,7 @@ export const TOUR: Step[] = [
   },
   {
     title: "Curves are steady rotations",
-    text: "On each solid or dashed curve the body can turn steadily about the vertical: solid where that rotation is stable to first order, dashed where it is not. Dots are events, where curves meet, end in cusps or split. The dotted lines are not steady rotations: there it becomes possible for the centre of mass to hang straight down or stand straight up.",
+    text: "On each solid or dashed curve the body can turn steadily about the vertical: solid where that rotation is stable (thin if only as long as there is no friction), dashed where it is unstable. Dots are events, where curves meet, end in cusps or split. The dotted lines are not steady rotations: there it becomes possible for the centre of mass to hang straight down or stand straight up.",
     attempt: "Hover over a curve to see its index and stability.",
     state: { view: { h: [0.5, 6], l: [1.7, 4] } },
   },

@@ -94,16 +94,21 @@ function paintCurves(pen: Pen, area: Area, { document, curves, window }: Drawn, 
       stroke(pen, area, window, points, -Infinity, Infinity, [2, 3]);
       continue;
     }
-    const spans = curve.stability.length > 0 ? curve.stability : [{ l_from: 0, l_to: Infinity, stability: curve.index === 0 ? "elliptic" : "saddle" }];
-    spans.forEach(({ l_from, l_to, stability }, i) => {
+    const wide = pen.lineWidth;
+    const spans = curve.stability.length > 0 ? curve.stability : [{ l_from: 0, l_to: Infinity, nonlinear: null, friction: null }];
+    spans.forEach(({ l_from, l_to, nonlinear, friction }, i) => {
       const last = i === spans.length - 1 ? Infinity : (l_to ?? Infinity);
-      stroke(pen, area, window, points, i === 0 ? -Infinity : l_from, last, stable(stability) ? [] : [7, 4]);
+      const verdict = nonlinear?.verdict ?? "open";
+      // Thin: stable without friction only.
+      pen.lineWidth = verdict === "stable" && friction?.conserving_l !== "survives" ? wide / 2.5 : wide;
+      stroke(pen, area, window, points, i === 0 ? -Infinity : l_from, last, DASHES[verdict]);
     });
   }
   pen.setLineDash([]);
 }
 
-const stable = (stability: string) => /^(elliptic|double-elliptic)$/.test(stability);
+/** Lines of curves by the verdict on their stability. */
+const DASHES = { stable: [], unstable: [7, 4], open: [2, 3] };
 
 /** The part of a polyline with l between two values. */
 function stroke(pen: Pen, area: Area, window: Window, points: Float64Array, from: number, to: number, dash: number[]): void {

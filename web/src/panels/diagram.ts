@@ -4,7 +4,7 @@ import { make, panel } from "../draw/dom";
 import { tipAt } from "../draw/tip";
 import { rounded, shown, surface, valueOf } from "../state/numbers";
 import type { Session } from "../state/session";
-import type { Window } from "../bindings/documents";
+import type { Reason, RelativeEquilibrium, Window } from "../bindings/documents";
 import { paintDiagram, placeOf, plot, valueAt } from "./diagram-paint";
 import { gestures } from "./gestures";
 
@@ -116,11 +116,28 @@ async function hover(session: Session, sheet: Sheet, tip: HTMLElement, x: number
   tipAt(tip, sheet.size, [x, y], lines);
 }
 
+/** The verdict on a steady motion, without friction and with it. */
+export function stabilityLine({ nonlinear, friction }: Pick<RelativeEquilibrium, "nonlinear" | "friction">): string {
+  const damped = { survives: "stable too", lost: `unstable in ${friction.growing} direction${friction.growing === 1 ? "" : "s"}`, open: "open" };
+  return `${nonlinear.verdict} (${WHY[nonlinear.why]}); with friction ${damped[friction.conserving_l ?? "open"]}`;
+}
+
+const WHY: Record<Reason, string> = {
+  energy: "minimum of energy",
+  integral: "a further integral",
+  arnold: "Arnold's theorem",
+  spectrum: "eigenvalues",
+  "resonance 1:2": "1:2 resonance",
+  "resonance 1:3": "1:3 resonance",
+  "resonance 1:1": "1:1 resonance",
+  degenerate: "degenerate",
+};
+
 /** Stability of the steady motion on a curve. */
 async function curveLines(session: Session, curve: string, h: number, l: number): Promise<string[]> {
   const found = await session.equilibria(String(l)).catch(() => null);
   const nearest = found?.critical.reduce<typeof found.critical[number] | null>((best, one) => (!best || Math.abs(one.h - h) < Math.abs(best.h - h) ? one : best), null);
   if (!nearest || nearest.branch !== curve) return [];
   const values = nearest.eigenvalues?.map(([re, im]) => `±${shown(re, 3)} ± ${shown(im, 3)}i`).join(", ");
-  return [`steady rotation, index ${nearest.index}, ${nearest.stability}`, ...(values ? [`eigenvalues ${values}`] : [])];
+  return [`steady rotation, index ${nearest.index}, ${nearest.stability}`, stabilityLine(nearest), ...(values ? [`eigenvalues ${values}`] : [])];
 }

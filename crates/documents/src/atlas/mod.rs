@@ -62,6 +62,7 @@ pub fn document(atlas: &Atlas, options: &DocumentOptions) -> AtlasDocument {
         curves,
         events,
         stability_changes: stability.changes(window.as_ref()),
+        verdict_changes: Vec::new(),
         regions,
         summary,
         drawing,

@@ -1,21 +1,34 @@
 //! The linear type along the curves of an atlas, and where it changes.
 
 use bifdiag_diagram::atlas::{Atlas, Window};
+use bifdiag_equilibria::critical::RelativeEquilibria;
 use bifdiag_equilibria::curves::{CurveId, CurveName};
+use bifdiag_equilibria::nonlinear::{Setting, Verdict, Why};
 use bifdiag_equilibria::stability::LinearTypes;
-use bifdiag_schema::{StabilityChangeDocument, StabilitySpan, UndecidedDocument};
+use bifdiag_numbers::Number;
+use bifdiag_schema::{FrictionDocument, NonlinearDocument, StabilityChangeDocument, StabilitySpan, UndecidedDocument};
 
 use crate::critical::{change, stability};
+use crate::stability::{damped, nonlinear_verdict, reason};
 
 /// What is known of the stability of a body's curves.
 pub(super) struct Stability<'a> {
     atlas: &'a Atlas,
     types: LinearTypes<'a>,
+    equilibria: Option<RelativeEquilibria<'a>>,
 }
+
+/// Places on a stretch, relative to its length or, without end, its beginning.
+const INSIDE: [f64; 3] = [0.5, 0.41, 0.63];
 
 impl<'a> Stability<'a> {
     pub fn new(atlas: &'a Atlas) -> Self {
-        Self { atlas, types: LinearTypes::new(atlas.body(), &atlas.arrangement().set) }
+        let body = atlas.body();
+        Self {
+            atlas,
+            types: LinearTypes::new(body, &atlas.arrangement().set),
+            equilibria: RelativeEquilibria::new(body).ok(),
+        }
     }
 
     /// The types along a curve; what is missing is entered as undecided.
@@ -33,12 +46,43 @@ impl<'a> Stability<'a> {
             });
             return Vec::new();
         };
-        let document = |span: &bifdiag_equilibria::stability::StabilitySpan| StabilitySpan {
-            l_from: span.l_from,
-            l_to: span.l_to,
-            stability: stability(span.stability),
+        let Some(setting) = Setting::along(set, &set.curves[id]) else { return Vec::new() };
+        let document = |span: &bifdiag_equilibria::stability::StabilitySpan| {
+            let known = setting.verdict(span.stability);
+            let (verdict, why) =
+                known.unwrap_or_else(|| self.inside(id, [span.l_from, span.l_to.unwrap_or(f64::INFINITY)]));
+            StabilitySpan {
+                l_from: span.l_from,
+                l_to: span.l_to,
+                stability: stability(span.stability),
+                // What rests on the normal form `verify` does not check.
+                nonlinear: NonlinearDocument::along(nonlinear_verdict(verdict), reason(why), known.is_some()),
+                friction: FrictionDocument {
+                    conserving_l: Some(damped(setting.index == 0)),
+                    growing: setting.index,
+                    rates: Vec::new(),
+                },
+            }
         };
         spans.iter().map(document).collect()
+    }
+
+    /// The verdict along a stretch of a curve with two imaginary pairs at index 2: that at one point, since D₄ is an analytic
+    /// function along the curve, which vanishes at isolated points only.
+    fn inside(&self, id: CurveId, [from, to]: [f64; 2]) -> (Verdict, Why) {
+        let name = Some(CurveName::of(&self.atlas.arrangement().set, id));
+        let points = INSIDE.iter().filter_map(|part| {
+            let l = if to.is_finite() { from + part * (to - from) } else { (from + self.atlas.momentum(1.0)) / part };
+            let found = self.equilibria.as_ref()?.at(&Number::from_f64(l).ok()?).ok()?;
+            found
+                .list
+                .iter()
+                .find(|point| point.curve == name)
+                .map(|point| (point.nonlinear.verdict, point.nonlinear.why))
+        });
+        let mut first = None;
+        let decided = points.inspect(|found| first = first.or(Some(*found))).find(|found| found.0 == Verdict::Stable);
+        decided.or(first).unwrap_or((Verdict::Open, Why::Degenerate))
     }
 
     /// Every change of the linear type along a branch.

@@ -13,7 +13,7 @@ use dashu_ratio::RBig;
 use super::cone::PermanentAxis;
 use crate::critical::Multiplicity;
 use crate::nonlinear::{Friction, Nonlinear, Question, Setting};
-use crate::stability::{Constants, LinearType, RESONANCES, Reduced, Signs, State};
+use crate::stability::{Constants, Eigenvalues, LinearType, RESONANCES, Reduced, Signs, State};
 use bifdiag_body::{Axis, Body, BodyAxis};
 
 /// Digits of |r| where it is not rational.
@@ -94,6 +94,8 @@ pub struct Judged {
     pub nonlinear: Nonlinear,
     /// What damping leaves of it.
     pub friction: Friction,
+    /// The eigenvalues of the flow reduced by l, per unit of time.
+    pub eigenvalues: Eigenvalues,
 }
 
 /// Bits of enclosures where 384 do not decide.
@@ -282,7 +284,8 @@ impl AxisRotation {
         let reduced = Reduced::new(&c, &state);
         let question = Question { c: &c, state: &state, reduced: &reduced, kind, setting };
         let nonlinear = beyond.unwrap_or_else(|| question.undecided(self.resonances(&s)));
-        Some(Judged { kind, nonlinear, friction: Friction::new(&reduced, kind, setting, is_set) })
+        let friction = Friction::new(&reduced, kind, setting, is_set);
+        Some(Judged { kind, nonlinear, friction, eigenvalues: reduced.eigenvalues(kind, is_set, 1.0) })
     }
 
     /// The state with the first axis as that of rotation.

@@ -44,16 +44,18 @@ pub(super) fn legend(
         }
     }
     for (verdict, name) in [
-        (Verdict::Stable, "solid: all eigenvalues imaginary"),
+        (Verdict::Lasting, "solid: stable, with friction too"),
+        (Verdict::Frictionless, "thin: stable without friction"),
         (Verdict::Unstable, "dashed: unstable"),
-        (Verdict::Open, "dotted: an eigenvalue is zero"),
+        (Verdict::Open, "dotted: stability open"),
     ] {
         if drawn.iter().flat_map(|stroke| &stroke.lines).any(|line| line.verdict == Some(verdict)) {
-            entries.push((Symbol::Line(stroke::curve_pattern(FAINT_INK, verdict), WIDTH), name.to_owned()));
+            let symbol = Symbol::Line(stroke::curve_pattern(FAINT_INK, verdict), stroke::curve_width(Some(verdict)));
+            entries.push((symbol, name.to_owned()));
         }
     }
     if let Some(stroke) = drawn.iter().find(|stroke| stroke.lines.len() > 1) {
-        let symbol = Symbol::Line(stroke::in_turn(&stroke.lines), WIDTH);
+        let symbol = Symbol::Line(stroke::in_turn(&stroke.lines), stroke::width(&stroke.lines));
         entries.push((symbol, "in turn: coincident".to_owned()));
     }
     let seen = |h: f64, l: f64| panels.iter().any(|panel| panel.view.rect.contains(panel.view.position([h, l])));

@@ -5,7 +5,7 @@ use super::insets::Magnifications;
 use super::labels::{H, L, region_type};
 use super::panel::Panel;
 use super::scene::Scene;
-use super::stroke::{Stroke, WIDTH};
+use super::stroke::{Stroke, curve_width};
 use crate::page::{Heading, Symbol, Table, body_line, short_number, short_time, text_width};
 use bifdiag_schema::{AtlasDocument, CurveDocument, small_motions};
 
@@ -106,7 +106,10 @@ pub(super) fn motions(scene: &Scene<'_>, strokes: &[Stroke], panels: &[Panel], r
         for stroke in strokes {
             let Some(line) = stroke.lines.iter().find(|line| line.curve == index) else { continue };
             let Some(l) = panels.iter().find_map(|panel| seen(panel, stroke)) else { continue };
-            rows.extend(cells(scene, curve, l).map(|cells| (Symbol::Line(line.pattern.clone(), WIDTH), cells)));
+            rows.extend(
+                cells(scene, curve, l)
+                    .map(|cells| (Symbol::Line(line.pattern.clone(), curve_width(line.verdict)), cells)),
+            );
         }
     }
     Table::new(columns(scene.atlas), rows, room)
@@ -120,7 +123,7 @@ pub(super) fn motions_left_out(rows: usize) -> String {
 fn columns(atlas: &AtlasDocument) -> Vec<String> {
     let unit = atlas.body.part.as_ref().map_or_else(String::new, |part| format!(" in {}", part.time_unit()));
     let motions = format!("small motions there: period, or time of growth by the factor e{unit}");
-    vec!["curve".to_owned(), format!("from {L} to {L}"), "linear type".to_owned(), "stable".to_owned(), motions]
+    vec!["curve".to_owned(), format!("from {L} to {L}"), "linear type".to_owned(), "stability".to_owned(), motions]
 }
 
 /// Near both ends of the part of a stretch that a panel shows.
@@ -141,5 +144,5 @@ fn cells(scene: &Scene<'_>, curve: &CurveDocument, l: [f64; 2]) -> Option<Vec<St
     let name = format!("{}, {}", curve.id, curve.branch_name);
     let range = l.map(|l| short_number(l, DIGITS)).join(" … ");
     let motions = small_motions(&[first.eigenvalues, last.eigenvalues], short_time);
-    Some(vec![name, range, first.stability.word().to_owned(), first.stable.word().to_owned(), motions])
+    Some(vec![name, range, first.stability.word().to_owned(), first.nonlinear.to_string(), motions])
 }

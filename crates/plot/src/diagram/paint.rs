@@ -77,9 +77,10 @@ impl Diagram<'_> {
     fn line_title(&self, line: &Line) -> String {
         let curve = &self.scene.atlas.curves[line.curve];
         let stability = match line.verdict {
-            Some(Verdict::Stable) => ", eigenvalues imaginary",
+            Some(Verdict::Lasting) => ", stable, with friction too",
+            Some(Verdict::Frictionless) => ", stable without friction",
             Some(Verdict::Unstable) => ", unstable",
-            Some(Verdict::Open) => ", an eigenvalue zero",
+            Some(Verdict::Open) => ", stability open",
             None => "",
         };
         format!("{}: {}{stability}", curve.id, curve.branch_name)

@@ -1,5 +1,5 @@
-//! Line styles: solid where all eigenvalues are imaginary, dashed where unstable, dotted where an eigenvalue is zero or
-//! nothing is known; curves that coincide are one line in the colours and dashes of each in turn.
+//! Line styles: solid where stable, and thin where friction ends that; dashed where unstable, dotted where neither is known;
+//! curves that coincide are one line in the colours and dashes of each in turn.
 
 use std::collections::BTreeMap;
 
@@ -9,10 +9,12 @@ use super::palette::{BranchStyle, is_pole};
 use super::panel::Panel;
 use super::windows::l_range;
 use crate::page::{Canvas, Dash, FAINT_INK, POLE, POLE_MINUS, Path, Point, clip_polyline};
-use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, Stability, StabilitySpan};
+use bifdiag_schema::{AtlasDocument, CurveDocument, CurveKind, Damped, NonlinearVerdict, StabilitySpan};
 
-/// Width of every curve in pixels.
+/// Width of a curve in pixels.
 pub(super) const WIDTH: f64 = 1.5;
+/// Width of one that is stable without friction only.
+const THIN: f64 = 0.75;
 /// Length of a solid line between the dashes of others that coincide with it.
 const SOLID: f64 = 9.0;
 
@@ -37,14 +39,16 @@ pub(super) struct Line {
     pub verdict: Option<Verdict>,
 }
 
-/// What the spectrum says of the stability of a curve.
+/// What is known of the stability of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Verdict {
-    /// All eigenvalues imaginary.
-    Stable,
-    /// An eigenvalue zero, or nothing known.
+    /// Stable, also with friction that conserves l.
+    Lasting,
+    /// Stable as long as there is no friction.
+    Frictionless,
+    /// Neither is known.
     Open,
-    /// A real or complex eigenvalue.
+    /// Unstable.
     Unstable,
 }
 
@@ -56,17 +60,23 @@ fn verdict_at(curve: &CurveDocument, l: f64) -> Verdict {
 
 /// The verdict of a stretch.
 pub(super) fn verdict(span: &StabilitySpan) -> Verdict {
-    match span.stability {
-        kind if kind.is_unstable() => Verdict::Unstable,
-        Stability::Zero => Verdict::Open,
-        _ => Verdict::Stable,
+    match span.nonlinear.verdict {
+        NonlinearVerdict::Stable if span.friction.conserving_l == Some(Damped::Survives) => Verdict::Lasting,
+        NonlinearVerdict::Stable => Verdict::Frictionless,
+        NonlinearVerdict::Open => Verdict::Open,
+        NonlinearVerdict::Unstable => Verdict::Unstable,
     }
+}
+
+/// The width of a curve.
+pub(super) fn curve_width(verdict: Option<Verdict>) -> f64 {
+    if verdict == Some(Verdict::Frictionless) { THIN } else { WIDTH }
 }
 
 /// The pattern of a curve.
 pub(super) fn curve_pattern(color: RGBColor, verdict: Verdict) -> Vec<Dash> {
     match verdict {
-        Verdict::Stable => vec![(Some(color), 1.0)],
+        Verdict::Lasting | Verdict::Frictionless => vec![(Some(color), 1.0)],
         Verdict::Open => vec![(Some(color), 1.6), (None, 2.4)],
         Verdict::Unstable => vec![(Some(color), 5.0), (None, 3.0)],
     }
@@ -134,7 +144,9 @@ fn stroke(atlas: &AtlasDocument, styles: &BTreeMap<&str, BranchStyle>, set: &[us
             Line { curve: index, pattern: curve_pattern(color, verdict), verdict: Some(verdict) }
         };
         // Two curves that look the same are one line.
-        if !lines.iter().any(|other| other.pattern == line.pattern) {
+        let same =
+            |other: &Line| other.pattern == line.pattern && curve_width(other.verdict) == curve_width(line.verdict);
+        if !lines.iter().any(same) {
             lines.push(line);
         }
     }
@@ -158,7 +170,12 @@ pub(super) fn draw(canvas: &Canvas, panel: &Panel, stroke: &Stroke) {
     for part in parts(panel, stroke) {
         path.line(&part, false);
     }
-    canvas.draw_dashed(&path, &in_turn(&stroke.lines), WIDTH);
+    canvas.draw_dashed(&path, &in_turn(&stroke.lines), width(&stroke.lines));
+}
+
+/// Lines upon each other are as wide as the widest of them.
+pub(super) fn width(lines: &[Line]) -> f64 {
+    lines.iter().map(|line| curve_width(line.verdict)).fold(0.0, f64::max)
 }
 
 /// The patterns of lines in turn.

@@ -104,7 +104,7 @@ pub(super) fn equilibria(scene: &SphereScene<'_>, [width, height]: [f64; 2]) -> 
 /// The first columns of the table.
 fn columns(scene: &SphereScene<'_>, room: f64, count: usize) -> Table {
     let times = if scene.time_unit.is_empty() { String::new() } else { format!(" in {}", scene.time_unit) };
-    let heading = ["", "relative equilibrium", "h", "of U", "linear type", "stable"].map(str::to_owned);
+    let heading = ["", "relative equilibrium", "h", "of U", "linear type", "stability"].map(str::to_owned);
     let motions = format!("small motions: period, or time of growth by the factor e{times}");
     let heading = heading.into_iter().chain([motions]).take(count).collect();
     let h: Vec<f64> = scene.equilibria.iter().map(|point| point.h).collect();
@@ -115,7 +115,7 @@ fn columns(scene: &SphereScene<'_>, room: f64, count: usize) -> Table {
             h,
             kind(point).to_owned(),
             point.stability.word().to_owned(),
-            point.stable.word().to_owned(),
+            point.nonlinear.to_string(),
             small_motions(&[point.eigenvalues], short_time),
         ];
         (symbol(Mark::Equilibrium(point.index)), cells.into_iter().take(count).collect())

@@ -8,9 +8,9 @@ use bifdiag_plot::CurveSource;
 use bifdiag_schema::CurveKind::{Axis, Generic, Pair, PoleMinus, PolePlus};
 use bifdiag_schema::{
     Accuracy, AtlasDocument, BodyDocument, CellDocument, ComponentDocument, CurveDocument, CurveDrawing, CurveKind,
-    DrawingDocument, EventDocument, EventKind, Flags, GivenBody, Head, MarginDocument, RegionDocument, RegionDrawing,
-    SCHEMA_VERSION, SampleDocument, Stability, StabilitySpan, SummaryDocument, TailDocument, ViewDocument,
-    WindowDocument,
+    Damped, DrawingDocument, EventDocument, EventKind, Flags, FrictionDocument, GivenBody, Head, MarginDocument,
+    NonlinearDocument, NonlinearVerdict, Reason, RegionDocument, RegionDrawing, SCHEMA_VERSION, SampleDocument,
+    Stability, StabilitySpan, SummaryDocument, TailDocument, ViewDocument, WindowDocument,
 };
 
 /// (h, l) by a parameter.
@@ -422,7 +422,22 @@ fn region(id: &str, face: &[Key], bounds: &[f64], curves: &[Curve], signature: O
 fn document(curve: &Curve) -> CurveDocument {
     let end = |l: f64| l.is_finite().then_some(l);
     let stability = if curve.index == Some(1) { Stability::SaddleCentre } else { Stability::Elliptic };
-    let spans = curve.index.map(|_| StabilitySpan { l_from: curve.l[0], l_to: end(curve.l[1]), stability });
+    let (verdict, why) = match curve.index {
+        Some(1) => (NonlinearVerdict::Unstable, Reason::Spectrum),
+        Some(2) => (NonlinearVerdict::Stable, Reason::Arnold),
+        _ => (NonlinearVerdict::Stable, Reason::Energy),
+    };
+    let spans = curve.index.map(|index| StabilitySpan {
+        l_from: curve.l[0],
+        l_to: end(curve.l[1]),
+        stability,
+        nonlinear: NonlinearDocument::along(verdict, why, true),
+        friction: FrictionDocument {
+            conserving_l: Some(if index == 0 { Damped::Survives } else { Damped::Lost }),
+            growing: index,
+            rates: Vec::new(),
+        },
+    });
     CurveDocument {
         id: curve.id.to_owned(),
         kind: curve.kind,
@@ -471,6 +486,7 @@ pub fn atlas(
         curves,
         events,
         stability_changes: Vec::new(),
+        verdict_changes: Vec::new(),
         regions,
         drawing: None,
         certificate: None,

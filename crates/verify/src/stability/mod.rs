@@ -4,6 +4,7 @@
 
 mod chart;
 mod flow;
+mod verdicts;
 
 use bifdiag_schema::{
     AtlasDocument, CertificateDocument, CurveDocument, Stability, StabilityChangeDocument, StabilityChangeKind,
@@ -55,19 +56,25 @@ struct Change {
     at: [Fixed; 2],
 }
 
-/// Checks the types along all curves and every change.
+/// Checks the types and verdicts along all curves and every change; the curves with a verdict that is not checked.
 pub(crate) fn check(
     document: &AtlasDocument,
     certificate: &CertificateDocument,
     orders: &Orders,
-) -> Result<(), Refused> {
+) -> Result<Vec<String>, Refused> {
     let units = [number::unit(&certificate.units.moment)?, number::unit(&certificate.units.energy)?];
     let along = along_all(orders)?;
     let l2 = &units[0] * &units[1] * RBig::from(2);
+    let mut unchecked = Vec::new();
     for curve in &document.curves {
         let own = along.iter().find(|along| orders.pieces.list[along.curve].id == curve.id);
         if !spans(curve, own, &l2) {
             return Err(Refused::Field { field: "curves.stability" });
+        }
+        if let Some(own) = own
+            && verdicts::check(orders, curve, own.curve)?
+        {
+            unchecked.push(curve.id.clone());
         }
     }
     let expected = changes(orders, &along)?;
@@ -81,7 +88,7 @@ pub(crate) fn check(
         let at = open.iter().position(|claim| change.is_told_by(claim, orders, &l2, &units[1])).ok_or(CHANGES)?;
         open.remove(at);
     }
-    Ok(())
+    Ok(unchecked)
 }
 
 /// The types along every critical curve.

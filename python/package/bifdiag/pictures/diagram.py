@@ -32,16 +32,11 @@ TINTS = {
 }
 """Grounds of the regions by their signature, in alphabetical order; others take one of these."""
 
-STRETCHES = {
-    "elliptic": "-",
-    "double-elliptic": "-",
-    "zero": ":",
-    "saddle-centre": (0, (5, 3)),
-    "saddle": (0, (5, 3)),
-    "complex": (0, (5, 3)),
-    "double-real": (0, (5, 3)),
-}
-"""Lines of stretches of curves: solid where all eigenvalues are imaginary, dashed where unstable, dotted where one is 0."""
+STRETCHES = {"stable": "-", "unstable": (0, (5, 3)), "open": ":"}
+"""Lines of stretches of curves by the verdict on their stability."""
+
+THIN = 0.4
+"""Width of a curve that is stable without friction only, relative to the others."""
 
 POLES = {"pole-plus": (0, (9, 2.5, 1.8, 2.5)), "pole-minus": (0, (9, 2.5, 1.8, 2.5, 1.8, 2.5))}
 """Lines of the pole lines: dash and dot, dash and two dots."""
@@ -66,8 +61,8 @@ def diagram(
 ) -> "Axes":
     """The bifurcation diagram: regions as coloured patches, curves, names where they find room.
 
-    Curves are solid where all eigenvalues are imaginary, dashed where the steady rotation is unstable, dotted where an
-    eigenvalue is 0; the pole lines are grey, with one dot between dashes where r̂ enters U and two where −r̂ does. Curves and
+    Curves are solid where the steady rotation is stable (thin if only without friction), dashed where it is unstable,
+    dotted where that is open; the pole lines are grey, with one dot between dashes where r̂ enters U and two where −r̂ does. Curves and
     outlines are computed for the ranges that are drawn, and are as fine as these need.
 
     Parameters
@@ -119,7 +114,10 @@ def _stretches(curve: "Curve", ink: str) -> Iterator[tuple[float, float, dict[st
     if curve.kind in POLES:
         yield *curve.l_range, {"color": "0.4", "linestyle": POLES[curve.kind]}
     for part in curve.stability:
-        yield part.l_from, part.l_to, {"color": ink, "linestyle": STRETCHES.get(part.stability, ":")}
+        style = {"color": ink, "linestyle": STRETCHES[part.nonlinear.verdict]}
+        if part.nonlinear.verdict == "stable" and part.friction.conserving_l != "survives":
+            style["linewidth"] = THIN
+        yield part.l_from, part.l_to, style
 
 
 def _name(atlas: "Atlas", ax: "Axes", h: tuple[float, float], l: tuple[float, float], ink: str) -> None:

@@ -1,0 +1,97 @@
+//! How a steady rotation ends when friction at the pivot or in the air lowers l slowly.
+//!
+//! Friction that is small damps motions near a minimum of U_l faster than it lowers l: the state stays on its curve, dh = Ω dl,
+//! to the point at which the curve ends. At a pitchfork it goes over to the curve or the pair that is a minimum beyond;
+//! without one, and at a cusp, the body falls, and comes to rest on another minimum at that l. All this in the limit of
+//! vanishing friction.
+
+use crate::arrangement::{Arrangement, Change, EventId, RegionId, SlabId};
+use bifdiag_equilibria::curves::CurveId;
+use bifdiag_numbers::table::Id;
+
+/// A stretch of a curve along which the same regions lie beside it, by falling x = l²/2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// The curve.
+    pub curve: CurveId,
+    /// From the larger x to the smaller one.
+    pub x: [f64; 2],
+    /// The regions just below (`None`: forbidden) and just above in h.
+    pub regions: [Option<RegionId>; 2],
+}
+
+/// Where a stretch ends.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Turn {
+    /// Another curve crosses: other regions lie beside it.
+    Crossing(EventId),
+    /// The curve goes over into another minimum, at a pitchfork.
+    Onto(EventId, CurveId),
+    /// The minimum ends, and the body falls; these are the minima at that l of less energy.
+    Fall(EventId, Vec<CurveId>),
+    /// The start is no minimum: with friction the body falls from it at once, to one of these.
+    Lost(Vec<CurveId>),
+    /// The body comes to rest, hanging.
+    Rest,
+}
+
+/// The way of a rotation from a point of a curve down to rest, or to a fall after which several minima are left.
+#[must_use]
+pub fn spin_down(arrangement: &Arrangement, from: CurveId, x: f64) -> Vec<(Stretch, Turn)> {
+    let set = &arrangement.set;
+    let is_minimum = |curve: CurveId| set.curves[curve].index == Some(0);
+    let mut way = Vec::new();
+    let (mut curve, mut upper) = (from, x);
+    let Some(mut slab) = arrangement.slabs.pairs().find(|(_, slab)| slab.x[0] < x && x <= slab.x[1]).map(|(id, _)| id)
+    else {
+        return way;
+    };
+    // Minima of less energy at x in a slab.
+    let below = |slab: SlabId, x: f64, h: f64| -> Vec<CurveId> {
+        let is_below = |&other: &CurveId| is_minimum(other) && set.curves[other].point(&set.frame, x).h() < h;
+        arrangement.slabs[slab].order.iter().copied().filter(is_below).collect()
+    };
+    while let Some(place) = arrangement.slabs[slab].order.iter().position(|&other| other == curve) {
+        let strip = &arrangement.slabs[slab];
+        let regions = [place.checked_sub(1).map(|below| strip.region_above[below]), Some(strip.region_above[place])];
+        let stretch = Stretch { curve, x: [upper, strip.x[0]], regions };
+        let falls = if is_minimum(curve) {
+            let Some(number) = slab.index().checked_sub(1) else {
+                way.push((stretch, Turn::Rest));
+                break;
+            };
+            slab = SlabId::at(number);
+            let event = EventId::at(number);
+            let change = arrangement.events[event].change;
+            if !change.curves().contains(&curve) {
+                continue;
+            }
+            upper = stretch.x[1];
+            let minimum = |curves: &[CurveId]| curves.iter().copied().find(|&curve| is_minimum(curve));
+            let onto = match change {
+                Change::Swap(_) => {
+                    way.push((stretch, Turn::Crossing(event)));
+                    continue;
+                }
+                Change::Birth(_) | Change::Death(_) => None,
+                Change::Open { through: [before, _], .. } => minimum(&[before]),
+                Change::Close { through: [before, _], pair } => minimum(&[pair, before]),
+            };
+            if let Some(next) = onto {
+                way.push((stretch, Turn::Onto(event, next)));
+                curve = next;
+                continue;
+            }
+            let left = below(slab, upper, arrangement.events[event].h);
+            way.push((stretch, Turn::Fall(event, left.clone())));
+            left
+        } else {
+            let left = below(slab, upper, set.curves[curve].point(&set.frame, upper).h());
+            way.push((Stretch { x: [upper; 2], ..stretch }, Turn::Lost(left.clone())));
+            left
+        };
+        let [next] = falls[..] else { break };
+        curve = next;
+    }
+    way
+}

@@ -1,0 +1,153 @@
+//! Stability beyond the linearisation: the verdict on a relative equilibrium with its reason, and what friction leaves of it.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Whether a relative equilibrium is stable: in the sense of Lyapunov, at fixed l, modulo rotation about the vertical.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum NonlinearVerdict {
+    /// Motions that start near it stay near it for all time.
+    Stable,
+    /// Some motions that start as near as one likes leave it.
+    Unstable,
+    /// No theorem that the program knows decides.
+    Open,
+}
+
+/// Why a relative equilibrium has its verdict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Reason {
+    /// A strict minimum of U_l (Lagrange–Dirichlet).
+    Energy,
+    /// A further integral, as at the sleeping top.
+    Integral,
+    /// Arnold's theorem: no resonance ω₁ = ω₂, 2ω₂ or 3ω₂, and D₄ is not 0.
+    Arnold,
+    /// An eigenvalue with positive real part.
+    Spectrum,
+    /// ω₁ = 2ω₂.
+    #[serde(rename = "resonance 1:2")]
+    Resonance12,
+    /// ω₁ = 3ω₂.
+    #[serde(rename = "resonance 1:3")]
+    Resonance13,
+    /// ω₁ = ω₂.
+    #[serde(rename = "resonance 1:1")]
+    Resonance11,
+    /// An eigenvalue zero, or D₄ = 0.
+    Degenerate,
+}
+
+impl Reason {
+    /// The word, as in JSON.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Energy => "energy",
+            Self::Integral => "integral",
+            Self::Arnold => "arnold",
+            Self::Spectrum => "spectrum",
+            Self::Resonance12 => "resonance 1:2",
+            Self::Resonance13 => "resonance 1:3",
+            Self::Resonance11 => "resonance 1:1",
+            Self::Degenerate => "degenerate",
+        }
+    }
+}
+
+/// Distances to the resonances, from the coefficients of λ⁴ + bλ² + c; each is 0 exactly at its resonance.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ResonancesDocument {
+    /// (b² − 4c)/b².
+    #[serde(rename = "1:1")]
+    pub one_to_one: f64,
+    /// (4b² − 25c)/b².
+    #[serde(rename = "1:2")]
+    pub one_to_two: f64,
+    /// (9b² − 100c)/b².
+    #[serde(rename = "1:3")]
+    pub one_to_three: f64,
+}
+
+/// The verdict on the stability of a relative equilibrium, with all that it rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NonlinearDocument {
+    /// Stable, unstable, or open.
+    pub verdict: NonlinearVerdict,
+    /// Why.
+    pub why: Reason,
+    /// Arnold's determinant D₄ = K₁₁ω₂² + K₁₂ω₁ω₂ + K₂₂ω₁² over Ω², where H = ω₁I₁ − ω₂I₂ + K₁₁I₁² + K₁₂I₁I₂ + K₂₂I₂² + … with
+    /// the pair of positive Krein sign first; `null` but at index 2 with two distinct imaginary pairs, and along a curve.
+    #[serde(rename = "D4_over_s")]
+    pub d4_over_s: Option<f64>,
+    /// Bound on its error.
+    #[serde(rename = "D4_error")]
+    pub d4_error: Option<f64>,
+    /// Distances to the resonances; `null` but at index 2 with imaginary pairs, and along a curve.
+    pub near: Option<ResonancesDocument>,
+    /// Decided by enclosures and exact arithmetic; in an atlas: `verify` confirms it.
+    pub proved: bool,
+}
+
+impl NonlinearDocument {
+    /// A verdict along a curve, where the normal form is another at each point.
+    #[must_use]
+    pub fn along(verdict: NonlinearVerdict, why: Reason, proved: bool) -> Self {
+        Self { verdict, why, d4_over_s: None, d4_error: None, near: None, proved }
+    }
+}
+
+impl NonlinearVerdict {
+    /// The word, as in JSON.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Unstable => "unstable",
+            Self::Open => "open",
+        }
+    }
+}
+
+/// As tables say it.
+impl fmt::Display for NonlinearDocument {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let verdict = self.verdict.word();
+        let why = match self.why {
+            // The linear type says so already.
+            Reason::Spectrum => return f.write_str(verdict),
+            Reason::Arnold => "Arnold",
+            Reason::Resonance12 => "1:2 resonance",
+            Reason::Resonance13 => "1:3 resonance",
+            Reason::Resonance11 => "1:1 resonance",
+            why @ (Reason::Energy | Reason::Integral | Reason::Degenerate) => why.word(),
+        };
+        write!(f, "{verdict} ({why})")
+    }
+}
+
+/// What friction that conserves l leaves of the stability.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Damped {
+    /// It stays stable.
+    Survives,
+    /// It is unstable, however small the friction.
+    Lost,
+}
+
+/// A relative equilibrium with friction that conserves l (Thomson, Tait and Chetaev): it survives exactly at a minimum of U_l.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FrictionDocument {
+    /// What it leaves; `null` at a degenerate point that no theorem decides.
+    pub conserving_l: Option<Damped>,
+    /// Directions that grow: the Morse index.
+    pub growing: u8,
+    /// Pairs of `eigenvalues`, each with d Re λ/dδ at δ = 0 for the torque −δA(ω − Ωγ): of an imaginary pair negative exactly if
+    /// its Krein sign is positive. Without double pairs and zeros; empty along a curve.
+    pub rates: Vec<([f64; 2], f64)>,
+}

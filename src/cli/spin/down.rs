@@ -1,0 +1,119 @@
+//! `bifdiag spin-down`: how a steady rotation ends when friction slowly takes its angular momentum.
+
+use bifdiag_body::Number;
+use bifdiag_documents::Subject;
+use bifdiag_equilibria::curves::CurveName;
+use bifdiag_exact::Accuracy;
+use bifdiag_schema::{SlowdownDocument, SlowdownEvent, SpinDownDocument};
+use clap::Args;
+
+use crate::cli::export::answer;
+use crate::cli::failure::{Failure, failed};
+use crate::cli::input::{BodyArguments, head, values};
+use crate::cli::terminal::{Report, Table, Timings, significant};
+
+pub const SPIN_DOWN_EXAMPLES: &str = "\
+Examples:
+  bifdiag spin-down --A 2,2,3 --r 0,0,1 --from L-.2 --l 6
+  bifdiag spin-down --body paper --from G1.3 --json
+
+The way is that of vanishing friction at the pivot or in the air, which lowers l and damps all that is not steady: the rotation \
+follows its curve as long as that is a minimum of U_l.";
+
+/// `bifdiag spin-down`.
+#[derive(Debug, Args)]
+pub struct SpinDownArguments {
+    #[command(flatten)]
+    pub body: BodyArguments,
+    /// The curve of the rotation, by its id in `bifdiag atlas`
+    #[arg(long, value_name = "CURVE", help_heading = "Rotation")]
+    pub from: String,
+    /// Its vertical angular momentum (default: the largest l of the curve; of one without end twice the l of the last event)
+    #[arg(long = "l", value_name = "l", allow_hyphen_values = true, value_parser = values::number, help_heading = "Rotation")]
+    pub momentum: Option<Number>,
+    /// Print the way as JSON
+    #[arg(long, help_heading = "Output")]
+    pub json: bool,
+}
+
+/// Significant digits.
+const DIGITS: usize = 6;
+
+pub fn run(arguments: &SpinDownArguments, timings: &Timings) -> Result<(), Failure> {
+    let subject = arguments.body.subject()?;
+    let atlas = timings.stage("atlas", || bifdiag_exact::atlas(&subject.body, Accuracy::Exact));
+    let atlas = atlas.map_err(failed("the atlas could not be made"))?;
+    let set = &atlas.arrangement().set;
+    let id = arguments.from.to_ascii_uppercase().replace('−', "-");
+    let critical = || set.curves.pairs().filter(|(_, curve)| curve.is_critical());
+    let name = |curve| CurveName::of(set, curve).to_string();
+    let Some((from, curve)) = critical().find(|(curve, _)| name(*curve) == id) else {
+        let names: Vec<String> = critical().map(|(curve, _)| name(curve)).collect();
+        return Err(Failure::input(format!(
+            "--from {}: the body has no such curve of steady rotations; it has {}",
+            arguments.from,
+            names.join(", ")
+        )));
+    };
+    let [lower, upper] = curve.x().map(|x| atlas.momentum(x));
+    let last = atlas.arrangement().events.iter().map(|event| event.x).fold(curve.x()[0], f64::max);
+    let l = match &arguments.momentum {
+        Some(l) => l.to_f64().abs(),
+        None if upper.is_finite() => upper,
+        None => 2.0 * if last > 0.0 { atlas.momentum(last) } else { set.frame.momentum_unit },
+    };
+    if !(lower < l && l <= upper) {
+        let range = if upper.is_finite() {
+            format!("from {} to {}", significant(lower, DIGITS), significant(upper, DIGITS))
+        } else {
+            format!("from {} on", significant(lower, DIGITS))
+        };
+        return Err(Failure::input(format!("--l {}: the curve {id} has l {range}", significant(l, DIGITS))));
+    }
+    let command = subject.command("spin-down").option("from", &id).option("l", format!("{l:?}"));
+    let document = bifdiag_documents::spin_down(&subject, command, &atlas, from, l);
+    answer(arguments.json, &document, || text(&subject, &document))
+}
+
+fn text(subject: &Subject, document: &SpinDownDocument) -> String {
+    let mut report = Report::default();
+    head(subject, &mut report);
+    report.line("");
+    let mut table = Table::new(&["curve", "l", "h", "omega", "regions", "then"]);
+    for stretch in &document.path {
+        let range = |[from, to]: [f64; 2]| {
+            let [from, to] = [from, to].map(|x| significant(x, DIGITS));
+            if from == to { from } else { format!("{from} → {to}") }
+        };
+        let [below, above] = stretch.regions.each_ref().map(|region| region.as_deref().unwrap_or("none"));
+        table.row([
+            stretch.curve.clone(),
+            range(stretch.l),
+            range(stretch.h),
+            range(stretch.omega),
+            format!("{below}, {above}"),
+            then(stretch),
+        ]);
+    }
+    report.line(table.text());
+    report.line("");
+    report.line("regions: just below and just above in h");
+    report.line("in the limit of vanishing friction");
+    report.text()
+}
+
+/// What ends a stretch.
+fn then(stretch: &SlowdownDocument) -> String {
+    let onto = stretch.onto.join(" or ");
+    let falls = |why: &str| {
+        if onto.is_empty() { format!("{why}: falls") } else { format!("{why}: falls, to {onto}") }
+    };
+    match stretch.event {
+        SlowdownEvent::Crossing => "goes on".to_owned(),
+        SlowdownEvent::Turn => format!("pitchfork: goes on along {onto}"),
+        SlowdownEvent::Pitchfork => falls("pitchfork"),
+        SlowdownEvent::Cusp => falls("cusp"),
+        SlowdownEvent::Start => falls("no minimum"),
+        SlowdownEvent::Rest => "hangs at rest".to_owned(),
+    }
+}
